@@ -1,0 +1,112 @@
+// Every edit, one small struct each. Commands speak in ids; `apply` (apply.h) is the only place where they act, and it
+// returns the inverse.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "lab/scene.h"
+
+namespace hooke {
+
+struct Parameter;
+
+// A point or spring as it was or shall be, and its place in the list.
+struct PlacedPoint {
+  Index at = no_index;  // no_index: at the end
+  Point point;
+  Vec3 position{0.0}, velocity{0.0};
+  bool operator==(const PlacedPoint&) const = default;
+};
+struct PlacedSpring {
+  Index at = no_index;
+  Spring spring;
+  bool operator==(const PlacedSpring&) const = default;
+};
+struct PlacedFace {
+  Index at = no_index;
+  Face face;
+  bool operator==(const PlacedFace&) const = default;
+};
+
+// Adds points, springs and faces, in this order; each list in ascending places. Ids must be new or those of removed things.
+struct Insert {
+  std::vector<PlacedPoint> points;
+  std::vector<PlacedSpring> springs;
+  std::vector<PlacedFace> faces;
+};
+
+// Removes points with the springs and faces on them, and springs. Ids that are gone are passed over. A grab on a
+// removed point is let go.
+struct Remove {
+  std::vector<PointId> points;
+  std::vector<SpringId> springs;
+};
+
+// Nails or frees points; a nailed point stops. `velocity`, when given (by an inverse), is what a freed point gets.
+struct SetNailed {
+  struct Item {
+    PointId point;
+    bool nailed;
+    Vec3 velocity{0.0};
+  };
+  std::vector<Item> items;
+};
+
+// Puts points somewhere, with a velocity of their own.
+struct Move {
+  struct Item {
+    PointId point;
+    Vec3 position;
+    Vec3 velocity;
+  };
+  std::vector<Item> items;
+};
+
+enum class PointProperty { Mass, Radius };
+struct SetPointProperty {
+  PointProperty property;
+  std::vector<std::pair<PointId, double>> values;
+};
+
+enum class SpringProperty { Stiffness, Damping, RestLength, BreakStrain };
+struct SetSpringProperty {
+  SpringProperty property;
+  std::vector<std::pair<SpringId, double>> values;
+};
+
+// Sets a parameter of the table (parameters.h), clamped to its range.
+struct SetParameter {
+  const Parameter* parameter;
+  double value;
+};
+
+struct SetIntegrator {
+  const Integrator* integrator;
+};
+
+// Takes hold of a point, moves the hand, lets go. Not edits of their own in the history: the grab is one step as a whole,
+// its inverse puts the point back where it was taken.
+struct GrabPoint {
+  Grab grab;
+};
+struct MoveHand {
+  Vec3 target;
+};
+struct ReleaseHand {};
+
+// Replaces the whole scene: back to the start, or what was there before that.
+struct Replace {
+  std::shared_ptr<const Scene> scene;
+};
+
+using Command = std::variant<Insert, Remove, SetNailed, Move, SetPointProperty, SetSpringProperty, SetParameter, SetIntegrator,
+                             GrabPoint, MoveHand, ReleaseHand, Replace>;
+
+// What a person calls it: "nail 3 points".
+std::string describe(const Command& command);
+
+}  // namespace hooke

@@ -1,0 +1,79 @@
+// The laboratory without a screen: a scene, its clock, its history. Takes commands into a queue, applies them between
+// steps, steps in real time, watches for divergence and publishes a Status with a Snapshot.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "lab/command.h"
+#include "lab/history.h"
+#include "lab/status.h"
+#include "sim/step.h"
+
+namespace hooke {
+
+// What is asked of the laboratory itself; queued like commands, in the same order.
+struct Undo {};
+struct Redo {};
+struct SetRunning {
+  bool running;
+};
+struct StepOnce {};   // one frame, while paused
+struct GoToStart {};  // the scene as it was opened or last saved as the start
+struct Open {         // another document; the history ends
+  std::shared_ptr<const Scene> scene;
+};
+struct MarkSaved {};
+using Control = std::variant<Undo, Redo, SetRunning, StepOnce, GoToStart, Open, MarkSaved>;
+
+class Lab {
+ public:
+  explicit Lab(Scene scene);
+
+  void submit(Command command, Gesture gesture = 0);
+  void submit(Control control);
+
+  // Applies what is queued, then steps as many frames as `real_seconds` at the scene's speed ask for, until
+  // `may_go_on` says no (asked between substeps; a frame cut short is taken up by the next call). What cannot be
+  // computed in time is dropped, so that the scene slows down instead of piling up.
+  void advance(double real_seconds, const std::function<bool()>& may_go_on);
+
+  // Steps exactly one frame, applying what is queued before. False when it diverged: the state is the frame before.
+  bool step();
+
+  const std::shared_ptr<const Status>& status() const { return status_; }
+  const Scene& scene() const { return scene_; }
+
+  // Ids for the points and springs of a coming Insert.
+  PointId new_point_id() { return scene_.system.new_point_id(); }
+  SpringId new_spring_id() { return scene_.system.new_spring_id(); }
+
+  // Of the last frame, for `run --json`.
+  const Frame& last_frame() const { return frame_; }
+
+ private:
+  void apply_queue();
+  void obey(const Control& control);
+  void edit(const Command& command, Gesture gesture);
+  void take_over(Effect effect);
+  void start_over(std::shared_ptr<const Scene> start);
+  bool finish_frame();
+  void publish();
+
+  Scene scene_;
+  std::shared_ptr<const Scene> start_;
+  std::vector<std::pair<std::variant<Command, Control>, Gesture>> queue_;
+  History history_;
+  Plan plan_;
+  Frame frame_;
+  bool frame_in_progress_ = false;
+  bool system_is_published_ = false;
+  std::optional<Divergence> divergence_;
+  State before_;              // of the frame in progress
+  double owed_ = 0.0;         // [s] of simulated time not yet stepped
+  std::shared_ptr<const Status> status_;
+};
+
+}  // namespace hooke

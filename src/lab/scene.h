@@ -1,0 +1,52 @@
+// A document: everything that a scene file holds, ready to run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lab/view_settings.h"
+#include "sim/settings.h"
+#include "sim/state.h"
+#include "sim/system.h"
+
+namespace hooke {
+
+// Values that a new point or spring gets from the tools.
+struct Defaults {
+  double mass = 1.0;            // [kg]
+  double radius = 0.02;         // [m]
+  double stiffness = 100.0;     // [N/m]
+  double damping = 0.0;         // [N s/m]
+  double pull_stiffness = 0.0;  // [N/m], of the pulling hand; 0: chosen from the grabbed point's springs
+  GrabKind grab = GrabKind::Hold;
+  bool operator==(const Defaults&) const = default;
+};
+
+// What the arrow keys and sliders of a scene step by, where the scene says so.
+struct ControlRanges {
+  double stiffness_least = 0.0, stiffness_most = 0.0, stiffness_step = 0.0;  // [N/m]; most = 0: the parameter's own
+  bool operator==(const ControlRanges&) const = default;
+};
+
+// The parts of a file that are kept as text: what made ranges of points and springs, and keys that are not ours.
+struct KeptJson {
+  std::string generators;    // the array as it stood; empty: none
+  Index points_listed = 0;   // how many points and springs stood in the file before the generated ones
+  Index springs_listed = 0, faces_listed = 0;
+  std::string unknown_keys;  // an object of the unknown top-level keys; empty: none
+  bool operator==(const KeptJson&) const = default;
+};
+
+struct Scene {
+  std::string name;
+  std::string description;
+  System system;
+  State state;
+  Settings settings;
+  ViewSettings view;
+  Defaults defaults;
+  ControlRanges controls;
+  KeptJson kept;
+};
+
+}  // namespace hooke

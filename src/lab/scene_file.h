@@ -1,0 +1,54 @@
+// Scenes as JSON files (docs/scene-format.md).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lab/scene.h"
+
+namespace hooke {
+
+// A file that was refused (exit code 3): what() is one line, "FILE: FIELD: VALUE: LIMIT".
+struct Refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// A file that could not be read or written (exit code 5): what() is one line with the file and the system's reason.
+struct FileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct LoadedScene {
+  Scene scene;
+  std::vector<std::string> warnings;  // one line each: unknown keys, coincident points, an explicit step past its limit
+};
+
+// Reads a scene. Throws Refused or FileError; never anything else, whatever the bytes.
+LoadedScene load_scene(const std::filesystem::path& file);
+
+// The same from memory; `name` stands for the file in messages.
+LoadedScene parse_scene(std::string_view text, const std::string& name);
+
+// The scene as JSON. What is read back is the same scene, bit for bit. Generators stay generators where their points and
+// springs are as they were made.
+std::string format_scene(const Scene& scene);
+
+// Writes atomically: a temporary file beside it, fsync, rename, fsync of the folder. Throws FileError; then the old file
+// is as it was.
+void save_scene(const Scene& scene, const std::filesystem::path& file);
+
+// The file of a shipped scene by its name ("cloth"), in the installed place or the source tree; none if unknown.
+struct ShippedScene {
+  std::string id;     // "cloth"
+  std::string title;  // "Cloth"
+  std::filesystem::path file;
+};
+
+// In the order of the menu.
+const std::vector<ShippedScene>& shipped_scenes();
+
+// What SCENE on a command line means: a path if there is such a file, else a shipped scene's id. Throws FileError.
+std::filesystem::path find_scene(const std::string& name);
+
+}  // namespace hooke

@@ -1,0 +1,29 @@
+// What the laboratory shows of itself, published once a frame beside the Snapshot; read by panels, never written.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lab/scene.h"
+#include "sim/snapshot.h"
+
+namespace hooke {
+
+struct Status {
+  std::shared_ptr<const Snapshot> snapshot;
+  std::string scene_name, scene_description;
+  ViewSettings view;
+  Defaults defaults;
+  ControlRanges controls;
+  std::vector<double> parameter_values;  // one a row of parameters()
+  bool running = false;
+  bool unsaved = false;                  // edited since it was opened or saved
+  std::string undo_name, redo_name;      // "nail 3 points"; empty: nothing to undo
+  std::string message;                   // why the run stopped, and what would hold; empty: nothing to say
+  double simulate_ms = 0.0;              // of real time per simulated frame, smoothed
+  double speed = 0.0;                    // simulated against real seconds, measured; 0 while paused
+  long frames = 0;                       // stepped since the document was opened
+};
+
+}  // namespace hooke

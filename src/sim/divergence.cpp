@@ -1,0 +1,103 @@
+#include "sim/divergence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace hooke {
+namespace {
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// The first point without a number; else the fastest free one.
+Index worst_point(const System& system, const State& state) {
+  Index worst = no_index;
+  double highest = -1.0;
+  for (Index i = 0; i < system.point_count(); ++i) {
+    if (!is_finite(state.position[i]) || !is_finite(state.velocity[i])) return i;
+    const double speed = system.points()[i].nailed ? -1.0 : glm::length(state.velocity[i]);
+    if (speed > highest) {
+      highest = speed;
+      worst = i;
+    }
+  }
+  return worst;
+}
+
+// The spring furthest from its rest length, by energy; those on the worst point first.
+Index worst_spring(const System& system, const State& state, Index point) {
+  Index worst = no_index;
+  bool worst_is_on_point = false;
+  double highest = -1.0;
+  for (Index s = 0; s < system.spring_count(); ++s) {
+    const Spring& spring = system.springs()[s];
+    const bool on_point = point != no_index && (spring.first == system.points()[point].id || spring.second == system.points()[point].id);
+    if (worst_is_on_point && !on_point) continue;
+    const double extension = strain(system, state, spring) * std::max(spring.rest_length, 1e-300);
+    const double energy = std::isfinite(extension) ? spring.stiffness * extension * extension : INFINITY;
+    if (energy > highest || (on_point && !worst_is_on_point)) {
+      highest = energy;
+      worst = s;
+      worst_is_on_point = on_point;
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+bool is_finite(const State& state) {
+  // 0 x is zero for a number and NaN for anything else: one branchless sum
+  double sum = 0.0;
+  for (const Vec3& x : state.position) sum += 0.0 * x.x + 0.0 * x.y + 0.0 * x.z;
+  for (const Vec3& v : state.velocity) sum += 0.0 * v.x + 0.0 * v.y + 0.0 * v.z;
+  return sum == 0.0;
+}
+
+namespace {
+
+// The least that counts as put in [J]: M g L, and in scenes without weight a billionth of what the springs could hold.
+double least_scale(const System& system, const State& state) {
+  double springs = 0.0;
+  for (const Spring& spring : system.springs()) springs += spring.stiffness * spring.rest_length * spring.rest_length;
+  return std::max({energy_floor(system, state), 1e-9 * springs, 1e-300});
+}
+
+}  // namespace
+
+void open_ledger(const System& system, State& state) {
+  const Energy energy = compute_energy(system, state);
+  state.ledger.given = energy.total();
+  state.ledger.scale = std::max(energy.kinetic + energy.elastic, least_scale(system, state));
+}
+
+void book_edit(const System& system, double before, State& state) {
+  const double change = compute_energy(system, state).total() - before;
+  state.ledger.given += change;
+  state.ledger.scale = std::max(state.ledger.scale + std::abs(change), least_scale(system, state));
+}
+
+std::optional<Divergence> find_divergence(const System& system, const State& state, const Energy& energy) {
+  Divergence divergence{.time = state.time, .scale = state.ledger.scale};
+
+  // air that moves brings points up to its speed
+  double mass = 0.0;
+  for (const Point& point : system.points()) mass += point.mass;
+  if (system.drag_rate() > 0.0) divergence.scale += mass * glm::dot(system.wind, system.wind);
+
+  divergence.energy = energy.total() - state.ledger.given;
+  if (!is_finite(state) || !std::isfinite(energy.total()))
+    divergence.kind = Divergence::Kind::NotFinite;
+  else if (divergence.energy > divergence_factor * divergence.scale)
+    divergence.kind = Divergence::Kind::EnergyFromNowhere;
+  else
+    return std::nullopt;
+
+  const Index point = worst_point(system, state);
+  if (point != no_index) divergence.point = system.points()[point].id;
+  const Index spring = worst_spring(system, state, point);
+  if (spring != no_index) divergence.spring = system.springs()[spring].id;
+  return divergence;
+}
+
+}  // namespace hooke

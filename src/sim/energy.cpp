@@ -1,0 +1,80 @@
+#include "sim/energy.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/common.hpp>
+
+namespace hooke {
+
+Energy compute_energy(const System& system, const State& state) {
+  Energy energy;
+  for (Index i = 0; i < system.point_count(); ++i) {
+    const Point& point = system.points()[i];
+    if (point.nailed) continue;
+    energy.kinetic += 0.5 * point.mass * glm::dot(state.velocity[i], state.velocity[i]);
+    energy.gravitational -= point.mass * glm::dot(system.gravity, state.position[i]);
+  }
+  for (const Spring& spring : system.springs()) {
+    const double length =
+        glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
+    const double extension = length - spring.rest_length;
+    energy.elastic += 0.5 * spring.stiffness * extension * extension;
+  }
+  if (system.grab && system.grab->kind == GrabKind::Pull) {
+    const Vec3 reach = state.hand - state.position[system.index_of(system.grab->point)];
+    energy.elastic += 0.5 * system.grab->stiffness * glm::dot(reach, reach);
+  }
+  return energy;
+}
+
+Momentum compute_momentum(const System& system, const State& state) {
+  Momentum momentum;
+  for (Index i = 0; i < system.point_count(); ++i) {
+    if (system.points()[i].nailed) continue;
+    const Vec3 p = system.points()[i].mass * state.velocity[i];
+    momentum.linear += p;
+    momentum.angular += glm::cross(state.position[i], p);
+  }
+  return momentum;
+}
+
+double strain(const System& system, const State& state, const Spring& spring) {
+  const double length =
+      glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
+  return spring.rest_length > 0.0 ? length / spring.rest_length - 1.0 : length;
+}
+
+Vec3 compute_hand_force(const System& system, const State& state) {
+  if (!system.grab) return Vec3(0.0);
+  const Index held = system.index_of(system.grab->point);
+  if (system.grab->kind == GrabKind::Pull) return system.grab->stiffness * (state.hand - state.position[held]);
+
+  // what the springs and gravity do to the held point, turned round
+  Vec3 force = system.points()[held].mass * system.gravity;
+  for (const Spring& spring : system.springs()) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    if (i != held && j != held) continue;
+    const Vec3 along = state.position[i] - state.position[j];
+    const double length = glm::length(along);
+    if (length == 0.0) continue;
+    const double approach = glm::dot(state.velocity[i] - state.velocity[j], along) / length;
+    const double tension = spring.stiffness * (length - spring.rest_length) + system.damping_of(spring) * approach;
+    force -= (i == held ? 1.0 : -1.0) * (tension / length) * along;
+  }
+  return -force;
+}
+
+double energy_floor(const System& system, const State& state) {
+  double mass = 0.0, reach = 0.0;
+  Vec3 least(1e300), most(-1e300);
+  for (Index i = 0; i < system.point_count(); ++i) {
+    least = glm::min(least, state.position[i]);
+    most = glm::max(most, state.position[i]);
+    if (!system.points()[i].nailed) mass += system.points()[i].mass;
+  }
+  for (const Spring& spring : system.springs()) reach = std::max(reach, spring.rest_length);
+  const double size = system.point_count() > 0 ? std::max(glm::distance(least, most), reach) : 0.0;
+  return mass * glm::length(system.gravity) * size;
+}
+
+}  // namespace hooke

@@ -1,0 +1,34 @@
+// Energy and momentum of a state: exact sums, for the display, the watch and the tests.
+#pragma once
+
+#include "sim/state.h"
+#include "sim/system.h"
+
+namespace hooke {
+
+// [J]. Gravity's zero is at the origin; a pulling hand's spring counts as elastic.
+struct Energy {
+  double kinetic = 0.0, elastic = 0.0, gravitational = 0.0;
+  double total() const { return kinetic + elastic + gravitational; }
+};
+
+struct Momentum {
+  Vec3 linear{0.0};   // [kg m/s]
+  Vec3 angular{0.0};  // [kg m^2/s], about the origin
+};
+
+// Nailed points have no kinetic energy or momentum.
+Energy compute_energy(const System& system, const State& state);
+Momentum compute_momentum(const System& system, const State& state);
+
+// l / l0 - 1 of a spring [1]; for l0 = 0 the length [m] itself.
+double strain(const System& system, const State& state, const Spring& spring);
+
+// The force [N] that the hand exerts on its point: a pull's spring, or what holds a held point against its springs and
+// its weight. Zero without a grab.
+Vec3 compute_hand_force(const System& system, const State& state);
+
+// M g L [J]: mass of the free points times gravity times the size of the scene, the least that counts as "put in".
+double energy_floor(const System& system, const State& state);
+
+}  // namespace hooke

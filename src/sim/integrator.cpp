@@ -1,0 +1,77 @@
+#include "sim/integrator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "sim/integrators/rows.h"
+#include "sim/settings.h"
+
+namespace hooke {
+
+std::span<const Integrator> integrators() {
+  static const std::array rows{explicit_euler, symplectic_euler, velocity_verlet, runge_kutta4};
+  return rows;
+}
+
+const Integrator* find_integrator(std::string_view id) {
+  for (const Integrator& row : integrators())
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
+const Integrator& default_integrator() { return *find_integrator("velocity_verlet"); }
+
+Amplification amplification_from(std::complex<double> (*r)(std::complex<double>), const Oscillator& oscillator) {
+  const double damping = oscillator.h_lambda + oscillator.h_drag;
+  const std::complex<double> root = std::sqrt(std::complex<double>(0.25 * damping * damping - oscillator.h_omega_squared, 0.0));
+  const std::complex<double> r1 = r(-0.5 * damping + root), r2 = r(-0.5 * damping - root);
+  return {(r1 + r2).real(), (r1 * r2).real()};
+}
+
+namespace {
+
+// Jury's conditions for both roots of z^2 - trace z + determinant to lie in the closed unit disc.
+bool is_stable(const Amplification& amplification) {
+  constexpr double round_off = 1e-12;
+  return amplification.determinant <= 1.0 + round_off &&
+         std::abs(amplification.trace) <= 1.0 + amplification.determinant + round_off;
+}
+
+// of the one mode with these rates [1/s]
+double largest_stable_step(const Integrator& integrator, double omega, double lambda, double drag) {
+  const auto holds = [&](double h) {
+    return is_stable(integrator.amplification({.h_omega_squared = h * h * omega * omega, .h_lambda = h * lambda, .h_drag = h * drag}));
+  };
+  const double rate = std::max({omega, lambda, drag});
+  if (rate == 0.0) return std::numeric_limits<double>::infinity();
+
+  // walk up from a thousandth of the fastest rate until a step fails, then bisect
+  constexpr double growth = 1.02;
+  double stable = 1e-3 / rate;
+  if (!holds(stable)) return 0.0;
+  while (holds(stable * growth)) {
+    stable *= growth;
+    if (stable * rate > 1e6) return std::numeric_limits<double>::infinity();
+  }
+  double unstable = stable * growth;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (stable + unstable);
+    (holds(middle) ? stable : unstable) = middle;
+  }
+  return stable;
+}
+
+}  // namespace
+
+double largest_stable_step(const Integrator& integrator, const Spectrum& spectrum) {
+  // the corners of the region (omega, lambda) in which the scene's modes lie
+  const double omega = spectrum.omega, drag = spectrum.drag_rate;
+  const double least = std::min(spectrum.least_dashpot_ratio * omega * omega, spectrum.dashpot_rate);
+  return std::min({largest_stable_step(integrator, omega, least, drag),
+                   largest_stable_step(integrator, omega, spectrum.dashpot_rate, drag),
+                   largest_stable_step(integrator, 0.0, spectrum.dashpot_rate, drag)});
+}
+
+}  // namespace hooke

@@ -1,0 +1,51 @@
+// The table of integrators. Adding one is one file under integrators/ and one row in integrator.cpp; menus, help,
+// documentation and the tests of order, amplification and stability are made from the rows.
+#pragma once
+
+#include <complex>
+#include <span>
+#include <string_view>
+
+#include "sim/motion.h"
+
+namespace hooke {
+
+// The damped oscillator x'' = -omega^2 x - lambda x' - c x' (a dashpot and drag), seen by a step h: all dimensionless.
+struct Oscillator {
+  double h_omega_squared = 0.0;  // (h omega)^2
+  double h_lambda = 0.0;
+  double h_drag = 0.0;           // h c
+};
+
+// One step on it is a 2x2 matrix; its eigenvalues follow from these two.
+struct Amplification {
+  double trace = 2.0, determinant = 1.0;
+};
+
+struct Integrator {
+  std::string_view id;        // on the command line and in files
+  std::string_view label;     // in the menu
+  std::string_view summary;   // one sentence: what it is for
+  int order;                  // of positions and velocities, undamped
+  int order_damped;           // with dashpots and drag
+  bool symplectic;            // undamped
+  // Once a frame, before its first step of h: sizes the workspace, computes what all steps of the frame share. May be null.
+  void (*prepare)(const Plan& plan, double h, const Motion& motion, Workspace& work);
+  void (*step)(const Plan& plan, Motion& motion, Workspace& work, double h);
+  Amplification (*amplification)(const Oscillator& oscillator);  // closed form of one step
+};
+
+std::span<const Integrator> integrators();
+
+// The row with this id, or null.
+const Integrator* find_integrator(std::string_view id);
+
+// Amplification of a Runge-Kutta method with the stability function `r`: the eigenvalues of a step are r(h s) at the two
+// roots s of s^2 + (lambda + c) s + omega^2.
+Amplification amplification_from(std::complex<double> (*r)(std::complex<double>), const Oscillator& oscillator);
+
+// Largest step [s] at which no mode within the spectrum grows: 0 when every step lets one grow (undamped explicit
+// Euler), infinity when none does.
+double largest_stable_step(const Integrator& integrator, const Spectrum& spectrum);
+
+}  // namespace hooke

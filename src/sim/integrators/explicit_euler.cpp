@@ -1,0 +1,38 @@
+// x' = x + h v,  v' = v + h a(x, v)     (Euler 1768)
+// First order. Every undamped mode grows by sqrt(1 + (h omega)^2) a step: it shows what instability is.
+#include "sim/forces.h"
+#include "sim/integrators/rows.h"
+
+namespace hooke {
+namespace {
+
+void step(const Plan& plan, Motion& motion, Workspace&, double h) {
+  compute_forces(plan, motion.time, motion.x, motion.v, motion.a);
+  divide_by_mass(plan, motion.a);
+  ++motion.force_evaluations;
+
+  for (std::size_t i = 0; i < motion.x.size(); ++i) {
+    motion.x[i] += h * motion.v[i];
+    motion.v[i] += h * motion.a[i];
+  }
+}
+
+Amplification amplification(const Oscillator& oscillator) {
+  return amplification_from([](std::complex<double> z) { return 1.0 + z; }, oscillator);
+}
+
+}  // namespace
+
+constinit const Integrator explicit_euler{
+    .id = "explicit_euler",
+    .label = "Explicit Euler",
+    .summary = "The simplest method, to see it fail: without damping it gains energy at every step size.",
+    .order = 1,
+    .order_damped = 1,
+    .symplectic = false,
+    .prepare = nullptr,
+    .step = step,
+    .amplification = amplification,
+};
+
+}  // namespace hooke

@@ -1,0 +1,13 @@
+// One row per file of this folder, gathered by integrator.cpp in the order of the menu.
+#pragma once
+
+#include "sim/integrator.h"
+
+namespace hooke {
+
+extern const Integrator explicit_euler;
+extern const Integrator symplectic_euler;
+extern const Integrator velocity_verlet;
+extern const Integrator runge_kutta4;
+
+}  // namespace hooke

@@ -1,0 +1,47 @@
+// v' = v e^(-c h) + a(x, v) (1 - e^(-c h)) / c,  x' = x + h v'     (a without drag; h for the fraction when c = 0)
+// First order, symplectic, stable for h omega < 2. Also called semi-implicit or modified Euler. The weight makes the
+// velocity of a fall with drag exact for any h; it must be on the whole acceleration, or equilibria shift.
+#include <cmath>
+
+#include "sim/forces.h"
+#include "sim/integrators/rows.h"
+
+namespace hooke {
+namespace {
+
+void step(const Plan& plan, Motion& motion, Workspace&, double h) {
+  compute_explicit_forces(plan, motion.time, motion.x, motion.v, motion.a);
+  divide_by_mass(plan, motion.a);
+  ++motion.force_evaluations;
+
+  const double decay = std::exp(-plan.drag * h);
+  const double weight = plan.drag == 0.0 ? h : -std::expm1(-plan.drag * h) / plan.drag;
+  for_each_component(plan, [&](std::size_t i, double w) {
+    motion.v[i] = (w == 0.0 ? 1.0 : decay) * motion.v[i] + weight * motion.a[i];
+    motion.x[i] += h * motion.v[i];
+  });
+}
+
+// v' = E v - phi h (omega^2 x + lambda v), x' = x + h v', with E = e^(-h c), phi = (1 - E) / (h c)
+Amplification amplification(const Oscillator& oscillator) {
+  const double decay = std::exp(-oscillator.h_drag);
+  const double phi = oscillator.h_drag == 0.0 ? 1.0 : -std::expm1(-oscillator.h_drag) / oscillator.h_drag;
+  const double determinant = decay - phi * oscillator.h_lambda;
+  return {.trace = 1.0 + determinant - phi * oscillator.h_omega_squared, .determinant = determinant};
+}
+
+}  // namespace
+
+constinit const Integrator symplectic_euler{
+    .id = "symplectic_euler",
+    .label = "Symplectic Euler (semi-implicit, modified Euler)",
+    .summary = "One force evaluation a step and no energy drift: the method of most games, first order.",
+    .order = 1,
+    .order_damped = 1,
+    .symplectic = true,
+    .prepare = nullptr,
+    .step = step,
+    .amplification = amplification,
+};
+
+}  // namespace hooke

@@ -1,0 +1,150 @@
+#include "sim/plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "sim/state.h"
+
+namespace hooke {
+namespace {
+
+// Springs between the same two offsets, one after another, make a run.
+void find_runs(Plan& plan, const System& system) {
+  struct Ends {
+    Index first, second, spring;
+  };
+  std::vector<Ends> ends;
+  ends.reserve(system.springs().size());
+  for (Index s = 0; s < system.spring_count(); ++s) {
+    const Spring& spring = system.springs()[s];
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    ends.push_back({std::min(i, j), std::max(i, j), s});
+  }
+
+  // by offset, then place, makes the runs; by the place of their first spring, the runs lie in the points' order, so
+  // that neighbouring runs find their points in the cache
+  std::sort(ends.begin(), ends.end(), [](const Ends& a, const Ends& b) {
+    return std::tuple(a.second - a.first, a.first, a.spring) < std::tuple(b.second - b.first, b.first, b.spring);
+  });
+  struct Found {
+    std::size_t begin;
+    Index count;
+  };
+  std::vector<Found> found;
+  for (std::size_t e = 0; e < ends.size(); ++e) {
+    const bool continues = !found.empty() && ends[e].first == ends[e - 1].first + 1 && ends[e].second == ends[e - 1].second + 1;
+    if (continues)
+      ++found.back().count;
+    else
+      found.push_back({e, 1});
+  }
+  std::stable_sort(found.begin(), found.end(), [&](const Found& a, const Found& b) { return ends[a.begin].first < ends[b.begin].first; });
+
+  plan.runs.clear();
+  plan.spring_index.clear();
+  plan.spring_index.reserve(ends.size());
+  for (const Found& run : found) {
+    plan.runs.push_back({static_cast<Index>(plan.spring_index.size()), ends[run.begin].first, ends[run.begin].second, run.count});
+    for (Index e = 0; e < run.count; ++e) plan.spring_index.push_back(ends[run.begin + e].spring);
+  }
+}
+
+}  // namespace
+
+Plan make_plan(const System& system) {
+  Plan plan;
+  plan.points = system.point_count();
+  plan.springs = system.spring_count();
+  find_runs(plan, system);
+  refresh_values(plan, system);
+  return plan;
+}
+
+void refresh_values(Plan& plan, const System& system) {
+  plan.dimensions = system.dimensions;
+  plan.drag = system.drag_rate();
+  plan.acceleration = system.gravity + plan.drag * system.wind;
+
+  plan.held.reset();
+  plan.pull.reset();
+  if (system.grab) {
+    const Index point = system.index_of(system.grab->point);
+    if (system.grab->kind == GrabKind::Hold)
+      plan.held = point;
+    else
+      plan.pull = PlannedPull{.point = point, .stiffness = system.grab->stiffness};
+  }
+
+  plan.mass.resize(plan.points);
+  plan.inverse_mass.resize(plan.points);
+  for (Index i = 0; i < plan.points; ++i) {
+    const Point& point = system.points()[i];
+    plan.mass[i] = point.mass;
+    plan.inverse_mass[i] = point.nailed || plan.held == i ? 0.0 : 1.0 / point.mass;
+  }
+
+  plan.stiffness.resize(plan.springs);
+  plan.rest_length.resize(plan.springs);
+  bool damped = false;
+  for (Index s = 0; s < plan.springs; ++s) {
+    const Spring& spring = system.springs()[plan.spring_index[s]];
+    plan.stiffness[s] = spring.stiffness;
+    plan.rest_length[s] = spring.rest_length;
+    damped = damped || system.damping_of(spring) > 0.0;
+  }
+  plan.damping.resize(damped ? plan.springs : 0);
+  for (Index s = 0; s < static_cast<Index>(plan.damping.size()); ++s)
+    plan.damping[s] = system.damping_of(system.springs()[plan.spring_index[s]]);
+
+  plan.colliders.clear();
+  for (const Collider& collider : system.colliders)
+    if (collider.solid) plan.colliders.push_back(collider);
+  plan.radius.clear();
+  if (!plan.colliders.empty())
+    for (const Point& point : system.points()) plan.radius.push_back(point.radius);
+
+  plan.spectrum = bound_spectrum(system);
+}
+
+void aim_hand(Plan& plan, const System& system, const State& state, double duration) {
+  if (!plan.pull) return;
+  plan.pull->start = state.time;
+  plan.pull->from = state.hand;
+  plan.pull->velocity = (system.grab->target - state.hand) / duration;
+}
+
+Spectrum bound_spectrum(const System& system) {
+  std::vector<double> stiffness_row(system.points().size(), 0.0), dashpot_row(system.points().size(), 0.0);
+  double least_ratio = std::numeric_limits<double>::infinity();
+  for (const Spring& spring : system.springs()) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    const Point &first = system.points()[i], &second = system.points()[j];
+    if (first.nailed && second.nailed) continue;
+    const double coupling = first.nailed || second.nailed ? 0.0 : 1.0 / std::sqrt(first.mass * second.mass);
+    const double damping = system.damping_of(spring);
+    for (const auto [at, point] : {std::pair{i, &first}, std::pair{j, &second}}) {
+      if (point->nailed) continue;
+      const double weight = 1.0 / point->mass + coupling;
+      stiffness_row[at] += spring.stiffness * weight;
+      dashpot_row[at] += damping * weight;
+    }
+    if (spring.stiffness > 0.0) least_ratio = std::min(least_ratio, damping / spring.stiffness);
+  }
+  if (system.grab && system.grab->kind == GrabKind::Pull) {
+    const Index at = system.index_of(system.grab->point);
+    if (!system.points()[at].nailed) stiffness_row[at] += system.grab->stiffness / system.points()[at].mass;
+  }
+
+  Spectrum spectrum;
+  for (std::size_t i = 0; i < stiffness_row.size(); ++i) {
+    spectrum.omega = std::max(spectrum.omega, stiffness_row[i]);
+    spectrum.dashpot_rate = std::max(spectrum.dashpot_rate, dashpot_row[i]);
+  }
+  spectrum.omega = std::sqrt(spectrum.omega);
+  spectrum.drag_rate = system.drag_rate();
+  spectrum.least_dashpot_ratio = std::isfinite(least_ratio) ? least_ratio : 0.0;
+  return spectrum;
+}
+
+}  // namespace hooke

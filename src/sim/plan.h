@@ -1,0 +1,83 @@
+// The System compiled for stepping: only what this scene needs, packed for the vector units. Its structure (which
+// springs join which points) is rebuilt on edits, its values are refreshed in place; neither happens inside a step.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "sim/system.h"
+
+namespace hooke {
+
+struct State;
+
+// One vector a point, component by component: component c of point i stands at [c * points + i].
+using Field = std::vector<double>;
+
+// `count` consecutive springs that join point first + e to point second + e, e = 0 .. count-1. A grid falls into a few
+// long runs (one a row and direction), so their ends are read and written as whole vectors; any other graph is runs of
+// one. Spring e of the run stands at packed index begin + e.
+struct SpringRun {
+  Index begin = 0, first = 0, second = 0, count = 0;
+};
+
+// The hand's spring. Its far end moves from `from` with `velocity` during the frame that starts at `start`.
+struct PlannedPull {
+  Index point = no_index;
+  double stiffness = 0.0;
+  double start = 0.0;      // [s]
+  Vec3 from{0.0}, velocity{0.0};
+  Vec3 target_at(double time) const { return from + (time - start) * velocity; }
+};
+
+// Bounds on the fastest rates of the scene, never below the true ones, however the scene is deformed.
+struct Spectrum {
+  double omega = 0.0;           // [rad/s], highest undamped frequency
+  double dashpot_rate = 0.0;    // [1/s], highest rate of the dashpots
+  double drag_rate = 0.0;       // [1/s]
+  double least_dashpot_ratio = 0.0;  // [s], least damping / stiffness over the springs
+};
+
+struct Plan {
+  Index points = 0;
+  Index springs = 0;
+  int dimensions = 3;
+
+  std::vector<double> mass;          // [kg], a point
+  std::vector<double> inverse_mass;  // [1/kg], a point; 0 when nailed or held
+  Vec3 acceleration{0.0};            // [m/s^2], the same for all: gravity, and drag times wind
+  double drag = 0.0;                 // [1/s]
+
+  // Springs in the order of the runs.
+  std::vector<SpringRun> runs;
+  std::vector<double> stiffness, rest_length;
+  std::vector<double> damping;       // empty: no dashpot anywhere
+  std::vector<Index> spring_index;   // of the packed spring, in the System
+
+  std::vector<double> radius;        // [m], a point; empty: nothing to collide with
+  std::vector<Collider> colliders;   // the solid ones
+  std::optional<PlannedPull> pull;
+  std::optional<Index> held;         // the point under a holding hand
+
+  Spectrum spectrum;
+
+  bool has_dashpots() const { return !damping.empty(); }
+};
+
+// Compiles the structure and the values. O(springs log springs).
+Plan make_plan(const System& system);
+
+// Takes over values (masses, nails, stiffness, damping, rest lengths, forces, colliders) after edits that left points
+// and springs as they were. The hand is set by plan_grab.
+void refresh_values(Plan& plan, const System& system);
+
+// Sets where the hand moves during the coming frame of `duration` [s]: in a straight line from state.hand to the grab's
+// target. Nothing to do without a grab.
+void aim_hand(Plan& plan, const System& system, const State& state, double duration);
+
+// Gershgorin bounds on M^-1/2 K M^-1/2 by 3x3 blocks: omega^2 <= max_i sum_j k_ij (1/m_i + 1/sqrt(m_i m_j)), the second
+// term absent for a nailed j; the dashpots likewise.
+Spectrum bound_spectrum(const System& system);
+
+}  // namespace hooke

@@ -1,0 +1,30 @@
+// What was just computed, published once a frame, to be read and never written. Drawing and panels see nothing else of
+// the simulation.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "sim/divergence.h"
+#include "sim/energy.h"
+#include "sim/settings.h"
+#include "sim/state.h"
+#include "sim/system.h"
+
+namespace hooke {
+
+struct Snapshot {
+  std::shared_ptr<const System> system;  // shared until the next edit
+  State state;
+  Settings settings;
+  Energy energy;
+  Momentum momentum;
+  double least_strain = 0.0, most_strain = 0.0;  // [1], over all springs
+  double omega = 0.0;                            // [rad/s], bound on the highest frequency
+  double largest_stable_step = 0.0;              // [s], of this method on this scene; 0: none, infinity: any
+  std::optional<Divergence> divergence;          // the last frame was refused; state is the one before it
+
+  const Vec3& position(PointId id) const { return state.position[system->index_of(id)]; }
+};
+
+}  // namespace hooke

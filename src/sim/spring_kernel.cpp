@@ -1,0 +1,117 @@
+// f = -(k (l - l0) + d w) u on the first point, the opposite on the second; u = (x1 - x2) / l, w = (v1 - v2) . u, and no
+// force at l = 0. Compiled once for each vector unit by Highway, which picks one at run time. Every spring's force is
+// computed by the same IEEE operations in every width, and every point sums its springs in the order of the runs.
+#include "sim/spring_kernel.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/spring_kernel.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hooke::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// springs of a run whose forces are held back before they are added to the points: a run's two ends may overlap
+// (first + 1 == second), and a load behind a narrower store of the same bytes would stall
+constexpr Index block = 128;
+
+struct Ends {
+  const double* first[3];
+  const double* second[3];
+};
+
+// The forces of springs e .. e + lanes, into force[c][e].
+template <int Dimensions, bool Damped, class D>
+HWY_INLINE void compute_block_lanes(D d, Index e, const Ends& x, const Ends& v, const double* stiffness, const double* rest_length,
+                                    const double* damping, double (*force)[block]) {
+  using V = hn::Vec<D>;
+  V along[Dimensions];
+  V length_squared = hn::Zero(d);
+  for (int c = 0; c < Dimensions; ++c) {
+    along[c] = hn::Sub(hn::LoadU(d, x.first[c] + e), hn::LoadU(d, x.second[c] + e));
+    length_squared = hn::Add(length_squared, hn::Mul(along[c], along[c]));
+  }
+  const V length = hn::Sqrt(length_squared);
+  V tension = hn::Mul(hn::LoadU(d, stiffness + e), hn::Sub(length, hn::LoadU(d, rest_length + e)));
+  if constexpr (Damped) {
+    V approach = hn::Zero(d);
+    for (int c = 0; c < Dimensions; ++c)
+      approach = hn::Add(approach, hn::Mul(along[c], hn::Sub(hn::LoadU(d, v.first[c] + e), hn::LoadU(d, v.second[c] + e))));
+    tension = hn::Add(tension, hn::Div(hn::Mul(hn::LoadU(d, damping + e), approach), length));
+  }
+  const V per_length = hn::IfThenZeroElse(hn::Eq(length, hn::Zero(d)), hn::Div(tension, length));
+  for (int c = 0; c < Dimensions; ++c) hn::StoreU(hn::Mul(per_length, along[c]), d, force[c] + e);
+}
+
+template <int Dimensions, bool Damped>
+void add_forces(const Plan& plan, const double* x, const double* v, double* f) {
+  const hn::ScalableTag<double> wide;
+  const hn::CappedTag<double, 1> single;
+  const Index lanes = static_cast<Index>(hn::Lanes(wide));
+  HWY_ALIGN double force[3][block];
+
+  for (const SpringRun& run : plan.runs) {
+    for (Index start = 0; start < run.count; start += block) {
+      const Index count = run.count - start < block ? run.count - start : block;
+      const Index packed = run.begin + start;
+      Ends position{}, velocity{};
+      for (int c = 0; c < Dimensions; ++c) {
+        const std::size_t component = static_cast<std::size_t>(c) * plan.points + start;
+        position.first[c] = x + component + run.first;
+        position.second[c] = x + component + run.second;
+        if constexpr (Damped) {
+          velocity.first[c] = v + component + run.first;
+          velocity.second[c] = v + component + run.second;
+        }
+      }
+      const double* stiffness = plan.stiffness.data() + packed;
+      const double* rest_length = plan.rest_length.data() + packed;
+      const double* damping = Damped ? plan.damping.data() + packed : nullptr;
+
+      Index e = 0;
+      for (; e + lanes <= count; e += lanes)
+        compute_block_lanes<Dimensions, Damped>(wide, e, position, velocity, stiffness, rest_length, damping, force);
+      for (; e < count; ++e)
+        compute_block_lanes<Dimensions, Damped>(single, e, position, velocity, stiffness, rest_length, damping, force);
+
+      for (int c = 0; c < Dimensions; ++c) {
+        double* f_first = f + static_cast<std::size_t>(c) * plan.points + start + run.first;
+        double* f_second = f + static_cast<std::size_t>(c) * plan.points + start + run.second;
+        for (e = 0; e + lanes <= count; e += lanes)
+          hn::StoreU(hn::Sub(hn::LoadU(wide, f_first + e), hn::Load(wide, force[c] + e)), wide, f_first + e);
+        for (; e < count; ++e) f_first[e] -= force[c][e];
+        for (e = 0; e + lanes <= count; e += lanes)
+          hn::StoreU(hn::Add(hn::LoadU(wide, f_second + e), hn::Load(wide, force[c] + e)), wide, f_second + e);
+        for (; e < count; ++e) f_second[e] += force[c][e];
+      }
+    }
+  }
+}
+
+void add_forces_2d(const Plan& plan, const double* x, const double* v, double* f) { add_forces<2, false>(plan, x, v, f); }
+void add_forces_3d(const Plan& plan, const double* x, const double* v, double* f) { add_forces<3, false>(plan, x, v, f); }
+void add_damped_forces_2d(const Plan& plan, const double* x, const double* v, double* f) { add_forces<2, true>(plan, x, v, f); }
+void add_damped_forces_3d(const Plan& plan, const double* x, const double* v, double* f) { add_forces<3, true>(plan, x, v, f); }
+
+}  // namespace hooke::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hooke {
+
+HWY_EXPORT(add_forces_2d);
+HWY_EXPORT(add_forces_3d);
+HWY_EXPORT(add_damped_forces_2d);
+HWY_EXPORT(add_damped_forces_3d);
+
+void add_spring_forces(const Plan& plan, const double* x, const double* v, double* f) {
+  if (plan.dimensions == 2)
+    v != nullptr ? HWY_DYNAMIC_DISPATCH(add_damped_forces_2d)(plan, x, v, f) : HWY_DYNAMIC_DISPATCH(add_forces_2d)(plan, x, v, f);
+  else
+    v != nullptr ? HWY_DYNAMIC_DISPATCH(add_damped_forces_3d)(plan, x, v, f) : HWY_DYNAMIC_DISPATCH(add_forces_3d)(plan, x, v, f);
+}
+
+}  // namespace hooke
+#endif

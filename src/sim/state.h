@@ -1,0 +1,26 @@
+// What changes from step to step, and all of it: nothing hidden survives a step outside this list.
+#pragma once
+
+#include <vector>
+
+#include "sim/types.h"
+
+namespace hooke {
+
+// Where the energy came from; the watch for divergence compares the energy of the scene against it. [J]
+struct EnergyLedger {
+  double given = 0.0;  // net energy at the start, plus what the hand and edits added
+  double scale = 0.0;  // sum of the sizes of those contributions
+  bool operator==(const EnergyLedger&) const = default;
+};
+
+struct State {
+  double time = 0.0;           // [s]
+  std::vector<Vec3> position;  // [m], one a point, in the System's order
+  std::vector<Vec3> velocity;  // [m/s]
+  Vec3 hand{0.0};              // [m], where the hand is now; meaningful while the System has a grab
+  EnergyLedger ledger;
+  bool operator==(const State&) const = default;
+};
+
+}  // namespace hooke

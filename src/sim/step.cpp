@@ -1,0 +1,69 @@
+#include "sim/step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/energy.h"
+
+namespace hooke {
+
+void Frame::begin(Plan& plan, const System& system, const Settings& settings, const State& state) {
+  integrator_ = settings.integrator;
+  substeps_ = settings.substeps;
+  substeps_done_ = 0;
+  duration_ = 1.0 / settings.frame_rate;
+  h_ = duration_ / substeps_;
+  start_ = state.time;
+  aim_hand(plan, system, state, duration_);
+  pack(plan, state, motion_);
+
+  // a held point moves straight to the target: as a massive point with that velocity, which every method does exactly
+  target_ = system.grab ? system.grab->target : Vec3(0.0);
+  if (plan.held) {
+    const Vec3 velocity = (target_ - state.position[*plan.held]) / duration_;
+    for (int c = 0; c < plan.dimensions; ++c) motion_.v[static_cast<std::size_t>(c) * plan.points + *plan.held] = velocity[c];
+  }
+
+  if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
+}
+
+void Frame::substep(const Plan& plan) {
+  if (!plan.colliders.empty()) {
+    before_.x = motion_.x;
+    before_.v = motion_.v;
+  }
+
+  integrator_->step(plan, motion_, work_, h_);
+  ++substeps_done_;
+  motion_.time = start_ + substeps_done_ * h_;
+
+  if (!plan.colliders.empty() && resolve_contacts(plan, before_, motion_, h_)) motion_.acceleration_is_current = false;
+}
+
+void Frame::end(const Plan& plan, State& state) const {
+  unpack(plan, motion_, state);
+  state.time = start_ + duration_;
+  state.hand = target_;
+  if (plan.held) state.position[*plan.held] = target_;
+}
+
+void book_hand_work(const System& system, const State& before, State& after) {
+  if (!system.grab) return;
+  // trapezium of the hand's force along its straight way, and the motion it gave to a held point
+  const Vec3 way = after.hand - before.hand;
+  const double start = glm::dot(compute_hand_force(system, before), way), finish = glm::dot(compute_hand_force(system, after), way);
+  double work = 0.5 * (start + finish);
+  double size = std::abs(start) + std::abs(finish);
+  if (system.grab->kind == GrabKind::Hold) {
+    const Index held = system.index_of(system.grab->point);
+    const double mass = system.points()[held].mass;
+    const double gained = 0.5 * mass * (glm::dot(after.velocity[held], after.velocity[held]) - glm::dot(before.velocity[held], before.velocity[held]));
+    work += gained;
+    size += std::abs(gained);
+  }
+  after.ledger.given += work;
+  after.ledger.scale += size;
+}
+
+}  // namespace hooke

@@ -1,0 +1,145 @@
+// What a scene is: points, springs, faces, colliders, gravity, drag and the hand. Constant while a step runs;
+// changed only by lab's apply (commands) and by the scene loader.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "sim/types.h"
+
+namespace hooke {
+
+// sRGB, 8 bits a channel.
+struct Color {
+  std::uint8_t red = 0, green = 0, blue = 0;
+  bool operator==(const Color&) const = default;
+};
+
+struct Point {
+  PointId id{};
+  bool nailed = false;
+  std::optional<Color> color;  // none: by state (nailed yellow, selected red)
+  double mass = 1.0;           // [kg], > 0
+  double radius = 0.02;        // [m], >= 0: what is drawn, and the distance at which it touches a collider
+  bool operator==(const Point&) const = default;
+};
+
+inline constexpr double never_breaks = std::numeric_limits<double>::infinity();
+
+struct Spring {
+  SpringId id{};
+  PointId first{}, second{};
+  double stiffness = 100.0;           // [N/m], >= 0
+  double damping = 0.0;               // [N s/m], >= 0: a dashpot along the spring
+  double rest_length = 1.0;           // [m], >= 0
+  double break_strain = never_breaks; // [1], > 0
+  bool operator==(const Spring&) const = default;
+};
+
+// A triangle of three points: drawn, and carried along; it exerts no force.
+struct Face {
+  std::array<PointId, 3> points{};
+  bool operator==(const Face&) const = default;
+};
+
+struct Plane {
+  Vec3 point{0.0};
+  Vec3 normal{0.0, 1.0, 0.0};  // unit; the free side is where it points
+  bool operator==(const Plane&) const = default;
+};
+
+struct Sphere {
+  Vec3 center{0.0};
+  double radius = 1.0;  // [m], > 0
+  bool operator==(const Sphere&) const = default;
+};
+
+// Axis-aligned, solid inside.
+struct Box {
+  Vec3 least{-1.0};
+  Vec3 most{1.0};
+  bool operator==(const Box&) const = default;
+};
+
+struct Collider {
+  std::variant<Plane, Sphere, Box> shape;
+  double restitution = 0.0;  // [1], 0..1: normal speed after / before
+  double friction = 0.0;     // [1], >= 0: Coulomb's mu
+  bool solid = true;         // false: drawn only
+  bool operator==(const Collider&) const = default;
+};
+
+enum class GrabKind {
+  Hold,  // the point follows the target exactly
+  Pull,  // a spring of zero rest length between point and target
+};
+
+// The hand: at most one point is grabbed. The target is where the cursor was at the end of the coming frame.
+struct Grab {
+  PointId point{};
+  GrabKind kind = GrabKind::Pull;
+  Vec3 target{0.0};         // [m]
+  double stiffness = 100.0; // [N/m], of a pull
+  bool operator==(const Grab&) const = default;
+};
+
+// Properties are plain fields. Points and springs come and go only through the functions below, which keep the
+// lookup by id true.
+class System {
+ public:
+  int dimensions = 3;  // 2: everything stays in the plane z = 0
+  Vec3 gravity{0.0, -9.81, 0.0};  // [m/s^2]
+  double drag = 0.0;              // [1/s]: point damping, acceleration -drag (v - wind)
+  bool drag_on = true;
+  bool dashpots_on = true;        // false: every spring's damping is taken as zero
+  Vec3 wind{0.0};                 // [m/s], of the air that drag is relative to
+  std::vector<Face> faces;
+  std::vector<Collider> colliders;
+  std::optional<Grab> grab;
+
+  const std::vector<Point>& points() const { return points_; }
+  const std::vector<Spring>& springs() const { return springs_; }
+  Index point_count() const { return static_cast<Index>(points_.size()); }
+  Index spring_count() const { return static_cast<Index>(springs_.size()); }
+
+  // Index of a point or spring by its id; no_index when it is gone or never was.
+  Index index_of(PointId id) const;
+  Index index_of(SpringId id) const;
+
+  // For changing properties (not ids, nor a spring's ends). The index must be valid.
+  Point& point(Index index) { return points_[index]; }
+  Spring& spring(Index index) { return springs_[index]; }
+
+  // The next ids to give away.
+  PointId new_point_id() { return PointId{next_point_id_++}; }
+  SpringId new_spring_id() { return SpringId{next_spring_id_++}; }
+  // Ids of removed things come back with them (undo); new ids stay beyond every id ever seen.
+  void insert_point(Index at, const Point& point);
+  void insert_spring(Index at, const Spring& spring);
+  void append_point(const Point& point) { insert_point(point_count(), point); }
+  void append_spring(const Spring& spring) { insert_spring(spring_count(), spring); }
+  // Springs and faces on the point must have been removed before.
+  void remove_point(Index at);
+  void remove_spring(Index at);
+  void reserve(Index points, Index springs);
+
+  bool operator==(const System&) const = default;
+
+  // The drag and damping in force, switches applied.
+  double drag_rate() const { return drag_on ? drag : 0.0; }
+  double damping_of(const Spring& spring) const { return dashpots_on ? spring.damping : 0.0; }
+
+ private:
+  std::vector<Point> points_;
+  std::vector<Spring> springs_;
+  std::vector<Index> point_index_;   // by id
+  std::vector<Index> spring_index_;  // by id
+  std::uint32_t next_point_id_ = 0;
+  std::uint32_t next_spring_id_ = 0;
+};
+
+}  // namespace hooke
