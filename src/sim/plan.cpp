@@ -123,7 +123,7 @@ Spectrum bound_spectrum(const System& system) {
     if (first.nailed && second.nailed) continue;
     const double coupling = first.nailed || second.nailed ? 0.0 : 1.0 / std::sqrt(first.mass * second.mass);
     const double damping = system.damping_of(spring);
-    for (const auto [at, point] : {std::pair{i, &first}, std::pair{j, &second}}) {
+    for (const auto& [at, point] : {std::pair{i, &first}, std::pair{j, &second}}) {
       if (point->nailed) continue;
       const double weight = 1.0 / point->mass + coupling;
       stiffness_row[at] += spring.stiffness * weight;

@@ -12,7 +12,7 @@ namespace {
 
 void prepare(const Plan& plan, double h, const Motion&, Workspace& work) {
   work.fields.resize(1);
-  plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
+  if (plan.has_dashpots()) plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
 }
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
