@@ -1,0 +1,61 @@
+// Draws a Snapshot with Marks into a framebuffer of its own, the same for a window and for an image.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "draw/camera.h"
+#include "draw/marks.h"
+
+struct ImDrawData;
+
+namespace hooke {
+
+struct ViewOptions {
+  bool points = true, springs = true, faces = true, colliders = true, grid = true, strain_colors = true;
+  int samples = 4;          // of MSAA; 0: none
+  double scale = 1.0;       // framebuffer pixels per point of the screen: widths of lines follow it
+  Color background{32, 36, 40};
+};
+
+// RGB, 8 bits, rows from the top.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+// Owns GL objects: made and destroyed with its context current, after load_gl().
+class View {
+ public:
+  View();
+  ~View();
+  View(const View&) = delete;
+  View& operator=(const View&) = delete;
+
+  // Draws the scene, then (if given) the panels, into the view's framebuffer of width x height pixels.
+  void draw(const Snapshot& snapshot, const Marks& marks, const Camera& camera, const ViewOptions& options, int width, int height,
+            const ImDrawData* panels);
+  // Onto the window's own framebuffer.
+  void show() const;
+  Image read() const;
+
+  // Strain [1] at the ends of the colour scale for this snapshot, for the legend: symmetric, rounded up to 1, 2 or 5 x 10^n.
+  static double strain_scale(const Snapshot& snapshot);
+  // The colour of a strain relative to the scale, in [-1, 1]: blue for compression, grey, orange for tension.
+  static Color strain_color(double relative);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+// Loads the entry points of the current context and checks for OpenGL 3.3. Returns an error text, empty when fine.
+std::string load_gl();
+
+// The font atlas of the current ImGui context as a texture; again after the fonts change. GL context current.
+void upload_fonts(View& view);
+
+// PNG, 8-bit RGB. Throws FileError.
+void write_png(const Image& image, const std::filesystem::path& file);
+
+}  // namespace hooke
