@@ -4,7 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
-#include "lab/view_settings.h"
+#include "sim/view_settings.h"
 #include "sim/snapshot.h"
 
 namespace hooke {

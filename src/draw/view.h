@@ -1,7 +1,9 @@
 // Draws a Snapshot with Marks into a framebuffer of its own, the same for a window and for an image.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "draw/camera.h"
@@ -35,6 +37,8 @@ class View {
   // Draws the scene, then (if given) the panels, into the view's framebuffer of width x height pixels.
   void draw(const Snapshot& snapshot, const Marks& marks, const Camera& camera, const ViewOptions& options, int width, int height,
             const ImDrawData* panels);
+  // The font atlas of the current ImGui context as a texture; again after the fonts change.
+  void upload_fonts();
   // Onto the window's own framebuffer.
   void show() const;
   Image read() const;
@@ -51,9 +55,6 @@ class View {
 
 // Loads the entry points of the current context and checks for OpenGL 3.3. Returns an error text, empty when fine.
 std::string load_gl();
-
-// The font atlas of the current ImGui context as a texture; again after the fonts change. GL context current.
-void upload_fonts(View& view);
 
 // PNG, 8-bit RGB. Throws FileError.
 void write_png(const Image& image, const std::filesystem::path& file);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/view_settings.h"
+#include "sim/view_settings.h"
 #include "sim/settings.h"
 #include "sim/state.h"
 #include "sim/system.h"

@@ -6,18 +6,9 @@
 #include <vector>
 
 #include "lab/scene.h"
+#include "sim/errors.h"
 
 namespace hooke {
-
-// A file that was refused (exit code 3): what() is one line, "FILE: FIELD: VALUE: LIMIT".
-struct Refused : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// A file that could not be read or written (exit code 5): what() is one line with the file and the system's reason.
-struct FileError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 struct LoadedScene {
   Scene scene;

@@ -1,4 +1,4 @@
-// How a scene asks to be looked at. Kept with the document, read by draw through the scene's loader.
+// How a scene asks to be looked at: kept by lab with the document, read by draw.
 #pragma once
 
 #include <optional>
