@@ -84,6 +84,12 @@ struct SetParameter {
   double value;
 };
 
+// The same without the clamp: gives back a value that a file or an earlier edit held, whatever the slider's range.
+struct RestoreParameter {
+  const Parameter* parameter;
+  double value;
+};
+
 struct SetIntegrator {
   const Integrator* integrator;
 };
@@ -98,13 +104,18 @@ struct MoveHand {
 };
 struct ReleaseHand {};
 
+// The colliders as a list: what an inverse needs when a parameter changed them all.
+struct SetColliders {
+  std::vector<Collider> colliders;
+};
+
 // Replaces the whole scene: back to the start, or what was there before that.
 struct Replace {
   std::shared_ptr<const Scene> scene;
 };
 
-using Command = std::variant<Insert, Remove, SetNailed, Move, SetPointProperty, SetSpringProperty, SetParameter, SetIntegrator,
-                             GrabPoint, MoveHand, ReleaseHand, Replace>;
+using Command = std::variant<Insert, Remove, SetNailed, Move, SetPointProperty, SetSpringProperty, SetParameter, RestoreParameter, SetIntegrator,
+                             GrabPoint, MoveHand, ReleaseHand, SetColliders, Replace>;
 
 // What a person calls it: "nail 3 points".
 std::string describe(const Command& command);

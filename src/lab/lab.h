@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "lab/command.h"
@@ -21,7 +22,7 @@ struct SetRunning {
   bool running;
 };
 struct StepOnce {};   // one frame, while paused
-struct GoToStart {};  // the scene as it was opened or last saved as the start
+struct GoToStart {};  // the scene as it was opened or last saved; method, substeps and clock stay as they are set
 struct Open {         // another document; the history ends
   std::shared_ptr<const Scene> scene;
 };
@@ -43,7 +44,9 @@ class Lab {
   // Steps exactly one frame, applying what is queued before. False when it diverged: the state is the frame before.
   bool step();
 
+  // The last published status; `advance` publishes, after `step` it is the caller's choice.
   const std::shared_ptr<const Status>& status() const { return status_; }
+  void publish();
   const Scene& scene() const { return scene_; }
 
   // Ids for the points and springs of a coming Insert.
@@ -58,9 +61,10 @@ class Lab {
   void obey(const Control& control);
   void edit(const Command& command, Gesture gesture);
   void take_over(Effect effect);
-  void start_over(std::shared_ptr<const Scene> start);
+  void open(std::shared_ptr<const Scene> scene);
+  void begin_frame();
   bool finish_frame();
-  void publish();
+  bool step_frame();
 
   Scene scene_;
   std::shared_ptr<const Scene> start_;
@@ -69,10 +73,15 @@ class Lab {
   Plan plan_;
   Frame frame_;
   bool frame_in_progress_ = false;
-  bool system_is_published_ = false;
+  State next_;                // what the frame in progress will lead to
+  Energy energy_;             // of the last sound frame
   std::optional<Divergence> divergence_;
-  State before_;              // of the frame in progress
+  bool running_ = false;
+  bool unsaved_ = false;
   double owed_ = 0.0;         // [s] of simulated time not yet stepped
+  double frame_ms_ = 0.0, simulate_ms_ = 0.0, speed_ = 0.0;
+  long frames_ = 0;
+  std::shared_ptr<const System> published_system_;  // null: stale
   std::shared_ptr<const Status> status_;
 };
 

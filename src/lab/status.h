@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/diagnosis.h"
 #include "lab/scene.h"
 #include "sim/snapshot.h"
 
@@ -21,6 +22,7 @@ struct Status {
   bool unsaved = false;                  // edited since it was opened or saved
   std::string undo_name, redo_name;      // "nail 3 points"; empty: nothing to undo
   std::string message;                   // why the run stopped, and what would hold; empty: nothing to say
+  std::optional<Advice> advice;          // what would hold, to be applied by a click
   double simulate_ms = 0.0;              // of real time per simulated frame, smoothed
   double speed = 0.0;                    // simulated against real seconds, measured; 0 while paused
   long frames = 0;                       // stepped since the document was opened

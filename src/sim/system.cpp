@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace hooke {
 namespace {
@@ -23,10 +24,11 @@ void insert(std::vector<Item>& items, std::vector<Index>& index_by_id, std::uint
 }
 
 template <class Item>
-void remove(std::vector<Item>& items, std::vector<Index>& index_by_id, Index at) {
-  index_by_id[static_cast<std::uint32_t>(items[at].id)] = no_index;
-  items.erase(items.begin() + at);
-  renumber(items, index_by_id, at);
+void set(std::vector<Item>& items, std::vector<Index>& index_by_id, std::uint32_t& next_id, std::vector<Item> list) {
+  for (const Item& item : list) next_id = std::max(next_id, static_cast<std::uint32_t>(item.id) + 1);
+  index_by_id.assign(next_id, no_index);
+  items = std::move(list);
+  renumber(items, index_by_id, 0);
 }
 
 Index look_up(const std::vector<Index>& index_by_id, std::uint32_t id) {
@@ -40,8 +42,8 @@ Index System::index_of(SpringId id) const { return look_up(spring_index_, static
 
 void System::insert_point(Index at, const Point& point) { insert(points_, point_index_, next_point_id_, at, point); }
 void System::insert_spring(Index at, const Spring& spring) { insert(springs_, spring_index_, next_spring_id_, at, spring); }
-void System::remove_point(Index at) { remove(points_, point_index_, at); }
-void System::remove_spring(Index at) { remove(springs_, spring_index_, at); }
+void System::set_points(std::vector<Point> points) { set(points_, point_index_, next_point_id_, std::move(points)); }
+void System::set_springs(std::vector<Spring> springs) { set(springs_, spring_index_, next_spring_id_, std::move(springs)); }
 
 void System::reserve(Index points, Index springs) {
   points_.reserve(points);

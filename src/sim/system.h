@@ -122,9 +122,9 @@ class System {
   void insert_spring(Index at, const Spring& spring);
   void append_point(const Point& point) { insert_point(point_count(), point); }
   void append_spring(const Spring& spring) { insert_spring(spring_count(), spring); }
-  // Springs and faces on the point must have been removed before.
-  void remove_point(Index at);
-  void remove_spring(Index at);
+  // For many at once: the whole new list. Ids must be unique; a spring's ends must be among the points.
+  void set_points(std::vector<Point> points);
+  void set_springs(std::vector<Spring> springs);
   void reserve(Index points, Index springs);
 
   bool operator==(const System&) const = default;

@@ -1,0 +1,274 @@
+#include "lab/apply.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lab/parameters.h"
+
+namespace hooke {
+namespace {
+
+using Inverse = std::vector<Command>;
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_sound(const Point& point) { return point.mass > 0.0 && std::isfinite(point.mass) && point.radius >= 0.0 && std::isfinite(point.radius); }
+bool is_sound(const Spring& spring) {
+  return spring.first != spring.second && spring.stiffness >= 0.0 && std::isfinite(spring.stiffness) && spring.damping >= 0.0 &&
+         std::isfinite(spring.damping) && spring.rest_length >= 0.0 && std::isfinite(spring.rest_length) && spring.break_strain > 0.0;
+}
+
+// Puts each (place, item), places ascending, where it was before it was taken out; no_index and beyond: at the end.
+template <class Item>
+std::vector<Item> merged(const std::vector<Item>& list, const std::vector<std::pair<Index, Item>>& coming) {
+  std::vector<Item> result;
+  result.reserve(list.size() + coming.size());
+  auto next = coming.begin();
+  for (const Item& item : list) {
+    while (next != coming.end() && next->first == static_cast<Index>(result.size())) result.push_back((next++)->second);
+    result.push_back(item);
+  }
+  while (next != coming.end()) result.push_back((next++)->second);
+  return result;
+}
+
+// The items whose flag is not set.
+template <class Item>
+std::vector<Item> kept(const std::vector<Item>& list, const std::vector<bool>& gone) {
+  std::vector<Item> result;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (!gone[i]) result.push_back(list[i]);
+  return result;
+}
+
+Vec3 in_plane(const System& system, Vec3 v) {
+  if (system.dimensions == 2) v.z = 0.0;
+  return v;
+}
+
+struct Apply {
+  Scene& scene;
+  Effect& effect;
+
+  Inverse operator()(const Insert& insert) {
+    System& system = scene.system;
+    State& state = scene.state;
+    Remove inverse;
+
+    std::vector<std::pair<Index, Point>> points;
+    std::vector<std::pair<Index, Vec3>> positions, velocities;
+    for (const PlacedPoint& placed : insert.points) {
+      if (system.index_of(placed.point.id) != no_index || !is_sound(placed.point) || !is_finite(placed.position) || !is_finite(placed.velocity))
+        continue;
+      points.emplace_back(placed.at, placed.point);
+      positions.emplace_back(placed.at, in_plane(system, placed.position));
+      velocities.emplace_back(placed.at, in_plane(system, placed.velocity));
+      inverse.points.push_back(placed.point.id);
+    }
+    if (!points.empty()) {
+      system.set_points(merged(system.points(), points));
+      state.position = merged(state.position, positions);
+      state.velocity = merged(state.velocity, velocities);
+    }
+
+    std::vector<std::pair<Index, Spring>> springs;
+    for (const PlacedSpring& placed : insert.springs) {
+      const Spring& spring = placed.spring;
+      const bool has_ends = system.index_of(spring.first) != no_index && system.index_of(spring.second) != no_index;
+      if (system.index_of(spring.id) != no_index || !has_ends || !is_sound(spring)) continue;
+      springs.emplace_back(placed.at, spring);
+      inverse.springs.push_back(spring.id);
+    }
+    if (!springs.empty()) system.set_springs(merged(system.springs(), springs));
+
+    std::vector<std::pair<Index, Face>> faces;
+    for (const PlacedFace& placed : insert.faces) {
+      const auto& corners = placed.face.points;
+      if (std::all_of(corners.begin(), corners.end(), [&](PointId id) { return system.index_of(id) != no_index; }))
+        faces.emplace_back(placed.at, placed.face);
+    }
+    if (!faces.empty()) system.faces = merged(system.faces, faces);
+
+    effect.structure = true;
+    return {inverse};
+  }
+
+  Inverse operator()(const Remove& remove) {
+    System& system = scene.system;
+    State& state = scene.state;
+    Insert inverse;
+
+    std::vector<bool> point_goes(system.points().size(), false), spring_goes(system.springs().size(), false);
+    for (const PointId id : remove.points)
+      if (const Index i = system.index_of(id); i != no_index) point_goes[i] = true;
+    for (const SpringId id : remove.springs)
+      if (const Index s = system.index_of(id); s != no_index) spring_goes[s] = true;
+    const auto goes = [&](PointId id) { return point_goes[system.index_of(id)]; };
+
+    for (Index s = 0; s < system.spring_count(); ++s) {
+      const Spring& spring = system.springs()[s];
+      spring_goes[s] = spring_goes[s] || goes(spring.first) || goes(spring.second);
+      if (spring_goes[s]) inverse.springs.push_back({s, spring});
+    }
+    std::vector<bool> face_goes(system.faces.size(), false);
+    for (std::size_t f = 0; f < system.faces.size(); ++f) {
+      const auto& corners = system.faces[f].points;
+      face_goes[f] = std::any_of(corners.begin(), corners.end(), goes);
+      if (face_goes[f]) inverse.faces.push_back({static_cast<Index>(f), system.faces[f]});
+    }
+    for (Index i = 0; i < system.point_count(); ++i)
+      if (point_goes[i]) inverse.points.push_back({i, system.points()[i], state.position[i], state.velocity[i]});
+
+    if (system.grab && goes(system.grab->point)) system.grab.reset();
+    system.faces = kept(system.faces, face_goes);
+    system.set_springs(kept(system.springs(), spring_goes));
+    system.set_points(kept(system.points(), point_goes));
+    state.position = kept(state.position, point_goes);
+    state.velocity = kept(state.velocity, point_goes);
+
+    effect.structure = true;
+    return {inverse};
+  }
+
+  Inverse operator()(const SetNailed& set) {
+    SetNailed inverse;
+    for (const SetNailed::Item& item : set.items) {
+      const Index i = scene.system.index_of(item.point);
+      if (i == no_index || scene.system.points()[i].nailed == item.nailed) continue;
+      inverse.items.push_back({item.point, !item.nailed, scene.state.velocity[i]});
+      scene.system.point(i).nailed = item.nailed;
+      scene.state.velocity[i] = item.nailed || !is_finite(item.velocity) ? Vec3(0.0) : in_plane(scene.system, item.velocity);
+    }
+    std::reverse(inverse.items.begin(), inverse.items.end());
+    effect.values = true;
+    return {inverse};
+  }
+
+  Inverse operator()(const Move& move) {
+    Move inverse;
+    for (const Move::Item& item : move.items) {
+      const Index i = scene.system.index_of(item.point);
+      if (i == no_index || !is_finite(item.position) || !is_finite(item.velocity)) continue;
+      inverse.items.push_back({item.point, scene.state.position[i], scene.state.velocity[i]});
+      scene.state.position[i] = in_plane(scene.system, item.position);
+      scene.state.velocity[i] = in_plane(scene.system, item.velocity);
+    }
+    std::reverse(inverse.items.begin(), inverse.items.end());
+    return {inverse};
+  }
+
+  Inverse operator()(const SetPointProperty& set) {
+    double Point::*const property = set.property == PointProperty::Mass ? &Point::mass : &Point::radius;
+    SetPointProperty inverse{set.property, {}};
+    for (const auto& [id, value] : set.values) {
+      const Index i = scene.system.index_of(id);
+      if (i == no_index) continue;
+      Point changed = scene.system.points()[i];
+      changed.*property = value;
+      if (!is_sound(changed)) continue;
+      inverse.values.emplace_back(id, scene.system.points()[i].*property);
+      scene.system.point(i) = changed;
+    }
+    std::reverse(inverse.values.begin(), inverse.values.end());
+    effect.values = true;
+    return {inverse};
+  }
+
+  Inverse operator()(const SetSpringProperty& set) {
+    constexpr double Spring::*properties[] = {&Spring::stiffness, &Spring::damping, &Spring::rest_length, &Spring::break_strain};
+    double Spring::*const property = properties[static_cast<int>(set.property)];
+    SetSpringProperty inverse{set.property, {}};
+    inverse.values.reserve(set.values.size());
+    for (const auto& [id, value] : set.values) {
+      const Index s = scene.system.index_of(id);
+      if (s == no_index) continue;
+      Spring changed = scene.system.springs()[s];
+      changed.*property = value;
+      if (!is_sound(changed)) continue;
+      inverse.values.emplace_back(id, scene.system.springs()[s].*property);
+      scene.system.spring(s) = changed;
+    }
+    std::reverse(inverse.values.begin(), inverse.values.end());
+    effect.values = true;
+    return {inverse};
+  }
+
+  Inverse operator()(const SetParameter& set) {
+    const Inverse inverse{inverse_of(*set.parameter)};
+    set.parameter->write(scene, clamp_to(*set.parameter, set.value));
+    effect.values = true;
+    return inverse;
+  }
+
+  // What a parameter's write is about to overwrite.
+  Command inverse_of(const Parameter& parameter) const {
+    const auto all_springs = [&](SpringProperty property, double Spring::*member) {
+      SetSpringProperty set{property, {}};
+      for (const Spring& spring : scene.system.springs()) set.values.emplace_back(spring.id, spring.*member);
+      return set;
+    };
+    switch (parameter.scope) {
+      case Parameter::Scope::Colliders: return SetColliders{scene.system.colliders};
+      case Parameter::Scope::SpringStiffness: return all_springs(SpringProperty::Stiffness, &Spring::stiffness);
+      case Parameter::Scope::SpringDamping: return all_springs(SpringProperty::Damping, &Spring::damping);
+      case Parameter::Scope::Scene: break;
+    }
+    return RestoreParameter{&parameter, parameter.read(scene)};
+  }
+
+  Inverse operator()(const RestoreParameter& restore) {
+    const RestoreParameter inverse{restore.parameter, restore.parameter->read(scene)};
+    restore.parameter->write(scene, restore.value);
+    effect.values = true;
+    return {inverse};
+  }
+
+  Inverse operator()(const SetIntegrator& set) {
+    const SetIntegrator inverse{scene.settings.integrator};
+    scene.settings.integrator = set.integrator;
+    return {inverse};
+  }
+
+  Inverse operator()(const GrabPoint& grab) {
+    const Index i = scene.system.index_of(grab.grab.point);
+    if (i == no_index || !is_finite(grab.grab.target)) return {};
+    scene.system.grab = grab.grab;
+    scene.system.grab->target = in_plane(scene.system, grab.grab.target);
+    scene.state.hand = grab.grab.kind == GrabKind::Hold ? scene.state.position[i] : scene.system.grab->target;
+    effect.values = true;
+    return {ReleaseHand{}, Move{{{grab.grab.point, scene.state.position[i], scene.state.velocity[i]}}}};
+  }
+
+  Inverse operator()(const MoveHand& move) {
+    if (scene.system.grab && is_finite(move.target)) scene.system.grab->target = in_plane(scene.system, move.target);
+    return {};
+  }
+
+  Inverse operator()(const ReleaseHand&) {
+    if (!scene.system.grab) return {};
+    const Index i = scene.system.index_of(scene.system.grab->point);
+    if (scene.system.points()[i].nailed) scene.state.velocity[i] = Vec3(0.0);
+    scene.system.grab.reset();
+    effect.values = true;
+    return {};
+  }
+
+  Inverse operator()(const SetColliders& set) {
+    const SetColliders inverse{scene.system.colliders};
+    scene.system.colliders = set.colliders;
+    effect.values = true;
+    return {inverse};
+  }
+
+  Inverse operator()(const Replace& replace) {
+    const Replace inverse{std::make_shared<const Scene>(scene)};
+    scene = *replace.scene;
+    effect.structure = true;
+    return {inverse};
+  }
+};
+
+}  // namespace
+
+std::vector<Command> apply(Scene& scene, const Command& command, Effect& effect) { return std::visit(Apply{scene, effect}, command); }
+
+}  // namespace hooke

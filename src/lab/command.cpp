@@ -1,0 +1,52 @@
+#include "lab/command.h"
+
+#include "lab/parameters.h"
+#include "sim/integrator.h"
+
+namespace hooke {
+namespace {
+
+// "3 points", "1 spring"
+std::string count(std::size_t number, const std::string& noun) {
+  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
+std::string count_all(std::size_t points, std::size_t springs) {
+  if (springs == 0) return count(points, "point");
+  if (points == 0) return count(springs, "spring");
+  return count(points, "point") + " and " + count(springs, "spring");
+}
+
+struct Describe {
+  std::string operator()(const Insert& insert) const {
+    if (insert.points.empty() && insert.springs.size() == 1) return "attach";
+    return "add " + count_all(insert.points.size(), insert.springs.size());
+  }
+  std::string operator()(const Remove& remove) const { return "delete " + count_all(remove.points.size(), remove.springs.size()); }
+  std::string operator()(const SetNailed& nail) const {
+    const bool nailed = !nail.items.empty() && nail.items.front().nailed;
+    return (nailed ? "nail " : "release ") + count(nail.items.size(), "point");
+  }
+  std::string operator()(const Move& move) const { return "move " + count(move.items.size(), "point"); }
+  std::string operator()(const SetPointProperty& set) const {
+    return std::string(set.property == PointProperty::Mass ? "mass of " : "radius of ") + count(set.values.size(), "point");
+  }
+  std::string operator()(const SetSpringProperty& set) const {
+    constexpr const char* names[] = {"stiffness of ", "damping of ", "rest length of ", "breaking strain of "};
+    return names[static_cast<int>(set.property)] + count(set.values.size(), "spring");
+  }
+  std::string operator()(const SetParameter& set) const { return "set " + std::string(set.parameter->label); }
+  std::string operator()(const RestoreParameter& restore) const { return "set " + std::string(restore.parameter->label); }
+  std::string operator()(const SetIntegrator& set) const { return "use " + std::string(set.integrator->label); }
+  std::string operator()(const GrabPoint&) const { return "drag a point"; }
+  std::string operator()(const MoveHand&) const { return "move the hand"; }
+  std::string operator()(const ReleaseHand&) const { return "let go"; }
+  std::string operator()(const SetColliders&) const { return "change the colliders"; }
+  std::string operator()(const Replace&) const { return "go back to the start"; }
+};
+
+}  // namespace
+
+std::string describe(const Command& command) { return std::visit(Describe{}, command); }
+
+}  // namespace hooke

@@ -1,0 +1,70 @@
+#include "lab/diagnosis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace hooke {
+namespace {
+
+constexpr int most_substeps = 1000000;
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+std::string name_spring(const System& system, SpringId id) {
+  const Spring& spring = system.springs()[system.index_of(id)];
+  return "spring " + std::to_string(system.index_of(id)) + " (points " + std::to_string(system.index_of(spring.first)) + " and " +
+         std::to_string(system.index_of(spring.second)) + ")";
+}
+
+std::string name_culprit(const Divergence& divergence, const System& system) {
+  std::string name;
+  if (divergence.point && system.index_of(*divergence.point) != no_index)
+    name = "point " + std::to_string(system.index_of(*divergence.point));
+  if (divergence.spring && system.index_of(*divergence.spring) != no_index)
+    name += (name.empty() ? "" : " on ") + name_spring(system, *divergence.spring);
+  return name.empty() ? "the scene" : name;
+}
+
+}  // namespace
+
+std::optional<int> fewest_stable_substeps(const Integrator& integrator, const Spectrum& spectrum, double frame_rate) {
+  const double step = largest_stable_step(integrator, spectrum);
+  if (step == 0.0) return std::nullopt;
+  const double substeps = std::ceil(1.0 / (frame_rate * step) * (1.0 + 1e-9));
+  if (!(substeps <= most_substeps)) return std::nullopt;
+  return std::max(1, static_cast<int>(substeps));
+}
+
+Advice advise(const Spectrum& spectrum, const Settings& settings) {
+  if (const auto substeps = fewest_stable_substeps(*settings.integrator, spectrum, settings.frame_rate)) {
+    // within the limit already, what grew was not a linear mode: a smaller step all the same
+    const bool within = settings.substeps >= *substeps;
+    return {settings.integrator, within ? std::min(most_substeps, 4 * settings.substeps) : *substeps};
+  }
+  const Integrator& fallback = default_integrator();
+  return {&fallback, fewest_stable_substeps(fallback, spectrum, settings.frame_rate).value_or(most_substeps)};
+}
+
+std::string explain(const Divergence& divergence, const System& system, const Settings& settings, const Advice& advice) {
+  const std::string when = "Stopped at t = " + format("%.4g", divergence.time) + " s: ";
+  const std::string what =
+      divergence.kind == Divergence::Kind::NotFinite
+          ? name_culprit(divergence, system) + " went beyond all numbers."
+          : "energy came from nowhere (" + format("%.2g", divergence.energy / divergence.scale) + " times what was put in), first at " +
+                name_culprit(divergence, system) + ".";
+
+  const std::string now = std::string(settings.integrator->label) + " with " + std::to_string(settings.substeps) +
+                          (settings.substeps == 1 ? " substep" : " substeps");
+  const std::string needed = std::to_string(advice.substeps) + (advice.substeps == 1 ? " substep" : " substeps");
+  if (advice.integrator != settings.integrator)
+    return when + what + " " + std::string(settings.integrator->label) + " holds at no step here; " + std::string(advice.integrator->label) +
+           " holds with " + needed + " a frame.";
+  return when + what + " " + now + " a frame is too coarse: " + needed + " would hold.";
+}
+
+}  // namespace hooke

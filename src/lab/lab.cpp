@@ -1,0 +1,245 @@
+#include "lab/lab.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "lab/parameters.h"
+
+namespace hooke {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+
+// Real seconds that one call may ask for: what is beyond is dropped, or a hidden window would come back with a jump.
+constexpr double most_real_seconds = 0.25;
+
+// Weight of the newest value in the displayed timings.
+constexpr double smoothing = 0.1;
+
+void smooth(double& shown, double value) { shown = shown == 0.0 ? value : shown + smoothing * (value - shown); }
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+}  // namespace
+
+Lab::Lab(Scene scene) {
+  open(std::make_shared<const Scene>(std::move(scene)));
+  publish();
+}
+
+void Lab::submit(Command command, Gesture gesture) { queue_.emplace_back(std::move(command), gesture); }
+void Lab::submit(Control control) { queue_.emplace_back(std::move(control), 0); }
+
+void Lab::open(std::shared_ptr<const Scene> scene) {
+  start_ = std::move(scene);
+  scene_ = *start_;
+  scene_.state.ledger = {};
+  history_.clear();
+  divergence_.reset();
+  running_ = unsaved_ = false;
+  owed_ = simulate_ms_ = speed_ = 0.0;
+  frames_ = 0;
+  take_over({.structure = true});
+  open_ledger(scene_.system, scene_.state);
+}
+
+// Makes the Plan agree with the System again.
+void Lab::take_over(Effect effect) {
+  if (effect.structure)
+    plan_ = make_plan(scene_.system);
+  else if (effect.values)
+    refresh_values(plan_, scene_.system);
+  frame_in_progress_ = false;
+  energy_ = compute_energy(scene_.system, scene_.state);
+  published_system_.reset();
+}
+
+void Lab::edit(const Command& command, Gesture gesture) {
+  // the hand only moves: no edit, no energy, nothing to undo
+  if (std::holds_alternative<MoveHand>(command)) {
+    Effect effect;
+    apply(scene_, command, effect);
+    published_system_.reset();
+    return;
+  }
+
+  const double before = compute_energy(scene_.system, scene_.state).total();
+  Effect effect;
+  std::vector<Command> inverse = apply(scene_, command, effect);
+  take_over(effect);
+  book_edit(scene_.system, before, scene_.state);
+  divergence_.reset();
+  if (inverse.empty()) return;
+  history_.note(describe(command), std::move(inverse), gesture);
+  unsaved_ = true;
+}
+
+void Lab::obey(const Control& control) {
+  const auto step_back = [this](Effect (History::*move)(Scene&)) {
+    const double before = compute_energy(scene_.system, scene_.state).total();
+    take_over((history_.*move)(scene_));
+    book_edit(scene_.system, before, scene_.state);
+    divergence_.reset();
+    unsaved_ = true;
+  };
+  std::visit(Overloaded{
+                 [&](const Undo&) { step_back(&History::undo); },
+                 [&](const Redo&) { step_back(&History::redo); },
+                 [&](const SetRunning& set) {
+                   running_ = set.running;
+                   owed_ = speed_ = 0.0;
+                   frame_in_progress_ = false;
+                   if (running_) divergence_.reset();
+                 },
+                 [&](const StepOnce&) {
+                   running_ = false;
+                   step_frame();
+                 },
+                 [&](const GoToStart&) {
+                   Scene start = *start_;
+                   start.settings = scene_.settings;
+                   edit(Replace{std::make_shared<const Scene>(std::move(start))}, 0);
+                   open_ledger(scene_.system, scene_.state);
+                   running_ = running_ && !divergence_;
+                 },
+                 [&](const Open& open_scene) { open(open_scene.scene); },
+                 [&](const MarkSaved&) {
+                   unsaved_ = false;
+                   start_ = std::make_shared<const Scene>(scene_);
+                 },
+             },
+             control);
+}
+
+void Lab::apply_queue() {
+  // moved out first: obeying may queue more
+  auto queue = std::exchange(queue_, {});
+  for (const auto& [request, gesture] : queue) {
+    if (const auto* command = std::get_if<Command>(&request))
+      edit(*command, gesture);
+    else
+      obey(std::get<Control>(request));
+  }
+}
+
+void Lab::begin_frame() {
+  frame_.begin(plan_, scene_.system, scene_.settings, scene_.state);
+  frame_in_progress_ = true;
+  frame_ms_ = 0.0;
+}
+
+// Judges the frame just computed and takes it over, or keeps the one before and stops.
+bool Lab::finish_frame() {
+  next_ = scene_.state;
+  frame_.end(plan_, next_);
+  book_hand_work(scene_.system, scene_.state, next_);
+  frame_in_progress_ = false;
+
+  const Energy energy = compute_energy(scene_.system, next_);
+  divergence_ = find_divergence(scene_.system, next_, energy);
+  if (divergence_) {
+    running_ = false;
+    owed_ = 0.0;
+    return false;
+  }
+  std::swap(scene_.state, next_);
+  energy_ = energy;
+  ++frames_;
+  smooth(simulate_ms_, frame_ms_);
+  return true;
+}
+
+bool Lab::step_frame() {
+  begin_frame();
+  const auto start = Clock::now();
+  while (!frame_.done()) frame_.substep(plan_);
+  frame_ms_ = milliseconds_since(start);
+  return finish_frame();
+}
+
+bool Lab::step() {
+  apply_queue();
+  return step_frame();
+}
+
+void Lab::advance(double real_seconds, const std::function<bool()>& may_go_on) {
+  // a frame cut short goes on, unless something else than the hand's place is to change
+  const bool only_hand = std::all_of(queue_.begin(), queue_.end(), [](const auto& queued) {
+    const auto* command = std::get_if<Command>(&queued.first);
+    return command != nullptr && std::holds_alternative<MoveHand>(*command);
+  });
+  if (!frame_in_progress_ || !only_hand) apply_queue();
+
+  if (running_) {
+    const double asked = std::min(real_seconds, most_real_seconds) * scene_.settings.speed;
+    const double frame = 1.0 / scene_.settings.frame_rate;
+    owed_ += asked;
+    long stepped = 0;
+    bool in_time = true;
+    while (running_ && in_time && (frame_in_progress_ || owed_ >= frame)) {
+      if (!frame_in_progress_) begin_frame();
+      const auto start = Clock::now();
+      while (!frame_.done() && in_time) {
+        frame_.substep(plan_);
+        in_time = may_go_on();
+      }
+      frame_ms_ += milliseconds_since(start);
+      if (frame_.done()) {
+        owed_ -= frame;
+        stepped += finish_frame() ? 1 : 0;
+      }
+    }
+    // what is still owed beyond a frame is not made up for: the scene runs slower, and says so
+    owed_ = std::clamp(owed_, 0.0, frame);
+    if (real_seconds > 0.0) smooth(speed_, static_cast<double>(stepped) * frame / real_seconds);
+  }
+  publish();
+}
+
+void Lab::publish() {
+  if (!published_system_) published_system_ = std::make_shared<const System>(scene_.system);
+
+  auto snapshot = std::make_shared<Snapshot>();
+  snapshot->system = published_system_;
+  snapshot->state = scene_.state;
+  snapshot->settings = scene_.settings;
+  snapshot->energy = energy_;
+  snapshot->momentum = compute_momentum(scene_.system, scene_.state);
+  for (const Spring& spring : scene_.system.springs()) {
+    const double value = strain(scene_.system, scene_.state, spring);
+    snapshot->least_strain = std::min(snapshot->least_strain, value);
+    snapshot->most_strain = std::max(snapshot->most_strain, value);
+  }
+  snapshot->omega = plan_.spectrum.omega;
+  snapshot->largest_stable_step = largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
+  snapshot->divergence = divergence_;
+
+  auto status = std::make_shared<Status>();
+  status->snapshot = std::move(snapshot);
+  status->scene_name = scene_.name;
+  status->scene_description = scene_.description;
+  status->view = scene_.view;
+  status->defaults = scene_.defaults;
+  status->controls = scene_.controls;
+  for (const Parameter& parameter : parameters()) status->parameter_values.push_back(parameter.read(scene_));
+  status->running = running_;
+  status->unsaved = unsaved_;
+  status->undo_name = history_.undo_name();
+  status->redo_name = history_.redo_name();
+  if (divergence_) {
+    status->advice = advise(plan_.spectrum, scene_.settings);
+    status->message = explain(*divergence_, scene_.system, scene_.settings, *status->advice);
+  }
+  status->simulate_ms = simulate_ms_;
+  status->speed = running_ ? speed_ : 0.0;
+  status->frames = frames_;
+  status_ = std::move(status);
+}
+
+}  // namespace hooke
