@@ -10,7 +10,9 @@ namespace {
 void set_gravity(const Plan& plan, Field& f) {
   for (int c = 0; c < plan.dimensions; ++c) {
     double* component = f.data() + static_cast<std::size_t>(c) * plan.points;
-    for (Index i = 0; i < plan.points; ++i) component[i] = plan.mass[i] * plan.acceleration[c];
+    const double* mass = plan.mass.data();
+    const double acceleration = plan.acceleration[c];
+    for (Index i = 0, n = plan.points; i < n; ++i) component[i] = mass[i] * acceleration;
   }
 }
 
@@ -51,7 +53,8 @@ void compute_forces(const Plan& plan, double time, const Field& x, const Field& 
 void divide_by_mass(const Plan& plan, Field& f) {
   for (int c = 0; c < plan.dimensions; ++c) {
     double* component = f.data() + static_cast<std::size_t>(c) * plan.points;
-    for (Index i = 0; i < plan.points; ++i) component[i] *= plan.inverse_mass[i];
+    const double* inverse_mass = plan.inverse_mass.data();
+    for (Index i = 0, n = plan.points; i < n; ++i) component[i] *= inverse_mass[i];
   }
 }
 

@@ -19,14 +19,12 @@ struct Workspace {
   std::vector<Field> fields;
 };
 
-// Calls visit(i, w) for every component i of a Field, w the inverse mass [1/kg] of the component's point.
-template <class Visit>
-void for_each_component(const Plan& plan, Visit visit) {
-  const auto n = static_cast<std::size_t>(plan.points);
-  const double* inverse_mass = plan.inverse_mass.data();
-  for (std::size_t begin = 0; begin < n * plan.dimensions; begin += n)
-    for (std::size_t i = 0; i < n; ++i) visit(begin + i, inverse_mass[i]);
-}
+// v = v e^(-c h) + a (1 - e^(-c h)) / c over `h` [s], a without drag: exact for constant a; v + h a when c = 0. A held
+// point keeps the hand's velocity.
+void kick(const Plan& plan, Motion& motion, double h);
+
+// x = x + h v.
+void drift(Motion& motion, double h);
 
 // [m], [m/s] of every point into the packed layout and back.
 void pack(const Plan& plan, const State& state, Motion& motion);

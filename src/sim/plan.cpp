@@ -9,6 +9,8 @@
 namespace hooke {
 namespace {
 
+constexpr Index longest_run = 512;
+
 // Springs between the same two offsets, one after another, make a run.
 void find_runs(Plan& plan, const System& system) {
   struct Ends {
@@ -33,7 +35,8 @@ void find_runs(Plan& plan, const System& system) {
   };
   std::vector<Found> found;
   for (std::size_t e = 0; e < ends.size(); ++e) {
-    const bool continues = !found.empty() && ends[e].first == ends[e - 1].first + 1 && ends[e].second == ends[e - 1].second + 1;
+    // cut at a few hundred springs, so that runs along the whole scene do not sweep the cache once for each direction
+    const bool continues = !found.empty() && found.back().count < longest_run && ends[e].first == ends[e - 1].first + 1 && ends[e].second == ends[e - 1].second + 1;
     if (continues)
       ++found.back().count;
     else

@@ -13,19 +13,19 @@ HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// springs of a run whose forces are held back before they are added to the points: a run's two ends may overlap
-// (first + 1 == second), and a load behind a narrower store of the same bytes would stall
-constexpr Index block = 128;
+// Springs of a run whose forces are computed before they are added to the points, and zeros before and after them.
+constexpr Index block = 64;
+constexpr Index padding = 8;  // lanes of the widest vectors
 
 struct Ends {
   const double* first[3];
   const double* second[3];
 };
 
-// The forces of springs e .. e + lanes, into force[c][e].
+// The forces of springs e .. e + lanes, into force[c][padding + e].
 template <int Dimensions, bool Damped, class D>
-HWY_INLINE void compute_block_lanes(D d, Index e, const Ends& x, const Ends& v, const double* stiffness, const double* rest_length,
-                                    const double* damping, double (*force)[block]) {
+HWY_INLINE void compute_forces_of(D d, Index e, const Ends& x, const Ends& v, const double* stiffness, const double* rest_length,
+                                    const double* damping, double (*force)[block + 2 * padding]) {
   using V = hn::Vec<D>;
   V along[Dimensions];
   V length_squared = hn::Zero(d);
@@ -42,7 +42,30 @@ HWY_INLINE void compute_block_lanes(D d, Index e, const Ends& x, const Ends& v, 
     tension = hn::Add(tension, hn::Div(hn::Mul(hn::LoadU(d, damping + e), approach), length));
   }
   const V per_length = hn::IfThenZeroElse(hn::Eq(length, hn::Zero(d)), hn::Div(tension, length));
-  for (int c = 0; c < Dimensions; ++c) hn::StoreU(hn::Mul(per_length, along[c]), d, force[c] + e);
+  for (int c = 0; c < Dimensions; ++c) hn::StoreU(hn::Mul(per_length, along[c]), d, force[c] + padding + e);
+}
+
+// sum[e] += sign * term[e] for e < count; sign is +-1, exact.
+template <bool Subtract, class D>
+HWY_INLINE void accumulate(D d, const double* term, Index count, double* sum) {
+  const Index lanes = static_cast<Index>(hn::Lanes(d));
+  Index e = 0;
+  for (; e + lanes <= count; e += lanes) {
+    const auto old = hn::LoadU(d, sum + e), change = hn::LoadU(d, term + e);
+    hn::StoreU(Subtract ? hn::Sub(old, change) : hn::Add(old, change), d, sum + e);
+  }
+  for (; e < count; ++e) sum[e] = Subtract ? sum[e] - term[e] : sum[e] + term[e];
+}
+
+// sum[e] += term[e - 1] - term[e], the two ends of springs in a row: one pass, since a second one would load across the
+// stores of the first before they have left the processor.
+template <class D>
+HWY_INLINE void accumulate_row(D d, const double* term, Index count, double* sum) {
+  const Index lanes = static_cast<Index>(hn::Lanes(d));
+  Index e = 0;
+  for (; e + lanes <= count; e += lanes)
+    hn::StoreU(hn::Add(hn::LoadU(d, sum + e), hn::Sub(hn::LoadU(d, term + e - 1), hn::LoadU(d, term + e))), d, sum + e);
+  for (; e < count; ++e) sum[e] += term[e - 1] - term[e];
 }
 
 template <int Dimensions, bool Damped>
@@ -50,7 +73,7 @@ void add_forces(const Plan& plan, const double* x, const double* v, double* f) {
   const hn::ScalableTag<double> wide;
   const hn::CappedTag<double, 1> single;
   const Index lanes = static_cast<Index>(hn::Lanes(wide));
-  HWY_ALIGN double force[3][block];
+  HWY_ALIGN double force[3][block + 2 * padding] = {};
 
   for (const SpringRun& run : plan.runs) {
     for (Index start = 0; start < run.count; start += block) {
@@ -70,21 +93,24 @@ void add_forces(const Plan& plan, const double* x, const double* v, double* f) {
       const double* rest_length = plan.rest_length.data() + packed;
       const double* damping = Damped ? plan.damping.data() + packed : nullptr;
 
-      Index e = 0;
-      for (; e + lanes <= count; e += lanes)
-        compute_block_lanes<Dimensions, Damped>(wide, e, position, velocity, stiffness, rest_length, damping, force);
-      for (; e < count; ++e)
-        compute_block_lanes<Dimensions, Damped>(single, e, position, velocity, stiffness, rest_length, damping, force);
+      // whole vectors; the last one reaches back over springs already done rather than beyond the run
+      if (count >= lanes) {
+        for (Index e = 0; e < count; e += lanes)
+          compute_forces_of<Dimensions, Damped>(wide, e + lanes <= count ? e : count - lanes, position, velocity, stiffness, rest_length, damping, force);
+      } else {
+        for (Index e = 0; e < count; ++e) compute_forces_of<Dimensions, Damped>(single, e, position, velocity, stiffness, rest_length, damping, force);
+      }
 
       for (int c = 0; c < Dimensions; ++c) {
+        const double* term = force[c] + padding;
         double* f_first = f + static_cast<std::size_t>(c) * plan.points + start + run.first;
-        double* f_second = f + static_cast<std::size_t>(c) * plan.points + start + run.second;
-        for (e = 0; e + lanes <= count; e += lanes)
-          hn::StoreU(hn::Sub(hn::LoadU(wide, f_first + e), hn::Load(wide, force[c] + e)), wide, f_first + e);
-        for (; e < count; ++e) f_first[e] -= force[c][e];
-        for (e = 0; e + lanes <= count; e += lanes)
-          hn::StoreU(hn::Add(hn::LoadU(wide, f_second + e), hn::Load(wide, force[c] + e)), wide, f_second + e);
-        for (; e < count; ++e) f_second[e] += force[c][e];
+        if (run.second == run.first + 1) {
+          force[c][padding + count] = 0.0;
+          accumulate_row(wide, term, count + 1, f_first);
+        } else {
+          accumulate<true>(wide, term, count, f_first);
+          accumulate<false>(wide, term, count, f_first + (run.second - run.first));
+        }
       }
     }
   }

@@ -14,12 +14,8 @@ void step(const Plan& plan, Motion& motion, Workspace&, double h) {
   divide_by_mass(plan, motion.a);
   ++motion.force_evaluations;
 
-  const double decay = std::exp(-plan.drag * h);
-  const double weight = plan.drag == 0.0 ? h : -std::expm1(-plan.drag * h) / plan.drag;
-  for_each_component(plan, [&](std::size_t i, double w) {
-    motion.v[i] = (w == 0.0 ? 1.0 : decay) * motion.v[i] + weight * motion.a[i];
-    motion.x[i] += h * motion.v[i];
-  });
+  kick(plan, motion, h);
+  drift(motion, h);
 }
 
 // v' = E v - phi h (omega^2 x + lambda v), x' = x + h v', with E = e^(-h c), phi = (1 - E) / (h c)

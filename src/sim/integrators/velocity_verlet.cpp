@@ -23,21 +23,13 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
     ++motion.force_evaluations;
   }
 
-  // half a kick, and the drift
-  const double decay = std::exp(-0.5 * plan.drag * h);
-  const double weight = plan.drag == 0.0 ? 0.5 * h : -std::expm1(-0.5 * plan.drag * h) / plan.drag;
-  for_each_component(plan, [&](std::size_t i, double w) {
-    motion.v[i] = (w == 0.0 ? 1.0 : decay) * motion.v[i] + weight * motion.a[i];
-    motion.x[i] += h * motion.v[i];
-  });
+  kick(plan, motion, 0.5 * h);
+  drift(motion, h);
 
-  // the other half, with the new acceleration
   compute_position_forces(plan, motion.time + h, motion.x, motion.a);
   divide_by_mass(plan, motion.a);
   ++motion.force_evaluations;
-  for_each_component(plan, [&](std::size_t i, double w) {
-    motion.v[i] = (w == 0.0 ? 1.0 : decay) * motion.v[i] + weight * motion.a[i];
-  });
+  kick(plan, motion, 0.5 * h);
   motion.acceleration_is_current = true;
 
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
