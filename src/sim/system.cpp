@@ -2,25 +2,20 @@
 
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 #include <utility>
 
 namespace hooke {
 namespace {
 
 template <class Item>
-void renumber(const std::vector<Item>& items, std::vector<Index>& index_by_id, Index from) {
-  for (Index i = from; i < static_cast<Index>(items.size()); ++i) index_by_id[static_cast<std::uint32_t>(items[i].id)] = i;
-}
-
-template <class Item>
-void insert(std::vector<Item>& items, std::vector<Index>& index_by_id, std::uint32_t& next_id, Index at, const Item& item) {
+void append(std::vector<Item>& items, std::vector<Index>& index_by_id, std::uint32_t& next_id, const Item& item) {
   const auto id = static_cast<std::uint32_t>(item.id);
-  assert(at >= 0 && at <= static_cast<Index>(items.size()));
   next_id = std::max(next_id, id + 1);
   if (index_by_id.size() <= id) index_by_id.resize(id + 1, no_index);
   assert(index_by_id[id] == no_index);
-  items.insert(items.begin() + at, item);
-  renumber(items, index_by_id, at);
+  index_by_id[id] = static_cast<Index>(items.size());
+  items.push_back(item);
 }
 
 template <class Item>
@@ -28,7 +23,7 @@ void set(std::vector<Item>& items, std::vector<Index>& index_by_id, std::uint32_
   for (const Item& item : list) next_id = std::max(next_id, static_cast<std::uint32_t>(item.id) + 1);
   index_by_id.assign(next_id, no_index);
   items = std::move(list);
-  renumber(items, index_by_id, 0);
+  for (std::size_t i = 0; i < items.size(); ++i) index_by_id[static_cast<std::uint32_t>(items[i].id)] = static_cast<Index>(i);
 }
 
 Index look_up(const std::vector<Index>& index_by_id, std::uint32_t id) {
@@ -40,8 +35,8 @@ Index look_up(const std::vector<Index>& index_by_id, std::uint32_t id) {
 Index System::index_of(PointId id) const { return look_up(point_index_, static_cast<std::uint32_t>(id)); }
 Index System::index_of(SpringId id) const { return look_up(spring_index_, static_cast<std::uint32_t>(id)); }
 
-void System::insert_point(Index at, const Point& point) { insert(points_, point_index_, next_point_id_, at, point); }
-void System::insert_spring(Index at, const Spring& spring) { insert(springs_, spring_index_, next_spring_id_, at, spring); }
+void System::append_point(const Point& point) { append(points_, point_index_, next_point_id_, point); }
+void System::append_spring(const Spring& spring) { append(springs_, spring_index_, next_spring_id_, spring); }
 void System::set_points(std::vector<Point> points) { set(points_, point_index_, next_point_id_, std::move(points)); }
 void System::set_springs(std::vector<Spring> springs) { set(springs_, spring_index_, next_spring_id_, std::move(springs)); }
 
@@ -50,6 +45,12 @@ void System::reserve(Index points, Index springs) {
   springs_.reserve(springs);
   point_index_.reserve(points);
   spring_index_.reserve(springs);
+}
+
+bool System::operator==(const System& other) const {
+  const auto scalars = [](const System& s) { return std::tie(s.dimensions, s.gravity, s.drag, s.drag_on, s.dashpots_on, s.wind); };
+  return scalars(*this) == scalars(other) && faces == other.faces && colliders == other.colliders && grab == other.grab &&
+         points_ == other.points_ && springs_ == other.springs_;
 }
 
 }  // namespace hooke

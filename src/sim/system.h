@@ -117,17 +117,16 @@ class System {
   // The next ids to give away.
   PointId new_point_id() { return PointId{next_point_id_++}; }
   SpringId new_spring_id() { return SpringId{next_spring_id_++}; }
-  // Ids of removed things come back with them (undo); new ids stay beyond every id ever seen.
-  void insert_point(Index at, const Point& point);
-  void insert_spring(Index at, const Spring& spring);
-  void append_point(const Point& point) { insert_point(point_count(), point); }
-  void append_spring(const Spring& spring) { insert_spring(spring_count(), spring); }
-  // For many at once: the whole new list. Ids must be unique; a spring's ends must be among the points.
+  // Ids that were given elsewhere (an undo brings removed things back) are fine; new ids stay beyond every id ever seen.
+  void append_point(const Point& point);
+  void append_spring(const Spring& spring);
+  // The whole new list at once, to insert and remove. Ids must be unique; a spring's ends must be among the points.
   void set_points(std::vector<Point> points);
   void set_springs(std::vector<Spring> springs);
   void reserve(Index points, Index springs);
 
-  bool operator==(const System&) const = default;
+  // Equal in what the scene is; ids given and never used do not count.
+  bool operator==(const System& other) const;
 
   // The drag and damping in force, switches applied.
   double drag_rate() const { return drag_on ? drag : 0.0; }
