@@ -207,10 +207,11 @@ struct Apply {
       return set;
     };
     switch (parameter.scope) {
+      case Parameter::Scope::Gravity: return SetGravity{scene.system.gravity};
       case Parameter::Scope::Colliders: return SetColliders{scene.system.colliders};
       case Parameter::Scope::SpringStiffness: return all_springs(SpringProperty::Stiffness, &Spring::stiffness);
       case Parameter::Scope::SpringDamping: return all_springs(SpringProperty::Damping, &Spring::damping);
-      case Parameter::Scope::Scene: break;
+      case Parameter::Scope::Number: break;
     }
     return RestoreParameter{&parameter, parameter.read(scene)};
   }
@@ -250,6 +251,13 @@ struct Apply {
     scene.system.grab.reset();
     effect.values = true;
     return {};
+  }
+
+  Inverse operator()(const SetGravity& set) {
+    const SetGravity inverse{scene.system.gravity};
+    if (is_finite(set.gravity)) scene.system.gravity = set.gravity;
+    effect.values = true;
+    return {inverse};
   }
 
   Inverse operator()(const SetColliders& set) {

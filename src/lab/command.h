@@ -104,7 +104,10 @@ struct MoveHand {
 };
 struct ReleaseHand {};
 
-// The colliders as a list: what an inverse needs when a parameter changed them all.
+// Gravity, and the colliders as a list: what an inverse needs when a parameter changed their sizes.
+struct SetGravity {
+  Vec3 gravity;
+};
 struct SetColliders {
   std::vector<Collider> colliders;
 };
@@ -115,7 +118,7 @@ struct Replace {
 };
 
 using Command = std::variant<Insert, Remove, SetNailed, Move, SetPointProperty, SetSpringProperty, SetParameter, RestoreParameter, SetIntegrator,
-                             GrabPoint, MoveHand, ReleaseHand, SetColliders, Replace>;
+                             GrabPoint, MoveHand, ReleaseHand, SetGravity, SetColliders, Replace>;
 
 // What a person calls it: "nail 3 points".
 std::string describe(const Command& command);

@@ -15,6 +15,7 @@ bool same_ids(const std::vector<std::pair<Item, double>>& a, const std::vector<s
 struct Supersedes {
   bool operator()(const RestoreParameter& earlier, const RestoreParameter& later) const { return earlier.parameter == later.parameter; }
   bool operator()(const SetIntegrator&, const SetIntegrator&) const { return true; }
+  bool operator()(const SetGravity&, const SetGravity&) const { return true; }
   bool operator()(const SetColliders&, const SetColliders&) const { return true; }
   bool operator()(const SetSpringProperty& earlier, const SetSpringProperty& later) const {
     return earlier.property == later.property && same_ids(earlier.values, later.values);

@@ -16,8 +16,11 @@ double milliseconds_since(Clock::time_point start) { return std::chrono::duratio
 // Real seconds that one call may ask for: what is beyond is dropped, or a hidden window would come back with a jump.
 constexpr double most_real_seconds = 0.25;
 
-// Weight of the newest value in the displayed timings.
+// Weight of the newest value in the displayed time per frame.
 constexpr double smoothing = 0.1;
+
+// [s] over which the displayed speed is measured.
+constexpr double speed_window = 1.0;
 
 void smooth(double& shown, double value) { shown = shown == 0.0 ? value : shown + smoothing * (value - shown); }
 
@@ -43,7 +46,7 @@ void Lab::open(std::shared_ptr<const Scene> scene) {
   history_.clear();
   divergence_.reset();
   running_ = unsaved_ = false;
-  owed_ = simulate_ms_ = speed_ = 0.0;
+  owed_ = simulate_ms_ = recent_simulated_ = recent_real_ = 0.0;
   frames_ = 0;
   take_over({.structure = true});
   open_ledger(scene_.system, scene_.state);
@@ -93,7 +96,7 @@ void Lab::obey(const Control& control) {
                  [&](const Redo&) { step_back(&History::redo); },
                  [&](const SetRunning& set) {
                    running_ = set.running;
-                   owed_ = speed_ = 0.0;
+                   owed_ = recent_simulated_ = recent_real_ = 0.0;
                    frame_in_progress_ = false;
                    if (running_) divergence_.reset();
                  },
@@ -197,7 +200,9 @@ void Lab::advance(double real_seconds, const std::function<bool()>& may_go_on) {
     }
     // what is still owed beyond a frame is not made up for: the scene runs slower, and says so
     owed_ = std::clamp(owed_, 0.0, frame);
-    if (real_seconds > 0.0) smooth(speed_, static_cast<double>(stepped) * frame / real_seconds);
+    const double fade = std::exp(-real_seconds / speed_window);
+    recent_simulated_ = fade * recent_simulated_ + static_cast<double>(stepped) * frame;
+    recent_real_ = fade * recent_real_ + real_seconds;
   }
   publish();
 }
@@ -237,7 +242,7 @@ void Lab::publish() {
     status->message = explain(*divergence_, scene_.system, scene_.settings, *status->advice);
   }
   status->simulate_ms = simulate_ms_;
-  status->speed = running_ ? speed_ : 0.0;
+  status->speed = running_ && recent_real_ > 0.0 ? recent_simulated_ / recent_real_ : 0.0;
   status->frames = frames_;
   status_ = std::move(status);
 }

@@ -79,7 +79,8 @@ class Lab {
   bool running_ = false;
   bool unsaved_ = false;
   double owed_ = 0.0;         // [s] of simulated time not yet stepped
-  double frame_ms_ = 0.0, simulate_ms_ = 0.0, speed_ = 0.0;
+  double frame_ms_ = 0.0, simulate_ms_ = 0.0;
+  double recent_simulated_ = 0.0, recent_real_ = 0.0;  // [s], fading sums
   long frames_ = 0;
   std::shared_ptr<const System> published_system_;  // null: stale
   std::shared_ptr<const Status> status_;

@@ -86,7 +86,7 @@ const std::array rows{
               .write = [](Scene& s, double value) { s.system.drag = value; }},
     Parameter{.name = "gravity", .field = "", .label = "Gravity", .unit = "m/s^2",
               .meaning = "Size of the gravity; its direction is the scene's.",
-              .least = 0, .most = 30, .usual = 9.81,
+              .least = 0, .most = 30, .usual = 9.81, .scope = Scope::Gravity,
               .read = [](const Scene& s) { return glm::length(s.system.gravity); },
               .write = set_gravity},
     Parameter{.name = "restitution", .field = "", .label = "Restitution", .unit = "",

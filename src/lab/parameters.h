@@ -10,8 +10,8 @@ namespace hooke {
 
 struct Parameter {
   enum class Kind { Number, Whole, Switch };
-  // What a write changes, and so what its inverse must hold.
-  enum class Scope { Scene, Colliders, SpringStiffness, SpringDamping };
+  // What a write changes, and so what its inverse must hold; Number: the one number that `read` gives.
+  enum class Scope { Number, Gravity, Colliders, SpringStiffness, SpringDamping };
   std::string_view name;     // on the command line
   std::string_view field;    // in a scene file, dotted: "simulation.substeps"; empty: not a field of its own
   std::string_view label;    // on the slider
@@ -21,7 +21,7 @@ struct Parameter {
   // the range of the slider and of `--set`; a scene file may hold any value that is physical
   double least = 0.0, most = 1.0, usual = 0.0;
   bool logarithmic = false;  // the slider's scale
-  Scope scope = Scope::Scene;
+  Scope scope = Scope::Number;
   double (*read)(const Scene& scene) = nullptr;
   void (*write)(Scene& scene, double value) = nullptr;
 };
