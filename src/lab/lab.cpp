@@ -207,6 +207,11 @@ void Lab::advance(double real_seconds, const std::function<bool()>& may_go_on) {
   publish();
 }
 
+std::chrono::duration<double> Lab::time_to_next_frame() const {
+  const double due = 1.0 / scene_.settings.frame_rate - owed_;
+  return std::chrono::duration<double>(frame_in_progress_ ? 0.0 : std::clamp(due / scene_.settings.speed, 0.0, 0.05));
+}
+
 void Lab::publish() {
   if (!published_system_) published_system_ = std::make_shared<const System>(scene_.system);
 
@@ -244,6 +249,8 @@ void Lab::publish() {
   status->simulate_ms = simulate_ms_;
   status->speed = running_ && recent_real_ > 0.0 ? recent_simulated_ / recent_real_ : 0.0;
   status->frames = frames_;
+  status->next_point_id = scene_.system.next_point_id();
+  status->next_spring_id = scene_.system.next_spring_id();
   status_ = std::move(status);
 }
 

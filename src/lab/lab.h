@@ -2,6 +2,7 @@
 // steps, steps in real time, watches for divergence and publishes a Status with a Snapshot.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -40,6 +41,9 @@ class Lab {
   // `may_go_on` says no (asked between substeps; a frame cut short is taken up by the next call). What cannot be
   // computed in time is dropped, so that the scene slows down instead of piling up.
   void advance(double real_seconds, const std::function<bool()>& may_go_on);
+
+  // Real time until the next frame is due while running; zero for a frame in progress.
+  std::chrono::duration<double> time_to_next_frame() const;
 
   // Steps exactly one frame, applying what is queued before. False when it diverged: the state is the frame before.
   bool step();

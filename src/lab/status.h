@@ -25,6 +25,7 @@ struct Status {
   std::optional<Advice> advice;          // what would hold, to be applied by a click
   double simulate_ms = 0.0;              // of real time per simulated frame, smoothed
   double speed = 0.0;                    // simulated against real seconds, measured; 0 while paused
+  std::uint32_t next_point_id = 0, next_spring_id = 0;  // ids from here on are free
   long frames = 0;                       // stepped since the document was opened
 };
 

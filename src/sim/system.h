@@ -114,7 +114,9 @@ class System {
   Point& point(Index index) { return points_[index]; }
   Spring& spring(Index index) { return springs_[index]; }
 
-  // The next ids to give away.
+  // The next ids to give away, and the same without giving them.
+  std::uint32_t next_point_id() const { return next_point_id_; }
+  std::uint32_t next_spring_id() const { return next_spring_id_; }
   PointId new_point_id() { return PointId{next_point_id_++}; }
   SpringId new_spring_id() { return SpringId{next_spring_id_++}; }
   // Ids that were given elsewhere (an undo brings removed things back) are fine; new ids stay beyond every id ever seen.

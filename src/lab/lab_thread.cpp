@@ -1,0 +1,101 @@
+#include "lab/lab_thread.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace hooke {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// How long a frame in progress may keep its results to itself.
+constexpr auto longest_silence = std::chrono::milliseconds(50);
+
+}  // namespace
+
+LabThread::LabThread(Scene scene) : lab_(std::move(scene)), status_(lab_.status()), thread_([this] { work(); }) {}
+
+LabThread::~LabThread() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+  }
+  posted_.notify_one();
+  thread_.join();
+}
+
+void LabThread::post(Task task, bool urgent) {
+  {
+    const std::lock_guard lock(mutex_);
+    tasks_.push_back(std::move(task));
+    if (urgent) urgent_ = true;
+  }
+  posted_.notify_one();
+}
+
+void LabThread::submit(Command command, Gesture gesture) {
+  const bool urgent = !std::holds_alternative<MoveHand>(command);
+  post([command = std::move(command), gesture](Lab& lab) { lab.submit(command, gesture); }, urgent);
+}
+
+void LabThread::submit(Control control) {
+  post([control = std::move(control)](Lab& lab) { lab.submit(control); }, true);
+}
+
+std::shared_ptr<const Status> LabThread::status() const {
+  const std::lock_guard lock(mutex_);
+  return status_;
+}
+
+std::future<std::shared_ptr<const Scene>> LabThread::copy_scene() {
+  auto promise = std::make_shared<std::promise<std::shared_ptr<const Scene>>>();
+  auto future = promise->get_future();
+  post(
+      [promise](Lab& lab) {
+        lab.advance(0.0, [] { return false; });
+        promise->set_value(std::make_shared<const Scene>(lab.scene()));
+      },
+      true);
+  return future;
+}
+
+PointId LabThread::new_point_id() {
+  next_point_id_ = std::max(next_point_id_, status()->next_point_id);
+  return PointId{next_point_id_++};
+}
+
+SpringId LabThread::new_spring_id() {
+  next_spring_id_ = std::max(next_spring_id_, status()->next_spring_id);
+  return SpringId{next_spring_id_++};
+}
+
+void LabThread::work() {
+  auto last = Clock::now();
+  while (!stopping_) {
+    std::vector<Task> tasks;
+    {
+      std::unique_lock lock(mutex_);
+      const auto something_to_do = [this] { return stopping_ || !tasks_.empty(); };
+      if (status_->running)
+        posted_.wait_for(lock, lab_.time_to_next_frame(), something_to_do);
+      else
+        posted_.wait(lock, something_to_do);
+      if (stopping_) return;
+      tasks = std::exchange(tasks_, {});
+      urgent_ = false;
+    }
+
+    // paused time does not count
+    const auto now = Clock::now();
+    const double elapsed = lab_.status()->running ? std::chrono::duration<double>(now - last).count() : 0.0;
+    last = now;
+    for (const Task& task : tasks) task(lab_);
+    lab_.advance(elapsed, [&] { return !stopping_ && !urgent_ && Clock::now() - now < longest_silence; });
+
+    const std::lock_guard lock(mutex_);
+    status_ = lab_.status();
+  }
+}
+
+}  // namespace hooke

@@ -1,0 +1,55 @@
+// The laboratory on a thread of its own: commands go in through a queue, a Status with a Snapshot comes out, and the one
+// who asks never waits for a step, however long it takes. The states are the same bits as without the thread.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "lab/lab.h"
+
+namespace hooke {
+
+// All functions may be called from any one thread, usually the window's.
+class LabThread {
+ public:
+  explicit LabThread(Scene scene);
+  ~LabThread();  // waits for the substep in progress
+  LabThread(const LabThread&) = delete;
+  LabThread& operator=(const LabThread&) = delete;
+
+  void submit(Command command, Gesture gesture = 0);
+  void submit(Control control);
+
+  // The newest; never null.
+  std::shared_ptr<const Status> status() const;
+
+  // A copy of the scene after all that was submitted before, between two frames: to be saved. Ready when the thread gets to it.
+  std::future<std::shared_ptr<const Scene>> copy_scene();
+
+  // Ids for the points and springs of a coming Insert.
+  PointId new_point_id();
+  SpringId new_spring_id();
+
+ private:
+  using Task = std::function<void(Lab&)>;
+  void post(Task task, bool urgent);
+  void work();
+
+  Lab lab_;
+  mutable std::mutex mutex_;
+  std::condition_variable posted_;
+  std::vector<Task> tasks_;                    // guarded by mutex_
+  std::shared_ptr<const Status> status_;       // guarded by mutex_
+  std::atomic<bool> stopping_ = false;
+  std::atomic<bool> urgent_ = false;           // something waits that a frame in progress should make way for
+  std::uint32_t next_point_id_ = 0, next_spring_id_ = 0;  // of the asking thread
+  std::thread thread_;
+};
+
+}  // namespace hooke
