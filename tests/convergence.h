@@ -1,0 +1,42 @@
+// Orders measured from errors: what a tolerance comes from.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/integrator.h"
+
+namespace hooke {
+
+// p such that error(steps) ~ steps^-p: log2 of what halving the step gains.
+inline double measured_order(const std::function<double(int)>& error, int steps) { return std::log2(error(steps) / error(2 * steps)); }
+
+// The error falls as declared when the step is halved: not slower, and not faster either.
+inline void expect_order(const std::function<double(int)>& error, int steps, double order, double tolerance = 0.15) {
+  const double coarse = error(steps), fine = error(2 * steps);
+  EXPECT_NEAR(std::log2(coarse / fine), order, tolerance)
+      << "errors " << coarse << " and " << fine << " at " << steps << " and " << 2 * steps << " steps";
+}
+
+// Steps of a motion of a few radians that leave a method of this order in its asymptotic range, and above round-off.
+inline int asymptotic_steps(int order) { return order == 1 ? 20000 : order == 2 ? 1000 : 100; }
+
+// A fixture for claims about every method of the table.
+class EveryMethod : public testing::TestWithParam<const Integrator*> {
+ protected:
+  const Integrator& method() const { return *GetParam(); }
+};
+
+inline std::vector<const Integrator*> every_method() {
+  std::vector<const Integrator*> methods;
+  for (const Integrator& row : integrators()) methods.push_back(&row);
+  return methods;
+}
+
+inline std::string method_name(const testing::TestParamInfo<const Integrator*>& info) { return std::string(info.param->id); }
+
+}  // namespace hooke
