@@ -1,0 +1,206 @@
+// Forces: as the formulas say, opposite in pairs, minus the gradient of the energy, and the same bits in every width.
+#include "sim/forces.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "random_scene.h"
+#include "sim/energy.h"
+#include "sim/spring_kernel.h"
+
+namespace hooke {
+namespace {
+
+struct Packed {
+  Plan plan;
+  Motion motion;
+  explicit Packed(const Trial& trial) : plan(make_plan(trial.system)) {
+    aim_hand(plan, trial.system, trial.state, 1.0 / 60.0);
+    pack(plan, trial.state, motion);
+  }
+  // [N] on every point
+  Field forces() const {
+    Field f(motion.x.size(), 0.0);
+    compute_forces(plan, motion.time, motion.x, motion.v, f);
+    return f;
+  }
+  Field spring_forces() const {
+    Field f(motion.x.size(), 0.0);
+    add_spring_forces(plan, motion.x.data(), plan.has_dashpots() ? motion.v.data() : nullptr, f.data());
+    return f;
+  }
+  Vec3 at(const Field& f, Index i) const { return {f[i], f[plan.points + i], plan.dimensions == 3 ? f[2 * plan.points + i] : 0.0}; }
+};
+
+// -(k (l - l0) + d w) u on the first end of every spring, in a plain loop over the System.
+std::vector<Vec3> plain_spring_forces(const Trial& trial, std::vector<double>& size) {
+  std::vector<Vec3> forces(trial.state.position.size(), Vec3(0.0));
+  size.assign(forces.size(), 0.0);
+  for (const Spring& spring : trial.system.springs()) {
+    const Index i = trial.system.index_of(spring.first), j = trial.system.index_of(spring.second);
+    const Vec3 along = trial.state.position[i] - trial.state.position[j];
+    const double length = glm::length(along);
+    if (length == 0.0) continue;
+    const Vec3 u = along / length;
+    const double w = glm::dot(trial.state.velocity[i] - trial.state.velocity[j], u);
+    const Vec3 force = -(spring.stiffness * (length - spring.rest_length) + trial.system.damping_of(spring) * w) * u;
+    forces[i] += force;
+    forces[j] -= force;
+    for (const Index end : {i, j})
+      size[end] += spring.stiffness * (length + spring.rest_length) + trial.system.damping_of(spring) * std::abs(w);
+  }
+  return forces;
+}
+
+// A square net in grid order, crumpled, with springs of different values: long runs and remainders.
+Trial crumpled_net(int n, int dimensions, double most_damping) {
+  Dice dice(n);
+  Trial trial;
+  trial.system.dimensions = dimensions;
+  for (int i = 0; i < n * n; ++i) {
+    const Vec3 away(dice.between(-0.3, 0.3), dice.between(-0.3, 0.3), dimensions == 3 ? dice.between(-0.3, 0.3) : 0.0);
+    const Vec3 velocity(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dimensions == 3 ? dice.between(-1.0, 1.0) : 0.0);
+    trial.add(Vec3(i % n, -(i / n), 0.0) + away, 1.0, velocity);
+  }
+  const auto join = [&](int from, int to) {
+    trial.join(trial.system.points()[from].id, trial.system.points()[to].id, dice.between(1.0, 100.0), dice.between(0.0, 2.0),
+               dice.between(0.0, most_damping));
+  };
+  for (int i = 0; i < n * n; ++i) {
+    if (i % n + 1 < n) join(i, i + 1);
+    if (i / n + 1 < n) join(i, i + n);
+    if (i % n + 1 < n && i / n + 1 < n) join(i, i + n + 1);
+    if (i % n > 0 && i / n + 1 < n) join(i, i + n - 1);
+  }
+  return trial;
+}
+
+std::vector<Trial> assorted_trials() {
+  std::vector<Trial> trials;
+  for (const int dimensions : {2, 3})
+    for (const double damping : {0.0, 5.0}) {
+      trials.push_back(random_trial(11, 30, 120, dimensions, damping));
+      for (const int n : {2, 3, 9, 20}) trials.push_back(crumpled_net(n, dimensions, damping));
+    }
+  return trials;
+}
+
+TEST(SpringForces, EqualAPlainLoop) {
+  for (const Trial& trial : assorted_trials()) {
+    const Packed packed(trial);
+    const Field f = packed.spring_forces();
+    std::vector<double> size;
+    const std::vector<Vec3> plain = plain_spring_forces(trial, size);
+    for (Index i = 0; i < packed.plan.points; ++i)
+      EXPECT_LE(glm::distance(packed.at(f, i), plain[i]), 1e-15 * size[i]) << "point " << i << " of " << packed.plan.points;
+  }
+}
+
+TEST(SpringForces, HaveTheSameBitsForEveryVectorUnit) {
+  const std::vector<int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  std::vector<Field> first;
+  for (const int64_t target : targets) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().DeInit();
+    std::vector<Field> forces;
+    for (const Trial& trial : assorted_trials()) forces.push_back(Packed(trial).spring_forces());
+    if (first.empty()) first = forces;
+    EXPECT_EQ(forces, first) << hwy::TargetName(target);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
+}
+
+TEST(SpringForces, AreEqualAndOppositeInAPair) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Trial trial = random_trial(seed, 2, 1, 3, 5.0);
+    const Packed packed(trial);
+    const Field f = packed.spring_forces();
+    EXPECT_EQ(packed.at(f, 0), -packed.at(f, 1)) << "seed " << seed;
+  }
+}
+
+// of the whole scene: no net force, no net torque, to round-off
+TEST(SpringForces, BalanceOverTheScene) {
+  for (const Trial& trial : assorted_trials()) {
+    const Packed packed(trial);
+    const Field f = packed.spring_forces();
+    std::vector<double> size;
+    plain_spring_forces(trial, size);
+    Vec3 force(0.0), torque(0.0);
+    double scale = 0.0;
+    for (Index i = 0; i < packed.plan.points; ++i) {
+      force += packed.at(f, i);
+      torque += glm::cross(trial.state.position[i], packed.at(f, i));
+      scale += size[i] * (1.0 + glm::length(trial.state.position[i]));
+    }
+    EXPECT_LT(glm::length(force), 1e-15 * scale);
+    EXPECT_LT(glm::length(torque), 1e-15 * scale);
+  }
+}
+
+// f = -dE/dx by central differences of step s: error s^2 f'' / 6 + round-off E eps / s
+TEST(Forces, AreMinusTheGradientOfTheEnergy) {
+  for (const int dimensions : {2, 3}) {
+    Trial trial = random_trial(21, 9, 25, dimensions);
+    trial.system.gravity = {1.0, -9.81, dimensions == 3 ? 2.0 : 0.0};
+    for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).nailed = false;
+    trial.system.grab = Grab{.point = trial.system.points()[2].id, .kind = GrabKind::Pull, .stiffness = 37.0};
+    trial.state.hand = trial.system.grab->target = {0.4, 0.5, 0.0};
+    for (Vec3& v : trial.state.velocity) v = Vec3(0.0);
+    const Packed packed(trial);
+    const Field f = packed.forces();
+
+    const double s = 1e-5;
+    for (Index i = 0; i < trial.system.point_count(); ++i)
+      for (int c = 0; c < dimensions; ++c) {
+        State ahead = trial.state, behind = trial.state;
+        ahead.position[i][c] += s;
+        behind.position[i][c] -= s;
+        const double slope = (compute_energy(trial.system, ahead).total() - compute_energy(trial.system, behind).total()) / (2.0 * s);
+        EXPECT_NEAR(packed.at(f, i)[c], -slope, 1e-6) << "point " << i << ", component " << c;
+      }
+  }
+}
+
+TEST(Forces, OfCoincidentPointsAreNone) {
+  for (const double damping : {0.0, 3.0})
+    for (const double rest_length : {0.0, 1.0}) {
+      Trial trial;
+      trial.system.gravity = Vec3(0.0);
+      const PointId first = trial.add({0.3, 0.2, 0.1}, 1.0, {1.0, 2.0, 3.0}), second = trial.add({0.3, 0.2, 0.1}, 2.0);
+      trial.join(first, second, 100.0, rest_length, damping);
+      const Packed packed(trial);
+      const Field f = packed.forces();
+      EXPECT_EQ(packed.at(f, 0), Vec3(0.0));
+      EXPECT_EQ(packed.at(f, 1), Vec3(0.0));
+    }
+}
+
+TEST(Forces, OfPointsAlmostCoincidentAreFinite) {
+  for (const double distance : {1e-12, 1e-100, 1e-160, 1e-300}) {
+    Trial trial;
+    trial.system.gravity = Vec3(0.0);
+    const PointId first = trial.add(Vec3(0.0), 1.0, {1.0, 0.0, 0.0}), second = trial.add({distance, 0.0, 0.0}, 1.0);
+    trial.join(first, second, 100.0, 1.0, 3.0);
+    const Packed packed(trial);
+    const double force = glm::length(packed.at(packed.forces(), 0));
+    EXPECT_LE(force, 104.0) << "distance " << distance;
+  }
+}
+
+TEST(Forces, OfGravityAndDragGoWithTheMass) {
+  Trial trial;
+  trial.system.drag = 0.5;
+  trial.system.wind = {2.0, 0.0, 0.0};
+  trial.add(Vec3(0.0), 3.0, {1.0, 4.0, 0.0});
+  const Packed packed(trial);
+  // m g - c m (v - wind)
+  EXPECT_LT(glm::distance(packed.at(packed.forces(), 0), 3.0 * (Vec3(0.0, -9.81, 0.0) - 0.5 * Vec3(-1.0, 4.0, 0.0))), 1e-14);
+}
+
+}  // namespace
+}  // namespace hooke
