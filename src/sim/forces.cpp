@@ -2,18 +2,15 @@
 
 #include <cmath>
 
+#include "sim/field_kernel.h"
 #include "sim/spring_kernel.h"
 
 namespace hooke {
 namespace {
 
 void set_gravity(const Plan& plan, Field& f) {
-  for (int c = 0; c < plan.dimensions; ++c) {
-    double* component = f.data() + static_cast<std::size_t>(c) * plan.points;
-    const double* mass = plan.mass.data();
-    const double acceleration = plan.acceleration[c];
-    for (Index i = 0, n = plan.points; i < n; ++i) component[i] = mass[i] * acceleration;
-  }
+  for (int c = 0; c < plan.dimensions; ++c)
+    set_scaled(f.data() + static_cast<std::size_t>(c) * plan.points, plan.acceleration[c], plan.mass.data(), plan.mass.size());
 }
 
 void add_pull(const Plan& plan, double time, const Field& x, Field& f) {
@@ -51,11 +48,8 @@ void compute_forces(const Plan& plan, double time, const Field& x, const Field& 
 }
 
 void divide_by_mass(const Plan& plan, Field& f) {
-  for (int c = 0; c < plan.dimensions; ++c) {
-    double* component = f.data() + static_cast<std::size_t>(c) * plan.points;
-    const double* inverse_mass = plan.inverse_mass.data();
-    for (Index i = 0, n = plan.points; i < n; ++i) component[i] *= inverse_mass[i];
-  }
+  for (int c = 0; c < plan.dimensions; ++c)
+    multiply_each(f.data() + static_cast<std::size_t>(c) * plan.points, plan.inverse_mass.data(), plan.inverse_mass.size());
 }
 
 void plan_dashpot_decay(const Plan& plan, double duration, std::vector<double>& decay) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/field_kernel.h"
 #include "sim/state.h"
 
 namespace hooke {
@@ -39,23 +40,20 @@ void unpack(const Plan& plan, const Motion& motion, State& state) {
 
 void kick(const Plan& plan, Motion& motion, double h) {
   double* v = motion.v.data();
-  const double* a = motion.a.data();
   if (plan.drag == 0.0) {
-    for (std::size_t i = 0, size = motion.v.size(); i < size; ++i) v[i] += h * a[i];
+    add_scaled(v, h, motion.a.data(), motion.v.size());
     return;
   }
 
   Vec3 held{0.0};
   for (int c = 0; plan.held && c < plan.dimensions; ++c) held[c] = v[static_cast<std::size_t>(c) * plan.points + *plan.held];
   const double decay = std::exp(-plan.drag * h), weight = -std::expm1(-plan.drag * h) / plan.drag;
-  for (std::size_t i = 0, size = motion.v.size(); i < size; ++i) v[i] = decay * v[i] + weight * a[i];
+  scale_and_add_scaled(v, decay, weight, motion.a.data(), motion.v.size());
   for (int c = 0; plan.held && c < plan.dimensions; ++c) v[static_cast<std::size_t>(c) * plan.points + *plan.held] = held[c];
 }
 
 void drift(Motion& motion, double h) {
-  double* x = motion.x.data();
-  const double* v = motion.v.data();
-  for (std::size_t i = 0, size = motion.x.size(); i < size; ++i) x[i] += h * v[i];
+  add_scaled(motion.x.data(), h, motion.v.data(), motion.x.size());
 }
 
 }  // namespace hooke
