@@ -21,6 +21,27 @@ const Integrator* find_integrator(std::string_view id) {
   return nullptr;
 }
 
+std::string_view describe(Stability stability) {
+  switch (stability) {
+    case Stability::None: return "grows at every step";
+    case Stability::Conditional: return "stable up to a largest step";
+    case Stability::Adaptive: return "adapts its step";
+    case Stability::Absolute: return "stable at any step";
+    case Stability::Stiff: return "stable at any step, fast modes die out";
+  }
+  return {};
+}
+
+std::string_view describe(EnergyTrend energy) {
+  switch (energy) {
+    case EnergyTrend::Grows: return "grows";
+    case EnergyTrend::Drifts: return "drifts slowly";
+    case EnergyTrend::Bounded: return "stays within bounds";
+    case EnergyTrend::Falls: return "falls";
+  }
+  return {};
+}
+
 const Integrator& default_integrator() { return *find_integrator("velocity_verlet"); }
 
 Amplification amplification_from(std::complex<double> (*r)(std::complex<double>), const Oscillator& oscillator) {
@@ -66,6 +87,9 @@ double largest_stable_step(const Integrator& integrator, double omega, double la
 }  // namespace
 
 double largest_stable_step(const Integrator& integrator, const Spectrum& spectrum) {
+  if (integrator.stability != Stability::None && integrator.stability != Stability::Conditional)
+    return std::numeric_limits<double>::infinity();
+
   // the corners of the region (omega, lambda) in which the scene's modes lie
   const double omega = spectrum.omega, drag = spectrum.drag_rate;
   const double least = std::min(spectrum.least_dashpot_ratio * omega * omega, spectrum.dashpot_rate);

@@ -22,12 +22,33 @@ struct Amplification {
   double trace = 2.0, determinant = 1.0;
 };
 
+// What a linear mode does under a method, undamped or not.
+enum class Stability {
+  None,         // an undamped mode grows at every step
+  Conditional,  // none grows up to a largest step, which follows from the amplification
+  Adaptive,     // the method picks its own steps within the one asked for
+  Absolute,     // none grows at any step (A-stable)
+  Stiff,        // and modes far too fast for the step die out at once (L-stable)
+};
+
+// What becomes of the energy of an undamped scene over many steps.
+enum class EnergyTrend { Grows, Drifts, Bounded, Falls };
+
+// In words, for menus and documents.
+std::string_view describe(Stability stability);
+std::string_view describe(EnergyTrend energy);
+
 struct Integrator {
   std::string_view id;        // on the command line and in files
   std::string_view label;     // in the menu
   std::string_view summary;   // one sentence: what it is for
+  std::string_view needs;     // what a step costs, in force evaluations or factorisations
   int order;                  // of positions and velocities, undamped
-  int order_damped;           // with dashpots and drag
+  int order_drag;             // with drag alone
+  int order_damped;           // with dashpots
+  int order_contact;          // undamped, through an impact
+  Stability stability;
+  EnergyTrend energy;
   bool symplectic;            // undamped
   // Once a frame, before its first step of h: sizes the workspace, computes what all steps of the frame share. May be null.
   void (*prepare)(const Plan& plan, double h, const Motion& motion, Workspace& work);
@@ -45,7 +66,8 @@ const Integrator* find_integrator(std::string_view id);
 Amplification amplification_from(std::complex<double> (*r)(std::complex<double>), const Oscillator& oscillator);
 
 // Largest step [s] at which no mode within the spectrum grows: 0 when every step lets one grow (undamped explicit
-// Euler), infinity when none does.
+// Euler), infinity when none does,
+// or the method adapts its step.
 double largest_stable_step(const Integrator& integrator, const Spectrum& spectrum);
 
 }  // namespace hooke

@@ -1,11 +1,17 @@
 #include "sim/motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/field_kernel.h"
 #include "sim/state.h"
 
 namespace hooke {
+
+void Workspace::size_fields(std::size_t count, const Motion& motion) {
+  fields.resize(std::max(count, fields.size()));
+  for (std::size_t i = 0; i < count; ++i) fields[i].resize(motion.x.size());
+}
 
 void pack(const Plan& plan, const State& state, Motion& motion) {
   const auto size = static_cast<std::size_t>(plan.points) * plan.dimensions;
@@ -22,12 +28,14 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
     }
   }
   motion.acceleration_is_current = false;
-  motion.force_evaluations = 0;
-  motion.factorizations = 0;
+  motion.memory = state.memory;
+  motion.force_evaluations = motion.factorizations = motion.solves = motion.sweeps = motion.unconverged_solves = 0;
+  motion.local_error = 0.0;
 }
 
 void unpack(const Plan& plan, const Motion& motion, State& state) {
   state.time = motion.time;
+  state.memory = motion.memory;
   for (int c = 0; c < plan.dimensions; ++c) {
     const double* x = motion.x.data() + static_cast<std::size_t>(c) * plan.points;
     const double* v = motion.v.data() + static_cast<std::size_t>(c) * plan.points;

@@ -1,23 +1,63 @@
 // The State packed for stepping, in the Plan's layout. Lives for one frame; integrators read and write it.
 #pragma once
 
+#include <memory>
+#include <utility>
+
 #include "sim/plan.h"
+#include "sim/state.h"
 
 namespace hooke {
 
 struct Motion {
   double time = 0.0;
-  Field x, v;                    // positions [m] and velocities [m/s]
-  Field a;                       // accelerations [m/s^2] at (x, v), if acceleration_is_current
+  Field x, v;  // positions [m] and velocities [m/s]
+  Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
   bool acceleration_is_current = false;
-  long force_evaluations = 0;    // since the frame began
+  MethodMemory memory;
+  // since the frame began
+  long force_evaluations = 0;
   long factorizations = 0;
+  long solves = 0;              // linear systems solved with a factorisation
+  long sweeps = 0;              // over all springs as constraints
+  long unconverged_solves = 0;  // nonlinear systems left at the limit of iterations
+  double local_error = 0.0;     // [m], sum over the steps of the method's own estimate, RMS over the points; 0: it has none
 };
 
-// An integrator's own scratch within a frame: sized and filled by its `prepare`; a step never allocates.
+// What a method builds from the Plan's structure alone (an order of springs, a symbolic factor). It outlives the frame
+// and serves until the structure is another.
+class Structure {
+ public:
+  explicit Structure(const Plan& plan) : points_(plan.points), dimensions_(plan.dimensions), runs_(plan.runs) {}
+  virtual ~Structure() = default;
+  bool fits(const Plan& plan) const { return plan.points == points_ && plan.dimensions == dimensions_ && plan.runs == runs_; }
+
+ private:
+  Index points_;
+  int dimensions_;
+  std::vector<SpringRun> runs_;
+};
+
+// An integrator's own scratch: sized and filled by its `prepare`; a step never allocates.
 struct Workspace {
   std::vector<Field> fields;
+  std::optional<double> tolerance;  // [m], from the settings
+  std::unique_ptr<Structure> structure;
+
+  // `count` fields of the motion's size, whatever they hold; allocates only when there were fewer or smaller ones.
+  void size_fields(std::size_t count, const Motion& motion);
 };
+
+// The workspace's structure of this kind, made anew if there is none or it is of another topology.
+template <class Kind>
+Kind& structure_of(const Plan& plan, Workspace& work) {
+  auto* known = dynamic_cast<Kind*>(work.structure.get());
+  if (known != nullptr && known->fits(plan)) return *known;
+  auto made = std::make_unique<Kind>(plan);
+  Kind& kind = *made;
+  work.structure = std::move(made);
+  return kind;
+}
 
 // v = v e^(-c h) + a (1 - e^(-c h)) / c over `h` [s], a without drag: exact for constant a; v + h a when c = 0. A held
 // point keeps the hand's velocity.

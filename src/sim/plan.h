@@ -20,6 +20,7 @@ using Field = std::vector<double>;
 // one. Spring e of the run stands at packed index begin + e.
 struct SpringRun {
   Index begin = 0, first = 0, second = 0, count = 0;
+  bool operator==(const SpringRun&) const = default;
 };
 
 // The hand's spring. Its far end moves from `from` with `velocity` during the frame that starts at `start`.

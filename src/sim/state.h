@@ -14,12 +14,20 @@ struct EnergyLedger {
   bool operator==(const EnergyLedger&) const = default;
 };
 
+// What an adaptive method remembers from step to step. Zero: nothing yet.
+struct MethodMemory {
+  double step = 0.0;   // [s], the one it would take next
+  double error = 0.0;  // [1], of its last step, relative to the tolerance
+  bool operator==(const MethodMemory&) const = default;
+};
+
 struct State {
   double time = 0.0;           // [s]
   std::vector<Vec3> position;  // [m], one a point, in the System's order
   std::vector<Vec3> velocity;  // [m/s]
   Vec3 hand{0.0};              // [m], where the hand is now; meaningful while the System has a grab
   EnergyLedger ledger;
+  MethodMemory memory;
   bool operator==(const State&) const = default;
 };
 

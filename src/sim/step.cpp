@@ -25,6 +25,7 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
     for (int c = 0; c < plan.dimensions; ++c) motion_.v[static_cast<std::size_t>(c) * plan.points + *plan.held] = velocity[c];
   }
 
+  work_.tolerance = settings.tolerance;
   if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
 }
 

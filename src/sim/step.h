@@ -23,6 +23,8 @@ class Frame {
 
   long force_evaluations() const { return motion_.force_evaluations; }
   long factorizations() const { return motion_.factorizations; }
+  // All counts of work, and the method's own estimate of its error.
+  const Motion& motion() const { return motion_; }
 
  private:
   const Integrator* integrator_ = nullptr;

@@ -7,9 +7,7 @@
 namespace hooke {
 namespace {
 
-void prepare(const Plan&, double, const Motion& motion, Workspace& work) {
-  work.fields.assign(5, Field(motion.x.size()));
-}
+void prepare(const Plan&, double, const Motion& motion, Workspace& work) { work.size_fields(5, motion); }
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   Field &x = work.fields[0], &v = work.fields[1], &a = work.fields[2], &sum_v = work.fields[3], &sum_a = work.fields[4];
@@ -51,8 +49,13 @@ constinit const Integrator runge_kutta4{
     .id = "runge_kutta4",
     .label = "Runge-Kutta 4",
     .summary = "The classic of fourth order: accurate for damped scenes and small steps; energy drifts slowly.",
+    .needs = "four force evaluations a step",
     .order = 4,
+    .order_drag = 4,
     .order_damped = 4,
+    .order_contact = 2,
+    .stability = Stability::Conditional,
+    .energy = EnergyTrend::Drifts,
     .symplectic = false,
     .prepare = prepare,
     .step = step,

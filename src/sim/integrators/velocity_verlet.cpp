@@ -10,8 +10,8 @@
 namespace hooke {
 namespace {
 
-void prepare(const Plan& plan, double h, const Motion&, Workspace& work) {
-  work.fields.resize(1);
+void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
+  work.size_fields(1, motion);
   if (plan.has_dashpots()) plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
 }
 
@@ -50,8 +50,13 @@ constinit const Integrator velocity_verlet{
     .id = "velocity_verlet",
     .label = "Velocity Verlet",
     .summary = "The workhorse: second order, no energy drift, one force evaluation a step, exact dashpots.",
+    .needs = "one force evaluation a step; two sweeps over the dashpots",
     .order = 2,
+    .order_drag = 2,
     .order_damped = 2,
+    .order_contact = 2,
+    .stability = Stability::Conditional,
+    .energy = EnergyTrend::Bounded,
     .symplectic = true,
     .prepare = prepare,
     .step = step,
