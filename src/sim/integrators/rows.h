@@ -8,6 +8,7 @@ namespace hooke {
 extern const Integrator explicit_euler;
 extern const Integrator symplectic_euler;
 extern const Integrator velocity_verlet;
+extern const Integrator blanes_moan4;
 extern const Integrator runge_kutta4;
 
 }  // namespace hooke
