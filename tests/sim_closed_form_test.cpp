@@ -64,7 +64,7 @@ TEST_P(Fall, WithDragMeetsItsOrder) {
     trial.run(method(), seconds, steps);
     return glm::distance(trial.state.position[0], exact.position);
   };
-  expect_order(error, asymptotic_steps(method().order) / 4, method().order_damped);
+  expect_order(error, asymptotic_steps(method().order) / 4, method().order_drag);
 }
 
 TEST_P(Fall, WithDragReachesTheTerminalVelocity) {
@@ -163,7 +163,7 @@ TEST_P(SpringOnANail, FollowsTheClosedFormWithDrag) {
       return std::abs(trial.position(point).x - 1.0 - exact.position(seconds));
     };
     SCOPED_TRACE(testing::Message() << "zeta = " << zeta);
-    expect_order(error, asymptotic_steps(method().order), method().order_damped);
+    expect_order(error, asymptotic_steps(method().order), method().order_drag);
   }
 }
 
