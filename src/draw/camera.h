@@ -4,8 +4,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
-#include "sim/view_settings.h"
 #include "sim/snapshot.h"
+#include "sim/view_settings.h"
 
 namespace hooke {
 
@@ -16,10 +16,10 @@ struct Ray {
 
 struct Camera {
   Vec3 target{0.0};
-  Vec3 back{0.0, 0.0, 1.0};  // unit, from the target to the eye
-  Vec3 up{0.0, 1.0, 0.0};    // unit, normal to back: of the picture
-  Vec3 pole{0.0, 1.0, 0.0};  // unit: the world's up, about which an orbit turns
-  double distance = 3.0;     // [m]
+  Vec3 back{0.0, 0.0, 1.0};    // unit, from the target to the eye
+  Vec3 up{0.0, 1.0, 0.0};      // unit, normal to back: of the picture
+  Vec3 pole{0.0, 1.0, 0.0};    // unit: the world's up, about which an orbit turns
+  double distance = 3.0;       // [m]
   double field_of_view = 0.7;  // [rad], vertical
   bool orthographic = false;
 

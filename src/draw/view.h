@@ -15,8 +15,8 @@ namespace hooke {
 
 struct ViewOptions {
   bool points = true, springs = true, faces = true, colliders = true, grid = true, strain_colors = true;
-  int samples = 4;          // of MSAA; 0: none
-  double scale = 1.0;       // framebuffer pixels per point of the screen: widths of lines follow it
+  int samples = 4;     // of MSAA; 0: none
+  double scale = 1.0;  // framebuffer pixels per point of the screen: widths of lines follow it
   Color background{32, 36, 40};
 };
 

@@ -1,0 +1,36 @@
+#version 330 core
+// A lit sphere (or a square plate for a nailed point) and its ring, with soft edges; depth follows the sphere.
+in vec2 offset;             // [px] from the center
+flat in vec2 radii;         // [px] of the body, of the ring's outside (0: none)
+flat in vec2 depths;        // of the center and the front, in 0..1
+flat in vec4 body;
+flat in vec4 ring;
+flat in float is_square;
+out vec4 result;
+
+const vec3 light = vec3(-0.42, 0.66, 0.62);
+
+void main() {
+  float radius = radii.x;
+  float from_center = length(offset);
+  vec2 away = abs(offset);
+  float edge = is_square > 0.5 ? max(away.x, away.y) - 0.9 * radius : from_center - radius;  // [px], negative inside
+  float inside = clamp(0.5 - edge, 0.0, 1.0);
+
+  vec2 slope = offset / max(radius, 0.5);
+  float bulge = is_square > 0.5 ? 0.8 : sqrt(max(1.0 - dot(slope, slope), 0.0));
+  vec3 normal = is_square > 0.5 ? normalize(vec3(0.25 * slope, 1.0)) : vec3(slope, bulge);
+  float lit = 0.66 + 0.34 * max(dot(normal, light), 0.0);
+  float shine = is_square > 0.5 ? 0.0 : 0.22 * pow(max(dot(normal, light), 0.0), 24.0);
+  vec4 color = vec4(body.rgb * lit + shine, body.a * inside);
+
+  if (radii.y > 0.0) {
+    float outer = clamp(radii.y - from_center + 0.5, 0.0, 1.0);
+    float inner = clamp(from_center - (radii.y - 2.0) + 0.5, 0.0, 1.0);
+    float cover = outer * inner * ring.a;
+    color = mix(color, vec4(ring.rgb, 1.0), cover);
+  }
+  if (color.a < 0.02) discard;
+  result = color;
+  gl_FragDepth = mix(depths.x, depths.y, bulge);
+}

@@ -1,0 +1,57 @@
+#include "cli/offscreen.h"
+
+#include <GL/glew.h>
+#define GLAPI extern
+#include <GL/osmesa.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+
+#include "draw/view.h"
+
+// GLEW, built for GLX, asks this for every entry point; a program that links OSMesa instead of libGL answers from
+// there. OSMesa hands out stubs for glX names that must not be called: there are none.
+extern "C" void (*glXGetProcAddressARB(const GLubyte* name))() {
+  const auto* text = reinterpret_cast<const char*>(name);
+  return std::strncmp(text, "glX", 3) == 0 ? nullptr : OSMesaGetProcAddress(text);
+}
+
+// OSMesa keeps its compiler's tables to the end of the program; LeakSanitizer, where it is built in, asks this.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa.so\n"; }
+
+namespace hooke {
+
+// The context's own picture is one pixel: everything is drawn into framebuffer objects (draw/target.h).
+struct Offscreen::Context {
+  OSMesaContext name = nullptr;
+  std::array<std::uint8_t, 4> pixel{};
+  ~Context() {
+    OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+    if (name) OSMesaDestroyContext(name);
+  }
+};
+
+Offscreen::Offscreen() : context_(std::make_unique<Context>()) {
+  const std::array<int, 11> wanted{OSMESA_FORMAT,
+                                   OSMESA_RGBA,
+                                   OSMESA_DEPTH_BITS,
+                                   24,
+                                   OSMESA_PROFILE,
+                                   OSMESA_CORE_PROFILE,
+                                   OSMESA_CONTEXT_MAJOR_VERSION,
+                                   3,
+                                   OSMESA_CONTEXT_MINOR_VERSION,
+                                   3,
+                                   0};
+  context_->name = OSMesaCreateContextAttribs(wanted.data(), nullptr);
+  if (!context_->name || !OSMesaMakeCurrent(context_->name, context_->pixel.data(), GL_UNSIGNED_BYTE, 1, 1))
+    throw std::runtime_error("OSMesa: no OpenGL 3.3 context");
+  const std::string error = load_gl();
+  if (!error.empty()) throw std::runtime_error(error);
+}
+
+Offscreen::~Offscreen() = default;
+
+}  // namespace hooke

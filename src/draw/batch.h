@@ -1,0 +1,35 @@
+// Many small shapes drawn by one call: vertices are written anew each frame and streamed to the GPU once.
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <vector>
+
+#include "draw/gl.h"
+
+namespace hooke {
+
+// One input of a vertex shader, by its place in the vertex; locations count from 0.
+struct Attribute {
+  GLint components;
+  GLenum type;
+  GLboolean normalized;
+  std::size_t offset;
+};
+
+// The buffers of a batch. Quads are four vertices each: 0 1 2 and 2 1 3.
+class Stream {
+ public:
+  Stream(std::initializer_list<Attribute> attributes, std::size_t stride);
+  void draw_quads(const void* vertices, std::size_t count);
+  void draw_triangles(const void* vertices, std::size_t count);
+
+ private:
+  void upload(const void* vertices, std::size_t count);
+
+  std::size_t stride_;
+  std::size_t quads_ = 0;  // that the index buffer is good for
+  GlName array_{GlKind::VertexArray}, vertices_{GlKind::Buffer}, indices_{GlKind::Buffer};
+};
+
+}  // namespace hooke

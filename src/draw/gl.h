@@ -1,0 +1,32 @@
+// OpenGL names that are given back when their owner goes. The only door to GLEW for the rest of draw.
+#pragma once
+
+#include <GL/glew.h>
+
+#include <string>
+#include <utility>
+
+namespace hooke {
+
+enum class GlKind { Buffer, VertexArray, Texture, Renderbuffer, Framebuffer, Program };
+
+// Owns one name; its context must be current when it is made and when it goes.
+class GlName {
+ public:
+  GlName() = default;
+  explicit GlName(GlKind kind);
+  ~GlName();
+  GlName(GlName&& other) noexcept : kind_(other.kind_), name_(std::exchange(other.name_, 0)) {}
+  GlName& operator=(GlName&& other) noexcept {
+    std::swap(kind_, other.kind_);
+    std::swap(name_, other.name_);
+    return *this;
+  }
+  operator GLuint() const { return name_; }
+
+ private:
+  GlKind kind_ = GlKind::Buffer;
+  GLuint name_ = 0;
+};
+
+}  // namespace hooke

@@ -1,0 +1,24 @@
+// Draws the panels: ImGui's triangle lists, through GLEW like the rest of the picture.
+#pragma once
+
+#include "draw/gl.h"
+#include "draw/shader.h"
+
+struct ImDrawData;
+
+namespace hooke {
+
+class GuiRenderer {
+ public:
+  GuiRenderer();
+  // Of the current ImGui context; again after its fonts change.
+  void upload_fonts();
+  // Onto the framebuffer that is bound; leaves blending on, scissor and depth test off.
+  void draw(const ImDrawData& data);
+
+ private:
+  Shader shader_{"gui"};
+  GlName array_{GlKind::VertexArray}, vertices_{GlKind::Buffer}, indices_{GlKind::Buffer}, font_{GlKind::Texture};
+};
+
+}  // namespace hooke

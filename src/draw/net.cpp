@@ -1,0 +1,143 @@
+#include "draw/net.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace hooke {
+namespace {
+
+constexpr double spring_width = 1.75;  // [px of the screen]
+constexpr double least_radius = 2.5;   // [px of the screen], of a point in an open network
+constexpr double mark_radius = 4.0;    // [px of the screen], of a marked or nailed point
+constexpr double dense = 12.0;         // [px of the screen]: springs shorter than this are drawn thinner
+
+// Colours of a strain from -1 to 1 of the scale, looked up.
+constexpr int strain_steps = 256;
+using StrainInks = std::array<Ink, strain_steps + 1>;
+
+const StrainInks& strain_inks() {
+  static const StrainInks inks = [] {
+    StrainInks made;
+    for (int i = 0; i <= strain_steps; ++i) made[i] = ink(View::strain_color(2.0 * i / strain_steps - 1.0));
+    return made;
+  }();
+  return inks;
+}
+
+}  // namespace
+
+void Net::see(const Subject& subject) {
+  const State& state = subject.snapshot.state;
+  clip_.resize(state.position.size());
+  seen_.resize(state.position.size());
+  for (std::size_t i = 0; i < state.position.size(); ++i) {
+    clip_[i] = subject.projection.clip(state.position[i]);
+    seen_[i] = subject.projection.see(clip_[i]);
+  }
+
+  selected_.assign(state.position.size(), 0);
+  for (const PointId id : subject.marks.selected_points) {
+    const Index i = subject.snapshot.system->index_of(id);
+    if (i != no_index) selected_[i] = 1;
+  }
+  measure_springs(subject);
+}
+
+void Net::measure_springs(const Subject& subject) {
+  const System& system = *subject.snapshot.system;
+  const std::vector<Vec3>& position = subject.snapshot.state.position;
+  ends_.resize(2 * system.springs().size());
+  strain_.resize(system.springs().size());
+  double sum = 0.0;
+  int counted = 0;
+  for (std::size_t s = 0; s < system.springs().size(); ++s) {
+    const Spring& spring = system.springs()[s];
+    const Index a = system.index_of(spring.first), b = system.index_of(spring.second);
+    ends_[2 * s] = a;
+    ends_[2 * s + 1] = b;
+    const double length = glm::length(position[b] - position[a]);
+    strain_[s] = static_cast<float>(spring.rest_length > 0.0 ? length / spring.rest_length - 1.0 : length);
+    if (!std::isfinite(length)) continue;
+    sum += length;
+    ++counted;
+  }
+  const glm::dvec2 size(subject.projection.width(), subject.projection.height());
+  spacing_ = counted > 0 ? sum / counted / subject.camera.metres_per_pixel(subject.camera.target, size) : 0.0;
+}
+
+void Net::add_springs(const Subject& subject, Strokes& strokes) const {
+  const double scale = subject.options.scale;
+  const auto width = static_cast<float>(scale * spring_width * std::clamp(spacing_ / (scale * dense), 0.35, 1.0));
+  const StrainInks& inks = strain_inks();
+  const auto steps = static_cast<float>(0.5 * strain_steps / View::strain_scale(subject.snapshot));
+  const Ink plain = ink(subject.palette.spring);
+
+  strokes.reserve(strain_.size());
+  for (std::size_t s = 0; s < strain_.size(); ++s) {
+    const Index a = ends_[2 * s], b = ends_[2 * s + 1];
+    Ink color = plain;
+    if (subject.options.strain_colors) {
+      const float step = 0.5f * strain_steps + strain_[s] * steps;
+      color = inks[step >= 0.0f ? static_cast<int>(std::min(step, float(strain_steps))) : 0];
+    }
+    strokes.add(subject.projection, clip_[a], seen_[a], clip_[b], seen_[b], color, width);
+  }
+}
+
+Bead Net::bead_of(const Subject& subject, Index i) const {
+  const Point& point = subject.snapshot.system->points()[i];
+  const double scale = subject.options.scale;
+
+  // in a dense net points shrink with the spacing, so that the springs stay in sight
+  const double sparse = spacing_ > 0.0 ? spacing_ / scale : 1e3;
+  const double most = 0.3 * sparse * (1.0 + sparse / dense) * scale;
+  const double least = scale * std::min(least_radius, 0.22 * sparse);
+  double radius = std::min(std::max(point.radius * seen_[i].scale, least), most);
+  if (point.nailed || selected_[i]) radius = std::max(radius, mark_radius * scale * std::clamp(sparse / dense, 0.6, 1.0));
+
+  Bead bead{.radius = static_cast<float>(radius), .square = point.nailed};
+  const bool is_plain = !point.color && !point.nailed;
+  const Color color = point.color ? *point.color : point.nailed ? subject.palette.nailed : subject.palette.point;
+  bead.body = ink(selected_[i] && is_plain ? subject.palette.selected : color);
+  if (selected_[i]) {
+    bead.ring = static_cast<float>(radius + 3.0 * scale);
+    bead.ring_ink = ink(subject.palette.selected);
+  }
+  return bead;
+}
+
+void Net::add_points(const Subject& subject, Beads& beads) const {
+  beads.reserve(seen_.size());
+  const float least_seen = 0.8f * static_cast<float>(subject.options.scale);
+  for (Index i = 0; i < static_cast<Index>(seen_.size()); ++i) {
+    if (seen_[i].outside & (before | beyond | not_a_place)) continue;
+    const Bead bead = bead_of(subject, i);
+    if (bead.radius >= least_seen) beads.add(subject.projection, clip_[i], seen_[i], bead);
+  }
+}
+
+void Net::add_marks(const Subject& subject, Strokes& strokes, Beads& beads) const {
+  const System& system = *subject.snapshot.system;
+  const double scale = subject.options.scale;
+  const auto add_spring = [&](SpringId id, Ink color) {
+    const Index s = system.index_of(id);
+    if (s == no_index) return;
+    const Index a = ends_[2 * s], b = ends_[2 * s + 1];
+    strokes.add(subject.projection, clip_[a], seen_[a], clip_[b], seen_[b], color, static_cast<float>(5.0 * scale));
+  };
+  for (const SpringId id : subject.marks.selected_springs) add_spring(id, ink(subject.palette.selected, 0.7));
+  if (subject.marks.hovered_spring) add_spring(*subject.marks.hovered_spring, ink(subject.palette.hover, 0.35));
+
+  if (!subject.marks.hovered_point) return;
+  const Index i = system.index_of(*subject.marks.hovered_point);
+  if (i == no_index) return;
+  Bead halo = bead_of(subject, i);
+  halo.ring = halo.radius + static_cast<float>((selected_[i] ? 6.0 : 4.0) * scale);
+  halo.ring_ink = ink(subject.palette.hover, 0.8);
+  halo.body.opacity = 0;
+  beads.add(subject.projection, clip_[i], seen_[i], halo);
+}
+
+}  // namespace hooke

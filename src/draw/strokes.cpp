@@ -1,0 +1,93 @@
+#include "draw/strokes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "draw/shader.h"
+
+namespace hooke {
+namespace {
+
+// Cuts the segment from a to b to where `distance` is not negative; it is at one end at least.
+void cut(glm::dvec4& a, glm::dvec4& b, double at_a, double at_b) {
+  if (at_a < 0.0) a += at_a / (at_a - at_b) * (b - a);
+  if (at_b < 0.0) b += at_b / (at_b - at_a) * (a - b);
+}
+
+// Keeps what lies within the clip planes and a little to the sides of the picture, so that no cut end is seen. False
+// when nothing does.
+bool cut_to_picture(glm::dvec4& a, glm::dvec4& b) {
+  constexpr double side = 1.1;
+  const auto distance = [](const glm::dvec4& p, int border) {
+    const double reach = (border < 4 ? side : 1.0) * p.w;
+    return border % 2 == 0 ? reach + p[border / 2] : reach - p[border / 2];
+  };
+  for (const int border : {4, 5, 0, 1, 2, 3}) {
+    const double at_a = distance(a, border), at_b = distance(b, border);
+    if (at_a < 0.0 && at_b < 0.0) return false;
+    cut(a, b, at_a, at_b);
+  }
+  return a.w > 0.0 && b.w > 0.0;
+}
+
+}  // namespace
+
+Strokes::Strokes()
+    : stream_({{3, GL_FLOAT, GL_FALSE, offsetof(Vertex, x)},
+               {4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, ink)},
+               {2, GL_SHORT, GL_FALSE, offsetof(Vertex, across)}},
+              sizeof(Vertex)) {}
+
+void Strokes::add(const Projection& projection, const glm::dvec4& a, const Seen& seen_a, const glm::dvec4& b, const Seen& seen_b, Ink ink,
+                  float width) {
+  if ((seen_a.outside | seen_b.outside) == 0)
+    return add_seen(seen_a.x, seen_a.y, seen_a.depth, seen_b.x, seen_b.y, seen_b.depth, ink, width);
+  if ((seen_a.outside & seen_b.outside) != 0 || ((seen_a.outside | seen_b.outside) & not_a_place)) return;
+  glm::dvec4 start = a, end = b;
+  if (!cut_to_picture(start, end)) return;
+  const Seen from = projection.see(start), to = projection.see(end);
+  add_seen(from.x, from.y, from.depth, to.x, to.y, to.depth, ink, width);
+}
+
+void Strokes::add(const Projection& projection, const Vec3& a, const Vec3& b, Ink ink, float width) {
+  const glm::dvec4 start = projection.clip(a), end = projection.clip(b);
+  add(projection, start, projection.see(start), end, projection.see(end), ink, width);
+}
+
+void Strokes::add_dashed(const Projection& projection, const Vec3& a, const Vec3& b, Ink ink, float width, float dash, float gap) {
+  glm::dvec4 start = projection.clip(a), end = projection.clip(b);
+  if ((projection.see(start).outside | projection.see(end).outside) & not_a_place) return;
+  if (!cut_to_picture(start, end)) return;
+  const Seen from = projection.see(start), to = projection.see(end);
+  const float length = std::hypot(to.x - from.x, to.y - from.y);
+  for (float at = 0.0f; at < length; at += dash + gap) {
+    const float s = at / length, t = std::min(at + dash, length) / length;
+    add_seen(std::lerp(from.x, to.x, s), std::lerp(from.y, to.y, s), std::lerp(from.depth, to.depth, s), std::lerp(from.x, to.x, t),
+             std::lerp(from.y, to.y, t), std::lerp(from.depth, to.depth, t), ink, width);
+  }
+}
+
+void Strokes::add_seen(float ax, float ay, float a_depth, float bx, float by, float b_depth, Ink ink, float width) {
+  const float dx = bx - ax, dy = by - ay;
+  const float length = std::sqrt(dx * dx + dy * dy);
+  if (!(length > 1e-3f)) return;
+
+  // half a pixel more to each side for the soft edge
+  const float reach = 0.5f * width + 0.5f;
+  const float nx = -dy / length * reach, ny = dx / length * reach;
+  const auto across = static_cast<std::int16_t>(256.0f * reach), half = static_cast<std::int16_t>(128.0f * width);
+  const auto other = static_cast<std::int16_t>(-across);
+  vertices_.push_back({ax + nx, ay + ny, a_depth, ink, across, half});
+  vertices_.push_back({ax - nx, ay - ny, a_depth, ink, other, half});
+  vertices_.push_back({bx + nx, by + ny, b_depth, ink, across, half});
+  vertices_.push_back({bx - nx, by - ny, b_depth, ink, other, half});
+}
+
+void Strokes::draw(const Shader& shader, int width, int height) {
+  shader.use();
+  glUniform2f(shader.uniform("picture"), static_cast<float>(width), static_cast<float>(height));
+  stream_.draw_quads(vertices_.data(), vertices_.size());
+}
+
+}  // namespace hooke

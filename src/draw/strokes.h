@@ -1,0 +1,42 @@
+// Straight lines of a width in pixels: springs, outlines, rubber lines. Soft at both edges without multisampling.
+#pragma once
+
+#include <vector>
+
+#include "draw/batch.h"
+#include "draw/ink.h"
+#include "draw/projection.h"
+
+namespace hooke {
+
+class Shader;
+
+class Strokes {
+ public:
+  Strokes();
+  void clear() { vertices_.clear(); }
+  void reserve(std::size_t strokes) { vertices_.reserve(4 * strokes); }
+
+  // From clip coordinates to clip coordinates, with where they are seen; cut at the borders of the picture. Nothing
+  // when an end is no place.
+  void add(const Projection& projection, const glm::dvec4& a, const Seen& seen_a, const glm::dvec4& b, const Seen& seen_b, Ink ink,
+           float width);
+  void add(const Projection& projection, const Vec3& a, const Vec3& b, Ink ink, float width);
+  // Dashes and gaps of these lengths [px].
+  void add_dashed(const Projection& projection, const Vec3& a, const Vec3& b, Ink ink, float width, float dash, float gap);
+
+  void draw(const Shader& shader, int width, int height);
+
+ private:
+  struct Vertex {
+    float x, y, depth;
+    Ink ink;
+    std::int16_t across, half_width;  // [px / 256]
+  };
+  void add_seen(float ax, float ay, float a_depth, float bx, float by, float b_depth, Ink ink, float width);
+
+  std::vector<Vertex> vertices_;
+  Stream stream_;
+};
+
+}  // namespace hooke
