@@ -1,7 +1,5 @@
 #include "cli/offscreen.h"
 
-#include <GL/glew.h>
-#define GLAPI extern
 #include <GL/osmesa.h>
 
 #include <array>
