@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "lab/file_limits.h"
+
 namespace hooke {
 namespace {
-
-constexpr int most_substeps = 1000000;
 
 std::string format(const char* pattern, double value) {
   char text[64];

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "lab/file_limits.h"
+
 namespace hooke {
 namespace {
 
@@ -43,20 +45,21 @@ void set_colliders(Scene& scene, double Collider::*property, double value) {
   for (Collider& collider : scene.system.colliders) collider.*property = value;
 }
 
+// clang-format off: a row reads as a table
 const std::array rows{
     Parameter{.name = "substeps", .field = "simulation.substeps", .label = "Substeps", .unit = "",
               .meaning = "Steps of the method in each frame: more are slower and more accurate.",
-              .kind = Kind::Whole, .least = 1, .most = 1000, .usual = 20, .logarithmic = true,
+              .kind = Kind::Whole, .least = 1, .most = 1000, .usual = 20, .physical = {.least = 1, .most = most_substeps}, .logarithmic = true,
               .read = [](const Scene& s) { return double(s.settings.substeps); },
               .write = [](Scene& s, double value) { s.settings.substeps = int(value); }},
     Parameter{.name = "frame_rate", .field = "simulation.frame_rate", .label = "Frame rate", .unit = "1/s",
               .meaning = "Frames of simulated time per simulated second.",
-              .least = 1, .most = 1000, .usual = 60, .logarithmic = true,
+              .least = 1, .most = 1000, .usual = 60, .physical = positive, .logarithmic = true,
               .read = [](const Scene& s) { return s.settings.frame_rate; },
               .write = [](Scene& s, double value) { s.settings.frame_rate = value; }},
     Parameter{.name = "speed", .field = "simulation.speed", .label = "Speed", .unit = "s/s",
               .meaning = "Simulated seconds per real second.",
-              .least = 0.01, .most = 10, .usual = 1, .logarithmic = true,
+              .least = 0.01, .most = 10, .usual = 1, .physical = positive, .logarithmic = true,
               .read = [](const Scene& s) { return s.settings.speed; },
               .write = [](Scene& s, double value) { s.settings.speed = value; }},
     Parameter{.name = "stiffness", .field = "", .label = "Stiffness k", .unit = "N/m",
@@ -81,7 +84,7 @@ const std::array rows{
               .write = [](Scene& s, double value) { s.system.drag_on = value != 0.0; }},
     Parameter{.name = "drag", .field = "drag", .label = "Drag c", .unit = "1/s",
               .meaning = "Rate at which the air takes speed from every point.",
-              .least = 0, .most = 100, .usual = 0, .logarithmic = true,
+              .least = 0, .most = 100, .usual = 0, .physical = not_negative, .logarithmic = true,
               .read = [](const Scene& s) { return s.system.drag; },
               .write = [](Scene& s, double value) { s.system.drag = value; }},
     Parameter{.name = "gravity", .field = "", .label = "Gravity", .unit = "m/s^2",
@@ -101,25 +104,26 @@ const std::array rows{
               .write = [](Scene& s, double value) { set_colliders(s, &Collider::friction, value); }},
     Parameter{.name = "new_stiffness", .field = "defaults.stiffness", .label = "New springs' k", .unit = "N/m",
               .meaning = "Stiffness of the springs that are attached from now on.",
-              .least = 0.01, .most = 1e6, .usual = 100, .logarithmic = true,
+              .least = 0.01, .most = 1e6, .usual = 100, .physical = not_negative, .logarithmic = true,
               .read = [](const Scene& s) { return s.defaults.stiffness; },
               .write = [](Scene& s, double value) { s.defaults.stiffness = value; }},
     Parameter{.name = "new_damping", .field = "defaults.damping", .label = "New springs' d", .unit = "N s/m",
               .meaning = "Damping of the springs that are attached from now on.",
-              .least = 0, .most = 1e4, .usual = 0, .logarithmic = true,
+              .least = 0, .most = 1e4, .usual = 0, .physical = not_negative, .logarithmic = true,
               .read = [](const Scene& s) { return s.defaults.damping; },
               .write = [](Scene& s, double value) { s.defaults.damping = value; }},
     Parameter{.name = "new_mass", .field = "defaults.mass", .label = "New points' mass", .unit = "kg",
               .meaning = "Mass of the points that are added from now on.",
-              .least = 1e-6, .most = 1e3, .usual = 1, .logarithmic = true,
+              .least = 1e-6, .most = 1e3, .usual = 1, .physical = positive, .logarithmic = true,
               .read = [](const Scene& s) { return s.defaults.mass; },
               .write = [](Scene& s, double value) { s.defaults.mass = value; }},
     Parameter{.name = "pull_stiffness", .field = "defaults.pull_stiffness", .label = "Pull of the hand", .unit = "N/m",
               .meaning = "Stiffness of the spring between the cursor and a pulled point; 0 fits it to the point.",
-              .least = 0, .most = 1e6, .usual = 0, .logarithmic = true,
+              .least = 0, .most = 1e6, .usual = 0, .physical = not_negative, .logarithmic = true,
               .read = [](const Scene& s) { return s.defaults.pull_stiffness; },
               .write = [](Scene& s, double value) { s.defaults.pull_stiffness = value; }},
 };
+// clang-format on
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "lab/bounds.h"
 #include "lab/scene.h"
 
 namespace hooke {
@@ -18,9 +19,9 @@ struct Parameter {
   std::string_view unit;     // SI; empty: a pure number
   std::string_view meaning;  // one line for help and manual
   Kind kind = Kind::Number;
-  // the range of the slider and of `--set`; a scene file may hold any value that is physical
-  double least = 0.0, most = 1.0, usual = 0.0;
-  bool logarithmic = false;  // the slider's scale
+  double least = 0.0, most = 1.0, usual = 0.0;  // the range of the slider and of `--set`
+  Bounds physical{};                            // what a scene file may hold: numbers beyond the slider's range as well
+  bool logarithmic = false;                     // the slider's scale
   Scope scope = Scope::Number;
   double (*read)(const Scene& scene) = nullptr;
   void (*write)(Scene& scene, double value) = nullptr;

@@ -1,13 +1,14 @@
 // A document: everything that a scene file holds, ready to run.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
-#include "sim/view_settings.h"
 #include "sim/settings.h"
 #include "sim/state.h"
 #include "sim/system.h"
+#include "sim/view_settings.h"
 
 namespace hooke {
 
@@ -28,12 +29,14 @@ struct ControlRanges {
   bool operator==(const ControlRanges&) const = default;
 };
 
-// The parts of a file that are kept as text: what made ranges of points and springs, and keys that are not ours.
+// The parts of a file that are kept as text: what made the last points, springs and faces, and keys that are not ours.
 struct KeptJson {
-  std::string generators;    // the array as it stood; empty: none
-  Index points_listed = 0;   // how many points and springs stood in the file before the generated ones
-  Index springs_listed = 0, faces_listed = 0;
-  std::string unknown_keys;  // an object of the unknown top-level keys; empty: none
+  using Members = std::string;                    // "\"a\": 1, \"b\": [2]": members without the braces
+  std::string generators;                         // the list as it stood; empty: none
+  Members unknown;                                // at the top
+  std::map<std::string, Members> unknown_inside;  // in an object: "simulation", "view.camera", "colliders[0]"
+  std::map<PointId, Members> unknown_of_points;
+  std::map<SpringId, Members> unknown_of_springs;
   bool operator==(const KeptJson&) const = default;
 };
 

@@ -1,0 +1,24 @@
+// Numbers that a quantity may be.
+#pragma once
+
+#include <limits>
+#include <string>
+
+namespace hooke {
+
+struct Bounds {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool least_excluded = false;
+  bool hold(double value) const { return (least_excluded ? value > least : value >= least) && value <= most; }
+  std::string text() const;  // "must be at least 0"
+};
+
+inline constexpr Bounds any_number{};
+inline constexpr Bounds not_negative{.least = 0.0};
+inline constexpr Bounds positive{.least = 0.0, .least_excluded = true};
+
+// The fewest digits that read back as the same number.
+std::string shortest(double value);
+
+}  // namespace hooke

@@ -1,0 +1,29 @@
+// How large a file, and what it declares, may be. What is beyond is refused before memory is spent on it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace hooke {
+
+inline constexpr std::uint64_t most_file_bytes = std::uint64_t{256} << 20;
+inline constexpr std::uint64_t most_points = 5'000'000;
+inline constexpr std::uint64_t most_springs = 20'000'000;
+inline constexpr std::uint64_t most_faces = 10'000'000;
+inline constexpr std::uint64_t most_colliders = 1'000;
+inline constexpr std::uint64_t most_generators = 1'000;
+inline constexpr std::uint64_t most_string_bytes = 4096;
+inline constexpr std::uint64_t most_values_per_item = 1'000'000;  // in one point, generator, ...
+inline constexpr std::uint64_t most_nesting = 32;
+inline constexpr int most_substeps = 1'000'000;
+inline constexpr int newest_scene_version = 1;
+
+// The table that `hooke --limits` prints and the documentation repeats.
+struct FileLimit {
+  std::string_view what;
+  std::string_view limit;
+};
+std::span<const FileLimit> file_limits();
+
+}  // namespace hooke

@@ -1,0 +1,216 @@
+#include "lab/generator_fields.h"
+
+#include <array>
+#include <glm/geometric.hpp>
+#include <set>
+
+#include "lab/file_limits.h"
+#include "lab/json_text.h"
+
+namespace hooke {
+namespace {
+
+MassModel read_mass_model(const JsonField& field) {
+  const std::string_view text = field.text();
+  if (text == "equal") return MassModel::Equal;
+  if (text == "tributary") return MassModel::Tributary;
+  field.refuse("must be \"equal\" or \"tributary\"");
+}
+
+// Reads the fields that cloths and ropes share; false: not one of them.
+bool read_fabric(const JsonField& field, SceneFields& fields, Fabric& fabric) {
+  if (field.is("mass_model"))
+    fabric.mass_model = read_mass_model(field);
+  else if (field.is("density"))
+    fabric.density = field.number(positive);
+  else if (field.is("mass"))
+    fabric.mass = field.number(positive);
+  else if (field.is("stiffness"))
+    fabric.stiffness = field.number(not_negative);
+  else if (field.is("stiffness_per_strain"))
+    fabric.stiffness_per_strain = field.number(not_negative);
+  else if (field.is("damping"))
+    fabric.damping = field.number(not_negative);
+  else if (field.is("point_radius"))
+    fabric.point_radius = field.number(not_negative);
+  else if (field.is("color"))
+    fabric.color = fields.color(field);
+  else
+    return false;
+  return true;
+}
+
+// What is said twice or not at all.
+void check_fabric(const JsonField& field, Fabric& fabric, bool has_stiffness) {
+  if (fabric.density && fabric.mass) field.refuse("must have density or mass, not both");
+  if (!fabric.density && !fabric.mass) fabric.mass = 1.0;
+  if (has_stiffness && fabric.stiffness_per_strain) field.refuse("must have stiffness or stiffness_per_strain, not both");
+  if (!has_stiffness && !fabric.stiffness_per_strain) field.refuse_missing("stiffness", "must be a number of at least 0");
+}
+
+bool has_member(const JsonField& field, std::string_view key) {
+  for (const JsonField member : field.members())
+    if (member.is(key)) return true;
+  return false;
+}
+
+std::int64_t read_count(const JsonField& field) { return field.whole(2, static_cast<std::int64_t>(most_points)); }
+
+// Words for points of a cloth: which of its edges they lie on.
+struct Edges {
+  bool top, bottom, left, right;
+};
+struct ClothNail {
+  std::string_view word;
+  bool (*holds)(const Edges&);
+};
+constexpr std::array cloth_nails{
+    ClothNail{"top", [](const Edges& e) { return e.top; }},
+    ClothNail{"bottom", [](const Edges& e) { return e.bottom; }},
+    ClothNail{"left", [](const Edges& e) { return e.left; }},
+    ClothNail{"right", [](const Edges& e) { return e.right; }},
+    ClothNail{"border", [](const Edges& e) { return e.top || e.bottom || e.left || e.right; }},
+    ClothNail{"corners", [](const Edges& e) { return (e.top || e.bottom) && (e.left || e.right); }},
+    ClothNail{"top_left", [](const Edges& e) { return e.top && e.left; }},
+    ClothNail{"top_right", [](const Edges& e) { return e.top && e.right; }},
+    ClothNail{"bottom_left", [](const Edges& e) { return e.bottom && e.left; }},
+    ClothNail{"bottom_right", [](const Edges& e) { return e.bottom && e.right; }},
+};
+
+// Adds the points that the word stands for; false: no such word.
+bool add_nails(const Cloth& cloth, std::string_view word, std::set<Index>& nails) {
+  for (const ClothNail& nail : cloth_nails) {
+    if (nail.word != word) continue;
+    for (std::int64_t row = 0; row < cloth.rows; ++row) {
+      // only the first and last row have points between their ends to ask about
+      const bool whole_row = row == 0 || row == cloth.rows - 1;
+      for (std::int64_t column = 0; column < cloth.columns; column += whole_row ? 1 : cloth.columns - 1)
+        if (nail.holds({row == 0, row == cloth.rows - 1, column == 0, column == cloth.columns - 1}))
+          nails.insert(static_cast<Index>(row * cloth.columns + column));
+    }
+    return true;
+  }
+  return false;
+}
+
+bool add_nails(const Rope& rope, std::string_view word, std::set<Index>& nails) {
+  if (word == "from")
+    nails.insert(0);
+  else if (word == "to")
+    nails.insert(static_cast<Index>(rope.points - 1));
+  else
+    return false;
+  return true;
+}
+
+std::string words_of(const Cloth&) {
+  std::string words;
+  for (const ClothNail& nail : cloth_nails) words += std::string(nail.word) + " ";
+  return words;
+}
+
+std::string words_of(const Rope&) { return "from to "; }
+
+template <class Shape>
+void read_nails(const JsonField& field, Shape& shape, std::int64_t points) {
+  std::set<Index> nails;
+  for (const JsonField item : field.items(0, most_values_per_item)) {
+    const bool known = item.is_number() ? nails.insert(static_cast<Index>(item.whole(0, points - 1))),
+               true                     : add_nails(shape, item.text(), nails);
+    if (!known) item.refuse("must be a point number or one of " + words_of(shape) + "here");
+  }
+  shape.fabric.nails.assign(nails.begin(), nails.end());
+}
+
+Generator read_cloth(const JsonField& field, SceneFields& fields) {
+  Cloth cloth;
+  std::string unknown;
+  for (const JsonField member : field.members()) {
+    if (member.is("type") || member.is("nail") || read_fabric(member, fields, cloth.fabric)) continue;
+    if (member.is("corner"))
+      cloth.corner = fields.position(member);
+    else if (member.is("across"))
+      cloth.across = fields.position(member);
+    else if (member.is("down"))
+      cloth.down = fields.position(member);
+    else if (member.is("points")) {
+      const auto counts = member.items(2, 2);
+      cloth.columns = read_count(counts[0]);
+      cloth.rows = read_count(counts[1]);
+    } else if (member.is("shear_stiffness"))
+      cloth.shear_stiffness = member.number(not_negative);
+    else if (member.is("bend_stiffness"))
+      cloth.bend_stiffness = member.number(not_negative);
+    else
+      fields.keep_unknown(member, unknown);
+  }
+
+  for (const std::string_view key : {"corner", "across", "down"})
+    if (!has_member(field, key)) field.refuse_missing(key, "must be [x, y, z]");
+  if (!has_member(field, "points")) field.refuse_missing("points", "must be [columns, rows]");
+  check_fabric(field, cloth.fabric, has_member(field, "stiffness"));
+  if (!(glm::length(glm::cross(cloth.across, cloth.down)) > 0.0)) field.refuse("must have across and down that span an area");
+  return cloth;
+}
+
+Generator read_rope(const JsonField& field, SceneFields& fields) {
+  Rope rope;
+  std::string unknown;
+  for (const JsonField member : field.members()) {
+    if (member.is("type") || member.is("nail") || read_fabric(member, fields, rope.fabric)) continue;
+    if (member.is("from"))
+      rope.from = fields.position(member);
+    else if (member.is("to"))
+      rope.to = fields.position(member);
+    else if (member.is("points"))
+      rope.points = read_count(member);
+    else
+      fields.keep_unknown(member, unknown);
+  }
+
+  for (const std::string_view key : {"from", "to"})
+    if (!has_member(field, key)) field.refuse_missing(key, "must be [x, y, z]");
+  if (!has_member(field, "points")) field.refuse_missing("points", "must be a whole number of at least 2");
+  check_fabric(field, rope.fabric, has_member(field, "stiffness"));
+  if (!(glm::length(rope.to - rope.from) > 0.0)) field.refuse("must have from and to in two places");
+  return rope;
+}
+
+std::int64_t count_of(const Cloth& cloth) { return cloth.columns * cloth.rows; }
+std::int64_t count_of(const Rope& rope) { return rope.points; }
+
+}  // namespace
+
+Generator read_generator(const JsonField& field, SceneFields& fields) {
+  if (!has_member(field, "type")) field.refuse_missing("type", "must be \"cloth\" or \"rope\"");
+  Generator generator;
+  for (const JsonField member : field.members())
+    if (member.is("type")) {
+      if (member.text() != "cloth" && member.text() != "rope") member.refuse("must be \"cloth\" or \"rope\"");
+      generator = member.text() == "cloth" ? read_cloth(field, fields) : read_rope(field, fields);
+    }
+
+  // too many points are refused before nails are looked for among them
+  const Extent extent = extent_of(generator);
+  if (extent.points > most_points) field.refuse(std::to_string(extent.points) + " points: must be at most " + std::to_string(most_points));
+  if (extent.springs > most_springs)
+    field.refuse(std::to_string(extent.springs) + " springs: must be at most " + std::to_string(most_springs));
+  for (const JsonField member : field.members())
+    if (member.is("nail")) std::visit([&](auto& shape) { read_nails(member, shape, count_of(shape)); }, generator);
+  return generator;
+}
+
+std::vector<Generator> parse_generators(const std::string& list) {
+  std::vector<Generator> generators;
+  JsonParser parser;
+  SceneFields fields;
+  const std::string name = "generators";
+  const auto item = [&](std::string_view, std::size_t index, std::string_view text) {
+    generators.push_back(read_generator({name, name, parser.parse(text), index}, fields));
+  };
+  walk_json("{\"generators\": " + list + "}", name,
+            {.is_list = [](std::string_view) { return true; }, .item = item, .member = [](std::string_view, std::string_view) {}});
+  return generators;
+}
+
+}  // namespace hooke

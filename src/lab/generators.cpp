@@ -1,0 +1,180 @@
+#include "lab/generators.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace hooke {
+namespace {
+
+// The place of a new point in the network is its id.
+PointId add_point(Network& network, const Fabric& fabric, const Vec3& position, double mass, double radius) {
+  const PointId id{static_cast<std::uint32_t>(network.points.size())};
+  network.points.push_back({.id = id, .color = fabric.color, .mass = mass, .radius = fabric.point_radius.value_or(radius)});
+  network.position.push_back(position);
+  network.velocity.emplace_back(0.0);
+  return id;
+}
+
+void add_spring(Network& network, std::size_t first, std::size_t second, double length, double stiffness, double damping) {
+  network.springs.push_back({.id = SpringId{static_cast<std::uint32_t>(network.springs.size())},
+                             .first = network.points[first].id,
+                             .second = network.points[second].id,
+                             .stiffness = stiffness,
+                             .damping = damping,
+                             .rest_length = length});
+}
+
+void nail(Network& network, const Fabric& fabric, std::size_t first_point) {
+  for (const Index i : fabric.nails) network.points[first_point + static_cast<std::size_t>(i)].nailed = true;
+}
+
+// Springs of one kind in a cloth: from each point to the one `columns` on and `rows` below.
+struct ClothSpring {
+  std::int64_t columns, rows;
+  double stiffness, damping;                   // [N/m], [N s/m], inside a cloth of square cells
+  std::optional<double> stiffness_per_strain;  // [N], takes the place of stiffness
+  bool is_diagonal() const { return columns != 0 && rows != 0; }
+};
+
+std::vector<ClothSpring> springs_of(const Cloth& cloth) {
+  const Fabric& fabric = cloth.fabric;
+  const double k = fabric.stiffness, d = fabric.damping;
+  const auto y = fabric.stiffness_per_strain;
+  std::vector<ClothSpring> kinds{{1, 0, k, d, y}, {0, 1, k, d, y}};
+
+  // an isotropic sheet has half the stiffness and damping on its diagonals
+  const double other_d = fabric.mass_model == MassModel::Tributary ? 0.5 * d : d;
+  const double shear = cloth.shear_stiffness.value_or(0.5 * k);
+  const auto shear_y = cloth.shear_stiffness ? std::nullopt : y;
+  if (shear > 0.0 || shear_y) {
+    kinds.push_back({1, 1, shear, other_d, shear_y});
+    kinds.push_back({-1, 1, shear, other_d, shear_y});
+  }
+  if (cloth.bend_stiffness > 0.0) {
+    kinds.push_back({2, 0, cloth.bend_stiffness, other_d, std::nullopt});
+    kinds.push_back({0, 2, cloth.bend_stiffness, other_d, std::nullopt});
+  }
+  return kinds;
+}
+
+std::uint64_t at_least_zero(std::int64_t count) { return static_cast<std::uint64_t>(std::max<std::int64_t>(count, 0)); }
+
+class ClothMaker {
+ public:
+  ClothMaker(const Cloth& cloth, Network& network) : cloth_(cloth), network_(network) {}
+
+  void make_points() {
+    const double area = glm::length(glm::cross(cloth_.across, cloth_.down));
+    const double total = cloth_.fabric.mass ? *cloth_.fabric.mass : *cloth_.fabric.density * area;
+    const double cells = static_cast<double>((cloth_.columns - 1) * (cloth_.rows - 1));
+    const double each = tributary_ ? total / cells : total / static_cast<double>(cloth_.columns * cloth_.rows);
+    for (std::int64_t row = 0; row < cloth_.rows; ++row)
+      for (std::int64_t column = 0; column < cloth_.columns; ++column) {
+        // a quarter of each cell around it: half a cell on an edge, a quarter of one in a corner
+        const double share = tributary_ ? (is_edge_column(column) ? 0.5 : 1.0) * (is_edge_row(row) ? 0.5 : 1.0) : 1.0;
+        const double u = static_cast<double>(column) / static_cast<double>(cloth_.columns - 1);
+        const double v = static_cast<double>(row) / static_cast<double>(cloth_.rows - 1);
+        add_point(network_, cloth_.fabric, cloth_.corner + u * cloth_.across + v * cloth_.down, share * each, 0.25 * std::min(a_, b_));
+      }
+    nail(network_, cloth_.fabric, first_);
+  }
+
+  void make_springs() {
+    const std::vector<ClothSpring> kinds = springs_of(cloth_);
+    for (std::int64_t row = 0; row < cloth_.rows; ++row)
+      for (std::int64_t column = 0; column < cloth_.columns; ++column)
+        for (const ClothSpring& kind : kinds) {
+          const std::int64_t to_column = column + kind.columns, to_row = row + kind.rows;
+          if (to_column < 0 || to_column >= cloth_.columns || to_row >= cloth_.rows) continue;
+          const std::size_t i = at(column, row), j = at(to_column, to_row);
+          const double length = glm::length(network_.position[j] - network_.position[i]);
+          const double weight = tributary_ ? weight_of(kind, column, row) : 1.0;
+          const double stiffness = kind.stiffness_per_strain ? *kind.stiffness_per_strain / length : weight * kind.stiffness;
+          add_spring(network_, i, j, length, stiffness, weight * kind.damping);
+        }
+  }
+
+  // two triangles a cell, both turned the same way
+  void make_faces() {
+    for (std::int64_t row = 0; row + 1 < cloth_.rows; ++row)
+      for (std::int64_t column = 0; column + 1 < cloth_.columns; ++column) {
+        const auto id = [&](std::int64_t right, std::int64_t below) { return network_.points[at(column + right, row + below)].id; };
+        network_.faces.push_back({{id(0, 0), id(0, 1), id(1, 0)}});
+        network_.faces.push_back({{id(1, 0), id(0, 1), id(1, 1)}});
+      }
+  }
+
+ private:
+  std::size_t at(std::int64_t column, std::int64_t row) const { return first_ + static_cast<std::size_t>(row * cloth_.columns + column); }
+  bool is_edge_column(std::int64_t column) const { return column == 0 || column == cloth_.columns - 1; }
+  bool is_edge_row(std::int64_t row) const { return row == 0 || row == cloth_.rows - 1; }
+
+  // What makes a material of springs in cells of a x b: k l^2 / area is the same for every edge (Van Gelder 1998), so
+  // k b / a along rows, k a / b along columns, k 2 a b / (a^2 + b^2) on diagonals; and half of it along the border,
+  // where there is a cell on one side only.
+  double weight_of(const ClothSpring& spring, std::int64_t column, std::int64_t row) const {
+    if (spring.is_diagonal()) return 2.0 * a_ * b_ / (a_ * a_ + b_ * b_);
+    const bool is_border = spring.rows == 0 ? is_edge_row(row) : is_edge_column(column);
+    return (spring.rows == 0 ? b_ / a_ : a_ / b_) * (is_border ? 0.5 : 1.0);
+  }
+
+  const Cloth& cloth_;
+  Network& network_;
+  const std::size_t first_ = network_.points.size();
+  const double a_ = glm::length(cloth_.across) / static_cast<double>(cloth_.columns - 1);  // [m], from point to point in a row
+  const double b_ = glm::length(cloth_.down) / static_cast<double>(cloth_.rows - 1);       // [m], in a column
+  const bool tributary_ = cloth_.fabric.mass_model == MassModel::Tributary;
+};
+
+void make(const Cloth& cloth, Network& network) {
+  ClothMaker maker(cloth, network);
+  maker.make_points();
+  maker.make_springs();
+  maker.make_faces();
+}
+
+void make(const Rope& rope, Network& network) {
+  const std::size_t first = network.points.size();
+  const Fabric& fabric = rope.fabric;
+  const bool tributary = fabric.mass_model == MassModel::Tributary;
+  const double length = glm::length(rope.to - rope.from), pieces = static_cast<double>(rope.points - 1);
+  const double total = fabric.mass ? *fabric.mass : *fabric.density * length;
+
+  for (std::int64_t i = 0; i < rope.points; ++i) {
+    const bool is_end = i == 0 || i == rope.points - 1;
+    const double mass = tributary ? total / pieces * (is_end ? 0.5 : 1.0) : total / static_cast<double>(rope.points);
+    add_point(network, fabric, rope.from + static_cast<double>(i) / pieces * (rope.to - rope.from), mass, 0.25 * length / pieces);
+  }
+  nail(network, fabric, first);
+
+  // springs in a row are as stiff as the whole when each is that many times stiffer; dashpots likewise
+  const double weight = tributary ? pieces : 1.0;
+  for (std::size_t i = first; i + 1 < network.points.size(); ++i) {
+    const double piece = glm::length(network.position[i + 1] - network.position[i]);
+    const double stiffness = fabric.stiffness_per_strain ? *fabric.stiffness_per_strain / piece : weight * fabric.stiffness;
+    add_spring(network, i, i + 1, piece, stiffness, weight * fabric.damping);
+  }
+}
+
+Extent extent(const Cloth& cloth) {
+  Extent extent{.points = at_least_zero(cloth.columns) * at_least_zero(cloth.rows)};
+  for (const ClothSpring& kind : springs_of(cloth))
+    extent.springs += at_least_zero(cloth.columns - std::abs(kind.columns)) * at_least_zero(cloth.rows - kind.rows);
+  extent.faces = 2 * at_least_zero(cloth.columns - 1) * at_least_zero(cloth.rows - 1);
+  return extent;
+}
+
+Extent extent(const Rope& rope) { return {.points = at_least_zero(rope.points), .springs = at_least_zero(rope.points - 1)}; }
+
+}  // namespace
+
+Extent extent_of(const Generator& generator) {
+  return std::visit([](const auto& one) { return extent(one); }, generator);
+}
+
+void generate(const Generator& generator, Network& network) {
+  std::visit([&](const auto& one) { make(one, network); }, generator);
+}
+
+}  // namespace hooke

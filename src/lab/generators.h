@@ -1,0 +1,70 @@
+// Cloths and ropes that a scene file describes in a few words instead of listing their points and springs.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/state.h"
+#include "sim/system.h"
+
+namespace hooke {
+
+// Points and springs as lists; the id of each is its place. What a file lists and what generators make end up here.
+struct Network {
+  std::vector<Point> points;
+  std::vector<Vec3> position, velocity;
+  std::vector<Spring> springs;
+  std::vector<Face> faces;
+};
+
+// How masses and stiffnesses of single points and springs follow from those given.
+enum class MassModel {
+  Equal,      // as in a plain spring graph: every point the same mass, every spring exactly the k and d given
+  Tributary,  // as a material: each point the mass around it, k and d so that the number of points does not matter
+};
+
+// What cloths and ropes have in common.
+struct Fabric {
+  MassModel mass_model = MassModel::Equal;
+  // exactly one of the two: per area [kg/m^2] or length [kg/m], or of the whole [kg]
+  std::optional<double> density, mass;
+  double stiffness = 0.0;                      // [N/m]
+  std::optional<double> stiffness_per_strain;  // Y [N] instead: k = Y / rest length of each spring
+  double damping = 0.0;                        // [N s/m]
+  std::optional<double> point_radius;          // [m]; none: a quarter of the spacing
+  std::optional<Color> color;
+  std::vector<Index> nails;  // points by their number within it
+};
+
+// columns x rows points, row by row from `corner`, along `across` first. Springs along both, across both diagonals
+// (shear), and over the next point but one (bend); two faces a cell.
+struct Cloth {
+  Vec3 corner{0.0}, across{1.0, 0.0, 0.0}, down{0.0, -1.0, 0.0};  // [m]: a corner, and the whole edges that leave it
+  std::int64_t columns = 2, rows = 2;
+  Fabric fabric{.mass_model = MassModel::Tributary};
+  std::optional<double> shear_stiffness;  // [N/m]; none: half of the stiffness; 0: no such springs
+  double bend_stiffness = 0.0;            // [N/m]; 0: no such springs
+};
+
+struct Rope {
+  Vec3 from{0.0}, to{1.0, 0.0, 0.0};  // [m]
+  std::int64_t points = 2;
+  Fabric fabric;
+};
+
+using Generator = std::variant<Cloth, Rope>;
+
+// How much a generator makes, without making it.
+struct Extent {
+  std::uint64_t points = 0, springs = 0, faces = 0;
+};
+Extent extent_of(const Generator& generator);
+
+// Appends what the generator makes. Positions, masses, stiffnesses that come out as no numbers are left for the caller
+// to find.
+void generate(const Generator& generator, Network& network);
+
+}  // namespace hooke

@@ -1,0 +1,324 @@
+// Reads a scene: walks the text once, taking in member by member and point by point, then puts the parts together.
+
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "lab/diagnosis.h"
+#include "lab/file_limits.h"
+#include "lab/generator_fields.h"
+#include "lab/json_text.h"
+#include "lab/printable.h"
+#include "lab/read_file.h"
+#include "lab/scene_file.h"
+#include "lab/scene_sections.h"
+#include "sim/integrator.h"
+#include "sim/plan.h"
+
+namespace hooke {
+namespace {
+
+constexpr double as_drawn = std::numeric_limits<double>::quiet_NaN();  // a rest length that was not given
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+class SceneReader {
+ public:
+  SceneReader(const std::string& text, const std::string& name) : text_(text), name_(name) {}
+  LoadedScene read();
+
+ private:
+  // Points, springs, faces, generators and colliders are taken in item by item, or a file of 256 MiB would become
+  // gigabytes of values.
+  struct List {
+    std::string_view key;
+    std::uint64_t most;
+    void (SceneReader::*read)(const JsonField& field);
+  };
+  static const std::array<List, 5> lists;
+  static const List* find_list(std::string_view key);
+
+  void read_member(std::string_view key, std::string_view text);
+  void read_item(std::string_view key, std::size_t index, std::string_view text);
+  void read_point(const JsonField& field);
+  void read_spring(const JsonField& field);
+  void read_face(const JsonField& field);
+  void read_one_generator(const JsonField& field);
+  void read_one_collider(const JsonField& field) { read_collider(field, fields_, scene_); }
+  PointId read_point_number(const JsonField& field) const;
+
+  void generate_all();
+  void check_generated(std::size_t generator, std::size_t first_point, std::size_t first_spring) const;
+  void check_point_numbers() const;
+  void set_rest_lengths();
+  void warn_of_coincident_points();
+  void warn_of_large_step();
+  [[noreturn]] void refuse(const std::string& field, const std::string& what) const { throw Refused(name_ + ": " + field + ": " + what); }
+
+  const std::string& text_;
+  const std::string& name_;
+  JsonParser parser_;
+  SceneFields fields_;
+  Scene scene_;
+  Network network_;
+  std::vector<Generator> generators_;
+  bool has_version_ = false;
+};
+
+const std::array<SceneReader::List, 5> SceneReader::lists{
+    List{"points", most_points, &SceneReader::read_point},
+    List{"springs", most_springs, &SceneReader::read_spring},
+    List{"faces", most_faces, &SceneReader::read_face},
+    List{"generators", most_generators, &SceneReader::read_one_generator},
+    List{"colliders", most_colliders, &SceneReader::read_one_collider},
+};
+
+const SceneReader::List* SceneReader::find_list(std::string_view key) {
+  for (const List& list : lists)
+    if (list.key == key) return &list;
+  return nullptr;
+}
+
+LoadedScene SceneReader::read() {
+  walk_json(text_, name_,
+            {.is_list = [](std::string_view key) { return find_list(key) != nullptr; },
+             .item = [this](std::string_view key, std::size_t index, std::string_view text) { read_item(key, index, text); },
+             .member = [this](std::string_view key, std::string_view text) { read_member(key, text); }});
+  if (!has_version_) refuse("hooke", "missing: must be 1, the version of the format");
+  fields_.check_dimensions(scene_.system.dimensions);
+
+  generate_all();
+  check_point_numbers();
+  set_rest_lengths();
+  warn_of_coincident_points();
+
+  scene_.system.set_points(std::move(network_.points));
+  scene_.system.set_springs(std::move(network_.springs));
+  scene_.system.faces = std::move(network_.faces);
+  scene_.state.position = std::move(network_.position);
+  scene_.state.velocity = std::move(network_.velocity);
+  warn_of_large_step();
+  return {std::move(scene_), fields_.warnings(name_)};
+}
+
+void SceneReader::read_member(std::string_view key, std::string_view text) {
+  if (find_list(key) != nullptr && text.front() == '[') {
+    // its items have been read
+    if (key == "generators") scene_.kept.generators = text;
+    return;
+  }
+
+  const JsonField field(name_, key, parser_.parse(text));
+  if (field.is("hooke")) {
+    if (field.number() > newest_scene_version) field.refuse("must be at most 1: the file is for a newer program");
+    field.whole(1, newest_scene_version);
+    has_version_ = true;
+  } else if (field.is("name"))
+    scene_.name = field.text();
+  else if (field.is("description"))
+    scene_.description = field.text();
+  else if (field.is("dimensions"))
+    scene_.system.dimensions = static_cast<int>(field.whole(2, 3));
+  else if (field.is("time"))
+    scene_.state.time = field.number();
+  else if (field.is("gravity"))
+    scene_.system.gravity = fields_.position(field);
+  else if (field.is("wind"))
+    scene_.system.wind = fields_.position(field);
+  else if (field.is("simulation"))
+    read_simulation(field, fields_, scene_);
+  else if (field.is("view"))
+    read_view(field, fields_, scene_);
+  else if (field.is("defaults"))
+    read_defaults(field, fields_, scene_);
+  else if (field.is("controls"))
+    read_controls(field, fields_, scene_);
+  else if (find_list(key) != nullptr)
+    field.refuse("must be a list [...]");
+  else if (!read_parameter(field, scene_))
+    fields_.keep_unknown(field, scene_.kept.unknown, text);
+}
+
+void SceneReader::read_item(std::string_view key, std::size_t index, std::string_view text) {
+  const List& list = *find_list(key);
+  if (index >= list.most) refuse(std::string(key), std::to_string(index + 1) + " items: must be at most " + std::to_string(list.most));
+  (this->*list.read)(JsonField(name_, key, parser_.parse(text), index));
+}
+
+void SceneReader::read_point(const JsonField& field) {
+  Point point{.id = PointId{static_cast<std::uint32_t>(network_.points.size())}};
+  Vec3 position(0.0), velocity(0.0);
+  bool has_position = false;
+  for (const JsonField member : field.members()) {
+    if (member.is("position")) {
+      position = fields_.position(member);
+      has_position = true;
+    } else if (member.is("velocity"))
+      velocity = fields_.position(member);
+    else if (member.is("nailed"))
+      point.nailed = member.boolean();
+    else if (member.is("mass"))
+      point.mass = member.number(positive);
+    else if (member.is("radius"))
+      point.radius = member.number(not_negative);
+    else if (member.is("color"))
+      point.color = fields_.color(member);
+    else
+      fields_.keep_unknown(member, scene_.kept.unknown_of_points[point.id]);
+  }
+  if (!has_position) field.refuse_missing("position", "must be [x, y, z]");
+  network_.points.push_back(point);
+  network_.position.push_back(position);
+  network_.velocity.push_back(velocity);
+}
+
+void SceneReader::read_spring(const JsonField& field) {
+  Spring spring{.id = SpringId{static_cast<std::uint32_t>(network_.springs.size())}, .rest_length = as_drawn};
+  bool has_points = false, has_stiffness = false;
+  for (const JsonField member : field.members()) {
+    if (member.is("points")) {
+      const auto ends = member.items(2, 2);
+      spring.first = read_point_number(ends[0]);
+      spring.second = read_point_number(ends[1]);
+      if (spring.first == spring.second) member.refuse("must be two different points");
+      has_points = true;
+    } else if (member.is("stiffness")) {
+      spring.stiffness = member.number(not_negative);
+      has_stiffness = true;
+    } else if (member.is("damping"))
+      spring.damping = member.number(not_negative);
+    else if (member.is("rest_length"))
+      spring.rest_length = member.number(not_negative);
+    else if (member.is("break_strain"))
+      spring.break_strain = member.is_null() ? never_breaks : member.number(positive);
+    else
+      fields_.keep_unknown(member, scene_.kept.unknown_of_springs[spring.id]);
+  }
+  if (!has_points) field.refuse_missing("points", "must be two point numbers");
+  if (!has_stiffness) field.refuse_missing("stiffness", "must be a number of at least 0");
+  network_.springs.push_back(spring);
+}
+
+void SceneReader::read_face(const JsonField& field) {
+  const auto corners = field.items(3, 3);
+  Face face;
+  for (std::size_t c = 0; c < 3; ++c) face.points[c] = read_point_number(corners[c]);
+  if (face.points[0] == face.points[1] || face.points[1] == face.points[2] || face.points[2] == face.points[0])
+    field.refuse("must be three different points");
+  network_.faces.push_back(face);
+}
+
+void SceneReader::read_one_generator(const JsonField& field) { generators_.push_back(read_generator(field, fields_)); }
+
+// Whether there is such a point is known when all points are: check_point_numbers.
+PointId SceneReader::read_point_number(const JsonField& field) const {
+  return PointId{static_cast<std::uint32_t>(field.whole(0, static_cast<std::int64_t>(most_points) - 1))};
+}
+
+// All are counted before any memory is spent on them.
+void SceneReader::generate_all() {
+  Extent all{network_.points.size(), network_.springs.size(), network_.faces.size()};
+  for (const Generator& generator : generators_) {
+    const Extent extent = extent_of(generator);
+    all.points += extent.points;
+    all.springs += extent.springs;
+    all.faces += extent.faces;
+  }
+  const auto check = [&](const char* what, std::uint64_t count, std::uint64_t most) {
+    if (count > most) refuse(what, std::to_string(count) + " with those of the generators: must be at most " + std::to_string(most));
+  };
+  check("points", all.points, most_points);
+  check("springs", all.springs, most_springs);
+  check("faces", all.faces, most_faces);
+
+  network_.points.reserve(all.points);
+  network_.position.reserve(all.points);
+  network_.velocity.reserve(all.points);
+  network_.springs.reserve(all.springs);
+  network_.faces.reserve(all.faces);
+  for (std::size_t g = 0; g < generators_.size(); ++g) {
+    const std::size_t first_point = network_.points.size(), first_spring = network_.springs.size();
+    generate(generators_[g], network_);
+    check_generated(g, first_point, first_spring);
+  }
+}
+
+// Extreme sizes make masses of zero and stiffnesses without end.
+void SceneReader::check_generated(std::size_t generator, std::size_t first_point, std::size_t first_spring) const {
+  const std::string field = "generators[" + std::to_string(generator) + "]";
+  for (std::size_t i = first_point; i < network_.points.size(); ++i) {
+    const double mass = network_.points[i].mass, radius = network_.points[i].radius;
+    if (!(mass > 0.0) || !std::isfinite(mass)) refuse(field, "mass of a point: " + shortest(mass) + ": must be more than 0 and a number");
+    if (!is_finite(network_.position[i]) || !std::isfinite(radius)) refuse(field, "position of a point: must be a number below 1.8e308");
+  }
+  for (std::size_t s = first_spring; s < network_.springs.size(); ++s) {
+    const Spring& spring = network_.springs[s];
+    for (const auto& [what, value] :
+         {std::pair{"stiffness", spring.stiffness}, {"damping", spring.damping}, {"rest length", spring.rest_length}})
+      if (!std::isfinite(value)) refuse(field, std::string(what) + " of a spring: " + shortest(value) + ": must be a number below 1.8e308");
+  }
+}
+
+void SceneReader::check_point_numbers() const {
+  const auto check = [&](PointId id, const auto& name_field) {
+    const auto number = static_cast<std::uint32_t>(id);
+    if (number >= network_.points.size())
+      refuse(name_field(),
+             std::to_string(number) + ": must be the number of one of the " + std::to_string(network_.points.size()) + " points, from 0");
+  };
+  for (std::size_t s = 0; s < network_.springs.size(); ++s)
+    for (const PointId id : {network_.springs[s].first, network_.springs[s].second})
+      check(id, [&] { return "springs[" + std::to_string(s) + "].points[" + (id == network_.springs[s].first ? "0" : "1") + "]"; });
+  for (std::size_t f = 0; f < network_.faces.size(); ++f)
+    for (const PointId id : network_.faces[f].points) check(id, [&] { return "faces[" + std::to_string(f) + "]"; });
+}
+
+void SceneReader::set_rest_lengths() {
+  for (std::size_t s = 0; s < network_.springs.size(); ++s) {
+    Spring& spring = network_.springs[s];
+    if (!std::isnan(spring.rest_length)) continue;
+    const auto i = static_cast<std::uint32_t>(spring.first), j = static_cast<std::uint32_t>(spring.second);
+    spring.rest_length = glm::length(network_.position[j] - network_.position[i]);
+    if (!std::isfinite(spring.rest_length))
+      refuse("springs[" + std::to_string(s) + "].rest_length", shortest(spring.rest_length) + " as drawn: must be a number below 1.8e308");
+  }
+}
+
+void SceneReader::warn_of_coincident_points() {
+  std::size_t first = 0, count = 0;
+  for (std::size_t s = 0; s < network_.springs.size(); ++s) {
+    const auto i = static_cast<std::uint32_t>(network_.springs[s].first), j = static_cast<std::uint32_t>(network_.springs[s].second);
+    if (network_.position[i] == network_.position[j] && count++ == 0) first = s;
+  }
+  if (count == 0) return;
+  const std::string others = count == 1 ? "" : " and " + std::to_string(count - 1) + " more";
+  fields_.warn("springs[" + std::to_string(first) + "]" + others +
+               ": joins two points at the same place: no force between them until they part");
+}
+
+void SceneReader::warn_of_large_step() {
+  const Settings& settings = scene_.settings;
+  const Spectrum spectrum = bound_spectrum(scene_.system);
+  if (settings.substep() <= largest_stable_step(*settings.integrator, spectrum)) return;
+
+  const Advice advice = advise(spectrum, settings);
+  const std::string needed = std::to_string(advice.substeps) + (advice.substeps == 1 ? " substep" : " substeps") + " a frame";
+  if (advice.integrator == settings.integrator)
+    fields_.warn("simulation.substeps: " + std::to_string(settings.substeps) + ": beyond the stable limit of " +
+                 std::string(settings.integrator->id) + " here: " + needed + " would be stable");
+  else
+    fields_.warn("simulation.integrator: " + std::string(settings.integrator->id) +
+                 ": no step is stable here: " + std::string(advice.integrator->id) + " with " + needed + " would be");
+}
+
+}  // namespace
+
+LoadedScene parse_scene(std::string_view text, const std::string& name) { return SceneReader(std::string(text), printable(name)).read(); }
+
+LoadedScene load_scene(const std::filesystem::path& file) {
+  const std::string text = read_file(file), name = printable(file.native());
+  return SceneReader(text, name).read();
+}
+
+}  // namespace hooke

@@ -1,0 +1,211 @@
+#include "lab/scene_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "lab/parameters.h"
+#include "sim/integrator.h"
+
+namespace hooke {
+namespace {
+
+// A direction as a unit vector; as it is when it is one already, so that what was saved comes back bit for bit.
+Vec3 to_unit(const JsonField& field, const Vec3& direction) {
+  constexpr double round_off = 1e-15;
+  const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+  if (largest == 0.0) field.refuse("must not be zero");
+  if (std::abs(glm::length(direction) - 1.0) < round_off) return direction;
+  const Vec3 scaled = direction / largest;
+  return scaled / glm::length(scaled);
+}
+
+// Reads what all colliders share; false: not one of those fields.
+bool read_surface(const JsonField& field, Collider& collider) {
+  if (field.is("type")) return true;
+  if (field.is("restitution"))
+    collider.restitution = field.number({.least = 0.0, .most = 1.0});
+  else if (field.is("friction"))
+    collider.friction = field.number(not_negative);
+  else if (field.is("solid"))
+    collider.solid = field.boolean();
+  else
+    return false;
+  return true;
+}
+
+// What a shape says of itself by two fields, each of which it must have.
+template <class First, class Second>
+void read_shape(const JsonField& field, SceneFields& fields, Scene& scene, Collider& collider, std::string_view first_key, First read_first,
+                std::string_view second_key, Second read_second) {
+  bool has_first = false, has_second = false;
+  for (const JsonField member : field.members()) {
+    if (read_surface(member, collider)) continue;
+    if (member.is(first_key)) {
+      read_first(member);
+      has_first = true;
+    } else if (member.is(second_key)) {
+      read_second(member);
+      has_second = true;
+    } else
+      fields.keep_unknown(member, scene.kept.unknown_inside[field.path()]);
+  }
+  if (!has_first) field.refuse_missing(first_key, "must be given");
+  if (!has_second) field.refuse_missing(second_key, "must be given");
+}
+
+void read_plane(const JsonField& field, SceneFields& fields, Scene& scene, Collider& collider) {
+  Plane plane;
+  read_shape(
+      field, fields, scene, collider, "point", [&](const JsonField& point) { plane.point = fields.vector(point); }, "normal",
+      [&](const JsonField& normal) { plane.normal = to_unit(normal, fields.vector(normal)); });
+  collider.shape = plane;
+}
+
+void read_sphere(const JsonField& field, SceneFields& fields, Scene& scene, Collider& collider) {
+  Sphere sphere;
+  read_shape(
+      field, fields, scene, collider, "center", [&](const JsonField& center) { sphere.center = fields.vector(center); }, "radius",
+      [&](const JsonField& radius) { sphere.radius = radius.number(positive); });
+  collider.shape = sphere;
+}
+
+void read_box(const JsonField& field, SceneFields& fields, Scene& scene, Collider& collider) {
+  Box box;
+  bool flat = true;
+  const auto read_corner = [&](Vec3& corner) {
+    return [&](const JsonField& member) {
+      corner = fields.vector(member);
+      flat = flat && member.value().Size() == 2;
+    };
+  };
+  read_shape(field, fields, scene, collider, "min", read_corner(box.least), "max", read_corner(box.most));
+
+  // a rectangle of a 2-D scene: so deep that the way out is never along z
+  if (flat) {
+    const double depth = std::min(box.most.x - box.least.x, box.most.y - box.least.y);
+    box.least.z = -depth;
+    box.most.z = depth;
+  }
+  for (int c = 0; c < 3; ++c)
+    if (!(box.least[c] < box.most[c])) field.refuse("must have a min below max in each direction");
+  collider.shape = box;
+}
+
+CameraPose read_camera(const JsonField& field, SceneFields& fields, Scene& scene) {
+  CameraPose pose;
+  for (const JsonField member : field.members()) {
+    if (member.is("eye"))
+      pose.eye = fields.vector(member);
+    else if (member.is("target"))
+      pose.target = fields.vector(member);
+    else if (member.is("up")) {
+      pose.up = fields.vector(member);
+      if (*pose.up == Vec3(0.0)) member.refuse("must not be zero");
+    } else if (member.is("orthographic"))
+      pose.orthographic = member.boolean();
+    else
+      fields.keep_unknown(member, scene.kept.unknown_inside[field.path()]);
+  }
+  if (pose.eye == pose.target) field.refuse("must have eye and target in two places");
+  return pose;
+}
+
+std::string ids_of_integrators() {
+  std::string ids;
+  for (const Integrator& integrator : integrators()) ids += (ids.empty() ? "" : ", ") + std::string(integrator.id);
+  return ids;
+}
+
+}  // namespace
+
+bool read_parameter(const JsonField& field, Scene& scene) {
+  for (const Parameter& row : parameters()) {
+    if (row.field.empty() || row.field != field.path()) continue;
+    const auto least = static_cast<std::int64_t>(row.physical.least), most = static_cast<std::int64_t>(row.physical.most);
+    switch (row.kind) {
+      case Parameter::Kind::Switch:
+        row.write(scene, field.boolean() ? 1.0 : 0.0);
+        break;
+      case Parameter::Kind::Whole:
+        row.write(scene, static_cast<double>(field.whole(least, most)));
+        break;
+      case Parameter::Kind::Number:
+        row.write(scene, field.number(row.physical));
+        break;
+    }
+    return true;
+  }
+  return false;
+}
+
+void read_collider(const JsonField& field, SceneFields& fields, Scene& scene) {
+  Collider collider;
+  bool known = false;
+  for (const JsonField member : field.members()) {
+    if (!member.is("type")) continue;
+    known = true;
+    if (member.text() == "plane")
+      read_plane(field, fields, scene, collider);
+    else if (member.text() == "sphere")
+      read_sphere(field, fields, scene, collider);
+    else if (member.text() == "box")
+      read_box(field, fields, scene, collider);
+    else
+      member.refuse("must be \"plane\", \"sphere\" or \"box\"");
+  }
+  if (!known) field.refuse_missing("type", "must be \"plane\", \"sphere\" or \"box\"");
+  scene.system.colliders.push_back(collider);
+}
+
+void read_simulation(const JsonField& field, SceneFields& fields, Scene& scene) {
+  for (const JsonField member : field.members()) {
+    if (member.is("integrator")) {
+      scene.settings.integrator = find_integrator(member.text());
+      if (scene.settings.integrator == nullptr) member.refuse("must be one of " + ids_of_integrators());
+    } else if (member.is("tolerance")) {
+      if (!member.is_null()) scene.settings.tolerance = member.number(positive);
+    } else if (!read_parameter(member, scene))
+      fields.keep_unknown(member, scene.kept.unknown_inside[field.path()]);
+  }
+}
+
+void read_view(const JsonField& field, SceneFields& fields, Scene& scene) {
+  for (const JsonField member : field.members()) {
+    if (member.is("camera"))
+      scene.view.camera = read_camera(member, fields, scene);
+    else if (member.is("background"))
+      scene.view.background = fields.color(member);
+    else
+      fields.keep_unknown(member, scene.kept.unknown_inside[field.path()]);
+  }
+}
+
+void read_defaults(const JsonField& field, SceneFields& fields, Scene& scene) {
+  for (const JsonField member : field.members()) {
+    if (member.is("radius"))
+      scene.defaults.radius = member.number(not_negative);
+    else if (member.is("grab")) {
+      if (member.text() != "hold" && member.text() != "pull") member.refuse("must be \"hold\" or \"pull\"");
+      scene.defaults.grab = member.text() == "hold" ? GrabKind::Hold : GrabKind::Pull;
+    } else if (!read_parameter(member, scene))
+      fields.keep_unknown(member, scene.kept.unknown_inside[field.path()]);
+  }
+}
+
+void read_controls(const JsonField& field, SceneFields& fields, Scene& scene) {
+  for (const JsonField member : field.members()) {
+    if (!member.is("stiffness")) {
+      fields.keep_unknown(member, scene.kept.unknown_inside[field.path()]);
+      continue;
+    }
+    const auto items = member.items(3, 3);
+    ControlRanges& controls = scene.controls;
+    controls.stiffness_least = items[0].number(not_negative);
+    controls.stiffness_most = items[1].number(positive);
+    controls.stiffness_step = items[2].number(positive);
+    if (!(controls.stiffness_least < controls.stiffness_most)) member.refuse("must be [least, most, step] with least below most");
+  }
+}
+
+}  // namespace hooke

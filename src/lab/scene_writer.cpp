@@ -1,0 +1,316 @@
+// Writes a scene, one point and one spring a line.
+
+#include <bit>
+#include <cstdio>
+#include <cstring>
+
+#include "lab/atomic_write.h"
+#include "lab/file_limits.h"
+#include "lab/generator_fields.h"
+#include "lab/json_writer.h"
+#include "lab/parameters.h"
+#include "lab/printable.h"
+#include "lab/scene_file.h"
+#include "sim/integrator.h"
+
+namespace hooke {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+bool same_bits(const Vec3& a, const Vec3& b) { return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z); }
+bool is_plain_zero(double value) { return same_bits(value, 0.0); }
+bool is_plain_zero(const Vec3& value) { return same_bits(value, Vec3(0.0)); }
+
+std::string to_text(const Color& color) {
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", color.red, color.green, color.blue);
+  return text;
+}
+
+// How many points, springs and faces are written one by one; the others are the last, and made by generators.
+struct Listed {
+  Index points, springs;
+  std::size_t faces;
+};
+
+class SceneWriter {
+ public:
+  explicit SceneWriter(const Scene& scene) : scene_(scene), system_(scene.system), state_(scene.state) {}
+  std::string write();
+
+ private:
+  Listed find_listed() const;
+  bool is_as_made(const Network& made, const Listed& listed) const;
+  void write_parameters(std::string_view section);
+  void write_point(Index i);
+  void write_spring(Index s);
+  void write_collider(std::size_t c);
+  void write_simulation();
+  void write_defaults();
+  void write_view();
+  void write_unknown_inside(const std::string& path);
+  bool has_unknown_inside(const std::string& path) const { return scene_.kept.unknown_inside.contains(path); }
+  void check_size() const;
+
+  // `count` items, each on a line of its own; nothing when there are none
+  template <class Write>
+  void write_list(std::string_view key, std::size_t count, Write write_item);
+
+  const Scene& scene_;
+  const System& system_;
+  const State& state_;
+  JsonWriter out_;
+};
+
+std::string SceneWriter::write() {
+  const Listed listed = find_listed();
+  out_.begin_object(Layout::Lines);
+  out_.whole("hooke", newest_scene_version);
+  out_.text("name", scene_.name);
+  if (!scene_.description.empty()) out_.text("description", scene_.description);
+  out_.whole("dimensions", system_.dimensions);
+  if (!is_plain_zero(state_.time)) out_.number("time", state_.time);
+  out_.vector("gravity", system_.gravity);
+  if (!is_plain_zero(system_.wind)) out_.vector("wind", system_.wind);
+  write_parameters("");
+
+  write_list("points", static_cast<std::size_t>(listed.points), [&](std::size_t i) { write_point(static_cast<Index>(i)); });
+  write_list("springs", static_cast<std::size_t>(listed.springs), [&](std::size_t s) { write_spring(static_cast<Index>(s)); });
+  write_list("faces", listed.faces, [&](std::size_t f) {
+    out_.begin_list(Layout::Line);
+    for (const PointId id : system_.faces[f].points) out_.whole(system_.index_of(id));
+    out_.end();
+  });
+  if (listed.points < system_.point_count()) {
+    out_.key("generators");
+    out_.raw(scene_.kept.generators);
+  }
+  write_list("colliders", system_.colliders.size(), [&](std::size_t c) { write_collider(c); });
+
+  write_simulation();
+  write_defaults();
+  if (scene_.controls != ControlRanges{} || has_unknown_inside("controls")) {
+    const ControlRanges& controls = scene_.controls;
+    out_.key("controls");
+    out_.begin_object(Layout::Line);
+    if (controls != ControlRanges{}) {
+      out_.key("stiffness");
+      out_.vector({controls.stiffness_least, controls.stiffness_most, controls.stiffness_step});
+    }
+    write_unknown_inside("controls");
+    out_.end();
+  }
+  write_view();
+  out_.members(scene_.kept.unknown);
+  out_.end();
+  check_size();
+  return out_.take();
+}
+
+// The generators are run again: what they make must be what stands last in the scene, bit for bit.
+Listed SceneWriter::find_listed() const {
+  const Listed all{system_.point_count(), system_.spring_count(), system_.faces.size()};
+  if (scene_.kept.generators.empty()) return all;
+
+  const std::vector<Generator> generators = parse_generators(scene_.kept.generators);
+  Extent extent;
+  for (const Generator& generator : generators) {
+    const Extent one = extent_of(generator);
+    extent.points += one.points;
+    extent.springs += one.springs;
+    extent.faces += one.faces;
+  }
+  if (extent.points == 0 || extent.points > system_.points().size() || extent.springs > system_.springs().size() ||
+      extent.faces > system_.faces.size())
+    return all;
+
+  Network made;
+  for (const Generator& generator : generators) generate(generator, made);
+  const Listed listed{all.points - static_cast<Index>(extent.points), all.springs - static_cast<Index>(extent.springs),
+                      all.faces - extent.faces};
+  return is_as_made(made, listed) ? listed : all;
+}
+
+bool SceneWriter::is_as_made(const Network& made, const Listed& listed) const {
+  const auto id_of = [&](PointId made_id) { return system_.points()[listed.points + static_cast<Index>(made_id)].id; };
+  for (std::size_t i = 0; i < made.points.size(); ++i) {
+    const Index at = listed.points + static_cast<Index>(i);
+    Point point = made.points[i];
+    point.id = system_.points()[at].id;
+    if (point != system_.points()[at] || !same_bits(made.position[i], state_.position[at]) ||
+        !same_bits(made.velocity[i], state_.velocity[at]) || scene_.kept.unknown_of_points.contains(point.id))
+      return false;
+  }
+  for (std::size_t s = 0; s < made.springs.size(); ++s) {
+    Spring spring = made.springs[s];
+    const Spring& now = system_.springs()[static_cast<std::size_t>(listed.springs) + s];
+    spring.id = now.id;
+    spring.first = id_of(spring.first);
+    spring.second = id_of(spring.second);
+    if (spring != now || scene_.kept.unknown_of_springs.contains(spring.id)) return false;
+  }
+  for (std::size_t f = 0; f < made.faces.size(); ++f)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (id_of(made.faces[f].points[c]) != system_.faces[listed.faces + f].points[c]) return false;
+  return true;
+}
+
+// The rows of the table of parameters whose field lies in the section ("" at the top, "simulation").
+void SceneWriter::write_parameters(std::string_view section) {
+  for (const Parameter& row : parameters()) {
+    const std::size_t dot = row.field.rfind('.');
+    const std::string_view in = dot == std::string_view::npos ? "" : row.field.substr(0, dot);
+    if (row.field.empty() || in != section) continue;
+    out_.key(row.field.substr(dot == std::string_view::npos ? 0 : dot + 1));
+    const double value = row.read(scene_);
+    switch (row.kind) {
+      case Parameter::Kind::Switch:
+        out_.boolean(value != 0.0);
+        break;
+      case Parameter::Kind::Whole:
+        out_.whole(static_cast<std::int64_t>(value));
+        break;
+      case Parameter::Kind::Number:
+        out_.number(value);
+        break;
+    }
+  }
+}
+
+template <class Write>
+void SceneWriter::write_list(std::string_view key, std::size_t count, Write write_item) {
+  if (count == 0) return;
+  out_.key(key);
+  out_.begin_list(Layout::Lines);
+  for (std::size_t i = 0; i < count; ++i) {
+    write_item(i);
+    check_size();
+  }
+  out_.end();
+}
+
+void SceneWriter::write_point(Index i) {
+  const Point& point = system_.points()[i];
+  out_.begin_object(Layout::Line);
+  out_.vector("position", state_.position[i]);
+  if (!is_plain_zero(state_.velocity[i])) out_.vector("velocity", state_.velocity[i]);
+  if (point.nailed) out_.boolean("nailed", true);
+  out_.number("mass", point.mass);
+  out_.number("radius", point.radius);
+  if (point.color) out_.text("color", to_text(*point.color));
+  const auto unknown = scene_.kept.unknown_of_points.find(point.id);
+  if (unknown != scene_.kept.unknown_of_points.end()) out_.members(unknown->second);
+  out_.end();
+}
+
+void SceneWriter::write_spring(Index s) {
+  const Spring& spring = system_.springs()[s];
+  out_.begin_object(Layout::Line);
+  out_.key("points");
+  out_.begin_list(Layout::Line);
+  out_.whole(system_.index_of(spring.first));
+  out_.whole(system_.index_of(spring.second));
+  out_.end();
+  out_.number("stiffness", spring.stiffness);
+  if (!is_plain_zero(spring.damping)) out_.number("damping", spring.damping);
+  out_.number("rest_length", spring.rest_length);
+  if (spring.break_strain != never_breaks) out_.number("break_strain", spring.break_strain);
+  const auto unknown = scene_.kept.unknown_of_springs.find(spring.id);
+  if (unknown != scene_.kept.unknown_of_springs.end()) out_.members(unknown->second);
+  out_.end();
+}
+
+void SceneWriter::write_collider(std::size_t c) {
+  const Collider& collider = system_.colliders[c];
+  out_.begin_object(Layout::Line);
+  std::visit(Overloaded{
+                 [&](const Plane& plane) {
+                   out_.text("type", "plane");
+                   out_.vector("point", plane.point);
+                   out_.vector("normal", plane.normal);
+                 },
+                 [&](const Sphere& sphere) {
+                   out_.text("type", "sphere");
+                   out_.vector("center", sphere.center);
+                   out_.number("radius", sphere.radius);
+                 },
+                 [&](const Box& box) {
+                   out_.text("type", "box");
+                   out_.vector("min", box.least);
+                   out_.vector("max", box.most);
+                 },
+             },
+             collider.shape);
+  out_.number("restitution", collider.restitution);
+  out_.number("friction", collider.friction);
+  if (!collider.solid) out_.boolean("solid", false);
+  write_unknown_inside("colliders[" + std::to_string(c) + "]");
+  out_.end();
+}
+
+void SceneWriter::write_simulation() {
+  out_.key("simulation");
+  out_.begin_object(Layout::Line);
+  out_.text("integrator", scene_.settings.integrator->id);
+  write_parameters("simulation");
+  if (scene_.settings.tolerance) out_.number("tolerance", *scene_.settings.tolerance);
+  write_unknown_inside("simulation");
+  out_.end();
+}
+
+void SceneWriter::write_defaults() {
+  if (scene_.defaults == Defaults{} && !has_unknown_inside("defaults")) return;
+  out_.key("defaults");
+  out_.begin_object(Layout::Line);
+  write_parameters("defaults");
+  out_.number("radius", scene_.defaults.radius);
+  out_.text("grab", scene_.defaults.grab == GrabKind::Hold ? "hold" : "pull");
+  write_unknown_inside("defaults");
+  out_.end();
+}
+
+void SceneWriter::write_view() {
+  const ViewSettings& view = scene_.view;
+  if (view == ViewSettings{} && !has_unknown_inside("view")) return;
+  out_.key("view");
+  out_.begin_object(Layout::Line);
+  if (view.camera) {
+    out_.key("camera");
+    out_.begin_object(Layout::Line);
+    out_.vector("eye", view.camera->eye);
+    out_.vector("target", view.camera->target);
+    if (view.camera->up) out_.vector("up", *view.camera->up);
+    if (view.camera->orthographic) out_.boolean("orthographic", true);
+    write_unknown_inside("view.camera");
+    out_.end();
+  }
+  if (view.background) out_.text("background", to_text(*view.background));
+  write_unknown_inside("view");
+  out_.end();
+}
+
+void SceneWriter::write_unknown_inside(const std::string& path) {
+  const auto unknown = scene_.kept.unknown_inside.find(path);
+  if (unknown != scene_.kept.unknown_inside.end()) out_.members(unknown->second);
+}
+
+// A file that could not be read again would be lost work.
+void SceneWriter::check_size() const {
+  if (out_.written().size() > most_file_bytes)
+    throw FileError(printable(scene_.name) + ": as a file more than 256 MiB, which could not be read again");
+}
+
+}  // namespace
+
+std::string format_scene(const Scene& scene) { return SceneWriter(scene).write(); }
+
+void save_scene(const Scene& scene, const std::filesystem::path& file) { write_atomically(file, format_scene(scene)); }
+
+}  // namespace hooke
