@@ -33,11 +33,19 @@ struct Trial {
     return id;
   }
 
-  // Advances by `seconds` in so many equal steps, as one frame.
+  // Advances by `seconds` in so many equal steps, as one frame. A method that adapts takes them whole: it remembers a
+  // longer one, and no error is too large.
   void run(const Integrator& integrator, double seconds, int steps) {
+    state.memory = {.step = 1e9, .error = 1e-4};
+    run(integrator, seconds, steps, 1e9);
+    state.memory = {};
+  }
+
+  // The same with steps of its own for a method that adapts, by this tolerance [m].
+  void run(const Integrator& integrator, double seconds, int steps, double tolerance) {
     Plan plan = make_plan(system);
     Frame frame;
-    frame.begin(plan, system, {.integrator = &integrator, .frame_rate = 1.0 / seconds, .substeps = steps}, state);
+    frame.begin(plan, system, {.integrator = &integrator, .frame_rate = 1.0 / seconds, .substeps = steps, .tolerance = tolerance}, state);
     while (!frame.done()) frame.substep(plan);
     frame.end(plan, state);
   }

@@ -10,5 +10,6 @@ extern const Integrator symplectic_euler;
 extern const Integrator velocity_verlet;
 extern const Integrator blanes_moan4;
 extern const Integrator runge_kutta4;
+extern const Integrator dop853;
 
 }  // namespace hooke

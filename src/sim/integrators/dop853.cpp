@@ -1,0 +1,241 @@
+// Dormand and Prince's method of order 8 in 12 stages, with error estimates of order 5 and 3 and steps of its own     (E. Hairer,
+// S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.5 and II.10: DOP853)
+// The slope of y = (x, v) is (v, a), so that with c = A 1 the stages need no slopes of x:
+//   V_i = v + h sum_j A_ij a_j,  X_i = x + h c_i v + h^2 sum_j (A A)_ij a_j,  a_i = a(t + c_i h, X_i, V_i).
+// Eighth order with damping and drag too, which count as forces; stable for h omega < 5.9, h lambda < 6.3, which the
+// error estimate finds by itself.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/field_kernel.h"
+#include "sim/forces.h"
+#include "sim/integrators/rows.h"
+
+namespace hooke {
+namespace {
+
+constexpr int stages = 12;
+using Row = std::array<double, stages>;
+using Matrix = std::array<Row, stages>;
+
+// clang-format off
+constexpr Matrix a{{
+    {},
+    {5.26001519587677318785587544488e-2},
+    {1.97250569845378994544595329183e-2, 5.91751709536136983633785987549e-2},
+    {2.95875854768068491816892993775e-2, 0, 8.87627564304205475450678981324e-2},
+    {2.41365134159266685502369798665e-1, 0, -8.84549479328286085344864962717e-1, 9.24834003261792003115737966543e-1},
+    {3.7037037037037037037037037037e-2, 0, 0, 1.70828608729473871279604482173e-1, 1.25467687566822425016691814123e-1},
+    {3.7109375e-2, 0, 0, 1.70252211019544039314978060272e-1, 6.02165389804559606850219397283e-2, -1.7578125e-2},
+    {3.70920001185047927108779319836e-2, 0, 0, 1.70383925712239993810214054705e-1, 1.07262030446373284651809199168e-1, -1.53194377486244017527936158236e-2, 8.27378916381402288758473766002e-3},
+    {6.24110958716075717114429577812e-1, 0, 0, -3.36089262944694129406857109825, -8.68219346841726006818189891453e-1, 2.75920996994467083049415600797e1, 2.01540675504778934086186788979e1, -4.34898841810699588477366255144e1},
+    {4.77662536438264365890433908527e-1, 0, 0, -2.48811461997166764192642586468, -5.90290826836842996371446475743e-1, 2.12300514481811942347288949897e1, 1.52792336328824235832596922938e1, -3.32882109689848629194453265587e1, -2.03312017085086261358222928593e-2},
+    {-9.3714243008598732571704021658e-1, 0, 0, 5.18637242884406370830023853209, 1.09143734899672957818500254654, -8.14978701074692612513997267357, -1.85200656599969598641566180701e1, 2.27394870993505042818970056734e1, 2.49360555267965238987089396762, -3.0467644718982195003823669022},
+    {2.27331014751653820792359768449, 0, 0, -1.05344954667372501984066689879e1, -2.00087205822486249909675718444, -1.79589318631187989172765950534e1, 2.79488845294199600508499808837e1, -2.85899827713502369474065508674, -8.87285693353062954433549289258, 1.23605671757943030647266201528e1, 6.43392746015763530355970484046e-1},
+}};
+constexpr Row b{5.42937341165687622380535766363e-2, 0, 0, 0, 0, 4.45031289275240888144113950566, 1.89151789931450038304281599044, -5.8012039600105847814672114227, 3.1116436695781989440891606237e-1, -1.52160949662516078556178806805e-1, 2.01365400804030348374776537501e-1, 4.47106157277725905176885569043e-2};
+// b less the weights of the companions of order 5 and 3
+constexpr Row error5{0.01312004499419488073250102996, 0, 0, 0, 0, -1.225156446376204440720569753, -0.4957589496572501915214079952, 1.664377182454986536961530415, -0.3503288487499736816886487290, 0.3341791187130174790297318841, 0.08192320648511571246570742613, -0.02235530786388629525884427845};
+constexpr Row error3 = [] {
+  Row e = b;
+  e[0] -= 0.244094488188976377952755905512;
+  e[8] -= 0.733846688281611857341361741547;
+  e[11] -= 0.0220588235294117647058823529412;
+  return e;
+}();
+// clang-format on
+
+// w A: what the weights w of the slopes of v make of x
+constexpr Row times_a(const Row& w) {
+  Row product{};
+  for (int j = 0; j < stages; ++j) {
+    long double sum = 0.0;
+    for (int i = 0; i < stages; ++i) sum += static_cast<long double>(w[i]) * a[i][j];
+    product[j] = static_cast<double>(sum);
+  }
+  return product;
+}
+
+constexpr Matrix a_squared = [] {
+  Matrix product{};
+  for (int i = 0; i < stages; ++i) product[i] = times_a(a[i]);
+  return product;
+}();
+constexpr Row b_times_a = times_a(b), error5_times_a = times_a(error5), error3_times_a = times_a(error3);
+
+constexpr Row node = [] {
+  Row c{};
+  for (int i = 0; i < stages; ++i)
+    for (int j = 0; j < i; ++j) c[i] += a[i][j];
+  return c;
+}();
+
+// The first slope is motion.a, the others and two fields for the stage at hand are the workspace's.
+Field& slope(Motion& motion, Workspace& work, int stage) { return stage == 0 ? motion.a : work.fields[stage + 1]; }
+
+void prepare(const Plan&, double, const Motion& motion, Workspace& work) { work.size_fields(stages + 1, motion); }
+
+// y += scale sum_j w_j a_j, in pieces that stay in the cache.
+void add_slopes(Field& y, double scale, const Row& w, Motion& motion, Workspace& work) {
+  constexpr std::size_t piece = 1024;
+  for (std::size_t begin = 0; begin < y.size(); begin += piece)
+    for (int j = 0; j < stages; ++j)
+      if (w[j] != 0.0) add_scaled(y.data() + begin, scale * w[j], slope(motion, work, j).data() + begin, std::min(piece, y.size() - begin));
+}
+
+// All but the first of the stages of a step of h from (motion.x, motion.v).
+void compute_slopes(const Plan& plan, Motion& motion, Workspace& work, double time, double h) {
+  Field &x = work.fields[0], &v = work.fields[1];
+  for (int i = 1; i < stages; ++i) {
+    x = motion.x;
+    v = motion.v;
+    add_scaled(x.data(), h * node[i], motion.v.data(), x.size());
+    add_slopes(x, h * h, a_squared[i], motion, work);
+    add_slopes(v, h, a[i], motion, work);
+    Field& slope_i = slope(motion, work, i);
+    compute_forces(plan, time + h * node[i], x, v, slope_i);
+    divide_by_mass(plan, slope_i);
+    ++motion.force_evaluations;
+  }
+}
+
+// Sum of squares over scale [1], per point that moves.
+double mean_square(const Plan& plan, const Field& error) {
+  double sum = 0.0;
+  for (const double e : error) sum += e * e;
+  Index moving = 0;
+  for (const double inverse : plan.inverse_mass) moving += inverse != 0.0 ? 1 : 0;
+  return moving == 0 ? 0.0 : sum / moving;
+}
+
+// The method's estimate, RMS over the points, from those of order 5 and 3: e5^2 / sqrt(e5^2 + e3^2 / 100), of order 8.
+double blend(double square5, double square3) { return square5 == 0.0 ? 0.0 : square5 / std::sqrt(square5 + 0.01 * square3); }
+
+struct LocalError {
+  double position = 0.0, velocity = 0.0;  // [m], [m/s]
+};
+
+LocalError estimate_error(const Plan& plan, Motion& motion, Workspace& work, double h) {
+  Field& error = work.fields[0];
+  const auto square = [&](double scale, const Row& w) {
+    std::fill(error.begin(), error.end(), 0.0);
+    add_slopes(error, scale, w, motion, work);
+    return mean_square(plan, error);
+  };
+  return {blend(square(h * h, error5_times_a), square(h * h, error3_times_a)), blend(square(h, error5), square(h, error3))};
+}
+
+// The first step, when none is remembered: a radian of the fastest mode there can be, or all of it.
+double first_step(const Plan& plan, double span) {
+  const double rate = std::max({plan.spectrum.omega, plan.spectrum.dashpot_rate, plan.spectrum.drag_rate});
+  return rate * span > 1.0 ? 1.0 / rate : span;
+}
+
+// What counts as no error [m], [m/s]: the tolerance, a velocity being judged by where it leads within a second; and never
+// less than the rounding of coordinates and of forces.
+struct Allowed {
+  double position, velocity;
+  Allowed(const Plan& plan, const Motion& motion, double tolerance) {
+    double reach = 0.0;
+    for (const double x : motion.x) reach = std::max(reach, std::abs(x));
+    constexpr double round_off = 1e-14;
+    position = std::max(tolerance, round_off * reach);
+    velocity = std::max(tolerance, round_off * reach * (plan.spectrum.omega + plan.spectrum.dashpot_rate));
+  }
+};
+
+constexpr double default_tolerance = 1e-8;  // [m]
+
+constexpr double least_factor = 1.0 / 3.0, greatest_factor = 6.0;
+
+// Hairer's controller (II.4 and DOP853): step *= safety error^-alpha (error before)^beta, within bounds.
+double step_factor(double error, double error_before) {
+  constexpr double beta = 0.04, alpha = 1.0 / 8.0 - 0.75 * beta, safety = 0.9;
+  if (!std::isfinite(error)) return least_factor;
+  return std::clamp(safety * std::pow(error, -alpha) * std::pow(error_before, beta), least_factor, greatest_factor);
+}
+
+void step(const Plan& plan, Motion& motion, Workspace& work, double span) {
+  constexpr double least_error = 1e-4, least_step = 1e-9;
+  const Allowed allowed(plan, motion, work.tolerance.value_or(default_tolerance));
+  MethodMemory& memory = motion.memory;
+  if (memory.step == 0.0) memory = {.step = first_step(plan, span), .error = least_error};
+
+  bool rejected = false;
+  for (double left = span, time = motion.time; left > 0.0;) {
+    // equal steps to the end of the span, none longer than the step remembered
+    const double pieces = std::ceil(left / memory.step * (1.0 - 1e-12));
+    const bool last = pieces <= 1.0;
+    const double h = last ? left : left / pieces;
+
+    if (!motion.acceleration_is_current) {
+      compute_forces(plan, time, motion.x, motion.v, motion.a);
+      divide_by_mass(plan, motion.a);
+      ++motion.force_evaluations;
+      motion.acceleration_is_current = true;
+    }
+    compute_slopes(plan, motion, work, time, h);
+    const LocalError local = estimate_error(plan, motion, work, h);
+    const double error = std::hypot(local.position / allowed.position, local.velocity / allowed.velocity);
+
+    // too coarse: again, shorter; where no step is short enough the scene has left all numbers, and is passed on as it is
+    const bool hopeless = h < least_step * span;
+    if (!(error <= 1.0) && !hopeless) {
+      memory.step = h * std::min(1.0, step_factor(error, 1.0));
+      rejected = true;
+      continue;
+    }
+
+    add_scaled(motion.x.data(), h, motion.v.data(), motion.x.size());
+    add_slopes(motion.x, h * h, b_times_a, motion, work);
+    add_slopes(motion.v, h, b, motion, work);
+    motion.acceleration_is_current = false;
+    motion.local_error += local.position;
+    left = last || hopeless ? 0.0 : left - h;
+    time += h;
+
+    // a step cut short by the end of the span says little of how long it might have been
+    const double factor = step_factor(error, memory.error);
+    memory.step = factor == greatest_factor ? std::max(memory.step, factor * h) : factor * h;
+    if (rejected) memory.step = std::min(memory.step, h);
+    memory.error = std::max(error, least_error);
+    rejected = false;
+  }
+}
+
+// k_i = z (1 + sum_j A_ij k_j),  R = 1 + sum_i b_i k_i
+std::complex<double> stability_function(std::complex<double> z) {
+  std::array<std::complex<double>, stages> k;
+  std::complex<double> r = 1.0;
+  for (int i = 0; i < stages; ++i) {
+    std::complex<double> y = 1.0;
+    for (int j = 0; j < i; ++j) y += a[i][j] * k[j];
+    k[i] = z * y;
+    r += b[i] * k[i];
+  }
+  return r;
+}
+
+Amplification amplification(const Oscillator& oscillator) { return amplification_from(stability_function, oscillator); }
+
+}  // namespace
+
+constinit const Integrator dop853{
+    .id = "dop853",
+    .label = "Dormand-Prince 8(5,3)",
+    .summary = "Eighth order with steps chosen by the tolerance: tight errors, with damping too, and the reference for all others.",
+    .needs = "twelve force evaluations a step of its own",
+    .order = 8,
+    .order_drag = 8,
+    .order_damped = 8,
+    .order_contact = 2,
+    .stability = Stability::Adaptive,
+    .energy = EnergyTrend::Drifts,
+    .symplectic = false,
+    .prepare = prepare,
+    .step = step,
+    .amplification = amplification,
+};
+
+}  // namespace hooke
