@@ -1,0 +1,48 @@
+#include "lab/stable_stepping.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+
+#include "lab/diagnosis.h"
+#include "lab/file_limits.h"
+#include "sim/integrator.h"
+#include "sim/plan.h"
+
+namespace hooke {
+
+std::optional<std::string> choose_stable_stepping(Scene& scene, int least_substeps) {
+  Settings& settings = scene.settings;
+  const Spectrum spectrum = bound_spectrum(scene.system);
+  const Integrator& verlet = *find_integrator("velocity_verlet");
+  const auto fewest = fewest_stable_substeps(verlet, spectrum, settings.frame_rate);
+
+  // at half the limit the fastest mode still turns with some accuracy: six steps a period
+  constexpr int most_affordable = 5000;
+  settings.integrator = &verlet;
+  settings.substeps = least_substeps;
+  if (fewest && *fewest <= most_affordable / 2) {
+    settings.substeps = std::max(least_substeps, 2 * *fewest);
+    return std::nullopt;
+  }
+
+  // an implicit step is worth thousands of explicit ones
+  for (const std::string_view id : {"tr_bdf2", "implicit_midpoint", "implicit_euler"}) {
+    const Integrator* implicit = find_integrator(id);
+    if (!implicit) continue;
+    const auto needed = fewest_stable_substeps(*implicit, spectrum, settings.frame_rate);
+    if (!needed || *needed > most_affordable) continue;
+    settings.integrator = implicit;
+    settings.substeps = std::max(least_substeps, *needed);
+    return std::nullopt;
+  }
+
+  if (fewest) {
+    settings.substeps = std::max(least_substeps, *fewest);
+    return "its springs are so stiff that it takes " + std::to_string(*fewest) + " substeps a frame: it will run slowly";
+  }
+  settings.substeps = most_substeps;
+  return "its springs are so stiff that no step holds: expect it to blow up";
+}
+
+}  // namespace hooke

@@ -1,0 +1,195 @@
+// The other way of xsp_file.h: a scene as an .xsp file.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "lab/text_lines.h"
+#include "lab/xsp_file.h"
+#include "lab/xsp_text.h"
+
+namespace hooke {
+namespace {
+
+// The simplest number of pixels that reads back as these metres, bit for bit where there is one.
+double pixels(double metres) {
+  for (const int digits : {15, 16, 17}) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*g", digits, metres * xsp_pixels_per_metre);
+    const double value = std::strtod(text, nullptr);
+    if (value / xsp_pixels_per_metre == metres) return value;
+  }
+  return metres * xsp_pixels_per_metre;
+}
+
+// The solid planes that stand as the sides of a window do.
+struct Wall {
+  XspSide side;
+  double place = 0.0;  // [m], where a point's centre turns round: its x or y
+  const Collider* collider = nullptr;
+};
+
+std::optional<XspSide> side_of(const Vec3& normal) {
+  if (normal == Vec3(0.0, -1.0, 0.0)) return XspSide::Top;
+  if (normal == Vec3(1.0, 0.0, 0.0)) return XspSide::Left;
+  if (normal == Vec3(-1.0, 0.0, 0.0)) return XspSide::Right;
+  if (normal == Vec3(0.0, 1.0, 0.0)) return XspSide::Bottom;
+  return std::nullopt;
+}
+
+class Exporter {
+ public:
+  Exporter(const Scene& scene, const std::string& file, std::vector<std::string>& lost)
+      : scene_(scene), system_(scene.system), file_(file), lost_(lost) {}
+
+  std::string text() {
+    if (system_.dimensions != 2)
+      throw Refused(file_ + ": dimensions: " + std::to_string(system_.dimensions) + ": must be 2 to be written as .xsp");
+    find_walls();
+    place_window();
+    put_forces();
+    put_walls();
+    put_masses();
+    put_springs();
+    put_editor();
+    note_losses();
+    return format_xsp_text(document_);
+  }
+
+ private:
+  void find_walls() {
+    std::size_t others = 0;
+    for (const Collider& collider : system_.colliders) {
+      if (!collider.solid) continue;
+      const Plane* plane = std::get_if<Plane>(&collider.shape);
+      const auto side = plane ? side_of(plane->normal) : std::nullopt;
+      const double radius = system_.points().empty() ? 0.0 : system_.points()[0].radius;
+      const bool is_known = side && std::any_of(walls_.begin(), walls_.end(), [&](const Wall& wall) { return wall.side == *side; });
+      if (!side || is_known)
+        ++others;
+      else
+        walls_.push_back({*side, glm::dot(plane->point + radius * plane->normal, glm::abs(plane->normal)), &collider});
+    }
+    if (others > 0) lose(count_of(others, "collider", "colliders"));
+  }
+
+  const Wall* wall_at(XspSide side) const {
+    const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& one) { return one.side == side; });
+    return wall == walls_.end() ? nullptr : &*wall;
+  }
+
+  // Moves the scene so that its walls are the window's sides, or, where it has none, so that it is in the window.
+  void place_window() {
+    Vec3 least(0.0), most(0.0);
+    for (std::size_t i = 0; i < scene_.state.position.size(); ++i) {
+      least = i == 0 ? scene_.state.position[i] : glm::min(least, scene_.state.position[i]);
+      most = i == 0 ? scene_.state.position[i] : glm::max(most, scene_.state.position[i]);
+    }
+    const auto shift = [&](XspSide low, XspSide high, double width, double from, double to) {
+      const double size = width / xsp_pixels_per_metre;
+      if (const Wall* wall = wall_at(low)) return -wall->place;
+      if (const Wall* wall = wall_at(high)) return size - wall->place;
+      return from >= 0.0 && to <= size ? 0.0 : 0.5 * size - 0.5 * (from + to);
+    };
+    shift_.x = shift(XspSide::Left, XspSide::Right, xsp_window_width, least.x, most.x);
+    shift_.y = shift(XspSide::Bottom, XspSide::Top, xsp_window_height, least.y, most.y);
+    if (shift_ != Vec3(0.0))
+      lose("the origin: everything is moved by (" + short_text(shift_.x) + ", " + short_text(shift_.y) + ") m, into the window");
+  }
+
+  // With drag relative to a wind, a = g - c (v - w) = (g + c w) - c v.
+  void put_forces() {
+    document_.viscosity = system_.drag_rate();
+    const Vec3 acceleration = system_.gravity + system_.drag_rate() * system_.wind;
+    const double size = std::hypot(acceleration.x, acceleration.y);
+    const double angle = size > 0.0 ? glm::degrees(std::atan2(acceleration.x, -acceleration.y)) : 0.0;
+    document_.forces = {{0, {size > 0.0, pixels(size), angle}}, {1, {}}, {2, {}}, {3, {}}};
+  }
+
+  void put_walls() {
+    double window[] = {xsp_window_height, 0.0, xsp_window_width, 0.0};
+    double friction = 0.0, restitution = walls_.empty() ? 1.0 : walls_[0].collider->restitution;
+    bool moved = false, differ = false;
+    for (const Wall& wall : walls_) {
+      const auto side = static_cast<std::size_t>(wall.side);
+      const bool is_upright = wall.side == XspSide::Left || wall.side == XspSide::Right;
+      const double place = (wall.place + (is_upright ? shift_.x : shift_.y)) * xsp_pixels_per_metre;
+      document_.walls[side] = true;
+      moved = moved || std::abs(place - window[side]) > 0.01;
+      differ = differ || wall.collider->restitution != restitution;
+      friction = std::max(friction, wall.collider->friction);
+    }
+    document_.new_elasticity = restitution;
+    if (moved) lose("the places of the walls: they are the sides of the window");
+    if (differ) lose("the walls' own restitutions: all have the first one's");
+    if (friction > 0.0) lose("the walls' friction");
+  }
+
+  void put_masses() {
+    int id = 0;
+    for (Index i = 0; i < system_.point_count(); ++i) {
+      const Point& point = system_.points()[i];
+      const Vec3 x = scene_.state.position[i] + shift_, v = scene_.state.velocity[i];
+      document_.masses.push_back({.id = ++id,
+                                  .x = pixels(x.x),
+                                  .y = pixels(x.y),
+                                  .vx = pixels(v.x),
+                                  .vy = pixels(v.y),
+                                  .mass = point.nailed ? -point.mass : point.mass,
+                                  .elasticity = document_.new_elasticity});
+      const XspMass& mass = document_.masses.back();
+      for (const double value : {mass.x, mass.y, mass.vx, mass.vy})
+        if (!std::isfinite(value)) throw Refused(file_ + ": points[" + std::to_string(i) + "]: too large a number for .xsp");
+    }
+  }
+
+  void put_springs() {
+    int id = 0;
+    for (const Spring& spring : system_.springs())
+      document_.springs.push_back({.id = ++id,
+                                   .first = system_.index_of(spring.first) + 1,
+                                   .second = system_.index_of(spring.second) + 1,
+                                   .stiffness = spring.stiffness,
+                                   .damping = system_.damping_of(spring),
+                                   .rest_length = pixels(spring.rest_length)});
+  }
+
+  void put_editor() {
+    document_.new_mass = scene_.defaults.mass;
+    document_.new_stiffness = scene_.defaults.stiffness;
+    document_.new_damping = scene_.defaults.damping;
+    document_.step = scene_.settings.substep();
+    if (scene_.settings.tolerance) {
+      document_.adaptive = true;
+      document_.precision = pixels(*scene_.settings.tolerance);
+    }
+  }
+
+  void note_losses() {
+    const auto& springs = system_.springs();
+    const auto breaking =
+        std::count_if(springs.begin(), springs.end(), [](const Spring& spring) { return spring.break_strain != never_breaks; });
+    if (breaking > 0) lose("the break strains of " + count_of(static_cast<std::size_t>(breaking), "spring", "springs"));
+    if (!system_.faces.empty()) lose(count_of(system_.faces.size(), "face", "faces"));
+  }
+
+  void lose(const std::string& what) { lost_.push_back(file_ + ": .xsp has no place for " + what); }
+
+  const Scene& scene_;
+  const System& system_;
+  const std::string& file_;
+  std::vector<std::string>& lost_;
+  std::vector<Wall> walls_;
+  Vec3 shift_{0.0};  // [m]
+  XspDocument document_;
+};
+
+}  // namespace
+
+std::string format_xsp(const Scene& scene, const std::string& file, std::vector<std::string>& lost) {
+  return Exporter(scene, file, lost).text();
+}
+
+}  // namespace hooke

@@ -1,0 +1,208 @@
+#include "lab/xsp_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "lab/stable_stepping.h"
+#include "lab/text_lines.h"
+#include "lab/xsp_text.h"
+
+namespace hooke {
+namespace {
+
+constexpr double point_radius = 0.03;  // [m], of every mass
+constexpr int gravity_force = 0;
+
+struct Rectangle {
+  double left = 0.0, right = xsp_window_width, bottom = 0.0, top = xsp_window_height;  // [pixels]
+};
+
+// The window, made larger where masses lie beyond it.
+Rectangle window_around(const std::vector<XspMass>& masses) {
+  constexpr double margin = 1.0;
+  Rectangle window;
+  for (const XspMass& mass : masses) {
+    if (mass.x < 0.0) window.left = std::min(window.left, mass.x - margin);
+    if (mass.x > xsp_window_width) window.right = std::max(window.right, mass.x + margin);
+    if (mass.y < 0.0) window.bottom = std::min(window.bottom, mass.y - margin);
+    if (mass.y > xsp_window_height) window.top = std::max(window.top, mass.y + margin);
+  }
+  return window;
+}
+
+// The commonest elasticity of the masses that can hit a wall; how many have another.
+struct Elasticity {
+  double value = 1.0;
+  std::size_t others = 0;
+};
+Elasticity common_elasticity(const XspDocument& document) {
+  std::map<double, std::size_t> counts;
+  std::size_t free = 0;
+  for (const XspMass& mass : document.masses)
+    if (mass.mass > 0.0) {
+      ++counts[mass.elasticity];
+      ++free;
+    }
+  if (counts.empty()) return {document.new_elasticity, 0};
+  const auto most = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return {most->first, free - most->second};
+}
+
+class Importer {
+ public:
+  Importer(const XspDocument& document, const std::string& file) : document_(document), file_(file) {}
+
+  LoadedScene import() {
+    Scene& scene = loaded_.scene;
+    scene.name = std::filesystem::path(file_).stem().string();
+    scene.system.dimensions = 2;
+    take_masses();
+    take_springs();
+    take_forces();
+    take_walls();
+    take_editor();
+    take_stepping();
+    for (const std::string& place : document_.repeated) warn(place + ": set before already; the last one counts");
+    return std::move(loaded_);
+  }
+
+ private:
+  void warn(const std::string& sentence) { loaded_.warnings.push_back(file_ + ": " + sentence); }
+
+  void take_masses() {
+    System& system = loaded_.scene.system;
+    std::vector<Point> points;
+    for (const XspMass& mass : document_.masses) {
+      const PointId id = system.new_point_id();
+      point_of_.emplace_back(mass.id, id);
+      points.push_back({.id = id, .nailed = mass.mass < 0.0, .mass = std::abs(mass.mass), .radius = point_radius});
+      loaded_.scene.state.position.push_back(Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_metre);
+      loaded_.scene.state.velocity.push_back(Vec3(mass.vx, mass.vy, 0.0) / xsp_pixels_per_metre);
+    }
+    system.set_points(std::move(points));
+    std::sort(point_of_.begin(), point_of_.end());
+  }
+
+  PointId point_of(int mass) const { return std::lower_bound(point_of_.begin(), point_of_.end(), std::pair(mass, PointId{}))->second; }
+
+  void take_springs() {
+    System& system = loaded_.scene.system;
+    std::vector<Spring> springs;
+    for (const XspSpring& spring : document_.springs)
+      springs.push_back({.id = system.new_spring_id(),
+                         .first = point_of(spring.first),
+                         .second = point_of(spring.second),
+                         .stiffness = spring.stiffness,
+                         .damping = spring.damping,
+                         .rest_length = spring.rest_length / xsp_pixels_per_metre});
+    const auto lies_in_a_point = [&](const Spring& spring) {
+      const auto& position = loaded_.scene.state.position;
+      return position[system.index_of(spring.first)] == position[system.index_of(spring.second)];
+    };
+    const auto count = static_cast<std::size_t>(std::count_if(springs.begin(), springs.end(), lies_in_a_point));
+    if (count > 0)
+      warn(count_of(count, "spring joins", "springs join") + " masses at the same place: no force between them until they part");
+    system.set_springs(std::move(springs));
+  }
+
+  void take_forces() {
+    System& system = loaded_.scene.system;
+    system.gravity = Vec3(0.0);
+    system.drag = document_.viscosity;
+    bool has_center = false;
+    for (const auto& [id, force] : document_.forces) {
+      if (!force.active) continue;
+      has_center = has_center || id == 1 || id == 2;
+      switch (id) {
+        case gravity_force: {
+          // p2 turns "down" towards +x
+          const double angle = glm::radians(force.p2);
+          system.gravity = force.p1 / xsp_pixels_per_metre * Vec3(std::sin(angle), -std::cos(angle), 0.0);
+          break;
+        }
+        case 1:
+          warn("force 1 (the centre of mass is pulled to the centre) is left out");
+          break;
+        case 2:
+          warn("force 2 (every mass is pulled to the centre) is left out");
+          break;
+        case 3:
+          warn("force 3 (the walls push off) is left out");
+          break;
+        default:
+          warn("force " + std::to_string(id) + " is unknown and left out");
+      }
+    }
+    if (has_center && document_.center != -1) warn("the centre of forces, mass " + std::to_string(document_.center) + ", is left out");
+  }
+
+  void take_walls() {
+    const auto& walls = document_.walls;
+    if (std::none_of(walls.begin(), walls.end(), [](bool there) { return there; })) return;
+    const Rectangle window = window_around(document_.masses);
+    const Elasticity elasticity = common_elasticity(document_);
+    const double restitution = std::clamp(elasticity.value, 0.0, 1.0);
+
+    // a mass turns round when its centre is at the window's edge: the wall stands a radius further out
+    const auto add = [&](XspSide side, double x, double y, const Vec3& normal) {
+      if (!walls[static_cast<std::size_t>(side)]) return;
+      const Plane plane{Vec3(x, y, 0.0) / xsp_pixels_per_metre - point_radius * normal, normal};
+      loaded_.scene.system.colliders.push_back({.shape = plane, .restitution = restitution});
+    };
+    add(XspSide::Top, 0.0, window.top, Vec3(0.0, -1.0, 0.0));
+    add(XspSide::Left, window.left, 0.0, Vec3(1.0, 0.0, 0.0));
+    add(XspSide::Right, window.right, 0.0, Vec3(-1.0, 0.0, 0.0));
+    add(XspSide::Bottom, 0.0, window.bottom, Vec3(0.0, 1.0, 0.0));
+
+    warn("the file does not tell the window's size: the walls stand at x = " + short_text(window.left) + " and " +
+         short_text(window.right) + ", y = " + short_text(window.bottom) + " and " + short_text(window.top) + " pixels");
+    if (elasticity.others > 0)
+      warn(count_of(elasticity.others, "mass", "masses") + " of another elasticity than " + short_text(elasticity.value) +
+           ", with which all of them bounce off the walls");
+    if (restitution != elasticity.value) warn("elasticity " + short_text(elasticity.value) + " is taken as " + short_text(restitution));
+    if (document_.stickiness != 0.0) warn("stickiness " + short_text(document_.stickiness) + " of the walls is left out");
+  }
+
+  // What new masses and springs get.
+  void take_editor() {
+    Defaults& defaults = loaded_.scene.defaults;
+    defaults.radius = point_radius;
+    const auto take = [&](double& ours, double theirs, bool allowed, const std::string& name) {
+      if (allowed)
+        ours = theirs;
+      else
+        warn(name + " " + short_text(theirs) + " of new masses and springs is taken as " + short_text(ours));
+    };
+    take(defaults.mass, std::abs(document_.new_mass), document_.new_mass != 0.0, "cmas");
+    take(defaults.stiffness, document_.new_stiffness, document_.new_stiffness >= 0.0, "kspr");
+    take(defaults.damping, document_.new_damping, document_.new_damping >= 0.0, "kdmp");
+    if (document_.new_masses_fixed) warn("new masses are not fixed by themselves here (fixm)");
+    if (!document_.springs_shown) warn("the springs are shown, though the file hides them (shws)");
+    if (document_.snaps) warn("points do not snap to the grid (gsnp)");
+  }
+
+  void take_stepping() {
+    Scene& scene = loaded_.scene;
+    if (document_.adaptive && document_.precision > 0.0) scene.settings.tolerance = document_.precision / xsp_pixels_per_metre;
+
+    // at least as fine as the file's own step, within reason
+    constexpr double most_wished = 1000.0;
+    const double wished = std::min(most_wished, std::ceil(1.0 / (scene.settings.frame_rate * document_.step)));
+    if (const auto warning = choose_stable_stepping(scene, std::max(Settings().substeps, static_cast<int>(wished)))) warn(*warning);
+  }
+
+  const XspDocument& document_;
+  const std::string& file_;
+  std::vector<std::pair<int, PointId>> point_of_;  // by the mass's id
+  LoadedScene loaded_;
+};
+
+}  // namespace
+
+LoadedScene parse_xsp(std::string_view text, const std::string& file) {
+  const XspDocument document = parse_xsp_text(text, file);
+  return Importer(document, file).import();
+}
+
+}  // namespace hooke
