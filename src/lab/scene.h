@@ -52,4 +52,7 @@ struct Scene {
   KeptJson kept;
 };
 
+// A flat stage with a floor, to build on.
+Scene empty_scene();
+
 }  // namespace hooke

@@ -1,0 +1,205 @@
+#include "lab/pick.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+
+namespace hooke {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// The part of a segment in front of the viewer is where the clip coordinate w is above this share of its larger end.
+constexpr double least_w = 1e-9;
+
+glm::dvec2 to_picture(const glm::dvec4& clip, const glm::dvec2& size) {
+  return {(0.5 + 0.5 * clip.x / clip.w) * size.x, (0.5 - 0.5 * clip.y / clip.w) * size.y};
+}
+
+// The picture of a segment, cut where it passes behind the viewer; none when all of it is behind.
+struct SeenSegment {
+  glm::dvec2 from, to;
+};
+std::optional<SeenSegment> seen_segment(const Lens& lens, const Vec3& from, const Vec3& to) {
+  glm::dvec4 a = lens.clip * glm::dvec4(from, 1.0), b = lens.clip * glm::dvec4(to, 1.0);
+  const double w = least_w * std::max(std::abs(a.w), std::abs(b.w));
+  if (a.w <= w && b.w <= w) return std::nullopt;
+  if (a.w <= w) a = glm::mix(a, b, (w - a.w) / (b.w - a.w));
+  if (b.w <= w) b = glm::mix(b, a, (w - b.w) / (a.w - b.w));
+  return SeenSegment{to_picture(a, lens.size), to_picture(b, lens.size)};
+}
+
+// Place on the segment nearest to p, as a share of its length, and the distance to it.
+struct Nearest {
+  double share, distance;
+};
+Nearest nearest_on(const SeenSegment& segment, const glm::dvec2& p) {
+  const glm::dvec2 along = segment.to - segment.from;
+  const double squared = glm::dot(along, along);
+  const double share = squared > 0.0 ? std::clamp(glm::dot(p - segment.from, along) / squared, 0.0, 1.0) : 0.0;
+  return {share, glm::distance(p, segment.from + share * along)};
+}
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+bool cross_each_other(const SeenSegment& a, const SeenSegment& b) {
+  const glm::dvec2 along_a = a.to - a.from, along_b = b.to - b.from;
+  return cross(along_a, b.from - a.from) * cross(along_a, b.to - a.from) <= 0.0 &&
+         cross(along_b, a.from - b.from) * cross(along_b, a.to - b.from) < 0.0;
+}
+
+// Distances from the line's origin to where it enters each shape from outside; infinity when it does not.
+
+double distance_to(const Plane& plane, const SightLine& line, Vec3& normal) {
+  normal = plane.normal;
+  const double approach = -glm::dot(line.direction, plane.normal);
+  const double height = glm::dot(line.origin - plane.point, plane.normal);
+  return approach > 0.0 && height > 0.0 ? height / approach : infinity;
+}
+
+// |o + t d - c| = r with |d| = 1, the smaller root.
+double distance_to(const Vec3& center, double radius, const SightLine& line) {
+  const Vec3 to_center = center - line.origin;
+  const double along = glm::dot(to_center, line.direction);
+  const Vec3 miss = to_center - along * line.direction;
+  const double half_chord_squared = radius * radius - glm::dot(miss, miss);
+  if (half_chord_squared < 0.0) return infinity;
+  const double distance = along - std::sqrt(half_chord_squared);
+  return distance > 0.0 ? distance : infinity;
+}
+
+double distance_to(const Sphere& sphere, const SightLine& line, Vec3& normal) {
+  const double distance = distance_to(sphere.center, sphere.radius, line);
+  if (distance < infinity) normal = (line.at(distance) - sphere.center) / sphere.radius;
+  return distance;
+}
+
+// Slabs: the line is inside the box where it is between all three pairs of sides.
+double distance_to(const Box& box, const SightLine& line, Vec3& normal) {
+  double enter = 0.0, leave = infinity;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double direction = line.direction[axis], origin = line.origin[axis];
+    if (direction == 0.0) {
+      if (origin < box.least[axis] || origin > box.most[axis]) return infinity;
+      continue;
+    }
+    const double near_side = direction > 0.0 ? box.least[axis] : box.most[axis];
+    const double far_side = direction > 0.0 ? box.most[axis] : box.least[axis];
+    const double in = (near_side - origin) / direction;
+    if (in > enter) {
+      enter = in;
+      normal = Vec3(0.0);
+      normal[axis] = direction > 0.0 ? -1.0 : 1.0;
+    }
+    leave = std::min(leave, (far_side - origin) / direction);
+  }
+  return enter > 0.0 && enter < leave ? enter : infinity;
+}
+
+// Whether a collider stands before this place, which may itself lie `radius` deep in one. In a 2-D scene nothing does.
+bool is_hidden(const Snapshot& snapshot, const Lens& lens, const Vec3& place, double radius) {
+  if (snapshot.system->dimensions == 2 || snapshot.system->colliders.empty()) return false;
+  const std::optional<glm::dvec2> seen = seen_at(lens, place);
+  if (!seen) return true;
+  const SightLine line = sight_line(lens, *seen);
+  const std::optional<ColliderHit> hit = hit_collider(*snapshot.system, line);
+  const double distance = glm::dot(place - line.origin, line.direction);
+  return hit && hit->distance < distance * (1.0 - 1e-6) - radius;
+}
+
+}  // namespace
+
+SightLine sight_line(const Lens& lens, const glm::dvec2& cursor) {
+  const glm::dmat4 world = glm::inverse(lens.clip);
+  const double x = 2.0 * cursor.x / lens.size.x - 1.0, y = 1.0 - 2.0 * cursor.y / lens.size.y;
+  const glm::dvec4 front = world * glm::dvec4(x, y, -1.0, 1.0), behind = world * glm::dvec4(x, y, 0.0, 1.0);
+  const Vec3 origin = Vec3(front) / front.w;
+  return {origin, glm::normalize(Vec3(behind) / behind.w - origin)};
+}
+
+std::optional<glm::dvec2> seen_at(const Lens& lens, const Vec3& place) {
+  const glm::dvec4 clip = lens.clip * glm::dvec4(place, 1.0);
+  if (clip.w <= 0.0) return std::nullopt;
+  return to_picture(clip, lens.size);
+}
+
+std::optional<ColliderHit> hit_collider(const System& system, const SightLine& line) {
+  std::optional<ColliderHit> nearest;
+  for (const Collider& collider : system.colliders) {
+    if (!collider.solid) continue;
+    Vec3 normal(0.0);
+    const double distance = std::visit([&](const auto& shape) { return distance_to(shape, line, normal); }, collider.shape);
+    if (distance < (nearest ? nearest->distance : infinity))
+      nearest = ColliderHit{distance, line.at(distance), normal, !std::holds_alternative<Plane>(collider.shape)};
+  }
+  return nearest;
+}
+
+std::optional<PointId> pick_point(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor, double reach) {
+  const std::vector<Point>& points = snapshot.system->points();
+  const SightLine line = sight_line(lens, cursor);
+  std::optional<PointId> under, beside;
+  double front = infinity, nearest = reach;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3& place = snapshot.state.position[i];
+
+    // under the cursor: the ball whose front is nearest to the viewer
+    const double distance = distance_to(place, points[i].radius, line);
+    if (distance < front && !is_hidden(snapshot, lens, place, points[i].radius)) {
+      front = distance;
+      under = points[i].id;
+    }
+    if (under) continue;
+
+    // beside it: the nearest in the picture
+    const std::optional<glm::dvec2> seen = seen_at(lens, place);
+    const double gap = seen ? glm::distance(*seen, cursor) : infinity;
+    if (gap <= nearest && !is_hidden(snapshot, lens, place, points[i].radius)) {
+      nearest = gap;
+      beside = points[i].id;
+    }
+  }
+  return under ? under : beside;
+}
+
+std::optional<SpringId> pick_spring(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor, double reach) {
+  std::optional<SpringId> picked;
+  double nearest = reach;
+  for (const Spring& spring : snapshot.system->springs()) {
+    const Vec3 &from = snapshot.position(spring.first), &to = snapshot.position(spring.second);
+    const std::optional<SeenSegment> seen = seen_segment(lens, from, to);
+    if (!seen) continue;
+    const Nearest place = nearest_on(*seen, cursor);
+    if (place.distance <= nearest && !is_hidden(snapshot, lens, glm::mix(from, to, place.share), 0.0)) {
+      nearest = place.distance;
+      picked = spring.id;
+    }
+  }
+  return picked;
+}
+
+std::vector<PointId> points_in_box(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& corner, const glm::dvec2& opposite) {
+  const glm::dvec2 least = glm::min(corner, opposite), most = glm::max(corner, opposite);
+  std::vector<PointId> inside;
+  for (Index i = 0; i < snapshot.system->point_count(); ++i) {
+    const std::optional<glm::dvec2> seen = seen_at(lens, snapshot.state.position[i]);
+    if (seen && seen->x >= least.x && seen->x <= most.x && seen->y >= least.y && seen->y <= most.y)
+      inside.push_back(snapshot.system->points()[i].id);
+  }
+  std::ranges::sort(inside);
+  return inside;
+}
+
+std::vector<SpringId> springs_across(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& from, const glm::dvec2& to) {
+  std::vector<SpringId> crossed;
+  for (const Spring& spring : snapshot.system->springs()) {
+    const std::optional<SeenSegment> seen = seen_segment(lens, snapshot.position(spring.first), snapshot.position(spring.second));
+    if (seen && cross_each_other(*seen, {from, to})) crossed.push_back(spring.id);
+  }
+  return crossed;
+}
+
+}  // namespace hooke

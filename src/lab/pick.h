@@ -1,0 +1,51 @@
+// What is under the cursor. Works from a Snapshot and a Lens; what is picked is what is seen.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "sim/snapshot.h"
+
+namespace hooke {
+
+// How the world becomes a picture. Cursors are in the unit of `size`, from the picture's top left.
+struct Lens {
+  glm::dmat4 clip{1.0};  // world to clip coordinates: projection * view
+  glm::dvec2 size{1.0};  // [px]
+};
+
+struct SightLine {
+  Vec3 origin{0.0}, direction{0.0, 0.0, -1.0};  // direction of unit length, away from the viewer
+  Vec3 at(double distance) const { return origin + distance * direction; }
+};
+
+// Everything that is seen at this place of the picture. Starts at the near plane.
+SightLine sight_line(const Lens& lens, const glm::dvec2& cursor);
+
+// Where a place of the world is seen; none when it is behind the viewer.
+std::optional<glm::dvec2> seen_at(const Lens& lens, const Vec3& place);
+
+// Where the line first meets a solid collider from outside.
+struct ColliderHit {
+  double distance;  // [m], along the line
+  Vec3 position, normal;
+  bool bounded;  // a sphere or a box, not an endless plane
+};
+std::optional<ColliderHit> hit_collider(const System& system, const SightLine& line);
+
+// The point whose ball is seen under the cursor, else the nearest within `reach` [px] of it. Points behind a collider are
+// passed over.
+std::optional<PointId> pick_point(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor, double reach);
+
+// The spring nearest to the cursor within `reach` [px].
+std::optional<SpringId> pick_spring(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor, double reach);
+
+// Points seen within the rectangle between two corners, in ascending order of their ids.
+std::vector<PointId> points_in_box(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& corner, const glm::dvec2& opposite);
+
+// Springs whose picture the cursor's way from `from` to `to` crosses.
+std::vector<SpringId> springs_across(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& from, const glm::dvec2& to);
+
+}  // namespace hooke
