@@ -29,6 +29,7 @@ void LabThread::post(Task task, bool urgent) {
   {
     const std::lock_guard lock(mutex_);
     tasks_.push_back(std::move(task));
+    ++posted_count_;
     if (urgent) urgent_ = true;
   }
   posted_.notify_one();
@@ -58,6 +59,11 @@ std::future<std::shared_ptr<const Scene>> LabThread::copy_scene() {
       },
       true);
   return future;
+}
+
+bool LabThread::settle(std::chrono::milliseconds at_most) {
+  std::unique_lock lock(mutex_);
+  return published_.wait_for(lock, at_most, [&, asked = posted_count_] { return published_count_ >= asked; });
 }
 
 PointId LabThread::new_point_id() {
@@ -93,8 +99,12 @@ void LabThread::work() {
     for (const Task& task : tasks) task(lab_);
     lab_.advance(elapsed, [&] { return !stopping_ && !urgent_ && Clock::now() - now < longest_silence; });
 
-    const std::lock_guard lock(mutex_);
-    status_ = lab_.status();
+    {
+      const std::lock_guard lock(mutex_);
+      status_ = lab_.status();
+      published_count_ += static_cast<long>(tasks.size());
+    }
+    published_.notify_all();
   }
 }
 

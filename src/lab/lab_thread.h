@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <future>
@@ -32,6 +33,9 @@ class LabThread {
   // A copy of the scene after all that was submitted before, between two frames: to be saved. Ready when the thread gets to it.
   std::future<std::shared_ptr<const Scene>> copy_scene();
 
+  // Waits until the status shows all that was submitted before, at most so long. Whether it does.
+  bool settle(std::chrono::milliseconds at_most);
+
   // Ids for the points and springs of a coming Insert.
   PointId new_point_id();
   SpringId new_spring_id();
@@ -46,6 +50,8 @@ class LabThread {
   std::condition_variable posted_;
   std::vector<Task> tasks_;                    // guarded by mutex_
   std::shared_ptr<const Status> status_;       // guarded by mutex_
+  std::condition_variable published_;
+  long posted_count_ = 0, published_count_ = 0;  // tasks; guarded by mutex_
   std::atomic<bool> stopping_ = false;
   std::atomic<bool> urgent_ = false;           // something waits that a frame in progress should make way for
   std::uint32_t next_point_id_ = 0, next_spring_id_ = 0;  // of the asking thread
