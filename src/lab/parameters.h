@@ -15,6 +15,7 @@ struct Parameter {
   enum class Scope { Number, Gravity, Colliders, SpringStiffness, SpringDamping };
   std::string_view name;     // on the command line
   std::string_view field;    // in a scene file, dotted: "simulation.substeps"; empty: not a field of its own
+  std::string_view group;    // heading on the panel; rows of a group stand together
   std::string_view label;    // on the slider
   std::string_view unit;     // SI; empty: a pure number
   std::string_view meaning;  // one line for help and manual
