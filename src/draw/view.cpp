@@ -62,11 +62,13 @@ View::~View() = default;
 
 void View::draw(const Snapshot& snapshot, const Marks& marks, const Camera& camera, const ViewOptions& options, int width, int height,
                 const ImDrawData* panels) {
-  const Projection projection(camera, width, height);
+  const PicturePlace place = options.place.width > 0 ? options.place : PicturePlace{0, 0, width, height};
+  const Projection projection(camera, place.width, place.height);
   const Palette palette = palette_for(options.background);
   parts_->target.begin(width, height, options.samples);
   clear(options.background);
-  parts_->draw_scene({snapshot, marks, options, projection, camera, palette}, width, height);
+  glViewport(place.x, height - place.y - place.height, place.width, place.height);
+  parts_->draw_scene({snapshot, marks, options, projection, camera, palette}, place.width, place.height);
   parts_->target.resolve();
   if (panels) parts_->gui.draw(*panels);
 }

@@ -13,11 +13,17 @@ struct ImDrawData;
 
 namespace hooke {
 
+// A part of the framebuffer [px], origin at the top left; of no width: all of it.
+struct PicturePlace {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
 struct ViewOptions {
   bool points = true, springs = true, faces = true, colliders = true, grid = true, strain_colors = true;
   int samples = 4;     // of MSAA; 0: none
   double scale = 1.0;  // framebuffer pixels per point of the screen: widths of lines follow it
   Color background{32, 36, 40};
+  PicturePlace place;  // of the scene; the panels have the whole framebuffer
 };
 
 // RGB, 8 bits, rows from the top.
