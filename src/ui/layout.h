@@ -1,0 +1,33 @@
+// Where the panels and the scene lie in the window. The scene has the place that the panels leave.
+#pragma once
+
+#include <algorithm>
+
+namespace hooke {
+
+// In window coordinates, origin at the top left.
+struct Rect {
+  double x = 0.0, y = 0.0, width = 0.0, height = 0.0;
+  bool contains(double px, double py) const { return px >= x && py >= y && px < x + width && py < y + height; }
+  bool operator==(const Rect&) const = default;
+};
+
+struct Layout {
+  Rect menu, tools, side, status, scene;
+};
+
+// `scale`: window units per unit of design (1 on a plain screen).
+inline Layout lay_out(double width, double height, double scale) {
+  const double menu = 38.0 * scale, tools = 74.0 * scale, status = 28.0 * scale;
+  const double side = std::min(336.0 * scale, 0.45 * width);
+  const double middle = std::max(1.0, height - menu - status);
+  return {
+      .menu = {0.0, 0.0, width, menu},
+      .tools = {0.0, menu, tools, middle},
+      .side = {width - side, menu, side, middle},
+      .status = {0.0, menu + middle, width, status},
+      .scene = {tools, menu, std::max(1.0, width - tools - side), middle},
+  };
+}
+
+}  // namespace hooke

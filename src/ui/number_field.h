@@ -1,0 +1,27 @@
+// A number with a name, a unit and a slider.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "ui/panels.h"
+
+namespace hooke {
+
+struct NumberField {
+  std::string_view label, unit, meaning;
+  double least = 0.0, most = 1.0, usual = 0.0, value = 0.0;
+  double step = 0.0;  // values are multiples of it; 0: any
+  bool whole = false, logarithmic = false, enabled = true;
+  bool mixed = false;  // stands for several that differ
+};
+
+// The name of a row at the left; what follows is at the right of it.
+void begin_row(const std::string& label);
+
+// Drag to change, Ctrl+click to type, right click for the usual value. Returns the new value when it changed, within the
+// range. A typed number counts when it is finished.
+std::optional<double> number_row(const NumberField& field, Panels& panels);
+
+}  // namespace hooke

@@ -1,0 +1,28 @@
+#include "ui/panels.h"
+
+#include <algorithm>
+
+#include "ui/widgets.h"
+
+namespace hooke {
+
+void build_panels(const Desk& desk, Panels& panels, Requests& requests) {
+  if (!ImGui::IsAnyItemActive()) panels.edit_in_progress = false;
+  panels.floating.clear();
+  build_menu(desk, panels, requests);
+  build_toolbar(desk, requests);
+  build_side(desk, panels, requests);
+  build_status_bar(desk);
+  build_overlays(desk, panels, requests);
+  build_keys(desk, panels);
+  build_dialogs(desk, panels, requests);
+}
+
+bool panels_cover(const Panels& panels, const Layout& layout, double x, double y) {
+  if (!layout.scene.contains(x, y)) return true;
+  if (panels.dialog.kind != Dialog::Kind::None || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    return true;
+  return std::ranges::any_of(panels.floating, [&](const Rect& panel) { return panel.contains(x, y); });
+}
+
+}  // namespace hooke

@@ -1,0 +1,82 @@
+// The panels of the window. They read a Desk, keep Panels between frames, and return Requests; nothing else is
+// touched, so they run in tests without a window.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "draw/view.h"
+#include "lab/selection.h"
+#include "lab/status.h"
+#include "ui/icons.h"
+#include "ui/layout.h"
+#include "ui/requests.h"
+
+namespace hooke {
+
+struct ToolButton {
+  Action action;
+  Icon icon;
+  std::string_view name;  // short, under the sign
+};
+
+// What the panels look at.
+struct Desk {
+  const Status& status;
+  const Selection& selection;
+  Layout layout;
+  std::span<const ToolButton> tools;
+  Action tool;                 // in hand
+  std::string next_step;       // what it waits for: "click the second point, Esc cancels"
+  std::filesystem::path file;  // of the document; empty: it has none
+  double frames_per_second = 0.0, draw_ms = 0.0;
+  std::optional<Rect> rubber_band;  // of a selection in progress, in window coordinates
+};
+
+struct Dialog {
+  enum class Kind { None, Message, Open, Save, Unsaved };
+  Kind kind = Kind::None;
+  std::string title, text;                   // of a message
+  std::string typed;                         // the path
+  bool is_new = false;                       // to be opened by the next frame
+  bool accepted = false, cancelled = false;  // by a key
+};
+
+struct Panels {
+  ViewOptions view;
+  Dialog dialog;
+  bool keys_shown = false;
+  std::string toast;                   // a line shown for a moment
+  double toast_until = 0.0;            // [s], ImGui's clock
+  std::string dismissed;               // the message whose banner was closed
+  bool edit_in_progress = false;       // the active slider has edited already
+  std::optional<double> typed_number;  // into a slider, not finished
+  std::vector<Rect> floating;          // panels over the scene, of the last frame
+
+  void say(std::string line) { toast = std::move(line), toast_until = -1.0; }
+  void ask(Dialog::Kind kind, std::string typed = {}) { dialog = {.kind = kind, .typed = std::move(typed), .is_new = true}; }
+  void tell(std::string title, std::string text) {
+    dialog = {.kind = Dialog::Kind::Message, .title = std::move(title), .text = std::move(text), .is_new = true};
+  }
+};
+
+// Between ImGui::NewFrame and ImGui::Render.
+void build_panels(const Desk& desk, Panels& panels, Requests& requests);
+
+// Whether a press at this place of the window belongs to the panels.
+bool panels_cover(const Panels& panels, const Layout& layout, double x, double y);
+
+// The parts, each in a file of its own.
+void build_menu(const Desk& desk, Panels& panels, Requests& requests);
+void build_toolbar(const Desk& desk, Requests& requests);
+void build_side(const Desk& desk, Panels& panels, Requests& requests);
+void build_parameters(const Desk& desk, Panels& panels, Requests& requests);
+void build_status_bar(const Desk& desk);
+void build_overlays(const Desk& desk, Panels& panels, Requests& requests);
+void build_keys(const Desk& desk, Panels& panels);
+void build_dialogs(const Desk& desk, Panels& panels, Requests& requests);
+
+}  // namespace hooke

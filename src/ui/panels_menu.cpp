@@ -1,0 +1,148 @@
+// The bar at the top: menus, the run's buttons, undo and redo, the clock.
+#include "lab/printable.h"
+#include "lab/scene_file.h"
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+// A line of a menu for an action of the table.
+void item(Action action, Requests& requests, bool enabled = true, const std::string& detail = {}) {
+  const Shortcut& row = shortcut_of(action);
+  const std::string label = std::string(row.text) + (detail.empty() ? "" : ": " + detail);
+  if (ImGui::MenuItem(label.c_str(), key_text(row).c_str(), false, enabled)) requests.emplace_back(action);
+}
+
+void file_menu(const Desk&, Panels&, Requests& requests) {
+  item(Action::NewScene, requests);
+  item(Action::OpenScene, requests);
+  ImGui::Separator();
+  item(Action::Save, requests);
+  item(Action::SaveAs, requests);
+  ImGui::Separator();
+  item(Action::Quit, requests);
+}
+
+void scenes_menu(const Desk& desk, Panels&, Requests& requests) {
+  for (const ShippedScene& scene : shipped_scenes()) {
+    ImGui::PushID(scene.id.c_str());
+    if (ImGui::MenuItem(printable(scene.title).c_str(), nullptr, desk.file == scene.file)) requests.emplace_back(OpenFile{scene.file});
+    ImGui::PopID();
+  }
+}
+
+void edit_menu(const Desk& desk, Panels&, Requests& requests) {
+  item(Action::Undo, requests, !desk.status.undo_name.empty(), desk.status.undo_name);
+  item(Action::Redo, requests, !desk.status.redo_name.empty(), desk.status.redo_name);
+  ImGui::Separator();
+  item(Action::SelectAll, requests);
+  item(Action::DeleteSelection, requests, !desk.selection.empty());
+  item(Action::ReleaseNails, requests);
+}
+
+void run_menu(const Desk&, Panels&, Requests& requests) {
+  for (const Action action : {Action::RunOrPause, Action::StepOnce, Action::GoToStart}) item(action, requests);
+  ImGui::Separator();
+  for (const Action action : {Action::StiffnessUp, Action::StiffnessDown, Action::SubstepsUp, Action::SubstepsDown}) item(action, requests);
+}
+
+void view_menu(const Desk&, Panels& panels, Requests& requests) {
+  item(Action::FrameAll, requests);
+  ImGui::Separator();
+  ImGui::MenuItem("Points", nullptr, &panels.view.points);
+  ImGui::MenuItem("Springs", nullptr, &panels.view.springs);
+  ImGui::MenuItem("Faces", nullptr, &panels.view.faces);
+  ImGui::MenuItem("Colliders", nullptr, &panels.view.colliders);
+  ImGui::MenuItem("Grid", nullptr, &panels.view.grid);
+  ImGui::MenuItem("Colours of strain", nullptr, &panels.view.strain_colors);
+}
+
+struct Menu {
+  const char* name;
+  void (*build)(const Desk& desk, Panels& panels, Requests& requests);
+};
+constexpr Menu menus[] = {{"File", file_menu}, {"Scenes", scenes_menu}, {"Edit", edit_menu}, {"Run", run_menu}, {"View", view_menu}};
+
+// A flat button at x that opens the list under it. Returns its width.
+float build_one(const Menu& menu, float x, const Desk& desk, Panels& panels, Requests& requests) {
+  const Rect& bar = desk.layout.menu;
+  const float width = ImGui::CalcTextSize(menu.name).x + units(18.0);
+  ImGui::SetCursorScreenPos({x, static_cast<float>(bar.y) + units(5.0)});
+  const bool is_open = ImGui::IsPopupOpen(menu.name);
+  ImGui::PushStyleColor(ImGuiCol_Button, is_open ? palette::hovered : IM_COL32(0, 0, 0, 0));
+  const bool clicked = ImGui::Button(menu.name, {width, units(28.0)});
+  ImGui::PopStyleColor();
+
+  // sliding along the bar opens the next list, as in every menu bar
+  const bool sliding = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId) && panels.dialog.kind == Dialog::Kind::None &&
+                       ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+  if (clicked || (sliding && !is_open)) ImGui::OpenPopup(menu.name);
+
+  ImGui::SetNextWindowPos({x, static_cast<float>(bar.y + bar.height)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(10.0), units(7.0)});
+  if (ImGui::BeginPopup(menu.name, ImGuiWindowFlags_NoMove)) {
+    menu.build(desk, panels, requests);
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+  return width;
+}
+
+void run_buttons(const Desk& desk, Requests& requests) {
+  struct Button {
+    Action action;
+    Icon icon;
+    bool active, enabled;
+    std::string detail;
+  };
+  const Status& status = desk.status;
+  const Button buttons[] = {
+      {Action::GoToStart, Icon::Start, false, true, ""},
+      {Action::RunOrPause, status.running ? Icon::Pause : Icon::Run, status.running, true, ""},
+      {Action::StepOnce, Icon::Step, false, true, ""},
+      {Action::Undo, Icon::Undo, false, !status.undo_name.empty(), status.undo_name},
+      {Action::Redo, Icon::Redo, false, !status.redo_name.empty(), status.redo_name},
+  };
+  const ImVec2 size{units(36.0), units(30.0)};
+  const Rect& scene = desk.layout.scene;
+  float x = static_cast<float>(scene.x + 0.5 * scene.width) - 2.5f * (size.x + units(4.0));
+  for (const Button& button : buttons) {
+    if (button.action == Action::Undo) x += units(14.0);
+    ImGui::SetCursorScreenPos({x, static_cast<float>(desk.layout.menu.y) + units(4.0)});
+    ImGui::PushID(static_cast<int>(button.action));
+    if (icon_button("run", button.icon, size, button.active, button.enabled)) requests.emplace_back(button.action);
+    tooltip(button.action, button.detail);
+    ImGui::PopID();
+    x += size.x + units(4.0);
+  }
+}
+
+void clock(const Desk& desk) {
+  char text[48];
+  std::snprintf(text, sizeof text, "t = %.2f s", desk.status.snapshot->state.time);
+  const float width = ImGui::CalcTextSize(text).x;
+  ImGui::SetCursorScreenPos(
+      {static_cast<float>(desk.layout.menu.width) - width - units(14.0), static_cast<float>(desk.layout.menu.y) + units(11.0)});
+  text_in(desk.status.running ? palette::text : palette::dim, text);
+}
+
+}  // namespace
+
+void build_menu(const Desk& desk, Panels& panels, Requests& requests) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(6.0), 0.0f});
+  begin_panel("menu", desk.layout.menu, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  ImGui::GetWindowDrawList()->AddLine({0.0f, static_cast<float>(desk.layout.menu.height) - 1.0f},
+                                      {static_cast<float>(desk.layout.menu.width), static_cast<float>(desk.layout.menu.height) - 1.0f},
+                                      palette::line);
+
+  float x = units(8.0);
+  for (const Menu& menu : menus) x += build_one(menu, x, desk, panels, requests) + units(2.0);
+  run_buttons(desk, requests);
+  clock(desk);
+  ImGui::End();
+}
+
+}  // namespace hooke

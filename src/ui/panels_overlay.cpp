@@ -1,0 +1,145 @@
+// What lies over the scene: the legend of strain, the hint of an empty scene, the rubber band, a passing line, and the
+// banner that says why a run stopped.
+#include <algorithm>
+
+#include "lab/parameters.h"
+#include "sim/integrator.h"
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+constexpr double toast_seconds = 1.8;
+
+ImVec2 place(const Rect& scene, double x, double y) { return {static_cast<float>(scene.x + x), static_cast<float>(scene.y + y)}; }
+
+ImU32 strain_ink(double relative) { return to_imgui(View::strain_color(relative)); }
+
+// A strain in per cent: "+2 %".
+std::string percent(double strain) {
+  std::string text = strain > 0.0 ? "+" : "";
+  return text.append(number(100.0 * strain)).append(" %");
+}
+
+void legend(const Desk& desk, const Panels& panels, ImDrawList& list) {
+  const Snapshot& snapshot = *desk.status.snapshot;
+  if (snapshot.system->springs().empty() || !panels.view.springs || !panels.view.strain_colors) return;
+  const Rect& scene = desk.layout.scene;
+  const ImVec2 at = place(scene, units(18.0), scene.height - units(44.0));
+  const float width = units(180.0), height = units(8.0);
+
+  constexpr int bands = 32;
+  for (int i = 0; i < bands; ++i) {
+    const float from = at.x + width * static_cast<float>(i) / bands, to = at.x + width * static_cast<float>(i + 1) / bands;
+    const ImU32 left = strain_ink(2.0 * i / bands - 1.0), right = strain_ink(2.0 * (i + 1) / bands - 1.0);
+    list.AddRectFilledMultiColor({from, at.y}, {to, at.y + height}, left, right, right, left);
+  }
+
+  const double scale = View::strain_scale(snapshot);
+  ImGui::PushFont(fonts().small);
+  const auto label = [&](float x, float align, float y, const std::string& text, ImU32 ink) {
+    list.AddText({x - align * ImGui::CalcTextSize(text.c_str()).x, y}, ink, text.c_str());
+  };
+  const float below = at.y + height + units(4.0), above = at.y - units(19.0);
+  label(at.x, 0.0f, above, "Strain", palette::text);
+  label(at.x + width, 1.0f, above, percent(snapshot.least_strain) + " to " + percent(snapshot.most_strain), palette::dim);
+  label(at.x, 0.0f, below, percent(-scale), palette::dim);
+  label(at.x + 0.5f * width, 0.5f, below, "0", palette::dim);
+  label(at.x + width, 1.0f, below, percent(scale), palette::dim);
+  ImGui::PopFont();
+}
+
+void hint_of_empty_scene(const Desk& desk, ImDrawList& list) {
+  if (desk.status.snapshot->system->point_count() > 0) return;
+  const Rect& scene = desk.layout.scene;
+  const std::string text = "Press A and click to add points; T attaches springs; Space runs.";
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  list.AddText(place(scene, 0.5 * (scene.width - size.x), 0.36 * scene.height), palette::dim, text.c_str());
+}
+
+void rubber_band(const Desk& desk, ImDrawList& list) {
+  if (!desk.rubber_band) return;
+  const ImVec2 least = corner(*desk.rubber_band), size = extent(*desk.rubber_band);
+  const ImVec2 most{least.x + size.x, least.y + size.y};
+  list.AddRectFilled(least, most, (palette::accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 30));
+  list.AddRect(least, most, palette::accent);
+}
+
+void toast(const Desk& desk, Panels& panels, ImDrawList& list) {
+  if (panels.toast.empty()) return;
+  const double now = ImGui::GetTime();
+  if (panels.toast_until < 0.0) panels.toast_until = now + toast_seconds;
+  if (now >= panels.toast_until) {
+    panels.toast.clear();
+    return;
+  }
+  const Rect& scene = desk.layout.scene;
+  const ImVec2 size = ImGui::CalcTextSize(panels.toast.c_str());
+  const ImVec2 at = place(scene, 0.5 * (scene.width - size.x), scene.height - units(84.0));
+  const float dx = units(14.0), dy = units(8.0);
+  list.AddRectFilled({at.x - dx, at.y - dy}, {at.x + size.x + dx, at.y + size.y + dy}, palette::shade, units(8.0));
+  list.AddText(at, palette::text, panels.toast.c_str());
+}
+
+// Sets what the advice says, and starts over with it.
+void take_advice(const Advice& advice, const Settings& settings, Requests& requests) {
+  if (advice.integrator != settings.integrator) requests.emplace_back(Edit{SetIntegrator{advice.integrator}});
+  // past the slider's end where that is what it takes
+  requests.emplace_back(
+      Edit{RestoreParameter{find_parameter("substeps"), static_cast<double>(advice.substeps)}, advice.integrator != settings.integrator});
+  requests.emplace_back(Control(GoToStart{}));
+  requests.emplace_back(Control(SetRunning{true}));
+}
+
+void banner(const Desk& desk, Panels& panels, Requests& requests) {
+  const Status& status = desk.status;
+  if (status.message.empty()) panels.dismissed.clear();
+  if (status.message.empty() || status.message == panels.dismissed) return;
+  const Rect& scene = desk.layout.scene;
+  const float width = std::min(static_cast<float>(scene.width) - units(32.0), units(620.0));
+  ImGui::SetNextWindowPos(place(scene, 0.5 * (scene.width - width), units(14.0)));
+  ImGui::SetNextWindowSize({width, 0.0f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(6.0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(18.0), units(12.0)});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0x33, 0x22, 0x22, 245));
+  ImGui::Begin("banner", nullptr, fixed_panel | ImGuiWindowFlags_AlwaysAutoResize);
+  const Rect place_of_banner = current_window();
+  panels.floating.push_back(place_of_banner);
+  ImGui::GetWindowDrawList()->AddRectFilled(corner(place_of_banner),
+                                            {corner(place_of_banner).x + units(5.0), corner(place_of_banner).y + extent(place_of_banner).y},
+                                            palette::bad, units(6.0), ImDrawFlags_RoundCornersLeft);
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(status.message.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::pressed);
+  if (status.advice) {
+    const Advice& advice = *status.advice;
+    const Settings& settings = status.snapshot->settings;
+    const std::string method = advice.integrator != settings.integrator ? std::string(advice.integrator->label) + " with " : "";
+    if (ImGui::Button(("Start over: " + method + count(advice.substeps, "substep")).c_str())) take_advice(advice, settings, requests);
+    ImGui::SameLine();
+  }
+  if (ImGui::Button("Dismiss")) panels.dismissed = status.message;
+  ImGui::PopStyleColor(2);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace
+
+void build_overlays(const Desk& desk, Panels& panels, Requests& requests) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const Rect& scene = desk.layout.scene;
+  list.PushClipRect(corner(scene), place(scene, scene.width, scene.height));
+  legend(desk, panels, list);
+  hint_of_empty_scene(desk, list);
+  rubber_band(desk, list);
+  toast(desk, panels, list);
+  list.PopClipRect();
+  banner(desk, panels, requests);
+}
+
+}  // namespace hooke

@@ -1,0 +1,200 @@
+// Sliders and switches, made from the rows of the parameter table; what they mean for the scene on screen stands beside.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "lab/parameters.h"
+#include "sim/integrator.h"
+#include "ui/number_field.h"
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+void edit(Command command, Panels& panels, Requests& requests) {
+  requests.emplace_back(Edit{std::move(command), panels.edit_in_progress});
+  panels.edit_in_progress = true;
+}
+
+// The springs that k and d act on: of the selection, else all; and whether they differ in a property.
+struct Springs {
+  std::vector<SpringId> selected;  // empty: all
+  bool all() const { return selected.empty(); }
+};
+
+std::vector<const Spring*> look_up(const Springs& springs, const System& system) {
+  std::vector<const Spring*> found;
+  if (springs.all())
+    for (const Spring& spring : system.springs()) found.push_back(&spring);
+  for (const SpringId id : springs.selected)
+    if (const Index s = system.index_of(id); s != no_index) found.push_back(&system.springs()[s]);
+  return found;
+}
+
+struct Common {
+  double value;
+  bool mixed;
+};
+Common common_value(const std::vector<const Spring*>& springs, double Spring::*property, double none) {
+  if (springs.empty()) return {none, false};
+  double sum = 0.0;
+  bool mixed = false;
+  for (const Spring* spring : springs) {
+    sum += spring->*property;
+    mixed = mixed || spring->*property != springs.front()->*property;
+  }
+  return {mixed ? sum / static_cast<double>(springs.size()) : springs.front()->*property, mixed};
+}
+
+SetSpringProperty set_all(const std::vector<const Spring*>& springs, SpringProperty property, double value) {
+  SetSpringProperty set{property, {}};
+  for (const Spring* spring : springs) set.values.emplace_back(spring->id, value);
+  return set;
+}
+
+NumberField field_of(const Parameter& row, const ControlRanges& controls, double value) {
+  NumberField field{.label = row.label,
+                    .unit = row.unit,
+                    .meaning = row.meaning,
+                    .least = row.least,
+                    .most = row.most,
+                    .usual = row.usual,
+                    .value = value,
+                    .whole = row.kind == Parameter::Kind::Whole,
+                    .logarithmic = row.logarithmic};
+  const bool is_stiffness = row.name == "stiffness" || row.name == "new_stiffness";
+  if (is_stiffness && controls.stiffness_most > 0.0) {
+    field.least = controls.stiffness_least;
+    field.most = controls.stiffness_most;
+    field.step = controls.stiffness_step;
+    field.usual = std::clamp(field.usual, field.least, field.most);
+    field.logarithmic = false;
+  }
+  return field;
+}
+
+// k or d of the springs meant.
+void spring_row(const Parameter& row, const Desk& desk, Panels& panels, Requests& requests) {
+  const bool stiffness = row.scope == Parameter::Scope::SpringStiffness;
+  const Springs meant{springs_meant(*desk.status.snapshot->system, desk.selection)};
+  const auto springs = look_up(meant, *desk.status.snapshot->system);
+  const Common common = common_value(springs, stiffness ? &Spring::stiffness : &Spring::damping, row.usual);
+  NumberField field = field_of(row, desk.status.controls, common.value);
+  field.mixed = common.mixed;
+  field.enabled = !springs.empty();
+  if (const auto value = number_row(field, panels))
+    edit(meant.all() ? Command(SetParameter{&row, *value})
+                     : Command(set_all(springs, stiffness ? SpringProperty::Stiffness : SpringProperty::Damping, *value)),
+         panels, requests);
+}
+
+void switch_row(const Parameter& row, double value, Panels& panels, Requests& requests) {
+  begin_row(std::string(row.label));
+  bool on = value != 0.0;
+  if (ImGui::Checkbox("##switch", &on)) edit(SetParameter{&row, on ? 1.0 : 0.0}, panels, requests);
+  tooltip(std::string(row.meaning));
+}
+
+void method_row(const Desk& desk, Panels& panels, Requests& requests) {
+  const Integrator& now = *desk.status.snapshot->settings.integrator;
+  begin_row("Method");
+  ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::BeginCombo("##method", now.label.data(), ImGuiComboFlags_HeightLarge)) {
+    for (const Integrator& method : integrators()) {
+      if (ImGui::Selectable(method.label.data(), &method == &now) && &method != &now) edit(SetIntegrator{&method}, panels, requests);
+      tooltip(std::string(method.summary));
+    }
+    ImGui::EndCombo();
+  } else {
+    tooltip(std::string(now.summary));
+  }
+}
+
+// omega h against the method's limit, under the slider that changes it.
+void stability_row(const Snapshot& snapshot) {
+  const double h = snapshot.settings.substep(), limit = snapshot.largest_stable_step;
+  const double share = limit > 0.0 ? h / limit : INFINITY;
+  const bool anything = snapshot.omega > 0.0;
+  const ImU32 ink = !anything ? palette::dim : share > 1.0 ? palette::bad : share > 0.8 ? palette::warning : palette::good;
+
+  std::string text = "\u03c9h = " + number(snapshot.omega * h);
+  if (!anything)
+    text = "\u03c9h = 0, nothing swings";
+  else if (limit == 0.0)
+    text += ", no step holds undamped";
+  else if (std::isinf(limit))
+    text += ", any step holds";
+  else if (share > 1.0)
+    text += ", needs " + number(std::ceil(1.0 / (snapshot.settings.frame_rate * limit))) + " substeps";
+  else
+    text += ", holds up to " + number(snapshot.omega * limit);
+
+  begin_row("");
+  ImGui::PushFont(fonts().small);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float radius = units(4.0), middle = at.y + 0.5f * ImGui::GetTextLineHeight();
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + radius, middle}, radius, ink);
+  ImGui::SetCursorScreenPos({at.x + units(14.0), at.y});
+  text_in(anything && share > 0.8 ? ink : palette::dim, text);
+  ImGui::PopFont();
+  tooltip(
+      "The fastest swing of the scene turns by at most this many radians in a substep. Beyond the method's limit the scene can blow up.");
+}
+
+void parameter_row(const Parameter& row, double value, const Desk& desk, Panels& panels, Requests& requests) {
+  const bool of_springs = row.scope == Parameter::Scope::SpringStiffness || row.scope == Parameter::Scope::SpringDamping;
+  if (of_springs) {
+    spring_row(row, desk, panels, requests);
+  } else if (row.kind == Parameter::Kind::Switch) {
+    switch_row(row, value, panels, requests);
+  } else {
+    NumberField field = field_of(row, desk.status.controls, value);
+    field.enabled = row.scope != Parameter::Scope::Colliders || !desk.status.snapshot->system->colliders.empty();
+    if (const auto changed = number_row(field, panels)) edit(SetParameter{&row, *changed}, panels, requests);
+  }
+}
+
+// What a section says at the right of its heading.
+std::string scope_of(std::string_view group, const Desk& desk) {
+  if (group != "Springs") return {};
+  const System& system = *desk.status.snapshot->system;
+  const std::size_t selected = springs_meant(system, desk.selection).size();
+  return selected > 0 ? std::to_string(selected) + " selected" : "all " + std::to_string(system.spring_count());
+}
+
+bool section(std::string_view title, const std::string& scope) {
+  ImGui::Dummy({0.0f, units(2.0)});
+  ImGui::PushFont(fonts().strong);
+  const bool open = ImGui::CollapsingHeader(std::string(title).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+  ImGui::PopFont();
+  ImGui::PushFont(fonts().small);
+  const ImVec2 most = ImGui::GetItemRectMax(), least = ImGui::GetItemRectMin(), size = ImGui::CalcTextSize(scope.c_str());
+  ImGui::GetWindowDrawList()->AddText({most.x - size.x - units(6.0), 0.5f * (least.y + most.y - size.y)}, palette::dim, scope.c_str());
+  ImGui::PopFont();
+  return open;
+}
+
+}  // namespace
+
+void build_parameters(const Desk& desk, Panels& panels, Requests& requests) {
+  std::string_view group;
+  bool open = false;
+  const auto rows = parameters();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Parameter& row = rows[i];
+    if (row.group != group) {
+      group = row.group;
+      open = section(group, scope_of(group, desk));
+      if (open && group == "Simulation") method_row(desk, panels, requests);
+    }
+    if (!open) continue;
+    ImGui::PushID(row.name.data());
+    parameter_row(row, desk.status.parameter_values[i], desk, panels, requests);
+    ImGui::PopID();
+    if (row.name == "substeps") stability_row(*desk.status.snapshot);
+  }
+}
+
+}  // namespace hooke

@@ -1,0 +1,54 @@
+// The panel at the right: the scene, the parameters, the selection, the energy.
+#include <glm/geometric.hpp>
+
+#include "lab/printable.h"
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+void scene_section(const Desk& desk) {
+  const System& system = *desk.status.snapshot->system;
+  ImGui::PushFont(fonts().strong);
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(printable(desk.status.scene_name.empty() ? "Untitled" : desk.status.scene_name).c_str());
+  ImGui::PopFont();
+  if (!desk.status.scene_description.empty()) dim_text(printable(desk.status.scene_description));
+  ImGui::PopTextWrapPos();
+  dim_text(count(system.point_count(), "point") + ", " + count(system.spring_count(), "spring") + (system.dimensions == 2 ? ", flat" : ""));
+}
+
+void energy_row(const char* name, const std::string& value, ImU32 ink = palette::text) {
+  dim_text(name);
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
+  text_in(ink, value);
+}
+
+void energy_section(const Snapshot& snapshot) {
+  energy_row("Kinetic", number(snapshot.energy.kinetic) + " J");
+  energy_row("Elastic", number(snapshot.energy.elastic) + " J");
+  energy_row("Gravitational", number(snapshot.energy.gravitational) + " J");
+  energy_row("Total", number(snapshot.energy.total()) + " J");
+  energy_row("Momentum", number(glm::length(snapshot.momentum.linear)) + " kg m/s");
+}
+
+}  // namespace
+
+void build_side(const Desk& desk, Panels& panels, Requests& requests) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(14.0), units(12.0)});
+  begin_panel("side", desk.layout.side);
+  ImGui::PopStyleVar();
+  scene_section(desk);
+  build_parameters(desk, panels, requests);
+  ImGui::Spacing();
+  ImGui::PushFont(fonts().strong);
+  const bool open = ImGui::CollapsingHeader("Energy", ImGuiTreeNodeFlags_DefaultOpen);
+  ImGui::PopFont();
+  if (open) energy_section(*desk.status.snapshot);
+  ImGui::End();
+}
+
+}  // namespace hooke

@@ -1,0 +1,44 @@
+// The bar at the bottom: the tool and its next step; what the scene costs and how fast it runs.
+#include <cstdio>
+
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+std::string figures(const Desk& desk) {
+  const Status& status = desk.status;
+  char text[160];
+  const std::string speed = !status.running ? "paused" : number(std::round(100.0 * status.speed) / 100.0) + "\u00d7 real time";
+  std::snprintf(text, sizeof text, "simulate %.1f ms    draw %.1f ms    %.0f frames/s    ", status.simulate_ms, desk.draw_ms,
+                desk.frames_per_second);
+  return text + speed;
+}
+
+}  // namespace
+
+void build_status_bar(const Desk& desk) {
+  const Rect& bar = desk.layout.status;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(12.0), units(5.0)});
+  begin_panel("status", bar, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  ImGui::GetWindowDrawList()->AddLine(corner(bar), {static_cast<float>(bar.x + bar.width), static_cast<float>(bar.y)}, palette::line);
+  ImGui::PushFont(fonts().small);
+  ImGui::SetCursorPosY(units(7.0));
+  text_in(palette::accent, std::string(shortcut_of(desk.tool).text));
+  ImGui::SameLine(0.0f, units(8.0));
+  ImGui::TextUnformatted(desk.next_step.c_str());
+
+  const std::string text = figures(desk);
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(static_cast<float>(bar.width) - ImGui::CalcTextSize(text.c_str()).x - units(14.0));
+  // slower than the scene asks for: said openly
+  const bool slow = desk.status.running && desk.status.speed > 0.0 && desk.status.speed < 0.9 * desk.status.snapshot->settings.speed;
+  text_in(slow ? palette::warning : palette::dim, text);
+  ImGui::PopFont();
+  ImGui::End();
+}
+
+}  // namespace hooke

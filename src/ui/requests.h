@@ -1,0 +1,30 @@
+// What the panels ask for: the app obeys after the panels of a frame are built.
+#pragma once
+
+#include <filesystem>
+#include <variant>
+#include <vector>
+
+#include "lab/lab.h"
+#include "ui/shortcuts.h"
+
+namespace hooke {
+
+// `continues`: part of the same step of undo as the edit before it (a slider still under the mouse).
+struct Edit {
+  Command command;
+  bool continues = false;
+};
+struct OpenFile {
+  std::filesystem::path file;
+};
+struct SaveFile {
+  std::filesystem::path file;
+};
+// The answer to "save the changes first?"
+enum class Answer { Save, Discard, Cancel };
+
+using Request = std::variant<Edit, Control, Action, OpenFile, SaveFile, Answer>;
+using Requests = std::vector<Request>;
+
+}  // namespace hooke

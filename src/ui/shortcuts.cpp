@@ -1,0 +1,91 @@
+#include "ui/shortcuts.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace hooke {
+namespace {
+
+constexpr Modifiers plain{}, control{.control = true}, control_shift{.control = true, .shift = true};
+
+constexpr std::string_view tools = "Tools", run = "Run", tune = "Tune", edit = "Edit", look = "Look", file = "File";
+
+// clang-format off
+constexpr std::array rows{
+    Shortcut{letter('V'), plain, Action::SelectTool, tools, "Select and move"},
+    Shortcut{letter('A'), plain, Action::AddTool, tools, "Add a point"},
+    Shortcut{letter('T'), plain, Action::AttachTool, tools, "Attach two points"},
+    Shortcut{letter('N'), plain, Action::NailTool, tools, "Nail or free a point"},
+    Shortcut{letter('D'), plain, Action::DragTool, tools, "Drag a point"},
+    Shortcut{letter('X'), plain, Action::DeleteTool, tools, "Delete or cut"},
+
+    Shortcut{Key::Space, plain, Action::RunOrPause, run, "Run or pause"},
+    Shortcut{Key::Period, plain, Action::StepOnce, run, "One frame further"},
+    Shortcut{letter('R'), control, Action::GoToStart, run, "Back to the start"},
+    Shortcut{letter('R'), plain, Action::ReleaseNails, run, "Release every nail"},
+
+    Shortcut{Key::Up, plain, Action::StiffnessUp, tune, "Stiffer springs"},
+    Shortcut{Key::Down, plain, Action::StiffnessDown, tune, "Softer springs"},
+    Shortcut{Key::Right, plain, Action::SubstepsUp, tune, "5 substeps more"},
+    Shortcut{Key::Left, plain, Action::SubstepsDown, tune, "5 substeps fewer"},
+
+    Shortcut{letter('Z'), control, Action::Undo, edit, "Undo"},
+    Shortcut{letter('Z'), control_shift, Action::Redo, edit, "Redo"},
+    Shortcut{letter('Y'), control, Action::Redo, edit, "Redo"},
+    Shortcut{letter('A'), control, Action::SelectAll, edit, "Select everything"},
+    Shortcut{Key::Delete, plain, Action::DeleteSelection, edit, "Delete the selection"},
+    Shortcut{Key::Escape, plain, Action::Cancel, edit, "Cancel; select nothing"},
+
+    Shortcut{Key::Home, plain, Action::FrameAll, look, "See the whole scene"},
+    Shortcut{Key::F1, plain, Action::ShowKeys, look, "Show these keys"},
+
+    Shortcut{letter('N'), control, Action::NewScene, file, "New scene"},
+    Shortcut{letter('O'), control, Action::OpenScene, file, "Open..."},
+    Shortcut{letter('S'), control, Action::Save, file, "Save"},
+    Shortcut{letter('S'), control_shift, Action::SaveAs, file, "Save as..."},
+    Shortcut{letter('Q'), control, Action::Quit, file, "Quit"},
+};
+
+constexpr std::array hints{
+    MouseHint{"Right or middle drag", "Orbit; pan in a flat scene"},
+    MouseHint{"Shift + middle drag", "Pan"},
+    MouseHint{"Wheel", "Zoom to the cursor"},
+    MouseHint{"Ctrl + click on a slider", "Type a value"},
+    MouseHint{"Right click on a slider", "Its usual value"},
+};
+
+constexpr std::array named_keys{
+    std::pair{Key::Space, "Space"}, std::pair{Key::Escape, "Esc"}, std::pair{Key::Enter, "Enter"}, std::pair{Key::Delete, "Del"},
+    std::pair{Key::Right, "Right"}, std::pair{Key::Left, "Left"}, std::pair{Key::Down, "Down"}, std::pair{Key::Up, "Up"},
+    std::pair{Key::Home, "Home"}, std::pair{Key::F1, "F1"},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const Shortcut> shortcuts() { return rows; }
+std::span<const MouseHint> mouse_hints() { return hints; }
+
+std::optional<Action> find_action(Key key, Modifiers modifiers) {
+  for (const Shortcut& row : rows)
+    if (row.key == key && row.modifiers == modifiers) return row.action;
+  return std::nullopt;
+}
+
+const Shortcut& shortcut_of(Action action) {
+  const auto row = std::ranges::find(rows, action, &Shortcut::action);
+  assert(row != rows.end());
+  return *row;
+}
+
+std::string key_text(const Shortcut& shortcut) {
+  std::string text;
+  if (shortcut.modifiers.control) text += "Ctrl+";
+  if (shortcut.modifiers.shift) text += "Shift+";
+  for (const auto& [key, name] : named_keys)
+    if (key == shortcut.key) return text + name;
+  return text + static_cast<char>(shortcut.key);
+}
+
+}  // namespace hooke

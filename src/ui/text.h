@@ -1,0 +1,14 @@
+// Words and numbers as the panels write them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace hooke {
+
+// Four digits: "1000", "0.1667", "2.5e+04".
+std::string number(double value);
+// "3 points", "1 point"
+std::string count(long many, std::string_view noun);
+
+}  // namespace hooke

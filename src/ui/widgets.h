@@ -1,0 +1,37 @@
+// What several panels are made of.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "ui/icons.h"
+#include "ui/layout.h"
+#include "ui/shortcuts.h"
+#include "ui/theme.h"
+
+namespace hooke {
+
+inline constexpr ImGuiWindowFlags fixed_panel = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                                ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                                ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing;
+
+inline ImVec2 corner(const Rect& rect) { return {static_cast<float>(rect.x), static_cast<float>(rect.y)}; }
+inline ImVec2 extent(const Rect& rect) { return {static_cast<float>(rect.width), static_cast<float>(rect.height)}; }
+Rect current_window();
+
+// Begins a panel that fills a place of the window.
+bool begin_panel(const char* name, const Rect& place, ImGuiWindowFlags flags = 0);
+
+// A flat button with a sign; `active` is tinted, as a tool in hand is.
+bool icon_button(const char* id, Icon icon, ImVec2 size, bool active = false, bool enabled = true);
+
+// What hovering the last item says.
+void tooltip(const std::string& text);
+// "Undo nail 3 points  (Ctrl+Z)"
+void tooltip(Action action, const std::string& detail = {});
+
+void text_in(ImU32 color, const std::string& text);
+void dim_text(const std::string& text);
+
+}  // namespace hooke
