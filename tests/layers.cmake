@@ -23,7 +23,7 @@ set(owners
   "^(imgui|imstb|misc/|backends/).*"    "^(ui/|draw/gui_renderer[.]|app/[a-z_]*gui[a-z_]*[.])"
   "^png[.]h$"                           "^draw/"
   "^rapidjson/"                         "^lab/"
-  "^CLI/"                               "^cli/"
+  "^CLI/"                               "^(cli/|app/main[.]cpp$)"
   "^hwy/"                               "^sim/"
   "^Eigen/"                             "^sim/"
   "^glm/"                               "."

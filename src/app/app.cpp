@@ -1,0 +1,156 @@
+#include "app/app.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "app/files.h"
+#include "lab/parameters.h"
+
+namespace hooke {
+namespace {
+
+// How long an event may wait for the one before it to take effect.
+constexpr auto patience = std::chrono::milliseconds(50);
+
+constexpr double zoom_per_step = 0.88;
+constexpr double turn_per_height = 3.14159265358979323846;  // [rad], for a drag over the height of the scene
+
+}  // namespace
+
+App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file)
+    : lab_(*scene), bench_{lab_, selection_, last_gesture_, lab_.status(), {}}, file_(std::move(file)), to_frame_(std::move(scene)) {
+  for (const ToolRow& row : tools()) tool_buttons_.push_back(row.button);
+  take_tool(Action::SelectTool);
+}
+
+void App::resize(const glm::dvec2& size, double scale) {
+  layout_ = lay_out(size.x, size.y, scale);
+  bench_.size = {layout_.scene.width, layout_.scene.height};
+  bench_.scale = scale;
+  if (const auto scene = std::exchange(to_frame_, nullptr))
+    bench_.camera = make_camera(scene->view, scene->system, scene->state, bench_.size.x / bench_.size.y);
+}
+
+void App::handle(const Event& event) {
+  std::visit([this](const auto& what) { on(what); }, event);
+}
+
+Pointer App::pointer() const { return {cursor_ - glm::dvec2(layout_.scene.x, layout_.scene.y), modifiers_}; }
+
+void App::take_status() {
+  const auto before = std::exchange(bench_.status, lab_.status());
+  if (before->snapshot->system != bench_.status->snapshot->system) selection_ = still_there(bench_.system(), selection_);
+}
+
+void App::settle() {
+  lab_.settle(patience);
+  take_status();
+}
+
+void App::on(const KeyPress& press) {
+  if (panels_.dialog.kind != Dialog::Kind::None) {
+    panels_.dialog.accepted = panels_.dialog.accepted || press.key == Key::Enter;
+    panels_.dialog.cancelled = panels_.dialog.cancelled || press.key == Key::Escape;
+    return;
+  }
+  settle();
+  if (const auto action = find_action(press.key, press.modifiers)) perform(*action, press.repeated);
+}
+
+void App::on(const ButtonPress& press) {
+  cursor_ = press.at;
+  modifiers_ = press.modifiers;
+  if (panels_cover(panels_, layout_, press.at.x, press.at.y)) return;
+  settle();
+  if (press.button != Button::Left) {
+    turning_with_ = press.button;
+  } else if (!tool_is_pressed_) {
+    tool_is_pressed_ = true;
+    tool_->press(pointer(), bench_);
+  }
+}
+
+void App::on(const ButtonRelease& release) {
+  cursor_ = release.at;
+  modifiers_ = release.modifiers;
+  if (turning_with_ == release.button) turning_with_.reset();
+  if (release.button != Button::Left || !std::exchange(tool_is_pressed_, false)) return;
+  settle();
+  tool_->release(pointer(), bench_);
+}
+
+void App::on(const CursorMove& move) {
+  const glm::dvec2 from = pointer().at;
+  cursor_ = move.at;
+  modifiers_ = move.modifiers;
+  if (!turning_with_) return;
+  // a flat scene is always seen from the front
+  const bool pan = bench_.system().dimensions == 2 || (*turning_with_ == Button::Middle && move.modifiers.shift);
+  const glm::dvec2 way = pointer().at - from;
+  if (pan)
+    bench_.camera.pan(from, pointer().at, bench_.size);
+  else
+    bench_.camera.orbit(-way.x * turn_per_height / bench_.size.y, way.y * turn_per_height / bench_.size.y);
+}
+
+void App::on(const Scroll& scroll) {
+  if (!panels_cover(panels_, layout_, scroll.at.x, scroll.at.y))
+    bench_.camera.zoom(std::pow(zoom_per_step, scroll.steps), pointer().at, bench_.size);
+}
+
+void App::on(const FileDrop& drop) { unless_unsaved(OpenFile{drop.file}); }
+void App::on(const CloseRequest&) { perform(Action::Quit); }
+
+void App::take_tool(Action action) {
+  if (tool_) tool_->cancel(bench_);
+  tool_is_pressed_ = false;
+  const auto rows = tools();
+  tool_ = std::ranges::find(rows, action, [](const ToolRow& row) { return row.button.action; })->make();
+  tool_action_ = action;
+}
+
+void App::build_frame(const Figures& figures) {
+  take_status();
+  if (tool_is_pressed_) tool_->follow(pointer(), bench_);
+
+  Requests requests;
+  const auto band = tool_->rubber_band();
+  std::optional<Rect> rubber_band;
+  if (band) {
+    const glm::dvec2 least = glm::min(band->first, band->second), most = glm::max(band->first, band->second);
+    rubber_band = Rect{layout_.scene.x + least.x, layout_.scene.y + least.y, most.x - least.x, most.y - least.y};
+  }
+  const Desk desk{.status = *bench_.status,
+                  .selection = selection_,
+                  .layout = layout_,
+                  .tools = tool_buttons_,
+                  .tool = tool_action_,
+                  .next_step = tool_->next_step(bench_),
+                  .file = file_,
+                  .frames_per_second = figures.frames_per_second,
+                  .draw_ms = figures.draw_ms,
+                  .rubber_band = rubber_band};
+  build_panels(desk, panels_, requests);
+  for (const Request& request : requests) obey(request);
+
+  marks_ = {.selected_points = selection_.points, .selected_springs = selection_.springs};
+  const bool over_scene = !panels_cover(panels_, layout_, cursor_.x, cursor_.y);
+  if ((over_scene || tool_is_pressed_) && !turning_with_) tool_->mark(pointer(), bench_, marks_);
+}
+
+ViewOptions App::view_options() const {
+  ViewOptions options = panels_.view;
+  if (status().view.background) options.background = *status().view.background;
+  return options;
+}
+
+std::string App::title() const {
+  const std::string& name = status().scene_name;
+  const std::string shown = !file_.empty() && !is_shipped(file_) ? file_.stem().string() : name.empty() ? "Untitled" : name;
+  return "Hooke - " + shown + (status().unsaved ? "*" : "");
+}
+
+bool App::is_still() const { return !status().running && panels_.toast.empty() && !tool_is_pressed_ && !turning_with_; }
+
+}  // namespace hooke

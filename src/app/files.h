@@ -1,0 +1,26 @@
+// Opening and saving the document, with errors as text.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "lab/scene.h"
+
+namespace hooke {
+
+struct Opened {
+  std::shared_ptr<const Scene> scene;  // null: refused
+  std::string error, warnings;         // lines
+};
+Opened try_open(const std::filesystem::path& file);
+
+// An error text, empty when it is saved.
+std::string try_save(const Scene& scene, const std::filesystem::path& file);
+
+// A path as a person types it: "~/" is the home folder, a missing ending is .json, the rest starts from the working folder.
+std::filesystem::path typed_path(const std::filesystem::path& typed);
+
+bool is_shipped(const std::filesystem::path& file);
+
+}  // namespace hooke

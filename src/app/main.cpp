@@ -1,0 +1,75 @@
+// hooke: the window. Commands that need none are handed to hooke-headless beside it.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+
+#include "app/app.h"
+#include "app/loop.h"
+#include "lab/scene_file.h"
+
+namespace hooke {
+namespace {
+
+constexpr int exit_usage = 2, exit_refused = 3, exit_io = 5;
+constexpr std::string_view commands[] = {"run", "capture", "bench", "check", "convert", "replay"};
+constexpr const char* start_scene = "cloth";
+
+int complain(int code, const std::string& line) {
+  std::cerr << "hooke: " << line << "\n";
+  return code;
+}
+
+// Becomes hooke-headless, with the same arguments. Returns only when that fails.
+int hand_over(char** arguments) {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "hooke-headless";
+  arguments[0] = const_cast<char*>(program.c_str());
+  ::execv(program.c_str(), arguments);
+  return complain(exit_io, program.string() + ": " + std::strerror(errno));
+}
+
+int open_window(const std::string& name) {
+  const std::filesystem::path file = find_scene(name);
+  LoadedScene loaded = load_scene(file);
+  App app(std::make_shared<const Scene>(std::move(loaded.scene)), file);
+  Window window(app.title(), {1280, 800});
+  run_loop(window, app);
+  return 0;
+}
+
+int start(int count, char** arguments) {
+  if (count > 1 && std::ranges::find(commands, arguments[1]) != std::end(commands)) return hand_over(arguments);
+
+  CLI::App line("A laboratory for networks of point masses and springs.", "hooke");
+  std::string scene = start_scene;
+  line.add_option("SCENE", scene, "Scene to open: a file, or the name of one that comes with Hooke.");
+  line.set_version_flag("--version", "hooke " HOOKE_VERSION);
+  line.footer("Without a window: hooke run|capture|convert ... (hooke run --help).");
+  try {
+    line.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    return line.exit(error) == 0 ? 0 : exit_usage;
+  }
+  return open_window(scene);
+}
+
+}  // namespace
+}  // namespace hooke
+
+int main(int count, char** arguments) {
+  try {
+    return hooke::start(count, arguments);
+  } catch (const hooke::Refused& refused) {
+    return hooke::complain(hooke::exit_refused, refused.what());
+  } catch (const hooke::FileError& error) {
+    return hooke::complain(hooke::exit_io, error.what());
+  } catch (const hooke::WindowError& error) {
+    return hooke::complain(hooke::exit_io, error.what());
+  }
+}

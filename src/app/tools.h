@@ -1,0 +1,53 @@
+// The tools on the left button: each a small machine that turns presses and moves of the mouse into commands.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/workbench.h"
+#include "draw/marks.h"
+#include "ui/panels.h"
+
+namespace hooke {
+
+struct Pointer {
+  glm::dvec2 at{0.0};  // [px], in the scene's picture
+  Modifiers modifiers;
+};
+
+class Tool {
+ public:
+  virtual ~Tool() = default;
+  virtual void press(const Pointer&, Workbench&) {}
+  // Once a frame while the button is down, wherever the cursor is.
+  virtual void follow(const Pointer&, Workbench&) {}
+  virtual void release(const Pointer&, Workbench&) {}
+  // Drops what is half done. False: there was nothing.
+  virtual bool cancel(Workbench&) { return false; }
+
+  // For the status bar: "click the second point, Esc cancels".
+  virtual std::string next_step(const Workbench&) const = 0;
+  // What lights up under the cursor, and what is about to be.
+  virtual void mark(const Pointer&, const Workbench&, Marks&) const {}
+  // Two corners of a selection in progress [px].
+  virtual std::optional<std::pair<glm::dvec2, glm::dvec2>> rubber_band() const { return std::nullopt; }
+};
+
+struct ToolRow {
+  ToolButton button;
+  std::unique_ptr<Tool> (*make)();
+};
+
+// In the order of the tool bar. Adding a tool: its Action and shortcut, and a row here.
+std::span<const ToolRow> tools();
+
+std::unique_ptr<Tool> make_select_tool();
+std::unique_ptr<Tool> make_add_tool();
+std::unique_ptr<Tool> make_attach_tool();
+std::unique_ptr<Tool> make_nail_tool();
+std::unique_ptr<Tool> make_drag_tool();
+std::unique_ptr<Tool> make_delete_tool();
+
+}  // namespace hooke

@@ -1,0 +1,63 @@
+#include "app/tune.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lab/parameters.h"
+#include "ui/text.h"
+
+namespace hooke {
+namespace {
+
+constexpr double factor = 1.1;
+constexpr int substeps_at_once = 5;
+
+double stepped(double k, int direction, const ControlRanges& controls, const Parameter& row) {
+  if (controls.stiffness_most > 0.0 && controls.stiffness_step > 0.0) {
+    const double steps = std::round(k / controls.stiffness_step) + direction;
+    return std::clamp(steps * controls.stiffness_step, controls.stiffness_least, controls.stiffness_most);
+  }
+  return clamp_to(row, direction > 0 ? k * factor : k / factor);
+}
+
+std::string value_text(double least, double most) { return "k = " + number(least) + (least < most ? " to " + number(most) : "") + " N/m"; }
+
+}  // namespace
+
+Tuning tune_stiffness(const Status& status, const Selection& selection, int direction) {
+  const System& system = *status.snapshot->system;
+  const Parameter& row = *find_parameter("stiffness");
+  const std::vector<SpringId> meant = springs_meant(system, selection);
+
+  Tuning tuning;
+  SetSpringProperty set{SpringProperty::Stiffness, {}};
+  double least = INFINITY, most = 0.0;
+  const auto include = [&](const Spring& spring) {
+    const double k = stepped(spring.stiffness, direction, status.controls, row);
+    set.values.emplace_back(spring.id, k);
+    least = std::min(least, k);
+    most = std::max(most, k);
+  };
+  if (!meant.empty()) {
+    for (const SpringId id : meant) include(system.springs()[system.index_of(id)]);
+    tuning.said = value_text(least, most) + " (" + count(static_cast<long>(meant.size()), "selected spring") + ")";
+  } else {
+    for (const Spring& spring : system.springs()) include(spring);
+    const double of_new = stepped(status.defaults.stiffness, direction, status.controls, row);
+    tuning.commands.push_back(SetParameter{find_parameter("new_stiffness"), of_new});
+    tuning.said = set.values.empty() ? value_text(of_new, of_new) + " (new springs)" : value_text(least, most) + " (all springs)";
+  }
+  if (!set.values.empty()) tuning.commands.insert(tuning.commands.begin(), set);
+  return tuning;
+}
+
+Tuning tune_substeps(const Status& status, int direction) {
+  const Parameter& row = *find_parameter("substeps");
+  const int now = status.snapshot->settings.substeps;
+  // the next multiple in that direction
+  const int steps = direction > 0 ? now / substeps_at_once + 1 : (now + substeps_at_once - 1) / substeps_at_once - 1;
+  const double next = clamp_to(row, steps * substeps_at_once);
+  return {{SetParameter{&row, next}}, count(static_cast<long>(next), "substep") + " a frame"};
+}
+
+}  // namespace hooke

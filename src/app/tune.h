@@ -1,0 +1,24 @@
+// What the arrow keys do: k and substeps, step by step.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lab/command.h"
+#include "lab/selection.h"
+#include "lab/status.h"
+
+namespace hooke {
+
+struct Tuning {
+  std::vector<Command> commands;  // one step of undo together
+  std::string said;               // the new value: "k = 110 N/m (3 springs)"
+};
+
+// k of the selected springs, else of all and of new ones: times 1.1, or by the scene's own step. Direction +1 or -1.
+Tuning tune_stiffness(const Status& status, const Selection& selection, int direction);
+
+// 5 substeps more or fewer, on multiples of 5; at least 1.
+Tuning tune_substeps(const Status& status, int direction);
+
+}  // namespace hooke

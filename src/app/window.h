@@ -1,0 +1,54 @@
+// The one window: GLFW, its events in order, and ImGui's ears. Nothing else knows of GLFW.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/event.h"
+#include "app/gui_glue.h"
+
+struct GLFWwindow;
+
+namespace hooke {
+
+// No display, or no OpenGL 3.3: what() is one line.
+struct WindowError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class Window {
+ public:
+  // Opens a window with a current OpenGL 3.3 core context, and an ImGui context that listens to it. Throws WindowError.
+  Window(const std::string& title, const glm::ivec2& size);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  // Sleeps until something happens, at most so long [s].
+  void wait(double seconds);
+  // What happened since the last call, oldest first.
+  std::vector<Event> take_events();
+
+  glm::dvec2 size() const;              // in the unit of cursors
+  glm::ivec2 framebuffer_size() const;  // [px]
+  double content_scale() const;         // window units per unit of design
+  bool is_hidden() const;               // iconified, or of no size
+  double refresh_period() const;        // [s], of the monitor
+
+  void set_title(const std::string& title);
+  void swap();
+  GuiGlue& gui() { return *gui_; }
+
+ private:
+  struct Callbacks;
+  GLFWwindow* window_ = nullptr;
+  std::unique_ptr<GuiGlue> gui_;
+  std::vector<Event> events_;
+  glm::dvec2 cursor_{0.0};
+  std::string title_;
+};
+
+}  // namespace hooke

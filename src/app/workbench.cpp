@@ -1,0 +1,41 @@
+#include "app/workbench.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace hooke {
+namespace {
+
+// [units of design]
+constexpr double reach = 10.0, spring_reach = 8.0, drag_threshold = 4.0;
+
+}  // namespace
+
+std::optional<PointId> Workbench::point_at(const glm::dvec2& cursor) const { return pick_point(snapshot(), lens(), cursor, reach * scale); }
+
+std::optional<SpringId> Workbench::spring_at(const glm::dvec2& cursor) const {
+  return pick_spring(snapshot(), lens(), cursor, spring_reach * scale);
+}
+
+Vec3 Workbench::place_beside(const glm::dvec2& cursor, const Vec3& through) const {
+  if (system().dimensions == 3) return camera.unproject(cursor, size, through);
+  const SightLine line = sight_line(lens(), cursor);
+  // seen edge-on the plane has no place under the cursor
+  if (std::abs(line.direction.z) < 1e-6) return through;
+  return line.at(-line.origin.z / line.direction.z);
+}
+
+Vec3 Workbench::place_for_point(const glm::dvec2& cursor, double radius) const {
+  const Vec3 beside = place_beside(cursor, camera.target);
+  if (system().dimensions == 2) return beside;
+  const SightLine line = sight_line(lens(), cursor);
+  const std::optional<ColliderHit> hit = hit_collider(system(), line);
+  if (!hit) return beside;
+  // an endless ground lies under nearly every cursor: it counts where it is before the plane of the target
+  const bool nearer = hit->distance < glm::dot(beside - line.origin, line.direction);
+  return hit->bounded || nearer ? hit->position + radius * hit->normal : beside;
+}
+
+bool Workbench::is_drag(const glm::dvec2& from, const glm::dvec2& to) const { return glm::distance(from, to) > drag_threshold * scale; }
+
+}  // namespace hooke
