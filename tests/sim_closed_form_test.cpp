@@ -39,7 +39,7 @@ TEST_P(Fall, OfAFreePointFollowsTheParabola) {
 
   const Vec3 g = trial.system.gravity;
   Vec3 expected = start.position[0] + seconds * start.velocity[0] + 0.5 * seconds * seconds * g;
-  if (method().order == 1) expected += (method().symplectic ? 0.5 : -0.5) * seconds / steps * seconds * g;
+  if (method().order == 1) expected += (method().id == "explicit_euler" ? -0.5 : 0.5) * seconds / steps * seconds * g;
   EXPECT_LT(glm::distance(trial.state.position[0], expected), 1e-14 * steps);
   EXPECT_LT(glm::distance(trial.state.velocity[0], start.velocity[0] + seconds * g), 1e-14 * steps);
 }

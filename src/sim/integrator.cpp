@@ -11,7 +11,7 @@
 namespace hooke {
 
 std::span<const Integrator> integrators() {
-  static const std::array rows{explicit_euler, symplectic_euler, velocity_verlet, blanes_moan4, runge_kutta4, dop853};
+  static const std::array rows{explicit_euler, symplectic_euler, velocity_verlet, blanes_moan4, runge_kutta4, dop853, xpbd};
   return rows;
 }
 
@@ -26,6 +26,7 @@ std::string_view describe(Stability stability) {
     case Stability::None: return "grows at every step";
     case Stability::Conditional: return "stable up to a largest step";
     case Stability::Adaptive: return "adapts its step";
+    case Stability::EachSpring: return "each spring alone is stable at any step";
     case Stability::Absolute: return "stable at any step";
     case Stability::Stiff: return "stable at any step, fast modes die out";
   }

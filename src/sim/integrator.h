@@ -27,6 +27,7 @@ enum class Stability {
   None,         // an undamped mode grows at every step
   Conditional,  // none grows up to a largest step, which follows from the amplification
   Adaptive,     // the method picks its own steps within the one asked for
+  EachSpring,   // a spring alone never grows and, when too fast for the step, dies out; many together promise nothing
   Absolute,     // none grows at any step (A-stable)
   Stiff,        // and modes far too fast for the step die out at once (L-stable)
 };

@@ -48,15 +48,21 @@ struct Workspace {
   void size_fields(std::size_t count, const Motion& motion);
 };
 
-// The workspace's structure of this kind, made anew if there is none or it is of another topology.
+// The workspace's structure of this kind, made anew if there is none or it is of another topology. For `prepare`.
 template <class Kind>
-Kind& structure_of(const Plan& plan, Workspace& work) {
+Kind& make_structure(const Plan& plan, Workspace& work) {
   auto* known = dynamic_cast<Kind*>(work.structure.get());
   if (known != nullptr && known->fits(plan)) return *known;
   auto made = std::make_unique<Kind>(plan);
   Kind& kind = *made;
   work.structure = std::move(made);
   return kind;
+}
+
+// The one that `prepare` made. For `step`.
+template <class Kind>
+Kind& structure_of(Workspace& work) {
+  return static_cast<Kind&>(*work.structure);
 }
 
 // v = v e^(-c h) + a (1 - e^(-c h)) / c over `h` [s], a without drag: exact for constant a; v + h a when c = 0. A held

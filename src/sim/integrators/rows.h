@@ -11,5 +11,6 @@ extern const Integrator velocity_verlet;
 extern const Integrator blanes_moan4;
 extern const Integrator runge_kutta4;
 extern const Integrator dop853;
+extern const Integrator xpbd;
 
 }  // namespace hooke
