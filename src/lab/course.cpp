@@ -1,0 +1,76 @@
+#include "lab/course.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+
+#include "sim/divergence.h"
+
+namespace hooke {
+namespace {
+
+void add(Passage& passage, const Motion& motion) {
+  passage.work.force_evaluations += motion.force_evaluations;
+  passage.work.factorizations += motion.factorizations;
+  passage.work.solves += motion.solves;
+  passage.work.sweeps += motion.sweeps;
+  passage.unconverged_solves += motion.unconverged_solves;
+}
+
+}  // namespace
+
+bool is_adaptive(const Integrator& method) { return method.stability == Stability::Adaptive; }
+
+double cpu_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+Course::Course(const Problem& problem) : problem_(problem), plan_(make_plan(problem.system)) {}
+
+Passage Course::run(const Integrator& method, const Setting& setting, const std::function<bool()>& may_go_on) {
+  return run(method, setting, problem_.start, may_go_on);
+}
+
+Passage Course::run(const Integrator& method, const Setting& setting, const State& start, const std::function<bool()>& may_go_on) {
+  const Settings settings{
+      .integrator = &method, .frame_rate = snapshot_count / problem_.seconds, .substeps = setting.steps, .tolerance = setting.tolerance};
+  const int steps_between_questions = std::max(1, setting.steps / 256);
+  Passage passage;
+  State state = start;
+
+  for (int i = 0; i < snapshot_count; ++i) {
+    const double begin = cpu_seconds();
+    frame_.begin(plan_, problem_.system, settings, state);
+    while (!frame_.done()) {
+      frame_.substep(plan_);
+      if (frame_.substeps_done() % steps_between_questions == 0 && !may_go_on()) {
+        passage.end = Passage::End::Stopped;
+        return passage;
+      }
+    }
+    frame_.end(plan_, state);
+    passage.cpu_seconds += cpu_seconds() - begin;
+    add(passage, frame_.motion());
+
+    if (find_divergence(problem_.system, state, compute_energy(problem_.system, state))) {
+      passage.end = Passage::End::Diverged;
+      return passage;
+    }
+    passage.snapshots.push_back(state);
+  }
+  return passage;
+}
+
+std::string Course::name(const Setting& setting) const {
+  char text[64];
+  if (setting.tolerance)
+    std::snprintf(text, sizeof text, "tolerance %.0e", *setting.tolerance);
+  else
+    std::snprintf(text, sizeof text, "%.10g steps/s", 1.0 / step(setting));
+  return text;
+}
+
+}  // namespace hooke

@@ -1,0 +1,141 @@
+#include "lab/problem.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <glm/common.hpp>
+#include <utility>
+
+#include "lab/scene_file.h"
+#include "lab/scene_nets.h"
+#include "sim/divergence.h"
+
+namespace hooke {
+namespace {
+
+Problem make(std::string id, std::string title, Start start) {
+  open_ledger(start.system, start.state);
+  return {.id = std::move(id), .title = std::move(title), .system = std::move(start.system), .start = std::move(start.state)};
+}
+
+Problem shipped(const std::string& id, std::string title, double seconds) {
+  Problem problem = problem_from(id, load_scene(find_scene(id)).scene);
+  problem.title = std::move(title);
+  problem.seconds = seconds;
+  return problem;
+}
+
+// FNV-1a (Fowler, Noll, Vo) over 64-bit words
+class Fingerprint {
+ public:
+  void add(std::uint64_t word) {
+    for (int byte = 0; byte < 8; ++byte) value_ = (value_ ^ ((word >> (8 * byte)) & 0xff)) * 0x100000001b3;
+  }
+  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+  void add(const Vec3& v) {
+    for (int c = 0; c < 3; ++c) add(v[c]);
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+struct AddShape {
+  Fingerprint& print;
+  void operator()(const Plane& plane) const {
+    print.add(plane.point);
+    print.add(plane.normal);
+  }
+  void operator()(const Sphere& sphere) const {
+    print.add(sphere.center);
+    print.add(sphere.radius);
+  }
+  void operator()(const Box& box) const {
+    print.add(box.least);
+    print.add(box.most);
+  }
+};
+
+}  // namespace
+
+std::span<const BuiltInProblem> built_in_problems() {
+  static const std::array rows{
+      BuiltInProblem{"net_w2", [] { return make("net_w2", "net 16 x 16, k = 1e2 N/m", make_net(16, 1e2, 0.0)); }},
+      BuiltInProblem{"net_w4", [] { return make("net_w4", "net 16 x 16, k = 1e4 N/m", make_net(16, 1e4, 0.0)); }},
+      BuiltInProblem{"net_w4d", [] { return make("net_w4d", "net 16 x 16, k = 1e4 N/m, d = 0.9 N s/m", make_net(16, 1e4, 0.9)); }},
+      BuiltInProblem{"net_w6", [] { return make("net_w6", "net 16 x 16, k = 1e6 N/m", make_net(16, 1e6, 0.0)); }},
+      BuiltInProblem{"net_w6d", [] { return make("net_w6d", "net 16 x 16, k = 1e6 N/m, d = 9 N s/m", make_net(16, 1e6, 9.0)); }},
+      BuiltInProblem{"net_w8d", [] { return make("net_w8d", "net 16 x 16, k = 1e8 N/m, d = 90 N s/m", make_net(16, 1e8, 90.0)); }},
+      BuiltInProblem{"net_we", [] { return make("net_we", "net 16 x 16, k = 1e4 N/m, d = 1e3 N s/m", make_net(16, 1e4, 1e3)); }},
+      BuiltInProblem{"drum_32", [] { return shipped("drum_32", "drum 32 x 32, k = 1e3 N/m, nailed all round", 1.0); }},
+      BuiltInProblem{"rope_64", [] { return shipped("rope_64", "rope of 64 points, k = 1e4 N/m, released level", 0.5); }},
+      BuiltInProblem{"cloth_32", [] { return shipped("cloth_32", "cloth 32 x 32, k = 1e3 N/m, nailed at two corners", 0.5); }},
+      BuiltInProblem{"chain_1000",
+                     [] { return make("chain_1000", "chain of 200 links, the last 1000 times as heavy", make_chain(200, 1e3)); }},
+      BuiltInProblem{"curtain_b",
+                     [] {
+                       Problem curtain = make("curtain_b", "curtain 16 x 16, k = 1e4 N/m, buckling", make_curtain(16, 1e4, 0.0));
+                       curtain.measure = Measure::Observables;
+                       return curtain;
+                     }},
+  };
+  return rows;
+}
+
+const BuiltInProblem* find_problem(std::string_view id) {
+  for (const BuiltInProblem& row : built_in_problems())
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
+Problem problem_from(const std::string& id, const Scene& scene) {
+  Problem problem{.id = id, .title = scene.name.empty() ? id : scene.name, .system = scene.system, .start = scene.state};
+  problem.start.time = 0.0;
+  open_ledger(problem.system, problem.start);
+
+  Vec3 least(1e300), most(-1e300);
+  for (const Vec3& x : problem.start.position) {
+    least = glm::min(least, x);
+    most = glm::max(most, x);
+  }
+  const Vec3 extent = most - least;
+  const double largest = std::max({extent.x, extent.y, extent.z});
+  problem.size = largest > 0.0 ? largest : 1.0;
+  return problem;
+}
+
+std::uint64_t fingerprint(const Problem& problem) {
+  const System& system = problem.system;
+  Fingerprint print;
+  print.add(problem.seconds);
+  print.add(problem.size);
+  print.add(static_cast<std::uint64_t>(problem.measure));
+  print.add(static_cast<std::uint64_t>(system.dimensions));
+  print.add(system.gravity);
+  print.add(system.drag_rate());
+  print.add(system.wind);
+  for (const Point& point : system.points()) {
+    print.add(static_cast<std::uint64_t>(point.nailed));
+    print.add(point.mass);
+    print.add(point.radius);
+  }
+  for (const Spring& spring : system.springs()) {
+    print.add(static_cast<std::uint64_t>(system.index_of(spring.first)));
+    print.add(static_cast<std::uint64_t>(system.index_of(spring.second)));
+    print.add(spring.stiffness);
+    print.add(system.damping_of(spring));
+    print.add(spring.rest_length);
+  }
+  for (const Collider& collider : system.colliders) {
+    if (!collider.solid) continue;
+    std::visit(AddShape{print}, collider.shape);
+    print.add(collider.restitution);
+    print.add(collider.friction);
+  }
+  for (const Vec3& x : problem.start.position) print.add(x);
+  for (const Vec3& v : problem.start.velocity) print.add(v);
+  return print.value();
+}
+
+}  // namespace hooke
