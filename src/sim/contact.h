@@ -11,10 +11,12 @@ struct ContactWorkspace {
   Field x, v;
 };
 
-// Corrects the step of h that led from (before.x, before.v) to (motion.x, motion.v): every point's path within the step
-// is taken as the parabola through both positions, the first impact is solved for on it, and the change of velocity at
-// the impact is carried to the end of the step. Exact for flight under constant acceleration; nothing tunnels. A point
-// whose remaining bounces all fall within the step comes to rest. Returns whether anything touched.
+// Corrects the step of h that led from (before.x, before.v) to (motion.x, motion.v). A point's path within the step is
+// the parabola through both positions under the step's mean acceleration; its impacts are solved for on it. Where it
+// touches without bouncing it slides or sticks: its supports bear what presses into them, friction takes mu times that.
+// Flights, impacts and slides on planes are exact under constant acceleration, slides on balls second order. Nothing
+// passes through, whatever its speed; what starts inside is put on the surface; when all bounces to come fall within the
+// step, they are over; what rests keeps its bits. Returns whether anything touched.
 bool resolve_contacts(const Plan& plan, const ContactWorkspace& before, Motion& motion, double h);
 
 }  // namespace hooke

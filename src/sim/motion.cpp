@@ -24,7 +24,7 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
     double* v = motion.v.data() + static_cast<std::size_t>(c) * plan.points;
     for (Index i = 0; i < plan.points; ++i) {
       x[i] = state.position[i][c];
-      v[i] = state.velocity[i][c];
+      v[i] = plan.inverse_mass[i] == 0.0 ? 0.0 : state.velocity[i][c];
     }
   }
   motion.acceleration_is_current = false;

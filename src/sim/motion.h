@@ -72,7 +72,7 @@ void kick(const Plan& plan, Motion& motion, double h);
 // x = x + h v.
 void drift(Motion& motion, double h);
 
-// [m], [m/s] of every point into the packed layout and back.
+// [m], [m/s] of every point into the packed layout and back. What is nailed or held starts without velocity.
 void pack(const Plan& plan, const State& state, Motion& motion);
 void unpack(const Plan& plan, const Motion& motion, State& state);
 

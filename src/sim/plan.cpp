@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <tuple>
 
 #include "sim/state.h"
@@ -36,7 +37,8 @@ void find_runs(Plan& plan, const System& system) {
   std::vector<Found> found;
   for (std::size_t e = 0; e < ends.size(); ++e) {
     // cut at a few hundred springs, so that runs along the whole scene do not sweep the cache once for each direction
-    const bool continues = !found.empty() && found.back().count < longest_run && ends[e].first == ends[e - 1].first + 1 && ends[e].second == ends[e - 1].second + 1;
+    const bool continues = !found.empty() && found.back().count < longest_run && ends[e].first == ends[e - 1].first + 1 &&
+                           ends[e].second == ends[e - 1].second + 1;
     if (continues)
       ++found.back().count;
     else
@@ -51,6 +53,27 @@ void find_runs(Plan& plan, const System& system) {
     plan.runs.push_back({static_cast<Index>(plan.spring_index.size()), ends[run.begin].first, ends[run.begin].second, run.count});
     for (Index e = 0; e < run.count; ++e) plan.spring_index.push_back(ends[run.begin + e].spring);
   }
+}
+
+// What colliders are to points that stay in the plane z = 0: balls about its points, walls and blocks that cross it
+// upright. A plane that lies along it is none.
+void flatten(std::vector<Collider>& colliders) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (Collider& collider : colliders) {
+    if (auto* plane = std::get_if<Plane>(&collider.shape)) {
+      plane->point.z = plane->normal.z = 0.0;
+      plane->normal /= std::max(glm::length(plane->normal), std::numeric_limits<double>::min());
+    } else if (auto* sphere = std::get_if<Sphere>(&collider.shape)) {
+      sphere->center.z = 0.0;
+    } else if (auto* box = std::get_if<Box>(&collider.shape)) {
+      box->least.z = -infinity;
+      box->most.z = infinity;
+    }
+  }
+  std::erase_if(colliders, [](const Collider& collider) {
+    const auto* plane = std::get_if<Plane>(&collider.shape);
+    return plane != nullptr && plane->normal == Vec3(0.0);
+  });
 }
 
 }  // namespace
@@ -103,6 +126,7 @@ void refresh_values(Plan& plan, const System& system) {
   plan.colliders.clear();
   for (const Collider& collider : system.colliders)
     if (collider.solid) plan.colliders.push_back(collider);
+  if (plan.dimensions == 2) flatten(plan.colliders);
   plan.radius.clear();
   if (!plan.colliders.empty())
     for (const Point& point : system.points()) plan.radius.push_back(point.radius);

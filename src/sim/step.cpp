@@ -46,7 +46,8 @@ void Frame::end(const Plan& plan, State& state) const {
   unpack(plan, motion_, state);
   state.time = start_ + duration_;
   state.hand = target_;
-  if (plan.held) state.position[*plan.held] = target_;
+  if (plan.held)
+    for (int c = 0; c < plan.dimensions; ++c) state.position[*plan.held][c] = target_[c];
 }
 
 void book_hand_work(const System& system, const State& before, State& after) {
