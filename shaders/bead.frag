@@ -6,6 +6,7 @@ flat in vec2 depths;        // of the center and the front, in 0..1
 flat in vec4 body;
 flat in vec4 ring;
 flat in float is_square;
+uniform float ring_width;   // [px]
 out vec4 result;
 
 const vec3 light = vec3(-0.42, 0.66, 0.62);
@@ -24,13 +25,15 @@ void main() {
   float shine = is_square > 0.5 ? 0.0 : 0.22 * pow(max(dot(normal, light), 0.0), 24.0);
   vec4 color = vec4(body.rgb * lit + shine, body.a * inside);
 
+  float front = bulge;
   if (radii.y > 0.0) {
     float outer = clamp(radii.y - from_center + 0.5, 0.0, 1.0);
-    float inner = clamp(from_center - (radii.y - 2.0) + 0.5, 0.0, 1.0);
+    float inner = clamp(from_center - (radii.y - ring_width) + 0.5, 0.0, 1.0);
     float cover = outer * inner * ring.a;
     color = mix(color, vec4(ring.rgb, 1.0), cover);
+    front = max(front, cover);
   }
   if (color.a < 0.02) discard;
   result = color;
-  gl_FragDepth = mix(depths.x, depths.y, bulge);
+  gl_FragDepth = mix(depths.x, depths.y, front);
 }

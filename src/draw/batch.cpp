@@ -41,10 +41,11 @@ void Stream::draw_quads(const void* vertices, std::size_t count) {
   glDrawRangeElements(GL_TRIANGLES, 0, static_cast<GLuint>(count - 1), static_cast<GLsizei>(6 * quads), GL_UNSIGNED_INT, nullptr);
 }
 
-void Stream::draw_triangles(const void* vertices, std::size_t count) {
-  if (count == 0) return;
+void Stream::draw_indexed(const void* vertices, std::size_t count, std::span<const GLuint> indices) {
+  if (indices.empty()) return;
   upload(vertices, count);
-  glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(count));
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(), GL_STREAM_DRAW);
+  glDrawRangeElements(GL_TRIANGLES, 0, static_cast<GLuint>(count - 1), static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
 }
 
 }  // namespace hooke

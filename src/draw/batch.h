@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 #include "draw/gl.h"
@@ -17,12 +18,12 @@ struct Attribute {
   std::size_t offset;
 };
 
-// The buffers of a batch. Quads are four vertices each: 0 1 2 and 2 1 3.
+// The buffers of a batch: of quads, four vertices each (0 1 2 and 2 1 3), or of triangles by their indices; not both.
 class Stream {
  public:
   Stream(std::initializer_list<Attribute> attributes, std::size_t stride);
   void draw_quads(const void* vertices, std::size_t count);
-  void draw_triangles(const void* vertices, std::size_t count);
+  void draw_indexed(const void* vertices, std::size_t count, std::span<const GLuint> indices);
 
  private:
   void upload(const void* vertices, std::size_t count);

@@ -29,9 +29,10 @@ void Beads::add(const Projection& projection, const glm::dvec4& clip, const Seen
                            bead.ring_ink, bead.square ? 1.0f : 0.0f});
 }
 
-void Beads::draw(const Shader& shader, int width, int height) {
+void Beads::draw(const Shader& shader, int width, int height, double scale) {
   shader.use();
   glUniform2f(shader.uniform("picture"), static_cast<float>(width), static_cast<float>(height));
+  glUniform1f(shader.uniform("ring_width"), static_cast<float>(1.75 * scale));
   stream_.draw_quads(vertices_.data(), vertices_.size());
 }
 

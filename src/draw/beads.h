@@ -26,7 +26,8 @@ class Beads {
   void clear() { vertices_.clear(); }
   void reserve(std::size_t beads) { vertices_.reserve(4 * beads); }
   void add(const Projection& projection, const glm::dvec4& clip, const Seen& seen, const Bead& bead);
-  void draw(const Shader& shader, int width, int height);
+  // Rings are 1.75 of the screen's pixels wide, a pixel of the screen being `scale` of the picture's.
+  void draw(const Shader& shader, int width, int height, double scale);
 
  private:
   struct Vertex {

@@ -29,11 +29,12 @@ const StrainInks& strain_inks() {
 }  // namespace
 
 void Net::see(const Subject& subject) {
+  measure_springs(subject);
   const State& state = subject.snapshot.state;
   clip_.resize(state.position.size());
   seen_.resize(state.position.size());
   for (std::size_t i = 0; i < state.position.size(); ++i) {
-    clip_[i] = subject.projection.clip(state.position[i]);
+    clip_[i] = subject.projection.moved_nearer(subject.projection.clip(state.position[i]), lift());
     seen_[i] = subject.projection.see(clip_[i]);
   }
 
@@ -42,7 +43,6 @@ void Net::see(const Subject& subject) {
     const Index i = subject.snapshot.system->index_of(id);
     if (i != no_index) selected_[i] = 1;
   }
-  measure_springs(subject);
 }
 
 void Net::measure_springs(const Subject& subject) {
@@ -64,8 +64,11 @@ void Net::measure_springs(const Subject& subject) {
     ++counted;
   }
   const glm::dvec2 size(subject.projection.width(), subject.projection.height());
-  spacing_ = counted > 0 ? sum / counted / subject.camera.metres_per_pixel(subject.camera.target, size) : 0.0;
+  length_ = counted > 0 ? sum / counted : 0.0;
+  spacing_ = length_ / subject.camera.metres_per_pixel(subject.camera.target, size);
 }
+
+bool Net::is_dense(const ViewOptions& options) const { return spacing_ > 0.0 && spacing_ < options.scale * dense; }
 
 void Net::add_springs(const Subject& subject, Strokes& strokes) const {
   const double scale = subject.options.scale;
@@ -92,7 +95,8 @@ Bead Net::bead_of(const Subject& subject, Index i) const {
 
   // in a dense net points shrink with the spacing, so that the springs stay in sight
   const double sparse = spacing_ > 0.0 ? spacing_ / scale : 1e3;
-  const double most = 0.3 * sparse * (1.0 + sparse / dense) * scale;
+  const double wider = sparse / (3.0 * dense);
+  const double most = scale * 0.16 * sparse * (1.0 + wider * wider);
   const double least = scale * std::min(least_radius, 0.22 * sparse);
   double radius = std::min(std::max(point.radius * seen_[i].scale, least), most);
   if (point.nailed || selected_[i]) radius = std::max(radius, mark_radius * scale * std::clamp(sparse / dense, 0.6, 1.0));
@@ -101,6 +105,7 @@ Bead Net::bead_of(const Subject& subject, Index i) const {
   const bool is_plain = !point.color && !point.nailed;
   const Color color = point.color ? *point.color : point.nailed ? subject.palette.nailed : subject.palette.point;
   bead.body = ink(selected_[i] && is_plain ? subject.palette.selected : color);
+  if (is_plain && !selected_[i]) bead.body.opacity = static_cast<std::uint8_t>(255.0 * std::clamp((sparse - 5.0) / 8.0, 0.0, 1.0));
   if (selected_[i]) {
     bead.ring = static_cast<float>(radius + 3.0 * scale);
     bead.ring_ink = ink(subject.palette.selected);
@@ -110,11 +115,11 @@ Bead Net::bead_of(const Subject& subject, Index i) const {
 
 void Net::add_points(const Subject& subject, Beads& beads) const {
   beads.reserve(seen_.size());
-  const float least_seen = 0.8f * static_cast<float>(subject.options.scale);
+  constexpr std::uint8_t least_opacity = 16;
   for (Index i = 0; i < static_cast<Index>(seen_.size()); ++i) {
     if (seen_[i].outside & (before | beyond | not_a_place)) continue;
     const Bead bead = bead_of(subject, i);
-    if (bead.radius >= least_seen) beads.add(subject.projection, clip_[i], seen_[i], bead);
+    if (bead.body.opacity >= least_opacity) beads.add(subject.projection, clip_[i], seen_[i], bead);
   }
 }
 

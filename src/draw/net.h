@@ -25,11 +25,17 @@ class Net {
   // Looks at every point once; the rest uses what was seen.
   void see(const Subject& subject);
 
+  // Springs so close that they cover much of each other: they blend, whichever is in front.
+  bool is_dense(const ViewOptions& options) const;
+
   void add_springs(const Subject& subject, Strokes& strokes) const;
   void add_points(const Subject& subject, Beads& beads) const;
   // Rings and lines over what is selected and under the cursor.
   void add_marks(const Subject& subject, Strokes& strokes, Beads& beads) const;
 
+  // Of each point. Springs cut corners where points rest on something round: all is drawn this much nearer [m] than it is,
+  // so that neither colliders nor faces come through.
+  double lift() const { return 0.1 * length_; }
   const std::vector<glm::dvec4>& clip() const { return clip_; }
   const std::vector<Seen>& seen() const { return seen_; }
 
@@ -42,7 +48,8 @@ class Net {
   std::vector<Index> ends_;             // two a spring
   std::vector<float> strain_;           // a spring
   std::vector<std::uint8_t> selected_;  // a point
-  double spacing_ = 0.0;                // [px], mean length of a spring at the camera's target; 0 without springs
+  double length_ = 0.0;                 // [m], mean length of a spring; 0 without springs
+  double spacing_ = 0.0;                // [px], the same at the camera's target
 };
 
 }  // namespace hooke

@@ -15,14 +15,14 @@ Projection::Projection(const Camera& camera, int width, int height)
       width_(width),
       height_(height) {}
 
-glm::dvec4 Projection::clip(const Vec3& place) const {
-  const Vec3 p = viewed(place);
-  const double z = projection_[2][2] * p.z + projection_[3][2];
-  return {projection_[0][0] * p.x, projection_[1][1] * p.y, z, orthographic_ ? 1.0 : -p.z};
+glm::dvec4 Projection::clip_viewed(const Vec3& viewed) const {
+  const double z = projection_[2][2] * viewed.z + projection_[3][2];
+  return {projection_[0][0] * viewed.x, projection_[1][1] * viewed.y, z, orthographic_ ? 1.0 : -viewed.z};
 }
 
 Seen Projection::see(const glm::dvec4& clip) const {
-  if (!std::isfinite(clip.x + clip.y + clip.z)) return {.outside = not_a_place};
+  // nor is what single precision cannot hold
+  if (!(std::abs(clip.x) + std::abs(clip.y) + std::abs(clip.z) < 1e30)) return {.outside = not_a_place};
   Seen seen;
   seen.outside =
       static_cast<std::uint8_t>((clip.x < -clip.w ? left_of : 0) | (clip.x > clip.w ? right_of : 0) | (clip.y < -clip.w ? below : 0) |
@@ -35,9 +35,12 @@ Seen Projection::see(const glm::dvec4& clip) const {
   return seen;
 }
 
-float Projection::depth(const glm::dvec4& clip, double nearer) const {
+glm::dvec4 Projection::moved_nearer(const glm::dvec4& clip, double nearer) const {
   const double w = orthographic_ ? 1.0 : clip.w - nearer;
-  return w > 0.0 ? static_cast<float>((clip.z + projection_[2][2] * nearer) / w) : -1.0f;
+  if (!(w > 0.0)) return clip;
+  return {clip.x, clip.y, (clip.z + projection_[2][2] * nearer) / w * clip.w, clip.w};
 }
+
+float Projection::depth(const glm::dvec4& clip, double nearer) const { return static_cast<float>(moved_nearer(clip, nearer).z / clip.w); }
 
 }  // namespace hooke

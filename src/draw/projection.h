@@ -26,12 +26,15 @@ class Projection {
   Projection(const Camera& camera, int width, int height);
 
   // Homogeneous clip coordinates of a place; not finite when the place is not.
-  glm::dvec4 clip(const Vec3& place) const;
+  glm::dvec4 clip(const Vec3& place) const { return clip_viewed(viewed(place)); }
+  glm::dvec4 clip_viewed(const Vec3& viewed) const;
   Seen see(const glm::dvec4& clip) const;
   Seen see(const Vec3& place) const { return see(clip(place)); }
 
   // Depth of a place that lies `nearer` [m] to the viewer than the clip coordinates say.
   float depth(const glm::dvec4& clip, double nearer) const;
+  // The same place of the picture, `nearer` [m] to the viewer.
+  glm::dvec4 moved_nearer(const glm::dvec4& clip, double nearer) const;
   // [px/m] at clip coordinates.
   double scale(const glm::dvec4& clip) const { return pixels_ / clip.w; }
   // A direction of the world as the viewer sees it: x right, y up, z towards the viewer.

@@ -50,8 +50,9 @@ void Strokes::add(const Projection& projection, const glm::dvec4& a, const Seen&
   add_seen(from.x, from.y, from.depth, to.x, to.y, to.depth, ink, width);
 }
 
-void Strokes::add(const Projection& projection, const Vec3& a, const Vec3& b, Ink ink, float width) {
-  const glm::dvec4 start = projection.clip(a), end = projection.clip(b);
+void Strokes::add(const Projection& projection, const Vec3& a, const Vec3& b, Ink ink, float width, double lift) {
+  const auto lifted = [&](const glm::dvec4& clip) { return projection.moved_nearer(clip, lift / projection.scale(clip)); };
+  const glm::dvec4 start = lifted(projection.clip(a)), end = lifted(projection.clip(b));
   add(projection, start, projection.see(start), end, projection.see(end), ink, width);
 }
 

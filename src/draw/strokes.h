@@ -21,7 +21,8 @@ class Strokes {
   // when an end is no place.
   void add(const Projection& projection, const glm::dvec4& a, const Seen& seen_a, const glm::dvec4& b, const Seen& seen_b, Ink ink,
            float width);
-  void add(const Projection& projection, const Vec3& a, const Vec3& b, Ink ink, float width);
+  // The same between places; drawn `lift` pixels nearer than it is, so that it shows on a surface that it lies on.
+  void add(const Projection& projection, const Vec3& a, const Vec3& b, Ink ink, float width, double lift = 0.0);
   // Dashes and gaps of these lengths [px].
   void add_dashed(const Projection& projection, const Vec3& a, const Vec3& b, Ink ink, float width, float dash, float gap);
 

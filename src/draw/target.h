@@ -1,5 +1,5 @@
-// Where the picture comes into being: a framebuffer of our own, multisampled, and the finished picture beside it. The
-// same in a window and off screen, so that both give the same pixels.
+// Where the picture comes into being: framebuffers of our own, the same in a window and off screen, so that both give
+// the same pixels.
 #pragma once
 
 #include "draw/gl.h"
@@ -9,22 +9,28 @@ namespace hooke {
 
 class Target {
  public:
-  // Makes the framebuffers fit and binds the one to draw the scene into. Fewer samples than asked for where the driver
-  // has no more. Throws std::runtime_error when it can give no framebuffer of this size.
+  // Makes the framebuffers fit and binds the one to begin with: of several samples a pixel, if asked for; fewer where
+  // the driver has no more. Throws std::runtime_error when it can give no framebuffer of this size.
   void begin(int width, int height, int samples);
-  // The scene is done: its samples become the picture's pixels; what follows is drawn onto the picture itself.
+  // Polygons are done: their samples become the picture's colours and depths, and what follows is drawn onto the
+  // picture itself. Lines, points and panels are smooth by themselves; sampling them would cost three times as much.
   void resolve() const;
   void show() const;
   Image read() const;
 
  private:
-  void resize(int width, int height, int samples);
-  bool allocate(int samples);
+  // A framebuffer with colour and depth.
+  struct Layer {
+    GlName frame, color, depth;
+    int width = 0, height = 0, samples = 0;
+    bool fits(int wanted_width, int wanted_height) const { return width == wanted_width && height == wanted_height; }
+    bool allocate(int new_width, int new_height, int new_samples);
+  };
+  void allocate_sampled(int samples);
 
-  int width_ = 0, height_ = 0;
-  int asked_ = -1, samples_ = 0;
-  GlName color_, depth_, sampled_color_;  // renderbuffers
-  GlName picture_, sampled_;              // framebuffers; sampled_ is unused without multisampling
+  Layer picture_, sampled_;
+  int asked_ = 0;          // samples that sampled_ was made for
+  bool sampling_ = false;  // this picture began in sampled_
 };
 
 }  // namespace hooke

@@ -1,9 +1,11 @@
 #include "draw/view.h"
 
 #include "draw/beads.h"
+#include "draw/cloth_mesh.h"
 #include "draw/gui_renderer.h"
 #include "draw/net.h"
 #include "draw/shader.h"
+#include "draw/stage.h"
 #include "draw/strokes.h"
 #include "draw/target.h"
 
@@ -17,44 +19,121 @@ void clear(const Color& background) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void set_blending() {
+// In a flat scene all lies in one plane: what is drawn later is on top.
+void set_state(bool is_spatial) {
+  is_spatial ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void add_ghosts(const Subject& subject, Strokes& strokes, Beads& beads) {
+  const auto scale = static_cast<float>(subject.options.scale);
+  const Ink color = ink(subject.palette.hover, 0.55);
+  if (const auto& line = subject.marks.ghost_spring)
+    strokes.add_dashed(subject.projection, line->first, line->second, color, 1.75f * scale, 6.0f * scale, 4.0f * scale);
+  if (const auto& place = subject.marks.ghost_point) {
+    const glm::dvec4 clip = subject.projection.clip(*place);
+    const Bead ghost{.radius = 3.0f * scale, .body = color, .ring = 7.0f * scale, .ring_ink = color};
+    beads.add(subject.projection, clip, subject.projection.see(clip), ghost);
+  }
 }
 
 }  // namespace
 
 struct View::Parts {
   Target target;
-  Shader stroke_shader{"stroke"}, bead_shader{"bead"};
+  Shader stroke_shader{"stroke"}, bead_shader{"bead"}, surface_shader{"surface"}, ball_shader{"ball"}, ground_shader{"ground"};
+  Stage stage;
   Net net;
-  Strokes springs, marked_springs;
-  Beads points, marked_points;
+  ClothMesh cloth_mesh;
+  Surfaces faces;
+  Strokes springs, marked_springs, ghost_springs;
+  Beads points, marked_points, ghost_points;
   GuiRenderer gui;
 
-  void draw_scene(const Subject& subject, int width, int height);
+  void gather(const Subject& subject);
+  void draw_scene(const Subject& subject, const PicturePlace& place, int width, int height);
+  void draw_stage(const Projection& projection);
+  void draw_net(const Subject& subject);
+  void draw_over(const Subject& subject);
 };
 
-void View::Parts::draw_scene(const Subject& subject, int width, int height) {
+void View::Parts::gather(const Subject& subject) {
+  stage.clear();
+  faces.clear();
+  for (Strokes* strokes : {&springs, &marked_springs, &ghost_springs}) strokes->clear();
+  for (Beads* beads : {&points, &marked_points, &ghost_points}) beads->clear();
+
   net.see(subject);
-  for (Strokes* strokes : {&springs, &marked_springs}) strokes->clear();
-  for (Beads* beads : {&points, &marked_points}) beads->clear();
+  stage.add(subject);
+  if (subject.options.faces) cloth_mesh.add(subject, net, faces);
   if (subject.options.springs) net.add_springs(subject, springs);
   if (subject.options.points) net.add_points(subject, points);
   net.add_marks(subject, marked_springs, marked_points);
+  add_ghosts(subject, ghost_springs, ghost_points);
+}
 
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glDisable(GL_CULL_FACE);
-  set_blending();
+void View::Parts::draw_scene(const Subject& subject, const PicturePlace& place, int width, int height) {
+  gather(subject);
 
+  // only polygons have edges that need several samples a pixel
+  const bool has_polygons = !faces.is_empty() || !stage.solids.is_empty();
+  target.begin(width, height, has_polygons ? subject.options.samples : 0);
+  clear(subject.options.background);
+  glViewport(place.x, height - place.y - place.height, place.width, place.height);
+  set_state(subject.snapshot.system->dimensions == 3);
+  draw_stage(subject.projection);
+  target.resolve();
+  draw_net(subject);
+  draw_over(subject);
+}
+
+// What stands behind the network and can hide it.
+void View::Parts::draw_stage(const Projection& projection) {
   glDepthMask(GL_FALSE);
-  marked_springs.draw(stroke_shader, width, height);
+  stage.backdrop.draw(ground_shader);
   glDepthMask(GL_TRUE);
+  stage.floors.draw(ground_shader);
+  stage.balls.draw(ball_shader, projection);
+
+  // surfaces give way a little to the lines that lie on them
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.0f, 2.0f);
+  stage.solids.draw(surface_shader);
+  faces.draw(surface_shader);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void View::Parts::draw_net(const Subject& subject) {
+  const int width = subject.projection.width(), height = subject.projection.height();
+  glDepthMask(GL_FALSE);
+  stage.outlines.draw(stroke_shader, width, height);
+  marked_springs.draw(stroke_shader, width, height);
+
+  // where lines hide one another, half-covered pixels would hide what is behind them, and a dense net would shimmer
+  glDepthMask(net.is_dense(subject.options) ? GL_FALSE : GL_TRUE);
   springs.draw(stroke_shader, width, height);
-  points.draw(bead_shader, width, height);
-  marked_points.draw(bead_shader, width, height);
+  glDepthMask(GL_TRUE);
+  points.draw(bead_shader, width, height, subject.options.scale);
+}
+
+// What can be seen through, and what the person is doing.
+void View::Parts::draw_over(const Subject& subject) {
+  const int width = subject.projection.width(), height = subject.projection.height();
+  glDepthMask(GL_FALSE);
+  glEnable(GL_CULL_FACE);
+  stage.faint_solids.draw(surface_shader);
+  glDisable(GL_CULL_FACE);
+  stage.faint_balls.draw(ball_shader, subject.projection);
+  stage.veils.draw(ground_shader);
+  marked_points.draw(bead_shader, width, height, subject.options.scale);
+
   glDisable(GL_DEPTH_TEST);
+  ghost_springs.draw(stroke_shader, width, height);
+  ghost_points.draw(bead_shader, width, height, subject.options.scale);
+  glDepthMask(GL_TRUE);
 }
 
 View::View() : parts_(std::make_unique<Parts>()) {}
@@ -65,11 +144,7 @@ void View::draw(const Snapshot& snapshot, const Marks& marks, const Camera& came
   const PicturePlace place = options.place.width > 0 ? options.place : PicturePlace{0, 0, width, height};
   const Projection projection(camera, place.width, place.height);
   const Palette palette = palette_for(options.background);
-  parts_->target.begin(width, height, options.samples);
-  clear(options.background);
-  glViewport(place.x, height - place.y - place.height, place.width, place.height);
-  parts_->draw_scene({snapshot, marks, options, projection, camera, palette}, place.width, place.height);
-  parts_->target.resolve();
+  parts_->draw_scene({snapshot, marks, options, projection, camera, palette}, place, width, height);
   if (panels) parts_->gui.draw(*panels);
 }
 

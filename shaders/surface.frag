@@ -1,0 +1,14 @@
+#version 330 core
+// Plain shading, the same from both sides: a normal belongs to the side from which the corners run anticlockwise.
+in vec3 normal;
+in vec4 color;
+out vec4 result;
+
+const vec3 light = vec3(-0.42, 0.66, 0.62);
+
+void main() {
+  float size = length(normal);
+  float facing = dot(normal, light) / max(size, 1e-3) * (gl_FrontFacing ? 1.0 : -1.0);
+  float lit = size < 0.1 ? 1.0 : 0.70 + 0.38 * facing;
+  result = vec4(color.rgb * lit, color.a);
+}

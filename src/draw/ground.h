@@ -1,0 +1,47 @@
+// Flat backgrounds: the grid that everything stands in, planes of spatial scenes as a bounded floor that fades out, and
+// planes of flat scenes as a hatched edge.
+#pragma once
+
+#include <vector>
+
+#include "draw/batch.h"
+#include "draw/ink.h"
+#include "draw/projection.h"
+
+namespace hooke {
+
+class Shader;
+
+// How a plane looks.
+struct GroundLook {
+  Ink fill{0, 0, 0, 0};  // of the floor itself
+  Ink line;              // of the grid on it
+  double reach = 1.0;    // [m], where it has faded out, from the place under the camera's target
+  double spacing = 1.0;  // [m], of the finer grid
+  double fine = 1.0;     // opacity of the finer grid against the coarser, ten times as wide
+};
+
+class Ground {
+ public:
+  Ground();
+  void clear() { vertices_.clear(); }
+  void add(const Projection& projection, const Camera& camera, const Plane& plane, const GroundLook& look);
+  bool is_empty() const { return vertices_.empty(); }
+  void draw(const Shader& shader);
+
+ private:
+  struct Vertex {
+    float clip[4];
+    float cell[2];  // in spacings of the finer grid, whole at a coarse line
+    float fade[2];  // from the middle, 1 at the border
+    float fine;
+    Ink fill, line;
+  };
+  std::vector<Vertex> vertices_;
+  Stream stream_;
+};
+
+// The look of a grid under this camera: spacings are powers of ten, the finer fades as the camera goes away.
+GroundLook look_from(const Camera& camera);
+
+}  // namespace hooke
