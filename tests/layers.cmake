@@ -23,6 +23,7 @@ set(owners
   "^(imgui|imstb|misc/|backends/).*"    "^(ui/|draw/gui_renderer[.]|app/[a-z_]*gui[a-z_]*[.])"
   "^png[.]h$"                           "^draw/"
   "^rapidjson/"                         "^lab/"
+  "^tiny_obj_loader[.]h$"               "^lab/obj_text[.]cpp$"
   "^CLI/"                               "^(cli/|app/main[.]cpp$)"
   "^hwy/"                               "^sim/"
   "^Eigen/"                             "^sim/"

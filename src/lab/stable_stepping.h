@@ -8,8 +8,8 @@
 
 namespace hooke {
 
-// Sets a method and substeps under which the scene does not blow up, however it moves: velocity Verlet at half of its
-// limit, at least `least_substeps`, where that is affordable; else an implicit method, where there is one that holds.
+// Sets a method and substeps under which the scene does not blow up, however it moves: velocity Verlet at four
+// fifths of its limit, with at least `least_substeps`, where that is affordable; else an implicit method, where there is one that holds.
 // Returns a sentence if the scene will be slow, or if nothing holds.
 std::optional<std::string> choose_stable_stepping(Scene& scene, int least_substeps);
 

@@ -32,7 +32,7 @@ bool TextLines::next(std::string_view& line) {
 }
 
 std::string_view next_word(std::string_view& line) {
-  constexpr std::string_view blanks = " \t\v\f";
+  constexpr std::string_view blanks = " \t";
   line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
   const std::string_view word = line.substr(0, line.find_first_of(blanks));
   line.remove_prefix(word.size());

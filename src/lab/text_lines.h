@@ -24,7 +24,7 @@ class TextLines {
   int number_ = 0;
 };
 
-// Takes the next word off the front of `line`; empty when only blanks are left.
+// Takes the next word off the front of `line`; empty when only blanks and tabs are left.
 std::string_view next_word(std::string_view& line);
 
 // A decimal number of the size of a double ("1", "+.5", "-3e-7"); none for anything else, "nan", "inf" and "1e400" included.
