@@ -253,7 +253,7 @@ TEST(Mesh, BrokenFilesAreRefusedWithTheLine) {
 
 TEST(Mesh, WrittenAsObjItReadsBack) {
   const Scene scene = load(grid(3, 2, 0.3)).scene;
-  const Scene again = load(find_mesh_format(".obj")->format(scene)).scene;
+  const Scene again = load(format_obj(scene)).scene;
   ASSERT_EQ(again.system.point_count(), scene.system.point_count());
   for (std::size_t i = 0; i < scene.state.position.size(); ++i)
     EXPECT_NEAR(glm::distance(again.state.position[i], scene.state.position[i]), 0.0, 1e-15);
@@ -267,14 +267,14 @@ TEST(Mesh, ObjSaysFacesAndTheSpringsThatHangFromThem) {
   scene.state.position.emplace_back(0.1, -2.0, 1.0 / 3.0);
   scene.state.velocity.emplace_back(0.0);
   scene.system.append_spring({.id = scene.system.new_spring_id(), .first = scene.system.points()[0].id, .second = end});
-  EXPECT_EQ(find_mesh_format(".obj")->format(scene),
+  EXPECT_EQ(format_obj(scene),
             "# written by Hooke; metres\no test\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.1 -2 0.3333333333333333\nf 1 2 3\nl 1 4\n");
 }
 
 TEST(Mesh, PlyHoldsTheStrainOfEachVertexByteForByte) {
   Scene scene = load(triangle).scene;
   for (Vec3& x : scene.state.position) x *= 1.25;
-  const std::string bytes = find_mesh_format(".ply")->format(scene);
+  const std::string bytes = format_ply(scene);
   const std::string end = "end_header\n";
   const std::size_t begin = bytes.find(end) + end.size();
   EXPECT_EQ(bytes.substr(0, begin),

@@ -27,6 +27,25 @@ std::vector<std::array<Index, 2>> loose_springs(const System& system) {
   return loose;
 }
 
+template <class Number>
+void append(std::string& bytes, Number number) {
+  static_assert(std::endian::native == std::endian::little);
+  char raw[sizeof number];
+  std::memcpy(raw, &number, sizeof number);
+  bytes.append(raw, sizeof raw);
+}
+
+}  // namespace
+
+LoadedScene parse_obj(std::string_view text, const std::string& file) {
+  LoadedScene loaded;
+  const Mesh mesh = parse_obj_text(text, file, loaded.warnings);
+  loaded.scene = make_cloth(mesh, file, loaded.warnings);
+  loaded.scene.name = std::filesystem::path(file).stem().string();
+  if (const auto warning = choose_stable_stepping(loaded.scene, Settings().substeps)) loaded.warnings.push_back(file + ": " + *warning);
+  return loaded;
+}
+
 // vertices count from 1
 std::string format_obj(const Scene& scene) {
   std::string text = "# written by Hooke; metres\no " + printable(scene.name) + "\n";
@@ -35,14 +54,6 @@ std::string format_obj(const Scene& scene) {
   for (const Face& face : scene.system.faces) text += "f" + number(face.points[0]) + number(face.points[1]) + number(face.points[2]) + "\n";
   for (const auto& [i, j] : loose_springs(scene.system)) text += "l " + std::to_string(i + 1) + " " + std::to_string(j + 1) + "\n";
   return text;
-}
-
-template <class Number>
-void append(std::string& bytes, Number number) {
-  static_assert(std::endian::native == std::endian::little);
-  char raw[sizeof number];
-  std::memcpy(raw, &number, sizeof number);
-  bytes.append(raw, sizeof raw);
 }
 
 // The Stanford format, binary: a header in text, then the values, little end first.
@@ -73,31 +84,6 @@ std::string format_ply(const Scene& scene) {
     append(bytes, std::int32_t{j});
   }
   return bytes;
-}
-
-}  // namespace
-
-LoadedScene parse_obj(std::string_view text, const std::string& file) {
-  LoadedScene loaded;
-  const Mesh mesh = parse_obj_text(text, file, loaded.warnings);
-  loaded.scene = make_cloth(mesh, file, loaded.warnings);
-  loaded.scene.name = std::filesystem::path(file).stem().string();
-  if (const auto warning = choose_stable_stepping(loaded.scene, Settings().substeps)) loaded.warnings.push_back(file + ": " + *warning);
-  return loaded;
-}
-
-std::span<const MeshFormat> mesh_formats() {
-  static constexpr std::array rows{
-      MeshFormat{".obj", "Wavefront mesh", format_obj},
-      MeshFormat{".ply", "Stanford mesh with strain", format_ply},
-  };
-  return rows;
-}
-
-const MeshFormat* find_mesh_format(std::string_view extension) {
-  for (const MeshFormat& row : mesh_formats())
-    if (row.extension == extension) return &row;
-  return nullptr;
 }
 
 std::vector<double> strain_of_points(const Scene& scene) {

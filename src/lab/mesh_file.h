@@ -1,9 +1,9 @@
 // Meshes as files: .obj is read as cloth and written, .ply is written.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lab/scene_file.h"
 
@@ -14,17 +14,12 @@ namespace hooke {
 // name.
 LoadedScene parse_obj(std::string_view text, const std::string& file);
 
-// A way to write the scene's surface as it stands now: all points are vertices, in order, faces are faces, springs with
-// an end that belongs to no face are lines. Coordinates in metres, y as in the scene.
-struct MeshFormat {
-  std::string_view extension;  // ".obj"
-  std::string_view label;
-  std::string (*format)(const Scene& scene);
-};
-std::span<const MeshFormat> mesh_formats();
+// The scene's surface as it stands now, in the Wavefront format: all points are vertices, in order, faces are faces,
+// springs with an end that belongs to no face are lines. Coordinates in metres, y as in the scene.
+std::string format_obj(const Scene& scene);
 
-// The row with this extension, or null.
-const MeshFormat* find_mesh_format(std::string_view extension);
+// The same in the Stanford format, binary, with the strain of each vertex (strain_of_points).
+std::string format_ply(const Scene& scene);
 
 // The mean strain l / l0 - 1 [1] of the springs at each point, those without a rest length left out; 0 where there are none.
 std::vector<double> strain_of_points(const Scene& scene);
