@@ -86,9 +86,10 @@ std::optional<Divergence> find_divergence(const System& system, const State& sta
   if (system.drag_rate() > 0.0) divergence.scale += mass * glm::dot(system.wind, system.wind);
 
   divergence.energy = energy.total() - state.ledger.given;
+  const double present = energy.kinetic + energy.elastic;
   if (!is_finite(state) || !std::isfinite(energy.total()))
     divergence.kind = Divergence::Kind::NotFinite;
-  else if (divergence.energy > divergence_factor * divergence.scale)
+  else if (divergence.energy > divergence_factor * divergence.scale && divergence.energy > divergence_share * present)
     divergence.kind = Divergence::Kind::EnergyFromNowhere;
   else
     return std::nullopt;

@@ -21,6 +21,9 @@ struct Divergence {
 
 // Energy may exceed what start, hand and edits put in by this many times their size.
 inline constexpr double divergence_factor = 100.0;
+// And it must be this share of the energy in motion and springs: a long fall gathers far more than what was put in, and
+// with it a method's small share of error.
+inline constexpr double divergence_share = 0.5;
 
 // True when every position and velocity is a number.
 bool is_finite(const State& state);

@@ -73,7 +73,8 @@ double energy_floor(const System& system, const State& state) {
     if (!system.points()[i].nailed) mass += system.points()[i].mass;
   }
   for (const Spring& spring : system.springs()) reach = std::max(reach, spring.rest_length);
-  const double size = system.point_count() > 0 ? std::max(glm::distance(least, most), reach) : 0.0;
+  const double extent = system.point_count() > 0 ? std::max(glm::distance(least, most), reach) : 0.0;
+  const double size = extent > 0.0 ? extent : 1.0;
   return mass * glm::length(system.gravity) * size;
 }
 

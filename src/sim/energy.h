@@ -28,7 +28,8 @@ double strain(const System& system, const State& state, const Spring& spring);
 // its weight. Zero without a grab.
 Vec3 compute_hand_force(const System& system, const State& state);
 
-// M g L [J]: mass of the free points times gravity times the size of the scene, the least that counts as "put in".
+// M g L [J]: mass of the free points times gravity times the size of the scene, the least that counts as "put in". A
+// scene without extent, as a single point, counts as 1 m.
 double energy_floor(const System& system, const State& state);
 
 }  // namespace hooke
