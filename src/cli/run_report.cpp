@@ -77,7 +77,7 @@ void JsonReport::finish(const RunTotals& totals) {
   json_.whole("factorizations", totals.factorizations);
   json_.text("hash", to_hexadecimal(totals.hash));
   json_.end();
-  file_.write(json_.take());
+  file_.write(json_.take() + "\n");
   file_.close();
 }
 
