@@ -7,7 +7,11 @@ namespace hooke {
 
 std::string shortest(double value) {
   char buffer[32];
-  return std::string(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+  char* const end = buffer + sizeof buffer;
+  // 5000000 rather than 5e+06
+  const bool is_plain = value == std::trunc(value) && std::abs(value) < 1e15;
+  return std::string(buffer,
+                     is_plain ? std::to_chars(buffer, end, value, std::chars_format::fixed).ptr : std::to_chars(buffer, end, value).ptr);
 }
 
 std::string Bounds::text() const {

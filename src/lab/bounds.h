@@ -18,7 +18,7 @@ inline constexpr Bounds any_number{};
 inline constexpr Bounds not_negative{.least = 0.0};
 inline constexpr Bounds positive{.least = 0.0, .least_excluded = true};
 
-// The fewest digits that read back as the same number.
+// The fewest digits that read back as the same number; whole numbers without an exponent, as far as they are exact.
 std::string shortest(double value);
 
 }  // namespace hooke

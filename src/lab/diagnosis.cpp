@@ -50,20 +50,33 @@ Advice advise(const Spectrum& spectrum, const Settings& settings) {
   return {&fallback, fewest_stable_substeps(fallback, spectrum, settings.frame_rate).value_or(most_substeps)};
 }
 
+std::optional<std::string> warn_of_step(const System& system, const Settings& settings) {
+  const Spectrum spectrum = bound_spectrum(system);
+  if (settings.substep() <= largest_stable_step(*settings.integrator, spectrum)) return std::nullopt;
+
+  const Advice advice = advise(spectrum, settings);
+  const std::string id(settings.integrator->id);
+  const std::string needed = std::to_string(advice.substeps) + (advice.substeps == 1 ? " substep" : " substeps") + " a frame";
+  if (advice.integrator == settings.integrator)
+    return "simulation.substeps: " + std::to_string(settings.substeps) + ": beyond the stable limit of " + id + " here: " + needed +
+           " would be stable";
+  return "simulation.integrator: " + id + ": no step is stable here: " + std::string(advice.integrator->id) + " with " + needed +
+         " would be";
+}
+
 std::string explain(const Divergence& divergence, const System& system, const Settings& settings, const Advice& advice) {
   const std::string when = "Stopped at t = " + format("%.4g", divergence.time) + " s: ";
-  const std::string what =
-      divergence.kind == Divergence::Kind::NotFinite
-          ? name_culprit(divergence, system) + " went beyond all numbers."
-          : "energy came from nowhere (" + format("%.2g", divergence.energy / divergence.scale) + " times what was put in), first at " +
-                name_culprit(divergence, system) + ".";
+  const std::string what = divergence.kind == Divergence::Kind::NotFinite
+                               ? name_culprit(divergence, system) + " went beyond all numbers."
+                               : "energy came from nowhere (" + format("%.2g", divergence.energy / divergence.scale) +
+                                     " times what was put in), first at " + name_culprit(divergence, system) + ".";
 
   const std::string now = std::string(settings.integrator->label) + " with " + std::to_string(settings.substeps) +
                           (settings.substeps == 1 ? " substep" : " substeps");
   const std::string needed = std::to_string(advice.substeps) + (advice.substeps == 1 ? " substep" : " substeps");
   if (advice.integrator != settings.integrator)
-    return when + what + " " + std::string(settings.integrator->label) + " holds at no step here; " + std::string(advice.integrator->label) +
-           " holds with " + needed + " a frame.";
+    return when + what + " " + std::string(settings.integrator->label) + " holds at no step here; " +
+           std::string(advice.integrator->label) + " holds with " + needed + " a frame.";
   return when + what + " " + now + " a frame is too coarse: " + needed + " would hold.";
 }
 

@@ -23,6 +23,10 @@ std::optional<int> fewest_stable_substeps(const Integrator& integrator, const Sp
 // The method as set with enough substeps, or, where that does not help, another one.
 Advice advise(const Spectrum& spectrum, const Settings& settings);
 
+// A line that says so when the step as set is beyond the method's limit on this scene, and what would be stable: "FIELD:
+// VALUE: ...", in the words of a scene file.
+std::optional<std::string> warn_of_step(const System& system, const Settings& settings);
+
 // One or two sentences that name the point and the spring (by their numbers in the list, from 0) and the advice.
 std::string explain(const Divergence& divergence, const System& system, const Settings& settings, const Advice& advice);
 

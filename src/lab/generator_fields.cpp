@@ -192,9 +192,13 @@ Generator read_generator(const JsonField& field, SceneFields& fields) {
 
   // too many points are refused before nails are looked for among them
   const Extent extent = extent_of(generator);
-  if (extent.points > most_points) field.refuse(std::to_string(extent.points) + " points: must be at most " + std::to_string(most_points));
-  if (extent.springs > most_springs)
-    field.refuse(std::to_string(extent.springs) + " springs: must be at most " + std::to_string(most_springs));
+  for (const JsonField member : field.members()) {
+    if (!member.is("points")) continue;
+    if (extent.points > most_points)
+      member.refuse(std::to_string(extent.points) + " points: must be at most " + std::to_string(most_points));
+    if (extent.springs > most_springs)
+      member.refuse(std::to_string(extent.springs) + " springs: must be at most " + std::to_string(most_springs));
+  }
   for (const JsonField member : field.members())
     if (member.is("nail")) std::visit([&](auto& shape) { read_nails(member, shape, count_of(shape)); }, generator);
   return generator;

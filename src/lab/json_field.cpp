@@ -1,10 +1,13 @@
 #include "lab/json_field.h"
 
-#include <cassert>
+#include <rapidjson/memorystream.h>
+#include <rapidjson/reader.h>
+
 #include <cmath>
 
 #include "lab/json_writer.h"
 #include "lab/printable.h"
+#include "lab/text_lines.h"
 #include "sim/errors.h"
 
 namespace hooke {
@@ -12,9 +15,7 @@ namespace {
 
 constexpr std::size_t most_shown = 60;  // bytes of a value in a message
 
-std::string shown(const rapidjson::Value& value) {
-  return value.IsNumber() ? shortest(value.GetDouble()) : printable(to_json(value), most_shown);
-}
+std::string shown(const rapidjson::Value& value) { return printable(to_json(value), most_shown); }
 
 }  // namespace
 
@@ -73,11 +74,40 @@ void JsonField::refuse_missing(std::string_view key, std::string_view limit) con
   throw Refused(*file_ + ": " + path() + "." + std::string(key) + ": missing: " + std::string(limit));
 }
 
+namespace {
+
+// Passes events on to a document. Numbers come as their digits and are read by the C++ library: rapidjson takes 100e307,
+// which is beyond all numbers, for -3.1e-308.
+struct ExactNumbers {
+  rapidjson::Document& document;
+  bool Null() { return document.Null(); }
+  bool Bool(bool value) { return document.Bool(value); }
+  bool Int(int value) { return document.Int(value); }
+  bool Uint(unsigned value) { return document.Uint(value); }
+  bool Int64(std::int64_t value) { return document.Int64(value); }
+  bool Uint64(std::uint64_t value) { return document.Uint64(value); }
+  bool Double(double value) { return document.Double(value); }
+  bool RawNumber(const char* digits, rapidjson::SizeType length, bool) { return document.Double(parse_number({digits, length}).value()); }
+  bool String(const char* text, rapidjson::SizeType length, bool copy) { return document.String(text, length, copy); }
+  bool Key(const char* text, rapidjson::SizeType length, bool copy) { return document.Key(text, length, copy); }
+  bool StartObject() { return document.StartObject(); }
+  bool EndObject(rapidjson::SizeType members) { return document.EndObject(members); }
+  bool StartArray() { return document.StartArray(); }
+  bool EndArray(rapidjson::SizeType items) { return document.EndArray(items); }
+};
+
+}  // namespace
+
 const rapidjson::Value& JsonParser::parse(std::string_view text) {
   document_.SetNull();
   pool_.Clear();
-  document_.Parse<rapidjson::kParseFullPrecisionFlag | rapidjson::kParseIterativeFlag>(text.data(), text.size());
-  assert(!document_.HasParseError());
+  const auto events = [&](rapidjson::Document& document) {
+    rapidjson::MemoryStream stream(text.data(), text.size());
+    ExactNumbers handler{document};
+    rapidjson::Reader reader;
+    return !reader.Parse<rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseIterativeFlag>(stream, handler).IsError();
+  };
+  document_.Populate(events);
   return document_;
 }
 

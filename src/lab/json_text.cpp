@@ -8,6 +8,7 @@
 
 #include "lab/file_limits.h"
 #include "lab/printable.h"
+#include "lab/text_lines.h"
 #include "sim/errors.h"
 
 namespace hooke {
@@ -37,12 +38,16 @@ class Walker {
   // rapidjson's handler
   bool Null() { return scalar(); }
   bool Bool(bool) { return scalar(); }
-  bool Int(int) { return scalar(); }
-  bool Uint(unsigned) { return scalar(); }
-  bool Int64(std::int64_t) { return scalar(); }
-  bool Uint64(std::uint64_t) { return scalar(); }
-  bool Double(double) { return scalar(); }
-  bool RawNumber(const char*, rapidjson::SizeType, bool) { return scalar(); }
+  bool RawNumber(const char* digits, rapidjson::SizeType length, bool) {
+    check_number({digits, length});
+    return scalar();
+  }
+  // numbers come as their digits
+  bool Int(int) { return false; }
+  bool Uint(unsigned) { return false; }
+  bool Int64(std::int64_t) { return false; }
+  bool Uint64(std::uint64_t) { return false; }
+  bool Double(double) { return false; }
   bool String(const char* string, rapidjson::SizeType length, bool) {
     check_string({string, length}, 1);
     return scalar();
@@ -66,6 +71,7 @@ class Walker {
   void note_value();
   void finish_value(std::size_t end);
   void check_string(std::string_view string, std::size_t next) const;
+  void check_number(std::string_view digits) const;
   std::string path(std::size_t levels, std::size_t next = 0) const;
   std::string line(std::size_t offset) const;
   [[noreturn]] void refuse(const std::string& where, const std::string& what) const { throw Refused(name_ + ": " + where + ": " + what); }
@@ -107,6 +113,10 @@ void Walker::check_string(std::string_view string, std::size_t next) const {
                                    std::to_string(most_string_bytes));
   // a lone "\udc00" passes rapidjson, and would make bytes that no file may hold
   if (!is_utf8(string)) refuse(line(stream_.Tell()), "half a surrogate pair: must be UTF-8");
+}
+
+void Walker::check_number(std::string_view digits) const {
+  if (!parse_number(digits)) refuse(path(depth_, 1), printable(digits, 40) + ": must be a number below 1.8e308");
 }
 
 // Counts a value, which may just begin, in its array and in its item.
@@ -193,8 +203,8 @@ void Walker::refuse_syntax(const rapidjson::ParseResult& result) const {
 
   std::string what = rapidjson::GetParseError_En(result.Code());
   if (result.Code() == rapidjson::kParseErrorNumberTooBig) {
-    const std::size_t length = text_.find_first_not_of("+-.0123456789eE", offset) - offset;
-    refuse(path(depth_, 1), printable(std::string_view(text_).substr(offset, length), 40) + ": must be a number below 1.8e308");
+    const std::size_t end = text_.find_first_not_of("+-.0123456789eE", offset);
+    check_number(std::string_view(text_).substr(offset, end - offset));
   }
   if (result.Code() == rapidjson::kParseErrorStringInvalidEncoding) what = "bad UTF-8 in a string";
   if (offset == text_.size()) what = "the file ends too early";
@@ -208,7 +218,8 @@ void Walker::walk() {
 
   rapidjson::Reader reader;
   const rapidjson::ParseResult result =
-      reader.Parse<rapidjson::kParseIterativeFlag | rapidjson::kParseValidateEncodingFlag>(stream_, *this);
+      reader.Parse<rapidjson::kParseIterativeFlag | rapidjson::kParseValidateEncodingFlag | rapidjson::kParseNumbersAsStringsFlag>(stream_,
+                                                                                                                                   *this);
   if (result.IsError()) refuse_syntax(result);
 }
 

@@ -11,11 +11,48 @@
 
 namespace hooke {
 
+namespace {
+
+void write_value(JsonWriter& out, const rapidjson::Value& value) {
+  using Layout = JsonWriter::Layout;
+  switch (value.GetType()) {
+    case rapidjson::kNullType:
+      out.null();
+      break;
+    case rapidjson::kFalseType:
+      out.boolean(false);
+      break;
+    case rapidjson::kTrueType:
+      out.boolean(true);
+      break;
+    case rapidjson::kNumberType:
+      out.number(value.GetDouble());
+      break;
+    case rapidjson::kStringType:
+      out.text({value.GetString(), value.GetStringLength()});
+      break;
+    case rapidjson::kArrayType:
+      out.begin_list(Layout::Line);
+      for (const rapidjson::Value& item : value.GetArray()) write_value(out, item);
+      out.end();
+      break;
+    case rapidjson::kObjectType:
+      out.begin_object(Layout::Line);
+      for (const auto& member : value.GetObject()) {
+        out.key({member.name.GetString(), member.name.GetStringLength()});
+        write_value(out, member.value);
+      }
+      out.end();
+      break;
+  }
+}
+
+}  // namespace
+
 std::string to_json(const rapidjson::Value& value) {
-  rapidjson::StringBuffer buffer;
-  rapidjson::Writer<rapidjson::StringBuffer> writer(buffer);
-  value.Accept(writer);
-  return {buffer.GetString(), buffer.GetSize()};
+  JsonWriter out;
+  write_value(out, value);
+  return out.take();
 }
 
 std::string to_json(std::string_view text) {
@@ -51,7 +88,6 @@ void JsonWriter::end() {
   levels_.pop_back();
   if (level.layout == Layout::Lines && !level.is_empty) break_line();
   written_ += level.close;
-  if (levels_.empty()) written_ += '\n';
 }
 
 void JsonWriter::key(std::string_view key) {

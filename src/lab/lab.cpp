@@ -31,7 +31,12 @@ struct Overloaded : Cases... {
 
 }  // namespace
 
-Lab::Lab(Scene scene) {
+Lab::Lab(Scene scene, KeepStart keep) {
+  if (keep == KeepStart::No) {
+    scene_ = std::move(scene);
+    start_afresh();
+    return;
+  }
   open(std::make_shared<const Scene>(std::move(scene)));
   publish();
 }
@@ -42,6 +47,13 @@ void Lab::submit(Control control) { queue_.emplace_back(std::move(control), 0); 
 void Lab::open(std::shared_ptr<const Scene> scene) {
   start_ = std::move(scene);
   scene_ = *start_;
+  start_afresh();
+  // until the first edit the start is what is shown: a large scene is not copied once more
+  published_system_ = std::shared_ptr<const System>(start_, &start_->system);
+}
+
+// With the scene that was just put in place.
+void Lab::start_afresh() {
   scene_.state.ledger = {};
   history_.clear();
   divergence_.reset();
@@ -105,6 +117,7 @@ void Lab::obey(const Control& control) {
                    step_frame();
                  },
                  [&](const GoToStart&) {
+                   if (!start_) return;
                    Scene start = *start_;
                    start.settings = scene_.settings;
                    edit(Replace{std::make_shared<const Scene>(std::move(start))}, 0);
@@ -114,7 +127,7 @@ void Lab::obey(const Control& control) {
                  [&](const Open& open_scene) { open(open_scene.scene); },
                  [&](const MarkSaved&) {
                    unsaved_ = false;
-                   start_ = std::make_shared<const Scene>(scene_);
+                   if (start_) start_ = std::make_shared<const Scene>(scene_);
                  },
              },
              control);

@@ -30,9 +30,13 @@ struct Open {         // another document; the history ends
 struct MarkSaved {};
 using Control = std::variant<Undo, Redo, SetRunning, StepOnce, GoToStart, Open, MarkSaved>;
 
+// Whether the scene is kept as it was opened, to go back to: a copy, which a long run of a large scene can do without.
+enum class KeepStart { Yes, No };
+
 class Lab {
  public:
-  explicit Lab(Scene scene);
+  // Without a start there is nothing to go back to, and no status before the first `publish`.
+  explicit Lab(Scene scene, KeepStart keep = KeepStart::Yes);
 
   void submit(Command command, Gesture gesture = 0);
   void submit(Control control);
@@ -66,6 +70,7 @@ class Lab {
   void edit(const Command& command, Gesture gesture);
   void take_over(Effect effect);
   void open(std::shared_ptr<const Scene> scene);
+  void start_afresh();
   void begin_frame();
   bool finish_frame();
   bool step_frame();

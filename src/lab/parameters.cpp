@@ -45,7 +45,8 @@ void set_colliders(Scene& scene, double Collider::*property, double value) {
   for (Collider& collider : scene.system.colliders) collider.*property = value;
 }
 
-// clang-format off: a row reads as a table
+// A row reads as a table does, so clang-format leaves it alone.
+// clang-format off
 const std::array rows{
     Parameter{.name = "substeps", .field = "simulation.substeps", .group = "Simulation", .label = "Substeps", .unit = "",
               .meaning = "Steps of the method in each frame: more are slower and more accurate.",

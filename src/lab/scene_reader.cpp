@@ -13,8 +13,6 @@
 #include "lab/read_file.h"
 #include "lab/scene_file.h"
 #include "lab/scene_sections.h"
-#include "sim/integrator.h"
-#include "sim/plan.h"
 
 namespace hooke {
 namespace {
@@ -53,7 +51,6 @@ class SceneReader {
   void check_point_numbers() const;
   void set_rest_lengths();
   void warn_of_coincident_points();
-  void warn_of_large_step();
   [[noreturn]] void refuse(const std::string& field, const std::string& what) const { throw Refused(name_ + ": " + field + ": " + what); }
 
   const std::string& text_;
@@ -98,7 +95,7 @@ LoadedScene SceneReader::read() {
   scene_.system.faces = std::move(network_.faces);
   scene_.state.position = std::move(network_.position);
   scene_.state.velocity = std::move(network_.velocity);
-  warn_of_large_step();
+  if (const auto warning = warn_of_step(scene_.system, scene_.settings)) fields_.warn(*warning);
   return {std::move(scene_), fields_.warnings(name_)};
 }
 
@@ -295,21 +292,6 @@ void SceneReader::warn_of_coincident_points() {
   const std::string others = count == 1 ? "" : " and " + std::to_string(count - 1) + " more";
   fields_.warn("springs[" + std::to_string(first) + "]" + others +
                ": joins two points at the same place: no force between them until they part");
-}
-
-void SceneReader::warn_of_large_step() {
-  const Settings& settings = scene_.settings;
-  const Spectrum spectrum = bound_spectrum(scene_.system);
-  if (settings.substep() <= largest_stable_step(*settings.integrator, spectrum)) return;
-
-  const Advice advice = advise(spectrum, settings);
-  const std::string needed = std::to_string(advice.substeps) + (advice.substeps == 1 ? " substep" : " substeps") + " a frame";
-  if (advice.integrator == settings.integrator)
-    fields_.warn("simulation.substeps: " + std::to_string(settings.substeps) + ": beyond the stable limit of " +
-                 std::string(settings.integrator->id) + " here: " + needed + " would be stable");
-  else
-    fields_.warn("simulation.integrator: " + std::string(settings.integrator->id) +
-                 ": no step is stable here: " + std::string(advice.integrator->id) + " with " + needed + " would be");
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ std::string SceneWriter::write() {
   out_.members(scene_.kept.unknown);
   out_.end();
   check_size();
-  return out_.take();
+  return out_.take() + "\n";
 }
 
 // The generators are run again: what they make must be what stands last in the scene, bit for bit.

@@ -3,9 +3,9 @@
 #include <array>
 #include <system_error>
 
+#include "lab/build_info.h"
 #include "lab/printable.h"
 #include "lab/scene_file.h"
-#include "lab/scene_places.h"
 
 namespace hooke {
 namespace {

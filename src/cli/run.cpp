@@ -1,0 +1,163 @@
+#include "cli/run.h"
+
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <iostream>
+#include <numeric>
+
+#include "cli/progress.h"
+#include "cli/run_report.h"
+#include "cli/scene_options.h"
+#include "lab/lab.h"
+#include "lab/printable.h"
+#include "sim/hash.h"
+#include "sim/integrator.h"
+
+namespace hooke {
+namespace {
+
+struct RunOptions {
+  std::shared_ptr<SceneOptions> scene;
+  double seconds = 0.0;               // [s]
+  std::optional<double> sample;       // [s]
+  std::optional<std::string> points;  // "0,5,9"; none: all
+  std::optional<std::string> json, csv;
+};
+
+double cpu_now() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+// Frames that cover `seconds`: none more for a rounding error.
+long count_frames(double seconds, double frame_rate) {
+  constexpr double most = 1e15, round_off = 1e-9;
+  const double frames = seconds * frame_rate;
+  if (!(frames <= most)) throw UsageError("--seconds " + shortest(seconds) + ": must be at most 1e15 frames");
+  return static_cast<long>(std::ceil(frames * (1.0 - round_off) - round_off));
+}
+
+// Which frames are sampled: those in which a multiple of the spacing is reached, or the last alone.
+class SampleClock {
+ public:
+  SampleClock(std::optional<double> spacing, double frame_rate, long frames)
+      : frames_per_sample_(spacing ? *spacing * frame_rate : 0.0), last_(frames) {}
+  bool is_due(long frame) {
+    if (frames_per_sample_ == 0.0) return frame == last_;
+    constexpr double round_off = 1e-9;
+    if (static_cast<double>(frame) < next_ * frames_per_sample_ * (1.0 - round_off)) return false;
+    // one sample a frame at most: multiples that fall into the same frame share it
+    next_ = std::floor(static_cast<double>(frame) / frames_per_sample_ * (1.0 + round_off)) + 1.0;
+    return true;
+  }
+
+ private:
+  double frames_per_sample_, next_ = 0.0;
+  long last_;
+};
+
+// "0,5,9", or all of them.
+std::vector<Index> parse_points(const std::optional<std::string>& list, Index count) {
+  std::vector<Index> points;
+  if (!list) {
+    points.resize(static_cast<std::size_t>(count));
+    std::iota(points.begin(), points.end(), 0);
+    return points;
+  }
+  const char* at = list->data();
+  const char* const end = at + list->size();
+  for (;;) {
+    Index point = -1;
+    const auto [after, error] = std::from_chars(at, end, point);
+    const bool is_number = error == std::errc() && point >= 0 && point < count && (after == end || *after == ',');
+    if (!is_number)
+      throw UsageError("--points " + printable(*list, 80) + ": must be numbers from 0 to " + std::to_string(count - 1) +
+                       " with commas between");
+    points.push_back(point);
+    if (after == end) return points;
+    at = after + 1;
+  }
+}
+
+void print_summary(const RunOptions& options, const Scene& scene, const RunTotals& totals) {
+  const Settings& settings = scene.settings;
+  std::cout << printable(options.scene->scene) << ": " << scene.system.point_count() << " points, " << scene.system.spring_count()
+            << " springs; " << settings.integrator->id << ", " << settings.substeps << (settings.substeps == 1 ? " substep" : " substeps")
+            << " a frame, " << settings.frame_rate << " frames a second\n"
+            << "simulated " << totals.seconds << " s in " << totals.wall_seconds << " s (" << totals.cpu_seconds << " s of CPU), "
+            << totals.force_evaluations << " force evaluations\n"
+            << "hash " << to_hexadecimal(totals.hash) << "\n";
+}
+
+int run(const RunOptions& options) {
+  Lab lab(open_scene(*options.scene), KeepStart::No);
+  const Scene& scene = lab.scene();
+  const double start = scene.state.time;
+  const long frames = count_frames(options.seconds, scene.settings.frame_rate);
+  const std::vector<Index> points = parse_points(options.points, scene.system.point_count());
+
+  // files are opened before the work, so that a bad path does not cost it
+  std::optional<JsonReport> json;
+  std::optional<CsvReport> csv;
+  if (options.json) json.emplace(*options.json, options.scene->scene, scene);
+  if (options.csv) csv.emplace(*options.csv, points);
+
+  RunTotals totals;
+  SampleClock samples(options.sample, scene.settings.frame_rate, frames);
+  {
+    Progress progress(frames, !options.scene->quiet);
+    for (long frame = 0;; ++frame) {
+      if (samples.is_due(frame)) {
+        if (json) json->add_sample(scene.system, scene.state, points);
+        if (csv) csv->add_sample(scene.system, scene.state, points);
+      }
+      if (frame == frames) break;
+
+      const double cpu = cpu_now(), wall = wall_now();
+      totals.diverged = !lab.step();
+      totals.cpu_seconds += cpu_now() - cpu;
+      totals.wall_seconds += wall_now() - wall;
+      totals.force_evaluations += lab.last_frame().force_evaluations();
+      totals.factorizations += lab.last_frame().factorizations();
+      if (totals.diverged) break;
+      progress.show(frame + 1);
+    }
+  }
+  totals.seconds = scene.state.time - start;
+  totals.hash = hash_state(scene.state);
+
+  if (json) json->finish(totals);
+  if (csv) csv->finish();
+  if (!options.json && !options.csv && !options.scene->quiet) print_summary(options, scene, totals);
+  if (!totals.diverged) return exit_code::fine;
+  lab.publish();
+  std::cerr << lab.status()->message << "\n";
+  return exit_code::diverged;
+}
+
+}  // namespace
+
+std::function<int()> declare_run(CLI::App& app) {
+  auto options = std::make_shared<RunOptions>();
+  options->scene = add_scene_options(app);
+  app.add_option("--seconds", options->seconds, "Simulated time, in whole frames [s]")
+      ->required()
+      ->type_name("S")
+      ->check(within(not_negative));
+  app.add_option("--sample", options->sample,
+                 "Sample at the start and at the first end of a frame at or after each multiple of DT, nothing interpolated [s]; "
+                 "without it, the last state alone")
+      ->type_name("DT")
+      ->check(within(positive));
+  app.add_option("--points", options->points, "Points to sample, by number from 0; without it, all")->type_name("0,5,9");
+  app.add_option("--json", options->json, "Write the run and its samples as JSON; - is stdout")->type_name("FILE");
+  app.add_option("--csv", options->csv, "Write one row a sample: time, energies, positions; - is stdout")->type_name("FILE");
+  return [options] { return run(*options); };
+}
+
+}  // namespace hooke

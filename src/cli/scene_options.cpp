@@ -1,0 +1,132 @@
+#include "cli/scene_options.h"
+
+#include <charconv>
+#include <cmath>
+#include <iostream>
+
+#include "lab/apply.h"
+#include "lab/diagnosis.h"
+#include "lab/file_limits.h"
+#include "lab/parameters.h"
+#include "lab/printable.h"
+#include "lab/scene_file.h"
+#include "sim/integrator.h"
+
+namespace hooke {
+namespace {
+
+std::string ids_of_integrators() {
+  std::string ids;
+  for (const Integrator& integrator : integrators()) ids += (ids.empty() ? "" : ", ") + std::string(integrator.id);
+  return ids;
+}
+
+std::string names_of_parameters() {
+  std::string names;
+  for (const Parameter& parameter : parameters()) names += (names.empty() ? "" : ", ") + std::string(parameter.name);
+  return names;
+}
+
+std::string ids_of_adaptive_integrators() {
+  std::string ids;
+  for (const Integrator& integrator : integrators())
+    if (integrator.stability == Stability::Adaptive) ids += (ids.empty() ? "" : ", ") + std::string(integrator.id);
+  return ids;
+}
+
+void set_tolerance(Settings& settings, double tolerance) {
+  if (settings.integrator->stability != Stability::Adaptive)
+    throw UsageError("--tolerance " + shortest(tolerance) + ": must go with a method that adapts its steps: --integrator " +
+                     ids_of_adaptive_integrators());
+  settings.tolerance = tolerance;
+}
+
+// "0.5", and for switches also "on" and "off".
+std::optional<double> parse_value(const Parameter& parameter, std::string_view text) {
+  if (parameter.kind == Parameter::Kind::Switch) {
+    if (text == "on" || text == "true" || text == "1") return 1.0;
+    if (text == "off" || text == "false" || text == "0") return 0.0;
+    return std::nullopt;
+  }
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+// NAME=VALUE. Beyond the range is an error here, not clamped: nobody is there to see it.
+SetParameter parse_setting(const std::string& setting) {
+  const std::string shown = "--set " + printable(setting, 80);
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) throw UsageError(shown + ": must be NAME=VALUE");
+  const Parameter* parameter = find_parameter(setting.substr(0, equals));
+  if (parameter == nullptr) throw UsageError(shown + ": must name one of " + names_of_parameters());
+
+  const auto value = parse_value(*parameter, std::string_view(setting).substr(equals + 1));
+  if (parameter->kind == Parameter::Kind::Switch && !value) throw UsageError(shown + ": must be on or off");
+  const Bounds range{.least = parameter->least, .most = parameter->most};
+  if (!value || !range.hold(*value) || clamp_to(*parameter, *value) != *value)
+    throw UsageError(shown + ": " + (parameter->kind == Parameter::Kind::Whole ? "must be whole, and " : "") + range.text() +
+                     (parameter->unit.empty() ? "" : " [" + std::string(parameter->unit) + "]"));
+  return {.parameter = parameter, .value = *value};
+}
+
+}  // namespace
+
+CLI::Validator within(const Bounds& bounds) {
+  const auto check = [bounds](std::string& text) {
+    double value = 0.0;
+    const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+    return is_number && bounds.hold(value) ? std::string() : printable(text, 80) + ": " + bounds.text();
+  };
+  return CLI::Validator(check, "", "");
+}
+
+std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app) {
+  auto options = std::make_shared<SceneOptions>();
+  app.add_option("SCENE", options->scene, "A scene file, or the name of one that ships")->required();
+  app.add_option("--integrator", options->integrator, "Method: " + ids_of_integrators())->type_name("ID");
+  app.add_option("--substeps", options->substeps, "Steps of the method in each frame")
+      ->type_name("N")
+      ->check(within({.least = 1, .most = most_substeps}));
+  app.add_option("--frame-rate", options->frame_rate, "Frames per simulated second [1/s]")->type_name("RATE")->check(within(positive));
+  app.add_option("--tolerance", options->tolerance,
+                 "Local error allowed a step of an adaptive method (" + ids_of_adaptive_integrators() + ") [m]")
+      ->type_name("METRES")
+      ->check(within(positive));
+  app.add_option("--set", options->settings, "Sets a parameter, may be given more than once: " + names_of_parameters())
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->take_all();
+  app.add_flag("-q,--quiet", options->quiet, "No warnings, progress or summary");
+  return options;
+}
+
+Scene open_scene(const SceneOptions& options) {
+  // what the command line says is checked before a large file is read
+  const Integrator* integrator = options.integrator ? find_integrator(*options.integrator) : nullptr;
+  if (options.integrator && integrator == nullptr)
+    throw UsageError("--integrator " + printable(*options.integrator, 80) + ": must be one of " + ids_of_integrators());
+  std::vector<SetParameter> settings;
+  for (const std::string& setting : options.settings) settings.push_back(parse_setting(setting));
+
+  LoadedScene loaded = load_scene(find_scene(options.scene));
+  Scene& scene = loaded.scene;
+  // what the file says of the step does not hold once the options say something else
+  if (const auto warning = warn_of_step(scene.system, scene.settings))
+    std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
+  Effect effect;
+  for (const SetParameter& setting : settings) apply(scene, setting, effect);
+  if (integrator != nullptr) scene.settings.integrator = integrator;
+  if (options.substeps) scene.settings.substeps = *options.substeps;
+  if (options.frame_rate) scene.settings.frame_rate = *options.frame_rate;
+  if (options.tolerance) set_tolerance(scene.settings, *options.tolerance);
+
+  if (!options.quiet) {
+    for (const std::string& warning : loaded.warnings) std::cerr << "warning: " << warning << "\n";
+    if (const auto warning = warn_of_step(scene.system, scene.settings)) std::cerr << "warning: " << *warning << "\n";
+  }
+  return std::move(loaded.scene);
+}
+
+}  // namespace hooke
