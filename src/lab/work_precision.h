@@ -35,6 +35,7 @@ namespace status {
 inline constexpr const char* ok = "ok";
 inline constexpr const char* below_reference = "below_reference";  // as good as the reference can tell
 inline constexpr const char* unconverged = "unconverged";          // finished, with solves left at their limit of iterations
+inline constexpr const char* lost = "lost";                        // finished, further from the truth than the scene is large
 inline constexpr const char* diverged = "diverged";
 inline constexpr const char* too_slow = "too_slow";  // given up
 }  // namespace status
