@@ -169,7 +169,8 @@ std::optional<Reference> compute_reference(Course& course, double seconds, const
   if (reference.measure == Measure::Trajectory && reference.uncertainty() > predictable) {
     reference.measure = Measure::Observables;
     reference.other_gap = gap_between(reference.measure);
-    reference.own.gap = judge(problem, reference.measure, reference.own.snapshots, reference.own.coarser).relative_error;
+    for (Refinement* refinement : {&reference.own, &reference.other})
+      refinement->gap = judge(problem, reference.measure, refinement->snapshots, refinement->coarser).relative_error;
   }
   return reference;
 }

@@ -183,6 +183,7 @@ bool PrecisionSweep::need_reference() {
                                       .other_method = std::string(reference_->other.method->id),
                                       .other_setting = reference_->other.setting_name,
                                       .own_gap = reference_->own.gap,
+                                      .other_own_gap = reference_->other.gap,
                                       .other_gap = reference_->other_gap,
                                       .amplification = reference_->amplification,
                                       .measure = reference_->measure};

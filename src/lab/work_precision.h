@@ -43,8 +43,9 @@ inline constexpr const char* too_slow = "too_slow";  // given up
 // The reference in numbers.
 struct ReferenceRecord {
   std::string method, setting, other_method, other_setting;
-  double own_gap = 0.0, other_gap = 0.0;  // [1], relative
-  double amplification = 0.0;             // [1]
+  double own_gap = 0.0, other_own_gap = 0.0;  // [1], relative: what half the precision changes in each
+  double other_gap = 0.0;                     // [1], relative: between the two
+  double amplification = 0.0;                 // [1]
   Measure measure = Measure::Trajectory;
   double uncertainty() const { return own_gap > other_gap ? own_gap : other_gap; }
 };
