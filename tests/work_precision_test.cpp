@@ -206,13 +206,20 @@ TEST(WorkPrecision, ADivergingSettingIsReportedAndNotDropped) {
   EXPECT_FALSE(diverged->cpu_ms_per_s);
   EXPECT_GT(diverged->work.force_evaluations, 0);
 
-  // the coarsest step that held is within a fifth of it
-  double coarsest = 0.0;
-  for (const Row& each : swept_record().rows)
-    if (each.method == "velocity_verlet" && each.error) coarsest = std::max(coarsest, *each.step);
-  EXPECT_LT(*diverged->step, 1.21 * coarsest);
   EXPECT_NE(format_csv(results_of(swept_record())).find("," + diverged->setting + "," + std::to_string(*diverged->step).substr(0, 4)),
             std::string::npos);
+}
+
+// h omega < 2 for the net's own highest frequency, which no bound knows: the sweep finds it within a fifth.
+TEST(WorkPrecision, TheCoarsestStepThatHoldsIsFound) {
+  double coarsest = 0.0, finest_failure = INFINITY;
+  for (const Row& each : swept_record().rows) {
+    if (each.method != "velocity_verlet") continue;
+    if (each.status == status::ok) coarsest = std::max(coarsest, *each.step);
+    if (each.status == status::diverged || each.status == status::lost) finest_failure = std::min(finest_failure, *each.step);
+  }
+  EXPECT_LT(coarsest, finest_failure);
+  EXPECT_LT(finest_failure, 1.21 * coarsest);
 }
 
 TEST(WorkPrecision, RowsThatAreThereAreNotRunAgain) {

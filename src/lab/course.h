@@ -64,6 +64,9 @@ class Course {
   Frame frame_;  // kept, so that what a method builds once for a topology is not counted as stepping
 };
 
+// RMS over the points of the distance between two states [m].
+double rms_distance(const State& first, const State& second);
+
 // CPU time that this process has used [s].
 double cpu_seconds();
 

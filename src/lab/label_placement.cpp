@@ -17,6 +17,8 @@ double overlap(const ChartBox& a, const ChartBox& b) {
   return width > 0.0 && height > 0.0 ? width * height : 0.0;
 }
 
+ChartBox grown(const ChartBox& box, double by) { return {box.left - by, box.bottom - by, box.right + by, box.top + by}; }
+
 bool holds(const ChartBox& box, const ChartPoint& point) {
   return point.x > box.left && point.x < box.right && point.y > box.bottom && point.y < box.top;
 }
@@ -48,6 +50,8 @@ std::vector<PlacedLabel> place_labels(const std::vector<ChartLabel>& labels, con
       double cost = 20.0 * (area - overlap(box, frame)) / area;
       for (const ChartBox& other : taken) cost += 100.0 * overlap(box, other) / area;
       for (const ChartPoint& point : inked) cost += holds(box, point) ? 0.15 : 0.0;
+      // beside another's end it would be taken for that one's name
+      for (const ChartLabel& other : labels) cost += &other != &label && holds(grown(box, 10.0), other.anchor) ? 3.0 : 0.0;
       cost += 0.01 * std::hypot(place.at.x - label.anchor.x, place.at.y - label.anchor.y);
       if (cost < least) {
         least = cost;

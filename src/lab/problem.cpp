@@ -61,19 +61,19 @@ struct AddShape {
 
 std::span<const BuiltInProblem> built_in_problems() {
   static const std::array rows{
-      BuiltInProblem{"net_w2", [] { return make("net_w2", "net 16 x 16, k = 1e2 N/m", make_net(16, 1e2, 0.0)); }},
-      BuiltInProblem{"net_w4", [] { return make("net_w4", "net 16 x 16, k = 1e4 N/m", make_net(16, 1e4, 0.0)); }},
-      BuiltInProblem{"net_w4d", [] { return make("net_w4d", "net 16 x 16, k = 1e4 N/m, d = 0.9 N s/m", make_net(16, 1e4, 0.9)); }},
-      BuiltInProblem{"net_w6", [] { return make("net_w6", "net 16 x 16, k = 1e6 N/m", make_net(16, 1e6, 0.0)); }},
-      BuiltInProblem{"net_w6d", [] { return make("net_w6d", "net 16 x 16, k = 1e6 N/m, d = 9 N s/m", make_net(16, 1e6, 9.0)); }},
-      BuiltInProblem{"net_w8d", [] { return make("net_w8d", "net 16 x 16, k = 1e8 N/m, d = 90 N s/m", make_net(16, 1e8, 90.0)); }},
-      BuiltInProblem{"net_we", [] { return make("net_we", "net 16 x 16, k = 1e4 N/m, d = 1e3 N s/m", make_net(16, 1e4, 1e3)); }},
-      BuiltInProblem{"drum_32", [] { return shipped("drum_32", "drum 32 x 32, k = 1e3 N/m, nailed all round", 1.0); }},
-      BuiltInProblem{"rope_64", [] { return shipped("rope_64", "rope of 64 points, k = 1e4 N/m, released level", 0.5); }},
-      BuiltInProblem{"cloth_32", [] { return shipped("cloth_32", "cloth 32 x 32, k = 1e3 N/m, nailed at two corners", 0.5); }},
-      BuiltInProblem{"chain_1000",
+      BuiltInProblem{"net_w2", true, [] { return make("net_w2", "net 16 x 16, k = 1e2 N/m", make_net(16, 1e2, 0.0)); }},
+      BuiltInProblem{"net_w4", true, [] { return make("net_w4", "net 16 x 16, k = 1e4 N/m", make_net(16, 1e4, 0.0)); }},
+      BuiltInProblem{"net_w4d", true, [] { return make("net_w4d", "net 16 x 16, k = 1e4 N/m, d = 0.9 N s/m", make_net(16, 1e4, 0.9)); }},
+      BuiltInProblem{"net_w6", true, [] { return make("net_w6", "net 16 x 16, k = 1e6 N/m", make_net(16, 1e6, 0.0)); }},
+      BuiltInProblem{"net_w6d", false, [] { return make("net_w6d", "net 16 x 16, k = 1e6 N/m, d = 9 N s/m", make_net(16, 1e6, 9.0)); }},
+      BuiltInProblem{"net_w8d", false, [] { return make("net_w8d", "net 16 x 16, k = 1e8 N/m, d = 90 N s/m", make_net(16, 1e8, 90.0)); }},
+      BuiltInProblem{"net_we", false, [] { return make("net_we", "net 16 x 16, k = 1e4 N/m, d = 1e3 N s/m", make_net(16, 1e4, 1e3)); }},
+      BuiltInProblem{"drum_32", false, [] { return shipped("drum_32", "drum 32 x 32, k = 1e3 N/m, nailed all round", 1.0); }},
+      BuiltInProblem{"rope_64", true, [] { return shipped("rope_64", "rope of 64 points, k = 1e4 N/m, released level", 0.5); }},
+      BuiltInProblem{"cloth_32", false, [] { return shipped("cloth_32", "cloth 32 x 32, k = 1e3 N/m, nailed at two corners", 0.5); }},
+      BuiltInProblem{"chain_1000", true,
                      [] { return make("chain_1000", "chain of 200 links, the last 1000 times as heavy", make_chain(200, 1e3)); }},
-      BuiltInProblem{"curtain_b",
+      BuiltInProblem{"curtain_b", true,
                      [] {
                        Problem curtain = make("curtain_b", "curtain 16 x 16, k = 1e4 N/m, buckling", make_curtain(16, 1e4, 0.0));
                        curtain.measure = Measure::Observables;

@@ -28,6 +28,7 @@ struct Problem {
 // The built-in set, in the order of the report. Some are shipped scenes: `make` throws what load_scene throws.
 struct BuiltInProblem {
   std::string_view id;
+  bool quick;  // has its reference within a second
   Problem (*make)();
 };
 std::span<const BuiltInProblem> built_in_problems();

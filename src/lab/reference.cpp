@@ -122,15 +122,6 @@ double measure_amplification(Course& course, const Refinement& own, const std::f
 
 }  // namespace
 
-double rms_distance(const State& first, const State& second) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < first.position.size(); ++i) {
-    const Vec3 apart = first.position[i] - second.position[i];
-    sum += glm::dot(apart, apart);
-  }
-  return first.position.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(first.position.size()));
-}
-
 Score judge(const Problem& problem, Measure measure, const std::vector<State>& reference, const std::vector<State>& measured) {
   const System& system = problem.system;
   const double scale = energy_scale(problem, reference);
@@ -178,7 +169,8 @@ std::optional<Reference> compute_reference(Course& course, double seconds, const
   if (reference.measure == Measure::Trajectory && reference.uncertainty() > predictable) {
     reference.measure = Measure::Observables;
     reference.other_gap = gap_between(reference.measure);
-    reference.own.gap = judge(problem, reference.measure, reference.own.snapshots, reference.own.coarser).relative_error;
+    for (Refinement* refinement : {&reference.own, &reference.other})
+      refinement->gap = judge(problem, reference.measure, refinement->snapshots, refinement->coarser).relative_error;
   }
   return reference;
 }

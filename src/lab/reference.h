@@ -39,9 +39,6 @@ struct Reference {
   double uncertainty() const { return own.gap > other_gap ? own.gap : other_gap; }
 };
 
-// RMS over the points of the distance between two states [m].
-double rms_distance(const State& first, const State& second);
-
 Score judge(const Problem& problem, Measure measure, const std::vector<State>& reference, const std::vector<State>& measured);
 
 // The methods of highest order on this problem, best first, those with a limit on their step before those that solve

@@ -10,6 +10,8 @@ namespace {
 
 bool reached_end(const Row& row) { return row.relative_error.has_value(); }
 
+bool holds(const Row& row) { return reached_end(row) && row.status != status::lost; }
+
 std::ptrdiff_t place_in_table(const std::string& method) {
   const Integrator* row = find_integrator(method);
   return row == nullptr ? std::ssize(integrators()) : row - integrators().data();
@@ -53,7 +55,7 @@ PrecisionSweep::PrecisionSweep(const Problem& problem, const Effort& effort, Pro
 bool PrecisionSweep::run(const Integrator& method) {
   const Setting first = first_setting(course_, method);
   const Row* row = measure(method, first);
-  if (row != nullptr && reached_end(*row)) go_coarser(method, first);
+  if (row != nullptr && holds(*row)) go_coarser(method, first);
   if (!stopped_) go_finer(method, first);
   sort_rows(record_.rows);
   return !stopped_;
@@ -65,23 +67,23 @@ void PrecisionSweep::go_coarser(const Integrator& method, Setting setting) {
     measure(method, {.tolerance = 10.0 * *setting.tolerance});
     return;
   }
-  int holds = setting.steps;
-  while (holds > 1) {
-    const int coarser = holds / 2;
+  int held = setting.steps;
+  while (held > 1) {
+    const int coarser = held / 2;
     const Row* row = measure(method, {.steps = coarser});
     if (row == nullptr) return;
-    if (reached_end(*row)) {
-      holds = coarser;
+    if (holds(*row)) {
+      held = coarser;
       continue;
     }
 
     // find where it fails within a fifth: at the limit the cheapest run of an explicit method is often its best
-    for (int fails = coarser; 1.2 * fails < holds;) {
-      const int middle = static_cast<int>(std::lround(std::sqrt(static_cast<double>(fails) * holds)));
-      if (middle == fails || middle == holds) return;
+    for (int failed = coarser; 1.2 * failed < held;) {
+      const int middle = static_cast<int>(std::lround(std::sqrt(static_cast<double>(failed) * held)));
+      if (middle == failed || middle == held) return;
       row = measure(method, {.steps = middle});
       if (row == nullptr) return;
-      (reached_end(*row) ? holds : fails) = middle;
+      (holds(*row) ? held : failed) = middle;
     }
     return;
   }
@@ -158,9 +160,14 @@ std::optional<Row> PrecisionSweep::measure_anew(const Integrator& method, const 
   row.energy_drift = score.energy_drift;
   row.strain_error = score.strain_error;
   row.cpu_ms_per_s = 1e3 * least / problem_.seconds;
-  row.status = passage.unconverged_solves > 0                     ? status::unconverged
-               : score.relative_error < reference_->uncertainty() ? status::below_reference
-                                                                  : status::ok;
+  if (passage.unconverged_solves > 0)
+    row.status = status::unconverged;
+  else if (score.relative_error > 1.0)
+    row.status = status::lost;
+  else if (score.relative_error < reference_->uncertainty())
+    row.status = status::below_reference;
+  else
+    row.status = status::ok;
   return row;
 }
 
@@ -176,6 +183,7 @@ bool PrecisionSweep::need_reference() {
                                       .other_method = std::string(reference_->other.method->id),
                                       .other_setting = reference_->other.setting_name,
                                       .own_gap = reference_->own.gap,
+                                      .other_own_gap = reference_->other.gap,
                                       .other_gap = reference_->other_gap,
                                       .amplification = reference_->amplification,
                                       .measure = reference_->measure};

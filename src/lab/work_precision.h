@@ -35,6 +35,7 @@ namespace status {
 inline constexpr const char* ok = "ok";
 inline constexpr const char* below_reference = "below_reference";  // as good as the reference can tell
 inline constexpr const char* unconverged = "unconverged";          // finished, with solves left at their limit of iterations
+inline constexpr const char* lost = "lost";                        // finished, further from the truth than the scene is large
 inline constexpr const char* diverged = "diverged";
 inline constexpr const char* too_slow = "too_slow";  // given up
 }  // namespace status
@@ -42,8 +43,9 @@ inline constexpr const char* too_slow = "too_slow";  // given up
 // The reference in numbers.
 struct ReferenceRecord {
   std::string method, setting, other_method, other_setting;
-  double own_gap = 0.0, other_gap = 0.0;  // [1], relative
-  double amplification = 0.0;             // [1]
+  double own_gap = 0.0, other_own_gap = 0.0;  // [1], relative: what half the precision changes in each
+  double other_gap = 0.0;                     // [1], relative: between the two
+  double amplification = 0.0;                 // [1]
   Measure measure = Measure::Trajectory;
   double uncertainty() const { return own_gap > other_gap ? own_gap : other_gap; }
 };

@@ -45,6 +45,7 @@ void write_reference(Writer& writer, const std::optional<ReferenceRecord>& refer
   write_number(writer, "own_gap", reference->own_gap);
   write_text(writer, "other_method", reference->other_method);
   write_text(writer, "other_setting", reference->other_setting);
+  write_number(writer, "other_own_gap", reference->other_own_gap);
   write_number(writer, "other_gap", reference->other_gap);
   write_number(writer, "amplification", reference->amplification);
   write_text(writer, "judged_by", name_of(reference->measure));
@@ -124,6 +125,7 @@ ReferenceRecord read_reference(const Reader& reader) {
           .other_method = reader.text("other_method"),
           .other_setting = reader.text("other_setting"),
           .own_gap = reader.number("own_gap"),
+          .other_own_gap = reader.number("other_own_gap"),
           .other_gap = reader.number("other_gap"),
           .amplification = reader.number("amplification"),
           .measure = reader.text("judged_by") == name_of(Measure::Trajectory) ? Measure::Trajectory : Measure::Observables};
