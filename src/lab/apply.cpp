@@ -17,6 +17,10 @@ bool is_sound(const Spring& spring) {
          std::isfinite(spring.damping) && spring.rest_length >= 0.0 && std::isfinite(spring.rest_length) && spring.break_strain > 0.0;
 }
 
+bool is_sound(const Force& force) {
+  return force.term != nullptr && std::all_of(force.values.begin(), force.values.end(), [](double value) { return std::isfinite(value); });
+}
+
 // Puts each (place, item), places ascending, where it was before it was taken out; no_index and beyond: at the end.
 template <class Item>
 std::vector<Item> merged(const std::vector<Item>& list, const std::vector<std::pair<Index, Item>>& coming) {
@@ -263,6 +267,15 @@ struct Apply {
   Inverse operator()(const SetColliders& set) {
     const SetColliders inverse{scene.system.colliders};
     scene.system.colliders = set.colliders;
+    effect.values = true;
+    return {inverse};
+  }
+
+  Inverse operator()(const SetForces& set) {
+    const SetForces inverse{scene.system.forces};
+    scene.system.forces.clear();
+    for (const Force& force : set.forces)
+      if (is_sound(force)) scene.system.forces.push_back(force);
     effect.values = true;
     return {inverse};
   }

@@ -112,13 +112,18 @@ struct SetColliders {
   std::vector<Collider> colliders;
 };
 
+// The listed forces as a whole: switched, set, added or taken away.
+struct SetForces {
+  std::vector<Force> forces;
+};
+
 // Replaces the whole scene: back to the start, or what was there before that.
 struct Replace {
   std::shared_ptr<const Scene> scene;
 };
 
 using Command = std::variant<Insert, Remove, SetNailed, Move, SetPointProperty, SetSpringProperty, SetParameter, RestoreParameter, SetIntegrator,
-                             GrabPoint, MoveHand, ReleaseHand, SetGravity, SetColliders, Replace>;
+                             GrabPoint, MoveHand, ReleaseHand, SetGravity, SetColliders, SetForces, Replace>;
 
 // What a person calls it: "nail 3 points".
 std::string describe(const Command& command);

@@ -12,6 +12,7 @@ inline constexpr std::uint64_t most_points = 5'000'000;
 inline constexpr std::uint64_t most_springs = 20'000'000;
 inline constexpr std::uint64_t most_faces = 10'000'000;
 inline constexpr std::uint64_t most_colliders = 1'000;
+inline constexpr std::uint64_t most_forces = 100;
 inline constexpr std::uint64_t most_generators = 1'000;
 inline constexpr std::uint64_t most_string_bytes = 4096;
 inline constexpr std::uint64_t most_values_per_item = 1'000'000;  // in one point, generator, ...

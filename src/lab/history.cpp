@@ -17,6 +17,7 @@ struct Supersedes {
   bool operator()(const SetIntegrator&, const SetIntegrator&) const { return true; }
   bool operator()(const SetGravity&, const SetGravity&) const { return true; }
   bool operator()(const SetColliders&, const SetColliders&) const { return true; }
+  bool operator()(const SetForces&, const SetForces&) const { return true; }
   bool operator()(const SetSpringProperty& earlier, const SetSpringProperty& later) const {
     return earlier.property == later.property && same_ids(earlier.values, later.values);
   }

@@ -155,6 +155,7 @@ bool Lab::finish_frame() {
   next_ = scene_.state;
   frame_.end(plan_, next_);
   book_hand_work(scene_.system, scene_.state, next_);
+  book_forces_work(plan_, scene_.state, next_);
   frame_in_progress_ = false;
 
   const Energy energy = compute_energy(scene_.system, next_);

@@ -34,7 +34,7 @@ class SceneReader {
     std::uint64_t most;
     void (SceneReader::*read)(const JsonField& field);
   };
-  static const std::array<List, 5> lists;
+  static const std::array<List, 6> lists;
   static const List* find_list(std::string_view key);
 
   void read_member(std::string_view key, std::string_view text);
@@ -44,6 +44,7 @@ class SceneReader {
   void read_face(const JsonField& field);
   void read_one_generator(const JsonField& field);
   void read_one_collider(const JsonField& field) { read_collider(field, fields_, scene_); }
+  void read_one_force(const JsonField& field) { read_force(field, fields_, scene_); }
   PointId read_point_number(const JsonField& field) const;
 
   void generate_all();
@@ -63,12 +64,13 @@ class SceneReader {
   bool has_version_ = false;
 };
 
-const std::array<SceneReader::List, 5> SceneReader::lists{
+const std::array<SceneReader::List, 6> SceneReader::lists{
     List{"points", most_points, &SceneReader::read_point},
     List{"springs", most_springs, &SceneReader::read_spring},
     List{"faces", most_faces, &SceneReader::read_face},
     List{"generators", most_generators, &SceneReader::read_one_generator},
     List{"colliders", most_colliders, &SceneReader::read_one_collider},
+    List{"forces", most_forces, &SceneReader::read_one_force},
 };
 
 const SceneReader::List* SceneReader::find_list(std::string_view key) {

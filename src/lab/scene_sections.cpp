@@ -111,6 +111,23 @@ CameraPose read_camera(const JsonField& field, SceneFields& fields, Scene& scene
   return pose;
 }
 
+std::string ids_of_forces() {
+  std::string ids;
+  for (const ForceTerm& term : force_terms()) ids += (ids.empty() ? "" : ", ") + std::string(term.id);
+  return ids;
+}
+
+// Sets the number of this name, beyond the slider's range as well; false: the force has none such.
+bool read_force_number(const JsonField& member, Force& force) {
+  for (std::size_t i = 0; i < force.term->numbers.size(); ++i) {
+    const ForceNumber& number = force.term->numbers[i];
+    if (!member.is(number.name)) continue;
+    force.values[i] = member.number(number.least >= 0.0 ? Bounds{.least = number.least} : any_number);
+    return true;
+  }
+  return false;
+}
+
 std::string ids_of_integrators() {
   std::string ids;
   for (const Integrator& integrator : integrators()) ids += (ids.empty() ? "" : ", ") + std::string(integrator.id);
@@ -156,6 +173,26 @@ void read_collider(const JsonField& field, SceneFields& fields, Scene& scene) {
   }
   if (!known) field.refuse_missing("type", "must be \"plane\", \"sphere\" or \"box\"");
   scene.system.colliders.push_back(collider);
+}
+
+void read_force(const JsonField& field, SceneFields& fields, Scene& scene) {
+  Force force;
+  for (const JsonField member : field.members()) {
+    if (!member.is("type")) continue;
+    force.term = find_force_term(member.text());
+    if (force.term == nullptr) member.refuse("must be one of " + ids_of_forces());
+  }
+  if (force.term == nullptr) field.refuse_missing("type", "must be one of " + ids_of_forces());
+
+  force.values = usual_values(*force.term);
+  for (const JsonField member : field.members()) {
+    if (member.is("type")) continue;
+    if (member.is("on"))
+      force.on = member.boolean();
+    else if (!read_force_number(member, force))
+      fields.keep_unknown(member, scene.kept.unknown_inside[field.path()]);
+  }
+  scene.system.forces.push_back(force);
 }
 
 void read_simulation(const JsonField& field, SceneFields& fields, Scene& scene) {

@@ -52,6 +52,7 @@ class SceneWriter {
   void write_point(Index i);
   void write_spring(Index s);
   void write_collider(std::size_t c);
+  void write_force(std::size_t f);
   void write_simulation();
   void write_defaults();
   void write_view();
@@ -93,6 +94,7 @@ std::string SceneWriter::write() {
     out_.raw(scene_.kept.generators);
   }
   write_list("colliders", system_.colliders.size(), [&](std::size_t c) { write_collider(c); });
+  write_list("forces", system_.forces.size(), [&](std::size_t f) { write_force(f); });
 
   write_simulation();
   write_defaults();
@@ -252,6 +254,16 @@ void SceneWriter::write_collider(std::size_t c) {
   out_.number("friction", collider.friction);
   if (!collider.solid) out_.boolean("solid", false);
   write_unknown_inside("colliders[" + std::to_string(c) + "]");
+  out_.end();
+}
+
+void SceneWriter::write_force(std::size_t f) {
+  const Force& force = system_.forces[f];
+  out_.begin_object(Layout::Line);
+  out_.text("type", force.term->id);
+  if (!force.on) out_.boolean("on", false);
+  for (std::size_t i = 0; i < force.term->numbers.size(); ++i) out_.number(force.term->numbers[i].name, force.values[i]);
+  write_unknown_inside("forces[" + std::to_string(f) + "]");
   out_.end();
 }
 

@@ -30,16 +30,27 @@ void add_drag(const Plan& plan, const Field& v, Field& f) {
 
 }  // namespace
 
-void compute_position_forces(const Plan& plan, double time, const Field& x, Field& f) {
+void add_listed_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+  for (const Force& force : plan.forces) force.term->add(plan, force.values, time, x.data(), v.data(), f.data());
+}
+
+void compute_outer_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+  set_gravity(plan, f);
+  add_listed_forces(plan, time, x, v, f);
+}
+
+void compute_position_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
   set_gravity(plan, f);
   add_spring_forces(plan, x.data(), nullptr, f.data());
   if (plan.pull) add_pull(plan, time, x, f);
+  add_listed_forces(plan, time, x, v, f);
 }
 
 void compute_explicit_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
   set_gravity(plan, f);
   add_spring_forces(plan, x.data(), plan.has_dashpots() ? v.data() : nullptr, f.data());
   if (plan.pull) add_pull(plan, time, x, f);
+  add_listed_forces(plan, time, x, v, f);
 }
 
 void compute_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {

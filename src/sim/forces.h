@@ -6,9 +6,16 @@
 
 namespace hooke {
 
-// f(t, x) [N] of gravity, springs and the hand's pull: all that does not depend on the velocities. A wind's share of
-// drag (drag * wind, a constant acceleration) counts here too.
-void compute_position_forces(const Plan& plan, double time, const Field& x, Field& f);
+// f [N] of gravity, springs, the hand's pull and the scene's listed forces: all but dashpots and drag. A wind's share of
+// drag (drag * wind, a constant acceleration) counts here too. Only listed forces look at the velocities.
+void compute_position_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
+
+// f [N] of gravity, wind's share of drag and the listed forces: what comes from outside the network, for methods that
+// treat springs and the hand's pull as constraints.
+void compute_outer_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
+
+// Adds the forces of the scene's list (force_term.h) alone.
+void add_listed_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
 // The above and the dashpots: all but drag, for methods that integrate drag exactly.
 void compute_explicit_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);

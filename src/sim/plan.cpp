@@ -76,6 +76,19 @@ void flatten(std::vector<Collider>& colliders) {
   });
 }
 
+// The forces that are on, and the faces if there is any.
+void plan_forces(Plan& plan, const System& system) {
+  plan.forces.clear();
+  for (const ForceTerm& term : force_terms())
+    for (const Force& force : system.forces)
+      if (force.on && force.term == &term) plan.forces.push_back(force);
+
+  plan.faces.clear();
+  if (plan.forces.empty()) return;
+  for (const Face& face : system.faces)
+    plan.faces.push_back({system.index_of(face.points[0]), system.index_of(face.points[1]), system.index_of(face.points[2])});
+}
+
 }  // namespace
 
 Plan make_plan(const System& system) {
@@ -90,6 +103,7 @@ Plan make_plan(const System& system) {
 void refresh_values(Plan& plan, const System& system) {
   plan.dimensions = system.dimensions;
   plan.drag = system.drag_rate();
+  plan.gravity = system.gravity;
   plan.acceleration = system.gravity + plan.drag * system.wind;
 
   plan.held.reset();
@@ -127,8 +141,9 @@ void refresh_values(Plan& plan, const System& system) {
   for (const Collider& collider : system.colliders)
     if (collider.solid) plan.colliders.push_back(collider);
   if (plan.dimensions == 2) flatten(plan.colliders);
+  plan_forces(plan, system);
   plan.radius.clear();
-  if (!plan.colliders.empty())
+  if (!plan.colliders.empty() || !plan.forces.empty())
     for (const Point& point : system.points()) plan.radius.push_back(point.radius);
 
   plan.spectrum = bound_spectrum(system);

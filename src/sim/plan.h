@@ -2,6 +2,7 @@
 // springs join which points) is rebuilt on edits, its values are refreshed in place; neither happens inside a step.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -47,6 +48,7 @@ struct Plan {
 
   std::vector<double> mass;          // [kg], a point
   std::vector<double> inverse_mass;  // [1/kg], a point; 0 when nailed or held
+  Vec3 gravity{0.0};                 // [m/s^2]
   Vec3 acceleration{0.0};            // [m/s^2], the same for all: gravity, and drag times wind
   double drag = 0.0;                 // [1/s]
 
@@ -56,8 +58,10 @@ struct Plan {
   std::vector<double> damping;       // empty: no dashpot anywhere
   std::vector<Index> spring_index;   // of the packed spring, in the System
 
-  std::vector<double> radius;        // [m], a point; empty: nothing to collide with
+  std::vector<double> radius;        // [m], a point; empty: nothing to collide with, nor a force that asks
   std::vector<Collider> colliders;   // the solid ones
+  std::vector<Force> forces;         // those that are on, in the table's order
+  std::vector<std::array<Index, 3>> faces;  // of points; empty when no force asks
   std::optional<PlannedPull> pull;
   std::optional<Index> held;         // the point under a holding hand
 

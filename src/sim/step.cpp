@@ -1,10 +1,12 @@
 #include "sim/step.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "sim/energy.h"
+#include "sim/forces.h"
 
 namespace hooke {
 
@@ -48,6 +50,27 @@ void Frame::end(const Plan& plan, State& state) const {
   state.hand = target_;
   if (plan.held)
     for (int c = 0; c < plan.dimensions; ++c) state.position[*plan.held][c] = target_[c];
+}
+
+void book_forces_work(const Plan& plan, const State& before, State& after) {
+  if (plan.forces.empty()) return;
+  // trapezium of the forces along each point's way
+  double work = 0.0;
+  Motion motion;
+  std::array<Field, 2> force;
+  for (const State* state : {&before, static_cast<const State*>(&after)}) {
+    pack(plan, *state, motion);
+    Field& f = force[state == &after];
+    f.assign(motion.x.size(), 0.0);
+    add_listed_forces(plan, state->time, motion.x, motion.v, f);
+  }
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (Index i = 0; i < plan.points; ++i) {
+      const std::size_t at = static_cast<std::size_t>(c) * plan.points + i;
+      if (plan.inverse_mass[i] != 0.0) work += 0.5 * (force[0][at] + force[1][at]) * (after.position[i][c] - before.position[i][c]);
+    }
+  after.ledger.given += work;
+  after.ledger.scale += std::max(0.0, work);
 }
 
 void book_hand_work(const System& system, const State& before, State& after) {

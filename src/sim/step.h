@@ -36,6 +36,9 @@ class Frame {
   ContactWorkspace before_;
 };
 
+// Adds the work of the listed forces (force_term.h) between two frames to the ledger of the later one.
+void book_forces_work(const Plan& plan, const State& before, State& after);
+
 // Adds the hand's work between two frames to the ledger of the later one.
 void book_hand_work(const System& system, const State& before, State& after);
 

@@ -49,7 +49,7 @@ void System::reserve(Index points, Index springs) {
 
 bool System::operator==(const System& other) const {
   const auto scalars = [](const System& s) { return std::tie(s.dimensions, s.gravity, s.drag, s.drag_on, s.dashpots_on, s.wind); };
-  return scalars(*this) == scalars(other) && faces == other.faces && colliders == other.colliders && grab == other.grab &&
+  return scalars(*this) == scalars(other) && faces == other.faces && colliders == other.colliders && forces == other.forces && grab == other.grab &&
          points_ == other.points_ && springs_ == other.springs_;
 }
 

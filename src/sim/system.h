@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/force_term.h"
 #include "sim/types.h"
 
 namespace hooke {
@@ -99,6 +100,7 @@ class System {
   Vec3 wind{0.0};                 // [m/s], of the air that drag is relative to
   std::vector<Face> faces;
   std::vector<Collider> colliders;
+  std::vector<Force> forces;      // besides gravity, springs, dashpots and drag
   std::optional<Grab> grab;
 
   const std::vector<Point>& points() const { return points_; }

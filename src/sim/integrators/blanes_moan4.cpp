@@ -31,7 +31,7 @@ void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) 
 }
 
 void accelerate(const Plan& plan, double time, Motion& motion) {
-  compute_position_forces(plan, time, motion.x, motion.a);
+  compute_position_forces(plan, time, motion.x, motion.v, motion.a);
   divide_by_mass(plan, motion.a);
   ++motion.force_evaluations;
 }

@@ -18,7 +18,7 @@ void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
   if (!motion.acceleration_is_current) {
-    compute_position_forces(plan, motion.time, motion.x, motion.a);
+    compute_position_forces(plan, motion.time, motion.x, motion.v, motion.a);
     divide_by_mass(plan, motion.a);
     ++motion.force_evaluations;
   }
@@ -26,7 +26,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   kick(plan, motion, 0.5 * h);
   drift(motion, h);
 
-  compute_position_forces(plan, motion.time + h, motion.x, motion.a);
+  compute_position_forces(plan, motion.time + h, motion.x, motion.v, motion.a);
   divide_by_mass(plan, motion.a);
   ++motion.force_evaluations;
   kick(plan, motion, 0.5 * h);

@@ -113,10 +113,10 @@ void pull(const Plan& plan, Motion& motion, double h) {
 }
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
-  if (!motion.acceleration_is_current) {
-    for (int c = 0; c < plan.dimensions; ++c)
-      for (Index i = 0; i < plan.points; ++i)
-        motion.a[static_cast<std::size_t>(c) * plan.points + i] = plan.inverse_mass[i] == 0.0 ? 0.0 : plan.acceleration[c];
+  // gravity alone never changes
+  if (!motion.acceleration_is_current || !plan.forces.empty()) {
+    compute_outer_forces(plan, motion.time, motion.x, motion.v, motion.a);
+    divide_by_mass(plan, motion.a);
     motion.acceleration_is_current = true;
   }
 

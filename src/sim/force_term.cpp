@@ -1,0 +1,25 @@
+#include "sim/force_term.h"
+
+#include "sim/force_terms/rows.h"
+
+namespace hooke {
+
+std::span<const ForceTerm> force_terms() {
+  // sticky last: it holds against the sum of all others
+  static const std::array rows{wind_force, buoyancy_force, center_force, mass_center_force, wall_force, sticky_force};
+  return rows;
+}
+
+const ForceTerm* find_force_term(std::string_view id) {
+  for (const ForceTerm& row : force_terms())
+    if (row.id == id) return &row;
+  return nullptr;
+}
+
+ForceValues usual_values(const ForceTerm& term) {
+  ForceValues values{};
+  for (std::size_t i = 0; i < term.numbers.size(); ++i) values[i] = term.numbers[i].usual;
+  return values;
+}
+
+}  // namespace hooke
