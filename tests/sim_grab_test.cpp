@@ -1,0 +1,174 @@
+// The hand: what is held follows it, what is pulled feels a spring, and what is let go flies on.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "convergence.h"
+#include "sim/divergence.h"
+#include "sim/energy.h"
+#include "trial.h"
+
+namespace hooke {
+namespace {
+
+constexpr double frame_time = 1.0 / 60.0;
+
+class Grabbed : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, Grabbed, testing::ValuesIn(every_method()), method_name);
+
+// A mass of 0.5 kg on a point that the hand takes; the hand starts where the point is.
+struct Held {
+  Trial trial;
+  PointId held, mass;
+  Held() : held(trial.add({0.1, 0.2, 0.3}, 2.0)), mass(trial.add({0.1, -0.8, 0.3}, 0.5)) {
+    trial.join(held, mass, 50.0, 0.9, 0.3);
+    trial.system.drag = 0.5;
+    take(GrabKind::Hold, trial.position(held));
+  }
+  void take(GrabKind kind, const Vec3& target) {
+    trial.system.grab = Grab{.point = held, .kind = kind, .target = target, .stiffness = 80.0};
+    trial.state.hand = trial.position(held);
+  }
+};
+
+TEST_P(Grabbed, HeldPointFollowsTheHandOverTheSubsteps) {
+  Held scene;
+  const Vec3 from = scene.trial.position(scene.held), target(0.7, -0.4, 1.3);
+  scene.take(GrabKind::Hold, target);
+  Plan plan = make_plan(scene.trial.system);
+  Frame frame;
+  State state = scene.trial.state;
+  frame.begin(plan, scene.trial.system, {.integrator = &method(), .frame_rate = 60.0, .substeps = 7}, state);
+  for (int k = 1; k <= 7; ++k) {
+    frame.substep(plan);
+    unpack(plan, frame.motion(), state);
+    EXPECT_LT(glm::distance(state.position[0], from + k / 7.0 * (target - from)), 1e-14) << "substep " << k;
+  }
+  frame.end(plan, state);
+  EXPECT_EQ(state.position[0], target);
+  EXPECT_LT(glm::distance(state.velocity[0], (target - from) / frame_time), 1e-11);
+}
+
+TEST_P(Grabbed, HeldPointStaysWhileTheHandDoes) {
+  Held scene;
+  const Vec3 place = scene.trial.position(scene.held);
+  for (int i = 0; i < 30; ++i) scene.trial.run(method(), frame_time, 5);
+  EXPECT_EQ(scene.trial.position(scene.held), place);
+  EXPECT_EQ(scene.trial.velocity(scene.held), Vec3(0.0));
+}
+
+// a mass on a spring whose end moves with V: x = V t + l0 + A cos(w t) - V / w sin(w t)
+TEST_P(Grabbed, HeldEndDrivesItsSprings) {
+  const double w = 10.0, speed = 1.5, seconds = 1.0;
+  const auto error = [&](int steps) {
+    Trial trial;
+    trial.system.gravity = Vec3(0.0);
+    const PointId held = trial.add(Vec3(0.0)), mass = trial.add({1.1, 0.0, 0.0}, 0.5);
+    trial.join(held, mass, 50.0, 1.0);
+    trial.system.grab = Grab{.point = held, .kind = GrabKind::Hold, .target = {speed * seconds, 0.0, 0.0}};
+    trial.run(method(), seconds, steps);
+    const double exact = 1.0 + speed * seconds + 0.1 * std::cos(w * seconds) - speed / w * std::sin(w * seconds);
+    return std::abs(trial.position(mass).x - exact);
+  };
+  expect_order(error, asymptotic_steps(method().order), method().order, 0.2);
+}
+
+TEST_P(Grabbed, LetGoFliesOnAsTheHandThrewIt) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  const PointId point = trial.add(Vec3(0.0));
+  Vec3 hand(0.0);
+  const Vec3 way(0.05, 0.02, -0.01);
+  trial.system.grab = Grab{.point = point, .kind = GrabKind::Hold};
+  for (int i = 0; i < 3; ++i) {
+    trial.system.grab->target = hand += way;
+    trial.run(method(), frame_time, 4);
+  }
+  trial.system.grab.reset();
+  trial.run(method(), frame_time, 4);
+  EXPECT_LT(glm::distance(trial.position(point), 4.0 * way), 1e-13);
+  EXPECT_LT(glm::distance(trial.velocity(point), way / frame_time), 1e-11);
+}
+
+TEST_P(Grabbed, NailStaysWhereItIsLetGo) {
+  Trial trial;
+  trial.system.drag = 0.3;
+  const PointId nail = trial.nail(Vec3(0.0));
+  trial.system.grab = Grab{.point = nail, .kind = GrabKind::Hold, .target = {0.3, 0.2, 0.1}};
+  trial.run(method(), frame_time, 4);
+  EXPECT_EQ(trial.position(nail), Vec3(0.3, 0.2, 0.1));
+  trial.system.grab.reset();
+  for (int i = 0; i < 10; ++i) trial.run(method(), frame_time, 4);
+  EXPECT_EQ(trial.position(nail), Vec3(0.3, 0.2, 0.1));
+  EXPECT_EQ(trial.velocity(nail), Vec3(0.0));
+}
+
+TEST_P(Grabbed, InTwoDimensionsStaysInThePlane) {
+  Trial trial;
+  trial.system.dimensions = 2;
+  const PointId point = trial.add(Vec3(0.0));
+  for (const GrabKind kind : {GrabKind::Hold, GrabKind::Pull}) {
+    trial.system.grab = Grab{.point = point, .kind = kind, .target = {0.3, 0.2, 0.1}};
+    trial.run(method(), frame_time, 4);
+    EXPECT_EQ(trial.position(point).z, 0.0);
+    EXPECT_EQ(trial.velocity(point).z, 0.0);
+  }
+}
+
+// pulled by a hand that moves with V: x = V t - V / w sin(w t), w^2 = k / m
+TEST_P(Grabbed, PulledPointFeelsASpringToTheHand) {
+  const double w = 10.0, seconds = 0.5;
+  const Vec3 speed(1.5, -0.5, 0.8);
+  const auto error = [&](int steps) {
+    Trial trial;
+    trial.system.gravity = Vec3(0.0);
+    const PointId point = trial.add({0.1, 0.0, 0.0}, 0.5);
+    trial.state.hand = Vec3(0.0);
+    trial.system.grab = Grab{.point = point, .kind = GrabKind::Pull, .target = seconds * speed, .stiffness = 50.0};
+    trial.run(method(), seconds, steps);
+    const Vec3 exact = seconds * speed - std::sin(w * seconds) / w * speed + std::cos(w * seconds) * Vec3(0.1, 0.0, 0.0);
+    return glm::distance(trial.position(point), exact);
+  };
+  expect_order(error, asymptotic_steps(method().order), method().order, 0.2);
+}
+
+TEST(Hand, ForceIsWhatTheGrabExerts) {
+  Held scene;
+  const Vec3 weight = 2.0 * scene.trial.system.gravity;
+  // the spring is stretched by 0.1 m and pulls the held point down
+  EXPECT_LT(glm::distance(compute_hand_force(scene.trial.system, scene.trial.state), -weight + Vec3(0.0, 5.0, 0.0)), 1e-12);
+  scene.take(GrabKind::Pull, Vec3(0.0));
+  scene.trial.state.hand += Vec3(0.1, 0.0, 0.0);
+  EXPECT_LT(glm::distance(compute_hand_force(scene.trial.system, scene.trial.state), Vec3(8.0, 0.0, 0.0)), 1e-12);
+  scene.trial.system.grab.reset();
+  EXPECT_EQ(compute_hand_force(scene.trial.system, scene.trial.state), Vec3(0.0));
+}
+
+// energy of the scene = energy at the start + work of the hand, within what the trapezium rule makes of its force
+TEST(Hand, WorkIsBooked) {
+  for (const GrabKind kind : {GrabKind::Hold, GrabKind::Pull}) {
+    const auto missing = [&](int frames) {
+      Held scene;
+      scene.trial.system.drag = 0.0;
+      scene.trial.system.spring(0).damping = 0.0;
+      scene.take(kind, scene.trial.position(scene.held));
+      open_ledger(scene.trial.system, scene.trial.state);
+      for (int i = 1; i <= frames; ++i) {
+        const double t = 1.0 * i / frames;
+        scene.trial.system.grab->target = Vec3(0.1, 0.2, 0.3) + 0.2 * std::pow(std::sin(3.0 * t), 2) * Vec3(1.0, 0.5, 0.2);
+        const State before = scene.trial.state;
+        scene.trial.run(*find_integrator("velocity_verlet"), 1.0 / frames, 20);
+        book_hand_work(scene.trial.system, before, scene.trial.state);
+      }
+      const double energy = compute_energy(scene.trial.system, scene.trial.state).total();
+      EXPECT_GT(scene.trial.state.ledger.scale, 0.1);
+      return std::abs(energy - scene.trial.state.ledger.given);
+    };
+    EXPECT_LT(missing(60), 0.1) << (kind == GrabKind::Hold ? "hold" : "pull");
+    EXPECT_GT(std::log2(missing(60) / missing(240)), 1.5) << (kind == GrabKind::Hold ? "hold" : "pull");
+  }
+}
+
+}  // namespace
+}  // namespace hooke
