@@ -18,22 +18,20 @@ void main() {
   float edge = is_square > 0.5 ? max(away.x, away.y) - 0.9 * radius : from_center - radius;  // [px], negative inside
   float inside = clamp(0.5 - edge, 0.0, 1.0);
 
-  vec2 slope = offset / max(radius, 0.5);
+  vec2 slope = offset / max(max(radius, from_center), 0.5);
   float bulge = is_square > 0.5 ? 0.8 : sqrt(max(1.0 - dot(slope, slope), 0.0));
   vec3 normal = is_square > 0.5 ? normalize(vec3(0.25 * slope, 1.0)) : vec3(slope, bulge);
-  float lit = 0.66 + 0.34 * max(dot(normal, light), 0.0);
-  float shine = is_square > 0.5 ? 0.0 : 0.22 * pow(max(dot(normal, light), 0.0), 24.0);
-  vec4 color = vec4(body.rgb * lit + shine, body.a * inside);
+  float facing = max(dot(normal, light), 0.0);
+  float shine = is_square > 0.5 ? 0.0 : 0.22 * pow(facing, 24.0);
+  vec4 color = vec4(body.rgb * (0.66 + 0.34 * facing) + shine, body.a * inside);
 
-  float front = bulge;
-  if (radii.y > 0.0) {
-    float outer = clamp(radii.y - from_center + 0.5, 0.0, 1.0);
-    float inner = clamp(from_center - (radii.y - ring_width) + 0.5, 0.0, 1.0);
-    float cover = outer * inner * ring.a;
-    color = mix(color, vec4(ring.rgb, 1.0), cover);
-    front = max(front, cover);
-  }
+  // the ring over the body
+  float outer = clamp(radii.y - from_center + 0.5, 0.0, 1.0);
+  float inner = clamp(from_center - (radii.y - ring_width) + 0.5, 0.0, 1.0);
+  float cover = radii.y > 0.0 ? outer * inner * ring.a : 0.0;
+  float opacity = cover + color.a * (1.0 - cover);
+  color = vec4(mix(color.rgb * color.a, ring.rgb, cover) / max(opacity, 1e-3), opacity);
   if (color.a < 0.02) discard;
   result = color;
-  gl_FragDepth = mix(depths.x, depths.y, front);
+  gl_FragDepth = mix(depths.x, depths.y, max(bulge, cover));
 }

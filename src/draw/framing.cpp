@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 #include <variant>
+#include <vector>
 
 #include "draw/camera.h"
 
@@ -16,31 +17,60 @@ constexpr double margin = 1.12;          // of the picture, around the scene
 constexpr double smallest_radius = 0.2;  // [m], of what is framed: an empty scene is an empty stage of this size
 constexpr double plane_reach = 6.0;      // a plane this many scene radii away is part of the scene
 
+// A ball that is to be seen.
+struct Sight {
+  Vec3 place;
+  double radius = 0.0;
+};
+
 struct Extent {
   Vec3 least{std::numeric_limits<double>::infinity()}, most{-std::numeric_limits<double>::infinity()};
+  std::vector<Sight> sights;
 
-  void include(const Vec3& place, double around) {
+  void include(const Vec3& place, double radius = 0.0) {
     if (!std::isfinite(place.x + place.y + place.z)) return;
-    least = glm::min(least, place - around);
-    most = glm::max(most, place + around);
+    least = glm::min(least, place - radius);
+    most = glm::max(most, place + radius);
+    sights.push_back({place, radius});
   }
-  bool is_empty() const { return least.x > most.x; }
   Vec3 center() const { return 0.5 * (least + most); }
   double radius() const { return std::max(0.5 * glm::length(most - least), smallest_radius); }
 };
 
-// Points and bounded colliders; then the nearest place of each plane that is not far off.
-Extent extent_of(const System& system, const State& state) {
-  Extent extent;
+void include_points(Extent& extent, const System& system, const State& state) {
   for (Index i = 0; i < system.point_count(); ++i) extent.include(state.position[i], system.points()[i].radius);
+}
+
+// Of points that will hang, being nailed and free together under gravity: room below for as much as they are wide, down
+// to the floor.
+void make_room_to_hang(Extent& extent, const System& system) {
+  const double strength = glm::length(system.gravity);
+  const auto is_nailed = [](const Point& point) { return point.nailed; };
+  const auto nails = std::count_if(system.points().begin(), system.points().end(), is_nailed);
+  if (!(strength > 0.0) || nails == 0 || nails == system.point_count() || extent.sights.empty()) return;
+  const Vec3 down = system.gravity / strength;
+  const Vec3 size = extent.most - extent.least;
+  const double height = std::abs(glm::dot(size, down)), width = std::max({size.x, size.y, size.z});
+  if (width <= height) return;
+
+  const Vec3 below = extent.center() + (width - 0.5 * height) * down;
+  const auto is_closed = [&](const Collider& collider) {
+    const auto* plane = std::get_if<Plane>(&collider.shape);
+    return plane && glm::dot(below - plane->point, plane->normal) < 0.0;
+  };
+  if (std::none_of(system.colliders.begin(), system.colliders.end(), is_closed)) extent.include(below);
+}
+
+// Bounded colliders; then the nearest place of each plane that is not far off.
+void include_colliders(Extent& extent, const System& system) {
   for (const Collider& collider : system.colliders) {
     if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) extent.include(sphere->center, sphere->radius);
     if (const auto* box = std::get_if<Box>(&collider.shape)) {
-      extent.include(box->least, 0.0);
-      extent.include(box->most, 0.0);
+      const auto pick = [&](int bit, int axis) { return bit ? box->most[axis] : box->least[axis]; };
+      for (int corner = 0; corner < 8; ++corner) extent.include({pick(corner & 1, 0), pick(corner & 2, 1), pick(corner & 4, 2)});
     }
   }
-  if (extent.is_empty()) extent.include(Vec3(0.0), 5.0 * smallest_radius);
+  if (extent.sights.empty()) extent.include(Vec3(0.0), 5.0 * smallest_radius);
 
   const Vec3 center = extent.center();
   const double near = plane_reach * extent.radius();
@@ -48,39 +78,46 @@ Extent extent_of(const System& system, const State& state) {
     const auto* plane = std::get_if<Plane>(&collider.shape);
     if (!plane) continue;
     const double height = glm::dot(center - plane->point, plane->normal);
-    if (std::abs(height) < near) extent.include(center - height * plane->normal, 0.0);
+    if (std::abs(height) < near) extent.include(center - height * plane->normal);
   }
-  return extent;
 }
 
-// Nailed and free points together under gravity will hang: room below for as much as the scene is wide.
-void make_room_to_hang(Extent& extent, const System& system) {
-  const double strength = glm::length(system.gravity);
-  const auto is_nailed = [](const Point& point) { return point.nailed; };
-  const auto nails = std::count_if(system.points().begin(), system.points().end(), is_nailed);
-  if (!(strength > 0.0) || nails == 0 || nails == system.point_count()) return;
-  const Vec3 down = system.gravity / strength;
-  const Vec3 size = extent.most - extent.least;
-  const double height = std::abs(glm::dot(size, down));
-  const double width = std::max({size.x, size.y, size.z});
-  const Vec3 below = extent.center() + (width - 0.5 * height) * down;
-  if (width > height) extent.include(below, 0.0);
-}
+// What the sights ask of one axis of the picture, coordinates along it being s and towards the viewer z. With the
+// picture reaching +-slope per metre of depth, they are all within it from an eye at (s, z) when
+//   max(s_i + r_i + slope z_i) - slope z <= s <= min(s_i - r_i - slope z_i) + slope z
+struct Axis {
+  double slope;  // 0: the picture is as wide everywhere
+  double most = -std::numeric_limits<double>::infinity(), least = std::numeric_limits<double>::infinity();
 
-// Moves the camera along its axis until the box just fits.
+  void include(double s, double z, double radius) {
+    most = std::max(most, s + radius + slope * z);
+    least = std::min(least, s - radius - slope * z);
+  }
+  double middle() const { return 0.5 * (most + least); }
+  double reach() const { return 0.5 * (most - least); }
+};
+
+// Moves the camera, without turning it, to where the sights just fit.
 void fit(Camera& camera, const Extent& extent, double aspect) {
-  camera.target = extent.center();
-  const Vec3 right = glm::cross(camera.up, camera.back);
+  const Vec3 right = glm::cross(camera.up, camera.back), middle = extent.center();
   const double slope = std::tan(0.5 * camera.field_of_view) / margin;
-  const Vec3 half = glm::max(0.5 * (extent.most - extent.least), Vec3(1e-3 * smallest_radius));
-  double distance = smallest_radius / slope;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 place = half * Vec3(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, corner & 4 ? 1.0 : -1.0);
-    const double nearer = camera.orthographic ? 0.0 : glm::dot(place, camera.back);
-    const double needed = std::max(std::abs(glm::dot(place, right)) / aspect, std::abs(glm::dot(place, camera.up)));
-    distance = std::max(distance, needed / slope + nearer);
+  const double depth_slope = camera.orthographic ? 0.0 : slope;
+  Axis across{depth_slope * aspect}, upward{depth_slope};
+  double farthest = 0.0, nearest = 0.0;  // towards the viewer, from the middle
+  for (const Sight& sight : extent.sights) {
+    const Vec3 place = sight.place - middle;
+    const double z = glm::dot(place, camera.back);
+    across.include(glm::dot(place, right), z, sight.radius);
+    upward.include(glm::dot(place, camera.up), z, sight.radius);
+    nearest = std::max(nearest, z + sight.radius);
+    farthest = std::min(farthest, z - sight.radius);
   }
-  camera.distance = distance;
+
+  // the eye is as far away as the more demanding axis says; the target in the middle of the depths
+  const double eye = std::max(across.reach() / (slope * aspect), upward.reach() / slope);
+  const double target = camera.orthographic ? 0.0 : 0.5 * (nearest + farthest);
+  camera.target = middle + across.middle() * right + upward.middle() * camera.up + target * camera.back;
+  camera.distance = std::max(eye - target, smallest_radius / slope);
 }
 
 Vec3 upward(const ViewSettings& view, const System& system) {
@@ -125,12 +162,19 @@ Camera make_camera(const ViewSettings& view, const System& system, const State& 
 
   camera.orthographic = system.dimensions == 2;
   look(camera, system.dimensions == 2 ? Vec3(0.0, 0.0, 1.0) : usual_back(camera.pole));
-  Extent extent = extent_of(system, state);
+  Extent extent;
+  include_points(extent, system, state);
   make_room_to_hang(extent, system);
+  include_colliders(extent, system);
   fit(camera, extent, aspect);
   return camera;
 }
 
-void frame_scene(Camera& camera, const System& system, const State& state, double aspect) { fit(camera, extent_of(system, state), aspect); }
+void frame_scene(Camera& camera, const System& system, const State& state, double aspect) {
+  Extent extent;
+  include_points(extent, system, state);
+  include_colliders(extent, system);
+  fit(camera, extent, aspect);
+}
 
 }  // namespace hooke

@@ -106,10 +106,6 @@ Bead Net::bead_of(const Subject& subject, Index i) const {
   const Color color = point.color ? *point.color : point.nailed ? subject.palette.nailed : subject.palette.point;
   bead.body = ink(selected_[i] && is_plain ? subject.palette.selected : color);
   if (is_plain && !selected_[i]) bead.body.opacity = static_cast<std::uint8_t>(255.0 * std::clamp((sparse - 5.0) / 8.0, 0.0, 1.0));
-  if (selected_[i]) {
-    bead.ring = static_cast<float>(radius + 3.0 * scale);
-    bead.ring_ink = ink(subject.palette.selected);
-  }
   return bead;
 }
 
@@ -135,14 +131,19 @@ void Net::add_marks(const Subject& subject, Strokes& strokes, Beads& beads) cons
   for (const SpringId id : subject.marks.selected_springs) add_spring(id, ink(subject.palette.selected, 0.7));
   if (subject.marks.hovered_spring) add_spring(*subject.marks.hovered_spring, ink(subject.palette.hover, 0.35));
 
+  // rings alone: the points themselves are drawn already
+  const auto add_ring = [&](Index i, double distance, Ink color) {
+    Bead ring = bead_of(subject, i);
+    ring.body.opacity = 0;
+    ring.ring = ring.radius + static_cast<float>(distance * scale);
+    ring.ring_ink = color;
+    beads.add(subject.projection, clip_[i], seen_[i], ring);
+  };
+  for (const PointId id : subject.marks.selected_points)
+    if (const Index i = system.index_of(id); i != no_index) add_ring(i, 3.0, ink(subject.palette.selected));
   if (!subject.marks.hovered_point) return;
-  const Index i = system.index_of(*subject.marks.hovered_point);
-  if (i == no_index) return;
-  Bead halo = bead_of(subject, i);
-  halo.ring = halo.radius + static_cast<float>((selected_[i] ? 6.0 : 4.0) * scale);
-  halo.ring_ink = ink(subject.palette.hover, 0.8);
-  halo.body.opacity = 0;
-  beads.add(subject.projection, clip_[i], seen_[i], halo);
+  if (const Index i = system.index_of(*subject.marks.hovered_point); i != no_index)
+    add_ring(i, selected_[i] ? 6.0 : 4.0, ink(subject.palette.hover, 0.8));
 }
 
 }  // namespace hooke

@@ -30,7 +30,7 @@ class Net {
 
   void add_springs(const Subject& subject, Strokes& strokes) const;
   void add_points(const Subject& subject, Beads& beads) const;
-  // Rings and lines over what is selected and under the cursor.
+  // Lines under selected and hovered springs, rings around such points.
   void add_marks(const Subject& subject, Strokes& strokes, Beads& beads) const;
 
   // Of each point. Springs cut corners where points rest on something round: all is drawn this much nearer [m] than it is,

@@ -128,9 +128,10 @@ void View::Parts::draw_over(const Subject& subject) {
   glDisable(GL_CULL_FACE);
   stage.faint_balls.draw(ball_shader, subject.projection);
   stage.veils.draw(ground_shader);
-  marked_points.draw(bead_shader, width, height, subject.options.scale);
 
+  // rings and ghosts are seen through everything
   glDisable(GL_DEPTH_TEST);
+  marked_points.draw(bead_shader, width, height, subject.options.scale);
   ghost_springs.draw(stroke_shader, width, height);
   ghost_points.draw(bead_shader, width, height, subject.options.scale);
   glDepthMask(GL_TRUE);
