@@ -50,7 +50,7 @@ Vec3 compute_hand_force(const System& system, const State& state) {
   if (system.grab->kind == GrabKind::Pull) return system.grab->stiffness * (state.hand - state.position[held]);
 
   // what the springs and gravity do to the held point, turned round
-  Vec3 force = system.points()[held].mass * system.gravity;
+  Vec3 force = system.points()[held].nailed ? Vec3(0.0) : system.points()[held].mass * system.gravity;
   for (const Spring& spring : system.springs()) {
     const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
     if (i != held && j != held) continue;

@@ -24,8 +24,8 @@ Momentum compute_momentum(const System& system, const State& state);
 // l / l0 - 1 of a spring [1]; for l0 = 0 the length [m] itself.
 double strain(const System& system, const State& state, const Spring& spring);
 
-// The force [N] that the hand exerts on its point: a pull's spring, or what holds a held point against its springs and
-// its weight. Zero without a grab.
+// The force [N] that the hand exerts on its point: a pull's spring, or what holds a held point against its springs and,
+// unless it is a nail, its weight. Zero without a grab.
 Vec3 compute_hand_force(const System& system, const State& state);
 
 // M g L [J]: mass of the free points times gravity times the size of the scene, the least that counts as "put in". A

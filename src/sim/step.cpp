@@ -80,8 +80,8 @@ void book_hand_work(const System& system, const State& before, State& after) {
   const double start = glm::dot(compute_hand_force(system, before), way), finish = glm::dot(compute_hand_force(system, after), way);
   double work = 0.5 * (start + finish);
   double size = std::abs(start) + std::abs(finish);
-  if (system.grab->kind == GrabKind::Hold) {
-    const Index held = system.index_of(system.grab->point);
+  const Index held = system.index_of(system.grab->point);
+  if (system.grab->kind == GrabKind::Hold && !system.points()[held].nailed) {
     const double mass = system.points()[held].mass;
     const double gained = 0.5 * mass * (glm::dot(after.velocity[held], after.velocity[held]) - glm::dot(before.velocity[held], before.velocity[held]));
     work += gained;
