@@ -29,7 +29,7 @@ set(owners
   "^Eigen/"                             "^sim/"
   "^glm/"                               "."
   "^(chrono|ctime|random|thread|iostream|fstream|cstdio|filesystem|unordered_map|unordered_set)$"  "^(lab|draw|ui|app|cli)/"
-  "^(unistd|fcntl|dirent|signal|sys/[a-z]+)[.]h$"  "^(lab|app|cli)/"
+  "^(unistd|fcntl|dirent|signal|spawn|sys/[a-z]+)[.]h$"  "^(lab|app|cli)/"
   "^[a-z_]+$"                           "."  # the C++ standard library
 )
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <iostream>
 
+#include "cli/bench.h"
 #include "cli/convert.h"
 #include "cli/run.h"
 #include "lab/build_info.h"
@@ -16,6 +17,7 @@ namespace {
 // Every subcommand, in the order of the help.
 constexpr std::array subcommands{
     Subcommand{"run", "Step a scene and report what became of it", declare_run},
+    Subcommand{"bench", "Measure the speed and the error of every method", declare_bench},
     Subcommand{"convert", "Write a scene file as another", declare_convert},
 };
 

@@ -9,6 +9,7 @@
 #include "lab/scene_file.h"
 #include "lab/scene_nets.h"
 #include "sim/divergence.h"
+#include "sim/hash.h"
 
 namespace hooke {
 namespace {
@@ -24,38 +25,6 @@ Problem shipped(const std::string& id, std::string title, double seconds) {
   problem.seconds = seconds;
   return problem;
 }
-
-// FNV-1a (Fowler, Noll, Vo) over 64-bit words
-class Fingerprint {
- public:
-  void add(std::uint64_t word) {
-    for (int byte = 0; byte < 8; ++byte) value_ = (value_ ^ ((word >> (8 * byte)) & 0xff)) * 0x100000001b3;
-  }
-  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
-  void add(const Vec3& v) {
-    for (int c = 0; c < 3; ++c) add(v[c]);
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325;
-};
-
-struct AddShape {
-  Fingerprint& print;
-  void operator()(const Plane& plane) const {
-    print.add(plane.point);
-    print.add(plane.normal);
-  }
-  void operator()(const Sphere& sphere) const {
-    print.add(sphere.center);
-    print.add(sphere.radius);
-  }
-  void operator()(const Box& box) const {
-    print.add(box.least);
-    print.add(box.most);
-  }
-};
 
 }  // namespace
 
@@ -106,36 +75,14 @@ Problem problem_from(const std::string& id, const Scene& scene) {
 }
 
 std::uint64_t fingerprint(const Problem& problem) {
-  const System& system = problem.system;
-  Fingerprint print;
-  print.add(problem.seconds);
-  print.add(problem.size);
-  print.add(static_cast<std::uint64_t>(problem.measure));
-  print.add(static_cast<std::uint64_t>(system.dimensions));
-  print.add(system.gravity);
-  print.add(system.drag_rate());
-  print.add(system.wind);
-  for (const Point& point : system.points()) {
-    print.add(static_cast<std::uint64_t>(point.nailed));
-    print.add(point.mass);
-    print.add(point.radius);
-  }
-  for (const Spring& spring : system.springs()) {
-    print.add(static_cast<std::uint64_t>(system.index_of(spring.first)));
-    print.add(static_cast<std::uint64_t>(system.index_of(spring.second)));
-    print.add(spring.stiffness);
-    print.add(system.damping_of(spring));
-    print.add(spring.rest_length);
-  }
-  for (const Collider& collider : system.colliders) {
-    if (!collider.solid) continue;
-    std::visit(AddShape{print}, collider.shape);
-    print.add(collider.restitution);
-    print.add(collider.friction);
-  }
-  for (const Vec3& x : problem.start.position) print.add(x);
-  for (const Vec3& v : problem.start.velocity) print.add(v);
-  return print.value();
+  // a scene's file holds everything that its motion hangs on, to the bit
+  Scene scene;
+  scene.system = problem.system;
+  scene.state = problem.start;
+  std::string text = format_scene(scene);
+  text += ' ' + std::to_string(std::bit_cast<std::uint64_t>(problem.seconds)) + ' ' +
+          std::to_string(std::bit_cast<std::uint64_t>(problem.size)) + ' ' + std::to_string(static_cast<int>(problem.measure));
+  return hash_bytes(text);
 }
 
 }  // namespace hooke

@@ -1,13 +1,18 @@
-// A hash of bits, for determinism tests, replays and `run --json`.
+// Hashes of bits (FNV-1a: Fowler, Noll, Vo), for determinism tests, replays, `run --json`, and to tell whether something
+// is still the same.
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "sim/state.h"
 
 namespace hooke {
 
-// FNV-1a (Fowler, Noll, Vo) over the 64-bit patterns of time, positions and velocities.
+// Over the 64-bit patterns of time, positions and velocities.
 std::uint64_t hash_state(const State& state);
+
+// Over bytes.
+std::uint64_t hash_bytes(std::string_view bytes);
 
 }  // namespace hooke

@@ -1,0 +1,217 @@
+#include "cli/bench.h"
+
+#include <signal.h>
+
+#include <algorithm>
+#include <atomic>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+#include "cli/bench_progress.h"
+#include "cli/bench_report.h"
+#include "cli/gnuplot.h"
+#include "cli/run_report.h"
+#include "lab/atomic_write.h"
+#include "lab/build_info.h"
+#include "lab/printable.h"
+#include "lab/read_file.h"
+#include "lab/scene_file.h"
+#include "lab/work_precision_chart.h"
+#include "sim/hash.h"
+
+namespace hooke {
+namespace {
+
+struct BenchOptions {
+  std::vector<std::string> scenes;   // built-in problems, scenes that ship, or files; empty: the built-in problems
+  std::vector<std::string> methods;  // ids; empty: all
+  std::filesystem::path folder = ".";
+  bool quick = false, quiet = false;
+};
+
+// A quick benchmark ends within a minute on any machine: coarser, and cut short if need be.
+constexpr Effort quick_effort{.repeats = 3, .run_seconds = 0.04, .reference_seconds = 0.5, .finest_error = 1e-10};
+constexpr std::chrono::seconds quick_limit{50};
+
+constexpr int exit_interrupted = 130;  // as a shell reports Ctrl+C
+std::atomic<bool> interrupted = false;
+
+// Ctrl+C asks to stop; a second one ends the program as it stands.
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted = true; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+std::string machine() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return printable(line.substr(std::min(line.size(), line.find(':') + 2)), 80);
+  return "unknown";
+}
+
+// Of the program's own file: figures of another build are another matter.
+std::string build() {
+  std::ifstream program("/proc/self/exe", std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(program), {});
+  return to_hexadecimal(hash_bytes(bytes));
+}
+
+std::string now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+std::vector<Problem> chosen_problems(const BenchOptions& options) {
+  std::vector<Problem> chosen;
+  if (options.scenes.empty())
+    for (const BuiltInProblem& row : built_in_problems())
+      if (row.quick || !options.quick) chosen.push_back(row.make());
+  for (const std::string& name : options.scenes)
+    if (const BuiltInProblem* row = find_problem(name))
+      chosen.push_back(row->make());
+    else
+      chosen.push_back(problem_from(printable(std::filesystem::path(name).stem().native(), 80), load_scene(find_scene(name)).scene));
+  return chosen;
+}
+
+// In the order of the table.
+std::vector<const Integrator*> chosen_methods(const std::vector<std::string>& ids) {
+  for (const std::string& id : ids)
+    if (find_integrator(id) == nullptr) throw UsageError("--methods: " + printable(id, 80) + ": no such method");
+  std::vector<const Integrator*> chosen;
+  for (const Integrator& method : integrators())
+    if (ids.empty() || std::find(ids.begin(), ids.end(), method.id) != ids.end()) chosen.push_back(&method);
+  return chosen;
+}
+
+// One benchmark and its folder.
+class Bench {
+ public:
+  explicit Bench(const BenchOptions& options)
+      : options_(options),
+        effort_(options.quick ? quick_effort : Effort{}),
+        problems_(chosen_problems(options)),
+        methods_(chosen_methods(options.methods)),
+        progress_(problems_.size() * methods_.size(), !options.quiet) {
+    std::error_code failure;
+    std::filesystem::create_directories(options_.folder, failure);
+    if (failure) throw FileError(printable(options_.folder.native()) + ": cannot be made: " + failure.message());
+    take_over_earlier_results();
+  }
+
+  int run() {
+    catch_interrupts();
+    for (const Problem& problem : problems_) {
+      if (!may_go_on()) break;
+      measure(problem);
+    }
+    progress_.clear();
+    draw_charts();
+
+    if (!options_.quiet)
+      for (const ProblemRecord& record : results_.problems) std::cout << report(record);
+    if (interrupted) {
+      std::cerr << "Stopped: what is done is kept, and the same command goes on from there.\n";
+      return exit_interrupted;
+    }
+    if (!may_go_on()) std::cerr << "The minute is over: what is done is kept, and the same command goes on from there.\n";
+    return has_every_reference_ ? exit_code::fine : exit_code::diverged;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool may_go_on() const { return !interrupted && !(options_.quick && Clock::now() - start_ > quick_limit); }
+
+  // Rows made under the same conditions are not made again.
+  void take_over_earlier_results() {
+    results_.conditions = {program_version, build(), machine(), options_.quick ? "quick" : "full"};
+    const std::filesystem::path file = options_.folder / "bench.json";
+    if (!std::filesystem::exists(file)) return;
+    Results earlier = parse_results(read_file(file), printable(file.native()));
+    if (earlier.conditions == results_.conditions)
+      results_ = std::move(earlier);
+    else if (!options_.quiet)
+      std::cerr << printable(file.native()) << ": by another build, machine or effort: measured anew\n";
+  }
+
+  ProblemRecord& record_for(const Problem& problem) {
+    for (ProblemRecord& record : results_.problems)
+      if (record.id == problem.id) {
+        if (record.fingerprint != fingerprint(problem)) record = record_of(problem);
+        return record;
+      }
+    return results_.problems.emplace_back(record_of(problem));
+  }
+
+  void measure(const Problem& problem) {
+    ProblemRecord& record = record_for(problem);
+    PrecisionSweep sweep(problem, effort_, record);
+    sweep.may_go_on = [this] { return may_go_on(); };
+    sweep.row_done = [&] { progress_.show(record.rows.back().setting); };
+    for (const Integrator* method : methods_) {
+      progress_.begin_part(problem.id + "  " + std::string(method->id));
+      const std::size_t rows = record.rows.size();
+      const bool finished = sweep.run(*method);
+      const bool is_new = record.rows.size() > rows;
+      progress_.end_part(is_new);
+      if (is_new) save();
+      if (!finished) break;
+    }
+    if (sweep.has_reference()) return;
+    has_every_reference_ = false;
+    progress_.clear();
+    std::cerr << problem.id << ": no method came to its end at two steps in a row, so there is nothing to measure against\n";
+  }
+
+  void save() {
+    results_.date = now();
+    write_atomically(options_.folder / "bench.json", format_results(results_));
+    write_atomically(options_.folder / "bench.csv", format_csv(results_));
+    write_atomically(options_.folder / "bench.md", markdown_report(results_));
+  }
+
+  void draw_charts() const {
+    for (const auto& [format, file] : {std::pair{ChartFormat::Svg, "bench.svg"}, std::pair{ChartFormat::Png, "bench.png"}})
+      if (const std::optional<std::string> failure = run_gnuplot(chart_script(results_, format, file), options_.folder)) {
+        std::cerr << *failure << "\n";
+        return;
+      }
+  }
+
+  const BenchOptions& options_;
+  const Effort effort_;
+  const std::vector<Problem> problems_;
+  const std::vector<const Integrator*> methods_;
+  BenchProgress progress_;
+  Results results_;
+  bool has_every_reference_ = true;
+  const Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+std::function<int()> declare_bench(CLI::App& app) {
+  auto options = std::make_shared<BenchOptions>();
+  std::string built_in;
+  for (const BuiltInProblem& row : built_in_problems()) built_in += (built_in.empty() ? "" : " ") + std::string(row.id);
+  app.add_option("SCENE", options->scenes, "Built-in problems, scenes that ship, or scene files, one second of each; none: " + built_in);
+  app.add_option("--methods", options->methods, "Only these, with commas between")->delimiter(',')->type_name("ID,...");
+  app.add_option("--out", options->folder, "Where bench.json, .csv, .md, .svg and .png go; results found there are gone on from")
+      ->type_name("DIR")
+      ->capture_default_str();
+  app.add_flag("--quick", options->quick, "Within a minute: fewer problems, coarser");
+  app.add_flag("-q,--quiet", options->quiet, "No report and no progress");
+  return [options] { return Bench(*options).run(); };
+}
+
+}  // namespace hooke

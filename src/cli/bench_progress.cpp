@@ -1,0 +1,42 @@
+#include "cli/bench_progress.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace hooke {
+
+BenchProgress::BenchProgress(std::size_t parts, bool wanted) : parts_(parts), wanted_(wanted && isatty(STDERR_FILENO) == 1) {}
+
+void BenchProgress::begin_part(const std::string& what) {
+  ++begun_;
+  what_ = what;
+  part_start_ = Clock::now();
+  show("");
+}
+
+void BenchProgress::show(const std::string& detail) const {
+  if (wanted_) std::fprintf(stderr, "\r\033[K%zu of %zu%s: %s  %s", begun_, parts_, time_left().c_str(), what_.c_str(), detail.c_str());
+}
+
+void BenchProgress::end_part(bool was_measured) {
+  if (!was_measured) return;
+  ++measured_;
+  spent_ += Clock::now() - part_start_;
+}
+
+void BenchProgress::clear() const {
+  if (wanted_) std::fputs("\r\033[K", stderr);
+}
+
+// from the mean of the parts measured so far
+std::string BenchProgress::time_left() const {
+  if (measured_ == 0) return "";
+  const double each = std::chrono::duration<double>(spent_).count() / static_cast<double>(measured_);
+  const double seconds = each * static_cast<double>(parts_ + 1 - begun_);
+  char text[48];
+  std::snprintf(text, sizeof text, seconds < 90.0 ? ", %.0f s left" : ", %.0f min left", seconds < 90.0 ? seconds : seconds / 60.0);
+  return text;
+}
+
+}  // namespace hooke
