@@ -59,6 +59,8 @@ void run_loop(Window& window, App& app) {
   View view;
   Scale scale;
   Figures figures;
+  double frame_seconds = 0.0;
+  bool first = true;
   Clock::time_point last_frame = Clock::now(), last_event = last_frame;
 
   while (!app.is_finished()) {
@@ -86,9 +88,17 @@ void run_loop(Window& window, App& app) {
     // picture
     const auto start = Clock::now();
     draw(view, app, window, scale, panels);
-    smooth(figures.draw_ms, 1000.0 * seconds_since(start));
-    if (!still) smooth(figures.frames_per_second, 1.0 / std::max(elapsed, 1e-6));
+    const double drawn = seconds_since(start);
     window.swap();
+
+    // the first frame, which compiles the shaders, and the rare ones of a still scene say nothing of the speed
+    if (first || still) {
+      first = false;
+      continue;
+    }
+    smooth(figures.draw_ms, 1000.0 * drawn);
+    smooth(frame_seconds, elapsed);
+    figures.frames_per_second = 1.0 / frame_seconds;
   }
 }
 

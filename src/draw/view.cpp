@@ -150,7 +150,10 @@ void View::draw(const Snapshot& snapshot, const Marks& marks, const Camera& came
 }
 
 void View::upload_fonts() { parts_->gui.upload_fonts(); }
-void View::show() const { parts_->target.show(); }
+void View::show() const {
+  parts_->target.show();
+  glFinish();
+}
 Image View::read() const { return parts_->target.read(); }
 
 }  // namespace hooke

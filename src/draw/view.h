@@ -45,7 +45,7 @@ class View {
             const ImDrawData* panels);
   // The font atlas of the current ImGui context as a texture; again after the fonts change.
   void upload_fonts();
-  // Onto the window's own framebuffer.
+  // Onto the window's own framebuffer; waits until it is there, so that the time it takes can be told.
   void show() const;
   Image read() const;
 

@@ -26,7 +26,7 @@ void key_column(bool left) {
   for (const Shortcut& row : shortcuts()) {
     if (is_left(row.group) != left) continue;
     if (row.group != group) heading(group = row.group);
-    line(key_text(row), row.text, units(96.0));
+    line(key_text(row), row.text, units(112.0));
   }
 }
 
@@ -37,10 +37,11 @@ void build_keys(const Desk& desk, Panels& panels) {
   const Rect& scene = desk.layout.scene;
   ImGui::SetNextWindowPos({static_cast<float>(scene.x + 0.5 * scene.width), static_cast<float>(scene.y + 0.5 * scene.height)},
                           ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({units(600.0), 0.0f});
+  ImGui::SetNextWindowSize({units(640.0), 0.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(24.0), units(16.0)});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0x1f, 0x23, 0x29, 250));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
   ImGui::Begin("keys", nullptr, fixed_panel | ImGuiWindowFlags_AlwaysAutoResize);
   panels.floating.push_back(current_window());
 
@@ -54,7 +55,7 @@ void build_keys(const Desk& desk, Panels& panels) {
 
   ImGui::End();
   ImGui::PopStyleColor();
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(3);
 }
 
 }  // namespace hooke

@@ -9,6 +9,11 @@
 namespace hooke {
 namespace {
 
+// Digits that a drag sets, and that a typed number starts with.
+constexpr const char *dragged_digits = "%.3g", *typed_digits = "%.8g";
+// Below this a logarithmic slider that reaches zero is at zero: ImGui's 10^-digits for the format of a drag.
+constexpr double least_of_logarithm = 1e-3;
+
 // "m/s^2" as it is written by hand.
 std::string pretty(std::string_view unit) {
   std::string text(unit);
@@ -16,13 +21,11 @@ std::string pretty(std::string_view unit) {
   return text;
 }
 
-// Four digits, and no powers of ten where there is room for the zeros.
-std::string format_of(const NumberField& field) {
-  const std::string digits = field.whole ? "%d" : std::abs(field.value) >= 1000.0 ? "%.0f" : "%.4g";
-  std::string format = field.mixed ? "~ " : "";
-  format += digits;
-  if (!field.unit.empty()) format.append(" ").append(pretty(field.unit));
-  return format;
+std::string value_text(const NumberField& field) {
+  std::string text = field.mixed ? "~ " : "";
+  text += std::abs(field.value) >= 1000.0 && std::abs(field.value) < 1e7 ? std::to_string(std::lround(field.value)) : number(field.value);
+  if (!field.unit.empty()) text.append(" ").append(pretty(field.unit));
+  return text;
 }
 
 double fitted(const NumberField& field, double value) {
@@ -32,15 +35,54 @@ double fitted(const NumberField& field, double value) {
   return field.whole ? std::round(value) : value;
 }
 
-bool slider(const NumberField& field, double& value) {
-  const std::string format = format_of(field);
+// Where the value stands between least and most, as ImGui's slider has it.
+double share_of(const NumberField& field) {
+  const double value = std::clamp(field.value, field.least, field.most);
+  if (!field.logarithmic) return (value - field.least) / (field.most - field.least);
+  const double least = std::max(field.least, least_of_logarithm);
+  return value <= least ? 0.0 : std::log(value / least) / std::log(field.most / least);
+}
+
+// ImGui's slider without its looks: what is under the mouse, and what is typed.
+bool invisible_slider(const NumberField& field, double& value, bool typing) {
+  const char* format = typing || ImGui::GetIO().KeyCtrl ? typed_digits : dragged_digits;
   const ImGuiSliderFlags flags = field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
-  ImGui::SetNextItemWidth(-1.0f);
-  if (!field.whole) return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &field.least, &field.most, format.c_str(), flags);
-  const int least = static_cast<int>(field.least), most = static_cast<int>(field.most);
+  if (!field.whole) return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &field.least, &field.most, format, flags);
   int number = static_cast<int>(std::clamp(value, -2e9, 2e9));
-  const bool changed = ImGui::SliderInt("##value", &number, least, most, format.c_str(), flags);
+  const bool changed = ImGui::SliderInt("##value", &number, static_cast<int>(field.least), static_cast<int>(field.most), "%d", flags);
   if (changed) value = number;
+  return changed;
+}
+
+// A bar that is filled up to the value, the value on it.
+void draw_slider(const NumberField& field) {
+  const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  const float rounding = ImGui::GetStyle().FrameRounding;
+  list.AddRectFilled(least, most, lit ? palette::hovered : palette::raised, rounding);
+  if (field.enabled) {
+    const float end = least.x + static_cast<float>(share_of(field)) * (most.x - least.x);
+    list.PushClipRect(least, {end, most.y}, true);
+    list.AddRectFilled(least, most, palette::tinted, rounding);
+    list.PopClipRect();
+    const float edge = std::clamp(end, least.x + units(1.0), most.x - units(1.0));
+    list.AddRectFilled({edge - units(1.0), least.y + units(2.0)}, {edge + units(1.0), most.y - units(2.0)}, palette::accent, units(1.0));
+  }
+  const std::string text = value_text(field);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  list.AddText({most.x - size.x - units(8.0), 0.5f * (least.y + most.y - size.y)}, field.enabled ? palette::text : palette::dim, text.c_str());
+}
+
+bool slider(const NumberField& field, double& value, bool typing) {
+  constexpr ImU32 nothing = IM_COL32(0, 0, 0, 0);
+  ImGui::SetNextItemWidth(-1.0f);
+  for (const ImGuiCol part : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive}) ImGui::PushStyleColor(part, nothing);
+  ImGui::PushStyleColor(ImGuiCol_Text, typing ? palette::text : nothing);
+  ImGui::PushStyleVar(ImGuiStyleVar_GrabMinSize, units(2.0));
+  const bool changed = invisible_slider(field, value, typing);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor(3);
   return changed;
 }
 
@@ -55,9 +97,15 @@ void begin_row(const std::string& label) {
 std::optional<double> number_row(const NumberField& field, Panels& panels) {
   ImGui::BeginDisabled(!field.enabled);
   begin_row(std::string(field.label));
+  const ImGuiID id = ImGui::GetID("##value");
   double value = field.value;
-  bool changed = slider(field, value);
+  bool changed = slider(field, value, panels.typing == id);
   const bool typing = ImGui::IsItemActive() && ImGui::GetIO().WantTextInput;
+  if (typing)
+    panels.typing = id;
+  else if (panels.typing == id)
+    panels.typing = 0;
+  if (!typing) draw_slider(field);
 
   // half of a typed number is not meant
   if (changed && typing) panels.typed_number = value;

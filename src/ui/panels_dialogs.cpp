@@ -14,7 +14,12 @@ namespace {
 bool push_button(const char* label) { return ImGui::Button(label, {units(96.0), units(30.0)}); }
 
 // The first button, and Enter; the last one, and Esc.
-bool accepted(Panels& panels, const char* label) { return push_button(label) || panels.dialog.accepted; }
+bool accepted(Panels& panels, const char* label) {
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);
+  const bool pressed = push_button(label);
+  ImGui::PopStyleColor();
+  return pressed || panels.dialog.accepted;
+}
 bool cancelled(Panels& panels) {
   ImGui::SameLine();
   return push_button("Cancel") || panels.dialog.cancelled;
@@ -47,6 +52,7 @@ void open_box(const Desk&, Panels& panels, Requests& requests) {
   ImGui::BeginChild("shipped", {units(460.0), units(200.0)});
   for (const ShippedScene& scene : shipped_scenes()) {
     ImGui::PushID(scene.id.c_str());
+    ImGui::SetCursorPosX(units(8.0));
     if (ImGui::Selectable(printable(scene.title).c_str(), panels.dialog.typed == scene.file.string())) {
       panels.dialog.typed = scene.file.string();
       chosen = true;
@@ -109,15 +115,19 @@ constexpr Question questions[] = {
 void build_dialogs(const Desk& desk, Panels& panels, Requests& requests) {
   if (panels.dialog.kind == Dialog::Kind::None) return;
   const Question& question = questions[static_cast<int>(panels.dialog.kind) - 1];
-  const std::string title = (panels.dialog.title.empty() ? question.title : printable(panels.dialog.title)) + "###" + question.title;
-  if (panels.dialog.is_new) ImGui::OpenPopup(title.c_str());
+  const std::string heading = panels.dialog.title.empty() ? question.title : printable(panels.dialog.title);
+  if (panels.dialog.is_new) ImGui::OpenPopup(question.title);
   panels.dialog.is_new = false;
 
   ImGui::SetNextWindowPos({0.5f * ImGui::GetIO().DisplaySize.x, 0.42f * ImGui::GetIO().DisplaySize.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(20.0), units(16.0)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
-  if (ImGui::BeginPopupModal(title.c_str(), nullptr,
-                             ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+  if (ImGui::BeginPopupModal(question.title, nullptr,
+                             ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+    ImGui::PushFont(fonts().strong);
+    ImGui::TextUnformatted(heading.c_str());
+    ImGui::PopFont();
+    ImGui::Dummy({0.0f, units(4.0)});
     question.build(desk, panels, requests);
     panels.dialog.accepted = panels.dialog.cancelled = false;
     ImGui::EndPopup();

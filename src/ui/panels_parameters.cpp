@@ -134,7 +134,7 @@ void stability_row(const Snapshot& snapshot) {
   begin_row("");
   ImGui::PushFont(fonts().small);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float radius = units(4.0), middle = at.y + 0.5f * ImGui::GetTextLineHeight();
+  const float radius = units(4.0), middle = at.y + ImGui::GetStyle().FramePadding.y + 0.5f * ImGui::GetTextLineHeight();
   ImGui::GetWindowDrawList()->AddCircleFilled({at.x + radius, middle}, radius, ink);
   ImGui::SetCursorScreenPos({at.x + units(14.0), at.y});
   text_in(anything && share > 0.8 ? ink : palette::dim, text);
@@ -164,18 +164,6 @@ std::string scope_of(std::string_view group, const Desk& desk) {
   return selected > 0 ? std::to_string(selected) + " selected" : "all " + std::to_string(system.spring_count());
 }
 
-bool section(std::string_view title, const std::string& scope) {
-  ImGui::Dummy({0.0f, units(2.0)});
-  ImGui::PushFont(fonts().strong);
-  const bool open = ImGui::CollapsingHeader(std::string(title).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
-  ImGui::PopFont();
-  ImGui::PushFont(fonts().small);
-  const ImVec2 most = ImGui::GetItemRectMax(), least = ImGui::GetItemRectMin(), size = ImGui::CalcTextSize(scope.c_str());
-  ImGui::GetWindowDrawList()->AddText({most.x - size.x - units(6.0), 0.5f * (least.y + most.y - size.y)}, palette::dim, scope.c_str());
-  ImGui::PopFont();
-  return open;
-}
-
 }  // namespace
 
 void build_parameters(const Desk& desk, Panels& panels, Requests& requests) {
@@ -186,7 +174,7 @@ void build_parameters(const Desk& desk, Panels& panels, Requests& requests) {
     const Parameter& row = rows[i];
     if (row.group != group) {
       group = row.group;
-      open = section(group, scope_of(group, desk));
+      open = section(std::string(group), scope_of(group, desk), group != "Hand");
       if (open && group == "Simulation") method_row(desk, panels, requests);
     }
     if (!open) continue;

@@ -43,11 +43,7 @@ void build_side(const Desk& desk, Panels& panels, Requests& requests) {
   ImGui::PopStyleVar();
   scene_section(desk);
   build_parameters(desk, panels, requests);
-  ImGui::Spacing();
-  ImGui::PushFont(fonts().strong);
-  const bool open = ImGui::CollapsingHeader("Energy", ImGuiTreeNodeFlags_DefaultOpen);
-  ImGui::PopFont();
-  if (open) energy_section(*desk.status.snapshot);
+  if (section("Energy")) energy_section(*desk.status.snapshot);
   ImGui::End();
 }
 

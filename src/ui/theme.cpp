@@ -35,9 +35,9 @@ void set_colors(ImVec4* colors) {
       {ImGuiCol_TextDisabled, dim},
       {ImGuiCol_WindowBg, panel},
       {ImGuiCol_ChildBg, panel},
-      {ImGuiCol_PopupBg, raised},
+      {ImGuiCol_PopupBg, box},
       {ImGuiCol_MenuBarBg, panel},
-      {ImGuiCol_Border, line},
+      {ImGuiCol_Border, edge},
       {ImGuiCol_Separator, line},
       {ImGuiCol_FrameBg, raised},
       {ImGuiCol_FrameBgHovered, hovered},
@@ -79,8 +79,8 @@ void load_theme(double scale, double density) {
   ImGui::StyleColorsDark(&style);
   set_colors(style.Colors);
   style.WindowPadding = {12, 10};
-  style.FramePadding = {8, 4};
-  style.ItemSpacing = {8, 6};
+  style.FramePadding = {8, 3};
+  style.ItemSpacing = {8, 5};
   style.ItemInnerSpacing = {6, 4};
   style.WindowBorderSize = 0;
   style.PopupBorderSize = 1;

@@ -27,6 +27,30 @@ bool icon_button(const char* id, Icon icon, ImVec2 size, bool active, bool enabl
   return clicked && enabled;
 }
 
+bool section(const std::string& title, const std::string& remark, bool starts_open) {
+  bool& open = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(title.c_str()), starts_open);
+  ImGui::Dummy({0.0f, units(1.0)});
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size{ImGui::GetContentRegionAvail().x, units(26.0)};
+  if (ImGui::InvisibleButton(title.c_str(), size)) open = !open;
+  const ImU32 ink = ImGui::IsItemHovered() ? palette::text : palette::dim;
+
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddLine(at, {at.x + size.x, at.y}, palette::line);
+  const float middle = at.y + 0.55f * size.y, u = units(3.5);
+  const ImVec2 tip = open ? ImVec2{at.x + u, middle + 0.5f * u} : ImVec2{at.x + 1.5f * u, middle};
+  const ImVec2 ends[] = {open ? ImVec2{tip.x - u, tip.y - u} : ImVec2{tip.x - u, tip.y - u}, tip, open ? ImVec2{tip.x + u, tip.y - u} : ImVec2{tip.x - u, tip.y + u}};
+  list.AddPolyline(ends, 3, ink, 0, units(1.5));
+  ImGui::PushFont(fonts().strong);
+  list.AddText({at.x + units(16.0), middle - 0.5f * ImGui::GetFontSize()}, palette::text, title.c_str());
+  ImGui::PopFont();
+  ImGui::PushFont(fonts().small);
+  const ImVec2 width = ImGui::CalcTextSize(remark.c_str());
+  list.AddText({at.x + size.x - width.x - units(2.0), middle - 0.5f * width.y}, palette::dim, remark.c_str());
+  ImGui::PopFont();
+  return open;
+}
+
 void tooltip(const std::string& text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(8.0), units(6.0)});

@@ -26,6 +26,9 @@ bool begin_panel(const char* name, const Rect& place, ImGuiWindowFlags flags = 0
 // A flat button with a sign; `active` is tinted, as a tool in hand is.
 bool icon_button(const char* id, Icon icon, ImVec2 size, bool active = false, bool enabled = true);
 
+// The heading of a part of a panel, a line above it; a click folds the part. True: unfolded.
+bool section(const std::string& title, const std::string& remark = {}, bool starts_open = true);
+
 // What hovering the last item says.
 void tooltip(const std::string& text);
 // "Undo nail 3 points  (Ctrl+Z)"

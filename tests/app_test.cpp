@@ -1,0 +1,309 @@
+// The program of the window: keys, camera, documents. Without a window.
+#include "app/app.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <glm/geometric.hpp>
+
+#include "app/files.h"
+#include "gui_trial.h"
+#include "lab/scene_file.h"
+#include "trial.h"
+
+namespace hooke {
+namespace {
+
+constexpr Modifiers control{.control = true}, control_shift{.control = true, .shift = true};
+
+Scene hanging(int dimensions = 2) {
+  Trial trial;
+  const PointId nail = trial.nail({0.0, 0.5, 0.0}), other = trial.nail({0.5, 0.5, 0.0}), bob = trial.add({0.2, 0.0, 0.0});
+  trial.join(nail, bob, 100.0, 0.5);
+  trial.join(other, bob, 100.0, 0.5);
+  Scene scene;
+  scene.name = "Hanging";
+  scene.system = trial.system;
+  scene.system.dimensions = dimensions;
+  scene.state = trial.state;
+  return scene;
+}
+
+struct Folder {
+  std::filesystem::path path = std::filesystem::temp_directory_path() / ("hooke_app_test_" + std::to_string(::getpid()));
+  Folder() { std::filesystem::create_directories(path); }
+  ~Folder() { std::filesystem::remove_all(path); }
+};
+
+glm::dvec2 seen(GuiTrial& gui, const Vec3& place) {
+  const Rect& scene = gui.app().layout().scene;
+  const Vec3 at = gui.app().camera().project(place, {scene.width, scene.height});
+  return {scene.x + at.x, scene.y + at.y};
+}
+
+TEST(Keys, TakeTheTools) {
+  GuiTrial gui(hanging());
+  for (const ToolRow& row : tools()) {
+    const Shortcut& shortcut = shortcut_of(row.button.action);
+    gui.key(shortcut.key, shortcut.modifiers);
+    EXPECT_EQ(gui.app().tool(), row.button.action);
+  }
+}
+
+TEST(Keys, RunPauseStepAndGoBack) {
+  GuiTrial gui(hanging());
+  gui.key(Key::Period);
+  EXPECT_EQ(gui.status().frames, 1);
+  EXPECT_FALSE(gui.status().running);
+  gui.key(Key::Space);
+  EXPECT_TRUE(gui.status().running);
+  gui.key(Key::Space);
+  EXPECT_FALSE(gui.status().running);
+  gui.key(letter('R'), control);
+  EXPECT_EQ(gui.status().snapshot->state.position[2], (Vec3{0.2, 0.0, 0.0}));
+  EXPECT_EQ(gui.status().snapshot->state.time, 0.0);
+}
+
+TEST(Keys, ReleaseEveryNailAndUndoNailsThemAgain) {
+  GuiTrial gui(hanging());
+  gui.key(letter('R'));
+  for (const Point& point : gui.system().points()) EXPECT_FALSE(point.nailed);
+  gui.key(letter('Z'), control);
+  EXPECT_TRUE(gui.system().points()[0].nailed);
+  EXPECT_TRUE(gui.system().points()[1].nailed);
+  gui.key(letter('Z'), control_shift);
+  EXPECT_FALSE(gui.system().points()[0].nailed);
+  gui.key(letter('Z'), control);
+  gui.key(letter('Y'), control);
+  EXPECT_FALSE(gui.system().points()[1].nailed);
+}
+
+TEST(Keys, AHeldArrowIsOneStepOfUndoAndShowsTheValue) {
+  GuiTrial gui(hanging());
+  gui.key(Key::Up);
+  gui.key(Key::Up, {}, true);
+  gui.key(Key::Up, {}, true);
+  EXPECT_NEAR(gui.system().springs()[0].stiffness, 133.1, 1e-9);
+  EXPECT_NE(gui.app().panels().toast.find("133.1"), std::string::npos);
+  gui.key(letter('Z'), control);
+  EXPECT_EQ(gui.system().springs()[0].stiffness, 100.0);
+}
+
+TEST(Keys, SelectAllAndDelete) {
+  GuiTrial gui(hanging());
+  gui.key(letter('A'), control);
+  EXPECT_EQ(gui.app().selection().points.size(), 3u);
+  gui.key(Key::Delete);
+  EXPECT_EQ(gui.system().point_count(), 0);
+  EXPECT_TRUE(gui.app().selection().empty());
+  gui.key(letter('Z'), control);
+  EXPECT_EQ(gui.system().spring_count(), 2);
+}
+
+TEST(Keys, EscLeavesTheNearestThingAndNeverQuits) {
+  GuiTrial gui(hanging());
+  gui.key(letter('A'), control);
+  gui.key(letter('N'));
+  gui.key(Key::F1);
+  gui.key(Key::Escape);
+  EXPECT_FALSE(gui.app().panels().keys_shown);
+  EXPECT_FALSE(gui.app().selection().empty());
+  gui.key(Key::Escape);
+  EXPECT_TRUE(gui.app().selection().empty());
+  EXPECT_EQ(gui.app().tool(), Action::NailTool);
+  gui.key(Key::Escape);
+  EXPECT_EQ(gui.app().tool(), Action::SelectTool);
+  gui.key(Key::Escape);
+  EXPECT_FALSE(gui.app().is_finished());
+}
+
+TEST(Mouse, BuildsWhileItRuns) {
+  GuiTrial gui(hanging());
+  gui.key(Key::Space);
+  gui.key(letter('A'));
+  gui.click(seen(gui, {0.25, 0.4, 0.0}));
+  EXPECT_EQ(gui.system().point_count(), 4);
+  EXPECT_TRUE(gui.status().running);
+}
+
+TEST(Mouse, TwoClicksWithinOneFrameBothCount) {
+  GuiTrial gui(hanging());
+  gui.key(letter('A'));
+  const glm::dvec2 first = seen(gui, {0.25, 0.4, 0.0}), second = seen(gui, {0.4, 0.1, 0.0});
+  for (const glm::dvec2& at : {first, second}) {
+    gui.app().handle(ButtonPress{Button::Left, at, {}});
+    gui.app().handle(ButtonRelease{Button::Left, at, {}});
+  }
+  gui.app().handle(KeyPress{letter('T'), {}, false});
+  for (const glm::dvec2& at : {first, second}) {
+    gui.app().handle(ButtonPress{Button::Left, at, {}});
+    gui.app().handle(ButtonRelease{Button::Left, at, {}});
+  }
+  EXPECT_EQ(gui.system().point_count(), 5);
+  EXPECT_EQ(gui.system().spring_count(), 3);
+}
+
+TEST(Mouse, APressOnAPanelIsNotForTheScene) {
+  GuiTrial gui(hanging());
+  gui.key(letter('A'));
+  const Rect& side = gui.app().layout().side;
+  gui.click({side.x + 20.0, side.y + 500.0});
+  EXPECT_EQ(gui.system().point_count(), 3);
+}
+
+TEST(Camera, OrbitsPansAndZoomsToTheCursor) {
+  GuiTrial gui(hanging(3));
+  const Vec3 back = gui.app().camera().back, target = gui.app().camera().target;
+  gui.drag({400.0, 400.0}, {480.0, 420.0}, Button::Right);
+  EXPECT_GT(glm::distance(gui.app().camera().back, back), 0.1);
+  EXPECT_EQ(gui.app().camera().target, target);
+  gui.drag({400.0, 400.0}, {480.0, 420.0}, Button::Middle, {.shift = true});
+  EXPECT_GT(glm::distance(gui.app().camera().target, target), 0.01);
+
+  const glm::dvec2 before = seen(gui, {0.2, 0.0, 0.0});
+  const double distance = gui.app().camera().distance;
+  gui.move(before);
+  gui.app().handle(Scroll{3.0, before});
+  EXPECT_LT(gui.app().camera().distance, distance);
+  EXPECT_LT(glm::distance(seen(gui, {0.2, 0.0, 0.0}), before), 40.0);
+  gui.key(Key::Home);
+  const glm::dvec2 home = seen(gui, {0.2, 0.2, 0.0});
+  EXPECT_TRUE(gui.app().layout().scene.contains(home.x, home.y));
+}
+
+TEST(Camera, KeepsFacingAFlatScene) {
+  GuiTrial gui(hanging());
+  const Vec3 back = gui.app().camera().back, target = gui.app().camera().target;
+  gui.drag({400.0, 400.0}, {480.0, 420.0}, Button::Right);
+  EXPECT_EQ(gui.app().camera().back, back);
+  EXPECT_NE(gui.app().camera().target, target);
+}
+
+TEST(Documents, SaveAsByTypingAPathAndOpenAgain) {
+  const Folder folder;
+  GuiTrial gui(hanging());
+  EXPECT_EQ(gui.app().title(), "Hooke - Hanging");
+  gui.key(letter('R'));
+  EXPECT_EQ(gui.app().title(), "Hooke - Hanging*");
+  gui.key(letter('S'), control);
+  ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Save);
+  gui.type((folder.path / "mine").string());
+  gui.key(Key::Enter);
+  EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
+  EXPECT_EQ(gui.app().title(), "Hooke - mine");
+  const Scene saved = load_scene(folder.path / "mine.json").scene;
+  EXPECT_EQ(saved.system.point_count(), 3);
+  EXPECT_FALSE(saved.system.points()[0].nailed);
+
+  gui.key(letter('N'), control);
+  EXPECT_EQ(gui.system().point_count(), 0);
+  gui.key(letter('O'), control);
+  gui.type((folder.path / "mine.json").string());
+  gui.key(Key::Enter);
+  EXPECT_EQ(gui.system().point_count(), 3);
+  EXPECT_EQ(gui.app().title(), "Hooke - mine");
+  // and from now on Save asks no more
+  gui.key(letter('R'));
+  gui.key(letter('A'), control);
+  gui.key(Key::Delete);
+  gui.key(letter('S'), control);
+  EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
+  EXPECT_EQ(load_scene(folder.path / "mine.json").scene.system.point_count(), 0);
+}
+
+TEST(Documents, AShippedSceneIsNeverOverwritten) {
+  const ShippedScene& shipped = shipped_scenes().front();
+  GuiTrial gui(load_scene(shipped.file).scene, shipped.file);
+  gui.key(letter('S'), control);
+  EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Save);
+  EXPECT_NE(gui.app().panels().dialog.typed, shipped.file.string());
+}
+
+TEST(Documents, ARefusedFileIsNamedAndTheOpenOneStaysAsItWas) {
+  const Folder folder;
+  std::ofstream(folder.path / "bad.json") << R"({"hooke": 1, "points": [{"position": [0, 0, 0], "mass": -1}]})";
+  GuiTrial gui(hanging());
+  gui.key(letter('O'), control);
+  gui.type((folder.path / "bad.json").string());
+  gui.key(Key::Enter);
+  ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
+  const std::string words = gui.words();
+  for (const char* part : {"bad.json", "mass", "-1"}) EXPECT_NE(words.find(part), std::string::npos) << part;
+  gui.key(Key::Enter);
+  EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
+  EXPECT_EQ(gui.system().point_count(), 3);
+  EXPECT_EQ(gui.status().scene_name, "Hanging");
+}
+
+TEST(Documents, AFailedSaveIsSaidAndLeavesTheStar) {
+  GuiTrial gui(hanging());
+  gui.key(letter('R'));
+  gui.key(letter('S'), control_shift);
+  gui.type("/nowhere/at/all.json");
+  gui.key(Key::Enter);
+  ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
+  EXPECT_NE(gui.words().find("/nowhere/at/all.json"), std::string::npos);
+  EXPECT_EQ(gui.app().title(), "Hooke - Hanging*");
+}
+
+TEST(Documents, AsksBeforeChangesAreLost) {
+  const Folder folder;
+  GuiTrial gui(hanging());
+  gui.key(letter('R'));
+  gui.app().handle(CloseRequest{});
+  gui.frames(2);
+  EXPECT_FALSE(gui.app().is_finished());
+  ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Unsaved);
+  gui.key(Key::Escape);
+  EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
+  EXPECT_FALSE(gui.app().is_finished());
+
+  // saving first, by a path that has to be typed, then quits
+  gui.key(letter('Q'), control);
+  gui.key(Key::Enter);
+  ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Save);
+  gui.frames(2);  // the box comes up
+  gui.type((folder.path / "kept.json").string());
+  gui.key(Key::Enter);
+  EXPECT_TRUE(gui.app().is_finished());
+  EXPECT_TRUE(std::filesystem::exists(folder.path / "kept.json"));
+}
+
+TEST(Documents, QuitAtOnceWithNothingToLose) {
+  GuiTrial gui(hanging());
+  gui.key(letter('Q'), control);
+  EXPECT_TRUE(gui.app().is_finished());
+}
+
+TEST(Dialogs, KeysAreTheirsWhileTheyAreOpen) {
+  GuiTrial gui(hanging());
+  gui.key(letter('O'), control);
+  gui.key(letter('R'));
+  gui.key(Key::Space);
+  EXPECT_TRUE(gui.system().points()[0].nailed);
+  EXPECT_FALSE(gui.status().running);
+  gui.key(Key::Escape);
+  EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
+  gui.key(letter('R'));
+  EXPECT_FALSE(gui.system().points()[0].nailed);
+}
+
+TEST(Dialogs, APathCanBeTyped) {
+  GuiTrial gui(hanging());
+  gui.key(letter('O'), control);
+  gui.frames(2);
+  gui.type("some/path.json");
+  EXPECT_EQ(gui.app().panels().dialog.typed, "some/path.json");
+}
+
+TEST(Paths, AreReadAsTheyAreTyped) {
+  ::setenv("HOME", "/home/somebody", 1);
+  EXPECT_EQ(typed_path("~/net"), "/home/somebody/net.json");
+  EXPECT_EQ(typed_path("/a/../b/net.xsp"), "/b/net.xsp");
+  EXPECT_EQ(typed_path("net"), std::filesystem::current_path() / "net.json");
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,391 @@
+// The tools: what presses, moves and releases of the mouse come to, running and paused.
+#include "app/tools.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "app/tune.h"
+#include "bench_trial.h"
+#include "lab/parameters.h"
+
+namespace hooke {
+namespace {
+
+const Vec3 a(-0.5, 0.1, 0.0), b(0.4, 0.3, 0.0), c(0.1, -0.5, 0.0), nowhere(0.9, 0.9, 0.0);
+
+double distance(const Vec3& from, const Vec3& to) { return glm::distance(from, to); }
+
+TEST(AddTool, PutsAPointUnderTheCursorInThePlaneOfAFlatScene) {
+  BenchTrial trial(flat_scene({}));
+  trial.bench.camera.orbit(0.5, 0.3);  // even when seen askew
+  const auto tool = make_add_tool();
+  trial.click(*tool, b);
+  ASSERT_EQ(trial.system().point_count(), 1);
+  EXPECT_NEAR(distance(trial.position(0), b), 0.0, 1e-9);
+  EXPECT_EQ(trial.position(0).z, 0.0);
+  EXPECT_EQ(trial.system().points()[0].mass, trial.bench.status->defaults.mass);
+}
+
+Scene deep_scene() {
+  Scene scene;
+  scene.system.dimensions = 3;
+  scene.system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}}, {.shape = Sphere{{0.0, 0.0, -2.0}, 0.5}}};
+  scene.defaults.radius = 0.03;
+  return scene;
+}
+
+TEST(AddTool, InSpaceUsesThePlaneThroughTheTargetThatFacesTheViewer) {
+  BenchTrial trial(deep_scene());
+  trial.bench.camera.orbit(0.6, 0.2);
+  const auto tool = make_add_tool();
+  const glm::dvec2 cursor(500.0, 120.0);  // above the horizon
+  tool->press({cursor, {}}, trial.bench);
+  trial.settle();
+  const Vec3 place = trial.position(0);
+  EXPECT_NEAR(distance(Vec3(trial.seen(place), 0.0), Vec3(cursor, 0.0)), 0.0, 1e-6);
+  EXPECT_NEAR(glm::dot(place - trial.bench.camera.target, trial.bench.camera.back), 0.0, 1e-9);
+}
+
+TEST(AddTool, LandsOnTheBallUnderTheCursor) {
+  BenchTrial trial(deep_scene());
+  const auto tool = make_add_tool();
+  trial.click(*tool, {0.1, 0.1, -2.0});  // behind the plane of the target
+  EXPECT_NEAR(distance(trial.position(0), {0.0, 0.0, -2.0}), 0.5 + 0.03, 1e-9);
+}
+
+TEST(AddTool, LandsOnTheGroundOnlyBeforeThePlaneOfTheTarget) {
+  BenchTrial trial(deep_scene());
+  trial.bench.camera.orbit(0.0, 0.5);
+  const auto tool = make_add_tool();
+  trial.click(*tool, {0.6, -1.0, 1.0});
+  EXPECT_NEAR(trial.position(0).y, -1.0 + 0.03, 1e-9);
+  trial.click(*tool, {1.5, -1.0, -4.0});
+  EXPECT_GT(trial.position(1).y, -0.9);
+}
+
+TEST(AddTool, ShowsWhereThePointWillBe) {
+  BenchTrial trial(flat_scene({}));
+  Marks marks;
+  make_add_tool()->mark(trial.pointer(c), trial.bench, marks);
+  ASSERT_TRUE(marks.ghost_point);
+  EXPECT_NEAR(distance(*marks.ghost_point, c), 0.0, 1e-9);
+}
+
+TEST(AttachTool, TwoClicksMakeASpringAsLongAsDrawn) {
+  Scene scene = flat_scene({a, b});
+  scene.defaults.stiffness = 7.0;
+  scene.defaults.damping = 0.5;
+  BenchTrial trial(scene);
+  const auto tool = make_attach_tool();
+  trial.click(*tool, a);
+  EXPECT_NE(tool->next_step(trial.bench).find("second point"), std::string::npos);
+  trial.click(*tool, b);
+  ASSERT_EQ(trial.system().spring_count(), 1);
+  const Spring& spring = trial.system().springs()[0];
+  EXPECT_NEAR(spring.rest_length, distance(a, b), 1e-12);
+  EXPECT_EQ(spring.stiffness, 7.0);
+  EXPECT_EQ(spring.damping, 0.5);
+  EXPECT_NE(tool->next_step(trial.bench).find("first point"), std::string::npos);
+}
+
+TEST(AttachTool, ADragFromPointToPointDoesTheSame) {
+  BenchTrial trial(flat_scene({a, b}));
+  const auto tool = make_attach_tool();
+  trial.drag(*tool, a, b);
+  EXPECT_EQ(trial.system().spring_count(), 1);
+  trial.drag(*tool, a, nowhere);  // let go over nothing
+  trial.click(*tool, b);          // is a first point again
+  EXPECT_EQ(trial.system().spring_count(), 1);
+}
+
+TEST(AttachTool, WithShiftTheSecondPointIsTheNextFirst) {
+  BenchTrial trial(flat_scene({a, b, c}));
+  const auto tool = make_attach_tool();
+  trial.click(*tool, a, true);
+  trial.click(*tool, b, true);
+  trial.click(*tool, c);
+  ASSERT_EQ(trial.system().spring_count(), 2);
+  EXPECT_EQ(trial.system().springs()[1].first, trial.system().springs()[0].second);
+}
+
+TEST(AttachTool, TheSamePointTwiceNothingUnderTheCursorAndEscMakeNoSpring) {
+  BenchTrial trial(flat_scene({a, b}));
+  const auto tool = make_attach_tool();
+  trial.click(*tool, a);
+  trial.click(*tool, nowhere);  // keeps waiting
+  trial.click(*tool, a);
+  EXPECT_FALSE(tool->cancel(trial.bench));
+  trial.click(*tool, a);
+  EXPECT_TRUE(tool->cancel(trial.bench));
+  trial.click(*tool, b);
+  EXPECT_EQ(trial.system().spring_count(), 0);
+}
+
+TEST(AttachTool, OutlivesItsFirstPoint) {
+  BenchTrial trial(flat_scene({a, b}));
+  const auto tool = make_attach_tool();
+  trial.click(*tool, a);
+  trial.lab.submit(Remove{.points = {trial.system().points()[0].id}});
+  trial.settle();
+  Marks marks;
+  tool->mark(trial.pointer(b), trial.bench, marks);
+  trial.click(*tool, b);
+  EXPECT_EQ(trial.system().spring_count(), 0);
+}
+
+TEST(NailTool, NailsAndFreesThePointUnderTheCursorWhileItRuns) {
+  BenchTrial trial(flat_scene({a, b}));
+  trial.submit(SetRunning{true});
+  const auto tool = make_nail_tool();
+  trial.click(*tool, b);
+  EXPECT_FALSE(trial.system().points()[0].nailed);
+  EXPECT_TRUE(trial.system().points()[1].nailed);
+  trial.click(*tool, b);
+  EXPECT_FALSE(trial.system().points()[1].nailed);
+}
+
+TEST(DragTool, PutsThePointThereInAPauseAsOneStepOfUndo) {
+  BenchTrial trial(flat_scene({a, b}));
+  const auto tool = make_drag_tool();
+  // beside the middle of the point: it does not jump
+  const Vec3 beside(0.01, 0.0, 0.0);
+  trial.drag(*tool, a + beside, c + beside);
+  EXPECT_NEAR(distance(trial.position(0), c), 0.0, 1e-9);
+  EXPECT_EQ(trial.position(1), b);
+  trial.submit(Undo{});
+  EXPECT_EQ(trial.position(0), a);
+  EXPECT_EQ(trial.bench.status->undo_name, "");
+}
+
+TEST(DragTool, HoldsThePointExactlyWhileItRunsAndThrowsIt) {
+  Scene scene = flat_scene({a, b});
+  scene.system.drag_on = false;
+  BenchTrial trial(scene);
+  trial.submit(SetRunning{true});
+  const auto tool = make_drag_tool();
+  trial.press(*tool, a);
+  trial.follow(*tool, c);
+  ASSERT_TRUE(wait_for([&] { return distance(trial.lab.status()->snapshot->state.position[0], c) < 1e-9; }));
+  trial.settle();
+  EXPECT_TRUE(trial.system().grab);
+  // a hand that goes on moving until it lets go
+  Vec3 hand = c;
+  for (int i = 0; i < 60; ++i) {
+    hand.x += 0.02;
+    trial.follow(*tool, hand);
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  trial.release(*tool, hand);
+  EXPECT_FALSE(trial.system().grab);
+  EXPECT_GT(trial.velocity(0).x, 0.1);
+}
+
+TEST(DragTool, EscTakesTheDragBack) {
+  BenchTrial trial(flat_scene({a, b}));
+  const auto tool = make_drag_tool();
+  trial.press(*tool, a);
+  trial.follow(*tool, c);
+  EXPECT_TRUE(tool->cancel(trial.bench));
+  trial.settle();
+  EXPECT_EQ(trial.position(0), a);
+  trial.release(*tool, c);
+  EXPECT_EQ(trial.position(0), a);
+  EXPECT_FALSE(tool->cancel(trial.bench));
+}
+
+TEST(DragTool, PullsWhereTheSceneSaysSoButNotANailedPoint) {
+  Scene scene = flat_scene({a, b});
+  scene.defaults.grab = GrabKind::Pull;
+  scene.defaults.pull_stiffness = 3.0;
+  scene.system.point(1).nailed = true;
+  BenchTrial trial(scene);
+  trial.submit(SetRunning{true});
+  const auto tool = make_drag_tool();
+  trial.press(*tool, a);
+  ASSERT_TRUE(trial.system().grab);
+  EXPECT_EQ(trial.system().grab->kind, GrabKind::Pull);
+  EXPECT_EQ(trial.system().grab->stiffness, 3.0);
+  trial.release(*tool, a);
+  trial.press(*tool, b);
+  ASSERT_TRUE(trial.system().grab);
+  EXPECT_EQ(trial.system().grab->kind, GrabKind::Hold);
+}
+
+TEST(DeleteTool, TakesAPointWithItsSpringsOrASpringAlone) {
+  BenchTrial trial(flat_scene({a, b, c}));
+  const auto attach = make_attach_tool(), tool = make_delete_tool();
+  trial.drag(*attach, a, b);
+  trial.drag(*attach, b, c);
+  trial.click(*tool, 0.5 * (a + b));
+  EXPECT_EQ(trial.system().spring_count(), 1);
+  EXPECT_EQ(trial.system().point_count(), 3);
+  trial.click(*tool, c);
+  EXPECT_EQ(trial.system().spring_count(), 0);
+  EXPECT_EQ(trial.system().point_count(), 2);
+}
+
+TEST(DeleteTool, CutsTheSpringsItIsDraggedAcrossAsOneStep) {
+  BenchTrial trial(flat_scene({a, b, c}));
+  const auto attach = make_attach_tool(), tool = make_delete_tool();
+  trial.drag(*attach, a, b);
+  trial.drag(*attach, a, c);
+  trial.drag(*attach, b, c);
+  trial.drag(*tool, {-0.25, 0.6, 0.0}, {-0.15, -0.7, 0.0});
+  EXPECT_EQ(trial.system().spring_count(), 1);
+  trial.submit(Undo{});
+  EXPECT_EQ(trial.system().spring_count(), 3);
+}
+
+TEST(SelectTool, ClicksSelectAndShiftAddsAndTakesAway) {
+  BenchTrial trial(flat_scene({a, b}));
+  const PointId first = trial.system().points()[0].id, second = trial.system().points()[1].id;
+  trial.drag(*make_attach_tool(), a, b);
+  const auto tool = make_select_tool();
+  trial.click(*tool, a);
+  EXPECT_EQ(trial.selection, (Selection{{first}, {}}));
+  trial.click(*tool, b, true);
+  EXPECT_EQ(trial.selection, (Selection{{first, second}, {}}));
+  trial.click(*tool, a, true);
+  EXPECT_EQ(trial.selection, (Selection{{second}, {}}));
+  trial.click(*tool, 0.5 * (a + b));
+  EXPECT_EQ(trial.selection, (Selection{{}, {trial.system().springs()[0].id}}));
+  trial.click(*tool, nowhere);
+  EXPECT_TRUE(trial.selection.empty());
+}
+
+TEST(SelectTool, ADragFromEmptySpaceSelectsABox) {
+  BenchTrial trial(flat_scene({a, b, c}));
+  const auto tool = make_select_tool();
+  trial.press(*tool, {-0.9, 0.9, 0.0});
+  trial.follow(*tool, {0.9, -0.2, 0.0});
+  EXPECT_TRUE(tool->rubber_band());
+  trial.release(*tool, {0.9, -0.2, 0.0});
+  EXPECT_EQ(trial.selection.points.size(), 2u);
+  trial.drag(*tool, {0.4, -0.3, 0.0}, {0.0, -0.8, 0.0}, true);
+  EXPECT_EQ(trial.selection.points.size(), 3u);
+}
+
+TEST(SelectTool, DraggingASelectedPointMovesAllOfThemAsOneStep) {
+  BenchTrial trial(flat_scene({a, b, c}));
+  const auto tool = make_select_tool();
+  trial.click(*tool, a);
+  trial.click(*tool, b, true);
+  const Vec3 way(0.2, 0.15, 0.0);
+  trial.drag(*tool, a, a + way);
+  EXPECT_NEAR(distance(trial.position(0), a + way), 0.0, 1e-9);
+  EXPECT_NEAR(distance(trial.position(1), b + way), 0.0, 1e-9);
+  EXPECT_EQ(trial.position(2), c);
+  trial.submit(Undo{});
+  EXPECT_EQ(trial.position(0), a);
+  EXPECT_EQ(trial.position(1), b);
+}
+
+TEST(SelectTool, AnUnsteadyClickMovesNothing) {
+  BenchTrial trial(flat_scene({a}));
+  const auto tool = make_select_tool();
+  trial.drag(*tool, a, a + Vec3(0.008, 0.0, 0.0));
+  EXPECT_EQ(trial.position(0), a);
+  EXPECT_EQ(trial.bench.status->undo_name, "");
+}
+
+TEST(SelectTool, EscTakesAMoveBack) {
+  BenchTrial trial(flat_scene({a}));
+  const auto tool = make_select_tool();
+  trial.press(*tool, a);
+  trial.follow(*tool, c);
+  EXPECT_NEAR(distance(trial.position(0), c), 0.0, 1e-9);
+  EXPECT_TRUE(tool->cancel(trial.bench));
+  trial.settle();
+  EXPECT_EQ(trial.position(0), a);
+}
+
+TEST(Tools, EachSaysItsNextStepAndStandsInTheTableOnce) {
+  BenchTrial trial(flat_scene({a}));
+  for (const ToolRow& row : tools()) {
+    EXPECT_FALSE(row.make()->next_step(trial.bench).empty()) << row.button.name;
+    EXPECT_EQ(std::ranges::count(tools(), row.button.action, [](const ToolRow& other) { return other.button.action; }), 1);
+  }
+}
+
+// What the arrow keys do.
+
+Scene sprung_scene(std::initializer_list<double> stiffnesses) {
+  Trial trial;
+  std::vector<PointId> points = {trial.add(Vec3(0.0))};
+  for (const double k : stiffnesses) {
+    points.push_back(trial.add({0.1 * static_cast<double>(points.size()), 0.0, 0.0}));
+    trial.join(points[points.size() - 2], points.back(), k, 0.1);
+  }
+  Scene scene;
+  scene.system = trial.system;
+  scene.state = trial.state;
+  return scene;
+}
+
+void submit_all(BenchTrial& trial, const Tuning& tuning) {
+  const Gesture gesture = trial.bench.begin_gesture();
+  for (const Command& command : tuning.commands) trial.lab.submit(command, gesture);
+  trial.settle();
+}
+
+TEST(Tune, StiffnessScalesEverySpringAndNewOnesByATenthAsOneStep) {
+  BenchTrial trial(sprung_scene({100.0, 40.0}));
+  const Tuning tuning = tune_stiffness(*trial.bench.status, {}, +1);
+  EXPECT_EQ(tuning.said, "k = 44 to 110 N/m (all springs)");
+  submit_all(trial, tuning);
+  EXPECT_DOUBLE_EQ(trial.system().springs()[0].stiffness, 110.0);
+  EXPECT_DOUBLE_EQ(trial.system().springs()[1].stiffness, 44.0);
+  EXPECT_DOUBLE_EQ(trial.bench.status->defaults.stiffness, 110.0);
+  trial.submit(Undo{});
+  EXPECT_EQ(trial.system().springs()[0].stiffness, 100.0);
+  EXPECT_EQ(trial.bench.status->defaults.stiffness, 100.0);
+}
+
+TEST(Tune, StiffnessOfASelectionLeavesTheRest) {
+  BenchTrial trial(sprung_scene({100.0, 40.0}));
+  submit_all(trial, tune_stiffness(*trial.bench.status, {{}, {trial.system().springs()[1].id}}, -1));
+  EXPECT_EQ(trial.system().springs()[0].stiffness, 100.0);
+  EXPECT_DOUBLE_EQ(trial.system().springs()[1].stiffness, 40.0 / 1.1);
+  EXPECT_EQ(trial.bench.status->defaults.stiffness, 100.0);
+}
+
+TEST(Tune, StiffnessKeepsToTheSceneStepsAndEnds) {
+  Scene scene = sprung_scene({});
+  scene.controls = {0.1, 10.0, 0.1};
+  scene.defaults.stiffness = 9.9;
+  BenchTrial trial(scene);
+  for (const double expected : {10.0, 10.0}) {
+    submit_all(trial, tune_stiffness(*trial.bench.status, {}, +1));
+    EXPECT_DOUBLE_EQ(trial.bench.status->defaults.stiffness, expected);
+  }
+  for (int i = 0; i < 120; ++i) submit_all(trial, tune_stiffness(*trial.bench.status, {}, -1));
+  EXPECT_DOUBLE_EQ(trial.bench.status->defaults.stiffness, 0.1);
+}
+
+TEST(Tune, SubstepsGoByFivesFromOneToAThousand) {
+  BenchTrial trial(sprung_scene({}));
+  const auto substeps = [&] { return trial.bench.snapshot().settings.substeps; };
+  const auto set = [&](double value) {
+    trial.lab.submit(SetParameter{find_parameter("substeps"), value});
+    trial.settle();
+  };
+  set(1);
+  submit_all(trial, tune_substeps(*trial.bench.status, +1));
+  EXPECT_EQ(substeps(), 5);
+  submit_all(trial, tune_substeps(*trial.bench.status, +1));
+  EXPECT_EQ(substeps(), 10);
+  set(7);
+  submit_all(trial, tune_substeps(*trial.bench.status, -1));
+  EXPECT_EQ(substeps(), 5);
+  submit_all(trial, tune_substeps(*trial.bench.status, -1));
+  EXPECT_EQ(substeps(), 1);
+  set(998);
+  const Tuning tuning = tune_substeps(*trial.bench.status, +1);
+  submit_all(trial, tuning);
+  EXPECT_EQ(substeps(), 1000);
+  EXPECT_EQ(tuning.said, "1000 substeps a frame");
+}
+
+}  // namespace
+}  // namespace hooke
