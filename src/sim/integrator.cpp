@@ -11,7 +11,7 @@
 namespace hooke {
 
 std::span<const Integrator> integrators() {
-  static const std::array rows{explicit_euler, symplectic_euler, velocity_verlet, blanes_moan4, runge_kutta4, dop853, xpbd};
+  static const std::array rows{explicit_euler, symplectic_euler, velocity_verlet, blanes_moan4, runge_kutta4, dop853, xpbd, implicit_euler, baraff_witkin, implicit_midpoint, tr_bdf2, esdirk4};
   return rows;
 }
 

@@ -64,4 +64,11 @@ void drift(Motion& motion, double h) {
   add_scaled(motion.x.data(), h, motion.v.data(), motion.x.size());
 }
 
+double root_mean_square(const Plan& plan, const Field& field) {
+  double sum = 0.0;
+  for (const double value : field) sum += value * value;
+  const auto moving = std::count_if(plan.inverse_mass.begin(), plan.inverse_mass.end(), [](double w) { return w != 0.0; });
+  return moving == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(moving));
+}
+
 }  // namespace hooke

@@ -72,6 +72,9 @@ void kick(const Plan& plan, Motion& motion, double h);
 // x = x + h v.
 void drift(Motion& motion, double h);
 
+// RMS over the points that move freely, of a field that is zero at the others: by the length of each point's vector.
+double root_mean_square(const Plan& plan, const Field& field);
+
 // [m], [m/s] of every point into the packed layout and back. What is nailed or held starts without velocity.
 void pack(const Plan& plan, const State& state, Motion& motion);
 void unpack(const Plan& plan, const Motion& motion, State& state);

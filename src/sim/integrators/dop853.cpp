@@ -100,17 +100,8 @@ void compute_slopes(const Plan& plan, Motion& motion, Workspace& work, double ti
   }
 }
 
-// Sum of squares over scale [1], per point that moves.
-double mean_square(const Plan& plan, const Field& error) {
-  double sum = 0.0;
-  for (const double e : error) sum += e * e;
-  Index moving = 0;
-  for (const double inverse : plan.inverse_mass) moving += inverse != 0.0 ? 1 : 0;
-  return moving == 0 ? 0.0 : sum / moving;
-}
-
-// The method's estimate, RMS over the points, from those of order 5 and 3: e5^2 / sqrt(e5^2 + e3^2 / 100), of order 8.
-double blend(double square5, double square3) { return square5 == 0.0 ? 0.0 : square5 / std::sqrt(square5 + 0.01 * square3); }
+// The method's estimate from those of order 5 and 3: of order 8.
+double blend(double error_5, double error_3) { return error_5 == 0.0 ? 0.0 : error_5 * error_5 / std::hypot(error_5, 0.1 * error_3); }
 
 struct LocalError {
   double position = 0.0, velocity = 0.0;  // [m], [m/s]
@@ -118,12 +109,12 @@ struct LocalError {
 
 LocalError estimate_error(const Plan& plan, Motion& motion, Workspace& work, double h) {
   Field& error = work.fields[0];
-  const auto square = [&](double scale, const Row& w) {
+  const auto size = [&](double scale, const Row& w) {
     std::fill(error.begin(), error.end(), 0.0);
     add_slopes(error, scale, w, motion, work);
-    return mean_square(plan, error);
+    return root_mean_square(plan, error);
   };
-  return {blend(square(h * h, error5_times_a), square(h * h, error3_times_a)), blend(square(h, error5), square(h, error3))};
+  return {blend(size(h * h, error5_times_a), size(h * h, error3_times_a)), blend(size(h, error5), size(h, error3))};
 }
 
 // The first step, when none is remembered: a radian of the fastest mode there can be, or all of it.

@@ -1,0 +1,38 @@
+// x' = x + h v',  v' = v + h a(x', v')     (backward Euler)
+// First order, L-stable. Solved to the end, unlike baraff_witkin; damps everything that moves, more the faster it is.
+#include "sim/dirk.h"
+#include "sim/integrators/rows.h"
+
+namespace hooke {
+namespace {
+
+constexpr DirkTable table{.stages = 1, .a = {{{1.0}}}, .b = {1.0}, .b_embedded = no_embedded, .tolerance = 1e-8};
+
+void prepare(const Plan& plan, double, const Motion& motion, Workspace& work) { prepare_dirk(table, plan, motion, work); }
+
+void step(const Plan& plan, Motion& motion, Workspace& work, double h) { step_dirk(table, plan, motion, work, h); }
+
+Amplification amplification(const Oscillator& oscillator) {
+  return amplification_from([](std::complex<double> z) { return stability_function(table, z); }, oscillator);
+}
+
+}  // namespace
+
+constinit const Integrator implicit_euler{
+    .id = "implicit_euler",
+    .label = "Implicit Euler",
+    .summary = "What implicit Euler truly gives, for comparison: stable at any step, strongly damped, first order.",
+    .needs = "a nonlinear solve a step: two to five factorisations where springs are stiff",
+    .order = 1,
+    .order_drag = 1,
+    .order_damped = 1,
+    .order_contact = 1,
+    .stability = Stability::Stiff,
+    .energy = EnergyTrend::Falls,
+    .symplectic = false,
+    .prepare = prepare,
+    .step = step,
+    .amplification = amplification,
+};
+
+}  // namespace hooke

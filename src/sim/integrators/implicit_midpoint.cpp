@@ -1,0 +1,39 @@
+// V = v + h/2 a(x + h/2 V, V),  x' = x + h V,  v' = 2 V - v     (Gauss, one stage)
+// Second order, symmetric, A-stable but not L-stable: nothing linear grows or dies out. Keeps linear and angular momentum;
+// energy up to what springs that turn within a step take from it or give.
+#include "sim/dirk.h"
+#include "sim/integrators/rows.h"
+
+namespace hooke {
+namespace {
+
+constexpr DirkTable table{.stages = 1, .a = {{{0.5}}}, .b = {1.0}, .b_embedded = no_embedded, .tolerance = 1e-12};
+
+void prepare(const Plan& plan, double, const Motion& motion, Workspace& work) { prepare_dirk(table, plan, motion, work); }
+
+void step(const Plan& plan, Motion& motion, Workspace& work, double h) { step_dirk(table, plan, motion, work, h); }
+
+Amplification amplification(const Oscillator& oscillator) {
+  return amplification_from([](std::complex<double> z) { return stability_function(table, z); }, oscillator);
+}
+
+}  // namespace
+
+constinit const Integrator implicit_midpoint{
+    .id = "implicit_midpoint",
+    .label = "Implicit midpoint",
+    .summary = "Keeps the energy of smooth motion at steps beyond the explicit limit; fails on stiff springs that turn.",
+    .needs = "a nonlinear solve a step",
+    .order = 2,
+    .order_drag = 2,
+    .order_damped = 2,
+    .order_contact = 2,
+    .stability = Stability::Absolute,
+    .energy = EnergyTrend::Bounded,
+    .symplectic = false,
+    .prepare = prepare,
+    .step = step,
+    .amplification = amplification,
+};
+
+}  // namespace hooke

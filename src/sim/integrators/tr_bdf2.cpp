@@ -1,0 +1,50 @@
+// Trapezium to t + gamma h, then the second backward difference to t + h     (R. E. Bank et al., Transient simulation of silicon
+// devices and circuits, 1985; M. E. Hosea, L. F. Shampine, Analysis and implementation of TR-BDF2, Appl. Numer. Math. 20
+// (1996) 21-37), gamma = 2 - sqrt(2), which makes both matrices the same. Second order, L-stable, stiffly accurate, with an
+// embedded method of third order for the error.
+#include <numbers>
+
+#include "sim/dirk.h"
+#include "sim/integrators/rows.h"
+
+namespace hooke {
+namespace {
+
+constexpr double d = 1.0 - 0.5 * std::numbers::sqrt2, w = 0.25 * std::numbers::sqrt2;
+
+constexpr DirkTable table{
+    .stages = 3,
+    .a = {{{}, {d, d}, {w, w, d}}},
+    .b = {w, w, d},
+    .b_embedded = {(1.0 - w) / 3.0, (3.0 * w + 1.0) / 3.0, d / 3.0},
+    .tolerance = 1e-10,
+};
+
+void prepare(const Plan& plan, double, const Motion& motion, Workspace& work) { prepare_dirk(table, plan, motion, work); }
+
+void step(const Plan& plan, Motion& motion, Workspace& work, double h) { step_dirk(table, plan, motion, work, h); }
+
+Amplification amplification(const Oscillator& oscillator) {
+  return amplification_from([](std::complex<double> z) { return stability_function(table, z); }, oscillator);
+}
+
+}  // namespace
+
+constinit const Integrator tr_bdf2{
+    .id = "tr_bdf2",
+    .label = "TR-BDF2",
+    .summary = "The workhorse for very stiff or strongly damped scenes: second order, and what is too fast dies out.",
+    .needs = "two nonlinear solves a step with one matrix: one to three factorisations",
+    .order = 2,
+    .order_drag = 2,
+    .order_damped = 2,
+    .order_contact = 2,
+    .stability = Stability::Stiff,
+    .energy = EnergyTrend::Falls,
+    .symplectic = false,
+    .prepare = prepare,
+    .step = step,
+    .amplification = amplification,
+};
+
+}  // namespace hooke

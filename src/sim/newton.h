@@ -1,0 +1,58 @@
+// Newton's method for the stages of implicit methods: the one kernel they all share.
+#pragma once
+
+#include <optional>
+
+#include "sim/motion.h"
+#include "sim/stiffness.h"
+
+namespace hooke {
+
+// A stage asks for the velocities V with M (V - v) = b f(t, X, V), X = x + b V.
+struct Stage {
+  double time;     // [s]
+  double b;        // [s], the share of the step that is implicit
+  const Field& x;  // [m], what the positions are without V
+  const Field& v;  // [m/s], what the velocities are without the stage's own acceleration
+};
+
+// How far a solve goes.
+struct NewtonLimits {
+  double tolerance = 1e-12;  // [1], error in V allowed, of V - v (and never less than round-off)
+  int iterations = 100;
+  int factorizations = 20;
+};
+
+class NewtonKernel : public Structure {
+ public:
+  explicit NewtonKernel(const Plan& plan) : Structure(plan) {}
+
+  // Once a frame, before its first solve.
+  void begin_frame(const Plan& plan, const Motion& motion);
+
+  // V starts as a guess and ends as the solution; points that do not move freely keep theirs. Without dashpots the result
+  // has never more of the incremental potential (newton.cpp) than the guess, converged or not. Counts its work in `motion`.
+  void solve(const Plan& plan, const Stage& stage, const NewtonLimits& limits, Field& V, Motion& motion);
+
+  // One iteration from the guess with clamped curvature and no line search.
+  void solve_once(const Plan& plan, const Stage& stage, Field& V, Motion& motion);
+
+ private:
+  struct Potential {
+    double value = 0.0, magnitude = 0.0;  // [J], and the sum of the sizes of its terms
+  };
+  Potential potential(const Plan& plan, const Stage& stage, const Field& x, const Field& V) const;
+  void go_to_rest_if_lower(const Plan& plan, const Stage& stage, Field& V, Potential& here);
+  void compute_residual(const Plan& plan, const Stage& stage, const Field& V, Motion& motion);
+  void factorize(const Plan& plan, const Stage& stage, Curvature curvature, const Field& V, Motion& motion);
+  double allowed_error(const Plan& plan, const Stage& stage, double tolerance, const Field& V);
+  void compute_step(const Plan& plan, Motion& motion);
+
+  std::optional<StiffnessMatrix> matrix_;  // absent while nothing can move
+  Index moving_ = 0;                       // points
+  double extent_ = 1.0;                    // [m], of the scene
+  double factored_b_ = 0.0;                // [s], of the matrix now factored; 0: none
+  Field x_, f_, residual_, step_, trial_x_, trial_v_;
+};
+
+}  // namespace hooke

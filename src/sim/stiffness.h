@@ -1,0 +1,35 @@
+// The matrix of an implicit step: A = M (1 + b c) + b D + b^2 K, with b the step's share that is implicit [s], c the drag,
+// D the dashpots' and K the springs' stiffness at given positions. A spring's blocks are known in closed form,
+//   K = k u u^T + (k (1 - l0 / l) + d w / l) (I - u u^T),   D = d u u^T,   w = (v1 - v2).u,
+// with k I for K at l = 0. (The dashpot's direction changes with the positions; of that derivative the symmetric part stands
+// in K, the rest is dropped, so that A is symmetric and Newton's method a little slower.) The factor of I - u u^T is
+// negative where a spring is compressed; taken as zero there, every block, and A, is positive definite: the nearest such
+// matrix, without an eigensolver.
+#pragma once
+
+#include "sim/linear_solver.h"
+
+namespace hooke {
+
+enum class Curvature { Exact, Clamped };
+
+// The places of the springs' blocks in a solver's matrix: found once a topology.
+class StiffnessMatrix {
+ public:
+  explicit StiffnessMatrix(const Plan& plan);
+  LinearSolver& solver() { return solver_; }
+
+  // Sets A. Points that do not move freely keep their mass on the diagonal and are coupled to nothing, so that nailing and
+  // grabbing change no pattern.
+  void assemble(const Plan& plan, double b, const Field& x, const Field& v, Curvature curvature);
+
+ private:
+  template <int Dimensions>
+  void add_springs(const Plan& plan, double b, const double* x, const double* v, Curvature curvature);
+
+  LinearSolver solver_;
+  std::vector<LinearSolver::Block> diagonal_;  // of the points
+  std::vector<LinearSolver::Block> coupling_;  // of the packed springs
+};
+
+}  // namespace hooke
