@@ -26,8 +26,6 @@ std::vector<std::string> warnings_of(const std::string& text) { return parse_sce
 
 std::string generated(const std::string& generator) { return R"({"hooke": 1, "generators": [)" + generator + "]}"; }
 
-// ---- the meaning of fields
-
 TEST(SceneFile, OmittedFieldsHaveTheDocumentedValues) {
   const Scene scene = parse(R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [3, 4, 0]}],
                                 "springs": [{"points": [0, 1], "stiffness": 7}]})");
@@ -82,8 +80,6 @@ TEST(SceneFile, SpringsMayEndAtGeneratedPoints) {
   ASSERT_EQ(scene.system.spring_count(), 3);
   EXPECT_EQ(scene.system.springs()[0].rest_length, std::sqrt(1.25));
 }
-
-// ---- warnings
 
 TEST(SceneFile, WarnsOfCoincidentPointsJoinedByASpring) {
   EXPECT_EQ(warnings_of(R"({"hooke": 1, "points": [{"position": [0, 1, 0]}, {"position": [0, 1, 0]}, {"position": [0, 1, 0]}],
@@ -147,8 +143,6 @@ TEST(SceneFile, ManyUnknownKeysAreWarnedOfInFewLines) {
   ASSERT_EQ(warnings.size(), 21u);
   EXPECT_EQ(warnings.back(), "test.json: and 980 more unknown keys, kept");
 }
-
-// ---- generators
 
 TEST(Generators, AClothAsAPlainGraphHasEqualMassesAndTheStiffnessGiven) {
   const Scene scene = parse(generated(R"({"type": "cloth", "corner": [0, 0, 0], "across": [2, 0, 0], "down": [0, -1, 0], "points": [3, 2],
@@ -296,8 +290,6 @@ TEST(Generators, BecomePointsAndSpringsOnceAnythingOfThemIsEdited) {
   edited.state.velocity.emplace_back(0.0);
   expect_listed(edited);
 }
-
-// ---- there and back
 
 // Numbers that are hard on writers and readers of decimal digits.
 double hard_number(std::mt19937_64& random) {

@@ -2,8 +2,8 @@
 
 #include <iostream>
 
+#include "lab/open_file.h"
 #include "lab/printable.h"
-#include "lab/scene_file.h"
 
 namespace hooke {
 namespace {
@@ -13,19 +13,15 @@ struct ConvertOptions {
   bool quiet = false;
 };
 
-void check_kind(const std::filesystem::path& file) {
-  if (file.extension() != ".json")
-    throw UsageError(printable(file.native()) + ": must end in .json, the kind of file that can be converted");
-}
-
 int convert(const ConvertOptions& options) {
-  const std::filesystem::path in = find_scene(options.in);
-  check_kind(in);
-  check_kind(options.out);
-  const LoadedScene loaded = load_scene(in);
-  if (!options.quiet)
-    for (const std::string& warning : loaded.warnings) std::cerr << "warning: " << warning << "\n";
-  save_scene(loaded.scene, options.out);
+  const FileKind* kind = find_file_kind(options.out);
+  if (kind == nullptr || kind->format == nullptr) throw UsageError(printable(options.out) + ": must end in " + writable_extensions());
+
+  const LoadedScene loaded = load_any(find_scene(options.in));
+  const std::vector<std::string> lost = save_any(loaded.scene, options.out);
+  if (options.quiet) return exit_code::fine;
+  for (const std::string& warning : loaded.warnings) std::cerr << "warning: " << warning << "\n";
+  for (const std::string& what : lost) std::cerr << "warning: " << what << "\n";
   return exit_code::fine;
 }
 
@@ -33,8 +29,8 @@ int convert(const ConvertOptions& options) {
 
 std::function<int()> declare_convert(CLI::App& app) {
   auto options = std::make_shared<ConvertOptions>();
-  app.add_option("IN", options->in, "A scene file (.json), or the name of one that ships")->required();
-  app.add_option("OUT", options->out, "The file to write (.json): whole or not at all")->required();
+  app.add_option("IN", options->in, "A file (" + readable_extensions() + "), or the name of a scene that ships")->required();
+  app.add_option("OUT", options->out, "The file to write (" + writable_extensions() + "): whole or not at all")->required();
   app.add_flag("-q,--quiet", options->quiet, "No warnings");
   return [options] { return convert(*options); };
 }

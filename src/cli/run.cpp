@@ -11,7 +11,9 @@
 #include "cli/run_report.h"
 #include "cli/scene_options.h"
 #include "lab/lab.h"
+#include "lab/point_cache.h"
 #include "lab/printable.h"
+#include "lab/text_lines.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"
 
@@ -23,7 +25,7 @@ struct RunOptions {
   double seconds = 0.0;               // [s]
   std::optional<double> sample;       // [s]
   std::optional<std::string> points;  // "0,5,9"; none: all
-  std::optional<std::string> json, csv;
+  std::optional<std::string> json, csv, pc2;
 };
 
 double cpu_now() {
@@ -86,9 +88,10 @@ std::vector<Index> parse_points(const std::optional<std::string>& list, Index co
 
 void print_summary(const RunOptions& options, const Scene& scene, const RunTotals& totals) {
   const Settings& settings = scene.settings;
-  std::cout << printable(options.scene->scene) << ": " << scene.system.point_count() << " points, " << scene.system.spring_count()
-            << " springs; " << settings.integrator->id << ", " << settings.substeps << (settings.substeps == 1 ? " substep" : " substeps")
-            << " a frame, " << settings.frame_rate << " frames a second\n"
+  const auto count = [](Index number, const char* one, const char* many) { return count_of(static_cast<std::size_t>(number), one, many); };
+  std::cout << printable(options.scene->scene) << ": " << count(scene.system.point_count(), "point", "points") << ", "
+            << count(scene.system.spring_count(), "spring", "springs") << "; " << settings.integrator->id << ", "
+            << count(settings.substeps, "substep", "substeps") << " a frame, " << settings.frame_rate << " frames a second\n"
             << "simulated " << totals.seconds << " s in " << totals.wall_seconds << " s (" << totals.cpu_seconds << " s of CPU), "
             << totals.force_evaluations << " force evaluations\n"
             << "hash " << to_hexadecimal(totals.hash) << "\n";
@@ -106,6 +109,8 @@ int run(const RunOptions& options) {
   std::optional<CsvReport> csv;
   if (options.json) json.emplace(*options.json, options.scene->scene, scene);
   if (options.csv) csv.emplace(*options.csv, points);
+  std::optional<PointCacheWriter> pc2;
+  if (options.pc2) pc2.emplace(*options.pc2, scene.system.point_count());
 
   RunTotals totals;
   SampleClock samples(options.sample, scene.settings.frame_rate, frames);
@@ -116,6 +121,7 @@ int run(const RunOptions& options) {
         if (json) json->add_sample(scene.system, scene.state, points);
         if (csv) csv->add_sample(scene.system, scene.state, points);
       }
+      if (pc2) pc2->add(scene.state.position);
       if (frame == frames) break;
 
       const double cpu = cpu_now(), wall = wall_now();
@@ -133,6 +139,7 @@ int run(const RunOptions& options) {
 
   if (json) json->finish(totals);
   if (csv) csv->finish();
+  if (pc2) pc2->close();
   if (!options.json && !options.csv && !options.scene->quiet) print_summary(options, scene, totals);
   if (!totals.diverged) return exit_code::fine;
   lab.publish();
@@ -157,6 +164,7 @@ std::function<int()> declare_run(CLI::App& app) {
   app.add_option("--points", options->points, "Points to sample, by number from 0; without it, all")->type_name("0,5,9");
   app.add_option("--json", options->json, "Write the run and its samples as JSON; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write one row a sample: time, energies, positions; - is stdout")->type_name("FILE");
+  app.add_option("--pc2", options->pc2, "Write the positions of all points in every frame as a point cache")->type_name("FILE");
   return [options] { return run(*options); };
 }
 

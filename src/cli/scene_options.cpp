@@ -7,6 +7,7 @@
 #include "lab/apply.h"
 #include "lab/diagnosis.h"
 #include "lab/file_limits.h"
+#include "lab/open_file.h"
 #include "lab/parameters.h"
 #include "lab/printable.h"
 #include "lab/scene_file.h"
@@ -84,7 +85,7 @@ CLI::Validator within(const Bounds& bounds) {
 
 std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app) {
   auto options = std::make_shared<SceneOptions>();
-  app.add_option("SCENE", options->scene, "A scene file, or the name of one that ships")->required();
+  app.add_option("SCENE", options->scene, "A file (" + readable_extensions() + "), or the name of a scene that ships")->required();
   app.add_option("--integrator", options->integrator, "Method: " + ids_of_integrators())->type_name("ID");
   app.add_option("--substeps", options->substeps, "Steps of the method in each frame")
       ->type_name("N")
@@ -110,7 +111,7 @@ Scene open_scene(const SceneOptions& options) {
   std::vector<SetParameter> settings;
   for (const std::string& setting : options.settings) settings.push_back(parse_setting(setting));
 
-  LoadedScene loaded = load_scene(find_scene(options.scene));
+  LoadedScene loaded = load_any(find_scene(options.scene));
   Scene& scene = loaded.scene;
   // what the file says of the step does not hold once the options say something else
   if (const auto warning = warn_of_step(scene.system, scene.settings))
