@@ -67,6 +67,21 @@ std::optional<double> first_descent(double c, double v, double a) {
   return c == 0.0 ? 0.0 : 2.0 * c / (root - v);
 }
 
+// How long the path surely stays outside a convex body whose nearest point is at `gap`: until it meets the tangent plane
+// there. None: for ever.
+std::optional<double> time_outside(const Gap& gap, const Parabola& path) {
+  return first_descent(std::max(0.0, gap.distance), glm::dot(gap.normal, path.v), glm::dot(gap.normal, path.a));
+}
+
+// The same for `within`, minding that a ball bends away: with d from its centre, d.d grows by
+//   2 d.v t + (v.v + d.a) t^2 + v.a t^3 + a.a t^4 / 4  >=  2 d.v t + (v.v + d.a - |v.a| within) t^2.
+std::optional<double> time_outside(const Sphere& sphere, double radius, const Gap& gap, const Parabola& path, double within) {
+  const Vec3 d = path.x - sphere.center;
+  const double c = std::max(0.0, gap.distance) * (glm::length(d) + sphere.radius + radius);
+  const double square = glm::dot(path.v, path.v) + glm::dot(d, path.a) - std::abs(glm::dot(path.v, path.a)) * within;
+  return first_descent(c, 2.0 * glm::dot(d, path.v), 2.0 * square);
+}
+
 }  // namespace
 
 Gap gap_to(const Collider& collider, double radius, const Vec3& x) {
@@ -82,25 +97,29 @@ bool may_touch(const Collider& collider, double radius, const Vec3& from, const 
 }
 
 std::optional<double> first_impact(const Collider& collider, double radius, const Parabola& path, double within) {
-  // the collider lies behind the tangent plane at its nearest point: going to where the path meets that plane never
-  // goes too far. Newton's method, in effect: quadratic where the path crosses the surface, halving where it grazes
+  const auto* sphere = std::get_if<Sphere>(&collider.shape);
+
+  // go on for as long as the path surely stays outside, until it touches: Newton's method, in effect, quadratic where
+  // the path crosses the surface, halving where it grazes
   constexpr int most_steps = 128;
   const double least_step = 1e-9 * within;
   double t = 0.0;
   for (int i = 0; i < most_steps; ++i) {
-    const Vec3 x = path.position(t), v = path.velocity(t);
-    const Gap gap = gap_to(collider, radius, x);
-    const double approach = glm::dot(gap.normal, v), bend = glm::dot(gap.normal, path.a);
-    std::optional<double> dip;
-    if (gap.distance > touching(x)) {
-      dip = first_descent(gap.distance, approach, bend);
-    } else {
-      if (approach < 0.0 || (approach == 0.0 && bend + gap.curvature * glm::dot(v, v) < 0.0)) return t;
-      dip = first_descent(0.0, approach, bend);
-      if (dip) dip = std::max(*dip, least_step);
+    const Parabola rest{path.position(t), path.velocity(t), path.a};
+    const Gap gap = gap_to(collider, radius, rest.x);
+    const double approach = glm::dot(gap.normal, rest.v);
+    const bool touches = gap.distance <= touching(rest.x);
+    if (touches && approach < 0.0) return t;
+
+    std::optional<double> outside = time_outside(gap, rest);
+    if (outside && sphere != nullptr) {
+      const auto bending_away = time_outside(*sphere, radius, gap, rest, within - t);
+      outside = bending_away ? std::optional(std::max(*outside, *bending_away)) : std::nullopt;
     }
-    if (!dip || t + *dip > within) return std::nullopt;
-    t += *dip;
+    if (!outside) return std::nullopt;
+    if (touches && *outside == 0.0) return t;
+    t += touches ? std::max(*outside, least_step) : *outside;
+    if (t > within) return std::nullopt;
   }
   return t;
 }
