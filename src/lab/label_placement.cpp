@@ -28,11 +28,12 @@ std::vector<PlacedLabel> places_for(const ChartLabel& label) {
   std::vector<PlacedLabel> places;
   for (int ring = 0; ring < 6; ++ring)
     for (const Justify justify : {Justify::Left, Justify::Right})
-      for (const double up : {0.0, 1.0, -1.0}) {
-        if (ring > 0 && up == 0.0) continue;
-        const double aside = (justify == Justify::Left ? 1.0 : -1.0) * (ring == 0 && up == 0.0 ? 10.0 : 4.0);
-        places.push_back({{label.anchor.x + aside, label.anchor.y + up * (ring + 0.9) * label.height}, justify});
-      }
+      for (const double up : {0.0, 1.0, -1.0})
+        for (const double further : {0.0, 25.0, 50.0}) {
+          if (up == 0.0 && (ring > 0 || further > 0.0)) continue;
+          const double aside = (justify == Justify::Left ? 1.0 : -1.0) * (further + (up == 0.0 ? 10.0 : 4.0));
+          places.push_back({{label.anchor.x + aside, label.anchor.y + up * (ring + 0.9) * label.height}, justify});
+        }
   return places;
 }
 
@@ -49,7 +50,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<ChartLabel>& labels, con
       const double area = label.width * label.height;
       double cost = 20.0 * (area - overlap(box, frame)) / area;
       for (const ChartBox& other : taken) cost += 100.0 * overlap(box, other) / area;
-      for (const ChartPoint& point : inked) cost += holds(box, point) ? 0.15 : 0.0;
+      for (const ChartPoint& point : inked) cost += holds(grown(box, 2.0), point) ? 0.3 : 0.0;
       // beside another's end it would be taken for that one's name
       for (const ChartLabel& other : labels) cost += &other != &label && holds(grown(box, 10.0), other.anchor) ? 3.0 : 0.0;
       cost += 0.01 * std::hypot(place.at.x - label.anchor.x, place.at.y - label.anchor.y);

@@ -39,16 +39,17 @@ double energy_scale(const Problem& problem, const std::vector<State>& reference)
   return scale > 0.0 ? scale : 1.0;
 }
 
-// The order that the method declares for what the problem has.
-int order_on(const Integrator& method, const Problem& problem) {
+// The order that a method declares for what the problem has: with its contacts, and, to choose among equals, without
+// them, since they may never come about.
+std::pair<int, int> orders_on(const Integrator& method, const Problem& problem) {
   const System& system = problem.system;
   int order = method.order;
   if (system.drag_rate() > 0.0) order = std::min(order, method.order_drag);
   if (std::any_of(system.springs().begin(), system.springs().end(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; }))
     order = std::min(order, method.order_damped);
-  if (std::any_of(system.colliders.begin(), system.colliders.end(), [](const Collider& collider) { return collider.solid; }))
-    order = std::min(order, method.order_contact);
-  return order;
+  const bool collides =
+      std::any_of(system.colliders.begin(), system.colliders.end(), [](const Collider& collider) { return collider.solid; });
+  return {collides ? std::min(order, method.order_contact) : order, order};
 }
 
 Setting first_setting(const Course& course, const Integrator& method) {
@@ -148,7 +149,7 @@ std::vector<const Integrator*> most_accurate_methods(const Problem& problem) {
   std::vector<const Integrator*> methods;
   for (const Integrator& method : integrators()) methods.push_back(&method);
   std::stable_sort(methods.begin(), methods.end(),
-                   [&](const Integrator* a, const Integrator* b) { return order_on(*a, problem) > order_on(*b, problem); });
+                   [&](const Integrator* a, const Integrator* b) { return orders_on(*a, problem) > orders_on(*b, problem); });
   return methods;
 }
 

@@ -208,7 +208,7 @@ const Row* cheapest(const ProblemRecord& record, double relative_error) {
 std::vector<const Row*> front(const ProblemRecord& record) {
   std::vector<const Row*> rows;
   for (const Row& row : record.rows)
-    if (reached_end(row)) rows.push_back(&row);
+    if (holds(row)) rows.push_back(&row);
   std::stable_sort(rows.begin(), rows.end(), [](const Row* a, const Row* b) { return *a->cpu_ms_per_s < *b->cpu_ms_per_s; });
 
   std::vector<const Row*> front;

@@ -19,7 +19,7 @@ constexpr int left_margin = 84, right_margin = 24, top_margin = 58, bottom_margi
 constexpr double label_height = 17.0, letter_width = 7.9;
 
 // Decades of the relative error that are drawn.
-constexpr int worst_decade = 1, best_decade = -13;
+constexpr int worst_decade = 0, best_decade = -13;
 
 // Okabe and Ito 2008, without their yellow, which a printer loses; a second turn is dashed.
 constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#000000", "#CC79A7", "#E69F00", "#56B4E9"};
