@@ -5,9 +5,9 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
 #include "lab/file_limits.h"
-#include "lab/mended_mesh.h"
 #include "lab/text_lines.h"
 #include "sim/errors.h"
 
@@ -152,8 +152,8 @@ SheetMaterial cloth_of_size(double size) {
   return material;
 }
 
-Scene make_cloth(const Mesh& mesh, const std::string& file, std::vector<std::string>& notes) {
-  return ClothMaker(mend_mesh(mesh, file, notes), file, notes).make();
+Scene make_cloth(MendedMesh mesh, const std::string& file, std::vector<std::string>& notes) {
+  return ClothMaker(std::move(mesh), file, notes).make();
 }
 
 }  // namespace hooke

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/mesh.h"
+#include "lab/mended_mesh.h"
 #include "lab/scene.h"
 
 namespace hooke {
@@ -21,15 +21,14 @@ struct SheetMaterial {
 // under its own weight, and what swings at the size of the whole dies away over some swings.
 SheetMaterial cloth_of_size(double size);
 
-// Points, springs and faces of the mesh, lying as drawn, and a floor under it. What is wrong with the mesh is mended
-// (mended_mesh.h); an edge of more than two faces is one spring. Appends to `notes`, one sentence each, what was done of
-// all this. Throws Refused when no face is left, or more springs than file_limits.h allows. `file` stands for the mesh in
-// messages.
+// Points, springs and faces of the mesh, lying as drawn, and a floor under it. An edge of more than two faces is one
+// spring; how many there are is appended to `notes`. Throws Refused when there are more springs than file_limits.h allows.
+// `file` stands for the mesh in messages.
 //
 // Masses: a third of each triangle's, a quarter of each quad's. Stiffness of the springs, by A the area and l the length:
 // E t sum(A) / l^2 over the triangles along an edge (Van Gelder 1998), which is exact for equilateral ones; in a quad
 // 3/8 E t A / l^2 for a side and 3/4 E t A / l^2 for a diagonal, which is an isotropic square of k = 3/4 E t and half of
 // that across. Dashpots likewise.
-Scene make_cloth(const Mesh& mesh, const std::string& file, std::vector<std::string>& notes);
+Scene make_cloth(MendedMesh mesh, const std::string& file, std::vector<std::string>& notes);
 
 }  // namespace hooke

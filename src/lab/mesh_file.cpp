@@ -3,8 +3,10 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <utility>
 
 #include "lab/bounds.h"
+#include "lab/mended_mesh.h"
 #include "lab/mesh_cloth.h"
 #include "lab/obj_text.h"
 #include "lab/printable.h"
@@ -39,8 +41,8 @@ void append(std::string& bytes, Number number) {
 
 LoadedScene parse_obj(std::string_view text, const std::string& file) {
   LoadedScene loaded;
-  const Mesh mesh = parse_obj_text(text, file, loaded.warnings);
-  loaded.scene = make_cloth(mesh, file, loaded.warnings);
+  MendedMesh mesh = mend_mesh(parse_obj_text(text, file, loaded.warnings), file, loaded.warnings);
+  loaded.scene = make_cloth(std::move(mesh), file, loaded.warnings);
   loaded.scene.name = std::filesystem::path(file).stem().string();
   if (const auto warning = choose_stable_stepping(loaded.scene, Settings().substeps)) loaded.warnings.push_back(file + ": " + *warning);
   return loaded;
