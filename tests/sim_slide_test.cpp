@@ -257,6 +257,34 @@ TEST_P(Slide, OffATableRoundTheEdgeWithARadius) {
   EXPECT_LT(trial.state.position[0].y, -1.0);
 }
 
+// what is lifted off leaves as if there were no floor; explicit Euler's first step is that of a parabola, h^2 a / 2 off
+TEST_P(Rest, EndsWithoutABounce) {
+  const auto lifted = [&](bool on_floor) {
+    Trial trial;
+    trial.system.gravity = {0.0, 0.5, 0.0};
+    trial.add(Vec3(0.0));
+    if (on_floor) trial.system.colliders = {{.shape = Plane{}, .restitution = 0.5, .friction = 0.5}};
+    trial.run(method(), 0.5, 30);
+    return trial.state;
+  };
+  EXPECT_LT(glm::distance(lifted(true).position[0], lifted(false).position[0]), method().order == 1 ? 0.25 / 3600.0 + 1e-14 : 1e-14);
+  EXPECT_LT(glm::distance(lifted(true).velocity[0], lifted(false).velocity[0]), 1e-14);
+}
+
+// down a ball into the corner that it makes with a floor
+TEST_P(Slide, DownABallOntoAFloorEndsInTheCorner) {
+  Trial trial = on_ball(0.2, 0.5, 0.05);
+  trial.system.colliders.push_back({.shape = Plane{.point = {0.0, 0.4, 0.0}}, .friction = 0.5});
+  trial.system.colliders.push_back({.shape = Plane{.point = {0.35, 0.0, 0.0}, .normal = {-1.0, 0.0, 0.0}}, .friction = 0.5});
+  for (int i = 0; i < 180; ++i) {
+    trial.run(method(), frame, 1);
+    for (const Collider& collider : trial.system.colliders)
+      ASSERT_GT(gap_to(collider, 0.0, trial.state.position[0]).distance, -1e-13) << "frame " << i;
+  }
+  EXPECT_EQ(trial.state.velocity[0], Vec3(0.0));
+  EXPECT_NEAR(trial.state.position[0].y, 0.4, 1e-13);
+}
+
 // A groove of two planes along z, each `angle` from the vertical.
 Trial groove(double angle, double restitution, double friction) {
   Trial trial;
