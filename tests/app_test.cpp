@@ -91,6 +91,16 @@ TEST(Keys, AHeldArrowIsOneStepOfUndoAndShowsTheValue) {
   EXPECT_EQ(gui.system().springs()[0].stiffness, 100.0);
 }
 
+TEST(Keys, AHeldKeyActsOnceWhereOnceIsMeant) {
+  GuiTrial gui(hanging());
+  gui.key(Key::Space);
+  gui.key(Key::Space, {}, true);
+  EXPECT_TRUE(gui.status().running);
+  gui.key(Key::F1);
+  gui.key(Key::F1, {}, true);
+  EXPECT_TRUE(gui.app().panels().keys_shown);
+}
+
 TEST(Keys, SelectAllAndDelete) {
   GuiTrial gui(hanging());
   gui.key(letter('A'), control);

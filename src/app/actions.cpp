@@ -97,8 +97,12 @@ void App::tune(const Tuning& tuning, bool repeated) {
   panels_.say(tuning.said);
 }
 
-// The nearest thing to leave: the keys, what the tool has half done, the selection, the tool.
+// The nearest thing to leave: a menu, the keys, what the tool has half done, the selection, the tool.
 void App::cancel() {
+  if (panels_.menu_is_open) {
+    panels_.menu_closes = true;
+    return;
+  }
   if (std::exchange(panels_.keys_shown, false)) return;
   tool_is_pressed_ = false;
   if (tool_->cancel(bench_)) return;

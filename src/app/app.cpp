@@ -54,8 +54,10 @@ void App::on(const KeyPress& press) {
     panels_.dialog.cancelled = panels_.dialog.cancelled || press.key == Key::Escape;
     return;
   }
+  const Shortcut* shortcut = find_shortcut(press.key, press.modifiers);
+  if (shortcut == nullptr || (press.repeated && !shortcut->repeats)) return;
   settle();
-  if (const auto action = find_action(press.key, press.modifiers)) perform(*action, press.repeated);
+  perform(shortcut->action, press.repeated);
 }
 
 void App::on(const ButtonPress& press) {
@@ -137,6 +139,12 @@ void App::build_frame(const Figures& figures) {
   marks_ = {.selected_points = selection_.points, .selected_springs = selection_.springs};
   const bool over_scene = !panels_cover(panels_, layout_, cursor_.x, cursor_.y);
   if ((over_scene || tool_is_pressed_) && !turning_with_) tool_->mark(pointer(), bench_, marks_);
+
+  // what broke is lit up until something else is pointed at
+  if (const auto& divergence = bench_.snapshot().divergence; divergence && !marks_.hovered_point && !marks_.hovered_spring) {
+    marks_.hovered_point = divergence->point;
+    marks_.hovered_spring = divergence->spring;
+  }
 }
 
 ViewOptions App::view_options() const {

@@ -71,7 +71,8 @@ void draw_slider(const NumberField& field) {
   }
   const std::string text = value_text(field);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  list.AddText({most.x - size.x - units(8.0), 0.5f * (least.y + most.y - size.y)}, field.enabled ? palette::text : palette::dim, text.c_str());
+  list.AddText({most.x - size.x - units(8.0), 0.5f * (least.y + most.y - size.y)}, field.enabled ? palette::text : palette::dim,
+               text.c_str());
 }
 
 bool slider(const NumberField& field, double& value, bool typing) {

@@ -49,12 +49,13 @@ struct Panels {
   ViewOptions view;
   Dialog dialog;
   bool keys_shown = false;
+  bool menu_is_open = false, menu_closes = false;
   std::string toast;                   // a line shown for a moment
   double toast_until = 0.0;            // [s], ImGui's clock
   std::string dismissed;               // the message whose banner was closed
   bool edit_in_progress = false;       // the active slider has edited already
   std::optional<double> typed_number;  // into a slider, not finished
-  unsigned typing = 0;            // ImGui's id of the slider that is typed into
+  unsigned typing = 0;                 // ImGui's id of the slider that is typed into
   std::vector<Rect> floating;          // panels over the scene, of the last frame
 
   void say(std::string line) { toast = std::move(line), toast_until = -1.0; }

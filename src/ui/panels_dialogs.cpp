@@ -122,8 +122,9 @@ void build_dialogs(const Desk& desk, Panels& panels, Requests& requests) {
   ImGui::SetNextWindowPos({0.5f * ImGui::GetIO().DisplaySize.x, 0.42f * ImGui::GetIO().DisplaySize.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(20.0), units(16.0)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
-  if (ImGui::BeginPopupModal(question.title, nullptr,
-                             ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+  if (ImGui::BeginPopupModal(
+          question.title, nullptr,
+          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
     ImGui::PushFont(fonts().strong);
     ImGui::TextUnformatted(heading.c_str());
     ImGui::PopFont();

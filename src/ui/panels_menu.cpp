@@ -84,6 +84,8 @@ float build_one(const Menu& menu, float x, const Desk& desk, Panels& panels, Req
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(10.0), units(7.0)});
   if (ImGui::BeginPopup(menu.name, ImGuiWindowFlags_NoMove)) {
     menu.build(desk, panels, requests);
+    panels.menu_is_open = !panels.menu_closes;
+    if (panels.menu_closes) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();
@@ -138,8 +140,10 @@ void build_menu(const Desk& desk, Panels& panels, Requests& requests) {
                                       {static_cast<float>(desk.layout.menu.width), static_cast<float>(desk.layout.menu.height) - 1.0f},
                                       palette::line);
 
+  panels.menu_is_open = false;
   float x = units(8.0);
   for (const Menu& menu : menus) x += build_one(menu, x, desk, panels, requests) + units(2.0);
+  panels.menu_closes = false;
   run_buttons(desk, requests);
   clock(desk);
   ImGui::End();

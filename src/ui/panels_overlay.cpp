@@ -83,12 +83,24 @@ void toast(const Desk& desk, Panels& panels, ImDrawList& list) {
   list.AddText(at, palette::text, panels.toast.c_str());
 }
 
-// Sets what the advice says, and starts over with it.
+// What the advice comes to here: another method does not need fewer substeps than there are.
+Advice fitted(const Advice& advice, const Settings& settings) {
+  if (advice.integrator == settings.integrator) return advice;
+  return {advice.integrator, std::max(advice.substeps, settings.substeps)};
+}
+
+std::string in_words(const Advice& advice, const Settings& settings) {
+  std::string text = "Start over with ";
+  if (advice.integrator != settings.integrator) text.append(advice.integrator->label);
+  if (advice.integrator != settings.integrator && advice.substeps != settings.substeps) text.append(" and ");
+  return advice.substeps == settings.substeps ? text : text.append(count(advice.substeps, "substep"));
+}
+
+// Sets what the advice says, past the slider's end where that is what it takes, and starts over with it.
 void take_advice(const Advice& advice, const Settings& settings, Requests& requests) {
-  if (advice.integrator != settings.integrator) requests.emplace_back(Edit{SetIntegrator{advice.integrator}});
-  // past the slider's end where that is what it takes
-  requests.emplace_back(
-      Edit{RestoreParameter{find_parameter("substeps"), static_cast<double>(advice.substeps)}, advice.integrator != settings.integrator});
+  const bool changes_method = advice.integrator != settings.integrator;
+  if (changes_method) requests.emplace_back(Edit{SetIntegrator{advice.integrator}});
+  requests.emplace_back(Edit{RestoreParameter{find_parameter("substeps"), static_cast<double>(advice.substeps)}, changes_method});
   requests.emplace_back(Control(GoToStart{}));
   requests.emplace_back(Control(SetRunning{true}));
 }
@@ -107,19 +119,22 @@ void banner(const Desk& desk, Panels& panels, Requests& requests) {
   ImGui::Begin("banner", nullptr, fixed_panel | ImGuiWindowFlags_AlwaysAutoResize);
   const Rect place_of_banner = current_window();
   panels.floating.push_back(place_of_banner);
+  ImGui::PushClipRect(corner(place_of_banner),
+                      {corner(place_of_banner).x + extent(place_of_banner).x, corner(place_of_banner).y + extent(place_of_banner).y},
+                      false);
   ImGui::GetWindowDrawList()->AddRectFilled(corner(place_of_banner),
                                             {corner(place_of_banner).x + units(5.0), corner(place_of_banner).y + extent(place_of_banner).y},
                                             palette::bad, units(6.0), ImDrawFlags_RoundCornersLeft);
+  ImGui::PopClipRect();
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(status.message.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
   ImGui::PushStyleColor(ImGuiCol_Button, palette::pressed);
   if (status.advice) {
-    const Advice& advice = *status.advice;
     const Settings& settings = status.snapshot->settings;
-    const std::string method = advice.integrator != settings.integrator ? std::string(advice.integrator->label) + " with " : "";
-    if (ImGui::Button(("Start over: " + method + count(advice.substeps, "substep")).c_str())) take_advice(advice, settings, requests);
+    const Advice advice = fitted(*status.advice, settings);
+    if (ImGui::Button(in_words(advice, settings).c_str())) take_advice(advice, settings, requests);
     ImGui::SameLine();
   }
   if (ImGui::Button("Dismiss")) panels.dismissed = status.message;

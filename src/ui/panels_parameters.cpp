@@ -76,11 +76,11 @@ NumberField field_of(const Parameter& row, const ControlRanges& controls, double
 }
 
 // k or d of the springs meant.
-void spring_row(const Parameter& row, const Desk& desk, Panels& panels, Requests& requests) {
+void spring_row(const Parameter& row, double value_without, const Desk& desk, Panels& panels, Requests& requests) {
   const bool stiffness = row.scope == Parameter::Scope::SpringStiffness;
   const Springs meant{springs_meant(*desk.status.snapshot->system, desk.selection)};
   const auto springs = look_up(meant, *desk.status.snapshot->system);
-  const Common common = common_value(springs, stiffness ? &Spring::stiffness : &Spring::damping, row.usual);
+  const Common common = common_value(springs, stiffness ? &Spring::stiffness : &Spring::damping, value_without);
   NumberField field = field_of(row, desk.status.controls, common.value);
   field.mixed = common.mixed;
   field.enabled = !springs.empty();
@@ -101,7 +101,9 @@ void method_row(const Desk& desk, Panels& panels, Requests& requests) {
   const Integrator& now = *desk.status.snapshot->settings.integrator;
   begin_row("Method");
   ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::BeginCombo("##method", now.label.data(), ImGuiComboFlags_HeightLarge)) {
+  // its other names stand in the list
+  const std::string name(now.label.substr(0, now.label.find(" (")));
+  if (ImGui::BeginCombo("##method", name.c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const Integrator& method : integrators()) {
       if (ImGui::Selectable(method.label.data(), &method == &now) && &method != &now) edit(SetIntegrator{&method}, panels, requests);
       tooltip(std::string(method.summary));
@@ -123,7 +125,7 @@ void stability_row(const Snapshot& snapshot) {
   if (!anything)
     text = "\u03c9h = 0, nothing swings";
   else if (limit == 0.0)
-    text += ", no step holds undamped";
+    text += ", no step holds";
   else if (std::isinf(limit))
     text += ", any step holds";
   else if (share > 1.0)
@@ -146,7 +148,7 @@ void stability_row(const Snapshot& snapshot) {
 void parameter_row(const Parameter& row, double value, const Desk& desk, Panels& panels, Requests& requests) {
   const bool of_springs = row.scope == Parameter::Scope::SpringStiffness || row.scope == Parameter::Scope::SpringDamping;
   if (of_springs) {
-    spring_row(row, desk, panels, requests);
+    spring_row(row, value, desk, panels, requests);
   } else if (row.kind == Parameter::Kind::Switch) {
     switch_row(row, value, panels, requests);
   } else {

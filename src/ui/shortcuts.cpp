@@ -21,18 +21,18 @@ constexpr std::array rows{
     Shortcut{letter('X'), plain, Action::DeleteTool, tools, "Delete or cut"},
 
     Shortcut{Key::Space, plain, Action::RunOrPause, run, "Run or pause"},
-    Shortcut{Key::Period, plain, Action::StepOnce, run, "One frame further"},
+    Shortcut{Key::Period, plain, Action::StepOnce, run, "One frame further", true},
     Shortcut{letter('R'), control, Action::GoToStart, run, "Back to the start"},
     Shortcut{letter('R'), plain, Action::ReleaseNails, run, "Release every nail"},
 
-    Shortcut{Key::Up, plain, Action::StiffnessUp, tune, "Stiffer springs"},
-    Shortcut{Key::Down, plain, Action::StiffnessDown, tune, "Softer springs"},
-    Shortcut{Key::Right, plain, Action::SubstepsUp, tune, "5 substeps more"},
-    Shortcut{Key::Left, plain, Action::SubstepsDown, tune, "5 substeps fewer"},
+    Shortcut{Key::Up, plain, Action::StiffnessUp, tune, "Stiffer springs", true},
+    Shortcut{Key::Down, plain, Action::StiffnessDown, tune, "Softer springs", true},
+    Shortcut{Key::Right, plain, Action::SubstepsUp, tune, "5 substeps more", true},
+    Shortcut{Key::Left, plain, Action::SubstepsDown, tune, "5 substeps fewer", true},
 
-    Shortcut{letter('Z'), control, Action::Undo, edit, "Undo"},
-    Shortcut{letter('Z'), control_shift, Action::Redo, edit, "Redo"},
-    Shortcut{letter('Y'), control, Action::Redo, edit, "Redo"},
+    Shortcut{letter('Z'), control, Action::Undo, edit, "Undo", true},
+    Shortcut{letter('Z'), control_shift, Action::Redo, edit, "Redo", true},
+    Shortcut{letter('Y'), control, Action::Redo, edit, "Redo", true},
     Shortcut{letter('A'), control, Action::SelectAll, edit, "Select everything"},
     Shortcut{Key::Delete, plain, Action::DeleteSelection, edit, "Delete the selection"},
     Shortcut{Key::Escape, plain, Action::Cancel, edit, "Cancel; select nothing"},
@@ -67,10 +67,10 @@ constexpr std::array named_keys{
 std::span<const Shortcut> shortcuts() { return rows; }
 std::span<const MouseHint> mouse_hints() { return hints; }
 
-std::optional<Action> find_action(Key key, Modifiers modifiers) {
+const Shortcut* find_shortcut(Key key, Modifiers modifiers) {
   for (const Shortcut& row : rows)
-    if (row.key == key && row.modifiers == modifiers) return row.action;
-  return std::nullopt;
+    if (row.key == key && row.modifiers == modifiers) return &row;
+  return nullptr;
 }
 
 const Shortcut& shortcut_of(Action action) {

@@ -1,7 +1,6 @@
 // The table of shortcuts: from a row follow the binding, the text of menus and tooltips, and a line of the F1 overlay.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -65,13 +64,14 @@ struct Shortcut {
   Action action;
   std::string_view group;  // heading in the overlay
   std::string_view text;   // in the overlay, in menus and in tooltips
+  bool repeats = false;    // again and again while the key is held
 };
 
 // Grouped, in the order of the overlay. An action may have several keys; the first is the one shown in menus.
 std::span<const Shortcut> shortcuts();
 
-// What this key means, or none.
-std::optional<Action> find_action(Key key, Modifiers modifiers);
+// The row of this key, or null.
+const Shortcut* find_shortcut(Key key, Modifiers modifiers);
 
 // The first row of an action; every action has one.
 const Shortcut& shortcut_of(Action action);

@@ -39,7 +39,8 @@ bool section(const std::string& title, const std::string& remark, bool starts_op
   list.AddLine(at, {at.x + size.x, at.y}, palette::line);
   const float middle = at.y + 0.55f * size.y, u = units(3.5);
   const ImVec2 tip = open ? ImVec2{at.x + u, middle + 0.5f * u} : ImVec2{at.x + 1.5f * u, middle};
-  const ImVec2 ends[] = {open ? ImVec2{tip.x - u, tip.y - u} : ImVec2{tip.x - u, tip.y - u}, tip, open ? ImVec2{tip.x + u, tip.y - u} : ImVec2{tip.x - u, tip.y + u}};
+  const ImVec2 ends[] = {open ? ImVec2{tip.x - u, tip.y - u} : ImVec2{tip.x - u, tip.y - u}, tip,
+                         open ? ImVec2{tip.x + u, tip.y - u} : ImVec2{tip.x - u, tip.y + u}};
   list.AddPolyline(ends, 3, ink, 0, units(1.5));
   ImGui::PushFont(fonts().strong);
   list.AddText({at.x + units(16.0), middle - 0.5f * ImGui::GetFontSize()}, palette::text, title.c_str());

@@ -1,0 +1,165 @@
+// A display of its own (Xvfb), the program on it, and a person's hands (xdotool): for tests of the real window.
+#pragma once
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace hooke {
+
+inline void rest(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+// Tries until it holds, for at most half a minute: the machine may be busy.
+inline bool wait_for(const std::function<bool()>& condition, double seconds = 30.0) {
+  const auto start = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - start < std::chrono::duration<double>(seconds)) {
+    if (condition()) return true;
+    rest(0.05);
+  }
+  return false;
+}
+
+inline std::string contents(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+// A child process whose output goes to a file; killed when forgotten.
+class Process {
+ public:
+  Process() = default;
+  Process(const std::vector<std::string>& words, const std::filesystem::path& output) {
+    pid_ = ::fork();
+    if (pid_ != 0) return;
+    const int to = ::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    ::dup2(to, STDOUT_FILENO);
+    ::dup2(to, STDERR_FILENO);
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    ::execvp(arguments[0], arguments.data());
+    ::_exit(127);
+  }
+  ~Process() {
+    if (pid_ <= 0) return;
+    ::kill(pid_, SIGKILL);
+    ::waitpid(pid_, nullptr, 0);
+  }
+  Process(Process&& other) noexcept : pid_(std::exchange(other.pid_, 0)) {}
+  Process& operator=(Process&& other) noexcept {
+    std::swap(pid_, other.pid_);
+    return *this;
+  }
+
+  void signal(int which) const { ::kill(pid_, which); }
+  bool is_running() { return pid_ > 0 && !collect(WNOHANG); }
+  // Its exit code; -1 when a signal ended it or it does not end.
+  int exit_code() {
+    if (!wait_for([this] { return !is_running(); })) return -1;
+    return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
+  }
+
+ private:
+  bool collect(int options) {
+    if (::waitpid(pid_, &status_, options) != pid_) return false;
+    pid_ = 0;
+    return true;
+  }
+  pid_t pid_ = 0;
+  int status_ = 0;
+};
+
+class Desktop {
+ public:
+  static constexpr int width = 1280, height = 800;
+
+  Desktop() {
+    folder_ = std::filesystem::temp_directory_path() / ("hooke_window_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+    const std::filesystem::path number = folder_ / "display";
+    const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
+    // -displayfd picks a display that is free
+    server_ = Process({"sh", "-c", "exec Xvfb -displayfd 3 -screen 0 " + screen + " -dpi 96 -nolisten tcp 3>" + number.string()},
+                      folder_ / "server.log");
+    wait_for([&] { return contents(number).find('\n') != std::string::npos; });
+    std::istringstream(contents(number)) >> display_;
+    ::setenv("DISPLAY", (":" + display_).c_str(), 1);
+    ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    ::unsetenv("WAYLAND_DISPLAY");
+  }
+  ~Desktop() { std::filesystem::remove_all(folder_); }
+
+  bool is_up() const { return !display_.empty(); }
+  const std::filesystem::path& folder() const { return folder_; }
+
+  // What a command prints.
+  std::string ask(const std::string& command) const {
+    const std::filesystem::path answer = folder_ / "answer";
+    if (std::system((command + " >" + answer.string() + " 2>/dev/null").c_str()) != 0) return {};
+    return contents(answer);
+  }
+  std::string window_title() const { return ask("xdotool search --class hooke getwindowname"); }
+  bool wait_for_title(const std::string& title) const {
+    return wait_for([&] { return window_title() == title + "\n"; });
+  }
+
+  void hand(const std::string& what) const { ask("xdotool " + what); }
+  // Down, a while, up: a press shorter than a frame is not what a person does.
+  void key(const std::string& name) const {
+    hand("keydown " + name);
+    rest(0.12);
+    hand("keyup " + name);
+    rest(0.12);
+  }
+  void control(const std::string& name) const {
+    hand("keydown ctrl");
+    key(name);
+    hand("keyup ctrl");
+  }
+  void type(const std::string& text) const { hand("type --delay 40 " + text); }
+  void move(const glm::dvec2& to) const {
+    hand("mousemove " + std::to_string(static_cast<int>(to.x)) + " " + std::to_string(static_cast<int>(to.y)));
+    rest(0.12);
+  }
+  void press(const glm::dvec2& at) const {
+    move(at);
+    hand("mousedown 1");
+    rest(0.12);
+  }
+  void release() const {
+    hand("mouseup 1");
+    rest(0.12);
+  }
+  void click(const glm::dvec2& at) const {
+    press(at);
+    release();
+  }
+  void drag(const glm::dvec2& from, const glm::dvec2& to) const {
+    press(from);
+    for (const double share : {0.3, 0.6, 1.0}) move(from + share * (to - from));
+    release();
+  }
+  // A picture of the screen, to be looked at by people.
+  void photograph(const std::filesystem::path& file) const { ask("import -window root " + file.string()); }
+
+ private:
+  std::filesystem::path folder_;
+  std::string display_;
+  Process server_;
+};
+
+}  // namespace hooke

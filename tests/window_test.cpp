@@ -1,0 +1,204 @@
+// The real window under Xvfb, driven by mouse and keys; judged by what it saves, not only by what it shows.
+#include <glm/geometric.hpp>
+
+#include "app/workbench.h"
+#include "desktop.h"
+#include "lab/scene_file.h"
+#include "ui/layout.h"
+
+namespace hooke {
+namespace {
+
+// A hand-built net in the scene `assignment`, and the keys that save it.
+class Session {
+ public:
+  Session() { start({"assignment"}); }
+
+  void start(const std::vector<std::string>& arguments) {
+    std::vector<std::string> words = {HOOKE_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    program = Process(words, output());
+  }
+  std::filesystem::path output() const { return desktop.folder() / "output"; }
+
+  // Where a place of the scene is on the screen.
+  glm::dvec2 on_screen(const Vec3& place) const {
+    const Scene scene = load_scene(find_scene("assignment")).scene;
+    const Rect rect = lay_out(Desktop::width, Desktop::height, 1.0).scene;
+    const Camera camera = make_camera(scene.view, scene.system, scene.state, rect.width / rect.height);
+    const Vec3 seen = camera.project(place, {rect.width, rect.height});
+    return glm::round(glm::dvec2(rect.x + seen.x, rect.y + seen.y));
+  }
+
+  void save_as(const std::filesystem::path& to) {
+    file = to;
+    desktop.hand("keydown ctrl keydown shift");
+    desktop.key("s");
+    desktop.hand("keyup shift keyup ctrl");
+    rest(0.3);
+    desktop.control("a");
+    desktop.type(to.string());
+    desktop.key("Return");
+  }
+  // Saves, until what is saved is as expected.
+  bool saves(const std::function<bool(const Scene&)>& expected) {
+    return wait_for([&] {
+      std::filesystem::remove(file);
+      desktop.control("s");
+      return wait_for([&] { return std::filesystem::exists(file); }, 5.0) && expected(saved());
+    });
+  }
+  Scene saved() const { return load_scene(file).scene; }
+
+  Desktop desktop;
+  Process program;
+  std::filesystem::path file;
+};
+
+double gap(const Scene& scene, Index point, const Vec3& place) { return glm::distance(scene.state.position[point], place); }
+
+// A pixel of the scene as it is on the screen [m].
+constexpr double pixel = 0.005;
+
+TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
+  const Vec3 top(-0.2, 0.5, 0.0), middle(0.1, 0.3, 0.0), bottom(0.3, 0.1, 0.0), loose(-0.6, -0.7, 0.0);
+  Session session;
+  Desktop& desktop = session.desktop;
+  ASSERT_TRUE(desktop.is_up());
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - Assignment"));
+
+  // three points and a loose one
+  desktop.key("a");
+  for (const Vec3& place : {top, middle, bottom, loose}) desktop.click(session.on_screen(place));
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - Assignment*"));
+  session.save_as(desktop.folder() / "net.json");
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - net"));
+  ASSERT_EQ(session.saved().system.point_count(), 4);
+  EXPECT_LT(gap(session.saved(), 1, middle), pixel);
+
+  // two springs: by two clicks, and by a drag; one nail
+  desktop.key("t");
+  desktop.click(session.on_screen(top));
+  desktop.click(session.on_screen(middle));
+  desktop.drag(session.on_screen(middle), session.on_screen(bottom));
+  desktop.key("n");
+  desktop.click(session.on_screen(top));
+  ASSERT_TRUE(session.saves([](const Scene& scene) { return scene.system.spring_count() == 2 && scene.system.points()[0].nailed; }));
+  EXPECT_NEAR(session.saved().system.springs()[0].rest_length, glm::distance(top, middle), 2.0 * pixel);
+  desktop.photograph("window_built.png");
+
+  // it runs: the nail stays, the rest moves, the loose point comes to rest on the ground
+  desktop.key("space");
+  const double ground = -1.0 + 0.02;
+  ASSERT_TRUE(session.saves(
+      [&](const Scene& scene) { return std::abs(scene.state.position[3].y - ground) < 1e-6 && gap(scene, 2, bottom) > 0.05; }));
+  EXPECT_LT(gap(session.saved(), 0, top), pixel);
+  desktop.photograph("window_running.png");
+
+  // while it runs the hand holds the loose point, lets it go, and moves the nailed one
+  desktop.key("d");
+  const Vec3 lying = session.saved().state.position[3], lifted(-0.6, -0.3, 0.0), moved(-0.1, 0.6, 0.0);
+  desktop.press(session.on_screen(lying));
+  desktop.move(session.on_screen(lifted));
+  EXPECT_TRUE(session.saves([&](const Scene& scene) { return gap(scene, 3, lifted) < 2.0 * pixel; }));
+  desktop.release();
+  EXPECT_TRUE(session.saves([&](const Scene& scene) { return std::abs(scene.state.position[3].y - ground) < 1e-6; }));
+  desktop.drag(session.on_screen(top), session.on_screen(moved));
+  EXPECT_TRUE(session.saves([&](const Scene& scene) { return gap(scene, 0, moved) < 2.0 * pixel && scene.system.points()[0].nailed; }));
+
+  // release lets go of the nail, undo puts it back
+  desktop.key("r");
+  EXPECT_TRUE(session.saves([](const Scene& scene) { return !scene.system.points()[0].nailed && scene.state.position[0].y < 0.0; }));
+  desktop.key("space");
+  rest(0.2);
+  desktop.control("z");
+  EXPECT_TRUE(session.saves([](const Scene& scene) { return scene.system.points()[0].nailed; }));
+
+  // quits without a question, and opens what it saved as it was
+  const Scene last = session.saved();
+  desktop.control("q");
+  EXPECT_EQ(session.program.exit_code(), 0);
+  EXPECT_EQ(contents(session.output()), "");
+  session.start({session.file.string()});
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - net"));
+  session.save_as(desktop.folder() / "again.json");
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - again"));
+  const Scene again = session.saved();
+  EXPECT_EQ(again.state.position, last.state.position);
+  EXPECT_EQ(again.state.velocity, last.state.velocity);
+  EXPECT_EQ(again.system, last.system);
+  desktop.photograph("window_reopened.png");
+}
+
+TEST(Window, AsksBeforeChangesAreLostAndEscNeverQuits) {
+  Session session;
+  Desktop& desktop = session.desktop;
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - Assignment"));
+  desktop.key("Escape");
+  desktop.key("a");
+  desktop.click(session.on_screen(Vec3(0.0)));
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - Assignment*"));
+  desktop.control("q");
+  rest(0.3);
+  EXPECT_TRUE(session.program.is_running());
+  desktop.photograph("window_unsaved.png");
+  desktop.key("Escape");
+  desktop.key("Escape");
+  desktop.control("z");
+  EXPECT_TRUE(session.program.is_running());
+  // the way out without saving: the second button
+  desktop.control("q");
+  rest(0.3);
+  desktop.click({0.5 * Desktop::width, 0.42 * Desktop::height + 26.0});
+  EXPECT_EQ(session.program.exit_code(), 0);
+}
+
+// A point that flies at 0.1 m/s with nothing to stop it tells the time by its place.
+TEST(Window, ComesBackWithoutAJumpAfterItStoodStill) {
+  constexpr double speed = 0.1, stood_still = 4.0;
+  Session session;
+  Desktop& desktop = session.desktop;
+  const std::filesystem::path file = desktop.folder() / "flight.json";
+  std::ofstream(file) << R"({"hooke": 1, "name": "Flight", "dimensions": 2, "gravity": [0, 0, 0],)"
+                      << R"( "points": [{"position": [0, 0, 0], "velocity": [0.1, 0, 0]}]})";
+  session.start({file.string()});
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - flight"));
+
+  const auto start = std::chrono::steady_clock::now();
+  desktop.key("space");
+  rest(0.5);
+  session.program.signal(SIGSTOP);
+  rest(stood_still);
+  session.program.signal(SIGCONT);
+  rest(0.3);
+  desktop.key("space");
+  const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  session.save_as(desktop.folder() / "flown.json");
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - flown"));
+  const double simulated = session.saved().state.position[0].x / speed;
+  EXPECT_GT(simulated, 0.1);
+  EXPECT_LT(simulated, real - stood_still + 0.5);
+}
+
+TEST(CommandLine, WithoutADisplayTheWindowSaysSoInOneLine) {
+  const std::filesystem::path output = std::filesystem::temp_directory_path() / ("hooke_line_" + std::to_string(::getpid()));
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", HOOKE_PROGRAM});
+    return Process(words, output).exit_code();
+  };
+  const auto lines = [&] { return std::ranges::count(contents(output), '\n'); };
+  EXPECT_EQ(run({"cloth"}), 5);
+  EXPECT_EQ(lines(), 1);
+  EXPECT_EQ(contents(output).find("hooke: cannot open a window"), 0u);
+  EXPECT_EQ(run({"no_such_scene"}), 5);
+  EXPECT_EQ(lines(), 1);
+  EXPECT_EQ(run({"--no-such-option"}), 2);
+  EXPECT_EQ(run({"--version"}), 0);
+  EXPECT_EQ(contents(output), "hooke " HOOKE_VERSION "\n");
+  EXPECT_EQ(run({"--help"}), 0);
+  EXPECT_NE(contents(output).find("SCENE"), std::string::npos);
+  std::filesystem::remove(output);
+}
+
+}  // namespace
+}  // namespace hooke
