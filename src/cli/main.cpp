@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "cli/bench.h"
+#include "cli/capture.h"
 #include "cli/convert.h"
 #include "cli/run.h"
 #include "lab/build_info.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr std::array subcommands{
     Subcommand{"run", "Step a scene and report what became of it", declare_run},
     Subcommand{"bench", "Measure the speed and the error of every method", declare_bench},
+    Subcommand{"capture", "Draw a scene as it moves, with no display", declare_capture},
     Subcommand{"convert", "Write a scene file as another", declare_convert},
 };
 

@@ -41,19 +41,35 @@ void include_points(Extent& extent, const System& system, const State& state) {
   for (Index i = 0; i < system.point_count(); ++i) extent.include(state.position[i], system.points()[i].radius);
 }
 
-// Of points that will hang, being nailed and free together under gravity: room below for as much as they are wide, down
-// to the floor.
-void make_room_to_hang(Extent& extent, const System& system) {
-  const double strength = glm::length(system.gravity);
-  const auto is_nailed = [](const Point& point) { return point.nailed; };
-  const auto nails = std::count_if(system.points().begin(), system.points().end(), is_nailed);
-  if (!(strength > 0.0) || nails == 0 || nails == system.point_count() || extent.sights.empty()) return;
-  const Vec3 down = system.gravity / strength;
-  const Vec3 size = extent.most - extent.least;
-  const double height = std::abs(glm::dot(size, down)), width = std::max({size.x, size.y, size.z});
-  if (width <= height) return;
+// How far the freest of the free points is from the nail nearest to it [m], of a few hundred of each; 0 without nails.
+double longest_way_to_a_nail(const System& system, const State& state) {
+  std::vector<Vec3> nailed, free;
+  for (Index i = 0; i < system.point_count(); ++i) {
+    const Vec3& place = state.position[i];
+    if (std::isfinite(place.x + place.y + place.z)) (system.points()[i].nailed ? nailed : free).push_back(place);
+  }
+  if (nailed.empty()) return 0.0;
+  constexpr std::size_t few = 512;
+  double longest = 0.0;
+  for (std::size_t i = 0; i < free.size(); i += 1 + free.size() / few) {
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::size_t n = 0; n < nailed.size(); n += 1 + nailed.size() / few)
+      shortest = std::min(shortest, glm::distance(free[i], nailed[n]));
+    longest = std::max(longest, shortest);
+  }
+  return longest;
+}
 
-  const Vec3 below = extent.center() + (width - 0.5 * height) * down;
+// What hangs from nails falls that far below them: room for it, down to the floor.
+void make_room_to_hang(Extent& extent, const System& system, const State& state) {
+  const double strength = glm::length(system.gravity), way = longest_way_to_a_nail(system, state);
+  if (!(strength > 0.0) || !(way > 0.0)) return;
+  const Vec3 down = system.gravity / strength;
+  double lowest_nail = -std::numeric_limits<double>::infinity();
+  for (Index i = 0; i < system.point_count(); ++i)
+    if (system.points()[i].nailed) lowest_nail = std::max(lowest_nail, glm::dot(state.position[i], down));
+  const Vec3 below = extent.center() + (lowest_nail + way - glm::dot(extent.center(), down)) * down;
+
   const auto is_closed = [&](const Collider& collider) {
     const auto* plane = std::get_if<Plane>(&collider.shape);
     return plane && glm::dot(below - plane->point, plane->normal) < 0.0;
@@ -164,7 +180,7 @@ Camera make_camera(const ViewSettings& view, const System& system, const State& 
   look(camera, system.dimensions == 2 ? Vec3(0.0, 0.0, 1.0) : usual_back(camera.pole));
   Extent extent;
   include_points(extent, system, state);
-  make_room_to_hang(extent, system);
+  make_room_to_hang(extent, system, state);
   include_colliders(extent, system);
   fit(camera, extent, aspect);
   return camera;

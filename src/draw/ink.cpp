@@ -53,8 +53,10 @@ double View::strain_scale(const Snapshot& snapshot) {
 }
 
 Color View::strain_color(double relative) {
+  // steeper around rest: where one corner is torn at, the rest of a cloth still shows what it bears
+  const double strength = std::isnan(relative) ? 0.0 : std::pow(std::min(std::abs(relative), 1.0), 0.6);
   const double last = strain_stops.size() - 1;
-  const double place = std::isnan(relative) ? 0.5 * last : std::clamp(0.5 * (relative + 1.0), 0.0, 1.0) * last;
+  const double place = 0.5 * (std::copysign(strength, relative) + 1.0) * last;
   const auto below = static_cast<std::size_t>(std::min(place, last - 1.0));
   return mix(strain_stops[below], strain_stops[below + 1], place - static_cast<double>(below));
 }

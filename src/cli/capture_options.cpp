@@ -1,0 +1,96 @@
+#include "cli/capture_options.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+
+#include "cli/output_file.h"
+#include "lab/printable.h"
+#include "sim/errors.h"
+
+namespace hooke {
+namespace {
+
+constexpr double round_off = 1e-9;  // of a count of frames
+
+// A number at the start of the text, which it takes away.
+template <class Number>
+bool take(std::string_view& text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return error == std::errc();
+}
+
+bool take(std::string_view& text, char wanted) {
+  if (text.empty() || text.front() != wanted) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+}  // namespace
+
+PictureSize parse_size(const std::string& text) {
+  PictureSize size{};
+  std::string_view rest = text;
+  const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= most_pixels; };
+  const bool is_size = take(rest, size.width) && take(rest, 'x') && take(rest, size.height) && rest.empty();
+  if (!is_size || !is_side(size.width) || !is_side(size.height))
+    throw UsageError("--size " + printable(text, 80) + ": must be WIDTHxHEIGHT, each from 1 to " + std::to_string(most_pixels));
+  return size;
+}
+
+CameraPose parse_camera(const std::string& text) {
+  std::array<double, 6> numbers{};
+  std::string_view rest = text;
+  bool is_pose = true;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    is_pose = is_pose && (i == 0 || take(rest, ',')) && take(rest, numbers[i]) && std::isfinite(numbers[i]);
+  const Vec3 eye(numbers[0], numbers[1], numbers[2]), target(numbers[3], numbers[4], numbers[5]);
+  const double distance = glm::length(eye - target);
+  if (!is_pose || !rest.empty() || !(distance > 0.0) || !std::isfinite(distance))
+    throw UsageError("--camera " + printable(text, 80) + ": must be six numbers with commas between, of the eye and its target [m]");
+  return {.eye = eye, .target = target};
+}
+
+std::filesystem::path Destination::file(long number) const {
+  if (!is_folder) return path;
+  std::array<char, 40> name{};
+  std::snprintf(name.data(), name.size(), "frame_%05ld.png", number);
+  return path / name.data();
+}
+
+Destination parse_destination(const std::string& out) {
+  const std::filesystem::path path(out);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored) || (!out.empty() && !path.has_extension())) return {path, true};
+  if (path.extension() == ".png") return {path, false};
+  throw UsageError("--out " + printable(out, 200) + ": must end in .png, or be a folder (a new one with a dot in its name ends in /)");
+}
+
+void prepare(const Destination& destination) {
+  if (!destination.is_folder) return OutputFile(destination.path.string()).close();
+  std::error_code error;
+  std::filesystem::create_directories(destination.path, error);
+  if (error) throw FileError(printable(destination.path.native()) + ": cannot be made: " + error.message());
+}
+
+Shutter::Shutter(const CaptureOptions& options, double frame_rate) {
+  const double fps = options.fps.value_or(std::min(60.0, frame_rate));
+  if (fps > frame_rate * (1.0 + round_off))
+    throw UsageError("--fps " + shortest(fps) + ": must be at most the scene's frame rate, " + shortest(frame_rate) +
+                     " (--frame-rate sets it)");
+  frames_per_picture_ = frame_rate / fps;
+  constexpr double most = 1e15;
+  const double last = options.frames ? static_cast<double>(*options.frames - 1)
+                                     : std::floor(options.seconds.value_or(0.0) * fps * (1.0 + round_off) + round_off);
+  if (!(last * frames_per_picture_ <= most)) throw UsageError("--seconds " + shortest(*options.seconds) + ": must be at most 1e15 frames");
+  pictures_ = static_cast<long>(last) + 1;
+}
+
+long Shutter::frame_of(long picture) const {
+  return static_cast<long>(std::ceil(static_cast<double>(picture) * frames_per_picture_ * (1.0 - round_off) - round_off));
+}
+
+}  // namespace hooke

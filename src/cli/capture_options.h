@@ -1,0 +1,58 @@
+// What the command line of a capture says, in the types that the work needs.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "cli/scene_options.h"
+#include "draw/camera.h"
+
+namespace hooke {
+
+struct CaptureOptions {
+  std::shared_ptr<SceneOptions> scene;
+  std::string out;
+  std::optional<double> seconds;  // [s]
+  std::optional<long> frames;
+  std::optional<double> fps;          // [1/s]
+  std::string size = "1280x720";      // [px]
+  std::optional<std::string> camera;  // "x,y,z,x,y,z": the eye and its target
+};
+
+inline constexpr int most_pixels = 8192;  // of a side
+
+struct PictureSize {
+  int width, height;
+};
+
+// Throws UsageError.
+PictureSize parse_size(const std::string& text);
+CameraPose parse_camera(const std::string& text);
+
+// Where pictures go: one file, or a folder of numbered ones.
+struct Destination {
+  std::filesystem::path path;
+  bool is_folder;
+  std::filesystem::path file(long number) const;
+};
+// By the ending: .png is a file; a folder has none, or a / at its end, or is there. Throws UsageError.
+Destination parse_destination(const std::string& out);
+// Makes the folder, or sees that the file can be written, before any work is done for it. Throws FileError.
+void prepare(const Destination& destination);
+
+// Which pictures are taken: the first at the start, then `fps` a simulated second, each of the first frame that ends at
+// its time or after it; nothing is interpolated.
+class Shutter {
+ public:
+  // Throws UsageError when pictures would be closer than frames.
+  Shutter(const CaptureOptions& options, double frame_rate);
+  long pictures() const { return pictures_; }
+  long frame_of(long picture) const;  // how many frames are stepped before it
+
+ private:
+  double frames_per_picture_;
+  long pictures_;
+};
+
+}  // namespace hooke
