@@ -5,9 +5,9 @@
 // iterate, so that the gradient is right there, although there is no potential for all iterates. Every step p = -A^-1 grad Phi
 // with A positive definite leads downhill, and a line search makes sure that it arrives there.
 //
-// Economy: a factored matrix serves on, for later stages and steps of the frame too, until its steps contract by less than
-// a quarter or one is too long. Curvature: exact where the masses dominate, clamped (stiffness.h) where they do not, and
-// where an exact matrix turns out not to be positive definite; near the solution exact again, for speed.
+// Economy: a factored matrix serves on, for later stages and for later steps of the frame, until its steps contract by less
+// than a factor of four or one is too long. Curvature: exact where the masses dominate, clamped (stiffness.h) where they do
+// not, and wherever an exact matrix turns out not to be positive definite; near the solution exact again, for speed.
 #include "sim/newton.h"
 
 #include <algorithm>
@@ -30,8 +30,8 @@ void set_positions(const Stage& stage, const Field& V, Field& x) {
   add_scaled(x.data(), stage.b, V.data(), x.size());
 }
 
-// V, but zero for the points that move freely.
-void rest(const Plan& plan, const Field& V, Field& result) {
+// V of the points that do not move freely, zero for the others.
+void set_to_rest(const Plan& plan, const Field& V, Field& result) {
   for (int c = 0; c < plan.dimensions; ++c)
     for (Index i = 0; i < plan.points; ++i) {
       const std::size_t at = static_cast<std::size_t>(c) * plan.points + i;
@@ -51,17 +51,12 @@ void NewtonKernel::begin_frame(const Plan& plan, const Motion& motion) {
   moving_ = static_cast<Index>(std::count_if(plan.inverse_mass.begin(), plan.inverse_mass.end(), [](double w) { return w != 0.0; }));
   if (moving_ == 0) return;
   if (!matrix_) matrix_.emplace(plan);
-  factored_b_ = 0.0;
+  factored_b_ = 0.0;  // a frame depends on its State alone, not on the matrix of the one before
   for (Field* field : {&x_, &f_, &residual_, &step_, &trial_x_, &trial_v_}) field->resize(motion.x.size());
 
-  extent_ = 0.0;
-  for (const double length : plan.rest_length) extent_ = std::max(extent_, length);
-  for (int c = 0; c < plan.dimensions; ++c) {
-    const auto begin = motion.x.begin() + static_cast<std::ptrdiff_t>(c) * plan.points;
-    const auto [least, most] = std::minmax_element(begin, begin + plan.points);
-    extent_ = std::max(extent_, *most - *least);
-  }
-  if (!(extent_ > 0.0)) extent_ = 1.0;
+  reach_ = 0.0;
+  for (const double length : plan.rest_length) reach_ = std::max(reach_, length);
+  for (const double x : motion.x) reach_ = std::max(reach_, std::abs(x));
 }
 
 NewtonKernel::Potential NewtonKernel::potential(const Plan& plan, const Stage& stage, const Field& x, const Field& V) const {
@@ -135,14 +130,31 @@ void NewtonKernel::factorize(const Plan& plan, const Stage& stage, Curvature cur
 }
 
 // step_ = -A^-1 grad Phi
-void NewtonKernel::compute_step(const Plan&, Motion& motion) {
+void NewtonKernel::compute_step(Motion& motion) {
   set_scaled(step_.data(), -1.0, residual_.data(), step_.size());
   matrix_->solver().solve(step_);
   ++motion.solves;
 }
 
+// Halves the step until Phi falls as Armijo's rule asks; a fall that is lost in the rounding of Phi is taken on trust. The
+// point found is in trial_v_. Returns the share of the step, 0 when there is none that leads down.
+double NewtonKernel::search_line(const Plan& plan, const Stage& stage, const Field& V, const Potential& here, Potential& there) {
+  constexpr double armijo = 1e-4, rounding = 1e-14, least = 1e-9;
+  const double slope = dot(residual_, step_);
+  for (double share = 1.0; share > least; share *= 0.5) {
+    std::copy(V.begin(), V.end(), trial_v_.begin());
+    add_scaled(trial_v_.data(), share, step_.data(), V.size());
+    set_positions(stage, trial_v_, trial_x_);
+    there = potential(plan, stage, trial_x_, trial_v_);
+    if (there.value <= here.value + armijo * share * slope || -share * slope <= rounding * here.magnitude) return share;
+  }
+  return 0.0;
+}
+
+// Rather from rest than from where the first step led, if that is lower: in a scene torn far from its rest lengths the guess
+// may be wild. Phi there bounds the result: no more elastic energy than there was energy before.
 void NewtonKernel::go_to_rest_if_lower(const Plan& plan, const Stage& stage, Field& V, Potential& here) {
-  rest(plan, V, trial_v_);
+  set_to_rest(plan, V, trial_v_);
   set_positions(stage, trial_v_, x_);
   const Potential at_rest = potential(plan, stage, x_, trial_v_);
   if (at_rest.value >= here.value) return;
@@ -150,75 +162,64 @@ void NewtonKernel::go_to_rest_if_lower(const Plan& plan, const Stage& stage, Fie
   here = at_rest;
 }
 
-void NewtonKernel::solve_once(const Plan& plan, const Stage& stage, Field& V, Motion& motion) {
-  if (moving_ == 0) return;
-  rest(plan, V, V);
-  compute_residual(plan, stage, V, motion);
-  factorize(plan, stage, Curvature::Clamped, V, motion);
-  compute_step(plan, motion);
-  add_scaled(V.data(), 1.0, step_.data(), V.size());
+// [m/s]: rounding of positions moves a spring's force by k epsilon x, and V by what the matrix makes of that: b k / m of it
+// at most, and 1 / b where stiffness dominates.
+double NewtonKernel::round_off(const Plan& plan, const Stage& stage, const Field& V) const {
+  constexpr double epsilon = 2e-16;
+  const double stiffness = std::pow(stage.b * plan.spectrum.omega, 2);
+  return epsilon * (root_mean_square(plan, V) + reach_ / stage.b * stiffness / (1.0 + stiffness));
 }
 
-// [m/s], RMS over the points. Rounding of positions moves a spring's force by k epsilon x, and V by what the matrix makes
-// of that: b k / m of it at most, and 1 / b where stiffness dominates.
-double NewtonKernel::allowed_error(const Plan& plan, const Stage& stage, double tolerance, const Field& V) {
-  constexpr double epsilon = 4e-16;
-  const double stiffness = std::pow(stage.b * plan.spectrum.omega, 2);
-  const double round_off = epsilon * (root_mean_square(plan, V) + extent_ / stage.b * stiffness / (1.0 + stiffness));
+// RMS of V - v [m/s].
+double NewtonKernel::change(const Plan& plan, const Stage& stage, const Field& V) {
   for (std::size_t i = 0; i < V.size(); ++i) trial_v_[i] = V[i] - stage.v[i];
-  return std::max(tolerance * root_mean_square(plan, trial_v_), round_off);
+  return root_mean_square(plan, trial_v_);
 }
 
 void NewtonKernel::solve(const Plan& plan, const Stage& stage, const NewtonLimits& limits, Field& V, Motion& motion) {
   if (moving_ == 0) return;
-  const long factorizations_before = motion.factorizations;
+  const long most_factorizations = motion.factorizations + limits.factorizations;
   Curvature curvature = stage.b * plan.spectrum.omega > stiff ? Curvature::Clamped : Curvature::Exact;
-  bool fresh_matrix = factored_b_ != stage.b;
+  bool matrix_is_old = factored_b_ != stage.b;
   double size_before = 0.0;  // of the last step, if it was taken whole
 
-  set_positions(stage, V, x_);
-  Potential here = potential(plan, stage, x_, V);
   compute_residual(plan, stage, V, motion);
+  Potential here = potential(plan, stage, x_, V), there;
   for (int iteration = 0; iteration < limits.iterations; ++iteration) {
-    if (fresh_matrix) {
-      if (motion.factorizations - factorizations_before >= limits.factorizations) break;
-      factorize(plan, stage, curvature, V, motion);
-    }
-    compute_step(plan, motion);
+    if (matrix_is_old && motion.factorizations < most_factorizations) factorize(plan, stage, curvature, V, motion);
+    compute_step(motion);
 
-    // what is left after this step, from how much steps contract
-    const double size = root_mean_square(plan, step_);
+    // what is left after this step, from how much steps contract; where they no longer do, it is round-off
+    const double size = root_mean_square(plan, step_), noise = round_off(plan, stage, V);
     const double contraction = size_before > 0.0 ? size / size_before : 1.0;
     const double left = contraction < 0.5 ? size * contraction / (1.0 - contraction) : size;
-    if (left <= allowed_error(plan, stage, limits.tolerance, V)) {
+    if (left <= std::max(noise, limits.tolerance * change(plan, stage, V)) || (contraction > slow && size < 1000.0 * noise)) {
       add_scaled(V.data(), 1.0, step_.data(), V.size());
       return;
     }
 
-    // downhill, by Armijo's rule; what is lost in the rounding of Phi is taken as it is
-    const double slope = dot(residual_, step_);
-    constexpr double armijo = 1e-4, round_off = 1e-14;
-    double share = 1.0;
-    Potential there;
-    for (;; share *= 0.5) {
-      trial_v_ = V;
-      add_scaled(trial_v_.data(), share, step_.data(), V.size());
-      set_positions(stage, trial_v_, trial_x_);
-      there = potential(plan, stage, trial_x_, trial_v_);
-      if (there.value <= here.value + armijo * share * slope || -share * slope <= round_off * here.magnitude) break;
-      if (share < 1e-9) break;
-    }
-    if (share < 1e-9) break;
-
-    fresh_matrix = share < 1.0 || (size_before > 0.0 && contraction > slow);
-    curvature = share < 1.0 ? Curvature::Clamped : Curvature::Exact;
-    size_before = share < 1.0 ? 0.0 : size;
+    const double share = search_line(plan, stage, V, here, there);
+    if (share == 0.0) break;
     std::swap(V, trial_v_);
     if (iteration == 0) go_to_rest_if_lower(plan, stage, V, there);
+
+    // a step too long for the matrix asks for safe curvature, whole steps that contract too little for the true one
+    matrix_is_old = share < 1.0 || (size_before > 0.0 && contraction > slow);
+    curvature = share < 1.0 ? Curvature::Clamped : Curvature::Exact;
+    size_before = share < 1.0 ? 0.0 : size;
     compute_residual(plan, stage, V, motion);
     here = plan.has_dashpots() ? potential(plan, stage, x_, V) : there;
   }
   ++motion.unconverged_solves;
+}
+
+void NewtonKernel::solve_once(const Plan& plan, const Stage& stage, Field& V, Motion& motion) {
+  if (moving_ == 0) return;
+  set_to_rest(plan, V, V);
+  compute_residual(plan, stage, V, motion);
+  factorize(plan, stage, Curvature::Clamped, V, motion);
+  compute_step(motion);
+  add_scaled(V.data(), 1.0, step_.data(), V.size());
 }
 
 }  // namespace hooke

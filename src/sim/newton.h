@@ -18,9 +18,9 @@ struct Stage {
 
 // How far a solve goes.
 struct NewtonLimits {
-  double tolerance = 1e-12;  // [1], error in V allowed, of V - v (and never less than round-off)
+  double tolerance = 1e-12;  // [1], error in V allowed, of V - v; never less than round-off
   int iterations = 100;
-  int factorizations = 20;
+  int factorizations = 20;  // more or less: then it goes on with the last matrix
 };
 
 class NewtonKernel : public Structure {
@@ -30,11 +30,12 @@ class NewtonKernel : public Structure {
   // Once a frame, before its first solve.
   void begin_frame(const Plan& plan, const Motion& motion);
 
-  // V starts as a guess and ends as the solution; points that do not move freely keep theirs. Without dashpots the result
-  // has never more of the incremental potential (newton.cpp) than the guess, converged or not. Counts its work in `motion`.
+  // V starts as a guess and ends as the solution; points that do not move freely keep theirs. Converged or not, without
+  // dashpots the result has no more of the incremental potential (newton.cpp) than the guess, or than rest. Counts its work
+  // in `motion`.
   void solve(const Plan& plan, const Stage& stage, const NewtonLimits& limits, Field& V, Motion& motion);
 
-  // One iteration from the guess with clamped curvature and no line search.
+  // One iteration from rest with clamped curvature: what is linear about the positions without V.
   void solve_once(const Plan& plan, const Stage& stage, Field& V, Motion& motion);
 
  private:
@@ -42,16 +43,18 @@ class NewtonKernel : public Structure {
     double value = 0.0, magnitude = 0.0;  // [J], and the sum of the sizes of its terms
   };
   Potential potential(const Plan& plan, const Stage& stage, const Field& x, const Field& V) const;
-  void go_to_rest_if_lower(const Plan& plan, const Stage& stage, Field& V, Potential& here);
   void compute_residual(const Plan& plan, const Stage& stage, const Field& V, Motion& motion);
   void factorize(const Plan& plan, const Stage& stage, Curvature curvature, const Field& V, Motion& motion);
-  double allowed_error(const Plan& plan, const Stage& stage, double tolerance, const Field& V);
-  void compute_step(const Plan& plan, Motion& motion);
+  void compute_step(Motion& motion);
+  double search_line(const Plan& plan, const Stage& stage, const Field& V, const Potential& here, Potential& there);
+  void go_to_rest_if_lower(const Plan& plan, const Stage& stage, Field& V, Potential& here);
+  double round_off(const Plan& plan, const Stage& stage, const Field& V) const;
+  double change(const Plan& plan, const Stage& stage, const Field& V);
 
   std::optional<StiffnessMatrix> matrix_;  // absent while nothing can move
   Index moving_ = 0;                       // points
-  double extent_ = 1.0;                    // [m], of the scene
-  double factored_b_ = 0.0;                // [s], of the matrix now factored; 0: none
+  double reach_ = 0.0;                     // [m], of the coordinates
+  double factored_b_ = 0.0;                // [s], of the matrix now factored; 0: none of this frame
   Field x_, f_, residual_, step_, trial_x_, trial_v_;
 };
 
