@@ -103,6 +103,52 @@ TEST(Xsp, ViscosityIsDragAndAWallGivesBackItsElasticity) {
   EXPECT_NEAR(bouncing.state.position[0].y, 0.5 * 0.5 * 50 * pixel, 1e-10);
 }
 
+TEST(Xsp, APullToTheCentreKeepsAMassOnItsCircle) {
+  // p1 / r^2 in pixels, from the middle of the window: speed sqrt(p1 / r), once round in 2 pi r / speed
+  const double r = 100.0, p1 = 9e4, speed = std::sqrt(p1 / r), period = 2.0 * std::numbers::pi * r / speed;
+  LoadedScene loaded = load("frce 2 1 9e4 2\nmass 1 420 240 0 30 5 1\n");
+  EXPECT_TRUE(warns(loaded, "the centre of forces is at x = 320, y = 240 pixels"));
+  Scene& scene = loaded.scene;
+  scene.settings.frame_rate = 100.0 / period;
+  scene.settings.substeps = 50;
+  run(scene, period / 4.0);
+  EXPECT_NEAR(glm::distance(scene.state.position[0], pixel * Vec3(320, 340, 0)), 0.0, 1e-5);
+  run(scene, 3.0 * period / 4.0);
+  EXPECT_NEAR(glm::distance(scene.state.position[0], pixel * Vec3(420, 240, 0)), 0.0, 1e-5);
+}
+
+TEST(Xsp, TheCentreOfMassIsPulledToAMass) {
+  // X'' = -(p1 X + p2 V) / M; M = 1 + 3 + 4, the nailed mass that is the centre included
+  LoadedScene loaded = load("cent 9\nfrce 1 1 40 4\nmass 1 200 100 0 0 1 1\nmass 2 240 100 0 0 3 1\nmass 9 100 100 0 0 -4 1\n");
+  EXPECT_TRUE(loaded.warnings.empty());
+  Scene& scene = loaded.scene;
+  scene.settings.substeps = 200;
+  const double M = 8.0, free = 4.0;
+  run(scene, 1.0);
+  // the nailed mass does not move: X is 4/8 of what the free ones' centre is from there
+  const double x0 = 130 * pixel, x = (scene.state.position[0].x + 3.0 * scene.state.position[1].x) / free - 100 * pixel;
+  EXPECT_NEAR(x, damped_oscillation(x0, 40 * free / M, 4 * free / M, M, 1.0), 1e-5);
+  EXPECT_NEAR(scene.state.position[1].x - scene.state.position[0].x, 40 * pixel, 1e-12);
+}
+
+TEST(Xsp, WallsThatPushGiveTheEnergyOfTheirPotential) {
+  // a = p1 / d from the bottom: v^2 / 2 = p1 ln(d / d0)
+  Scene scene = load("frce 3 1 1e4 1\nwall 0 0 0 1\nmass 1 100 50 0 0 2 1\n").scene;
+  run(scene, 1.0);
+  const double d = scene.state.position[0].y / pixel, v = scene.state.velocity[0].y / pixel;
+  EXPECT_GT(d, 100.0);
+  EXPECT_NEAR(0.5 * v * v / (1e4 * std::log(d / 50.0)), 1.0, 1e-4);
+}
+
+TEST(Xsp, AStickyWallHoldsAMassUntilItIsPulledOffHarder) {
+  for (const auto& [stickiness, leaves] : {std::pair("20", false), std::pair("5", true)}) {
+    // gravity of 10 pixels/s^2 upwards on a mass of 1 at the bottom
+    Scene scene = load(std::string("frce 0 1 10 180\nwall 0 0 0 1\nmass 1 100 0 0 0 1 1\nstck ") + stickiness + "\n").scene;
+    run(scene, 1.0);
+    EXPECT_EQ(scene.state.position[0].y > pixel, leaves) << stickiness;
+  }
+}
+
 TEST(Xsp, WhatItSaysOfMassesAndTheEditorIsTaken) {
   const LoadedScene loaded = load(
       "cmas 2.5\nelas 0.8\nkspr 7\nkdmp 0.25\nfixm 0\nshws 1\ncent -1\nfrce 0 0 10 0\nfrce 1 0 5 2\nvisc 0\nstck 0\n"
@@ -163,13 +209,11 @@ TEST(Xsp, WallsStandAtTheWindowOrJustOutsideTheMasses) {
 
 TEST(Xsp, WhatCannotBeMappedIsWarnedOf) {
   const std::string masses = "mass 1 10 10 0 0 1 0.5\nmass 2 20 10 0 0 1 0.5\nmass 3 30 10 0 0 1 0.9\nmass 4 40 10 0 0 -1 0.1\n";
-  EXPECT_TRUE(warns(load("frce 1 1 5 2\n"), "force 1"));
-  EXPECT_TRUE(warns(load("frce 2 1 5 2\n"), "force 2"));
-  EXPECT_TRUE(warns(load("frce 3 1 5 2\n"), "force 3"));
   EXPECT_TRUE(warns(load("frce 9 1 5 2\n"), "force 9 is unknown"));
-  EXPECT_TRUE(warns(load("cent 1\nfrce 2 1 5 2\n" + masses), "mass 1"));
+  EXPECT_TRUE(warns(load("cent 1\nfrce 2 1 5 2\n" + masses), "where mass 1 starts, though that mass is free"));
+  EXPECT_TRUE(warns(load("frce 1 1 -5 2\n"), "\"Pull of the centre of mass\" is left out: Stiffness would be -5"));
+  EXPECT_TRUE(warns(load("frce 3 1 5 -1\n"), "\"Push off walls\" is left out: Falls with power would be -1"));
   EXPECT_FALSE(warns(load("frce 9 0 5 2\n"), "force"));
-  EXPECT_TRUE(warns(load("stck 1\nwall 1 0 0 0\n"), "stickiness 1 "));
   EXPECT_TRUE(warns(load("wall 1 0 0 0\n" + masses), "1 mass of another elasticity than 0.5"));
   EXPECT_TRUE(warns(load("wall 1 0 0 0\nmass 1 10 10 0 0 1 1.5\n"), "elasticity 1.5 is taken as 1"));
   EXPECT_TRUE(warns(load("fixm 1\n"), "fixm"));
@@ -217,6 +261,7 @@ TEST(Xsp, MalformedFilesAreRefusedWithTheLine) {
 TEST(Xsp, WrittenAndReadAgainItIsTheSameScene) {
   const LoadedScene loaded = load(
       "cmas 2\nkspr 3\nkdmp 0.5\nfrce 0 1 10 20\nvisc 0.1\nstep 0.001\nprec 1\nadpt 1\nwall 1 1 0 1\n"
+      "cent 1\nfrce 1 1 3 4\nfrce 2 1 5 2\nfrce 3 1 100 1\nstck 7\n"
       "mass 1 100.1 33.7 1.3 -7 -2 0.7\nmass 2 123.456789 99.99 0.1 0.2 3.3 0.7\nspng 1 1 2 12.5 0.75 69.3\n");
   std::vector<std::string> lost;
   const LoadedScene again = parse_xsp(format_xsp(loaded.scene, "again.xsp", lost), "again.xsp");
@@ -226,6 +271,11 @@ TEST(Xsp, WrittenAndReadAgainItIsTheSameScene) {
   EXPECT_EQ(a.springs(), b.springs());
   EXPECT_EQ(a.colliders, b.colliders);
   EXPECT_EQ(a.drag, b.drag);
+  ASSERT_EQ(a.forces.size(), 4u);
+  for (std::size_t i = 0; i < a.forces.size(); ++i) {
+    EXPECT_EQ(a.forces[i].term, b.forces[i].term);
+    for (std::size_t j = 0; j < most_force_numbers; ++j) EXPECT_DOUBLE_EQ(a.forces[i].values[j], b.forces[i].values[j]);
+  }
   EXPECT_NEAR(glm::distance(a.gravity, b.gravity), 0.0, 1e-16);
   EXPECT_EQ(loaded.scene.state, again.scene.state);
   EXPECT_EQ(loaded.scene.defaults, again.scene.defaults);
@@ -262,6 +312,28 @@ TEST(Xsp, AWrittenSceneMovesAsItDid) {
     EXPECT_NEAR(glm::distance(again.state.position[i] - shift, scene.state.position[i]), 0.0, 1e-10);
     EXPECT_NEAR(glm::distance(again.state.velocity[i], scene.state.velocity[i]), 0.0, 1e-9);
   }
+}
+
+TEST(Xsp, AWrittenCentreIsTheMiddleOfTheWindow) {
+  Scene scene;
+  scene.system.dimensions = 2;
+  scene.system.gravity = Vec3(0.0);
+  scene.system.forces.push_back({.term = find_force_term("center"), .values = {1.0, 2.0, 0.0, 0.5, 1.0, 0.01}});
+  scene.system.forces.push_back({.term = find_force_term("buoyancy"), .values = {0.5}});
+  std::vector<std::string> lost;
+  const Scene again = parse_xsp(format_xsp(scene, "again.xsp", lost), "again.xsp").scene;
+  EXPECT_EQ(lost.size(), 1u);  // the origin
+  ASSERT_EQ(again.system.forces.size(), 1u);
+  const ForceValues& values = again.system.forces[0].values;
+  EXPECT_NEAR(values[0], 3.2, 1e-15);
+  EXPECT_NEAR(values[1], 2.4, 1e-15);
+  EXPECT_NEAR(values[3], 0.5, 1e-15);
+
+  // two places for one centre, and wind, are too much
+  scene.system.forces.push_back({.term = find_force_term("mass_center"), .values = {0.0, 0.0, 0.0, 1.0, 1.0}});
+  scene.system.forces.push_back({.term = find_force_term("wind"), .values = {}});
+  format_xsp(scene, "again.xsp", lost);
+  EXPECT_EQ(lost.size(), 1u + 3u);
 }
 
 TEST(Xsp, WhatTheFormatHasNoPlaceForIsSaid) {

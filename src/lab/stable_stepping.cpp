@@ -12,9 +12,10 @@
 
 namespace hooke {
 
-std::optional<std::string> choose_stable_stepping(Scene& scene, int least_substeps) {
+std::optional<std::string> choose_stable_stepping(Scene& scene, int least_substeps, double forces_omega) {
   Settings& settings = scene.settings;
-  const Spectrum spectrum = bound_spectrum(scene.system);
+  Spectrum spectrum = bound_spectrum(scene.system);
+  spectrum.omega = std::hypot(spectrum.omega, forces_omega);
   const Integrator& verlet = *find_integrator("velocity_verlet");
   const auto fewest = fewest_stable_substeps(verlet, spectrum, settings.frame_rate);
 

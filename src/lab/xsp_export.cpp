@@ -49,7 +49,8 @@ class Exporter {
       throw Refused(file_ + ": dimensions: " + std::to_string(system_.dimensions) + ": must be 2 to be written as .xsp");
     find_walls();
     place_window();
-    put_forces();
+    put_gravity();
+    put_listed_forces();
     put_walls();
     put_masses();
     put_springs();
@@ -80,32 +81,93 @@ class Exporter {
     return wall == walls_.end() ? nullptr : &*wall;
   }
 
-  // Moves the scene so that its walls are the window's sides, or, where it has none, so that it is in the window.
+  // The place [m] that the first pull to a centre draws to.
+  std::optional<Vec3> center() const {
+    for (const Force& force : system_.forces)
+      if (force.on && (force.term->id == "center" || force.term->id == "mass_center")) return Vec3(force.values[0], force.values[1], 0.0);
+    return std::nullopt;
+  }
+
+  // Moves the scene so that its walls are the window's sides; or, where it has none, so that what draws is the window's
+  // middle; or so that it is in the window.
   void place_window() {
     Vec3 least(0.0), most(0.0);
     for (std::size_t i = 0; i < scene_.state.position.size(); ++i) {
       least = i == 0 ? scene_.state.position[i] : glm::min(least, scene_.state.position[i]);
       most = i == 0 ? scene_.state.position[i] : glm::max(most, scene_.state.position[i]);
     }
-    const auto shift = [&](XspSide low, XspSide high, double width, double from, double to) {
+    auto drawn_to = center();
+    if (drawn_to && nailed_at(*drawn_to) != no_index) drawn_to.reset();  // that mass can be named
+    const auto shift = [&](XspSide low, XspSide high, double width, int c) {
       const double size = width / xsp_pixels_per_metre;
       if (const Wall* wall = wall_at(low)) return -wall->place;
       if (const Wall* wall = wall_at(high)) return size - wall->place;
-      return from >= 0.0 && to <= size ? 0.0 : 0.5 * size - 0.5 * (from + to);
+      if (drawn_to) return 0.5 * size - (*drawn_to)[c];
+      return least[c] >= 0.0 && most[c] <= size ? 0.0 : 0.5 * size - 0.5 * (least[c] + most[c]);
     };
-    shift_.x = shift(XspSide::Left, XspSide::Right, xsp_window_width, least.x, most.x);
-    shift_.y = shift(XspSide::Bottom, XspSide::Top, xsp_window_height, least.y, most.y);
+    shift_.x = shift(XspSide::Left, XspSide::Right, xsp_window_width, 0);
+    shift_.y = shift(XspSide::Bottom, XspSide::Top, xsp_window_height, 1);
     if (shift_ != Vec3(0.0))
       lose("the origin: everything is moved by (" + short_text(shift_.x) + ", " + short_text(shift_.y) + ") m, into the window");
   }
 
-  // With drag relative to a wind, a = g - c (v - w) = (g + c w) - c v.
-  void put_forces() {
+  // With drag relative to a wind, a = g - c (v - w) = (g + c w) - c v; a lift of b is a weight of 1 - b.
+  void put_gravity() {
+    double weight = 1.0;
+    for (const Force& force : system_.forces)
+      if (force.on && force.term->id == "buoyancy") weight -= force.values[0];
     document_.viscosity = system_.drag_rate();
-    const Vec3 acceleration = system_.gravity + system_.drag_rate() * system_.wind;
+    const Vec3 acceleration = weight * system_.gravity + system_.drag_rate() * system_.wind;
     const double size = std::hypot(acceleration.x, acceleration.y);
     const double angle = size > 0.0 ? glm::degrees(std::atan2(acceleration.x, -acceleration.y)) : 0.0;
     document_.forces = {{0, {size > 0.0, pixels(size), angle}}, {1, {}}, {2, {}}, {3, {}}};
+  }
+
+  void put_listed_forces() {
+    for (const Force& force : system_.forces) {
+      if (!force.on || force.term->id == "buoyancy") continue;
+      const ForceValues& values = force.values;
+      const auto scaled = [](double strength, double power) { return strength * std::pow(xsp_pixels_per_metre, 1.0 + power); };
+      if (force.term->id == "mass_center")
+        put_force(1, values[3], values[4], force);
+      else if (force.term->id == "center")
+        put_force(2, scaled(values[3], values[4]), values[4], force);
+      else if (force.term->id == "wall")
+        put_force(3, scaled(values[0], values[1]), values[1], force);
+      else if (force.term->id == "sticky" && document_.stickiness == 0.0)
+        document_.stickiness = pixels(values[0]);
+      else
+        lose("the force \"" + std::string(force.term->label) + "\"");
+    }
+  }
+
+  // Each can be there once, and the centre is one place for all.
+  void put_force(int id, double p1, double p2, const Force& force) {
+    XspForce& place = document_.forces[id];
+    const Vec3 own(force.values[0], force.values[1], 0.0);
+    if (place.active || !std::isfinite(p1) || (id != 3 && own != *center())) {
+      lose("a further force \"" + std::string(force.term->label) + "\"");
+      return;
+    }
+    place = {true, p1, p2};
+    if (id != 3 && document_.center == -1) find_center_mass(own);
+  }
+
+  // A nailed mass where the centre is, if that is not the window's middle.
+  void find_center_mass(const Vec3& place) {
+    const Vec3 middle = 0.5 / xsp_pixels_per_metre * Vec3(xsp_window_width, xsp_window_height, 0.0);
+    if (glm::distance(place + shift_, middle) < 1e-9) return;
+    const Index mass = nailed_at(place);
+    if (mass == no_index)
+      lose("the place of the centre of forces: it is the middle of the window");
+    else
+      document_.center = mass + 1;
+  }
+
+  Index nailed_at(const Vec3& place) const {
+    for (Index i = 0; i < system_.point_count(); ++i)
+      if (system_.points()[i].nailed && scene_.state.position[i] == place) return i;
+    return no_index;
   }
 
   void put_walls() {

@@ -12,7 +12,8 @@ namespace hooke {
 namespace {
 
 constexpr double point_radius = 0.03;  // [m], of every mass
-constexpr int gravity_force = 0;
+constexpr double xsp_core = 0.01;      // [m]: forces grow no further than one pixel from where they come from
+enum ForceId { gravity_force = 0, mass_center_pull = 1, center_pull = 2, wall_push = 3 };
 
 struct Rectangle {
   double left = 0.0, right = xsp_window_width, bottom = 0.0, top = xsp_window_height;  // [pixels]
@@ -59,6 +60,7 @@ class Importer {
     scene.system.dimensions = 2;
     take_masses();
     take_springs();
+    find_center();
     take_forces();
     take_walls();
     take_editor();
@@ -110,31 +112,79 @@ class Importer {
     System& system = loaded_.scene.system;
     system.gravity = Vec3(0.0);
     system.drag = document_.viscosity;
-    bool has_center = false;
+    bool uses_center = false;
     for (const auto& [id, force] : document_.forces) {
       if (!force.active) continue;
-      has_center = has_center || id == 1 || id == 2;
-      switch (id) {
-        case gravity_force: {
-          // p2 turns "down" towards +x
-          const double angle = glm::radians(force.p2);
-          system.gravity = force.p1 / xsp_pixels_per_metre * Vec3(std::sin(angle), -std::cos(angle), 0.0);
-          break;
-        }
-        case 1:
-          warn("force 1 (the centre of mass is pulled to the centre) is left out");
-          break;
-        case 2:
-          warn("force 2 (every mass is pulled to the centre) is left out");
-          break;
-        case 3:
-          warn("force 3 (the walls push off) is left out");
-          break;
-        default:
-          warn("force " + std::to_string(id) + " is unknown and left out");
+      if (id == gravity_force) {
+        // p2 turns "down" towards +x
+        const double angle = glm::radians(force.p2);
+        system.gravity = force.p1 / xsp_pixels_per_metre * Vec3(std::sin(angle), -std::cos(angle), 0.0);
+      } else if (id == mass_center_pull) {
+        add_force("mass_center", {center_.x, center_.y, 0.0, force.p1, force.p2});
+        uses_center = true;
+      } else if (id == center_pull) {
+        add_force("center", {center_.x, center_.y, 0.0, scaled(force), force.p2, xsp_core});
+        uses_center = true;
+      } else if (id == wall_push) {
+        add_force("wall", {scaled(force), force.p2, xsp_core});
+      } else {
+        warn("force " + std::to_string(id) + " is unknown and left out");
       }
     }
-    if (has_center && document_.center != -1) warn("the centre of forces, mass " + std::to_string(document_.center) + ", is left out");
+    if (document_.stickiness != 0.0) add_force("sticky", {document_.stickiness / xsp_pixels_per_metre});
+    if (uses_center) warn_of_center();
+  }
+
+  // p1 of an acceleration p1 / distance^p2, in metres
+  static double scaled(const XspForce& force) { return force.p1 / std::pow(xsp_pixels_per_metre, 1.0 + force.p2); }
+
+  void add_force(std::string_view id, const ForceValues& values) {
+    const ForceTerm& term = *find_force_term(id);
+    for (std::size_t i = 0; i < term.numbers.size(); ++i) {
+      const ForceNumber& number = term.numbers[i];
+      if (std::isfinite(values[i]) && (number.least < 0.0 || values[i] >= number.least)) continue;
+      warn("\"" + std::string(term.label) + "\" is left out: " + std::string(number.label) + " would be " + short_text(values[i]));
+      return;
+    }
+    loaded_.scene.system.forces.push_back({.term = &term, .values = values});
+  }
+
+  // The middle of the window, or a mass.
+  void find_center() {
+    center_ = 0.5 / xsp_pixels_per_metre * Vec3(xsp_window_width, xsp_window_height, 0.0);
+    for (const XspMass& mass : document_.masses)
+      if (mass.id == document_.center) {
+        center_ = Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_metre;
+        center_moves_ = mass.mass > 0.0;
+        center_is_mass_ = true;
+      }
+  }
+
+  void warn_of_center() {
+    if (center_moves_)
+      warn("the centre of forces stays where mass " + std::to_string(document_.center) + " starts, though that mass is free");
+    else if (!center_is_mass_)
+      warn("the file does not tell the window's size: the centre of forces is at x = " + short_text(xsp_window_width / 2.0) +
+           ", y = " + short_text(xsp_window_height / 2.0) + " pixels");
+  }
+
+  // The highest frequency [rad/s] that the listed forces bring, as if they were springs: the root of the steepest slope of
+  // their acceleration. Above the core of s / r^p it is s max(1, |p|) / r^(p + 1), steepest at one end.
+  double omega_of_forces() const {
+    constexpr double far = 10.0;  // [m]
+    double mass = 0.0, squares = 0.0;
+    for (const XspMass& one : document_.masses) mass += std::abs(one.mass);
+    const auto slope = [&](double strength, double power) {
+      const double at_core = std::pow(xsp_core, -1.0 - power), at_far = std::pow(far, -1.0 - power);
+      return std::abs(strength) * std::max(1.0, std::abs(power)) * std::max(at_core, at_far);
+    };
+    for (const Force& force : loaded_.scene.system.forces) {
+      const ForceValues& values = force.values;
+      if (force.term->id == "center") squares += slope(values[3], values[4]);
+      if (force.term->id == "wall") squares += 4.0 * slope(values[0], values[1]);
+      if (force.term->id == "mass_center" && mass > 0.0) squares += values[3] / mass + values[4] / mass * (values[4] / mass);
+    }
+    return std::sqrt(squares);
   }
 
   void take_walls() {
@@ -161,7 +211,6 @@ class Importer {
       warn(count_of(elasticity.others, "mass", "masses") + " of another elasticity than " + short_text(elasticity.value) +
            ", with which all of them bounce off the walls");
     if (restitution != elasticity.value) warn("elasticity " + short_text(elasticity.value) + " is taken as " + short_text(restitution));
-    if (document_.stickiness != 0.0) warn("stickiness " + short_text(document_.stickiness) + " of the walls is left out");
   }
 
   // What new masses and springs get.
@@ -189,12 +238,15 @@ class Importer {
     // at least as fine as the file's own step, within reason
     constexpr double most_wished = 1000.0;
     const double wished = std::min(most_wished, std::ceil(1.0 / (scene.settings.frame_rate * document_.step)));
-    if (const auto warning = choose_stable_stepping(scene, std::max(Settings().substeps, static_cast<int>(wished)))) warn(*warning);
+    if (const auto warning = choose_stable_stepping(scene, std::max(Settings().substeps, static_cast<int>(wished)), omega_of_forces()))
+      warn(*warning);
   }
 
   const XspDocument& document_;
   const std::string& file_;
   std::vector<std::pair<int, PointId>> point_of_;  // by the mass's id
+  Vec3 center_{0.0};                               // [m], of the forces
+  bool center_is_mass_ = false, center_moves_ = false;
   LoadedScene loaded_;
 };
 

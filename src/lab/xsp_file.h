@@ -11,7 +11,7 @@
 namespace hooke {
 
 inline constexpr double xsp_pixels_per_metre = 100.0;
-// [pixels], of the window whose sides are the walls: no file tells it.
+// [pixels], of the window whose sides are the walls and whose middle draws: no file tells it.
 inline constexpr double xsp_window_width = 640.0, xsp_window_height = 480.0;
 
 // The scene of such a file, under a method and substeps that hold. Warns of what Hooke has nothing for. Throws Refused
