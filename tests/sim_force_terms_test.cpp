@@ -150,6 +150,17 @@ TEST(ForceTerms, GustsAreSmoothBoundedAndTheSameForTheSameSeed) {
   EXPECT_NE(listed_forces(trial, 3.3)[0].z, before);
 }
 
+TEST(ForceTerms, ActInEveryMethod) {
+  for (const Integrator& method : integrators()) {
+    Trial trial;
+    trial.system.gravity = Vec3(0.0);
+    const PointId point = trial.add({0.5, 0.0, 0.0}, 1.0);
+    trial.system.forces = {force("center", {0.0, 0.0, 0.0, 1.0, -1.0, 0.01})};  // a = -x
+    trial.run(method, 1.0, 2000);
+    EXPECT_NEAR(trial.position(point).x, 0.5 * std::cos(1.0), 1e-3) << method.id;
+  }
+}
+
 TEST(ForceTerms, TheirWorkIsInTheLedger) {
   // a point drawn from rest to near a centre gains far more than M g L, and is no divergence
   Trial trial;

@@ -16,7 +16,7 @@ class Row : public EveryMethod {
   // the order.
   int steps(double order) const {
     if (method().stability == Stability::Absolute || method().stability == Stability::Stiff)
-      return order < 1.5 ? 100 : order < 2.5 ? 40 : 20;
+      return order < 1.5 ? 100 : order < 2.5 ? 40 : 60;
     return order < 1.5 ? 1000 : order < 2.5 ? 250 : order < 4.5 ? 120 : 26;
   }
 

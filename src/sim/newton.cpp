@@ -2,7 +2,7 @@
 // Large Time Steps, SCA 2014)
 //   Phi(V) = 1/2 (V - v) M (V - v) + b c / 2 V M V + E(x + b V),     grad Phi = M (V - v) - b f(x + b V, V),
 // E the springs' energy, gravity's and the pull's. Dashpots add b/2 sum d (u.(V1 - V2))^2 with the directions u of the
-// iterate, so that the gradient is right there, although there is no potential for all iterates. Every step p = -A^-1 grad Phi
+// iterate, and the listed forces (force_term.h) minus their work there, so that the gradient is right there, although there is no potential for all iterates. Every step p = -A^-1 grad Phi
 // with A positive definite leads downhill, and a line search makes sure that it arrives there.
 //
 // Economy: a factored matrix serves on, for later stages and for later steps of the frame, until its steps contract by less
@@ -52,7 +52,7 @@ void NewtonKernel::begin_frame(const Plan& plan, const Motion& motion) {
   if (moving_ == 0) return;
   if (!matrix_) matrix_.emplace(plan);
   factored_b_ = 0.0;  // a frame depends on its State alone, not on the matrix of the one before
-  for (Field* field : {&x_, &f_, &residual_, &step_, &trial_x_, &trial_v_}) field->resize(motion.x.size());
+  for (Field* field : {&x_, &f_, &residual_, &step_, &trial_x_, &trial_v_, &listed_}) field->resize(motion.x.size());
 
   reach_ = 0.0;
   for (const double length : plan.rest_length) reach_ = std::max(reach_, length);
@@ -75,6 +75,7 @@ NewtonKernel::Potential NewtonKernel::potential(const Plan& plan, const Stage& s
       const double change = V[at] - stage.v[at];
       add(0.5 * plan.mass[i] * (change * change + stage.b * plan.drag * V[at] * V[at]));
       add(-plan.mass[i] * plan.acceleration[c] * x[at]);
+      if (!plan.forces.empty()) add(-listed_[at] * x[at]);
     }
 
   // springs; dashpots along the directions at x_
@@ -111,6 +112,10 @@ void NewtonKernel::compute_residual(const Plan& plan, const Stage& stage, const 
   set_positions(stage, V, x_);
   compute_forces(plan, stage.time, x_, V, f_);
   ++motion.force_evaluations;
+  if (!plan.forces.empty()) {
+    std::fill(listed_.begin(), listed_.end(), 0.0);
+    add_listed_forces(plan, stage.time, x_, V, listed_);
+  }
   for (int c = 0; c < plan.dimensions; ++c)
     for (Index i = 0; i < plan.points; ++i) {
       const std::size_t at = static_cast<std::size_t>(c) * plan.points + i;
@@ -208,7 +213,7 @@ void NewtonKernel::solve(const Plan& plan, const Stage& stage, const NewtonLimit
     curvature = share < 1.0 ? Curvature::Clamped : Curvature::Exact;
     size_before = share < 1.0 ? 0.0 : size;
     compute_residual(plan, stage, V, motion);
-    here = plan.has_dashpots() ? potential(plan, stage, x_, V) : there;
+    here = plan.has_dashpots() || !plan.forces.empty() ? potential(plan, stage, x_, V) : there;
   }
   ++motion.unconverged_solves;
 }

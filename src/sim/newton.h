@@ -56,6 +56,7 @@ class NewtonKernel : public Structure {
   double reach_ = 0.0;                     // [m], of the coordinates
   double factored_b_ = 0.0;                // [s], of the matrix now factored; 0: none of this frame
   Field x_, f_, residual_, step_, trial_x_, trial_v_;
+  Field listed_;                           // [N], the listed forces at the iterate
 };
 
 }  // namespace hooke

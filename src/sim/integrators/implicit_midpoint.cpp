@@ -30,7 +30,7 @@ constinit const Integrator implicit_midpoint{
     .order_contact = 2,
     .stability = Stability::Absolute,
     .energy = EnergyTrend::Bounded,
-    .symplectic = false,
+    .symplectic = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,
