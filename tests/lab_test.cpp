@@ -356,6 +356,23 @@ TEST(Divergence, OfUndampedExplicitEulerNamesAMethodThatHolds) {
   EXPECT_NE(lab.status()->advice->integrator, find_integrator("explicit_euler"));
 }
 
+// dashpots hold what moves along the springs; what swings across them grows at every step
+TEST(Divergence, OfDampedExplicitEulerWithinItsLimitNamesAMethodThatHolds) {
+  Scene scene = small_net();
+  scene.settings.integrator = find_integrator("explicit_euler");
+  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).damping = 0.2;
+  for (Index i = 4; i < 16; ++i) scene.state.velocity[i].z = 0.1;
+  const double limit = largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system));
+  scene.settings.substeps = static_cast<int>(std::ceil(1.0 / 60.0 / limit));
+  Lab lab(scene);
+  bool held = true;
+  for (int i = 0; i < 6000 && held; ++i) held = lab.step();
+  ASSERT_FALSE(held);
+  lab.publish();
+  EXPECT_NE(lab.status()->message.find("holds at no step"), std::string::npos) << lab.status()->message;
+  EXPECT_NE(lab.status()->advice->integrator, find_integrator("explicit_euler"));
+}
+
 TEST(Parameters, ReadBackWhatTheyWriteWithinTheirRange) {
   Scene scene = small_net();
   for (const Parameter& parameter : parameters()) {

@@ -155,7 +155,7 @@ TEST(Window, AsksBeforeChangesAreLostAndEscNeverQuits) {
 
 // A point that flies at 0.1 m/s with nothing to stop it tells the time by its place.
 TEST(Window, ComesBackWithoutAJumpAfterItStoodStill) {
-  constexpr double speed = 0.1, stood_still = 4.0;
+  constexpr double speed = 0.1, stood_still = 6.0;
   Session session;
   Desktop& desktop = session.desktop;
   const std::filesystem::path file = desktop.folder() / "flight.json";
@@ -177,7 +177,8 @@ TEST(Window, ComesBackWithoutAJumpAfterItStoodStill) {
   ASSERT_TRUE(desktop.wait_for_title("Hooke - flown"));
   const double simulated = session.saved().state.position[0].x / speed;
   EXPECT_GT(simulated, 0.1);
-  EXPECT_LT(simulated, real - stood_still + 0.5);
+  // keys may take a while to act on a busy machine, but not as long as it stood still
+  EXPECT_LT(simulated, real - 0.5 * stood_still);
 }
 
 TEST(CommandLine, WithoutADisplayTheWindowSaysSoInOneLine) {

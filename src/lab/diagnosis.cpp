@@ -41,10 +41,12 @@ std::optional<int> fewest_stable_substeps(const Integrator& integrator, const Sp
 }
 
 Advice advise(const Spectrum& spectrum, const Settings& settings) {
-  if (const auto substeps = fewest_stable_substeps(*settings.integrator, spectrum, settings.frame_rate)) {
-    // within the limit already, what grew was not a linear mode: a smaller step all the same
-    const bool within = settings.substeps >= *substeps;
-    return {settings.integrator, within ? std::min(most_substeps, 4 * settings.substeps) : *substeps};
+  const Integrator& method = *settings.integrator;
+  if (const auto substeps = fewest_stable_substeps(method, spectrum, settings.frame_rate)) {
+    if (settings.substeps < *substeps) return {&method, *substeps};
+    // within the limit already, what grew was not a linear mode along the springs: a smaller step all the same. But a
+    // method that lets every undamped mode grow does so with what swings across the springs, where dashpots do nothing
+    if (method.stability != Stability::None) return {&method, std::min(most_substeps, 4 * settings.substeps)};
   }
   const Integrator& fallback = default_integrator();
   return {&fallback, fewest_stable_substeps(fallback, spectrum, settings.frame_rate).value_or(most_substeps)};

@@ -1,0 +1,45 @@
+// How long a picture of a scene takes without a display: draw_speed SCENE SAMPLES. Prints milliseconds: least and median
+// of 30 pictures of 1280 x 720, drawn and finished, and the first one with the making of the context.
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+#include "cli/offscreen.h"
+#include "draw/gl.h"
+#include "draw/view.h"
+#include "lab/lab.h"
+#include "lab/open_file.h"
+#include "lab/scene_file.h"
+
+int main(int count, char** arguments) {
+  using namespace hooke;
+  if (count != 3) return 2;
+  constexpr int width = 1280, height = 720, pictures = 30;
+  const auto time = [](const auto& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    glFinish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  };
+
+  Lab lab(load_scene(arguments[1]).scene);
+  for (int frame = 0; frame < 30; ++frame) lab.step();
+  lab.publish();
+  const Snapshot& snapshot = *lab.status()->snapshot;
+  ViewOptions options;
+  options.samples = std::atoi(arguments[2]);
+  const Camera camera = make_camera(lab.scene().view, lab.scene().system, lab.scene().state, double(width) / height);
+
+  const auto start = std::chrono::steady_clock::now();
+  const Offscreen offscreen;
+  View view;
+  view.draw(snapshot, {}, camera, options, width, height, nullptr);
+  glFinish();
+  const double first = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+
+  std::vector<double> times;
+  for (int i = 0; i < pictures; ++i) times.push_back(time([&] { view.draw(snapshot, {}, camera, options, width, height, nullptr); }));
+  std::sort(times.begin(), times.end());
+  std::printf("%.1f %.1f %.0f\n", times.front(), times[pictures / 2], first);
+}
