@@ -2,7 +2,9 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/file.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -79,6 +81,25 @@ TEST(AtomicWrite, AFolderOrAPipeIsNotReplaced) {
   EXPECT_THROW(write_atomically(scratch.folder / "pipe", "x"), FileError);
   EXPECT_THROW(write_atomically(scratch.folder / "none" / "scene.json", "x"), FileError);
   EXPECT_EQ(files_in(scratch.folder), 2u);
+}
+
+TEST(AtomicWrite, AWriteThatFailsHalfwayLeavesTheOldFileAndNoOther) {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.folder / "scene.json";
+  put(file, "old");
+
+  // no file may grow beyond 1000 bytes: what a full disk looks like
+  rlimit before;
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit tight{1000, before.rlim_max};
+  const auto handler = signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tight), 0);
+  EXPECT_THROW(write_atomically(file, std::string(5000, 'x')), FileError);
+  setrlimit(RLIMIT_FSIZE, &before);
+  signal(SIGXFSZ, handler);
+
+  EXPECT_EQ(content_of(file), "old");
+  EXPECT_EQ(files_in(scratch.folder), 1u);
 }
 
 TEST(AtomicWrite, SweepsWhatKilledWritersLeftButNotWhatAWriterHolds) {

@@ -2,18 +2,9 @@
 #include "app/app.h"
 #include "app/files.h"
 #include "lab/scene_file.h"
+#include "sim/overloaded.h"
 
 namespace hooke {
-namespace {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;  // clang 14 does not find it by itself
-
-}  // namespace
 
 void App::perform(Action action, bool repeated) {
   switch (action) {

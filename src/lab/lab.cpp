@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lab/parameters.h"
+#include "sim/overloaded.h"
 
 namespace hooke {
 namespace {
@@ -23,13 +24,6 @@ constexpr double smoothing = 0.1;
 constexpr double speed_window = 1.0;
 
 void smooth(double& shown, double value) { shown = shown == 0.0 ? value : shown + smoothing * (value - shown); }
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;  // clang 14 does not find it by itself
 
 }  // namespace
 

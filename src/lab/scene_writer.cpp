@@ -12,18 +12,12 @@
 #include "lab/printable.h"
 #include "lab/scene_file.h"
 #include "sim/integrator.h"
+#include "sim/overloaded.h"
 
 namespace hooke {
 namespace {
 
 using Layout = JsonWriter::Layout;
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;  // clang 14 does not find it by itself
 
 bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 bool same_bits(const Vec3& a, const Vec3& b) { return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z); }

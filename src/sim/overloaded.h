@@ -1,0 +1,15 @@
+// A visitor of a std::variant made of one lambda a case: std::visit(Overloaded{...}, variant).
+#pragma once
+
+namespace hooke {
+
+template <class... Cases>
+struct Overloaded : Cases... {
+  using Cases::operator()...;
+};
+
+// clang 14 does not find this by itself
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
+
+}  // namespace hooke

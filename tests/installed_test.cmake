@@ -1,0 +1,32 @@
+# Installs Hooke, moves what was installed, and runs it there: cmake -DBUILD=FOLDER -P installed_test.cmake
+# The scenes must be those that moved with the program.
+cmake_minimum_required(VERSION 3.25)
+
+string(RANDOM LENGTH 12 name)
+set(first /tmp/hooke-installed-${name})
+set(moved /tmp/hooke-moved-${name})
+
+function(fail message)
+  file(REMOVE_RECURSE ${first} ${moved})
+  message(FATAL_ERROR "${message}")
+endfunction()
+
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${first} OUTPUT_QUIET RESULT_VARIABLE code)
+if(code)
+  fail("cannot install")
+endif()
+file(RENAME ${first} ${moved})
+
+set(run ${moved}/bin/hooke-headless run two_masses --seconds 0.1 --quiet)
+execute_process(COMMAND ${run} WORKING_DIRECTORY / RESULT_VARIABLE code)
+if(code)
+  fail("the moved program does not find its scenes: exit code ${code}")
+endif()
+
+# without that file there must be no other that it takes instead
+file(REMOVE ${moved}/share/hooke/scenes/two_masses.json)
+execute_process(COMMAND ${run} WORKING_DIRECTORY / RESULT_VARIABLE code ERROR_VARIABLE error)
+if(NOT code EQUAL 5 OR NOT error MATCHES "${moved}/share/hooke/scenes/two_masses.json")
+  fail("the moved program takes its scenes from elsewhere: exit code ${code}, ${error}")
+endif()
+file(REMOVE_RECURSE ${moved})
