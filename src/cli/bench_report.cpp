@@ -51,6 +51,19 @@ std::string describe(const ReferenceRecord& reference) {
   return text;
 }
 
+// "192 forces", "40 factorisations, 80 solves".
+std::string describe(const Work& work) {
+  std::string text;
+  const auto add = [&](long count, const char* what) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + what;
+  };
+  add(work.force_evaluations, "forces");
+  add(work.sweeps, "sweeps");
+  add(work.factorizations, "factorisations");
+  add(work.solves, "solves");
+  return text;
+}
+
 }  // namespace
 
 std::string report(const ProblemRecord& record) {
@@ -82,15 +95,14 @@ std::string markdown_report(const Results& results) {
       continue;
     }
     text += describe(*record.reference) +
-            "\n\n| error at most | cheapest method | cost [ms/s] | at | its error | force evaluations | factorisations |\n"
-            "|---|---|---|---|---|---|---|\n";
+            "\n\n| error at most | cheapest method | cost [ms/s] | at | its error | work |\n"
+            "|---|---|---|---|---|---|\n";
     for (const Answer& answer : answers(record))
       if (answer.row == nullptr)
-        print(text, "| %s | not reached | | | | | |\n", answer.decades().c_str());
+        print(text, "| %s | not reached | | | | |\n", answer.decades().c_str());
       else
-        print(text, "| %s | `%s` | %.3g | %s | %.1e | %ld | %ld |\n", answer.decades().c_str(), answer.row->method.c_str(),
-              *answer.row->cpu_ms_per_s, answer.row->setting.c_str(), *answer.row->relative_error, answer.row->work.force_evaluations,
-              answer.row->work.factorizations);
+        print(text, "| %s | `%s` | %.3g | %s | %.1e | %s |\n", answer.decades().c_str(), answer.row->method.c_str(),
+              *answer.row->cpu_ms_per_s, answer.row->setting.c_str(), *answer.row->relative_error, describe(answer.row->work).c_str());
   }
   return text;
 }
