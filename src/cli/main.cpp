@@ -5,6 +5,7 @@
 
 #include "cli/bench.h"
 #include "cli/capture.h"
+#include "cli/check.h"
 #include "cli/convert.h"
 #include "cli/run.h"
 #include "lab/build_info.h"
@@ -20,6 +21,7 @@ constexpr std::array subcommands{
     Subcommand{"run", "Step a scene and report what became of it", declare_run},
     Subcommand{"bench", "Measure the speed and the error of every method", declare_bench},
     Subcommand{"capture", "Draw a scene as it moves, with no display", declare_capture},
+    Subcommand{"check", "Check the scenes; or every method on the hard cases", declare_check},
     Subcommand{"convert", "Write a scene file as another", declare_convert},
 };
 

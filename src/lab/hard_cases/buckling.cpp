@@ -1,0 +1,110 @@
+// Scenes that give way: one state of rest for another, or for none.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "lab/course.h"
+#include "lab/hard_cases/rows.h"
+#include "lab/hard_cases/watched_run.h"
+#include "lab/scene_nets.h"
+
+namespace hooke {
+
+namespace {
+
+// Two bars from (+-1, 0) to an apex at (0, h), h = 0.1, under half as much again as the largest load that it bears:
+// P(y) = k y (h^2 - y^2), y the height left, is largest at y = h / sqrt(3) (shallow truss; R. von Mises 1923).
+struct Snap {
+  double rest = 0.0;  // [m], height at the end
+  Verdict verdict;
+};
+Snap snap_through(const Integrator& method, int refinement) {
+  constexpr double k = 1e4, h = 0.1;
+  const double limit = k * h * h * h * 2.0 / (3.0 * std::sqrt(3.0));
+  Draft draft;
+  draft.system.drag = 8.0;
+  const PointId apex = draft.add({0.0, h, 0.0}, 1.5 * limit / 9.81);
+  for (const double side : {-1.0, 1.0}) draft.join(draft.nail({side, 0.0, 0.0}), apex, k);
+
+  Settings settings = settings_for(method, draft.system, {.least = 20});
+  settings.substeps *= refinement;
+  WatchedRun run(draft, settings);
+  run.run(4.0);
+  const double rest = run.state().position[0].y;
+  return {rest, judge(run, rest < -h && run.energy_rise() < 1e-3 && run.all_solves_converged(),
+                      text("rests at %.4f m, energy rises %.1g", rest, run.energy_rise()), {.position = 1e-3 * h})};
+}
+
+}  // namespace
+
+Verdict judge_snap_through(const Integrator& method) {
+  const Snap coarse = snap_through(method, 1), fine = snap_through(method, 2);
+  Verdict verdict = worst_of(std::array{coarse.verdict, fine.verdict});
+  // not the other branch for half the step
+  if (verdict.outcome == Outcome::Held && std::abs(coarse.rest - fine.rest) > 1e-4) verdict.outcome = Outcome::FailedSilently;
+  return verdict;
+}
+
+namespace {
+
+Vec3 center_of_mass(const State& state) {
+  Vec3 sum{0.0};
+  for (const Vec3& x : state.position) sum += x;
+  return sum / static_cast<double>(state.position.size());
+}
+
+}  // namespace
+
+Verdict judge_chaotic_curtain(const Integrator& method) {
+  const Start curtain = make_curtain(16, 1e4, 0.0);
+  const Draft draft{curtain.system, curtain.state};
+  const auto hang = [](const Draft& from, const Settings& settings) {
+    WatchedRun run(from, settings);
+    run.run(1.0);
+    return run;
+  };
+  const Settings fine = settings_for(default_integrator(), draft.system, {.share = 0.125});
+  const WatchedRun reference = hang(draft, fine);
+
+  // how fast a twin parts whose points started a little elsewhere
+  constexpr double nudge = 1e-10;
+  Draft nudged = draft;
+  Dice dice(17);
+  for (Index i = 0; i < draft.system.point_count(); ++i)
+    if (!draft.system.points()[i].nailed) nudged.state.position[i] += dice.vector(nudge);
+  const double amplification = rms_distance(reference.state(), hang(nudged, fine).state()) / nudge;
+
+  const WatchedRun run = hang(draft, settings_for(method, draft.system, {.free = 4}));
+  const double center = glm::distance(center_of_mass(run.state()), center_of_mass(reference.state()));
+  const double balance = run.unaccounted_energy();
+  // where energy is let fall it does, at these steps, and the balance must show it
+  const Expectation expected = takes_any_step(method) ? Expectation::HoldOrReport : expectation_of(run);
+  return judge(run, expected, center < 1e-3 && std::abs(balance) < 0.01,
+               text("centre of mass %.1g m off, energy balance %+.1g, a nudge grows %.0e times", center, balance, amplification),
+               {.energy = 0.01, .position = 1e-3});
+}
+
+Verdict judge_tangled_start(const Integrator& method) {
+  constexpr int n = 6;
+  Draft sheet = make_sheet({.rows = n,
+                            .columns = n,
+                            .across = {0.2, 0.0, 0.0},
+                            .down = {0.0, -0.2, 0.0},
+                            .mass = 1.0 / 36.0,
+                            .stiffness = 100.0,
+                            .diagonal_stiffness = 50.0});
+  sheet.system.gravity = Vec3(0.0);
+  sheet.system.drag = 2.0;
+  Dice dice(18);
+  for (int i = n * n - 1; i > 0; --i) std::swap(sheet.state.position[i], sheet.state.position[dice.bits() % (i + 1)]);
+  for (Vec3& x : sheet.state.position) x += dice.vector(1e-3);
+
+  WatchedRun run(sheet, settings_for(method, sheet.system, {.least = 4}));
+  run.run(60.0);
+  double most = 0.0;
+  for (const Spring& spring : run.system().springs()) most = std::max(most, std::abs(strain(run.system(), run.state(), spring)));
+  return judge(run, most < 1e-3, text("strain %.1g at rest", most), {.position = 1e-3 * 0.2});
+}
+
+}  // namespace hooke

@@ -1,0 +1,182 @@
+// What a hand does to a scene: drags too fast, shakes it in time, jerks the sliders.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "lab/hard_cases/rows.h"
+#include "lab/hard_cases/watched_run.h"
+#include "lab/parameters.h"
+#include "lab/scene_nets.h"
+
+namespace hooke {
+namespace {
+
+using std::numbers::pi;
+
+double most_strain(const WatchedRun& run) {
+  double most = 0.0;
+  for (const Spring& spring : run.system().springs()) most = std::max(most, std::abs(strain(run.system(), run.state(), spring)));
+  return most;
+}
+
+struct Drag {
+  double peak_strain = 0.0, last_strain = 0.0;
+  double rise_after_release = 0.0;  // [1], of the energy at the release
+};
+
+// 24 x 24 points, 1 m, 1 kg, free but for the hand at a corner, which goes round a circle of radius 1 m at 50 m/s for
+// half a second; then the sheet flies on for 1.5 s.
+Drag drag_corner(WatchedRun& run) {
+  constexpr double speed = 50.0, radius = 1.0;
+  const Vec3 start = run.state().position[0];
+  Drag drag;
+  run.lab().submit(GrabPoint{{.point = run.system().points()[0].id, .kind = GrabKind::Hold, .target = start}});
+  for (int i = 1; i <= 30; ++i) {
+    const double angle = speed / radius * i / 60.0;
+    run.lab().submit(MoveHand{start + radius * Vec3(std::cos(angle) - 1.0, std::sin(angle), 0.0)});
+    if (!run.frame()) return drag;
+    drag.peak_strain = std::max(drag.peak_strain, most_strain(run));
+  }
+  run.lab().submit(ReleaseHand{});
+  const double released = compute_energy(run.system(), run.state()).total();
+  double lowest = released;
+  for (int i = 0; i < 90 && run.frame(); ++i) {
+    const double energy = compute_energy(run.system(), run.state()).total();
+    drag.rise_after_release = std::max(drag.rise_after_release, (energy - lowest) / std::abs(released));
+    lowest = std::min(lowest, energy);
+  }
+  drag.last_strain = most_strain(run);
+  return drag;
+}
+
+}  // namespace
+
+Verdict judge_fast_drag(const Integrator& method) {
+  const double a = 1.0 / 23.0;
+  Draft sheet = make_sheet({.rows = 24, .columns = 24, .across = {a, 0.0, 0.0}, .down = {0.0, -a, 0.0}, .mass = 1.0 / 576.0, .stiffness = 1e6});
+  sheet.system.gravity = Vec3(0.0);
+  sheet.system.drag = 2.0;
+
+  WatchedRun exact(sheet, settings_for(default_integrator(), sheet.system, {.share = 0.5}));
+  const Drag reference = drag_corner(exact);
+
+  WatchedRun run(sheet, settings_for(method, sheet.system, {.free = 20}));
+  const Drag drag = drag_corner(run);
+  const bool met = drag.peak_strain <= 2.0 * reference.peak_strain && drag.rise_after_release <= 0.01;
+  // one that holds at any step need not be exact at these few
+  return judge(run, takes_any_step(method) ? Expectation::HoldOrReport : expectation_of(run), met,
+               text("peak strain %.2g (converged %.2g), last %.1g (%.1g), energy rises %.1g after release, %d substeps", drag.peak_strain,
+                    reference.peak_strain, drag.last_strain, reference.last_strain, drag.rise_after_release, run.settings().substeps),
+               {.position = reference.peak_strain * a});
+}
+
+namespace {
+
+// A mass on a spring of omega = 2 pi / s, whose other end the hand moves by A sin(omega t): relative to the hand
+// z'' + 2 zeta omega z' + omega^2 z = A omega^2 sin(omega t), z(0) = 0, z'(0) = -A omega. (zeta = 0 by its limit.)
+double driven_position(double amplitude, double omega, double zeta, double t) {
+  const double drive = amplitude * std::sin(omega * t);
+  if (zeta == 0.0) return 0.5 * amplitude * (std::sin(omega * t) - omega * t * std::cos(omega * t));
+  const double wd = omega * std::sqrt(1.0 - zeta * zeta);
+  const double free = std::exp(-zeta * omega * t) * (amplitude / (2.0 * zeta) * std::cos(wd * t) - amplitude * omega / (2.0 * wd) * std::sin(wd * t));
+  return drive - amplitude / (2.0 * zeta) * std::cos(omega * t) + free;
+}
+
+Verdict resonate(const Integrator& method, double zeta) {
+  constexpr double omega = 2.0 * pi, amplitude = 1e-3;
+  Draft draft;
+  draft.system.gravity = Vec3(0.0);
+  const PointId hand = draft.add(Vec3(0.0)), mass = draft.add({1.0, 0.0, 0.0});
+  draft.join(hand, mass, omega * omega, 1.0, 2.0 * zeta * omega);
+  WatchedRun run(draft, {.integrator = &method, .substeps = takes_any_step(method) ? 1 : 20});
+  run.lab().submit(GrabPoint{{.point = hand, .kind = GrabKind::Hold, .target = Vec3(0.0)}});
+
+  // the largest of the last period
+  double reached = 0.0, exact = 0.0;
+  for (int i = 1; i <= 20 * 60; ++i) {
+    run.lab().submit(MoveHand{{amplitude * std::sin(omega * i / 60.0), 0.0, 0.0}});
+    if (!run.frame()) break;
+    if (i <= 19 * 60) continue;
+    reached = std::max(reached, std::abs(run.state().position[1].x - 1.0));
+    exact = std::max(exact, std::abs(driven_position(amplitude, omega, zeta, run.state().time)));
+  }
+  const double error = reached / exact - 1.0;
+  // a method of first order that does not keep the energy cannot, and its energy balance must show it
+  const bool keeps_energy = method.order >= 2 || method.energy == EnergyTrend::Bounded;
+  return judge(run, keeps_energy ? Expectation::Hold : Expectation::HoldOrReport, std::abs(error) < 0.02,
+               text("zeta %g: amplitude %+.1f %% off", zeta, 100.0 * error), {.position = 0.02 * exact});
+}
+
+}  // namespace
+
+Verdict judge_resonance(const Integrator& method) { return worst_of(std::array{resonate(method, 0.0), resonate(method, 0.01)}); }
+
+namespace {
+
+struct Sliders {
+  double stiffness, damping, mass, drag;
+};
+
+// The energy that the scene as it stands would gain by other values: sum of dk (l - l0)^2 / 2 and dm (v^2 / 2 - g x).
+double exact_jump(const System& system, const State& state, const Sliders& to) {
+  double jump = 0.0;
+  for (const Spring& spring : system.springs()) {
+    const double extension = strain(system, state, spring) * spring.rest_length;
+    jump += 0.5 * (to.stiffness - spring.stiffness) * extension * extension;
+  }
+  for (Index i = 0; i < system.point_count(); ++i) {
+    if (system.points()[i].nailed) continue;
+    const Vec3 &x = state.position[i], &v = state.velocity[i];
+    jump += (to.mass - system.points()[i].mass) * (0.5 * glm::dot(v, v) - glm::dot(system.gravity, x));
+  }
+  return jump;
+}
+
+void set_sliders(WatchedRun& run, const Sliders& to) {
+  SetSpringProperty stiffness{SpringProperty::Stiffness, {}}, damping{SpringProperty::Damping, {}};
+  for (const Spring& spring : run.system().springs()) {
+    stiffness.values.emplace_back(spring.id, to.stiffness);
+    damping.values.emplace_back(spring.id, to.damping);
+  }
+  SetPointProperty mass{PointProperty::Mass, {}};
+  for (const Point& point : run.system().points()) mass.values.emplace_back(point.id, to.mass);
+  run.lab().submit(stiffness);
+  run.lab().submit(damping);
+  run.lab().submit(mass);
+  run.lab().submit(SetParameter{find_parameter("drag"), to.drag});
+  run.lab().advance(0.0, [] { return true; });
+}
+
+}  // namespace
+
+Verdict judge_slider_jumps(const Integrator& method) {
+  constexpr double m = 1.0 / 64.0;
+  constexpr Sliders usual{1e2, 0.0, m, 0.0};
+  constexpr Sliders jumps[] = {{1e6, 0.0, m, 0.0}, {1e2, 1e3, m, 0.0}, {1e2, 0.0, 1e3 * m, 0.0}, {1e2, 0.0, m, 50.0}, {1e6, 1e3, 1e3 * m, 50.0}, {1e-2, 0.0, m, 0.0}};
+  const Start net = make_net(8, usual.stiffness, usual.damping);
+  const auto settings_of = [&](const System& system) { return settings_for(method, system, {.least = 4, .free = 4}); };
+  WatchedRun run({net.system, net.state}, settings_of(net.system));
+
+  // every 0.1 s to another setting and back, with the substeps that it needs
+  double worst = 0.0;
+  bool moved = false;
+  Expectation expected = Expectation::Hold;
+  for (int i = 0; i < 24 && !run.stopped(); ++i) {
+    const Sliders& to = i % 2 == 0 ? jumps[i / 2 % std::size(jumps)] : usual;
+    const State before = run.state();
+    const double energy = compute_energy(run.system(), before).total(), jump = exact_jump(run.system(), before, to);
+    set_sliders(run, to);
+    run.lab().submit(RestoreParameter{find_parameter("substeps"), static_cast<double>(settings_of(run.system()).substeps)});
+
+    moved = moved || before.position != run.state().position || before.velocity != run.state().velocity;
+    const double change = compute_energy(run.system(), run.state()).total() - energy;
+    worst = std::max(worst, std::abs(change - jump) / (std::abs(jump) + std::abs(energy)));
+    run.run(0.1);
+    if (expectation_of(run) != Expectation::Hold) expected = Expectation::HoldOrReport;
+  }
+  return judge(run, expected, !moved && worst < 1e-9, text("energy jumps as it should to %.1g", worst));
+}
+
+}  // namespace hooke

@@ -1,0 +1,65 @@
+#include "lab/hard_cases/rows.h"
+
+namespace hooke {
+
+std::span<const HardCase> hard_cases() {
+  using enum Concerns;
+  static constexpr HardCase rows[] = {
+      {1, "Stiff single spring", "m = 1 kg, k = 3.6e11 N/m (k dt^2 / m = 1e8), stretched by 10 %, one step a frame, 600 frames",
+       "methods for stiff scenes: off rest by at most 1e-6 l0 at the end, the energy never rises; the others keep the amplitude or are stopped within a second",
+       EveryMethod, true, "", judge_stiff_spring},
+      {2, "Stiff crumpled sheet", "12 x 12 points, 1 m, 1 kg, each out of place by up to 5 cm, k dt^2 / m = 4, 4e2, 4e4, 4e6, one step a frame, 10 seeds",
+       "every solve converges; the energy never rises where the method lets it only fall", EveryMethod, true, "", judge_crumpled_sheet},
+      {3, "Mass ratio 1e6", "chain of 200 links of 1 g with 1000 kg at its end, 5 % stretch, drag 4 /s, 5 s", "static stretch within 1 %",
+       EveryMethod, false, "`auto`, which would have to leave a method that cannot do this", judge_mass_ratio},
+      {4, "Long chain with a heavy end", "1000 links of 0.1 g, 1 m, 1 kg at the end, 5 % stretch", "elongation within 1e-3, period of the swing within 1 %",
+       EveryMethod, false, "", judge_long_chain},
+      {5, "Zero-length spring", "l0 = 0, omega = 10 /s, 2 s: on an ellipse, through the nail, starting on it", "harmonic motion to the order of the method",
+       EveryMethod, true, "", judge_zero_length_spring},
+      {6, "Coincident points", "five points in one place, four springs of 0.1 m", "finite, momentum as it was; apart by 1e-12 m, they separate", EveryMethod,
+       true, "", judge_coincident_points},
+      {7, "Compressed sheet", "12 x 12 points, border nailed at 0.6 of the rest lengths, drag 4 /s, k dt^2 / m = 4 and 4e4, 2 s",
+       "buckles, the energy never rises, every solve converges", EveryMethod, true, "", judge_compressed_sheet},
+      {8, "Fast drag", "24 x 24 points, 1 kg, k = 1e6 N/m, a corner dragged round a 1 m circle at 50 m/s for 0.5 s, drag 2 /s",
+       "peak strain within twice the converged one, no energy gained after the release", EveryMethod, false,
+       "the lag of the hand behind a mouse that is too fast", judge_fast_drag},
+      {9, "Resonance", "a mass on a spring, its end driven at omega0 for 20 s, zeta = 0 and 0.01", "amplitude within 2 % of the exact one", EveryMethod, true, "",
+       judge_resonance},
+      {10, "One substep a frame", "every scene that ships, one step of a 60th of a second, 2 s", "finite; where the step is beyond the limit of the method, or stopped by the watch",
+       EveryMethod, true, "", judge_one_substep},
+      {11, "Huge damping", "net of 16 x 16, k = 1e4 N/m, d = 1e3 N s/m (d h / m = 5e4 a frame), 1 s", "within 1e-4 m of the converged drift", EveryMethod, true, "",
+       judge_huge_damping},
+      {12, "Sliders jump", "net of 8 x 8: k x 1e4 and / 1e4, d to 1e3, m x 1e3, drag to 50, alone and all at once, with the substeps, every 0.1 s",
+       "finite; nothing moves by the edit, and the energy jumps by just what the new values make of it", EveryMethod, true,
+       "a tolerance that picks the step anew", judge_slider_jumps},
+      {13, "Over-constrained", "rope of 50 and sheet of 12 x 12, nailed all round at 3 times the rest length, displaced by 0.1 l0", "static residual < 1e-8 k l0, strain 2 to 1e-8",
+       EveryMethod, true, "", judge_over_constrained},
+      {14, "Nothing to move", "an empty scene, one with nails only, a single point, isolated points", "no crash; what is free falls", EveryMethod, true, "",
+       judge_nothing_to_move},
+      {15, "Bad input", "NaN, Inf, 1e400, masses <= 0, k, d, l0 < 0, rates of 0 in files; 300 small scenes with accepted values from 1e-100 to 1e100",
+       "refused with a message; what is accepted stays finite or is stopped by the watch", EveryMethod, true, "", judge_bad_input},
+      {16, "Snap-through", "von Mises truss, rise 0.1, half as much again as its largest load, drag 8 /s", "snaps; the energy never rises; the same rest for half the step",
+       EveryMethod, true, "", judge_snap_through},
+      {17, "Chaotic curtain", "curtain of 16 x 16, k = 1e4 N/m, 1 s", "energy balance within 1 %, centre of mass within 1e-3 m", EveryMethod, false, "", judge_chaotic_curtain},
+      {18, "Tangled start", "sheet of 6 x 6 with its points dealt out at random, drag 2 /s, 60 s", "finite, back to a rest strain < 1e-3", EveryMethod, true, "", judge_tangled_start},
+      {19, "Stiff cloth on a ball", "32 x 32 points, 1 kg, k = 1e6 N/m, dropped from 2 m on a ball of 0.3 m on the ground, mu = 0.5, e = 0",
+       "penetration < 1e-3 m, no energy gained, finite", EveryMethod, false, "", judge_cloth_on_ball},
+      {20, "High-speed impact", "100 m/s on a slab 0.1 m thick, e = 0.5, one step a frame", "no tunnelling, height of the bounce within 1 %", EveryMethod, true, "",
+       judge_fast_impact},
+      {21, "Endless bounces", "dropped from 1 m, e = 0.9", "rests at t1 (1 + e) / (1 - e) within a frame, then moves by less than 1e-6 m", EveryMethod, true, "",
+       judge_endless_bounces},
+      {22, "Refinement", "sheet of the same material with 9, 17, 33, 65 and 129 points a side, hung by its top", "sag and period within 1 %, decay within 5 % of the finest",
+       NoMethod, false, "", judge_refinement},
+      {23, "Large coordinates", "net of 8 x 8, 1e3 m and 1e5 m from the origin, 0.5 s", "trajectories equal to 1e-9 m", EveryMethod, true, "", judge_large_coordinates},
+      {24, "Hidden window", "10 s without a frame, and a machine too slow for the scene", "one short jump, no catching up, the slower speed is shown", EveryMethod, true, "",
+       judge_hidden_window},
+      {25, "Springs on one point", "a spring from a point to itself, two between the same points, 1000 on one point", "refused; as one of twice the stiffness; rests where it must",
+       EveryMethod, true, "", judge_springs_on_one_point},
+      {26, "Stiff and soft islands", "a rope of k = 1e8 N/m and a cloth of k = 1 N/m in one scene, 0.5 s", "each moves as it does alone", EveryMethod, true,
+       "`auto`, which would choose a method for each island", judge_islands},
+      {27, "Determinism", "curtain of 8 x 8, 0.5 s, alone and twice at the same time on two threads", "the same bits", EveryMethod, true, "several threads within a scene", judge_determinism},
+  };
+  return rows;
+}
+
+}  // namespace hooke

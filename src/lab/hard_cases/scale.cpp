@@ -1,0 +1,148 @@
+// The same thing at another place, in other company, or in more pieces.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "lab/hard_cases/rows.h"
+#include "lab/hard_cases/watched_run.h"
+#include "lab/scene_file.h"
+#include "lab/scene_nets.h"
+
+namespace hooke {
+namespace {
+
+State after(const Draft& draft, const Settings& settings, double seconds) {
+  WatchedRun run(draft, settings);
+  run.run(seconds);
+  return run.state();
+}
+
+}  // namespace
+
+namespace {
+
+// A sheet of 1 m and 1 kg/m^2, k = 200 N/m and half along the diagonals, d = 0.2 N s/m, hung from its top row: how far it
+// sags, and how its slowest vibration goes on about that.
+struct Sheet {
+  double sag = 0.0, period = 0.0, decay = 0.0;  // [m], [s], [1/s]
+};
+
+double bottom(const State& state, int n) {
+  double sum = 0.0;
+  for (int i = n * (n - 1); i < n * n; ++i) sum += state.position[i].y;
+  return sum / n;
+}
+
+Sheet measure_sheet(const Integrator& method, int n) {
+  const std::string json = R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0], "points": [)" +
+                           std::to_string(n) + ", " + std::to_string(n) +
+                           R"(], "density": 1, "stiffness": 200, "shear_stiffness": 100, "damping": 0.2, "nail": ["top"]}]})";
+  const Scene scene = parse_scene(json, "sheet").scene;
+  Draft draft{scene.system, scene.state};
+  const Settings settings = settings_for(method, draft.system, {.free = 4, .share = 0.8});
+
+  // at rest under drag, near the critical one of the slowest mode
+  Draft hung = draft;
+  hung.system.drag = 50.0;
+  WatchedRun resting(hung, settings);
+  resting.run(1.5);
+  Sheet sheet{.sag = -1.0 - bottom(resting.state(), n)};
+
+  // without weight it swings about the undeformed sheet: the turning points of the bottom row, over four periods
+  draft.state.position = resting.state().position;
+  draft.system.gravity = Vec3(0.0);
+  WatchedRun swinging(draft, settings);
+  std::vector<double> times, heights;
+  double older = 0.0, old = bottom(draft.state, n) + 1.0;
+  while (times.size() < 9 && swinging.state().time < 2.0 && swinging.frame()) {
+    const double now = bottom(swinging.state(), n) + 1.0;
+    const double bend = older - 2.0 * old + now;
+    if (older != 0.0 && (old - older) * (now - old) <= 0.0 && bend != 0.0) {
+      // the vertex of the parabola through the three
+      const double at = 0.5 * (older - now) / bend;
+      times.push_back(swinging.state().time + (at - 1.0) / 60.0);
+      heights.push_back(std::abs(old - 0.125 * (now - older) * (now - older) / bend));
+    }
+    older = old;
+    old = now;
+  }
+  if (times.size() < 9) return sheet;
+  sheet.period = (times[8] - times[0]) / 4.0;
+  sheet.decay = std::log(heights[0] / heights[8]) / (times[8] - times[0]);
+  return sheet;
+}
+
+}  // namespace
+
+// The mesh is what it is about: one method for all.
+Verdict judge_refinement(const Integrator& method) {
+  const Sheet finest = measure_sheet(method, 129);
+  double sag = 0.0, period = 0.0, decay = 0.0;
+  for (const int n : {9, 17, 33, 65}) {
+    const Sheet sheet = measure_sheet(method, n);
+    sag = std::max(sag, std::abs(sheet.sag / finest.sag - 1.0));
+    period = std::max(period, std::abs(sheet.period / finest.period - 1.0));
+    decay = std::max(decay, std::abs(sheet.decay / finest.decay - 1.0));
+  }
+  const bool met = sag < 0.01 && period < 0.01 && decay < 0.05;
+  return {.outcome = met ? Outcome::Held : Outcome::FailedSilently,
+          .measured = text("sag %.4f m, period %.4f s, decay %.3f /s at N = 129; from N = 9 on within %.1g, %.1g and %.1g", finest.sag,
+                           finest.period, finest.decay, sag, period, decay)};
+}
+
+Verdict judge_large_coordinates(const Integrator& method) {
+  constexpr double seconds = 0.5;
+  const Start net = make_net(8, 1e2, 0.0);
+  const Settings settings = settings_for(method, net.system, {.least = 20, .free = 20});
+  const State here = after({net.system, net.state}, settings, seconds);
+
+  std::vector<Verdict> parts;
+  for (const double offset : {1e3, 1e5}) {
+    Draft moved{net.system, net.state};
+    // by powers of two near it, so that no bits but those that are gone are in doubt
+    const Vec3 by = Vec3(1.0, -0.5, 0.25) * std::exp2(std::round(std::log2(offset)));
+    for (Vec3& x : moved.state.position) x += by;
+    WatchedRun run(moved, settings);
+    run.run(seconds);
+    double most = 0.0;
+    for (std::size_t i = 0; i < here.position.size(); ++i) most = std::max(most, glm::distance(run.state().position[i] - by, here.position[i]));
+    // who picks steps by a tolerance picks others by the last bits: within it
+    const double allowed = method.stability == Stability::Adaptive ? 1e-8 : 1e-9;
+    parts.push_back(judge(run, most < allowed, text("%.0e m away: %.1g m off", offset, most)));
+  }
+  return worst_of(parts);
+}
+
+Verdict judge_islands(const Integrator& method) {
+  // a rope of k = 1e8 and a cloth of k = 1, both with their top nailed
+  Draft rope;
+  PointId above = rope.nail({2.0, 0.0, 0.0});
+  for (int i = 1; i < 20; ++i) {
+    const PointId below = rope.add({2.0 + 0.05 * i, 0.0, 0.0}, 0.01);
+    rope.join(above, below, 1e8);
+    above = below;
+  }
+  Draft cloth = make_sheet({.rows = 8, .columns = 8, .across = {0.1, 0.0, 0.0}, .down = {0.0, -0.1, 0.0}, .mass = 1e-3, .stiffness = 1.0});
+  for (int i = 0; i < 8; ++i) cloth.system.point(i).nailed = true;
+
+  Draft both = cloth;
+  PointId last{};
+  for (Index i = 0; i < rope.system.point_count(); ++i) {
+    const Point& point = rope.system.points()[i];
+    const PointId id = point.nailed ? both.nail(rope.state.position[i]) : both.add(rope.state.position[i], point.mass);
+    if (i > 0) both.join(last, id, 1e8);
+    last = id;
+  }
+
+  constexpr double seconds = 0.5;
+  const Settings settings = settings_for(method, both.system, {.free = 4});
+  const State soft = after(cloth, settings, seconds), stiff = after(rope, settings, seconds);
+  WatchedRun run(both, settings);
+  run.run(seconds);
+  double most = 0.0;
+  for (std::size_t i = 0; i < 64; ++i) most = std::max(most, glm::distance(run.state().position[i], soft.position[i]));
+  for (std::size_t i = 0; i < stiff.position.size(); ++i) most = std::max(most, glm::distance(run.state().position[64 + i], stiff.position[i]));
+  return judge(run, most < 1e-6, text("together %.1g m from alone, %d substeps", most, settings.substeps));
+}
+
+}  // namespace hooke
