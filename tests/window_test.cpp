@@ -66,6 +66,7 @@ TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
   Desktop& desktop = session.desktop;
   ASSERT_TRUE(desktop.is_up());
   ASSERT_TRUE(desktop.wait_for_title("Hooke - Assignment"));
+  rest(1.5);  // it has its title before it is on the screen, and takes keys only then
 
   // three points and a loose one
   desktop.key("a");
@@ -134,6 +135,7 @@ TEST(Window, AsksBeforeChangesAreLostAndEscNeverQuits) {
   Session session;
   Desktop& desktop = session.desktop;
   ASSERT_TRUE(desktop.wait_for_title("Hooke - Assignment"));
+  rest(1.5);  // it has its title before it is on the screen, and takes keys only then
   desktop.key("Escape");
   desktop.key("a");
   desktop.click(session.on_screen(Vec3(0.0)));

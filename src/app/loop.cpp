@@ -70,6 +70,11 @@ void run_loop(Window& window, App& app) {
     do window.wait(period - seconds_since(last_frame));
     while (!still && seconds_since(last_frame) < period);
 
+    // the place of an event is in the window as it is now
+    if (!window.is_hidden()) {
+      scale.follow(window, view);
+      app.resize(window.size(), scale.scale());
+    }
     const auto events = window.take_events();
     if (!events.empty()) last_event = Clock::now();
     for (const Event& event : events) app.handle(event);
@@ -77,9 +82,6 @@ void run_loop(Window& window, App& app) {
     last_frame = Clock::now();
     if (window.is_hidden()) continue;
 
-    // panels
-    scale.follow(window, view);
-    app.resize(window.size(), scale.scale());
     window.gui().begin_frame();
     app.build_frame(figures);
     const ImDrawData* panels = window.gui().end_frame();
