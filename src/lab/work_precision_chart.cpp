@@ -99,7 +99,10 @@ Axes axes_of(const std::vector<Line>& lines) {
       most = std::max(most, *row->cpu_ms_per_s);
     }
   if (lines.empty()) return {};
-  return {.least_cost = std::pow(10.0, std::floor(std::log10(least))), .most_cost = std::pow(10.0, std::ceil(std::log10(most) + 1e-9))};
+  // room on the right for the names of the lines; at least two labelled ticks
+  constexpr double before = 0.7, behind = 5.0;
+  if (most < 4.0 * least) return {.least_cost = std::pow(10.0, std::floor(std::log10(least))), .most_cost = behind * most};
+  return {.least_cost = before * least, .most_cost = behind * most};
 }
 
 // points along the lines, close enough that no label slips between two
@@ -123,12 +126,17 @@ void print_labels(std::string& script, const std::vector<Line>& lines, const Axe
     labels.push_back({axes.at(*line.rows.back()), letter_width * static_cast<double>(line.method.size()), label_height});
   const ChartBox frame{2.0, 2.0, panel_width - left_margin - right_margin - 2.0, panel_height - top_margin - bottom_margin - 2.0};
   const std::vector<PlacedLabel> places = place_labels(labels, ink_of(lines, axes), frame);
+  const double width = panel_width - left_margin - right_margin, height = panel_height - top_margin - bottom_margin;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const double x = places[i].at.x / (panel_width - left_margin - right_margin),
-                 y = places[i].at.y / (panel_height - top_margin - bottom_margin);
+    const ChartPoint &at = places[i].at, &end = labels[i].anchor;
+    const char* color = text_colors[lines[i].style % text_colors.size()];
     script += "set label " + in_quotes(lines[i].method);
-    print(script, " at graph %.4f,%.4f %s front noenhanced textcolor rgb '%s' font ',13'\n", x, y,
-          places[i].justify == Justify::Left ? "left" : "right", text_colors[lines[i].style % text_colors.size()]);
+    print(script, " at graph %.4f,%.4f %s front noenhanced textcolor rgb '%s' font ',13'\n", at.x / width, at.y / height,
+          places[i].justify == Justify::Left ? "left" : "right", color);
+    // a name that found no place at the end of its line is led to it
+    if (std::hypot(at.x - end.x, at.y - end.y) > 20.0)
+      print(script, "set arrow from graph %.4f,%.4f to graph %.4f,%.4f nohead back linewidth 0.8 linecolor rgb '%s'\n", end.x / width,
+            end.y / height, at.x / width, at.y / height, color);
   }
 }
 
