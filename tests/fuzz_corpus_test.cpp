@@ -6,22 +6,29 @@
 #include <fstream>
 #include <sstream>
 
+#include "fuzz/obj_input.h"
 #include "fuzz/scene_input.h"
+#include "fuzz/xsp_input.h"
 
 namespace hooke {
 namespace {
 
-TEST(FuzzCorpus, EverySceneIsLoadedOrRefused) {
+// Tries every file of a folder; how many there were.
+int replay(const std::string& format, void (*try_as)(std::string_view bytes)) {
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(FUZZ_CORPUS "/scene")) {
+  for (const auto& entry : std::filesystem::directory_iterator(FUZZ_CORPUS "/" + format)) {
     SCOPED_TRACE(entry.path().filename().string());
     std::ostringstream bytes;
     bytes << std::ifstream(entry.path(), std::ios::binary).rdbuf();
-    try_as_scene(bytes.str());
+    try_as(bytes.str());
     ++count;
   }
-  EXPECT_GT(count, 20);
+  return count;
 }
+
+TEST(FuzzCorpus, EverySceneIsLoadedOrRefused) { EXPECT_GT(replay("scene", try_as_scene), 20); }
+TEST(FuzzCorpus, EveryXspIsLoadedOrRefused) { EXPECT_GT(replay("xsp", try_as_xsp), 10); }
+TEST(FuzzCorpus, EveryObjIsLoadedOrRefused) { EXPECT_GT(replay("obj", try_as_obj), 10); }
 
 }  // namespace
 }  // namespace hooke

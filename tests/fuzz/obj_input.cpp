@@ -1,0 +1,21 @@
+#include "fuzz/obj_input.h"
+
+#include "fuzz/sound.h"
+#include "lab/mesh_file.h"
+
+namespace hooke {
+
+void try_as_obj(std::string_view bytes) {
+  LoadedScene loaded;
+  try {
+    loaded = parse_obj(bytes, "fuzz.obj");
+  } catch (const Refused&) {
+    return;
+  }
+  require_sound(loaded);
+  require_stable(loaded);
+  require(loaded.scene.system.point_count() >= 3 && loaded.scene.system.spring_count() >= 3, "there is cloth");
+  require(!format_obj(loaded.scene).empty() && !format_ply(loaded.scene).empty(), "it is written");
+}
+
+}  // namespace hooke
