@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -45,6 +46,8 @@ class Process {
   Process(const std::vector<std::string>& words, const std::filesystem::path& output) {
     pid_ = ::fork();
     if (pid_ != 0) return;
+    // ends with the test, however that ends
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     const int to = ::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     ::dup2(to, STDOUT_FILENO);
     ::dup2(to, STDERR_FILENO);
@@ -65,7 +68,10 @@ class Process {
     return *this;
   }
 
-  void signal(int which) const { ::kill(pid_, which); }
+  // Never to a group: 0 and -1 mean others.
+  void signal(int which) const {
+    if (pid_ > 0) ::kill(pid_, which);
+  }
   bool is_running() { return pid_ > 0 && !collect(WNOHANG); }
   // Its exit code; -1 when a signal ended it or it does not end.
   int exit_code() {

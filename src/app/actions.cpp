@@ -146,6 +146,7 @@ void App::go_on_after_saving() {
 void App::take_document(std::shared_ptr<const Scene> scene, std::filesystem::path file) {
   take_tool(tool_action_);
   selection_ = {};
+  panels_.remarks.clear();
   file_ = std::move(file);
   bench_.camera = make_camera(scene->view, scene->system, scene->state, bench_.size.x / bench_.size.y);
   lab_.submit(Open{std::move(scene)});
@@ -156,7 +157,7 @@ void App::open(const std::filesystem::path& file) {
   const Opened opened = try_open(file);
   if (!opened.scene) return panels_.tell("Cannot open the scene", opened.error);
   take_document(opened.scene, file);
-  if (!opened.warnings.empty()) panels_.tell("Opened, with remarks", opened.warnings);
+  panels_.remarks = opened.warnings;
 }
 
 bool App::save_to(const std::filesystem::path& file) {

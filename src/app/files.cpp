@@ -7,12 +7,16 @@
 
 namespace hooke {
 
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text.append(text.empty() ? "" : "\n").append(line);
+  return text;
+}
+
 Opened try_open(const std::filesystem::path& file) {
   try {
     LoadedScene loaded = load_scene(file);
-    std::string warnings;
-    for (const std::string& line : loaded.warnings) warnings += (warnings.empty() ? "" : "\n") + line;
-    return {std::make_shared<const Scene>(std::move(loaded.scene)), {}, std::move(warnings)};
+    return {std::make_shared<const Scene>(std::move(loaded.scene)), {}, joined(loaded.warnings)};
   } catch (const std::runtime_error& refusal) {  // Refused or FileError
     return {nullptr, refusal.what(), {}};
   }

@@ -4,10 +4,14 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "lab/scene.h"
 
 namespace hooke {
+
+// One under the other.
+std::string joined(const std::vector<std::string>& lines);
 
 struct Opened {
   std::shared_ptr<const Scene> scene;  // null: refused

@@ -23,6 +23,38 @@ constexpr double smoothing = 0.08;
 
 void smooth(double& shown, double value) { shown = shown == 0.0 ? value : shown + smoothing * (value - shown); }
 
+// When the next frame is due, and how fast frames come.
+class Pace {
+ public:
+  // Sleeps until the next picture is due, or longer when nothing moves.
+  void wait(Window& window, bool app_is_still) {
+    still_ = app_is_still && seconds_since(last_event_) > settle_time;
+    const double period = window.is_hidden() ? hidden_wait : still_ ? still_wait : 0.9 * window.refresh_period();
+    do window.wait(period - seconds_since(last_frame_));
+    while (!still_ && seconds_since(last_frame_) < period);
+    elapsed_ = seconds_since(last_frame_);
+    last_frame_ = Clock::now();
+  }
+  void note_event() { last_event_ = Clock::now(); }
+
+  // The first frame, which compiles the shaders, and the rare ones of a still scene say nothing of the speed.
+  void note_drawn(double seconds) {
+    const bool counts = !first_ && !still_;
+    first_ = false;
+    if (!counts) return;
+    smooth(figures_.draw_ms, 1000.0 * seconds);
+    smooth(frame_seconds_, elapsed_);
+    figures_.frames_per_second = 1.0 / frame_seconds_;
+  }
+  const Figures& figures() const { return figures_; }
+
+ private:
+  Clock::time_point last_frame_ = Clock::now(), last_event_ = Clock::now();
+  double elapsed_ = 0.0, frame_seconds_ = 0.0;  // [s]
+  bool still_ = false, first_ = true;
+  Figures figures_;
+};
+
 // Reloads style and fonts when the window comes to a screen of another scale.
 class Scale {
  public:
@@ -58,49 +90,32 @@ void run_loop(Window& window, App& app) {
   if (const std::string error = load_gl(); !error.empty()) throw WindowError(error);
   View view;
   Scale scale;
-  Figures figures;
-  double frame_seconds = 0.0;
-  bool first = true;
-  Clock::time_point last_frame = Clock::now(), last_event = last_frame;
+  Pace pace;
 
   while (!app.is_finished()) {
-    // sleep until the next picture is due, or longer when nothing moves
-    const bool still = app.is_still() && seconds_since(last_event) > settle_time;
-    const double period = window.is_hidden() ? hidden_wait : still ? still_wait : 0.9 * window.refresh_period();
-    do window.wait(period - seconds_since(last_frame));
-    while (!still && seconds_since(last_frame) < period);
+    pace.wait(window, app.is_still());
 
-    // the place of an event is in the window as it is now
+    // events mean places in the window as it is now
     if (!window.is_hidden()) {
       scale.follow(window, view);
       app.resize(window.size(), scale.scale());
     }
     const auto events = window.take_events();
-    if (!events.empty()) last_event = Clock::now();
+    if (!events.empty()) pace.note_event();
     for (const Event& event : events) app.handle(event);
-    const double elapsed = seconds_since(last_frame);
-    last_frame = Clock::now();
     if (window.is_hidden()) continue;
 
+    // panels
     window.gui().begin_frame();
-    app.build_frame(figures);
+    app.build_frame(pace.figures());
     const ImDrawData* panels = window.gui().end_frame();
     window.set_title(app.title());
 
     // picture
     const auto start = Clock::now();
     draw(view, app, window, scale, panels);
-    const double drawn = seconds_since(start);
+    pace.note_drawn(seconds_since(start));
     window.swap();
-
-    // the first frame, which compiles the shaders, and the rare ones of a still scene say nothing of the speed
-    if (first || still) {
-      first = false;
-      continue;
-    }
-    smooth(figures.draw_ms, 1000.0 * drawn);
-    smooth(frame_seconds, elapsed);
-    figures.frames_per_second = 1.0 / frame_seconds;
   }
 }
 

@@ -10,6 +10,7 @@
 #include <iostream>
 
 #include "app/app.h"
+#include "app/files.h"
 #include "app/loop.h"
 #include "lab/scene_file.h"
 
@@ -38,6 +39,7 @@ int open_window(const std::string& name) {
   const std::filesystem::path file = find_scene(name);
   LoadedScene loaded = load_scene(file);
   App app(std::make_shared<const Scene>(std::move(loaded.scene)), file);
+  app.panels().remarks = joined(loaded.warnings);
   Window window(app.title(), {1280, 800});
   run_loop(window, app);
   return 0;
@@ -69,7 +71,7 @@ int main(int count, char** arguments) {
     return hooke::complain(hooke::exit_refused, refused.what());
   } catch (const hooke::FileError& error) {
     return hooke::complain(hooke::exit_io, error.what());
-  } catch (const hooke::WindowError& error) {
+  } catch (const std::exception& error) {  // no window, no graphics, no memory
     return hooke::complain(hooke::exit_io, error.what());
   }
 }

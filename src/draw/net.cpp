@@ -45,27 +45,33 @@ void Net::see(const Subject& subject) {
   }
 }
 
+// A System does not change while somebody holds it.
+void Net::find_ends(const std::shared_ptr<const System>& system) {
+  if (system == ends_system_) return;
+  ends_system_ = system;
+  ends_.clear();
+  for (const Spring& spring : system->springs()) ends_.push_back({system->index_of(spring.first), system->index_of(spring.second)});
+}
+
 void Net::measure_springs(const Subject& subject) {
-  const System& system = *subject.snapshot.system;
+  find_ends(subject.snapshot.system);
+  const std::vector<Spring>& springs = subject.snapshot.system->springs();
   const std::vector<Vec3>& position = subject.snapshot.state.position;
-  ends_.resize(2 * system.springs().size());
-  strain_.resize(system.springs().size());
+  strain_.resize(springs.size());
   double sum = 0.0;
   int counted = 0;
-  for (std::size_t s = 0; s < system.springs().size(); ++s) {
-    const Spring& spring = system.springs()[s];
-    const Index a = system.index_of(spring.first), b = system.index_of(spring.second);
-    ends_[2 * s] = a;
-    ends_[2 * s + 1] = b;
-    const double length = glm::length(position[b] - position[a]);
-    strain_[s] = static_cast<float>(spring.rest_length > 0.0 ? length / spring.rest_length - 1.0 : length);
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    const double length = glm::distance(position[ends_[s][0]], position[ends_[s][1]]), rest = springs[s].rest_length;
+    strain_[s] = static_cast<float>(rest > 0.0 ? length / rest - 1.0 : length);
     if (!std::isfinite(length)) continue;
     sum += length;
     ++counted;
   }
-  const glm::dvec2 size(subject.projection.width(), subject.projection.height());
-  length_ = counted > 0 ? sum / counted : 0.0;
-  spacing_ = length_ / subject.camera.metres_per_pixel(subject.camera.target, size);
+  const double length = counted > 0 ? sum / counted : 0.0;
+  const double pixel = subject.camera.metres_per_pixel(subject.camera.target, {subject.projection.width(), subject.projection.height()});
+  constexpr double most_lift = 4.0;  // [px]
+  spacing_ = length / pixel;
+  lift_ = std::min(0.1 * length, most_lift * pixel);
 }
 
 bool Net::is_dense(const ViewOptions& options) const { return spacing_ > 0.0 && spacing_ < options.scale * dense; }
@@ -79,7 +85,7 @@ void Net::add_springs(const Subject& subject, Strokes& strokes) const {
 
   strokes.reserve(strain_.size());
   for (std::size_t s = 0; s < strain_.size(); ++s) {
-    const Index a = ends_[2 * s], b = ends_[2 * s + 1];
+    const auto [a, b] = ends_[s];
     Ink color = plain;
     if (subject.options.strain_colors) {
       const float step = 0.5f * strain_steps + strain_[s] * steps;
@@ -125,7 +131,7 @@ void Net::add_marks(const Subject& subject, Strokes& strokes, Beads& beads) cons
   const auto add_spring = [&](SpringId id, Ink color) {
     const Index s = system.index_of(id);
     if (s == no_index) return;
-    const Index a = ends_[2 * s], b = ends_[2 * s + 1];
+    const auto [a, b] = ends_[s];
     strokes.add(subject.projection, clip_[a], seen_[a], clip_[b], seen_[b], color, static_cast<float>(5.0 * scale));
   };
   for (const SpringId id : subject.marks.selected_springs) add_spring(id, ink(subject.palette.selected, 0.7));

@@ -1,6 +1,8 @@
 // The network itself: where its points are seen, and its springs and points as strokes and beads.
 #pragma once
 
+#include <array>
+#include <memory>
 #include <vector>
 
 #include "draw/beads.h"
@@ -33,23 +35,26 @@ class Net {
   // Lines under selected and hovered springs, rings around such points.
   void add_marks(const Subject& subject, Strokes& strokes, Beads& beads) const;
 
-  // Of each point. Springs cut corners where points rest on something round: all is drawn this much nearer [m] than it is,
-  // so that neither colliders nor faces come through.
-  double lift() const { return 0.1 * length_; }
+  // Springs cut corners where points rest on something round: all is drawn this much nearer [m] than it is, so that
+  // neither colliders nor faces come through.
+  double lift() const { return lift_; }
+  // Of each point.
   const std::vector<glm::dvec4>& clip() const { return clip_; }
   const std::vector<Seen>& seen() const { return seen_; }
 
  private:
-  Bead bead_of(const Subject& subject, Index i) const;
+  void find_ends(const std::shared_ptr<const System>& system);
   void measure_springs(const Subject& subject);
+  Bead bead_of(const Subject& subject, Index i) const;
 
-  std::vector<glm::dvec4> clip_;        // a point
-  std::vector<Seen> seen_;              // a point
-  std::vector<Index> ends_;             // two a spring
-  std::vector<float> strain_;           // a spring
-  std::vector<std::uint8_t> selected_;  // a point
-  double length_ = 0.0;                 // [m], mean length of a spring; 0 without springs
-  double spacing_ = 0.0;                // [px], the same at the camera's target
+  std::vector<glm::dvec4> clip_;               // a point
+  std::vector<Seen> seen_;                     // a point
+  std::vector<std::uint8_t> selected_;         // a point
+  std::shared_ptr<const System> ends_system_;  // whose springs' ends are known
+  std::vector<std::array<Index, 2>> ends_;     // a spring
+  std::vector<float> strain_;                  // a spring
+  double spacing_ = 0.0;                       // [px], mean length of a spring at the camera's target; 0 without springs
+  double lift_ = 0.0;                          // [m]
 };
 
 }  // namespace hooke

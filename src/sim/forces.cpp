@@ -46,10 +46,14 @@ void compute_position_forces(const Plan& plan, double time, const Field& x, cons
   add_listed_forces(plan, time, x, v, f);
 }
 
-void compute_explicit_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+void compute_network_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
   set_gravity(plan, f);
   add_spring_forces(plan, x.data(), plan.has_dashpots() ? v.data() : nullptr, f.data());
   if (plan.pull) add_pull(plan, time, x, f);
+}
+
+void compute_explicit_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+  compute_network_forces(plan, time, x, v, f);
   add_listed_forces(plan, time, x, v, f);
 }
 

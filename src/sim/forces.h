@@ -14,10 +14,14 @@ void compute_position_forces(const Plan& plan, double time, const Field& x, cons
 // treat springs and the hand's pull as constraints.
 void compute_outer_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
+// f [N] of gravity, wind's share of drag, springs with their dashpots and the hand's pull: all but drag and the listed
+// forces.
+void compute_network_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
+
 // Adds the forces of the scene's list (force_term.h) alone.
 void add_listed_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
-// The above and the dashpots: all but drag, for methods that integrate drag exactly.
+// The listed forces and those of the network: all but drag, for methods that integrate drag exactly.
 void compute_explicit_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
 // f(t, x, v) [N] of everything: the above and drag (-drag m v).

@@ -2,8 +2,10 @@
 // Large Time Steps, SCA 2014)
 //   Phi(V) = 1/2 (V - v) M (V - v) + b c / 2 V M V + E(x + b V),     grad Phi = M (V - v) - b f(x + b V, V),
 // E the springs' energy, gravity's and the pull's. Dashpots add b/2 sum d (u.(V1 - V2))^2 with the directions u of the
-// iterate, and the listed forces (force_term.h) minus their work there, so that the gradient is right there, although there is no potential for all iterates. Every step p = -A^-1 grad Phi
-// with A positive definite leads downhill, and a line search makes sure that it arrives there.
+// iterate, and the listed forces (force_term.h) -f.x with their value there, so that the gradient is right although there is
+// no potential for all iterates. Every step p = -A^-1 grad Phi with A positive definite leads downhill, and a line search
+// makes sure that it arrives there. A knows nothing of the listed forces: they converge as far as the masses dominate
+// them, and are held after some iterations.
 //
 // Economy: a factored matrix serves on, for later stages and for later steps of the frame, until its steps contract by less
 // than a factor of four or one is too long. Curvature: exact where the masses dominate, clamped (stiffness.h) where they do
@@ -23,6 +25,8 @@ namespace {
 constexpr double slow = 0.25;
 // b omega beyond which exact curvature is not tried far from the solution.
 constexpr double stiff = 10.0;
+// Iterations that take the listed forces with them.
+constexpr int listed_iterations = 10;
 
 // x + b V
 void set_positions(const Stage& stage, const Field& V, Field& x) {
@@ -52,7 +56,7 @@ void NewtonKernel::begin_frame(const Plan& plan, const Motion& motion) {
   if (moving_ == 0) return;
   if (!matrix_) matrix_.emplace(plan);
   factored_b_ = 0.0;  // a frame depends on its State alone, not on the matrix of the one before
-  for (Field* field : {&x_, &f_, &residual_, &step_, &trial_x_, &trial_v_, &listed_}) field->resize(motion.x.size());
+  for (Field* field : {&x_, &f_, &listed_, &residual_, &step_, &trial_x_, &trial_v_}) field->resize(motion.x.size());
 
   reach_ = 0.0;
   for (const double length : plan.rest_length) reach_ = std::max(reach_, length);
@@ -75,8 +79,10 @@ NewtonKernel::Potential NewtonKernel::potential(const Plan& plan, const Stage& s
       const double change = V[at] - stage.v[at];
       add(0.5 * plan.mass[i] * (change * change + stage.b * plan.drag * V[at] * V[at]));
       add(-plan.mass[i] * plan.acceleration[c] * x[at]);
-      if (!plan.forces.empty()) add(-listed_[at] * x[at]);
     }
+
+  if (!plan.forces.empty())
+    for (std::size_t at = 0; at < x.size(); ++at) add(-listed_[at] * (x[at] - x_[at]));
 
   // springs; dashpots along the directions at x_
   for (const SpringRun& run : plan.runs)
@@ -107,19 +113,26 @@ NewtonKernel::Potential NewtonKernel::potential(const Plan& plan, const Stage& s
   return sum;
 }
 
-// x_ = x + b V and residual_ = grad Phi there.
-void NewtonKernel::compute_residual(const Plan& plan, const Stage& stage, const Field& V, Motion& motion) {
+// x_ = x + b V and residual_ = grad Phi there, the listed forces with velocities of their own, or as they were.
+void NewtonKernel::evaluate(const Plan& plan, const Stage& stage, const Field& V, const Field* listed_v, Motion& motion) {
   set_positions(stage, V, x_);
-  compute_forces(plan, stage.time, x_, V, f_);
+  compute_network_forces(plan, stage.time, x_, V, f_);
   ++motion.force_evaluations;
+
   if (!plan.forces.empty()) {
-    std::fill(listed_.begin(), listed_.end(), 0.0);
-    add_listed_forces(plan, stage.time, x_, V, listed_);
+    if (listed_v != nullptr) {
+      std::copy(f_.begin(), f_.end(), listed_.begin());
+      add_listed_forces(plan, stage.time, x_, *listed_v, listed_);
+      add_scaled(listed_.data(), -1.0, f_.data(), f_.size());
+    }
+    add_scaled(f_.data(), 1.0, listed_.data(), f_.size());
   }
+
   for (int c = 0; c < plan.dimensions; ++c)
     for (Index i = 0; i < plan.points; ++i) {
       const std::size_t at = static_cast<std::size_t>(c) * plan.points + i;
-      residual_[at] = plan.inverse_mass[i] == 0.0 ? 0.0 : plan.mass[i] * (V[at] - stage.v[at]) - stage.b * f_[at];
+      const double inertia = plan.mass[i] * (V[at] - stage.v[at] + stage.b * plan.drag * V[at]);
+      residual_[at] = plan.inverse_mass[i] == 0.0 ? 0.0 : inertia - stage.b * f_[at];
     }
 }
 
@@ -160,8 +173,8 @@ double NewtonKernel::search_line(const Plan& plan, const Stage& stage, const Fie
 // may be wild. Phi there bounds the result: no more elastic energy than there was energy before.
 void NewtonKernel::go_to_rest_if_lower(const Plan& plan, const Stage& stage, Field& V, Potential& here) {
   set_to_rest(plan, V, trial_v_);
-  set_positions(stage, trial_v_, x_);
-  const Potential at_rest = potential(plan, stage, x_, trial_v_);
+  set_positions(stage, trial_v_, trial_x_);
+  const Potential at_rest = potential(plan, stage, trial_x_, trial_v_);
   if (at_rest.value >= here.value) return;
   std::swap(V, trial_v_);
   here = at_rest;
@@ -188,7 +201,7 @@ void NewtonKernel::solve(const Plan& plan, const Stage& stage, const NewtonLimit
   bool matrix_is_old = factored_b_ != stage.b;
   double size_before = 0.0;  // of the last step, if it was taken whole
 
-  compute_residual(plan, stage, V, motion);
+  evaluate(plan, stage, V, &V, motion);
   Potential here = potential(plan, stage, x_, V), there;
   for (int iteration = 0; iteration < limits.iterations; ++iteration) {
     if (matrix_is_old && motion.factorizations < most_factorizations) factorize(plan, stage, curvature, V, motion);
@@ -212,7 +225,7 @@ void NewtonKernel::solve(const Plan& plan, const Stage& stage, const NewtonLimit
     matrix_is_old = share < 1.0 || (size_before > 0.0 && contraction > slow);
     curvature = share < 1.0 ? Curvature::Clamped : Curvature::Exact;
     size_before = share < 1.0 ? 0.0 : size;
-    compute_residual(plan, stage, V, motion);
+    evaluate(plan, stage, V, iteration < listed_iterations ? &V : nullptr, motion);
     here = plan.has_dashpots() || !plan.forces.empty() ? potential(plan, stage, x_, V) : there;
   }
   ++motion.unconverged_solves;
@@ -221,7 +234,7 @@ void NewtonKernel::solve(const Plan& plan, const Stage& stage, const NewtonLimit
 void NewtonKernel::solve_once(const Plan& plan, const Stage& stage, Field& V, Motion& motion) {
   if (moving_ == 0) return;
   set_to_rest(plan, V, V);
-  compute_residual(plan, stage, V, motion);
+  evaluate(plan, stage, V, &stage.v, motion);
   factorize(plan, stage, Curvature::Clamped, V, motion);
   compute_step(motion);
   add_scaled(V.data(), 1.0, step_.data(), V.size());

@@ -43,7 +43,7 @@ class NewtonKernel : public Structure {
     double value = 0.0, magnitude = 0.0;  // [J], and the sum of the sizes of its terms
   };
   Potential potential(const Plan& plan, const Stage& stage, const Field& x, const Field& V) const;
-  void compute_residual(const Plan& plan, const Stage& stage, const Field& V, Motion& motion);
+  void evaluate(const Plan& plan, const Stage& stage, const Field& V, const Field* listed_v, Motion& motion);
   void factorize(const Plan& plan, const Stage& stage, Curvature curvature, const Field& V, Motion& motion);
   void compute_step(Motion& motion);
   double search_line(const Plan& plan, const Stage& stage, const Field& V, const Potential& here, Potential& there);
@@ -55,8 +55,7 @@ class NewtonKernel : public Structure {
   Index moving_ = 0;                       // points
   double reach_ = 0.0;                     // [m], of the coordinates
   double factored_b_ = 0.0;                // [s], of the matrix now factored; 0: none of this frame
-  Field x_, f_, residual_, step_, trial_x_, trial_v_;
-  Field listed_;                           // [N], the listed forces at the iterate
+  Field x_, f_, listed_, residual_, step_, trial_x_, trial_v_;
 };
 
 }  // namespace hooke

@@ -53,6 +53,7 @@ struct Panels {
   std::string toast;                   // a line shown for a moment
   double toast_until = 0.0;            // [s], ImGui's clock
   std::string dismissed;               // the message whose banner was closed
+  std::string remarks;                 // on the file that was opened
   bool edit_in_progress = false;       // the active slider has edited already
   std::optional<double> typed_number;  // into a slider, not finished
   unsigned typing = 0;                 // ImGui's id of the slider that is typed into

@@ -105,42 +105,62 @@ void take_advice(const Advice& advice, const Settings& settings, Requests& reque
   requests.emplace_back(Control(SetRunning{true}));
 }
 
-void banner(const Desk& desk, Panels& panels, Requests& requests) {
-  const Status& status = desk.status;
-  if (status.message.empty()) panels.dismissed.clear();
-  if (status.message.empty() || status.message == panels.dismissed) return;
-  const Rect& scene = desk.layout.scene;
+// A notice at the top of the scene, `down` from it; the rest of it is built between begin and end. end returns its height.
+void begin_banner(const char* name, const Rect& scene, double down, const std::string& text, ImU32 ground, ImU32 edge, Panels& panels) {
   const float width = std::min(static_cast<float>(scene.width) - units(32.0), units(620.0));
-  ImGui::SetNextWindowPos(place(scene, 0.5 * (scene.width - width), units(14.0)));
+  ImGui::SetNextWindowPos(place(scene, 0.5 * (scene.width - width), units(14.0) + down));
   ImGui::SetNextWindowSize({width, 0.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(6.0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(18.0), units(12.0)});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(0x33, 0x22, 0x22, 245));
-  ImGui::Begin("banner", nullptr, fixed_panel | ImGuiWindowFlags_AlwaysAutoResize);
-  const Rect place_of_banner = current_window();
-  panels.floating.push_back(place_of_banner);
-  ImGui::PushClipRect(corner(place_of_banner),
-                      {corner(place_of_banner).x + extent(place_of_banner).x, corner(place_of_banner).y + extent(place_of_banner).y},
-                      false);
-  ImGui::GetWindowDrawList()->AddRectFilled(corner(place_of_banner),
-                                            {corner(place_of_banner).x + units(5.0), corner(place_of_banner).y + extent(place_of_banner).y},
-                                            palette::bad, units(6.0), ImDrawFlags_RoundCornersLeft);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::pressed);
+  ImGui::Begin(name, nullptr, fixed_panel | ImGuiWindowFlags_AlwaysAutoResize);
+  panels.floating.push_back(current_window());
+
+  const ImVec2 least = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  ImGui::PushClipRect(least, {least.x + size.x, least.y + size.y}, false);
+  ImGui::GetWindowDrawList()->AddRectFilled(least, {least.x + units(5.0), least.y + size.y}, edge, units(6.0),
+                                            ImDrawFlags_RoundCornersLeft);
   ImGui::PopClipRect();
   ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(status.message.c_str());
+  ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
-  ImGui::PushStyleColor(ImGuiCol_Button, palette::pressed);
-  if (status.advice) {
-    const Settings& settings = status.snapshot->settings;
-    const Advice advice = fitted(*status.advice, settings);
-    if (ImGui::Button(in_words(advice, settings).c_str())) take_advice(advice, settings, requests);
-    ImGui::SameLine();
-  }
-  if (ImGui::Button("Dismiss")) panels.dismissed = status.message;
-  ImGui::PopStyleColor(2);
+}
+
+double end_banner() {
+  const double height = ImGui::GetWindowSize().y;
   ImGui::End();
+  ImGui::PopStyleColor(2);
   ImGui::PopStyleVar(2);
+  return height;
+}
+
+void banners(const Desk& desk, Panels& panels, Requests& requests) {
+  const Status& status = desk.status;
+  const Rect& scene = desk.layout.scene;
+  double down = 0.0;
+  if (status.message.empty()) panels.dismissed.clear();
+
+  // why the run stopped
+  if (!status.message.empty() && status.message != panels.dismissed) {
+    begin_banner("stopped", scene, down, status.message, IM_COL32(0x33, 0x22, 0x22, 245), palette::bad, panels);
+    if (status.advice) {
+      const Settings& settings = status.snapshot->settings;
+      const Advice advice = fitted(*status.advice, settings);
+      if (ImGui::Button(in_words(advice, settings).c_str())) take_advice(advice, settings, requests);
+      ImGui::SameLine();
+    }
+    if (ImGui::Button("Dismiss")) panels.dismissed = status.message;
+    down += end_banner() + units(8.0);
+  }
+
+  // what the file that was opened is remarkable for
+  if (!panels.remarks.empty()) {
+    begin_banner("remarks", scene, down, panels.remarks, IM_COL32(0x30, 0x2b, 0x20, 245), palette::warning, panels);
+    if (ImGui::Button("Dismiss")) panels.remarks.clear();
+    end_banner();
+  }
 }
 
 }  // namespace
@@ -154,7 +174,7 @@ void build_overlays(const Desk& desk, Panels& panels, Requests& requests) {
   rubber_band(desk, list);
   toast(desk, panels, list);
   list.PopClipRect();
-  banner(desk, panels, requests);
+  banners(desk, panels, requests);
 }
 
 }  // namespace hooke

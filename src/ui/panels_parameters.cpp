@@ -18,19 +18,21 @@ void edit(Command command, Panels& panels, Requests& requests) {
   panels.edit_in_progress = true;
 }
 
-// The springs that k and d act on: of the selection, else all; and whether they differ in a property.
-struct Springs {
-  std::vector<SpringId> selected;  // empty: all
-  bool all() const { return selected.empty(); }
+// The springs that k and d act on: of the selection, else all.
+struct Meant {
+  bool all;
+  std::vector<const Spring*> springs;
 };
 
-std::vector<const Spring*> look_up(const Springs& springs, const System& system) {
-  std::vector<const Spring*> found;
-  if (springs.all())
-    for (const Spring& spring : system.springs()) found.push_back(&spring);
-  for (const SpringId id : springs.selected)
-    if (const Index s = system.index_of(id); s != no_index) found.push_back(&system.springs()[s]);
-  return found;
+Meant springs_of(const Desk& desk) {
+  const System& system = *desk.status.snapshot->system;
+  const std::vector<SpringId> selected = springs_meant(system, desk.selection);
+  Meant meant{selected.empty(), {}};
+  if (meant.all)
+    for (const Spring& spring : system.springs()) meant.springs.push_back(&spring);
+  for (const SpringId id : selected)
+    if (const Index s = system.index_of(id); s != no_index) meant.springs.push_back(&system.springs()[s]);
+  return meant;
 }
 
 struct Common {
@@ -75,18 +77,16 @@ NumberField field_of(const Parameter& row, const ControlRanges& controls, double
   return field;
 }
 
-// k or d of the springs meant.
-void spring_row(const Parameter& row, double value_without, const Desk& desk, Panels& panels, Requests& requests) {
+// k or d of the springs meant; without any, the value that the table says.
+void spring_row(const Parameter& row, double value_without, const Meant& meant, const Desk& desk, Panels& panels, Requests& requests) {
   const bool stiffness = row.scope == Parameter::Scope::SpringStiffness;
-  const Springs meant{springs_meant(*desk.status.snapshot->system, desk.selection)};
-  const auto springs = look_up(meant, *desk.status.snapshot->system);
-  const Common common = common_value(springs, stiffness ? &Spring::stiffness : &Spring::damping, value_without);
+  const Common common = common_value(meant.springs, stiffness ? &Spring::stiffness : &Spring::damping, value_without);
   NumberField field = field_of(row, desk.status.controls, common.value);
   field.mixed = common.mixed;
-  field.enabled = !springs.empty();
+  field.enabled = !meant.springs.empty();
   if (const auto value = number_row(field, panels))
-    edit(meant.all() ? Command(SetParameter{&row, *value})
-                     : Command(set_all(springs, stiffness ? SpringProperty::Stiffness : SpringProperty::Damping, *value)),
+    edit(meant.all ? Command(SetParameter{&row, *value})
+                   : Command(set_all(meant.springs, stiffness ? SpringProperty::Stiffness : SpringProperty::Damping, *value)),
          panels, requests);
 }
 
@@ -145,10 +145,10 @@ void stability_row(const Snapshot& snapshot) {
       "The fastest swing of the scene turns by at most this many radians in a substep. Beyond the method's limit the scene can blow up.");
 }
 
-void parameter_row(const Parameter& row, double value, const Desk& desk, Panels& panels, Requests& requests) {
+void parameter_row(const Parameter& row, double value, const Meant& meant, const Desk& desk, Panels& panels, Requests& requests) {
   const bool of_springs = row.scope == Parameter::Scope::SpringStiffness || row.scope == Parameter::Scope::SpringDamping;
   if (of_springs) {
-    spring_row(row, value, desk, panels, requests);
+    spring_row(row, value, meant, desk, panels, requests);
   } else if (row.kind == Parameter::Kind::Switch) {
     switch_row(row, value, panels, requests);
   } else {
@@ -159,16 +159,15 @@ void parameter_row(const Parameter& row, double value, const Desk& desk, Panels&
 }
 
 // What a section says at the right of its heading.
-std::string scope_of(std::string_view group, const Desk& desk) {
+std::string scope_of(std::string_view group, const Meant& meant) {
   if (group != "Springs") return {};
-  const System& system = *desk.status.snapshot->system;
-  const std::size_t selected = springs_meant(system, desk.selection).size();
-  return selected > 0 ? std::to_string(selected) + " selected" : "all " + std::to_string(system.spring_count());
+  return meant.all ? "all " + std::to_string(meant.springs.size()) : std::to_string(meant.springs.size()) + " selected";
 }
 
 }  // namespace
 
 void build_parameters(const Desk& desk, Panels& panels, Requests& requests) {
+  const Meant meant = springs_of(desk);
   std::string_view group;
   bool open = false;
   const auto rows = parameters();
@@ -176,12 +175,12 @@ void build_parameters(const Desk& desk, Panels& panels, Requests& requests) {
     const Parameter& row = rows[i];
     if (row.group != group) {
       group = row.group;
-      open = section(std::string(group), scope_of(group, desk), group != "Hand");
+      open = section(std::string(group), scope_of(group, meant), group != "Hand");
       if (open && group == "Simulation") method_row(desk, panels, requests);
     }
     if (!open) continue;
     ImGui::PushID(row.name.data());
-    parameter_row(row, desk.status.parameter_values[i], desk, panels, requests);
+    parameter_row(row, desk.status.parameter_values[i], meant, desk, panels, requests);
     ImGui::PopID();
     if (row.name == "substeps") stability_row(*desk.status.snapshot);
   }

@@ -1,5 +1,5 @@
 // V = v + h/2 a(x + h/2 V, V),  x' = x + h V,  v' = 2 V - v     (Gauss, one stage)
-// Second order, symmetric, A-stable but not L-stable: nothing linear grows or dies out. Keeps linear and angular momentum;
+// Second order, symplectic, A-stable but not L-stable: nothing linear grows or dies out. Keeps linear and angular momentum;
 // energy up to what springs that turn within a step take from it or give.
 #include "sim/dirk.h"
 #include "sim/integrators/rows.h"
