@@ -16,9 +16,6 @@ extern "C" void (*glXGetProcAddressARB(const GLubyte* name))() {
   return std::strncmp(text, "glX", 3) == 0 ? nullptr : OSMesaGetProcAddress(text);
 }
 
-// OSMesa keeps its compiler's tables to the end of the program; LeakSanitizer, where it is built in, asks this.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa.so\n"; }
-
 namespace hooke {
 
 // The context's own picture is one pixel: everything is drawn into framebuffer objects (draw/target.h).
