@@ -119,8 +119,10 @@ class Desktop {
     return contents(answer);
   }
   std::string window_title() const { return ask("xdotool search --class hooke getwindowname"); }
-  bool wait_for_title(const std::string& title) const {
-    return wait_for([&] { return window_title() == title + "\n"; });
+  testing::AssertionResult wait_for_title(const std::string& title) const {
+    if (wait_for([&] { return window_title() == title + "\n"; })) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "the title is " << window_title() << "; the program says: " << contents(folder_ / "output")
+                                       << "; the display says: " << contents(folder_ / "server.log");
   }
 
   void hand(const std::string& what) const { ask("xdotool " + what); }

@@ -3,7 +3,9 @@
 
 #include "app/workbench.h"
 #include "desktop.h"
+#include "lab/lab.h"
 #include "lab/scene_file.h"
+#include "picture.h"
 #include "ui/layout.h"
 
 namespace hooke {
@@ -181,6 +183,52 @@ TEST(Window, ComesBackWithoutAJumpAfterItStoodStill) {
   EXPECT_GT(simulated, 0.1);
   // keys may take a while to act on a busy machine, but not as long as it stood still
   EXPECT_LT(simulated, real - 0.5 * stood_still);
+}
+
+// Without the strain legend, which lies over the scene in the window alone.
+Image cut(const Image& image, const Rect& part) {
+  constexpr int legend_width = 220, legend_height = 80;
+  const int x = static_cast<int>(part.x), y = static_cast<int>(part.y);
+  Image made{static_cast<int>(part.width), static_cast<int>(part.height), {}};
+  for (int row = 0; row < made.height; ++row)
+    for (int column = 0; column < made.width; ++column) {
+      const bool of_legend = row >= made.height - legend_height && column < legend_width;
+      const Color color = of_legend ? Color{} : at(image, x + column, y + row);
+      made.pixels.insert(made.pixels.end(), {color.red, color.green, color.blue});
+    }
+  return made;
+}
+
+TEST(Window, ShowsTheSamePictureAsIsDrawnWithoutADisplay) {
+  // a cloth that has reached the ball
+  Session session;
+  Desktop& desktop = session.desktop;
+  Lab lab(load_scene(find_scene("cloth_on_ball")).scene);
+  for (int frame = 0; frame < 45; ++frame) lab.step();
+  const std::filesystem::path file = desktop.folder() / "fallen.json";
+  save_scene(lab.scene(), file);
+
+  session.start({file.string()});
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - fallen"));
+  desktop.move({4.0, Desktop::height - 4.0});
+  rest(1.5);
+  desktop.photograph("window_fallen.png");
+  const Rect place = lay_out(Desktop::width, Desktop::height, 1.0).scene;
+  const Image shown = cut(read_png("window_fallen.png"), place);
+
+  const Lab opened(load_scene(file).scene);
+  const int width = static_cast<int>(place.width), height = static_cast<int>(place.height);
+  const Scene& scene = opened.scene();
+  const Camera camera = make_camera(scene.view, scene.system, scene.state, place.width / place.height);
+  const Offscreen offscreen;
+  View view;
+  view.draw(*opened.status()->snapshot, {}, camera, {}, width, height, nullptr);
+  const Image drawn = cut(view.read(), {0.0, 0.0, place.width, place.height});
+  EXPECT_LE(difference(shown, drawn), 0.002);
+
+  // and another frame is another picture
+  view.draw(*Lab(load_scene(find_scene("cloth_on_ball")).scene).status()->snapshot, {}, camera, {}, width, height, nullptr);
+  EXPECT_GT(difference(shown, cut(view.read(), {0.0, 0.0, place.width, place.height})), 0.02);
 }
 
 TEST(CommandLine, WithoutADisplayTheWindowSaysSoInOneLine) {
