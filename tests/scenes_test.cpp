@@ -278,5 +278,16 @@ TEST(SceneFormatPage, NamesEveryParameterThatIsAField) {
   }
 }
 
+TEST(SceneFormatPage, DescribesEveryForce) {
+  const std::string page = scene_format_page();
+  for (const ForceTerm& term : force_terms()) {
+    const std::size_t row = page.find("| `" + std::string(term.id) + "` |", page.find("### Forces"));
+    ASSERT_NE(row, std::string::npos) << term.id;
+    const std::string line = page.substr(row, page.find('\n', row) - row);
+    for (const ForceNumber& number : term.numbers)
+      EXPECT_NE(line.find("`" + std::string(number.name) + "`"), std::string::npos) << term.id << ' ' << number.name;
+  }
+}
+
 }  // namespace
 }  // namespace hooke

@@ -5,6 +5,7 @@
 
 #include "gui_trial.h"
 #include "lab/parameters.h"
+#include "sim/force_term.h"
 #include "sim/integrator.h"
 #include "trial.h"
 
@@ -151,6 +152,50 @@ TEST(Switches, TurnTheDashpotsOffAndOn) {
   EXPECT_FALSE(gui.system().dashpots_on);
   gui.click(box);
   EXPECT_TRUE(gui.system().dashpots_on);
+}
+
+TEST(Forces, AreSwitchedSetAndRemovedInTheirPanel) {
+  Scene scene = two_springs();
+  scene.system.forces = {{find_force_term("wind"), false, usual_values(*find_force_term("wind"))},
+                         {find_force_term("buoyancy"), true, usual_values(*find_force_term("buoyancy"))}};
+  GuiTrial gui(scene);
+  ImGui::GetIO().DisplaySize = {1280.0f, 1600.0f};
+  gui.app().resize({1280.0, 1600.0}, 1.0);
+  gui.frames(2);
+
+  // the numbers of a force that is off are not shown
+  EXPECT_LT(gui.find("side", {"wind 0", "x", "##value"}).x, 0.0);
+  const glm::dvec2 box = gui.find("side", {"wind 0", "##on"});
+  ASSERT_GT(box.x, 0.0);
+  gui.click(box);
+  EXPECT_TRUE(gui.system().forces[0].on);
+  EXPECT_GT(gui.find("side", {"wind 0", "x", "##value"}).x, 0.0);
+
+  const glm::dvec2 lift = gui.find("side", {"buoyancy 1", "lift", "##value"});
+  gui.drag(lift, lift + glm::dvec2(500.0, 0.0));
+  EXPECT_EQ(gui.system().forces[1].values[0], 2.0);
+  gui.key(letter('Z'), {.control = true});
+  EXPECT_EQ(gui.system().forces[1].values[0], 0.5);
+
+  gui.click(gui.find("side", {"wind 0", "remove"}));
+  ASSERT_EQ(gui.system().forces.size(), 1u);
+  EXPECT_EQ(gui.system().forces[0].term, find_force_term("buoyancy"));
+}
+
+TEST(Forces, EachCanBeAddedFromTheList) {
+  for (const ForceTerm& term : force_terms()) {
+    GuiTrial gui(two_springs());
+    ImGui::GetIO().DisplaySize = {1280.0f, 1600.0f};
+    gui.app().resize({1280.0, 1600.0}, 1.0);
+    gui.frames(2);
+    gui.click(gui.find("side", {"Forces"}));  // unfolds
+    gui.click(gui.find("side", {"##add"}));
+    gui.frames(2);
+    gui.click(gui.find("##Combo_00", {term.label.data()}));
+    ASSERT_EQ(gui.system().forces.size(), 1u) << term.id;
+    EXPECT_EQ(gui.system().forces[0].term, &term);
+    EXPECT_TRUE(gui.system().forces[0].on);
+  }
 }
 
 TEST(Methods, EachCanBeChosenFromTheList) {

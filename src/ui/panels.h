@@ -77,6 +77,7 @@ void build_menu(const Desk& desk, Panels& panels, Requests& requests);
 void build_toolbar(const Desk& desk, Requests& requests);
 void build_side(const Desk& desk, Panels& panels, Requests& requests);
 void build_parameters(const Desk& desk, Panels& panels, Requests& requests);
+void build_forces(const Desk& desk, Panels& panels, Requests& requests);
 void build_status_bar(const Desk& desk);
 void build_overlays(const Desk& desk, Panels& panels, Requests& requests);
 void build_keys(const Desk& desk, Panels& panels);

@@ -43,6 +43,7 @@ void build_side(const Desk& desk, Panels& panels, Requests& requests) {
   ImGui::PopStyleVar();
   scene_section(desk);
   build_parameters(desk, panels, requests);
+  build_forces(desk, panels, requests);
   if (section("Energy")) energy_section(*desk.status.snapshot);
   ImGui::End();
 }
