@@ -72,8 +72,7 @@ TEST(Capture, DrawsWhatTheViewDraws) {
 
   const Offscreen offscreen;
   View view;
-  ViewOptions options;
-  if (lab.scene().view.background) options.background = *lab.scene().view.background;
+  const ViewOptions options = options_for(lab.scene().view, lab.scene().print);
   view.draw(*lab.status()->snapshot, {}, camera, options, 320, 180, nullptr);
   EXPECT_EQ(read_png(scratch.folder / "a.png").pixels, view.read().pixels);
 }

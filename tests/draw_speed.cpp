@@ -27,7 +27,7 @@ int main(int count, char** arguments) {
   for (int frame = 0; frame < 30; ++frame) lab.step();
   lab.publish();
   const Snapshot& snapshot = *lab.status()->snapshot;
-  ViewOptions options;
+  ViewOptions options = options_for(lab.scene().view, lab.scene().print);
   options.samples = std::atoi(arguments[2]);
   const Camera camera = make_camera(lab.scene().view, lab.scene().system, lab.scene().state, double(width) / height);
 

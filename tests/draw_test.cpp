@@ -252,7 +252,7 @@ TEST(Picture, SmoothsTheEdgesOfPolygonsBySampling) {
 
 TEST(Picture, LeavesOutWhatIsSwitchedOff) {
   const Trial scene = spatial_scene();
-  const ViewOptions nothing{.points = false, .springs = false, .faces = false, .colliders = false, .grid = false};
+  const ViewOptions nothing{.points = false, .springs = false, .surface = false, .colliders = false, .grid = false};
   const Image image = draw(scene, {}, camera_on(scene, 1.6), nothing, 160, 100);
   for (int y = 0; y < 100; ++y)
     for (int x = 0; x < 160; ++x) ASSERT_EQ(at(image, x, y), background);

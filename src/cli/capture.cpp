@@ -31,8 +31,7 @@ int capture(const CaptureOptions& options) {
   ViewSettings settings = scene.view;
   if (pose) settings.camera = pose;
   const Camera camera = make_camera(settings, scene.system, scene.state, static_cast<double>(size.width) / size.height);
-  ViewOptions look;
-  if (settings.background) look.background = *settings.background;
+  const ViewOptions look = options_for(settings, scene.print);
 
   const Offscreen offscreen;
   View view;

@@ -115,11 +115,12 @@ Bead Net::bead_of(const Subject& subject, Index i) const {
   return bead;
 }
 
-void Net::add_points(const Subject& subject, Beads& beads) const {
-  beads.reserve(seen_.size());
+void Net::add_points(const Subject& subject, Which which, Beads& beads) const {
+  if (which == Which::All) beads.reserve(seen_.size());
   constexpr std::uint8_t least_opacity = 16;
   for (Index i = 0; i < static_cast<Index>(seen_.size()); ++i) {
     if (seen_[i].outside & (before | beyond | not_a_place)) continue;
+    if (which == Which::Nails && !subject.snapshot.system->points()[i].nailed) continue;
     const Bead bead = bead_of(subject, i);
     if (bead.body.opacity >= least_opacity) beads.add(subject.projection, clip_[i], seen_[i], bead);
   }

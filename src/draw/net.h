@@ -31,13 +31,17 @@ class Net {
   bool is_dense(const ViewOptions& options) const;
 
   void add_springs(const Subject& subject, Strokes& strokes) const;
-  void add_points(const Subject& subject, Beads& beads) const;
+  enum class Which { All, Nails };
+  void add_points(const Subject& subject, Which which, Beads& beads) const;
   // Lines under selected and hovered springs, rings around such points.
   void add_marks(const Subject& subject, Strokes& strokes, Beads& beads) const;
 
   // Springs cut corners where points rest on something round: all is drawn this much nearer [m] than it is, so that
   // neither colliders nor faces come through.
   double lift() const { return lift_; }
+  // Of each spring: its ends, and its strain as it is drawn.
+  const std::vector<std::array<Index, 2>>& ends() const { return ends_; }
+  const std::vector<float>& strain() const { return strain_; }
   // Of each point.
   const std::vector<glm::dvec4>& clip() const { return clip_; }
   const std::vector<Seen>& seen() const { return seen_; }

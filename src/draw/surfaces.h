@@ -1,4 +1,4 @@
-// Lit triangles: the faces of a cloth, boxes, the filled shapes of flat scenes.
+// Lit triangles: boxes, the filled shapes of flat scenes.
 #pragma once
 
 #include <vector>

@@ -1,7 +1,7 @@
 #include "draw/view.h"
 
 #include "draw/beads.h"
-#include "draw/cloth_mesh.h"
+#include "draw/cloth_surface.h"
 #include "draw/gui_renderer.h"
 #include "draw/net.h"
 #include "draw/shader.h"
@@ -44,11 +44,11 @@ void add_ghosts(const Subject& subject, Strokes& strokes, Beads& beads) {
 
 struct View::Parts {
   Target target;
-  Shader stroke_shader{"stroke"}, bead_shader{"bead"}, surface_shader{"surface"}, ball_shader{"ball"}, ground_shader{"ground"};
+  Shader stroke_shader{"stroke"}, bead_shader{"bead"}, surface_shader{"surface"}, cloth_shader{"cloth"}, ball_shader{"ball"},
+      ground_shader{"ground"};
   Stage stage;
   Net net;
-  ClothMesh cloth_mesh;
-  Surfaces faces;
+  ClothSurface cloth;
   Strokes springs, marked_springs, ghost_springs;
   Beads points, marked_points, ghost_points;
   GuiRenderer gui;
@@ -62,15 +62,17 @@ struct View::Parts {
 
 void View::Parts::gather(const Subject& subject) {
   stage.clear();
-  faces.clear();
+  cloth.clear();
   for (Strokes* strokes : {&springs, &marked_springs, &ghost_springs}) strokes->clear();
   for (Beads* beads : {&points, &marked_points, &ghost_points}) beads->clear();
 
   net.see(subject);
   stage.add(subject);
-  if (subject.options.faces) cloth_mesh.add(subject, net, faces);
+  if (subject.options.surface) cloth.add(subject, net);
   if (subject.options.springs) net.add_springs(subject, springs);
-  if (subject.options.points) net.add_points(subject, points);
+  // a bare cloth still shows what it hangs by
+  if (subject.options.points || !cloth.is_empty())
+    net.add_points(subject, subject.options.points ? Net::Which::All : Net::Which::Nails, points);
   net.add_marks(subject, marked_springs, marked_points);
   add_ghosts(subject, ghost_springs, ghost_points);
 }
@@ -79,7 +81,7 @@ void View::Parts::draw_scene(const Subject& subject, const PicturePlace& place, 
   gather(subject);
 
   // only polygons have edges that need several samples a pixel
-  const bool has_polygons = !faces.is_empty() || !stage.solids.is_empty();
+  const bool has_polygons = !cloth.is_empty() || !stage.solids.is_empty();
   target.begin(width, height, has_polygons ? subject.options.samples : 0);
   clear(subject.options.background);
   glViewport(place.x, height - place.y - place.height, place.width, place.height);
@@ -102,7 +104,7 @@ void View::Parts::draw_stage(const Projection& projection) {
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.0f, 2.0f);
   stage.solids.draw(surface_shader);
-  faces.draw(surface_shader);
+  cloth.draw(cloth_shader);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -135,6 +137,17 @@ void View::Parts::draw_over(const Subject& subject) {
   ghost_springs.draw(stroke_shader, width, height);
   ghost_points.draw(bead_shader, width, height, subject.options.scale);
   glDepthMask(GL_TRUE);
+}
+
+ViewOptions options_for(const ViewSettings& settings, const Print& print) {
+  ViewOptions options;
+  options.points = settings.points;
+  options.springs = settings.springs;
+  options.surface = settings.surface;
+  options.strain_colors = settings.strain_colors;
+  options.print = print;
+  if (settings.background) options.background = *settings.background;
+  return options;
 }
 
 View::View() : parts_(std::make_unique<Parts>()) {}

@@ -19,18 +19,19 @@ struct PicturePlace {
 };
 
 struct ViewOptions {
-  bool points = true, springs = true, faces = true, colliders = true, grid = true, strain_colors = true;
+  bool points = true, springs = true, surface = true, colliders = true, grid = true;
+  bool strain_colors = true;  // on the springs, or on the surface where no springs are shown
+  Print print;                // on the surface
   int samples = 4;     // of MSAA; 0: none
   double scale = 1.0;  // framebuffer pixels per point of the screen: widths of lines follow it
   Color background{32, 36, 40};
   PicturePlace place;  // of the scene; the panels have the whole framebuffer
 };
 
-// RGB, 8 bits, rows from the top.
-struct Image {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> pixels;
-};
+// As a scene asks to be looked at.
+ViewOptions options_for(const ViewSettings& settings, const Print& print);
+
+using Image = Picture;
 
 // Owns GL objects: made and destroyed with its context current, after load_gl().
 class View {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lab/parameters.h"
+#include "lab/texture.h"
 
 namespace hooke {
 namespace {
@@ -277,6 +278,15 @@ struct Apply {
     for (const Force& force : set.forces)
       if (is_sound(force)) scene.system.forces.push_back(force);
     effect.values = true;
+    return {inverse};
+  }
+
+  Inverse operator()(const SetTexture& set) {
+    const SetTexture inverse{scene.view.texture, scene.view.texture_size, scene.print.picture};
+    scene.view.texture = set.texture;
+    scene.view.texture_size = set.size;
+    scene.print.picture = set.picture;
+    lay_out_print(scene);
     return {inverse};
   }
 

@@ -44,6 +44,7 @@ struct Describe {
   std::string operator()(const SetGravity&) const { return "change gravity"; }
   std::string operator()(const SetColliders&) const { return "change the colliders"; }
   std::string operator()(const SetForces&) const { return "change the forces"; }
+  std::string operator()(const SetTexture& set) const { return set.texture.empty() ? "take the texture off" : "put a texture on"; }
   std::string operator()(const Replace&) const { return "go back to the start"; }
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -117,13 +118,20 @@ struct SetForces {
   std::vector<Force> forces;
 };
 
+// Another texture on the faces; `picture` is what it names (texture.h).
+struct SetTexture {
+  std::string texture;
+  std::optional<double> size;  // [m]
+  std::shared_ptr<const Picture> picture;
+};
+
 // Replaces the whole scene: back to the start, or what was there before that.
 struct Replace {
   std::shared_ptr<const Scene> scene;
 };
 
 using Command = std::variant<Insert, Remove, SetNailed, Move, SetPointProperty, SetSpringProperty, SetParameter, RestoreParameter, SetIntegrator,
-                             GrabPoint, MoveHand, ReleaseHand, SetGravity, SetColliders, SetForces, Replace>;
+                             GrabPoint, MoveHand, ReleaseHand, SetGravity, SetColliders, SetForces, SetTexture, Replace>;
 
 // What a person calls it: "nail 3 points".
 std::string describe(const Command& command);

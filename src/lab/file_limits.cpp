@@ -18,6 +18,7 @@ std::span<const FileLimit> file_limits() {
                 "finite; mass, frame rate and speed more than 0; stiffness, damping, rest length, radius, drag and friction at least 0"},
       FileLimit{"restitution", "from 0 to 1"},
       FileLimit{"substeps", "from 1 to 1000000"},
+      FileLimit{"a texture", "a PNG of at most 8192 x 8192 pixels, in the scene's folder or below it"},
       FileLimit{"a spring", "joins two different points that exist"},
   };
   return rows;

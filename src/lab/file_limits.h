@@ -17,6 +17,7 @@ inline constexpr std::uint64_t most_generators = 1'000;
 inline constexpr std::uint64_t most_string_bytes = 4096;
 inline constexpr std::uint64_t most_values_per_item = 1'000'000;  // in one point, generator, ...
 inline constexpr std::uint64_t most_nesting = 32;
+inline constexpr std::uint32_t most_picture_side = 8192;  // [px]
 inline constexpr int most_substeps = 1'000'000;
 inline constexpr int newest_scene_version = 1;
 

@@ -69,8 +69,10 @@ class ClothMaker {
     const double total = cloth_.fabric.mass ? *cloth_.fabric.mass : *cloth_.fabric.density * area;
     const double cells = static_cast<double>((cloth_.columns - 1) * (cloth_.rows - 1));
     const double each = tributary_ ? total / cells : total / static_cast<double>(cloth_.columns * cloth_.rows);
+    network_.places.resize(first_, no_cloth_place);
     for (std::int64_t row = 0; row < cloth_.rows; ++row)
       for (std::int64_t column = 0; column < cloth_.columns; ++column) {
+        network_.places.emplace_back(static_cast<double>(column) * a_, static_cast<double>(row) * b_);
         // a quarter of each cell around it: half a cell on an edge, a quarter of one in a corner
         const double share = tributary_ ? (is_edge_column(column) ? 0.5 : 1.0) * (is_edge_row(row) ? 0.5 : 1.0) : 1.0;
         const double u = static_cast<double>(column) / static_cast<double>(cloth_.columns - 1);

@@ -9,6 +9,7 @@
 
 #include "sim/state.h"
 #include "sim/system.h"
+#include "sim/view_settings.h"
 
 namespace hooke {
 
@@ -16,6 +17,7 @@ namespace hooke {
 struct Network {
   std::vector<Point> points;
   std::vector<Vec3> position, velocity;
+  ClothPlaces places;  // of the points on their cloths; those beyond its end have none
   std::vector<Spring> springs;
   std::vector<Face> faces;
 };

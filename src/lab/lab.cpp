@@ -245,6 +245,7 @@ void Lab::publish() {
   status->scene_name = scene_.name;
   status->scene_description = scene_.description;
   status->view = scene_.view;
+  status->print = scene_.print;
   status->defaults = scene_.defaults;
   status->controls = scene_.controls;
   for (const Parameter& parameter : parameters()) status->parameter_values.push_back(parameter.read(scene_));

@@ -6,6 +6,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <iterator>
+#include <utility>
 
 #include "lab/file_limits.h"
 #include "lab/printable.h"
@@ -32,17 +34,14 @@ std::string_view kind_of(mode_t mode) {
   throw Refused(name + ": size: " + std::to_string(bytes) + " bytes: must be at most " + std::to_string(most_file_bytes) + " (256 MiB)");
 }
 
-}  // namespace
+[[noreturn]] void fail(const std::string& name, const char* what) { throw FileError(name + ": " + what + ": " + std::strerror(errno)); }
 
-std::string read_file(const std::filesystem::path& file) {
-  const std::string name = printable(file.native());
-  const auto fail = [&](const char* what) { throw FileError(name + ": " + what + ": " + std::strerror(errno)); };
+// without O_NONBLOCK, opening a pipe would wait for somebody to write
+constexpr int to_read = O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
 
-  // without O_NONBLOCK, opening a pipe would wait for somebody to write
-  const Descriptor descriptor{open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)};
-  if (descriptor.number < 0) fail("cannot be opened");
+std::string read_all(const Descriptor& descriptor, const std::string& name) {
   struct stat status;
-  if (fstat(descriptor.number, &status) != 0) fail("cannot be read");
+  if (fstat(descriptor.number, &status) != 0) fail(name, "cannot be read");
   if (!S_ISREG(status.st_mode)) throw Refused(name + ": file: " + std::string(kind_of(status.st_mode)) + ": must be a regular file");
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (size > most_file_bytes) refuse_size(name, size);
@@ -53,7 +52,7 @@ std::string read_file(const std::filesystem::path& file) {
   for (;;) {
     const ssize_t read_now = read(descriptor.number, bytes.data() + count, bytes.size() - count);
     if (read_now < 0 && errno == EINTR) continue;
-    if (read_now < 0) fail("cannot be read");
+    if (read_now < 0) fail(name, "cannot be read");
     if (read_now == 0) break;
     count += static_cast<std::size_t>(read_now);
     if (count > most_file_bytes) refuse_size(name, count);
@@ -61,6 +60,33 @@ std::string read_file(const std::filesystem::path& file) {
   }
   bytes.resize(count);
   return bytes;
+}
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& file) {
+  const std::string name = printable(file.native());
+  const Descriptor descriptor{open(file.c_str(), to_read)};
+  if (descriptor.number < 0) fail(name, "cannot be opened");
+  return read_all(descriptor, name);
+}
+
+// Step by step, each from the folder that the one before opened, so that nothing that changes meanwhile leads elsewhere.
+std::string read_file_within(const std::filesystem::path& folder, const std::filesystem::path& way, const std::string& name) {
+  const auto refuse = [&] { throw Refused(name + ": must lie in the scene's folder, with no link on the way"); };
+  if (way.empty() || way.is_absolute()) refuse();
+  Descriptor at{open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)};
+  if (at.number < 0) fail(name, "cannot be opened");
+  for (auto step = way.begin(); step != way.end(); ++step) {
+    if (step->empty() || *step == "." || *step == "..") refuse();
+    const bool is_last = std::next(step) == way.end();
+    struct stat status;
+    if (fstatat(at.number, step->c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(status.st_mode)) refuse();
+    Descriptor next{openat(at.number, step->c_str(), O_NOFOLLOW | (is_last ? to_read : O_PATH | O_DIRECTORY | O_CLOEXEC))};
+    if (next.number < 0) fail(name, "cannot be opened");
+    std::swap(at.number, next.number);
+  }
+  return read_all(at, name);
 }
 
 }  // namespace hooke

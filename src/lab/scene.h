@@ -47,6 +47,7 @@ struct Scene {
   State state;
   Settings settings;
   ViewSettings view;
+  Print print;
   Defaults defaults;
   ControlRanges controls;
   KeptJson kept;

@@ -13,6 +13,7 @@
 #include "lab/read_file.h"
 #include "lab/scene_file.h"
 #include "lab/scene_sections.h"
+#include "lab/texture.h"
 
 namespace hooke {
 namespace {
@@ -42,6 +43,7 @@ class SceneReader {
   void read_point(const JsonField& field);
   void read_spring(const JsonField& field);
   void read_face(const JsonField& field);
+  void read_cloth_place(const JsonField& field);
   void read_one_generator(const JsonField& field);
   void read_one_collider(const JsonField& field) { read_collider(field, fields_, scene_); }
   void read_one_force(const JsonField& field) { read_force(field, fields_, scene_); }
@@ -97,6 +99,8 @@ LoadedScene SceneReader::read() {
   scene_.system.faces = std::move(network_.faces);
   scene_.state.position = std::move(network_.position);
   scene_.state.velocity = std::move(network_.velocity);
+  if (!network_.places.empty()) scene_.print.places = std::make_shared<const ClothPlaces>(std::move(network_.places));
+  lay_out_print(scene_);
   if (const auto warning = warn_of_step(scene_.system, scene_.settings)) fields_.warn(*warning);
   return {std::move(scene_), fields_.warnings(name_)};
 }
@@ -163,6 +167,8 @@ void SceneReader::read_point(const JsonField& field) {
       point.radius = member.number(not_negative);
     else if (member.is("color"))
       point.color = fields_.color(member);
+    else if (member.is("uv"))
+      read_cloth_place(member);
     else
       fields_.keep_unknown(member, scene_.kept.unknown_of_points[point.id]);
   }
@@ -197,6 +203,13 @@ void SceneReader::read_spring(const JsonField& field) {
   if (!has_points) field.refuse_missing("points", "must be two point numbers");
   if (!has_stiffness) field.refuse_missing("stiffness", "must be a number of at least 0");
   network_.springs.push_back(spring);
+}
+
+// Of the point that is being read.
+void SceneReader::read_cloth_place(const JsonField& field) {
+  const auto items = field.items(2, 2);
+  network_.places.resize(network_.points.size(), no_cloth_place);
+  network_.places.emplace_back(items[0].number(), items[1].number());
 }
 
 void SceneReader::read_face(const JsonField& field) {
@@ -296,13 +309,26 @@ void SceneReader::warn_of_coincident_points() {
                ": joins two points at the same place: no force between them until they part");
 }
 
+// A picture that is gone takes nothing from the scene but its looks.
+void add_picture(LoadedScene& loaded, const std::filesystem::path& folder, const std::string& name) {
+  const std::string& texture = loaded.scene.view.texture;
+  if (texture.empty()) return;
+  try {
+    loaded.scene.print.picture = read_texture(texture, folder, name + ": view.texture: \"" + printable(texture) + "\"");
+  } catch (const FileError& error) {
+    loaded.warnings.push_back(std::string(error.what()) + ": drawn without it");
+  }
+}
+
 }  // namespace
 
 LoadedScene parse_scene(std::string_view text, const std::string& name) { return SceneReader(std::string(text), printable(name)).read(); }
 
 LoadedScene load_scene(const std::filesystem::path& file) {
   const std::string text = read_file(file), name = printable(file.native());
-  return SceneReader(text, name).read();
+  LoadedScene loaded = SceneReader(text, name).read();
+  add_picture(loaded, file.parent_path(), name);
+  return loaded;
 }
 
 }  // namespace hooke

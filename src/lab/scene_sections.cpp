@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "lab/parameters.h"
+#include "lab/texture.h"
 #include "sim/integrator.h"
 
 namespace hooke {
@@ -111,6 +112,15 @@ CameraPose read_camera(const JsonField& field, SceneFields& fields, Scene& scene
   return pose;
 }
 
+// The switch of this name; null: there is none.
+bool* switch_of(const JsonField& field, ViewSettings& view) {
+  if (field.is("surface")) return &view.surface;
+  if (field.is("springs")) return &view.springs;
+  if (field.is("points")) return &view.points;
+  if (field.is("strain_colors")) return &view.strain_colors;
+  return nullptr;
+}
+
 std::string ids_of_forces() {
   std::string ids;
   for (const ForceTerm& term : force_terms()) ids += (ids.empty() ? "" : ", ") + std::string(term.id);
@@ -213,6 +223,13 @@ void read_view(const JsonField& field, SceneFields& fields, Scene& scene) {
       scene.view.camera = read_camera(member, fields, scene);
     else if (member.is("background"))
       scene.view.background = fields.color(member);
+    else if (bool* is_shown = switch_of(member, scene.view))
+      *is_shown = member.boolean();
+    else if (member.is("texture")) {
+      scene.view.texture = member.text();
+      if (const std::string limit = texture_limit(scene.view.texture); !limit.empty()) member.refuse(limit);
+    } else if (member.is("texture_size"))
+      scene.view.texture_size = member.number(positive);
     else
       fields.keep_unknown(member, scene.kept.unknown_inside[field.path()]);
   }

@@ -1,6 +1,7 @@
 // Writes a scene, one point and one spring a line.
 
 #include <bit>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
@@ -203,6 +204,13 @@ void SceneWriter::write_point(Index i) {
   out_.number("mass", point.mass);
   out_.number("radius", point.radius);
   if (point.color) out_.text("color", to_text(*point.color));
+  if (const glm::dvec2 place = place_on_cloth(scene_.print, point.id); std::isfinite(place.x)) {
+    out_.key("uv");
+    out_.begin_list(Layout::Line);
+    out_.number(place.x);
+    out_.number(place.y);
+    out_.end();
+  }
   const auto unknown = scene_.kept.unknown_of_points.find(point.id);
   if (unknown != scene_.kept.unknown_of_points.end()) out_.members(unknown->second);
   out_.end();
@@ -300,6 +308,11 @@ void SceneWriter::write_view() {
     out_.end();
   }
   if (view.background) out_.text("background", to_text(*view.background));
+  for (const auto& [key, is_shown] :
+       {std::pair{"surface", view.surface}, {"springs", view.springs}, {"points", view.points}, {"strain_colors", view.strain_colors}})
+    if (!is_shown) out_.boolean(key, false);
+  if (!view.texture.empty()) out_.text("texture", view.texture);
+  if (view.texture_size) out_.number("texture_size", *view.texture_size);
   write_unknown_inside("view");
   out_.end();
 }

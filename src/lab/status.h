@@ -15,6 +15,7 @@ struct Status {
   std::shared_ptr<const Snapshot> snapshot;
   std::string scene_name, scene_description;
   ViewSettings view;
+  Print print;
   Defaults defaults;
   ControlRanges controls;
   std::vector<double> parameter_values;  // one a row of parameters()

@@ -1,0 +1,22 @@
+#version 330 core
+// Cloth: light from a window at the upper left that goes a little round the folds, some from all around, more from above,
+// and a sheen where it is seen edge-on. A normal belongs to the side from which the corners run anticlockwise; the other
+// side is duller.
+in vec3 normal;
+in vec2 print;
+in vec4 color;
+uniform sampler2D picture;
+uniform bool is_printed;
+out vec4 result;
+
+const vec3 light = vec3(-0.42, 0.66, 0.62);
+
+void main() {
+  vec3 up = normalize(normal) * (gl_FrontFacing ? 1.0 : -1.0);
+  vec3 tone = is_printed ? color.rgb * texture(picture, print).rgb : color.rgb;
+  float around = 0.44 + 0.13 * up.y;
+  float direct = 0.60 * max((dot(up, light) + 0.3) / 1.3, 0.0);
+  float edge = 1.0 - clamp(up.z, 0.0, 1.0);
+  float side = gl_FrontFacing ? 1.0 : 0.80;
+  result = vec4(side * (tone * (around + direct) + 0.10 * edge * edge * edge), color.a);
+}

@@ -1,0 +1,133 @@
+#include "draw/cloth_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+
+#include "draw/shader.h"
+
+namespace hooke {
+namespace {
+
+// Without springs on it a cloth is as light as cloth is.
+constexpr double lightening = 0.55;
+constexpr Color white{255, 255, 255};
+
+bool shows_strain(const ViewOptions& options) { return options.strain_colors && !options.springs; }
+
+}  // namespace
+
+ClothSurface::ClothSurface()
+    : stream_({{4, GL_FLOAT, GL_FALSE, offsetof(Vertex, clip)},
+               {4, GL_SHORT, GL_TRUE, offsetof(Vertex, normal)},
+               {2, GL_FLOAT, GL_FALSE, offsetof(Vertex, print)},
+               {4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, ink)}},
+              sizeof(Vertex)) {}
+
+void ClothSurface::add(const Subject& subject, const Net& net) {
+  if (subject.snapshot.system->faces.empty()) return;
+  find_corners(subject.snapshot.system);
+  find_normals(subject.snapshot.state.position, net.seen());
+  if (indices_.empty()) return;
+  wanted_ = shows_strain(subject.options) ? nullptr : subject.options.print.picture;
+  find_inks(subject, net);
+  add_vertices(subject, net);
+}
+
+// A System does not change while somebody holds it.
+void ClothSurface::find_corners(const std::shared_ptr<const System>& system) {
+  if (system == corners_system_) return;
+  corners_system_ = system;
+  corners_.clear();
+  corners_.reserve(3 * system->faces.size());
+  for (const Face& face : system->faces)
+    for (const PointId id : face.points) corners_.push_back(static_cast<GLuint>(system->index_of(id)));
+}
+
+void ClothSurface::find_normals(const std::vector<Vec3>& position, const std::vector<Seen>& seen) {
+  normals_.assign(position.size(), Vec3(0.0));
+  indices_.reserve(corners_.size());
+  for (std::size_t f = 0; f < corners_.size(); f += 3) {
+    const GLuint a = corners_[f], b = corners_[f + 1], c = corners_[f + 2];
+    if ((seen[a].outside | seen[b].outside | seen[c].outside) & not_a_place) continue;
+    indices_.insert(indices_.end(), {a, b, c});
+
+    // twice a face's area is the length of its normal
+    const Vec3 normal = glm::cross(position[b] - position[a], position[c] - position[a]);
+    normals_[a] += normal;
+    normals_[b] += normal;
+    normals_[c] += normal;
+  }
+}
+
+// The colour of the point, or of the mean strain of its springs.
+void ClothSurface::find_inks(const Subject& subject, const Net& net) {
+  const std::vector<Point>& points = subject.snapshot.system->points();
+  inks_.resize(points.size());
+  if (shows_strain(subject.options)) {
+    strain_sum_.assign(points.size(), 0.0f);
+    strain_count_.assign(points.size(), 0.0f);
+    for (std::size_t s = 0; s < net.ends().size(); ++s)
+      for (const Index end : net.ends()[s]) {
+        strain_sum_[end] += net.strain()[s];
+        strain_count_[end] += 1.0f;
+      }
+    const double scale = View::strain_scale(subject.snapshot);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      inks_[i] = ink(View::strain_color(strain_count_[i] > 0.0f ? strain_sum_[i] / strain_count_[i] / scale : 0.0));
+    return;
+  }
+
+  const Palette& palette = subject.palette;
+  const Color plain = wanted_ ? white : subject.options.springs ? palette.face : mix(palette.face, white, lightening);
+  for (std::size_t i = 0; i < points.size(); ++i) inks_[i] = ink(points[i].color.value_or(plain));
+}
+
+void ClothSurface::add_vertices(const Subject& subject, const Net& net) {
+  const std::vector<Point>& points = subject.snapshot.system->points();
+  const Print& print = subject.options.print;
+  const glm::dvec2 size = wanted_ ? print.width * glm::dvec2(1.0, static_cast<double>(wanted_->height) / wanted_->width) : glm::dvec2(1.0);
+  const auto small = [](double component) { return static_cast<std::int16_t>(std::lround(32767.0 * component)); };
+
+  vertices_.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const glm::dvec4& clip = net.clip()[i];
+    const Vec3 viewed = subject.projection.turned(normals_[i]);
+    const double length = glm::length(viewed);
+    const Vec3 unit = length > 0.0 && std::isfinite(length) ? viewed / length : Vec3(0.0, 0.0, 1.0);
+    glm::dvec2 place = wanted_ ? place_on_cloth(print, points[i].id) / size : glm::dvec2(0.0);
+    if (!std::isfinite(place.x + place.y)) place = glm::dvec2(0.0);
+    vertices_[i] = {{static_cast<float>(clip.x), static_cast<float>(clip.y), static_cast<float>(clip.z), static_cast<float>(clip.w)},
+                    {small(unit.x), small(unit.y), small(unit.z), 0},
+                    {static_cast<float>(place.x), static_cast<float>(place.y)},
+                    inks_[i]};
+  }
+}
+
+// Once a picture, with smaller and smaller copies for cloth that is far away.
+void ClothSurface::upload_picture() {
+  if (texture_ == 0) texture_ = GlName(GlKind::Texture);
+  glBindTexture(GL_TEXTURE_2D, texture_);
+  if (wanted_ == uploaded_) return;
+  uploaded_ = wanted_;
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, wanted_->width, wanted_->height, 0, GL_RGB, GL_UNSIGNED_BYTE, wanted_->pixels.data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+}
+
+void ClothSurface::draw(const Shader& shader) {
+  if (is_empty()) return;
+  shader.use();
+  if (wanted_) upload_picture();
+  glUniform1i(shader.uniform("picture"), 0);
+  glUniform1i(shader.uniform("is_printed"), wanted_ ? 1 : 0);
+  stream_.draw_indexed(vertices_.data(), vertices_.size(), indices_);
+  if (wanted_) glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+}  // namespace hooke
