@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/files.h"
+#include "draw/view.h"
 #include "gui_trial.h"
 #include "lab/scene_file.h"
 #include "trial.h"
@@ -256,6 +257,56 @@ TEST(Documents, AFailedSaveIsSaidAndLeavesTheStar) {
   ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
   EXPECT_NE(gui.words().find("/nowhere/at/all.json"), std::string::npos);
   EXPECT_EQ(gui.app().title(), "Hooke - Hanging*");
+}
+
+// A sheet of two faces, and a picture beside it.
+struct Draped {
+  Folder folder;
+  std::filesystem::path file = folder.path / "draped.json";
+  Draped() {
+    std::ofstream(file) << R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0],
+      "down": [0, -1, 0], "points": [2, 2], "stiffness": 10}], "view": {"springs": false}})";
+    write_png(Image{1, 1, {9, 9, 9}}, folder.path / "mine.png");
+  }
+};
+
+TEST(Textures, AreChosenSavedAndTakenBack) {
+  const Draped draped;
+  GuiTrial gui(load_scene(draped.file).scene, draped.file);
+  EXPECT_FALSE(gui.app().view_options().springs);
+  gui.app().handle(FileDrop{draped.folder.path / "mine.png"});
+  EXPECT_EQ(gui.status().view.texture, "mine.png");
+  ASSERT_TRUE(gui.app().view_options().print.picture);
+  EXPECT_FALSE(gui.app().view_options().strain_colors);  // they would hide it
+  EXPECT_EQ(gui.status().undo_name, "put a texture on");
+
+  gui.app().panels().view.points = false;
+  gui.key(letter('S'), control);
+  const LoadedScene saved = load_scene(draped.file);
+  EXPECT_TRUE(saved.warnings.empty());
+  EXPECT_EQ(saved.scene.view, (ViewSettings{.springs = false, .points = false, .strain_colors = false, .texture = "mine.png"}));
+
+  gui.key(letter('Z'), control);
+  EXPECT_EQ(gui.status().view.texture, "");
+  EXPECT_FALSE(gui.app().view_options().print.picture);
+}
+
+TEST(Textures, FromElsewhereAreRefusedWithTheReason) {
+  const Draped draped;
+  GuiTrial gui(load_scene(draped.file).scene, draped.file);
+  gui.app().handle(FileDrop{draped.folder.path.parent_path() / "other.png"});
+  ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
+  EXPECT_NE(gui.app().panels().dialog.text.find("\"../other.png\": must lie in the scene's folder, " + draped.folder.path.string()),
+            std::string::npos);
+  gui.key(Key::Enter);
+  EXPECT_EQ(gui.status().view.texture, "");
+}
+
+TEST(Textures, OfADocumentThatIsInNoFolderAskForOne) {
+  const Draped draped;
+  GuiTrial gui(hanging());
+  gui.app().handle(FileDrop{draped.folder.path / "mine.png"});
+  EXPECT_NE(gui.app().panels().dialog.text.find("save the scene there first"), std::string::npos);
 }
 
 TEST(Documents, AsksBeforeChangesAreLost) {

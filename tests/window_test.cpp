@@ -222,12 +222,13 @@ TEST(Window, ShowsTheSamePictureAsIsDrawnWithoutADisplay) {
   const Camera camera = make_camera(scene.view, scene.system, scene.state, place.width / place.height);
   const Offscreen offscreen;
   View view;
-  view.draw(*opened.status()->snapshot, {}, camera, {}, width, height, nullptr);
+  const ViewOptions options = options_for(scene.view, scene.print);
+  view.draw(*opened.status()->snapshot, {}, camera, options, width, height, nullptr);
   const Image drawn = cut(view.read(), {0.0, 0.0, place.width, place.height});
   EXPECT_LE(difference(shown, drawn), 0.002);
 
   // and another frame is another picture
-  view.draw(*Lab(load_scene(find_scene("cloth_on_ball")).scene).status()->snapshot, {}, camera, {}, width, height, nullptr);
+  view.draw(*Lab(load_scene(find_scene("cloth_on_ball")).scene).status()->snapshot, {}, camera, options, width, height, nullptr);
   EXPECT_GT(difference(shown, cut(view.read(), {0.0, 0.0, place.width, place.height})), 0.02);
 }
 

@@ -77,6 +77,7 @@ void App::obey(const Request& request) {
                  [this](const SaveFile& save_file) {
                    if (save_to(typed_path(save_file.file))) go_on_after_saving();
                  },
+                 [this](const ChooseTexture& choose) { choose_texture(choose.texture); },
                  [this](Answer given) { answer(given); },
              },
              request);
@@ -149,6 +150,7 @@ void App::take_document(std::shared_ptr<const Scene> scene, std::filesystem::pat
   panels_.remarks.clear();
   file_ = std::move(file);
   bench_.camera = make_camera(scene->view, scene->system, scene->state, bench_.size.x / bench_.size.y);
+  take_switches(scene->view);
   lab_.submit(Open{std::move(scene)});
   settle();
 }
@@ -161,7 +163,12 @@ void App::open(const std::filesystem::path& file) {
 }
 
 bool App::save_to(const std::filesystem::path& file) {
-  const std::string error = try_save(*lab_.copy_scene().get(), file);
+  Scene scene = *lab_.copy_scene().get();
+  scene.view.surface = panels_.view.surface;
+  scene.view.springs = panels_.view.springs;
+  scene.view.points = panels_.view.points;
+  scene.view.strain_colors = panels_.view.strain_colors;
+  const std::string error = try_save(scene, file);
   if (!error.empty()) {
     pending_.reset();
     panels_.tell("Cannot save the scene", error);
@@ -177,6 +184,17 @@ bool App::save_to(const std::filesystem::path& file) {
 void App::save() {
   if (file_.empty() || is_shipped(file_)) return ask_for_path();
   if (save_to(file_)) go_on_after_saving();
+}
+
+// What hides it gives way.
+void App::choose_texture(const std::string& typed) {
+  ChosenTexture chosen = try_texture(typed, file_);
+  if (!chosen.error.empty()) return panels_.tell("Cannot use the picture", chosen.error);
+  if (!chosen.set.texture.empty()) {
+    panels_.view.surface = true;
+    panels_.view.strain_colors = panels_.view.strain_colors && panels_.view.springs;
+  }
+  lab_.submit(std::move(chosen.set));
 }
 
 void App::ask_for_path() {

@@ -22,6 +22,7 @@ App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file)
     : lab_(*scene), bench_{lab_, selection_, last_gesture_, lab_.status(), {}}, file_(std::move(file)), to_frame_(std::move(scene)) {
   for (const ToolRow& row : tools()) tool_buttons_.push_back(row.button);
   take_tool(Action::SelectTool);
+  take_switches(bench_.status->view);
 }
 
 void App::resize(const glm::dvec2& size, double scale) {
@@ -101,7 +102,12 @@ void App::on(const Scroll& scroll) {
     bench_.camera.zoom(std::pow(zoom_per_step, scroll.steps), pointer().at, bench_.size);
 }
 
-void App::on(const FileDrop& drop) { unless_unsaved(OpenFile{drop.file}); }
+void App::on(const FileDrop& drop) {
+  if (drop.file.extension() == ".png")
+    choose_texture(drop.file.string());
+  else
+    unless_unsaved(OpenFile{drop.file});
+}
 void App::on(const CloseRequest&) { perform(Action::Quit); }
 
 void App::take_tool(Action action) {
@@ -147,8 +153,17 @@ void App::build_frame(const Figures& figures) {
   }
 }
 
+// What a document asks to be shown; from then on it is the person's.
+void App::take_switches(const ViewSettings& view) {
+  panels_.view.surface = view.surface;
+  panels_.view.springs = view.springs;
+  panels_.view.points = view.points;
+  panels_.view.strain_colors = view.strain_colors;
+}
+
 ViewOptions App::view_options() const {
   ViewOptions options = panels_.view;
+  options.print = status().print;
   if (status().view.background) options.background = *status().view.background;
   return options;
 }

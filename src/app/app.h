@@ -70,10 +70,12 @@ class App {
   bool save_to(const std::filesystem::path& file);
   void save();
   void ask_for_path();
+  void choose_texture(const std::string& typed);
   void answer(Answer answer);
   void go_on_after_saving();
 
   void take_status();
+  void take_switches(const ViewSettings& view);
   Pointer pointer() const;
 
   LabThread lab_;

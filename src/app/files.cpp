@@ -3,9 +3,19 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "lab/printable.h"
 #include "lab/scene_file.h"
+#include "lab/texture.h"
 
 namespace hooke {
+namespace {
+
+std::filesystem::path without_tilde(const std::filesystem::path& typed) {
+  const char* home = std::getenv("HOME");
+  return home != nullptr && typed.string().starts_with("~/") ? std::filesystem::path(home) / typed.string().substr(2) : typed;
+}
+
+}  // namespace
 
 std::string joined(const std::vector<std::string>& lines) {
   std::string text;
@@ -31,10 +41,31 @@ std::string try_save(const Scene& scene, const std::filesystem::path& file) {
   }
 }
 
+ChosenTexture try_texture(const std::string& typed, const std::filesystem::path& document) {
+  if (typed.empty()) return {};
+  const bool ships = std::ranges::any_of(shipped_textures(), [&](const ShippedTexture& row) { return row.id == typed; });
+  if (!ships && (document.empty() || is_shipped(document)))
+    return {{}, "A picture lies in the folder of its scene: save the scene there first."};
+
+  // where the picture is, seen from the document
+  const std::filesystem::path folder = document.parent_path();
+  std::string texture = typed;
+  if (!ships) {
+    std::error_code error;
+    const std::filesystem::path path = without_tilde(typed), full = std::filesystem::absolute(folder, error) / path;
+    texture = full.lexically_normal().lexically_relative(std::filesystem::absolute(folder, error).lexically_normal()).string();
+  }
+  const std::string name = "texture: \"" + printable(texture) + "\"";
+  if (const std::string limit = texture_limit(texture); !limit.empty()) return {{}, name + ": " + limit + ", " + folder.string()};
+  try {
+    return {{.texture = texture, .picture = read_texture(texture, folder, name)}, {}};
+  } catch (const std::runtime_error& refusal) {  // Refused or FileError
+    return {{}, refusal.what()};
+  }
+}
+
 std::filesystem::path typed_path(const std::filesystem::path& typed) {
-  std::filesystem::path path = typed;
-  const char* home = std::getenv("HOME");
-  if (home != nullptr && path.string().starts_with("~/")) path = std::filesystem::path(home) / path.string().substr(2);
+  std::filesystem::path path = without_tilde(typed);
   if (!path.has_extension()) path += ".json";
   std::error_code error;
   const std::filesystem::path full = std::filesystem::absolute(path, error);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/scene.h"
+#include "lab/command.h"
 
 namespace hooke {
 
@@ -21,6 +21,13 @@ Opened try_open(const std::filesystem::path& file);
 
 // An error text, empty when it is saved.
 std::string try_save(const Scene& scene, const std::filesystem::path& file);
+
+// A texture as a person names it: one that ships, or a PNG by its path, which must lie in the folder of the document.
+struct ChosenTexture {
+  SetTexture set;
+  std::string error;  // empty: fine
+};
+ChosenTexture try_texture(const std::string& typed, const std::filesystem::path& document);
 
 // A path as a person types it: "~/" is the home folder, a missing ending is .json, the rest starts from the working folder.
 std::filesystem::path typed_path(const std::filesystem::path& typed);

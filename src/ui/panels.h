@@ -37,7 +37,7 @@ struct Desk {
 };
 
 struct Dialog {
-  enum class Kind { None, Message, Open, Save, Unsaved };
+  enum class Kind { None, Message, Open, Save, Unsaved, Texture };
   Kind kind = Kind::None;
   std::string title, text;                   // of a message
   std::string typed;                         // the path

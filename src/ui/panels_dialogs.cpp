@@ -102,13 +102,27 @@ void unsaved_box(const Desk&, Panels& panels, Requests& requests) {
   requests.emplace_back(*answer);
 }
 
+void texture_box(const Desk&, Panels& panels, Requests& requests) {
+  dim_text("Path of a PNG in the folder of the scene");
+  path_line(panels);
+  ImGui::Spacing();
+  const bool chosen = accepted(panels, "Choose");
+  if (cancelled(panels)) return close(panels);
+  if (!chosen || panels.dialog.typed.empty()) return;
+  requests.emplace_back(ChooseTexture{panels.dialog.typed});
+  close(panels);
+}
+
 struct Question {
   const char* title;
   void (*build)(const Desk& desk, Panels& panels, Requests& requests);
 };
 // In the order of Dialog::Kind, after None.
-constexpr Question questions[] = {
-    {"Message", message_box}, {"Open a scene", open_box}, {"Save the scene as", save_box}, {"Save the changes?", unsaved_box}};
+constexpr Question questions[] = {{"Message", message_box},
+                                  {"Open a scene", open_box},
+                                  {"Save the scene as", save_box},
+                                  {"Save the changes?", unsaved_box},
+                                  {"Put a picture on the cloth", texture_box}};
 
 }  // namespace
 

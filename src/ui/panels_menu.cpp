@@ -1,6 +1,7 @@
 // The bar at the top: menus, the run's buttons, undo and redo, the clock.
 #include "lab/printable.h"
 #include "lab/scene_file.h"
+#include "lab/texture.h"
 #include "ui/panels.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
@@ -48,15 +49,34 @@ void run_menu(const Desk&, Panels&, Requests& requests) {
   for (const Action action : {Action::StiffnessUp, Action::StiffnessDown, Action::SubstepsUp, Action::SubstepsDown}) item(action, requests);
 }
 
-void view_menu(const Desk&, Panels& panels, Requests& requests) {
+// A line for each texture that ships, and for a picture of one's own.
+void texture_menu(const Desk& desk, Panels& panels, Requests& requests) {
+  const std::string& now = desk.status.view.texture;
+  if (ImGui::MenuItem("None", nullptr, now.empty())) requests.emplace_back(ChooseTexture{});
+  bool ships = now.empty();
+  for (const ShippedTexture& texture : shipped_textures()) {
+    const bool chosen = now == texture.id;
+    ships = ships || chosen;
+    if (ImGui::MenuItem(texture.title.data(), nullptr, chosen)) requests.emplace_back(ChooseTexture{std::string(texture.id)});
+  }
+  const std::string own = ships ? "Picture..." : "Picture: " + printable(now, 40) + "...";
+  if (ImGui::MenuItem(own.c_str(), nullptr, !ships)) panels.ask(Dialog::Kind::Texture, ships ? "" : now);
+}
+
+void view_menu(const Desk& desk, Panels& panels, Requests& requests) {
   item(Action::FrameAll, requests);
   ImGui::Separator();
   ImGui::MenuItem("Points", nullptr, &panels.view.points);
   ImGui::MenuItem("Springs", nullptr, &panels.view.springs);
-  ImGui::MenuItem("Faces", nullptr, &panels.view.faces);
+  ImGui::MenuItem("Surface", nullptr, &panels.view.surface);
+  ImGui::MenuItem("Colours of strain", nullptr, &panels.view.strain_colors);
+  ImGui::Separator();
   ImGui::MenuItem("Colliders", nullptr, &panels.view.colliders);
   ImGui::MenuItem("Grid", nullptr, &panels.view.grid);
-  ImGui::MenuItem("Colours of strain", nullptr, &panels.view.strain_colors);
+  if (desk.status.snapshot->system->faces.empty()) return;
+  ImGui::Separator();
+  dim_text("Texture");
+  texture_menu(desk, panels, requests);
 }
 
 struct Menu {

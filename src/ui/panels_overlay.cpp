@@ -25,7 +25,8 @@ std::string percent(double strain) {
 
 void legend(const Desk& desk, const Panels& panels, ImDrawList& list) {
   const Snapshot& snapshot = *desk.status.snapshot;
-  if (snapshot.system->springs().empty() || !panels.view.springs || !panels.view.strain_colors) return;
+  const bool is_coloured = panels.view.springs || (panels.view.surface && !snapshot.system->faces.empty());
+  if (snapshot.system->springs().empty() || !is_coloured || !panels.view.strain_colors) return;
   const Rect& scene = desk.layout.scene;
   const ImVec2 at = place(scene, units(18.0), scene.height - units(44.0));
   const float width = units(180.0), height = units(8.0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -21,10 +22,14 @@ struct OpenFile {
 struct SaveFile {
   std::filesystem::path file;
 };
+// A texture for the faces: the name of one that ships, a PNG, or nothing.
+struct ChooseTexture {
+  std::string texture;
+};
 // The answer to "save the changes first?"
 enum class Answer { Save, Discard, Cancel };
 
-using Request = std::variant<Edit, Control, Action, OpenFile, SaveFile, Answer>;
+using Request = std::variant<Edit, Control, Action, OpenFile, SaveFile, ChooseTexture, Answer>;
 using Requests = std::vector<Request>;
 
 }  // namespace hooke
