@@ -13,6 +13,7 @@
 #include "cli/bench_progress.h"
 #include "cli/bench_report.h"
 #include "cli/gnuplot.h"
+#include "cli/methods_page.h"
 #include "cli/run_report.h"
 #include "lab/atomic_write.h"
 #include "lab/build_info.h"
@@ -29,6 +30,7 @@ struct BenchOptions {
   std::vector<std::string> scenes;   // built-in problems, scenes that ship, or files; empty: the built-in problems
   std::vector<std::string> methods;  // ids; empty: all
   std::filesystem::path folder = ".";
+  std::filesystem::path report_of;  // results whose report alone is written
   bool quick = false, quiet = false;
 };
 
@@ -94,6 +96,35 @@ std::vector<const Integrator*> chosen_methods(const std::vector<std::string>& id
   return chosen;
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw FileError(printable(folder.native()) + ": cannot be made: " + failure.message());
+}
+
+void write_pages(const Results& results, const std::filesystem::path& folder) {
+  write_atomically(folder / "bench.md", markdown_report(results));
+  write_atomically(folder / "methods.md", methods_page(results));
+}
+
+void draw_charts(const Results& results, const std::filesystem::path& folder) {
+  for (const auto& [format, file] : {std::pair{ChartFormat::Svg, "bench.svg"}, std::pair{ChartFormat::Png, "bench.png"}})
+    if (const std::optional<std::string> failure = run_gnuplot(chart_script(results, format, file), folder)) {
+      std::cerr << *failure << "\n";
+      return;
+    }
+}
+
+int report_again(const BenchOptions& options) {
+  make_folder(options.folder);
+  const Results results = parse_results(read_file(options.report_of), printable(options.report_of.native()));
+  write_pages(results, options.folder);
+  draw_charts(results, options.folder);
+  if (!options.quiet)
+    for (const ProblemRecord& record : results.problems) std::cout << report(record);
+  return exit_code::fine;
+}
+
 // One benchmark and its folder.
 class Bench {
  public:
@@ -103,9 +134,7 @@ class Bench {
         problems_(chosen_problems(options)),
         methods_(chosen_methods(options.methods)),
         progress_(problems_.size() * methods_.size(), !options.quiet) {
-    std::error_code failure;
-    std::filesystem::create_directories(options_.folder, failure);
-    if (failure) throw FileError(printable(options_.folder.native()) + ": cannot be made: " + failure.message());
+    make_folder(options_.folder);
     take_over_earlier_results();
   }
 
@@ -116,7 +145,7 @@ class Bench {
       measure(problem);
     }
     progress_.clear();
-    draw_charts();
+    draw_charts(results_, options_.folder);
 
     if (!options_.quiet)
       for (const ProblemRecord& record : results_.problems) std::cout << report(record);
@@ -177,15 +206,7 @@ class Bench {
     results_.date = now();
     write_atomically(options_.folder / "bench.json", format_results(results_));
     write_atomically(options_.folder / "bench.csv", format_csv(results_));
-    write_atomically(options_.folder / "bench.md", markdown_report(results_));
-  }
-
-  void draw_charts() const {
-    for (const auto& [format, file] : {std::pair{ChartFormat::Svg, "bench.svg"}, std::pair{ChartFormat::Png, "bench.png"}})
-      if (const std::optional<std::string> failure = run_gnuplot(chart_script(results_, format, file), options_.folder)) {
-        std::cerr << *failure << "\n";
-        return;
-      }
+    write_pages(results_, options_.folder);
   }
 
   const BenchOptions& options_;
@@ -206,12 +227,15 @@ std::function<int()> declare_bench(CLI::App& app) {
   for (const BuiltInProblem& row : built_in_problems()) built_in += (built_in.empty() ? "" : " ") + std::string(row.id);
   app.add_option("SCENE", options->scenes, "Built-in problems, scenes that ship, or scene files, one second of each; none: " + built_in);
   app.add_option("--methods", options->methods, "Only these, with commas between")->delimiter(',')->type_name("ID,...");
-  app.add_option("--out", options->folder, "Where bench.json, .csv, .md, .svg and .png go; results found there are gone on from")
+  app.add_option("--out", options->folder,
+                 "Where bench.json, .csv, .md, .svg, .png and methods.md go; results found there are gone on from")
       ->type_name("DIR")
       ->capture_default_str();
+  app.add_option("--report", options->report_of, "Writes the tables and charts of these results into DIR again, measures nothing")
+      ->type_name("bench.json");
   app.add_flag("--quick", options->quick, "Within a minute: fewer problems, coarser");
   app.add_flag("-q,--quiet", options->quiet, "No report and no progress");
-  return [options] { return Bench(*options).run(); };
+  return [options] { return options->report_of.empty() ? Bench(*options).run() : report_again(*options); };
 }
 
 }  // namespace hooke

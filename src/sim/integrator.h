@@ -14,7 +14,7 @@ namespace hooke {
 struct Oscillator {
   double h_omega_squared = 0.0;  // (h omega)^2
   double h_lambda = 0.0;
-  double h_drag = 0.0;           // h c
+  double h_drag = 0.0;  // h c
 };
 
 // One step on it is a 2x2 matrix; its eigenvalues follow from these two.
@@ -40,17 +40,19 @@ std::string_view describe(Stability stability);
 std::string_view describe(EnergyTrend energy);
 
 struct Integrator {
-  std::string_view id;        // on the command line and in files
-  std::string_view label;     // in the menu
-  std::string_view summary;   // one sentence: what it is for
-  std::string_view needs;     // what a step costs, in force evaluations or factorisations
-  int order;                  // of positions and velocities, undamped
-  int order_drag;             // with drag alone
-  int order_damped;           // with dashpots
-  int order_contact;          // undamped, through an impact
+  std::string_view id;       // on the command line and in files
+  std::string_view label;    // in the menu
+  std::string_view summary;  // one sentence: what it is for
+  std::string_view needs;    // what a step costs, in force evaluations or factorisations
+  std::string_view formula;  // one step of h, lines
+  std::string_view source;   // who found or described it
+  int order;                 // of positions and velocities, undamped
+  int order_drag;            // with drag alone
+  int order_damped;          // with dashpots
+  int order_contact;         // undamped, through an impact
   Stability stability;
   EnergyTrend energy;
-  bool symplectic;            // undamped
+  bool symplectic;  // undamped
   // Once a frame, before its first step of h: sizes the workspace, computes what all steps of the frame share. May be null.
   void (*prepare)(const Plan& plan, double h, const Motion& motion, Workspace& work);
   void (*step)(const Plan& plan, Motion& motion, Workspace& work, double h);

@@ -37,6 +37,10 @@ constinit const Integrator baraff_witkin{
     .label = "Baraff-Witkin (one Newton step)",
     .summary = "The fallback for scenes that nothing else can follow: one linear solve a step, strongly damped, first order.",
     .needs = "one factorisation and one solve a step",
+    .formula =
+        "(M - h df/dv - h^2 df/dx)(v' - v) = h (f + h df/dx v)\n"
+        "x' = x + h v'",
+    .source = "D. Baraff, A. Witkin, Large Steps in Cloth Simulation, SIGGRAPH 1998, eq. 16",
     .order = 1,
     .order_drag = 1,
     .order_damped = 1,

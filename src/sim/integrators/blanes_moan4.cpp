@@ -77,6 +77,10 @@ constinit const Integrator blanes_moan4{
     .label = "Blanes-Moan 4",
     .summary = "Fourth order without energy drift: the cheapest to tight errors in scenes without dashpots.",
     .needs = "six force evaluations a step; two sweeps over the dashpots",
+    .formula =
+        "kick b1 h, drift a1 h, kick b2 h, ... drift a6 h, kick b7 h,   b and a symmetric\n"
+        "dashpots split off as in velocity_verlet",
+    .source = "S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313-330, SRKN_6^b",
     .order = 4,
     .order_drag = 4,
     .order_damped = 2,

@@ -217,6 +217,10 @@ constinit const Integrator dop853{
     .label = "Dormand-Prince 8(5,3)",
     .summary = "Eighth order with steps chosen by the tolerance: tight errors, with damping too, and the reference for all others.",
     .needs = "twelve force evaluations a step of its own",
+    .formula =
+        "V_i = v + h sum_j A_ij a_j,   X_i = x + h c_i v + h^2 sum_j (A A)_ij a_j,   a_i = a(t + c_i h, X_i, V_i),   i = 1 ... 12\n"
+        "x' = x + h v + h^2 sum b A a,   v' = v + h sum b a;   h from error estimates of order 5 and 3",
+    .source = "E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.5 and II.10",
     .order = 8,
     .order_drag = 8,
     .order_damped = 8,

@@ -37,6 +37,10 @@ constinit const Integrator esdirk4{
     .label = "ESDIRK4(3)",
     .summary = "Tight errors in very stiff or strongly damped scenes: fourth order, and what is too fast dies out.",
     .needs = "five nonlinear solves a step with one matrix: one to three factorisations",
+    .formula =
+        "y_i = y + h sum_{j <= i} A_ij f(y_j),   i = 1 ... 6,   A_11 = 0, A_ii = 1/4\n"
+        "y' = y_6",
+    .source = "C. A. Kennedy, M. H. Carpenter, Appl. Numer. Math. 44 (2003) 139-181, ARK4(3)6L[2]SA, implicit part",
     .order = 4,
     .order_drag = 4,
     .order_damped = 4,

@@ -28,6 +28,10 @@ constinit const Integrator explicit_euler{
     .label = "Explicit Euler",
     .summary = "The simplest method, to see it fail: without damping it gains energy at every step size.",
     .needs = "one force evaluation a step",
+    .formula =
+        "x' = x + h v\n"
+        "v' = v + h a(x, v)",
+    .source = "L. Euler, Institutiones calculi integralis, 1768",
     .order = 1,
     .order_drag = 1,
     .order_damped = 1,

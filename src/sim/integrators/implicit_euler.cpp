@@ -23,6 +23,12 @@ constinit const Integrator implicit_euler{
     .label = "Implicit Euler",
     .summary = "What implicit Euler truly gives, for comparison: stable at any step, strongly damped, first order.",
     .needs = "a nonlinear solve a step: two to five factorisations where springs are stiff",
+    .formula =
+        "v' = v + h a(x', v')\n"
+        "x' = x + h v'",
+    .source =
+        "E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.3; solved as in T. F. Gast, C. Schroeder, Optimization "
+        "Integrator for Large Time Steps, SCA 2014",
     .order = 1,
     .order_drag = 1,
     .order_damped = 1,

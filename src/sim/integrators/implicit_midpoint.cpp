@@ -24,6 +24,10 @@ constinit const Integrator implicit_midpoint{
     .label = "Implicit midpoint",
     .summary = "Keeps the energy of smooth motion at steps beyond the explicit limit; fails on stiff springs that turn.",
     .needs = "a nonlinear solve a step",
+    .formula =
+        "V = v + h/2 a(x + h/2 V, V)\n"
+        "x' = x + h V,   v' = 2 V - v",
+    .source = "E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, II.1 (Gauss, one stage)",
     .order = 2,
     .order_drag = 2,
     .order_damped = 2,

@@ -50,6 +50,10 @@ constinit const Integrator runge_kutta4{
     .label = "Runge-Kutta 4",
     .summary = "The classic of fourth order: accurate for damped scenes and small steps; energy drifts slowly.",
     .needs = "four force evaluations a step",
+    .formula =
+        "k1 = f(y), k2 = f(y + h/2 k1), k3 = f(y + h/2 k2), k4 = f(y + h k3),   y = (x, v)\n"
+        "y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4)",
+    .source = "W. Kutta, Z. Math. Phys. 46 (1901) 435-453",
     .order = 4,
     .order_drag = 4,
     .order_damped = 4,

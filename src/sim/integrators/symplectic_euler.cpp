@@ -33,6 +33,10 @@ constinit const Integrator symplectic_euler{
     .label = "Symplectic Euler (semi-implicit, modified Euler)",
     .summary = "One force evaluation a step and no energy drift: the method of most games, first order.",
     .needs = "one force evaluation a step",
+    .formula =
+        "v' = E v + phi a(x, v),   E = e^(-c h), phi = (1 - E) / c\n"
+        "x' = x + h v'",
+    .source = "R. de Vogelaere, 1956; E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, I.1",
     .order = 1,
     .order_drag = 1,
     .order_damped = 1,

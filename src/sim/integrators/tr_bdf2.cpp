@@ -35,6 +35,12 @@ constinit const Integrator tr_bdf2{
     .label = "TR-BDF2",
     .summary = "The workhorse for very stiff or strongly damped scenes: second order, and what is too fast dies out.",
     .needs = "two nonlinear solves a step with one matrix: one to three factorisations",
+    .formula =
+        "y1 = y + gamma h/2 (f(y) + f(y1)),   gamma = 2 - sqrt(2),   y = (x, v)\n"
+        "y' = (y1 / gamma - (1 - gamma)^2 / gamma y + (1 - gamma) h f(y')) / (2 - gamma)",
+    .source =
+        "R. E. Bank et al., IEEE Trans. Electron Devices 32 (1985) 1992-2007; M. E. Hosea, L. F. Shampine, Appl. Numer. Math. 20 (1996) "
+        "21-37",
     .order = 2,
     .order_drag = 2,
     .order_damped = 2,

@@ -51,6 +51,15 @@ constinit const Integrator velocity_verlet{
     .label = "Velocity Verlet",
     .summary = "The workhorse: second order, no energy drift, one force evaluation a step, exact dashpots.",
     .needs = "one force evaluation a step; two sweeps over the dashpots",
+    .formula =
+        "dashpots over h/2, each exactly, forward\n"
+        "v = E v + phi a(x),   E = e^(-c h/2), phi = (1 - E) / c\n"
+        "x' = x + h v\n"
+        "v' = E v + phi a(x')\n"
+        "dashpots over h/2, backward",
+    .source =
+        "C. Stoermer, 1907; L. Verlet, Phys. Rev. 159 (1967) 98-103; W. C. Swope et al., J. Chem. Phys. 76 (1982) 637-649; splitting: G. "
+        "Strang, 1968",
     .order = 2,
     .order_drag = 2,
     .order_damped = 2,

@@ -147,6 +147,12 @@ constinit const Integrator xpbd{
     .label = "XPBD, one iteration",
     .summary = "Real-time stiff cloth to loose errors: bounded at steps far beyond the explicit limit, and too soft there.",
     .needs = "one sweep over the springs a step",
+    .formula =
+        "v = E v + phi g,   E = e^(-c h), phi = (1 - E) / c\n"
+        "for every spring:  J = -phi (k (l - l0) + d (v_i - v_j).u) / (1 + phi (h k + d)(w_i + w_j)),   l, u at x + h v, w = 1/m\n"
+        "                   v_i += w_i J u,  v_j -= w_j J u\n"
+        "x' = x + h v",
+    .source = "M. Macklin, M. Mueller, N. Chentanez, XPBD, MIG 2016; M. Macklin et al., Small Steps in Physics Simulation, SCA 2019",
     .order = 1,
     .order_drag = 1,
     .order_damped = 1,

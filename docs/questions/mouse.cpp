@@ -1,0 +1,111 @@
+// Constants and mice that are too large or too fast for the step.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "question.h"
+#include "sim/energy.h"
+#include "sim/integrator.h"
+#include "trial.h"
+
+namespace hooke {
+namespace {
+
+// n x n points a tenth of a metre apart, structural springs, 0.01 kg a point, free.
+Trial net(int n, double stiffness) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  std::vector<PointId> ids;
+  for (int i = 0; i < n * n; ++i) ids.push_back(trial.add({0.1 * (i % n), -0.1 * (i / n), 0.0}, 0.01));
+  for (int i = 0; i < n * n; ++i) {
+    if (i % n + 1 < n) trial.join(ids[i], ids[i + 1], stiffness, 0.1);
+    if (i / n + 1 < n) trial.join(ids[i], ids[i + n], stiffness, 0.1);
+  }
+  return trial;
+}
+
+double largest_strain(const Trial& trial) {
+  double most = 0.0;
+  for (const Spring& spring : trial.system.springs()) {
+    const double now = std::abs(strain(trial.system, trial.state, spring));
+    most = std::isfinite(now) ? std::max(most, now) : 1e9;
+  }
+  return std::min(most, 1e9);
+}
+
+// The largest strain while a net whose top row is nailed falls into its springs for a second.
+double strain_of_fall(const char* method, double stiffness, int substeps) {
+  Trial trial = net(8, stiffness);
+  trial.system.gravity = Vec3(0.0, -9.81, 0.0);
+  for (int i = 0; i < 8; ++i) trial.system.point(i).nailed = true;
+  double most = 0.0;
+  for (int frame = 0; frame < 60 && most < 1e6; ++frame) {
+    trial.run(*find_integrator(method), 1.0 / 60.0, substeps);
+    most = std::max(most, largest_strain(trial));
+  }
+  return most;
+}
+
+// The largest strain while a hand takes a corner 0.5 m away at `speed`, itself or lagging behind it at most so fast.
+double strain_of_pull(GrabKind kind, double speed, double top_speed) {
+  Trial trial = net(8, 1e4);
+  const Vec3 start = trial.state.position[0];
+  trial.system.grab = Grab{.point = trial.system.points()[0].id, .kind = kind, .target = start, .stiffness = 200.0};
+  trial.state.hand = start;
+  double most = 0.0;
+  constexpr double frame_time = 1.0 / 60.0;
+  for (int frame = 0; frame < 60; ++frame) {
+    const double mouse = std::min(speed * (frame + 1) * frame_time, 0.5);
+    Vec3& target = trial.system.grab->target;
+    target = start + Vec3(-std::min(mouse, start.x - target.x + top_speed * frame_time), 0.0, 0.0);
+    trial.run(*find_integrator("velocity_verlet"), frame_time, 80);
+    most = std::max(most, largest_strain(trial));
+  }
+  return most;
+}
+
+}  // namespace
+
+Answer why_large_constants_explode() {
+  constexpr int substeps = 20;
+  Answer answer{{.title = "A falling net, 20 substeps a frame: springs made ever stiffer",
+                 .x = "h omega, omega of the fastest mode (Verlet holds below 2)",
+                 .y = "largest strain within 1 s",
+                 .log_x = true,
+                 .log_y = true,
+                 .series = {{"explicit_euler", {}}, {"velocity_verlet", {}}, {"xpbd", {}}, {"tr_bdf2", {}}},
+                 .y_range = "[1e-7:1e7]"},
+                {}};
+  for (double h_omega = 0.25; h_omega < 40.0; h_omega *= std::sqrt(2.0)) {
+    // omega^2 = 8 k / m at most in a square net
+    const double omega = h_omega * 60.0 * substeps, stiffness = 0.01 * omega * omega / 8.0;
+    for (Series& series : answer.chart.series) series.points.push_back({h_omega, strain_of_fall(series.name.c_str(), stiffness, substeps)});
+  }
+  for (const auto& [x, y] : answer.chart.series[1].points) {
+    if (x < 1.9) answer.expect(y < 1.0, "Verlet holds below h omega = 2");
+    if (x > 3.0) answer.expect(y > 100.0, "Verlet explodes well beyond it");
+  }
+  for (const auto& [x, y] : answer.chart.series[3].points) answer.expect(y < 1.0, "TR-BDF2 holds everywhere");
+  return answer;
+}
+
+Answer what_a_fast_mouse_does() {
+  Answer answer{{.title = "A hand takes the corner of a free net (k = 1e4) half a metre away",
+                 .x = "speed of the mouse [m/s]",
+                 .y = "largest strain",
+                 .log_x = true,
+                 .log_y = true,
+                 .series = {{"held where the mouse is", {}}, {"held, lagging: at most 2 m/s", {}}, {"pulled by a spring, 200 N/m", {}}}},
+                {}};
+  for (const double speed : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 30.0}) {
+    answer.chart.series[0].points.push_back({speed, strain_of_pull(GrabKind::Hold, speed, 1e3)});
+    answer.chart.series[1].points.push_back({speed, strain_of_pull(GrabKind::Hold, speed, 2.0)});
+    answer.chart.series[2].points.push_back({speed, strain_of_pull(GrabKind::Pull, speed, 1e3)});
+  }
+  const auto last = [&](int s) { return answer.chart.series[s].points.back().second; };
+  answer.expect(last(0) > 3.0 * last(1), "a hand that lags stretches far less");
+  answer.expect(last(0) > 3.0 * last(2), "so does a hand that pulls by a spring");
+  return answer;
+}
+
+}  // namespace hooke

@@ -1,0 +1,113 @@
+// A cloth stepped by two threads. Once every force is known before the first point moves; once each thread moves its points as
+// it goes, so that a force sees some neighbours before and some after their step, as the threads happen to run.
+#include <algorithm>
+#include <atomic>
+#include <barrier>
+#include <cmath>
+#include <thread>
+#include <vector>
+
+#include "question.h"
+
+namespace hooke {
+namespace {
+
+constexpr int n = 16, points = n * n, steps = 3000, samples = 40;
+constexpr double side = 1.0 / (n - 1), k = 200.0, mass = 1.0 / points, h = 1.0 / 6000.0, gravity = 9.81;
+
+// Atomic, so that only the order of reads and writes is left to chance, never a torn number.
+using Shared = std::atomic<double>;
+
+struct Cloth {
+  std::vector<Shared> x = std::vector<Shared>(3 * points), v = std::vector<Shared>(3 * points);
+  Cloth() {
+    for (int i = 0; i < points; ++i) {
+      x[3 * i] = (i % n) * side;
+      x[3 * i + 1] = 0.0;
+      x[3 * i + 2] = (i / n) * side;
+    }
+  }
+  static bool is_nailed(int i) { return i == 0 || i == n - 1; }
+
+  void force(int i, double* f) const {
+    f[0] = f[2] = 0.0;
+    f[1] = -mass * gravity;
+    for (int row = -1; row <= 1; ++row)
+      for (int column = -1; column <= 1; ++column) {
+        const int r = i / n + row, c = i % n + column, j = r * n + c;
+        if ((row == 0 && column == 0) || r < 0 || r >= n || c < 0 || c >= n) continue;
+        const double rest = side * std::hypot(row, column);
+        double d[3], square = 0.0;
+        for (int a = 0; a < 3; ++a) {
+          d[a] = x[3 * j + a].load(std::memory_order_relaxed) - x[3 * i + a].load(std::memory_order_relaxed);
+          square += d[a] * d[a];
+        }
+        const double pull = k * (1.0 - rest / std::sqrt(square));
+        for (int a = 0; a < 3; ++a) f[a] += pull * d[a];
+      }
+  }
+  void move(int i, const double* f) {
+    if (is_nailed(i)) return;
+    for (int a = 0; a < 3; ++a) {
+      const double speed = v[3 * i + a].load(std::memory_order_relaxed) + h / mass * f[a];
+      v[3 * i + a].store(speed, std::memory_order_relaxed);
+      x[3 * i + a].store(x[3 * i + a].load(std::memory_order_relaxed) + h * speed, std::memory_order_relaxed);
+    }
+  }
+};
+
+// Height of the free corner over time.
+std::vector<double> heights(bool pass_ends) {
+  Cloth cloth;
+  std::vector<double> forces(3 * points), seen;
+  std::barrier all_here(2);
+  const auto work = [&](int thread) {
+    const int begin = thread * points / 2, end = (thread + 1) * points / 2;
+    for (int step = 0; step < steps; ++step) {
+      for (int i = begin; i < end; ++i) {
+        cloth.force(i, &forces[3 * i]);
+        if (!pass_ends) cloth.move(i, &forces[3 * i]);
+      }
+      all_here.arrive_and_wait();
+      for (int i = begin; i < end && pass_ends; ++i) cloth.move(i, &forces[3 * i]);
+      all_here.arrive_and_wait();
+      if (thread == 0 && step % (steps / samples) == 0) seen.push_back(cloth.x[3 * (points - 1) + 1]);
+    }
+  };
+  std::jthread other(work, 1);
+  work(0);
+  other.join();
+  return seen;
+}
+
+}  // namespace
+
+Answer why_a_pass_must_end() {
+  Answer answer{{.title = "Six runs of the same cloth on two threads, against the first run whose passes end",
+                 .x = "simulated time [s]",
+                 .y = "difference of the free corner [m]",
+                 .log_y = true,
+                 .series = {},
+                 .y_range = "[1e-17:1]"},
+                {}};
+  const std::vector<double> first = heights(true);
+  double spread = 0.0;
+  std::vector<double> racing;
+  for (const bool pass_ends : {true, false})
+    for (int run = 1; run <= 3; ++run) {
+      const std::vector<double> seen = heights(pass_ends);
+      Series series{(pass_ends ? "passes end, run " : "moved at once, run ") + std::to_string(run), {}};
+      for (int s = 0; s < samples; ++s) {
+        const double gap = std::abs(seen[s] - first[s]);
+        if (pass_ends) spread = std::max(spread, gap);
+        series.points.push_back({s * (steps / samples) * h, std::max(gap, 2e-17)});  // 0 has no place on the scale
+      }
+      if (!pass_ends) racing.push_back(series.points.back().second);
+      answer.chart.series.push_back(std::move(series));
+    }
+  answer.expect(spread == 0.0, "runs whose passes end are the same to the last bit");
+  answer.expect(*std::max_element(racing.begin(), racing.end()) > 1e-9, "moving points at once changes the result");
+  return answer;
+}
+
+}  // namespace hooke
