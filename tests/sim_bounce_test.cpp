@@ -73,6 +73,29 @@ TEST_P(Bounce, MeetsTheOrderOfTheMethodAfterTheThirdImpact) {
   }
 }
 
+// A mass on a spring from above that hits the floor, where the spring is at rest: y = y_eq + A cos(w t) + B sin(w t) between
+// the impacts, y_eq = -g / w^2. Where in its step an impact lies decides about its error: the mean over many heights.
+TEST_P(Bounce, OnASpringMeetsTheOrderDeclaredForContact) {
+  const double m = 0.5, w = 6.0, e = 0.7, seconds = 0.3, rest = -g / (w * w);
+  const auto error = [&](int steps) {
+    double sum = 0.0;
+    for (double height = 0.3; height < 0.5; height += 0.002) {
+      Trial trial;
+      const PointId mass = trial.add({0.0, height, 0.0}, m);
+      trial.join(mass, trial.nail({0.0, 1.0, 0.0}), m * w * w, 1.0);
+      trial.system.colliders = {{.shape = Plane{}, .restitution = e}};
+      trial.run(method(), seconds, steps);
+
+      const double fall = std::acos(-rest / (height - rest)) / w, speed = (height - rest) * w * std::sin(w * fall);
+      const double exact = rest - rest * std::cos(w * (seconds - fall)) + e * speed / w * std::sin(w * (seconds - fall));
+      EXPECT_GT(exact, 0.0);
+      sum += std::pow(trial.position(mass).y - exact, 2);
+    }
+    return std::sqrt(sum);
+  };
+  expect_order(error, method().order_contact == 1 ? 400 : 100, method().order_contact, 0.1);
+}
+
 // t1 (1 + e) / (1 - e): at rest at the end of the frame in which that lies, and not before
 TEST(Bounce, EndsAtTheGeometricTime) {
   const Integrator& verlet = *find_integrator("velocity_verlet");

@@ -160,6 +160,26 @@ TEST_P(Rest, UnderASpringIsOnTheFloor) {
   }
 }
 
+// What presses is the weight and the spring: friction holds up to mu times their sum. The forces of a step are taken up to
+// g h^2 below the floor, k h^2 / m = 1e-3 of the spring's off.
+TEST_P(Rest, IsPressedByItsWeightAndItsSpring) {
+  const double m = 0.5, k = 200.0, friction = 0.4;
+  for (const double share : {0.998, 1.002})
+    for (const double squeezed : {0.0, 0.3}) {
+      Trial trial;
+      const PointId point = trial.add(Vec3(0.0), m);
+      trial.join(point, trial.nail({0.0, 1.0, 0.0}), k, 1.0 + squeezed);
+      trial.system.colliders = {{.shape = Plane{}, .friction = friction}};
+      trial.system.gravity.x = share * friction * (g + k * squeezed / m);
+      trial.run(method(), 0.05, 30);
+      if (share < 1.0) {
+        EXPECT_EQ(trial.position(point), Vec3(0.0)) << "squeezed by " << squeezed;
+      } else {
+        EXPECT_GT(trial.position(point).x, 0.0) << "squeezed by " << squeezed;
+      }
+    }
+}
+
 // A point let go at rest on a ball of radius R, `angle` from the top, without friction.
 Trial on_ball(double angle, double radius, double friction = 0.0) {
   Trial trial;
