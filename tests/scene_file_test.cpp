@@ -17,6 +17,7 @@
 #include "lab/scene_file.h"
 #include "scratch_folder.h"
 #include "sim/integrator.h"
+#include "trial.h"
 
 namespace hooke {
 namespace {
@@ -199,6 +200,23 @@ TEST(Generators, AMaterialClothStoresTheSameEnergyAtEveryResolution) {
     const double coarse = energy_of(6, 4, strain);
     EXPECT_NEAR(energy_of(11, 7, strain), coarse, 1e-12 * coarse);
     EXPECT_NEAR(energy_of(51, 31, strain), coarse, 1e-12 * coarse);
+  }
+}
+
+// Without diagonals each column hangs for itself. Its springs, n = N - 1 down, carry (n - r - 1/2) / n^2 of the mass M of the
+// sheet, r = 0 .. n - 1, the two on the border half as much and half as stiff: in all the lowest row sags by M g / (2 k).
+TEST(Generators, AMaterialClothSagsByHalfItsWeightOverItsStiffnessAtEveryResolution) {
+  for (const int n : {2, 5, 17}) {
+    const Scene scene = parse(generated(R"({"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0], "density": 1.3,
+        "stiffness": 200, "shear_stiffness": 0, "nail": ["top"], "points": [)" +
+                                        std::to_string(n) + ", " + std::to_string(n) + "]}"));
+    Trial trial{scene.system, scene.state};
+    trial.system.drag = 5.0;
+    trial.run(*find_integrator("baraff_witkin"), 20.0, 400);
+    for (int column = 0; column < n; ++column) {
+      const Vec3 lowest(column / (n - 1.0), -1.0 - 1.3 * 9.81 / (2.0 * 200.0), 0.0);
+      EXPECT_LT(glm::distance(trial.state.position[(n - 1) * n + column], lowest), 1e-11) << "N = " << n;
+    }
   }
 }
 

@@ -1,4 +1,4 @@
-// What hangs at rest: chains, the elastic catenary, sheets and nets. m mass, k stiffness, l0 rest length, g gravity.
+// What hangs at rest: chains, the elastic catenary and nets. m mass, k stiffness, l0 rest length, g gravity.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -96,32 +96,6 @@ TEST(Hanging, ChainComesToItsLengths) {
   EXPECT_GT(HangingChain::off(trial), 0.1);
   let_rest(trial, 60.0);
   EXPECT_LT(HangingChain::off(trial), 1e-12);
-}
-
-// Without diagonals each column is a chain of its own. As a material (inner points m, half on the border and a quarter at
-// the corners; border springs half as stiff) the lowest row hangs by M g / (2 k) for every N: with n = N - 1 springs down,
-// each column's springs carry (n - r - 1/2) M g / n^2, r = 0 .. n - 1, of which the sum over r is M g / 2.
-TEST(Hanging, SheetOfAMaterialSagsAsMuchAtEveryResolution) {
-  const double mass = 1.3, k = 200.0;
-  for (const int n : {2, 5, 9, 17}) {
-    Trial trial;
-    const double a = 1.0 / (n - 1);
-    const auto share = [&](int index) { return index == 0 || index == n - 1 ? 0.5 : 1.0; };
-    for (int row = 0; row < n; ++row)
-      for (int column = 0; column < n; ++column) {
-        trial.add({a * column, -a * row, 0.0}, mass * a * a * share(row) * share(column));
-        trial.system.point(row * n + column).nailed = row == 0;
-      }
-    for (int row = 0; row < n; ++row)
-      for (int column = 0; column < n; ++column) {
-        if (column + 1 < n) sheet::join(trial, row * n + column, row * n + column + 1, k * share(row), 0.0, a);
-        if (row + 1 < n) sheet::join(trial, row * n + column, (row + 1) * n + column, k * share(column), 0.0, a);
-      }
-    let_rest(trial, 20.0);
-    for (int column = 0; column < n; ++column)
-      EXPECT_LT(glm::distance(trial.state.position[(n - 1) * n + column], Vec3(a * column, -1.0 - mass * g / (2.0 * k), 0.0)), 1e-11)
-          << "N = " << n;
-  }
 }
 
 TEST(Hanging, NetComesToRestWithoutResidual) {
