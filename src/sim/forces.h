@@ -30,15 +30,4 @@ void compute_forces(const Plan& plan, double time, const Field& x, const Field& 
 // a = M^-1 f in place; zero for nailed and held points.
 void divide_by_mass(const Plan& plan, Field& f);
 
-// The dashpots of all springs alone, each solved exactly over a duration: the relative speed w along the spring decays
-// as w exp(-d duration (1/mi + 1/mj)), an impulse along the spring. A forward sweep over the springs for h/2 before and
-// a backward sweep for h/2 after a step of the rest is second order (Strang; Shardlow 2003 for the pairwise splitting),
-// conserves momentum and is stable for any d. `decay` comes from plan_dashpot_decay.
-enum class Sweep { Forward, Backward };
-void decay_dashpots(const Plan& plan, const std::vector<double>& decay, Sweep sweep, const Field& x, Field& v);
-
-// The impulse per relative speed of each packed spring over `duration` [s]:
-// (1 - exp(-d duration (1/mi + 1/mj))) / (1/mi + 1/mj) [kg]; 0 between two nails.
-void plan_dashpot_decay(const Plan& plan, double duration, std::vector<double>& decay);
-
 }  // namespace hooke

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "sim/dashpot.h"
 #include "sim/forces.h"
 #include "sim/integrators/rows.h"
 

@@ -1,9 +1,10 @@
 // Kick h/2, drift h, kick h/2:  v = v E + a(x) phi,  x = x + h v,  v = v E + a(x) phi     (Stoermer-Verlet)
 // with E = e^(-c h/2), phi = (1 - E) / c (h/2 when c = 0). Dashpots are split off: each is solved exactly, in a forward
-// sweep of h/2 before and a backward sweep of h/2 after (numerics: forces.h). Second order, symplectic when undamped,
+// sweep of h/2 before and a backward sweep of h/2 after (dashpot.h). Second order, symplectic when undamped,
 // stable for h omega < 2 whatever the dashpots.
 #include <cmath>
 
+#include "sim/dashpot.h"
 #include "sim/forces.h"
 #include "sim/integrators/rows.h"
 
