@@ -69,7 +69,7 @@ class RandomEdits {
       case 7: return SetSpringProperty{static_cast<SpringProperty>(pick(4)), {{spring(system), number()}, {spring(system), number()}}};
       case 8: return SetParameter{&parameters()[pick(static_cast<int>(parameters().size()))], number() * 10.0};
       case 9: return SetIntegrator{&integrators()[pick(static_cast<int>(integrators().size()))]};
-      case 10: return GrabPoint{{.point = point(system), .kind = pick(2) == 0 ? GrabKind::Hold : GrabKind::Pull, .target = place()}};
+      case 10: return grab(system);
       default: return ReleaseHand{};
     }
   }
@@ -81,6 +81,12 @@ class RandomEdits {
   Vec3 place() { return {number(), number(), number()}; }
   PointId point(const System& system) { return PointId{static_cast<std::uint32_t>(pick(system.point_count() + 3))}; }
   SpringId spring(const System& system) { return SpringId{static_cast<std::uint32_t>(pick(system.spring_count() + 3))}; }
+  // at a point, or at a place between three
+  Command grab(const System& system) {
+    const PointId first = point(system);
+    if (pick(2) == 0) return GrabPoint{{.point = first, .kind = pick(2) == 0 ? GrabKind::Hold : GrabKind::Pull, .target = place()}};
+    return GrabPoint{{.point = first, .patch = Patch{{first, point(system), point(system)}, {0.25, 0.25, 0.5}}, .target = place()}};
+  }
   Command insert_point(Lab& lab) { return Insert{.points = {{.point = {.id = lab.new_point_id(), .mass = number()}, .position = place()}}}; }
   Command insert_spring(Lab& lab) {
     const System& system = lab.scene().system;
@@ -217,6 +223,15 @@ TEST(Edits, OfWhatIsGoneOrAbsurdDoNothing) {
   lab.submit(Command(SetPointProperty{PointProperty::Mass, {{lab.scene().system.points()[1].id, -1.0}, {gone, 1.0}}}));
   lab.submit(Command(SetSpringProperty{SpringProperty::Stiffness, {{lab.scene().system.springs()[0].id, INFINITY}}}));
   lab.submit(Command(GrabPoint{{.point = gone}}));
+  const PointId a{0}, b{1}, c{2};
+  const std::array<double, 3> shares{0.5, 0.3, 0.2};
+  lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, gone}, shares}}}));
+  lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, b}, shares}}}));
+  lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, c}, {0.5, 0.8, -0.3}}}}));
+  lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, c}, {0.5, 0.5, 0.5}}}}));
+  lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, c}, shares}, .kind = GrabKind::Hold}}));
+  lab.submit(Command(GrabPoint{{.point = PointId{3}, .patch = Patch{{a, b, c}, shares}}}));
+  lab.submit(Command(GrabPoint{{.point = a, .stiffness = -1.0}}));
   lab.submit(Command(MoveHand{Vec3(1.0)}));
   lab.submit(Command(Insert{.points = {{.point = {.id = lab.scene().system.points()[0].id}}, {.point = {.id = PointId{50}, .mass = 0.0}}},
                             .springs = {{.spring = {.id = SpringId{80}, .first = gone, .second = PointId{0}}}}}));

@@ -200,6 +200,95 @@ TEST(Pick, ACutCrossesTheSpringsBetweenItsEndsOnly) {
   EXPECT_EQ(cut, std::vector{crossed});
 }
 
+// A triangle in the plane z = 0 and one behind it, and a point behind both.
+struct Layers : Scenery {
+  PointId behind;
+  Layers() {
+    camera = oblique();
+    for (const double z : {0.0, -0.6})
+      for (const Vec3& corner : {Vec3(-0.8, -0.6, z), Vec3(0.9, -0.7, z), Vec3(0.0, 0.8, z)}) ball(corner, 0.0);
+    // the far one first, and each turned another way: neither counts
+    trial.system.faces = {{{PointId{3}, PointId{5}, PointId{4}}}, {{PointId{0}, PointId{1}, PointId{2}}}};
+    behind = ball(-0.5 * camera.back, 0.02);
+  }
+  Lens lens_with_surface() const {
+    Lens with = lens();
+    with.shows_surface = true;
+    return with;
+  }
+};
+
+TEST(Pick, MeetsTheSurfaceWhereItIsSeenAndSaysHowItLiesBetweenThePoints) {
+  const Layers layers;
+  const Vec3 places[] = {{0.1, -0.2, 0.0}, {-0.79, -0.5999, 0.0}, {0.0, 0.0, 0.0}};
+  for (const Vec3& place : places) {
+    const auto hit = pick_surface(layers.snapshot(), layers.lens(), layers.seen(place));
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->patch.points, (std::array{PointId{0}, PointId{1}, PointId{2}}));
+    EXPECT_LT(glm::distance(hit->position, place), 1e-9);
+    Vec3 sum(0.0);
+    double whole = 0.0;
+    for (std::size_t p = 0; p < 3; ++p) {
+      EXPECT_GE(hit->patch.shares[p], 0.0);
+      whole += hit->patch.shares[p];
+      sum += hit->patch.shares[p] * layers.trial.position(hit->patch.points[p]);
+    }
+    EXPECT_NEAR(whole, 1.0, 1e-15);
+    EXPECT_LT(glm::distance(sum, place), 1e-9);
+  }
+  EXPECT_FALSE(pick_surface(layers.snapshot(), layers.lens(), layers.seen({0.9, 0.8, 0.0})));
+}
+
+TEST(Pick, ReachesASurfaceFromBehindAndPastTheViewer) {
+  Layers layers;
+  layers.camera.back = -layers.camera.back;
+  const auto far = pick_surface(layers.snapshot(), layers.lens(), layers.seen({0.1, -0.2, -0.6}));
+  ASSERT_TRUE(far);
+  EXPECT_EQ(far->patch.points, (std::array{PointId{3}, PointId{5}, PointId{4}}));
+
+  // a face that reaches behind the viewer
+  Scenery scenery;
+  for (const Vec3& corner : {Vec3(-1.0, -0.1, -5.0), Vec3(1.0, -0.1, -5.0), Vec3(0.0, -0.1, 50.0)}) scenery.ball(corner, 0.0);
+  scenery.trial.system.faces = {{{PointId{0}, PointId{1}, PointId{2}}}};
+  EXPECT_TRUE(pick_surface(scenery.snapshot(), scenery.lens(), scenery.seen({0.0, -0.1, 1.0})));
+}
+
+TEST(Pick, ACrackBetweenFacesLetsNothingThrough) {
+  Scenery scenery;
+  scenery.camera = oblique();
+  const PointId a = scenery.ball({-0.7, -0.6, 0.1}, 0.0), b = scenery.ball({0.8, 0.5, -0.2}, 0.0);
+  const PointId c = scenery.ball({0.5, -0.7, 0.0}, 0.0), d = scenery.ball({-0.4, 0.9, 0.3}, 0.0);
+  scenery.trial.system.faces = {{{a, c, b}}, {{a, b, d}}};
+  for (int i = 1; i < 1000; ++i) {
+    const Vec3 on_edge = glm::mix(scenery.trial.position(a), scenery.trial.position(b), i / 1000.0);
+    EXPECT_TRUE(pick_surface(scenery.snapshot(), scenery.lens(), scenery.seen(on_edge))) << i;
+  }
+}
+
+TEST(Pick, DoesNotReachThroughASurfaceThatIsShown) {
+  const Layers layers;
+  const glm::dvec2 cursor = layers.seen(layers.trial.position(layers.behind));
+  EXPECT_EQ(pick_point(layers.snapshot(), layers.lens(), cursor, reach), layers.behind);
+  EXPECT_FALSE(pick_point(layers.snapshot(), layers.lens_with_surface(), cursor, reach));
+  // a surface hides none of its own corners, seen from either side
+  Layers turned = layers;
+  for (const double side : {1.0, -1.0}) {
+    turned.camera.back = side * layers.camera.back;
+    const std::uint32_t first = side > 0.0 ? 0 : 3;
+    for (std::uint32_t i = first; i < first + 3; ++i) {
+      const glm::dvec2 corner = turned.seen(turned.trial.position(PointId{i}));
+      EXPECT_EQ(pick_point(turned.snapshot(), turned.lens_with_surface(), corner, reach), PointId{i}) << side;
+    }
+  }
+}
+
+TEST(Pick, AColliderInFrontHidesTheSurface) {
+  Layers layers;
+  const glm::dvec2 cursor = layers.seen({0.1, -0.2, 0.0});
+  layers.trial.system.colliders = {{.shape = Sphere{Vec3(0.1, -0.2, 0.0) + 0.5 * layers.camera.back, 0.2}}};
+  EXPECT_FALSE(pick_surface(layers.snapshot(), layers.lens(), cursor));
+}
+
 TEST(Selection, HoldsEachIdOnceInOrder) {
   Selection selection;
   for (const std::uint32_t id : {5u, 2u, 9u}) selection.toggle(PointId{id});

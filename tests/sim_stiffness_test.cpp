@@ -40,7 +40,7 @@ void expect_derivative(const Trial& trial) {
   Field V(motion.x.size(), 0.0);
   StiffnessMatrix matrix(plan);
   matrix.assemble(plan, b, motion.x, V, Curvature::Exact);
-  ASSERT_TRUE(matrix.solver().factorize());
+  ASSERT_TRUE(matrix.factorize());
 
   constexpr double small = 1e-4;
   for (std::size_t i = 0; i < V.size(); ++i) {
@@ -51,7 +51,7 @@ void expect_derivative(const Trial& trial) {
     const Field other = residual(plan, motion.x, V);
     V[i] = 0.0;
     for (std::size_t j = 0; j < column.size(); ++j) column[j] = (column[j] - other[j]) / (2.0 * small);
-    matrix.solver().solve(column);
+    matrix.solve(column);
     for (std::size_t j = 0; j < column.size(); ++j) EXPECT_NEAR(column[j], i == j ? 1.0 : 0.0, 1e-7);
   }
 }
@@ -99,16 +99,16 @@ TEST(StiffnessMatrix, ClampedIsTheNearestWithoutNegativeCurvature) {
 
   StiffnessMatrix matrix(plan);
   matrix.assemble(plan, b, motion.x, motion.v, Curvature::Exact);
-  EXPECT_FALSE(matrix.solver().factorize());
+  EXPECT_FALSE(matrix.factorize());
   matrix.assemble(plan, b, motion.x, motion.v, Curvature::Clamped);
-  ASSERT_TRUE(matrix.solver().factorize());
+  ASSERT_TRUE(matrix.factorize());
   Eigen::Matrix<double, 6, 1> right;
   right << 1.0, -2.0, 0.5, 0.3, 0.7, -1.1;
   const Eigen::Matrix<double, 6, 1> expected = (mass + b * b * clamped).ldlt().solve(right);
   Field tried(6);
   for (int point = 0; point < 2; ++point)
     for (int c = 0; c < 3; ++c) tried[2 * c + point] = right[3 * point + c];
-  matrix.solver().solve(tried);
+  matrix.solve(tried);
   for (int point = 0; point < 2; ++point)
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(tried[2 * c + point], expected[3 * point + c], 1e-12);
 }
@@ -123,9 +123,9 @@ TEST(StiffnessMatrix, OfCoincidentPointsIsIsotropic) {
     const Motion motion = packed(plan, trial);
     StiffnessMatrix matrix(plan);
     matrix.assemble(plan, b, motion.x, motion.v, Curvature::Exact);
-    ASSERT_TRUE(matrix.solver().factorize());
+    ASSERT_TRUE(matrix.factorize());
     Field right(6, 1.0);
-    matrix.solver().solve(right);
+    matrix.solve(right);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(right[2 * c], 1.0 / (2.0 + b * b * 5e4), 1e-15);
   }
 }

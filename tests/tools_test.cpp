@@ -212,6 +212,88 @@ TEST(DragTool, PullsWhereTheSceneSaysSoButNotANailedPoint) {
   EXPECT_EQ(trial.system().grab->kind, GrabKind::Hold);
 }
 
+// One face in space, its corners far from each other in the picture.
+Scene face() {
+  Scene scene = flat_scene({a, b, c});
+  scene.system.dimensions = 3;
+  scene.system.faces = {{{PointId{0}, PointId{1}, PointId{2}}}};
+  return scene;
+}
+
+TEST(DragTool, PullsAClothByThePlaceUnderTheCursor) {
+  BenchTrial trial(face());
+  trial.submit(SetRunning{true});
+  const auto tool = make_drag_tool();
+  const Vec3 place = 0.2 * a + 0.3 * b + 0.5 * c, target = place + Vec3(0.3, 0.1, 0.0);
+  trial.press(*tool, place);
+  ASSERT_TRUE(trial.system().grab);
+  const Grab taken = *trial.system().grab;
+  EXPECT_EQ(taken.kind, GrabKind::Pull);
+  ASSERT_TRUE(taken.patch);
+  EXPECT_EQ(taken.patch->points, (std::array{PointId{0}, PointId{1}, PointId{2}}));
+  for (std::size_t p = 0; p < 3; ++p) EXPECT_NEAR(taken.patch->shares[p], (std::array{0.2, 0.3, 0.5})[p], 1e-9);
+  EXPECT_EQ(taken.point, PointId{2});
+  EXPECT_LT(distance(taken.target, place), 1e-9);
+
+  // the target goes with the cursor in the plane that faces the viewer
+  trial.follow(*tool, target);
+  EXPECT_LT(distance(trial.system().grab->target, target), 1e-9);
+  Marks marks;
+  tool->mark(trial.pointer(target), trial.bench, marks);
+  EXPECT_TRUE(marks.ghost_point);
+  ASSERT_TRUE(marks.ghost_spring);
+  EXPECT_FALSE(marks.hovered_point);
+
+  trial.release(*tool, target);
+  EXPECT_FALSE(trial.system().grab);
+  EXPECT_EQ(trial.bench.status->undo_name, "drag the cloth");
+  trial.submit(SetRunning{false});
+  trial.submit(Undo{});
+  for (Index i = 0; i < 3; ++i) EXPECT_EQ(trial.position(i), (std::array{a, b, c})[i]);
+}
+
+TEST(DragTool, TakesAPointOfAClothThatIsNearTheCursor) {
+  BenchTrial trial(face());
+  trial.submit(SetRunning{true});
+  const auto tool = make_drag_tool();
+  trial.press(*tool, a + 0.01 * (b + c - 2.0 * a));
+  ASSERT_TRUE(trial.system().grab);
+  EXPECT_EQ(trial.system().grab->point, PointId{0});
+  EXPECT_FALSE(trial.system().grab->patch);
+}
+
+TEST(DragTool, MovesTheNearestCornerOfAClothInAPause) {
+  BenchTrial trial(face());
+  const auto tool = make_drag_tool();
+  const Vec3 place = 0.2 * a + 0.3 * b + 0.5 * c, way(0.2, 0.1, 0.0);
+  trial.drag(*tool, place, place + way);
+  EXPECT_LT(distance(trial.position(2), c + way), 1e-9);
+  EXPECT_EQ(trial.position(0), a);
+  EXPECT_EQ(trial.position(1), b);
+}
+
+TEST(DragTool, DoesNotTakeASurfaceThatIsNotShown) {
+  BenchTrial trial(face());
+  trial.bench.shows_surface = false;
+  trial.submit(SetRunning{true});
+  trial.press(*make_drag_tool(), 0.2 * a + 0.3 * b + 0.5 * c);
+  EXPECT_FALSE(trial.system().grab);
+}
+
+TEST(DragTool, LetsGoOfAClothThatLosesACorner) {
+  BenchTrial trial(face());
+  trial.submit(SetRunning{true});
+  const auto tool = make_drag_tool();
+  const Vec3 place = 0.2 * a + 0.3 * b + 0.5 * c;
+  trial.press(*tool, place);
+  trial.lab.submit(Command(Remove{{PointId{0}}, {}}));
+  trial.settle();
+  EXPECT_FALSE(trial.system().grab);
+  trial.follow(*tool, place + Vec3(0.1, 0.0, 0.0));
+  trial.release(*tool, place);
+  EXPECT_EQ(trial.system().point_count(), 2);
+}
+
 TEST(DeleteTool, TakesAPointWithItsSpringsOrASpringAlone) {
   BenchTrial trial(flat_scene({a, b, c}));
   const auto attach = make_attach_tool(), tool = make_delete_tool();

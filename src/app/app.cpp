@@ -41,6 +41,7 @@ Pointer App::pointer() const { return {cursor_ - glm::dvec2(layout_.scene.x, lay
 
 void App::take_status() {
   const auto before = std::exchange(bench_.status, lab_.status());
+  bench_.shows_surface = panels_.view.surface;
   if (before->snapshot->system != bench_.status->snapshot->system) selection_ = still_there(bench_.system(), selection_);
 }
 

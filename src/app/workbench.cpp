@@ -17,6 +17,10 @@ std::optional<SpringId> Workbench::spring_at(const glm::dvec2& cursor) const {
   return pick_spring(snapshot(), lens(), cursor, spring_reach * scale);
 }
 
+std::optional<SurfaceHit> Workbench::surface_at(const glm::dvec2& cursor) const {
+  return shows_surface ? pick_surface(snapshot(), lens(), cursor) : std::nullopt;
+}
+
 Vec3 Workbench::place_beside(const glm::dvec2& cursor, const Vec3& through) const {
   if (system().dimensions == 3) return camera.unproject(cursor, size, through);
   const SightLine line = sight_line(lens(), cursor);

@@ -19,14 +19,17 @@ struct Workbench {
   Camera camera;
   glm::dvec2 size{1.0};  // [px], of the scene's picture
   double scale = 1.0;    // pixels per unit of design
+  bool shows_surface = true;
 
   const Snapshot& snapshot() const { return *status->snapshot; }
   const System& system() const { return *snapshot().system; }
-  Lens lens() const { return {camera.projection_matrix(size.x / size.y) * camera.view_matrix(), size}; }
+  Lens lens() const { return {camera.projection_matrix(size.x / size.y) * camera.view_matrix(), size, shows_surface}; }
 
   // Under the cursor or within reach of it.
   std::optional<PointId> point_at(const glm::dvec2& cursor) const;
   std::optional<SpringId> spring_at(const glm::dvec2& cursor) const;
+  // On the surface, if it is shown.
+  std::optional<SurfaceHit> surface_at(const glm::dvec2& cursor) const;
 
   // Under the cursor: in the plane through `through` that faces the viewer, or in the plane of a 2-D scene.
   Vec3 place_beside(const glm::dvec2& cursor, const Vec3& through) const;

@@ -22,6 +22,23 @@ bool is_sound(const Force& force) {
   return force.term != nullptr && std::all_of(force.values.begin(), force.values.end(), [](double value) { return std::isfinite(value); });
 }
 
+// What it has hold of.
+std::vector<PointId> points_of(const Grab& grab) {
+  if (!grab.patch) return {grab.point};
+  return {grab.patch->points.begin(), grab.patch->points.end()};
+}
+
+bool is_sound(const Grab& grab) {
+  if (!is_finite(grab.target) || !(grab.stiffness >= 0.0) || !std::isfinite(grab.stiffness)) return false;
+  if (!grab.patch) return true;
+  const auto& [a, b, c] = grab.patch->points;
+  const auto& shares = grab.patch->shares;
+  const bool is_between = a != b && b != c && c != a && (grab.point == a || grab.point == b || grab.point == c);
+  const bool is_whole = std::all_of(shares.begin(), shares.end(), [](double share) { return share >= 0.0; }) &&
+                        std::abs(shares[0] + shares[1] + shares[2] - 1.0) < 1e-9;
+  return is_between && is_whole && grab.kind == GrabKind::Pull;
+}
+
 // Puts each (place, item), places ascending, where it was before it was taken out; no_index and beyond: at the end.
 template <class Item>
 std::vector<Item> merged(const std::vector<Item>& list, const std::vector<std::pair<Index, Item>>& coming) {
@@ -123,7 +140,7 @@ struct Apply {
     for (Index i = 0; i < system.point_count(); ++i)
       if (point_goes[i]) inverse.points.push_back({i, system.points()[i], state.position[i], state.velocity[i]});
 
-    if (system.grab && goes(system.grab->point)) system.grab.reset();
+    if (system.grab && std::ranges::any_of(points_of(*system.grab), goes)) system.grab.reset();
     system.faces = kept(system.faces, face_goes);
     system.set_springs(kept(system.springs(), spring_goes));
     system.set_points(kept(system.points(), point_goes));
@@ -235,13 +252,18 @@ struct Apply {
   }
 
   Inverse operator()(const GrabPoint& grab) {
-    const Index i = scene.system.index_of(grab.grab.point);
-    if (i == no_index || !is_finite(grab.grab.target)) return {};
+    if (!is_sound(grab.grab)) return {};
+    Move back;
+    for (const PointId id : points_of(grab.grab)) {
+      const Index i = scene.system.index_of(id);
+      if (i == no_index) return {};
+      back.items.push_back({id, scene.state.position[i], scene.state.velocity[i]});
+    }
     scene.system.grab = grab.grab;
     scene.system.grab->target = in_plane(scene.system, grab.grab.target);
-    scene.state.hand = grab.grab.kind == GrabKind::Hold ? scene.state.position[i] : scene.system.grab->target;
+    scene.state.hand = grab.grab.kind == GrabKind::Hold ? back.items[0].position : scene.system.grab->target;
     effect.values = true;
-    return {ReleaseHand{}, Move{{{grab.grab.point, scene.state.position[i], scene.state.velocity[i]}}}};
+    return {ReleaseHand{}, back};
   }
 
   Inverse operator()(const MoveHand& move) {

@@ -38,7 +38,7 @@ struct Describe {
   std::string operator()(const SetParameter& set) const { return "set " + std::string(set.parameter->label); }
   std::string operator()(const RestoreParameter& restore) const { return "set " + std::string(restore.parameter->label); }
   std::string operator()(const SetIntegrator& set) const { return "use " + std::string(set.integrator->label); }
-  std::string operator()(const GrabPoint&) const { return "drag a point"; }
+  std::string operator()(const GrabPoint& grab) const { return grab.grab.patch ? "drag the cloth" : "drag a point"; }
   std::string operator()(const MoveHand&) const { return "move the hand"; }
   std::string operator()(const ReleaseHand&) const { return "let go"; }
   std::string operator()(const SetGravity&) const { return "change gravity"; }

@@ -95,8 +95,8 @@ struct SetIntegrator {
   const Integrator* integrator;
 };
 
-// Takes hold of a point, moves the hand, lets go. Not edits of their own in the history: the grab is one step as a whole,
-// its inverse puts the point back where it was taken.
+// Takes hold of a point or, pulling, of a place between three; moves the hand, lets go. Not edits of their own in the history:
+// the grab is one step as a whole, its inverse puts the points back where they were taken.
 struct GrabPoint {
   Grab grab;
 };

@@ -1,10 +1,12 @@
 #include "lab/pick.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 
 namespace hooke {
@@ -99,15 +101,81 @@ double distance_to(const Box& box, const SightLine& line, Vec3& normal) {
   return enter > 0.0 && enter < leave ? enter : infinity;
 }
 
-// Whether a collider stands before this place, which may itself lie `radius` deep in one. In a 2-D scene nothing does.
-bool is_hidden(const Snapshot& snapshot, const Lens& lens, const Vec3& place, double radius) {
-  if (snapshot.system->dimensions == 2 || snapshot.system->colliders.empty()) return false;
+// The faces that are seen within `reach` [px] of the cursor: all that can hide something there.
+class FacesNear {
+ public:
+  FacesNear(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor, double reach) : snapshot_(snapshot) {
+    const System& system = *snapshot.system;
+    if (system.faces.empty()) return;
+    std::vector<glm::dvec4> clip;
+    clip.reserve(snapshot.state.position.size());
+    for (const Vec3& place : snapshot.state.position) clip.push_back(lens.clip * glm::dvec4(place, 1.0));
+    for (const Face& face : system.faces) {
+      const std::array<Index, 3> corners{system.index_of(face.points[0]), system.index_of(face.points[1]), system.index_of(face.points[2])};
+      glm::dvec2 least(infinity), most(-infinity);
+      bool passes_viewer = false;
+      for (const Index i : corners) {
+        passes_viewer = passes_viewer || !(clip[i].w > 0.0);
+        least = glm::min(least, to_picture(clip[i], lens.size));
+        most = glm::max(most, to_picture(clip[i], lens.size));
+      }
+      const bool is_near = glm::all(glm::greaterThanEqual(cursor, least - reach)) && glm::all(glm::lessThanEqual(cursor, most + reach));
+      if (is_near || passes_viewer) faces_.push_back({corners, face.points});
+    }
+  }
+
+  struct Hit {
+    double distance = infinity;  // [m], along the line
+    Patch patch;
+  };
+  // Where the line first meets one from either side     (T. Moeller, B. Trumbore, Fast, minimum storage ray-triangle
+  // intersection, J. Graphics Tools 2 (1997)): o + t d = (1 - u - v) a + u b + v c
+  Hit first_hit(const SightLine& line) const {
+    constexpr double seam = 1e-9;  // of a face, by which it reaches over its edges: there are no gaps between faces
+    Hit first;
+    for (const auto& [corners, ids] : faces_) {
+      const Vec3 &a = position(corners[0]), &b = position(corners[1]), &c = position(corners[2]);
+      const Vec3 p = glm::cross(line.direction, c - a);
+      const double determinant = glm::dot(b - a, p);
+      if (determinant == 0.0) continue;
+      const Vec3 from_a = line.origin - a, q = glm::cross(from_a, b - a);
+      const double u = glm::dot(from_a, p) / determinant, v = glm::dot(line.direction, q) / determinant;
+      if (!(u >= -seam && v >= -seam && u + v <= 1.0 + seam)) continue;
+      const double distance = glm::dot(c - a, q) / determinant;
+      if (!(distance > 0.0 && distance < first.distance)) continue;
+      const double second = std::clamp(u, 0.0, 1.0), third = std::clamp(v, 0.0, 1.0 - second);
+      first = {distance, {ids, {1.0 - second - third, second, third}}};
+    }
+    return first;
+  }
+
+ private:
+  const Vec3& position(Index i) const { return snapshot_.state.position[i]; }
+
+  struct NearFace {
+    std::array<Index, 3> corners;
+    std::array<PointId, 3> ids;
+  };
+  const Snapshot& snapshot_;
+  std::vector<NearFace> faces_;
+};
+
+// The faces that hide, for a picture that shows them.
+std::optional<FacesNear> hiding_faces(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor, double reach) {
+  if (!lens.shows_surface || snapshot.system->dimensions == 2) return std::nullopt;
+  return FacesNear(snapshot, lens, cursor, reach);
+}
+
+// Whether a collider or a face stands before this place, which may itself lie `radius` deep in one. In a 2-D scene nothing
+// does.
+bool is_hidden(const Snapshot& snapshot, const Lens& lens, const std::optional<FacesNear>& faces, const Vec3& place, double radius) {
+  if (snapshot.system->dimensions == 2 || (snapshot.system->colliders.empty() && !faces)) return false;
   const std::optional<glm::dvec2> seen = seen_at(lens, place);
   if (!seen) return true;
   const SightLine line = sight_line(lens, *seen);
   const std::optional<ColliderHit> hit = hit_collider(*snapshot.system, line);
-  const double distance = glm::dot(place - line.origin, line.direction);
-  return hit && hit->distance < distance * (1.0 - 1e-6) - radius;
+  const double distance = glm::dot(place - line.origin, line.direction), before = distance * (1.0 - 1e-6) - radius;
+  return (hit && hit->distance < before) || (faces && faces->first_hit(line).distance < before);
 }
 
 }  // namespace
@@ -141,6 +209,7 @@ std::optional<ColliderHit> hit_collider(const System& system, const SightLine& l
 std::optional<PointId> pick_point(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor, double reach) {
   const std::vector<Point>& points = snapshot.system->points();
   const SightLine line = sight_line(lens, cursor);
+  const std::optional<FacesNear> faces = hiding_faces(snapshot, lens, cursor, reach);
   std::optional<PointId> under, beside;
   double front = infinity, nearest = reach;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -148,7 +217,7 @@ std::optional<PointId> pick_point(const Snapshot& snapshot, const Lens& lens, co
 
     // under the cursor: the ball whose front is nearest to the viewer
     const double distance = distance_to(place, points[i].radius, line);
-    if (distance < front && !is_hidden(snapshot, lens, place, points[i].radius)) {
+    if (distance < front && !is_hidden(snapshot, lens, faces, place, points[i].radius)) {
       front = distance;
       under = points[i].id;
     }
@@ -157,7 +226,7 @@ std::optional<PointId> pick_point(const Snapshot& snapshot, const Lens& lens, co
     // beside it: the nearest in the picture
     const std::optional<glm::dvec2> seen = seen_at(lens, place);
     const double gap = seen ? glm::distance(*seen, cursor) : infinity;
-    if (gap <= nearest && !is_hidden(snapshot, lens, place, points[i].radius)) {
+    if (gap <= nearest && !is_hidden(snapshot, lens, faces, place, points[i].radius)) {
       nearest = gap;
       beside = points[i].id;
     }
@@ -165,7 +234,17 @@ std::optional<PointId> pick_point(const Snapshot& snapshot, const Lens& lens, co
   return under ? under : beside;
 }
 
+std::optional<SurfaceHit> pick_surface(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor) {
+  const SightLine line = sight_line(lens, cursor);
+  const FacesNear::Hit hit = FacesNear(snapshot, lens, cursor, 0.0).first_hit(line);
+  if (!(hit.distance < infinity)) return std::nullopt;
+  const std::optional<ColliderHit> collider = snapshot.system->dimensions == 2 ? std::nullopt : hit_collider(*snapshot.system, line);
+  if (collider && collider->distance < hit.distance) return std::nullopt;
+  return SurfaceHit{hit.patch, line.at(hit.distance)};
+}
+
 std::optional<SpringId> pick_spring(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor, double reach) {
+  const std::optional<FacesNear> faces = hiding_faces(snapshot, lens, cursor, reach);
   std::optional<SpringId> picked;
   double nearest = reach;
   for (const Spring& spring : snapshot.system->springs()) {
@@ -173,7 +252,7 @@ std::optional<SpringId> pick_spring(const Snapshot& snapshot, const Lens& lens, 
     const std::optional<SeenSegment> seen = seen_segment(lens, from, to);
     if (!seen) continue;
     const Nearest place = nearest_on(*seen, cursor);
-    if (place.distance <= nearest && !is_hidden(snapshot, lens, glm::mix(from, to, place.share), 0.0)) {
+    if (place.distance <= nearest && !is_hidden(snapshot, lens, faces, glm::mix(from, to, place.share), 0.0)) {
       nearest = place.distance;
       picked = spring.id;
     }

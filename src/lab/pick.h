@@ -12,8 +12,9 @@ namespace hooke {
 
 // How the world becomes a picture. Cursors are in the unit of `size`, from the picture's top left.
 struct Lens {
-  glm::dmat4 clip{1.0};  // world to clip coordinates: projection * view
-  glm::dvec2 size{1.0};  // [px]
+  glm::dmat4 clip{1.0};        // world to clip coordinates: projection * view
+  glm::dvec2 size{1.0};        // [px]
+  bool shows_surface = false;  // faces hide what is behind them
 };
 
 struct SightLine {
@@ -35,9 +36,16 @@ struct ColliderHit {
 };
 std::optional<ColliderHit> hit_collider(const System& system, const SightLine& line);
 
-// The point whose ball is seen under the cursor, else the nearest within `reach` [px] of it. Points behind a collider are
-// passed over.
+// The point whose ball is seen under the cursor, else the nearest within `reach` [px] of it. Points behind a collider, or
+// behind the surface if it is shown, are passed over.
 std::optional<PointId> pick_point(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor, double reach);
+
+// Where on a face the line of sight through the cursor first meets one, in front of every collider.
+struct SurfaceHit {
+  Patch patch;
+  Vec3 position{0.0};
+};
+std::optional<SurfaceHit> pick_surface(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor);
 
 // The spring nearest to the cursor within `reach` [px].
 std::optional<SpringId> pick_spring(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor, double reach);

@@ -21,7 +21,7 @@ Energy compute_energy(const System& system, const State& state) {
     energy.elastic += 0.5 * spring.stiffness * extension * extension;
   }
   if (system.grab && system.grab->kind == GrabKind::Pull) {
-    const Vec3 reach = state.hand - state.position[system.index_of(system.grab->point)];
+    const Vec3 reach = state.hand - grabbed_place(system, state);
     energy.elastic += 0.5 * system.grab->stiffness * glm::dot(reach, reach);
   }
   return energy;
@@ -44,10 +44,18 @@ double strain(const System& system, const State& state, const Spring& spring) {
   return spring.rest_length > 0.0 ? length / spring.rest_length - 1.0 : length;
 }
 
+Vec3 grabbed_place(const System& system, const State& state) {
+  const Grab& grab = *system.grab;
+  if (!grab.patch) return state.position[system.index_of(grab.point)];
+  Vec3 place(0.0);
+  for (std::size_t p = 0; p < 3; ++p) place += grab.patch->shares[p] * state.position[system.index_of(grab.patch->points[p])];
+  return place;
+}
+
 Vec3 compute_hand_force(const System& system, const State& state) {
   if (!system.grab) return Vec3(0.0);
+  if (system.grab->kind == GrabKind::Pull) return system.grab->stiffness * (state.hand - grabbed_place(system, state));
   const Index held = system.index_of(system.grab->point);
-  if (system.grab->kind == GrabKind::Pull) return system.grab->stiffness * (state.hand - state.position[held]);
 
   // what the springs and gravity do to the held point, turned round
   Vec3 force = system.points()[held].nailed ? Vec3(0.0) : system.points()[held].mass * system.gravity;

@@ -24,6 +24,9 @@ Momentum compute_momentum(const System& system, const State& state);
 // l / l0 - 1 of a spring [1]; for l0 = 0 the length [m] itself.
 double strain(const System& system, const State& state, const Spring& spring);
 
+// Where the grabbed point, or place between points, is [m]. There must be a grab.
+Vec3 grabbed_place(const System& system, const State& state);
+
 // The force [N] that the hand exerts on its point: a pull's spring, or what holds a held point against its springs and,
 // unless it is a nail, its weight. Zero without a grab.
 Vec3 compute_hand_force(const System& system, const State& state);

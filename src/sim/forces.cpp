@@ -11,11 +11,13 @@ void set_gravity(const Plan& plan, Field& f) {
     set_scaled(f.data() + static_cast<std::size_t>(c) * plan.points, plan.acceleration[c], plan.mass.data(), plan.mass.size());
 }
 
+// E = k/2 |sum s_i x_i - target|^2, f_i = -k s_i (sum s_j x_j - target)
 void add_pull(const Plan& plan, double time, const Field& x, Field& f) {
   const Vec3 target = plan.pull->target_at(time);
   for (int c = 0; c < plan.dimensions; ++c) {
-    const std::size_t at = static_cast<std::size_t>(c) * plan.points + plan.pull->point;
-    f[at] -= plan.pull->stiffness * (x[at] - target[c]);
+    const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
+    const double reach = plan.pull->place(&x[begin]) - target[c];
+    for (const auto& [point, share] : plan.pull->points()) f[begin + point] -= plan.pull->stiffness * share * reach;
   }
 }
 

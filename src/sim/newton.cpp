@@ -55,6 +55,7 @@ void NewtonKernel::begin_frame(const Plan& plan, const Motion& motion) {
   moving_ = static_cast<Index>(std::count_if(plan.inverse_mass.begin(), plan.inverse_mass.end(), [](double w) { return w != 0.0; }));
   if (moving_ == 0) return;
   if (!matrix_) matrix_.emplace(plan);
+  matrix_->make_room(plan);
   factored_b_ = 0.0;  // a frame depends on its State alone, not on the matrix of the one before
   for (Field* field : {&x_, &f_, &listed_, &residual_, &step_, &trial_x_, &trial_v_}) field->resize(motion.x.size());
 
@@ -106,7 +107,7 @@ NewtonKernel::Potential NewtonKernel::potential(const Plan& plan, const Stage& s
   if (plan.pull) {
     const Vec3 target = plan.pull->target_at(stage.time);
     for (int c = 0; c < plan.dimensions; ++c) {
-      const double reach = x[c * n + plan.pull->point] - target[c];
+      const double reach = plan.pull->place(&x[c * n]) - target[c];
       add(0.5 * plan.pull->stiffness * reach * reach);
     }
   }
@@ -139,10 +140,10 @@ void NewtonKernel::evaluate(const Plan& plan, const Stage& stage, const Field& V
 void NewtonKernel::factorize(const Plan& plan, const Stage& stage, Curvature curvature, const Field& V, Motion& motion) {
   matrix_->assemble(plan, stage.b, x_, V, curvature);
   ++motion.factorizations;
-  if (!matrix_->solver().factorize() && curvature == Curvature::Exact) {
+  if (!matrix_->factorize() && curvature == Curvature::Exact) {
     matrix_->assemble(plan, stage.b, x_, V, Curvature::Clamped);
     ++motion.factorizations;
-    matrix_->solver().factorize();
+    matrix_->factorize();
   }
   factored_b_ = stage.b;
 }
@@ -150,7 +151,7 @@ void NewtonKernel::factorize(const Plan& plan, const Stage& stage, Curvature cur
 // step_ = -A^-1 grad Phi
 void NewtonKernel::compute_step(Motion& motion) {
   set_scaled(step_.data(), -1.0, residual_.data(), step_.size());
-  matrix_->solver().solve(step_);
+  matrix_->solve(step_);
   ++motion.solves;
 }
 

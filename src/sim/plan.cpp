@@ -89,6 +89,26 @@ void plan_forces(Plan& plan, const System& system) {
     plan.faces.push_back({system.index_of(face.points[0]), system.index_of(face.points[1]), system.index_of(face.points[2])});
 }
 
+PlannedPull plan_pull(const System& system, const Grab& grab) {
+  PlannedPull pull{.stiffness = grab.stiffness};
+  pull.parts[0].point = system.index_of(grab.point);
+  if (!grab.patch) return pull;
+  pull.count = 3;
+  for (std::size_t p = 0; p < 3; ++p) pull.parts[p] = {system.index_of(grab.patch->points[p]), grab.patch->shares[p]};
+  return pull;
+}
+
+// What the pull adds to the rows of the points that move: K_ij = k s_i s_j I, s the shares.
+void add_pull_rows(const System& system, std::vector<double>& row) {
+  const PlannedPull pull = plan_pull(system, *system.grab);
+  for (const auto& [i, share] : pull.points())
+    for (const auto& [j, other] : pull.points()) {
+      const Point &at = system.points()[i], &beside = system.points()[j];
+      if (at.nailed || beside.nailed) continue;
+      row[i] += pull.stiffness * share * other / (i == j ? at.mass : std::sqrt(at.mass * beside.mass));
+    }
+}
+
 }  // namespace
 
 Plan make_plan(const System& system) {
@@ -113,7 +133,7 @@ void refresh_values(Plan& plan, const System& system) {
     if (system.grab->kind == GrabKind::Hold)
       plan.held = point;
     else
-      plan.pull = PlannedPull{.point = point, .stiffness = system.grab->stiffness};
+      plan.pull = plan_pull(system, *system.grab);
   }
 
   plan.mass.resize(plan.points);
@@ -173,10 +193,7 @@ Spectrum bound_spectrum(const System& system) {
     }
     if (spring.stiffness > 0.0) least_ratio = std::min(least_ratio, damping / spring.stiffness);
   }
-  if (system.grab && system.grab->kind == GrabKind::Pull) {
-    const Index at = system.index_of(system.grab->point);
-    if (!system.points()[at].nailed) stiffness_row[at] += system.grab->stiffness / system.points()[at].mass;
-  }
+  if (system.grab && system.grab->kind == GrabKind::Pull) add_pull_rows(system, stiffness_row);
 
   Spectrum spectrum;
   for (std::size_t i = 0; i < stiffness_row.size(); ++i) {

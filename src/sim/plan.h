@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "sim/system.h"
@@ -24,13 +25,26 @@ struct SpringRun {
   bool operator==(const SpringRun&) const = default;
 };
 
-// The hand's spring. Its far end moves from `from` with `velocity` during the frame that starts at `start`.
+// The hand's spring, on a point or, by their shares, on three: the force on each is its share of the whole. Its far end moves
+// from `from` with `velocity` during the frame that starts at `start`.
 struct PlannedPull {
-  Index point = no_index;
+  struct Part {
+    Index point = no_index;
+    double share = 1.0;
+  };
+  std::array<Part, 3> parts{};
+  int count = 1;
   double stiffness = 0.0;
   double start = 0.0;      // [s]
   Vec3 from{0.0}, velocity{0.0};
   Vec3 target_at(double time) const { return from + (time - start) * velocity; }
+  std::span<const Part> points() const { return {parts.data(), static_cast<std::size_t>(count)}; }
+  // The sum of share times x over the points, of the component of a field that starts at x.
+  double place(const double* x) const {
+    double sum = 0.0;
+    for (const Part& part : points()) sum += part.share * x[part.point];
+    return sum;
+  }
 };
 
 // Bounds on the fastest rates of the scene, never below the true ones, however the scene is deformed.

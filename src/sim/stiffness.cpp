@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
+
+#include "sim/field_kernel.h"
 
 namespace hooke {
 namespace {
@@ -81,17 +84,55 @@ void StiffnessMatrix::add_springs(const Plan& plan, double b, const double* x, c
   });
 }
 
+void StiffnessMatrix::make_room(const Plan& plan) {
+  if (!plan.pull || plan.pull->count == 1) return;
+  for (int c = 0; c < plan.dimensions; ++c) response_[c].resize(static_cast<std::size_t>(plan.points) * plan.dimensions);
+}
+
 void StiffnessMatrix::assemble(const Plan& plan, double b, const Field& x, const Field& v, Curvature curvature) {
   solver_.set_zero();
   for (Index i = 0; i < plan.points; ++i) {
-    const bool pulled = plan.pull && plan.pull->point == i && plan.inverse_mass[i] != 0.0;
+    const bool pulled = plan.pull && plan.pull->count == 1 && plan.pull->parts[0].point == i && plan.inverse_mass[i] != 0.0;
     const double diagonal = plan.mass[i] * (1.0 + b * plan.drag) + (pulled ? b * b * plan.pull->stiffness : 0.0);
     for (int c = 0; c < plan.dimensions; ++c) diagonal_[i].column(c)[c] += diagonal;
+  }
+  pull_.reset();
+  if (plan.pull && plan.pull->count > 1) {
+    pull_ = plan.pull;
+    weight_ = b * b * pull_->stiffness;
+    for (PlannedPull::Part& part : pull_->parts)
+      if (plan.inverse_mass[part.point] == 0.0) part.share = 0.0;
   }
   if (plan.dimensions == 2)
     add_springs<2>(plan, b, x.data(), v.data(), curvature);
   else
     add_springs<3>(plan, b, x.data(), v.data(), curvature);
+}
+
+bool StiffnessMatrix::factorize() {
+  if (!solver_.factorize()) return false;
+  if (!pull_) return true;
+  const int dimensions = static_cast<int>(response_[0].size() / diagonal_.size());
+  glm::dmat3 unit(1.0);
+  for (int c = 0; c < dimensions; ++c) {
+    Field& z = response_[c];
+    std::fill(z.begin(), z.end(), 0.0);
+    for (const auto& [point, share] : pull_->points()) z[c * diagonal_.size() + point] += share;
+    solver_.solve(z);
+    for (int r = 0; r < dimensions; ++r) unit[c][r] += weight_ * pull_->place(&z[r * diagonal_.size()]);
+  }
+  gain_ = weight_ * glm::inverse(unit);
+  return true;
+}
+
+void StiffnessMatrix::solve(Field& b) {
+  solver_.solve(b);
+  if (!pull_) return;
+  const std::size_t n = diagonal_.size(), dimensions = b.size() / n;
+  glm::dvec3 reach(0.0);
+  for (std::size_t c = 0; c < dimensions; ++c) reach[static_cast<int>(c)] = pull_->place(&b[c * n]);
+  const glm::dvec3 share = gain_ * reach;
+  for (std::size_t c = 0; c < dimensions; ++c) add_scaled(b.data(), -share[static_cast<int>(c)], response_[c].data(), b.size());
 }
 
 }  // namespace hooke

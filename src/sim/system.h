@@ -79,9 +79,18 @@ enum class GrabKind {
   Pull,  // a spring of zero rest length between point and target
 };
 
-// The hand: at most one point is grabbed. The target is where the cursor was at the end of the coming frame.
+// A place between three different points, as one on a face: the sum of share times position, shares at least 0 with sum 1.
+struct Patch {
+  std::array<PointId, 3> points{};
+  std::array<double, 3> shares{1.0, 0.0, 0.0};
+  bool operator==(const Patch&) const = default;
+};
+
+// The hand: at most one point, or place between points, is grabbed. The target is where the cursor was at the end of the
+// coming frame.
 struct Grab {
   PointId point{};
+  std::optional<Patch> patch{};  // pulled instead of the point, which is one of its three
   GrabKind kind = GrabKind::Pull;
   Vec3 target{0.0};         // [m]
   double stiffness = 100.0; // [N/m], of a pull

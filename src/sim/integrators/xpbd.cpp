@@ -103,12 +103,16 @@ void sweep(const Plan& plan, const std::vector<Constraint>& constraints, double 
 
 // The hand's spring has no rest length: all of its displacement is along it.
 void pull(const Plan& plan, Motion& motion, double h) {
-  const double k = plan.pull->stiffness, w = plan.inverse_mass[plan.pull->point], phi = drag_weight(plan.drag, h);
+  const PlannedPull& hand = *plan.pull;
+  const double k = hand.stiffness, phi = drag_weight(plan.drag, h);
+  double w = 0.0;
+  for (const auto& [point, share] : hand.points()) w += share * share * plan.inverse_mass[point];
   const double stiffness = phi * k / (1.0 + phi * h * k * w);
-  const Vec3 target = plan.pull->target_at(motion.time + h);
+  const Vec3 target = hand.target_at(motion.time + h);
   for (int c = 0; c < plan.dimensions; ++c) {
-    const std::size_t at = static_cast<std::size_t>(c) * plan.points + plan.pull->point;
-    motion.v[at] -= w * stiffness * (motion.x[at] + h * motion.v[at] - target[c]);
+    const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
+    const double impulse = stiffness * (hand.place(&motion.x[begin]) + h * hand.place(&motion.v[begin]) - target[c]);
+    for (const auto& [point, share] : hand.points()) motion.v[begin + point] -= plan.inverse_mass[point] * share * impulse;
   }
 }
 
