@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "random_scene.h"
 #include "sim/energy.h"
@@ -109,6 +112,102 @@ TEST(SpringForces, HaveTheSameBitsForEveryVectorUnit) {
     for (const Trial& trial : assorted_trials()) forces.push_back(Packed(trial).spring_forces());
     if (first.empty()) first = forces;
     EXPECT_EQ(forces, first) << hwy::TargetName(target);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
+}
+
+// Added to `f` spring by spring: in a row each point takes both its springs at once, in any other run of at most a block
+// first the first ends take theirs, then the second ones.
+void add_plain_forces(const Packed& packed, Field& f) {
+  const Plan& plan = packed.plan;
+  const Field &x = packed.motion.x, &v = packed.motion.v;
+  for (const SpringRun& run : plan.runs)
+    for (int c = 0; c < plan.dimensions; ++c) {
+      std::vector<double> term;
+      for (Index e = 0; e < run.count; ++e) {
+        double length_squared = 0.0, approach = 0.0;
+        for (int k = 0; k < plan.dimensions; ++k) {
+          const Index i = k * plan.points + run.first + e, j = k * plan.points + run.second + e;
+          length_squared += (x[i] - x[j]) * (x[i] - x[j]);
+          approach += (x[i] - x[j]) * (v[i] - v[j]);
+        }
+        const Index spring = run.begin + e, at = c * plan.points + e;
+        const double length = std::sqrt(length_squared);
+        double tension = plan.stiffness[spring] * (length - plan.rest_length[spring]);
+        if (plan.has_dashpots()) tension += plan.damping[spring] * approach / length;
+        term.push_back((length == 0.0 ? 0.0 : tension / length) * (x[at + run.first] - x[at + run.second]));
+      }
+      double* first = &f[c * plan.points + run.first];
+      double* second = &f[c * plan.points + run.second];
+      if (run.second == run.first + 1) {
+        for (Index e = 0; e <= run.count; ++e) first[e] += (e > 0 ? term[e - 1] : 0.0) - (e < run.count ? term[e] : 0.0);
+      } else {
+        for (Index e = 0; e < run.count; ++e) first[e] -= term[e];
+        for (Index e = 0; e < run.count; ++e) second[e] += term[e];
+      }
+    }
+}
+
+// Triangles between n x n points, the diagonal of each cell on either side: runs of every length up to a row's.
+Trial triangle_mesh(int n, int dimensions, double most_damping, bool shuffled) {
+  Dice dice(n);
+  Trial trial;
+  trial.system.dimensions = dimensions;
+  std::vector<Index> at;
+  for (Index i = 0; i < n * n; ++i) at.push_back(i);
+  for (Index i = n * n; shuffled && i > 1; --i) std::swap(at[i - 1], at[dice.below(i)]);
+  for (int i = 0; i < n * n; ++i) {
+    const Vec3 position(dice.between(-1.0, 1.0), dice.between(-1.0, 1.0), dimensions == 3 ? dice.between(-1.0, 1.0) : 0.0);
+    // some points lie on the one before
+    trial.add(i > 0 && dice.one_in(5) ? trial.state.position.back() : position, 1.0, 2.0 * position);
+  }
+  const auto join = [&](int from, int to) {
+    trial.join(trial.system.points()[at[from]].id, trial.system.points()[at[to]].id, dice.between(1.0, 100.0), dice.between(0.0, 2.0),
+               dice.between(0.0, most_damping));
+  };
+  for (int i = 0; i < n * n; ++i) {
+    const bool right = i % n + 1 < n, down = i / n + 1 < n;
+    if (right) join(i, i + 1);
+    if (down) join(i, i + n);
+    if (right && down) dice.one_in(2) ? join(i, i + n + 1) : join(i + 1, i + n);
+  }
+  return trial;
+}
+
+// signs of zero included
+std::vector<std::uint64_t> bits(const Field& f) {
+  std::vector<std::uint64_t> bits;
+  for (const double component : f) bits.push_back(std::bit_cast<std::uint64_t>(component));
+  return bits;
+}
+
+TEST(SpringForces, EqualAPlainLoopOverAnyGraphToTheLastBitForEveryVectorUnit) {
+  std::vector<Trial> trials = assorted_trials();
+  for (const int dimensions : {2, 3})
+    for (const double damping : {0.0, 5.0}) {
+      for (Index springs = 1; springs < 20; ++springs) trials.push_back(random_trial(springs, 12, springs, dimensions, damping));
+      trials.push_back(random_trial(7, 200, 800, dimensions, damping));
+      for (const int n : {2, 3, 4, 6, 9, 17, 40})
+        for (const bool shuffled : {false, true}) trials.push_back(triangle_mesh(n, dimensions, damping, shuffled));
+    }
+  // no force at all but zeros, added to zeros below: in a row, and not
+  Trial& still = trials.emplace_back();
+  for (int i = 0; i < 5; ++i) still.add(Vec3(0.0));
+  for (const auto& [i, j] : {std::pair{0, 1}, std::pair{2, 4}})
+    still.join(still.system.points()[i].id, still.system.points()[j].id, 1.0, 1.0);
+
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().DeInit();
+    for (const Trial& trial : trials) {
+      const Packed packed(trial);
+      Field f(packed.motion.x.size(), -0.0), plain = f;
+      add_spring_forces(packed.plan, packed.motion.x.data(), packed.plan.has_dashpots() ? packed.motion.v.data() : nullptr, f.data());
+      add_plain_forces(packed, plain);
+      EXPECT_EQ(bits(f), bits(plain)) << hwy::TargetName(target) << ", " << packed.plan.points << " points, " << packed.plan.springs
+                                      << " springs";
+    }
   }
   hwy::SetSupportedTargetsForTest(0);
   hwy::GetChosenTarget().DeInit();
