@@ -79,5 +79,10 @@ int main(int count, char** arguments) {
     std::cerr << "usage: questions DIR\n";
     return 2;
   }
-  return hooke::answer_all(arguments[1]);
+  try {
+    return hooke::answer_all(arguments[1]);
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::cerr << error.what() << "\n";
+    return 5;
+  }
 }
