@@ -27,7 +27,8 @@ Scene small_net() {
     scene.state.velocity.emplace_back(0.0);
   }
   const auto attach = [&](int i, int j) {
-    scene.system.append_spring({.id = scene.system.new_spring_id(), .first = points[i], .second = points[j], .stiffness = 50.0, .rest_length = 0.1});
+    scene.system.append_spring(
+        {.id = scene.system.new_spring_id(), .first = points[i], .second = points[j], .stiffness = 50.0, .rest_length = 0.1});
   };
   for (int i = 0; i < 16; ++i) {
     if (i % 4 < 3) attach(i, i + 1);
@@ -47,9 +48,13 @@ struct Content {
   bool operator==(const Content&) const = default;
 };
 
-Content content_of(const Scene& scene) { return {scene.system, scene.state.position, scene.state.velocity, scene.settings, scene.defaults}; }
+Content content_of(const Scene& scene) {
+  return {scene.system, scene.state.position, scene.state.velocity, scene.settings, scene.defaults};
+}
 
-void apply_now(Lab& lab) { lab.advance(0.0, [] { return true; }); }
+void apply_now(Lab& lab) {
+  lab.advance(0.0, [] { return true; });
+}
 
 // One of every kind of edit, on random things, some of which are gone.
 class RandomEdits {
@@ -90,7 +95,8 @@ class RandomEdits {
   Command insert_point(Lab& lab) { return Insert{.points = {{.point = {.id = lab.new_point_id(), .mass = number()}, .position = place()}}}; }
   Command insert_spring(Lab& lab) {
     const System& system = lab.scene().system;
-    return Insert{.springs = {{.spring = {.id = lab.new_spring_id(), .first = point(system), .second = point(system), .rest_length = number()}}}};
+    return Insert{
+        .springs = {{.spring = {.id = lab.new_spring_id(), .first = point(system), .second = point(system), .rest_length = number()}}}};
   }
 
   std::mt19937 random_;
@@ -320,6 +326,7 @@ TEST(Clock, StepsOnceWhenPausedAndSaysSo) {
 TEST(Start, ComesBackWithTheMethodAsSet) {
   Lab lab(small_net());
   const Content start = content_of(lab.scene());
+  lab.step();
   lab.submit(Command(SetParameter{find_parameter("substeps"), 33}));
   lab.submit(Command(Remove{.points = {lab.scene().system.points()[3].id}}));
   for (int i = 0; i < 30; ++i) lab.step();
@@ -333,6 +340,29 @@ TEST(Start, ComesBackWithTheMethodAsSet) {
   lab.submit(Undo{});
   apply_now(lab);
   EXPECT_EQ(content_of(lab.scene()), run);
+}
+
+TEST(Start, IsWhatWasBuiltBeforeItRanHoweverOftenItIsSaved) {
+  Lab lab(small_net());
+  lab.submit(Command(Remove{.points = {lab.scene().system.points()[3].id}}));
+  apply_now(lab);
+  const Content built = content_of(lab.scene());
+  for (int i = 0; i < 10; ++i) lab.step();
+  lab.submit(MarkSaved{});
+  for (int i = 0; i < 10; ++i) lab.step();
+  lab.submit(GoToStart{});
+  apply_now(lab);
+  EXPECT_EQ(lab.scene().system, built.system);
+  EXPECT_EQ(lab.scene().state.position, built.position);
+  EXPECT_EQ(lab.scene().state.time, 0.0);
+}
+
+TEST(Divergence, AdvisesAMethodThatHoldsWhereNoNumberOfSubstepsDoes) {
+  const Settings settings;
+  const Advice advice = advise({.omega = 1e12}, settings);
+  EXPECT_EQ(advice.integrator, find_integrator("tr_bdf2"));
+  EXPECT_EQ(advice.substeps, settings.substeps);
+  EXPECT_EQ(advise({.omega = 1e4}, settings).integrator, settings.integrator);
 }
 
 TEST(Divergence, PausesKeepsTheFrameBeforeAndNamesWhatWouldHold) {

@@ -117,7 +117,8 @@ int run(const RunOptions& options) {
   {
     Progress progress(frames, !options.scene->quiet);
     for (long frame = 0;; ++frame) {
-      if (samples.is_due(frame)) {
+      const bool is_sampled = samples.is_due(frame);
+      if (is_sampled) {
         if (json) json->add_sample(scene.system, scene.state, points);
         if (csv) csv->add_sample(scene.system, scene.state, points);
       }
@@ -130,7 +131,12 @@ int run(const RunOptions& options) {
       totals.wall_seconds += wall_now() - wall;
       totals.force_evaluations += lab.last_frame().force_evaluations();
       totals.factorizations += lab.last_frame().factorizations();
-      if (totals.diverged) break;
+      if (totals.diverged) {
+        // the last good state, where it was not sampled anyway
+        if (json && !is_sampled) json->add_sample(scene.system, scene.state, points);
+        if (csv && !is_sampled) csv->add_sample(scene.system, scene.state, points);
+        break;
+      }
       progress.show(frame + 1);
     }
   }

@@ -54,7 +54,7 @@ void add_shape(const Subject& subject, const Vec3& middle, const std::vector<Vec
   }
 }
 
-// The edge of a half-plane, hatched on the side that is closed; a plain line where nothing is solid.
+// The edge of a half-plane, hatched on the side that is closed; a dashed line where nothing is solid.
 void add_edge(const Subject& subject, const Plane& plane, bool solid, Ink line, Strokes& strokes) {
   Vec3 normal(plane.normal.x, plane.normal.y, 0.0);
   if (!(glm::length(normal) > 1e-9)) return;
@@ -64,8 +64,12 @@ void add_edge(const Subject& subject, const Plane& plane, bool solid, Ink line, 
   const double pixel = pixel_at_target(subject);
   const double reach = pixel / subject.options.scale * (subject.projection.width() + subject.projection.height());
   const auto width = static_cast<float>(outline * subject.options.scale);
+  if (!solid) {
+    const auto scale = static_cast<float>(subject.options.scale);
+    return strokes.add_dashed(subject.projection, middle - reach * along, middle + reach * along, line, 2.0f * scale, 10.0f * scale,
+                              6.0f * scale);
+  }
   strokes.add(subject.projection, middle - reach * along, middle + reach * along, line, width);
-  if (!solid) return;
 
   // hatches start at multiples of their spacing along the edge, so that they stay where they are as the camera moves
   const double spacing = hatching * pixel;
@@ -131,7 +135,8 @@ void Stage::add_spatial(const Subject& subject, const Collider& collider) {
 void Stage::add_flat(const Subject& subject, const Collider& collider) {
   const double opacity = collider.solid ? 1.0 : faint;
   const Ink fill = ink(subject.palette.collider, 0.5 * opacity), line = ink(subject.palette.line, opacity);
-  if (const auto* plane = std::get_if<Plane>(&collider.shape)) add_edge(subject, *plane, collider.solid, line, outlines);
+  if (const auto* plane = std::get_if<Plane>(&collider.shape))
+    add_edge(subject, *plane, collider.solid, ink(subject.palette.line), outlines);
   if (const auto* box = std::get_if<Box>(&collider.shape)) {
     const Vec3 least(box->least.x, box->least.y, 0.0), most(box->most.x, box->most.y, 0.0);
     add_shape(subject, 0.5 * (least + most), {least, {most.x, least.y, 0.0}, most, {least.x, most.y, 0.0}}, fill, line, *this);

@@ -30,6 +30,16 @@ std::string name_culprit(const Divergence& divergence, const System& system) {
   return name.empty() ? "the scene" : name;
 }
 
+// What no number of substeps helps.
+std::string no_step_of(const Integrator& method, std::string_view name) {
+  return std::string(name) + (method.stability == Stability::None
+                                  ? " holds at no step"
+                                  : " needs more than " + std::to_string(most_substeps) + " substeps a frame");
+}
+
+// "100", "2.5e+09"
+std::string ratio(double value) { return format(value < 1e4 ? "%.0f" : "%.2g", value); }
+
 }  // namespace
 
 std::optional<int> fewest_stable_substeps(const Integrator& integrator, const Spectrum& spectrum, double frame_rate) {
@@ -49,7 +59,9 @@ Advice advise(const Spectrum& spectrum, const Settings& settings) {
     if (method.stability != Stability::None) return {&method, std::min(most_substeps, 4 * settings.substeps)};
   }
   const Integrator& fallback = default_integrator();
-  return {&fallback, fewest_stable_substeps(fallback, spectrum, settings.frame_rate).value_or(most_substeps)};
+  if (const auto substeps = fewest_stable_substeps(fallback, spectrum, settings.frame_rate)) return {&fallback, *substeps};
+  // more than there may be
+  return {find_integrator("tr_bdf2"), settings.substeps};
 }
 
 std::optional<std::string> warn_of_step(const System& system, const Settings& settings) {
@@ -60,24 +72,24 @@ std::optional<std::string> warn_of_step(const System& system, const Settings& se
   const std::string id(settings.integrator->id);
   const std::string needed = std::to_string(advice.substeps) + (advice.substeps == 1 ? " substep" : " substeps") + " a frame";
   if (advice.integrator == settings.integrator)
-    return "simulation.substeps: " + std::to_string(settings.substeps) + ": beyond the stable limit of " + id + " here: " + needed +
-           " would be stable";
-  return "simulation.integrator: " + id + ": no step is stable here: " + std::string(advice.integrator->id) + " with " + needed +
-         " would be";
+    return "simulation.substeps: " + std::to_string(settings.substeps) + ": may be too few for " + id + " here: " + needed +
+           " hold for certain";
+  return "simulation.integrator: " + no_step_of(*settings.integrator, id + ":") + " here: " + std::string(advice.integrator->id) +
+         " with " + needed + " does";
 }
 
 std::string explain(const Divergence& divergence, const System& system, const Settings& settings, const Advice& advice) {
   const std::string when = "Stopped at t = " + format("%.4g", divergence.time) + " s: ";
   const std::string what = divergence.kind == Divergence::Kind::NotFinite
                                ? name_culprit(divergence, system) + " went beyond all numbers."
-                               : "energy came from nowhere (" + format("%.2g", divergence.energy / divergence.scale) +
+                               : "energy came from nowhere (" + ratio(divergence.energy / divergence.scale) +
                                      " times what was put in), first at " + name_culprit(divergence, system) + ".";
 
   const std::string now = std::string(settings.integrator->label) + " with " + std::to_string(settings.substeps) +
                           (settings.substeps == 1 ? " substep" : " substeps");
   const std::string needed = std::to_string(advice.substeps) + (advice.substeps == 1 ? " substep" : " substeps");
   if (advice.integrator != settings.integrator)
-    return when + what + " " + std::string(settings.integrator->label) + " holds at no step here; " +
+    return when + what + " " + no_step_of(*settings.integrator, settings.integrator->label) + " here; " +
            std::string(advice.integrator->label) + " holds with " + needed + " a frame.";
   return when + what + " " + now + " a frame is too coarse: " + needed + " would hold.";
 }

@@ -201,7 +201,7 @@ void Walker::refuse_syntax(const rapidjson::ParseResult& result) const {
   const std::size_t offset = std::min(result.Offset(), text_.size());
   if (text_.find_first_not_of(" \t\r\n") == std::string::npos) refuse("line 1", "empty: must be a JSON object {...}");
 
-  std::string what = rapidjson::GetParseError_En(result.Code());
+  std::string where = line(offset), what = rapidjson::GetParseError_En(result.Code());
   if (result.Code() == rapidjson::kParseErrorNumberTooBig) {
     const std::size_t end = text_.find_first_not_of("+-.0123456789eE", offset);
     check_number(std::string_view(text_).substr(offset, end - offset));
@@ -209,7 +209,15 @@ void Walker::refuse_syntax(const rapidjson::ParseResult& result) const {
   if (result.Code() == rapidjson::kParseErrorStringInvalidEncoding) what = "bad UTF-8 in a string";
   if (offset == text_.size()) what = "the file ends too early";
   while (!what.empty() && what.back() == '.') what.pop_back();
-  refuse(line(offset), what);
+  if (text_.starts_with("\xef\xbb\xbf")) refuse(where, "a byte order mark: must begin with {");
+  if (result.Code() == rapidjson::kParseErrorValueInvalid) {
+    // from the start of the word in which reading failed
+    const std::size_t before = text_.find_last_of(" \t\r\n,:[{", offset == 0 ? 0 : offset - 1);
+    const std::size_t begin = before == std::string::npos ? 0 : before + 1, end = text_.find_first_of(" \t\r\n,:]}", offset);
+    where += ": " + path(depth_, 1);
+    what = printable(text_.substr(begin, std::min(end, text_.size()) - begin), 40) + ": must be a JSON value (numbers are finite)";
+  }
+  refuse(where, what);
 }
 
 void Walker::walk() {

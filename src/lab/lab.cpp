@@ -53,7 +53,7 @@ void Lab::start_afresh() {
   scene_.state.ledger = {};
   history_.clear();
   divergence_.reset();
-  running_ = unsaved_ = false;
+  running_ = unsaved_ = edited_ = false;
   owed_ = simulate_ms_ = recent_simulated_ = recent_real_ = 0.0;
   frames_ = 0;
   take_over({.structure = true});
@@ -88,7 +88,7 @@ void Lab::edit(const Command& command, Gesture gesture) {
   divergence_.reset();
   if (inverse.empty()) return;
   history_.note(describe(command), std::move(inverse), gesture);
-  unsaved_ = true;
+  unsaved_ = edited_ = true;
 }
 
 void Lab::obey(const Control& control) {
@@ -97,7 +97,7 @@ void Lab::obey(const Control& control) {
     take_over((history_.*move)(scene_));
     book_edit(scene_.system, before, scene_.state);
     divergence_.reset();
-    unsaved_ = true;
+    unsaved_ = edited_ = true;
   };
   std::visit(Overloaded{
                  [&](const Undo&) { step_back(&History::undo); },
@@ -123,7 +123,7 @@ void Lab::obey(const Control& control) {
                  [&](const Open& open_scene) { open(open_scene.scene); },
                  [&](const MarkSaved&) {
                    unsaved_ = false;
-                   if (start_) start_ = std::make_shared<const Scene>(scene_);
+                   keep_start();
                  },
              },
              control);
@@ -140,7 +140,14 @@ void Lab::apply_queue() {
   }
 }
 
+// The start is what was built before it ran: edits until then belong to it.
+void Lab::keep_start() {
+  if (start_ && edited_ && scene_.state.time == start_->state.time) start_ = std::make_shared<const Scene>(scene_);
+  edited_ = false;
+}
+
 void Lab::begin_frame() {
+  keep_start();
   frame_.begin(plan_, scene_.system, scene_.settings, scene_.state);
   frame_in_progress_ = true;
   frame_ms_ = 0.0;

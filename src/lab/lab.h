@@ -23,7 +23,7 @@ struct SetRunning {
   bool running;
 };
 struct StepOnce {};   // one frame, while paused
-struct GoToStart {};  // the scene as it was opened or last saved; method, substeps and clock stay as they are set
+struct GoToStart {};  // the scene as it was before it first ran; method, substeps and clock stay as they are set
 struct Open {         // another document; the history ends
   std::shared_ptr<const Scene> scene;
 };
@@ -71,6 +71,7 @@ class Lab {
   void take_over(Effect effect);
   void open(std::shared_ptr<const Scene> scene);
   void start_afresh();
+  void keep_start();
   void begin_frame();
   bool finish_frame();
   bool step_frame();
@@ -82,12 +83,13 @@ class Lab {
   Plan plan_;
   Frame frame_;
   bool frame_in_progress_ = false;
-  State next_;                // what the frame in progress will lead to
-  Energy energy_;             // of the last sound frame
+  State next_;     // what the frame in progress will lead to
+  Energy energy_;  // of the last sound frame
   std::optional<Divergence> divergence_;
   bool running_ = false;
   bool unsaved_ = false;
-  double owed_ = 0.0;         // [s] of simulated time not yet stepped
+  bool edited_ = false;  // since the start was kept
+  double owed_ = 0.0;    // [s] of simulated time not yet stepped
   double frame_ms_ = 0.0, simulate_ms_ = 0.0;
   double recent_simulated_ = 0.0, recent_real_ = 0.0;  // [s], fading sums
   long frames_ = 0;

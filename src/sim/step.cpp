@@ -46,7 +46,9 @@ void Frame::substep(const Plan& plan) {
 
 void Frame::end(const Plan& plan, State& state) const {
   unpack(plan, motion_, state);
-  state.time = start_ + duration_;
+  // whole frames stay whole: rounding does not add up over a long run
+  const double frames = (start_ + duration_) / duration_;
+  state.time = std::abs(frames - std::round(frames)) < 1e-6 ? std::round(frames) * duration_ : start_ + duration_;
   state.hand = target_;
   if (plan.held)
     for (int c = 0; c < plan.dimensions; ++c) state.position[*plan.held][c] = target_[c];
@@ -83,7 +85,8 @@ void book_hand_work(const System& system, const State& before, State& after) {
   const Index held = system.index_of(system.grab->point);
   if (system.grab->kind == GrabKind::Hold && !system.points()[held].nailed) {
     const double mass = system.points()[held].mass;
-    const double gained = 0.5 * mass * (glm::dot(after.velocity[held], after.velocity[held]) - glm::dot(before.velocity[held], before.velocity[held]));
+    const double gained =
+        0.5 * mass * (glm::dot(after.velocity[held], after.velocity[held]) - glm::dot(before.velocity[held], before.velocity[held]));
     work += gained;
     size += std::abs(gained);
   }

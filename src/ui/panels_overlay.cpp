@@ -149,7 +149,10 @@ void banners(const Desk& desk, Panels& panels, Requests& requests) {
     if (status.advice) {
       const Settings& settings = status.snapshot->settings;
       const Advice advice = fitted(*status.advice, settings);
-      if (ImGui::Button(in_words(advice, settings).c_str())) take_advice(advice, settings, requests);
+      if (ImGui::Button(in_words(advice, settings).c_str())) {
+        take_advice(advice, settings, requests);
+        panels.remarks.clear();
+      }
       ImGui::SameLine();
     }
     if (ImGui::Button("Dismiss")) panels.dismissed = status.message;
@@ -157,7 +160,7 @@ void banners(const Desk& desk, Panels& panels, Requests& requests) {
   }
 
   // what the file that was opened is remarkable for
-  if (!panels.remarks.empty()) {
+  if (!panels.remarks.empty() && down == 0.0) {
     begin_banner("remarks", scene, down, panels.remarks, IM_COL32(0x30, 0x2b, 0x20, 245), palette::warning, panels);
     if (ImGui::Button("Dismiss")) panels.remarks.clear();
     end_banner();

@@ -153,7 +153,12 @@ void parameter_row(const Parameter& row, double value, const Meant& meant, const
     switch_row(row, value, panels, requests);
   } else {
     NumberField field = field_of(row, desk.status.controls, value);
-    field.enabled = row.scope != Parameter::Scope::Colliders || !desk.status.snapshot->system->colliders.empty();
+    if (row.scope == Parameter::Scope::Colliders) {
+      const auto& colliders = desk.status.snapshot->system->colliders;
+      const auto property = row.name == "friction" ? &Collider::friction : &Collider::restitution;
+      field.enabled = std::ranges::any_of(colliders, &Collider::solid);
+      field.mixed = std::ranges::any_of(colliders, [&](const Collider& each) { return each.*property != value; });
+    }
     if (const auto changed = number_row(field, panels)) edit(SetParameter{&row, *changed}, panels, requests);
   }
 }
