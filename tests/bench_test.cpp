@@ -107,5 +107,12 @@ TEST(Bench, RefusesWhatItCannotDo) {
   EXPECT_EQ(contents(scratch.folder / "bench.json"), "{}");
 }
 
+// The page of methods is the table's and the results', word for word: scripts/accuracy --report makes it again.
+TEST(Bench, TheDocumentedMethodsAreThoseOfTheTable) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(Process(scratch.folder, {"--report", DOCS_FOLDER "/accuracy.json", "--quiet"}).wait(), 0);
+  EXPECT_EQ(contents(scratch.folder / "methods.md"), contents(DOCS_FOLDER "/methods.md"));
+}
+
 }  // namespace
 }  // namespace hooke

@@ -118,7 +118,7 @@ class Desktop {
     if (std::system((command + " >" + answer.string() + " 2>/dev/null").c_str()) != 0) return {};
     return contents(answer);
   }
-  std::string window_title() const { return ask("xdotool search --class hooke getwindowname"); }
+  std::string window_title() const { return ask("xdotool search --onlyvisible --class hooke getwindowname"); }
   testing::AssertionResult wait_for_title(const std::string& title) const {
     if (wait_for([&] { return window_title() == title + "\n"; })) return testing::AssertionSuccess();
     return testing::AssertionFailure() << "the title is " << window_title() << "; the program says: " << contents(folder_ / "output")

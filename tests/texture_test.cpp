@@ -119,7 +119,8 @@ TEST(Texture, IsHalvedUntilItIsNoLargerThanAScreen) {
   for (int x = 0; x < 3 * 4096; ++x) pixels.push_back(static_cast<std::uint8_t>(x / 3 % 2 == 0 ? 10 : 30));
   write_png(Image{4096, 1, pixels}, folder.folder / "wide.png");
   folder.name("wide.png");
-  const Picture& picture = *load_scene(folder.scene).scene.print.picture;
+  const LoadedScene loaded = load_scene(folder.scene);
+  const Picture& picture = *loaded.scene.print.picture;
   EXPECT_EQ(picture.width, 2048);
   EXPECT_EQ(picture.height, 1);
   EXPECT_EQ(picture.pixels, std::vector<std::uint8_t>(3 * 2048, 20));

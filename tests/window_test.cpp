@@ -124,6 +124,7 @@ TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
   EXPECT_EQ(contents(session.output()), "");
   session.start({session.file.string()});
   ASSERT_TRUE(desktop.wait_for_title("Hooke - net"));
+  rest(1.5);
   session.save_as(desktop.folder() / "again.json");
   ASSERT_TRUE(desktop.wait_for_title("Hooke - again"));
   const Scene again = session.saved();
