@@ -420,7 +420,12 @@ TEST(Divergence, OfDampedExplicitEulerWithinItsLimitNamesAMethodThatHolds) {
 
 TEST(Parameters, ReadBackWhatTheyWriteWithinTheirRange) {
   Scene scene = small_net();
+  // springs of every family
+  std::vector<Spring> springs = scene.system.springs();
+  for (std::size_t s = 0; s < springs.size(); ++s) springs[s].family = static_cast<SpringFamily>(s % spring_families);
+  scene.system.set_springs(springs);
   for (const Parameter& parameter : parameters()) {
+    EXPECT_TRUE(parameter.applies == nullptr || parameter.applies(scene)) << parameter.name;
     for (const double value : {parameter.least, parameter.most, parameter.usual}) {
       parameter.write(scene, value);
       EXPECT_NEAR(parameter.read(scene), value, 1e-12 * std::abs(value)) << parameter.name;

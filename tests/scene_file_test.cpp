@@ -359,6 +359,7 @@ class RandomScene {
     system.drag = not_negative();
     system.drag_on = random_() % 2;
     system.dashpots_on = random_() % 2;
+    for (std::size_t family = 1; family < spring_families; ++family) system.family_on[family] = random_() % 2;
     scene.state.time = hard_number(random_);
     add_points(scene);
     add_springs(scene);
@@ -415,6 +416,7 @@ class RandomScene {
       scene.system.append_spring({.id = scene.system.new_spring_id(),
                                   .first = scene.system.points()[first].id,
                                   .second = scene.system.points()[second].id,
+                                  .family = static_cast<SpringFamily>(random_() % spring_families),
                                   .stiffness = not_negative(),
                                   .damping = not_negative(),
                                   .rest_length = not_negative(),
@@ -469,7 +471,7 @@ std::string bits_of(const Scene& scene) {
   const auto add_color = [&](const std::optional<Color>& c) { text << (c ? c->red * 65536 + c->green * 256 + c->blue : -1) << ' '; };
   const System& system = scene.system;
   text << scene.name.size() << scene.name << scene.description.size() << scene.description << system.dimensions << system.drag_on
-       << system.dashpots_on << ' ';
+       << system.dashpots_on << system.family_on[1] << system.family_on[2] << system.family_on[3] << ' ';
   add(scene.state.time, system.drag);
   add_vector(system.gravity);
   add_vector(system.wind);
@@ -480,7 +482,7 @@ std::string bits_of(const Scene& scene) {
     add_vector(scene.state.velocity[i]);
   }
   for (const Spring& spring : system.springs())
-    add(system.index_of(spring.first), system.index_of(spring.second), spring.stiffness, spring.damping, spring.rest_length,
+    add(system.index_of(spring.first), system.index_of(spring.second), spring.family, spring.stiffness, spring.damping, spring.rest_length,
         spring.break_strain);
   for (const Face& face : system.faces)
     for (const PointId id : face.points) add(system.index_of(id));

@@ -65,14 +65,28 @@ TEST(Shortcuts, TheOverlayShowsEveryRow) {
 TEST(Sliders, EachParameterHasOne) {
   Scene scene = two_springs();
   scene.system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}}};
+  std::vector<Spring> springs;
+  for (const SpringFamily family : {SpringFamily::Structural, SpringFamily::Shear, SpringFamily::Bend}) {
+    springs.push_back(scene.system.springs()[0]);
+    springs.back().id = scene.system.new_spring_id();
+    springs.back().family = family;
+  }
+  scene.system.set_springs(springs);
   GuiTrial gui(scene);
-  ImGui::GetIO().DisplaySize = {1280.0f, 1600.0f};
-  gui.app().resize({1280.0, 1600.0}, 1.0);
+  ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
+  gui.app().resize({1280.0, 2000.0}, 1.0);
+  gui.frames(2);
   gui.click(gui.find("side", {"Hand"}));  // unfolds
   for (const Parameter& row : parameters()) {
     const bool is_switch = row.kind == Parameter::Kind::Switch;
     EXPECT_GT(gui.find("side", {row.name.data(), is_switch ? "##switch" : "##value"}).x, 0.0) << row.name;
   }
+}
+
+TEST(Sliders, OfFamiliesThatTheSceneHasNotAreAbsent) {
+  GuiTrial gui(two_springs());
+  EXPECT_NE(gui.words().find("Stiffness k"), std::string::npos);
+  EXPECT_EQ(gui.words().find("Shear"), std::string::npos);
 }
 
 TEST(Sliders, ADragIsOneStepOfUndo) {
@@ -159,8 +173,9 @@ TEST(Forces, AreSwitchedSetAndRemovedInTheirPanel) {
   scene.system.forces = {{find_force_term("wind"), false, usual_values(*find_force_term("wind"))},
                          {find_force_term("buoyancy"), true, usual_values(*find_force_term("buoyancy"))}};
   GuiTrial gui(scene);
-  ImGui::GetIO().DisplaySize = {1280.0f, 1600.0f};
-  gui.app().resize({1280.0, 1600.0}, 1.0);
+  ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
+  gui.app().resize({1280.0, 2000.0}, 1.0);
+  gui.frames(2);
   gui.frames(2);
 
   // the numbers of a force that is off are not shown
@@ -185,8 +200,9 @@ TEST(Forces, AreSwitchedSetAndRemovedInTheirPanel) {
 TEST(Forces, EachCanBeAddedFromTheList) {
   for (const ForceTerm& term : force_terms()) {
     GuiTrial gui(two_springs());
-    ImGui::GetIO().DisplaySize = {1280.0f, 1600.0f};
-    gui.app().resize({1280.0, 1600.0}, 1.0);
+    ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
+    gui.app().resize({1280.0, 2000.0}, 1.0);
+  gui.frames(2);
     gui.frames(2);
     gui.click(gui.find("side", {"Forces"}));  // unfolds
     gui.click(gui.find("side", {"##add"}));

@@ -83,8 +83,11 @@ void Net::add_springs(const Subject& subject, Strokes& strokes) const {
   const auto steps = static_cast<float>(0.5 * strain_steps / View::strain_scale(subject.snapshot));
   const Ink plain = ink(subject.palette.spring);
 
+  const System& system = *subject.snapshot.system;
+  const bool all_on = std::ranges::find(system.family_on, false) == system.family_on.end();
   strokes.reserve(strain_.size());
   for (std::size_t s = 0; s < strain_.size(); ++s) {
+    if (!all_on && !system.is_on(system.springs()[s])) continue;
     const auto [a, b] = ends_[s];
     Ink color = plain;
     if (subject.options.strain_colors) {

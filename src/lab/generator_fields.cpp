@@ -137,6 +137,9 @@ Generator read_cloth(const JsonField& field, SceneFields& fields) {
       const auto counts = member.items(2, 2);
       cloth.columns = read_count(counts[0]);
       cloth.rows = read_count(counts[1]);
+    } else if (member.is("stencil")) {
+      cloth.stencil = member.whole(4, 12);
+      if (*cloth.stencil % 4 != 0) member.refuse("must be 4, 8 or 12");
     } else if (member.is("shear_stiffness"))
       cloth.shear_stiffness = member.number(not_negative);
     else if (member.is("bend_stiffness"))
@@ -149,6 +152,10 @@ Generator read_cloth(const JsonField& field, SceneFields& fields) {
     if (!has_member(field, key)) field.refuse_missing(key, "must be [x, y, z]");
   if (!has_member(field, "points")) field.refuse_missing("points", "must be [columns, rows]");
   check_fabric(field, cloth.fabric, has_member(field, "stiffness"));
+  if (cloth.stencil.value_or(8) < 8 && cloth.shear_stiffness.value_or(0.0) > 0.0)
+    field.refuse("must have a stencil of 8 or 12 for shear_stiffness");
+  if (cloth.stencil.value_or(12) < 12 && cloth.bend_stiffness.value_or(0.0) > 0.0)
+    field.refuse("must have a stencil of 12 for bend_stiffness");
   if (!(glm::length(glm::cross(cloth.across, cloth.down)) > 0.0)) field.refuse("must have across and down that span an area");
   return cloth;
 }

@@ -16,10 +16,12 @@ PointId add_point(Network& network, const Fabric& fabric, const Vec3& position, 
   return id;
 }
 
-void add_spring(Network& network, std::size_t first, std::size_t second, double length, double stiffness, double damping) {
+void add_spring(Network& network, std::size_t first, std::size_t second, SpringFamily family, double length, double stiffness,
+                double damping) {
   network.springs.push_back({.id = SpringId{static_cast<std::uint32_t>(network.springs.size())},
                              .first = network.points[first].id,
                              .second = network.points[second].id,
+                             .family = family,
                              .stiffness = stiffness,
                              .damping = damping,
                              .rest_length = length});
@@ -31,29 +33,31 @@ void nail(Network& network, const Fabric& fabric, std::size_t first_point) {
 
 // Springs of one kind in a cloth: from each point to the one `columns` on and `rows` below.
 struct ClothSpring {
+  SpringFamily family;
   std::int64_t columns, rows;
   double stiffness, damping;                   // [N/m], [N s/m], inside a cloth of square cells
   std::optional<double> stiffness_per_strain;  // [N], takes the place of stiffness
-  bool is_diagonal() const { return columns != 0 && rows != 0; }
 };
 
 std::vector<ClothSpring> springs_of(const Cloth& cloth) {
   const Fabric& fabric = cloth.fabric;
   const double k = fabric.stiffness, d = fabric.damping;
   const auto y = fabric.stiffness_per_strain;
-  std::vector<ClothSpring> kinds{{1, 0, k, d, y}, {0, 1, k, d, y}};
+  std::vector<ClothSpring> kinds{{SpringFamily::Structural, 1, 0, k, d, y}, {SpringFamily::Structural, 0, 1, k, d, y}};
 
   // an isotropic sheet has half the stiffness and damping on its diagonals
   const double other_d = fabric.mass_model == MassModel::Tributary ? 0.5 * d : d;
   const double shear = cloth.shear_stiffness.value_or(0.5 * k);
   const auto shear_y = cloth.shear_stiffness ? std::nullopt : y;
-  if (shear > 0.0 || shear_y) {
-    kinds.push_back({1, 1, shear, other_d, shear_y});
-    kinds.push_back({-1, 1, shear, other_d, shear_y});
+  if (cloth.stencil ? *cloth.stencil >= 8 : shear > 0.0 || shear_y) {
+    kinds.push_back({SpringFamily::Shear, 1, 1, shear, other_d, shear_y});
+    kinds.push_back({SpringFamily::Shear, -1, 1, shear, other_d, shear_y});
   }
-  if (cloth.bend_stiffness > 0.0) {
-    kinds.push_back({2, 0, cloth.bend_stiffness, other_d, std::nullopt});
-    kinds.push_back({0, 2, cloth.bend_stiffness, other_d, std::nullopt});
+  const double bend = cloth.bend_stiffness.value_or(0.5 * k);
+  const auto bend_y = cloth.bend_stiffness ? std::nullopt : y;
+  if (cloth.stencil ? *cloth.stencil >= 12 : cloth.bend_stiffness.value_or(0.0) > 0.0) {
+    kinds.push_back({SpringFamily::Bend, 2, 0, bend, other_d, bend_y});
+    kinds.push_back({SpringFamily::Bend, 0, 2, bend, other_d, bend_y});
   }
   return kinds;
 }
@@ -93,7 +97,7 @@ class ClothMaker {
           const double length = glm::length(network_.position[j] - network_.position[i]);
           const double weight = tributary_ ? weight_of(kind, column, row) : 1.0;
           const double stiffness = kind.stiffness_per_strain ? *kind.stiffness_per_strain / length : weight * kind.stiffness;
-          add_spring(network_, i, j, length, stiffness, weight * kind.damping);
+          add_spring(network_, i, j, kind.family, length, stiffness, weight * kind.damping);
         }
   }
 
@@ -116,7 +120,7 @@ class ClothMaker {
   // k b / a along rows, k a / b along columns, k 2 a b / (a^2 + b^2) on diagonals; and half of it along the border,
   // where there is a cell on one side only.
   double weight_of(const ClothSpring& spring, std::int64_t column, std::int64_t row) const {
-    if (spring.is_diagonal()) return 2.0 * a_ * b_ / (a_ * a_ + b_ * b_);
+    if (spring.family == SpringFamily::Shear) return 2.0 * a_ * b_ / (a_ * a_ + b_ * b_);
     const bool is_border = spring.rows == 0 ? is_edge_row(row) : is_edge_column(column);
     return (spring.rows == 0 ? b_ / a_ : a_ / b_) * (is_border ? 0.5 : 1.0);
   }
@@ -155,7 +159,7 @@ void make(const Rope& rope, Network& network) {
   for (std::size_t i = first; i + 1 < network.points.size(); ++i) {
     const double piece = glm::length(network.position[i + 1] - network.position[i]);
     const double stiffness = fabric.stiffness_per_strain ? *fabric.stiffness_per_strain / piece : weight * fabric.stiffness;
-    add_spring(network, i, i + 1, piece, stiffness, weight * fabric.damping);
+    add_spring(network, i, i + 1, SpringFamily::None, piece, stiffness, weight * fabric.damping);
   }
 }
 

@@ -41,14 +41,15 @@ struct Fabric {
   std::vector<Index> nails;  // points by their number within it
 };
 
-// columns x rows points, row by row from `corner`, along `across` first. Springs along both, across both diagonals
-// (shear), and over the next point but one (bend); two faces a cell.
+// columns x rows points, row by row from `corner`, along `across` first. Springs along both (structural), across both
+// diagonals (shear), and over the next point but one (bend), as many to a point inside as the stencil says; two faces a cell.
 struct Cloth {
   Vec3 corner{0.0}, across{1.0, 0.0, 0.0}, down{0.0, -1.0, 0.0};  // [m]: a corner, and the whole edges that leave it
   std::int64_t columns = 2, rows = 2;
   Fabric fabric{.mass_model = MassModel::Tributary};
-  std::optional<double> shear_stiffness;  // [N/m]; none: half of the stiffness; 0: no such springs
-  double bend_stiffness = 0.0;            // [N/m]; 0: no such springs
+  std::optional<std::int64_t> stencil;    // 4: structural, 8: and shear, 12: and bend; none: those of more than no stiffness
+  std::optional<double> shear_stiffness;  // [N/m]; none: half of the stiffness
+  std::optional<double> bend_stiffness;   // [N/m]; none: half of the stiffness in a stencil of 12, else 0
 };
 
 struct Rope {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "lab/parameters.h"
 #include "sim/overloaded.h"
@@ -239,6 +240,7 @@ void Lab::publish() {
   snapshot->energy = energy_;
   snapshot->momentum = compute_momentum(scene_.system, scene_.state);
   for (const Spring& spring : scene_.system.springs()) {
+    if (!scene_.system.is_on(spring)) continue;
     const double value = strain(scene_.system, scene_.state, spring);
     snapshot->least_strain = std::min(snapshot->least_strain, value);
     snapshot->most_strain = std::max(snapshot->most_strain, value);
@@ -255,7 +257,10 @@ void Lab::publish() {
   status->print = scene_.print;
   status->defaults = scene_.defaults;
   status->controls = scene_.controls;
-  for (const Parameter& parameter : parameters()) status->parameter_values.push_back(parameter.read(scene_));
+  for (const Parameter& parameter : parameters()) {
+    const bool applies = parameter.applies == nullptr || parameter.applies(scene_);
+    status->parameter_values.push_back(applies ? parameter.read(scene_) : std::numeric_limits<double>::quiet_NaN());
+  }
   status->running = running_;
   status->unsaved = unsaved_;
   status->undo_name = history_.undo_name();

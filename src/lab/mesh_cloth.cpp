@@ -106,6 +106,7 @@ void ClothMaker::make_springs() {
     springs.push_back({.id = system.new_spring_id(),
                        .first = system.points()[static_cast<std::size_t>(first)].id,
                        .second = system.points()[static_cast<std::size_t>(second)].id,
+                       .family = sides > 0 ? SpringFamily::Structural : SpringFamily::Shear,
                        .stiffness = material_.stiffness * weight / (length * length),
                        .damping = material_.damping * weight / (length * length),
                        .rest_length = length});

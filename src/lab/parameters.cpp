@@ -33,6 +33,38 @@ double mean_of_springs(const Scene& scene, double Spring::*property, double none
   return same ? springs.front().*property : sum / static_cast<double>(springs.size());
 }
 
+// The same of one family, and its switch.
+template <SpringFamily family>
+double read_family_stiffness(const Scene& scene) {
+  double sum = 0.0, first = 0.0;
+  long count = 0;
+  bool same = true;
+  for (const Spring& spring : scene.system.springs()) {
+    if (spring.family != family) continue;
+    if (count++ == 0) first = spring.stiffness;
+    sum += spring.stiffness;
+    same = same && spring.stiffness == first;
+  }
+  return same ? first : sum / static_cast<double>(count);
+}
+template <SpringFamily family>
+void write_family_stiffness(Scene& scene, double value) {
+  for (Index s = 0; s < scene.system.spring_count(); ++s)
+    if (scene.system.springs()[s].family == family) scene.system.spring(s).stiffness = value;
+}
+template <SpringFamily family>
+double read_family_switch(const Scene& scene) {
+  return scene.system.family_on[static_cast<std::size_t>(family)] ? 1.0 : 0.0;
+}
+template <SpringFamily family>
+void write_family_switch(Scene& scene, double value) {
+  scene.system.family_on[static_cast<std::size_t>(family)] = value != 0.0;
+}
+template <SpringFamily family>
+bool has_family(const Scene& scene) {
+  return scene.system.count_of(family) > 0;
+}
+
 void set_springs(Scene& scene, double Spring::*property, double value) {
   for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).*property = value;
 }
@@ -68,6 +100,33 @@ const std::array rows{
               .least = 0.01, .most = 1e6, .usual = 100, .logarithmic = true, .scope = Scope::SpringStiffness,
               .read = [](const Scene& s) { return mean_of_springs(s, &Spring::stiffness, s.defaults.stiffness); },
               .write = [](Scene& s, double value) { set_springs(s, &Spring::stiffness, value); }},
+    Parameter{.name = "structural_springs", .field = "structural_springs", .group = "Springs", .label = "Structural springs", .unit = "",
+              .meaning = "Whether the springs along the threads of cloths act.",
+              .kind = Kind::Switch, .usual = 1, .family = SpringFamily::Structural, .applies = has_family<SpringFamily::Structural>,
+              .read = read_family_switch<SpringFamily::Structural>, .write = write_family_switch<SpringFamily::Structural>},
+    Parameter{.name = "structural_stiffness", .field = "", .group = "Springs", .label = "Structural k", .unit = "N/m",
+              .meaning = "Stiffness of every spring along the threads of cloths.",
+              .least = 0.01, .most = 1e6, .usual = 100, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .family = SpringFamily::Structural, .applies = has_family<SpringFamily::Structural>,
+              .read = read_family_stiffness<SpringFamily::Structural>, .write = write_family_stiffness<SpringFamily::Structural>},
+    Parameter{.name = "shear_springs", .field = "shear_springs", .group = "Springs", .label = "Shear springs", .unit = "",
+              .meaning = "Whether the springs across the cells of cloths act.",
+              .kind = Kind::Switch, .usual = 1, .family = SpringFamily::Shear, .applies = has_family<SpringFamily::Shear>,
+              .read = read_family_switch<SpringFamily::Shear>, .write = write_family_switch<SpringFamily::Shear>},
+    Parameter{.name = "shear_stiffness", .field = "", .group = "Springs", .label = "Shear k", .unit = "N/m",
+              .meaning = "Stiffness of every spring across the cells of cloths.",
+              .least = 0.01, .most = 1e6, .usual = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .family = SpringFamily::Shear, .applies = has_family<SpringFamily::Shear>,
+              .read = read_family_stiffness<SpringFamily::Shear>, .write = write_family_stiffness<SpringFamily::Shear>},
+    Parameter{.name = "bend_springs", .field = "bend_springs", .group = "Springs", .label = "Bend springs", .unit = "",
+              .meaning = "Whether the springs over the next point but one of cloths act.",
+              .kind = Kind::Switch, .usual = 1, .family = SpringFamily::Bend, .applies = has_family<SpringFamily::Bend>,
+              .read = read_family_switch<SpringFamily::Bend>, .write = write_family_switch<SpringFamily::Bend>},
+    Parameter{.name = "bend_stiffness", .field = "", .group = "Springs", .label = "Bend k", .unit = "N/m",
+              .meaning = "Stiffness of every spring over the next point but one of cloths.",
+              .least = 0.01, .most = 1e6, .usual = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .family = SpringFamily::Bend, .applies = has_family<SpringFamily::Bend>,
+              .read = read_family_stiffness<SpringFamily::Bend>, .write = write_family_stiffness<SpringFamily::Bend>},
     Parameter{.name = "damped_springs", .field = "damped_springs", .group = "Springs", .label = "Damped springs", .unit = "",
               .meaning = "Whether the springs' dashpots act.",
               .kind = Kind::Switch, .usual = 1,

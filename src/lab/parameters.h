@@ -1,6 +1,7 @@
 // The table of parameters: from a row follow a slider, a scene field, `--set NAME=VALUE` and a line of the manual.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -24,6 +25,8 @@ struct Parameter {
   Bounds physical{};                            // what a scene file may hold: numbers beyond the slider's range as well
   bool logarithmic = false;                     // the slider's scale
   Scope scope = Scope::Number;
+  std::optional<SpringFamily> family{};           // the springs that it sets; none: all
+  bool (*applies)(const Scene& scene) = nullptr;  // whether the scene has what the row sets; null: every scene has
   double (*read)(const Scene& scene) = nullptr;
   void (*write)(Scene& scene, double value) = nullptr;
 };

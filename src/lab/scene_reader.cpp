@@ -13,6 +13,7 @@
 #include "lab/read_file.h"
 #include "lab/scene_file.h"
 #include "lab/scene_sections.h"
+#include "lab/spring_family.h"
 #include "lab/texture.h"
 
 namespace hooke {
@@ -193,6 +194,8 @@ void SceneReader::read_spring(const JsonField& field) {
       has_stiffness = true;
     } else if (member.is("damping"))
       spring.damping = member.number(not_negative);
+    else if (member.is("family"))
+      spring.family = read_family(member);
     else if (member.is("rest_length"))
       spring.rest_length = member.number(not_negative);
     else if (member.is("break_strain"))

@@ -12,6 +12,7 @@
 #include "lab/parameters.h"
 #include "lab/printable.h"
 #include "lab/scene_file.h"
+#include "lab/spring_family.h"
 #include "sim/integrator.h"
 #include "sim/overloaded.h"
 
@@ -167,8 +168,9 @@ void SceneWriter::write_parameters(std::string_view section) {
     const std::size_t dot = row.field.rfind('.');
     const std::string_view in = dot == std::string_view::npos ? "" : row.field.substr(0, dot);
     if (row.field.empty() || in != section) continue;
-    out_.key(row.field.substr(dot == std::string_view::npos ? 0 : dot + 1));
     const double value = row.read(scene_);
+    if (row.applies != nullptr && value == row.usual) continue;
+    out_.key(row.field.substr(dot == std::string_view::npos ? 0 : dot + 1));
     switch (row.kind) {
       case Parameter::Kind::Switch:
         out_.boolean(value != 0.0);
@@ -224,6 +226,7 @@ void SceneWriter::write_spring(Index s) {
   out_.whole(system_.index_of(spring.first));
   out_.whole(system_.index_of(spring.second));
   out_.end();
+  if (spring.family != SpringFamily::None) out_.text("family", name_of(spring.family));
   out_.number("stiffness", spring.stiffness);
   if (!is_plain_zero(spring.damping)) out_.number("damping", spring.damping);
   out_.number("rest_length", spring.rest_length);

@@ -18,7 +18,7 @@ struct Status {
   Print print;
   Defaults defaults;
   ControlRanges controls;
-  std::vector<double> parameter_values;  // one a row of parameters()
+  std::vector<double> parameter_values;  // one a row of parameters(); NaN: the row does not apply
   bool running = false;
   bool unsaved = false;                  // edited since it was opened or saved
   std::string undo_name, redo_name;      // "nail 3 points"; empty: nothing to undo

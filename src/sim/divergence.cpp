@@ -34,7 +34,7 @@ Index worst_spring(const System& system, const State& state, Index point) {
     const bool on_point = point != no_index && (spring.first == system.points()[point].id || spring.second == system.points()[point].id);
     if (worst_is_on_point && !on_point) continue;
     const double extension = strain(system, state, spring) * std::max(spring.rest_length, 1e-300);
-    const double energy = std::isfinite(extension) ? spring.stiffness * extension * extension : INFINITY;
+    const double energy = std::isfinite(extension) ? system.stiffness_of(spring) * extension * extension : INFINITY;
     if (energy > highest || (on_point && !worst_is_on_point)) {
       highest = energy;
       worst = s;
@@ -59,7 +59,7 @@ namespace {
 // The least that counts as put in [J]: M g L, and in scenes without weight a billionth of what the springs could hold.
 double least_scale(const System& system, const State& state) {
   double springs = 0.0;
-  for (const Spring& spring : system.springs()) springs += spring.stiffness * spring.rest_length * spring.rest_length;
+  for (const Spring& spring : system.springs()) springs += system.stiffness_of(spring) * spring.rest_length * spring.rest_length;
   return std::max({energy_floor(system, state), 1e-9 * springs, 1e-300});
 }
 

@@ -18,7 +18,7 @@ Energy compute_energy(const System& system, const State& state) {
     const double length =
         glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
     const double extension = length - spring.rest_length;
-    energy.elastic += 0.5 * spring.stiffness * extension * extension;
+    energy.elastic += 0.5 * system.stiffness_of(spring) * extension * extension;
   }
   if (system.grab && system.grab->kind == GrabKind::Pull) {
     const Vec3 reach = state.hand - grabbed_place(system, state);
@@ -66,7 +66,7 @@ Vec3 compute_hand_force(const System& system, const State& state) {
     const double length = glm::length(along);
     if (length == 0.0) continue;
     const double approach = glm::dot(state.velocity[i] - state.velocity[j], along) / length;
-    const double tension = spring.stiffness * (length - spring.rest_length) + system.damping_of(spring) * approach;
+    const double tension = system.stiffness_of(spring) * (length - spring.rest_length) + system.damping_of(spring) * approach;
     force -= (i == held ? 1.0 : -1.0) * (tension / length) * along;
   }
   return -force;

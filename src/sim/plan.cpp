@@ -149,7 +149,7 @@ void refresh_values(Plan& plan, const System& system) {
   bool damped = false;
   for (Index s = 0; s < plan.springs; ++s) {
     const Spring& spring = system.springs()[plan.spring_index[s]];
-    plan.stiffness[s] = spring.stiffness;
+    plan.stiffness[s] = system.stiffness_of(spring);
     plan.rest_length[s] = spring.rest_length;
     damped = damped || system.damping_of(spring) > 0.0;
   }
@@ -184,14 +184,14 @@ Spectrum bound_spectrum(const System& system) {
     const Point &first = system.points()[i], &second = system.points()[j];
     if (first.nailed && second.nailed) continue;
     const double coupling = first.nailed || second.nailed ? 0.0 : 1.0 / std::sqrt(first.mass * second.mass);
-    const double damping = system.damping_of(spring);
+    const double stiffness = system.stiffness_of(spring), damping = system.damping_of(spring);
     for (const auto& [at, point] : {std::pair{i, &first}, std::pair{j, &second}}) {
       if (point->nailed) continue;
       const double weight = 1.0 / point->mass + coupling;
-      stiffness_row[at] += spring.stiffness * weight;
+      stiffness_row[at] += stiffness * weight;
       dashpot_row[at] += damping * weight;
     }
-    if (spring.stiffness > 0.0) least_ratio = std::min(least_ratio, damping / spring.stiffness);
+    if (stiffness > 0.0) least_ratio = std::min(least_ratio, damping / stiffness);
   }
   if (system.grab && system.grab->kind == GrabKind::Pull) add_pull_rows(system, stiffness_row);
 

@@ -36,9 +36,16 @@ Index System::index_of(PointId id) const { return look_up(point_index_, static_c
 Index System::index_of(SpringId id) const { return look_up(spring_index_, static_cast<std::uint32_t>(id)); }
 
 void System::append_point(const Point& point) { append(points_, point_index_, next_point_id_, point); }
-void System::append_spring(const Spring& spring) { append(springs_, spring_index_, next_spring_id_, spring); }
+void System::append_spring(const Spring& spring) {
+  append(springs_, spring_index_, next_spring_id_, spring);
+  ++family_count_[static_cast<std::size_t>(spring.family)];
+}
 void System::set_points(std::vector<Point> points) { set(points_, point_index_, next_point_id_, std::move(points)); }
-void System::set_springs(std::vector<Spring> springs) { set(springs_, spring_index_, next_spring_id_, std::move(springs)); }
+void System::set_springs(std::vector<Spring> springs) {
+  set(springs_, spring_index_, next_spring_id_, std::move(springs));
+  family_count_ = {};
+  for (const Spring& spring : springs_) ++family_count_[static_cast<std::size_t>(spring.family)];
+}
 
 void System::reserve(Index points, Index springs) {
   points_.reserve(points);
@@ -48,7 +55,7 @@ void System::reserve(Index points, Index springs) {
 }
 
 bool System::operator==(const System& other) const {
-  const auto scalars = [](const System& s) { return std::tie(s.dimensions, s.gravity, s.drag, s.drag_on, s.dashpots_on, s.wind); };
+  const auto scalars = [](const System& s) { return std::tie(s.dimensions, s.gravity, s.drag, s.drag_on, s.dashpots_on, s.family_on, s.wind); };
   return scalars(*this) == scalars(other) && faces == other.faces && colliders == other.colliders && forces == other.forces && grab == other.grab &&
          points_ == other.points_ && springs_ == other.springs_;
 }

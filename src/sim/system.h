@@ -31,9 +31,19 @@ struct Point {
 
 inline constexpr double never_breaks = std::numeric_limits<double>::infinity();
 
+// What a spring does in a cloth: those of a family are switched and tuned together.
+enum class SpringFamily : std::uint8_t {
+  None,
+  Structural,  // along the threads
+  Shear,       // across the cells
+  Bend,        // over the next point but one
+};
+inline constexpr std::size_t spring_families = 4;
+
 struct Spring {
   SpringId id{};
   PointId first{}, second{};
+  SpringFamily family = SpringFamily::None;
   double stiffness = 100.0;           // [N/m], >= 0
   double damping = 0.0;               // [N s/m], >= 0: a dashpot along the spring
   double rest_length = 1.0;           // [m], >= 0
@@ -106,6 +116,7 @@ class System {
   double drag = 0.0;              // [1/s]: point damping, acceleration -drag (v - wind)
   bool drag_on = true;
   bool dashpots_on = true;        // false: every spring's damping is taken as zero
+  std::array<bool, spring_families> family_on{true, true, true, true};  // false: its springs are as if they were not
   Vec3 wind{0.0};                 // [m/s], of the air that drag is relative to
   std::vector<Face> faces;
   std::vector<Collider> colliders;
@@ -121,7 +132,7 @@ class System {
   Index index_of(PointId id) const;
   Index index_of(SpringId id) const;
 
-  // For changing properties (not ids, nor a spring's ends). The index must be valid.
+  // For changing properties (not ids, nor a spring's ends or family). The index must be valid.
   Point& point(Index index) { return points_[index]; }
   Spring& spring(Index index) { return springs_[index]; }
 
@@ -141,15 +152,21 @@ class System {
   // Equal in what the scene is; ids given and never used do not count.
   bool operator==(const System& other) const;
 
-  // The drag and damping in force, switches applied.
+  // Springs that are in the family.
+  Index count_of(SpringFamily family) const { return family_count_[static_cast<std::size_t>(family)]; }
+
+  // The drag, stiffness and damping in force, switches applied.
   double drag_rate() const { return drag_on ? drag : 0.0; }
-  double damping_of(const Spring& spring) const { return dashpots_on ? spring.damping : 0.0; }
+  bool is_on(const Spring& spring) const { return family_on[static_cast<std::size_t>(spring.family)]; }
+  double stiffness_of(const Spring& spring) const { return is_on(spring) ? spring.stiffness : 0.0; }
+  double damping_of(const Spring& spring) const { return dashpots_on && is_on(spring) ? spring.damping : 0.0; }
 
  private:
   std::vector<Point> points_;
   std::vector<Spring> springs_;
   std::vector<Index> point_index_;   // by id
   std::vector<Index> spring_index_;  // by id
+  std::array<Index, spring_families> family_count_{};
   std::uint32_t next_point_id_ = 0;
   std::uint32_t next_spring_id_ = 0;
 };

@@ -78,7 +78,9 @@ NumberField field_of(const Parameter& row, const ControlRanges& controls, double
 }
 
 // k or d of the springs meant; without any, the value that the table says.
-void spring_row(const Parameter& row, double value_without, const Meant& meant, const Desk& desk, Panels& panels, Requests& requests) {
+void spring_row(const Parameter& row, double value_without, const Meant& all_meant, const Desk& desk, Panels& panels, Requests& requests) {
+  Meant meant = all_meant;
+  if (row.family) std::erase_if(meant.springs, [&](const Spring* spring) { return spring->family != *row.family; });
   const bool stiffness = row.scope == Parameter::Scope::SpringStiffness;
   const Common common = common_value(meant.springs, stiffness ? &Spring::stiffness : &Spring::damping, value_without);
   NumberField field = field_of(row, desk.status.controls, common.value);
@@ -183,7 +185,7 @@ void build_parameters(const Desk& desk, Panels& panels, Requests& requests) {
       open = section(std::string(group), scope_of(group, meant), group != "Hand");
       if (open && group == "Simulation") method_row(desk, panels, requests);
     }
-    if (!open) continue;
+    if (!open || std::isnan(desk.status.parameter_values[i])) continue;
     ImGui::PushID(row.name.data());
     parameter_row(row, desk.status.parameter_values[i], meant, desk, panels, requests);
     ImGui::PopID();
