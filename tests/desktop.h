@@ -98,8 +98,9 @@ class Desktop {
     std::filesystem::create_directories(folder_);
     const std::filesystem::path number = folder_ / "display";
     const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
-    // -displayfd picks a display that is free
-    server_ = Process({"sh", "-c", "exec Xvfb -displayfd 3 -screen 0 " + screen + " -dpi 96 -nolisten tcp 3>" + number.string()},
+    // A number of its own: servers that look for a free one at the same time can take the same. -displayfd says when it is up.
+    const std::string own = ":" + std::to_string(100 + ::getpid() % 50000);
+    server_ = Process({"sh", "-c", "exec Xvfb " + own + " -displayfd 3 -screen 0 " + screen + " -dpi 96 -nolisten tcp 3>" + number.string()},
                       folder_ / "server.log");
     wait_for([&] { return contents(number).find('\n') != std::string::npos; });
     std::istringstream(contents(number)) >> display_;
