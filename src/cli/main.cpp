@@ -1,44 +1,13 @@
 // hooke-headless: everything that needs no window.
 
-#include <array>
 #include <iostream>
 
-#include "cli/bench.h"
-#include "cli/capture.h"
-#include "cli/check.h"
-#include "cli/convert.h"
-#include "cli/run.h"
-#include "lab/build_info.h"
-#include "lab/file_limits.h"
+#include "cli/command_line.h"
 #include "lab/printable.h"
 #include "sim/errors.h"
 
 namespace hooke {
 namespace {
-
-// Every subcommand, in the order of the help.
-constexpr std::array subcommands{
-    Subcommand{"run", "Step a scene and report what became of it", declare_run},
-    Subcommand{"bench", "Measure the speed and the error of every method", declare_bench},
-    Subcommand{"capture", "Draw a scene as it moves, with no display", declare_capture},
-    Subcommand{"check", "Check the scenes; or every method on the hard cases", declare_check},
-    Subcommand{"convert", "Write a scene file as another", declare_convert},
-};
-
-std::string limits() {
-  std::string text = "What a scene file may be; anything else is refused with exit code 3:\n";
-  for (const FileLimit& row : file_limits()) text += "  " + std::string(row.what) + ": " + std::string(row.limit) + "\n";
-  text.pop_back();
-  return text;
-}
-
-void add_general_options(CLI::App& app) {
-  app.set_help_flag("-h,--help", "Print this help and exit");
-  app.set_version_flag("--version", "hooke-headless " + std::string(program_version), "Print the version and exit");
-  // thrown like the version: before anything else that is wrong with the command line
-  app.add_flag_callback(
-      "--limits", [] { throw CLI::CallForVersion(limits(), 0); }, "Print the limits of scene files and exit");
-}
 
 int report(const std::string& what, int code) {
   std::cout.flush();
@@ -47,20 +16,8 @@ int report(const std::string& what, int code) {
 }
 
 int obey(int argc, char** argv) {
-  CLI::App app("Hooke without a window: networks of point masses and springs.", "hooke-headless");
-  app.footer(
-      "Results go to stdout or the named file, everything else to stderr.\n"
-      "Exit codes: 0 fine, 1 a check failed, 2 wrong usage, 3 input refused, 4 diverged, 5 a file could not be read or written.");
-  add_general_options(app);
-  app.require_subcommand(1);
-
-  std::vector<std::pair<CLI::App*, std::function<int()>>> declared;
-  for (const Subcommand& subcommand : subcommands) {
-    CLI::App* sub = app.add_subcommand(subcommand.name, subcommand.summary);
-    add_general_options(*sub);
-    declared.emplace_back(sub, subcommand.declare(*sub));
-  }
-
+  CLI::App app;
+  const DeclaredCommands declared = declare_command_line(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

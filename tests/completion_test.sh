@@ -1,0 +1,25 @@
+#!/bin/bash
+# Asks the completion in file $1 what it offers after some beginnings of a line.
+. /usr/share/bash-completion/bash_completion
+. "$1"
+
+# expect OFFERED WORDS...: the last word is the one being typed
+expect() {
+  offered=$1
+  shift
+  COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMP_LINE="$*" COMP_POINT=$(expr length "$*") COMPREPLY=()
+  _hooke 2>/dev/null
+  [ "${COMPREPLY[*]}" = "$offered" ] && return
+  echo "after \"$*\" the completion offers \"${COMPREPLY[*]}\" instead of \"$offered\"" >&2
+  exit 1
+}
+
+cd "$(mktemp -d)" || exit 1
+touch mine.json
+expect convert hooke conv
+expect drum_32 hooke drum
+expect mine.json hooke mi
+expect --integrator hooke run cloth --integ
+expect tr_bdf2 hooke run --integrator tr
+expect stiffness= hooke-headless run --set stiff
+rm -r "$PWD"
