@@ -18,6 +18,9 @@ struct LoadedScene {
 // Reads a scene. Throws Refused or FileError; never anything else, whatever the bytes.
 LoadedScene load_scene(const std::filesystem::path& file);
 
+// A copy of `original` that was kept in another folder: its pictures lie beside the original.
+LoadedScene load_copy(const std::filesystem::path& copy, const std::filesystem::path& original);
+
 // The same from memory; `name` stands for the file in messages.
 LoadedScene parse_scene(std::string_view text, const std::string& name);
 

@@ -327,10 +327,12 @@ void add_picture(LoadedScene& loaded, const std::filesystem::path& folder, const
 
 LoadedScene parse_scene(std::string_view text, const std::string& name) { return SceneReader(std::string(text), printable(name)).read(); }
 
-LoadedScene load_scene(const std::filesystem::path& file) {
-  const std::string text = read_file(file), name = printable(file.native());
+LoadedScene load_scene(const std::filesystem::path& file) { return load_copy(file, file); }
+
+LoadedScene load_copy(const std::filesystem::path& copy, const std::filesystem::path& original) {
+  const std::string text = read_file(copy), name = printable(copy.native());
   LoadedScene loaded = SceneReader(text, name).read();
-  add_picture(loaded, file.parent_path(), name);
+  add_picture(loaded, original.parent_path(), name);
   return loaded;
 }
 

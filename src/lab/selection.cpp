@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 namespace hooke {
 namespace {
@@ -49,6 +50,42 @@ void Selection::add(const Selection& other) {
 }
 
 Selection everything(const System& system) { return {ids_of(system.points()), ids_of(system.springs())}; }
+
+Selection inverted(const System& system, const Selection& selection) {
+  const Selection all = everything(system);
+  Selection rest;
+  std::ranges::set_difference(all.points, selection.points, std::back_inserter(rest.points));
+  std::ranges::set_difference(all.springs, selection.springs, std::back_inserter(rest.springs));
+  return rest;
+}
+
+Selection connected(const System& system, const Selection& selection) {
+  // every piece of the net under one of its points: union by the way to it, shortened as it is walked
+  std::vector<Index> piece(static_cast<std::size_t>(system.point_count()));
+  std::iota(piece.begin(), piece.end(), 0);
+  const auto piece_of = [&](PointId id) {
+    Index i = system.index_of(id);
+    while (piece[i] != i) i = piece[i] = piece[piece[i]];
+    return i;
+  };
+  for (const Spring& spring : system.springs()) piece[piece_of(spring.first)] = piece_of(spring.second);
+  for (const Face& face : system.faces)
+    for (const PointId id : face.points) piece[piece_of(id)] = piece_of(face.points[0]);
+
+  std::vector<bool> wanted(piece.size(), false);
+  const Selection start = still_there(system, selection);
+  for (const PointId id : start.points) wanted[piece_of(id)] = true;
+  for (const SpringId id : start.springs) wanted[piece_of(system.springs()[system.index_of(id)].first)] = true;
+
+  Selection found;
+  for (const Point& point : system.points())
+    if (wanted[piece_of(point.id)]) found.points.push_back(point.id);
+  for (const Spring& spring : system.springs())
+    if (wanted[piece_of(spring.first)]) found.springs.push_back(spring.id);
+  std::ranges::sort(found.points);
+  std::ranges::sort(found.springs);
+  return found;
+}
 
 Selection with_springs_between(const System& system, std::vector<PointId> points) {
   std::ranges::sort(points);

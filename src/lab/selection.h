@@ -22,6 +22,12 @@ struct Selection {
 
 Selection everything(const System& system);
 
+// What is not selected.
+Selection inverted(const System& system, const Selection& selection);
+
+// The selection and all that hangs together with it, through springs and faces.
+Selection connected(const System& system, const Selection& selection);
+
 // These points, and the springs between them.
 Selection with_springs_between(const System& system, std::vector<PointId> points);
 

@@ -1,0 +1,29 @@
+// Parts of a scene to be put in again: duplicated, or carried as text through the clipboard.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "lab/command.h"
+#include "lab/selection.h"
+#include "sim/snapshot.h"
+
+namespace hooke {
+
+// The selected points, the ends of the selected springs, the springs between selected points and the faces on all these;
+// as a scene of its own.
+Scene excerpt(const Snapshot& snapshot, const Selection& selection);
+
+// Where new things get their ids from.
+struct NewIds {
+  std::function<PointId()> point;
+  std::function<SpringId()> spring;
+};
+
+// Puts points, springs and faces of `part` in, moved by `way` [m], all with new ids.
+Insert insertion_of(const Scene& part, const Vec3& way, const NewIds& ids);
+
+// The middle of the box around its points [m]; it must have some.
+Vec3 middle_of(const Scene& part);
+
+}  // namespace hooke
