@@ -63,19 +63,33 @@ class RandomEdits {
 
   Command next(Lab& lab) {
     const System& system = lab.scene().system;
-    switch (pick(12)) {
-      case 0: return insert_point(lab);
-      case 1: return insert_spring(lab);
-      case 2: return Remove{.points = {point(system)}};
-      case 3: return Remove{.springs = {spring(system), spring(system)}};
-      case 4: return SetNailed{{{point(system), pick(2) == 0}, {point(system), pick(2) == 0, {1.0, 2.0, 3.0}}}};
-      case 5: return Move{{{point(system), place(), place()}}};
-      case 6: return SetPointProperty{pick(2) == 0 ? PointProperty::Mass : PointProperty::Radius, {{point(system), number()}}};
-      case 7: return SetSpringProperty{static_cast<SpringProperty>(pick(4)), {{spring(system), number()}, {spring(system), number()}}};
-      case 8: return SetParameter{&parameters()[pick(static_cast<int>(parameters().size()))], number() * 10.0};
-      case 9: return SetIntegrator{&integrators()[pick(static_cast<int>(integrators().size()))]};
-      case 10: return grab(system);
-      default: return ReleaseHand{};
+    switch (pick(13)) {
+      case 0:
+        return insert_point(lab);
+      case 1:
+        return insert_spring(lab);
+      case 2:
+        return Remove{.points = {point(system)}};
+      case 3:
+        return Remove{.springs = {spring(system), spring(system)}};
+      case 4:
+        return SetNailed{{{point(system), pick(2) == 0}, {point(system), pick(2) == 0, {1.0, 2.0, 3.0}}}};
+      case 5:
+        return Move{{{point(system), place(), place()}}};
+      case 6:
+        return SetPointProperty{pick(2) == 0 ? PointProperty::Mass : PointProperty::Radius, {{point(system), number()}}};
+      case 7:
+        return SetSpringProperty{static_cast<SpringProperty>(pick(4)), {{spring(system), number()}, {spring(system), number()}}};
+      case 8:
+        return SetParameter{&parameters()[pick(static_cast<int>(parameters().size()))], number() * 10.0};
+      case 9:
+        return SetIntegrator{&integrators()[pick(static_cast<int>(integrators().size()))]};
+      case 10:
+        return grab(system);
+      case 11:
+        return color(system);
+      default:
+        return ReleaseHand{};
     }
   }
 
@@ -86,13 +100,19 @@ class RandomEdits {
   Vec3 place() { return {number(), number(), number()}; }
   PointId point(const System& system) { return PointId{static_cast<std::uint32_t>(pick(system.point_count() + 3))}; }
   SpringId spring(const System& system) { return SpringId{static_cast<std::uint32_t>(pick(system.spring_count() + 3))}; }
+  Command color(const System& system) {
+    if (pick(3) == 0) return SetPointColor{{{point(system), std::nullopt}}};
+    return SetPointColor{{{point(system), Color{1, 2, 3}}, {point(system), Color{4, 5, static_cast<std::uint8_t>(pick(256))}}}};
+  }
   // at a point, or at a place between three
   Command grab(const System& system) {
     const PointId first = point(system);
     if (pick(2) == 0) return GrabPoint{{.point = first, .kind = pick(2) == 0 ? GrabKind::Hold : GrabKind::Pull, .target = place()}};
     return GrabPoint{{.point = first, .patch = Patch{{first, point(system), point(system)}, {0.25, 0.25, 0.5}}, .target = place()}};
   }
-  Command insert_point(Lab& lab) { return Insert{.points = {{.point = {.id = lab.new_point_id(), .mass = number()}, .position = place()}}}; }
+  Command insert_point(Lab& lab) {
+    return Insert{.points = {{.point = {.id = lab.new_point_id(), .mass = number()}, .position = place()}}};
+  }
   Command insert_spring(Lab& lab) {
     const System& system = lab.scene().system;
     return Insert{

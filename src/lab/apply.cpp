@@ -12,7 +12,9 @@ namespace {
 using Inverse = std::vector<Command>;
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-bool is_sound(const Point& point) { return point.mass > 0.0 && std::isfinite(point.mass) && point.radius >= 0.0 && std::isfinite(point.radius); }
+bool is_sound(const Point& point) {
+  return point.mass > 0.0 && std::isfinite(point.mass) && point.radius >= 0.0 && std::isfinite(point.radius);
+}
 bool is_sound(const Spring& spring) {
   return spring.first != spring.second && spring.stiffness >= 0.0 && std::isfinite(spring.stiffness) && spring.damping >= 0.0 &&
          std::isfinite(spring.damping) && spring.rest_length >= 0.0 && std::isfinite(spring.rest_length) && spring.break_strain > 0.0;
@@ -79,7 +81,8 @@ struct Apply {
     std::vector<std::pair<Index, Point>> points;
     std::vector<std::pair<Index, Vec3>> positions, velocities;
     for (const PlacedPoint& placed : insert.points) {
-      if (system.index_of(placed.point.id) != no_index || !is_sound(placed.point) || !is_finite(placed.position) || !is_finite(placed.velocity))
+      if (system.index_of(placed.point.id) != no_index || !is_sound(placed.point) || !is_finite(placed.position) ||
+          !is_finite(placed.velocity))
         continue;
       points.emplace_back(placed.at, placed.point);
       positions.emplace_back(placed.at, in_plane(system, placed.position));
@@ -178,6 +181,18 @@ struct Apply {
     return {inverse};
   }
 
+  Inverse operator()(const SetPointColor& set) {
+    SetPointColor inverse;
+    for (const auto& [id, color] : set.values) {
+      const Index i = scene.system.index_of(id);
+      if (i == no_index) continue;
+      inverse.values.emplace_back(id, scene.system.points()[i].color);
+      scene.system.point(i).color = color;
+    }
+    std::reverse(inverse.values.begin(), inverse.values.end());
+    return {inverse};
+  }
+
   Inverse operator()(const SetPointProperty& set) {
     double Point::*const property = set.property == PointProperty::Mass ? &Point::mass : &Point::radius;
     SetPointProperty inverse{set.property, {}};
@@ -229,11 +244,16 @@ struct Apply {
       return set;
     };
     switch (parameter.scope) {
-      case Parameter::Scope::Gravity: return SetGravity{scene.system.gravity};
-      case Parameter::Scope::Colliders: return SetColliders{scene.system.colliders};
-      case Parameter::Scope::SpringStiffness: return all_springs(SpringProperty::Stiffness, &Spring::stiffness);
-      case Parameter::Scope::SpringDamping: return all_springs(SpringProperty::Damping, &Spring::damping);
-      case Parameter::Scope::Number: break;
+      case Parameter::Scope::Gravity:
+        return SetGravity{scene.system.gravity};
+      case Parameter::Scope::Colliders:
+        return SetColliders{scene.system.colliders};
+      case Parameter::Scope::SpringStiffness:
+        return all_springs(SpringProperty::Stiffness, &Spring::stiffness);
+      case Parameter::Scope::SpringDamping:
+        return all_springs(SpringProperty::Damping, &Spring::damping);
+      case Parameter::Scope::Number:
+        break;
     }
     return RestoreParameter{&parameter, parameter.read(scene)};
   }

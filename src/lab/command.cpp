@@ -7,9 +7,7 @@ namespace hooke {
 namespace {
 
 // "3 points", "1 spring"
-std::string count(std::size_t number, const std::string& noun) {
-  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
-}
+std::string count(std::size_t number, const std::string& noun) { return std::to_string(number) + " " + noun + (number == 1 ? "" : "s"); }
 
 std::string count_all(std::size_t points, std::size_t springs) {
   if (springs == 0) return count(points, "point");
@@ -28,6 +26,7 @@ struct Describe {
     return (nailed ? "nail " : "release ") + count(nail.items.size(), "point");
   }
   std::string operator()(const Move& move) const { return "move " + count(move.items.size(), "point"); }
+  std::string operator()(const SetPointColor& set) const { return "colour of " + count(set.values.size(), "point"); }
   std::string operator()(const SetPointProperty& set) const {
     return std::string(set.property == PointProperty::Mass ? "mass of " : "radius of ") + count(set.values.size(), "point");
   }
@@ -48,8 +47,40 @@ struct Describe {
   std::string operator()(const Replace&) const { return "go back to the start"; }
 };
 
+template <class Item>
+std::size_t bytes_in(const std::vector<Item>& list) {
+  return list.capacity() * sizeof(Item);
+}
+
+// Pictures are shared with the scene and count as nothing; a whole scene is a copy.
+struct Bytes {
+  std::size_t operator()(const Insert& insert) const { return bytes_in(insert.points) + bytes_in(insert.springs) + bytes_in(insert.faces); }
+  std::size_t operator()(const Remove& remove) const { return bytes_in(remove.points) + bytes_in(remove.springs); }
+  std::size_t operator()(const SetNailed& set) const { return bytes_in(set.items); }
+  std::size_t operator()(const Move& move) const { return bytes_in(move.items); }
+  std::size_t operator()(const SetPointColor& set) const { return bytes_in(set.values); }
+  std::size_t operator()(const SetPointProperty& set) const { return bytes_in(set.values); }
+  std::size_t operator()(const SetSpringProperty& set) const { return bytes_in(set.values); }
+  std::size_t operator()(const SetColliders& set) const { return bytes_in(set.colliders); }
+  std::size_t operator()(const SetForces& set) const { return bytes_in(set.forces); }
+  std::size_t operator()(const Replace& replace) const {
+    const Scene& scene = *replace.scene;
+    const System& system = scene.system;
+    constexpr std::size_t of_lookup = sizeof(Index);
+    return sizeof(Scene) + bytes_in(system.points()) + bytes_in(system.springs()) + bytes_in(system.faces) +
+           bytes_in(scene.state.position) + bytes_in(scene.state.velocity) +
+           of_lookup * (system.points().size() + system.springs().size()) + scene.kept.generators.size();
+  }
+  template <class Small>
+  std::size_t operator()(const Small&) const {
+    return 0;
+  }
+};
+
 }  // namespace
 
 std::string describe(const Command& command) { return std::visit(Describe{}, command); }
+
+std::size_t bytes_of(const Command& command) { return sizeof(Command) + std::visit(Bytes{}, command); }
 
 }  // namespace hooke

@@ -67,6 +67,11 @@ struct Move {
   std::vector<Item> items;
 };
 
+// Gives points a colour of their own, or takes it away.
+struct SetPointColor {
+  std::vector<std::pair<PointId, std::optional<Color>>> values;
+};
+
 enum class PointProperty { Mass, Radius };
 struct SetPointProperty {
   PointProperty property;
@@ -130,10 +135,14 @@ struct Replace {
   std::shared_ptr<const Scene> scene;
 };
 
-using Command = std::variant<Insert, Remove, SetNailed, Move, SetPointProperty, SetSpringProperty, SetParameter, RestoreParameter, SetIntegrator,
-                             GrabPoint, MoveHand, ReleaseHand, SetGravity, SetColliders, SetForces, SetTexture, Replace>;
+using Command =
+    std::variant<Insert, Remove, SetNailed, Move, SetPointColor, SetPointProperty, SetSpringProperty, SetParameter, RestoreParameter,
+                 SetIntegrator, GrabPoint, MoveHand, ReleaseHand, SetGravity, SetColliders, SetForces, SetTexture, Replace>;
 
 // What a person calls it: "nail 3 points".
 std::string describe(const Command& command);
+
+// What it takes of memory, about.
+std::size_t bytes_of(const Command& command);
 
 }  // namespace hooke

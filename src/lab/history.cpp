@@ -24,6 +24,10 @@ struct Supersedes {
   bool operator()(const SetPointProperty& earlier, const SetPointProperty& later) const {
     return earlier.property == later.property && same_ids(earlier.values, later.values);
   }
+  bool operator()(const SetPointColor& earlier, const SetPointColor& later) const {
+    return std::equal(earlier.values.begin(), earlier.values.end(), later.values.begin(), later.values.end(),
+                      [](const auto& x, const auto& y) { return x.first == y.first; });
+  }
   bool operator()(const Move& earlier, const Move& later) const {
     return std::equal(earlier.items.begin(), earlier.items.end(), later.items.begin(), later.items.end(),
                       [](const auto& x, const auto& y) { return x.point == y.point; });
@@ -40,8 +44,29 @@ bool supersedes(const std::vector<Command>& earlier, const std::vector<Command>&
 
 }  // namespace
 
+// Its place in the sum of all bytes.
+void History::weigh(Step& step) {
+  bytes_ -= step.bytes;
+  step.bytes = sizeof(Step) + step.name.size();
+  for (const Command& command : step.commands) step.bytes += bytes_of(command);
+  bytes_ += step.bytes;
+}
+
+void History::drop(Steps& steps) {
+  for (const Step& step : steps) bytes_ -= step.bytes;
+  steps.clear();
+}
+
+void History::forget_the_oldest() {
+  while (done_.size() > 1 && (done_.size() > most_steps || bytes_ > most_bytes)) {
+    bytes_ -= done_.front().bytes;
+    done_.pop_front();
+  }
+}
+
 void History::note(const std::string& name, std::vector<Command> inverse, Gesture gesture) {
-  undone_.clear();
+  if (!undone_.empty()) list_.reset();
+  drop(undone_);
   if (inverse.empty()) return;
 
   // a gesture's later parts are taken back before its earlier ones
@@ -49,16 +74,16 @@ void History::note(const std::string& name, std::vector<Command> inverse, Gestur
     auto& commands = done_.back().commands;
     if (supersedes(commands, inverse)) return;
     commands.insert(commands.begin(), std::make_move_iterator(inverse.begin()), std::make_move_iterator(inverse.end()));
-    return;
+  } else {
+    done_.push_back({name, std::move(inverse), gesture});
+    list_.reset();
   }
-  done_.push_back({name, std::move(inverse), gesture});
-  if (done_.size() > most_steps) done_.erase(done_.begin());
+  weigh(done_.back());
+  forget_the_oldest();
 }
 
 // Taking a step back yields the commands that do it again, in the opposite order.
-Effect History::move_step(std::vector<Step>& from, std::vector<Step>& to, Scene& scene) {
-  Effect effect;
-  if (from.empty()) return effect;
+void History::move_step(Steps& from, Steps& to, Scene& scene, Effect& effect) {
   Step step = std::move(from.back());
   from.pop_back();
 
@@ -67,16 +92,32 @@ Effect History::move_step(std::vector<Step>& from, std::vector<Step>& to, Scene&
     std::vector<Command> inverse = apply(scene, command, effect);
     again.insert(again.begin(), std::make_move_iterator(inverse.begin()), std::make_move_iterator(inverse.end()));
   }
-  to.push_back({step.name, std::move(again), 0});
+  to.push_back({step.name, std::move(again), 0, step.bytes});
+  weigh(to.back());
+}
+
+Effect History::go_to(std::size_t steps, Scene& scene) {
+  list_.reset();
+  Effect effect;
+  while (done_.size() > steps) move_step(done_, undone_, scene, effect);
+  while (done_.size() < steps && !undone_.empty()) move_step(undone_, done_, scene, effect);
   return effect;
 }
 
-Effect History::undo(Scene& scene) { return move_step(done_, undone_, scene); }
-Effect History::redo(Scene& scene) { return move_step(undone_, done_, scene); }
-
 void History::clear() {
-  done_.clear();
-  undone_.clear();
+  drop(done_);
+  drop(undone_);
+  list_.reset();
+}
+
+std::shared_ptr<const HistoryList> History::list() const {
+  if (list_) return list_;
+  auto list = std::make_shared<HistoryList>();
+  list->done = done_.size();
+  list->names.reserve(done_.size() + undone_.size());
+  for (const Step& step : done_) list->names.push_back(step.name);
+  for (auto step = undone_.rbegin(); step != undone_.rend(); ++step) list->names.push_back(step->name);
+  return list_ = list;
 }
 
 }  // namespace hooke

@@ -1,10 +1,13 @@
 // Undo and redo: a list of named steps, each the commands that take it back. Used by Lab alone.
 #pragma once
 
+#include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "lab/apply.h"
+#include "lab/history_list.h"
 
 namespace hooke {
 
@@ -16,28 +19,38 @@ class History {
   // Notes an edit that was just applied and how to take it back. Forgets what was undone.
   void note(const std::string& name, std::vector<Command> inverse, Gesture gesture);
 
-  // Applies the last step's inverse (or the last undone step again). Nothing to do: no effect.
-  Effect undo(Scene& scene);
-  Effect redo(Scene& scene);
+  // Takes steps back, or does them again, until `steps` of them are in effect; as far as there are.
+  Effect go_to(std::size_t steps, Scene& scene);
 
   void clear();
   // What undo and redo would take, or an empty string.
   std::string undo_name() const { return done_.empty() ? std::string() : done_.back().name; }
   std::string redo_name() const { return undone_.empty() ? std::string() : undone_.back().name; }
-  std::size_t size() const { return done_.size(); }
+  std::size_t done() const { return done_.size(); }
+  std::size_t undone() const { return undone_.size(); }
+  std::size_t bytes() const { return bytes_; }
+  // All steps by name; the same object until they change.
+  std::shared_ptr<const HistoryList> list() const;
 
-  // More steps than this are forgotten, the oldest first.
-  static constexpr std::size_t most_steps = 10000;
+  // Beyond this many steps, or bytes of them, the oldest are forgotten; the newest never.
+  static constexpr std::size_t most_steps = 10000, most_bytes = std::size_t{256} << 20;
 
  private:
   struct Step {
     std::string name;
     std::vector<Command> commands;  // applied in order
     Gesture gesture;
+    std::size_t bytes = 0;
   };
-  static Effect move_step(std::vector<Step>& from, std::vector<Step>& to, Scene& scene);
+  using Steps = std::deque<Step>;
+  void move_step(Steps& from, Steps& to, Scene& scene, Effect& effect);
+  void weigh(Step& step);
+  void drop(Steps& steps);
+  void forget_the_oldest();
 
-  std::vector<Step> done_, undone_;
+  Steps done_, undone_;
+  std::size_t bytes_ = 0;
+  mutable std::shared_ptr<const HistoryList> list_;  // null: stale
 };
 
 }  // namespace hooke

@@ -90,19 +90,23 @@ void Lab::edit(const Command& command, Gesture gesture) {
   if (inverse.empty()) return;
   history_.note(describe(command), std::move(inverse), gesture);
   unsaved_ = edited_ = true;
+  ++edits_;
 }
 
 void Lab::obey(const Control& control) {
-  const auto step_back = [this](Effect (History::*move)(Scene&)) {
+  const auto go_in_history = [this](std::size_t done) {
+    if (done == history_.done() || done > history_.done() + history_.undone()) return;
     const double before = compute_energy(scene_.system, scene_.state).total();
-    take_over((history_.*move)(scene_));
+    take_over(history_.go_to(done, scene_));
     book_edit(scene_.system, before, scene_.state);
     divergence_.reset();
     unsaved_ = edited_ = true;
+    ++edits_;
   };
   std::visit(Overloaded{
-                 [&](const Undo&) { step_back(&History::undo); },
-                 [&](const Redo&) { step_back(&History::redo); },
+                 [&](const Undo&) { go_in_history(history_.done() - 1); },
+                 [&](const Redo&) { go_in_history(history_.done() + 1); },
+                 [&](const GoInHistory& go) { go_in_history(go.done); },
                  [&](const SetRunning& set) {
                    running_ = set.running;
                    owed_ = recent_simulated_ = recent_real_ = 0.0;
@@ -121,7 +125,10 @@ void Lab::obey(const Control& control) {
                    open_ledger(scene_.system, scene_.state);
                    running_ = running_ && !divergence_;
                  },
-                 [&](const Open& open_scene) { open(open_scene.scene); },
+                 [&](const Open& open_scene) {
+                   open(open_scene.scene);
+                   unsaved_ = open_scene.unsaved;
+                 },
                  [&](const MarkSaved&) {
                    unsaved_ = false;
                    keep_start();
@@ -263,8 +270,10 @@ void Lab::publish() {
   }
   status->running = running_;
   status->unsaved = unsaved_;
+  status->edits = edits_;
   status->undo_name = history_.undo_name();
   status->redo_name = history_.redo_name();
+  status->history = history_.list();
   if (divergence_) {
     status->advice = advise(plan_.spectrum, scene_.settings);
     status->message = explain(*divergence_, scene_.system, scene_.settings, *status->advice);

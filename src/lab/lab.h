@@ -19,6 +19,9 @@ namespace hooke {
 // What is asked of the laboratory itself; queued like commands, in the same order.
 struct Undo {};
 struct Redo {};
+struct GoInHistory {  // takes back, or does again, until so many steps are in effect
+  std::size_t done;
+};
 struct SetRunning {
   bool running;
 };
@@ -26,9 +29,10 @@ struct StepOnce {};   // one frame, while paused
 struct GoToStart {};  // the scene as it was before it first ran; method, substeps and clock stay as they are set
 struct Open {         // another document; the history ends
   std::shared_ptr<const Scene> scene;
+  bool unsaved = false;  // it holds changes that no file has
 };
 struct MarkSaved {};
-using Control = std::variant<Undo, Redo, SetRunning, StepOnce, GoToStart, Open, MarkSaved>;
+using Control = std::variant<Undo, Redo, GoInHistory, SetRunning, StepOnce, GoToStart, Open, MarkSaved>;
 
 // Whether the scene is kept as it was opened, to go back to: a copy, which a long run of a large scene can do without.
 enum class KeepStart { Yes, No };
@@ -89,7 +93,8 @@ class Lab {
   bool running_ = false;
   bool unsaved_ = false;
   bool edited_ = false;  // since the start was kept
-  double owed_ = 0.0;    // [s] of simulated time not yet stepped
+  long edits_ = 0;
+  double owed_ = 0.0;  // [s] of simulated time not yet stepped
   double frame_ms_ = 0.0, simulate_ms_ = 0.0;
   double recent_simulated_ = 0.0, recent_real_ = 0.0;  // [s], fading sums
   long frames_ = 0;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lab/diagnosis.h"
+#include "lab/history_list.h"
 #include "lab/scene.h"
 #include "sim/snapshot.h"
 
@@ -21,7 +22,9 @@ struct Status {
   std::vector<double> parameter_values;  // one a row of parameters(); NaN: the row does not apply
   bool running = false;
   bool unsaved = false;                  // edited since it was opened or saved
+  long edits = 0;                        // made, taken back and made again, ever: tells whether there was one since
   std::string undo_name, redo_name;      // "nail 3 points"; empty: nothing to undo
+  std::shared_ptr<const HistoryList> history;  // never null
   std::string message;                   // why the run stopped, and what would hold; empty: nothing to say
   std::optional<Advice> advice;          // what would hold, to be applied by a click
   double simulate_ms = 0.0;              // of real time per simulated frame, smoothed
