@@ -6,6 +6,7 @@
 #include "cli/capture.h"
 #include "cli/check.h"
 #include "cli/convert.h"
+#include "cli/replay.h"
 #include "cli/run.h"
 #include "lab/build_info.h"
 #include "lab/file_limits.h"
@@ -20,6 +21,7 @@ constexpr std::array subcommands{
     Subcommand{"capture", "Draw a scene as it moves, with no display", declare_capture},
     Subcommand{"check", "Check the scenes; or every method on the hard cases", declare_check},
     Subcommand{"convert", "Write a scene file as another", declare_convert},
+    Subcommand{"replay", "Do again what was recorded in the window", declare_replay},
 };
 
 std::string limits() {

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "lab/bounds.h"
 #include "lab/parameters.h"
+#include "lab/printable.h"
+#include "sim/errors.h"
 #include "sim/overloaded.h"
 
 namespace hooke {
@@ -55,6 +58,8 @@ void Lab::start_afresh() {
   history_.clear();
   divergence_.reset();
   running_ = unsaved_ = edited_ = false;
+  playing_.reset();
+  difference_.clear();
   owed_ = simulate_ms_ = recent_simulated_ = recent_real_ = 0.0;
   frames_ = 0;
   take_over({.structure = true});
@@ -78,6 +83,7 @@ void Lab::edit(const Command& command, Gesture gesture) {
     Effect effect;
     apply(scene_, command, effect);
     published_system_.reset();
+    record([&](RecordingWriter& writer) { writer.note(command, scene_); });
     return;
   }
 
@@ -85,7 +91,11 @@ void Lab::edit(const Command& command, Gesture gesture) {
   Effect effect;
   std::vector<Command> inverse = apply(scene_, command, effect);
   take_over(effect);
-  book_edit(scene_.system, before, scene_.state);
+  if (std::holds_alternative<Replace>(command))
+    open_ledger(scene_.system, scene_.state);
+  else
+    book_edit(scene_.system, before, scene_.state);
+  record([&](RecordingWriter& writer) { writer.note(command, scene_); });
   divergence_.reset();
   if (inverse.empty()) return;
   history_.note(describe(command), std::move(inverse), gesture);
@@ -96,9 +106,11 @@ void Lab::edit(const Command& command, Gesture gesture) {
 void Lab::obey(const Control& control) {
   const auto go_in_history = [this](std::size_t done) {
     if (done == history_.done() || done > history_.done() + history_.undone()) return;
+    playing_.reset();
     const double before = compute_energy(scene_.system, scene_.state).total();
     take_over(history_.go_to(done, scene_));
     book_edit(scene_.system, before, scene_.state);
+    record([&](RecordingWriter& writer) { writer.note_scene(scene_); });
     divergence_.reset();
     unsaved_ = edited_ = true;
     ++edits_;
@@ -119,10 +131,10 @@ void Lab::obey(const Control& control) {
                  },
                  [&](const GoToStart&) {
                    if (!start_) return;
+                   playing_.reset();
                    Scene start = *start_;
                    start.settings = scene_.settings;
                    edit(Replace{std::make_shared<const Scene>(std::move(start))}, 0);
-                   open_ledger(scene_.system, scene_.state);
                    running_ = running_ && !divergence_;
                  },
                  [&](const Open& open_scene) {
@@ -133,6 +145,26 @@ void Lab::obey(const Control& control) {
                    unsaved_ = false;
                    keep_start();
                  },
+                 [&](const StartRecording& start) {
+                   frame_in_progress_ = false;
+                   recorder_.reset();
+                   recording_error_.clear();
+                   try {
+                     recorder_.emplace(start.file, scene_);
+                   } catch (const FileError& error) {
+                     recording_error_ = error.what();
+                   }
+                 },
+                 [&](const StopRecording&) {
+                   record([](RecordingWriter& writer) { writer.close(); });
+                   recorder_.reset();
+                 },
+                 [&](const Play& play) {
+                   open(play.recording->start);
+                   scene_.state.ledger = start_->state.ledger;
+                   playing_ = Playing{.recording = play.recording};
+                   if (play.recording->frames == 0) play_edits();
+                 },
              },
              control);
 }
@@ -141,10 +173,12 @@ void Lab::apply_queue() {
   // moved out first: obeying may queue more
   auto queue = std::exchange(queue_, {});
   for (const auto& [request, gesture] : queue) {
-    if (const auto* command = std::get_if<Command>(&request))
+    if (const auto* command = std::get_if<Command>(&request)) {
+      playing_.reset();
       edit(*command, gesture);
-    else
+    } else {
       obey(std::get<Control>(request));
+    }
   }
 }
 
@@ -154,7 +188,59 @@ void Lab::keep_start() {
   edited_ = false;
 }
 
+// A recording that cannot be written ends; what it recorded of is not disturbed.
+void Lab::record(const std::function<void(RecordingWriter&)>& note) {
+  if (!recorder_) return;
+  try {
+    note(*recorder_);
+  } catch (const FileError& error) {
+    recording_error_ = error.what();
+    recorder_.reset();
+  }
+}
+
+// What was done before the next frame of the recording, or after its last one.
+void Lab::play_edits() {
+  const auto& items = playing_->recording->items;
+  while (playing_->next < items.size() && !std::holds_alternative<Fingerprint>(items[playing_->next])) {
+    const Recording::Item& item = items[playing_->next++];
+    if (const auto* command = std::get_if<Command>(&item)) {
+      edit(*command, 0);
+    } else {
+      const auto& scene = std::get<std::shared_ptr<const Scene>>(item);
+      edit(Replace{scene}, 0);
+      scene_.state.ledger = scene->state.ledger;
+    }
+  }
+  if (playing_->next == items.size()) playing_.reset();
+}
+
+// Compares the frame just taken over with the recorded one.
+void Lab::judge_played_frame() {
+  const Fingerprint& recorded = std::get<Fingerprint>(playing_->recording->items[playing_->next++]);
+  const Fingerprint now = fingerprint_of(scene_.state);
+  ++playing_->frames;
+  if (now == recorded) {
+    if (playing_->frames == playing_->recording->frames) {
+      play_edits();
+      running_ = false;
+    }
+    return;
+  }
+  difference_ = "frame " + std::to_string(playing_->frames) + ", at " + shortest(scene_.state.time) + " s: ";
+  if (const auto points = first_difference(now, recorded, scene_.system.point_count())) {
+    const auto& [first, last] = *points;
+    difference_ += first == last ? "point " + std::to_string(first) + " is" : "points " + std::to_string(first) + " to " + std::to_string(last) + " are";
+    difference_ += " not where recorded";
+  } else {
+    difference_ += "not the state that was recorded";
+  }
+  playing_.reset();
+  running_ = false;
+}
+
 void Lab::begin_frame() {
+  if (playing_) play_edits();
   keep_start();
   frame_.begin(plan_, scene_.system, scene_.settings, scene_.state);
   frame_in_progress_ = true;
@@ -172,6 +258,8 @@ bool Lab::finish_frame() {
   const Energy energy = compute_energy(scene_.system, next_);
   divergence_ = find_divergence(scene_.system, next_, energy);
   if (divergence_) {
+    if (playing_) difference_ = "frame " + std::to_string(playing_->frames + 1) + " diverges, and did not when it was recorded";
+    playing_.reset();
     running_ = false;
     owed_ = 0.0;
     return false;
@@ -179,6 +267,8 @@ bool Lab::finish_frame() {
   std::swap(scene_.state, next_);
   energy_ = energy;
   ++frames_;
+  record([&](RecordingWriter& writer) { writer.note_frame(scene_.state); });
+  if (playing_) judge_played_frame();
   smooth(simulate_ms_, frame_ms_);
   return true;
 }
@@ -281,6 +371,10 @@ void Lab::publish() {
   status->simulate_ms = simulate_ms_;
   status->speed = running_ && recent_real_ > 0.0 ? recent_simulated_ / recent_real_ : 0.0;
   status->frames = frames_;
+  if (recorder_) status->recording = printable(recorder_->file().native());
+  status->recording_error = recording_error_;
+  if (playing_) status->playing = static_cast<double>(playing_->frames) / static_cast<double>(playing_->recording->frames);
+  status->difference = difference_;
   status->next_point_id = scene_.system.next_point_id();
   status->next_spring_id = scene_.system.next_spring_id();
   status_ = std::move(status);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -11,6 +12,7 @@
 
 #include "lab/command.h"
 #include "lab/history.h"
+#include "lab/recording.h"
 #include "lab/status.h"
 #include "sim/step.h"
 
@@ -32,7 +34,14 @@ struct Open {         // another document; the history ends
   bool unsaved = false;  // it holds changes that no file has
 };
 struct MarkSaved {};
-using Control = std::variant<Undo, Redo, GoInHistory, SetRunning, StepOnce, GoToStart, Open, MarkSaved>;
+struct StartRecording {  // of what is done from here on; an earlier recording ends
+  std::filesystem::path file;
+};
+struct StopRecording {};
+struct Play {  // another document: what was recorded, done again frame by frame, until it ends or somebody lends a hand
+  std::shared_ptr<const Recording> recording;
+};
+using Control = std::variant<Undo, Redo, GoInHistory, SetRunning, StepOnce, GoToStart, Open, MarkSaved, StartRecording, StopRecording, Play>;
 
 // Whether the scene is kept as it was opened, to go back to: a copy, which a long run of a large scene can do without.
 enum class KeepStart { Yes, No };
@@ -65,10 +74,20 @@ class Lab {
   PointId new_point_id() { return scene_.system.new_point_id(); }
   SpringId new_spring_id() { return scene_.system.new_spring_id(); }
 
+  // Whether a recording is being played, and where it came out otherwise: "frame 12, at 0.2 s: point 5 is not where recorded".
+  bool is_playing() const { return playing_.has_value(); }
+  const std::string& difference() const { return difference_; }
+
   // Of the last frame, for `run --json`.
   const Frame& last_frame() const { return frame_; }
 
  private:
+  // How far a recording has been done again.
+  struct Playing {
+    std::shared_ptr<const Recording> recording;
+    std::size_t next = 0;  // item
+    long frames = 0;
+  };
   void apply_queue();
   void obey(const Control& control);
   void edit(const Command& command, Gesture gesture);
@@ -76,6 +95,9 @@ class Lab {
   void open(std::shared_ptr<const Scene> scene);
   void start_afresh();
   void keep_start();
+  void record(const std::function<void(RecordingWriter&)>& note);
+  void play_edits();
+  void judge_played_frame();
   void begin_frame();
   bool finish_frame();
   bool step_frame();
@@ -98,6 +120,10 @@ class Lab {
   double frame_ms_ = 0.0, simulate_ms_ = 0.0;
   double recent_simulated_ = 0.0, recent_real_ = 0.0;  // [s], fading sums
   long frames_ = 0;
+  std::optional<RecordingWriter> recorder_;
+  std::string recording_error_;
+  std::optional<Playing> playing_;
+  std::string difference_;  // of the recording last played
   std::shared_ptr<const System> published_system_;  // null: stale
   std::shared_ptr<const Status> status_;
 };

@@ -31,6 +31,10 @@ struct Status {
   double speed = 0.0;                    // simulated against real seconds, measured; 0 while paused
   std::uint32_t next_point_id = 0, next_spring_id = 0;  // ids from here on are free
   long frames = 0;                       // stepped since the document was opened
+  std::string recording;                 // the file that what is done is recorded in; empty: none
+  std::string recording_error;           // why the last recording ended early, in one line; empty: it did not
+  double playing = 0.0;                  // how much of a recording has been played, to 1; 0: none is playing
+  std::string difference;                // where a recording came out otherwise than recorded; empty: nowhere so far
 };
 
 }  // namespace hooke

@@ -1,0 +1,32 @@
+// Commands as JSON, and back bit for bit; and what a scene holds beside its file.
+#pragma once
+
+#include "lab/command.h"
+#include "lab/json_field.h"
+#include "lab/json_writer.h"
+
+namespace hooke {
+
+// An object with one member, named like the command. A Replace has none: a whole scene is a text of its own.
+void write_command(JsonWriter& out, const Command& command);
+
+// The command of such a member. Throws Refused for what is none.
+Command read_command(const JsonField& member);
+
+// What goes on from a scene needs, and its file does not hold: ids, the hand, where energy came from, the method's memory.
+struct SceneRest {
+  std::optional<std::vector<PointId>> point_ids;  // none: numbered from 0
+  std::optional<std::vector<SpringId>> spring_ids;
+  std::uint32_t next_point_id = 0, next_spring_id = 0;
+  std::optional<Grab> grab;
+  Vec3 hand{0.0};
+  EnergyLedger ledger;
+  MethodMemory memory;
+};
+SceneRest rest_of(const Scene& scene);
+
+// As an object, and back. Throws Refused for what does not fit the scene.
+void write_rest(JsonWriter& out, const SceneRest& rest);
+void restore_rest(const JsonField& field, Scene& scene);
+
+}  // namespace hooke
