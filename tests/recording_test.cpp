@@ -85,7 +85,7 @@ Session record_session(const std::filesystem::path& file) {
   step(3);
   lab.submit(Remove{{lab.scene().system.points()[5].id}, {}});  // ids are no longer places
   step(1);
-  lab.submit(StartRecording{file});
+  lab.submit(Record{std::make_shared<const std::filesystem::path>(file)});
   step(5);
   const PointId corner = lab.scene().system.points()[0].id;
   lab.submit(GrabPoint{{.point = corner, .kind = GrabKind::Hold, .target = lab.scene().state.position[0]}});
@@ -108,7 +108,7 @@ Session record_session(const std::filesystem::path& file) {
   step(4);
   lab.submit(GoToStart{});
   step(2);
-  lab.submit(StopRecording{});
+  lab.submit(Record{});
   lab.advance(0.0, [] { return true; });
   EXPECT_EQ(lab.status()->recording_error, "");
   std::ostringstream text;
@@ -141,10 +141,10 @@ TEST_F(Recordings, OfAPlayedOneAreTheSameAgain) {
   auto recording = std::make_shared<const Recording>(parse_recording(session.text, "test"));
   Lab lab(*recording->start);
   lab.submit(Play{recording});
-  lab.submit(StartRecording{scratch.folder / "again.hookelog"});
+  lab.submit(Record{std::make_shared<const std::filesystem::path>(scratch.folder / "again.hookelog")});
   lab.advance(0.0, [] { return true; });
   while (lab.is_playing()) lab.step();
-  lab.submit(StopRecording{});
+  lab.submit(Record{});
   lab.advance(0.0, [] { return true; });
   const Recording again = read_recording(scratch.folder / "again.hookelog");
   EXPECT_EQ(again.frames, recording->frames);
@@ -195,7 +195,7 @@ TEST_F(Recordings, EndWhenAHandIsLent) {
 
 TEST_F(Recordings, ThatCannotBeWrittenEndAndSayWhy) {
   Lab lab(load_scene(find_scene("two_masses")).scene);
-  lab.submit(StartRecording{"/nowhere/session.hookelog"});
+  lab.submit(Record{std::make_shared<const std::filesystem::path>("/nowhere/session.hookelog")});
   lab.step();
   lab.publish();
   EXPECT_EQ(lab.status()->recording, "");

@@ -145,20 +145,7 @@ void Lab::obey(const Control& control) {
                    unsaved_ = false;
                    keep_start();
                  },
-                 [&](const StartRecording& start) {
-                   frame_in_progress_ = false;
-                   recorder_.reset();
-                   recording_error_.clear();
-                   try {
-                     recorder_.emplace(start.file, scene_);
-                   } catch (const FileError& error) {
-                     recording_error_ = error.what();
-                   }
-                 },
-                 [&](const StopRecording&) {
-                   record([](RecordingWriter& writer) { writer.close(); });
-                   recorder_.reset();
-                 },
+                 [&](const Record& what) { start_or_stop_recording(what.file.get()); },
                  [&](const Play& play) {
                    open(play.recording->start);
                    scene_.state.ledger = start_->state.ledger;
@@ -186,6 +173,19 @@ void Lab::apply_queue() {
 void Lab::keep_start() {
   if (start_ && edited_ && scene_.state.time == start_->state.time) start_ = std::make_shared<const Scene>(scene_);
   edited_ = false;
+}
+
+void Lab::start_or_stop_recording(const std::filesystem::path* file) {
+  frame_in_progress_ = false;
+  recording_error_.clear();
+  record([](RecordingWriter& writer) { writer.close(); });
+  recorder_.reset();
+  if (file == nullptr) return;
+  try {
+    recorder_.emplace(*file, scene_);
+  } catch (const FileError& error) {
+    recording_error_ = error.what();
+  }
 }
 
 // A recording that cannot be written ends; what it recorded of is not disturbed.

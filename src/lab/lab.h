@@ -34,14 +34,13 @@ struct Open {         // another document; the history ends
   bool unsaved = false;  // it holds changes that no file has
 };
 struct MarkSaved {};
-struct StartRecording {  // of what is done from here on; an earlier recording ends
-  std::filesystem::path file;
+struct Record {  // what is done from here on; an earlier recording ends
+  std::shared_ptr<const std::filesystem::path> file;  // null: none
 };
-struct StopRecording {};
 struct Play {  // another document: what was recorded, done again frame by frame, until it ends or somebody lends a hand
   std::shared_ptr<const Recording> recording;
 };
-using Control = std::variant<Undo, Redo, GoInHistory, SetRunning, StepOnce, GoToStart, Open, MarkSaved, StartRecording, StopRecording, Play>;
+using Control = std::variant<Undo, Redo, GoInHistory, SetRunning, StepOnce, GoToStart, Open, MarkSaved, Record, Play>;
 
 // Whether the scene is kept as it was opened, to go back to: a copy, which a long run of a large scene can do without.
 enum class KeepStart { Yes, No };
@@ -95,6 +94,7 @@ class Lab {
   void open(std::shared_ptr<const Scene> scene);
   void start_afresh();
   void keep_start();
+  void start_or_stop_recording(const std::filesystem::path* file);
   void record(const std::function<void(RecordingWriter&)>& note);
   void play_edits();
   void judge_played_frame();
