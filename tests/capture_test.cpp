@@ -97,7 +97,7 @@ TEST(Capture, RefusesInOneLine) {
   const ScratchFolder scratch;
   const std::string size = " must be WIDTHxHEIGHT, each from 1 to 8192\n";
   const std::string camera = " must be six numbers with commas between, of the eye and its target [m]\n";
-  const std::string out = " must end in .png, or be a folder (a new one with a dot in its name ends in /)\n";
+  const std::string out = " must end in .png or .mp4, or be a folder (a new one with a dot in its name ends in /)\n";
   const std::vector<std::tuple<std::string, int, std::string>> refusals{
       {"two_masses --out a.png --size 0x9", 2, "--size 0x9:" + size},
       {"two_masses --out a.png --size 640", 2, "--size 640:" + size},
@@ -107,7 +107,7 @@ TEST(Capture, RefusesInOneLine) {
       {"two_masses --out a.png --camera 1,2,3,1,2,3", 2, "--camera 1,2,3,1,2,3:" + camera},
       {"two_masses --out a.png --camera nan,2,3,1,2,3", 2, "--camera nan,2,3,1,2,3:" + camera},
       {"two_masses --out a.gif", 2, "--out a.gif:" + out},
-      {"two_masses --out a.mp4", 2, "--out a.mp4:" + out},
+      {"two_masses --out a.gif", 2, "--out a.gif:" + out},
       {"two_masses --out ''", 2, "--out :" + out},
       {"two_masses --out a.png --fps 61", 2, "--fps 61: must be at most the scene's frame rate, 60 (--frame-rate sets it)\n"},
       {"two_masses --out a.png --seconds 1e300", 2, "--seconds 1e+300: must be at most 1e15 frames\n"},

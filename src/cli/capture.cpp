@@ -6,16 +6,57 @@
 #include "cli/offscreen.h"
 #include "cli/progress.h"
 #include "draw/view.h"
+#include "lab/film.h"
 #include "lab/lab.h"
+#include "lab/printable.h"
+#include "lab/recording.h"
 
 namespace hooke {
 namespace {
 
-// The last published state into a file.
-void take_picture(View& view, const Lab& lab, const Camera& camera, const ViewOptions& options, const PictureSize& size,
-                  const std::filesystem::path& file) {
-  view.draw(*lab.status()->snapshot, {}, camera, options, size.width, size.height, nullptr);
-  write_png(view.read(), file);
+// Takes pictures of the laboratory to where they go.
+class Cameraman {
+ public:
+  Cameraman(const Destination& destination, const PictureSize& size, const Shutter& shutter, const Scene& scene, std::optional<CameraPose> pose)
+      : destination_(destination), size_(size) {
+    ViewSettings settings = scene.view;
+    if (pose) settings.camera = pose;
+    camera_ = make_camera(settings, scene.system, scene.state, static_cast<double>(size.width) / size.height);
+    look_ = options_for(settings, scene.print);
+    if (destination.kind == Destination::Kind::Film) film_.emplace(destination.path, size.width, size.height, shutter.pictures_per_second());
+  }
+
+  bool wants_all() const { return destination_.kind != Destination::Kind::Picture; }
+  void take(Lab& lab, long number) {
+    lab.publish();
+    view_.draw(*lab.status()->snapshot, {}, camera_, look_, size_.width, size_.height, nullptr);
+    if (film_)
+      film_->add(view_.read());
+    else
+      write_png(view_.read(), destination_.file(number));
+  }
+  void finish() {
+    if (film_) film_->close();
+  }
+
+ private:
+  Destination destination_;
+  PictureSize size_;
+  Offscreen offscreen_;
+  View view_;
+  Camera camera_;
+  ViewOptions look_;
+  std::optional<Film> film_;
+};
+
+// The scene of the command line, or the start of a recording, which is then played.
+Lab open_lab(const CaptureOptions& options, std::shared_ptr<const Recording>& recording) {
+  if (!options.replay) return Lab(open_scene(*options.scene), KeepStart::No);
+  recording = std::make_shared<const Recording>(read_recording(*options.replay));
+  Lab lab(*recording->start, KeepStart::No);
+  lab.submit(Play{recording});
+  lab.advance(0.0, [] { return true; });
+  return lab;
 }
 
 int capture(const CaptureOptions& options) {
@@ -23,36 +64,32 @@ int capture(const CaptureOptions& options) {
   const Destination destination = parse_destination(options.out);
   std::optional<CameraPose> pose;
   if (options.camera) pose = parse_camera(*options.camera);
-  Lab lab(open_scene(*options.scene), KeepStart::No);
-  const Scene& scene = lab.scene();
-  const Shutter shutter(options, scene.settings.frame_rate);
+  std::shared_ptr<const Recording> recording;
+  Lab lab = open_lab(options, recording);
+  const double frame_rate = lab.scene().settings.frame_rate;
+  const Shutter shutter(options, frame_rate, recording ? static_cast<double>(recording->frames) / frame_rate : 0.0);
   prepare(destination);
 
-  ViewSettings settings = scene.view;
-  if (pose) settings.camera = pose;
-  const Camera camera = make_camera(settings, scene.system, scene.state, static_cast<double>(size.width) / size.height);
-  const ViewOptions look = options_for(settings, scene.print);
-
-  const Offscreen offscreen;
-  View view;
+  Cameraman cameraman(destination, size, shutter, lab.scene(), pose);
   const long last = shutter.pictures() - 1;
   Progress progress(shutter.frame_of(last), !options.scene->quiet);
-  bool diverged = false;
+  bool goes_on = true, diverged = false;
   long frame = 0;
-  for (long picture = 0; picture <= last && !diverged; ++picture) {
-    for (; frame < shutter.frame_of(picture) && !diverged; ++frame) {
+  for (long picture = 0; picture <= last && goes_on; ++picture) {
+    for (; frame < shutter.frame_of(picture) && goes_on; ++frame) {
       diverged = !lab.step();
+      // a recording goes as far as it is as recorded
+      goes_on = !diverged && lab.difference().empty();
       progress.show(frame + 1);
     }
-
-    // one file shows the end, and a run that diverged ends at its last sound frame
-    const bool is_shown = destination.is_folder ? !diverged : picture == last || diverged;
-    if (!is_shown) continue;
-    lab.publish();
-    take_picture(view, lab, camera, look, size, destination.file(picture));
+    // one file shows the end, and a run that ended early ends at its last sound frame
+    const bool is_shown = cameraman.wants_all() ? goes_on : picture == last || !goes_on;
+    if (is_shown) cameraman.take(lab, picture);
   }
+  cameraman.finish();
 
-  if (!diverged) return exit_code::fine;
+  if (!lab.difference().empty()) std::cerr << printable(*options.replay) << ": " << lab.difference() << "\n";
+  if (!diverged) return lab.difference().empty() ? exit_code::fine : exit_code::check_failed;
   lab.publish();
   std::cerr << lab.status()->message << "\n";
   return exit_code::diverged;
@@ -62,10 +99,13 @@ int capture(const CaptureOptions& options) {
 
 std::function<int()> declare_capture(CLI::App& app) {
   auto options = std::make_shared<CaptureOptions>();
-  options->scene = add_scene_options(app);
-  app.add_option("--out", options->out, "A .png, for the last picture alone, or a folder, for all: frame_00000.png and so on")
+  options->scene = add_scene_options(app, SceneIs::Optional);
+  app.add_option("--replay", options->replay, "A recording (" + std::string(recording_extension) + ") instead of SCENE; without --seconds, all of it")
+      ->type_name("LOG");
+  app.add_option("--out", options->out,
+                 "A .png, for the last picture alone; a folder, for all: frame_00000.png and so on; or a .mp4, by ffmpeg")
       ->required()
-      ->type_name("FILE.png|DIR");
+      ->type_name("FILE.png|DIR|FILE.mp4");
   CLI::Option* seconds =
       app.add_option("--seconds", options->seconds, "Simulated time from the first picture to the last [s]; without it 0")
           ->type_name("S")
@@ -81,7 +121,13 @@ std::function<int()> declare_capture(CLI::App& app) {
   app.add_option("--camera", options->camera,
                  "Where the eye is and what it looks at [m]; without it as the scene says, or so that all of it is seen")
       ->type_name("X,Y,Z,X,Y,Z");
-  return [options] { return capture(*options); };
+  return [options, &app] {
+    const bool has_scene = app.count("SCENE") > 0;
+    if (has_scene == options->replay.has_value()) throw UsageError("must have either SCENE or --replay (--help tells more)");
+    if (const auto name = first_stepping_option(app); options->replay && name)
+      throw UsageError(*name + ": must not go with --replay, which steps as it was recorded");
+    return capture(*options);
+  };
 }
 
 }  // namespace hooke

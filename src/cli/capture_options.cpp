@@ -55,7 +55,7 @@ CameraPose parse_camera(const std::string& text) {
 }
 
 std::filesystem::path Destination::file(long number) const {
-  if (!is_folder) return path;
+  if (kind != Kind::Folder) return path;
   std::array<char, 40> name{};
   std::snprintf(name.data(), name.size(), "frame_%05ld.png", number);
   return path / name.data();
@@ -64,28 +64,30 @@ std::filesystem::path Destination::file(long number) const {
 Destination parse_destination(const std::string& out) {
   const std::filesystem::path path(out);
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored) || (!out.empty() && !path.has_extension())) return {path, true};
-  if (path.extension() == ".png") return {path, false};
-  throw UsageError("--out " + printable(out, 200) + ": must end in .png, or be a folder (a new one with a dot in its name ends in /)");
+  if (std::filesystem::is_directory(path, ignored) || (!out.empty() && !path.has_extension())) return {path, Destination::Kind::Folder};
+  if (path.extension() == ".png") return {path, Destination::Kind::Picture};
+  if (path.extension() == ".mp4") return {path, Destination::Kind::Film};
+  throw UsageError("--out " + printable(out, 200) + ": must end in .png or .mp4, or be a folder (a new one with a dot in its name ends in /)");
 }
 
 void prepare(const Destination& destination) {
-  if (!destination.is_folder) return OutputFile(destination.path.string()).close();
+  if (destination.kind == Destination::Kind::Film) return;  // ffmpeg is started before any work
+  if (destination.kind == Destination::Kind::Picture) return OutputFile(destination.path.string()).close();
   std::error_code error;
   std::filesystem::create_directories(destination.path, error);
   if (error) throw FileError(printable(destination.path.native()) + ": cannot be made: " + error.message());
 }
 
-Shutter::Shutter(const CaptureOptions& options, double frame_rate) {
-  const double fps = options.fps.value_or(std::min(60.0, frame_rate));
+Shutter::Shutter(const CaptureOptions& options, double frame_rate, double length) {
+  const double fps = pictures_per_second_ = options.fps.value_or(std::min(60.0, frame_rate));
   if (fps > frame_rate * (1.0 + round_off))
     throw UsageError("--fps " + shortest(fps) + ": must be at most the scene's frame rate, " + shortest(frame_rate) +
                      " (--frame-rate sets it)");
   frames_per_picture_ = frame_rate / fps;
   constexpr double most = 1e15;
   const double last = options.frames ? static_cast<double>(*options.frames - 1)
-                                     : std::floor(options.seconds.value_or(0.0) * fps * (1.0 + round_off) + round_off);
-  if (!(last * frames_per_picture_ <= most)) throw UsageError("--seconds " + shortest(*options.seconds) + ": must be at most 1e15 frames");
+                                     : std::floor(options.seconds.value_or(length) * fps * (1.0 + round_off) + round_off);
+  if (!(last * frames_per_picture_ <= most)) throw UsageError("--seconds " + shortest(options.seconds.value_or(length)) + ": must be at most 1e15 frames");
   pictures_ = static_cast<long>(last) + 1;
 }
 

@@ -12,6 +12,7 @@ namespace hooke {
 
 struct CaptureOptions {
   std::shared_ptr<SceneOptions> scene;
+  std::optional<std::string> replay;  // a recording, instead of a scene
   std::string out;
   std::optional<double> seconds;  // [s]
   std::optional<long> frames;
@@ -30,28 +31,30 @@ struct PictureSize {
 PictureSize parse_size(const std::string& text);
 CameraPose parse_camera(const std::string& text);
 
-// Where pictures go: one file, or a folder of numbered ones.
+// Where pictures go: one file, a folder of numbered ones, or a film.
 struct Destination {
+  enum class Kind { Picture, Folder, Film };
   std::filesystem::path path;
-  bool is_folder;
+  Kind kind;
   std::filesystem::path file(long number) const;
 };
-// By the ending: .png is a file; a folder has none, or a / at its end, or is there. Throws UsageError.
+// By the ending: .png is a file, .mp4 a film; a folder has none, or a / at its end, or is there. Throws UsageError.
 Destination parse_destination(const std::string& out);
-// Makes the folder, or sees that the file can be written, before any work is done for it. Throws FileError.
+// Makes the folder, or sees that the picture can be written, before any work is done for it. Throws FileError.
 void prepare(const Destination& destination);
 
 // Which pictures are taken: the first at the start, then `fps` a simulated second, each of the first frame that ends at
 // its time or after it; nothing is interpolated.
 class Shutter {
  public:
-  // Throws UsageError when pictures would be closer than frames.
-  Shutter(const CaptureOptions& options, double frame_rate);
+  // `length`: simulated time [s] without --seconds or --frames. Throws UsageError when pictures would be closer than frames.
+  Shutter(const CaptureOptions& options, double frame_rate, double length);
+  double pictures_per_second() const { return pictures_per_second_; }
   long pictures() const { return pictures_; }
   long frame_of(long picture) const;  // how many frames are stepped before it
 
  private:
-  double frames_per_picture_;
+  double pictures_per_second_, frames_per_picture_;
   long pictures_;
 };
 

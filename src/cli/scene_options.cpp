@@ -83,9 +83,10 @@ CLI::Validator within(const Bounds& bounds) {
   return CLI::Validator(check, "", "");
 }
 
-std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app) {
+std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene) {
   auto options = std::make_shared<SceneOptions>();
-  app.add_option("SCENE", options->scene, "A file (" + readable_extensions() + "), or the name of a scene that ships")->required();
+  app.add_option("SCENE", options->scene, "A file (" + readable_extensions() + "), or the name of a scene that ships")
+      ->required(scene == SceneIs::Required);
   app.add_option("--integrator", options->integrator, "Method: " + ids_of_integrators())->type_name("ID");
   app.add_option("--substeps", options->substeps, "Steps of the method in each frame")
       ->type_name("N")
@@ -101,6 +102,12 @@ std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app) {
       ->take_all();
   app.add_flag("-q,--quiet", options->quiet, "No warnings, progress or summary");
   return options;
+}
+
+std::optional<std::string> first_stepping_option(const CLI::App& app) {
+  for (const char* name : {"--integrator", "--substeps", "--frame-rate", "--tolerance", "--set"})
+    if (app.count(name) > 0) return name;
+  return std::nullopt;
 }
 
 Scene open_scene(const SceneOptions& options) {

@@ -22,7 +22,11 @@ struct SceneOptions {
 };
 
 // Declares SCENE, --integrator, --substeps, --frame-rate, --tolerance, --set and --quiet.
-std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app);
+enum class SceneIs { Required, Optional };
+std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene = SceneIs::Required);
+
+// The first of the options that say how a scene is stepped, if any is given: "--substeps"; none for nothing but SCENE and --quiet.
+std::optional<std::string> first_stepping_option(const CLI::App& app);
 
 // Loads the scene and sets what the options say; warnings go to stderr. Throws UsageError, Refused, FileError.
 Scene open_scene(const SceneOptions& options);
