@@ -332,6 +332,22 @@ struct Apply {
     return {inverse};
   }
 
+  // The time moves with the points: it is another moment of the same run.
+  Inverse operator()(const GoToState& go) {
+    const State& there = *go.state;
+    const auto fits = [&](const std::vector<Vec3>& list) {
+      return list.size() == scene.system.points().size() && std::ranges::all_of(list, is_finite);
+    };
+    if (!fits(there.position) || !fits(there.velocity) || !std::isfinite(there.time)) return {};
+    const GoToState inverse{std::make_shared<const State>(scene.state)};
+    const EnergyLedger ledger = scene.state.ledger;
+    scene.state = there;
+    scene.state.ledger = ledger;
+    scene.system.grab.reset();
+    effect.values = true;
+    return {inverse};
+  }
+
   Inverse operator()(const Replace& replace) {
     const Replace inverse{std::make_shared<const Scene>(scene)};
     scene = *replace.scene;

@@ -1,5 +1,8 @@
 #include "lab/command.h"
 
+#include <cmath>
+
+#include "lab/bounds.h"
 #include "lab/parameters.h"
 #include "sim/integrator.h"
 
@@ -44,6 +47,7 @@ struct Describe {
   std::string operator()(const SetColliders&) const { return "change the colliders"; }
   std::string operator()(const SetForces&) const { return "change the forces"; }
   std::string operator()(const SetTexture& set) const { return set.texture.empty() ? "take the texture off" : "put a texture on"; }
+  std::string operator()(const GoToState& go) const { return "go to " + shortest(std::round(1000.0 * go.state->time) / 1000.0) + " s"; }
   std::string operator()(const Replace&) const { return "go back to the start"; }
 };
 
@@ -63,6 +67,7 @@ struct Bytes {
   std::size_t operator()(const SetSpringProperty& set) const { return bytes_in(set.values); }
   std::size_t operator()(const SetColliders& set) const { return bytes_in(set.colliders); }
   std::size_t operator()(const SetForces& set) const { return bytes_in(set.forces); }
+  std::size_t operator()(const GoToState& go) const { return sizeof(State) + bytes_in(go.state->position) + bytes_in(go.state->velocity); }
   std::size_t operator()(const Replace& replace) const {
     const Scene& scene = *replace.scene;
     const System& system = scene.system;

@@ -130,6 +130,11 @@ struct SetTexture {
   std::shared_ptr<const Picture> picture;
 };
 
+// Puts everything where it was at another moment of the same run, its time too.
+struct GoToState {
+  std::shared_ptr<const State> state;
+};
+
 // Replaces the whole scene: back to the start, or what was there before that.
 struct Replace {
   std::shared_ptr<const Scene> scene;
@@ -137,7 +142,7 @@ struct Replace {
 
 using Command =
     std::variant<Insert, Remove, SetNailed, Move, SetPointColor, SetPointProperty, SetSpringProperty, SetParameter, RestoreParameter,
-                 SetIntegrator, GrabPoint, MoveHand, ReleaseHand, SetGravity, SetColliders, SetForces, SetTexture, Replace>;
+                 SetIntegrator, GrabPoint, MoveHand, ReleaseHand, SetGravity, SetColliders, SetForces, SetTexture, GoToState, Replace>;
 
 // What a person calls it: "nail 3 points".
 std::string describe(const Command& command);

@@ -247,6 +247,12 @@ struct Text<std::shared_ptr<const Picture>> {
   static std::shared_ptr<const Picture> read(const JsonField&) { return nullptr; }
 };
 
+template <>
+struct Text<std::shared_ptr<const State>> {
+  static void write(JsonWriter& out, const std::shared_ptr<const State>& state) { hooke::write(out, *state); }
+  static std::shared_ptr<const State> read(const JsonField& field) { return std::make_shared<const State>(hooke::read<State>(field)); }
+};
+
 // A whole scene is no part of a command's text.
 template <>
 struct Text<std::shared_ptr<const Scene>> {

@@ -53,14 +53,16 @@ template <> inline constexpr std::array<std::string_view, 1> field_names<SetGrav
 template <> inline constexpr std::array<std::string_view, 1> field_names<SetColliders> = {"colliders"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<SetForces> = {"forces"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<SetTexture> = {"texture", "size", "picture"};
+template <> inline constexpr std::array<std::string_view, 6> field_names<State> = {"time", "position", "velocity", "hand", "ledger", "memory"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<GoToState> = {"state"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<Replace> = {"scene"};
 
 // The alternatives of a variant.
 template <class T> inline constexpr std::nullptr_t alternative_names = nullptr;
-template <> inline constexpr std::array<std::string_view, 18> alternative_names<Command> = {
+template <> inline constexpr std::array<std::string_view, 19> alternative_names<Command> = {
     "insert", "remove", "set_nailed", "move", "set_point_color", "set_point_property", "set_spring_property", "set_parameter",
     "restore_parameter", "set_integrator", "grab", "move_hand", "release_hand", "set_gravity", "set_colliders", "set_forces",
-    "set_texture", "replace"};
+    "set_texture", "go_to_state", "replace"};
 template <> inline constexpr std::array<std::string_view, 3> alternative_names<decltype(Collider::shape)> = {"plane", "sphere", "box"};
 
 // The values of an enumeration, from 0.

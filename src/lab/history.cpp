@@ -32,6 +32,7 @@ struct Supersedes {
     return std::equal(earlier.items.begin(), earlier.items.end(), later.items.begin(), later.items.end(),
                       [](const auto& x, const auto& y) { return x.point == y.point; });
   }
+  bool operator()(const GoToState&, const GoToState&) const { return true; }
   template <class A, class B>
   bool operator()(const A&, const B&) const {
     return false;

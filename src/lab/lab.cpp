@@ -42,7 +42,7 @@ Lab::Lab(Scene scene, KeepStart keep) {
 }
 
 void Lab::submit(Command command, Gesture gesture) { queue_.emplace_back(std::move(command), gesture); }
-void Lab::submit(Control control) { queue_.emplace_back(std::move(control), 0); }
+void Lab::submit(Control control, Gesture gesture) { queue_.emplace_back(std::move(control), gesture); }
 
 void Lab::open(std::shared_ptr<const Scene> scene) {
   start_ = std::move(scene);
@@ -59,6 +59,8 @@ void Lab::start_afresh() {
   divergence_.reset();
   running_ = unsaved_ = edited_ = false;
   playing_.reset();
+  run_to_.reset();
+  timeline_.clear();
   difference_.clear();
   owed_ = simulate_ms_ = recent_simulated_ = recent_real_ = 0.0;
   frames_ = 0;
@@ -68,6 +70,7 @@ void Lab::start_afresh() {
 
 // Makes the Plan agree with the System again.
 void Lab::take_over(Effect effect) {
+  if (effect.structure) forget_other_points();
   if (effect.structure)
     plan_ = make_plan(scene_.system);
   else if (effect.values)
@@ -75,6 +78,15 @@ void Lab::take_over(Effect effect) {
   frame_in_progress_ = false;
   energy_ = compute_energy(scene_.system, scene_.state);
   published_system_.reset();
+}
+
+// The past is that of the points it was computed with.
+void Lab::forget_other_points() {
+  std::vector<PointId> points;
+  for (const Point& point : scene_.system.points()) points.push_back(point.id);
+  if (points == timeline_points_) return;
+  timeline_.clear();
+  timeline_points_ = std::move(points);
 }
 
 void Lab::edit(const Command& command, Gesture gesture) {
@@ -103,7 +115,7 @@ void Lab::edit(const Command& command, Gesture gesture) {
   ++edits_;
 }
 
-void Lab::obey(const Control& control) {
+void Lab::obey(const Control& control, Gesture gesture) {
   const auto go_in_history = [this](std::size_t done) {
     if (done == history_.done() || done > history_.done() + history_.undone()) return;
     playing_.reset();
@@ -121,6 +133,7 @@ void Lab::obey(const Control& control) {
                  [&](const GoInHistory& go) { go_in_history(go.done); },
                  [&](const SetRunning& set) {
                    running_ = set.running;
+                   run_to_.reset();
                    owed_ = recent_simulated_ = recent_real_ = 0.0;
                    frame_in_progress_ = false;
                    if (running_) divergence_.reset();
@@ -128,6 +141,22 @@ void Lab::obey(const Control& control) {
                  [&](const StepOnce&) {
                    running_ = false;
                    step_frame();
+                 },
+                 [&](const RunTo& run) {
+                   if (!(run.time > scene_.state.time)) return;
+                   run_to_ = run.time;
+                   run_from_ = scene_.state.time;
+                   running_ = true;
+                   divergence_.reset();
+                 },
+                 [&](const StepBack&) {
+                   if (timeline_.empty()) return;
+                   const std::size_t here = timeline_.find(scene_.state.time);
+                   const bool is_at_one = timeline_.at(here)->time == scene_.state.time;
+                   go_to_moment(here - (is_at_one && here > 0 ? 1 : 0), 0);
+                 },
+                 [&](const GoToTime& go) {
+                   if (!timeline_.empty()) go_to_moment(timeline_.find(go.time), gesture);
                  },
                  [&](const GoToStart&) {
                    if (!start_) return;
@@ -164,7 +193,7 @@ void Lab::apply_queue() {
       playing_.reset();
       edit(*command, gesture);
     } else {
-      obey(std::get<Control>(request));
+      obey(std::get<Control>(request), gesture);
     }
   }
 }
@@ -239,9 +268,22 @@ void Lab::judge_played_frame() {
   running_ = false;
 }
 
+// A frame that can be gone back to; kept for people, not for runs without a start to go back to.
+void Lab::note_moment() {
+  if (start_) timeline_.note(scene_.state);
+}
+
+void Lab::go_to_moment(std::size_t moment, Gesture gesture) {
+  running_ = false;
+  run_to_.reset();
+  playing_.reset();
+  if (timeline_.at(moment)->time != scene_.state.time) edit(GoToState{timeline_.at(moment)}, gesture);
+}
+
 void Lab::begin_frame() {
   if (playing_) play_edits();
   keep_start();
+  if (timeline_.empty() || timeline_.last_time() != scene_.state.time) note_moment();
   frame_.begin(plan_, scene_.system, scene_.settings, scene_.state);
   frame_in_progress_ = true;
   frame_ms_ = 0.0;
@@ -260,6 +302,7 @@ bool Lab::finish_frame() {
   if (divergence_) {
     if (playing_) difference_ = "frame " + std::to_string(playing_->frames + 1) + " diverges, and did not when it was recorded";
     playing_.reset();
+    run_to_.reset();
     running_ = false;
     owed_ = 0.0;
     return false;
@@ -267,6 +310,12 @@ bool Lab::finish_frame() {
   std::swap(scene_.state, next_);
   energy_ = energy;
   ++frames_;
+  note_moment();
+  // the clock is a sum of frames: half a frame decides
+  if (run_to_ && scene_.state.time + 0.5 / scene_.settings.frame_rate > *run_to_) {
+    running_ = false;
+    run_to_.reset();
+  }
   record([&](RecordingWriter& writer) { writer.note_frame(scene_.state); });
   if (playing_) judge_played_frame();
   smooth(simulate_ms_, frame_ms_);
@@ -300,7 +349,7 @@ void Lab::advance(double real_seconds, const std::function<bool()>& may_go_on) {
     owed_ += asked;
     long stepped = 0;
     bool in_time = true;
-    while (running_ && in_time && (frame_in_progress_ || owed_ >= frame)) {
+    while (running_ && in_time && (frame_in_progress_ || run_to_ || owed_ >= frame)) {
       if (!frame_in_progress_) begin_frame();
       const auto start = Clock::now();
       while (!frame_.done() && in_time) {
@@ -324,7 +373,7 @@ void Lab::advance(double real_seconds, const std::function<bool()>& may_go_on) {
 
 std::chrono::duration<double> Lab::time_to_next_frame() const {
   const double due = 1.0 / scene_.settings.frame_rate - owed_;
-  return std::chrono::duration<double>(frame_in_progress_ ? 0.0 : std::clamp(due / scene_.settings.speed, 0.0, 0.05));
+  return std::chrono::duration<double>(frame_in_progress_ || run_to_ ? 0.0 : std::clamp(due / scene_.settings.speed, 0.0, 0.05));
 }
 
 void Lab::publish() {
@@ -371,6 +420,12 @@ void Lab::publish() {
   status->simulate_ms = simulate_ms_;
   status->speed = running_ && recent_real_ > 0.0 ? recent_simulated_ / recent_real_ : 0.0;
   status->frames = frames_;
+  status->first_moment = timeline_.empty() ? scene_.state.time : timeline_.first_time();
+  status->last_moment = timeline_.empty() ? scene_.state.time : timeline_.last_time();
+  if (run_to_) {
+    status->run_from = run_from_;
+    status->run_to = *run_to_;
+  }
   if (recorder_) status->recording = printable(recorder_->file().native());
   status->recording_error = recording_error_;
   if (playing_) status->playing = static_cast<double>(playing_->frames) / static_cast<double>(playing_->recording->frames);

@@ -14,6 +14,7 @@
 #include "lab/history.h"
 #include "lab/recording.h"
 #include "lab/status.h"
+#include "lab/timeline.h"
 #include "sim/step.h"
 
 namespace hooke {
@@ -28,6 +29,13 @@ struct SetRunning {
   bool running;
 };
 struct StepOnce {};   // one frame, while paused
+struct RunTo {  // as fast as it goes, until the scene's clock says so
+  double time;
+};
+struct StepBack {};   // to the frame before, where it is still known; pauses
+struct GoToTime {     // to the last known frame at this time or before; pauses
+  double time;
+};
 struct GoToStart {};  // the scene as it was before it first ran; method, substeps and clock stay as they are set
 struct Open {         // another document; the history ends
   std::shared_ptr<const Scene> scene;
@@ -40,7 +48,7 @@ struct Record {  // what is done from here on; an earlier recording ends
 struct Play {  // another document: what was recorded, done again frame by frame, until it ends or somebody lends a hand
   std::shared_ptr<const Recording> recording;
 };
-using Control = std::variant<Undo, Redo, GoInHistory, SetRunning, StepOnce, GoToStart, Open, MarkSaved, Record, Play>;
+using Control = std::variant<Undo, Redo, GoInHistory, SetRunning, StepOnce, RunTo, StepBack, GoToTime, GoToStart, Open, MarkSaved, Record, Play>;
 
 // Whether the scene is kept as it was opened, to go back to: a copy, which a long run of a large scene can do without.
 enum class KeepStart { Yes, No };
@@ -51,7 +59,7 @@ class Lab {
   explicit Lab(Scene scene, KeepStart keep = KeepStart::Yes);
 
   void submit(Command command, Gesture gesture = 0);
-  void submit(Control control);
+  void submit(Control control, Gesture gesture = 0);
 
   // Applies what is queued, then steps as many frames as `real_seconds` at the scene's speed ask for, until
   // `may_go_on` says no (asked between substeps; a frame cut short is taken up by the next call). What cannot be
@@ -88,12 +96,15 @@ class Lab {
     long frames = 0;
   };
   void apply_queue();
-  void obey(const Control& control);
+  void obey(const Control& control, Gesture gesture);
   void edit(const Command& command, Gesture gesture);
   void take_over(Effect effect);
   void open(std::shared_ptr<const Scene> scene);
   void start_afresh();
   void keep_start();
+  void note_moment();
+  void go_to_moment(std::size_t moment, Gesture gesture);
+  void forget_other_points();
   void start_or_stop_recording(const std::filesystem::path* file);
   void record(const std::function<void(RecordingWriter&)>& note);
   void play_edits();
@@ -106,6 +117,8 @@ class Lab {
   std::shared_ptr<const Scene> start_;
   std::vector<std::pair<std::variant<Command, Control>, Gesture>> queue_;
   History history_;
+  Timeline timeline_;
+  std::vector<PointId> timeline_points_;  // whose past it is
   Plan plan_;
   Frame frame_;
   bool frame_in_progress_ = false;
@@ -113,6 +126,8 @@ class Lab {
   Energy energy_;  // of the last sound frame
   std::optional<Divergence> divergence_;
   bool running_ = false;
+  std::optional<double> run_to_;  // [s]
+  double run_from_ = 0.0;         // [s]
   bool unsaved_ = false;
   bool edited_ = false;  // since the start was kept
   long edits_ = 0;

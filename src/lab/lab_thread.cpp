@@ -40,8 +40,8 @@ void LabThread::submit(Command command, Gesture gesture) {
   post([command = std::move(command), gesture](Lab& lab) { lab.submit(command, gesture); }, urgent);
 }
 
-void LabThread::submit(Control control) {
-  post([control = std::move(control)](Lab& lab) { lab.submit(control); }, true);
+void LabThread::submit(Control control, Gesture gesture) {
+  post([control = std::move(control), gesture](Lab& lab) { lab.submit(control, gesture); }, true);
 }
 
 std::shared_ptr<const Status> LabThread::status() const {

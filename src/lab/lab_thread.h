@@ -25,7 +25,7 @@ class LabThread {
   LabThread& operator=(const LabThread&) = delete;
 
   void submit(Command command, Gesture gesture = 0);
-  void submit(Control control);
+  void submit(Control control, Gesture gesture = 0);
 
   // The newest; never null.
   std::shared_ptr<const Status> status() const;

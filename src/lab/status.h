@@ -31,6 +31,9 @@ struct Status {
   double speed = 0.0;                    // simulated against real seconds, measured; 0 while paused
   std::uint32_t next_point_id = 0, next_spring_id = 0;  // ids from here on are free
   long frames = 0;                       // stepped since the document was opened
+  double first_moment = 0.0, last_moment = 0.0;  // [s], of the frames that one can go back to; the same: none but this
+  double run_to = 0.0;                   // [s], where a run to a time ends, from `run_from`; both 0: none
+  double run_from = 0.0;
   std::string recording;                 // the file that what is done is recorded in; empty: none
   std::string recording_error;           // why the last recording ended early, in one line; empty: it did not
   double playing = 0.0;                  // how much of a recording has been played, to 1; 0: none is playing

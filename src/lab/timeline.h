@@ -1,0 +1,38 @@
+// The last frames as they were, to be gone back to. Only what moves is kept: going back changes no spring and no parameter,
+// and the past ends where points were added or taken away.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+
+#include "sim/state.h"
+
+namespace hooke {
+
+class Timeline {
+ public:
+  // Beyond this many moments, or bytes of them, the oldest are forgotten; the newest never.
+  static constexpr std::size_t most_moments = 2000, most_bytes = std::size_t{100} << 20;
+
+  // The newest moment. Moments at its time or later are gone: from there it went on otherwise.
+  void note(const State& state);
+  void clear();
+
+  bool empty() const { return moments_.empty(); }
+  std::size_t count() const { return moments_.size(); }
+  std::size_t bytes() const { return bytes_; }
+  double first_time() const { return moments_.front()->time; }
+  double last_time() const { return moments_.back()->time; }
+  std::shared_ptr<const State> at(std::size_t moment) const { return moments_[moment]; }
+  // The moment at this time or the last before it; the first when all are later. There must be one.
+  std::size_t find(double time) const;
+
+ private:
+  void drop(bool newest);
+
+  std::deque<std::shared_ptr<const State>> moments_;  // in the order of time
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace hooke
