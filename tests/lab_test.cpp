@@ -444,8 +444,15 @@ TEST(Parameters, ReadBackWhatTheyWriteWithinTheirRange) {
   std::vector<Spring> springs = scene.system.springs();
   for (std::size_t s = 0; s < springs.size(); ++s) springs[s].family = static_cast<SpringFamily>(s % spring_families);
   scene.system.set_springs(springs);
+  scene.sheet = std::make_shared<const SheetShares>(
+      SheetShares{std::vector<double>(scene.system.points().size(), 0.3), std::vector<double>(springs.size(), 0.7)});
   for (const Parameter& parameter : parameters()) {
-    EXPECT_TRUE(parameter.applies == nullptr || parameter.applies(scene)) << parameter.name;
+    bool applies = parameter.applies == nullptr;
+    for (int reading = 3; reading >= 0; --reading) {
+      scene.reading = static_cast<SpringReading>(reading);
+      applies = applies || parameter.applies(scene);
+    }
+    EXPECT_TRUE(applies) << parameter.name;
     for (const double value : {parameter.least, parameter.most, parameter.usual}) {
       parameter.write(scene, value);
       EXPECT_NEAR(parameter.read(scene), value, 1e-12 * std::abs(value)) << parameter.name;

@@ -72,15 +72,21 @@ TEST(Sliders, EachParameterHasOne) {
     springs.back().family = family;
   }
   scene.system.set_springs(springs);
-  GuiTrial gui(scene);
-  ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
-  gui.app().resize({1280.0, 2000.0}, 1.0);
-  gui.frames(2);
-  gui.click(gui.find("side", {"Hand"}));  // unfolds
-  for (const Parameter& row : parameters()) {
-    const bool is_switch = row.kind == Parameter::Kind::Switch;
-    EXPECT_GT(gui.find("side", {row.name.data(), is_switch ? "##switch" : "##value"}).x, 0.0) << row.name;
+  scene.sheet = std::make_shared<const SheetShares>(SheetShares{{0.1, 0.1, 0.1}, {0.75, 0.75, 0.375, 0.0, 0.75}});
+  std::set<std::string_view> shown;
+  for (int reading = 0; reading < 4; ++reading) {
+    scene.reading = static_cast<SpringReading>(reading);
+    GuiTrial gui(scene);
+    ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
+    gui.app().resize({1280.0, 2000.0}, 1.0);
+    gui.frames(2);
+    gui.click(gui.find("side", {"Hand"}));  // unfolds
+    for (const Parameter& row : parameters()) {
+      const bool is_switch = row.kind == Parameter::Kind::Switch, is_choice = row.kind == Parameter::Kind::Choice;
+      if (gui.find("side", {row.name.data(), is_switch ? "##switch" : is_choice ? "##choice" : "##value"}).x > 0.0) shown.insert(row.name);
+    }
   }
+  for (const Parameter& row : parameters()) EXPECT_TRUE(shown.contains(row.name)) << row.name;
 }
 
 TEST(Sliders, OfFamiliesThatTheSceneHasNotAreAbsent) {
@@ -202,7 +208,7 @@ TEST(Forces, EachCanBeAddedFromTheList) {
     GuiTrial gui(two_springs());
     ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
     gui.app().resize({1280.0, 2000.0}, 1.0);
-  gui.frames(2);
+    gui.frames(2);
     gui.frames(2);
     gui.click(gui.find("side", {"Forces"}));  // unfolds
     gui.click(gui.find("side", {"##add"}));

@@ -42,11 +42,22 @@ void set_tolerance(Settings& settings, double tolerance) {
   settings.tolerance = tolerance;
 }
 
-// "0.5", and for switches also "on" and "off".
+std::string ids_of_choices(const Parameter& parameter) {
+  std::string ids;
+  for (const ParameterChoice& choice : parameter.choices) ids += (ids.empty() ? "" : ", ") + std::string(choice.id);
+  return ids;
+}
+
+// The id of a choice; "0.5", and for switches also "on" and "off".
 std::optional<double> parse_value(const Parameter& parameter, std::string_view text) {
   if (parameter.kind == Parameter::Kind::Switch) {
     if (text == "on" || text == "true" || text == "1") return 1.0;
     if (text == "off" || text == "false" || text == "0") return 0.0;
+    return std::nullopt;
+  }
+  if (parameter.kind == Parameter::Kind::Choice) {
+    for (std::size_t i = 0; i < parameter.choices.size(); ++i)
+      if (text == parameter.choices[i].id) return static_cast<double>(i);
     return std::nullopt;
   }
   double value = 0.0;
@@ -65,6 +76,7 @@ SetParameter parse_setting(const std::string& setting) {
 
   const auto value = parse_value(*parameter, std::string_view(setting).substr(equals + 1));
   if (parameter->kind == Parameter::Kind::Switch && !value) throw UsageError(shown + ": must be on or off");
+  if (parameter->kind == Parameter::Kind::Choice && !value) throw UsageError(shown + ": must be one of " + ids_of_choices(*parameter));
   const Bounds range{.least = parameter->least, .most = parameter->most};
   if (!value || !range.hold(*value) || clamp_to(*parameter, *value) != *value)
     throw UsageError(shown + ": " + (parameter->kind == Parameter::Kind::Whole ? "must be whole, and " : "") + range.text() +

@@ -252,6 +252,11 @@ struct Apply {
         return all_springs(SpringProperty::Stiffness, &Spring::stiffness);
       case Parameter::Scope::SpringDamping:
         return all_springs(SpringProperty::Damping, &Spring::damping);
+      case Parameter::Scope::PointMass: {
+        SetPointProperty set{PointProperty::Mass, {}};
+        for (const Point& point : scene.system.points()) set.values.emplace_back(point.id, point.mass);
+        return set;
+      }
       case Parameter::Scope::Number:
         break;
     }

@@ -282,6 +282,18 @@ void check_ids(const JsonField& field, const std::optional<std::vector<Id>>& ids
     field.refuse("ids: must be as many as the scene has, each another");
 }
 
+// What is listed by number, by the ids in the numbers' order.
+template <class Value, class Id>
+std::vector<Value> by_id(const std::vector<Value>& listed, const std::vector<Id>& ids, const Value& none) {
+  std::vector<Value> list;
+  for (std::size_t i = 0; i < ids.size() && i < listed.size(); ++i) {
+    const auto id = static_cast<std::size_t>(ids[i]);
+    if (id >= list.size()) list.resize(id + 1, none);
+    list[id] = listed[i];
+  }
+  return list;
+}
+
 // Gives points and springs, which a file numbers from 0, the ids that they had.
 void restore_ids(const SceneRest& rest, Scene& scene) {
   System& system = scene.system;
@@ -297,14 +309,13 @@ void restore_ids(const SceneRest& rest, Scene& scene) {
   for (Face& face : system.faces)
     for (PointId& corner : face.points) corner = id_of(corner);
 
-  if (scene.print.places && rest.point_ids) {
-    auto places = std::make_shared<ClothPlaces>();
-    for (std::size_t i = 0; i < points.size() && i < scene.print.places->size(); ++i) {
-      const auto id = static_cast<std::size_t>(points[i].id);
-      if (id >= places->size()) places->resize(id + 1, no_cloth_place);
-      (*places)[id] = (*scene.print.places)[i];
-    }
-    scene.print.places = std::move(places);
+  if (scene.print.places && rest.point_ids)
+    scene.print.places = std::make_shared<const ClothPlaces>(by_id(*scene.print.places, *rest.point_ids, no_cloth_place));
+  if (scene.sheet) {
+    SheetShares sheet = *scene.sheet;
+    if (rest.point_ids) sheet.area = by_id(sheet.area, *rest.point_ids, 0.0);
+    if (rest.spring_ids) sheet.share = by_id(sheet.share, *rest.spring_ids, 0.0);
+    scene.sheet = std::make_shared<const SheetShares>(std::move(sheet));
   }
   system.set_springs({});
   system.set_points(std::move(points));

@@ -17,6 +17,12 @@ MassModel read_mass_model(const JsonField& field) {
   field.refuse("must be \"equal\" or \"tributary\"");
 }
 
+bool has_member(const JsonField& field, std::string_view key) {
+  for (const JsonField member : field.members())
+    if (member.is(key)) return true;
+  return false;
+}
+
 // Reads the fields that cloths and ropes share; false: not one of them.
 bool read_fabric(const JsonField& field, SceneFields& fields, Fabric& fabric) {
   if (field.is("mass_model"))
@@ -31,6 +37,8 @@ bool read_fabric(const JsonField& field, SceneFields& fields, Fabric& fabric) {
     fabric.stiffness_per_strain = field.number(not_negative);
   else if (field.is("damping"))
     fabric.damping = field.number(not_negative);
+  else if (field.is("damping_per_length"))
+    fabric.damping_per_length = field.number(not_negative);
   else if (field.is("point_radius"))
     fabric.point_radius = field.number(not_negative);
   else if (field.is("color"))
@@ -41,17 +49,12 @@ bool read_fabric(const JsonField& field, SceneFields& fields, Fabric& fabric) {
 }
 
 // What is said twice or not at all.
-void check_fabric(const JsonField& field, Fabric& fabric, bool has_stiffness) {
+void check_fabric(const JsonField& field, Fabric& fabric, bool has_stiffness, bool has_damping) {
   if (fabric.density && fabric.mass) field.refuse("must have density or mass, not both");
   if (!fabric.density && !fabric.mass) fabric.mass = 1.0;
   if (has_stiffness && fabric.stiffness_per_strain) field.refuse("must have stiffness or stiffness_per_strain, not both");
+  if (has_damping && fabric.damping_per_length) field.refuse("must have damping or damping_per_length, not both");
   if (!has_stiffness && !fabric.stiffness_per_strain) field.refuse_missing("stiffness", "must be a number of at least 0");
-}
-
-bool has_member(const JsonField& field, std::string_view key) {
-  for (const JsonField member : field.members())
-    if (member.is(key)) return true;
-  return false;
 }
 
 std::int64_t read_count(const JsonField& field) { return field.whole(2, static_cast<std::int64_t>(most_points)); }
@@ -122,6 +125,15 @@ void read_nails(const JsonField& field, Shape& shape, std::int64_t points) {
   shape.fabric.nails.assign(nails.begin(), nails.end());
 }
 
+// A material says the stiffness and damping of all springs but those that bend.
+void check_sheet(const JsonField& field, Cloth& cloth) {
+  if (!cloth.sheet_stiffness) field.refuse("must have sheet_stiffness where it has sheet_damping");
+  if (cloth.fabric.mass_model != MassModel::Tributary) field.refuse("must have the mass_model \"tributary\" for sheet_stiffness");
+  for (const std::string_view key : {"stiffness", "stiffness_per_strain", "shear_stiffness", "damping", "damping_per_length"})
+    if (has_member(field, key)) field.refuse("must have sheet_stiffness or " + std::string(key) + ", not both");
+  check_fabric(field, cloth.fabric, true, false);
+}
+
 Generator read_cloth(const JsonField& field, SceneFields& fields) {
   Cloth cloth;
   std::string unknown;
@@ -140,7 +152,11 @@ Generator read_cloth(const JsonField& field, SceneFields& fields) {
     } else if (member.is("stencil")) {
       cloth.stencil = member.whole(4, 12);
       if (*cloth.stencil % 4 != 0) member.refuse("must be 4, 8 or 12");
-    } else if (member.is("shear_stiffness"))
+    } else if (member.is("sheet_stiffness"))
+      cloth.sheet_stiffness = member.number(not_negative);
+    else if (member.is("sheet_damping"))
+      cloth.sheet_damping = member.number(not_negative);
+    else if (member.is("shear_stiffness"))
       cloth.shear_stiffness = member.number(not_negative);
     else if (member.is("bend_stiffness"))
       cloth.bend_stiffness = member.number(not_negative);
@@ -151,7 +167,10 @@ Generator read_cloth(const JsonField& field, SceneFields& fields) {
   for (const std::string_view key : {"corner", "across", "down"})
     if (!has_member(field, key)) field.refuse_missing(key, "must be [x, y, z]");
   if (!has_member(field, "points")) field.refuse_missing("points", "must be [columns, rows]");
-  check_fabric(field, cloth.fabric, has_member(field, "stiffness"));
+  if (cloth.sheet_stiffness || has_member(field, "sheet_damping"))
+    check_sheet(field, cloth);
+  else
+    check_fabric(field, cloth.fabric, has_member(field, "stiffness"), has_member(field, "damping"));
   if (cloth.stencil.value_or(8) < 8 && cloth.shear_stiffness.value_or(0.0) > 0.0)
     field.refuse("must have a stencil of 8 or 12 for shear_stiffness");
   if (cloth.stencil.value_or(12) < 12 && cloth.bend_stiffness.value_or(0.0) > 0.0)
@@ -178,7 +197,7 @@ Generator read_rope(const JsonField& field, SceneFields& fields) {
   for (const std::string_view key : {"from", "to"})
     if (!has_member(field, key)) field.refuse_missing(key, "must be [x, y, z]");
   if (!has_member(field, "points")) field.refuse_missing("points", "must be a whole number of at least 2");
-  check_fabric(field, rope.fabric, has_member(field, "stiffness"));
+  check_fabric(field, rope.fabric, has_member(field, "stiffness"), has_member(field, "damping"));
   if (!(glm::length(rope.to - rope.from) > 0.0)) field.refuse("must have from and to in two places");
   return rope;
 }

@@ -35,7 +35,8 @@ void nail(Network& network, const Fabric& fabric, std::size_t first_point) {
 struct ClothSpring {
   SpringFamily family;
   std::int64_t columns, rows;
-  double stiffness, damping;                   // [N/m], [N s/m], inside a cloth of square cells
+  double share;                                // [1], of the sheet's E t, inside a cloth of square cells
+  double stiffness, damping;                   // [N/m], [N s/m], likewise
   std::optional<double> stiffness_per_strain;  // [N], takes the place of stiffness
 };
 
@@ -43,21 +44,25 @@ std::vector<ClothSpring> springs_of(const Cloth& cloth) {
   const Fabric& fabric = cloth.fabric;
   const double k = fabric.stiffness, d = fabric.damping;
   const auto y = fabric.stiffness_per_strain;
-  std::vector<ClothSpring> kinds{{SpringFamily::Structural, 1, 0, k, d, y}, {SpringFamily::Structural, 0, 1, k, d, y}};
-
-  // an isotropic sheet has half the stiffness and damping on its diagonals
-  const double other_d = fabric.mass_model == MassModel::Tributary ? 0.5 * d : d;
   const double shear = cloth.shear_stiffness.value_or(0.5 * k);
   const auto shear_y = cloth.shear_stiffness ? std::nullopt : y;
-  if (cloth.stencil ? *cloth.stencil >= 8 : shear > 0.0 || shear_y) {
-    kinds.push_back({SpringFamily::Shear, 1, 1, shear, other_d, shear_y});
-    kinds.push_back({SpringFamily::Shear, -1, 1, shear, other_d, shear_y});
+  const bool has_shear = cloth.stencil ? *cloth.stencil >= 8 : shear > 0.0 || shear_y || cloth.sheet_stiffness;
+
+  // isotropic, Poisson's ratio 1/3: E t = 4/3 k with half of k across; without diagonals a thread alone bears its strip
+  const double along = has_shear ? 0.75 : 1.0, across = 0.375;
+  std::vector<ClothSpring> kinds{{SpringFamily::Structural, 1, 0, along, k, d, y}, {SpringFamily::Structural, 0, 1, along, k, d, y}};
+
+  // an isotropic sheet has half the damping, too, on its diagonals
+  const double other_d = fabric.mass_model == MassModel::Tributary ? 0.5 * d : d;
+  if (has_shear) {
+    kinds.push_back({SpringFamily::Shear, 1, 1, across, shear, other_d, shear_y});
+    kinds.push_back({SpringFamily::Shear, -1, 1, across, shear, other_d, shear_y});
   }
   const double bend = cloth.bend_stiffness.value_or(0.5 * k);
   const auto bend_y = cloth.bend_stiffness ? std::nullopt : y;
   if (cloth.stencil ? *cloth.stencil >= 12 : cloth.bend_stiffness.value_or(0.0) > 0.0) {
-    kinds.push_back({SpringFamily::Bend, 2, 0, bend, other_d, bend_y});
-    kinds.push_back({SpringFamily::Bend, 0, 2, bend, other_d, bend_y});
+    kinds.push_back({SpringFamily::Bend, 2, 0, 0.0, bend, other_d, bend_y});
+    kinds.push_back({SpringFamily::Bend, 0, 2, 0.0, bend, other_d, bend_y});
   }
   return kinds;
 }
@@ -74,11 +79,14 @@ class ClothMaker {
     const double cells = static_cast<double>((cloth_.columns - 1) * (cloth_.rows - 1));
     const double each = tributary_ ? total / cells : total / static_cast<double>(cloth_.columns * cloth_.rows);
     network_.places.resize(first_, no_cloth_place);
+    network_.areas.resize(first_, 0.0);
     for (std::int64_t row = 0; row < cloth_.rows; ++row)
       for (std::int64_t column = 0; column < cloth_.columns; ++column) {
         network_.places.emplace_back(static_cast<double>(column) * a_, static_cast<double>(row) * b_);
         // a quarter of each cell around it: half a cell on an edge, a quarter of one in a corner
-        const double share = tributary_ ? (is_edge_column(column) ? 0.5 : 1.0) * (is_edge_row(row) ? 0.5 : 1.0) : 1.0;
+        const double quarters = (is_edge_column(column) ? 0.5 : 1.0) * (is_edge_row(row) ? 0.5 : 1.0);
+        network_.areas.push_back(quarters * area / cells);
+        const double share = tributary_ ? quarters : 1.0;
         const double u = static_cast<double>(column) / static_cast<double>(cloth_.columns - 1);
         const double v = static_cast<double>(row) / static_cast<double>(cloth_.rows - 1);
         add_point(network_, cloth_.fabric, cloth_.corner + u * cloth_.across + v * cloth_.down, share * each, 0.25 * std::min(a_, b_));
@@ -88,6 +96,7 @@ class ClothMaker {
 
   void make_springs() {
     const std::vector<ClothSpring> kinds = springs_of(cloth_);
+    network_.shares.resize(network_.springs.size(), 0.0);
     for (std::int64_t row = 0; row < cloth_.rows; ++row)
       for (std::int64_t column = 0; column < cloth_.columns; ++column)
         for (const ClothSpring& kind : kinds) {
@@ -95,9 +104,17 @@ class ClothMaker {
           if (to_column < 0 || to_column >= cloth_.columns || to_row >= cloth_.rows) continue;
           const std::size_t i = at(column, row), j = at(to_column, to_row);
           const double length = glm::length(network_.position[j] - network_.position[i]);
-          const double weight = tributary_ ? weight_of(kind, column, row) : 1.0;
-          const double stiffness = kind.stiffness_per_strain ? *kind.stiffness_per_strain / length : weight * kind.stiffness;
-          add_spring(network_, i, j, kind.family, length, stiffness, weight * kind.damping);
+          const double in_sheet = weight_of(kind, column, row), share = in_sheet * kind.share;
+          const double weight = tributary_ ? in_sheet : 1.0;
+          double stiffness = weight * kind.stiffness, damping = weight * kind.damping;
+          if (kind.stiffness_per_strain) stiffness = *kind.stiffness_per_strain / length;
+          if (cloth_.fabric.damping_per_length) damping = *cloth_.fabric.damping_per_length * length;
+          if (cloth_.sheet_stiffness && share > 0.0) {
+            stiffness = share * *cloth_.sheet_stiffness;
+            damping = share * cloth_.sheet_damping;
+          }
+          add_spring(network_, i, j, kind.family, length, stiffness, damping);
+          network_.shares.push_back(share);
         }
   }
 
@@ -159,7 +176,8 @@ void make(const Rope& rope, Network& network) {
   for (std::size_t i = first; i + 1 < network.points.size(); ++i) {
     const double piece = glm::length(network.position[i + 1] - network.position[i]);
     const double stiffness = fabric.stiffness_per_strain ? *fabric.stiffness_per_strain / piece : weight * fabric.stiffness;
-    add_spring(network, i, i + 1, SpringFamily::None, piece, stiffness, weight * fabric.damping);
+    const double damping = fabric.damping_per_length ? *fabric.damping_per_length * piece : weight * fabric.damping;
+    add_spring(network, i, i + 1, SpringFamily::None, piece, stiffness, damping);
   }
 }
 

@@ -20,6 +20,7 @@ struct Network {
   ClothPlaces places;  // of the points on their cloths; those beyond its end have none
   std::vector<Spring> springs;
   std::vector<Face> faces;
+  std::vector<double> areas, shares;  // of points [m^2] and springs [1] in the sheets that they make up (SheetShares)
 };
 
 // How masses and stiffnesses of single points and springs follow from those given.
@@ -36,6 +37,7 @@ struct Fabric {
   double stiffness = 0.0;                      // [N/m]
   std::optional<double> stiffness_per_strain;  // Y [N] instead: k = Y / rest length of each spring
   double damping = 0.0;                        // [N s/m]
+  std::optional<double> damping_per_length;    // c [N s/m^2] instead: d = c rest length of each spring
   std::optional<double> point_radius;          // [m]; none: a quarter of the spacing
   std::optional<Color> color;
   std::vector<Index> nails;  // points by their number within it
@@ -47,7 +49,10 @@ struct Cloth {
   Vec3 corner{0.0}, across{1.0, 0.0, 0.0}, down{0.0, -1.0, 0.0};  // [m]: a corner, and the whole edges that leave it
   std::int64_t columns = 2, rows = 2;
   Fabric fabric{.mass_model = MassModel::Tributary};
-  std::optional<std::int64_t> stencil;    // 4: structural, 8: and shear, 12: and bend; none: those of more than no stiffness
+  std::optional<std::int64_t> stencil;  // 4: structural, 8: and shear, 12: and bend; none: those of more than no stiffness
+  // as a material, instead of stiffness and damping: Young's modulus times thickness [N/m], and the same of its viscosity [N s/m]
+  std::optional<double> sheet_stiffness;
+  double sheet_damping = 0.0;
   std::optional<double> shear_stiffness;  // [N/m]; none: half of the stiffness
   std::optional<double> bend_stiffness;   // [N/m]; none: half of the stiffness in a stencil of 12, else 0
 };

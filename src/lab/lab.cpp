@@ -402,6 +402,7 @@ void Lab::publish() {
   status->view = scene_.view;
   status->print = scene_.print;
   status->defaults = scene_.defaults;
+  status->sheet = scene_.sheet;
   status->controls = scene_.controls;
   for (const Parameter& parameter : parameters()) {
     const bool applies = parameter.applies == nullptr || parameter.applies(scene_);

@@ -31,6 +31,7 @@ class ClothMaker {
     make_springs();
     make_faces();
     add_floor();
+    scene_.sheet = std::make_shared<const SheetShares>(std::move(sheet_));
     return std::move(scene_);
   }
 
@@ -45,6 +46,7 @@ class ClothMaker {
   const std::string& file_;
   std::vector<std::string>& notes_;
   const SheetMaterial material_;
+  SheetShares sheet_;  // ids are places
   Scene scene_;
 };
 
@@ -54,9 +56,13 @@ void ClothMaker::make_points() {
     point.id = scene_.system.new_point_id();
     point.mass = 0.0;
   }
+  sheet_.area.assign(points.size(), 0.0);
   for (const Cell& cell : mesh_.cells)
-    for (int c = 0; c < cell.size(); ++c)
-      points[static_cast<std::size_t>(cell.corners[c])].mass += material_.density * cell.area / cell.size();
+    for (int c = 0; c < cell.size(); ++c) {
+      const auto corner = static_cast<std::size_t>(cell.corners[c]);
+      points[corner].mass += material_.density * cell.area / cell.size();
+      sheet_.area[corner] += cell.area / cell.size();
+    }
   scene_.state.position = mesh_.points;
   scene_.state.velocity.assign(points.size(), Vec3(0.0));
   scene_.system.set_points(std::move(points));
@@ -110,6 +116,7 @@ void ClothMaker::make_springs() {
                        .stiffness = material_.stiffness * weight / (length * length),
                        .damping = material_.damping * weight / (length * length),
                        .rest_length = length});
+    sheet_.share.push_back(weight / (length * length));
     sum_of_lengths += length;
   }
 

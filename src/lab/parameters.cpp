@@ -12,6 +12,7 @@ namespace {
 
 using Kind = Parameter::Kind;
 using Scope = Parameter::Scope;
+using Weight = Parameter::Weight;
 
 // Scales the gravity to a size; down when there was none.
 void set_gravity(Scene& scene, double size) {
@@ -20,38 +21,87 @@ void set_gravity(Scene& scene, double size) {
   gravity = now > 0.0 ? gravity * (size / now) : Vec3(0.0, -size, 0.0);
 }
 
-// What all springs have on average: the one value shown for many.
-double mean_of_springs(const Scene& scene, double Spring::*property, double none) {
-  const auto& springs = scene.system.springs();
-  if (springs.empty()) return none;
-  double sum = 0.0;
-  bool same = true;
-  for (const Spring& spring : springs) {
-    sum += spring.*property;
-    same = same && spring.*property == springs.front().*property;
+// The springs that a row sets, and what they are of its value.
+struct OfSprings {
+  double Spring::*property;
+  Weight weight = Weight::One;
+  SpringFamily family = SpringFamily::None;  // none: all
+};
+
+double weight_of(Weight weight, const SheetShares* sheet, const Spring& spring) {
+  const auto at = static_cast<std::size_t>(spring.id);
+  switch (weight) {
+    case Weight::One:
+      return 1.0;
+    case Weight::InverseLength:
+      return spring.rest_length > 0.0 ? 1.0 / spring.rest_length : 0.0;
+    case Weight::Length:
+      return spring.rest_length;
+    case Weight::Share:
+      return sheet != nullptr && at < sheet->share.size() ? sheet->share[at] : 0.0;
   }
-  return same ? springs.front().*property : sum / static_cast<double>(springs.size());
+  return 0.0;
 }
 
-// The same of one family, and its switch.
-template <SpringFamily family>
-double read_family_stiffness(const Scene& scene) {
-  double sum = 0.0, first = 0.0;
-  long count = 0;
-  bool same = true;
-  for (const Spring& spring : scene.system.springs()) {
-    if (spring.family != family) continue;
-    if (count++ == 0) first = spring.stiffness;
-    sum += spring.stiffness;
-    same = same && spring.stiffness == first;
-  }
-  return same ? first : sum / static_cast<double>(count);
+template <OfSprings row>
+double weight_in(const Scene& scene, const Spring& spring) {
+  const bool is_meant = row.family == SpringFamily::None || spring.family == row.family;
+  return is_meant ? weight_of(row.weight, scene.sheet.get(), spring) : 0.0;
 }
-template <SpringFamily family>
-void write_family_stiffness(Scene& scene, double value) {
+template <OfSprings row>
+double read_springs(const Scene& scene) {
+  CommonValue common;
+  for (const Spring& spring : scene.system.springs())
+    if (const double weight = weight_in<row>(scene, spring); weight > 0.0) common.include(spring.*row.property / weight);
+  const bool is_stiffness = row.property == &Spring::stiffness;
+  return common.value_or(is_stiffness ? scene.defaults.stiffness : scene.defaults.damping);
+}
+template <OfSprings row>
+void write_springs(Scene& scene, double value) {
   for (Index s = 0; s < scene.system.spring_count(); ++s)
-    if (scene.system.springs()[s].family == family) scene.system.spring(s).stiffness = value;
+    if (const double weight = weight_in<row>(scene, scene.system.springs()[s]); weight > 0.0)
+      scene.system.spring(s).*row.property = weight * value;
 }
+
+// mass = density area
+double area_of(const Scene& scene, const Point& point) {
+  const auto at = static_cast<std::size_t>(point.id);
+  return scene.sheet && at < scene.sheet->area.size() ? scene.sheet->area[at] : 0.0;
+}
+double read_density(const Scene& scene) {
+  CommonValue common;
+  for (const Point& point : scene.system.points())
+    if (const double area = area_of(scene, point); area > 0.0) common.include(point.mass / area);
+  return common.value_or(0.0);
+}
+void write_density(Scene& scene, double value) {
+  for (Index i = 0; i < scene.system.point_count(); ++i)
+    if (const double area = area_of(scene, scene.system.points()[i]); area > 0.0) scene.system.point(i).mass = value * area;
+}
+
+template <SpringReading reading>
+bool is_read_as(const Scene& scene) {
+  return scene.reading == reading;
+}
+bool has_springs(const Scene& scene) { return scene.system.spring_count() > 0; }
+bool is_read_by_strain(const Scene& scene) { return has_springs(scene) && is_read_as<SpringReading::PerStrain>(scene); }
+bool is_read_by_size(const Scene& scene) { return has_springs(scene) && is_read_as<SpringReading::BySize>(scene); }
+bool is_read_as_sheet(const Scene& scene) { return scene.sheet != nullptr && is_read_as<SpringReading::Material>(scene); }
+// Without a cloth there is no material to speak of.
+bool is_read_plainly(const Scene& scene) {
+  return is_read_as<SpringReading::Plain>(scene) || (scene.sheet == nullptr && is_read_as<SpringReading::Material>(scene));
+}
+bool has_plain_stiffness(const Scene& scene) { return is_read_plainly(scene) || is_read_as<SpringReading::BySize>(scene); }
+bool has_plain_damping(const Scene& scene) { return is_read_plainly(scene) || is_read_as<SpringReading::PerStrain>(scene); }
+
+constexpr std::array readings{
+    ParameterChoice{"plain", "Each spring: k, d", "Every spring has exactly the k and d given: finer is another thing."},
+    ParameterChoice{"per_strain", "By strain: Y, d", "k = Y / l0: a spring half as long is twice as stiff, as two pieces of one thread."},
+    ParameterChoice{"by_size", "By size: k, d per length", "d = c l0: a quad half as wide is damped half as much."},
+    ParameterChoice{"material", "As a material: E t, \u03b7, density",
+                    "One sheet, however many points it has: half along borders, k = 3/4 E t along threads and 3/8 across."},
+};
+
 template <SpringFamily family>
 double read_family_switch(const Scene& scene) {
   return scene.system.family_on[static_cast<std::size_t>(family)] ? 1.0 : 0.0;
@@ -64,9 +114,9 @@ template <SpringFamily family>
 bool has_family(const Scene& scene) {
   return scene.system.count_of(family) > 0;
 }
-
-void set_springs(Scene& scene, double Spring::*property, double value) {
-  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).*property = value;
+template <SpringFamily family>
+bool has_family_stiffness(const Scene& scene) {
+  return has_family<family>(scene) && has_plain_stiffness(scene);
 }
 
 double first_of_colliders(const Scene& scene, double Collider::*property) {
@@ -95,11 +145,31 @@ const std::array rows{
               .least = 0.01, .most = 10, .usual = 1, .physical = positive, .logarithmic = true,
               .read = [](const Scene& s) { return s.settings.speed; },
               .write = [](Scene& s, double value) { s.settings.speed = value; }},
+    Parameter{.name = "reading", .field = "reading", .group = "Springs", .label = "Given as", .unit = "",
+              .meaning = "In which numbers the springs are given: those of each, or those of what they make up.",
+              .kind = Kind::Choice, .most = double(readings.size() - 1), .choices = readings, .applies = has_springs,
+              .read = [](const Scene& s) { return double(s.reading); },
+              .write = [](Scene& s, double value) { s.reading = static_cast<SpringReading>(value); }},
     Parameter{.name = "stiffness", .field = "", .group = "Springs", .label = "Stiffness k", .unit = "N/m",
               .meaning = "Force per stretched metre of every spring.",
-              .least = 0.01, .most = 1e6, .usual = 100, .logarithmic = true, .scope = Scope::SpringStiffness,
-              .read = [](const Scene& s) { return mean_of_springs(s, &Spring::stiffness, s.defaults.stiffness); },
-              .write = [](Scene& s, double value) { set_springs(s, &Spring::stiffness, value); }},
+              .least = 0.01, .most = 1e6, .usual = 100, .logarithmic = true, .scope = Scope::SpringStiffness, .applies = has_plain_stiffness,
+              .read = read_springs<OfSprings{&Spring::stiffness}>, .write = write_springs<OfSprings{&Spring::stiffness}>},
+    Parameter{.name = "stiffness_per_strain", .field = "", .group = "Springs", .label = "Stiffness Y", .unit = "N",
+              .meaning = "Force of every spring per strain: k = Y / rest length.",
+              .least = 0.001, .most = 1e6, .usual = 10, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .weight = Weight::InverseLength, .applies = is_read_by_strain,
+              .read = read_springs<OfSprings{&Spring::stiffness, Weight::InverseLength}>,
+              .write = write_springs<OfSprings{&Spring::stiffness, Weight::InverseLength}>},
+    Parameter{.name = "sheet_stiffness", .field = "", .group = "Springs", .label = "Stretch E t", .unit = "N/m",
+              .meaning = "Young's modulus times thickness of the cloth; springs over the next point but one keep their k.",
+              .least = 0.01, .most = 1e6, .usual = 1000, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .weight = Weight::Share, .applies = is_read_as_sheet,
+              .read = read_springs<OfSprings{&Spring::stiffness, Weight::Share}>,
+              .write = write_springs<OfSprings{&Spring::stiffness, Weight::Share}>},
+    Parameter{.name = "sheet_density", .field = "", .group = "Springs", .label = "Density", .unit = "kg/m^2",
+              .meaning = "Mass of an area of the cloth.",
+              .least = 0.001, .most = 100, .usual = 0.2, .logarithmic = true, .scope = Scope::PointMass, .applies = is_read_as_sheet,
+              .read = read_density, .write = write_density},
     Parameter{.name = "structural_springs", .field = "structural_springs", .group = "Springs", .label = "Structural springs", .unit = "",
               .meaning = "Whether the springs along the threads of cloths act.",
               .kind = Kind::Switch, .usual = 1, .family = SpringFamily::Structural, .applies = has_family<SpringFamily::Structural>,
@@ -107,8 +177,9 @@ const std::array rows{
     Parameter{.name = "structural_stiffness", .field = "", .group = "Springs", .label = "Structural k", .unit = "N/m",
               .meaning = "Stiffness of every spring along the threads of cloths.",
               .least = 0.01, .most = 1e6, .usual = 100, .logarithmic = true, .scope = Scope::SpringStiffness,
-              .family = SpringFamily::Structural, .applies = has_family<SpringFamily::Structural>,
-              .read = read_family_stiffness<SpringFamily::Structural>, .write = write_family_stiffness<SpringFamily::Structural>},
+              .family = SpringFamily::Structural, .applies = has_family_stiffness<SpringFamily::Structural>,
+              .read = read_springs<OfSprings{&Spring::stiffness, Weight::One, SpringFamily::Structural}>,
+              .write = write_springs<OfSprings{&Spring::stiffness, Weight::One, SpringFamily::Structural}>},
     Parameter{.name = "shear_springs", .field = "shear_springs", .group = "Springs", .label = "Shear springs", .unit = "",
               .meaning = "Whether the springs across the cells of cloths act.",
               .kind = Kind::Switch, .usual = 1, .family = SpringFamily::Shear, .applies = has_family<SpringFamily::Shear>,
@@ -116,8 +187,9 @@ const std::array rows{
     Parameter{.name = "shear_stiffness", .field = "", .group = "Springs", .label = "Shear k", .unit = "N/m",
               .meaning = "Stiffness of every spring across the cells of cloths.",
               .least = 0.01, .most = 1e6, .usual = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
-              .family = SpringFamily::Shear, .applies = has_family<SpringFamily::Shear>,
-              .read = read_family_stiffness<SpringFamily::Shear>, .write = write_family_stiffness<SpringFamily::Shear>},
+              .family = SpringFamily::Shear, .applies = has_family_stiffness<SpringFamily::Shear>,
+              .read = read_springs<OfSprings{&Spring::stiffness, Weight::One, SpringFamily::Shear}>,
+              .write = write_springs<OfSprings{&Spring::stiffness, Weight::One, SpringFamily::Shear}>},
     Parameter{.name = "bend_springs", .field = "bend_springs", .group = "Springs", .label = "Bend springs", .unit = "",
               .meaning = "Whether the springs over the next point but one of cloths act.",
               .kind = Kind::Switch, .usual = 1, .family = SpringFamily::Bend, .applies = has_family<SpringFamily::Bend>,
@@ -125,8 +197,9 @@ const std::array rows{
     Parameter{.name = "bend_stiffness", .field = "", .group = "Springs", .label = "Bend k", .unit = "N/m",
               .meaning = "Stiffness of every spring over the next point but one of cloths.",
               .least = 0.01, .most = 1e6, .usual = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
-              .family = SpringFamily::Bend, .applies = has_family<SpringFamily::Bend>,
-              .read = read_family_stiffness<SpringFamily::Bend>, .write = write_family_stiffness<SpringFamily::Bend>},
+              .family = SpringFamily::Bend, .applies = has_family_stiffness<SpringFamily::Bend>,
+              .read = read_springs<OfSprings{&Spring::stiffness, Weight::One, SpringFamily::Bend}>,
+              .write = write_springs<OfSprings{&Spring::stiffness, Weight::One, SpringFamily::Bend}>},
     Parameter{.name = "damped_springs", .field = "damped_springs", .group = "Springs", .label = "Damped springs", .unit = "",
               .meaning = "Whether the springs' dashpots act.",
               .kind = Kind::Switch, .usual = 1,
@@ -134,9 +207,20 @@ const std::array rows{
               .write = [](Scene& s, double value) { s.system.dashpots_on = value != 0.0; }},
     Parameter{.name = "damping", .field = "", .group = "Springs", .label = "Damping d", .unit = "N s/m",
               .meaning = "Force along the spring per speed at which its ends part, of every spring.",
+              .least = 0, .most = 1e4, .usual = 0, .logarithmic = true, .scope = Scope::SpringDamping, .applies = has_plain_damping,
+              .read = read_springs<OfSprings{&Spring::damping}>, .write = write_springs<OfSprings{&Spring::damping}>},
+    Parameter{.name = "damping_per_length", .field = "", .group = "Springs", .label = "Damping per length", .unit = "N s/m^2",
+              .meaning = "Dashpot of every spring, by its length: d = this times the rest length.",
+              .least = 0, .most = 1e5, .usual = 0, .logarithmic = true, .scope = Scope::SpringDamping,
+              .weight = Weight::Length, .applies = is_read_by_size,
+              .read = read_springs<OfSprings{&Spring::damping, Weight::Length}>,
+              .write = write_springs<OfSprings{&Spring::damping, Weight::Length}>},
+    Parameter{.name = "sheet_damping", .field = "", .group = "Springs", .label = "Damping \u03b7", .unit = "N s/m",
+              .meaning = "Viscosity of the cloth times its thickness: what E t is for stiffness.",
               .least = 0, .most = 1e4, .usual = 0, .logarithmic = true, .scope = Scope::SpringDamping,
-              .read = [](const Scene& s) { return mean_of_springs(s, &Spring::damping, s.defaults.damping); },
-              .write = [](Scene& s, double value) { set_springs(s, &Spring::damping, value); }},
+              .weight = Weight::Share, .applies = is_read_as_sheet,
+              .read = read_springs<OfSprings{&Spring::damping, Weight::Share}>,
+              .write = write_springs<OfSprings{&Spring::damping, Weight::Share}>},
     Parameter{.name = "point_damping", .field = "point_damping", .group = "Surroundings", .label = "Point damping", .unit = "",
               .meaning = "Whether drag acts on the points.",
               .kind = Kind::Switch, .usual = 1,
@@ -198,6 +282,17 @@ const Parameter* find_parameter(std::string_view name) {
   for (const Parameter& row : rows)
     if (row.name == name) return &row;
   return nullptr;
+}
+
+double weight_of(const Parameter& parameter, const SheetShares* sheet, const Spring& spring) {
+  return parameter.family && spring.family != *parameter.family ? 0.0 : weight_of(parameter.weight, sheet, spring);
+}
+
+void CommonValue::include(double value) {
+  constexpr double rounding = 1e-12;
+  if (count_++ == 0) first_ = value;
+  sum_ += value;
+  same_ = same_ && std::abs(value - first_) <= rounding * std::abs(first_);
 }
 
 double clamp_to(const Parameter& parameter, double value) {

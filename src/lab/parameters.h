@@ -10,10 +10,19 @@
 
 namespace hooke {
 
+// One of the values of a row that is neither a number nor a switch.
+struct ParameterChoice {
+  std::string_view id;       // in files and on the command line
+  std::string_view label;    // on the panel
+  std::string_view meaning;  // one line
+};
+
 struct Parameter {
-  enum class Kind { Number, Whole, Switch };
+  enum class Kind { Number, Whole, Switch, Choice };
   // What a write changes, and so what its inverse must hold; Number: the one number that `read` gives.
-  enum class Scope { Number, Gravity, Colliders, SpringStiffness, SpringDamping };
+  enum class Scope { Number, Gravity, Colliders, SpringStiffness, SpringDamping, PointMass };
+  // What k or d of each spring is of the value.
+  enum class Weight { One, InverseLength, Length, Share };
   std::string_view name;     // on the command line
   std::string_view field;    // in a scene file, dotted: "simulation.substeps"; empty: not a field of its own
   std::string_view group;    // heading on the panel; rows of a group stand together
@@ -26,6 +35,8 @@ struct Parameter {
   bool logarithmic = false;                     // the slider's scale
   Scope scope = Scope::Number;
   std::optional<SpringFamily> family{};           // the springs that it sets; none: all
+  Weight weight = Weight::One;                    // of those springs
+  std::span<const ParameterChoice> choices{};     // the value is the place of one
   bool (*applies)(const Scene& scene) = nullptr;  // whether the scene has what the row sets; null: every scene has
   double (*read)(const Scene& scene) = nullptr;
   void (*write)(Scene& scene, double value) = nullptr;
@@ -35,6 +46,22 @@ std::span<const Parameter> parameters();
 
 // The row of this name, or null.
 const Parameter* find_parameter(std::string_view name);
+
+// What the spring's k or d is of the value, in the dimension that the row says; 0: the row is not about it. `sheet` may be null.
+double weight_of(const Parameter& parameter, const SheetShares* sheet, const Spring& spring);
+
+// The one value shown for many: theirs, or where they differ by more than rounding, their mean.
+class CommonValue {
+ public:
+  void include(double value);
+  double value_or(double none) const { return count_ == 0 ? none : same_ ? first_ : sum_ / static_cast<double>(count_); }
+  bool is_mixed() const { return !same_; }
+
+ private:
+  double sum_ = 0.0, first_ = 0.0;
+  long count_ = 0;
+  bool same_ = true;
+};
 
 // Within the row's range; whole where the row says so. NaN becomes the usual value.
 double clamp_to(const Parameter& parameter, double value);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,20 @@ struct Defaults {
   double pull_stiffness = 0.0;  // [N/m], of the pulling hand; 0: chosen from the grabbed point's springs
   GrabKind grab = GrabKind::Hold;
   bool operator==(const Defaults&) const = default;
+};
+
+// In which numbers the sliders speak of the springs. Whatever is chosen, each spring has its own k and d, which they set.
+enum class SpringReading : std::uint8_t {
+  Plain,      // k and d of each spring
+  PerStrain,  // k = Y / l0; d of each spring
+  BySize,     // k of each spring; d = c l0: in quads half as wide, half of it
+  Material,   // of the sheet, however many points it has: k = E t share, d = eta share, mass = density area
+};
+
+// What the points and springs of cloths are of the sheet that they make up, by id. 0, as beyond the end: no part of one.
+struct SheetShares {
+  std::vector<double> area;   // [m^2], of each point
+  std::vector<double> share;  // [1], of each spring
 };
 
 // What the arrow keys and sliders of a scene step by, where the scene says so.
@@ -49,6 +64,8 @@ struct Scene {
   ViewSettings view;
   Print print;
   Defaults defaults;
+  SpringReading reading = SpringReading::Plain;
+  std::shared_ptr<const SheetShares> sheet;  // null: there is no cloth
   ControlRanges controls;
   KeptJson kept;
 };

@@ -21,6 +21,12 @@ namespace {
 
 constexpr double as_drawn = std::numeric_limits<double>::quiet_NaN();  // a rest length that was not given
 
+// Those between the end and the place have none.
+void set_at(std::vector<double>& list, std::size_t place, double value) {
+  list.resize(place, 0.0);
+  list.push_back(value);
+}
+
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 class SceneReader {
@@ -101,6 +107,8 @@ LoadedScene SceneReader::read() {
   scene_.state.position = std::move(network_.position);
   scene_.state.velocity = std::move(network_.velocity);
   if (!network_.places.empty()) scene_.print.places = std::make_shared<const ClothPlaces>(std::move(network_.places));
+  if (!network_.areas.empty() || !network_.shares.empty())
+    scene_.sheet = std::make_shared<const SheetShares>(SheetShares{std::move(network_.areas), std::move(network_.shares)});
   lay_out_print(scene_);
   if (const auto warning = warn_of_step(scene_.system, scene_.settings)) fields_.warn(*warning);
   return {std::move(scene_), fields_.warnings(name_)};
@@ -170,6 +178,8 @@ void SceneReader::read_point(const JsonField& field) {
       point.color = fields_.color(member);
     else if (member.is("uv"))
       read_cloth_place(member);
+    else if (member.is("area"))
+      set_at(network_.areas, network_.points.size(), member.number(not_negative));
     else
       fields_.keep_unknown(member, scene_.kept.unknown_of_points[point.id]);
   }
@@ -196,6 +206,8 @@ void SceneReader::read_spring(const JsonField& field) {
       spring.damping = member.number(not_negative);
     else if (member.is("family"))
       spring.family = read_family(member);
+    else if (member.is("share"))
+      set_at(network_.shares, network_.springs.size(), member.number(not_negative));
     else if (member.is("rest_length"))
       spring.rest_length = member.number(not_negative);
     else if (member.is("break_strain"))

@@ -138,6 +138,15 @@ bool read_force_number(const JsonField& member, Force& force) {
   return false;
 }
 
+std::size_t read_choice(const Parameter& row, const JsonField& field) {
+  std::string ids;
+  for (std::size_t i = 0; i < row.choices.size(); ++i) {
+    if (field.text() == row.choices[i].id) return i;
+    ids += (ids.empty() ? "\"" : ", \"") + std::string(row.choices[i].id) + "\"";
+  }
+  field.refuse("must be one of " + ids);
+}
+
 std::string ids_of_integrators() {
   std::string ids;
   for (const Integrator& integrator : integrators()) ids += (ids.empty() ? "" : ", ") + std::string(integrator.id);
@@ -156,6 +165,9 @@ bool read_parameter(const JsonField& field, Scene& scene) {
         break;
       case Parameter::Kind::Whole:
         row.write(scene, static_cast<double>(field.whole(least, most)));
+        break;
+      case Parameter::Kind::Choice:
+        row.write(scene, static_cast<double>(read_choice(row, field)));
         break;
       case Parameter::Kind::Number:
         row.write(scene, field.number(row.physical));

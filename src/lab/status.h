@@ -18,6 +18,7 @@ struct Status {
   ViewSettings view;
   Print print;
   Defaults defaults;
+  std::shared_ptr<const SheetShares> sheet;  // null: there is no cloth
   ControlRanges controls;
   std::vector<double> parameter_values;  // one a row of parameters(); NaN: the row does not apply
   bool running = false;

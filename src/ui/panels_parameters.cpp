@@ -35,27 +35,6 @@ Meant springs_of(const Desk& desk) {
   return meant;
 }
 
-struct Common {
-  double value;
-  bool mixed;
-};
-Common common_value(const std::vector<const Spring*>& springs, double Spring::*property, double none) {
-  if (springs.empty()) return {none, false};
-  double sum = 0.0;
-  bool mixed = false;
-  for (const Spring* spring : springs) {
-    sum += spring->*property;
-    mixed = mixed || spring->*property != springs.front()->*property;
-  }
-  return {mixed ? sum / static_cast<double>(springs.size()) : springs.front()->*property, mixed};
-}
-
-SetSpringProperty set_all(const std::vector<const Spring*>& springs, SpringProperty property, double value) {
-  SetSpringProperty set{property, {}};
-  for (const Spring* spring : springs) set.values.emplace_back(spring->id, value);
-  return set;
-}
-
 NumberField field_of(const Parameter& row, const ControlRanges& controls, double value) {
   NumberField field{.label = row.label,
                     .unit = row.unit,
@@ -77,19 +56,26 @@ NumberField field_of(const Parameter& row, const ControlRanges& controls, double
   return field;
 }
 
-// k or d of the springs meant; without any, the value that the table says.
-void spring_row(const Parameter& row, double value_without, const Meant& all_meant, const Desk& desk, Panels& panels, Requests& requests) {
-  Meant meant = all_meant;
-  if (row.family) std::erase_if(meant.springs, [&](const Spring* spring) { return spring->family != *row.family; });
+// What the row says of the springs meant; without any, the value that the table says.
+void spring_row(const Parameter& row, double value_without, const Meant& meant, const Desk& desk, Panels& panels, Requests& requests) {
   const bool stiffness = row.scope == Parameter::Scope::SpringStiffness;
-  const Common common = common_value(meant.springs, stiffness ? &Spring::stiffness : &Spring::damping, value_without);
-  NumberField field = field_of(row, desk.status.controls, common.value);
-  field.mixed = common.mixed;
-  field.enabled = !meant.springs.empty();
-  if (const auto value = number_row(field, panels))
-    edit(meant.all ? Command(SetParameter{&row, *value})
-                   : Command(set_all(meant.springs, stiffness ? SpringProperty::Stiffness : SpringProperty::Damping, *value)),
-         panels, requests);
+  CommonValue common;
+  std::vector<std::pair<const Spring*, double>> weights;
+  for (const Spring* spring : meant.springs) {
+    const double weight = weight_of(row, desk.status.sheet.get(), *spring);
+    if (!(weight > 0.0)) continue;
+    weights.emplace_back(spring, weight);
+    common.include((stiffness ? spring->stiffness : spring->damping) / weight);
+  }
+  NumberField field = field_of(row, desk.status.controls, common.value_or(value_without));
+  field.mixed = common.is_mixed();
+  field.enabled = !weights.empty();
+  const auto value = number_row(field, panels);
+  if (!value) return;
+  if (meant.all) return edit(SetParameter{&row, *value}, panels, requests);
+  SetSpringProperty set{stiffness ? SpringProperty::Stiffness : SpringProperty::Damping, {}};
+  for (const auto& [spring, weight] : weights) set.values.emplace_back(spring->id, weight * *value);
+  edit(std::move(set), panels, requests);
 }
 
 void switch_row(const Parameter& row, double value, Panels& panels, Requests& requests) {
@@ -97,6 +83,22 @@ void switch_row(const Parameter& row, double value, Panels& panels, Requests& re
   bool on = value != 0.0;
   if (ImGui::Checkbox("##switch", &on)) edit(SetParameter{&row, on ? 1.0 : 0.0}, panels, requests);
   tooltip(std::string(row.meaning));
+}
+
+void choice_row(const Parameter& row, double value, Panels& panels, Requests& requests) {
+  const auto now = static_cast<std::size_t>(value);
+  begin_row(std::string(row.label));
+  ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::BeginCombo("##choice", row.choices[now].label.data())) {
+    for (std::size_t i = 0; i < row.choices.size(); ++i) {
+      const bool chosen = ImGui::Selectable(row.choices[i].label.data(), i == now);
+      tooltip(std::string(row.choices[i].meaning));
+      if (chosen && i != now) edit(SetParameter{&row, static_cast<double>(i)}, panels, requests);
+    }
+    ImGui::EndCombo();
+  } else {
+    tooltip(std::string(row.choices[now].meaning));
+  }
 }
 
 void method_row(const Desk& desk, Panels& panels, Requests& requests) {
@@ -153,6 +155,8 @@ void parameter_row(const Parameter& row, double value, const Meant& meant, const
     spring_row(row, value, meant, desk, panels, requests);
   } else if (row.kind == Parameter::Kind::Switch) {
     switch_row(row, value, panels, requests);
+  } else if (row.kind == Parameter::Kind::Choice) {
+    choice_row(row, value, panels, requests);
   } else {
     NumberField field = field_of(row, desk.status.controls, value);
     if (row.scope == Parameter::Scope::Colliders) {
