@@ -1,9 +1,6 @@
 #include "cli/bench.h"
 
-#include <signal.h>
-
 #include <algorithm>
-#include <atomic>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +10,7 @@
 #include "cli/bench_progress.h"
 #include "cli/bench_report.h"
 #include "cli/gnuplot.h"
+#include "cli/interrupt.h"
 #include "cli/methods_page.h"
 #include "cli/run_report.h"
 #include "lab/atomic_write.h"
@@ -37,18 +35,6 @@ struct BenchOptions {
 // A quick benchmark ends within a minute on any machine: coarser, and cut short if need be.
 constexpr Effort quick_effort{.repeats = 3, .run_seconds = 0.04, .reference_seconds = 0.5, .finest_error = 1e-10};
 constexpr std::chrono::seconds quick_limit{50};
-
-constexpr int exit_interrupted = 130;  // as a shell reports Ctrl+C
-std::atomic<bool> interrupted = false;
-
-// Ctrl+C asks to stop; a second one ends the program as it stands.
-void catch_interrupts() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { interrupted = true; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-}
 
 std::string machine() {
   std::ifstream info("/proc/cpuinfo");
@@ -149,7 +135,7 @@ class Bench {
 
     if (!options_.quiet)
       for (const ProblemRecord& record : results_.problems) std::cout << report(record);
-    if (interrupted) {
+    if (was_interrupted()) {
       std::cerr << "Stopped: what is done is kept, and the same command goes on from there.\n";
       return exit_interrupted;
     }
@@ -159,7 +145,7 @@ class Bench {
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool may_go_on() const { return !interrupted && !(options_.quick && Clock::now() - start_ > quick_limit); }
+  bool may_go_on() const { return !was_interrupted() && !(options_.quick && Clock::now() - start_ > quick_limit); }
 
   // Rows made under the same conditions are not made again.
   void take_over_earlier_results() {
