@@ -69,8 +69,8 @@ const Integrator* find_integrator(std::string_view id);
 Amplification amplification_from(std::complex<double> (*r)(std::complex<double>), const Oscillator& oscillator);
 
 // Largest step [s] at which no mode within the spectrum grows: 0 when every step lets one grow (undamped explicit
-// Euler), infinity when none does,
-// or the method adapts its step.
+// Euler), infinity when none does, or the method adapts its step. Where there is something to touch, no method's is infinite:
+// a contact stops a point after the step, and springs too fast for the step make energy of the way that their ends went on.
 double largest_stable_step(const Integrator& integrator, const Spectrum& spectrum);
 
 }  // namespace hooke

@@ -202,6 +202,7 @@ Spectrum bound_spectrum(const System& system) {
   }
   spectrum.omega = std::sqrt(spectrum.omega);
   spectrum.drag_rate = system.drag_rate();
+  spectrum.contact = std::any_of(system.colliders.begin(), system.colliders.end(), [](const Collider& collider) { return collider.solid; });
   spectrum.least_dashpot_ratio = std::isfinite(least_ratio) ? least_ratio : 0.0;
   return spectrum;
 }

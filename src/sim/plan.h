@@ -53,6 +53,7 @@ struct Spectrum {
   double dashpot_rate = 0.0;    // [1/s], highest rate of the dashpots
   double drag_rate = 0.0;       // [1/s]
   double least_dashpot_ratio = 0.0;  // [s], least damping / stiffness over the springs
+  bool contact = false;          // whether there is anything solid to touch
 };
 
 struct Plan {
