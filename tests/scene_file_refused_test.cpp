@@ -140,6 +140,7 @@ TEST(BadScenes, WhatIsNotPhysicalIsRefused) {
   expect_refused({
       {point_with(R"("mass": 0)"), "points[0].mass: 0: must be more than 0"},
       {point_with(R"("mass": -1)"), "points[0].mass: -1: must be more than 0"},
+      {point_with(R"("mass": 1e-310)"), "points[0].mass: 1e-310: must be more than 0"},
       {point_with(R"("radius": -0.1)"), "points[0].radius: -0.1: must be at least 0"},
       {spring_with(R"("stiffness": -5)"), "springs[0].stiffness: -5: must be at least 0"},
       {spring_with(R"("stiffness": 1, "damping": -1e-9)"), "springs[0].damping: -1e-09: must be at least 0"},
@@ -266,8 +267,8 @@ TEST(BadScenes, GeneratorsAreCheckedBeforeTheyMakeAnything) {
        "generators[0].points: [2000, 2000]: 23980002 springs: must be at most 20000000"},
       {cloth_with(R"("stiffness": 1, "points": [5000000, 5000000])"),
        "generators[0].points: [5000000, 5000000]: 25000000000000 points: must be at most 5000000"},
-      {cloth_with(R"("stiffness": 1, "points": [2, 2], "density": 5e-324)"),
-       "generators[0]: mass of a point: 0: must be more than 0 and a number"},
+      {cloth_with(R"("stiffness": 1, "points": [2, 2], "density": 3e-308)"),
+       "generators[0]: mass of a point: 7.5e-309: must be more than 0 and a number"},
       {rope_with(R"("stiffness": 1e308, "mass_model": "tributary", "points": 100)"),
        "generators[0]: stiffness of a spring: inf: must be a number below 1.8e308"},
       {R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [2, 0, 0], "points": [2, 2], "stiffness": 1}]})",

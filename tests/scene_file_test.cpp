@@ -377,7 +377,7 @@ class RandomScene {
   double not_negative() { return std::abs(hard_number(random_)); }
   double positive() {
     const double value = not_negative();
-    return value > 0.0 ? value : 1.0;
+    return std::isnormal(value) ? value : 1.0;
   }
   Vec3 anywhere() { return {hard_number(random_), hard_number(random_), hard_number(random_)}; }
   Vec3 place() {

@@ -10,8 +10,12 @@ struct Bounds {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   bool least_excluded = false;
-  bool hold(double value) const { return (least_excluded ? value > least : value >= least) && value <= most; }
+  bool hold(double value) const { return (least_excluded ? exceeds_least(value) : value >= least) && value <= most; }
   std::string text() const;  // "must be at least 0"
+
+ private:
+  // Denormal numbers count as zero: one over them is no number.
+  bool exceeds_least(double value) const { return value > least && !(least == 0.0 && value < std::numeric_limits<double>::min()); }
 };
 
 inline constexpr Bounds any_number{};

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <vector>
 
 #include "lab/diagnosis.h"
@@ -276,7 +277,7 @@ void SceneReader::check_generated(std::size_t generator, std::size_t first_point
   const std::string field = "generators[" + std::to_string(generator) + "]";
   for (std::size_t i = first_point; i < network_.points.size(); ++i) {
     const double mass = network_.points[i].mass, radius = network_.points[i].radius;
-    if (!(mass > 0.0) || !std::isfinite(mass)) refuse(field, "mass of a point: " + shortest(mass) + ": must be more than 0 and a number");
+    if (!(mass >= std::numeric_limits<double>::min()) || !std::isfinite(mass)) refuse(field, "mass of a point: " + shortest(mass) + ": must be more than 0 and a number");
     if (!is_finite(network_.position[i]) || !std::isfinite(radius)) refuse(field, "position of a point: must be a number below 1.8e308");
   }
   for (std::size_t s = first_spring; s < network_.springs.size(); ++s) {
