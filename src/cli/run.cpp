@@ -13,6 +13,7 @@
 #include "lab/lab.h"
 #include "lab/point_cache.h"
 #include "lab/printable.h"
+#include "lab/run_books.h"
 #include "lab/text_lines.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"
@@ -113,6 +114,7 @@ int run(const RunOptions& options) {
   if (options.pc2) pc2.emplace(*options.pc2, scene.system.point_count());
 
   RunTotals totals;
+  RunBooks books(scene.system, scene.state, 0);
   SampleClock samples(options.sample, scene.settings.frame_rate, frames);
   {
     Progress progress(frames, !options.scene->quiet);
@@ -137,6 +139,7 @@ int run(const RunOptions& options) {
         if (csv && !is_sampled) csv->add_sample(scene.system, scene.state, points);
         break;
       }
+      books.end_frame(scene.system, scene.state, lab.last_frame().motion());
       progress.show(frame + 1);
     }
   }
@@ -147,6 +150,8 @@ int run(const RunOptions& options) {
   if (csv) csv->finish();
   if (pc2) pc2->close();
   if (!options.json && !options.csv && !options.scene->quiet) print_summary(options, scene, totals);
+  if (!options.scene->quiet)
+    for (const std::string& doubt : books.doubts(scene.system, {})) std::cerr << "warning: " << doubt << "\n";
   if (!totals.diverged) return exit_code::fine;
   lab.publish();
   std::cerr << lab.status()->message << "\n";

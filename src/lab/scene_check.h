@@ -11,7 +11,7 @@ enum class SceneEnd { Finite, StopsOpenly };
 
 struct SceneCheck {
   bool passed = false;
-  std::string measured;  // one line: what became of it
+  std::string measured;  // one line: what became of it, and what speaks against it
 };
 
 // Steps the scene under its own method: `seconds` [s] through to the end, every state finite; or, for one that is there to
