@@ -1,9 +1,11 @@
 #include "cli/check.h"
 
 #include <algorithm>
+#include <ctime>
 #include <iostream>
 #include <thread>
 
+#include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
 #include "lab/hard_cases/case_report.h"
@@ -25,11 +27,11 @@ struct CheckOptions {
 
 std::vector<const HardCase*> chosen_cases(const CheckOptions& options) {
   std::vector<const HardCase*> chosen;
-  for (const HardCase& row : hard_cases()) {
-    const bool named = options.cases.empty() || std::ranges::find(options.cases, row.number) != options.cases.end();
-    if (named && (row.quick || !options.quick)) chosen.push_back(&row);
-  }
-  if (chosen.empty()) throw UsageError("--cases: no such case");
+  for (const HardCase& row : hard_cases())
+    if (options.cases.empty() || std::ranges::find(options.cases, row.number) != options.cases.end()) chosen.push_back(&row);
+  for (const int number : options.cases)
+    if (std::ranges::none_of(chosen, [&](const HardCase* row) { return row->number == number; }))
+      throw UsageError("--cases: " + std::to_string(number) + ": no such case");
   return chosen;
 }
 
@@ -49,23 +51,53 @@ void write(const std::optional<std::string>& file, const std::string& text) {
   output.close();
 }
 
+std::string today() {
+  const std::time_t time = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&time, &utc);
+  char text[16];
+  std::strftime(text, sizeof text, "%Y-%m-%d", &utc);
+  return text;
+}
+
+// As it would be typed to get the same document.
+std::string command_of(const CheckOptions& options) {
+  const auto list = [](const char* option, const auto& items, const auto& word) {
+    std::string words;
+    for (const auto& item : items) words += (words.empty() ? option : ",") + word(item);
+    return words;
+  };
+  std::string command = "hooke check --hard";
+  if (options.quick) command += " --quick";
+  if (options.strict) command += " --strict";
+  command += list(" --cases ", options.cases, [](int number) { return std::to_string(number); });
+  command += list(" --methods ", options.methods, [](const std::string& id) { return id; });
+  return command + " --markdown " + printable(options.markdown.value_or("-"), 200);
+}
+
 int check_hard_cases(const CheckOptions& options) {
   const auto cases = chosen_cases(options);
   const auto methods = chosen_methods(options);
-  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  std::vector<CaseResult> results = list_cases(cases, methods, options.quick);
+  if (results.empty()) throw UsageError("--quick leaves none of these cases");
 
-  std::vector<CaseResult> results;
+  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  catch_interrupts();
   {
-    const int at_most = static_cast<int>(cases.size() * methods.size());
-    Progress progress(at_most, !options.quiet);
-    results = run_cases(cases, methods, std::min(threads, at_most), [&](long done, long) { progress.show(done); });
+    Progress progress(static_cast<long>(results.size()), !options.quiet);
+    run_cases(results, threads, [&](long done, long) {
+      if (done > 0) progress.show(done);
+      return !was_interrupted();
+    });
   }
   if (options.strict)
     for (CaseResult& result : results) result.verdict.expected = Expectation::Hold;
 
+  if (was_interrupted()) std::cerr << "Stopped: this is what is known.\n";
   write(options.json, format_json(results));
-  write(options.markdown, format_markdown(results));
+  if (options.markdown && !was_interrupted()) write(options.markdown, format_markdown(results, command_of(options), today()));
   if (!options.json && !options.markdown && !options.quiet) std::cout << format_table(results);
+  if (was_interrupted()) return exit_interrupted;
   return count_broken(results) == 0 ? exit_code::fine : exit_code::check_failed;
 }
 
@@ -99,7 +131,7 @@ std::function<int()> declare_check(CLI::App& app) {
   auto options = std::make_shared<CheckOptions>();
   app.add_option("SCENE", options->scenes, "Scenes, by file or by the id of one that ships; none: all that ship")->type_name("");
   app.add_flag("--hard", options->hard, "The hard cases instead, for every method");
-  app.add_flag("--quick", options->quick, "Only those of some seconds");
+  app.add_flag("--quick", options->quick, "Only what is cheap: some ten seconds in all");
   app.add_flag("--strict", options->strict, "A failure counts, even if it was reported and no more was promised");
   app.add_option("--cases", options->cases, "Only these, by number")->type_name("1,20")->delimiter(',');
   app.add_option("--methods", options->methods, "Only these, by id")->type_name("a,b")->delimiter(',');

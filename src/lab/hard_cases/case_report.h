@@ -7,12 +7,19 @@
 
 namespace hooke {
 
-// A line a case with a mark for each method, what broke in full, and the count; lines end in a newline.
+// Of a terminal.
+inline constexpr std::size_t table_width = 100;
+
+// A line a case with a mark for each method, what broke in full, and the count; of a few results all in full. Lines end in a
+// newline and hold table_width characters at most.
 std::string format_table(std::span<const CaseResult> results);
 
+// {"cases": [{"number", "name", "parameters", "criterion", "remark", "results": [{"method", "outcome", "expected", "broken",
+// "measured", "reason", "cpu_seconds"}]}], "broken", "unfinished"}: what is not finished is not in the list. A case with a
+// table of its own has "columns", its results have "rows".
 std::string format_json(std::span<const CaseResult> results);
 
-// docs/stability.md. Without times, so that it comes out the same on every machine.
-std::string format_markdown(std::span<const CaseResult> results);
+// docs/stability.md. Without times, so that it comes out the same on every machine. `command` and `date` say what made it.
+std::string format_markdown(std::span<const CaseResult> results, std::string_view command, std::string_view date);
 
 }  // namespace hooke

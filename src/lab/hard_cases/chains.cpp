@@ -59,11 +59,10 @@ Verdict judge_mass_ratio(const Integrator& method) {
   constexpr ChainShape shape{.links = 200, .length = 1.0, .link_mass = 1e-3, .end_mass = 1e3, .stretch = 0.05};
   Draft draft = make_hanging_chain(shape, false, 0.0);
   draft.system.drag = 4.0;
-  WatchedRun run(draft, settings_for(method, draft.system, stepping));
+  WatchedRun run(draft, settings_for(method, draft.system, stepping), {.position = 0.01 * shape.extension()});
   run.run(5.0);
   const double error = extension_of(run, shape) / shape.extension() - 1.0;
-  return judge(run, std::abs(error) < 0.01, text("stretch %+.1g off, %d substeps", error, run.settings().substeps),
-               {.position = 0.01 * shape.extension()});
+  return judge(run, std::abs(error) < 0.01, text("stretch %+.1g off, %d substeps", error, run.settings().substeps));
 }
 
 namespace {
@@ -74,10 +73,10 @@ constexpr ChainShape long_chain{.links = 1000, .length = 1.0, .link_mass = 1e-4,
 Verdict settle(const Integrator& method) {
   Draft dropped = make_hanging_chain(long_chain, false, 0.0);
   dropped.system.drag = 25.0;
-  WatchedRun run(dropped, settings_for(method, dropped.system, stepping));
+  WatchedRun run(dropped, settings_for(method, dropped.system, stepping), {.position = 1e-3 * long_chain.extension()});
   run.run(1.5);
   const double error = extension_of(run, long_chain) / long_chain.extension() - 1.0;
-  return judge(run, std::abs(error) < 1e-3, text("elongation %+.1g off", error), {.position = 1e-3 * long_chain.extension()});
+  return judge(run, std::abs(error) < 1e-3, text("elongation %+.1g off", error));
 }
 
 // Let go at an angle, it swings as a rigid rod with a weight, but for terms of (rod / weight)^2 = 0.01:
@@ -88,7 +87,7 @@ Verdict swing(const Integrator& method) {
   const double omega = std::sqrt(g / length * (long_chain.end_mass + rod / 2.0) / (long_chain.end_mass + rod / 3.0));
 
   const Draft tilted = make_hanging_chain(long_chain, true, angle);
-  WatchedRun run(tilted, settings_for(method, tilted.system, stepping));
+  WatchedRun run(tilted, settings_for(method, tilted.system, stepping), {.position = 0.01 * angle});
   double before = tilted.state.position.back().x, now = before;
   while (now > 0.0 && run.state().time < 1.0 && run.frame()) {
     before = now;
@@ -96,7 +95,7 @@ Verdict swing(const Integrator& method) {
   }
   const double quarter = run.state().time - now / (now - before) / 60.0;  // [s], to the vertical
   const double error = quarter * omega / (std::numbers::pi / 2.0) - 1.0;
-  return judge(run, std::abs(error) < 0.01, text("period %+.1g off, %d substeps", error, run.settings().substeps), {.position = 0.01 * angle});
+  return judge(run, std::abs(error) < 0.01, text("period %+.1g off, %d substeps", error, run.settings().substeps));
 }
 
 }  // namespace
@@ -127,12 +126,12 @@ Verdict relax(const Integrator& method, Draft draft, const char* name) {
   draft.system.drag = 1.0;
 
   // well within the limit, or the fastest modes do not die out in explicit Euler
-  WatchedRun run(draft, settings_for(method, draft.system, {.share = 0.5}));
+  WatchedRun run(draft, settings_for(method, draft.system, {.share = 0.25}), {.position = 1e-8});
   run.run(60.0);
   const double residual = largest_residual(run.system(), run.state()) / run.system().springs()[0].stiffness;
   double off = 0.0;
   for (const Spring& spring : run.system().springs()) off = std::max(off, std::abs(strain(run.system(), run.state(), spring) - 2.0));
-  return judge(run, residual < 1e-8 && off < 1e-8, std::string(name) + text(": residual %.1g k l0, strain %.1g off", residual, off), {.position = 1e-8});
+  return judge(run, residual < 1e-8 && off < 1e-8, std::string(name) + text(": residual %.1g k l0, strain %.1g off", residual, off));
 }
 
 }  // namespace

@@ -24,13 +24,15 @@ Verdict judge_cloth_on_ball(const Integrator& method) {
   sheet.system.colliders.push_back({.shape = Sphere{center, radius}, .restitution = 0.0, .friction = 0.5});
   sheet.system.colliders.push_back({.shape = Plane{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, .restitution = 0.0, .friction = 0.5});
 
-  WatchedRun run(sheet, settings_for(method, sheet.system, {.free = 4}));
+  WatchedRun run(sheet, settings_for(method, sheet.system, {.free = 4}), {.energy = 1e-3});
+  // the default method for as long as was asked for, the others through the impact and the slide to rest
+  const double seconds = &method == &default_integrator() ? 20.0 : 3.0;
   double deepest = 0.0;
-  const double seconds = takes_any_step(method) ? 20.0 : 1.5;
   while (run.state().time < seconds && run.frame())
     for (const Vec3& x : run.state().position) deepest = std::max({deepest, radius - glm::distance(x, center), -x.y});
-  return judge(run, deepest < 1e-3 && run.energy_rise() < 1e-3,
-               text("penetration %.1g m, energy rises %.1g, %.3g s, %d substeps", deepest, run.energy_rise(), run.state().time, run.settings().substeps));
+  const double rise = run.books().energy_rise();
+  return judge(run, deepest < 1e-3 && rise < 1e-3,
+               text("penetration %.1g m, energy rises %.1g, %.3g s, %d substeps", deepest, rise, run.state().time, run.settings().substeps));
 }
 
 // 100 m/s on a slab of 0.1 m, e = 0.5; a step of a 60th covers 1.7 m.
@@ -60,14 +62,16 @@ Verdict judge_endless_bounces(const Integrator& method) {
     Draft draft;
     draft.add({0.0, height, 0.0});
     draft.system.colliders.push_back({.shape = Plane{}, .restitution = e, .friction = 0.0});
-    WatchedRun run(draft, {.integrator = &method, .substeps = substeps});
+    WatchedRun run(draft, {.integrator = &method, .substeps = substeps}, {.position = 1e-3});
     double rested = 0.0, jitter = 0.0;
     while (run.state().time < rest + 2.0 && run.frame()) {
       const double up = std::abs(run.state().position[0].y) + std::abs(run.state().velocity[0].y) / 60.0;
       if (up > 1e-6) rested = run.state().time + 1.0 / 60.0;
       if (run.state().time > rest + 1.0 / 60.0) jitter = std::max(jitter, up);
     }
-    parts.push_back(judge(run, std::abs(rested - rest) <= 1.0 / 60.0 + 1e-9 && jitter <= 1e-6,
+    // half a step too early or too late at every bounce add up in methods of first order
+    const Expectation expected = method.order_contact == 1 ? Expectation::HoldOrReport : Expectation::Hold;
+    parts.push_back(judge(run, expected, std::abs(rested - rest) <= 1.0 / 60.0 + 1e-9 && jitter <= 1e-6,
                           text("%d substeps: rests %+.3f s off, then %.1g m", substeps, rested - rest, jitter)));
   }
   return worst_of(parts);

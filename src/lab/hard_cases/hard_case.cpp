@@ -46,4 +46,11 @@ std::string_view describe(Expectation expectation) {
   return {};
 }
 
+bool is_quick(const HardCase& hard_case, const Integrator& method) {
+  if (hard_case.not_quick == "*") return false;
+  // ids are words with spaces between
+  const std::string words = " " + std::string(hard_case.not_quick) + " ";
+  return words.find(" " + std::string(method.id) + " ") == std::string::npos;
+}
+
 }  // namespace hooke

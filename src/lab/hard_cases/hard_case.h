@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/integrator.h"
 
@@ -25,6 +26,7 @@ struct Verdict {
   Expectation expected = Expectation::Hold;
   std::string measured;  // the figures that the criterion is about
   std::string reason;    // how a failure was reported, or why it is out of scope
+  std::vector<std::vector<std::string>> rows;  // of the case's own table, if it has one: a row a step
 };
 
 bool is_broken(const Verdict& verdict);
@@ -43,11 +45,15 @@ struct HardCase {
   std::string_view name;
   std::string_view parameters;
   std::string_view criterion;
-  Concerns concerns;
-  bool quick;                   // in the subset of a few seconds
-  std::string_view not_built;   // what of the case needs something that does not exist yet, and is not checked; empty: nothing
+  std::string_view remark;     // what may be looser than it sounds, for whom and why, and what is not checked; may be empty
+  Concerns concerns = Concerns::EveryMethod;
+  std::string_view not_quick;  // ids of the methods that it costs seconds: left out of the quick subset; "*": all
+  std::string_view columns;    // of its own table, with bars between; empty: it has none
   Verdict (*judge)(const Integrator& method);  // runs it; the default method where no method is concerned
 };
+
+// Whether the quick subset has it.
+bool is_quick(const HardCase& hard_case, const Integrator& method);
 
 // In the order of their numbers, 1 to 27.
 std::span<const HardCase> hard_cases();

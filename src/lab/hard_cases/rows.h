@@ -22,8 +22,10 @@ Verdict judge_coincident_points(const Integrator& method);
 Verdict judge_nothing_to_move(const Integrator& method);
 Verdict judge_springs_on_one_point(const Integrator& method);
 
-// hand.cpp
+// fast_drag.cpp
 Verdict judge_fast_drag(const Integrator& method);
+
+// hand.cpp
 Verdict judge_resonance(const Integrator& method);
 Verdict judge_slider_jumps(const Integrator& method);
 

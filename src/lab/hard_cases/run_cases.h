@@ -11,14 +11,17 @@ namespace hooke {
 struct CaseResult {
   const HardCase* hard_case = nullptr;
   const Integrator* method = nullptr;  // null where no method is concerned
+  bool finished = false;
   Verdict verdict;
   double cpu_seconds = 0.0;
 };
 
-// Every case with every method that it concerns, in this order whatever the threads. A case that throws failed in
-// silence. `on_done` is told how many of how many are done, from the calling thread.
-std::vector<CaseResult> run_cases(std::span<const HardCase* const> cases, std::span<const Integrator* const> methods, int threads,
-                                  const std::function<void(long done, long all)>& on_done);
+// Every case with every method that it concerns, yet to be run; in the quick subset only what is quick.
+std::vector<CaseResult> list_cases(std::span<const HardCase* const> cases, std::span<const Integrator* const> methods, bool quick);
+
+// Runs them. The verdicts do not depend on the threads; a case that throws failed in silence. `may_go_on` is told how many
+// of how many are done, from the calling thread; when it says no, what is not finished stays so.
+void run_cases(std::span<CaseResult> results, int threads, const std::function<bool(long done, long all)>& may_go_on);
 
 int count_broken(std::span<const CaseResult> results);
 

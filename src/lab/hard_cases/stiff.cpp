@@ -8,6 +8,7 @@
 #include "lab/hard_cases/rows.h"
 #include "lab/hard_cases/watched_run.h"
 #include "lab/scene_nets.h"
+#include "sim/newton.h"
 
 namespace hooke {
 namespace {
@@ -15,7 +16,8 @@ namespace {
 constexpr double frame = 1.0 / 60.0;  // [s]
 constexpr double round_off = 1e-9;    // of the sums that energies are
 
-bool adapts(const Integrator& method) { return method.stability == Stability::Adaptive; }
+// Of first order, and its energy falls: then it never rises, however the springs turn.
+bool only_falls(const Integrator& method) { return method.order == 1 && method.energy == EnergyTrend::Falls && method.stability == Stability::Stiff; }
 
 // 12 x 12 points, 1 m, 1 kg, all springs of the stiffness k that k dt^2 / m asks for; no gravity.
 Draft make_stiff_sheet(double k_dt2_per_m) {
@@ -35,54 +37,102 @@ Draft make_stiff_sheet(double k_dt2_per_m) {
 }  // namespace
 
 Verdict judge_stiff_spring(const Integrator& method) {
-  constexpr double k = 3.6e11, rest_length = 1.0;
+  constexpr double k = 3.6e11, rest_length = 1.0, eq = rest_length + 9.81 / k;
   Draft draft;
   const PointId point = draft.add({0.0, -1.1 * rest_length, 0.0});
   draft.join(draft.nail(Vec3(0.0)), point, k, rest_length);
-  WatchedRun run(draft, {.integrator = &method, .substeps = 1});
+  WatchedRun run(draft, {.integrator = &method, .substeps = 1}, {.position = 1e-6 * rest_length});
 
-  // who adapts its step would need some 1e7 of them, and shows the same in a tenth of a second
-  run.run(adapts(method) ? 0.1 : 10.0);
-  if (run.stopped() && run.state().time < 1.0) return judge(run, Expectation::Report, false, "");
+  // the true motion, which goes on swinging: in some thousand steps a frame
+  if (adapts(method)) {
+    run.run(frame);
+    if (run.stopped()) return judge(run, false, "");
+    return {.outcome = Outcome::OutOfScope, .reason = "follows the swing itself, which nothing damps, in thousands of steps a frame"};
+  }
 
-  // the spring is undamped: only a method for stiff scenes takes its motion out
-  const double off = std::abs(-run.state().position[0].y - (rest_length + 9.81 / k)) / rest_length;
-  const double allowed = method.stability == Stability::Stiff ? 1e-6 : 0.1 * (1.0 + 1e-6);
-  return judge(run, off <= allowed && run.energy_rise() <= round_off, text("off rest %.1g l0, energy rises %.1g", off, run.energy_rise()));
+  run.run(600 * frame);
+  const bool any_step = takes_any_step(method);
+  if (!any_step) return judge(run, Expectation::Report, !run.stopped() || run.state().time >= 59.5 * frame, "not stopped within 60 frames");
+
+  const double off = std::abs(-run.state().position[0].y - eq) / rest_length;
+  // what damps nothing keeps swinging
+  const Expectation expected = method.stability == Stability::Absolute ? Expectation::HoldOrReport : Expectation::Hold;
+  return judge(run, expected, off <= 1e-6 && run.books().energy_rise() <= round_off,
+               text("off rest %.1g l0, energy rises %.1g", off, run.books().energy_rise()));
 }
 
 namespace {
 
 // A sheet with every point out of place by up to 5 cm in each direction.
-WatchedRun run_crumpled(const Integrator& method, double k_dt2_per_m, int seed, double seconds) {
+Draft make_crumpled_sheet(double k_dt2_per_m, int seed) {
   Draft sheet = make_stiff_sheet(k_dt2_per_m);
   Dice dice(seed);
   for (Vec3& x : sheet.state.position) x += dice.vector(0.05);
-  WatchedRun run(sheet, {.integrator = &method, .substeps = 1});
+  return sheet;
+}
+
+constexpr int seeds = 10;
+
+WatchedRun run_crumpled(const Integrator& method, double k_dt2_per_m, int seed, double seconds) {
+  WatchedRun run(make_crumpled_sheet(k_dt2_per_m, seed), {.integrator = &method, .substeps = 1});
   run.run(seconds);
   return run;
 }
 
-Verdict crumple(const Integrator& method, double k_dt2_per_m) {
+// Implicit Euler's solve with clamped curvature and line search, given as many iterations as it likes.
+Verdict solve_to_the_end(double k_dt2_per_m) {
+  int converged = 0;
+  for (int seed = 0; seed < seeds; ++seed) {
+    const Draft sheet = make_crumpled_sheet(k_dt2_per_m, seed);
+    const Plan plan = make_plan(sheet.system);
+    Motion motion;
+    pack(plan, sheet.state, motion);
+    NewtonKernel newton(plan);
+    newton.begin_frame(plan, motion);
+    Field V = motion.v;
+    newton.solve(plan, {frame, frame, motion.x, motion.v}, {.tolerance = 1e-10, .iterations = 400, .factorizations = 400}, V, motion);
+    converged += motion.unconverged_solves == 0 ? 1 : 0;
+  }
+  return {.outcome = converged == seeds ? Outcome::Held : Outcome::FailedSilently,
+          .measured = text("%.0e: %d of %d solves converge in the end", k_dt2_per_m, converged, seeds)};
+}
+
+std::vector<Verdict> crumple(const Integrator& method, double k_dt2_per_m) {
   if (adapts(method) && k_dt2_per_m > 1e3)
-    return {.outcome = Outcome::OutOfScope, .reason = "steps as short as these springs ask for would take hours"};
+    return {{.outcome = Outcome::OutOfScope, .reason = "steps as short as these springs ask for would take hours"}};
 
   // a second of it, and the first frames of nine others
-  constexpr int seeds = 10;
-  const WatchedRun run = run_crumpled(method, k_dt2_per_m, 0, 1.0);
-  int converged = run.all_solves_converged() ? 1 : 0;
-  for (int seed = 1; seed < seeds && !run.stopped(); ++seed)
-    converged += run_crumpled(method, k_dt2_per_m, seed, 2.0 * frame).all_solves_converged() ? 1 : 0;
+  const WatchedRun run = run_crumpled(method, k_dt2_per_m, 0, 60 * frame);
+  long unconverged = run.books().unconverged_solves();
+  double rise = run.books().energy_rise();
+  for (int seed = 1; seed < seeds && !run.stopped(); ++seed) {
+    const WatchedRun start = run_crumpled(method, k_dt2_per_m, seed, 2.0 * frame);
+    unconverged += start.books().unconverged_solves();
+    rise = std::max(rise, start.books().energy_rise());
+  }
 
-  const bool rises = method.energy == EnergyTrend::Falls && run.energy_rise() > round_off;
-  return judge(run, converged == seeds && !rises,
-               text("%.0e: energy rises %.1g, %d of %d converge", k_dt2_per_m, run.energy_rise(), converged, seeds), {.position = 0.01});
+  std::vector<Verdict> parts;
+  // where the energy can only fall, it falls whether the solves converge or not: they never end above where they began
+  parts.push_back(judge(run, only_falls(method) ? Expectation::Hold : expectation_of(run), rise <= (only_falls(method) ? round_off : 0.02),
+                        text("%.0e: energy rises %.1g", k_dt2_per_m, rise)));
+  if (!only_falls(method) && unconverged > 0) parts.back().expected = Expectation::HoldOrReport;
+  if (unconverged > 0)
+    parts.push_back({.outcome = Outcome::FailedOpenly,
+                     .expected = Expectation::HoldOrReport,
+                     .measured = text("%ld solves cut short", unconverged),
+                     .reason = text("%ld solves did not converge", unconverged)});
+  return parts;
 }
 
 }  // namespace
 
 Verdict judge_crumpled_sheet(const Integrator& method) {
-  return worst_of(std::array{crumple(method, 4.0), crumple(method, 4e2), crumple(method, 4e4), crumple(method, 4e6)});
+  std::vector<Verdict> parts;
+  for (const double stiffness : {4.0, 4e2, 4e4, 4e6}) {
+    for (Verdict& part : crumple(method, stiffness)) parts.push_back(std::move(part));
+    if (method.id == "implicit_euler") parts.push_back(solve_to_the_end(stiffness));
+  }
+  return worst_of(parts);
 }
 
 namespace {
@@ -101,12 +151,18 @@ Verdict compress(const Integrator& method, double k_dt2_per_m) {
   }
 
   // modes beside the linear ones are fast too: a third of the limit of these
-  WatchedRun run(sheet, settings_for(method, sheet.system, {.share = 0.3}));
+  WatchedRun run(sheet, settings_for(method, sheet.system, {.share = 0.3}), {.energy = 1e-3});
   run.run(1.0);
   double highest = 0.0;
   for (const Vec3& x : run.state().position) highest = std::max(highest, std::abs(x.z));
-  return judge(run, run.energy_rise() <= 1e-3 && highest > 0.05 && run.all_solves_converged(),
-               text("%.0e: buckles by %.2f m, energy rises %.1g", k_dt2_per_m, highest, run.energy_rise()), {.position = 0.01});
+  const double rise = run.books().energy_rise();
+  const bool solves = run.books().unconverged_solves() == 0, never_rises = rise <= (method.id == "implicit_euler" ? round_off : 1e-3);
+
+  // one linear solve goes too far along a direction that nothing holds, and solves that are cut short say so
+  Expectation expected = expectation_of(run);
+  if (method.id == "baraff_witkin" || (!solves && highest > 0.05 && never_rises)) expected = Expectation::HoldOrReport;
+  return judge(run, expected, solves && never_rises && highest > 0.05,
+               text("%.0e: buckles by %.2f m, energy rises %.1g", k_dt2_per_m, highest, rise));
 }
 
 }  // namespace
@@ -116,16 +172,24 @@ Verdict judge_compressed_sheet(const Integrator& method) { return worst_of(std::
 Verdict judge_huge_damping(const Integrator& method) {
   const Start net = make_net(16, 1e4, 1e3);
   const Draft draft{net.system, net.state};
+  constexpr int substeps = 60;  // stable without the dashpots
+  constexpr double seconds = 1.0;
 
   // the exact dashpots of the default method converge as its steps do
-  constexpr int substeps = 60;  // stable without the dashpots
-  WatchedRun reference(draft, {.integrator = &default_integrator(), .substeps = 16 * substeps});
-  WatchedRun run(draft, {.integrator = &method, .substeps = takes_any_step(method) ? 1 : substeps});
-  reference.run(1.0);
-  run.run(1.0);
+  static const State exact = [&] {
+    WatchedRun reference(draft, {.integrator = &default_integrator(), .substeps = 4 * substeps});
+    reference.run(seconds);
+    return reference.state();
+  }();
 
-  const double error = rms_distance(run.state(), reference.state());
-  return judge(run, error <= 1e-4, text("error %.1g m after 1 s", error), {.position = 1e-4});
+  const int few = method.stability == Stability::EachSpring ? 4 : 1;
+  WatchedRun run(draft, {.integrator = &method, .substeps = takes_any_step(method) ? few : substeps}, {.position = 1e-4});
+  run.run(seconds);
+
+  const double error = rms_distance(run.state(), exact);
+  // first order at so few steps is not that exact
+  return judge(run, method.order_damped == 1 ? Expectation::HoldOrReport : expectation_of(run), error <= 1e-4,
+               text("error %.1g m after 1 s", error));
 }
 
 }  // namespace hooke

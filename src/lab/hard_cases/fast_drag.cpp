@@ -1,0 +1,168 @@
+// A mouse that is too fast: it drags the corner of a stiff sheet round a circle and lets go.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <glm/geometric.hpp>
+
+#include "lab/hard_cases/rows.h"
+#include "lab/hard_cases/watched_run.h"
+
+namespace hooke {
+namespace {
+
+constexpr double a = 1.0 / 23.0;                // [m], between points
+constexpr double speed = 50.0, radius = 1.0;    // [m/s], [m], of the hand
+constexpr int held_frames = 30, flight_frames = 90;  // of a 60th
+
+// 24 x 24 points, 1 m, 1 kg, free but for the hand at a corner.
+Draft make_dragged_sheet() {
+  Draft sheet = make_sheet({.rows = 24, .columns = 24, .across = {a, 0.0, 0.0}, .down = {0.0, -a, 0.0}, .mass = 1.0 / 576.0, .stiffness = 1e6});
+  sheet.system.gravity = Vec3(0.0);
+  sheet.system.drag = 2.0;
+  return sheet;
+}
+
+double most_strain(const WatchedRun& run) {
+  double most = 0.0;
+  for (const Spring& spring : run.system().springs()) most = std::max(most, std::abs(strain(run.system(), run.state(), spring)));
+  return most;
+}
+
+// Where a mouse is seen that goes round the circle: at every 60th of a second, and straight ahead between.
+Vec3 hand_at(double time) {
+  const auto seen = [](double frame) {
+    const double angle = speed / radius * frame / 60.0;
+    return radius * Vec3(std::cos(angle) - 1.0, std::sin(angle), 0.0);
+  };
+  const double frame = std::floor(60.0 * time + 1e-9), share = 60.0 * time - frame;
+  return seen(frame) + share * (seen(frame + 1.0) - seen(frame));
+}
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Drag {
+  double peak_strain = 0.0, last_strain = 0.0;  // [1]
+  double gain = 0.0;                            // [1], of energy after the release, of that at the release
+  double ms_per_frame = 0.0;                    // [ms] of CPU a 60th of a second
+};
+
+// Looks at the strains as often as the substeps allow, up to 16 times in a 60th of a second: waves cross the sheet in a
+// millisecond. The watch ends it early.
+Drag drag_corner(WatchedRun& run, int looks) {
+  Drag drag;
+  double busy = 0.0;
+  const auto frame = [&] {
+    const double start = thread_seconds();
+    const bool held = run.frame();
+    busy += thread_seconds() - start;
+    return held;
+  };
+
+  const Vec3 start = run.state().position[0];
+  run.lab().submit(GrabPoint{{.point = run.system().points()[0].id, .kind = GrabKind::Hold, .target = start}});
+  for (int i = 1; i <= looks * held_frames; ++i) {
+    run.lab().submit(MoveHand{start + hand_at(i / (60.0 * looks))});
+    if (!frame()) return drag;
+    drag.peak_strain = std::max(drag.peak_strain, most_strain(run));
+  }
+
+  run.lab().submit(ReleaseHand{});
+  const double released = compute_energy(run.system(), run.state()).total();
+  double lowest = released;
+  for (int i = 0; i < looks * flight_frames && frame(); ++i) {
+    const double energy = compute_energy(run.system(), run.state()).total();
+    drag.gain = std::max(drag.gain, (energy - lowest) / std::abs(released));
+    lowest = std::min(lowest, energy);
+    drag.peak_strain = std::max(drag.peak_strain, most_strain(run));
+  }
+  drag.last_strain = most_strain(run);
+  drag.ms_per_frame = 1e3 * busy / (held_frames + flight_frames);
+  return drag;
+}
+
+// Of `substeps` a 60th: as many frames of their own as there may be looks.
+int looks_of(int substeps) {
+  for (int looks = std::min(16, substeps); looks > 1; --looks)
+    if (substeps % looks == 0) return looks;
+  return 1;
+}
+
+WatchedRun make_run(const Draft& sheet, const Integrator& method, int substeps, const Tolerance& tolerance) {
+  const int looks = looks_of(substeps);
+  return {sheet, {.integrator = &method, .frame_rate = 60.0 * looks, .substeps = substeps / looks}, tolerance};
+}
+
+// A sixteenth more than the fewest stable substeps at most: to be looked at often.
+int stable_substeps(const Integrator& method, const Draft& sheet, double share) {
+  return (settings_for(method, sheet.system, {.share = share}).substeps + 15) / 16 * 16;
+}
+
+// The converged drag: the default method at a quarter of its limit.
+const Drag& converged() {
+  static const Drag drag = [] {
+    const Draft sheet = make_dragged_sheet();
+    WatchedRun run = make_run(sheet, default_integrator(), stable_substeps(default_integrator(), sheet, 0.25), {});
+    return drag_corner(run, 16);
+  }();
+  return drag;
+}
+
+// The same over a slab of 2 cm, far too thin for 0.8 m a frame, that the sheet is swung into: how many points get through.
+int count_through_slab(const Integrator& method, int substeps) {
+  constexpr double top = -1.2 * radius, thickness = 0.02, wide = 1e3;
+  Draft sheet = make_dragged_sheet();
+  for (Vec3& x : sheet.state.position) x.y += 1.0;
+  sheet.system.colliders.push_back({.shape = Box{{-wide, top - thickness, -wide}, {wide, top, wide}}, .restitution = 0.3, .friction = 0.3});
+  WatchedRun run(sheet, {.integrator = &method, .substeps = substeps});
+  drag_corner(run, 1);
+  return static_cast<int>(std::ranges::count_if(run.state().position, [](const Vec3& x) { return x.y < top - 1e-9; }));
+}
+
+std::vector<int> substeps_of(const Integrator& method, const Draft& sheet) {
+  if (method.stability == Stability::EachSpring) return {16, 64, 256, 1024};
+  if (takes_any_step(method)) return {1, 4, 16};
+  if (adapts(method)) return {16};
+  const int fewest = stable_substeps(method, sheet, 1.0);
+  return {fewest, 2 * fewest};
+}
+
+bool is_met(const Drag& drag) {
+  const double peak = converged().peak_strain;
+  return drag.peak_strain <= 2.0 * peak && drag.peak_strain >= 0.5 * peak && drag.gain <= 1e-3;
+}
+
+}  // namespace
+
+Verdict judge_fast_drag(const Integrator& method) {
+  const Draft sheet = make_dragged_sheet();
+  const Drag& exact = converged();
+  Verdict verdict;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<Verdict> parts;
+  for (const int substeps : substeps_of(method, sheet)) {
+    WatchedRun run = make_run(sheet, method, substeps, {.position = 0.5 * exact.peak_strain * a});
+    const Drag drag = drag_corner(run, looks_of(substeps));
+    const std::string said = run.report();
+    rows.push_back({text("%d", substeps), run.stopped() ? "stopped" : text("%.2g", drag.peak_strain), run.stopped() ? "" : text("%.2g", drag.peak_strain / exact.peak_strain),
+                    run.stopped() ? "" : text("%.1g", drag.last_strain), run.stopped() ? "" : text("%.1g", drag.gain),
+                    run.stopped() ? "" : text("%.2g", drag.ms_per_frame), is_met(drag) && !run.stopped() ? "" : said});
+    // one that holds at any step need not be exact at few
+    parts.push_back(judge(run, takes_any_step(method) ? Expectation::HoldOrReport : expectation_of(run), is_met(drag),
+                          text("%d substeps: peak strain %.2g, last %.1g, energy rises %.1g after release", substeps, drag.peak_strain,
+                               drag.last_strain, drag.gain)));
+  }
+
+  // nothing tunnels, at whatever step
+  const int through = count_through_slab(method, takes_any_step(method) ? 1 : substeps_of(method, sheet)[0]);
+  parts.push_back({.outcome = through == 0 ? Outcome::Held : Outcome::FailedSilently, .measured = text("%d points through the slab", through)});
+  verdict = worst_of(parts);
+  verdict.rows = std::move(rows);
+  return verdict;
+}
+
+}  // namespace hooke
