@@ -1,5 +1,6 @@
 #include "lab/generator_fields.h"
 
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <set>
@@ -134,7 +135,7 @@ void check_sheet(const JsonField& field, Cloth& cloth) {
   check_fabric(field, cloth.fabric, true, false);
 }
 
-Generator read_cloth(const JsonField& field, SceneFields& fields) {
+Cloth read_cloth(const JsonField& field, SceneFields& fields) {
   Cloth cloth;
   std::string unknown;
   for (const JsonField member : field.members()) {
@@ -179,7 +180,7 @@ Generator read_cloth(const JsonField& field, SceneFields& fields) {
   return cloth;
 }
 
-Generator read_rope(const JsonField& field, SceneFields& fields) {
+Rope read_rope(const JsonField& field, SceneFields& fields) {
   Rope rope;
   std::string unknown;
   for (const JsonField member : field.members()) {
@@ -202,21 +203,53 @@ Generator read_rope(const JsonField& field, SceneFields& fields) {
   return rope;
 }
 
-std::int64_t count_of(const Cloth& cloth) { return cloth.columns * cloth.rows; }
-std::int64_t count_of(const Rope& rope) { return rope.points; }
+// Counts are few enough that their product is a number of 64 bits.
+constexpr std::int64_t most_along_a_shape = 100'000;
 
-}  // namespace
+double read_shape_number(const JsonField& field, const ShapeNumber& number) {
+  if (number.whole) return static_cast<double>(field.whole(static_cast<std::int64_t>(number.least), most_along_a_shape));
+  return field.number(number.least > 0.0 ? positive : not_negative);
+}
 
-Generator read_generator(const JsonField& field, SceneFields& fields) {
-  if (!has_member(field, "type")) field.refuse_missing("type", "must be \"cloth\" or \"rope\"");
-  Generator generator;
-  for (const JsonField member : field.members())
-    if (member.is("type")) {
-      if (member.text() != "cloth" && member.text() != "rope") member.refuse("must be \"cloth\" or \"rope\"");
-      generator = member.text() == "cloth" ? read_cloth(field, fields) : read_rope(field, fields);
-    }
+std::size_t read_hold(const JsonField& field, const ShapeKind& kind) {
+  std::string words;
+  for (std::size_t i = 0; i < kind.holds.size(); ++i) {
+    if (field.text() == kind.holds[i]) return i;
+    words += (i == 0 ? "" : ", ") + std::string(kind.holds[i]);
+  }
+  field.refuse("must be one of " + words);
+}
 
-  // too many points are refused before nails are looked for among them
+Generator read_shape(const JsonField& field, SceneFields& fields, const ShapeKind& kind) {
+  Shape shape = usual_shape(kind);
+  std::string unknown;
+  for (const JsonField member : field.members()) {
+    const auto number = std::ranges::find_if(kind.numbers, [&](const ShapeNumber& row) { return member.is(row.name); });
+    if (member.is("type")) continue;
+    if (number != kind.numbers.end())
+      shape.values[static_cast<std::size_t>(number - kind.numbers.begin())] = read_shape_number(member, *number);
+    else if (member.is("at"))
+      shape.at = fields.position(member);
+    else if (member.is("turn"))
+      shape.turn = member.number();
+    else if (member.is("tilt"))
+      shape.tilt = member.number();
+    else if (member.is("color"))
+      shape.color = fields.color(member);
+    else if (member.is("held"))
+      shape.held = read_hold(member, kind);
+    else
+      fields.keep_unknown(member, unknown);
+  }
+  const Extent extent = extent_of(shape);
+  if (extent.points > most_points) field.refuse(std::to_string(extent.points) + " points: must be at most " + std::to_string(most_points));
+  if (extent.springs > most_springs)
+    field.refuse(std::to_string(extent.springs) + " springs: must be at most " + std::to_string(most_springs));
+  return shape;
+}
+
+// Too many points are refused before nails are looked for among them.
+void check_extent(const JsonField& field, const Generator& generator) {
   const Extent extent = extent_of(generator);
   for (const JsonField member : field.members()) {
     if (!member.is("points")) continue;
@@ -225,8 +258,41 @@ Generator read_generator(const JsonField& field, SceneFields& fields) {
     if (extent.springs > most_springs)
       member.refuse(std::to_string(extent.springs) + " springs: must be at most " + std::to_string(most_springs));
   }
+}
+
+template <class Fabrics>
+Generator with_nails(const JsonField& field, Fabrics fabrics, std::int64_t points) {
+  check_extent(field, fabrics);
   for (const JsonField member : field.members())
-    if (member.is("nail")) std::visit([&](auto& shape) { read_nails(member, shape, count_of(shape)); }, generator);
+    if (member.is("nail")) read_nails(member, fabrics, points);
+  return fabrics;
+}
+
+std::string types() {
+  std::string list = "must be one of cloth, rope";
+  for (const ShapeKind& kind : shape_kinds()) list += ", " + std::string(kind.id);
+  return list;
+}
+
+}  // namespace
+
+Generator read_generator(const JsonField& field, SceneFields& fields) {
+  if (!has_member(field, "type")) field.refuse_missing("type", types());
+  Generator generator;
+  for (const JsonField member : field.members()) {
+    if (!member.is("type")) continue;
+    if (member.text() == "cloth") {
+      const Cloth cloth = read_cloth(field, fields);
+      generator = with_nails(field, cloth, cloth.columns * cloth.rows);
+    } else if (member.text() == "rope") {
+      const Rope rope = read_rope(field, fields);
+      generator = with_nails(field, rope, rope.points);
+    } else if (const ShapeKind* kind = find_shape_kind(member.text())) {
+      generator = read_shape(field, fields, *kind);
+    } else {
+      member.refuse(types());
+    }
+  }
   return generator;
 }
 

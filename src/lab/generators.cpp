@@ -191,6 +191,9 @@ Extent extent(const Cloth& cloth) {
 
 Extent extent(const Rope& rope) { return {.points = at_least_zero(rope.points), .springs = at_least_zero(rope.points - 1)}; }
 
+void make(const Shape& shape, Network& network) { generate(shape, network); }
+Extent extent(const Shape& shape) { return extent_of(shape); }
+
 }  // namespace
 
 Extent extent_of(const Generator& generator) {

@@ -1,4 +1,4 @@
-// Cloths and ropes that a scene file describes in a few words instead of listing their points and springs.
+// Cloths, ropes and shapes that a scene file describes in a few words instead of listing their points and springs.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "lab/shape.h"
 #include "sim/state.h"
 #include "sim/system.h"
 #include "sim/view_settings.h"
@@ -63,7 +64,7 @@ struct Rope {
   Fabric fabric;
 };
 
-using Generator = std::variant<Cloth, Rope>;
+using Generator = std::variant<Cloth, Rope, Shape>;
 
 // How much a generator makes, without making it.
 struct Extent {
