@@ -12,6 +12,7 @@
 #include "lab/json_text.h"
 #include "lab/printable.h"
 #include "lab/read_file.h"
+#include "lab/scene_check.h"
 #include "lab/scene_file.h"
 #include "lab/scene_sections.h"
 #include "lab/spring_family.h"
@@ -147,7 +148,10 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
     read_defaults(field, fields_, scene_);
   else if (field.is("controls"))
     read_controls(field, fields_, scene_);
-  else if (find_list(key) != nullptr)
+  else if (field.is("check")) {
+    read_scene_check(field);
+    scene_.kept.check = text;
+  } else if (find_list(key) != nullptr)
     field.refuse("must be a list [...]");
   else if (!read_parameter(field, scene_))
     fields_.keep_unknown(field, scene_.kept.unknown, text);
@@ -279,6 +283,8 @@ void SceneReader::check_generated(std::size_t generator, std::size_t first_point
     const double mass = network_.points[i].mass, radius = network_.points[i].radius;
     if (!(mass >= std::numeric_limits<double>::min()) || !std::isfinite(mass)) refuse(field, "mass of a point: " + shortest(mass) + ": must be more than 0 and a number");
     if (!is_finite(network_.position[i]) || !std::isfinite(radius)) refuse(field, "position of a point: must be a number below 1.8e308");
+    if (scene_.system.dimensions == 2 && network_.position[i].z != 0.0)
+      refuse(field, "position of a point: z = " + shortest(network_.position[i].z) + ": must be 0 in a 2-D scene");
   }
   for (std::size_t s = first_spring; s < network_.springs.size(); ++s) {
     const Spring& spring = network_.springs[s];

@@ -109,6 +109,10 @@ std::string SceneWriter::write() {
     out_.end();
   }
   write_view();
+  if (!scene_.kept.check.empty()) {
+    out_.key("check");
+    out_.raw(scene_.kept.check);
+  }
   out_.members(scene_.kept.unknown);
   out_.end();
   check_size();

@@ -1,0 +1,50 @@
+// What can be measured of a scene at a moment, by name: the columns of CSV files, and what scenes' checks speak of.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/energy.h"
+
+namespace hooke {
+
+// What several quantities are read from, computed once a moment.
+struct Measured {
+  const System& system;
+  const State& state;
+  Energy energy;
+  Momentum momentum;
+  double least_strain = 0.0, largest_strain = 0.0;  // [1], over all springs
+};
+Measured measure(const System& system, const State& state);
+
+struct QuantityRow {
+  enum class Of { Scene, Point, Spring };
+  std::string_view name;  // of a point or spring followed by its number: "y5"
+  std::string_view unit;
+  Of of;
+  std::string_view meaning;
+  double (*read)(const Measured& measured, Index at);
+};
+std::span<const QuantityRow> quantity_rows();
+
+struct Quantity {
+  const QuantityRow* row = nullptr;
+  Index at = 0;  // the point or spring, by its place in the scene
+
+  std::string name() const;
+  std::string heading() const;  // "y5 [m]"
+  // The scene must still have that many points and springs.
+  double of(const Measured& measured) const { return row->read(measured, at); }
+};
+
+// The quantity of this name in a scene of so many points and springs; none: there is no such.
+std::optional<Quantity> find_quantity(std::string_view name, Index points, Index springs);
+
+// "time, kinetic, ..., x0, y0, ...": the names, for messages.
+std::string quantity_names();
+
+}  // namespace hooke
