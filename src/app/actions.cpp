@@ -52,6 +52,10 @@ void App::perform(Action action, bool repeated) {
       panels_.keys_shown = !panels_.keys_shown;
       return;
 
+    case Action::ShowGallery:
+      panels_.gallery.is_shown = !panels_.gallery.is_shown;
+      return;
+
     case Action::NewScene:
       return unless_unsaved(action);
     case Action::OpenScene:
@@ -95,7 +99,7 @@ void App::cancel() {
     panels_.menu_closes = true;
     return;
   }
-  if (std::exchange(panels_.keys_shown, false)) return;
+  if (std::exchange(panels_.keys_shown, false) || std::exchange(panels_.gallery.is_shown, false)) return;
   tool_is_pressed_ = false;
   if (tool_->cancel(bench_)) return;
   if (!selection_.empty())
@@ -148,6 +152,7 @@ void App::take_document(std::shared_ptr<const Scene> scene, std::filesystem::pat
   take_tool(tool_action_);
   selection_ = {};
   panels_.remarks.clear();
+  panels_.gallery.is_shown = false;
   file_ = std::move(file);
   bench_.camera = make_camera(scene->view, scene->system, scene->state, bench_.size.x / bench_.size.y);
   take_switches(scene->view);

@@ -6,6 +6,7 @@
 
 #include "app/files.h"
 #include "lab/parameters.h"
+#include "lab/scene_file.h"
 
 namespace hooke {
 namespace {
@@ -15,6 +16,12 @@ constexpr auto patience = std::chrono::milliseconds(50);
 
 constexpr double zoom_per_step = 0.88;
 constexpr double turn_per_height = 3.14159265358979323846;  // [rad], for a drag over the height of the scene
+
+// The page hides the scene, which nothing may happen to unseen.
+bool works_beside_gallery(const Shortcut& shortcut) {
+  return shortcut.group == "File" || shortcut.action == Action::Cancel || shortcut.action == Action::ShowGallery ||
+         shortcut.action == Action::ShowKeys;
+}
 
 }  // namespace
 
@@ -56,8 +63,13 @@ void App::on(const KeyPress& press) {
     panels_.dialog.cancelled = panels_.dialog.cancelled || press.key == Key::Escape;
     return;
   }
+  if (panels_.gallery.is_shown && !panels_.menu_is_open && press.modifiers == Modifiers{}) {
+    if (move_in_gallery(panels_, layout_, press.key)) return;
+    if (press.key == Key::Enter) return unless_unsaved(OpenFile{shipped_scenes()[panels_.gallery.chosen].file});
+  }
   const Shortcut* shortcut = find_shortcut(press.key, press.modifiers);
   if (shortcut == nullptr || (press.repeated && !shortcut->repeats)) return;
+  if (panels_.gallery.is_shown && !works_beside_gallery(*shortcut)) return;
   settle();
   perform(shortcut->action, press.repeated);
 }

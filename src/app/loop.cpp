@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "draw/view.h"
+#include "lab/gallery.h"
 #include "ui/theme.h"
 
 namespace hooke {
@@ -106,6 +107,8 @@ void run_loop(Window& window, App& app) {
     if (window.is_hidden()) continue;
 
     // panels
+    if (Gallery& gallery = app.panels().gallery; gallery.is_shown && gallery.thumbnails == nullptr)
+      gallery.thumbnails = view.upload_picture(read_thumbnails());
     window.gui().begin_frame();
     app.build_frame(pace.figures());
     const ImDrawData* panels = window.gui().end_frame();

@@ -53,6 +53,16 @@ void GuiRenderer::upload_fonts() {
   fonts.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(GLuint(font_))));
 }
 
+void* GuiRenderer::upload_picture(const Picture& picture) {
+  glBindTexture(GL_TEXTURE_2D, picture_);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, picture.width, picture.height, 0, GL_RGB, GL_UNSIGNED_BYTE, picture.pixels.data());
+  return reinterpret_cast<void*>(static_cast<std::uintptr_t>(GLuint(picture_)));
+}
+
 void GuiRenderer::draw(const ImDrawData& data) {
   const int width = static_cast<int>(data.DisplaySize.x * data.FramebufferScale.x);
   const int height = static_cast<int>(data.DisplaySize.y * data.FramebufferScale.y);

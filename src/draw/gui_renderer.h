@@ -3,6 +3,7 @@
 
 #include "draw/gl.h"
 #include "draw/shader.h"
+#include "sim/view_settings.h"
 
 struct ImDrawData;
 
@@ -13,12 +14,15 @@ class GuiRenderer {
   GuiRenderer();
   // Of the current ImGui context; again after its fonts change.
   void upload_fonts();
+  // A picture for ImGui::Image and the like; the one before it is gone.
+  void* upload_picture(const Picture& picture);
   // Onto the framebuffer that is bound; leaves blending on, scissor and depth test off.
   void draw(const ImDrawData& data);
 
  private:
   Shader shader_{"gui"};
-  GlName array_{GlKind::VertexArray}, vertices_{GlKind::Buffer}, indices_{GlKind::Buffer}, font_{GlKind::Texture};
+  GlName array_{GlKind::VertexArray}, vertices_{GlKind::Buffer}, indices_{GlKind::Buffer}, font_{GlKind::Texture},
+      picture_{GlKind::Texture};
 };
 
 }  // namespace hooke

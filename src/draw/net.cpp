@@ -51,6 +51,14 @@ void Net::find_ends(const std::shared_ptr<const System>& system) {
   ends_system_ = system;
   ends_.clear();
   for (const Spring& spring : system->springs()) ends_.push_back({system->index_of(spring.first), system->index_of(spring.second)});
+
+  // what is inside a solid belongs to it, by springs of its families
+  in_cloth_.assign(system->faces.empty() ? 0 : system->points().size(), 0);
+  if (in_cloth_.empty()) return;
+  for (const Face& face : system->faces)
+    for (const PointId id : face.points) in_cloth_[system->index_of(id)] = 1;
+  for (std::size_t s = 0; s < ends_.size(); ++s)
+    if (system->springs()[s].family != SpringFamily::None) in_cloth_[ends_[s][0]] = in_cloth_[ends_[s][1]] = 1;
 }
 
 void Net::measure_springs(const Subject& subject) {
@@ -76,7 +84,7 @@ void Net::measure_springs(const Subject& subject) {
 
 bool Net::is_dense(const ViewOptions& options) const { return spacing_ > 0.0 && spacing_ < options.scale * dense; }
 
-void Net::add_springs(const Subject& subject, Strokes& strokes) const {
+void Net::add_springs(const Subject& subject, Which which, Strokes& strokes) const {
   const double scale = subject.options.scale;
   const auto width = static_cast<float>(scale * spring_width * std::clamp(spacing_ / (scale * dense), 0.35, 1.0));
   const StrainInks& inks = strain_inks();
@@ -85,10 +93,11 @@ void Net::add_springs(const Subject& subject, Strokes& strokes) const {
 
   const System& system = *subject.snapshot.system;
   const bool all_on = std::ranges::find(system.family_on, false) == system.family_on.end();
-  strokes.reserve(strain_.size());
+  if (which == Which::All) strokes.reserve(strain_.size());
   for (std::size_t s = 0; s < strain_.size(); ++s) {
     if (!all_on && !system.is_on(system.springs()[s])) continue;
     const auto [a, b] = ends_[s];
+    if (which == Which::BesideCloth && !is_beside_cloth(a) && !is_beside_cloth(b)) continue;
     Ink color = plain;
     if (subject.options.strain_colors) {
       const float step = 0.5f * strain_steps + strain_[s] * steps;
@@ -107,7 +116,8 @@ Bead Net::bead_of(const Subject& subject, Index i) const {
   const double wider = sparse / (3.0 * dense);
   const double most = scale * 0.16 * sparse * (1.0 + wider * wider);
   const double least = scale * std::min(least_radius, 0.22 * sparse);
-  double radius = std::min(std::max(point.radius * seen_[i].scale, least), most);
+  double radius = std::max(point.radius * seen_[i].scale, least);
+  if (!is_beside_cloth(i)) radius = std::min(radius, most);
   if (point.nailed || selected_[i]) radius = std::max(radius, mark_radius * scale * std::clamp(sparse / dense, 0.6, 1.0));
 
   Bead bead{.radius = static_cast<float>(radius), .square = point.nailed};
@@ -123,7 +133,7 @@ void Net::add_points(const Subject& subject, Which which, Beads& beads) const {
   constexpr std::uint8_t least_opacity = 16;
   for (Index i = 0; i < static_cast<Index>(seen_.size()); ++i) {
     if (seen_[i].outside & (before | beyond | not_a_place)) continue;
-    if (which == Which::Nails && !subject.snapshot.system->points()[i].nailed) continue;
+    if (which == Which::BesideCloth && !subject.snapshot.system->points()[i].nailed && !is_beside_cloth(i)) continue;
     const Bead bead = bead_of(subject, i);
     if (bead.body.opacity >= least_opacity) beads.add(subject.projection, clip_[i], seen_[i], bead);
   }

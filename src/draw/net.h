@@ -30,8 +30,9 @@ class Net {
   // Springs so close that they cover much of each other: they blend, whichever is in front.
   bool is_dense(const ViewOptions& options) const;
 
-  void add_springs(const Subject& subject, Strokes& strokes) const;
-  enum class Which { All, Nails };
+  // BesideCloth: what a bare cloth hangs by and what hangs on it: nails, points of no face, and springs to such points.
+  enum class Which { All, BesideCloth };
+  void add_springs(const Subject& subject, Which which, Strokes& strokes) const;
   void add_points(const Subject& subject, Which which, Beads& beads) const;
   // Lines under selected and hovered springs, rings around such points.
   void add_marks(const Subject& subject, Strokes& strokes, Beads& beads) const;
@@ -50,12 +51,14 @@ class Net {
   void find_ends(const std::shared_ptr<const System>& system);
   void measure_springs(const Subject& subject);
   Bead bead_of(const Subject& subject, Index i) const;
+  bool is_beside_cloth(Index i) const { return !in_cloth_.empty() && !in_cloth_[i]; }
 
   std::vector<glm::dvec4> clip_;               // a point
   std::vector<Seen> seen_;                     // a point
   std::vector<std::uint8_t> selected_;         // a point
   std::shared_ptr<const System> ends_system_;  // whose springs' ends are known
   std::vector<std::array<Index, 2>> ends_;     // a spring
+  std::vector<std::uint8_t> in_cloth_;         // a point: of a face, or within what faces wrap; empty without faces
   std::vector<float> strain_;                  // a spring
   double spacing_ = 0.0;                       // [px], mean length of a spring at the camera's target; 0 without springs
   double lift_ = 0.0;                          // [m]

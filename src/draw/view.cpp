@@ -69,10 +69,11 @@ void View::Parts::gather(const Subject& subject) {
   net.see(subject);
   stage.add(subject);
   if (subject.options.surface) cloth.add(subject, net);
-  if (subject.options.springs) net.add_springs(subject, springs);
-  // a bare cloth still shows what it hangs by
+  // a bare cloth still shows what it hangs by, and what hangs on it
+  if (subject.options.springs || !cloth.is_empty())
+    net.add_springs(subject, subject.options.springs ? Net::Which::All : Net::Which::BesideCloth, springs);
   if (subject.options.points || !cloth.is_empty())
-    net.add_points(subject, subject.options.points ? Net::Which::All : Net::Which::Nails, points);
+    net.add_points(subject, subject.options.points ? Net::Which::All : Net::Which::BesideCloth, points);
   net.add_marks(subject, marked_springs, marked_points);
   add_ghosts(subject, ghost_springs, ghost_points);
 }
@@ -163,6 +164,7 @@ void View::draw(const Snapshot& snapshot, const Marks& marks, const Camera& came
 }
 
 void View::upload_fonts() { parts_->gui.upload_fonts(); }
+void* View::upload_picture(const Picture& picture) { return parts_->gui.upload_picture(picture); }
 void View::show() const {
   parts_->target.show();
   glFinish();

@@ -22,8 +22,8 @@ struct ViewOptions {
   bool points = true, springs = true, surface = true, colliders = true, grid = true;
   bool strain_colors = true;  // on the springs, or on the surface where no springs are shown
   Print print;                // on the surface
-  int samples = 4;     // of MSAA; 0: none
-  double scale = 1.0;  // framebuffer pixels per point of the screen: widths of lines follow it
+  int samples = 4;            // of MSAA; 0: none
+  double scale = 1.0;         // framebuffer pixels per point of the screen: widths of lines follow it
   Color background{32, 36, 40};
   PicturePlace place;  // of the scene; the panels have the whole framebuffer
 };
@@ -46,6 +46,8 @@ class View {
             const ImDrawData* panels);
   // The font atlas of the current ImGui context as a texture; again after the fonts change.
   void upload_fonts();
+  // A picture for the panels, as what ImGui calls a texture; the one before it is gone.
+  void* upload_picture(const Picture& picture);
   // Onto the window's own framebuffer; waits until it is there, so that the time it takes can be told.
   void show() const;
   Image read() const;

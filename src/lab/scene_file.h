@@ -37,9 +37,11 @@ struct ShippedScene {
   std::string id;     // "cloth"
   std::string title;  // "Cloth"
   std::filesystem::path file;
+  std::string_view group;    // "Lessons": those of a group follow each other
+  double thumbnail_seconds;  // [s] after its start
 };
 
-// In the order of the menu.
+// In the order of the menu and the gallery.
 const std::vector<ShippedScene>& shipped_scenes();
 
 // What SCENE on a command line means: a path if there is such a file, else a shipped scene's id. Throws FileError.

@@ -12,27 +12,50 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every scene of the menu, in its order: id, the name of its file without ".json", and title, the name in it.
+// Every scene of the menu and the gallery, group by group: id, the name of its file without ".json", title, the name in it,
+// and when its thumbnail is taken, so many seconds after its start.
 struct Row {
+  const char* group;
   const char* id;
   const char* title;
+  double seconds;
 };
+constexpr const char *lessons = "Lessons", *cloth = "Cloth", *solids = "Solids", *hard = "Hard cases";
+// clang-format off
 constexpr std::array rows{
-    Row{"cloth", "Cloth"},
-    Row{"cloth_on_ball", "Cloth on a ball"},
-    Row{"rope", "Rope"},
-    Row{"two_masses", "Two masses"},
-    Row{"two_masses_bouncy", "Two masses, bouncy"},
-    Row{"three_masses", "Three masses"},
-    Row{"grid_4x4", "Grid 4 x 4"},
-    Row{"grid_4x4_true", "Grid 4 x 4, true rest lengths"},
-    Row{"assignment", "Assignment"},
-    Row{"unstable", "Unstable"},
-    Row{"stable", "Stable"},
-    Row{"drum_32", "Drum 32"},
-    Row{"rope_64", "Rope 64"},
-    Row{"cloth_32", "Cloth 32"},
+    Row{cloth, "cloth", "Cloth", 1.4},
+    Row{cloth, "cloth_swing", "Cloth swing", 1.5},
+    Row{cloth, "curtain", "Curtain", 1.5},
+    Row{cloth, "flag", "Flag in the wind", 2.0},
+    Row{cloth, "cloth_on_ball", "Cloth on a ball", 0.9},
+    Row{cloth, "ball_and_quads", "Ball and quads", 0.8},
+    Row{cloth, "tablecloth", "Tablecloth", 0.45},
+    Row{cloth, "trampoline", "Trampoline", 0.62},
+    Row{cloth, "hammock", "Hammock", 3.0},
+    Row{lessons, "two_masses", "Two masses", 0.5},
+    Row{lessons, "two_masses_bouncy", "Two masses, bouncy", 0.6},
+    Row{lessons, "three_masses", "Three masses", 0.4},
+    Row{lessons, "grid_4x4", "Grid 4 x 4", 0.6},
+    Row{lessons, "grid_4x4_true", "Grid 4 x 4, true rest lengths", 0.6},
+    Row{lessons, "assignment", "Assignment", 0.0},
+    Row{lessons, "unstable", "Unstable", 7.0},
+    Row{lessons, "stable", "Stable", 2.6},
+    Row{lessons, "damping_ratios", "Damping ratios", 0.45},
+    Row{lessons, "resonance", "Resonance", 5.97},
+    Row{lessons, "normal_modes", "Normal modes", 0.0},
+    Row{lessons, "rope", "Rope", 0.6},
+    Row{lessons, "catenary", "Catenary", 6.0},
+    Row{lessons, "spring_pendulum", "Spring pendulum", 3.0},
+    Row{solids, "jelly_cubes", "Jelly cubes", 0.45},
+    Row{solids, "bridge", "Bridge with a weight", 3.0},
+    Row{hard, "heavy_on_light", "Heavy on light", 0.4},
+    Row{hard, "stiff_and_soft", "Stiff beside soft", 1.0},
+    Row{hard, "buckling", "Buckling", 0.7},
+    Row{hard, "drum_32", "Drum 32", 0.3},
+    Row{hard, "rope_64", "Rope 64", 0.5},
+    Row{hard, "cloth_32", "Cloth 32", 0.5},
 };
+// clang-format on
 
 bool is_inside(const fs::path& file, const fs::path& folder) {
   const fs::path way = file.lexically_relative(folder);
@@ -64,7 +87,7 @@ const std::vector<ShippedScene>& shipped_scenes() {
   static const std::vector<ShippedScene> scenes = [] {
     const fs::path folder = find_folder();
     std::vector<ShippedScene> found;
-    for (const Row& row : rows) found.push_back({row.id, row.title, folder / (std::string(row.id) + ".json")});
+    for (const Row& row : rows) found.push_back({row.id, row.title, folder / (std::string(row.id) + ".json"), row.group, row.seconds});
     return found;
   }();
   return scenes;

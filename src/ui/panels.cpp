@@ -10,10 +10,14 @@ void build_panels(const Desk& desk, Panels& panels, Requests& requests) {
   if (!ImGui::IsAnyItemActive()) panels.edit_in_progress = false;
   panels.floating.clear();
   build_menu(desk, panels, requests);
-  build_toolbar(desk, requests);
-  build_side(desk, panels, requests);
   build_status_bar(desk);
-  build_overlays(desk, panels, requests);
+  if (panels.gallery.is_shown) {
+    build_gallery(desk, panels, requests);
+  } else {
+    build_toolbar(desk, requests);
+    build_side(desk, panels, requests);
+    build_overlays(desk, panels, requests);
+  }
   build_keys(desk, panels);
   build_dialogs(desk, panels, requests);
 }

@@ -45,10 +45,19 @@ struct Dialog {
   bool accepted = false, cancelled = false;  // by a key
 };
 
+// The page of scenes.
+struct Gallery {
+  bool is_shown = false;
+  void* thumbnails = nullptr;  // the picture of gallery.h as the window's renderer has it; null: none yet
+  std::size_t chosen = 0;      // the card under the mouse or the arrow keys
+  bool follows = false;        // the page is to scroll to it
+};
+
 struct Panels {
   ViewOptions view;
   Dialog dialog;
   bool keys_shown = false;
+  Gallery gallery;
   bool menu_is_open = false, menu_closes = false;
   std::string toast;                   // a line shown for a moment
   double toast_until = 0.0;            // [s], ImGui's clock
@@ -72,6 +81,9 @@ void build_panels(const Desk& desk, Panels& panels, Requests& requests);
 // Whether a press at this place of the window belongs to the panels.
 bool panels_cover(const Panels& panels, const Layout& layout, double x, double y);
 
+// Whether it is a key that moves from card to card.
+bool move_in_gallery(Panels& panels, const Layout& layout, Key key);
+
 // The parts, each in a file of its own.
 void build_menu(const Desk& desk, Panels& panels, Requests& requests);
 void build_toolbar(const Desk& desk, Requests& requests);
@@ -81,6 +93,7 @@ void build_forces(const Desk& desk, Panels& panels, Requests& requests);
 void build_status_bar(const Desk& desk);
 void build_overlays(const Desk& desk, Panels& panels, Requests& requests);
 void build_keys(const Desk& desk, Panels& panels);
+void build_gallery(const Desk& desk, Panels& panels, Requests& requests);
 void build_dialogs(const Desk& desk, Panels& panels, Requests& requests);
 
 }  // namespace hooke

@@ -26,12 +26,30 @@ void file_menu(const Desk&, Panels&, Requests& requests) {
   item(Action::Quit, requests);
 }
 
-void scenes_menu(const Desk& desk, Panels&, Requests& requests) {
+// Two columns: the lessons, and everything else, group by group.
+void scenes_column(const Desk& desk, bool of_lessons, Requests& requests) {
+  ImGui::BeginGroup();
+  std::string_view group;
   for (const ShippedScene& scene : shipped_scenes()) {
+    if ((scene.group == "Lessons") != of_lessons) continue;
+    if (scene.group != group) {
+      group = scene.group;
+      text_in(palette::accent, std::string(group));
+    }
     ImGui::PushID(scene.id.c_str());
-    if (ImGui::MenuItem(printable(scene.title).c_str(), nullptr, desk.file == scene.file)) requests.emplace_back(OpenFile{scene.file});
+    const std::string title = printable(scene.title);
+    if (ImGui::Selectable(title.c_str(), desk.file == scene.file, 0, {units(220.0), 0.0f})) requests.emplace_back(OpenFile{scene.file});
     ImGui::PopID();
   }
+  ImGui::EndGroup();
+}
+
+void scenes_menu(const Desk& desk, Panels&, Requests& requests) {
+  item(Action::ShowGallery, requests);
+  ImGui::Separator();
+  scenes_column(desk, false, requests);
+  ImGui::SameLine(0.0f, units(24.0));
+  scenes_column(desk, true, requests);
 }
 
 void edit_menu(const Desk& desk, Panels&, Requests& requests) {

@@ -38,6 +38,7 @@ constexpr std::array rows{
     Shortcut{Key::Escape, plain, Action::Cancel, edit, "Cancel; select nothing"},
 
     Shortcut{Key::Home, plain, Action::FrameAll, look, "See the whole scene"},
+    Shortcut{letter('G'), plain, Action::ShowGallery, look, "Gallery of scenes"},
     Shortcut{Key::F1, plain, Action::ShowKeys, look, "Show these keys"},
 
     Shortcut{letter('N'), control, Action::NewScene, file, "New scene"},

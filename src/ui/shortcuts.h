@@ -30,6 +30,7 @@ enum class Action {
   Cancel,
   FrameAll,
   ShowKeys,
+  ShowGallery,
   NewScene,
   OpenScene,
   Save,

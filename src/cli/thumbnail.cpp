@@ -1,0 +1,25 @@
+#include "cli/thumbnail.h"
+
+#include <cmath>
+
+#include "lab/gallery.h"
+#include "lab/lab.h"
+
+namespace hooke {
+
+Image take_thumbnail(View& view, const ShippedScene& shipped) {
+  Lab lab(load_scene(shipped.file).scene, KeepStart::No);
+  const Scene& scene = lab.scene();
+  Camera camera = make_camera(scene.view, scene.system, scene.state, static_cast<double>(thumbnail_width) / thumbnail_height);
+  // small pictures want less around
+  if (scene.system.dimensions == 3) camera.distance *= 0.86;
+
+  const long frames = std::lround(shipped.thumbnail_seconds * scene.settings.frame_rate);
+  for (long frame = 0; frame < frames; ++frame) lab.step();
+  lab.publish();
+  ViewOptions look = options_for(scene.view, scene.print);
+  view.draw(*lab.status()->snapshot, {}, camera, look, thumbnail_width, thumbnail_height, nullptr);
+  return view.read();
+}
+
+}  // namespace hooke
