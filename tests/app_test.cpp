@@ -67,6 +67,52 @@ TEST(Keys, RunPauseStepAndGoBack) {
   EXPECT_EQ(gui.status().snapshot->state.time, 0.0);
 }
 
+TEST(Keys, StepBackAndSetTheSpeed) {
+  GuiTrial gui(hanging());
+  gui.key(Key::Period);
+  const double time = gui.status().snapshot->state.time;
+  gui.key(Key::Period);
+  gui.key(letter(','));
+  EXPECT_EQ(gui.status().snapshot->state.time, time);
+  gui.key(letter('['));
+  EXPECT_EQ(gui.status().snapshot->settings.speed, 0.5);
+  gui.key(letter(']'));
+  EXPECT_EQ(gui.status().snapshot->settings.speed, 1.0);
+}
+
+TEST(TimelineStrip, IsDraggedToAFrameAndBackInOneStepOfUndo) {
+  GuiTrial gui(hanging());
+  for (int frame = 0; frame < 20; ++frame) gui.key(Key::Period);
+  const double last = gui.status().snapshot->state.time;
+  const Rect& strip = gui.app().layout().timeline;
+  const double y = strip.y + 0.5 * strip.height;
+  gui.drag({strip.x + 0.5 * strip.width, y}, {strip.x + 0.2 * strip.width, y});
+  const double there = gui.status().snapshot->state.time;
+  EXPECT_GT(there, 0.0);
+  EXPECT_LT(there, 0.6 * last);
+  EXPECT_EQ(gui.status().last_moment, last);
+  gui.key(letter('Z'), control);
+  EXPECT_EQ(gui.status().snapshot->state.time, last);
+}
+
+TEST(TimelineStrip, RunsToATimeThatIsTyped) {
+  GuiTrial gui(hanging());
+  gui.click(gui.find("timeline", {"##run_to"}));
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+  ImGui::GetIO().KeyCtrl = true;
+  ImGui::GetIO().KeysDown[ImGuiKey_A] = true;
+  gui.frame();
+  ImGui::GetIO().KeyCtrl = ImGui::GetIO().KeysDown[ImGuiKey_A] = false;
+  gui.frame();
+  gui.type("2");
+  ImGui::GetIO().KeysDown[ImGuiKey_Enter] = true;
+  gui.frame();
+  ImGui::GetIO().KeysDown[ImGuiKey_Enter] = false;
+  for (int i = 0; i < 50 && (gui.status().running || gui.status().frames == 0); ++i) gui.frame();
+  EXPECT_NEAR(gui.status().snapshot->state.time, 2.0, 1.0 / 60.0);
+  EXPECT_FALSE(gui.status().running);
+}
+
 TEST(Keys, ReleaseEveryNailAndUndoNailsThemAgain) {
   GuiTrial gui(hanging());
   gui.key(letter('R'));

@@ -20,6 +20,12 @@ void App::perform(Action action, bool repeated) {
       return lab_.submit(SetRunning{!status().running});
     case Action::StepOnce:
       return lab_.submit(StepOnce{});
+    case Action::StepBack:
+      return lab_.submit(StepBack{});
+    case Action::Slower:
+      return tune(tune_speed(status(), 0.5), repeated);
+    case Action::Faster:
+      return tune(tune_speed(status(), 2.0), repeated);
     case Action::GoToStart:
       return lab_.submit(GoToStart{});
     case Action::ReleaseNails:
@@ -74,6 +80,10 @@ void App::obey(const Request& request) {
                  [this](const Edit& edit) {
                    if (!edit.continues) ++last_gesture_;
                    lab_.submit(edit.command, last_gesture_);
+                 },
+                 [this](const Scrub& scrub) {
+                   if (!scrub.continues) ++last_gesture_;
+                   lab_.submit(GoToTime{scrub.time}, last_gesture_);
                  },
                  [this](const Control& control) { lab_.submit(control); },
                  [this](Action action) { perform(action); },

@@ -60,4 +60,10 @@ Tuning tune_substeps(const Status& status, int direction) {
   return {{SetParameter{&row, next}}, count(static_cast<long>(next), "substep") + " a frame"};
 }
 
+Tuning tune_speed(const Status& status, double times) {
+  const Parameter& row = *find_parameter("speed");
+  const double next = clamp_to(row, times * status.snapshot->settings.speed);
+  return {{SetParameter{&row, next}}, number(next) + "\u00d7 real time"};
+}
+
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// What the arrow keys do: k and substeps, step by step.
+// What the arrow keys and the brackets do: k, substeps and speed, step by step.
 #pragma once
 
 #include <string>
@@ -20,5 +20,8 @@ Tuning tune_stiffness(const Status& status, const Selection& selection, int dire
 
 // 5 substeps more or fewer, on multiples of 5; at least 1.
 Tuning tune_substeps(const Status& status, int direction);
+
+// The speed times a factor, within its range.
+Tuning tune_speed(const Status& status, double times);
 
 }  // namespace hooke

@@ -95,8 +95,9 @@ void step(const Pen& pen) {
 }
 
 void start(const Pen& pen) {
-  pen.area({{0.7f, -0.75f}, {0.7f, 0.75f}, {-0.35f, 0.0f}});
-  pen.area({{-0.72f, -0.75f}, {-0.42f, -0.75f}, {-0.42f, 0.75f}, {-0.72f, 0.75f}});
+  pen.area({{0.85f, -0.7f}, {0.85f, 0.7f}, {0.15f, 0.0f}});
+  pen.area({{0.15f, -0.7f}, {0.15f, 0.7f}, {-0.55f, 0.0f}});
+  pen.area({{-0.85f, -0.75f}, {-0.6f, -0.75f}, {-0.6f, 0.75f}, {-0.85f, 0.75f}});
 }
 
 void undo(const Pen& pen) {
@@ -109,8 +110,13 @@ void redo(const Pen& pen) {
   pen.area({{0.95f, -0.12f}, {0.55f, 0.45f}, {0.15f, -0.12f}});
 }
 
+void step_back(const Pen& pen) {
+  pen.area({{0.7f, -0.75f}, {0.7f, 0.75f}, {-0.35f, 0.0f}});
+  pen.area({{-0.72f, -0.75f}, {-0.42f, -0.75f}, {-0.42f, 0.75f}, {-0.72f, 0.75f}});
+}
+
 // In the order of the enumeration.
-constexpr void (*drawings[])(const Pen&) = {select, add, attach, nail, drag, remove, release, run, pause, step, start, undo, redo};
+constexpr void (*drawings[])(const Pen&) = {select, add, attach, nail, drag, remove, release, run, pause, step, start, undo, redo, step_back};
 
 }  // namespace
 

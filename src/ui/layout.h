@@ -13,7 +13,7 @@ struct Rect {
 };
 
 struct Layout {
-  Rect menu, tools, side, status, scene;
+  Rect menu, tools, side, timeline, status, scene;
 };
 
 // `scale`: window units per unit of design (1 on a plain screen).
@@ -21,12 +21,16 @@ inline Layout lay_out(double width, double height, double scale) {
   const double menu = 38.0 * scale, tools = 74.0 * scale, status = 28.0 * scale;
   const double side = std::min(336.0 * scale, 0.45 * width);
   const double middle = std::max(1.0, height - menu - status);
+  // only where there is room for it
+  const double timeline = middle > 200.0 * scale ? 30.0 * scale : 0.0;
+  const double scene_width = std::max(1.0, width - tools - side), scene_height = middle - timeline;
   return {
       .menu = {0.0, 0.0, width, menu},
       .tools = {0.0, menu, tools, middle},
       .side = {width - side, menu, side, middle},
+      .timeline = {tools, menu + scene_height, scene_width, timeline},
       .status = {0.0, menu + middle, width, status},
-      .scene = {tools, menu, std::max(1.0, width - tools - side), middle},
+      .scene = {tools, menu, scene_width, scene_height},
   };
 }
 

@@ -16,6 +16,7 @@ void build_panels(const Desk& desk, Panels& panels, Requests& requests) {
   } else {
     build_toolbar(desk, requests);
     build_side(desk, panels, requests);
+    build_timeline(desk, panels, requests);
     build_overlays(desk, panels, requests);
   }
   build_keys(desk, panels);

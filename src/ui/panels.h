@@ -64,6 +64,8 @@ struct Panels {
   std::string dismissed;               // the message whose banner was closed
   std::string remarks;                 // on the file that was opened
   bool edit_in_progress = false;       // the active slider has edited already
+  bool scrub_in_progress = false;      // the scrubber is being dragged already
+  double run_to = 10.0;                // [s], the time typed last
   std::optional<double> typed_number;  // into a slider, not finished
   unsigned typing = 0;                 // ImGui's id of the slider that is typed into
   std::vector<Rect> floating;          // panels over the scene, of the last frame
@@ -90,6 +92,7 @@ void build_toolbar(const Desk& desk, Requests& requests);
 void build_side(const Desk& desk, Panels& panels, Requests& requests);
 void build_parameters(const Desk& desk, Panels& panels, Requests& requests);
 void build_forces(const Desk& desk, Panels& panels, Requests& requests);
+void build_timeline(const Desk& desk, Panels& panels, Requests& requests);
 void build_status_bar(const Desk& desk);
 void build_overlays(const Desk& desk, Panels& panels, Requests& requests);
 void build_keys(const Desk& desk, Panels& panels);

@@ -62,7 +62,7 @@ void edit_menu(const Desk& desk, Panels&, Requests& requests) {
 }
 
 void run_menu(const Desk&, Panels&, Requests& requests) {
-  for (const Action action : {Action::RunOrPause, Action::StepOnce, Action::GoToStart}) item(action, requests);
+  for (const Action action : {Action::RunOrPause, Action::StepOnce, Action::StepBack, Action::GoToStart, Action::Slower, Action::Faster}) item(action, requests);
   ImGui::Separator();
   for (const Action action : {Action::StiffnessUp, Action::StiffnessDown, Action::SubstepsUp, Action::SubstepsDown}) item(action, requests);
 }

@@ -22,6 +22,11 @@ struct OpenFile {
 struct SaveFile {
   std::filesystem::path file;
 };
+// To another frame of the past; continues: of the same drag.
+struct Scrub {
+  double time;  // [s]
+  bool continues = false;
+};
 // A texture for the faces: the name of one that ships, a PNG, or nothing.
 struct ChooseTexture {
   std::string texture;
@@ -29,7 +34,7 @@ struct ChooseTexture {
 // The answer to "save the changes first?"
 enum class Answer { Save, Discard, Cancel };
 
-using Request = std::variant<Edit, Control, Action, OpenFile, SaveFile, ChooseTexture, Answer>;
+using Request = std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, Answer>;
 using Requests = std::vector<Request>;
 
 }  // namespace hooke

@@ -22,6 +22,9 @@ constexpr std::array rows{
 
     Shortcut{Key::Space, plain, Action::RunOrPause, run, "Run or pause"},
     Shortcut{Key::Period, plain, Action::StepOnce, run, "One frame further", true},
+    Shortcut{letter(','), plain, Action::StepBack, run, "One frame back", true},
+    Shortcut{letter('['), plain, Action::Slower, run, "Half as fast", true},
+    Shortcut{letter(']'), plain, Action::Faster, run, "Twice as fast", true},
     Shortcut{letter('R'), control, Action::GoToStart, run, "Back to the start"},
     Shortcut{letter('R'), plain, Action::ReleaseNails, run, "Release every nail"},
 
