@@ -113,6 +113,62 @@ TEST(TimelineStrip, RunsToATimeThatIsTyped) {
   EXPECT_FALSE(gui.status().running);
 }
 
+TEST(Plots, ShowTheEnergiesAndWhatIsChosen) {
+  GuiTrial gui(hanging());
+  gui.key(letter('P'));
+  gui.app().resize({1280.0, 800.0}, 1.0);
+  for (int frame = 0; frame < 5; ++frame) gui.key(Key::Period);
+  const TraceTable& table = *gui.status().traces;
+  ASSERT_EQ(table.traces.size(), 4u);
+  EXPECT_EQ(table.times.size(), 6u);
+  for (const char* word : {"kinetic", "gravitational", "[J]"}) EXPECT_NE(gui.words().find(word), std::string::npos) << word;
+  // what is under the mouse is read off
+  const Rect& plots = gui.app().layout().plots;
+  ASSERT_GT(plots.height, 100.0);
+  gui.move({plots.x + 0.6 * plots.width, plots.y + 0.5 * plots.height});
+  EXPECT_NE(gui.words().find("total = "), std::string::npos);
+  gui.key(letter('P'));
+  gui.app().resize({1280.0, 800.0}, 1.0);
+  EXPECT_EQ(gui.app().layout().plots.height, 0.0);
+}
+
+TEST(Keys, TabLeavesTheWindowToTheScene) {
+  GuiTrial gui(hanging());
+  const Rect before = gui.app().layout().scene;
+  gui.key(Key::Tab);
+  gui.app().resize({1280.0, 800.0}, 1.0);
+  EXPECT_EQ(gui.app().layout().scene.width, 1280.0);
+  gui.frame();
+  EXPECT_EQ(gui.words().find("Substeps"), std::string::npos);
+  gui.key(Key::Tab);
+  gui.app().resize({1280.0, 800.0}, 1.0);
+  EXPECT_EQ(gui.app().layout().scene, before);
+}
+
+// The contrast of two colours by the formula of WCAG 2.
+double contrast(ImU32 a, ImU32 b) {
+  const auto luminance = [](ImU32 color) {
+    double sum = 0.0;
+    for (const auto& [shift, weight] : {std::pair{IM_COL32_R_SHIFT, 0.2126}, {IM_COL32_G_SHIFT, 0.7152}, {IM_COL32_B_SHIFT, 0.0722}}) {
+      const double channel = static_cast<double>((color >> shift) & 255u) / 255.0;
+      sum += weight * (channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4));
+    }
+    return sum + 0.05;
+  };
+  return std::max(luminance(a), luminance(b)) / std::min(luminance(a), luminance(b));
+}
+
+TEST(Looks, AreReadableDarkAndLight) {
+  GuiTrial gui(hanging());
+  const ImU32 dark = palette::panel;
+  for (int look = 0; look < 2; ++look) {
+    for (const ImU32 words : {palette::text, palette::dim, palette::accent, palette::good, palette::warning, palette::bad})
+      for (const ImU32 ground : {palette::panel, palette::box}) EXPECT_GE(contrast(words, ground), 4.5) << look;
+    gui.key(letter('L'), {.control = true, .shift = true});
+  }
+  EXPECT_EQ(palette::panel, dark);
+}
+
 TEST(Keys, ReleaseEveryNailAndUndoNailsThemAgain) {
   GuiTrial gui(hanging());
   gui.key(letter('R'));

@@ -54,6 +54,16 @@ void App::perform(Action action, bool repeated) {
 
     case Action::FrameAll:
       return frame_scene(bench_.camera, bench_.system(), bench_.snapshot().state, bench_.size.x / bench_.size.y);
+    case Action::ShowPlots:
+      panels_.plots_shown = !panels_.plots_shown;
+      if (panels_.plots_shown && status().traces->traces.empty()) lab_.submit(Watch{first_plots(bench_.system())});
+      return;
+    case Action::HidePanels:
+      panels_.panels_hidden = !panels_.panels_hidden;
+      return;
+    case Action::LightOrDark:
+      panels_.look = panels_.look == Look::Dark ? Look::Light : Look::Dark;
+      return;
     case Action::ShowKeys:
       panels_.keys_shown = !panels_.keys_shown;
       return;

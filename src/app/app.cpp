@@ -33,7 +33,7 @@ App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file)
 }
 
 void App::resize(const glm::dvec2& size, double scale) {
-  layout_ = lay_out(size.x, size.y, scale);
+  layout_ = lay_out(size.x, size.y, scale, {.panels = !panels_.panels_hidden, .plots = panels_.plots_shown});
   bench_.size = {layout_.scene.width, layout_.scene.height};
   bench_.scale = scale;
   if (const auto scene = std::exchange(to_frame_, nullptr))
@@ -177,6 +177,7 @@ void App::take_switches(const ViewSettings& view) {
 ViewOptions App::view_options() const {
   ViewOptions options = panels_.view;
   options.print = status().print;
+  options.background = background_of(panels_.look);
   if (status().view.background) options.background = *status().view.background;
   return options;
 }

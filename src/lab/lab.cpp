@@ -61,6 +61,7 @@ void Lab::start_afresh() {
   playing_.reset();
   run_to_.reset();
   timeline_.clear();
+  traces_.clear();
   difference_.clear();
   owed_ = simulate_ms_ = recent_simulated_ = recent_real_ = 0.0;
   frames_ = 0;
@@ -86,6 +87,7 @@ void Lab::forget_other_points() {
   for (const Point& point : scene_.system.points()) points.push_back(point.id);
   if (points == timeline_points_) return;
   timeline_.clear();
+  traces_.clear();
   timeline_points_ = std::move(points);
 }
 
@@ -155,6 +157,7 @@ void Lab::obey(const Control& control, Gesture gesture) {
                    const bool is_at_one = timeline_.at(here)->time == scene_.state.time;
                    go_to_moment(here - (is_at_one && here > 0 ? 1 : 0), 0);
                  },
+                 [&](const Watch& watch) { traces_.watch(watch.quantities, timeline_, scene_.system); },
                  [&](const GoToTime& go) {
                    if (!timeline_.empty()) go_to_moment(timeline_.find(go.time), gesture);
                  },
@@ -270,7 +273,9 @@ void Lab::judge_played_frame() {
 
 // A frame that can be gone back to; kept for people, not for runs without a start to go back to.
 void Lab::note_moment() {
-  if (start_) timeline_.note(scene_.state);
+  if (!start_) return;
+  timeline_.note(scene_.state);
+  traces_.note(timeline_, scene_.system, scene_.state);
 }
 
 void Lab::go_to_moment(std::size_t moment, Gesture gesture) {
@@ -423,6 +428,7 @@ void Lab::publish() {
   status->frames = frames_;
   status->first_moment = timeline_.empty() ? scene_.state.time : timeline_.first_time();
   status->last_moment = timeline_.empty() ? scene_.state.time : timeline_.last_time();
+  status->traces = traces_.table();
   if (run_to_) {
     status->run_from = run_from_;
     status->run_to = *run_to_;

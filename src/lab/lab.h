@@ -15,6 +15,7 @@
 #include "lab/recording.h"
 #include "lab/status.h"
 #include "lab/timeline.h"
+#include "lab/traces.h"
 #include "sim/step.h"
 
 namespace hooke {
@@ -36,6 +37,9 @@ struct StepBack {};   // to the frame before, where it is still known; pauses
 struct GoToTime {     // to the last known frame at this time or before; pauses
   double time;
 };
+struct Watch {  // what is measured of every frame, for the plots
+  std::vector<Quantity> quantities;
+};
 struct GoToStart {};  // the scene as it was before it first ran; method, substeps and clock stay as they are set
 struct Open {         // another document; the history ends
   std::shared_ptr<const Scene> scene;
@@ -48,7 +52,7 @@ struct Record {  // what is done from here on; an earlier recording ends
 struct Play {  // another document: what was recorded, done again frame by frame, until it ends or somebody lends a hand
   std::shared_ptr<const Recording> recording;
 };
-using Control = std::variant<Undo, Redo, GoInHistory, SetRunning, StepOnce, RunTo, StepBack, GoToTime, GoToStart, Open, MarkSaved, Record, Play>;
+using Control = std::variant<Undo, Redo, GoInHistory, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, GoToStart, Open, MarkSaved, Record, Play>;
 
 // Whether the scene is kept as it was opened, to go back to: a copy, which a long run of a large scene can do without.
 enum class KeepStart { Yes, No };
@@ -118,6 +122,7 @@ class Lab {
   std::vector<std::pair<std::variant<Command, Control>, Gesture>> queue_;
   History history_;
   Timeline timeline_;
+  Traces traces_;
   std::vector<PointId> timeline_points_;  // whose past it is
   Plan plan_;
   Frame frame_;

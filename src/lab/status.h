@@ -8,6 +8,7 @@
 #include "lab/diagnosis.h"
 #include "lab/history_list.h"
 #include "lab/scene.h"
+#include "lab/traces.h"
 #include "sim/snapshot.h"
 
 namespace hooke {
@@ -33,6 +34,7 @@ struct Status {
   std::uint32_t next_point_id = 0, next_spring_id = 0;  // ids from here on are free
   long frames = 0;                       // stepped since the document was opened
   double first_moment = 0.0, last_moment = 0.0;  // [s], of the frames that one can go back to; the same: none but this
+  std::shared_ptr<const TraceTable> traces;              // what the plots show
   double run_to = 0.0;                   // [s], where a run to a time ends, from `run_from`; both 0: none
   double run_from = 0.0;
   std::string recording;                 // the file that what is done is recorded in; empty: none

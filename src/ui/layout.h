@@ -13,24 +13,33 @@ struct Rect {
 };
 
 struct Layout {
-  Rect menu, tools, side, timeline, status, scene;
+  Rect menu, tools, side, plots, timeline, status, scene;
+  Rect page;  // all between the menu and the line at the bottom
+};
+
+// What is shown besides the menu and the line at the bottom.
+struct Shown {
+  bool panels = true, plots = false;
 };
 
 // `scale`: window units per unit of design (1 on a plain screen).
-inline Layout lay_out(double width, double height, double scale) {
-  const double menu = 38.0 * scale, tools = 74.0 * scale, status = 28.0 * scale;
-  const double side = std::min(336.0 * scale, 0.45 * width);
+inline Layout lay_out(double width, double height, double scale, Shown shown = {}) {
+  const double menu = 38.0 * scale, tools = shown.panels ? 74.0 * scale : 0.0, status = 28.0 * scale;
+  const double side = shown.panels ? std::min(336.0 * scale, 0.45 * width) : 0.0;
   const double middle = std::max(1.0, height - menu - status);
-  // only where there is room for it
-  const double timeline = middle > 200.0 * scale ? 30.0 * scale : 0.0;
-  const double scene_width = std::max(1.0, width - tools - side), scene_height = middle - timeline;
+  // only where there is room for them
+  const double timeline = shown.panels && middle > 200.0 * scale ? 30.0 * scale : 0.0;
+  const double plots = shown.panels && shown.plots && middle > 320.0 * scale ? std::clamp(0.3 * middle, 150.0 * scale, 260.0 * scale) : 0.0;
+  const double scene_width = std::max(1.0, width - tools - side), scene_height = middle - timeline - plots;
   return {
       .menu = {0.0, 0.0, width, menu},
       .tools = {0.0, menu, tools, middle},
       .side = {width - side, menu, side, middle},
-      .timeline = {tools, menu + scene_height, scene_width, timeline},
+      .plots = {tools, menu + scene_height, scene_width, plots},
+      .timeline = {tools, menu + scene_height + plots, scene_width, timeline},
       .status = {0.0, menu + middle, width, status},
       .scene = {tools, menu, scene_width, scene_height},
+      .page = {0.0, menu, width, middle},
   };
 }
 

@@ -7,6 +7,7 @@
 namespace hooke {
 
 void build_panels(const Desk& desk, Panels& panels, Requests& requests) {
+  use_look(panels.look);
   if (!ImGui::IsAnyItemActive()) panels.edit_in_progress = false;
   panels.floating.clear();
   build_menu(desk, panels, requests);
@@ -14,8 +15,11 @@ void build_panels(const Desk& desk, Panels& panels, Requests& requests) {
   if (panels.gallery.is_shown) {
     build_gallery(desk, panels, requests);
   } else {
-    build_toolbar(desk, requests);
-    build_side(desk, panels, requests);
+    if (!panels.panels_hidden) {
+      build_toolbar(desk, requests);
+      build_side(desk, panels, requests);
+    }
+    build_plots(desk, panels, requests);
     build_timeline(desk, panels, requests);
     build_overlays(desk, panels, requests);
   }

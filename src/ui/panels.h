@@ -14,6 +14,7 @@
 #include "ui/icons.h"
 #include "ui/layout.h"
 #include "ui/requests.h"
+#include "ui/theme.h"
 
 namespace hooke {
 
@@ -64,6 +65,11 @@ struct Panels {
   std::string dismissed;               // the message whose banner was closed
   std::string remarks;                 // on the file that was opened
   bool edit_in_progress = false;       // the active slider has edited already
+  Look look = Look::Dark;
+  bool panels_hidden = false;          // all but the menu and the line at the bottom
+  bool plots_shown = false;
+  double plot_seconds = 1e9;           // [s] of time in the plots, at most
+  std::optional<double> plot_end;      // [s], the last time in them; none: the newest
   bool scrub_in_progress = false;      // the scrubber is being dragged already
   double run_to = 10.0;                // [s], the time typed last
   std::optional<double> typed_number;  // into a slider, not finished
@@ -92,6 +98,9 @@ void build_toolbar(const Desk& desk, Requests& requests);
 void build_side(const Desk& desk, Panels& panels, Requests& requests);
 void build_parameters(const Desk& desk, Panels& panels, Requests& requests);
 void build_forces(const Desk& desk, Panels& panels, Requests& requests);
+// What is plotted before anything is chosen: the energies.
+std::vector<Quantity> first_plots(const System& system);
+void build_plots(const Desk& desk, Panels& panels, Requests& requests);
 void build_timeline(const Desk& desk, Panels& panels, Requests& requests);
 void build_status_bar(const Desk& desk);
 void build_overlays(const Desk& desk, Panels& panels, Requests& requests);

@@ -134,7 +134,7 @@ bool move_in_gallery(Panels& panels, const Layout& layout, Key key) {
 }
 
 void build_gallery(const Desk& desk, Panels& panels, Requests& requests) {
-  const Rect page{0.0, desk.layout.menu.height, desk.layout.status.width, desk.layout.scene.height};
+  const Rect& page = desk.layout.page;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(margin), units(10.0)});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::panel);
   begin_panel("gallery", page);

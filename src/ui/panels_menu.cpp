@@ -84,6 +84,8 @@ void texture_menu(const Desk& desk, Panels& panels, Requests& requests) {
 void view_menu(const Desk& desk, Panels& panels, Requests& requests) {
   item(Action::FrameAll, requests);
   ImGui::Separator();
+  for (const Action action : {Action::ShowPlots, Action::HidePanels, Action::LightOrDark}) item(action, requests);
+  ImGui::Separator();
   ImGui::MenuItem("Points", nullptr, &panels.view.points);
   ImGui::MenuItem("Springs", nullptr, &panels.view.springs);
   ImGui::MenuItem("Surface", nullptr, &panels.view.surface);

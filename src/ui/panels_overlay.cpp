@@ -145,7 +145,7 @@ void banners(const Desk& desk, Panels& panels, Requests& requests) {
 
   // why the run stopped
   if (!status.message.empty() && status.message != panels.dismissed) {
-    begin_banner("stopped", scene, down, status.message, IM_COL32(0x33, 0x22, 0x22, 245), palette::bad, panels);
+    begin_banner("stopped", scene, down, status.message, palette::alarm, palette::bad, panels);
     if (status.advice) {
       const Settings& settings = status.snapshot->settings;
       const Advice advice = fitted(*status.advice, settings);
@@ -161,7 +161,7 @@ void banners(const Desk& desk, Panels& panels, Requests& requests) {
 
   // what the file that was opened is remarkable for
   if (!panels.remarks.empty() && down == 0.0) {
-    begin_banner("remarks", scene, down, panels.remarks, IM_COL32(0x30, 0x2b, 0x20, 245), palette::warning, panels);
+    begin_banner("remarks", scene, down, panels.remarks, palette::notice, palette::warning, panels);
     if (ImGui::Button("Dismiss")) panels.remarks.clear();
     end_banner();
   }

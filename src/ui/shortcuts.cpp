@@ -42,6 +42,9 @@ constexpr std::array rows{
 
     Shortcut{Key::Home, plain, Action::FrameAll, look, "See the whole scene"},
     Shortcut{letter('G'), plain, Action::ShowGallery, look, "Gallery of scenes"},
+    Shortcut{letter('P'), plain, Action::ShowPlots, look, "Plots"},
+    Shortcut{Key::Tab, plain, Action::HidePanels, look, "Hide the panels, or show them"},
+    Shortcut{letter('L'), control_shift, Action::LightOrDark, look, "Light or dark"},
     Shortcut{Key::F1, plain, Action::ShowKeys, look, "Show these keys"},
 
     Shortcut{letter('N'), control, Action::NewScene, file, "New scene"},
@@ -60,7 +63,7 @@ constexpr std::array hints{
 };
 
 constexpr std::array named_keys{
-    std::pair{Key::Space, "Space"}, std::pair{Key::Escape, "Esc"}, std::pair{Key::Enter, "Enter"}, std::pair{Key::Delete, "Del"},
+    std::pair{Key::Space, "Space"}, std::pair{Key::Escape, "Esc"}, std::pair{Key::Enter, "Enter"}, std::pair{Key::Tab, "Tab"}, std::pair{Key::Delete, "Del"},
     std::pair{Key::Right, "Right"}, std::pair{Key::Left, "Left"}, std::pair{Key::Down, "Down"}, std::pair{Key::Up, "Up"},
     std::pair{Key::Home, "Home"}, std::pair{Key::F1, "F1"},
 };

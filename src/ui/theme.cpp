@@ -26,11 +26,36 @@ ImFont* load_font(const char* name, double size, double density) {
   return io.Fonts->AddFontDefault(&config);
 }
 
+// A look: the colours by what they are for, light enough or dark enough against the panel to be read (WCAG AA for words).
+struct Row {
+  ImU32& color;
+  ImU32 dark, light;
+};
+const Row rows[] = {
+    {palette::panel, IM_COL32(0x1a, 0x1d, 0x22, 255), IM_COL32(0xf3, 0xf4, 0xf6, 255)},
+    {palette::raised, IM_COL32(0x26, 0x2b, 0x32, 255), IM_COL32(0xe2, 0xe5, 0xe9, 255)},
+    {palette::hovered, IM_COL32(0x31, 0x38, 0x41, 255), IM_COL32(0xd3, 0xd8, 0xde, 255)},
+    {palette::pressed, IM_COL32(0x3b, 0x44, 0x4f, 255), IM_COL32(0xc3, 0xca, 0xd2, 255)},
+    {palette::line, IM_COL32(0x2e, 0x34, 0x3c, 255), IM_COL32(0xd9, 0xdd, 0xe2, 255)},
+    {palette::box, IM_COL32(0x20, 0x24, 0x2a, 255), IM_COL32(0xfc, 0xfc, 0xfd, 255)},
+    {palette::text, IM_COL32(0xdc, 0xe1, 0xe7, 255), IM_COL32(0x1d, 0x23, 0x2a, 255)},
+    {palette::dim, IM_COL32(0x96, 0xa0, 0xac, 255), IM_COL32(0x55, 0x5f, 0x6b, 255)},
+    {palette::accent, IM_COL32(0x5b, 0xc0, 0xb0, 255), IM_COL32(0x0b, 0x75, 0x69, 255)},
+    {palette::tinted, IM_COL32(0x24, 0x46, 0x44, 255), IM_COL32(0xbd, 0xe0, 0xdb, 255)},
+    {palette::good, IM_COL32(0x74, 0xc2, 0x7a, 255), IM_COL32(0x23, 0x73, 0x2e, 255)},
+    {palette::warning, IM_COL32(0xe6, 0xb4, 0x50, 255), IM_COL32(0x8a, 0x57, 0x00, 255)},
+    {palette::bad, IM_COL32(0xf0, 0x6a, 0x5c, 255), IM_COL32(0xb3, 0x2a, 0x1e, 255)},
+    {palette::edge, IM_COL32(0x42, 0x4b, 0x56, 255), IM_COL32(0xb4, 0xbc, 0xc6, 255)},
+    {palette::shade, IM_COL32(0x12, 0x14, 0x18, 225), IM_COL32(0xff, 0xff, 0xff, 235)},
+    {palette::alarm, IM_COL32(0x33, 0x22, 0x22, 245), IM_COL32(0xfb, 0xe6, 0xe3, 245)},
+    {palette::notice, IM_COL32(0x30, 0x2b, 0x20, 245), IM_COL32(0xfa, 0xf0, 0xd8, 245)},
+};
+
 ImVec4 color(ImU32 packed) { return ImGui::ColorConvertU32ToFloat4(packed); }
 
 void set_colors(ImVec4* colors) {
   using namespace palette;
-  const std::pair<ImGuiCol, ImU32> rows[] = {
+  const std::pair<ImGuiCol, ImU32> parts[] = {
       {ImGuiCol_Text, text},
       {ImGuiCol_TextDisabled, dim},
       {ImGuiCol_WindowBg, panel},
@@ -58,12 +83,20 @@ void set_colors(ImVec4* colors) {
       {ImGuiCol_ScrollbarGrab, pressed},
       {ImGuiCol_ModalWindowDimBg, IM_COL32(0x0a, 0x0b, 0x0d, 150)},
   };
-  for (const auto& [which, value] : rows) colors[which] = color(value);
+  for (const auto& [which, value] : parts) colors[which] = color(value);
 }
 
 }  // namespace
 
+void use_look(Look look) {
+  for (const Row& row : rows) row.color = look == Look::Dark ? row.dark : row.light;
+  set_colors(ImGui::GetStyle().Colors);
+}
+
+Color background_of(Look look) { return look == Look::Dark ? Color{32, 36, 40} : Color{232, 235, 239}; }
+
 void load_theme(double scale, double density) {
+  if (palette::text == 0) use_look(Look::Dark);
   current_scale = scale;
   ImGuiIO& io = ImGui::GetIO();
   io.Fonts->Clear();

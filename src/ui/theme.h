@@ -7,16 +7,17 @@
 
 namespace hooke {
 
+// Of the look in use.
 namespace palette {
-inline constexpr ImU32 panel = IM_COL32(0x1a, 0x1d, 0x22, 255), raised = IM_COL32(0x26, 0x2b, 0x32, 255),
-                       hovered = IM_COL32(0x31, 0x38, 0x41, 255), pressed = IM_COL32(0x3b, 0x44, 0x4f, 255),
-                       line = IM_COL32(0x2e, 0x34, 0x3c, 255), box = IM_COL32(0x20, 0x24, 0x2a, 255),
-                       text = IM_COL32(0xdc, 0xe1, 0xe7, 255), dim = IM_COL32(0x96, 0xa0, 0xac, 255),
-                       accent = IM_COL32(0x5b, 0xc0, 0xb0, 255), tinted = IM_COL32(0x24, 0x46, 0x44, 255),
-                       good = IM_COL32(0x74, 0xc2, 0x7a, 255), warning = IM_COL32(0xe6, 0xb4, 0x50, 255),
-                       bad = IM_COL32(0xf0, 0x6a, 0x5c, 255), edge = IM_COL32(0x42, 0x4b, 0x56, 255),
-                       shade = IM_COL32(0x12, 0x14, 0x18, 225);
+inline ImU32 panel, raised, hovered, pressed, line, box, text, dim, accent, tinted, good, warning, bad, edge, shade, alarm, notice;
 }
+
+enum class Look { Dark, Light };
+
+// Sets the palette, and the style of the current context.
+void use_look(Look look);
+// What the scene stands before where it does not say so itself.
+Color background_of(Look look);
 
 struct Fonts {
   ImFont* body = nullptr;

@@ -1,0 +1,78 @@
+#include "lab/traces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "lab/bounds.h"
+
+namespace hooke {
+namespace {
+
+template <class T>
+void drop_front(std::vector<T>& list, std::size_t count) {
+  list.erase(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+// Dropping from the front of a list moves the rest of it: some hundreds at a time.
+constexpr std::size_t drop_at_once = 256;
+
+}  // namespace
+
+void Traces::watch(const std::vector<Quantity>& quantities, const Timeline& timeline, const System& system) {
+  table_ = {};
+  published_.reset();
+  for (const Quantity& quantity : quantities) table_.traces.push_back({quantity, {}});
+  if (quantities.empty()) return;
+  for (std::size_t moment = 0; moment < timeline.count(); ++moment) add(system, *timeline.at(moment));
+}
+
+void Traces::note(const Timeline& timeline, const System& system, const State& state) {
+  if (table_.traces.empty()) return;
+  published_.reset();
+  while (!table_.times.empty() && table_.times.back() >= state.time) {
+    table_.times.pop_back();
+    for (Trace& trace : table_.traces) trace.values.pop_back();
+  }
+  if (table_.times.size() >= timeline.count() + drop_at_once) {
+    drop_front(table_.times, drop_at_once);
+    for (Trace& trace : table_.traces) drop_front(trace.values, drop_at_once);
+  }
+  add(system, state);
+}
+
+void Traces::add(const System& system, const State& state) {
+  if (state.position.size() != system.points().size()) return;
+  const Measured measured = measure(system, state);
+  table_.times.push_back(state.time);
+  for (Trace& trace : table_.traces) {
+    const QuantityRow& row = *trace.quantity.row;
+    const Index count = row.of == QuantityRow::Of::Point ? system.point_count() : row.of == QuantityRow::Of::Spring ? system.spring_count() : 1;
+    trace.values.push_back(trace.quantity.at < count ? trace.quantity.of(measured) : std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+void Traces::clear() {
+  published_.reset();
+  table_.times.clear();
+  for (Trace& trace : table_.traces) trace.values.clear();
+}
+
+std::shared_ptr<const TraceTable> Traces::table() const {
+  if (!published_) published_ = std::make_shared<const TraceTable>(table_);
+  return published_;
+}
+
+std::string to_csv(const TraceTable& table) {
+  std::string text = "time [s]";
+  for (const Trace& trace : table.traces) text += "," + trace.quantity.heading();
+  text += "\n";
+  for (std::size_t i = 0; i < table.times.size(); ++i) {
+    text += shortest(table.times[i]);
+    for (const Trace& trace : table.traces) text += "," + (std::isfinite(trace.values[i]) ? shortest(trace.values[i]) : std::string());
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace hooke
