@@ -54,9 +54,21 @@ TEST(Check, CasesAndMethodsCanBeChosenAndWrittenAsJson) {
   EXPECT_STREQ(document["cases"][1]["results"][0]["method"].GetString(), "velocity_verlet");
 }
 
+// A mouse at 50 m/s: peak strain within a factor of two of the converged one, no energy gained, nothing through the slab.
+TEST(Check, TheDefaultMethodHoldsWhatAFastMouseDrags) {
+  const Outcome outcome = check({"--hard", "--cases", "8", "--methods", "velocity_verlet", "--strict"});
+  EXPECT_EQ(outcome.code, 0) << outcome.out;
+  EXPECT_NE(outcome.out.find("1 held"), std::string::npos) << outcome.out;
+}
+
 TEST(Check, WrongUsageIsCodeTwo) {
-  for (const std::vector<std::string>& words : {std::vector<std::string>{"--hard", "--cases", "28"}, {"--hard", "--cases", "0"}, {"--hard", "--methods", "magic"},
-                                                {"--quick"}, {"--hard", "two_masses"}, {"--hard", "--threads", "0"}, {"--hard", "--quick", "--cases", "22"}}) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--hard", "--cases", "28"},
+                                                {"--hard", "--cases", "0"},
+                                                {"--hard", "--methods", "magic"},
+                                                {"--quick"},
+                                                {"--hard", "two_masses"},
+                                                {"--hard", "--threads", "0"},
+                                                {"--hard", "--quick", "--cases", "22"}}) {
     const Outcome outcome = check(words);
     EXPECT_EQ(outcome.code, 2) << words.back();
     EXPECT_EQ(outcome.out, "") << words.back();

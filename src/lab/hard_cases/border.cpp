@@ -14,13 +14,13 @@
 namespace hooke {
 
 Verdict judge_one_substep(const Integrator& method) {
-  // every scene that ships, for two seconds: it runs through or is stopped openly
+  // every scene that ships, for a second: it runs through or is stopped openly
   int held = 0, all = 0;
   std::vector<Verdict> parts;
   for (const ShippedScene& shipped : shipped_scenes()) {
     const Scene scene = load_scene(shipped.file).scene;
     WatchedRun run({scene.system, scene.state}, {.integrator = &method, .substeps = 1});
-    run.run(2.0);
+    run.run(1.0);
     parts.push_back(judge(run, is_finite(run.state()), ""));
     if (parts.back().outcome == Outcome::FailedOpenly) parts.back().reason = shipped.id + ": " + parts.back().reason;
     held += run.stopped() ? 0 : 1;
@@ -105,8 +105,8 @@ Verdict judge_bad_input(const Integrator& method) {
     if (run.stopped()) ++stopped;
   }
   return {.outcome = let_in == 0 && silent == 0 ? Outcome::Held : Outcome::FailedSilently,
-          .measured = text("%zu bad scenes: %d let in; %d extreme ones: %d stopped by the watch, %d not finite in silence", std::size(bad_scenes),
-                           let_in, sets, stopped, silent)};
+          .measured = text("%zu bad scenes: %d let in; %d extreme ones: %d stopped by the watch, %d not finite in silence",
+                           std::size(bad_scenes), let_in, sets, stopped, silent)};
 }
 
 // The window was hidden for ten seconds: it comes back where it was, and then goes on as if nothing had been.

@@ -19,20 +19,28 @@ Verdict judge_cloth_on_ball(const Integrator& method) {
   constexpr int n = 32;
   constexpr double radius = 0.3, drop = 2.0, a = 1.0 / (n - 1);
   constexpr Vec3 center{0.02, radius, 0.01};
-  Draft sheet = make_sheet({.rows = n, .columns = n, .corner = {-0.5, drop, -0.5}, .across = {a, 0.0, 0.0}, .down = {0.0, 0.0, a},
-                            .mass = 1.0 / (n * n), .stiffness = 1e6, .diagonal_stiffness = 1e6});
+  Draft sheet = make_sheet({.rows = n,
+                            .columns = n,
+                            .corner = {-0.5, drop, -0.5},
+                            .across = {a, 0.0, 0.0},
+                            .down = {0.0, 0.0, a},
+                            .mass = 1.0 / (n * n),
+                            .stiffness = 1e6,
+                            .diagonal_stiffness = 1e6});
   sheet.system.colliders.push_back({.shape = Sphere{center, radius}, .restitution = 0.0, .friction = 0.5});
   sheet.system.colliders.push_back({.shape = Plane{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, .restitution = 0.0, .friction = 0.5});
 
   WatchedRun run(sheet, settings_for(method, sheet.system, {.free = 4}), {.energy = 1e-3});
-  // the default method for as long as was asked for, the others through the impact and the slide to rest
-  const double seconds = &method == &default_integrator() ? 20.0 : 3.0;
+  // the default method for as long as was asked for, the others through the impact at 0.53 s
+  const double seconds = &method == &default_integrator() ? 20.0 : 1.0;
   double deepest = 0.0;
   while (run.state().time < seconds && run.frame())
     for (const Vec3& x : run.state().position) deepest = std::max({deepest, radius - glm::distance(x, center), -x.y});
   const double rise = run.books().energy_rise();
-  return judge(run, deepest < 1e-3 && rise < 1e-3,
-               text("penetration %.1g m, energy rises %.1g, %.3g s, %d substeps", deepest, rise, run.state().time, run.settings().substeps));
+  // at its limit the energy of a method of first order swings without bound
+  return judge(
+      run, method.order == 1 ? Expectation::HoldOrReport : expectation_of(run), deepest < 1e-3 && rise < 1e-3,
+      text("penetration %.1g m, energy rises %.1g, %.3g s, %d substeps", deepest, rise, run.state().time, run.settings().substeps));
 }
 
 // 100 m/s on a slab of 0.1 m, e = 0.5; a step of a 60th covers 1.7 m.

@@ -11,13 +11,14 @@
 namespace hooke {
 namespace {
 
-constexpr double a = 1.0 / 23.0;                // [m], between points
-constexpr double speed = 50.0, radius = 1.0;    // [m/s], [m], of the hand
+constexpr double a = 1.0 / 23.0;                     // [m], between points
+constexpr double speed = 50.0, radius = 1.0;         // [m/s], [m], of the hand
 constexpr int held_frames = 30, flight_frames = 90;  // of a 60th
 
 // 24 x 24 points, 1 m, 1 kg, free but for the hand at a corner.
 Draft make_dragged_sheet() {
-  Draft sheet = make_sheet({.rows = 24, .columns = 24, .across = {a, 0.0, 0.0}, .down = {0.0, -a, 0.0}, .mass = 1.0 / 576.0, .stiffness = 1e6});
+  Draft sheet =
+      make_sheet({.rows = 24, .columns = 24, .across = {a, 0.0, 0.0}, .down = {0.0, -a, 0.0}, .mass = 1.0 / 576.0, .stiffness = 1e6});
   sheet.system.gravity = Vec3(0.0);
   sheet.system.drag = 2.0;
   return sheet;
@@ -47,7 +48,7 @@ double thread_seconds() {
 
 struct Drag {
   double peak_strain = 0.0, last_strain = 0.0;  // [1]
-  double gain = 0.0;                            // [1], of energy after the release, of that at the release
+  double gain = 0.0;                            // [1], above the energy at the release, of that: drag alone takes some
   double ms_per_frame = 0.0;                    // [ms] of CPU a 60th of a second
 };
 
@@ -73,11 +74,9 @@ Drag drag_corner(WatchedRun& run, int looks) {
 
   run.lab().submit(ReleaseHand{});
   const double released = compute_energy(run.system(), run.state()).total();
-  double lowest = released;
   for (int i = 0; i < looks * flight_frames && frame(); ++i) {
     const double energy = compute_energy(run.system(), run.state()).total();
-    drag.gain = std::max(drag.gain, (energy - lowest) / std::abs(released));
-    lowest = std::min(lowest, energy);
+    drag.gain = std::max(drag.gain, energy / released - 1.0);
     drag.peak_strain = std::max(drag.peak_strain, most_strain(run));
   }
   drag.last_strain = most_strain(run);
@@ -103,13 +102,38 @@ int stable_substeps(const Integrator& method, const Draft& sheet, double share) 
 }
 
 // The converged drag: the default method at a quarter of its limit.
-const Drag& converged() {
-  static const Drag drag = [] {
+struct Converged {
+  int substeps;
+  Drag drag;
+};
+const Converged& converged() {
+  static const Converged reference = [] {
     const Draft sheet = make_dragged_sheet();
-    WatchedRun run = make_run(sheet, default_integrator(), stable_substeps(default_integrator(), sheet, 0.25), {});
-    return drag_corner(run, 16);
+    const int substeps = stable_substeps(default_integrator(), sheet, 0.25);
+    WatchedRun run = make_run(sheet, default_integrator(), substeps, {});
+    return Converged{substeps, drag_corner(run, 16)};
   }();
+  return reference;
+}
+
+// Its cost is the least of three runs, where they take no longer than a second.
+Drag drag_again(const Draft& sheet, const Integrator& method, int substeps, Drag drag) {
+  constexpr double patience = 1e3 / (held_frames + flight_frames);  // [ms] a frame
+  for (int i = 1; i < 3 && drag.ms_per_frame < patience; ++i) {
+    WatchedRun run = make_run(sheet, method, substeps, {});
+    drag.ms_per_frame = std::min(drag.ms_per_frame, drag_corner(run, looks_of(substeps)).ms_per_frame);
+  }
   return drag;
+}
+
+std::vector<std::string> row_of(const std::string& substeps, const Drag& drag, const std::string& report) {
+  return {substeps,
+          text("%.2g", drag.peak_strain),
+          text("%.2g", drag.peak_strain / converged().drag.peak_strain),
+          text("%.1g", drag.last_strain),
+          text("%.1g", drag.gain),
+          text("%.2g", drag.ms_per_frame),
+          report};
 }
 
 // The same over a slab of 2 cm, far too thin for 0.8 m a frame, that the sheet is swung into: how many points get through.
@@ -125,42 +149,45 @@ int count_through_slab(const Integrator& method, int substeps) {
 
 std::vector<int> substeps_of(const Integrator& method, const Draft& sheet) {
   if (method.stability == Stability::EachSpring) return {16, 64, 256, 1024};
-  if (takes_any_step(method)) return {1, 4, 16};
+  if (takes_any_step(method)) return {1, 4};
   if (adapts(method)) return {16};
   const int fewest = stable_substeps(method, sheet, 1.0);
   return {fewest, 2 * fewest};
 }
 
 bool is_met(const Drag& drag) {
-  const double peak = converged().peak_strain;
-  return drag.peak_strain <= 2.0 * peak && drag.peak_strain >= 0.5 * peak && drag.gain <= 1e-3;
+  const double peak = converged().drag.peak_strain;
+  return drag.peak_strain <= 2.0 * peak && drag.peak_strain >= 0.5 * peak && drag.gain <= 1e-2;
 }
 
 }  // namespace
 
 Verdict judge_fast_drag(const Integrator& method) {
   const Draft sheet = make_dragged_sheet();
-  const Drag& exact = converged();
-  Verdict verdict;
   std::vector<std::vector<std::string>> rows;
   std::vector<Verdict> parts;
   for (const int substeps : substeps_of(method, sheet)) {
-    WatchedRun run = make_run(sheet, method, substeps, {.position = 0.5 * exact.peak_strain * a});
-    const Drag drag = drag_corner(run, looks_of(substeps));
-    const std::string said = run.report();
-    rows.push_back({text("%d", substeps), run.stopped() ? "stopped" : text("%.2g", drag.peak_strain), run.stopped() ? "" : text("%.2g", drag.peak_strain / exact.peak_strain),
-                    run.stopped() ? "" : text("%.1g", drag.last_strain), run.stopped() ? "" : text("%.1g", drag.gain),
-                    run.stopped() ? "" : text("%.2g", drag.ms_per_frame), is_met(drag) && !run.stopped() ? "" : said});
-    // one that holds at any step need not be exact at few
-    parts.push_back(judge(run, takes_any_step(method) ? Expectation::HoldOrReport : expectation_of(run), is_met(drag),
-                          text("%d substeps: peak strain %.2g, last %.1g, energy rises %.1g after release", substeps, drag.peak_strain,
+    WatchedRun run = make_run(sheet, method, substeps, {.position = 0.5 * converged().drag.peak_strain * a});
+    Drag drag = drag_corner(run, looks_of(substeps));
+    const std::string name = text("%d", substeps);
+    if (run.stopped())
+      rows.push_back({name, "stopped", "", "", "", "", run.report()});
+    else
+      rows.push_back(row_of(name, drag_again(sheet, method, substeps, drag), is_met(drag) ? "" : run.report()));
+
+    // one that holds at any step need not be exact at few, nor one of first order near its limit
+    const bool may_fail = takes_any_step(method) || method.order == 1;
+    parts.push_back(judge(run, may_fail ? Expectation::HoldOrReport : expectation_of(run), is_met(drag),
+                          text("%d substeps: peak strain %.2g, last %.1g, energy gained after release %.1g", substeps, drag.peak_strain,
                                drag.last_strain, drag.gain)));
   }
+  if (&method == &default_integrator()) rows.push_back(row_of(text("%d, the converged", converged().substeps), converged().drag, ""));
 
   // nothing tunnels, at whatever step
   const int through = count_through_slab(method, takes_any_step(method) ? 1 : substeps_of(method, sheet)[0]);
-  parts.push_back({.outcome = through == 0 ? Outcome::Held : Outcome::FailedSilently, .measured = text("%d points through the slab", through)});
-  verdict = worst_of(parts);
+  parts.push_back(
+      {.outcome = through == 0 ? Outcome::Held : Outcome::FailedSilently, .measured = text("%d points through the slab", through)});
+  Verdict verdict = worst_of(parts);
   verdict.rows = std::move(rows);
   return verdict;
 }

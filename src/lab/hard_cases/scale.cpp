@@ -51,7 +51,8 @@ Sheet measure_sheet(const Integrator& method, int n) {
                            R"(], "density": 1, "stiffness": 200, "shear_stiffness": 100, "damping": 0.2, "nail": ["top"]}]})";
   const Scene scene = parse_scene(json, "sheet").scene;
   Draft draft{scene.system, scene.state};
-  Settings settings = settings_for(method, draft.system, {.free = 4, .share = 0.8});
+  // at its limit the sweeps over the finest sheet's dashpots, d h / m = 0.8, take 6 % too little
+  Settings settings = settings_for(method, draft.system, {.free = 4, .share = 0.2});
 
   // at rest under drag, near the critical one of the slowest mode
   Draft hung = draft;
