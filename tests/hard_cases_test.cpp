@@ -3,7 +3,9 @@
 
 #include <rapidjson/document.h>
 
+#include <algorithm>
 #include <array>
+#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -24,9 +26,16 @@ TEST(Verdict, IsBrokenWhenItIsNotWhatWasExpected) {
     Expectation expected;
     bool broken;
   };
-  for (const Row& row : {Row{Held, Hold, false}, {Held, Report, true}, {Held, HoldOrReport, false}, {FailedOpenly, Hold, true},
-                         {FailedOpenly, Report, false}, {FailedOpenly, HoldOrReport, false}, {FailedSilently, Hold, true},
-                         {FailedSilently, Report, true}, {FailedSilently, HoldOrReport, true}, {OutOfScope, Hold, false}})
+  for (const Row& row : {Row{Held, Hold, false},
+                         {Held, Report, true},
+                         {Held, HoldOrReport, false},
+                         {FailedOpenly, Hold, true},
+                         {FailedOpenly, Report, false},
+                         {FailedOpenly, HoldOrReport, false},
+                         {FailedSilently, Hold, true},
+                         {FailedSilently, Report, true},
+                         {FailedSilently, HoldOrReport, true},
+                         {OutOfScope, Hold, false}})
     EXPECT_EQ(is_broken({.outcome = row.outcome, .expected = row.expected}), row.broken)
         << describe(row.outcome) << ", expected to " << describe(row.expected);
 }
@@ -127,9 +136,17 @@ Verdict judge_endless(const Integrator&) {
 }
 
 constexpr HardCase held{.number = 1, .name = "Held", .parameters = "p", .criterion = "c", .judge = judge_held};
-constexpr HardCase silent{.number = 2, .name = "Silent", .parameters = "p", .criterion = "c", .not_quick = "xpbd tr_bdf2", .judge = judge_silent};
-constexpr HardCase thrown{.number = 3, .name = "Thrown", .parameters = "p", .criterion = "c", .remark = "r", .concerns = Concerns::NoMethod, .judge = judge_thrown};
-constexpr HardCase endless{.number = 4, .name = "Endless", .parameters = "p", .criterion = "c", .concerns = Concerns::NoMethod, .judge = judge_endless};
+constexpr HardCase silent{
+    .number = 2, .name = "Silent", .parameters = "p", .criterion = "c", .not_quick = "xpbd tr_bdf2", .judge = judge_silent};
+constexpr HardCase thrown{.number = 3,
+                          .name = "Thrown",
+                          .parameters = "p",
+                          .criterion = "c",
+                          .remark = "r",
+                          .concerns = Concerns::NoMethod,
+                          .judge = judge_thrown};
+constexpr HardCase endless{
+    .number = 4, .name = "Endless", .parameters = "p", .criterion = "c", .concerns = Concerns::NoMethod, .judge = judge_endless};
 
 std::vector<CaseResult> run_planted(int threads) {
   const std::array cases{&held, &silent, &thrown};
@@ -213,10 +230,57 @@ TEST(CaseReport, IsJsonForMachines) {
 }
 
 TEST(CaseReport, IsADocumentForPeople) {
-  const std::string document = format_markdown(run_planted(1), "hooke check --hard", "2000-01-02");
-  for (const char* part : {"Made on 2000-01-02 by", "    hooke check --hard\n", "| 2 Silent | held | **against expectation** | held |", "## 3. Thrown",
-                           "Remark: r.", "| any | failed silently |"})
+  const std::string document =
+      format_markdown(run_planted(1), {.command = "hooke check --hard", .date = "2000-01-02", .machine = "Abacus"});
+  for (const char* part :
+       {"Made on 2000-01-02, on one Abacus, by", "    hooke check --hard\n", "| 2 Silent | held | **against expectation** | held |",
+        "## 3. Thrown", "Remark: r.", "| any | failed silently |"})
     EXPECT_NE(document.find(part), std::string::npos) << part;
+}
+
+// "| a | b |": its cells, trimmed.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream row(line.substr(1));
+  for (std::string cell; std::getline(row, cell, '|');) {
+    const std::size_t first = cell.find_first_not_of(' ');
+    cells.push_back(first == std::string::npos ? "" : cell.substr(first, cell.find_last_not_of(' ') - first + 1));
+  }
+  return cells;
+}
+
+TEST(StabilityPage, HasTheCasesAndMethodsOfTheProgramAndNothingAgainstExpectation) {
+  std::ifstream page(DOCS_FOLDER "/stability.md");
+  std::vector<std::string> methods, rows, sections;
+  std::string text;
+  for (std::string line; std::getline(page, line); text += line + "\n") {
+    if (line.starts_with("| case |")) {
+      methods = cells_of(line);
+      methods.erase(methods.begin());
+    } else if (!methods.empty() && sections.empty() && line.size() > 2 && line.starts_with("| ")) {
+      const std::vector<std::string> cells = cells_of(line);
+      rows.push_back(cells[0]);
+      // none was left out of the run that made it
+      EXPECT_EQ(cells.size(), methods.size() + 1) << line;
+      EXPECT_EQ(std::ranges::count(cells, ""), 0) << line;
+    } else if (line.starts_with("## ") && line[3] >= '0' && line[3] <= '9') {
+      sections.push_back(line.substr(3));
+    }
+  }
+
+  std::vector<std::string> ids, names, headings;
+  for (const Integrator& row : integrators()) ids.emplace_back(row.id);
+  for (const HardCase& row : hard_cases()) {
+    names.push_back(std::to_string(row.number) + " " + std::string(row.name));
+    headings.push_back(std::to_string(row.number) + ". " + std::string(row.name));
+    for (const std::string_view part : {row.parameters, row.criterion, row.remark})
+      EXPECT_NE(text.find(part), std::string::npos) << row.name << ": " << part;
+  }
+  EXPECT_EQ(methods, ids);
+  EXPECT_EQ(rows, names);
+  EXPECT_EQ(sections, headings);
+  EXPECT_EQ(text.find("**against expectation**"), std::string::npos);
+  EXPECT_NE(text.find("none against expectation"), std::string::npos);
 }
 
 }  // namespace

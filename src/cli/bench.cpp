@@ -11,6 +11,7 @@
 #include "cli/bench_report.h"
 #include "cli/gnuplot.h"
 #include "cli/interrupt.h"
+#include "cli/machine.h"
 #include "cli/methods_page.h"
 #include "cli/run_report.h"
 #include "lab/atomic_write.h"
@@ -35,13 +36,6 @@ struct BenchOptions {
 // A quick benchmark ends within a minute on any machine: coarser, and cut short if need be.
 constexpr Effort quick_effort{.repeats = 3, .run_seconds = 0.04, .reference_seconds = 0.5, .finest_error = 1e-10};
 constexpr std::chrono::seconds quick_limit{50};
-
-std::string machine() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) return printable(line.substr(std::min(line.size(), line.find(':') + 2)), 80);
-  return "unknown";
-}
 
 // Of the program's own file: figures of another build are another matter.
 std::string build() {

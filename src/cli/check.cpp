@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "cli/interrupt.h"
+#include "cli/machine.h"
 #include "cli/output_file.h"
 #include "cli/progress.h"
 #include "lab/hard_cases/case_report.h"
@@ -96,7 +97,8 @@ int check_hard_cases(const CheckOptions& options) {
 
   if (was_interrupted()) std::cerr << "Stopped: this is what is known.\n";
   write(options.json, format_json(results));
-  if (options.markdown && !was_interrupted()) write(options.markdown, format_markdown(results, command_of(options), today()));
+  if (options.markdown && !was_interrupted())
+    write(options.markdown, format_markdown(results, {.command = command_of(options), .date = today(), .machine = machine()}));
   if (!options.json && !options.markdown && !options.quiet) std::cout << format_table(results);
   if (was_interrupted()) return exit_interrupted;
   return count_broken(results) == 0 ? exit_code::fine : exit_code::check_failed;

@@ -19,7 +19,12 @@ std::string format_table(std::span<const CaseResult> results);
 // table of its own has "columns", its results have "rows".
 std::string format_json(std::span<const CaseResult> results);
 
-// docs/stability.md. Without times, so that it comes out the same on every machine. `command` and `date` say what made it.
-std::string format_markdown(std::span<const CaseResult> results, std::string_view command, std::string_view date);
+// What made a document, as it says itself.
+struct Origin {
+  std::string command, date, machine;
+};
+
+// docs/stability.md. Times stand in the cases' own tables alone.
+std::string format_markdown(std::span<const CaseResult> results, const Origin& origin);
 
 }  // namespace hooke
