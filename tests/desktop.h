@@ -107,6 +107,8 @@ class Desktop {
     ::setenv("DISPLAY", (":" + display_).c_str(), 1);
     ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     ::unsetenv("WAYLAND_DISPLAY");
+    ::setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
+    ::setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
   }
   ~Desktop() { std::filesystem::remove_all(folder_); }
 

@@ -16,7 +16,7 @@ namespace hooke {
 
 class GuiTrial {
  public:
-  explicit GuiTrial(Scene scene = {}, std::filesystem::path file = {}) {
+  explicit GuiTrial(Scene scene = {}, std::filesystem::path file = {}, const Home& home = {}) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -27,7 +27,7 @@ class GuiTrial {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    app_ = std::make_unique<App>(std::make_shared<const Scene>(std::move(scene)), std::move(file));
+    app_ = std::make_unique<App>(std::make_shared<const Scene>(std::move(scene)), std::move(file), home);
     app_->resize({1280.0, 800.0}, 1.0);
     frames(3);
   }

@@ -1,7 +1,11 @@
 // What each action and each request of the panels does.
+#include <algorithm>
+#include <cmath>
+
 #include "app/app.h"
 #include "app/files.h"
-#include "lab/scene_file.h"
+#include "lab/excerpt.h"
+#include "sim/errors.h"
 #include "sim/overloaded.h"
 
 namespace hooke {
@@ -47,6 +51,22 @@ void App::perform(Action action, bool repeated) {
     case Action::SelectAll:
       selection_ = everything(bench_.system());
       return;
+    case Action::SelectInverted:
+      selection_ = inverted(bench_.system(), selection_);
+      return;
+    case Action::SelectConnected:
+      selection_ = connected(bench_.system(), selection_);
+      return;
+    case Action::Duplicate:
+      return duplicate();
+    case Action::Cut:
+      if (copy()) delete_selection();
+      return;
+    case Action::Copy:
+      copy();
+      return;
+    case Action::Paste:
+      return paste();
     case Action::DeleteSelection:
       return delete_selection();
     case Action::Cancel:
@@ -64,6 +84,16 @@ void App::perform(Action action, bool repeated) {
     case Action::LightOrDark:
       panels_.look = panels_.look == Look::Dark ? Look::Light : Look::Dark;
       return;
+    case Action::FrameSelection:
+      return frame_selection();
+    case Action::LargerPanels:
+      return scale_panels(1.15);
+    case Action::SmallerPanels:
+      return scale_panels(1.0 / 1.15);
+    case Action::SearchCommands:
+      panels_.gallery.is_shown = false;  // what is found acts on the scene
+      panels_.search = {.shown = true, .is_new = true};
+      return;
     case Action::ShowKeys:
       panels_.keys_shown = !panels_.keys_shown;
       return;
@@ -75,7 +105,8 @@ void App::perform(Action action, bool repeated) {
     case Action::NewScene:
       return unless_unsaved(action);
     case Action::OpenScene:
-      return panels_.ask(Dialog::Kind::Open);
+      if (preferences_.system_dialogs && has_system_dialog_) return ask_desktop(false);
+      return panels_.ask_for_file(Dialog::Kind::Open, start_folder());
     case Action::Save:
       return save();
     case Action::SaveAs:
@@ -98,10 +129,11 @@ void App::obey(const Request& request) {
                  [this](const Control& control) { lab_.submit(control); },
                  [this](Action action) { perform(action); },
                  [this](const OpenFile& open_file) { unless_unsaved(OpenFile{typed_path(open_file.file)}); },
-                 [this](const SaveFile& save_file) {
-                   if (save_to(typed_path(save_file.file))) go_on_after_saving();
-                 },
+                 [this](const SaveFile& save_file) { save_to(typed_path(save_file.file)); },
                  [this](const ChooseTexture& choose) { choose_texture(choose.texture); },
+                 [this](const AskDesktop& ask) { ask_desktop(ask.to_save); },
+                 [this](const Recover& wanted) { recover(wanted.which); },
+                 [this](const ThrowAway& unwanted) { throw_away(unwanted.which); },
                  [this](Answer given) { answer(given); },
              },
              request);
@@ -119,7 +151,8 @@ void App::cancel() {
     panels_.menu_closes = true;
     return;
   }
-  if (std::exchange(panels_.keys_shown, false) || std::exchange(panels_.gallery.is_shown, false)) return;
+  if (std::exchange(panels_.keys_shown, false) || std::exchange(panels_.search.shown, false) || std::exchange(panels_.gallery.is_shown, false))
+    return;
   tool_is_pressed_ = false;
   if (tool_->cancel(bench_)) return;
   if (!selection_.empty())
@@ -134,6 +167,13 @@ void App::delete_selection() {
   selection_ = {};
 }
 
+// As the whole scene is framed, with the selected points alone.
+void App::frame_selection() {
+  const Scene part = excerpt(bench_.snapshot(), selection_);
+  if (part.system.points().empty()) return panels_.say("Nothing is selected");
+  frame_scene(bench_.camera, part.system, part.state, bench_.size.x / bench_.size.y);
+}
+
 void App::release_nails() {
   SetNailed release;
   for (const Point& point : bench_.system().points())
@@ -141,90 +181,16 @@ void App::release_nails() {
   if (!release.items.empty()) lab_.submit(release);
 }
 
-void App::unless_unsaved(Request request) {
-  settle();
-  if (status().unsaved) {
-    pending_ = std::move(request);
-    return panels_.ask(Dialog::Kind::Unsaved);
+// Larger or smaller by a step, from then on in every run.
+void App::scale_panels(double factor) {
+  const PreferenceRow& row = preference_rows()[0];
+  preferences_.interface_scale = std::clamp(std::round(20.0 * factor * preferences_.interface_scale) / 20.0, row.least, row.most);
+  panels_.say("Panels at " + std::to_string(std::lround(100.0 * preferences_.interface_scale)) + " %");
+  try {
+    save_preferences(preferences_, home_.config);
+  } catch (const FileError& error) {
+    panels_.say(error.what());
   }
-  pending_ = std::move(request);
-  go_on_after_saving();
-}
-
-void App::answer(Answer given) {
-  if (given == Answer::Cancel) pending_.reset();
-  if (given == Answer::Discard) go_on_after_saving();
-  if (given == Answer::Save) save();
-}
-
-// There is nothing more to lose: do what was asked for.
-void App::go_on_after_saving() {
-  const auto request = std::exchange(pending_, std::nullopt);
-  if (!request) return;
-  if (const auto* open_file = std::get_if<OpenFile>(&*request)) return open(open_file->file);
-  if (*std::get_if<Action>(&*request) == Action::Quit)
-    finished_ = true;
-  else
-    take_document(std::make_shared<const Scene>(empty_scene()), {});
-}
-
-void App::take_document(std::shared_ptr<const Scene> scene, std::filesystem::path file) {
-  take_tool(tool_action_);
-  selection_ = {};
-  panels_.remarks.clear();
-  panels_.gallery.is_shown = false;
-  file_ = std::move(file);
-  bench_.camera = make_camera(scene->view, scene->system, scene->state, bench_.size.x / bench_.size.y);
-  take_switches(scene->view);
-  lab_.submit(Open{std::move(scene)});
-  settle();
-}
-
-void App::open(const std::filesystem::path& file) {
-  const Opened opened = try_open(file);
-  if (!opened.scene) return panels_.tell("Cannot open the scene", opened.error);
-  take_document(opened.scene, file);
-  panels_.remarks = opened.warnings;
-}
-
-bool App::save_to(const std::filesystem::path& file) {
-  Scene scene = *lab_.copy_scene().get();
-  scene.view.surface = panels_.view.surface;
-  scene.view.springs = panels_.view.springs;
-  scene.view.points = panels_.view.points;
-  scene.view.strain_colors = panels_.view.strain_colors;
-  const std::string error = try_save(scene, file);
-  if (!error.empty()) {
-    pending_.reset();
-    panels_.tell("Cannot save the scene", error);
-    return false;
-  }
-  file_ = file;
-  lab_.submit(MarkSaved{});
-  settle();
-  panels_.say("Saved " + file.string());
-  return true;
-}
-
-void App::save() {
-  if (file_.empty() || is_shipped(file_)) return ask_for_path();
-  if (save_to(file_)) go_on_after_saving();
-}
-
-// What hides it gives way.
-void App::choose_texture(const std::string& typed) {
-  ChosenTexture chosen = try_texture(typed, file_);
-  if (!chosen.error.empty()) return panels_.tell("Cannot use the picture", chosen.error);
-  if (!chosen.set.texture.empty()) {
-    panels_.view.surface = true;
-    panels_.view.strain_colors = panels_.view.strain_colors && panels_.view.springs;
-  }
-  lab_.submit(std::move(chosen.set));
-}
-
-void App::ask_for_path() {
-  const bool own = !file_.empty() && !is_shipped(file_);
-  panels_.ask(Dialog::Kind::Save, own ? file_.string() : typed_path(file_.empty() ? "untitled" : file_.stem()).string());
 }
 
 }  // namespace hooke

@@ -20,16 +20,33 @@ constexpr double turn_per_height = 3.14159265358979323846;  // [rad], for a drag
 // The page hides the scene, which nothing may happen to unseen.
 bool works_beside_gallery(const Shortcut& shortcut) {
   return shortcut.group == "File" || shortcut.action == Action::Cancel || shortcut.action == Action::ShowGallery ||
-         shortcut.action == Action::ShowKeys;
+         shortcut.action == Action::ShowKeys || shortcut.action == Action::SearchCommands;
 }
 
 }  // namespace
 
-App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file)
-    : lab_(*scene), bench_{lab_, selection_, last_gesture_, lab_.status(), {}}, file_(std::move(file)), to_frame_(std::move(scene)) {
+App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const Home& home)
+    : lab_(*scene),
+      bench_{lab_, selection_, last_gesture_, lab_.status(), {}},
+      home_(home),
+      recent_(home.state),
+      session_(home.state.empty() ? home.state : home.state / "runs"),
+      autosave_(session_),
+      has_system_dialog_(!SystemDialog::find().empty()),
+      file_(std::move(file)),
+      to_frame_(std::move(scene)) {
+  LoadedPreferences loaded = load_preferences(home.config);
+  preferences_ = loaded.preferences;
+  autosave_.set_interval(preferences_.autosave_seconds);
+  if (!loaded.said.empty()) panels_.tell_later("The settings were set aside", std::move(loaded.said));
+  list_left();
+  if (!left_.empty()) panels_.waiting.push_back({.kind = Dialog::Kind::Recovery, .is_new = true});
+  // a clipboard of our own until the window lends its
+  clipboard_ = {.put = [this](const std::string& text) { own_clipboard_ = text; }, .take = [this] { return own_clipboard_; }};
   for (const ToolRow& row : tools()) tool_buttons_.push_back(row.button);
   take_tool(Action::SelectTool);
   take_switches(bench_.status->view);
+  begin_document();
 }
 
 void App::resize(const glm::dvec2& size, double scale) {
@@ -63,6 +80,9 @@ void App::on(const KeyPress& press) {
     panels_.dialog.cancelled = panels_.dialog.cancelled || press.key == Key::Escape;
     return;
   }
+  if (panels_.search.shown && search(press)) return;
+  // a field that is typed into is left by these, and nothing else
+  if (panels_.text_in_progress && press.key != Key::F1 && !press.modifiers.control) return;
   if (panels_.gallery.is_shown && !panels_.menu_is_open && press.modifiers == Modifiers{}) {
     if (move_in_gallery(panels_, layout_, press.key)) return;
     if (press.key == Key::Enter) return unless_unsaved(OpenFile{shipped_scenes()[panels_.gallery.chosen].file});
@@ -74,6 +94,25 @@ void App::on(const KeyPress& press) {
   perform(shortcut->action, press.repeated);
 }
 
+// Whether the key is the search's.
+bool App::search(const KeyPress& press) {
+  Search& search = panels_.search;
+  switch (press.key) {
+    case Key::Enter:
+      search.accepted = true;
+      return true;
+    case Key::Up:
+    case Key::Down:
+      search.lit += press.key == Key::Up ? -1 : 1;
+      return true;
+    case Key::Escape:
+      search.shown = false;
+      return true;
+    default:
+      return true;
+  }
+}
+
 void App::on(const ButtonPress& press) {
   cursor_ = press.at;
   modifiers_ = press.modifiers;
@@ -83,7 +122,9 @@ void App::on(const ButtonPress& press) {
     turning_with_ = press.button;
   } else if (!tool_is_pressed_) {
     tool_is_pressed_ = true;
-    tool_->press(pointer(), bench_);
+    Pointer pressed = pointer();
+    pressed.twice = press.twice;
+    tool_->press(pressed, bench_);
   }
 }
 
@@ -116,6 +157,8 @@ void App::on(const Scroll& scroll) {
 }
 
 void App::on(const FileDrop& drop) {
+  // a box that asks something has the word
+  if (panels_.dialog.kind != Dialog::Kind::None) return panels_.say("Close this box first");
   if (drop.file.extension() == ".png")
     choose_texture(drop.file.string());
   else
@@ -132,7 +175,7 @@ void App::take_tool(Action action) {
 }
 
 void App::build_frame(const Figures& figures) {
-  take_status();
+  attend();
   if (tool_is_pressed_) tool_->follow(pointer(), bench_);
 
   Requests requests;
@@ -151,7 +194,10 @@ void App::build_frame(const Figures& figures) {
                   .file = file_,
                   .frames_per_second = figures.frames_per_second,
                   .draw_ms = figures.draw_ms,
-                  .rubber_band = rubber_band};
+                  .rubber_band = rubber_band,
+                  .recent = recent_.files(),
+                  .left = left_work_,
+                  .has_desktop_dialog = has_system_dialog_};
   build_panels(desk, panels_, requests);
   for (const Request& request : requests) obey(request);
 

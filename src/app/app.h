@@ -7,7 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "app/autosave.h"
+#include "app/clipboard.h"
 #include "app/event.h"
+#include "app/file_watch.h"
+#include "app/home.h"
+#include "app/preferences.h"
+#include "app/session.h"
+#include "app/system_dialog.h"
 #include "app/tools.h"
 #include "app/tune.h"
 #include "ui/panels.h"
@@ -21,14 +28,16 @@ struct Figures {
 
 class App {
  public:
-  // `file`: where the scene came from; empty: from nowhere.
-  App(std::shared_ptr<const Scene> scene, std::filesystem::path file);
+  // `file`: where the scene came from; empty: from nowhere. Without a home nothing is kept between runs.
+  App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const Home& home = {});
 
   // The window's size and its content scale. The first call frames the scene.
   void resize(const glm::dvec2& size, double scale);
   void handle(const Event& event);
   // Once a frame, between ImGui::NewFrame and ImGui::Render: the tool follows the cursor, the panels are built and obeyed.
   void build_frame(const Figures& figures);
+  // What goes on while the window is not seen too: unsaved work is kept, the file of the document watched.
+  void attend();
 
   const Status& status() const { return *bench_.status; }
   const Camera& camera() const { return bench_.camera; }
@@ -39,6 +48,11 @@ class App {
   bool is_finished() const { return finished_; }
   // Nothing moves by itself: the loop may wait for the next event.
   bool is_still() const;
+
+  // Without one, copies stay within the program.
+  void use(Clipboard clipboard) { clipboard_ = std::move(clipboard); }
+  // Of the panels, besides the screen's own.
+  double interface_scale() const { return preferences_.interface_scale; }
 
   Panels& panels() { return panels_; }
   const Selection& selection() const { return selection_; }
@@ -55,6 +69,7 @@ class App {
   void on(const FileDrop& drop);
   void on(const CloseRequest&);
 
+  bool search(const KeyPress& press);
   void perform(Action action, bool repeated = false);
   void obey(const Request& request);
   void tune(const Tuning& tuning, bool repeated);
@@ -62,17 +77,37 @@ class App {
   void cancel();
   void delete_selection();
   void release_nails();
+  void frame_selection();
+
+  // Parts of the scene, as text.
+  bool copy();
+  void paste();
+  void duplicate();
+  void put_in(const Scene& part, const Vec3& way);
 
   // Does it now, or after the person was asked about unsaved changes.
   void unless_unsaved(Request request);
-  void take_document(std::shared_ptr<const Scene> scene, std::filesystem::path file);
+  void take_document(std::shared_ptr<const Scene> scene, std::filesystem::path file, bool unsaved = false);
+  void begin_document();
   void open(const std::filesystem::path& file);
-  bool save_to(const std::filesystem::path& file);
   void save();
+  void save_to(const std::filesystem::path& file);
+  void write_to(const std::filesystem::path& file);
   void ask_for_path();
+  void ask_desktop(bool to_save);
+  std::filesystem::path start_folder() const;
   void choose_texture(const std::string& typed);
   void answer(Answer answer);
   void go_on_after_saving();
+  void finish();
+
+  // What happens to a document besides: kept, changed by others, left by a run that was killed.
+  void watch_file();
+  void recover(std::size_t which);
+  void throw_away(std::size_t which);
+  void list_left();
+  void scale_panels(double factor);
+  std::function<void(Scene&)> dress() const;
 
   void take_status();
   void take_switches(const ViewSettings& view);
@@ -94,7 +129,23 @@ class App {
   Panels panels_;
   Layout layout_;
   Marks marks_;
+  Clipboard clipboard_;
+  std::string own_clipboard_;
+
+  Home home_;
+  Preferences preferences_;
+  RecentFiles recent_;
+  Session session_;
+  Autosave autosave_;
+  FileWatch watch_;
+  double watched_at_ = 0.0;  // [s]
+  SystemDialog system_dialog_;
+  bool has_system_dialog_ = false;
+  std::vector<LeftBehind> left_;
+  std::vector<LeftWork> left_work_;  // the same for the panels
+
   std::filesystem::path file_;             // of the document; empty: it has none
+  std::filesystem::path saving_to_;        // what waits for the answer about a file that others changed
   std::optional<Request> pending_;         // what waits for the answer about unsaved changes
   std::shared_ptr<const Scene> to_frame_;  // a document whose camera waits for the window's size
   bool finished_ = false;

@@ -19,6 +19,7 @@ struct ButtonPress {
   Button button;
   glm::dvec2 at;
   Modifiers modifiers;
+  bool twice = false;  // soon after a press at the same place
 };
 struct ButtonRelease {
   Button button;

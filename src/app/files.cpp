@@ -1,8 +1,9 @@
 #include "app/files.h"
 
 #include <algorithm>
-#include <cstdlib>
 
+#include "lab/folder_listing.h"
+#include "lab/open_file.h"
 #include "lab/printable.h"
 #include "lab/scene_file.h"
 #include "lab/texture.h"
@@ -11,8 +12,7 @@ namespace hooke {
 namespace {
 
 std::filesystem::path without_tilde(const std::filesystem::path& typed) {
-  const char* home = std::getenv("HOME");
-  return home != nullptr && typed.string().starts_with("~/") ? std::filesystem::path(home) / typed.string().substr(2) : typed;
+  return typed.string().starts_with("~/") ? home_folder() / typed.string().substr(2) : typed;
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ std::string joined(const std::vector<std::string>& lines) {
 
 Opened try_open(const std::filesystem::path& file) {
   try {
-    LoadedScene loaded = load_scene(file);
+    LoadedScene loaded = load_any(file);
     return {std::make_shared<const Scene>(std::move(loaded.scene)), {}, joined(loaded.warnings)};
   } catch (const std::runtime_error& refusal) {  // Refused or FileError
     return {nullptr, refusal.what(), {}};
@@ -65,11 +65,8 @@ ChosenTexture try_texture(const std::string& typed, const std::filesystem::path&
 }
 
 std::filesystem::path typed_path(const std::filesystem::path& typed) {
-  std::filesystem::path path = without_tilde(typed);
-  if (!path.has_extension()) path += ".json";
   std::error_code error;
-  const std::filesystem::path full = std::filesystem::absolute(path, error);
-  return error ? path : full.lexically_normal();
+  return path_meant(typed, std::filesystem::current_path(error));
 }
 
 bool is_shipped(const std::filesystem::path& file) {

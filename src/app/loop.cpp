@@ -56,11 +56,11 @@ class Pace {
   Figures figures_;
 };
 
-// Reloads style and fonts when the window comes to a screen of another scale.
+// Reloads style and fonts when the window comes to a screen of another scale, or the person wishes another.
 class Scale {
  public:
-  void follow(const Window& window, View& view) {
-    const double scale = window.content_scale(), density = window.framebuffer_size().x / std::max(1.0, window.size().x);
+  void follow(const Window& window, double wished, View& view) {
+    const double scale = wished * window.content_scale(), density = window.framebuffer_size().x / std::max(1.0, window.size().x);
     if (scale == scale_ && density == density_) return;
     scale_ = scale;
     density_ = density;
@@ -98,13 +98,16 @@ void run_loop(Window& window, App& app) {
 
     // events mean places in the window as it is now
     if (!window.is_hidden()) {
-      scale.follow(window, view);
+      scale.follow(window, app.interface_scale(), view);
       app.resize(window.size(), scale.scale());
     }
     const auto events = window.take_events();
     if (!events.empty()) pace.note_event();
     for (const Event& event : events) app.handle(event);
-    if (window.is_hidden()) continue;
+    if (window.is_hidden()) {
+      app.attend();
+      continue;
+    }
 
     // panels
     if (Gallery& gallery = app.panels().gallery; gallery.is_shown && gallery.thumbnails == nullptr)

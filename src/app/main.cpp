@@ -12,7 +12,7 @@
 #include "app/app.h"
 #include "app/files.h"
 #include "app/loop.h"
-#include "lab/scene_file.h"
+#include "lab/open_file.h"
 
 namespace hooke {
 namespace {
@@ -36,11 +36,15 @@ int hand_over(char** arguments) {
 }
 
 int open_window(const std::string& name) {
-  const std::filesystem::path file = find_scene(name);
-  LoadedScene loaded = load_scene(file);
-  App app(std::make_shared<const Scene>(std::move(loaded.scene)), file);
+  std::error_code error;
+  const std::filesystem::path file = std::filesystem::absolute(find_scene(name), error).lexically_normal();
+  LoadedScene loaded = load_any(file);
+  // a file of another kind is taken over, not edited
+  const bool imported = find_file_kind(file) != nullptr && !is_scene_file(file);
+  App app(std::make_shared<const Scene>(std::move(loaded.scene)), imported ? std::filesystem::path() : file, home_of_person());
   app.panels().remarks = joined(loaded.warnings);
   Window window(app.title(), {1280, 800});
+  app.use(window.clipboard());
   run_loop(window, app);
   return 0;
 }
@@ -51,6 +55,8 @@ int start(int count, char** arguments) {
   CLI::App line("A laboratory for networks of point masses and springs.", "hooke");
   std::string scene = start_scene;
   line.add_option("SCENE", scene, "Scene to open: a file, or the name of one that comes with Hooke.");
+  bool reset_settings = false;
+  line.add_flag("--reset-settings", reset_settings, "Start with the usual settings; those that were set are forgotten.");
   line.set_version_flag("--version", "hooke " HOOKE_VERSION);
   line.footer("Without a window: hooke run|capture|convert ... (hooke run --help).");
   try {
@@ -58,6 +64,7 @@ int start(int count, char** arguments) {
   } catch (const CLI::ParseError& error) {
     return line.exit(error) == 0 ? 0 : exit_usage;
   }
+  if (reset_settings) std::filesystem::remove(home_of_person().config / "settings.json");
   return open_window(scene);
 }
 

@@ -12,6 +12,10 @@ class SelectTool : public Tool {
     *this = {};
     pressed_at_ = current_ = pointer.at;
     const bool add = pointer.modifiers.shift;
+    if (pointer.twice && !bench.selection.empty() && (bench.point_at(pointer.at) || bench.spring_at(pointer.at))) {
+      bench.selection = connected(bench.system(), bench.selection);
+      return;
+    }
     if (const auto point = bench.point_at(pointer.at))
       press_point(*point, add, bench);
     else if (const auto spring = bench.spring_at(pointer.at))
@@ -43,7 +47,7 @@ class SelectTool : public Tool {
   std::string next_step(const Workbench& bench) const override {
     if (doing_ == Doing::Moving) return "let go to place it, Esc takes it back";
     if (doing_ == Doing::Box) return "drag over what is to be selected";
-    if (!bench.selection.empty()) return "drag a selected point to move all, Shift+click adds, Esc selects nothing";
+    if (!bench.selection.empty()) return "drag a selected point to move all, Shift+click adds, double click takes all connected";
     return "click a point or a spring, or drag a box from empty space";
   }
 

@@ -15,6 +15,7 @@ namespace hooke {
 struct Pointer {
   glm::dvec2 at{0.0};  // [px], in the scene's picture
   Modifiers modifiers;
+  bool twice = false;  // the second press of a double click
 };
 
 class Tool {

@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <cstring>
+#include <glm/geometric.hpp>
 #include <utility>
 
 namespace hooke {
@@ -76,7 +77,7 @@ struct Window::Callbacks {
     self.gui_->key(key, scancode, action, mods);
     if (action == GLFW_RELEASE) return;
     const Key meant = key_of(key, scancode);
-    const bool leaves_text = meant == Key::Escape || meant == Key::Enter || meant == Key::F1;
+    const bool leaves_text = meant == Key::Escape || meant == Key::Enter || meant == Key::F1 || meant == Key::Up || meant == Key::Down;
     if (self.gui_->wants_text() && !leaves_text) return;
     self.events_.push_back(KeyPress{meant, modifiers_of(mods), action == GLFW_REPEAT});
   }
@@ -88,7 +89,7 @@ struct Window::Callbacks {
     if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
     const auto which = static_cast<Button>(button);
     if (action == GLFW_PRESS)
-      self.events_.push_back(ButtonPress{which, self.cursor_, modifiers_of(mods)});
+      self.events_.push_back(ButtonPress{which, self.cursor_, modifiers_of(mods), self.is_second_press(which)});
     else
       self.events_.push_back(ButtonRelease{which, self.cursor_, modifiers_of(mods)});
   }
@@ -137,6 +138,25 @@ Window::Window(const std::string& title, const glm::ivec2& size) : window_(open_
   glfwSetCursorEnterCallback(window_, Callbacks::enter);
   glfwSetDropCallback(window_, Callbacks::drop);
   glfwSetWindowCloseCallback(window_, Callbacks::close);
+}
+
+// Within the time and place that a person means as one.
+bool Window::is_second_press(Button button) {
+  constexpr double time = 0.4, way = 5.0;  // [s], [window units]
+  const double now = glfwGetTime();
+  const bool second = button == last_press_.button && now - last_press_.time < time && glm::distance(cursor_, last_press_.at) < way;
+  // a third press begins anew
+  last_press_ = {button, second ? -1.0 : now, cursor_};
+  return second;
+}
+
+Clipboard Window::clipboard() {
+  return {.put = [this](const std::string& text) { glfwSetClipboardString(window_, text.c_str()); },
+          .take =
+              [this] {
+                const char* text = glfwGetClipboardString(window_);
+                return std::string(text != nullptr ? text : "");
+              }};
 }
 
 Window::~Window() {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/clipboard.h"
 #include "app/event.h"
 #include "app/gui_glue.h"
 
@@ -41,13 +42,22 @@ class Window {
   void set_title(const std::string& title);
   void swap();
   GuiGlue& gui() { return *gui_; }
+  // As long as the window lives.
+  Clipboard clipboard();
 
  private:
   struct Callbacks;
+  struct Press {
+    Button button = Button::Left;
+    double time = -1.0;  // [s], GLFW's clock
+    glm::dvec2 at{0.0};
+  };
+  bool is_second_press(Button button);
   GLFWwindow* window_ = nullptr;
   std::unique_ptr<GuiGlue> gui_;
   std::vector<Event> events_;
   glm::dvec2 cursor_{0.0};
+  Press last_press_;
   std::string title_;
 };
 

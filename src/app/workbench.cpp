@@ -1,5 +1,6 @@
 #include "app/workbench.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -8,13 +9,15 @@ namespace {
 
 // [units of design]
 constexpr double reach = 10.0, spring_reach = 8.0, drag_threshold = 4.0;
+// [px], however small the panels are
+constexpr double least_reach = 8.0;
 
 }  // namespace
 
-std::optional<PointId> Workbench::point_at(const glm::dvec2& cursor) const { return pick_point(snapshot(), lens(), cursor, reach * scale); }
+std::optional<PointId> Workbench::point_at(const glm::dvec2& cursor) const { return pick_point(snapshot(), lens(), cursor, std::max(least_reach, reach * scale)); }
 
 std::optional<SpringId> Workbench::spring_at(const glm::dvec2& cursor) const {
-  return pick_spring(snapshot(), lens(), cursor, spring_reach * scale);
+  return pick_spring(snapshot(), lens(), cursor, std::max(least_reach, spring_reach * scale));
 }
 
 std::optional<SurfaceHit> Workbench::surface_at(const glm::dvec2& cursor) const {

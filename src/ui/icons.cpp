@@ -115,8 +115,17 @@ void step_back(const Pen& pen) {
   pen.area({{-0.72f, -0.75f}, {-0.42f, -0.75f}, {-0.42f, 0.75f}, {-0.72f, 0.75f}});
 }
 
+void folder(const Pen& pen) {
+  pen.lines({{-0.85f, 0.65f}, {-0.85f, -0.6f}, {-0.2f, -0.6f}, {0.05f, -0.3f}, {0.85f, -0.3f}, {0.85f, 0.65f}}, true);
+}
+
+void scene(const Pen& pen) {
+  pen.lines({{-0.6f, -0.55f}, {0.65f, -0.2f}, {-0.1f, 0.7f}}, true);
+  for (const ImVec2& at : {ImVec2{-0.6f, -0.55f}, ImVec2{0.65f, -0.2f}, ImVec2{-0.1f, 0.7f}}) pen.dot(at.x, at.y, 0.28f);
+}
+
 // In the order of the enumeration.
-constexpr void (*drawings[])(const Pen&) = {select, add, attach, nail, drag, remove, release, run, pause, step, start, undo, redo, step_back};
+constexpr void (*drawings[])(const Pen&) = {select, add, attach, nail, drag, remove, release, run, pause, step, start, undo, redo, step_back, folder, scene};
 
 }  // namespace
 

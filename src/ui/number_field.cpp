@@ -114,8 +114,10 @@ std::optional<double> number_row(const NumberField& field, Panels& panels) {
   if (ImGui::IsItemDeactivatedAfterEdit() && panels.typed_number) {
     value = *panels.typed_number;
     panels.typed_number.reset();
-    changed = true;
-    if (value < field.least || value > field.most)
+    changed = !std::isnan(value);
+    if (!changed)
+      panels.say("That is no number: " + std::string(field.label) + " stays as it was");
+    else if (value < field.least || value > field.most)
       panels.say(std::string(field.label) + " goes from " + number(field.least) + " to " + number(field.most) + " " + pretty(field.unit));
   }
 

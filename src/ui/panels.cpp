@@ -24,7 +24,9 @@ void build_panels(const Desk& desk, Panels& panels, Requests& requests) {
     build_overlays(desk, panels, requests);
   }
   build_keys(desk, panels);
+  build_search(desk, panels, requests);
   build_dialogs(desk, panels, requests);
+  panels.text_in_progress = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
 }
 
 bool panels_cover(const Panels& panels, const Layout& layout, double x, double y) {

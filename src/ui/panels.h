@@ -2,6 +2,7 @@
 // touched, so they run in tests without a window.
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "draw/view.h"
+#include "lab/folder_listing.h"
 #include "lab/selection.h"
 #include "lab/status.h"
 #include "ui/icons.h"
@@ -24,6 +26,11 @@ struct ToolButton {
   std::string_view name;  // short, under the sign
 };
 
+// Unsaved work that a killed run left behind.
+struct LeftWork {
+  std::string title, detail;
+};
+
 // What the panels look at.
 struct Desk {
   const Status& status;
@@ -35,13 +42,33 @@ struct Desk {
   std::filesystem::path file;  // of the document; empty: it has none
   double frames_per_second = 0.0, draw_ms = 0.0;
   std::optional<Rect> rubber_band;  // of a selection in progress, in window coordinates
+  std::span<const std::filesystem::path> recent;  // files, newest first
+  std::span<const LeftWork> left;
+  bool has_desktop_dialog = false;
+};
+
+// Where a dialog looks for files.
+struct Browser {
+  enum class Place { Folder, Recent, Shipped };
+  Place place = Place::Folder;
+  std::filesystem::path folder;
+  FolderListing listing;
+  double listed_at = 0.0;  // [s], ImGui's clock
+};
+
+struct Choice {
+  std::string label;
+  Request request;
 };
 
 struct Dialog {
-  enum class Kind { None, Message, Open, Save, Unsaved, Texture };
+  enum class Kind { None, Message, Open, Save, Unsaved, Texture, Recovery };
   Kind kind = Kind::None;
   std::string title, text;                   // of a message
+  std::vector<Choice> choices;               // under it: the first is Enter's, the last Esc's; none: "OK"
   std::string typed;                         // the path
+  int typed_anew = 0;                        // grows when it is not the person who changed it: the field begins anew
+  Browser browser;
   bool is_new = false;                       // to be opened by the next frame
   bool accepted = false, cancelled = false;  // by a key
 };
@@ -54,9 +81,19 @@ struct Gallery {
   bool follows = false;        // the page is to scroll to it
 };
 
+// The search through all commands.
+struct Search {
+  bool shown = false, is_new = false;
+  std::string typed;
+  int lit = 0;            // the row that Enter means
+  bool accepted = false;  // by a key
+};
+
 struct Panels {
   ViewOptions view;
   Dialog dialog;
+  std::deque<Dialog> waiting;  // come up one after the other
+  Search search;
   bool keys_shown = false;
   Gallery gallery;
   bool menu_is_open = false, menu_closes = false;
@@ -64,6 +101,9 @@ struct Panels {
   double toast_until = 0.0;            // [s], ImGui's clock
   std::string dismissed;               // the message whose banner was closed
   std::string remarks;                 // on the file that was opened
+  std::string file_notice;             // that the open file is not what it was
+  bool file_is_gone = false;
+  bool text_in_progress = false;       // letters go into a field
   bool edit_in_progress = false;       // the active slider has edited already
   Look look = Look::Dark;
   bool panels_hidden = false;          // all but the menu and the line at the bottom
@@ -73,13 +113,29 @@ struct Panels {
   bool scrub_in_progress = false;      // the scrubber is being dragged already
   double run_to = 10.0;                // [s], the time typed last
   std::optional<double> typed_number;  // into a slider, not finished
-  unsigned typing = 0;                 // ImGui's id of the slider that is typed into
+  unsigned typing = 0;                 // ImGui's id of the slider or field that is typed into
+  std::string typed_text;              // into the field
   std::vector<Rect> floating;          // panels over the scene, of the last frame
 
   void say(std::string line) { toast = std::move(line), toast_until = -1.0; }
   void ask(Dialog::Kind kind, std::string typed = {}) { dialog = {.kind = kind, .typed = std::move(typed), .is_new = true}; }
-  void tell(std::string title, std::string text) {
-    dialog = {.kind = Dialog::Kind::Message, .title = std::move(title), .text = std::move(text), .is_new = true};
+  void ask_for_file(Dialog::Kind kind, std::filesystem::path folder, std::string typed = {}) {
+    ask(kind, std::move(typed));
+    dialog.browser.folder = std::move(folder);
+  }
+  void tell(std::string title, std::string text, std::vector<Choice> choices = {}) {
+    dialog = message(std::move(title), std::move(text), std::move(choices));
+  }
+  // When the boxes before it are closed.
+  void tell_later(std::string title, std::string text, std::vector<Choice> choices = {}) {
+    waiting.push_back(message(std::move(title), std::move(text), std::move(choices)));
+  }
+  static Dialog message(std::string title, std::string text, std::vector<Choice> choices) {
+    return {.kind = Dialog::Kind::Message,
+            .title = std::move(title),
+            .text = std::move(text),
+            .choices = std::move(choices),
+            .is_new = true};
   }
 };
 
@@ -96,12 +152,17 @@ bool move_in_gallery(Panels& panels, const Layout& layout, Key key);
 void build_menu(const Desk& desk, Panels& panels, Requests& requests);
 void build_toolbar(const Desk& desk, Requests& requests);
 void build_side(const Desk& desk, Panels& panels, Requests& requests);
+void build_inspector(const Desk& desk, Panels& panels, Requests& requests);
 void build_parameters(const Desk& desk, Panels& panels, Requests& requests);
 void build_forces(const Desk& desk, Panels& panels, Requests& requests);
 // What is plotted before anything is chosen: the energies.
 std::vector<Quantity> first_plots(const System& system);
 void build_plots(const Desk& desk, Panels& panels, Requests& requests);
 void build_timeline(const Desk& desk, Panels& panels, Requests& requests);
+void build_history(const Desk& desk, Requests& requests);
+// The rows that the search finds for what was typed, the best first.
+std::vector<const Shortcut*> find_commands(const std::string& typed);
+void build_search(const Desk& desk, Panels& panels, Requests& requests);
 void build_status_bar(const Desk& desk);
 void build_overlays(const Desk& desk, Panels& panels, Requests& requests);
 void build_keys(const Desk& desk, Panels& panels);

@@ -2,8 +2,10 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
 #include "lab/printable.h"
-#include "lab/scene_file.h"
+#include "ui/file_browser.h"
 #include "ui/panels.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
@@ -11,7 +13,10 @@
 namespace hooke {
 namespace {
 
-bool push_button(const char* label) { return ImGui::Button(label, {units(96.0), units(30.0)}); }
+bool push_button(const char* label) {
+  const float text = ImGui::CalcTextSize(label, nullptr, true).x;
+  return ImGui::Button(label, {std::max(units(96.0), text + units(24.0)), units(30.0)});
+}
 
 // The first button, and Enter; the last one, and Esc.
 bool accepted(Panels& panels, const char* label) {
@@ -31,57 +36,81 @@ void close(Panels& panels) {
 }
 
 void path_line(Panels& panels) {
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(units(460.0));
-  ImGui::InputText("##path", &panels.dialog.typed);
+  int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("anew"), -1);
+  if (ImGui::IsWindowAppearing() || shown != panels.dialog.typed_anew) ImGui::SetKeyboardFocusHere();
+  shown = panels.dialog.typed_anew;
+  ImGui::SetNextItemWidth(-1.0f);
+  ImGui::PushID(shown);
+  ImGui::InputTextWithHint("##path", "Name or path", &panels.dialog.typed);
+  ImGui::PopID();
 }
 
-void message_box(const Desk&, Panels& panels, Requests&) {
+void message_box(const Desk&, Panels& panels, Requests& requests) {
   ImGui::PushTextWrapPos(units(480.0));
   ImGui::TextUnformatted(panels.dialog.text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
-  if (accepted(panels, "OK") || panels.dialog.cancelled) close(panels);
+  std::vector<Choice>& choices = panels.dialog.choices;
+  if (choices.empty()) {
+    if (accepted(panels, "OK") || panels.dialog.cancelled) close(panels);
+    return;
+  }
+  std::optional<Request> chosen;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    if (i == 0 ? accepted(panels, choices[i].label.c_str()) : push_button(choices[i].label.c_str())) chosen = choices[i].request;
+  }
+  if (panels.dialog.cancelled) chosen = choices.back().request;
+  if (!chosen) return;
+  close(panels);
+  requests.push_back(std::move(*chosen));
 }
 
-void open_box(const Desk&, Panels& panels, Requests& requests) {
-  dim_text("Path of a scene file");
+// Whether a folder was typed, which is then shown.
+bool goes_to_folder(Panels& panels, Browsing browsing) {
+  std::error_code error;
+  const std::filesystem::path meant = meant_by(panels.dialog);
+  if (!std::filesystem::is_directory(meant, error)) return false;
+  panels.dialog.typed.clear();
+  go_to_folder(panels.dialog, meant, browsing);
+  return true;
+}
+
+void desktop_button(const Desk& desk, Panels& panels, Requests& requests, bool to_save) {
+  if (!desk.has_desktop_dialog) return;
+  ImGui::SameLine(0.0f, units(24.0));
+  if (!ImGui::Button("Desktop's dialog", {0.0f, units(30.0)})) return;
+  requests.emplace_back(AskDesktop{to_save});
+  close(panels);
+}
+
+void open_box(const Desk& desk, Panels& panels, Requests& requests) {
+  bool chosen = build_browser(desk, panels.dialog, Browsing::Open);
   path_line(panels);
-  bool chosen = false;
-  dim_text("or a scene that comes with Hooke");
-  ImGui::BeginChild("shipped", {units(460.0), units(200.0)});
-  for (const ShippedScene& scene : shipped_scenes()) {
-    ImGui::PushID(scene.id.c_str());
-    ImGui::SetCursorPosX(units(8.0));
-    if (ImGui::Selectable(printable(scene.title).c_str(), panels.dialog.typed == scene.file.string())) {
-      panels.dialog.typed = scene.file.string();
-      chosen = true;
-    }
-    ImGui::PopID();
-  }
-  ImGui::EndChild();
   ImGui::Spacing();
   chosen = accepted(panels, "Open") || chosen;
   if (cancelled(panels)) return close(panels);
-  if (!chosen || panels.dialog.typed.empty()) return;
-  requests.emplace_back(OpenFile{panels.dialog.typed});
+  desktop_button(desk, panels, requests, false);
+  if (!chosen || panels.dialog.typed.empty() || goes_to_folder(panels, Browsing::Open)) return;
+  requests.emplace_back(OpenFile{meant_by(panels.dialog)});
   close(panels);
 }
 
 void save_box(const Desk& desk, Panels& panels, Requests& requests) {
-  dim_text("Path of the scene file");
+  bool chosen = build_browser(desk, panels.dialog, Browsing::Save);
   path_line(panels);
   std::error_code error;
-  const bool replaces = panels.dialog.typed != desk.file && std::filesystem::is_regular_file(panels.dialog.typed, error);
+  const std::filesystem::path meant = meant_by(panels.dialog);
+  const bool replaces = meant != desk.file && std::filesystem::is_regular_file(meant, error);
   text_in(palette::warning, replaces ? "There is such a file: it will be replaced." : " ");
-  ImGui::Spacing();
-  const bool chosen = accepted(panels, replaces ? "Replace" : "Save");
+  chosen = accepted(panels, replaces ? "Replace" : "Save") || chosen;
   if (cancelled(panels)) {
     requests.emplace_back(Answer::Cancel);
     return close(panels);
   }
-  if (!chosen || panels.dialog.typed.empty()) return;
-  requests.emplace_back(SaveFile{panels.dialog.typed});
+  desktop_button(desk, panels, requests, true);
+  if (!chosen || panels.dialog.typed.empty() || goes_to_folder(panels, Browsing::Save)) return;
+  requests.emplace_back(SaveFile{meant});
   close(panels);
 }
 
@@ -104,6 +133,7 @@ void unsaved_box(const Desk&, Panels& panels, Requests& requests) {
 
 void texture_box(const Desk&, Panels& panels, Requests& requests) {
   dim_text("Path of a PNG in the folder of the scene");
+  ImGui::Dummy({units(460.0), 0.0f});
   path_line(panels);
   ImGui::Spacing();
   const bool chosen = accepted(panels, "Choose");
@@ -111,6 +141,34 @@ void texture_box(const Desk&, Panels& panels, Requests& requests) {
   if (!chosen || panels.dialog.typed.empty()) return;
   requests.emplace_back(ChooseTexture{panels.dialog.typed});
   close(panels);
+}
+
+void recovery_box(const Desk& desk, Panels& panels, Requests& requests) {
+  ImGui::PushTextWrapPos(units(520.0));
+  ImGui::TextUnformatted(desk.left.size() == 1 ? "Hooke ended before this scene was saved. What it had kept of it can be opened again."
+                                               : "Hooke ended before these scenes were saved. What it had kept of them can be opened again.");
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+  std::optional<Request> request;
+  for (std::size_t i = 0; i < desk.left.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::BeginGroup();
+    ImGui::TextUnformatted(desk.left[i].title.c_str());
+    dim_text(desk.left[i].detail);
+    ImGui::EndGroup();
+    ImGui::SameLine(units(320.0));
+    if (push_button("Recover") || (i == 0 && panels.dialog.accepted)) request = Recover{i};
+    ImGui::SameLine();
+    if (push_button("Throw away")) requests.emplace_back(ThrowAway{i});
+    ImGui::PopID();
+    ImGui::Dummy({0.0f, units(4.0)});
+  }
+  if (push_button("Later") || panels.dialog.cancelled || desk.left.empty()) return close(panels);
+  ImGui::SameLine();
+  dim_text("What is left is offered again at the next start.");
+  if (!request) return;
+  close(panels);
+  requests.push_back(*request);
 }
 
 struct Question {
@@ -122,11 +180,16 @@ constexpr Question questions[] = {{"Message", message_box},
                                   {"Open a scene", open_box},
                                   {"Save the scene as", save_box},
                                   {"Save the changes?", unsaved_box},
-                                  {"Put a picture on the cloth", texture_box}};
+                                  {"Put a picture on the cloth", texture_box},
+                                  {"Unsaved work was found", recovery_box}};
 
 }  // namespace
 
 void build_dialogs(const Desk& desk, Panels& panels, Requests& requests) {
+  if (panels.dialog.kind == Dialog::Kind::None && !panels.waiting.empty()) {
+    panels.dialog = std::move(panels.waiting.front());
+    panels.waiting.pop_front();
+  }
   if (panels.dialog.kind == Dialog::Kind::None) return;
   const Question& question = questions[static_cast<int>(panels.dialog.kind) - 1];
   const std::string heading = panels.dialog.title.empty() ? question.title : printable(panels.dialog.title);

@@ -16,9 +16,21 @@ void item(Action action, Requests& requests, bool enabled = true, const std::str
   if (ImGui::MenuItem(label.c_str(), key_text(row).c_str(), false, enabled)) requests.emplace_back(action);
 }
 
-void file_menu(const Desk&, Panels&, Requests& requests) {
+void recent_menu(const Desk& desk, Requests& requests) {
+  if (!ImGui::BeginMenu("Open recent", !desk.recent.empty())) return;
+  for (const std::filesystem::path& file : desk.recent) {
+    ImGui::PushID(file.c_str());
+    if (ImGui::MenuItem(printable(file.filename().native(), 40).c_str())) requests.emplace_back(OpenFile{file});
+    tooltip(printable(file.native()));
+    ImGui::PopID();
+  }
+  ImGui::EndMenu();
+}
+
+void file_menu(const Desk& desk, Panels&, Requests& requests) {
   item(Action::NewScene, requests);
   item(Action::OpenScene, requests);
+  recent_menu(desk, requests);
   ImGui::Separator();
   item(Action::Save, requests);
   item(Action::SaveAs, requests);
@@ -56,8 +68,14 @@ void edit_menu(const Desk& desk, Panels&, Requests& requests) {
   item(Action::Undo, requests, !desk.status.undo_name.empty(), desk.status.undo_name);
   item(Action::Redo, requests, !desk.status.redo_name.empty(), desk.status.redo_name);
   ImGui::Separator();
-  item(Action::SelectAll, requests);
-  item(Action::DeleteSelection, requests, !desk.selection.empty());
+  const bool any = !desk.selection.empty();
+  for (const Action action : {Action::Cut, Action::Copy}) item(action, requests, any);
+  item(Action::Paste, requests);
+  for (const Action action : {Action::Duplicate, Action::DeleteSelection}) item(action, requests, any);
+  ImGui::Separator();
+  for (const Action action : {Action::SelectAll, Action::SelectInverted}) item(action, requests);
+  item(Action::SelectConnected, requests, any);
+  ImGui::Separator();
   item(Action::ReleaseNails, requests);
 }
 
@@ -83,6 +101,7 @@ void texture_menu(const Desk& desk, Panels& panels, Requests& requests) {
 
 void view_menu(const Desk& desk, Panels& panels, Requests& requests) {
   item(Action::FrameAll, requests);
+  item(Action::FrameSelection, requests, !desk.selection.empty());
   ImGui::Separator();
   for (const Action action : {Action::ShowPlots, Action::HidePanels, Action::LightOrDark}) item(action, requests);
   ImGui::Separator();
@@ -93,6 +112,8 @@ void view_menu(const Desk& desk, Panels& panels, Requests& requests) {
   ImGui::Separator();
   ImGui::MenuItem("Colliders", nullptr, &panels.view.colliders);
   ImGui::MenuItem("Grid", nullptr, &panels.view.grid);
+  ImGui::Separator();
+  for (const Action action : {Action::LargerPanels, Action::SmallerPanels, Action::SearchCommands, Action::ShowKeys}) item(action, requests);
   if (desk.status.snapshot->system->faces.empty()) return;
   ImGui::Separator();
   dim_text("Texture");

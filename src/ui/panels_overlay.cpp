@@ -159,6 +159,19 @@ void banners(const Desk& desk, Panels& panels, Requests& requests) {
     down += end_banner() + units(8.0);
   }
 
+  // the open file is not what it was
+  if (!panels.file_notice.empty()) {
+    begin_banner("file", scene, down, panels.file_notice, IM_COL32(0x30, 0x2b, 0x20, 245), palette::warning, panels);
+    std::optional<Answer> answer;
+    if (!panels.file_is_gone) {
+      if (ImGui::Button("Load it")) answer = Answer::Reload;
+      ImGui::SameLine();
+    }
+    if (ImGui::Button(panels.file_is_gone ? "Go on" : "Keep mine")) answer = Answer::KeepMine;
+    down += end_banner() + units(8.0);
+    if (answer) requests.emplace_back(*answer);
+  }
+
   // what the file that was opened is remarkable for
   if (!panels.remarks.empty() && down == 0.0) {
     begin_banner("remarks", scene, down, panels.remarks, palette::notice, palette::warning, panels);

@@ -42,9 +42,11 @@ void build_side(const Desk& desk, Panels& panels, Requests& requests) {
   begin_panel("side", desk.layout.side);
   ImGui::PopStyleVar();
   scene_section(desk);
+  build_inspector(desk, panels, requests);
   build_parameters(desk, panels, requests);
   build_forces(desk, panels, requests);
   if (section("Energy")) energy_section(*desk.status.snapshot);
+  build_history(desk, requests);
   ImGui::End();
 }
 

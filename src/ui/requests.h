@@ -31,10 +31,30 @@ struct Scrub {
 struct ChooseTexture {
   std::string texture;
 };
-// The answer to "save the changes first?"
-enum class Answer { Save, Discard, Cancel };
+// The desktop's own dialog for files.
+struct AskDesktop {
+  bool to_save = false;
+};
+// Unsaved work that a killed run left behind, by its place in the list: to be opened, or thrown away.
+struct Recover {
+  std::size_t which;
+};
+struct ThrowAway {
+  std::size_t which;
+};
+// What a button of a box or a banner says.
+enum class Answer {
+  Save,       // the changes first
+  Discard,    // the changes
+  Cancel,     // what was asked for
+  Overwrite,  // the file, though it is not what was read
+  SaveAs,     // under another name
+  MakeCopy,   // go on without the file
+  Reload,     // the file as it is now
+  KeepMine,   // the scene as it is here
+};
 
-using Request = std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, Answer>;
+using Request = std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, AskDesktop, Recover, ThrowAway, Answer>;
 using Requests = std::vector<Request>;
 
 }  // namespace hooke

@@ -37,6 +37,12 @@ constexpr std::array rows{
     Shortcut{letter('Z'), control_shift, Action::Redo, edit, "Redo", true},
     Shortcut{letter('Y'), control, Action::Redo, edit, "Redo", true},
     Shortcut{letter('A'), control, Action::SelectAll, edit, "Select everything"},
+    Shortcut{letter('I'), control, Action::SelectInverted, edit, "Select what is not selected"},
+    Shortcut{letter('L'), control, Action::SelectConnected, edit, "Select what is connected"},
+    Shortcut{letter('D'), control, Action::Duplicate, edit, "Duplicate the selection"},
+    Shortcut{letter('X'), control, Action::Cut, edit, "Cut the selection"},
+    Shortcut{letter('C'), control, Action::Copy, edit, "Copy the selection"},
+    Shortcut{letter('V'), control, Action::Paste, edit, "Paste under the cursor"},
     Shortcut{Key::Delete, plain, Action::DeleteSelection, edit, "Delete the selection"},
     Shortcut{Key::Escape, plain, Action::Cancel, edit, "Cancel; select nothing"},
 
@@ -45,6 +51,10 @@ constexpr std::array rows{
     Shortcut{letter('P'), plain, Action::ShowPlots, look, "Plots"},
     Shortcut{Key::Tab, plain, Action::HidePanels, look, "Hide the panels, or show them"},
     Shortcut{letter('L'), control_shift, Action::LightOrDark, look, "Light or dark"},
+    Shortcut{letter('F'), plain, Action::FrameSelection, look, "See the selection"},
+    Shortcut{letter('='), control, Action::LargerPanels, look, "Larger panels"},
+    Shortcut{letter('-'), control, Action::SmallerPanels, look, "Smaller panels"},
+    Shortcut{letter('P'), control_shift, Action::SearchCommands, look, "Search all commands"},
     Shortcut{Key::F1, plain, Action::ShowKeys, look, "Show these keys"},
 
     Shortcut{letter('N'), control, Action::NewScene, file, "New scene"},
@@ -58,6 +68,7 @@ constexpr std::array hints{
     MouseHint{"Right or middle drag", "Orbit; pan in a flat scene"},
     MouseHint{"Shift + middle drag", "Pan"},
     MouseHint{"Wheel", "Zoom to the cursor"},
+    MouseHint{"Double click on a point", "Select what is connected"},
     MouseHint{"Ctrl + click on a slider", "Type a value"},
     MouseHint{"Right click on a slider", "Its usual value"},
 };

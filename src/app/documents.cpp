@@ -1,0 +1,269 @@
+// The document of the window: opened, saved, kept against a kill, watched for what others do to its file.
+#include <algorithm>
+#include <chrono>
+
+#include "app/app.h"
+#include "app/files.h"
+#include "lab/open_file.h"
+#include "lab/printable.h"
+#include "lab/read_file.h"
+
+namespace hooke {
+namespace {
+
+// How often the file of the document is looked at [s].
+constexpr double watch_period = 1.0;
+
+double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+std::string name_of(const std::filesystem::path& file) { return printable(file.filename().native(), 60); }
+
+}  // namespace
+
+void App::unless_unsaved(Request request) {
+  settle();
+  pending_ = std::move(request);
+  if (status().unsaved) return panels_.ask(Dialog::Kind::Unsaved);
+  go_on_after_saving();
+}
+
+void App::answer(Answer given) {
+  switch (given) {
+    case Answer::Save:
+      return save();
+    case Answer::Discard:
+      return go_on_after_saving();
+    case Answer::Cancel:
+      pending_.reset();
+      return;
+    case Answer::Overwrite:
+      return write_to(saving_to_);
+    case Answer::SaveAs:
+      return ask_for_path();
+    case Answer::MakeCopy:
+      file_.clear();
+      return begin_document();
+    case Answer::Reload:
+      return unless_unsaved(OpenFile{file_});
+    case Answer::KeepMine:
+      panels_.file_notice.clear();
+      watch_.take(file_);
+      return;
+  }
+}
+
+// There is nothing more to lose: do what was asked for.
+void App::go_on_after_saving() {
+  const auto request = std::exchange(pending_, std::nullopt);
+  if (!request) return;
+  if (const auto* open_file = std::get_if<OpenFile>(&*request)) return open(open_file->file);
+  if (*std::get_if<Action>(&*request) == Action::Quit)
+    finish();
+  else
+    take_document(std::make_shared<const Scene>(empty_scene()), {});
+}
+
+void App::finish() {
+  autosave_.forget();
+  session_.end();
+  finished_ = true;
+}
+
+void App::take_document(std::shared_ptr<const Scene> scene, std::filesystem::path file, bool unsaved) {
+  take_tool(tool_action_);
+  selection_ = {};
+  panels_.remarks.clear();
+  panels_.gallery.is_shown = false;
+  file_ = std::move(file);
+  bench_.camera = make_camera(scene->view, scene->system, scene->state, bench_.size.x / bench_.size.y);
+  take_switches(scene->view);
+  lab_.submit(Open{std::move(scene), unsaved});
+  autosave_.forget();
+  settle();
+  begin_document();
+}
+
+// Tells the other runs, and asks when one of them has the same file open.
+void App::begin_document() {
+  panels_.file_notice.clear();
+  const bool own = !file_.empty() && !is_shipped(file_);
+  watch_.take(own ? file_ : std::filesystem::path());
+  session_.note_document(own ? file_ : std::filesystem::path(), status().scene_name);
+  if (!own) return;
+  recent_.note(file_);
+  if (session_.is_open_elsewhere(file_))
+    panels_.tell_later("Open in another window",
+                       name_of(file_) + " is open in another Hooke. What is saved there and what is saved here replace each other.",
+                       {{"Open it here too", Answer::KeepMine}, {"Make a copy", Answer::MakeCopy}});
+}
+
+void App::open(const std::filesystem::path& file) {
+  const Opened opened = try_open(file);
+  if (!opened.scene) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) recent_.forget(file);
+    return panels_.tell("Cannot open the scene", opened.error);
+  }
+  // a file of another kind is taken over, not edited
+  const bool imported = find_file_kind(file) != nullptr && !is_scene_file(file);
+  take_document(opened.scene, imported ? std::filesystem::path() : file);
+  panels_.remarks = opened.warnings;
+}
+
+void App::save() {
+  if (file_.empty() || is_shipped(file_)) return ask_for_path();
+  save_to(file_);
+}
+
+// Asks first where another's work would be replaced.
+void App::save_to(const std::filesystem::path& file) {
+  if (find_file_kind(file) != nullptr && !is_scene_file(file)) {
+    pending_.reset();
+    return panels_.tell("Cannot save the scene", name_of(file) + ": a scene is saved with the ending .json; other kinds are exports.");
+  }
+  saving_to_ = file;
+  const std::vector<Choice> choices = {{"Save as...", Answer::SaveAs}, {"Replace it", Answer::Overwrite}, {"Cancel", Answer::Cancel}};
+  if (file == file_ && watch_.look() == FileWatch::Change::Other)
+    return panels_.tell("The file was changed",
+                        name_of(file) + " was changed by another program since it was opened here. Saving replaces that.", choices);
+  if (file != file_ && session_.is_open_elsewhere(file))
+    return panels_.tell("Open in another window", name_of(file) + " is open in another Hooke. Saving replaces what is saved there.",
+                        choices);
+  write_to(file);
+}
+
+void App::write_to(const std::filesystem::path& file) {
+  Scene scene = *lab_.copy_scene().get();
+  dress()(scene);
+  if (const std::string error = try_save(scene, file); !error.empty()) {
+    pending_.reset();
+    return panels_.tell("Cannot save the scene",
+                        error + "\n\nNothing is lost: the scene is open as it was, and an older file is as it was.",
+                        {{"Save as...", Answer::SaveAs}, {"OK", Answer::Cancel}});
+  }
+  const bool moved = file_ != file;
+  file_ = file;
+  lab_.submit(MarkSaved{});
+  autosave_.forget();
+  settle();
+  panels_.file_notice.clear();
+  watch_.take(file_);
+  recent_.note(file_);
+  if (moved) session_.note_document(file_, status().scene_name);
+  panels_.say("Saved " + printable(file.native()));
+  go_on_after_saving();
+}
+
+void App::ask_for_path() {
+  if (preferences_.system_dialogs && has_system_dialog_) return ask_desktop(true);
+  const bool own = !file_.empty() && !is_shipped(file_);
+  const std::filesystem::path folder = start_folder();
+  panels_.ask_for_file(Dialog::Kind::Save, folder,
+                       own ? file_.string() : (folder / (file_.empty() ? "untitled" : file_.stem())).string() + ".json");
+}
+
+void App::ask_desktop(bool to_save) {
+  const auto kind = to_save ? SystemDialog::Kind::Save : SystemDialog::Kind::Open;
+  const bool own = !file_.empty() && !is_shipped(file_);
+  const std::filesystem::path start = to_save ? start_folder() / (own ? file_.filename() : "untitled.json") : start_folder() / "";
+  if (!system_dialog_.start(kind, start)) panels_.tell("There is no dialog of the desktop", "Neither zenity nor kdialog could be started.");
+}
+
+// Where the document lies, else where the last one did.
+std::filesystem::path App::start_folder() const {
+  if (!file_.empty() && !is_shipped(file_)) return file_.parent_path();
+  std::error_code error;
+  for (const std::filesystem::path& file : recent_.files())
+    if (std::filesystem::is_directory(file.parent_path(), error)) return file.parent_path();
+  return home_folder();
+}
+
+// What hides it gives way.
+void App::choose_texture(const std::string& typed) {
+  ChosenTexture chosen = try_texture(typed, file_);
+  if (!chosen.error.empty()) return panels_.tell("Cannot use the picture", chosen.error);
+  if (!chosen.set.texture.empty()) {
+    panels_.view.surface = true;
+    panels_.view.strain_colors = panels_.view.strain_colors && panels_.view.springs;
+  }
+  lab_.submit(std::move(chosen.set));
+}
+
+// What the window shows of a scene is saved with it. Used by another thread: it holds copies.
+std::function<void(Scene&)> App::dress() const {
+  return [view = panels_.view](Scene& scene) {
+    scene.view.surface = view.surface;
+    scene.view.springs = view.springs;
+    scene.view.points = view.points;
+    scene.view.strain_colors = view.strain_colors;
+  };
+}
+
+void App::attend() {
+  take_status();
+  const double now = seconds_now();
+  autosave_.follow(status(), lab_, now, dress());
+  if (const std::string trouble = autosave_.take_trouble(); !trouble.empty())
+    panels_.remarks = "Unsaved work cannot be kept against a crash: " + trouble;
+
+  if (now >= watched_at_ + watch_period) {
+    watched_at_ = now;
+    watch_file();
+  }
+
+  const auto kind = system_dialog_.kind();
+  const auto chosen = system_dialog_.take_answer();
+  if (!chosen) return;
+  if (chosen->empty())
+    pending_.reset();
+  else if (kind == SystemDialog::Kind::Open)
+    unless_unsaved(OpenFile{typed_path(*chosen)});
+  else
+    save_to(typed_path(*chosen));
+}
+
+// Said once; until it is answered the notice stands.
+void App::watch_file() {
+  const FileWatch::Change change = watch_.look();
+  panels_.file_is_gone = change == FileWatch::Change::Gone;
+  if (change == FileWatch::Change::None)
+    panels_.file_notice.clear();
+  else
+    panels_.file_notice =
+        name_of(file_) + (panels_.file_is_gone ? " is no longer there. Saving writes it again." : " was changed by another program.");
+}
+
+void App::list_left() {
+  left_ = session_.left_behind();
+  left_work_.clear();
+  for (const LeftBehind& left : left_) {
+    const std::string where = left.file.empty() ? "never saved" : printable(left.file.native(), 60);
+    const std::string name = !left.file.empty() ? left.file.stem().string() : left.name.empty() ? "Untitled" : left.name;
+    left_work_.push_back({printable(name, 40) + ", kept at " + left.kept_at, where});
+  }
+}
+
+void App::recover(std::size_t which) {
+  if (which >= left_.size()) return;
+  const LeftBehind left = left_[which];
+  try {
+    LoadedScene loaded = load_copy(left.copy(), left.file.empty() ? left.copy() : left.file);
+    const std::string text = read_file(left.copy());
+    take_document(std::make_shared<const Scene>(std::move(loaded.scene)), left.file, true);
+    // kept by this run before it is thrown away where it lay
+    session_.keep(text);
+    session_.discard(left);
+    panels_.say("Recovered, and not saved yet");
+  } catch (const std::runtime_error& error) {  // Refused or FileError
+    panels_.tell("Cannot recover the scene", error.what());
+  }
+  list_left();
+}
+
+void App::throw_away(std::size_t which) {
+  if (which >= left_.size()) return;
+  session_.discard(left_[which]);
+  list_left();
+}
+
+}  // namespace hooke

@@ -1,0 +1,118 @@
+#include "app/preferences.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/home.h"
+#include "lab/atomic_write.h"
+#include "lab/json_field.h"
+#include "lab/json_text.h"
+#include "lab/json_writer.h"
+#include "lab/printable.h"
+#include "lab/read_file.h"
+#include "sim/errors.h"
+
+namespace hooke {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array rows{
+    PreferenceRow{"interface_scale", &Preferences::interface_scale, 0.75, 3.0},
+    PreferenceRow{"autosave_seconds", &Preferences::autosave_seconds, 1.0, 60.0},
+};
+
+constexpr std::string_view settings_name = "settings.json", recent_name = "recent.json";
+
+// Calls `take` with every top-level member. Throws Refused or FileError.
+void read_members(const fs::path& file, const std::function<void(const JsonField& field)>& take) {
+  const std::string name = printable(file.native());
+  const std::string text = read_file(file);
+  JsonParser parser;
+  walk_json(text, name,
+            {.is_list = [](std::string_view) { return false; },
+             .item = nullptr,
+             .member = [&](std::string_view key, std::string_view value) { take(JsonField(name, key, parser.parse(value))); }});
+}
+
+void read_preference(const JsonField& field, Preferences& preferences) {
+  if (field.is("system_dialogs")) preferences.system_dialogs = field.boolean();
+  for (const PreferenceRow& row : rows)
+    if (field.is(row.name)) preferences.*row.field = field.number({.least = row.least, .most = row.most});
+}
+
+}  // namespace
+
+std::span<const PreferenceRow> preference_rows() { return rows; }
+
+LoadedPreferences load_preferences(const fs::path& folder) {
+  LoadedPreferences loaded;
+  const fs::path file = folder / settings_name;
+  std::error_code error;
+  if (folder.empty() || !fs::exists(fs::symlink_status(file, error))) return loaded;
+  try {
+    read_members(file, [&](const JsonField& field) { read_preference(field, loaded.preferences); });
+  } catch (const std::runtime_error& refusal) {  // Refused or FileError
+    loaded.preferences = {};
+    const fs::path aside = file.string() + ".bad";
+    fs::rename(file, aside, error);
+    loaded.said =
+        std::string(refusal.what()) + "\n\nHooke goes on with its usual settings. " +
+        (error ? "The file could not be set aside: " + error.message() + "." : "The file is kept as " + printable(aside.native()) + ".");
+  }
+  return loaded;
+}
+
+void save_preferences(const Preferences& preferences, const fs::path& folder) {
+  if (folder.empty()) return;
+  JsonWriter writer;
+  writer.begin_object(JsonWriter::Layout::Lines);
+  for (const PreferenceRow& row : rows) writer.number(row.name, preferences.*row.field);
+  writer.boolean("system_dialogs", preferences.system_dialogs);
+  writer.end();
+  make_private_folder(folder);
+  write_atomically(folder / settings_name, writer.take() + "\n");
+}
+
+RecentFiles::RecentFiles(fs::path folder) : folder_(std::move(folder)) {
+  if (folder_.empty()) return;
+  try {
+    read_members(folder_ / recent_name, [&](const JsonField& field) {
+      if (!field.is("files")) return;
+      for (const JsonField file : field.items(0, most)) files_.emplace_back(std::string(file.text()));
+    });
+  } catch (const std::runtime_error&) {  // Refused or FileError
+    files_.clear();
+  }
+}
+
+void RecentFiles::note(const fs::path& file) {
+  std::erase(files_, file);
+  files_.insert(files_.begin(), file);
+  if (files_.size() > most) files_.resize(most);
+  save();
+}
+
+void RecentFiles::forget(const fs::path& file) {
+  if (std::erase(files_, file) > 0) save();
+}
+
+void RecentFiles::save() const {
+  if (folder_.empty()) return;
+  JsonWriter writer;
+  writer.begin_object(JsonWriter::Layout::Lines);
+  writer.key("files");
+  writer.begin_list(JsonWriter::Layout::Lines);
+  // a name that is no UTF-8 cannot stand in JSON
+  for (const fs::path& file : files_)
+    if (is_utf8(file.native())) writer.text(file.native());
+  writer.end();
+  writer.end();
+  try {
+    make_private_folder(folder_);
+    write_atomically(folder_ / recent_name, writer.take() + "\n");
+  } catch (const FileError&) {
+  }
+}
+
+}  // namespace hooke

@@ -1,0 +1,88 @@
+#include "ui/typed_field.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "lab/printable.h"
+#include "ui/number_field.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+std::string shown(const TypedField& field) {
+  if (field.mixed) return {};
+  if (std::isinf(field.value) && !field.endless.empty()) return std::string(field.endless);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", field.value);
+  return text;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
+}
+
+// What was typed, as the field can take it; what it cannot is said.
+std::optional<double> taken(const TypedField& field, const std::string& text, Panels& panels) {
+  if (trimmed(text).empty()) return std::nullopt;
+  const auto number = number_typed(text, field.endless);
+  if (!number) {
+    panels.say("\"" + printable(text, 30) + "\" is no number: " + std::string(field.label) + " stays as it was");
+    return std::nullopt;
+  }
+  if (std::isinf(*number) && !field.endless.empty()) return number;
+  const double value = std::clamp(*number, field.least, field.most);
+  if (value != *number)
+    panels.say(std::string(field.label) + " goes from " + hooke::number(field.least) + " to " + hooke::number(field.most) + " " +
+               std::string(field.unit));
+  return value;
+}
+
+}  // namespace
+
+std::optional<double> number_typed(std::string_view text, std::string_view endless) {
+  text = trimmed(text);
+  if (!endless.empty() && text == endless) return INFINITY;
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  // out of range: too large or too small for any field, and clamped as such
+  if (error == std::errc::result_out_of_range)
+    return text.find("e-") != text.npos || text.find("E-") != text.npos ? 0.0 : text.starts_with('-') ? -INFINITY : INFINITY;
+  if (error != std::errc() || end != text.data() + text.size() || std::isnan(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<double> typed_row(const TypedField& field, Panels& panels) {
+  begin_row(std::string(field.label));
+  const ImGuiID id = ImGui::GetID("##typed");
+  const float unit_width =
+      field.unit.empty() ? 0.0f : ImGui::CalcTextSize(field.unit.data(), field.unit.data() + field.unit.size()).x + units(10.0);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit_width);
+  std::string text = panels.typing == id ? panels.typed_text : shown(field);
+  const bool edited = ImGui::InputTextWithHint("##typed", field.mixed ? "mixed" : "", &text, ImGuiInputTextFlags_AutoSelectAll);
+  if (ImGui::IsItemActive() || edited) {
+    panels.typing = id;
+    panels.typed_text = text;
+  }
+  const bool finished = ImGui::IsItemDeactivatedAfterEdit();
+  if (!ImGui::IsItemActive()) {
+    if (panels.typing == id) panels.typing = 0;
+    tooltip(std::string(field.meaning));
+  }
+  if (unit_width > 0.0f) {
+    ImGui::SameLine(0.0f, units(6.0));
+    dim_text(std::string(field.unit));
+  }
+  if (!finished) return std::nullopt;
+  const auto value = taken(field, text, panels);
+  return value && (field.mixed || *value != field.value) ? value : std::nullopt;
+}
+
+}  // namespace hooke
