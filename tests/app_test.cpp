@@ -294,6 +294,68 @@ TEST(Camera, KeepsFacingAFlatScene) {
   EXPECT_NE(gui.app().camera().target, target);
 }
 
+TEST(Camera, LooksAlongTheAxesAndFromTheOtherSideWhenAskedAgain) {
+  GuiTrial gui(hanging(3));
+  const auto from = [&](char key) {
+    gui.key(letter(key));
+    return gui.app().camera().back;
+  };
+  EXPECT_LT(glm::distance(from('1'), {0.0, 0.0, 1.0}), 1e-12);
+  EXPECT_LT(glm::distance(from('1'), {0.0, 0.0, -1.0}), 1e-12);
+  EXPECT_LT(glm::distance(gui.app().camera().up, {0.0, 1.0, 0.0}), 1e-12);
+  EXPECT_LT(glm::distance(from('3'), {1.0, 0.0, 0.0}), 1e-12);
+  EXPECT_LT(glm::distance(from('7'), {0.0, 1.0, 0.0}), 1e-12);
+  // from above the front is below
+  EXPECT_LT(glm::distance(gui.app().camera().up, {0.0, 0.0, -1.0}), 1e-12);
+  EXPECT_LT(glm::distance(from('7'), {0.0, -1.0, 0.0}), 1e-12);
+  EXPECT_LT(glm::distance(gui.app().camera().up, {0.0, 0.0, 1.0}), 1e-12);
+  gui.key(letter('5'));
+  EXPECT_TRUE(gui.app().camera().orthographic);
+  gui.key(letter('5'));
+  EXPECT_FALSE(gui.app().camera().orthographic);
+  // it goes on turning as before
+  gui.drag({400.0, 400.0}, {480.0, 420.0}, Button::Right);
+  EXPECT_NEAR(glm::length(gui.app().camera().up), 1.0, 1e-12);
+  EXPECT_NEAR(glm::dot(gui.app().camera().up, gui.app().camera().back), 0.0, 1e-12);
+}
+
+TEST(Camera, AClickOnAnAxisLooksFromIt) {
+  {
+    GuiTrial flat(hanging(2));
+    flat.frames(2);
+    EXPECT_EQ(ImGui::FindWindowByName("axes"), nullptr);
+  }
+  GuiTrial gui(hanging(3));
+  gui.frames(2);
+  const ImGuiWindow* axes = ImGui::FindWindowByName("axes");
+  ASSERT_NE(axes, nullptr);
+  const Camera camera = gui.app().camera();
+  const Vec3 right = glm::cross(camera.up, camera.back);
+  const glm::dvec2 center(axes->Pos.x + 0.5 * axes->Size.x, axes->Pos.y + 0.5 * axes->Size.y);
+  gui.click(center + 31.0 * glm::dvec2(right.x, -camera.up.x));
+  EXPECT_LT(glm::distance(gui.app().camera().back, {1.0, 0.0, 0.0}), 1e-12);
+  EXPECT_TRUE(gui.app().selection().empty());
+}
+
+TEST(Camera, IsCopiedAndPastedAsText) {
+  GuiTrial gui(hanging(3));
+  gui.drag({400.0, 400.0}, {480.0, 420.0}, Button::Right);
+  gui.key(letter('5'));
+  const Camera camera = gui.app().camera();
+  gui.key(letter('C'), control_shift);
+  gui.key(letter('1'));
+  gui.key(letter('5'));
+  gui.key(letter('V'), control_shift);
+  const Camera& pasted = gui.app().camera();
+  EXPECT_LT(glm::distance(pasted.eye(), camera.eye()), 1e-12);
+  EXPECT_LT(glm::distance(pasted.target, camera.target), 1e-12);
+  EXPECT_TRUE(pasted.orthographic);
+  gui.app().use({.put = nullptr, .take = [] { return std::string("1,2,3"); }});
+  gui.key(letter('V'), control_shift);
+  EXPECT_EQ(gui.app().panels().toast, "The clipboard holds no camera");
+  EXPECT_LT(glm::distance(gui.app().camera().eye(), camera.eye()), 1e-12);
+}
+
 TEST(Documents, SaveAsByTypingAPathAndOpenAgain) {
   const Folder folder;
   GuiTrial gui(hanging());

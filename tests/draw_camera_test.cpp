@@ -5,6 +5,7 @@
 #include <random>
 
 #include "draw/camera.h"
+#include "draw/camera_text.h"
 #include "trial.h"
 
 namespace hooke {
@@ -253,6 +254,20 @@ TEST(Camera, UpIsAgainstGravity) {
   const Camera camera = make_camera({}, trial.system, trial.state, 1.5);
   EXPECT_GT(camera.up.z, 0.9);
   EXPECT_GT(camera.back.z, 0.0);
+}
+
+TEST(CameraText, ReadsBackAsTheSameNumbers) {
+  const CameraPose pose{.eye = {0.1, -2.0 / 3.0, 1e-9}, .target = {1e6, 0.0, -0.25}, .orthographic = true};
+  const auto read = camera_from_text(camera_text(pose));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, pose);
+  EXPECT_EQ(camera_text({.eye = {0.0, 0.0, 3.0}}), "0,0,3,0,0,0");
+}
+
+TEST(CameraText, OfAnythingElseIsNone) {
+  for (const char* text : {"", "1,2,3", "1,2,3,4,5,6,7", "1,2,3,1,2,3", "nan,0,0,0,0,0", "1e999,0,0,0,0,0", "1,2,3,4,5,6,ortho", "a"})
+    EXPECT_FALSE(camera_from_text(text)) << text;
+  EXPECT_TRUE(camera_from_text("1,2,3,0,0,0\n"));
 }
 
 }  // namespace

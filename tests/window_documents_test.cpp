@@ -115,7 +115,7 @@ TEST(TwoWindows, ShareTheClipboard) {
   const fs::path file = desktop.folder() / "target.json";
   write(file, R"({"hooke": 1, "name": "Target", "dimensions": 2, "points": []})");
   const Process second({HOOKE_PROGRAM, file.string()}, desktop.folder() / "second");
-  ASSERT_TRUE(wait_for([&] { return desktop.window_title().find("Hooke - target") != std::string::npos; }));
+  ASSERT_TRUE(wait_for([&] { return !desktop.ask("xdotool search --onlyvisible --name 'Hooke - target'").empty(); }));
   rest(1.5);
   desktop.control("v");
   EXPECT_TRUE(wait_for([&] {

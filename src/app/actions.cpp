@@ -1,9 +1,11 @@
 // What each action and each request of the panels does.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "app/app.h"
 #include "app/files.h"
+#include "draw/camera_text.h"
 #include "lab/excerpt.h"
 #include "sim/errors.h"
 #include "sim/overloaded.h"
@@ -86,6 +88,19 @@ void App::perform(Action action, bool repeated) {
       return;
     case Action::FrameSelection:
       return frame_selection();
+    case Action::ViewFront:
+      return look_from(bench_.camera.front());
+    case Action::ViewSide:
+      return look_from(glm::cross(bench_.camera.pole, bench_.camera.front()));
+    case Action::ViewTop:
+      return look_from(bench_.camera.pole);
+    case Action::Orthographic:
+      bench_.camera.orthographic = !bench_.camera.orthographic;
+      return panels_.say(bench_.camera.orthographic ? "Orthographic" : "Perspective");
+    case Action::CopyCamera:
+      return copy_camera();
+    case Action::PasteCamera:
+      return paste_camera();
     case Action::LargerPanels:
       return scale_panels(1.15);
     case Action::SmallerPanels:
@@ -131,6 +146,7 @@ void App::obey(const Request& request) {
                  [this](const OpenFile& open_file) { unless_unsaved(OpenFile{typed_path(open_file.file)}); },
                  [this](const SaveFile& save_file) { save_to(typed_path(save_file.file)); },
                  [this](const ChooseTexture& choose) { choose_texture(choose.texture); },
+                 [this](const LookFrom& look) { look_from(look.direction); },
                  [this](const AskDesktop& ask) { ask_desktop(ask.to_save); },
                  [this](const Recover& wanted) { recover(wanted.which); },
                  [this](const ThrowAway& unwanted) { throw_away(unwanted.which); },
@@ -172,6 +188,31 @@ void App::frame_selection() {
   const Scene part = excerpt(bench_.snapshot(), selection_);
   if (part.system.points().empty()) return panels_.say("Nothing is selected");
   frame_scene(bench_.camera, part.system, part.state, bench_.size.x / bench_.size.y);
+}
+
+// From there; from the other side when it is seen from there already.
+void App::look_from(const Vec3& direction) {
+  Camera& camera = bench_.camera;
+  if (bench_.system().dimensions == 2) return panels_.say("A flat scene is seen from the front");
+  const bool is_there = glm::dot(camera.back, glm::normalize(direction)) > 1.0 - 1e-9;
+  camera.look_from(is_there ? -direction : direction);
+}
+
+// As `hooke capture --camera` takes it.
+void App::copy_camera() {
+  const std::string text = camera_text(pose_of(bench_.camera));
+  clipboard_.put(text);
+  panels_.say("Copied the camera: " + text);
+}
+
+void App::paste_camera() {
+  const auto pose = camera_from_text(clipboard_.take());
+  if (!pose) return panels_.say("The clipboard holds no camera");
+  ViewSettings view;
+  view.camera = pose;
+  const Camera pasted = make_camera(view, bench_.system(), bench_.snapshot().state, bench_.size.x / bench_.size.y);
+  if (bench_.system().dimensions == 2 && pasted.back != bench_.camera.back) return panels_.say("A flat scene is seen from the front");
+  bench_.camera = pasted;
 }
 
 void App::release_nails() {

@@ -197,7 +197,8 @@ void App::build_frame(const Figures& figures) {
                   .rubber_band = rubber_band,
                   .recent = recent_.files(),
                   .left = left_work_,
-                  .has_desktop_dialog = has_system_dialog_};
+                  .has_desktop_dialog = has_system_dialog_,
+                  .camera = bench_.camera};
   build_panels(desk, panels_, requests);
   for (const Request& request : requests) obey(request);
 

@@ -78,6 +78,9 @@ class App {
   void delete_selection();
   void release_nails();
   void frame_selection();
+  void look_from(const Vec3& direction);
+  void copy_camera();
+  void paste_camera();
 
   // Parts of the scene, as text.
   bool copy();

@@ -21,6 +21,7 @@ static_assert(static_cast<int>(Key::F1) == GLFW_KEY_F1);
 Key key_of(int key, int scancode) {
   if (key == GLFW_KEY_KP_ENTER) return Key::Enter;
   const char* name = glfwGetKeyName(key, scancode);
+  if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return static_cast<Key>('0' + key - GLFW_KEY_KP_0);
   const bool is_keypad = key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_EQUAL;
   if (name != nullptr && std::strlen(name) == 1 && !is_keypad) return static_cast<Key>(std::toupper(static_cast<unsigned char>(name[0])));
   return static_cast<Key>(key);

@@ -4,9 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <glm/geometric.hpp>
 
 #include "cli/output_file.h"
+#include "draw/camera_text.h"
 #include "lab/printable.h"
 #include "sim/errors.h"
 
@@ -42,16 +42,8 @@ PictureSize parse_size(const std::string& text) {
 }
 
 CameraPose parse_camera(const std::string& text) {
-  std::array<double, 6> numbers{};
-  std::string_view rest = text;
-  bool is_pose = true;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-    is_pose = is_pose && (i == 0 || take(rest, ',')) && take(rest, numbers[i]) && std::isfinite(numbers[i]);
-  const Vec3 eye(numbers[0], numbers[1], numbers[2]), target(numbers[3], numbers[4], numbers[5]);
-  const double distance = glm::length(eye - target);
-  if (!is_pose || !rest.empty() || !(distance > 0.0) || !std::isfinite(distance))
-    throw UsageError("--camera " + printable(text, 80) + ": must be six numbers with commas between, of the eye and its target [m]");
-  return {.eye = eye, .target = target};
+  if (const auto pose = camera_from_text(text)) return *pose;
+  throw UsageError("--camera " + printable(text, 80) + ": must be six numbers with commas between, of the eye and its target [m]");
 }
 
 std::filesystem::path Destination::file(long number) const {

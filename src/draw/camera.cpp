@@ -104,6 +104,15 @@ void Camera::orbit(double yaw, double pitch) {
   up = std::cos(tilted) * pole - std::sin(tilted) * level;
 }
 
+Vec3 Camera::front() const { return flatten({0.0, 0.0, 1.0}, pole, {0.0, -1.0, 0.0}); }
+
+void Camera::look_from(const Vec3& direction) {
+  back = glm::normalize(direction);
+  const double rise = glm::dot(back, pole);
+  const bool steep = std::abs(rise) > 1.0 - 1e-12;
+  up = flatten(steep ? -rise * front() : pole, back, any_normal_to(back));
+}
+
 void Camera::pan(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& size) {
   target += unproject(from, size, target) - unproject(to, size, target);
 }

@@ -37,6 +37,10 @@ struct Camera {
   double metres_per_pixel(const Vec3& at, const glm::dvec2& size) const;
 
   void orbit(double yaw, double pitch);  // [rad]
+  // Level, towards the person who sees the scene from its front.
+  Vec3 front() const;
+  // Sees the target from this direction, upright; from above and below the front is at the bottom of the picture.
+  void look_from(const Vec3& direction);
   void pan(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& size);
   // factor < 1 comes nearer; what is under the cursor stays under it.
   void zoom(double factor, const glm::dvec2& cursor, const glm::dvec2& size);

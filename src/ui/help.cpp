@@ -1,32 +1,66 @@
-// The F1 overlay: every shortcut of the table, by group, and what the mouse does.
+// The F1 overlay: every shortcut of the table, by group, and what the mouse does, in as many columns as fit.
+#include <algorithm>
+
 #include "ui/panels.h"
 #include "ui/widgets.h"
 
 namespace hooke {
 namespace {
 
-void heading(std::string_view title) {
+constexpr double column_width = 330.0;  // [units of design]
+constexpr int most_columns = 3;
+constexpr double heading_lines = 1.6;  // a heading and the gap above it, in lines
+
+struct Line {
+  std::string left;
+  std::string_view right;
+};
+struct Group {
+  std::string_view title;
+  std::vector<Line> lines;
+  double indent;  // of what stands at the right [units of design]
+  double height() const { return heading_lines + static_cast<double>(lines.size()); }
+};
+
+std::vector<Group> all_groups() {
+  std::vector<Group> groups;
+  for (const Shortcut& row : shortcuts()) {
+    if (groups.empty() || groups.back().title != row.group) groups.push_back({row.group, {}, 112.0});
+    groups.back().lines.push_back({key_text(row), row.text});
+  }
+  groups.push_back({"Mouse", {}, 170.0});
+  for (const MouseHint& hint : mouse_hints()) groups.back().lines.push_back({std::string(hint.gesture), hint.text});
+  return groups;
+}
+
+void build_group(const Group& group) {
   ImGui::Dummy({0.0f, units(3.0)});
   ImGui::PushFont(fonts().strong);
-  text_in(palette::accent, std::string(title));
+  text_in(palette::accent, std::string(group.title));
   ImGui::PopFont();
+  for (const Line& line : group.lines) {
+    ImGui::TextUnformatted(line.left.c_str());
+    ImGui::SameLine(units(group.indent));
+    dim_text(std::string(line.right));
+  }
 }
 
-void line(const std::string& key, std::string_view text, float indent) {
-  ImGui::TextUnformatted(key.c_str());
-  ImGui::SameLine(indent);
-  dim_text(std::string(text));
-}
-
-// The column in which a group stands.
-bool is_left(std::string_view group) { return group == "Tools" || group == "Run" || group == "Tune"; }
-
-void key_column(bool left) {
-  std::string_view group;
-  for (const Shortcut& row : shortcuts()) {
-    if (is_left(row.group) != left) continue;
-    if (row.group != group) heading(group = row.group);
-    line(key_text(row), row.text, units(112.0));
+// Groups stay whole and in their order; each column takes its share.
+void build_columns(int columns) {
+  const std::vector<Group> groups = all_groups();
+  double rest = 0.0;
+  for (const Group& group : groups) rest += group.height();
+  double filled = 0.0;
+  for (const Group& group : groups) {
+    const double share = (rest + filled) / columns;
+    if (filled > 0.0 && columns > 1 && filled + 0.5 * group.height() > share) {
+      ImGui::NextColumn();
+      --columns;
+      filled = 0.0;
+    }
+    build_group(group);
+    filled += group.height();
+    rest -= group.height();
   }
 }
 
@@ -34,25 +68,21 @@ void key_column(bool left) {
 
 void build_keys(const Desk& desk, Panels& panels) {
   if (!panels.keys_shown) return;
-  const Rect& scene = desk.layout.scene;
-  ImGui::SetNextWindowPos({static_cast<float>(scene.x + 0.5 * scene.width), static_cast<float>(scene.y + 0.5 * scene.height)},
-                          ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({units(640.0), 0.0f});
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const int columns = std::clamp(static_cast<int>(display.x / units(column_width + 24.0)), 1, most_columns);
+  const float width = std::min(display.x, static_cast<float>(columns) * units(column_width) + units(48.0));
+  const float middle = static_cast<float>(desk.layout.scene.y + 0.5 * desk.layout.scene.height);
+  ImGui::SetNextWindowPos({0.5f * display.x, middle}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, static_cast<float>(desk.layout.scene.height)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(24.0), units(16.0)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(24.0), units(14.0)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
-  ImGui::Begin("keys", nullptr, fixed_panel | ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::Begin("keys", nullptr, (fixed_panel & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_AlwaysAutoResize);
   panels.floating.push_back(current_window());
-
-  ImGui::Columns(2, "columns", false);
-  key_column(true);
-  ImGui::NextColumn();
-  key_column(false);
+  ImGui::Columns(columns, "columns", false);
+  build_columns(columns);
   ImGui::Columns(1);
-  heading("Mouse");
-  for (const MouseHint& hint : mouse_hints()) line(std::string(hint.gesture), hint.text, units(220.0));
-
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);

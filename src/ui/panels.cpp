@@ -22,6 +22,7 @@ void build_panels(const Desk& desk, Panels& panels, Requests& requests) {
     build_plots(desk, panels, requests);
     build_timeline(desk, panels, requests);
     build_overlays(desk, panels, requests);
+    build_axes(desk, panels, requests);
   }
   build_keys(desk, panels);
   build_search(desk, panels, requests);

@@ -45,6 +45,7 @@ struct Desk {
   std::span<const std::filesystem::path> recent;  // files, newest first
   std::span<const LeftWork> left;
   bool has_desktop_dialog = false;
+  Camera camera{};
 };
 
 // Where a dialog looks for files.
@@ -164,6 +165,7 @@ void build_history(const Desk& desk, Requests& requests);
 std::vector<const Shortcut*> find_commands(const std::string& typed);
 void build_search(const Desk& desk, Panels& panels, Requests& requests);
 void build_status_bar(const Desk& desk);
+void build_axes(const Desk& desk, Panels& panels, Requests& requests);
 void build_overlays(const Desk& desk, Panels& panels, Requests& requests);
 void build_keys(const Desk& desk, Panels& panels);
 void build_gallery(const Desk& desk, Panels& panels, Requests& requests);

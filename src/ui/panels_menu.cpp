@@ -103,6 +103,10 @@ void view_menu(const Desk& desk, Panels& panels, Requests& requests) {
   item(Action::FrameAll, requests);
   item(Action::FrameSelection, requests, !desk.selection.empty());
   ImGui::Separator();
+  const bool turns = desk.status.snapshot->system->dimensions == 3;
+  for (const Action action : {Action::ViewFront, Action::ViewSide, Action::ViewTop}) item(action, requests, turns);
+  for (const Action action : {Action::Orthographic, Action::CopyCamera, Action::PasteCamera}) item(action, requests);
+  ImGui::Separator();
   for (const Action action : {Action::ShowPlots, Action::HidePanels, Action::LightOrDark}) item(action, requests);
   ImGui::Separator();
   ImGui::MenuItem("Points", nullptr, &panels.view.points);

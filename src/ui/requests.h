@@ -35,6 +35,10 @@ struct ChooseTexture {
 struct AskDesktop {
   bool to_save = false;
 };
+// The camera turned to see the scene from there.
+struct LookFrom {
+  Vec3 direction;
+};
 // Unsaved work that a killed run left behind, by its place in the list: to be opened, or thrown away.
 struct Recover {
   std::size_t which;
@@ -54,7 +58,8 @@ enum class Answer {
   KeepMine,   // the scene as it is here
 };
 
-using Request = std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, AskDesktop, Recover, ThrowAway, Answer>;
+using Request =
+    std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, AskDesktop, LookFrom, Recover, ThrowAway, Answer>;
 using Requests = std::vector<Request>;
 
 }  // namespace hooke
