@@ -110,7 +110,7 @@ std::string manual_page() {
   page << "hooke, hooke\\-headless \\- a laboratory for networks of point masses and springs\n";
 
   section(page, "SYNOPSIS");
-  page << ".B hooke\n.RI [ SCENE ]\n";
+  page << ".B hooke\n.RB [ \\-\\-reset\\-settings ]\n.RI [ SCENE ]\n";
   for (const auto& [command, work] : commands) {
     const std::string rest = synopsis_of(*command);
     page << ".br\n.B hooke " << command->get_name() << "\n" << roff(std::string_view(rest).substr(1)) << "\n";
@@ -125,6 +125,7 @@ std::string manual_page() {
 
   section(page, "OPTIONS");
   write_options(page, app, true);
+  entry(page, "--reset-settings", "Of the window: start with the usual settings; those that were set are forgotten.");
   for (const auto& [command, work] : commands) {
     page << ".SS hooke " << command->get_name() << "\n" << roff(command->get_description()) << ".\n";
     write_options(page, *command, false);
@@ -187,7 +188,7 @@ std::string bash_completion() {
   for (const auto& [command, work] : commands)
     script << "    " << command->get_name() << ") options='" << names_of_options(*command) << "' ;;\n";
   script << "    *) options='" << names_of_options(app)
-         << "' ;;\n"
+         << " --reset-settings' ;;\n"
             "  esac\n"
             "  case $cur in\n"
             "    -*) COMPREPLY=($(compgen -W \"$options\" -- \"$cur\")); return ;;\n"
