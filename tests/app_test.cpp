@@ -47,9 +47,9 @@ glm::dvec2 seen(GuiTrial& gui, const Vec3& place) {
 TEST(Keys, TakeTheTools) {
   GuiTrial gui(hanging());
   for (const ToolRow& row : tools()) {
-    const Shortcut& shortcut = shortcut_of(row.button.action);
+    const Shortcut& shortcut = shortcut_of(row.action);
     gui.key(shortcut.key, shortcut.modifiers);
-    EXPECT_EQ(gui.app().tool(), row.button.action);
+    EXPECT_EQ(gui.app().tool(), row.action);
   }
 }
 

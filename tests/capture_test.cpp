@@ -47,6 +47,24 @@ TEST(Capture, DrawsAFolderOfNumberedPicturesFromStartToEnd) {
             (std::vector<std::string>{"frame_00000.png", "frame_00001.png", "frame_00002.png", "frame_00003.png"}));
 }
 
+TEST(Capture, DrawsThePanelsOfTheWindowWhenAskedTo) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(capture("cloth --ui --out a.png --size 1280x720", scratch.folder).code, 0);
+  EXPECT_EQ(capture("cloth --out b.png --size 1280x720", scratch.folder).code, 0);
+  const Image with = read_png(scratch.folder / "a.png"), without = read_png(scratch.folder / "b.png");
+  const auto color_at = [](const Image& image, int x, int y) {
+    const std::uint8_t* pixel = &image.pixels[3u * static_cast<std::size_t>(y * image.width + x)];
+    return std::tuple(pixel[0], pixel[1], pixel[2]);
+  };
+  // the ground of the panels at the left and at the right, and words on it: pixels that stand out
+  EXPECT_EQ(color_at(with, 4, 600), std::tuple(0x1a, 0x1d, 0x22));
+  EXPECT_NE(color_at(without, 4, 600), std::tuple(0x1a, 0x1d, 0x22));
+  int bright = 0;
+  for (int y = 60; y < 200; ++y)
+    for (int x = 960; x < 1240; ++x) bright += std::get<0>(color_at(with, x, y)) > 0xa0;
+  EXPECT_GT(bright, 500);
+}
+
 TEST(Capture, TakesAsManyPicturesAsAskedFor) {
   const ScratchFolder scratch;
   EXPECT_EQ(capture("two_masses --out pictures --frames 2 --size 32x32", scratch.folder).code, 0);

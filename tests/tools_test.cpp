@@ -386,7 +386,7 @@ TEST(Tools, EachSaysItsNextStepAndStandsInTheTableOnce) {
   BenchTrial trial(flat_scene({a}));
   for (const ToolRow& row : tools()) {
     EXPECT_FALSE(row.make()->next_step(trial.bench).empty()) << row.button.name;
-    EXPECT_EQ(std::ranges::count(tools(), row.button.action, [](const ToolRow& other) { return other.button.action; }), 1);
+    EXPECT_EQ(std::ranges::count(tools(), row.action, &ToolRow::action), 1);
   }
 }
 

@@ -241,13 +241,13 @@ TEST(Stability, IsSaidUnderTheSubstepsWithWhatWouldHold) {
 TEST(ToolBar, AClickTakesTheToolAndItsNextStepIsSaid) {
   GuiTrial gui(two_springs());
   for (const ToolRow& row : tools()) {
-    const int action = static_cast<int>(row.button.action);
+    const int action = static_cast<int>(row.action);
     // an item by number: found by its place in the bar
     const Rect& bar = gui.app().layout().tools;
     const double index = static_cast<double>(&row - tools().data());
     gui.click({bar.x + 0.5 * bar.width, bar.y + 30.0 + 58.0 * index});
-    EXPECT_EQ(gui.app().tool(), row.button.action) << action;
-    EXPECT_NE(gui.words().find(shortcut_of(row.button.action).text), std::string::npos);
+    EXPECT_EQ(gui.app().tool(), row.action) << action;
+    EXPECT_NE(gui.words().find(shortcut_of(row.action).text), std::string::npos);
   }
 }
 

@@ -43,7 +43,6 @@ App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const H
   if (!left_.empty()) panels_.waiting.push_back({.kind = Dialog::Kind::Recovery, .is_new = true});
   // a clipboard of our own until the window lends its
   clipboard_ = {.put = [this](const std::string& text) { own_clipboard_ = text; }, .take = [this] { return own_clipboard_; }};
-  for (const ToolRow& row : tools()) tool_buttons_.push_back(row.button);
   take_tool(Action::SelectTool);
   take_switches(bench_.status->view);
   begin_document();
@@ -170,7 +169,7 @@ void App::take_tool(Action action) {
   if (tool_) tool_->cancel(bench_);
   tool_is_pressed_ = false;
   const auto rows = tools();
-  tool_ = std::ranges::find(rows, action, [](const ToolRow& row) { return row.button.action; })->make();
+  tool_ = std::ranges::find(rows, action, &ToolRow::action)->make();
   tool_action_ = action;
 }
 
@@ -188,7 +187,7 @@ void App::build_frame(const Figures& figures) {
   const Desk desk{.status = *bench_.status,
                   .selection = selection_,
                   .layout = layout_,
-                  .tools = tool_buttons_,
+                  .tools = tool_buttons(),
                   .tool = tool_action_,
                   .next_step = tool_->next_step(bench_),
                   .file = file_,

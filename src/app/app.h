@@ -123,7 +123,6 @@ class App {
 
   std::unique_ptr<Tool> tool_;
   Action tool_action_ = Action::SelectTool;
-  std::vector<ToolButton> tool_buttons_;
   bool tool_is_pressed_ = false;
   std::optional<Button> turning_with_;  // the button that moves the camera
   glm::dvec2 cursor_{0.0};              // in window coordinates

@@ -37,11 +37,11 @@ class Tool {
 };
 
 struct ToolRow {
-  ToolButton button;
+  Action action;
   std::unique_ptr<Tool> (*make)();
 };
 
-// In the order of the tool bar. Adding a tool: its Action and shortcut, and a row here.
+// What does the work of each button (ui/tool_buttons.h).
 std::span<const ToolRow> tools();
 
 std::unique_ptr<Tool> make_select_tool();

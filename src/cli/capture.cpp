@@ -10,6 +10,7 @@
 #include "lab/lab.h"
 #include "lab/printable.h"
 #include "lab/recording.h"
+#include "ui/still_panels.h"
 
 namespace hooke {
 namespace {
@@ -17,19 +18,28 @@ namespace {
 // Takes pictures of the laboratory to where they go.
 class Cameraman {
  public:
-  Cameraman(const Destination& destination, const PictureSize& size, const Shutter& shutter, const Scene& scene, std::optional<CameraPose> pose)
-      : destination_(destination), size_(size) {
+  Cameraman(const Destination& destination, const PictureSize& size, const Shutter& shutter, const Scene& scene, std::optional<CameraPose> pose,
+            bool with_panels)
+      : destination_(destination), size_(size), place_{0.0, 0.0, static_cast<double>(size.width), static_cast<double>(size.height)} {
     ViewSettings settings = scene.view;
     if (pose) settings.camera = pose;
-    camera_ = make_camera(settings, scene.system, scene.state, static_cast<double>(size.width) / size.height);
     look_ = options_for(settings, scene.print);
+    if (with_panels) {
+      panels_.emplace(size.width, size.height, look_);
+      place_ = panels_->layout().scene;
+      view_.upload_fonts();
+    }
+    camera_ = make_camera(settings, scene.system, scene.state, place_.width / place_.height);
+    look_.place = {static_cast<int>(place_.x), static_cast<int>(place_.y), static_cast<int>(place_.width), static_cast<int>(place_.height)};
     if (destination.kind == Destination::Kind::Film) film_.emplace(destination.path, size.width, size.height, shutter.pictures_per_second());
   }
 
   bool wants_all() const { return destination_.kind != Destination::Kind::Picture; }
   void take(Lab& lab, long number) {
     lab.publish();
-    view_.draw(*lab.status()->snapshot, {}, camera_, look_, size_.width, size_.height, nullptr);
+    const Status& status = *lab.status();
+    const ImDrawData* panels = panels_ ? panels_->build(status, {}) : nullptr;
+    view_.draw(*status.snapshot, {}, camera_, look_, size_.width, size_.height, panels);
     if (film_)
       film_->add(view_.read());
     else
@@ -44,6 +54,8 @@ class Cameraman {
   PictureSize size_;
   Offscreen offscreen_;
   View view_;
+  std::optional<StillPanels> panels_;
+  Rect place_;  // of the scene
   Camera camera_;
   ViewOptions look_;
   std::optional<Film> film_;
@@ -70,7 +82,7 @@ int capture(const CaptureOptions& options) {
   const Shutter shutter(options, frame_rate, recording ? static_cast<double>(recording->frames) / frame_rate : 0.0);
   prepare(destination);
 
-  Cameraman cameraman(destination, size, shutter, lab.scene(), pose);
+  Cameraman cameraman(destination, size, shutter, lab.scene(), pose, options.panels);
   const long last = shutter.pictures() - 1;
   Progress progress(shutter.frame_of(last), !options.scene->quiet);
   bool goes_on = true, diverged = false;
@@ -118,6 +130,7 @@ std::function<int()> declare_capture(CLI::App& app) {
       ->type_name("RATE")
       ->check(within(positive));
   app.add_option("--size", options->size, "Width and height [px]")->type_name("WxH")->capture_default_str();
+  app.add_flag("--ui", options->panels, "With the window's panels around it");
   app.add_option("--camera", options->camera,
                  "Where the eye is and what it looks at [m]; without it as the scene says, or so that all of it is seen")
       ->type_name("X,Y,Z,X,Y,Z");

@@ -92,7 +92,7 @@ bool slider(const NumberField& field, double& value, bool typing) {
 void begin_row(const std::string& label) {
   ImGui::AlignTextToFramePadding();
   dim_text(label);
-  ImGui::SameLine(units(124.0));
+  ImGui::SameLine(units(136.0));
 }
 
 std::optional<double> number_row(const NumberField& field, Panels& panels) {

@@ -17,14 +17,9 @@
 #include "ui/layout.h"
 #include "ui/requests.h"
 #include "ui/theme.h"
+#include "ui/tool_buttons.h"
 
 namespace hooke {
-
-struct ToolButton {
-  Action action;
-  Icon icon;
-  std::string_view name;  // short, under the sign
-};
 
 // Unsaved work that a killed run left behind.
 struct LeftWork {

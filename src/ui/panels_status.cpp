@@ -12,9 +12,14 @@ std::string figures(const Desk& desk) {
   const Status& status = desk.status;
   char text[160];
   const std::string speed = !status.running ? "paused" : number(std::round(100.0 * status.speed) / 100.0) + "\u00d7 real time";
-  std::snprintf(text, sizeof text, "simulate %.*f ms    draw %.1f ms    %.0f frames/s    ", status.simulate_ms < 1.0 ? 2 : 1,
-                status.simulate_ms, desk.draw_ms, desk.frames_per_second);
-  return text + speed;
+  std::snprintf(text, sizeof text, "simulate %.*f ms    ", status.simulate_ms < 1.0 ? 2 : 1, status.simulate_ms);
+  std::string line = text;
+  // a picture that nobody looked at has none
+  if (desk.frames_per_second > 0.0) {
+    std::snprintf(text, sizeof text, "draw %.1f ms    %.0f frames/s    ", desk.draw_ms, desk.frames_per_second);
+    line += text;
+  }
+  return line + speed;
 }
 
 }  // namespace

@@ -1,0 +1,46 @@
+#include "ui/still_panels.h"
+
+#include <imgui.h>
+
+#include "ui/theme.h"
+#include "ui/tool_buttons.h"
+
+namespace hooke {
+namespace {
+
+// Windows of ImGui take the size of what is in them a frame later.
+constexpr int frames_to_settle = 3;
+
+}  // namespace
+
+StillPanels::StillPanels(int width, int height, const ViewOptions& view) : layout_(lay_out(width, height, 1.0)) {
+  panels_.view = view;
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = io.LogFilename = nullptr;
+  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+  io.MousePos = {-1.0f, -1.0f};
+  load_theme(1.0, 1.0);
+}
+
+StillPanels::~StillPanels() { ImGui::DestroyContext(); }
+
+const ImDrawData* StillPanels::build(const Status& status, const std::filesystem::path& file) {
+  const Desk desk{.status = status,
+                  .selection = selection_,
+                  .layout = layout_,
+                  .tools = tool_buttons(),
+                  .tool = tool_buttons().front().action,
+                  .next_step = {},
+                  .file = file};
+  for (int frame = 0; frame < frames_to_settle; ++frame) {
+    ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
+    ImGui::NewFrame();
+    Requests nobody_asks;
+    build_panels(desk, panels_, nobody_asks);
+    ImGui::Render();
+  }
+  return ImGui::GetDrawData();
+}
+
+}  // namespace hooke

@@ -1,0 +1,31 @@
+// The window's panels around a picture that nobody touches: the same as in the window, without one.
+#pragma once
+
+#include <filesystem>
+
+#include "ui/panels.h"
+
+struct ImDrawData;
+
+namespace hooke {
+
+// Owns ImGui's context; one at a time.
+class StillPanels {
+ public:
+  // For a picture of so many pixels, with these switches of the view. The fonts are ready to be uploaded.
+  StillPanels(int width, int height, const ViewOptions& view);
+  ~StillPanels();
+  StillPanels(const StillPanels&) = delete;
+  StillPanels& operator=(const StillPanels&) = delete;
+
+  const Layout& layout() const { return layout_; }
+  // As they look at this status. Valid until the next call.
+  const ImDrawData* build(const Status& status, const std::filesystem::path& file);
+
+ private:
+  Layout layout_;
+  Panels panels_;
+  Selection selection_;
+};
+
+}  // namespace hooke
