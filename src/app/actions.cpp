@@ -8,6 +8,7 @@
 #include "draw/camera_text.h"
 #include "lab/excerpt.h"
 #include "sim/errors.h"
+#include "lab/scene_file.h"
 #include "sim/overloaded.h"
 
 namespace hooke {
@@ -175,6 +176,44 @@ void App::cancel() {
     selection_ = {};
   else
     take_tool(Action::SelectTool);
+}
+
+// Enter and Esc, unless a number is being typed.
+bool App::key_places(const KeyPress& press) {
+  if (!panels_.placing.is_on() || panels_.menu_is_open || panels_.typing != 0 || panels_.placing.types_path) return false;
+  if (press.key == Key::Enter) panels_.placing.wants_place = true;
+  if (press.key == Key::Escape) panels_.placing.stop();
+  return press.key == Key::Enter || press.key == Key::Escape;
+}
+
+// What the panel and the mouse want of what is being placed.
+void App::follow_placing() {
+  Placing& placing = panels_.placing;
+  if (!placing.is_on()) {
+    mesh_.reset();
+    moves_placing_ = false;
+    return;
+  }
+  if (std::exchange(placing.is_new, false)) {
+    placing.shape.at = bench_.camera.target;
+    mesh_.reset();
+  }
+  if (moves_placing_) placing.shape.at = bench_.place_beside(pointer().at, placing.shape.at);
+  if (bench_.system().dimensions == 2) placing.shape.at.z = 0.0;
+  if (std::exchange(placing.wants_mesh, false)) {
+    MeshPart loaded = load_mesh_part(typed_path(placing.mesh_path));
+    if (!loaded.scene) panels_.tell("Cannot use the mesh", loaded.error);
+    mesh_ = loaded.scene;
+    placing.mesh_remark = mesh_ ? std::to_string(mesh_->system.point_count()) + " points" : "";
+  }
+  if (std::exchange(placing.wants_place, false)) place();
+}
+
+void App::place() {
+  const Scene part = part_of(panels_.placing, mesh_.get(), bench_.camera.pole, bench_.system().dimensions == 2);
+  if (part.system.point_count() == 0) return panels_.say("Nothing to place yet");
+  lab_.submit(insertion_of(part, Vec3(0.0), {[this] { return lab_.new_point_id(); }, [this] { return lab_.new_spring_id(); }}));
+  panels_.placing.stop();
 }
 
 void App::delete_selection() {

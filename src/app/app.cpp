@@ -80,6 +80,7 @@ void App::on(const KeyPress& press) {
     return;
   }
   if (panels_.search.shown && search(press)) return;
+  if (key_places(press)) return;
   // a field that is typed into is left by these, and nothing else
   if (panels_.text_in_progress && press.key != Key::F1 && !press.modifiers.control) return;
   if (panels_.gallery.is_shown && !panels_.menu_is_open && press.modifiers == Modifiers{}) {
@@ -119,6 +120,8 @@ void App::on(const ButtonPress& press) {
   settle();
   if (press.button != Button::Left) {
     turning_with_ = press.button;
+  } else if (panels_.placing.is_on()) {
+    moves_placing_ = true;
   } else if (!tool_is_pressed_) {
     tool_is_pressed_ = true;
     Pointer pressed = pointer();
@@ -131,6 +134,7 @@ void App::on(const ButtonRelease& release) {
   cursor_ = release.at;
   modifiers_ = release.modifiers;
   if (turning_with_ == release.button) turning_with_.reset();
+  if (release.button == Button::Left) moves_placing_ = false;
   if (release.button != Button::Left || !std::exchange(tool_is_pressed_, false)) return;
   settle();
   tool_->release(pointer(), bench_);
@@ -200,8 +204,11 @@ void App::build_frame(const Figures& figures) {
                   .camera = bench_.camera};
   build_panels(desk, panels_, requests);
   for (const Request& request : requests) obey(request);
+  follow_placing();
 
   marks_ = {.selected_points = selection_.points, .selected_springs = selection_.springs};
+  if (panels_.placing.is_on())
+    return mark_part(part_of(panels_.placing, mesh_.get(), bench_.camera.pole, bench_.system().dimensions == 2), marks_);
   const bool over_scene = !panels_cover(panels_, layout_, cursor_.x, cursor_.y);
   if ((over_scene || tool_is_pressed_) && !turning_with_) tool_->mark(pointer(), bench_, marks_);
 

@@ -15,6 +15,7 @@
 #include "app/preferences.h"
 #include "app/session.h"
 #include "app/system_dialog.h"
+#include "app/placing.h"
 #include "app/tools.h"
 #include "app/tune.h"
 #include "ui/panels.h"
@@ -75,6 +76,9 @@ class App {
   void tune(const Tuning& tuning, bool repeated);
   void take_tool(Action action);
   void cancel();
+  bool key_places(const KeyPress& press);
+  void follow_placing();
+  void place();
   void delete_selection();
   void release_nails();
   void frame_selection();
@@ -127,6 +131,9 @@ class App {
   std::optional<Button> turning_with_;  // the button that moves the camera
   glm::dvec2 cursor_{0.0};              // in window coordinates
   Modifiers modifiers_;
+
+  std::shared_ptr<const Scene> mesh_;  // that is being placed
+  bool moves_placing_ = false;
 
   Panels panels_;
   Layout layout_;

@@ -74,6 +74,7 @@ void App::take_document(std::shared_ptr<const Scene> scene, std::filesystem::pat
   selection_ = {};
   panels_.remarks.clear();
   panels_.gallery.is_shown = false;
+  panels_.placing.stop();
   file_ = std::move(file);
   bench_.camera = make_camera(scene->view, scene->system, scene->state, bench_.size.x / bench_.size.y);
   take_switches(scene->view);

@@ -16,6 +16,8 @@ struct Marks {
   std::optional<SpringId> hovered_spring;
   std::optional<Vec3> ghost_point;                    // where a click would put one
   std::optional<std::pair<Vec3, Vec3>> ghost_spring;  // the rubber line of an attachment or a pull
+  std::vector<std::pair<Vec3, Vec3>> ghost_lines;     // springs of what is about to be placed
+  std::vector<Vec3> ghost_nails;                      // and its nails
 };
 
 }  // namespace hooke

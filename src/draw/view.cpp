@@ -38,6 +38,17 @@ void add_ghosts(const Subject& subject, Strokes& strokes, Beads& beads) {
     const Bead ghost{.radius = 3.0f * scale, .body = color, .ring = 7.0f * scale, .ring_ink = color};
     beads.add(subject.projection, clip, subject.projection.see(clip), ghost);
   }
+
+  // many lines one over the other must stay faint
+  const double faint = subject.marks.ghost_lines.size() > 500 ? 0.28 : 0.5;
+  for (const auto& [from, to] : subject.marks.ghost_lines)
+    strokes.add(subject.projection, from, to, ink(subject.palette.hover, faint), 1.25f * scale);
+  for (const Vec3& place : subject.marks.ghost_nails) {
+    const glm::dvec4 clip = subject.projection.clip(place);
+    Bead nail{.radius = 3.5f * scale, .body = ink(subject.palette.nailed, 0.8)};
+    nail.square = true;
+    beads.add(subject.projection, clip, subject.projection.see(clip), nail);
+  }
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ void build_panels(const Desk& desk, Panels& panels, Requests& requests) {
     build_timeline(desk, panels, requests);
     build_overlays(desk, panels, requests);
     build_axes(desk, panels, requests);
+    build_placing(desk, panels);
   }
   build_keys(desk, panels);
   build_search(desk, panels, requests);

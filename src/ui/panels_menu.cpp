@@ -64,6 +64,19 @@ void scenes_menu(const Desk& desk, Panels&, Requests& requests) {
   scenes_column(desk, true, requests);
 }
 
+// Shapes to be placed, from their table.
+void add_menu(const Desk& desk, Panels& panels, Requests&) {
+  const bool is_flat = desk.status.snapshot->system->dimensions == 2;
+  for (const ShapeKind& kind : shape_kinds()) {
+    if (ImGui::MenuItem((std::string(kind.label) + "...").c_str(), nullptr, false, !kind.spatial || !is_flat))
+      panels.placing = {.shape = usual_shape(kind), .is_new = true};
+    tooltip(std::string(kind.meaning) + (kind.spatial && is_flat ? " Not in a flat scene." : ""));
+  }
+  ImGui::Separator();
+  if (ImGui::MenuItem("From a mesh...", nullptr, false, !is_flat)) panels.placing = {.of_mesh = true, .is_new = true};
+  tooltip(is_flat ? "An .obj file as cloth. Not in a flat scene." : "An .obj file as cloth.");
+}
+
 void edit_menu(const Desk& desk, Panels&, Requests& requests) {
   item(Action::Undo, requests, !desk.status.undo_name.empty(), desk.status.undo_name);
   item(Action::Redo, requests, !desk.status.redo_name.empty(), desk.status.redo_name);
@@ -128,7 +141,8 @@ struct Menu {
   const char* name;
   void (*build)(const Desk& desk, Panels& panels, Requests& requests);
 };
-constexpr Menu menus[] = {{"File", file_menu}, {"Scenes", scenes_menu}, {"Edit", edit_menu}, {"Run", run_menu}, {"View", view_menu}};
+constexpr Menu menus[] = {{"File", file_menu}, {"Scenes", scenes_menu}, {"Edit", edit_menu},
+                          {"Add", add_menu},   {"Run", run_menu},       {"View", view_menu}};
 
 // A flat button at x that opens the list under it. Returns its width.
 float build_one(const Menu& menu, float x, const Desk& desk, Panels& panels, Requests& requests) {

@@ -1,0 +1,164 @@
+// Shapes and meshes are seen before they are placed; placing is one step of undo.
+#include <fstream>
+
+#include "gui_trial.h"
+#include "lab/generators.h"
+#include "scratch_folder.h"
+
+namespace hooke {
+namespace {
+
+Scene spatial() {
+  Scene scene = empty_scene();
+  scene.system.dimensions = 3;
+  return scene;
+}
+
+Placing& choose(GuiTrial& gui, std::string_view id) {
+  gui.app().panels().placing = {.shape = usual_shape(*find_shape_kind(id)), .is_new = true};
+  gui.frames(2);
+  return gui.app().panels().placing;
+}
+
+TEST(Placing, TheMenuOffersEveryShapeOfTheTable) {
+  GuiTrial gui(spatial());
+  gui.click(gui.find("menu", {"Add"}));
+  gui.frames(3);
+  const std::string words = gui.words();
+  for (const ShapeKind& kind : shape_kinds()) EXPECT_NE(words.find(kind.label), std::string::npos) << kind.label;
+  EXPECT_NE(words.find("From a mesh"), std::string::npos);
+}
+
+TEST(Placing, ThePanelHasAFieldForEveryNumber) {
+  for (const ShapeKind& kind : shape_kinds()) {
+    GuiTrial gui(spatial());
+    choose(gui, kind.id);
+    const std::string words = gui.words();
+    for (const ShapeNumber& number : kind.numbers) EXPECT_NE(words.find(number.label), std::string::npos) << kind.id << ' ' << number.label;
+  }
+}
+
+TEST(Placing, ShowsWhatWillBeThereAndChangesNothing) {
+  GuiTrial gui(spatial());
+  Placing& placing = choose(gui, "sheet");
+  EXPECT_EQ(gui.app().marks().ghost_lines.size(), extent_of(placing.shape).springs);
+  EXPECT_EQ(gui.app().marks().ghost_nails.size(), 2u);
+  EXPECT_EQ(gui.system().point_count(), 0);
+  EXPECT_FALSE(gui.status().unsaved);
+  EXPECT_EQ(placing.shape.at, gui.app().camera().target);
+}
+
+TEST(Placing, ASliderIsSeenAtOnce) {
+  GuiTrial gui(spatial());
+  Placing& placing = choose(gui, "hanging_rope");
+  const glm::dvec2 slider = gui.find("placing", {"points", "##value"});
+  ASSERT_GT(slider.x, 0.0);
+  const std::size_t before = gui.app().marks().ghost_lines.size();
+  gui.drag(slider, slider + glm::dvec2(40.0, 0.0));
+  EXPECT_GT(gui.app().marks().ghost_lines.size(), before);
+  EXPECT_EQ(gui.app().marks().ghost_lines.size(), extent_of(placing.shape).springs);
+}
+
+TEST(Placing, EnterPlacesItAsOneStepOfUndo) {
+  GuiTrial gui(spatial());
+  const Extent extent = extent_of(choose(gui, "jelly").shape);
+  gui.key(Key::Enter);
+  EXPECT_EQ(gui.system().points().size(), extent.points);
+  EXPECT_EQ(gui.system().springs().size(), extent.springs);
+  EXPECT_EQ(gui.system().faces.size(), extent.faces);
+  EXPECT_FALSE(gui.app().panels().placing.is_on());
+  gui.key(letter('Z'), {.control = true});
+  EXPECT_EQ(gui.system().point_count(), 0);
+  gui.key(letter('Z'), {.control = true, .shift = true});
+  EXPECT_EQ(gui.system().points().size(), extent.points);
+}
+
+TEST(Placing, EveryShapeComesIntoTheSceneAsItIsMade) {
+  for (const ShapeKind& kind : shape_kinds()) {
+    GuiTrial gui(spatial());
+    const Extent extent = extent_of(choose(gui, kind.id).shape);
+    gui.key(Key::Enter);
+    EXPECT_EQ(gui.system().points().size(), extent.points) << kind.id;
+    EXPECT_EQ(gui.system().springs().size(), extent.springs) << kind.id;
+  }
+}
+
+TEST(Placing, EscLeavesTheSceneAsItWas) {
+  GuiTrial gui(spatial());
+  choose(gui, "net");
+  gui.key(Key::Escape);
+  EXPECT_FALSE(gui.app().panels().placing.is_on());
+  EXPECT_TRUE(gui.app().marks().ghost_lines.empty());
+  EXPECT_EQ(gui.system().point_count(), 0);
+}
+
+TEST(Placing, AClickInTheSceneMovesItThereAndToolsRest) {
+  GuiTrial gui(spatial());
+  gui.key(letter('A'));
+  Placing& placing = choose(gui, "net");
+  const Layout& layout = gui.app().layout();
+  const glm::dvec2 to(layout.scene.x + 0.7 * layout.scene.width, layout.scene.y + 0.6 * layout.scene.height);
+  gui.click(to);
+  EXPECT_EQ(gui.system().point_count(), 0) << "the tool for points is in hand";
+  const Vec3 seen = gui.app().camera().project(placing.shape.at, {layout.scene.width, layout.scene.height});
+  EXPECT_NEAR(seen.x, 0.7 * layout.scene.width, 1.0);
+  EXPECT_NEAR(seen.y, 0.6 * layout.scene.height, 1.0);
+}
+
+TEST(Placing, InAFlatSceneStaysFlat) {
+  Scene flat = empty_scene();
+  flat.system.dimensions = 2;
+  GuiTrial gui(flat);
+  choose(gui, "bridge").shape.tilt = 30.0;
+  gui.key(Key::Enter);
+  EXPECT_EQ(gui.system().points().size(), 21u) << "a truss without a width";
+  for (const Vec3& place : gui.status().snapshot->state.position) EXPECT_EQ(place.z, 0.0);
+}
+
+TEST(Placing, IsUprightWhereUpIsAnotherWay) {
+  Scene scene = spatial();
+  scene.system.gravity = {0.0, 0.0, -9.81};
+  GuiTrial gui(scene);
+  Placing& placing = choose(gui, "sheet");
+  gui.key(Key::Enter);
+  const auto& places = gui.status().snapshot->state.position;
+  EXPECT_NEAR(places.front().z - places.back().z, 1.0, 1e-9) << "its first row is its upper edge";
+  EXPECT_FALSE(placing.is_on());
+}
+
+TEST(Placing, AMeshIsPlacedAtTheSizeThatIsAskedFor) {
+  ScratchFolder scratch;
+  std::ofstream(scratch.folder / "square.obj") << "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nf 1 2 3 4\n";
+  GuiTrial gui(spatial());
+  Placing& placing = gui.app().panels().placing;
+  placing = {.of_mesh = true, .is_new = true};
+  placing.mesh_size = 3.0;
+  placing.mesh_path = (scratch.folder / "square.obj").string();
+  placing.wants_mesh = true;
+  gui.frames(2);
+  EXPECT_EQ(gui.app().marks().ghost_lines.size(), 6u);
+  gui.key(Key::Enter);
+  const auto& places = gui.status().snapshot->state.position;
+  ASSERT_EQ(places.size(), 4u);
+  EXPECT_NEAR(glm::length(places[1] - places[0]), 3.0, 1e-12);
+  EXPECT_NEAR(glm::length(0.5 * (places[0] + places[2]) - gui.app().camera().target), 0.0, 1e-9);
+  for (const Spring& spring : gui.system().springs()) {
+    const Vec3 way = places[static_cast<std::size_t>(gui.system().index_of(spring.second))] -
+                     places[static_cast<std::size_t>(gui.system().index_of(spring.first))];
+    EXPECT_NEAR(glm::length(way), spring.rest_length, 1e-12);
+  }
+}
+
+TEST(Placing, ABrokenMeshIsToldOfAndNothingElseHappens) {
+  ScratchFolder scratch;
+  std::ofstream(scratch.folder / "broken.obj") << "v 0 0 zero\n";
+  GuiTrial gui(spatial());
+  gui.app().panels().placing = {.of_mesh = true, .mesh_path = (scratch.folder / "broken.obj").string(), .wants_mesh = true};
+  gui.frames(2);
+  EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
+  EXPECT_NE(gui.app().panels().dialog.text.find("line 1"), std::string::npos) << gui.app().panels().dialog.text;
+  EXPECT_EQ(gui.system().point_count(), 0);
+}
+
+}  // namespace
+}  // namespace hooke
