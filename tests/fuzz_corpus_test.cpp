@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "fuzz/obj_input.h"
+#include "fuzz/png_input.h"
 #include "fuzz/scene_input.h"
 #include "fuzz/xsp_input.h"
 
@@ -28,6 +29,7 @@ int replay(const std::string& format, void (*try_as)(std::string_view bytes)) {
 
 TEST(FuzzCorpus, EverySceneIsLoadedOrRefused) { EXPECT_GT(replay("scene", try_as_scene), 20); }
 TEST(FuzzCorpus, EveryXspIsLoadedOrRefused) { EXPECT_GT(replay("xsp", try_as_xsp), 10); }
+TEST(FuzzCorpus, EveryPngIsDecodedOrRefused) { EXPECT_GT(replay("png", try_as_png), 10); }
 TEST(FuzzCorpus, EveryObjIsLoadedOrRefused) { EXPECT_GT(replay("obj", try_as_obj), 10); }
 
 }  // namespace
