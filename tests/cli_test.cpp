@@ -261,6 +261,16 @@ TEST(Headless, CsvHasARowASample) {
   EXPECT_EQ(lines[1], "0,0,0,4.9,4.9,0.5,0.5,0,0,0.5,0");
 }
 
+TEST(Headless, CsvHasTheQuantitiesThatAreAskedFor) {
+  const ScratchFolder scratch;
+  const std::string file = (scratch.folder / "out.csv").string();
+  EXPECT_EQ(headless({"run", "two_masses", "--seconds", "0", "--csv", file, "--quantities", "time,length0, y1"}).code, 0);
+  EXPECT_EQ(content_of(file), "time [s],length0 [m],y1 [m]\n0,0.5,0.5\n");
+  const Outcome refused = headless({"run", "two_masses", "--seconds", "0", "--csv", file, "--quantities", "time,y2"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("--quantities y2: must be one of time, kinetic"), std::string::npos) << refused.err;
+}
+
 TEST(Headless, WithoutAFileASummaryGoesToStdoutUnlessQuiet) {
   const Outcome loud = headless({"run", "two_masses", "--seconds", "0.1"}),
                 quiet = headless({"run", "two_masses", "--seconds", "0.1", "-q"});

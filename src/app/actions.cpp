@@ -127,6 +127,8 @@ void App::perform(Action action, bool repeated) {
       return save();
     case Action::SaveAs:
       return ask_for_path();
+    case Action::Export:
+      return ask_export();
     case Action::Quit:
       return unless_unsaved(action);
   }

@@ -80,7 +80,7 @@ void App::on(const KeyPress& press) {
     return;
   }
   if (panels_.search.shown && search(press)) return;
-  if (key_places(press)) return;
+  if (key_exports(press) || key_places(press)) return;
   // a field that is typed into is left by these, and nothing else
   if (panels_.text_in_progress && press.key != Key::F1 && !press.modifiers.control) return;
   if (panels_.gallery.is_shown && !panels_.menu_is_open && press.modifiers == Modifiers{}) {
@@ -205,6 +205,7 @@ void App::build_frame(const Figures& figures) {
   build_panels(desk, panels_, requests);
   for (const Request& request : requests) obey(request);
   follow_placing();
+  follow_export();
 
   marks_ = {.selected_points = selection_.points, .selected_springs = selection_.springs};
   if (panels_.placing.is_on())
@@ -241,6 +242,9 @@ std::string App::title() const {
   return "Hooke - " + shown + (status().unsaved ? "*" : "");
 }
 
-bool App::is_still() const { return !status().running && panels_.toast.empty() && !tool_is_pressed_ && !turning_with_; }
+bool App::is_still() const {
+  return !panels_.exporting.is_running() && !picture_file_ && !status().running && panels_.toast.empty() && !tool_is_pressed_ &&
+         !turning_with_;
+}
 
 }  // namespace hooke

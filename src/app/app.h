@@ -1,7 +1,9 @@
 // The program of the window, without the window: events and frames in, commands out, and what there is to draw.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -55,6 +57,10 @@ class App {
   // Of the panels, besides the screen's own.
   double interface_scale() const { return preferences_.interface_scale; }
 
+  // A picture of the scene that is to be written, asked for once; and what came of it.
+  std::optional<std::filesystem::path> take_picture_file();
+  void note_picture(const std::filesystem::path& file, const std::string& error);
+
   Panels& panels() { return panels_; }
   const Selection& selection() const { return selection_; }
   Action tool() const { return tool_action_; }
@@ -76,6 +82,12 @@ class App {
   void tune(const Tuning& tuning, bool repeated);
   void take_tool(Action action);
   void cancel();
+  void ask_export();
+  bool key_exports(const KeyPress& press);
+  void follow_export();
+  void start_export();
+  void export_plots(const std::filesystem::path& file);
+  void finish_export(const std::string& error, bool stopped);
   bool key_places(const KeyPress& press);
   void follow_placing();
   void place();
@@ -135,6 +147,14 @@ class App {
   std::shared_ptr<const Scene> mesh_;  // that is being placed
   bool moves_placing_ = false;
 
+  struct ExportProgress {
+    std::atomic<double> share = 0.0;
+    std::atomic<bool> stop = false;
+  };
+  std::shared_ptr<ExportProgress> export_progress_;
+  std::filesystem::path export_file_;
+  std::optional<std::filesystem::path> picture_file_;
+
   Panels panels_;
   Layout layout_;
   Marks marks_;
@@ -158,6 +178,7 @@ class App {
   std::optional<Request> pending_;         // what waits for the answer about unsaved changes
   std::shared_ptr<const Scene> to_frame_;  // a document whose camera waits for the window's size
   bool finished_ = false;
+  std::future<std::string> export_run_;  // last: it is waited for before anything that it uses is gone
 };
 
 }  // namespace hooke

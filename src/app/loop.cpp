@@ -6,6 +6,7 @@
 
 #include "draw/view.h"
 #include "lab/gallery.h"
+#include "sim/errors.h"
 #include "ui/theme.h"
 
 namespace hooke {
@@ -85,6 +86,21 @@ void draw(View& view, const App& app, const Window& window, const Scale& scale, 
   view.show();
 }
 
+// The scene alone, as large as it is on the screen.
+void take_picture(View& view, App& app, const Scale& scale, const std::filesystem::path& file) {
+  ViewOptions options = app.view_options();
+  options.scale = scale.scale() * scale.density();
+  const Rect& scene = app.layout().scene;
+  const auto pixels = [&](double length) { return static_cast<int>(std::lround(length * scale.density())); };
+  view.draw(*app.status().snapshot, {}, app.camera(), options, pixels(scene.width), pixels(scene.height), nullptr);
+  try {
+    write_png(view.read(), file);
+    app.note_picture(file, {});
+  } catch (const FileError& error) {
+    app.note_picture(file, error.what());
+  }
+}
+
 }  // namespace
 
 void run_loop(Window& window, App& app) {
@@ -116,6 +132,8 @@ void run_loop(Window& window, App& app) {
     app.build_frame(pace.figures());
     const ImDrawData* panels = window.gui().end_frame();
     window.set_title(app.title());
+
+    if (const auto file = app.take_picture_file()) take_picture(view, app, scale, *file);
 
     // picture
     const auto start = Clock::now();

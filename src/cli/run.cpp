@@ -23,9 +23,10 @@ namespace {
 
 struct RunOptions {
   std::shared_ptr<SceneOptions> scene;
-  double seconds = 0.0;               // [s]
-  std::optional<double> sample;       // [s]
-  std::optional<std::string> points;  // "0,5,9"; none: all
+  double seconds = 0.0;                   // [s]
+  std::optional<double> sample;           // [s]
+  std::optional<std::string> points;      // "0,5,9"; none: all
+  std::optional<std::string> quantities;  // "time,y5"; none: time, energies, positions of the points
   std::optional<std::string> json, csv, pc2;
 };
 
@@ -87,6 +88,20 @@ std::vector<Index> parse_points(const std::optional<std::string>& list, Index co
   }
 }
 
+std::vector<Quantity> wanted_quantities(const std::optional<std::string>& list, const std::vector<Index>& points, const System& system) {
+  std::vector<Quantity> quantities;
+  if (list) {
+    const std::string unknown = parse_quantities(*list, system.point_count(), system.spring_count(), quantities);
+    if (!unknown.empty()) throw UsageError("--quantities " + printable(unknown, 80) + ": must be one of " + quantity_names());
+    return quantities;
+  }
+  parse_quantities("time,kinetic,elastic,gravitational,total", system.point_count(), system.spring_count(), quantities);
+  for (const Index i : points)
+    for (const char* component : {"x", "y", "z"})
+      quantities.push_back(*find_quantity(component + std::to_string(i), system.point_count(), system.spring_count()));
+  return quantities;
+}
+
 void print_summary(const RunOptions& options, const Scene& scene, const RunTotals& totals) {
   const Settings& settings = scene.settings;
   const auto count = [](Index number, const char* one, const char* many) { return count_of(static_cast<std::size_t>(number), one, many); };
@@ -109,7 +124,7 @@ int run(const RunOptions& options) {
   std::optional<JsonReport> json;
   std::optional<CsvReport> csv;
   if (options.json) json.emplace(*options.json, options.scene->scene, scene);
-  if (options.csv) csv.emplace(*options.csv, points);
+  if (options.csv) csv.emplace(*options.csv, wanted_quantities(options.quantities, points, scene.system));
   std::optional<PointCacheWriter> pc2;
   if (options.pc2) pc2.emplace(*options.pc2, scene.system.point_count());
 
@@ -122,7 +137,7 @@ int run(const RunOptions& options) {
       const bool is_sampled = samples.is_due(frame);
       if (is_sampled) {
         if (json) json->add_sample(scene.system, scene.state, points);
-        if (csv) csv->add_sample(scene.system, scene.state, points);
+        if (csv) csv->add_sample(scene.system, scene.state);
       }
       if (pc2) pc2->add(scene.state.position);
       if (frame == frames) break;
@@ -136,7 +151,7 @@ int run(const RunOptions& options) {
       if (totals.diverged) {
         // the last good state, where it was not sampled anyway
         if (json && !is_sampled) json->add_sample(scene.system, scene.state, points);
-        if (csv && !is_sampled) csv->add_sample(scene.system, scene.state, points);
+        if (csv && !is_sampled) csv->add_sample(scene.system, scene.state);
         break;
       }
       books.end_frame(scene.system, scene.state, lab.last_frame().motion());
@@ -175,6 +190,7 @@ std::function<int()> declare_run(CLI::App& app) {
   app.add_option("--points", options->points, "Points to sample, by number from 0; without it, all")->type_name("0,5,9");
   app.add_option("--json", options->json, "Write the run and its samples as JSON; - is stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write one row a sample: time, energies, positions; - is stdout")->type_name("FILE");
+  app.add_option("--quantities", options->quantities, "What --csv writes instead: " + quantity_names())->type_name("time,total,y5");
   app.add_option("--pc2", options->pc2, "Write the positions of all points in every frame as a point cache")->type_name("FILE");
   return [options] { return run(*options); };
 }

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "lab/bounds.h"
 #include "sim/integrator.h"
 
 namespace hooke {
@@ -81,23 +80,10 @@ void JsonReport::finish(const RunTotals& totals) {
   file_.close();
 }
 
-CsvReport::CsvReport(const std::string& file, const std::vector<Index>& points) : file_(file) {
-  std::string header = "time [s],kinetic [J],elastic [J],gravitational [J],total [J]";
-  for (const Index i : points)
-    for (const char* component : {"x", "y", "z"}) header += "," + (component + std::to_string(i)) + " [m]";
-  file_.write(header + "\n");
+CsvReport::CsvReport(const std::string& file, std::vector<Quantity> quantities) : file_(file), quantities_(std::move(quantities)) {
+  file_.write(csv_heading(quantities_));
 }
 
-void CsvReport::add_sample(const System& system, const State& state, const std::vector<Index>& points) {
-  const Energy energy = compute_energy(system, state);
-  std::string row = shortest(state.time);
-  for (const double value : {energy.kinetic, energy.elastic, energy.gravitational, energy.total()}) row += "," + shortest(value);
-  for (const Index i : points)
-    for (int c = 0; c < 3; ++c) {
-      row += "," + shortest(state.position[i][c]);
-      if (row.size() > most_kept) file_.write(std::exchange(row, {}));
-    }
-  file_.write(row + "\n");
-}
+void CsvReport::add_sample(const System& system, const State& state) { file_.write(csv_row(quantities_, system, state)); }
 
 }  // namespace hooke

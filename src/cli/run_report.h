@@ -7,6 +7,7 @@
 
 #include "cli/output_file.h"
 #include "lab/json_writer.h"
+#include "lab/quantity.h"
 #include "lab/scene.h"
 #include "sim/energy.h"
 
@@ -33,15 +34,16 @@ class JsonReport {
   JsonWriter json_;
 };
 
-// One row a sample: time, energies, positions of the points.
+// One row a sample: the quantities.
 class CsvReport {
  public:
-  CsvReport(const std::string& file, const std::vector<Index>& points);
-  void add_sample(const System& system, const State& state, const std::vector<Index>& points);
+  CsvReport(const std::string& file, std::vector<Quantity> quantities);
+  void add_sample(const System& system, const State& state);
   void finish() { file_.close(); }
 
  private:
   OutputFile file_;
+  std::vector<Quantity> quantities_;
 };
 
 // 16 hexadecimal digits.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "lab/bounds.h"
 #include "sim/gap.h"
 
 namespace hooke {
@@ -138,6 +139,34 @@ std::optional<Quantity> find_quantity(std::string_view name, Index points, Index
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), at);
   const bool is_there = error == std::errc() && end == number.data() + number.size() && at < (row->of == Of::Point ? points : springs);
   return is_there ? std::optional(Quantity{&*row, at}) : std::nullopt;
+}
+
+std::string parse_quantities(std::string_view list, Index points, Index springs, std::vector<Quantity>& quantities) {
+  for (bool is_last = false; !is_last;) {
+    const std::size_t comma = list.find(',');
+    is_last = comma == std::string_view::npos;
+    std::string_view name = list.substr(0, comma);
+    while (name.starts_with(' ')) name.remove_prefix(1);
+    while (name.ends_with(' ')) name.remove_suffix(1);
+    const auto quantity = find_quantity(name, points, springs);
+    if (!quantity) return name.empty() ? "," : std::string(name);
+    quantities.push_back(*quantity);
+    if (!is_last) list.remove_prefix(comma + 1);
+  }
+  return {};
+}
+
+std::string csv_heading(std::span<const Quantity> quantities) {
+  std::string line;
+  for (const Quantity& quantity : quantities) line += (line.empty() ? "" : ",") + quantity.heading();
+  return line + "\n";
+}
+
+std::string csv_row(std::span<const Quantity> quantities, const System& system, const State& state) {
+  const Measured measured = measure(system, state);
+  std::string line;
+  for (const Quantity& quantity : quantities) line += (line.empty() ? "" : ",") + shortest(quantity.of(measured));
+  return line + "\n";
 }
 
 std::string quantity_names() {

@@ -44,6 +44,13 @@ struct Quantity {
 // The quantity of this name in a scene of so many points and springs; none: there is no such.
 std::optional<Quantity> find_quantity(std::string_view name, Index points, Index springs);
 
+// Appends those of a list with commas between, "time, y5"; returns the first name that is none, empty where all are.
+std::string parse_quantities(std::string_view list, Index points, Index springs, std::vector<Quantity>& quantities);
+
+// "time [s],y5 [m]" and the values at a moment, each a line.
+std::string csv_heading(std::span<const Quantity> quantities);
+std::string csv_row(std::span<const Quantity> quantities, const System& system, const State& state);
+
 // "time, kinetic, ..., x0, y0, ...": the names, for messages.
 std::string quantity_names();
 

@@ -25,6 +25,7 @@ void build_panels(const Desk& desk, Panels& panels, Requests& requests) {
     build_axes(desk, panels, requests);
     build_placing(desk, panels);
   }
+  build_export(desk, panels);
   build_keys(desk, panels);
   build_search(desk, panels, requests);
   build_dialogs(desk, panels, requests);

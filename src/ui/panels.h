@@ -13,6 +13,7 @@
 #include "lab/folder_listing.h"
 #include "lab/selection.h"
 #include "lab/status.h"
+#include "ui/exporting.h"
 #include "ui/icons.h"
 #include "ui/layout.h"
 #include "ui/placing.h"
@@ -94,6 +95,7 @@ struct Panels {
   bool keys_shown = false;
   Gallery gallery;
   Placing placing;
+  Exporting exporting;
   bool menu_is_open = false, menu_closes = false;
   std::string toast;                   // a line shown for a moment
   double toast_until = 0.0;            // [s], ImGui's clock
@@ -161,6 +163,7 @@ void build_history(const Desk& desk, Requests& requests);
 // The rows that the search finds for what was typed, the best first.
 std::vector<const Shortcut*> find_commands(const std::string& typed);
 void build_search(const Desk& desk, Panels& panels, Requests& requests);
+void build_export(const Desk& desk, Panels& panels);
 void build_placing(const Desk& desk, Panels& panels);
 void build_status_bar(const Desk& desk);
 void build_axes(const Desk& desk, Panels& panels, Requests& requests);

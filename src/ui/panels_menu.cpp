@@ -34,6 +34,7 @@ void file_menu(const Desk& desk, Panels&, Requests& requests) {
   ImGui::Separator();
   item(Action::Save, requests);
   item(Action::SaveAs, requests);
+  item(Action::Export, requests);
   ImGui::Separator();
   item(Action::Quit, requests);
 }

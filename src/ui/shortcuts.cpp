@@ -67,6 +67,7 @@ constexpr std::array rows{
     Shortcut{letter('O'), control, Action::OpenScene, file, "Open..."},
     Shortcut{letter('S'), control, Action::Save, file, "Save"},
     Shortcut{letter('S'), control_shift, Action::SaveAs, file, "Save as..."},
+    Shortcut{letter('E'), control, Action::Export, file, "Export..."},
     Shortcut{letter('Q'), control, Action::Quit, file, "Quit"},
 };
 

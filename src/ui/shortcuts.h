@@ -57,6 +57,7 @@ enum class Action {
   OpenScene,
   Save,
   SaveAs,
+  Export,
   Quit,
 };
 
