@@ -101,7 +101,7 @@ class GuiTrial {
     for (const char* name : names) id = ImHashStr(name, 0, id);
     const glm::dvec2 least(found->Pos.x, found->Pos.y), size(found->Size.x, found->Size.y);
     for (double y = 2.0; y < size.y; y += 5.0) {
-      for (const double share : {0.7, 0.4, 0.1, 0.06, 0.13, 0.92}) {
+      for (const double share : {0.7, 0.42, 0.1, 0.06, 0.13, 0.92}) {
         move(least + glm::dvec2(share * size.x, y));
         if (ImGui::GetCurrentContext()->HoveredId == id) return at_;
       }
