@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 #include <glm/geometric.hpp>
 
 #include "app/files.h"
@@ -111,6 +113,40 @@ TEST(TimelineStrip, RunsToATimeThatIsTyped) {
   for (int i = 0; i < 50 && (gui.status().running || gui.status().frames == 0); ++i) gui.frame();
   EXPECT_NEAR(gui.status().snapshot->state.time, 2.0, 1.0 / 60.0);
   EXPECT_FALSE(gui.status().running);
+}
+
+TEST(Recordings, AreMadeByAKeyAndPlayedToTheSameBits) {
+  const Folder folder;
+  Scene scene = hanging();
+  save_scene(scene, folder.path / "net.json");
+  GuiTrial gui(scene, folder.path / "net.json");
+  gui.key(letter('R'), {.control = true, .shift = true});
+  for (int frame = 0; frame < 5; ++frame) gui.key(Key::Period);
+  gui.key(letter('R'));
+  for (int frame = 0; frame < 5; ++frame) gui.key(Key::Period);
+  const State end = gui.status().snapshot->state;
+  EXPECT_NE(gui.status().recording, "");
+  gui.key(letter('R'), {.control = true, .shift = true});
+  EXPECT_EQ(gui.status().recording, "");
+  ASSERT_TRUE(std::filesystem::exists(folder.path / "net.hookelog"));
+
+  gui.app().play(std::make_shared<const Recording>(read_recording(folder.path / "net.hookelog")));
+  EXPECT_EQ(gui.status().snapshot->state.position, scene.state.position);
+  // in real time, ten frames take a sixth of a second
+  for (int i = 0; i < 2000 && (gui.status().running || gui.status().frames == 0); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    gui.frame();
+  }
+  EXPECT_EQ(gui.status().difference, "");
+  EXPECT_EQ(gui.status().snapshot->state.position, end.position);
+  EXPECT_EQ(gui.status().snapshot->state.velocity, end.velocity);
+}
+
+TEST(FreeNames, AreLikeTheDocumentAndReplaceNothing) {
+  const Folder folder;
+  EXPECT_EQ(free_name(folder.path, "net", ".png"), folder.path / "net.png");
+  std::ofstream(folder.path / "net.png") << "mine";
+  EXPECT_EQ(free_name(folder.path, "net", ".png"), folder.path / "net 2.png");
 }
 
 TEST(Plots, ShowTheEnergiesAndWhatIsChosen) {

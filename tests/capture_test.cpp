@@ -62,7 +62,7 @@ TEST(Capture, DrawsThePanelsOfTheWindowWhenAskedTo) {
   int bright = 0;
   for (int y = 60; y < 200; ++y)
     for (int x = 960; x < 1240; ++x) bright += std::get<0>(color_at(with, x, y)) > 0xa0;
-  EXPECT_GT(bright, 500);
+  EXPECT_GT(bright, 200);
 }
 
 TEST(Capture, TakesAsManyPicturesAsAskedFor) {
@@ -143,7 +143,7 @@ TEST(Capture, RefusesInOneLine) {
 
 TEST(Capture, RefusesWhatItDoesNotKnow) {
   const ScratchFolder scratch;
-  for (const char* arguments : {"two_masses", "--out a.png", "two_masses --out a.png --ui", "two_masses --out a.png --frames 0",
+  for (const char* arguments : {"two_masses", "--out a.png", "two_masses --out a.png --uii", "two_masses --out a.png --frames 0",
                                 "two_masses --out a.png --frames 2 --seconds 1", "two_masses --out a.png --fps 0"})
     EXPECT_EQ(capture(arguments, scratch.folder).code, 2) << arguments;
   EXPECT_EQ(capture("no_such_scene --out a.png", scratch.folder).code, 5);

@@ -134,6 +134,25 @@ TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
   desktop.photograph("window_reopened.png");
 }
 
+TEST(Window, TakesAPictureOfTheSceneAlone) {
+  Session session;
+  Desktop& desktop = session.desktop;
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - Assignment"));
+  rest(1.5);
+  session.save_as(desktop.folder() / "net.json");
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - net"));
+  const std::filesystem::path file = desktop.folder() / "net.png";
+  EXPECT_TRUE(wait_for([&] {
+    desktop.control("p");
+    return std::filesystem::exists(file);
+  }));
+  rest(0.5);
+  const Image picture = read_png(file);
+  const Rect scene = lay_out(Desktop::width, Desktop::height, 1.0).scene;
+  EXPECT_EQ(picture.width, static_cast<int>(scene.width));
+  EXPECT_EQ(picture.height, static_cast<int>(scene.height));
+}
+
 TEST(Window, AsksBeforeChangesAreLostAndEscNeverQuits) {
   Session session;
   Desktop& desktop = session.desktop;

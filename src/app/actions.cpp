@@ -129,6 +129,13 @@ void App::perform(Action action, bool repeated) {
       return ask_for_path();
     case Action::Export:
       return ask_export();
+    case Action::TakePicture:
+      picture_file_ = name_for(".png");
+      return;
+    case Action::FilmOnOff:
+      return film();
+    case Action::RecordOnOff:
+      return record();
     case Action::Quit:
       return unless_unsaved(action);
   }

@@ -197,6 +197,7 @@ void App::build_frame(const Figures& figures) {
                   .file = file_,
                   .frames_per_second = figures.frames_per_second,
                   .draw_ms = figures.draw_ms,
+                  .film_seconds = filming_.is_filming() ? filming_.seconds() : -1.0,
                   .rubber_band = rubber_band,
                   .recent = recent_.files(),
                   .left = left_work_,
@@ -243,7 +244,7 @@ std::string App::title() const {
 }
 
 bool App::is_still() const {
-  return !panels_.exporting.is_running() && !picture_file_ && !status().running && panels_.toast.empty() && !tool_is_pressed_ &&
+  return !panels_.exporting.is_running() && !picture_file_ && !filming_.is_filming() && !status().running && panels_.toast.empty() && !tool_is_pressed_ &&
          !turning_with_;
 }
 

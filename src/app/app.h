@@ -13,11 +13,12 @@
 #include "app/clipboard.h"
 #include "app/event.h"
 #include "app/file_watch.h"
+#include "app/filming.h"
 #include "app/home.h"
+#include "app/placing.h"
 #include "app/preferences.h"
 #include "app/session.h"
 #include "app/system_dialog.h"
-#include "app/placing.h"
 #include "app/tools.h"
 #include "app/tune.h"
 #include "ui/panels.h"
@@ -61,6 +62,9 @@ class App {
   std::optional<std::filesystem::path> take_picture_file();
   void note_picture(const std::filesystem::path& file, const std::string& error);
 
+  Filming& filming() { return filming_; }
+  // A recording is played from its start.
+  void play(std::shared_ptr<const Recording> recording);
   Panels& panels() { return panels_; }
   const Selection& selection() const { return selection_; }
   Action tool() const { return tool_action_; }
@@ -112,6 +116,9 @@ class App {
   void save();
   void save_to(const std::filesystem::path& file);
   void write_to(const std::filesystem::path& file);
+  std::filesystem::path name_for(const std::string& extension) const;
+  void film();
+  void record();
   void ask_for_path();
   void ask_desktop(bool to_save);
   std::filesystem::path start_folder() const;
@@ -166,6 +173,9 @@ class App {
   RecentFiles recent_;
   Session session_;
   Autosave autosave_;
+  Filming filming_;
+  std::string told_difference_;
+  std::filesystem::path recording_;  // the file of it; empty: none
   FileWatch watch_;
   double watched_at_ = 0.0;  // [s]
   SystemDialog system_dialog_;

@@ -5,6 +5,7 @@
 #include "app/app.h"
 #include "app/files.h"
 #include "lab/open_file.h"
+#include "lab/recording.h"
 #include "lab/printable.h"
 #include "lab/read_file.h"
 
@@ -64,6 +65,9 @@ void App::go_on_after_saving() {
 }
 
 void App::finish() {
+  filming_.end_film();
+  lab_.submit(Record{});
+  settle();
   autosave_.forget();
   session_.end();
   finished_ = true;
@@ -98,7 +102,21 @@ void App::begin_document() {
                        {{"Open it here too", Answer::KeepMine}, {"Make a copy", Answer::MakeCopy}});
 }
 
+void App::play(std::shared_ptr<const Recording> recording) {
+  take_document(recording->start, {});
+  if (recording->is_cut_short) panels_.remarks = "The recording's last line is not finished: it is played up to there.";
+  lab_.submit(Play{std::move(recording)});
+  lab_.submit(SetRunning{true});
+}
+
 void App::open(const std::filesystem::path& file) {
+  if (file.extension() == recording_extension) {
+    try {
+      return play(std::make_shared<const Recording>(read_recording(file)));
+    } catch (const std::runtime_error& error) {
+      return panels_.tell("Cannot open the recording", error.what());
+    }
+  }
   const Opened opened = try_open(file);
   if (!opened.scene) {
     std::error_code error;
@@ -170,6 +188,31 @@ void App::ask_desktop(bool to_save) {
   if (!system_dialog_.start(kind, start)) panels_.tell("There is no dialog of the desktop", "Neither zenity nor kdialog could be started.");
 }
 
+// Beside the document, named like it, and like nothing that is there.
+std::filesystem::path App::name_for(const std::string& extension) const {
+  const bool own = !file_.empty() && !is_shipped(file_);
+  const std::string stem = !file_.empty() ? file_.stem().string() : "untitled";
+  return free_name(own ? file_.parent_path() : start_folder(), stem, extension);
+}
+
+void App::film() {
+  if (filming_.is_filming())
+    filming_.end_film();
+  else
+    filming_.start_film(name_for(".mp4"));
+}
+
+void App::record() {
+  if (recording_.empty()) {
+    recording_ = name_for(recording_extension);
+    lab_.submit(Record{std::make_shared<const std::filesystem::path>(recording_)});
+  } else {
+    lab_.submit(Record{});
+    panels_.say("Recording " + printable(recording_.native()));
+    recording_.clear();
+  }
+}
+
 // Where the document lies, else where the last one did.
 std::filesystem::path App::start_folder() const {
   if (!file_.empty() && !is_shipped(file_)) return file_.parent_path();
@@ -202,6 +245,10 @@ std::function<void(Scene&)> App::dress() const {
 
 void App::attend() {
   take_status();
+  if (const std::string news = filming_.take_news(); !news.empty()) panels_.say(news);
+  if (!status().recording_error.empty() && !std::exchange(recording_, {}).empty()) panels_.say(status().recording_error);
+  if (!status().difference.empty() && status().difference != told_difference_) panels_.remarks = "Not as it was recorded: " + status().difference;
+  told_difference_ = status().difference;
   const double now = seconds_now();
   autosave_.follow(status(), lab_, now, dress());
   if (const std::string trouble = autosave_.take_trouble(); !trouble.empty())

@@ -6,6 +6,7 @@
 #include "lab/atomic_write.h"
 #include "lab/frames_file.h"
 #include "lab/open_file.h"
+#include "lab/printable.h"
 
 namespace hooke {
 namespace {
@@ -121,7 +122,7 @@ std::optional<std::filesystem::path> App::take_picture_file() { return std::exch
 
 void App::note_picture(const std::filesystem::path& file, const std::string& error) {
   if (error.empty())
-    panels_.say("Exported " + file.string());
+    panels_.say("Picture " + printable(file.native()));
   else
     panels_.tell("Cannot write the picture", error);
 }

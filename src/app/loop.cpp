@@ -75,7 +75,7 @@ class Scale {
   double scale_ = 0.0, density_ = 0.0;
 };
 
-void draw(View& view, const App& app, const Window& window, const Scale& scale, const ImDrawData* panels) {
+void draw(View& view, App& app, const Window& window, const Scale& scale, const ImDrawData* panels) {
   ViewOptions options = app.view_options();
   options.scale = scale.scale() * scale.density();
   const Rect& scene = app.layout().scene;
@@ -84,6 +84,7 @@ void draw(View& view, const App& app, const Window& window, const Scale& scale, 
   const glm::ivec2 size = window.framebuffer_size();
   view.draw(*app.status().snapshot, app.marks(), app.camera(), options, size.x, size.y, panels);
   view.show();
+  app.filming().take(view, options.place, seconds_since({}));
 }
 
 // The scene alone, as large as it is on the screen.

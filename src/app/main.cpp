@@ -13,6 +13,7 @@
 #include "app/files.h"
 #include "app/loop.h"
 #include "lab/open_file.h"
+#include "lab/recording.h"
 
 namespace hooke {
 namespace {
@@ -38,13 +39,21 @@ int hand_over(char** arguments) {
 int open_window(const std::string& name) {
   std::error_code error;
   const std::filesystem::path file = std::filesystem::absolute(find_scene(name), error).lexically_normal();
-  LoadedScene loaded = load_any(file);
+  std::shared_ptr<const Recording> recording;
+  LoadedScene loaded;
+  if (file.extension() == recording_extension) {
+    recording = std::make_shared<const Recording>(read_recording(file));
+    loaded.scene = *recording->start;
+  } else {
+    loaded = load_any(file);
+  }
   // a file of another kind is taken over, not edited
-  const bool imported = find_file_kind(file) != nullptr && !is_scene_file(file);
+  const bool imported = recording || (find_file_kind(file) != nullptr && !is_scene_file(file));
   App app(std::make_shared<const Scene>(std::move(loaded.scene)), imported ? std::filesystem::path() : file, home_of_person());
   app.panels().remarks = joined(loaded.warnings);
   Window window(app.title(), {1280, 800});
   app.use(window.clipboard());
+  if (recording) app.play(recording);
   run_loop(window, app);
   return 0;
 }

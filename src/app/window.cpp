@@ -15,7 +15,8 @@ static_assert(static_cast<int>(Key::Escape) == GLFW_KEY_ESCAPE && static_cast<in
 static_assert(static_cast<int>(Key::Delete) == GLFW_KEY_DELETE && static_cast<int>(Key::Home) == GLFW_KEY_HOME);
 static_assert(static_cast<int>(Key::Right) == GLFW_KEY_RIGHT && static_cast<int>(Key::Left) == GLFW_KEY_LEFT);
 static_assert(static_cast<int>(Key::Down) == GLFW_KEY_DOWN && static_cast<int>(Key::Up) == GLFW_KEY_UP);
-static_assert(static_cast<int>(Key::F1) == GLFW_KEY_F1);
+static_assert(static_cast<int>(Key::F1) == GLFW_KEY_F1 && static_cast<int>(Key::F12) == GLFW_KEY_F12);
+static_assert(static_cast<int>(Key::Tab) == GLFW_KEY_TAB);
 
 // A key by what it prints in the person's layout, where that is one ASCII character; else by its place.
 Key key_of(int key, int scancode) {

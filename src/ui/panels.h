@@ -38,6 +38,7 @@ struct Desk {
   std::string next_step;       // what it waits for: "click the second point, Esc cancels"
   std::filesystem::path file;  // of the document; empty: it has none
   double frames_per_second = 0.0, draw_ms = 0.0;
+  double film_seconds = -1.0;        // of the film in progress; below 0: none
   std::optional<Rect> rubber_band;  // of a selection in progress, in window coordinates
   std::span<const std::filesystem::path> recent;  // files, newest first
   std::span<const LeftWork> left;

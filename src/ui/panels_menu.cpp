@@ -36,6 +36,10 @@ void file_menu(const Desk& desk, Panels&, Requests& requests) {
   item(Action::SaveAs, requests);
   item(Action::Export, requests);
   ImGui::Separator();
+  item(Action::TakePicture, requests);
+  item(Action::FilmOnOff, requests);
+  item(Action::RecordOnOff, requests);
+  ImGui::Separator();
   item(Action::Quit, requests);
 }
 

@@ -1,4 +1,5 @@
 // The bar at the bottom: the tool and its next step; what the scene costs and how fast it runs.
+#include <cmath>
 #include <cstdio>
 
 #include "ui/panels.h"
@@ -36,9 +37,17 @@ void build_status_bar(const Desk& desk) {
   ImGui::SameLine(0.0f, units(8.0));
   ImGui::TextUnformatted(desk.next_step.c_str());
 
+  // what goes to a file all the while is said in red
+  std::string taken;
+  if (desk.film_seconds >= 0.0) taken = "\u25cf film " + number(std::floor(desk.film_seconds)) + " s    ";
+  if (!desk.status.recording.empty()) taken += "\u25cf recording    ";
+  if (desk.status.playing > 0.0) taken += "playing " + number(std::round(100.0 * desk.status.playing)) + " %    ";
+
   const std::string text = figures(desk);
   ImGui::SameLine();
-  ImGui::SetCursorPosX(static_cast<float>(bar.width) - ImGui::CalcTextSize(text.c_str()).x - units(14.0));
+  ImGui::SetCursorPosX(static_cast<float>(bar.width) - ImGui::CalcTextSize((taken + text).c_str()).x - units(14.0));
+  text_in(palette::bad, taken);
+  ImGui::SameLine(0.0f, 0.0f);
   // slower than the scene asks for: said openly
   const bool slow = desk.status.running && desk.status.speed > 0.0 && desk.status.speed < 0.9 * desk.status.snapshot->settings.speed;
   text_in(slow ? palette::warning : palette::dim, text);

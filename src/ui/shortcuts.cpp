@@ -68,6 +68,9 @@ constexpr std::array rows{
     Shortcut{letter('S'), control, Action::Save, file, "Save"},
     Shortcut{letter('S'), control_shift, Action::SaveAs, file, "Save as..."},
     Shortcut{letter('E'), control, Action::Export, file, "Export..."},
+    Shortcut{letter('P'), control, Action::TakePicture, file, "Take a picture"},
+    Shortcut{Key::F12, plain, Action::FilmOnOff, file, "Start or end a film"},
+    Shortcut{letter('R'), control_shift, Action::RecordOnOff, file, "Start or end a recording"},
     Shortcut{letter('Q'), control, Action::Quit, file, "Quit"},
 };
 
@@ -83,7 +86,7 @@ constexpr std::array hints{
 constexpr std::array named_keys{
     std::pair{Key::Space, "Space"}, std::pair{Key::Escape, "Esc"}, std::pair{Key::Enter, "Enter"}, std::pair{Key::Tab, "Tab"}, std::pair{Key::Delete, "Del"},
     std::pair{Key::Right, "Right"}, std::pair{Key::Left, "Left"}, std::pair{Key::Down, "Down"}, std::pair{Key::Up, "Up"},
-    std::pair{Key::Home, "Home"}, std::pair{Key::F1, "F1"},
+    std::pair{Key::Home, "Home"}, std::pair{Key::F1, "F1"}, std::pair{Key::F12, "F12"},
 };
 // clang-format on
 

@@ -58,6 +58,9 @@ enum class Action {
   Save,
   SaveAs,
   Export,
+  TakePicture,
+  FilmOnOff,
+  RecordOnOff,
   Quit,
 };
 
@@ -75,6 +78,7 @@ enum class Key : int {
   Up = 265,
   Home = 268,
   F1 = 290,
+  F12 = 301,
 };
 constexpr Key letter(char capital) { return static_cast<Key>(capital); }
 

@@ -1,0 +1,84 @@
+#include "app/filming.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "lab/printable.h"
+#include "sim/errors.h"
+
+namespace hooke {
+namespace {
+
+// A window that stood still for longer is not made up for in the film.
+constexpr long most_repeats = 60;
+
+Picture cut(const Picture& whole, const PicturePlace& place) {
+  const int left = std::clamp(place.x, 0, whole.width), top = std::clamp(place.y, 0, whole.height);
+  const int width = std::clamp(place.width, 0, whole.width - left), height = std::clamp(place.height, 0, whole.height - top);
+  Picture part{.width = width,
+               .height = height,
+               .pixels = std::vector<std::uint8_t>(3u * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+  const std::size_t row = 3u * static_cast<std::size_t>(width);
+  for (int y = 0; y < height && row > 0; ++y)
+    std::memcpy(
+        &part.pixels[row * static_cast<std::size_t>(y)],
+        &whole.pixels[3u * (static_cast<std::size_t>(top + y) * static_cast<std::size_t>(whole.width) + static_cast<std::size_t>(left))],
+        row);
+  return part;
+}
+
+}  // namespace
+
+void Filming::take(const View& view, const PicturePlace& place, double now) {
+  const bool is_due = film_ && static_cast<long>((now - started_) * pictures_per_second) >= pictures_;
+  if (!film_wanted_ && !is_due) return;
+  const Picture picture = cut(view.read(), place);
+  if (picture.pixels.empty()) return;
+  try {
+    if (const auto file = std::exchange(film_wanted_, std::nullopt)) {
+      film_.emplace(*file, picture.width, picture.height, pictures_per_second);
+      width_ = picture.width;
+      height_ = picture.height;
+      started_ = now;
+      pictures_ = 0;
+    }
+    if (film_) take_for_film(picture, now);
+  } catch (const FileError& error) {
+    film_.reset();
+    news_ = error.what();
+  }
+}
+
+// As many times as the film's clock asks for: it runs as fast as the person's.
+void Filming::take_for_film(const Picture& picture, double now) {
+  if (picture.width != width_ || picture.height != height_) return end_film();
+  const long due = static_cast<long>((now - started_) * pictures_per_second) + 1;
+  const long repeats = std::min(due - pictures_, most_repeats);
+  for (long i = 0; i < repeats; ++i) film_->add(picture);
+  pictures_ = due;
+}
+
+void Filming::end_film() {
+  film_wanted_.reset();
+  if (!film_) return;
+  try {
+    const std::filesystem::path file = film_->file();
+    film_->close();
+    news_ = "Film " + printable(file.native());
+  } catch (const FileError& error) {
+    news_ = error.what();
+  }
+  film_.reset();
+}
+
+std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem, const std::string& extension) {
+  std::error_code error;
+  for (int number = 1;; ++number) {
+    const std::filesystem::path file = folder / (stem + (number == 1 ? "" : " " + std::to_string(number)) + extension);
+    if (!std::filesystem::exists(file, error)) return file;
+  }
+}
+
+}  // namespace hooke

@@ -1,0 +1,43 @@
+// Films of the scene as the window shows it, without the panels.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "draw/view.h"
+#include "lab/film.h"
+
+namespace hooke {
+
+class Filming {
+ public:
+  // From the next frame on, until it is ended or the scene's place changes its size.
+  void start_film(std::filesystem::path file) { film_wanted_ = std::move(file); }
+  void end_film();
+  bool is_filming() const { return film_ || film_wanted_; }
+
+  // After a frame was drawn, with the view's framebuffer as it is; `now` [s] on any clock.
+  void take(const View& view, const PicturePlace& place, double now);
+  // What there is to tell, once: "Film /home/a/cloth.mp4"; empty: nothing.
+  std::string take_news() { return std::exchange(news_, {}); }
+  // Of the film so far [s].
+  double seconds() const { return static_cast<double>(pictures_) / pictures_per_second; }
+
+  static constexpr double pictures_per_second = 30.0;
+
+ private:
+  void take_for_film(const Picture& picture, double now);
+
+  std::optional<std::filesystem::path> film_wanted_;
+  std::optional<Film> film_;
+  int width_ = 0, height_ = 0;
+  double started_ = 0.0;  // [s]
+  long pictures_ = 0;
+  std::string news_;
+};
+
+// A file in the folder that is not there yet: "cloth.png", "cloth 2.png", ...
+std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem, const std::string& extension);
+
+}  // namespace hooke
