@@ -39,6 +39,19 @@ TEST(Traces, HoldWhatIsMeasuredOfEveryMoment) {
   EXPECT_EQ(lab.status()->traces->times.size(), 11u);  // with the start
 }
 
+TEST(Traces, OfWhatIsLostAddUpToTheEnergyAtTheStart) {
+  Lab lab = lab_on("two_masses");
+  lab.submit(SetParameter{find_parameter("drag"), 1.0});
+  lab.submit(Watch{{quantity(lab, "dissipated"), quantity(lab, "total")}});
+  for (int frame = 0; frame < 30; ++frame) lab.step();
+  lab.publish();
+  const TraceTable& table = *lab.status()->traces;
+  const auto& lost = table.traces[0].values;
+  const auto& total = table.traces[1].values;
+  EXPECT_GT(lost.back(), 0.01);
+  for (std::size_t i = 0; i < lost.size(); ++i) EXPECT_NEAR(lost[i] + total[i], total.front(), 1e-9 * std::abs(total.front()) + 1e-12);
+}
+
 TEST(Traces, KnowThePastOfWhatIsChosenLater) {
   Lab lab = lab_on("two_masses");
   for (int frame = 0; frame < 10; ++frame) lab.step();

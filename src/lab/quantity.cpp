@@ -86,6 +86,8 @@ constexpr std::array rows{
     QuantityRow{"elastic", "J", Of::Scene, "Energy in the springs", [](const Measured& m, Index) { return m.energy.elastic; }},
     QuantityRow{"gravitational", "J", Of::Scene, "Potential energy", [](const Measured& m, Index) { return m.energy.gravitational; }},
     QuantityRow{"total", "J", Of::Scene, "Total energy", [](const Measured& m, Index) { return m.energy.total(); }},
+    QuantityRow{"dissipated", "J", Of::Scene, "Energy lost since the start",
+                [](const Measured& m, Index) { return m.state.ledger.given - m.energy.total(); }},
     QuantityRow{"momentum_x", "kg m/s", Of::Scene, "Momentum along x", momentum_of<0>},
     QuantityRow{"momentum_y", "kg m/s", Of::Scene, "Momentum along y", momentum_of<1>},
     QuantityRow{"momentum_z", "kg m/s", Of::Scene, "Momentum along z", momentum_of<2>},

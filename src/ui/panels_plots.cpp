@@ -16,9 +16,9 @@ constexpr ImU32 inks[] = {IM_COL32(0x56, 0xb4, 0xe9, 255), IM_COL32(0xe6, 0x9f, 
                           IM_COL32(0xd5, 0x5e, 0x00, 255), IM_COL32(0xcc, 0x79, 0xa7, 255), IM_COL32(0x80, 0x80, 0x80, 255)};
 
 // What can be chosen without selecting anything, in the order of the list.
-constexpr std::string_view of_the_scene[] = {"kinetic",    "elastic",    "gravitational", "total",     "momentum_x",     "momentum_y", "momentum_z",
-                                             "angular_x",  "angular_y",  "angular_z",     "center_x",  "center_y",       "center_z",   "least_strain",
-                                             "largest_strain", "fastest"};
+constexpr std::string_view of_the_scene[] = {"kinetic",    "elastic",    "gravitational", "total",          "dissipated", "momentum_x",
+                                             "momentum_y", "momentum_z", "angular_x",     "angular_y",      "angular_z",  "center_x",
+                                             "center_y",   "center_z",   "least_strain",  "largest_strain", "fastest"};
 
 // Traces of the same unit.
 struct Plot {
@@ -38,8 +38,8 @@ std::vector<Plot> plots_of(const TraceTable& table) {
 
 // The part of the time that is shown.
 struct Span {
-  double first, last;         // [s]
-  std::size_t begin, end;     // of the moments in it, one more at either side
+  double first, last;      // [s]
+  std::size_t begin, end;  // of the moments in it, one more at either side
 };
 
 Span shown_span(const TraceTable& table, const Panels& panels) {
@@ -63,8 +63,8 @@ PlotAxis axis_of_values(const Plot& plot, const Span& span) {
 }
 
 // At most one extreme pair of points a pixel: a line of thousands of moments is drawn with hundreds.
-void draw_line(ImDrawList& list, const TraceTable& table, const Trace& trace, const Span& span, const PlotAxis& x_axis, const PlotAxis& y_axis,
-               ImVec2 least, ImVec2 most, ImU32 ink) {
+void draw_line(ImDrawList& list, const TraceTable& table, const Trace& trace, const Span& span, const PlotAxis& x_axis,
+               const PlotAxis& y_axis, ImVec2 least, ImVec2 most, ImU32 ink) {
   std::vector<ImVec2> points;
   for (std::size_t i = span.begin; i < span.end; ++i) {
     if (!std::isfinite(trace.values[i])) continue;
@@ -89,7 +89,8 @@ void read_off(ImDrawList& list, const TraceTable& table, const Plot& plot, const
   const std::size_t i = std::min(static_cast<std::size_t>(after - table.times.begin()), table.times.size() - 1);
   list.AddLine({mouse, least.y}, {mouse, most.y}, palette::edge);
   std::string text = "t = " + number(table.times[i]) + " s";
-  for (const auto& [trace, ink] : plot.lines) text += "\n" + trace->quantity.name() + " = " + number(trace->values[i]) + " " + std::string(plot.unit);
+  for (const auto& [trace, ink] : plot.lines)
+    text += "\n" + trace->quantity.name() + " = " + number(trace->values[i]) + " " + std::string(plot.unit);
   ImGui::SetTooltip("%s", text.c_str());
 }
 
@@ -165,7 +166,8 @@ void choice(const std::string& name, const Desk& desk, Requests& requests) {
   }
   if (!is_watched) watched.push_back(*quantity);
   const std::string text = std::string(quantity->row->meaning) + (quantity->row->of == QuantityRow::Of::Scene ? "" : ": " + name);
-  if (ImGui::MenuItem(text.c_str(), std::string(quantity->row->unit).c_str(), is_watched)) requests.emplace_back(Control(Watch{std::move(watched)}));
+  if (ImGui::MenuItem(text.c_str(), std::string(quantity->row->unit).c_str(), is_watched))
+    requests.emplace_back(Control(Watch{std::move(watched)}));
 }
 
 // Of the scene, and of the first point and spring of the selection.
