@@ -37,7 +37,7 @@ std::vector<Command> one_of_each() {
   const Parameter& drag = *find_parameter("drag");
   return {
       Insert{{{no_index, point, {1, 2, 3}, {4, 5, 6}}}, {{3, spring}}, {{0, {{PointId{7}, PointId{1}, PointId{2}}}}}},
-      Remove{{PointId{1}, PointId{2}}, {SpringId{3}}},
+      Remove{{PointId{1}, PointId{2}}, {SpringId{3}}, {{{PointId{1}, PointId{2}, PointId{4}}}}},
       SetNailed{{{PointId{1}, true, {0.1, 0.2, 0.3}}}},
       Move{{{PointId{1}, {0.1, 0.2, 0.3}, {-1, -2, -3}}}},
       SetPointColor{{{PointId{1}, Color{9, 8, 7}}, {PointId{2}, std::nullopt}}},
@@ -47,10 +47,13 @@ std::vector<Command> one_of_each() {
       RestoreParameter{&drag, 1e9},
       SetIntegrator{find_integrator("xpbd")},
       GrabPoint{grab},
+      GrabCollider{{2, {0.5, -1, 2}}},
       MoveHand{{1, 2, 3}},
       ReleaseHand{},
       SetGravity{{0, -1.62, 0}},
-      SetColliders{{{Sphere{{1, 2, 3}, 4}, 0.5, 0.25, false}, {Plane{}, 0, 0, true}, {Box{}, 1, 1, true}}},
+      SetColliders{{{Sphere{{1, 2, 3}, 4}, 0.5, 0.25, false, {{1, 2, 3}, 4, 5, {6, 7, 8}, {9, 10, 11}}},
+                    {Plane{}, 0, 0, true},
+                    {Box{}, 1, 1, true}}},
       SetForces{{{&force_terms()[0], false, usual_values(force_terms()[0])}}},
       SetTexture{"linen", 0.5, nullptr},
       GoToState{std::make_shared<const State>(State{.time = 0.1, .position = {{1, 2, 3}}, .velocity = {{4, 5, 6}}, .memory = {0.1, 0.2}})},

@@ -40,12 +40,15 @@ namespace {
 class Allocation : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Allocation, testing::ValuesIn(every_method()), method_name);
 
-// all that a step may have to do at once: dashpots, drag, contact, the listed forces, and the hand
+// all that a step may have to do at once: dashpots, drag, contact with what moves, the listed forces, the hand, springs that
+// are held to a length, and springs that might break and do not
 TEST_P(Allocation, IsNeverNeededOnceAFrameHasRun) {
   for (const GrabKind kind : {GrabKind::Hold, GrabKind::Pull}) {
     Trial trial = net(32, 1e4, 0.5);
     trial.system.drag = 0.3;
-    trial.system.colliders.push_back({.shape = Sphere{.center = {0.5, -0.6, 0.1}, .radius = 0.1}});
+    trial.system.colliders.push_back({.shape = Sphere{.center = {0.5, -0.6, 0.1}, .radius = 0.1}, .friction = 0.3, .path = {.swing = {0.1, 0.0, 0.0}, .spin = {0.0, 1.0, 0.0}}});
+    trial.system.break_strain = 50.0;
+    trial.system.strain_limit = 0.05;
     trial.system.faces.push_back({.points = {trial.system.points()[1].id, trial.system.points()[2].id, trial.system.points()[33].id}});
     for (const ForceTerm& term : force_terms()) trial.system.forces.push_back({.term = &term, .values = usual_values(term)});
     trial.system.grab = Grab{.point = trial.system.points()[500].id, .kind = kind, .target = trial.state.position[500] + Vec3(0.01)};

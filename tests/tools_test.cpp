@@ -8,6 +8,7 @@
 #include "app/tune.h"
 #include "bench_trial.h"
 #include "lab/parameters.h"
+#include "lab/scene_file.h"
 
 namespace hooke {
 namespace {
@@ -307,9 +308,9 @@ TEST(DeleteTool, TakesAPointWithItsSpringsOrASpringAlone) {
   EXPECT_EQ(trial.system().point_count(), 2);
 }
 
-TEST(DeleteTool, CutsTheSpringsItIsDraggedAcrossAsOneStep) {
+TEST(CutTool, CutsTheSpringsItIsDraggedAcrossAsOneStep) {
   BenchTrial trial(flat_scene({a, b, c}));
-  const auto attach = make_attach_tool(), tool = make_delete_tool();
+  const auto attach = make_attach_tool(), tool = make_cut_tool();
   trial.drag(*attach, a, b);
   trial.drag(*attach, a, c);
   trial.drag(*attach, b, c);
@@ -317,6 +318,66 @@ TEST(DeleteTool, CutsTheSpringsItIsDraggedAcrossAsOneStep) {
   EXPECT_EQ(trial.system().spring_count(), 1);
   trial.submit(Undo{});
   EXPECT_EQ(trial.system().spring_count(), 3);
+}
+
+TEST(CutTool, TakesTheFacesAlongTheSpringsItCutsWhileTheSceneRuns) {
+  Scene scene = parse_scene(R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [-0.4, 0.4, 0], "across": [0.8, 0, 0],
+    "down": [0, -0.8, 0], "points": [5, 5], "stiffness": 100, "nail": ["border"]}]})",
+                            "test")
+                    .scene;
+  BenchTrial trial(scene);
+  trial.submit(SetRunning{true});
+  const auto tool = make_cut_tool();
+  trial.press(*tool, {-0.12, 0.7, 0.0});
+  trial.follow(*tool, {-0.12, 0.1, 0.0});
+  EXPECT_EQ(tool->stroke().size(), 2u);
+  trial.release(*tool, {-0.12, -0.05, 0.0});
+  EXPECT_TRUE(tool->stroke().empty());
+  // down through the second column of cells, to the middle: three rows of springs across, the diagonals of the cells between
+  EXPECT_EQ(scene.system.spring_count() - trial.system().spring_count(), 3 + 4);
+  EXPECT_EQ(trial.system().faces.size(), scene.system.faces.size() - 5);
+  trial.submit(Undo{});
+  EXPECT_EQ(trial.system(), scene.system);
+}
+
+Scene ball_scene(int dimensions) {
+  Scene scene = flat_scene({a});
+  scene.system.dimensions = dimensions;
+  scene.system.colliders = {{.shape = Sphere{{0.4, -0.3, 0.0}, 0.2}}, {.shape = Plane{{0.0, -0.8, 0.0}, {0.0, 1.0, 0.0}}}};
+  return scene;
+}
+
+TEST(DragTool, TakesAColliderWhereThereIsNoPoint) {
+  const Vec3 ball(0.4, -0.3, 0.0), way(-0.5, 0.2, 0.0);
+  for (const int dimensions : {2, 3})
+    for (const bool running : {false, true}) {
+      BenchTrial trial(ball_scene(dimensions));
+      trial.submit(SetRunning{running});
+      const auto tool = make_drag_tool();
+      trial.press(*tool, ball);
+      trial.follow(*tool, ball + way);
+      EXPECT_EQ(trial.system().collider_grab.has_value(), running);
+      // in space it is taken by its front, which is nearer: it goes a little less far
+      if (!running) {
+        EXPECT_LT(distance(anchor_of(trial.system().colliders[0]), ball + way), dimensions == 2 ? 1e-6 : 0.06 * glm::length(way));
+      }
+      trial.release(*tool, ball + way);
+      EXPECT_FALSE(trial.system().collider_grab);
+      trial.submit(Undo{});
+      EXPECT_EQ(trial.system().colliders, ball_scene(dimensions).system.colliders);
+    }
+}
+
+TEST(SelectTool, MovesABallButSelectsABoxOnTheGround) {
+  const Vec3 ball(0.4, -0.3, 0.0), way(-0.5, 0.2, 0.0);
+  BenchTrial trial(ball_scene(2));
+  const auto tool = make_select_tool();
+  trial.drag(*tool, ball, ball + way);
+  EXPECT_LT(distance(anchor_of(trial.system().colliders[0]), ball + way), 1e-6);
+  trial.press(*tool, {0.0, -0.9, 0.0});
+  trial.follow(*tool, {0.2, -0.7, 0.0});
+  EXPECT_TRUE(tool->rubber_band());
+  tool->cancel(trial.bench);
 }
 
 TEST(SelectTool, ClicksSelectAndShiftAddsAndTakesAway) {

@@ -81,6 +81,7 @@ TEST(Sliders, EachParameterHasOne) {
     gui.app().resize({1280.0, 2000.0}, 1.0);
     gui.frames(2);
     gui.click(gui.find("side", {"Hand"}));  // unfolds
+    gui.click(gui.find("side", {"Points"}));
     for (const Parameter& row : parameters()) {
       const bool is_switch = row.kind == Parameter::Kind::Switch, is_choice = row.kind == Parameter::Kind::Choice;
       if (gui.find("side", {row.name.data(), is_switch ? "##switch" : is_choice ? "##choice" : "##value"}).x > 0.0) shown.insert(row.name);

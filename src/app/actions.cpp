@@ -20,6 +20,7 @@ void App::perform(Action action, bool repeated) {
     case Action::AttachTool:
     case Action::NailTool:
     case Action::DragTool:
+    case Action::CutTool:
     case Action::DeleteTool:
       return take_tool(action);
 

@@ -199,6 +199,7 @@ void App::build_frame(const Figures& figures) {
                   .draw_ms = figures.draw_ms,
                   .film_seconds = filming_.is_filming() ? filming_.seconds() : -1.0,
                   .rubber_band = rubber_band,
+                  .stroke = tool_->stroke(),
                   .recent = recent_.files(),
                   .left = left_work_,
                   .has_desktop_dialog = has_system_dialog_,

@@ -103,45 +103,21 @@ class NailTool : public Tool {
   }
 };
 
-// A click deletes the point or spring under the cursor; a drag cuts the springs it crosses.
 class DeleteTool : public Tool {
  public:
   void press(const Pointer& pointer, Workbench& bench) override {
-    gesture_ = bench.begin_gesture();
-    cutting_ = true;
-    last_ = pointer.at;
     if (const auto point = bench.point_at(pointer.at))
-      bench.lab.submit(Remove{.points = {*point}}, gesture_);
+      bench.lab.submit(Remove{.points = {*point}});
     else if (const auto spring = bench.spring_at(pointer.at))
-      bench.lab.submit(Remove{.springs = {*spring}}, gesture_);
+      bench.lab.submit(Remove{.springs = {*spring}});
   }
 
-  void follow(const Pointer& pointer, Workbench& bench) override {
-    if (!cutting_ || pointer.at == last_) return;
-    auto crossed = springs_across(bench.snapshot(), bench.lens(), last_, pointer.at);
-    last_ = pointer.at;
-    if (!crossed.empty()) bench.lab.submit(Remove{.springs = std::move(crossed)}, gesture_);
-  }
-
-  void release(const Pointer& pointer, Workbench& bench) override {
-    follow(pointer, bench);
-    cutting_ = false;
-  }
-
-  bool cancel(Workbench&) override { return std::exchange(cutting_, false); }
-
-  std::string next_step(const Workbench&) const override { return "click a point or a spring, or drag across springs to cut them"; }
+  std::string next_step(const Workbench&) const override { return "click a point or a spring; Del deletes what is selected"; }
 
   void mark(const Pointer& pointer, const Workbench& bench, Marks& marks) const override {
-    if (cutting_) return;
     marks.hovered_point = bench.point_at(pointer.at);
     if (!marks.hovered_point) marks.hovered_spring = bench.spring_at(pointer.at);
   }
-
- private:
-  bool cutting_ = false;
-  glm::dvec2 last_{0.0};
-  Gesture gesture_ = 0;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "app/collider_drag.h"
 #include "app/tools.h"
 #include "sim/energy.h"
 
@@ -43,6 +44,7 @@ class DragTool : public Tool {
  public:
   void press(const Pointer& pointer, Workbench& bench) override {
     grip_ = grip_at(bench, pointer.at);
+    if (!grip_) collider_.begin(pointer.at, Takes::All, bench);
     if (!grip_) return;
     gesture_ = bench.begin_gesture();
     has_hand_ = has_moved_ = false;
@@ -54,6 +56,7 @@ class DragTool : public Tool {
   }
 
   void follow(const Pointer& pointer, Workbench& bench) override {
+    collider_.follow(pointer.at, bench);
     if (!is_there(bench)) return;
     const Vec3 target = bench.place_beside(pointer.at, grip_->place) + offset_;
     const bool moved = target != target_;
@@ -73,10 +76,15 @@ class DragTool : public Tool {
   void release(const Pointer& pointer, Workbench& bench) override {
     follow(pointer, bench);
     let_go(bench);
+    collider_.end(bench);
     grip_.reset();
   }
 
   bool cancel(Workbench& bench) override {
+    if (collider_.is_dragging()) {
+      collider_.take_back(bench);
+      return true;
+    }
     if (!grip_) return false;
     const bool changed = has_hand_ || has_moved_;
     let_go(bench);
@@ -86,12 +94,17 @@ class DragTool : public Tool {
   }
 
   std::string next_step(const Workbench& bench) const override {
+    if (collider_.is_dragging()) return "move it, and let go; Esc takes it back";
+    if (!grip_ && !bench.system().colliders.empty()) return "press on a point, the cloth or what they lie on, and move it";
     if (!grip_) return bench.system().faces.empty() ? "press on a point and move it" : "press on a point or on the cloth and move it";
     return bench.status->running ? "move, and let go to throw; Esc takes it back" : "move, and let go; Esc takes it back";
   }
 
   void mark(const Pointer& pointer, const Workbench& bench, Marks& marks) const override {
-    const auto grip = grip_ ? grip_ : grip_at(bench, pointer.at);
+    const auto grip = grip_ || collider_.is_dragging() ? grip_ : grip_at(bench, pointer.at);
+    marks.hovered_collider = collider_.collider();
+    if (!grip && !collider_.is_dragging())
+      if (const auto hit = collider_to_drag(bench, pointer.at, Takes::All); hit && hit->bounded) marks.hovered_collider = hit->collider;
     if (grip && !grip->patch) marks.hovered_point = grip->point;
     const bool is_pulling = has_hand_ && bench.system().grab && bench.system().grab->kind == GrabKind::Pull;
     const Vec3 taken = is_pulling ? grabbed_place(bench.system(), bench.snapshot().state) : grip ? grip->place : Vec3(0.0);
@@ -122,6 +135,7 @@ class DragTool : public Tool {
   }
 
   std::optional<Grip> grip_;
+  ColliderDrag collider_;  // instead, where there is no point
   Gesture gesture_ = 0;
   bool has_hand_ = false, has_moved_ = false;
   Vec3 start_{0.0};                 // of the point

@@ -1,6 +1,7 @@
 // Select and move: a click selects, a drag of a point moves what is selected, a drag from empty space selects a box.
 #include <algorithm>
 
+#include "app/collider_drag.h"
 #include "app/tools.h"
 
 namespace hooke {
@@ -20,6 +21,8 @@ class SelectTool : public Tool {
       press_point(*point, add, bench);
     else if (const auto spring = bench.spring_at(pointer.at))
       select(*spring, add, bench.selection);
+    else if (collider_.begin(pointer.at, Takes::Bounded, bench))
+      doing_ = Doing::Collider;
     else
       doing_ = Doing::Box;
   }
@@ -28,11 +31,17 @@ class SelectTool : public Tool {
     current_ = pointer.at;
     if (doing_ == Doing::Waiting && bench.is_drag(pressed_at_, pointer.at)) begin_move(bench);
     if (doing_ == Doing::Moving) move(bench);
+    if (doing_ == Doing::Collider && (collider_moves_ || bench.is_drag(pressed_at_, pointer.at))) {
+      collider_moves_ = true;
+      collider_.follow(pointer.at, bench);
+    }
   }
 
   void release(const Pointer& pointer, Workbench& bench) override {
     follow(pointer, bench);
     if (doing_ == Doing::Box) select_box(pointer, bench);
+    if (doing_ == Doing::Collider && !collider_moves_ && !pointer.modifiers.shift) bench.selection = {};
+    collider_.end(bench);
     if (doing_ == Doing::Waiting) bench.selection = {{point_}, {}};
     *this = {};
   }
@@ -40,21 +49,26 @@ class SelectTool : public Tool {
   bool cancel(Workbench& bench) override {
     const bool busy = doing_ != Doing::Nothing;
     if (doing_ == Doing::Moving) bench.lab.submit(Undo{});
+    collider_.take_back(bench);
     *this = {};
     return busy;
   }
 
   std::string next_step(const Workbench& bench) const override {
     if (doing_ == Doing::Moving) return "let go to place it, Esc takes it back";
+    if (doing_ == Doing::Collider) return "move it, and let go; Esc takes it back";
     if (doing_ == Doing::Box) return "drag over what is to be selected";
     if (!bench.selection.empty()) return "drag a selected point to move all, Shift+click adds, double click takes all connected";
     return "click a point or a spring, or drag a box from empty space";
   }
 
   void mark(const Pointer& pointer, const Workbench& bench, Marks& marks) const override {
+    marks.hovered_collider = collider_.collider();
     if (doing_ != Doing::Nothing) return;
     marks.hovered_point = bench.point_at(pointer.at);
     if (!marks.hovered_point) marks.hovered_spring = bench.spring_at(pointer.at);
+    if (marks.hovered_point || marks.hovered_spring) return;
+    if (const auto hit = collider_to_drag(bench, pointer.at, Takes::Bounded)) marks.hovered_collider = hit->collider;
   }
 
   std::optional<std::pair<glm::dvec2, glm::dvec2>> rubber_band() const override {
@@ -63,7 +77,7 @@ class SelectTool : public Tool {
   }
 
  private:
-  enum class Doing { Nothing, Waiting, Moving, Box };
+  enum class Doing { Nothing, Waiting, Moving, Box, Collider };
 
   template <class Id>
   static void select(Id id, bool add, Selection& selection) {
@@ -114,6 +128,8 @@ class SelectTool : public Tool {
   Doing doing_ = Doing::Nothing;
   glm::dvec2 pressed_at_{0.0}, current_{0.0};
   PointId point_{};
+  ColliderDrag collider_;
+  bool collider_moves_ = false;
   Gesture gesture_ = 0;
   Vec3 anchor_{0.0}, from_{0.0}, way_{0.0};
   std::vector<std::pair<PointId, Vec3>> start_;

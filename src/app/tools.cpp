@@ -11,6 +11,7 @@ constexpr std::array rows{
     ToolRow{Action::AttachTool, make_attach_tool},
     ToolRow{Action::NailTool, make_nail_tool},
     ToolRow{Action::DragTool, make_drag_tool},
+    ToolRow{Action::CutTool, make_cut_tool},
     ToolRow{Action::DeleteTool, make_delete_tool},
 };
 

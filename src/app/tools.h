@@ -34,6 +34,8 @@ class Tool {
   virtual void mark(const Pointer&, const Workbench&, Marks&) const {}
   // Two corners of a selection in progress [px].
   virtual std::optional<std::pair<glm::dvec2, glm::dvec2>> rubber_band() const { return std::nullopt; }
+  // The way of a cut in progress [px].
+  virtual std::vector<glm::dvec2> stroke() const { return {}; }
 };
 
 struct ToolRow {
@@ -49,6 +51,7 @@ std::unique_ptr<Tool> make_add_tool();
 std::unique_ptr<Tool> make_attach_tool();
 std::unique_ptr<Tool> make_nail_tool();
 std::unique_ptr<Tool> make_drag_tool();
+std::unique_ptr<Tool> make_cut_tool();
 std::unique_ptr<Tool> make_delete_tool();
 
 }  // namespace hooke

@@ -16,7 +16,7 @@ static_assert(static_cast<int>(Key::Delete) == GLFW_KEY_DELETE && static_cast<in
 static_assert(static_cast<int>(Key::Right) == GLFW_KEY_RIGHT && static_cast<int>(Key::Left) == GLFW_KEY_LEFT);
 static_assert(static_cast<int>(Key::Down) == GLFW_KEY_DOWN && static_cast<int>(Key::Up) == GLFW_KEY_UP);
 static_assert(static_cast<int>(Key::F1) == GLFW_KEY_F1 && static_cast<int>(Key::F12) == GLFW_KEY_F12);
-static_assert(static_cast<int>(Key::Tab) == GLFW_KEY_TAB);
+static_assert(static_cast<int>(Key::Tab) == GLFW_KEY_TAB && static_cast<int>(Key::Backspace) == GLFW_KEY_BACKSPACE);
 
 // A key by what it prints in the person's layout, where that is one ASCII character; else by its place.
 Key key_of(int key, int scancode) {

@@ -24,6 +24,8 @@ std::optional<SurfaceHit> Workbench::surface_at(const glm::dvec2& cursor) const 
   return shows_surface ? pick_surface(snapshot(), lens(), cursor) : std::nullopt;
 }
 
+std::optional<ColliderHit> Workbench::collider_at(const glm::dvec2& cursor) const { return pick_collider(snapshot(), lens(), cursor); }
+
 Vec3 Workbench::place_beside(const glm::dvec2& cursor, const Vec3& through) const {
   if (system().dimensions == 3) return camera.unproject(cursor, size, through);
   const SightLine line = sight_line(lens(), cursor);
@@ -36,7 +38,7 @@ Vec3 Workbench::place_for_point(const glm::dvec2& cursor, double radius) const {
   const Vec3 beside = place_beside(cursor, camera.target);
   if (system().dimensions == 2) return beside;
   const SightLine line = sight_line(lens(), cursor);
-  const std::optional<ColliderHit> hit = hit_collider(system(), line);
+  const std::optional<ColliderHit> hit = hit_collider(system(), line, snapshot().state.time);
   if (!hit) return beside;
   // an endless ground lies under nearly every cursor: it counts where it is before the plane of the target
   const bool nearer = hit->distance < glm::dot(beside - line.origin, line.direction);

@@ -30,6 +30,7 @@ struct Workbench {
   std::optional<SpringId> spring_at(const glm::dvec2& cursor) const;
   // On the surface, if it is shown.
   std::optional<SurfaceHit> surface_at(const glm::dvec2& cursor) const;
+  std::optional<ColliderHit> collider_at(const glm::dvec2& cursor) const;
 
   // Under the cursor: in the plane through `through` that faces the viewer, or in the plane of a 2-D scene.
   Vec3 place_beside(const glm::dvec2& cursor, const Vec3& through) const;

@@ -14,6 +14,7 @@ struct Marks {
   std::vector<SpringId> selected_springs;
   std::optional<PointId> hovered_point;
   std::optional<SpringId> hovered_spring;
+  std::optional<Index> hovered_collider;
   std::optional<Vec3> ghost_point;                    // where a click would put one
   std::optional<std::pair<Vec3, Vec3>> ghost_spring;  // the rubber line of an attachment or a pull
   std::vector<std::pair<Vec3, Vec3>> ghost_lines;     // springs of what is about to be placed

@@ -97,7 +97,11 @@ void Stage::add(const Subject& subject) {
   if (subject.options.grid) add_grid(subject);
   if (!subject.options.colliders) return;
   const System& system = *subject.snapshot.system;
-  for (const Collider& collider : system.colliders) system.dimensions == 2 ? add_flat(subject, collider) : add_spatial(subject, collider);
+  for (std::size_t c = 0; c < system.colliders.size(); ++c) {
+    const Collider collider = moved_at(system.colliders[c], subject.snapshot.state.time);
+    const bool is_hovered = subject.marks.hovered_collider == static_cast<Index>(c);
+    system.dimensions == 2 ? add_flat(subject, collider, is_hovered) : add_spatial(subject, collider, is_hovered);
+  }
 }
 
 // In flat scenes squared paper behind everything; in spatial ones a level grid through the origin, where no floor is.
@@ -116,9 +120,9 @@ void Stage::add_grid(const Subject& subject) {
   backdrop.add(subject.projection, subject.camera, {.normal = is_flat ? Vec3(0.0, 0.0, 1.0) : pole}, look);
 }
 
-void Stage::add_spatial(const Subject& subject, const Collider& collider) {
+void Stage::add_spatial(const Subject& subject, const Collider& collider, bool is_hovered) {
   const double opacity = collider.solid ? 1.0 : faint;
-  const Color color = subject.palette.collider;
+  const Color color = is_hovered ? mix(subject.palette.collider, subject.palette.line, 0.3) : subject.palette.collider;
   if (const auto* sphere = std::get_if<Sphere>(&collider.shape))
     (collider.solid ? balls : faint_balls).add(subject.projection, sphere->center, sphere->radius, ink(color, opacity));
   if (const auto* box = std::get_if<Box>(&collider.shape))
@@ -132,9 +136,9 @@ void Stage::add_spatial(const Subject& subject, const Collider& collider) {
   }
 }
 
-void Stage::add_flat(const Subject& subject, const Collider& collider) {
+void Stage::add_flat(const Subject& subject, const Collider& collider, bool is_hovered) {
   const double opacity = collider.solid ? 1.0 : faint;
-  const Ink fill = ink(subject.palette.collider, 0.5 * opacity), line = ink(subject.palette.line, opacity);
+  const Ink fill = ink(subject.palette.collider, (is_hovered ? 0.75 : 0.5) * opacity), line = ink(subject.palette.line, opacity);
   if (const auto* plane = std::get_if<Plane>(&collider.shape))
     add_edge(subject, *plane, collider.solid, ink(subject.palette.line), outlines);
   if (const auto* box = std::get_if<Box>(&collider.shape)) {

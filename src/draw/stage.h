@@ -21,8 +21,8 @@ struct Stage {
 
  private:
   void add_grid(const Subject& subject);
-  void add_spatial(const Subject& subject, const Collider& collider);
-  void add_flat(const Subject& subject, const Collider& collider);
+  void add_spatial(const Subject& subject, const Collider& collider, bool is_hovered);
+  void add_flat(const Subject& subject, const Collider& collider, bool is_hovered);
 };
 
 }  // namespace hooke

@@ -1,7 +1,9 @@
 #include "lab/apply.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "lab/parameters.h"
 #include "lab/texture.h"
@@ -111,6 +113,7 @@ struct Apply {
       if (std::all_of(corners.begin(), corners.end(), [&](PointId id) { return system.index_of(id) != no_index; }))
         faces.emplace_back(placed.at, placed.face);
     }
+    for (const auto& [at, face] : faces) inverse.faces.push_back(face);
     if (!faces.empty()) system.faces = merged(system.faces, faces);
 
     effect.structure = true;
@@ -134,21 +137,30 @@ struct Apply {
       spring_goes[s] = spring_goes[s] || goes(spring.first) || goes(spring.second);
       if (spring_goes[s]) inverse.springs.push_back({s, spring});
     }
+    // of equal faces the last ones go, as many as are named
+    std::map<std::array<PointId, 3>, long> named;
+    for (const Face& face : remove.faces) ++named[face.points];
     std::vector<bool> face_goes(system.faces.size(), false);
+    for (std::size_t f = system.faces.size(); f-- > 0 && !named.empty();) {
+      const auto found = named.find(system.faces[f].points);
+      face_goes[f] = found != named.end() && found->second-- > 0;
+    }
     for (std::size_t f = 0; f < system.faces.size(); ++f) {
       const auto& corners = system.faces[f].points;
-      face_goes[f] = std::any_of(corners.begin(), corners.end(), goes);
+      face_goes[f] = face_goes[f] || std::any_of(corners.begin(), corners.end(), goes);
       if (face_goes[f]) inverse.faces.push_back({static_cast<Index>(f), system.faces[f]});
     }
     for (Index i = 0; i < system.point_count(); ++i)
       if (point_goes[i]) inverse.points.push_back({i, system.points()[i], state.position[i], state.velocity[i]});
 
     if (system.grab && std::ranges::any_of(points_of(*system.grab), goes)) system.grab.reset();
-    system.faces = kept(system.faces, face_goes);
-    system.set_springs(kept(system.springs(), spring_goes));
-    system.set_points(kept(system.points(), point_goes));
-    state.position = kept(state.position, point_goes);
-    state.velocity = kept(state.velocity, point_goes);
+    if (!inverse.faces.empty()) system.faces = kept(system.faces, face_goes);
+    if (!inverse.springs.empty()) system.set_springs(kept(system.springs(), spring_goes));
+    if (!inverse.points.empty()) {
+      system.set_points(kept(system.points(), point_goes));
+      state.position = kept(state.position, point_goes);
+      state.velocity = kept(state.velocity, point_goes);
+    }
 
     effect.structure = true;
     return {inverse};
@@ -196,17 +208,25 @@ struct Apply {
   Inverse operator()(const SetPointProperty& set) {
     double Point::*const property = set.property == PointProperty::Mass ? &Point::mass : &Point::radius;
     SetPointProperty inverse{set.property, {}};
+    // where mass goes along with the radius, it is put back after the radius is
+    SetPointProperty masses{PointProperty::Mass, {}};
+    const bool follows = set.property == PointProperty::Radius && scene.defaults.mass_follows_radius;
     for (const auto& [id, value] : set.values) {
       const Index i = scene.system.index_of(id);
       if (i == no_index) continue;
-      Point changed = scene.system.points()[i];
+      const Point now = scene.system.points()[i];
+      Point changed = now;
       changed.*property = value;
+      if (follows) changed.mass = mass_at_radius(now, value);
       if (!is_sound(changed)) continue;
-      inverse.values.emplace_back(id, scene.system.points()[i].*property);
+      inverse.values.emplace_back(id, now.*property);
+      if (follows) masses.values.emplace_back(id, now.mass);
       scene.system.point(i) = changed;
     }
     std::reverse(inverse.values.begin(), inverse.values.end());
+    std::reverse(masses.values.begin(), masses.values.end());
     effect.values = true;
+    if (follows) return {inverse, masses};
     return {inverse};
   }
 
@@ -230,37 +250,41 @@ struct Apply {
   }
 
   Inverse operator()(const SetParameter& set) {
-    const Inverse inverse{inverse_of(*set.parameter)};
+    const Inverse inverse = inverse_of(*set.parameter);
     set.parameter->write(scene, clamp_to(*set.parameter, set.value));
     effect.values = true;
     return inverse;
   }
 
   // What a parameter's write is about to overwrite.
-  Command inverse_of(const Parameter& parameter) const {
+  Inverse inverse_of(const Parameter& parameter) const {
     const auto all_springs = [&](SpringProperty property, double Spring::*member) {
       SetSpringProperty set{property, {}};
       for (const Spring& spring : scene.system.springs()) set.values.emplace_back(spring.id, spring.*member);
+      return Inverse{set};
+    };
+    const auto all_points = [&](PointProperty property, double Point::*member) {
+      SetPointProperty set{property, {}};
+      for (const Point& point : scene.system.points()) set.values.emplace_back(point.id, point.*member);
       return set;
     };
     switch (parameter.scope) {
       case Parameter::Scope::Gravity:
-        return SetGravity{scene.system.gravity};
+        return {SetGravity{scene.system.gravity}};
       case Parameter::Scope::Colliders:
-        return SetColliders{scene.system.colliders};
+        return {SetColliders{scene.system.colliders}};
       case Parameter::Scope::SpringStiffness:
         return all_springs(SpringProperty::Stiffness, &Spring::stiffness);
       case Parameter::Scope::SpringDamping:
         return all_springs(SpringProperty::Damping, &Spring::damping);
-      case Parameter::Scope::PointMass: {
-        SetPointProperty set{PointProperty::Mass, {}};
-        for (const Point& point : scene.system.points()) set.values.emplace_back(point.id, point.mass);
-        return set;
-      }
+      case Parameter::Scope::PointMass:
+        return {all_points(PointProperty::Mass, &Point::mass)};
+      case Parameter::Scope::PointSize:
+        return {all_points(PointProperty::Radius, &Point::radius), all_points(PointProperty::Mass, &Point::mass)};
       case Parameter::Scope::Number:
         break;
     }
-    return RestoreParameter{&parameter, parameter.read(scene)};
+    return {RestoreParameter{&parameter, parameter.read(scene)}};
   }
 
   Inverse operator()(const RestoreParameter& restore) {
@@ -291,12 +315,23 @@ struct Apply {
     return {ReleaseHand{}, back};
   }
 
+  Inverse operator()(const GrabCollider& grab) {
+    const Index c = grab.grab.collider;
+    if (c < 0 || c >= static_cast<Index>(scene.system.colliders.size()) || !is_finite(grab.grab.target)) return {};
+    scene.system.collider_grab = grab.grab;
+    effect.values = true;
+    return {ReleaseHand{}, SetColliders{scene.system.colliders}};
+  }
+
   Inverse operator()(const MoveHand& move) {
+    if (scene.system.collider_grab && is_finite(move.target)) scene.system.collider_grab->target = move.target;
     if (scene.system.grab && is_finite(move.target)) scene.system.grab->target = in_plane(scene.system, move.target);
     return {};
   }
 
   Inverse operator()(const ReleaseHand&) {
+    effect.values = effect.values || scene.system.collider_grab;
+    scene.system.collider_grab.reset();
     if (!scene.system.grab) return {};
     const Index i = scene.system.index_of(scene.system.grab->point);
     if (scene.system.points()[i].nailed) scene.state.velocity[i] = Vec3(0.0);
@@ -315,6 +350,8 @@ struct Apply {
   Inverse operator()(const SetColliders& set) {
     const SetColliders inverse{scene.system.colliders};
     scene.system.colliders = set.colliders;
+    if (scene.system.collider_grab && scene.system.collider_grab->collider >= static_cast<Index>(set.colliders.size()))
+      scene.system.collider_grab.reset();
     effect.values = true;
     return {inverse};
   }
@@ -362,6 +399,27 @@ struct Apply {
 };
 
 }  // namespace
+
+Remove torn_by(const System& system, std::span<const SpringId> broken) {
+  Remove torn;
+  std::vector<std::pair<PointId, PointId>> edges;
+  for (const SpringId id : broken) {
+    const Index s = system.index_of(id);
+    if (s == no_index) continue;
+    const Spring& spring = system.springs()[s];
+    torn.springs.push_back(id);
+    edges.push_back(std::minmax(spring.first, spring.second));
+  }
+  std::sort(edges.begin(), edges.end());
+  const auto is_torn = [&](PointId a, PointId b) {
+    return std::binary_search(edges.begin(), edges.end(), std::pair(std::min(a, b), std::max(a, b)));
+  };
+  for (const Face& face : system.faces) {
+    const auto& [a, b, c] = face.points;
+    if (is_torn(a, b) || is_torn(b, c) || is_torn(c, a)) torn.faces.push_back(face);
+  }
+  return torn;
+}
 
 std::vector<Command> apply(Scene& scene, const Command& command, Effect& effect) { return std::visit(Apply{scene, effect}, command); }
 

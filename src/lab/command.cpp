@@ -23,7 +23,11 @@ struct Describe {
     if (insert.points.empty() && insert.springs.size() == 1) return "attach";
     return "add " + count_all(insert.points.size(), insert.springs.size());
   }
-  std::string operator()(const Remove& remove) const { return "delete " + count_all(remove.points.size(), remove.springs.size()); }
+  std::string operator()(const Remove& remove) const {
+    if (remove.points.empty() && remove.springs.empty()) return "delete " + count(remove.faces.size(), "face");
+    if (!remove.faces.empty()) return "cut";
+    return "delete " + count_all(remove.points.size(), remove.springs.size());
+  }
   std::string operator()(const SetNailed& nail) const {
     const bool nailed = !nail.items.empty() && nail.items.front().nailed;
     return (nailed ? "nail " : "release ") + count(nail.items.size(), "point");
@@ -41,6 +45,7 @@ struct Describe {
   std::string operator()(const RestoreParameter& restore) const { return "set " + std::string(restore.parameter->label); }
   std::string operator()(const SetIntegrator& set) const { return "use " + std::string(set.integrator->label); }
   std::string operator()(const GrabPoint& grab) const { return grab.grab.patch ? "drag the cloth" : "drag a point"; }
+  std::string operator()(const GrabCollider&) const { return "drag a collider"; }
   std::string operator()(const MoveHand&) const { return "move the hand"; }
   std::string operator()(const ReleaseHand&) const { return "let go"; }
   std::string operator()(const SetGravity&) const { return "change gravity"; }
@@ -59,7 +64,7 @@ std::size_t bytes_in(const std::vector<Item>& list) {
 // Pictures are shared with the scene and count as nothing; a whole scene is a copy.
 struct Bytes {
   std::size_t operator()(const Insert& insert) const { return bytes_in(insert.points) + bytes_in(insert.springs) + bytes_in(insert.faces); }
-  std::size_t operator()(const Remove& remove) const { return bytes_in(remove.points) + bytes_in(remove.springs); }
+  std::size_t operator()(const Remove& remove) const { return bytes_in(remove.points) + bytes_in(remove.springs) + bytes_in(remove.faces); }
   std::size_t operator()(const SetNailed& set) const { return bytes_in(set.items); }
   std::size_t operator()(const Move& move) const { return bytes_in(move.items); }
   std::size_t operator()(const SetPointColor& set) const { return bytes_in(set.values); }

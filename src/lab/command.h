@@ -40,11 +40,12 @@ struct Insert {
   std::vector<PlacedFace> faces;
 };
 
-// Removes points with the springs and faces on them, and springs. Ids that are gone are passed over. A grab on a
+// Removes points with the springs and faces on them, springs, and faces. What is gone is passed over. A grab on a
 // removed point is let go.
 struct Remove {
   std::vector<PointId> points;
   std::vector<SpringId> springs;
+  std::vector<Face> faces{};
 };
 
 // Nails or frees points; a nailed point stops. `velocity`, when given (by an inverse), is what a freed point gets.
@@ -108,6 +109,10 @@ struct GrabPoint {
 struct MoveHand {
   Vec3 target;
 };
+// Takes hold of a collider by its anchor, to be moved and let go by the same commands. Its inverse puts the colliders back.
+struct GrabCollider {
+  ColliderGrab grab;
+};
 struct ReleaseHand {};
 
 // Gravity, and the colliders as a list: what an inverse needs when a parameter changed their sizes.
@@ -142,7 +147,7 @@ struct Replace {
 
 using Command =
     std::variant<Insert, Remove, SetNailed, Move, SetPointColor, SetPointProperty, SetSpringProperty, SetParameter, RestoreParameter,
-                 SetIntegrator, GrabPoint, MoveHand, ReleaseHand, SetGravity, SetColliders, SetForces, SetTexture, GoToState, Replace>;
+                 SetIntegrator, GrabPoint, GrabCollider, MoveHand, ReleaseHand, SetGravity, SetColliders, SetForces, SetTexture, GoToState, Replace>;
 
 // What a person calls it: "nail 3 points".
 std::string describe(const Command& command);

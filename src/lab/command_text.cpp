@@ -336,6 +336,7 @@ SceneRest rest_of(const Scene& scene) {
           .next_point_id = scene.system.next_point_id(),
           .next_spring_id = scene.system.next_spring_id(),
           .grab = scene.system.grab,
+          .collider_grab = scene.system.collider_grab,
           .hand = scene.state.hand,
           .ledger = scene.state.ledger,
           .memory = scene.state.memory};
@@ -353,8 +354,9 @@ void restore_rest(const JsonField& field, Scene& scene) {
   scene.state.hand = rest.hand;
   scene.state.ledger = rest.ledger;
   scene.state.memory = rest.memory;
-  if (!rest.grab) return;
   Effect effect;
+  if (rest.collider_grab) apply(scene, GrabCollider{*rest.collider_grab}, effect);
+  if (!rest.grab) return;
   apply(scene, GrabPoint{*rest.grab}, effect);
   scene.state.hand = rest.hand;
 }

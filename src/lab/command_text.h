@@ -19,6 +19,7 @@ struct SceneRest {
   std::optional<std::vector<SpringId>> spring_ids;
   std::uint32_t next_point_id = 0, next_spring_id = 0;
   std::optional<Grab> grab;
+  std::optional<ColliderGrab> collider_grab;
   Vec3 hand{0.0};
   EnergyLedger ledger;
   MethodMemory memory;

@@ -54,6 +54,7 @@ Passage Course::run(const Integrator& method, const Setting& setting, const Stat
   const int steps_between_questions = std::max(1, setting.steps / 256);
   Passage passage;
   State state = start;
+  if (!plan_.break_length.empty()) refresh_values(plan_, problem_.system);  // mends what broke in the run before
 
   for (int i = 0; i < snapshot_count; ++i) {
     const double begin = cpu_seconds();

@@ -22,20 +22,22 @@ template <> inline constexpr std::array<std::string_view, 3> field_names<Color> 
 template <> inline constexpr std::array<std::string_view, 2> field_names<Plane> = {"point", "normal"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Sphere> = {"center", "radius"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Box> = {"min", "max"};
-template <> inline constexpr std::array<std::string_view, 4> field_names<Collider> = {"shape", "restitution", "friction", "solid"};
+template <> inline constexpr std::array<std::string_view, 5> field_names<ColliderPath> = {"oscillate", "frequency", "phase", "spin", "belt"};
+template <> inline constexpr std::array<std::string_view, 5> field_names<Collider> = {"shape", "restitution", "friction", "solid", "path"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Force> = {"type", "on", "values"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Patch> = {"points", "shares"};
 template <> inline constexpr std::array<std::string_view, 5> field_names<Grab> = {"point", "patch", "kind", "target", "stiffness"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<ColliderGrab> = {"collider", "target"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<EnergyLedger> = {"given", "scale"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<MethodMemory> = {"step", "error"};
-template <> inline constexpr std::array<std::string_view, 8> field_names<SceneRest> =
-    {"point_ids", "spring_ids", "next_point_id", "next_spring_id", "grab", "hand", "ledger", "memory"};
+template <> inline constexpr std::array<std::string_view, 9> field_names<SceneRest> =
+    {"point_ids", "spring_ids", "next_point_id", "next_spring_id", "grab", "collider_grab", "hand", "ledger", "memory"};
 
 template <> inline constexpr std::array<std::string_view, 4> field_names<PlacedPoint> = {"at", "point", "position", "velocity"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<PlacedSpring> = {"at", "spring"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<PlacedFace> = {"at", "face"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Insert> = {"points", "springs", "faces"};
-template <> inline constexpr std::array<std::string_view, 2> field_names<Remove> = {"points", "springs"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<Remove> = {"points", "springs", "faces"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<SetNailed::Item> = {"point", "nailed", "velocity"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<SetNailed> = {"items"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Move::Item> = {"point", "position", "velocity"};
@@ -47,6 +49,7 @@ template <> inline constexpr std::array<std::string_view, 2> field_names<SetPara
 template <> inline constexpr std::array<std::string_view, 2> field_names<RestoreParameter> = {"parameter", "value"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<SetIntegrator> = {"integrator"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<GrabPoint> = {"grab"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<GrabCollider> = {"grab"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<MoveHand> = {"target"};
 template <> inline constexpr std::array<std::string_view, 0> field_names<ReleaseHand> = {};
 template <> inline constexpr std::array<std::string_view, 1> field_names<SetGravity> = {"gravity"};
@@ -59,9 +62,9 @@ template <> inline constexpr std::array<std::string_view, 1> field_names<Replace
 
 // The alternatives of a variant.
 template <class T> inline constexpr std::nullptr_t alternative_names = nullptr;
-template <> inline constexpr std::array<std::string_view, 19> alternative_names<Command> = {
+template <> inline constexpr std::array<std::string_view, 20> alternative_names<Command> = {
     "insert", "remove", "set_nailed", "move", "set_point_color", "set_point_property", "set_spring_property", "set_parameter",
-    "restore_parameter", "set_integrator", "grab", "move_hand", "release_hand", "set_gravity", "set_colliders", "set_forces",
+    "restore_parameter", "set_integrator", "grab", "grab_collider", "move_hand", "release_hand", "set_gravity", "set_colliders", "set_forces",
     "set_texture", "go_to_state", "replace"};
 template <> inline constexpr std::array<std::string_view, 3> alternative_names<decltype(Collider::shape)> = {"plane", "sphere", "box"};
 
@@ -85,7 +88,7 @@ template <class T>
   requires HasFields<std::remove_const_t<T>>
 auto members_of(T& value) {
   constexpr std::size_t count = field_names<std::remove_const_t<T>>.size();
-  static_assert(count <= 8);
+  static_assert(count <= 9);
   if constexpr (count == 0) {
     return std::tuple<>();
   } else if constexpr (count == 1) {
@@ -109,9 +112,12 @@ auto members_of(T& value) {
   } else if constexpr (count == 7) {
     auto& [a, b, c, d, e, f, g] = value;
     return std::tie(a, b, c, d, e, f, g);
-  } else {
+  } else if constexpr (count == 8) {
     auto& [a, b, c, d, e, f, g, h] = value;
     return std::tie(a, b, c, d, e, f, g, h);
+  } else {
+    auto& [a, b, c, d, e, f, g, h, i] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "lab/bounds.h"
@@ -26,6 +27,9 @@ constexpr double smoothing = 0.1;
 
 // [s] over which the displayed speed is measured.
 constexpr double speed_window = 1.0;
+
+// What tears without a hand in it, one frame after another: a step of undo, until something else is done.
+constexpr Gesture tearing = std::numeric_limits<Gesture>::max();
 
 void smooth(double& shown, double value) { shown = shown == 0.0 ? value : shown + smoothing * (value - shown); }
 
@@ -65,6 +69,7 @@ void Lab::start_afresh() {
   difference_.clear();
   owed_ = simulate_ms_ = recent_simulated_ = recent_real_ = 0.0;
   frames_ = 0;
+  limit_work_ = last_limit_work_ = hand_lag_ = 0.0;
   take_over({.structure = true});
   open_ledger(scene_.system, scene_.state);
 }
@@ -76,6 +81,8 @@ void Lab::take_over(Effect effect) {
     plan_ = make_plan(scene_.system);
   else if (effect.values)
     refresh_values(plan_, scene_.system);
+  else
+    drop_frame();
   frame_in_progress_ = false;
   energy_ = compute_energy(scene_.system, scene_.state);
   published_system_.reset();
@@ -89,6 +96,12 @@ void Lab::forget_other_points() {
   timeline_.clear();
   traces_.clear();
   timeline_points_ = std::move(points);
+}
+
+// A frame that is not finished has broken no spring.
+void Lab::drop_frame() {
+  if (frame_in_progress_ && !frame_.broken().empty()) refresh_values(plan_, scene_.system);
+  frame_in_progress_ = false;
 }
 
 void Lab::edit(const Command& command, Gesture gesture) {
@@ -111,6 +124,7 @@ void Lab::edit(const Command& command, Gesture gesture) {
     book_edit(scene_.system, before, scene_.state);
   record([&](RecordingWriter& writer) { writer.note(command, scene_); });
   divergence_.reset();
+  if (std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command)) grab_gesture_ = gesture;
   if (inverse.empty()) return;
   history_.note(describe(command), std::move(inverse), gesture);
   unsaved_ = edited_ = true;
@@ -137,7 +151,7 @@ void Lab::obey(const Control& control, Gesture gesture) {
                    running_ = set.running;
                    run_to_.reset();
                    owed_ = recent_simulated_ = recent_real_ = 0.0;
-                   frame_in_progress_ = false;
+                   drop_frame();
                    if (running_) divergence_.reset();
                  },
                  [&](const StepOnce&) {
@@ -167,6 +181,7 @@ void Lab::obey(const Control& control, Gesture gesture) {
                    Scene start = *start_;
                    start.settings = scene_.settings;
                    edit(Replace{std::make_shared<const Scene>(std::move(start))}, 0);
+                   limit_work_ = 0.0;
                    running_ = running_ && !divergence_;
                  },
                  [&](const Open& open_scene) {
@@ -208,7 +223,7 @@ void Lab::keep_start() {
 }
 
 void Lab::start_or_stop_recording(const std::filesystem::path* file) {
-  frame_in_progress_ = false;
+  drop_frame();
   recording_error_.clear();
   record([](RecordingWriter& writer) { writer.close(); });
   recorder_.reset();
@@ -294,6 +309,31 @@ void Lab::begin_frame() {
   frame_ms_ = 0.0;
 }
 
+// Takes away what broke in the frame just computed; what puts it back is returned.
+std::vector<Command> Lab::tear() {
+  if (frame_.broken().empty()) return {};
+  std::vector<SpringId> broken;
+  for (const Index s : frame_.broken()) broken.push_back(scene_.system.springs()[s].id);
+  Effect effect;
+  std::vector<Command> mending = apply(scene_, torn_by(scene_.system, broken), effect);
+  plan_ = make_plan(scene_.system);
+  published_system_.reset();
+  return mending;
+}
+
+// Puts the collider in the hand where the frame took it, and sees how far the hand is behind.
+void Lab::follow_hand() {
+  const auto& grab = scene_.system.grab;
+  const auto& carried = scene_.system.collider_grab;
+  hand_lag_ = grab ? glm::distance(grab->target, scene_.state.hand) : 0.0;
+  if (!carried) return;
+  Collider& collider = scene_.system.colliders[carried->collider];
+  collider = moved_by(collider, frame_.way_of_collider());
+  refresh_colliders(plan_, scene_.system);
+  published_system_.reset();
+  hand_lag_ = glm::distance(carried->target, anchor_of(collider));
+}
+
 // Judges the frame just computed and takes it over, or keeps the one before and stops.
 bool Lab::finish_frame() {
   next_ = scene_.state;
@@ -301,10 +341,14 @@ bool Lab::finish_frame() {
   book_hand_work(scene_.system, scene_.state, next_);
   book_forces_work(plan_, scene_.state, next_);
   frame_in_progress_ = false;
+  std::vector<Command> mending = tear();
 
   const Energy energy = compute_energy(scene_.system, next_);
   divergence_ = find_divergence(scene_.system, next_, energy);
   if (divergence_) {
+    Effect effect;
+    for (const Command& command : mending) apply(scene_, command, effect);
+    if (effect.structure) take_over(effect);
     if (playing_) difference_ = "frame " + std::to_string(playing_->frames + 1) + " diverges, and did not when it was recorded";
     playing_.reset();
     run_to_.reset();
@@ -315,6 +359,11 @@ bool Lab::finish_frame() {
   std::swap(scene_.state, next_);
   energy_ = energy;
   ++frames_;
+  if (!mending.empty())
+    history_.note("tear", std::move(mending), scene_.system.grab || scene_.system.collider_grab ? grab_gesture_ : tearing);
+  follow_hand();
+  last_limit_work_ = frame_.motion().limit_work;
+  limit_work_ += last_limit_work_;
   note_moment();
   // the clock is a sum of frames: half a frame decides
   if (run_to_ && scene_.state.time + 0.5 / scene_.settings.frame_rate > *run_to_) {
@@ -413,6 +462,9 @@ void Lab::publish() {
     const bool applies = parameter.applies == nullptr || parameter.applies(scene_);
     status->parameter_values.push_back(applies ? parameter.read(scene_) : std::numeric_limits<double>::quiet_NaN());
   }
+  status->hand_lag = scene_.system.hand_speed > 0.0 && (scene_.system.grab || scene_.system.collider_grab) ? hand_lag_ : 0.0;
+  status->limit_power = running_ ? last_limit_work_ * scene_.settings.frame_rate : 0.0;
+  status->limit_work = limit_work_;
   status->running = running_;
   status->unsaved = unsaved_;
   status->edits = edits_;

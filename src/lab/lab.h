@@ -116,6 +116,9 @@ class Lab {
   void begin_frame();
   bool finish_frame();
   bool step_frame();
+  std::vector<Command> tear();
+  void drop_frame();
+  void follow_hand();
 
   Scene scene_;
   std::shared_ptr<const Scene> start_;
@@ -135,6 +138,10 @@ class Lab {
   double run_from_ = 0.0;         // [s]
   bool unsaved_ = false;
   bool edited_ = false;  // since the start was kept
+  Gesture grab_gesture_ = 0;      // of the hand's last grab: what tears under it is taken back with it
+  double hand_lag_ = 0.0;         // [m], behind its target
+  double limit_work_ = 0.0;       // [J], of the strain limit since the document was opened or started over
+  double last_limit_work_ = 0.0;  // [J], in the last frame
   long edits_ = 0;
   double owed_ = 0.0;  // [s] of simulated time not yet stepped
   double frame_ms_ = 0.0, simulate_ms_ = 0.0;

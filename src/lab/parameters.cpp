@@ -79,6 +79,20 @@ void write_density(Scene& scene, double value) {
     if (const double area = area_of(scene, scene.system.points()[i]); area > 0.0) scene.system.point(i).mass = value * area;
 }
 
+// Radius, and mass where it goes along.
+double read_radius(const Scene& scene) {
+  CommonValue common;
+  for (const Point& point : scene.system.points()) common.include(point.radius);
+  return common.value_or(scene.defaults.radius);
+}
+void write_radius(Scene& scene, double value) {
+  for (Index i = 0; i < scene.system.point_count(); ++i) {
+    Point& point = scene.system.point(i);
+    if (scene.defaults.mass_follows_radius) point.mass = mass_at_radius(point, value);
+    point.radius = value;
+  }
+}
+
 template <SpringReading reading>
 bool is_read_as(const Scene& scene) {
   return scene.reading == reading;
@@ -221,6 +235,25 @@ const std::array rows{
               .weight = Weight::Share, .applies = is_read_as_sheet,
               .read = read_springs<OfSprings{&Spring::damping, Weight::Share}>,
               .write = write_springs<OfSprings{&Spring::damping, Weight::Share}>},
+    Parameter{.name = "break_strain", .field = "break_strain", .group = "Springs", .label = "Breaks at strain", .unit = "",
+              .meaning = "Strain at which every spring breaks, and the faces along it go; 0: only those that have a strain of their own.",
+              .least = 0, .most = 10, .usual = 0, .physical = not_negative, .logarithmic = true, .omitted = true,
+              .read = [](const Scene& s) { return s.system.break_strain; },
+              .write = [](Scene& s, double value) { s.system.break_strain = value; }},
+    Parameter{.name = "strain_limit_percent", .field = "strain_limit_percent", .group = "Springs", .label = "Limit on strain", .unit = "%",
+              .meaning = "Springs are held to this strain by force, which takes energy from the scene; 0: none.",
+              .least = 0, .most = 1000, .usual = 0, .physical = not_negative, .logarithmic = true, .omitted = true,
+              .read = [](const Scene& s) { return 100.0 * s.system.strain_limit; },
+              .write = [](Scene& s, double value) { s.system.strain_limit = value / 100.0; }},
+    Parameter{.name = "radius", .field = "", .group = "Points", .label = "Radius r", .unit = "m",
+              .meaning = "What is drawn of every point, and the distance at which it touches.",
+              .least = 0.001, .most = 1, .usual = 0.02, .logarithmic = true, .scope = Scope::PointSize,
+              .read = read_radius, .write = write_radius},
+    Parameter{.name = "mass_follows_radius", .field = "defaults.mass_follows_radius", .group = "Points", .label = "Mass goes with r\u00b2", .unit = "",
+              .meaning = "Whether a point whose radius is set gets mass in proportion to the radius squared.",
+              .kind = Kind::Switch, .usual = 0, .omitted = true,
+              .read = [](const Scene& s) { return s.defaults.mass_follows_radius ? 1.0 : 0.0; },
+              .write = [](Scene& s, double value) { s.defaults.mass_follows_radius = value != 0.0; }},
     Parameter{.name = "point_damping", .field = "point_damping", .group = "Surroundings", .label = "Point damping", .unit = "",
               .meaning = "Whether drag acts on the points.",
               .kind = Kind::Switch, .usual = 1,
@@ -271,6 +304,11 @@ const std::array rows{
               .least = 0, .most = 1e6, .usual = 0, .physical = not_negative, .logarithmic = true,
               .read = [](const Scene& s) { return s.defaults.pull_stiffness; },
               .write = [](Scene& s, double value) { s.defaults.pull_stiffness = value; }},
+    Parameter{.name = "hand_speed", .field = "hand_speed", .group = "Hand", .label = "Top speed", .unit = "m/s",
+              .meaning = "The hand moves no faster than this and lags behind the cursor; 0: as fast as the cursor.",
+              .least = 0, .most = 1000, .usual = 0, .physical = not_negative, .logarithmic = true, .omitted = true,
+              .read = [](const Scene& s) { return s.system.hand_speed; },
+              .write = [](Scene& s, double value) { s.system.hand_speed = value; }},
 };
 // clang-format on
 

@@ -20,7 +20,7 @@ struct ParameterChoice {
 struct Parameter {
   enum class Kind { Number, Whole, Switch, Choice };
   // What a write changes, and so what its inverse must hold; Number: the one number that `read` gives.
-  enum class Scope { Number, Gravity, Colliders, SpringStiffness, SpringDamping, PointMass };
+  enum class Scope { Number, Gravity, Colliders, SpringStiffness, SpringDamping, PointMass, PointSize };
   // What k or d of each spring is of the value.
   enum class Weight { One, InverseLength, Length, Share };
   std::string_view name;     // on the command line
@@ -33,6 +33,7 @@ struct Parameter {
   double least = 0.0, most = 1.0, usual = 0.0;  // the range of the slider and of `--set`
   Bounds physical{};                            // what a scene file may hold: numbers beyond the slider's range as well
   bool logarithmic = false;                     // the slider's scale
+  bool omitted = false;                         // from a file that would hold the usual value
   Scope scope = Scope::Number;
   std::optional<SpringFamily> family{};           // the springs that it sets; none: all
   Weight weight = Weight::One;                    // of those springs

@@ -9,6 +9,8 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 
+#include "sim/overloaded.h"
+
 namespace hooke {
 namespace {
 
@@ -101,6 +103,17 @@ double distance_to(const Box& box, const SightLine& line, Vec3& normal) {
   return enter > 0.0 && enter < leave ? enter : infinity;
 }
 
+// Of a place in the plane of a 2-D scene.
+bool lies_in(const Collider& collider, const Vec3& place) {
+  return std::visit(
+      Overloaded{
+          [&](const Plane& plane) { return glm::dot(glm::dvec2(place) - glm::dvec2(plane.point), glm::dvec2(plane.normal)) < 0.0; },
+          [&](const Sphere& sphere) { return glm::distance(glm::dvec2(place), glm::dvec2(sphere.center)) < sphere.radius; },
+          [&](const Box& box) { return place.x > box.least.x && place.x < box.most.x && place.y > box.least.y && place.y < box.most.y; },
+      },
+      collider.shape);
+}
+
 // The faces that are seen within `reach` [px] of the cursor: all that can hide something there.
 class FacesNear {
  public:
@@ -173,7 +186,7 @@ bool is_hidden(const Snapshot& snapshot, const Lens& lens, const std::optional<F
   const std::optional<glm::dvec2> seen = seen_at(lens, place);
   if (!seen) return true;
   const SightLine line = sight_line(lens, *seen);
-  const std::optional<ColliderHit> hit = hit_collider(*snapshot.system, line);
+  const std::optional<ColliderHit> hit = hit_collider(*snapshot.system, line, snapshot.state.time);
   const double distance = glm::dot(place - line.origin, line.direction), before = distance * (1.0 - 1e-6) - radius;
   return (hit && hit->distance < before) || (faces && faces->first_hit(line).distance < before);
 }
@@ -194,16 +207,36 @@ std::optional<glm::dvec2> seen_at(const Lens& lens, const Vec3& place) {
   return to_picture(clip, lens.size);
 }
 
-std::optional<ColliderHit> hit_collider(const System& system, const SightLine& line) {
+std::optional<ColliderHit> hit_collider(const System& system, const SightLine& line, double time) {
   std::optional<ColliderHit> nearest;
-  for (const Collider& collider : system.colliders) {
-    if (!collider.solid) continue;
+  for (std::size_t c = 0; c < system.colliders.size(); ++c) {
+    if (!system.colliders[c].solid) continue;
+    const Collider collider = moved_at(system.colliders[c], time);
     Vec3 normal(0.0);
     const double distance = std::visit([&](const auto& shape) { return distance_to(shape, line, normal); }, collider.shape);
     if (distance < (nearest ? nearest->distance : infinity))
-      nearest = ColliderHit{distance, line.at(distance), normal, !std::holds_alternative<Plane>(collider.shape)};
+      nearest = ColliderHit{distance, line.at(distance), normal, !std::holds_alternative<Plane>(collider.shape), static_cast<Index>(c)};
   }
   return nearest;
+}
+
+std::optional<ColliderHit> pick_collider(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor) {
+  const System& system = *snapshot.system;
+  const SightLine line = sight_line(lens, cursor);
+  if (system.dimensions == 3) {
+    const std::optional<ColliderHit> hit = hit_collider(system, line, snapshot.state.time);
+    const bool is_behind = hit && lens.shows_surface && FacesNear(snapshot, lens, cursor, 0.0).first_hit(line).distance < hit->distance;
+    return is_behind ? std::nullopt : hit;
+  }
+  if (line.direction.z == 0.0) return std::nullopt;
+  const double distance = -line.origin.z / line.direction.z;
+  const Vec3 place = line.at(distance);
+  for (std::size_t c = system.colliders.size(); c-- > 0;) {
+    const Collider collider = moved_at(system.colliders[c], snapshot.state.time);
+    if (collider.solid && lies_in(collider, place))
+      return ColliderHit{distance, place, Vec3(0.0, 0.0, 1.0), !std::holds_alternative<Plane>(collider.shape), static_cast<Index>(c)};
+  }
+  return std::nullopt;
 }
 
 std::optional<PointId> pick_point(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor, double reach) {
@@ -238,7 +271,8 @@ std::optional<SurfaceHit> pick_surface(const Snapshot& snapshot, const Lens& len
   const SightLine line = sight_line(lens, cursor);
   const FacesNear::Hit hit = FacesNear(snapshot, lens, cursor, 0.0).first_hit(line);
   if (!(hit.distance < infinity)) return std::nullopt;
-  const std::optional<ColliderHit> collider = snapshot.system->dimensions == 2 ? std::nullopt : hit_collider(*snapshot.system, line);
+  const std::optional<ColliderHit> collider =
+      snapshot.system->dimensions == 2 ? std::nullopt : hit_collider(*snapshot.system, line, snapshot.state.time);
   if (collider && collider->distance < hit.distance) return std::nullopt;
   return SurfaceHit{hit.patch, line.at(hit.distance)};
 }

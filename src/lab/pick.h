@@ -28,13 +28,18 @@ SightLine sight_line(const Lens& lens, const glm::dvec2& cursor);
 // Where a place of the world is seen; none when it is behind the viewer.
 std::optional<glm::dvec2> seen_at(const Lens& lens, const Vec3& place);
 
-// Where the line first meets a solid collider from outside.
+// Where the line first meets a solid collider from outside, as they are at `time` [s].
 struct ColliderHit {
   double distance;  // [m], along the line
   Vec3 position, normal;
   bool bounded;  // a sphere or a box, not an endless plane
+  Index collider = no_index;
 };
-std::optional<ColliderHit> hit_collider(const System& system, const SightLine& line);
+std::optional<ColliderHit> hit_collider(const System& system, const SightLine& line, double time = 0.0);
+
+// The solid collider that is seen at the cursor, not behind the surface if it is shown. In a 2-D scene, that of which the
+// inside lies under it in the scene's plane.
+std::optional<ColliderHit> pick_collider(const Snapshot& snapshot, const Lens& lens, const glm::dvec2& cursor);
 
 // The point whose ball is seen under the cursor, else the nearest within `reach` [px] of it. Points behind a collider, or
 // behind the surface if it is shown, are passed over.

@@ -50,10 +50,12 @@ double lowest(const Measured& m) {
 // How deep the rim of any free point is in any solid collider.
 double depth(const Measured& m) {
   double most = 0.0;
+  std::vector<Collider> colliders;
+  for (const Collider& collider : m.system.colliders) colliders.push_back(moved_at(collider, m.state.time));
   for (std::size_t i = 0; i < m.system.points().size(); ++i) {
     const Point& point = m.system.points()[i];
     if (point.nailed) continue;
-    for (const Collider& collider : m.system.colliders)
+    for (const Collider& collider : colliders)
       if (collider.solid) most = std::max(most, -gap_to(collider, point.radius, m.state.position[i]).distance);
   }
   return most;

@@ -21,6 +21,7 @@ struct Defaults {
   double damping = 0.0;         // [N s/m]
   double pull_stiffness = 0.0;  // [N/m], of the pulling hand; 0: chosen from the grabbed point's springs
   GrabKind grab = GrabKind::Hold;
+  bool mass_follows_radius = false;  // whether a point whose radius is set gets mass in proportion to its square
   bool operator==(const Defaults&) const = default;
 };
 
@@ -70,6 +71,12 @@ struct Scene {
   ControlRanges controls;
   KeptJson kept;
 };
+
+// What the point weighs with another radius, its mass going with the square of it; as before without any.
+inline double mass_at_radius(const Point& point, double radius) {
+  const double ratio = radius / point.radius;
+  return point.radius > 0.0 && radius > 0.0 ? point.mass * ratio * ratio : point.mass;
+}
 
 // A flat stage with a floor, to build on.
 Scene empty_scene();

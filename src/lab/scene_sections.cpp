@@ -21,9 +21,36 @@ Vec3 to_unit(const JsonField& field, const Vec3& direction) {
   return scaled / glm::length(scaled);
 }
 
+// Reads how a collider moves; false: not one of those fields.
+bool read_path(const JsonField& field, SceneFields& fields, ColliderPath& path) {
+  if (field.is("oscillate"))
+    path.swing = fields.vector(field);
+  else if (field.is("frequency"))
+    path.frequency = field.number(not_negative);
+  else if (field.is("phase"))
+    path.phase = field.number();
+  else if (field.is("spin"))
+    path.spin = fields.vector(field);
+  else if (field.is("belt"))
+    path.belt = fields.vector(field);
+  else
+    return false;
+  return true;
+}
+
+// A box that turns, or a plane that tilts, would be another shape at every time.
+void check_spin(const JsonField& field, const Collider& collider) {
+  const Vec3& spin = collider.path.spin;
+  if (spin == Vec3(0.0)) return;
+  if (std::holds_alternative<Box>(collider.shape)) field.refuse("must have no spin where it is a box");
+  const auto* plane = std::get_if<Plane>(&collider.shape);
+  if (plane != nullptr && glm::length(glm::cross(spin, plane->normal)) > 1e-9 * glm::length(spin))
+    field.refuse("must have a spin along the normal where it is a plane");
+}
+
 // Reads what all colliders share; false: not one of those fields.
-bool read_surface(const JsonField& field, Collider& collider) {
-  if (field.is("type")) return true;
+bool read_surface(const JsonField& field, SceneFields& fields, Collider& collider) {
+  if (field.is("type") || read_path(field, fields, collider.path)) return true;
   if (field.is("restitution"))
     collider.restitution = field.number({.least = 0.0, .most = 1.0});
   else if (field.is("friction"))
@@ -41,7 +68,7 @@ void read_shape(const JsonField& field, SceneFields& fields, Scene& scene, Colli
                 std::string_view second_key, Second read_second) {
   bool has_first = false, has_second = false;
   for (const JsonField member : field.members()) {
-    if (read_surface(member, collider)) continue;
+    if (read_surface(member, fields, collider)) continue;
     if (member.is(first_key)) {
       read_first(member);
       has_first = true;
@@ -194,6 +221,7 @@ void read_collider(const JsonField& field, SceneFields& fields, Scene& scene) {
       member.refuse("must be \"plane\", \"sphere\" or \"box\"");
   }
   if (!known) field.refuse_missing("type", "must be \"plane\", \"sphere\" or \"box\"");
+  check_spin(field, collider);
   scene.system.colliders.push_back(collider);
 }
 

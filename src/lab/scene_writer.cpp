@@ -50,6 +50,7 @@ class SceneWriter {
   void write_point(Index i);
   void write_spring(Index s);
   void write_collider(std::size_t c);
+  void write_path(const ColliderPath& path);
   void write_force(std::size_t f);
   void write_simulation();
   void write_defaults();
@@ -174,7 +175,7 @@ void SceneWriter::write_parameters(std::string_view section) {
     const std::string_view in = dot == std::string_view::npos ? "" : row.field.substr(0, dot);
     if (row.field.empty() || in != section) continue;
     const double value = row.read(scene_);
-    if (row.applies != nullptr && value == row.usual) continue;
+    if ((row.applies != nullptr || row.omitted) && value == row.usual) continue;
     out_.key(row.field.substr(dot == std::string_view::npos ? 0 : dot + 1));
     switch (row.kind) {
       case Parameter::Kind::Switch:
@@ -275,8 +276,18 @@ void SceneWriter::write_collider(std::size_t c) {
   out_.number("restitution", collider.restitution);
   out_.number("friction", collider.friction);
   if (!collider.solid) out_.boolean("solid", false);
+  write_path(collider.path);
   write_unknown_inside("colliders[" + std::to_string(c) + "]");
   out_.end();
+}
+
+void SceneWriter::write_path(const ColliderPath& path) {
+  const ColliderPath still;
+  if (!is_plain_zero(path.swing)) out_.vector("oscillate", path.swing);
+  if (path.frequency != still.frequency) out_.number("frequency", path.frequency);
+  if (!is_plain_zero(path.phase)) out_.number("phase", path.phase);
+  if (!is_plain_zero(path.spin)) out_.vector("spin", path.spin);
+  if (!is_plain_zero(path.belt)) out_.vector("belt", path.belt);
 }
 
 void SceneWriter::write_force(std::size_t f) {

@@ -22,6 +22,8 @@ struct Status {
   std::shared_ptr<const SheetShares> sheet;  // null: there is no cloth
   ControlRanges controls;
   std::vector<double> parameter_values;  // one a row of parameters(); NaN: the row does not apply
+  double hand_lag = 0.0;                 // [m], of the hand behind the cursor, by its top speed; 0: it keeps up
+  double limit_power = 0.0, limit_work = 0.0;  // [W], [J]: what the strain limit does to the scene now, and did in all
   bool running = false;
   bool unsaved = false;                  // edited since it was opened or saved
   long edits = 0;                        // made, taken back and made again, ever: tells whether there was one since

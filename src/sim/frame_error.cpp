@@ -25,6 +25,7 @@ double estimate_frame_error(const System& system, const Settings& settings, cons
     Settings with = settings;
     with.substeps = substeps;
     to = state;
+    if (!frame.broken().empty()) refresh_values(plan, system);
     frame.begin(plan, system, with, state);
     while (!frame.done()) frame.substep(plan);
     frame.end(plan, to);

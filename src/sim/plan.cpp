@@ -55,25 +55,39 @@ void find_runs(Plan& plan, const System& system) {
   }
 }
 
-// What colliders are to points that stay in the plane z = 0: balls about its points, walls and blocks that cross it
-// upright. A plane that lies along it is none.
-void flatten(std::vector<Collider>& colliders) {
+// What a collider is to points that stay in the plane z = 0: a ball about its points, a wall or block that crosses it
+// upright, and moves along it. False: a plane that lies along it is none.
+bool flatten(Collider& collider) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (Collider& collider : colliders) {
-    if (auto* plane = std::get_if<Plane>(&collider.shape)) {
-      plane->point.z = plane->normal.z = 0.0;
-      plane->normal /= std::max(glm::length(plane->normal), std::numeric_limits<double>::min());
-    } else if (auto* sphere = std::get_if<Sphere>(&collider.shape)) {
-      sphere->center.z = 0.0;
-    } else if (auto* box = std::get_if<Box>(&collider.shape)) {
-      box->least.z = -infinity;
-      box->most.z = infinity;
-    }
+  ColliderPath& path = collider.path;
+  path.swing.z = path.belt.z = path.spin.x = path.spin.y = 0.0;
+  if (auto* plane = std::get_if<Plane>(&collider.shape)) {
+    plane->point.z = plane->normal.z = 0.0;
+    plane->normal /= std::max(glm::length(plane->normal), std::numeric_limits<double>::min());
+    return plane->normal != Vec3(0.0);
   }
-  std::erase_if(colliders, [](const Collider& collider) {
-    const auto* plane = std::get_if<Plane>(&collider.shape);
-    return plane != nullptr && plane->normal == Vec3(0.0);
-  });
+  if (auto* sphere = std::get_if<Sphere>(&collider.shape)) sphere->center.z = 0.0;
+  if (auto* box = std::get_if<Box>(&collider.shape)) {
+    box->least.z = -infinity;
+    box->most.z = infinity;
+  }
+  return true;
+}
+
+// The lengths at which springs break and to which they are held; empty where there are none.
+void plan_lengths(Plan& plan, const System& system) {
+  const auto breaks = [&](const Spring& spring) { return system.break_strain > 0.0 || spring.break_strain != never_breaks; };
+  const bool any = std::ranges::any_of(system.springs(), breaks);
+  plan.break_length.resize(any ? plan.springs : 0);
+  plan.most_length.resize(system.strain_limit > 0.0 ? plan.springs : 0);
+  for (Index s = 0; s < static_cast<Index>(plan.break_length.size()); ++s)
+    plan.break_length[s] = system.break_length_of(system.springs()[plan.spring_index[s]]);
+  // one that is switched off, or has no rest length, holds nothing
+  for (Index s = 0; s < static_cast<Index>(plan.most_length.size()); ++s) {
+    const Spring& spring = system.springs()[plan.spring_index[s]];
+    const bool holds = system.is_on(spring) && spring.rest_length > 0.0;
+    plan.most_length[s] = holds ? spring.rest_length * (1.0 + system.strain_limit) : never_breaks;
+  }
 }
 
 // The forces that are on, and the faces if there is any.
@@ -157,10 +171,8 @@ void refresh_values(Plan& plan, const System& system) {
   for (Index s = 0; s < static_cast<Index>(plan.damping.size()); ++s)
     plan.damping[s] = system.damping_of(system.springs()[plan.spring_index[s]]);
 
-  plan.colliders.clear();
-  for (const Collider& collider : system.colliders)
-    if (collider.solid) plan.colliders.push_back(collider);
-  if (plan.dimensions == 2) flatten(plan.colliders);
+  plan_lengths(plan, system);
+  refresh_colliders(plan, system);
   plan_forces(plan, system);
   plan.radius.clear();
   if (!plan.colliders.empty() || !plan.forces.empty())
@@ -169,11 +181,38 @@ void refresh_values(Plan& plan, const System& system) {
   plan.spectrum = bound_spectrum(system);
 }
 
+void refresh_colliders(Plan& plan, const System& system) {
+  plan.colliders.clear();
+  plan.colliders_move = false;
+  plan.carried.reset();
+  for (std::size_t c = 0; c < system.colliders.size(); ++c) {
+    Collider collider = system.colliders[c];
+    if (!collider.solid || (plan.dimensions == 2 && !flatten(collider))) continue;
+    const bool is_carried = system.collider_grab && system.collider_grab->collider == static_cast<Index>(c);
+    if (is_carried) plan.carried = {.collider = plan.colliders.size()};
+    plan.colliders_move = plan.colliders_move || is_carried || collider.path.moves();
+    plan.colliders.push_back(collider);
+  }
+}
+
+Vec3 reach_of_hand(const System& system, const Vec3& from, const Vec3& target, double duration) {
+  const Vec3 way = target - from;
+  const double length = glm::length(way), most = system.hand_speed * duration;
+  return system.hand_speed > 0.0 && length > most ? from + most / length * way : target;
+}
+
 void aim_hand(Plan& plan, const System& system, const State& state, double duration) {
-  if (!plan.pull) return;
-  plan.pull->start = state.time;
-  plan.pull->from = state.hand;
-  plan.pull->velocity = (system.grab->target - state.hand) / duration;
+  if (plan.pull) {
+    plan.pull->start = state.time;
+    plan.pull->from = state.hand;
+    plan.pull->velocity = (reach_of_hand(system, state.hand, system.grab->target, duration) - state.hand) / duration;
+  }
+  if (plan.carried) {
+    const Vec3 anchor = anchor_of(system.colliders[system.collider_grab->collider]);
+    plan.carried->start = state.time;
+    plan.carried->velocity = (reach_of_hand(system, anchor, system.collider_grab->target, duration) - anchor) / duration;
+    if (plan.dimensions == 2) plan.carried->velocity.z = 0.0;
+  }
 }
 
 Spectrum bound_spectrum(const System& system) {

@@ -47,6 +47,13 @@ struct PlannedPull {
   }
 };
 
+// A collider in the hand during the frame that starts at `start`: besides its path it moves with `velocity`.
+struct CarriedCollider {
+  std::size_t collider = 0;  // of the plan's
+  double start = 0.0;        // [s]
+  Vec3 velocity{0.0};        // [m/s]
+};
+
 // Bounds on the fastest rates of the scene, never below the true ones, however the scene is deformed.
 struct Spectrum {
   double omega = 0.0;           // [rad/s], highest undamped frequency
@@ -73,8 +80,13 @@ struct Plan {
   std::vector<double> damping;       // empty: no dashpot anywhere
   std::vector<Index> spring_index;   // of the packed spring, in the System
 
+  std::vector<double> break_length;  // [m], of the packed spring, at which it breaks; empty: none does
+  std::vector<double> most_length;   // [m], that it is held to; empty: none is
+
   std::vector<double> radius;        // [m], a point; empty: nothing to collide with, nor a force that asks
-  std::vector<Collider> colliders;   // the solid ones
+  std::vector<Collider> colliders;   // the solid ones, as their paths start
+  bool colliders_move = false;       // by their paths or by the hand
+  std::optional<CarriedCollider> carried;
   std::vector<Force> forces;         // those that are on, in the table's order
   std::vector<std::array<Index, 3>> faces;  // of points; empty when no force asks
   std::optional<PlannedPull> pull;
@@ -83,6 +95,16 @@ struct Plan {
   Spectrum spectrum;
 
   bool has_dashpots() const { return !damping.empty(); }
+
+  // How far a collider is off its place at a time, and its velocity.
+  Vec3 offset_of(std::size_t collider, double time) const {
+    const Vec3 offset = colliders[collider].path.offset(time);
+    return carried && carried->collider == collider ? offset + (time - carried->start) * carried->velocity : offset;
+  }
+  Vec3 velocity_of(std::size_t collider, double time) const {
+    const Vec3 velocity = colliders[collider].path.velocity(time);
+    return carried && carried->collider == collider ? velocity + carried->velocity : velocity;
+  }
 };
 
 // Compiles the structure and the values. O(springs log springs).
@@ -92,8 +114,15 @@ Plan make_plan(const System& system);
 // and springs as they were. The hand is set by plan_grab.
 void refresh_values(Plan& plan, const System& system);
 
-// Sets where the hand moves during the coming frame of `duration` [s]: in a straight line from state.hand to the grab's
-// target. Nothing to do without a grab.
+// The same for the colliders alone.
+void refresh_colliders(Plan& plan, const System& system);
+
+// Where the hand, or the anchor of the collider in it, gets to from `from` in a frame of `duration` [s]: to the target, or as
+// far as it may move.
+Vec3 reach_of_hand(const System& system, const Vec3& from, const Vec3& target, double duration);
+
+// Sets where the hand moves during the coming frame of `duration` [s]: in a straight line from state.hand, or the anchor of
+// its collider, towards the target. Nothing to do without a grab.
 void aim_hand(Plan& plan, const System& system, const State& state, double duration);
 
 // Gershgorin bounds on M^-1/2 K M^-1/2 by 3x3 blocks: omega^2 <= max_i sum_j k_ij (1/m_i + 1/sqrt(m_i m_j)), the second

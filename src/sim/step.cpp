@@ -7,6 +7,7 @@
 
 #include "sim/energy.h"
 #include "sim/forces.h"
+#include "sim/spring_limits.h"
 
 namespace hooke {
 
@@ -21,18 +22,22 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   pack(plan, state, motion_);
 
   // a held point moves straight to the target: as a massive point with that velocity, which every method does exactly
-  target_ = system.grab ? system.grab->target : Vec3(0.0);
+  target_ = system.grab ? reach_of_hand(system, state.hand, system.grab->target, duration_) : Vec3(0.0);
   if (plan.held) {
     const Vec3 velocity = (target_ - state.position[*plan.held]) / duration_;
     for (int c = 0; c < plan.dimensions; ++c) motion_.v[static_cast<std::size_t>(c) * plan.points + *plan.held] = velocity[c];
   }
 
+  way_of_collider_ = plan.carried ? duration_ * plan.carried->velocity : Vec3(0.0);
+  broken_.clear();
+  broken_.reserve(plan.break_length.size());
   work_.tolerance = settings.tolerance;
   if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
 }
 
-void Frame::substep(const Plan& plan) {
+void Frame::substep(Plan& plan) {
   if (!plan.colliders.empty()) {
+    before_.time = motion_.time;
     before_.x = motion_.x;
     before_.v = motion_.v;
   }
@@ -41,7 +46,13 @@ void Frame::substep(const Plan& plan) {
   ++substeps_done_;
   motion_.time = start_ + substeps_done_ * h_;
 
+  // held to their length, clear of the colliders, and only then perhaps broken
+  if (!plan.most_length.empty() && limit_strain(plan, motion_)) motion_.acceleration_is_current = false;
   if (!plan.colliders.empty() && resolve_contacts(plan, before_, motion_, h_)) motion_.acceleration_is_current = false;
+  if (!plan.break_length.empty() && break_springs(plan, motion_, broken_)) {
+    motion_.acceleration_is_current = false;
+    if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
+  }
 }
 
 void Frame::end(const Plan& plan, State& state) const {
@@ -50,6 +61,10 @@ void Frame::end(const Plan& plan, State& state) const {
   const double frames = (start_ + duration_) / duration_;
   state.time = std::abs(frames - std::round(frames)) < 1e-6 ? std::round(frames) * duration_ : start_ + duration_;
   state.hand = target_;
+  for (const double work : {motion_.collider_work, motion_.break_work, motion_.limit_work}) {
+    state.ledger.given += work;
+    state.ledger.scale += std::abs(work);
+  }
   if (plan.held)
     for (int c = 0; c < plan.dimensions; ++c) state.position[*plan.held][c] = target_[c];
 }

@@ -1,6 +1,8 @@
 // One frame of a scene, substep by substep.
 #pragma once
 
+#include <span>
+
 #include "sim/contact.h"
 #include "sim/integrator.h"
 #include "sim/settings.h"
@@ -10,16 +12,23 @@ namespace hooke {
 
 // A frame in progress. Reused from frame to frame, so that stepping does not allocate:
 //   frame.begin(plan, system, settings, state); while (!frame.done()) frame.substep(plan); frame.end(plan, state);
-// Between begin and end the plan must stay as it is, and the State is not touched.
+// Between begin and end the plan must stay as it is but for what the frame does to it: a spring that breaks loses its k and d
+// there, until the plan is made anew or refreshed. The State is not touched.
 class Frame {
  public:
   // Aims the hand, packs the state. The plan must be current.
   void begin(Plan& plan, const System& system, const Settings& settings, const State& state);
-  void substep(const Plan& plan);
+  void substep(Plan& plan);
   bool done() const { return substeps_done_ >= substeps_; }
   int substeps_done() const { return substeps_done_; }
-  // Writes time, positions, velocities and the hand. The caller judges them (divergence.h) before showing them.
+  // Writes time, positions, velocities, the hand, and into the ledger the work of what is no force. The caller judges them
+  // (divergence.h) before showing them.
   void end(const Plan& plan, State& state) const;
+
+  // Springs of the System that broke, in ascending order: they are to be removed.
+  std::span<const Index> broken() const { return broken_; }
+  // How far the hand took its collider.
+  Vec3 way_of_collider() const { return way_of_collider_; }
 
   long force_evaluations() const { return motion_.force_evaluations; }
   long factorizations() const { return motion_.factorizations; }
@@ -34,6 +43,8 @@ class Frame {
   Motion motion_;
   Workspace work_;
   ContactWorkspace before_;
+  std::vector<Index> broken_;
+  Vec3 way_of_collider_{0.0};
 };
 
 // Adds the work of the listed forces (force_term.h) between two frames to the ledger of the later one.

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numbers>
 #include <tuple>
 #include <utility>
+
+#include "sim/overloaded.h"
 
 namespace hooke {
 namespace {
@@ -32,6 +36,39 @@ Index look_up(const std::vector<Index>& index_by_id, std::uint32_t id) {
 
 }  // namespace
 
+Vec3 ColliderPath::offset(double time) const {
+  return swing == Vec3(0.0) ? swing : std::sin(2.0 * std::numbers::pi * frequency * time + phase) * swing;
+}
+
+Vec3 ColliderPath::velocity(double time) const {
+  const double omega = 2.0 * std::numbers::pi * frequency;
+  return swing == Vec3(0.0) ? swing : omega * std::cos(omega * time + phase) * swing;
+}
+
+Collider moved_by(Collider collider, const Vec3& way) {
+  std::visit(Overloaded{
+                 [&](Plane& plane) { plane.point += way; },
+                 [&](Sphere& sphere) { sphere.center += way; },
+                 [&](Box& box) {
+                   box.least += way;
+                   box.most += way;
+                 },
+             },
+             collider.shape);
+  return collider;
+}
+
+Collider moved_at(const Collider& collider, double time) { return moved_by(collider, collider.path.offset(time)); }
+
+Vec3 anchor_of(const Collider& collider) {
+  return std::visit(Overloaded{
+                        [](const Plane& plane) { return plane.point; },
+                        [](const Sphere& sphere) { return sphere.center; },
+                        [](const Box& box) { return 0.5 * (box.least + box.most); },
+                    },
+                    collider.shape);
+}
+
 Index System::index_of(PointId id) const { return look_up(point_index_, static_cast<std::uint32_t>(id)); }
 Index System::index_of(SpringId id) const { return look_up(spring_index_, static_cast<std::uint32_t>(id)); }
 
@@ -55,9 +92,12 @@ void System::reserve(Index points, Index springs) {
 }
 
 bool System::operator==(const System& other) const {
-  const auto scalars = [](const System& s) { return std::tie(s.dimensions, s.gravity, s.drag, s.drag_on, s.dashpots_on, s.family_on, s.wind); };
-  return scalars(*this) == scalars(other) && faces == other.faces && colliders == other.colliders && forces == other.forces && grab == other.grab &&
-         points_ == other.points_ && springs_ == other.springs_;
+  const auto scalars = [](const System& s) {
+    return std::tie(s.dimensions, s.gravity, s.drag, s.drag_on, s.dashpots_on, s.family_on, s.wind, s.hand_speed, s.break_strain,
+                    s.strain_limit);
+  };
+  return scalars(*this) == scalars(other) && faces == other.faces && colliders == other.colliders && forces == other.forces &&
+         grab == other.grab && collider_grab == other.collider_grab && points_ == other.points_ && springs_ == other.springs_;
 }
 
 }  // namespace hooke

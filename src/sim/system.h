@@ -2,6 +2,7 @@
 // changed only by lab's apply (commands) and by the scene loader.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -76,13 +77,34 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
+// How a collider moves by itself: the whole of it to and fro about where it stands; or only its surface, while the shape
+// stays, as that of a turning ball or of a conveyor.
+struct ColliderPath {
+  Vec3 swing{0.0};                   // [m]: it is off its place by swing sin(2 pi frequency t + phase)
+  double frequency = 1.0;            // [1/s], >= 0
+  double phase = 0.0;                // [rad]
+  Vec3 spin{0.0};                    // [rad/s], about the middle of a ball; about the point of a plane, along its normal; not of a box
+  Vec3 belt{0.0};                    // [m/s], at which the surface runs, as far as it goes along it
+  Vec3 offset(double time) const;    // [m]
+  Vec3 velocity(double time) const;  // [m/s], of the shape
+  bool moves() const { return *this != ColliderPath{.frequency = frequency, .phase = phase}; }
+  bool operator==(const ColliderPath&) const = default;
+};
+
 struct Collider {
   std::variant<Plane, Sphere, Box> shape;
   double restitution = 0.0;  // [1], 0..1: normal speed after / before
   double friction = 0.0;     // [1], >= 0: Coulomb's mu
   bool solid = true;         // false: drawn only
+  ColliderPath path{};
   bool operator==(const Collider&) const = default;
 };
+
+// The same collider `way` off, and where it has its path taken it by `time` [s].
+Collider moved_by(Collider collider, const Vec3& way);
+Collider moved_at(const Collider& collider, double time);
+// What it is taken by: the middle of a ball or box, the point of a plane.
+Vec3 anchor_of(const Collider& collider);
 
 enum class GrabKind {
   Hold,  // the point follows the target exactly
@@ -107,6 +129,13 @@ struct Grab {
   bool operator==(const Grab&) const = default;
 };
 
+// A collider in the hand: its anchor goes to the target within the coming frame.
+struct ColliderGrab {
+  Index collider = no_index;
+  Vec3 target{0.0};  // [m]
+  bool operator==(const ColliderGrab&) const = default;
+};
+
 // Properties are plain fields. Points and springs come and go only through the functions below, which keep the
 // lookup by id true.
 class System {
@@ -122,6 +151,10 @@ class System {
   std::vector<Collider> colliders;
   std::vector<Force> forces;      // besides gravity, springs, dashpots and drag
   std::optional<Grab> grab;
+  std::optional<ColliderGrab> collider_grab;
+  double hand_speed = 0.0;    // [m/s], the most that the hand moves at; 0: as the cursor does
+  double break_strain = 0.0;  // [1], at which every spring breaks that does not break before; 0: each only at its own
+  double strain_limit = 0.0;  // [1], that no spring is stretched beyond, by force; 0: none
 
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Spring>& springs() const { return springs_; }
@@ -159,6 +192,11 @@ class System {
   double drag_rate() const { return drag_on ? drag : 0.0; }
   bool is_on(const Spring& spring) const { return family_on[static_cast<std::size_t>(spring.family)]; }
   double stiffness_of(const Spring& spring) const { return is_on(spring) ? spring.stiffness : 0.0; }
+  // [m], the length at which it breaks. One without a rest length breaks at as many metres as its strain says.
+  double break_length_of(const Spring& spring) const {
+    const double strain = break_strain > 0.0 ? std::min(break_strain, spring.break_strain) : spring.break_strain;
+    return spring.rest_length > 0.0 ? spring.rest_length * (1.0 + strain) : strain;
+  }
   double damping_of(const Spring& spring) const { return dashpots_on && is_on(spring) ? spring.damping : 0.0; }
 
  private:

@@ -124,8 +124,17 @@ void scene(const Pen& pen) {
   for (const ImVec2& at : {ImVec2{-0.6f, -0.55f}, ImVec2{0.65f, -0.2f}, ImVec2{-0.1f, 0.7f}}) pen.dot(at.x, at.y, 0.28f);
 }
 
+// open scissors
+void cut(const Pen& pen) {
+  pen.ring(-0.62f, 0.55f, 0.28f);
+  pen.ring(-0.62f, -0.55f, 0.28f);
+  pen.lines({{-0.4f, 0.38f}, {0.9f, -0.55f}});
+  pen.lines({{-0.4f, -0.38f}, {0.9f, 0.55f}});
+}
+
 // In the order of the enumeration.
-constexpr void (*drawings[])(const Pen&) = {select, add, attach, nail, drag, remove, release, run, pause, step, start, undo, redo, step_back, folder, scene};
+constexpr void (*drawings[])(const Pen&) = {select, add, attach, nail, drag, remove, release, run, pause,
+                                            step, start, undo, redo, step_back, folder, scene, cut};
 
 }  // namespace
 

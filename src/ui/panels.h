@@ -40,6 +40,7 @@ struct Desk {
   double frames_per_second = 0.0, draw_ms = 0.0;
   double film_seconds = -1.0;        // of the film in progress; below 0: none
   std::optional<Rect> rubber_band;  // of a selection in progress, in window coordinates
+  std::vector<glm::dvec2> stroke;   // of a cut in progress, from the scene's corner
   std::span<const std::filesystem::path> recent;  // files, newest first
   std::span<const LeftWork> left;
   bool has_desktop_dialog = false;

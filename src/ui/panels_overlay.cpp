@@ -68,6 +68,16 @@ void rubber_band(const Desk& desk, ImDrawList& list) {
   list.AddRect(least, most, palette::accent);
 }
 
+// Where the scissors went, a light line on a dark one, to be seen on any cloth.
+void stroke(const Desk& desk, ImDrawList& list) {
+  if (desk.stroke.size() < 2) return;
+  std::vector<ImVec2> way;
+  for (const glm::dvec2& at : desk.stroke) way.push_back(place(desk.layout.scene, at.x, at.y));
+  const auto count = static_cast<int>(way.size());
+  list.AddPolyline(way.data(), count, palette::shade, 0, units(5.0));
+  list.AddPolyline(way.data(), count, palette::accent, 0, units(2.0));
+}
+
 void toast(const Desk& desk, Panels& panels, ImDrawList& list) {
   if (panels.toast.empty()) return;
   const double now = ImGui::GetTime();
@@ -189,6 +199,7 @@ void build_overlays(const Desk& desk, Panels& panels, Requests& requests) {
   legend(desk, panels, list);
   hint_of_empty_scene(desk, list);
   rubber_band(desk, list);
+  stroke(desk, list);
   toast(desk, panels, list);
   list.PopClipRect();
   banners(desk, panels, requests);

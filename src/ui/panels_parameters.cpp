@@ -186,7 +186,7 @@ void build_parameters(const Desk& desk, Panels& panels, Requests& requests) {
     const Parameter& row = rows[i];
     if (row.group != group) {
       group = row.group;
-      open = section(std::string(group), scope_of(group, meant), group != "Hand");
+      open = section(std::string(group), scope_of(group, meant), group != "Hand" && group != "Points");
       if (open && group == "Simulation") method_row(desk, panels, requests);
     }
     if (!open || std::isnan(desk.status.parameter_values[i])) continue;

@@ -27,11 +27,17 @@ void energy_row(const char* name, const std::string& value, ImU32 ink = palette:
   text_in(ink, value);
 }
 
-void energy_section(const Snapshot& snapshot) {
+void energy_section(const Status& status) {
+  const Snapshot& snapshot = *status.snapshot;
   energy_row("Kinetic", number(snapshot.energy.kinetic) + " J");
   energy_row("Elastic", number(snapshot.energy.elastic) + " J");
   energy_row("Gravitational", number(snapshot.energy.gravitational) + " J");
   energy_row("Total", number(snapshot.energy.total()) + " J");
+  if (snapshot.system->strain_limit > 0.0) {
+    // what it takes is no physics of the scene: said where the energy stands
+    const ImU32 ink = status.limit_power != 0.0 ? palette::warning : palette::text;
+    energy_row("Limit on strain", number(status.limit_power) + " W, " + number(status.limit_work) + " J in all", ink);
+  }
   energy_row("Momentum", number(glm::length(snapshot.momentum.linear)) + " kg m/s");
 }
 
@@ -45,7 +51,7 @@ void build_side(const Desk& desk, Panels& panels, Requests& requests) {
   build_inspector(desk, panels, requests);
   build_parameters(desk, panels, requests);
   build_forces(desk, panels, requests);
-  if (section("Energy")) energy_section(*desk.status.snapshot);
+  if (section("Energy")) energy_section(desk.status);
   build_history(desk, requests);
   ImGui::End();
 }

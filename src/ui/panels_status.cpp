@@ -37,6 +37,13 @@ void build_status_bar(const Desk& desk) {
   ImGui::SameLine(0.0f, units(8.0));
   ImGui::TextUnformatted(desk.next_step.c_str());
 
+  // the hand's top speed acts
+  constexpr double noticed = 1e-6;  // [m]
+  if (desk.status.hand_lag > noticed) {
+    ImGui::SameLine(0.0f, units(16.0));
+    text_in(palette::warning, "hand " + number(desk.status.hand_lag) + " m behind, at its top speed");
+  }
+
   // what goes to a file all the while is said in red
   std::string taken;
   if (desk.film_seconds >= 0.0) taken = "\u25cf film " + number(std::floor(desk.film_seconds)) + " s    ";

@@ -18,7 +18,8 @@ constexpr std::array rows{
     Shortcut{letter('T'), plain, Action::AttachTool, tools, "Attach two points"},
     Shortcut{letter('N'), plain, Action::NailTool, tools, "Nail or free a point"},
     Shortcut{letter('D'), plain, Action::DragTool, tools, "Drag a point"},
-    Shortcut{letter('X'), plain, Action::DeleteTool, tools, "Delete or cut"},
+    Shortcut{letter('X'), plain, Action::CutTool, tools, "Cut springs and cloth"},
+    Shortcut{letter('E'), plain, Action::DeleteTool, tools, "Delete a point or spring"},
 
     Shortcut{Key::Space, plain, Action::RunOrPause, run, "Run or pause"},
     Shortcut{Key::Period, plain, Action::StepOnce, run, "One frame further", true},
@@ -44,6 +45,7 @@ constexpr std::array rows{
     Shortcut{letter('C'), control, Action::Copy, edit, "Copy the selection"},
     Shortcut{letter('V'), control, Action::Paste, edit, "Paste under the cursor"},
     Shortcut{Key::Delete, plain, Action::DeleteSelection, edit, "Delete the selection"},
+    Shortcut{Key::Backspace, plain, Action::DeleteSelection, edit, "Delete the selection"},
     Shortcut{Key::Escape, plain, Action::Cancel, edit, "Cancel; select nothing"},
 
     Shortcut{Key::Home, plain, Action::FrameAll, look, "See the whole scene"},
@@ -84,7 +86,7 @@ constexpr std::array hints{
 };
 
 constexpr std::array named_keys{
-    std::pair{Key::Space, "Space"}, std::pair{Key::Escape, "Esc"}, std::pair{Key::Enter, "Enter"}, std::pair{Key::Tab, "Tab"}, std::pair{Key::Delete, "Del"},
+    std::pair{Key::Space, "Space"}, std::pair{Key::Escape, "Esc"}, std::pair{Key::Enter, "Enter"}, std::pair{Key::Tab, "Tab"}, std::pair{Key::Delete, "Del"}, std::pair{Key::Backspace, "Backspace"},
     std::pair{Key::Right, "Right"}, std::pair{Key::Left, "Left"}, std::pair{Key::Down, "Down"}, std::pair{Key::Up, "Up"},
     std::pair{Key::Home, "Home"}, std::pair{Key::F1, "F1"}, std::pair{Key::F12, "F12"},
 };

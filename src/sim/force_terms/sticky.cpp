@@ -12,12 +12,12 @@ constexpr ForceNumber numbers[] = {{"strength", "Stickiness", "N", 0.0, 1000.0, 
 // [m] within which a point counts as touching: contact puts resting points on the surface to round-off
 constexpr double touching = 1e-9;
 
-void add(const Plan& plan, const ForceValues& values, double, const double* x, const double*, double* f) {
+void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, double* f) {
   const std::size_t n = plan.points;
-  for (const Collider& collider : plan.colliders) {
-    const auto* plane = std::get_if<Plane>(&collider.shape);
+  for (std::size_t k = 0; k < plan.colliders.size(); ++k) {
+    const auto* plane = std::get_if<Plane>(&plan.colliders[k].shape);
     if (plane == nullptr) continue;
-    const double height = glm::dot(plane->normal, plane->point);
+    const double height = glm::dot(plane->normal, plane->point + plan.offset_of(k, time));
     for (std::size_t i = 0; i < n; ++i) {
       double distance = -height - plan.radius[i], pull = 0.0;
       for (int c = 0; c < plan.dimensions; ++c) {

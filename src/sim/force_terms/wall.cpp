@@ -15,12 +15,12 @@ constexpr ForceNumber numbers[] = {
     {"core", "Least distance", "m", 1e-6, 10.0, 0.01},
 };
 
-void add(const Plan& plan, const ForceValues& values, double, const double* x, const double*, double* f) {
+void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, double* f) {
   const std::size_t n = plan.points;
-  for (const Collider& collider : plan.colliders) {
-    const auto* plane = std::get_if<Plane>(&collider.shape);
+  for (std::size_t k = 0; k < plan.colliders.size(); ++k) {
+    const auto* plane = std::get_if<Plane>(&plan.colliders[k].shape);
     if (plane == nullptr) continue;
-    const double height = glm::dot(plane->normal, plane->point);
+    const double height = glm::dot(plane->normal, plane->point + plan.offset_of(k, time));
     for (std::size_t i = 0; i < n; ++i) {
       double distance = -height - plan.radius[i];
       for (int c = 0; c < plan.dimensions; ++c) distance += plane->normal[c] * x[c * n + i];

@@ -1,0 +1,116 @@
+#include "sim/spring_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hooke {
+namespace {
+
+double squared_length(const Plan& plan, const Field& x, Index first, Index second) {
+  double sum = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const double* at = x.data() + static_cast<std::size_t>(c) * plan.points;
+    sum += (at[first] - at[second]) * (at[first] - at[second]);
+  }
+  return sum;
+}
+
+// Whether any of the run is as long as its limit: in steps that stretch nothing so far, all that is asked.
+bool reaches(const Plan& plan, const SpringRun& run, const std::vector<double>& limit, const Field& x) {
+  Index count = 0;
+  for (Index e = 0; e < run.count; ++e) {
+    const double most = limit[run.begin + e];
+    count += squared_length(plan, x, run.first + e, run.second + e) >= most * most ? 1 : 0;
+  }
+  return count > 0;
+}
+
+// [J], without what the hand and the listed forces hold.
+double energy_of(const Plan& plan, const Motion& motion) {
+  double energy = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (Index i = 0; i < plan.points; ++i) {
+      if (plan.inverse_mass[i] == 0.0) continue;
+      const std::size_t at = static_cast<std::size_t>(c) * plan.points + i;
+      energy += plan.mass[i] * (0.5 * motion.v[at] * motion.v[at] - plan.gravity[c] * motion.x[at]);
+    }
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const double stretch = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e)) - plan.rest_length[run.begin + e];
+      energy += 0.5 * plan.stiffness[run.begin + e] * stretch * stretch;
+    }
+  return energy;
+}
+
+// Brings the ends of one spring to the length `most`, and stops them from parting.
+void hold(const Plan& plan, Motion& motion, Index first, Index second, double length, double most) {
+  const double w1 = plan.inverse_mass[first], w2 = plan.inverse_mass[second];
+  if (w1 + w2 == 0.0) return;
+  double along[3] = {}, parting = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const std::size_t at = static_cast<std::size_t>(c) * plan.points;
+    along[c] = (motion.x[at + second] - motion.x[at + first]) / length;
+    parting += along[c] * (motion.v[at + second] - motion.v[at + first]);
+  }
+  const double way = (length - most) / (w1 + w2), impulse = std::max(0.0, parting) / (w1 + w2);
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const std::size_t at = static_cast<std::size_t>(c) * plan.points;
+    motion.x[at + first] += w1 * way * along[c];
+    motion.x[at + second] -= w2 * way * along[c];
+    motion.v[at + first] += w1 * impulse * along[c];
+    motion.v[at + second] -= w2 * impulse * along[c];
+  }
+}
+
+// Once over all springs. Returns whether any was too long.
+bool hold_all(const Plan& plan, Motion& motion) {
+  constexpr double slack = 1e-9;  // of the length
+  bool any = false;
+  for (const SpringRun& run : plan.runs) {
+    if (!reaches(plan, run, plan.most_length, motion.x)) continue;
+    for (Index e = 0; e < run.count; ++e) {
+      const double most = plan.most_length[run.begin + e];
+      const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
+      if (!(length > most * (1.0 + slack)) || !std::isfinite(length)) continue;
+      hold(plan, motion, run.first + e, run.second + e, length, most);
+      any = true;
+    }
+  }
+  return any;
+}
+
+}  // namespace
+
+bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
+  const std::size_t before = broken.size();
+  for (const SpringRun& run : plan.runs) {
+    if (!reaches(plan, run, plan.break_length, motion.x)) continue;
+    for (Index e = 0; e < run.count; ++e) {
+      const Index s = run.begin + e;
+      const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
+      // one that is switched off bears nothing that could break it
+      if (!(length >= plan.break_length[s]) || (plan.stiffness[s] == 0.0 && !(plan.has_dashpots() && plan.damping[s] > 0.0))) continue;
+      const double stretch = length - plan.rest_length[s];
+      motion.break_work -= 0.5 * plan.stiffness[s] * stretch * stretch;
+      plan.stiffness[s] = 0.0;
+      if (plan.has_dashpots()) plan.damping[s] = 0.0;
+      broken.push_back(plan.spring_index[s]);
+    }
+  }
+  std::sort(broken.begin(), broken.end());
+  return broken.size() > before;
+}
+
+bool limit_strain(const Plan& plan, Motion& motion) {
+  const auto is_too_long = [&](const SpringRun& run) { return reaches(plan, run, plan.most_length, motion.x); };
+  if (std::none_of(plan.runs.begin(), plan.runs.end(), is_too_long)) return false;
+
+  constexpr int most_rounds = 16;
+  const double before = energy_of(plan, motion);
+  bool any = false;
+  for (int round = 0; round < most_rounds && hold_all(plan, motion); ++round) any = true;
+  if (any) motion.limit_work += energy_of(plan, motion) - before;
+  return any;
+}
+
+}  // namespace hooke

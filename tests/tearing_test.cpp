@@ -1,0 +1,283 @@
+// Springs that break, cloth that tears and is cut; the limits of hand and strain.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "convergence.h"
+#include "lab/lab.h"
+#include "lab/parameters.h"
+#include "lab/scene_file.h"
+#include "sim/hash.h"
+#include "trial.h"
+
+namespace hooke {
+namespace {
+
+constexpr double frame = 1.0 / 60.0;
+
+Scene parse(const std::string& text) { return parse_scene(text, "test").scene; }
+
+// A sheet of 8 x 8 points, hung up by two corners, that its own weight tears.
+Scene weak_sheet(const Integrator& method) {
+  Scene scene = parse(R"({"hooke": 1, "break_strain": 0.12, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0],
+    "down": [0, -1, 0.3], "points": [8, 8], "mass": 1, "stiffness": 120, "damping": 0.2, "nail": ["top_left", "top_right"]}],
+    "simulation": {"substeps": 20}})");
+  scene.settings.integrator = &method;
+  return scene;
+}
+
+void run(Lab& lab, int frames) {
+  for (int i = 0; i < frames; ++i) ASSERT_TRUE(lab.step()) << "frame " << i;
+}
+void ask(Lab& lab, const Control& control) {
+  lab.submit(control);
+  lab.advance(0.0, [] { return true; });
+}
+
+class Tearing : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, Tearing, testing::ValuesIn(every_method()), method_name);
+
+// breaks in the first substep at whose end it is long enough, and then its end falls freely
+TEST_P(Tearing, ASpringBreaksAtItsStrainAndHoldsNothingAfter) {
+  Trial trial;
+  const PointId top = trial.nail(Vec3(0.0)), weight = trial.add({0.0, -1.0, 0.0}, 1.0, {0.0, -3.0, 0.0});
+  const SpringId spring = trial.join(top, weight, 50.0, 1.0);
+  trial.system.spring(0).break_strain = 0.2;
+  Plan plan = make_plan(trial.system);
+  Frame step;
+  const Settings settings{.integrator = &method(), .substeps = 20};
+  double broke = 0.0;
+  Vec3 v(0.0);
+  for (int i = 0; i < 20; ++i) {
+    step.begin(plan, trial.system, settings, trial.state);
+    while (!step.done()) step.substep(plan);
+    step.end(plan, trial.state);
+    if (step.broken().empty()) continue;
+    EXPECT_EQ(broke, 0.0) << "it breaks once";
+    EXPECT_EQ(trial.system.springs()[step.broken()[0]].id, spring);
+    EXPECT_GE(-trial.state.position[1].y, 1.2);
+    broke = trial.state.time;
+    v = trial.state.velocity[1];
+    // half k (l - l0)^2, at least
+    EXPECT_LE(trial.state.ledger.given, -0.5 * 50.0 * 0.2 * 0.2);
+    EXPECT_GT(trial.state.ledger.given, -0.5 * 50.0 * 0.22 * 0.22);
+  }
+  ASSERT_GT(broke, 0.0);
+  EXPECT_NEAR(trial.state.velocity[1].y, v.y - 9.81 * (trial.state.time - broke), 1e-9);
+}
+
+TEST_P(Tearing, ASheetTearsWithItsFacesAndUndoMendsItExactly) {
+  const Scene start = weak_sheet(method());
+  Lab lab(start);
+  run(lab, 30);
+  const System torn = lab.scene().system;
+  ASSERT_LT(torn.spring_count(), start.system.spring_count() - 4);
+  ASSERT_LT(torn.faces.size(), start.system.faces.size());
+  // no face is left along a spring that is gone
+  std::set<std::pair<PointId, PointId>> left;
+  for (const Spring& spring : torn.springs()) left.insert(std::minmax(spring.first, spring.second));
+  for (const Spring& spring : start.system.springs())
+    for (const Face& face : torn.faces)
+      for (int c = 0; c < 3; ++c) {
+        const auto edge = std::minmax(face.points[c], face.points[(c + 1) % 3]);
+        if (edge == std::minmax(spring.first, spring.second)) {
+          EXPECT_TRUE(left.contains(edge));
+        }
+      }
+
+  lab.publish();
+  EXPECT_EQ(lab.status()->undo_name, "tear");
+  const State state = lab.scene().state;
+  ask(lab, Undo{});
+  EXPECT_EQ(lab.scene().system, start.system);
+  EXPECT_EQ(lab.scene().state.position, state.position);
+  EXPECT_EQ(lab.scene().state.velocity, state.velocity);
+  ask(lab, Redo{});
+  EXPECT_EQ(lab.scene().system, torn);
+}
+
+TEST_P(Tearing, HappensAgainToTheBitAndGoesOnFromAFileToTheBit) {
+  Lab first(weak_sheet(method())), second(weak_sheet(method()));
+  run(first, 20);
+  run(second, 20);
+  EXPECT_EQ(hash_state(first.scene().state), hash_state(second.scene().state));
+  ASSERT_LT(first.scene().system.spring_count(), weak_sheet(method()).system.spring_count());
+
+  Lab from_file(parse(format_scene(first.scene())));
+  EXPECT_EQ(from_file.scene().system.faces.size(), first.scene().system.faces.size());
+  // what an adaptive method remembers of its steps is in no file
+  if (method().stability == Stability::Adaptive) return;
+  run(first, 10);
+  run(from_file, 10);
+  EXPECT_EQ(first.scene().state.position, from_file.scene().state.position);
+  EXPECT_EQ(first.scene().state.velocity, from_file.scene().state.velocity);
+}
+
+TEST(Tearing, UnderTheHandIsOneStepWithTheDrag) {
+  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
+  scene.system.gravity = Vec3(0.0);
+  Lab lab(scene);
+  const PointId corner = scene.system.points()[63].id;
+  lab.submit(GrabPoint{{.point = corner, .kind = GrabKind::Hold, .target = scene.state.position[63]}}, 7);
+  for (int i = 1; i <= 40; ++i) {
+    lab.submit(MoveHand{scene.state.position[63] + Vec3(0.05 * i, -0.05 * i, 0.0)}, 7);
+    ASSERT_TRUE(lab.step());
+  }
+  lab.submit(ReleaseHand{}, 7);
+  ASSERT_TRUE(lab.step());
+  EXPECT_LT(lab.scene().system.spring_count(), scene.system.spring_count());
+  ask(lab, Undo{});
+  EXPECT_EQ(lab.scene().system, scene.system);
+  lab.publish();
+  EXPECT_EQ(lab.status()->undo_name, "");
+}
+
+// nothing of a frame that is taken back, or left unfinished, stays broken
+TEST(Tearing, AFrameThatIsDroppedBreaksNothing) {
+  const Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
+  Lab whole(scene), cut_short(scene);
+  cut_short.submit(SetRunning{true});
+  int substeps = 0;
+  for (int i = 0; i < 40; ++i) {
+    cut_short.advance(frame, [&] { return ++substeps % 21 != 0; });
+    cut_short.submit(Move{});  // drops the frame in progress, whatever broke in it
+  }
+  const long frames = [&] {
+    cut_short.publish();
+    return cut_short.status()->frames;
+  }();
+  run(whole, static_cast<int>(frames));
+  ASSERT_LT(whole.scene().system.spring_count(), scene.system.spring_count());
+  EXPECT_EQ(whole.scene().state.position, cut_short.scene().state.position);
+  EXPECT_EQ(whole.scene().system, cut_short.scene().system);
+}
+
+TEST(Tearing, ASpringsOwnStrainCountsWhereItIsLess) {
+  System system;
+  Spring spring{.rest_length = 2.0};
+  EXPECT_EQ(system.break_length_of(spring), never_breaks);
+  spring.break_strain = 0.5;
+  EXPECT_EQ(system.break_length_of(spring), 3.0);
+  system.break_strain = 0.25;
+  EXPECT_EQ(system.break_length_of(spring), 2.5);
+  system.break_strain = 1.0;
+  EXPECT_EQ(system.break_length_of(spring), 3.0);
+}
+
+TEST(StrainLimit, HoldsEverySpringAndSaysWhatItTakes) {
+  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
+  scene.system.break_strain = 0.0;
+  Lab free(scene);
+  find_parameter("strain_limit_percent")->write(scene, 10.0);
+  Lab held(scene);
+  double most = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    ASSERT_TRUE(free.step());
+    ASSERT_TRUE(held.step());
+    held.publish();
+    free.publish();
+    most = std::max(most, free.status()->snapshot->most_strain);
+    EXPECT_LT(held.status()->snapshot->most_strain, 0.11);
+  }
+  EXPECT_GT(most, 0.15);
+  EXPECT_LT(held.status()->limit_work, 0.0);
+  EXPECT_EQ(free.status()->limit_work, 0.0);
+}
+
+// both ends move by their inverse masses: the centre of mass goes on as it did
+TEST(StrainLimit, KeepsMomentum) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  const PointId light = trial.add(Vec3(0.0), 1.0, {-3.0, 1.0, 0.0}), heavy = trial.add({1.0, 0.0, 0.0}, 4.0, {2.0, 0.0, 0.5});
+  trial.join(light, heavy, 1.0, 1.0);
+  trial.system.strain_limit = 0.05;
+  const auto momentum = [&] { return compute_momentum(trial.system, trial.state); };
+  const Momentum before = momentum();
+  const double energy = compute_energy(trial.system, trial.state).total();
+  trial.run(*find_integrator("velocity_verlet"), 0.5, 60);
+  EXPECT_LT(glm::distance(trial.state.position[0], trial.state.position[1]), 1.05 * (1.0 + 1e-9));
+  EXPECT_LT(glm::distance(momentum().linear, before.linear), 1e-12);
+  // what is missing is in the books
+  const double now = compute_energy(trial.system, trial.state).total();
+  EXPECT_LT(now, energy);
+  EXPECT_NEAR(trial.state.ledger.given, now - energy, 0.02 * (energy - now));
+}
+
+TEST(Hand, WithATopSpeedLagsAndSaysByHowMuch) {
+  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
+  scene.system.break_strain = 0.0;
+  scene.system.hand_speed = 3.0;
+  for (const GrabKind kind : {GrabKind::Hold, GrabKind::Pull}) {
+    Lab lab(scene);
+    const Vec3 from = scene.state.position[63], target = from + Vec3(0.0, 0.0, 1.0);
+    lab.submit(GrabPoint{{.point = scene.system.points()[63].id, .kind = kind, .target = from}});
+    ASSERT_TRUE(lab.step());
+    lab.submit(MoveHand{target});
+    run(lab, 1);
+    EXPECT_NEAR(glm::distance(lab.scene().state.hand, from), 3.0 * frame, 1e-12);
+    lab.publish();
+    EXPECT_NEAR(lab.status()->hand_lag, 1.0 - 3.0 * frame, 1e-12);
+    run(lab, 20);
+    lab.publish();
+    EXPECT_EQ(lab.scene().state.hand, target);
+    EXPECT_EQ(lab.status()->hand_lag, 0.0);
+  }
+}
+
+TEST(MassFollowsRadius, BySquareWhereItIsSwitchedOnAndIsTakenBack) {
+  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
+  const Scene start = scene;
+  for (const bool follows : {false, true}) {
+    scene.defaults.mass_follows_radius = follows;
+    const Point before = scene.system.points()[5];
+    Lab lab(scene);
+    lab.submit(SetPointProperty{PointProperty::Radius, {{before.id, 3.0 * before.radius}}});
+    lab.advance(0.0, [] { return true; });
+    EXPECT_DOUBLE_EQ(lab.scene().system.points()[5].mass, (follows ? 9.0 : 1.0) * before.mass);
+    ask(lab, Undo{});
+    EXPECT_EQ(lab.scene().system, scene.system);
+    ask(lab, Redo{});
+    EXPECT_DOUBLE_EQ(lab.scene().system.points()[5].mass, (follows ? 9.0 : 1.0) * before.mass);
+
+    lab.submit(SetParameter{find_parameter("radius"), 0.5});
+    lab.advance(0.0, [] { return true; });
+    EXPECT_EQ(lab.scene().system.points()[6].radius, 0.5);
+    ask(lab, Undo{});
+    ask(lab, Undo{});
+    EXPECT_EQ(lab.scene().system, scene.system);
+  }
+}
+
+TEST(CarriedCollider, GoesWithTheHandInARunAndComesBackByOneUndo) {
+  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
+  scene.system.break_strain = 0.0;
+  scene.system.colliders = {{.shape = Sphere{{0.5, -0.6, -1.0}, 0.2}}};
+  Lab lab(scene);
+  lab.submit(GrabCollider{{0, {0.5, -0.6, -1.0}}}, 3);
+  for (int i = 1; i <= 30; ++i) {
+    lab.submit(MoveHand{{0.5, -0.6, -1.0 + 0.05 * i}}, 3);
+    ASSERT_TRUE(lab.step());
+    EXPECT_NEAR(anchor_of(lab.scene().system.colliders[0]).z, -1.0 + 0.05 * i, 1e-12);
+  }
+  lab.submit(ReleaseHand{}, 3);
+  ASSERT_TRUE(lab.step());
+  EXPECT_FALSE(lab.scene().system.collider_grab);
+  ask(lab, Undo{});
+  EXPECT_EQ(lab.scene().system.colliders, scene.system.colliders);
+}
+
+TEST(MovingColliders, AreSavedAndBoxesDoNotSpin) {
+  const Scene scene = parse(R"({"hooke": 1, "hand_speed": 5, "strain_limit_percent": 12.5, "break_strain": 0.5, "colliders": [
+    {"type": "sphere", "center": [0, 0, 0], "radius": 1, "spin": [0, 3, 0]},
+    {"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "spin": [0, -2, 0], "oscillate": [0, 0.1, 0], "frequency": 3, "phase": 0.5},
+    {"type": "box", "min": [0, 0, 0], "max": [1, 1, 1], "belt": [1, 0, 0]}]})");
+  EXPECT_EQ(scene.system.colliders[1].path, (ColliderPath{{0.0, 0.1, 0.0}, 3.0, 0.5, {0.0, -2.0, 0.0}, Vec3(0.0)}));
+  EXPECT_EQ(parse(format_scene(scene)).system, scene.system);
+  EXPECT_THROW(parse(R"({"hooke": 1, "colliders": [{"type": "box", "min": [0, 0, 0], "max": [1, 1, 1], "spin": [0, 1, 0]}]})"), Refused);
+  EXPECT_THROW(parse(R"({"hooke": 1, "colliders": [{"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "spin": [1, 0, 0]}]})"),
+               Refused);
+}
+
+}  // namespace
+}  // namespace hooke
