@@ -32,6 +32,7 @@ constexpr std::array rows{
     Row{cloth, "tablecloth", "Tablecloth", 0.45},
     Row{cloth, "trampoline", "Trampoline", 0.62},
     Row{cloth, "hammock", "Hammock", 3.0},
+    Row{cloth, "tearing_sheet", "Tearing sheet", 1.75},
     Row{lessons, "two_masses", "Two masses", 0.5},
     Row{lessons, "two_masses_bouncy", "Two masses, bouncy", 0.6},
     Row{lessons, "three_masses", "Three masses", 0.4},
