@@ -446,7 +446,7 @@ TEST(SelectTool, EscTakesAMoveBack) {
 TEST(Tools, EachSaysItsNextStepAndStandsInTheTableOnce) {
   BenchTrial trial(flat_scene({a}));
   for (const ToolRow& row : tools()) {
-    EXPECT_FALSE(row.make()->next_step(trial.bench).empty()) << row.button.name;
+    EXPECT_FALSE(row.make()->next_step(trial.bench).empty()) << shortcut_of(row.action).text;
     EXPECT_EQ(std::ranges::count(tools(), row.action, &ToolRow::action), 1);
   }
 }

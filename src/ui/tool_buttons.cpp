@@ -9,7 +9,7 @@ constexpr std::array rows{
     ToolButton{Action::SelectTool, Icon::Select, "Select"}, ToolButton{Action::AddTool, Icon::Add, "Add"},
     ToolButton{Action::AttachTool, Icon::Attach, "Attach"}, ToolButton{Action::NailTool, Icon::Nail, "Nail"},
     ToolButton{Action::DragTool, Icon::Drag, "Drag"},       ToolButton{Action::CutTool, Icon::Cut, "Cut"},
-    ToolButton{Action::DragTool, Icon::Drag, "Drag"},       ToolButton{Action::DeleteTool, Icon::Delete, "Delete"},
+    ToolButton{Action::DeleteTool, Icon::Delete, "Delete"},
 };
 
 }  // namespace
