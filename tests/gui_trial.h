@@ -10,6 +10,7 @@
 
 #include "app/app.h"
 #include "gui_words.h"
+#include "scratch_folder.h"
 #include "ui/theme.h"
 
 namespace hooke {
@@ -17,6 +18,9 @@ namespace hooke {
 class GuiTrial {
  public:
   explicit GuiTrial(Scene scene = {}, std::filesystem::path file = {}, const Home& home = {}) {
+    // what a key writes without a document goes to the home folder, and to where the program was started: not to a person's
+    ::setenv("HOME", scratch_.folder.c_str(), 1);
+    std::filesystem::current_path(scratch_.folder);
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -31,7 +35,10 @@ class GuiTrial {
     app_->resize({1280.0, 800.0}, 1.0);
     frames(3);
   }
-  ~GuiTrial() { ImGui::DestroyContext(); }
+  ~GuiTrial() {
+    std::filesystem::current_path(std::filesystem::temp_directory_path());
+    ImGui::DestroyContext();
+  }
 
   App& app() { return *app_; }
   const Status& status() {
@@ -110,6 +117,7 @@ class GuiTrial {
   }
 
  private:
+  ScratchFolder scratch_;
   std::unique_ptr<App> app_;
   glm::dvec2 at_{-1.0};
 };
