@@ -326,7 +326,7 @@ TEST(Opening, AnotherKindOfFileMakesADocumentWithoutAFile) {
 
 TEST(Preferences, ComeBackAndACorruptFileIsSetAsideWithOneMessage) {
   const OwnDesk desk;
-  const Preferences mine{1.5, 20.0, true};
+  const Preferences mine{1.5, 20.0, true, true};
   save_preferences(mine, desk.home.config);
   EXPECT_EQ(load_preferences(desk.home.config).preferences, mine);
   for (const char* bad :
@@ -357,6 +357,12 @@ TEST(Preferences, ThatAreAFolderOrCannotBeWrittenAreNoReasonToStop) {
   gui.key(letter('='), control);
   EXPECT_EQ(gui.app().interface_scale(), 1.15);
   EXPECT_FALSE(gui.app().is_finished());
+}
+
+TEST(Preferences, TheLookStays) {
+  const OwnDesk desk;
+  { GuiTrial(two_points(), {}, desk.home).key(letter('L'), control_shift); }
+  EXPECT_EQ(GuiTrial(two_points(), {}, desk.home).app().panels().look, Look::Light);
 }
 
 TEST(Preferences, PanelsGrowAndShrinkWithinTheirRange) {

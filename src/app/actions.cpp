@@ -86,7 +86,9 @@ void App::perform(Action action, bool repeated) {
       panels_.panels_hidden = !panels_.panels_hidden;
       return;
     case Action::LightOrDark:
-      panels_.look = panels_.look == Look::Dark ? Look::Light : Look::Dark;
+      preferences_.light = panels_.look == Look::Dark;
+      panels_.look = preferences_.light ? Look::Light : Look::Dark;
+      keep_preferences();
       return;
     case Action::FrameSelection:
       return frame_selection();
@@ -276,6 +278,10 @@ void App::scale_panels(double factor) {
   const PreferenceRow& row = preference_rows()[0];
   preferences_.interface_scale = std::clamp(std::round(20.0 * factor * preferences_.interface_scale) / 20.0, row.least, row.most);
   panels_.say("Panels at " + std::to_string(std::lround(100.0 * preferences_.interface_scale)) + " %");
+  keep_preferences();
+}
+
+void App::keep_preferences() {
   try {
     save_preferences(preferences_, home_.config);
   } catch (const FileError& error) {

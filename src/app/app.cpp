@@ -38,6 +38,7 @@ App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const H
   LoadedPreferences loaded = load_preferences(home.config);
   preferences_ = loaded.preferences;
   autosave_.set_interval(preferences_.autosave_seconds);
+  panels_.look = preferences_.light ? Look::Light : Look::Dark;
   if (!loaded.said.empty()) panels_.tell_later("The settings were set aside", std::move(loaded.said));
   list_left();
   if (!left_.empty()) panels_.waiting.push_back({.kind = Dialog::Kind::Recovery, .is_new = true});

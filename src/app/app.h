@@ -133,6 +133,7 @@ class App {
   void throw_away(std::size_t which);
   void list_left();
   void scale_panels(double factor);
+  void keep_preferences();
   std::function<void(Scene&)> dress() const;
 
   void take_status();

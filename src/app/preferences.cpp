@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "app/home.h"
 #include "lab/atomic_write.h"
@@ -22,12 +23,15 @@ constexpr std::array rows{
     PreferenceRow{"autosave_seconds", &Preferences::autosave_seconds, 1.0, 60.0},
 };
 
+constexpr std::array switches{
+    PreferenceSwitch{"light", &Preferences::light},
+    PreferenceSwitch{"system_dialogs", &Preferences::system_dialogs},
+};
+
 constexpr std::string_view settings_name = "settings.json", recent_name = "recent.json";
 
-// Calls `take` with every top-level member. Throws Refused or FileError.
-void read_members(const fs::path& file, const std::function<void(const JsonField& field)>& take) {
-  const std::string name = printable(file.native());
-  const std::string text = read_file(file);
+// Calls `take` with every top-level member. Throws Refused.
+void read_members(const std::string& text, const std::string& name, const std::function<void(const JsonField& field)>& take) {
   JsonParser parser;
   walk_json(text, name,
             {.is_list = [](std::string_view) { return false; },
@@ -36,7 +40,8 @@ void read_members(const fs::path& file, const std::function<void(const JsonField
 }
 
 void read_preference(const JsonField& field, Preferences& preferences) {
-  if (field.is("system_dialogs")) preferences.system_dialogs = field.boolean();
+  for (const PreferenceSwitch& row : switches)
+    if (field.is(row.name)) preferences.*row.field = field.boolean();
   for (const PreferenceRow& row : rows)
     if (field.is(row.name)) preferences.*row.field = field.number({.least = row.least, .most = row.most});
 }
@@ -44,6 +49,13 @@ void read_preference(const JsonField& field, Preferences& preferences) {
 }  // namespace
 
 std::span<const PreferenceRow> preference_rows() { return rows; }
+std::span<const PreferenceSwitch> preference_switches() { return switches; }
+
+Preferences parse_preferences(const std::string& text, const std::string& name) {
+  Preferences preferences;
+  read_members(text, name, [&](const JsonField& field) { read_preference(field, preferences); });
+  return preferences;
+}
 
 LoadedPreferences load_preferences(const fs::path& folder) {
   LoadedPreferences loaded;
@@ -51,9 +63,8 @@ LoadedPreferences load_preferences(const fs::path& folder) {
   std::error_code error;
   if (folder.empty() || !fs::exists(fs::symlink_status(file, error))) return loaded;
   try {
-    read_members(file, [&](const JsonField& field) { read_preference(field, loaded.preferences); });
+    loaded.preferences = parse_preferences(read_file(file), printable(file.native()));
   } catch (const std::runtime_error& refusal) {  // Refused or FileError
-    loaded.preferences = {};
     const fs::path aside = file.string() + ".bad";
     fs::rename(file, aside, error);
     loaded.said =
@@ -68,7 +79,7 @@ void save_preferences(const Preferences& preferences, const fs::path& folder) {
   JsonWriter writer;
   writer.begin_object(JsonWriter::Layout::Lines);
   for (const PreferenceRow& row : rows) writer.number(row.name, preferences.*row.field);
-  writer.boolean("system_dialogs", preferences.system_dialogs);
+  for (const PreferenceSwitch& row : switches) writer.boolean(row.name, preferences.*row.field);
   writer.end();
   make_private_folder(folder);
   write_atomically(folder / settings_name, writer.take() + "\n");
@@ -77,9 +88,10 @@ void save_preferences(const Preferences& preferences, const fs::path& folder) {
 RecentFiles::RecentFiles(fs::path folder) : folder_(std::move(folder)) {
   if (folder_.empty()) return;
   try {
-    read_members(folder_ / recent_name, [&](const JsonField& field) {
+    const fs::path file = folder_ / recent_name;
+    read_members(read_file(file), printable(file.native()), [&](const JsonField& field) {
       if (!field.is("files")) return;
-      for (const JsonField file : field.items(0, most)) files_.emplace_back(std::string(file.text()));
+      for (const JsonField item : field.items(0, most)) files_.emplace_back(std::string(item.text()));
     });
   } catch (const std::runtime_error&) {  // Refused or FileError
     files_.clear();

@@ -12,17 +12,26 @@ namespace hooke {
 struct Preferences {
   double interface_scale = 1.0;    // [1], of all panels and their text
   double autosave_seconds = 30.0;  // [s] of changes until they are kept
+  bool light = false;              // panels dark on light
   bool system_dialogs = false;     // ask for files with the desktop's own dialog, where there is one
   bool operator==(const Preferences&) const = default;
 };
 
-// The numbers among them. Adding one: a field and a row here.
+// The numbers among them, and the switches. Adding one: a field and a row here.
 struct PreferenceRow {
   std::string_view name;
   double Preferences::*field;
   double least, most;
 };
 std::span<const PreferenceRow> preference_rows();
+struct PreferenceSwitch {
+  std::string_view name;
+  bool Preferences::*field;
+};
+std::span<const PreferenceSwitch> preference_switches();
+
+// From the text of such a file; `name` stands for it in messages. Throws Refused.
+Preferences parse_preferences(const std::string& text, const std::string& name);
 
 struct LoadedPreferences {
   Preferences preferences;

@@ -12,7 +12,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double places_width = 168.0, width = 640.0, height = 300.0;  // [units of design]
+constexpr double places_width = 168.0;  // [units of design]
+
+// As large as is pleasant, where the window has room for it and for what stands around it. [units of design]
+double width() { return std::clamp(ImGui::GetIO().DisplaySize.x / units(1.0) - 64.0, 300.0, 640.0); }
+double height() { return std::clamp(ImGui::GetIO().DisplaySize.y / units(1.0) - 220.0, 80.0, 300.0); }
+
 // A folder is looked at again after so many seconds.
 constexpr double stale_after = 2.0;
 
@@ -62,7 +67,7 @@ void list_place(Dialog& dialog, const char* name, Browser::Place which) {
 }
 
 void places(const Desk& desk, Dialog& dialog, Browsing browsing) {
-  ImGui::BeginChild("places", {units(places_width), units(height)});
+  ImGui::BeginChild("places", {units(places_width), units(height())});
   if (browsing == Browsing::Open) {
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
     list_place(dialog, "Recent", Browser::Place::Recent);
@@ -178,7 +183,7 @@ bool build_browser(const Desk& desk, Dialog& dialog, Browsing browsing) {
   const bool of_folder = dialog.browser.place == Browser::Place::Folder;
   const float above = of_folder ? units(34.0) : 0.0f;
   if (of_folder) way(dialog, browsing);
-  ImGui::BeginChild(of_folder ? "files" : "list", {units(width - places_width), units(height) - above});
+  ImGui::BeginChild(of_folder ? "files" : "list", {units(width() - places_width), units(height()) - above});
   const bool chosen = of_folder                                        ? folder_list(dialog, browsing)
                       : dialog.browser.place == Browser::Place::Recent ? recent_list(desk, dialog)
                                                                        : shipped_list(dialog);

@@ -165,6 +165,7 @@ void recovery_box(const Desk& desk, Panels& panels, Requests& requests) {
   }
   if (push_button("Later") || panels.dialog.cancelled || desk.left.empty()) return close(panels);
   ImGui::SameLine();
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + units(6.0));
   dim_text("What is left is offered again at the next start.");
   if (!request) return;
   close(panels);
