@@ -55,6 +55,32 @@ TEST(BadScenes, TheTextsThatTheseTestsVaryAreSound) {
     EXPECT_EQ(refusal_of(text), "");
 }
 
+TEST(BadScenes, AHandWithoutAPointACircleOrATimeIsRefused) {
+  const auto hand = [](const std::string& members) { return scene_with("\"hand\": {" + members + "}"); };
+  const std::string circle = R"("circle": {"from": [0, 0, 0], "center": [1, 0, 0]}, )", rest = R"("speed": 1, "seconds": 1)";
+  EXPECT_EQ(refusal_of(hand("\"point\": 1, " + circle + rest)), "");
+  expect_refused({
+      {scene_with("\"hand\": 5"), "hand: 5: must be an object {...}"},
+      {hand(circle + rest), "hand.point: missing: must be a point number"},
+      {hand("\"point\": -1, " + circle + rest), "hand.point: -1: must be a whole number from 0 to 4999999"},
+      {hand("\"point\": 2, " + circle + rest), "hand.point: 2: must be the number of one of the 2 points, from 0"},
+      {hand("\"point\": 1, " + rest), "hand.circle: missing: must be {\"from\": [x, y, z], \"center\": [x, y, z]}"},
+      {hand(R"("point": 1, "circle": {"center": [1, 0, 0]}, )" + rest), "hand.circle.from: missing: must be [x, y, z]"},
+      {hand(R"("point": 1, "circle": {"from": [1, 0, 0]}, )" + rest), "hand.circle.center: missing: must be [x, y, z]"},
+      {hand(R"("point": 1, "circle": {"from": [1, 0, 2], "center": [1, 0, 0]}, )" + rest),
+       R"(hand.circle: {"from":[1,0,2],"center":[1,0,0]}: must have from at least 1e-06 m beside the axis through center)"},
+      {hand(R"("point": 1, "circle": {"from": [0, 0, 0], "center": [1, 0, 0], "axis": [0, 0, 0]}, )" + rest),
+       "hand.circle.axis: [0,0,0]: must not be zero"},
+      {R"({"hooke": 1, "dimensions": 2, "points": [{"position": [0, 0]}], "hand": {"point": 0, "circle": {"from": [0, 0], "center": [1, 0], "axis": [0, 1, 1]}, )" +
+           rest + "}}",
+       "hand.circle.axis: [0, 0.7071067811865475, 0.7071067811865475]: must be along z in a 2-D scene"},
+      {hand("\"point\": 1, " + circle + R"("seconds": 1)"), "hand.speed: missing: must be a number from 0 to 1e+06"},
+      {hand("\"point\": 1, " + circle + R"("seconds": 1, "speed": 2e6)"), "hand.speed: 2e6: must be a number from 0 to 1e+06"},
+      {hand("\"point\": 1, " + circle + R"("speed": 1)"), "hand.seconds: missing: must be a number of more than 0"},
+      {hand("\"point\": 1, " + circle + R"("speed": 1, "seconds": 0)"), "hand.seconds: 0: must be a number of more than 0"},
+  });
+}
+
 TEST(BadScenes, SyntaxIsRefusedWithTheLine) {
   expect_refused({
       {"", "line 1: empty: must be a JSON object {...}"},

@@ -136,6 +136,26 @@ TEST(SceneFile, AKeyThatFollowsItsPointSurvivesEditsOfOthers) {
   EXPECT_NE(format_scene(scene).find(R"({"position": [1, 0, 0], "mass": 1, "radius": 0.02, "label": "B"})"), std::string::npos);
 }
 
+TEST(SceneFile, AScriptedHandComesBackBitForBitAndGoesWithItsPoint) {
+  Scene scene = parse(R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}], "hand": {"point": 1, "circle":
+    {"from": [0.1, -0.0, 1e-300], "center": [3, 0.2, 0], "axis": [1, 2, 2], "a": 1}, "speed": 0.3, "begin": -7e-3, "seconds": 1e3, "b": [2]}})");
+  const ScriptedHand& hand = *scene.system.scripted_hand;
+  EXPECT_EQ(hand.point, scene.system.points()[1].id);
+  EXPECT_EQ(hand.axis, Vec3(1.0, 2.0, 2.0) / 3.0);
+  EXPECT_EQ(hand.begin, -7e-3);
+  const std::string text = format_scene(scene);
+  const Scene again = parse(text);
+  EXPECT_EQ(again.system, scene.system);
+  EXPECT_TRUE(std::signbit(again.system.scripted_hand->from.y));
+  EXPECT_EQ(format_scene(again), text);
+  for (const char* kept : {"\"a\": 1", "\"b\": [2]"}) EXPECT_NE(text.find(kept), std::string::npos) << kept;
+
+  scene.system.set_points({scene.system.points()[0]});
+  scene.state.position.resize(1);
+  scene.state.velocity.resize(1);
+  EXPECT_EQ(format_scene(scene).find("\"hand\""), std::string::npos);
+}
+
 TEST(SceneFile, ManyUnknownKeysAreWarnedOfInFewLines) {
   std::string text = R"({"hooke": 1)";
   for (int i = 0; i < 1000; ++i) text += ", \"k" + std::to_string(i) + "\": 0";

@@ -7,6 +7,7 @@
 #include "convergence.h"
 #include "sim/divergence.h"
 #include "sim/energy.h"
+#include "sim/hand.h"
 #include "trial.h"
 
 namespace hooke {
@@ -131,6 +132,73 @@ TEST_P(Grabbed, PulledPointFeelsASpringToTheHand) {
     return glm::distance(trial.position(point), exact);
   };
   expect_order(error, asymptotic_steps(method().order), method().order, 0.2);
+}
+
+// A hand of the scene's, which takes the held point round a circle from the third frame to the seventh.
+ScriptedHand circling(const Held& scene) {
+  return {.point = scene.held,
+          .from = {0.3, 0.2, 0.3},
+          .center = {0.1, 0.2, -0.2},
+          .axis = {0.0, 1.0, 0.0},
+          .speed = 4.0,
+          .begin = 2.0 * frame_time,
+          .seconds = 4.6 * frame_time};
+}
+
+TEST_P(Grabbed, AScriptedHandHoldsBitForBitAsAPersonsDoes) {
+  Held scripted, by_hand;
+  scripted.trial.system.grab.reset();
+  scripted.trial.system.scripted_hand = circling(scripted);
+  open_ledger(scripted.trial.system, scripted.trial.state);
+  by_hand.trial.system.grab.reset();
+  open_ledger(by_hand.trial.system, by_hand.trial.state);
+
+  Plan plan = make_plan(scripted.trial.system);  // one for all frames: it takes and lets go without an edit
+  Frame frame;
+  State& state = scripted.trial.state;
+  for (int i = 0; i < 10; ++i) {
+    const Settings settings{.integrator = &method(), .frame_rate = 60.0, .substeps = 5, .tolerance = 1e9};
+    const State before = state;
+    state.memory = {.step = 1e9, .error = 1e-4};
+    frame.begin(plan, scripted.trial.system, settings, state);
+    while (!frame.done()) frame.substep(plan);
+    frame.end(plan, state);
+    state.memory = {};
+    book_hand_work(scripted.trial.system, before, state);
+
+    by_hand.trial.system.grab.reset();
+    if (i >= 2 && i < 7) by_hand.take(GrabKind::Hold, place_at(circling(by_hand), (i + 1) * frame_time));
+    const State before_by_hand = by_hand.trial.state;
+    by_hand.trial.run(method(), frame_time, 5);
+    book_hand_work(by_hand.trial.system, before_by_hand, by_hand.trial.state);
+
+    EXPECT_EQ(plan.held.has_value(), i >= 2 && i < 7) << "frame " << i;
+    for (Index p = 0; p < 2; ++p) EXPECT_LT(glm::distance(state.position[p], by_hand.trial.state.position[p]), 1e-13) << "frame " << i;
+    EXPECT_NEAR(state.ledger.given, by_hand.trial.state.ledger.given, 1e-9) << "frame " << i;
+  }
+  EXPECT_GT(state.ledger.scale, 1.0);
+}
+
+TEST(Hand, AScriptedOneWaitsForAPersons) {
+  Held scene;
+  scene.trial.system.scripted_hand = circling(scene);
+  scene.take(GrabKind::Hold, {5.0, 0.0, 0.0});
+  EXPECT_EQ(acting_grab(scene.trial.system, 3.0 * frame_time, frame_time)->target, Vec3(5.0, 0.0, 0.0));
+  scene.trial.system.grab.reset();
+  EXPECT_EQ(acting_grab(scene.trial.system, 3.0 * frame_time, frame_time)->target, place_at(circling(scene), 3.0 * frame_time + frame_time));
+  EXPECT_FALSE(acting_grab(scene.trial.system, 1.0 * frame_time, frame_time));
+  EXPECT_FALSE(acting_grab(scene.trial.system, 7.0 * frame_time, frame_time));
+}
+
+// at an arm of 0.2 m and 0.5 m about y: |p| = sqrt(0.29), counter-clockwise as seen from above
+TEST(Hand, AScriptedOneGoesRoundItsCircleAtItsSpeed) {
+  const ScriptedHand hand = circling(Held());
+  EXPECT_LT(glm::distance(place_at(hand, hand.begin), hand.from), 1e-15);
+  const double radius = std::sqrt(0.29), round = 2.0 * 3.14159265358979323846 * radius / hand.speed;
+  EXPECT_LT(glm::distance(place_at(hand, hand.begin + round), hand.from), 1e-14);
+  const Vec3 moved = place_at(hand, hand.begin + 1e-6) - hand.from;
+  EXPECT_NEAR(glm::length(moved), 4e-6, 1e-11);
+  EXPECT_GT(glm::cross(hand.from - hand.center, moved).y, 0.0);
 }
 
 TEST(Hand, ForceIsWhatTheGrabExerts) {

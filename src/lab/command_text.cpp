@@ -308,6 +308,7 @@ void restore_ids(const SceneRest& rest, Scene& scene) {
   }
   for (Face& face : system.faces)
     for (PointId& corner : face.points) corner = id_of(corner);
+  if (system.scripted_hand) system.scripted_hand->point = id_of(system.scripted_hand->point);
 
   if (scene.print.places && rest.point_ids)
     scene.print.places = std::make_shared<const ClothPlaces>(by_id(*scene.print.places, *rest.point_ids, no_cloth_place));

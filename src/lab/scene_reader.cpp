@@ -61,6 +61,7 @@ class SceneReader {
   void generate_all();
   void check_generated(std::size_t generator, std::size_t first_point, std::size_t first_spring) const;
   void check_point_numbers() const;
+  void check_hand() const;
   void set_rest_lengths();
   void warn_of_coincident_points();
   [[noreturn]] void refuse(const std::string& field, const std::string& what) const { throw Refused(name_ + ": " + field + ": " + what); }
@@ -100,6 +101,7 @@ LoadedScene SceneReader::read() {
 
   generate_all();
   check_point_numbers();
+  check_hand();
   set_rest_lengths();
   warn_of_coincident_points();
 
@@ -140,6 +142,8 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
     scene_.system.gravity = fields_.position(field);
   else if (field.is("wind"))
     scene_.system.wind = fields_.position(field);
+  else if (field.is("hand"))
+    read_hand(field, fields_, scene_);
   else if (field.is("simulation"))
     read_simulation(field, fields_, scene_);
   else if (field.is("view"))
@@ -306,6 +310,14 @@ void SceneReader::check_point_numbers() const {
       check(id, [&] { return "springs[" + std::to_string(s) + "].points[" + (id == network_.springs[s].first ? "0" : "1") + "]"; });
   for (std::size_t f = 0; f < network_.faces.size(); ++f)
     for (const PointId id : network_.faces[f].points) check(id, [&] { return "faces[" + std::to_string(f) + "]"; });
+  if (scene_.system.scripted_hand) check(scene_.system.scripted_hand->point, [] { return std::string("hand.point"); });
+}
+
+void SceneReader::check_hand() const {
+  if (!scene_.system.scripted_hand || scene_.system.dimensions != 2) return;
+  const Vec3& axis = scene_.system.scripted_hand->axis;
+  if (axis.x != 0.0 || axis.y != 0.0)
+    refuse("hand.circle.axis", "[" + shortest(axis.x) + ", " + shortest(axis.y) + ", " + shortest(axis.z) + "]: must be along z in a 2-D scene");
 }
 
 void SceneReader::set_rest_lengths() {

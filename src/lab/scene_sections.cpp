@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "lab/file_limits.h"
 #include "lab/parameters.h"
 #include "lab/texture.h"
 #include "sim/integrator.h"
@@ -165,6 +166,29 @@ bool read_force_number(const JsonField& member, Force& force) {
   return false;
 }
 
+// A circle that is none would be gone round without end in no time.
+constexpr double least_circle = 1e-6;  // [m]
+
+void read_circle(const JsonField& field, SceneFields& fields, Scene& scene, ScriptedHand& hand) {
+  bool has_from = false, has_center = false;
+  for (const JsonField member : field.members()) {
+    if (member.is("from")) {
+      hand.from = fields.position(member);
+      has_from = true;
+    } else if (member.is("center")) {
+      hand.center = fields.position(member);
+      has_center = true;
+    } else if (member.is("axis"))
+      hand.axis = to_unit(member, fields.vector(member));
+    else
+      fields.keep_unknown(member, scene.kept.unknown_inside[field.path()]);
+  }
+  if (!has_from) field.refuse_missing("from", "must be [x, y, z]");
+  if (!has_center) field.refuse_missing("center", "must be [x, y, z]");
+  const double radius = glm::length(glm::cross(hand.axis, hand.from - hand.center));
+  if (!(radius >= least_circle) || !std::isfinite(radius)) field.refuse("must have from at least 1e-06 m beside the axis through center");
+}
+
 std::size_t read_choice(const Parameter& row, const JsonField& field) {
   std::string ids;
   for (std::size_t i = 0; i < row.choices.size(); ++i) {
@@ -243,6 +267,34 @@ void read_force(const JsonField& field, SceneFields& fields, Scene& scene) {
       fields.keep_unknown(member, scene.kept.unknown_inside[field.path()]);
   }
   scene.system.forces.push_back(force);
+}
+
+void read_hand(const JsonField& field, SceneFields& fields, Scene& scene) {
+  ScriptedHand hand;
+  bool has_point = false, has_circle = false, has_speed = false, has_seconds = false;
+  for (const JsonField member : field.members()) {
+    if (member.is("point")) {
+      hand.point = PointId{static_cast<std::uint32_t>(member.whole(0, static_cast<std::int64_t>(most_points) - 1))};
+      has_point = true;
+    } else if (member.is("circle")) {
+      read_circle(member, fields, scene, hand);
+      has_circle = true;
+    } else if (member.is("speed")) {
+      hand.speed = member.number({.least = 0.0, .most = 1e6});
+      has_speed = true;
+    } else if (member.is("begin"))
+      hand.begin = member.number();
+    else if (member.is("seconds")) {
+      hand.seconds = member.number(positive);
+      has_seconds = true;
+    } else
+      fields.keep_unknown(member, scene.kept.unknown_inside[field.path()]);
+  }
+  if (!has_point) field.refuse_missing("point", "must be a point number");
+  if (!has_circle) field.refuse_missing("circle", "must be {\"from\": [x, y, z], \"center\": [x, y, z]}");
+  if (!has_speed) field.refuse_missing("speed", "must be a number from 0 to 1e+06");
+  if (!has_seconds) field.refuse_missing("seconds", "must be a number of more than 0");
+  scene.system.scripted_hand = hand;
 }
 
 void read_simulation(const JsonField& field, SceneFields& fields, Scene& scene) {

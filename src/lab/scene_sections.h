@@ -12,6 +12,7 @@ bool read_parameter(const JsonField& field, Scene& scene);
 // Each throws Refused, and keeps keys that are not ours in scene.kept.
 void read_collider(const JsonField& field, SceneFields& fields, Scene& scene);
 void read_force(const JsonField& field, SceneFields& fields, Scene& scene);
+void read_hand(const JsonField& field, SceneFields& fields, Scene& scene);
 void read_simulation(const JsonField& field, SceneFields& fields, Scene& scene);
 void read_view(const JsonField& field, SceneFields& fields, Scene& scene);
 void read_defaults(const JsonField& field, SceneFields& fields, Scene& scene);

@@ -52,6 +52,7 @@ class SceneWriter {
   void write_collider(std::size_t c);
   void write_path(const ColliderPath& path);
   void write_force(std::size_t f);
+  void write_hand();
   void write_simulation();
   void write_defaults();
   void write_view();
@@ -96,6 +97,7 @@ std::string SceneWriter::write() {
   write_list("colliders", system_.colliders.size(), [&](std::size_t c) { write_collider(c); });
   write_list("forces", system_.forces.size(), [&](std::size_t f) { write_force(f); });
 
+  write_hand();
   write_simulation();
   write_defaults();
   if (scene_.controls != ControlRanges{} || has_unknown_inside("controls")) {
@@ -297,6 +299,26 @@ void SceneWriter::write_force(std::size_t f) {
   if (!force.on) out_.boolean("on", false);
   for (std::size_t i = 0; i < force.term->numbers.size(); ++i) out_.number(force.term->numbers[i].name, force.values[i]);
   write_unknown_inside("forces[" + std::to_string(f) + "]");
+  out_.end();
+}
+
+void SceneWriter::write_hand() {
+  const std::optional<ScriptedHand>& hand = system_.scripted_hand;
+  if (!hand || system_.index_of(hand->point) == no_index) return;
+  out_.key("hand");
+  out_.begin_object(Layout::Line);
+  out_.whole("point", system_.index_of(hand->point));
+  out_.key("circle");
+  out_.begin_object(Layout::Line);
+  out_.vector("from", hand->from);
+  out_.vector("center", hand->center);
+  out_.vector("axis", hand->axis);
+  write_unknown_inside("hand.circle");
+  out_.end();
+  out_.number("speed", hand->speed);
+  out_.number("begin", hand->begin);
+  out_.number("seconds", hand->seconds);
+  write_unknown_inside("hand");
   out_.end();
 }
 

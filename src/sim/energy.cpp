@@ -55,7 +55,11 @@ Vec3 grabbed_place(const System& system, const State& state) {
 Vec3 compute_hand_force(const System& system, const State& state) {
   if (!system.grab) return Vec3(0.0);
   if (system.grab->kind == GrabKind::Pull) return system.grab->stiffness * (state.hand - grabbed_place(system, state));
-  const Index held = system.index_of(system.grab->point);
+  return compute_holding_force(system, system.grab->point, state);
+}
+
+Vec3 compute_holding_force(const System& system, PointId point, const State& state) {
+  const Index held = system.index_of(point);
 
   // what the springs and gravity do to the held point, turned round
   Vec3 force = system.points()[held].nailed ? Vec3(0.0) : system.points()[held].mass * system.gravity;

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
+#include "sim/hand.h"
 #include "sim/state.h"
 
 namespace hooke {
@@ -112,6 +113,13 @@ PlannedPull plan_pull(const System& system, const Grab& grab) {
   return pull;
 }
 
+// Lets go of what is held, and holds this.
+void hold(Plan& plan, const System& system, std::optional<Index> point) {
+  if (plan.held) plan.inverse_mass[*plan.held] = system.points()[*plan.held].nailed ? 0.0 : 1.0 / system.points()[*plan.held].mass;
+  plan.held = point;
+  if (plan.held) plan.inverse_mass[*plan.held] = 0.0;
+}
+
 // What the pull adds to the rows of the points that move: K_ij = k s_i s_j I, s the shares.
 void add_pull_rows(const System& system, std::vector<double>& row) {
   const PlannedPull pull = plan_pull(system, *system.grab);
@@ -202,6 +210,12 @@ Vec3 reach_of_hand(const System& system, const Vec3& from, const Vec3& target, d
 }
 
 void aim_hand(Plan& plan, const System& system, const State& state, double duration) {
+  // a listed hand takes its point and leaves it between frames
+  const std::optional<Grab> grab = acting_grab(system, state.time, duration);
+  std::optional<Index> held;
+  if (grab && grab->kind == GrabKind::Hold) held = system.index_of(grab->point);
+  if (plan.held != held) hold(plan, system, held);
+
   if (plan.pull) {
     plan.pull->start = state.time;
     plan.pull->from = state.hand;

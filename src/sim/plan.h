@@ -121,8 +121,8 @@ void refresh_colliders(Plan& plan, const System& system);
 // far as it may move.
 Vec3 reach_of_hand(const System& system, const Vec3& from, const Vec3& target, double duration);
 
-// Sets where the hand moves during the coming frame of `duration` [s]: in a straight line from state.hand, or the anchor of
-// its collider, towards the target. Nothing to do without a grab.
+// Sets what the hand holds, and where it moves during the coming frame of `duration` [s]: in a straight line from state.hand, or
+// the anchor of its collider, towards the target of the grab that acts (hand.h).
 void aim_hand(Plan& plan, const System& system, const State& state, double duration);
 
 // Gershgorin bounds on M^-1/2 K M^-1/2 by 3x3 blocks: omega^2 <= max_i sum_j k_ij (1/m_i + 1/sqrt(m_i m_j)), the second

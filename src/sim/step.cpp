@@ -7,6 +7,7 @@
 
 #include "sim/energy.h"
 #include "sim/forces.h"
+#include "sim/hand.h"
 #include "sim/spring_limits.h"
 
 namespace hooke {
@@ -22,7 +23,9 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   pack(plan, state, motion_);
 
   // a held point moves straight to the target: as a massive point with that velocity, which every method does exactly
-  target_ = system.grab ? reach_of_hand(system, state.hand, system.grab->target, duration_) : Vec3(0.0);
+  const std::optional<Grab> grab = acting_grab(system, state.time, duration_);
+  const Vec3 from = grab && !system.grab ? state.position[system.index_of(grab->point)] : state.hand;
+  target_ = grab ? reach_of_hand(system, from, grab->target, duration_) : Vec3(0.0);
   if (plan.held) {
     const Vec3 velocity = (target_ - state.position[*plan.held]) / duration_;
     for (int c = 0; c < plan.dimensions; ++c) motion_.v[static_cast<std::size_t>(c) * plan.points + *plan.held] = velocity[c];
@@ -91,14 +94,20 @@ void book_forces_work(const Plan& plan, const State& before, State& after) {
 }
 
 void book_hand_work(const System& system, const State& before, State& after) {
-  if (!system.grab) return;
+  const std::optional<Grab> grab = acting_grab(system, before.time, after.time - before.time);
+  if (!grab) return;
+  const bool holds = grab->kind == GrabKind::Hold;
+  const Index held = system.index_of(grab->point);
+  const auto force_in = [&](const State& state) {
+    return holds ? compute_holding_force(system, grab->point, state) : compute_hand_force(system, state);
+  };
+
   // trapezium of the hand's force along its straight way, and the motion it gave to a held point
-  const Vec3 way = after.hand - before.hand;
-  const double start = glm::dot(compute_hand_force(system, before), way), finish = glm::dot(compute_hand_force(system, after), way);
+  const Vec3 way = holds ? after.position[held] - before.position[held] : after.hand - before.hand;
+  const double start = glm::dot(force_in(before), way), finish = glm::dot(force_in(after), way);
   double work = 0.5 * (start + finish);
   double size = std::abs(start) + std::abs(finish);
-  const Index held = system.index_of(system.grab->point);
-  if (system.grab->kind == GrabKind::Hold && !system.points()[held].nailed) {
+  if (holds && !system.points()[held].nailed) {
     const double mass = system.points()[held].mass;
     const double gained =
         0.5 * mass * (glm::dot(after.velocity[held], after.velocity[held]) - glm::dot(before.velocity[held], before.velocity[held]));

@@ -97,7 +97,8 @@ bool System::operator==(const System& other) const {
                     s.strain_limit);
   };
   return scalars(*this) == scalars(other) && faces == other.faces && colliders == other.colliders && forces == other.forces &&
-         grab == other.grab && collider_grab == other.collider_grab && points_ == other.points_ && springs_ == other.springs_;
+         grab == other.grab && collider_grab == other.collider_grab && scripted_hand == other.scripted_hand &&
+         points_ == other.points_ && springs_ == other.springs_;
 }
 
 }  // namespace hooke

@@ -136,6 +136,19 @@ struct ColliderGrab {
   bool operator==(const ColliderGrab&) const = default;
 };
 
+// A hand that is listed in the scene: it holds a point and takes it round a circle, then lets go. Where it is follows from the
+// time alone, so that a scene may be saved, gone back in and replayed while it acts (hand.h).
+struct ScriptedHand {
+  PointId point{};
+  Vec3 from{0.0};            // [m], where it is at `begin`
+  Vec3 center{0.0};          // [m]
+  Vec3 axis{0.0, 0.0, 1.0};  // unit; it goes round counter-clockwise as seen from where this points
+  double speed = 0.0;        // [m/s]
+  double begin = 0.0;        // [s], of the scene's clock
+  double seconds = 0.0;      // [s], for which it holds
+  bool operator==(const ScriptedHand&) const = default;
+};
+
 // Properties are plain fields. Points and springs come and go only through the functions below, which keep the
 // lookup by id true.
 class System {
@@ -155,6 +168,7 @@ class System {
   double hand_speed = 0.0;    // [m/s], the most that the hand moves at; 0: as the cursor does
   double break_strain = 0.0;  // [1], at which every spring breaks that does not break before; 0: each only at its own
   double strain_limit = 0.0;  // [1], that no spring is stretched beyond, by force; 0: none
+  std::optional<ScriptedHand> scripted_hand;  // waits while there is a grab
 
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Spring>& springs() const { return springs_; }
