@@ -67,7 +67,7 @@ double least_scale(const System& system, const State& state) {
 
 void open_ledger(const System& system, State& state) {
   const Energy energy = compute_energy(system, state);
-  state.ledger.given = energy.total();
+  state.ledger = {.given = energy.total()};
   state.ledger.scale = std::max(energy.kinetic + energy.elastic, least_scale(system, state));
 }
 
@@ -89,7 +89,8 @@ std::optional<Divergence> find_divergence(const System& system, const State& sta
   const double present = energy.kinetic + energy.elastic;
   if (!is_finite(state) || !std::isfinite(energy.total()))
     divergence.kind = Divergence::Kind::NotFinite;
-  else if (divergence.energy > divergence_factor * divergence.scale && divergence.energy > divergence_share * present)
+  else if (divergence.energy > divergence_factor * divergence.scale + state.ledger.hand_stretch &&
+           divergence.energy > divergence_share * present)
     divergence.kind = Divergence::Kind::EnergyFromNowhere;
   else
     return std::nullopt;

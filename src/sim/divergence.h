@@ -21,6 +21,8 @@ struct Divergence {
 
 // Energy may exceed what start, hand and edits put in by this many times their size.
 inline constexpr double divergence_factor = 100.0;
+// To this comes what the springs would hold if the hand's longest way in a step had stretched each of them (EnergyLedger): a
+// step that takes a stiff sheet by a corner and turns it leaves it too long for a moment, and the books still say so.
 // And it must be this share of the energy in motion and springs: a long fall gathers far more than what was put in, and
 // with it a method's small share of error.
 inline constexpr double divergence_share = 0.5;

@@ -93,7 +93,19 @@ void book_forces_work(const Plan& plan, const State& before, State& after) {
   after.ledger.scale += std::max(0.0, work);
 }
 
-void book_hand_work(const System& system, const State& before, State& after) {
+namespace {
+
+// A step moves points straight on. A method that takes the springs as linear over it brings out those that turn as long as
+// the hypotenuse: by up to the hand's way too long, energy that no force gave, and that the next steps take back.
+double stretch_by(const System& system, double way) {
+  double stiffness = 0.0;
+  for (const Spring& spring : system.springs()) stiffness += system.stiffness_of(spring);
+  return 0.5 * stiffness * way * way;
+}
+
+}  // namespace
+
+void book_hand_work(const System& system, const State& before, State& after, int steps) {
   const std::optional<Grab> grab = acting_grab(system, before.time, after.time - before.time);
   if (!grab) return;
   const bool holds = grab->kind == GrabKind::Hold;
@@ -116,6 +128,7 @@ void book_hand_work(const System& system, const State& before, State& after) {
   }
   after.ledger.given += work;
   after.ledger.scale += size;
+  after.ledger.hand_stretch = std::max(after.ledger.hand_stretch, stretch_by(system, glm::length(way) / steps));
 }
 
 }  // namespace hooke

@@ -50,7 +50,7 @@ class Frame {
 // Adds the work of the listed forces (force_term.h) between two frames to the ledger of the later one.
 void book_forces_work(const Plan& plan, const State& before, State& after);
 
-// Adds the hand's work between two frames to the ledger of the later one.
-void book_hand_work(const System& system, const State& before, State& after);
+// Adds the hand's work between two frames, `steps` apart, to the ledger of the later one.
+void book_hand_work(const System& system, const State& before, State& after, int steps = 1);
 
 }  // namespace hooke
