@@ -68,16 +68,16 @@ TEST(BadScenes, AHandWithoutAPointACircleOrATimeIsRefused) {
       {hand(R"("point": 1, "circle": {"center": [1, 0, 0]}, )" + rest), "hand.circle.from: missing: must be [x, y, z]"},
       {hand(R"("point": 1, "circle": {"from": [1, 0, 0]}, )" + rest), "hand.circle.center: missing: must be [x, y, z]"},
       {hand(R"("point": 1, "circle": {"from": [1, 0, 2], "center": [1, 0, 0]}, )" + rest),
-       R"(hand.circle: {"from":[1,0,2],"center":[1,0,0]}: must have from at least 1e-06 m beside the axis through center)"},
+       R"(hand.circle: {"from": [1, 0, 2], "center": [1, 0, 0]}: must have from at least 1e-06 m beside the axis through center)"},
       {hand(R"("point": 1, "circle": {"from": [0, 0, 0], "center": [1, 0, 0], "axis": [0, 0, 0]}, )" + rest),
-       "hand.circle.axis: [0,0,0]: must not be zero"},
+       "hand.circle.axis: [0, 0, 0]: must not be zero"},
       {R"({"hooke": 1, "dimensions": 2, "points": [{"position": [0, 0]}], "hand": {"point": 0, "circle": {"from": [0, 0], "center": [1, 0], "axis": [0, 1, 1]}, )" +
            rest + "}}",
        "hand.circle.axis: [0, 0.7071067811865475, 0.7071067811865475]: must be along z in a 2-D scene"},
-      {hand("\"point\": 1, " + circle + R"("seconds": 1)"), "hand.speed: missing: must be a number from 0 to 1e+06"},
-      {hand("\"point\": 1, " + circle + R"("seconds": 1, "speed": 2e6)"), "hand.speed: 2e6: must be a number from 0 to 1e+06"},
-      {hand("\"point\": 1, " + circle + R"("speed": 1)"), "hand.seconds: missing: must be a number of more than 0"},
-      {hand("\"point\": 1, " + circle + R"("speed": 1, "seconds": 0)"), "hand.seconds: 0: must be a number of more than 0"},
+      {hand("\"point\": 1, " + circle + R"("seconds": 1)"), "hand.speed: missing: must be from 0 to 1000000"},
+      {hand("\"point\": 1, " + circle + R"("seconds": 1, "speed": 2e6)"), "hand.speed: 2000000: must be from 0 to 1000000"},
+      {hand("\"point\": 1, " + circle + R"("speed": 1)"), "hand.seconds: missing: must be more than 0"},
+      {hand("\"point\": 1, " + circle + R"("speed": 1, "seconds": 0)"), "hand.seconds: 0: must be more than 0"},
   });
 }
 

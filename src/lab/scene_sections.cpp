@@ -292,8 +292,8 @@ void read_hand(const JsonField& field, SceneFields& fields, Scene& scene) {
   }
   if (!has_point) field.refuse_missing("point", "must be a point number");
   if (!has_circle) field.refuse_missing("circle", "must be {\"from\": [x, y, z], \"center\": [x, y, z]}");
-  if (!has_speed) field.refuse_missing("speed", "must be a number from 0 to 1e+06");
-  if (!has_seconds) field.refuse_missing("seconds", "must be a number of more than 0");
+  if (!has_speed) field.refuse_missing("speed", "must be from 0 to 1000000");
+  if (!has_seconds) field.refuse_missing("seconds", "must be more than 0");
   scene.system.scripted_hand = hand;
 }
 
