@@ -57,6 +57,21 @@ TEST(ShippedScenes, SayInTwoSentencesWhatToTryAndWhatToSee) {
   }
 }
 
+// Saved while its hand acts, and opened again: the same motion, bit for bit, while it holds and after.
+TEST(ShippedScenes, TheFastMouseGoesOnFromAFileWhereItWas) {
+  const auto go_on = [](Scene scene, int frames) {
+    Lab lab(std::move(scene), KeepStart::No);
+    for (int i = 0; i < frames; ++i) EXPECT_TRUE(lab.step());
+    return lab.scene();
+  };
+  const Scene half = go_on(shipped("fast_mouse"), 20);
+  const Scene whole = go_on(half, 15), again = go_on(parse_scene(format_scene(half), "half").scene, 15);
+  EXPECT_EQ(again.state.position, whole.state.position);
+  EXPECT_EQ(again.state.velocity, whole.state.velocity);
+  EXPECT_EQ(again.system.scripted_hand, whole.system.scripted_hand);
+  EXPECT_GT(glm::length(whole.state.velocity[0]), 10.0);
+}
+
 struct SpringFigures {
   double stiffness, damping, rest_length;
 };

@@ -33,6 +33,7 @@ constexpr std::array rows{
     Row{cloth, "trampoline", "Trampoline", 0.62},
     Row{cloth, "hammock", "Hammock", 3.0},
     Row{cloth, "tearing_sheet", "Tearing sheet", 1.75},
+    Row{cloth, "fast_mouse", "Fast mouse", 0.02},
     Row{lessons, "two_masses", "Two masses", 0.5},
     Row{lessons, "two_masses_bouncy", "Two masses, bouncy", 0.6},
     Row{lessons, "three_masses", "Three masses", 0.4},
