@@ -21,5 +21,5 @@ expect drum_32 hooke drum
 expect mine.json hooke mi
 expect --integrator hooke run cloth --integ
 expect tr_bdf2 hooke run --integrator tr
-expect stiffness= hooke-headless run --set stiff
+expect substeps= hooke-headless run --set substep
 rm -r "$PWD"
