@@ -7,8 +7,8 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 #include <glm/geometric.hpp>
+#include <thread>
 
 #include "app/files.h"
 #include "draw/view.h"

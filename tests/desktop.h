@@ -100,8 +100,9 @@ class Desktop {
     const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
     // A number of its own: servers that look for a free one at the same time can take the same. -displayfd says when it is up.
     const std::string own = ":" + std::to_string(100 + ::getpid() % 50000);
-    server_ = Process({"sh", "-c", "exec Xvfb " + own + " -displayfd 3 -screen 0 " + screen + " -dpi 96 -nolisten tcp 3>" + number.string()},
-                      folder_ / "server.log");
+    server_ =
+        Process({"sh", "-c", "exec Xvfb " + own + " -displayfd 3 -screen 0 " + screen + " -dpi 96 -nolisten tcp 3>" + number.string()},
+                folder_ / "server.log");
     wait_for([&] { return contents(number).find('\n') != std::string::npos; });
     std::istringstream(contents(number)) >> display_;
     ::setenv("DISPLAY", (":" + display_).c_str(), 1);

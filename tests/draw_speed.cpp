@@ -50,5 +50,6 @@ int main(int count, char** arguments) {
   }
   std::sort(times.begin(), times.end());
   std::sort(processor_times.begin(), processor_times.end());
-  std::printf("%.1f %.1f %.0f %.1f %.1f\n", times.front(), times[pictures / 2], first, processor_times.front(), processor_times[pictures / 2]);
+  std::printf("%.1f %.1f %.0f %.1f %.1f\n", times.front(), times[pictures / 2], first, processor_times.front(),
+              processor_times[pictures / 2]);
 }

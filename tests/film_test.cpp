@@ -36,7 +36,8 @@ class Films : public testing::Test {
     return text.str();
   }
   std::size_t files() const {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(scratch.folder), std::filesystem::directory_iterator()));
+    return static_cast<std::size_t>(
+        std::distance(std::filesystem::directory_iterator(scratch.folder), std::filesystem::directory_iterator()));
   }
   const ScratchFolder scratch;
 };
@@ -69,7 +70,8 @@ TEST_F(Films, AreNotLeftHalfMade) {
 TEST_F(Films, SayHowToGetWhatTheyNeed) {
   const Outcome said = run("capture cloth --out a.mp4", "/nowhere");
   EXPECT_EQ(said.code, 5);
-  EXPECT_EQ(said.err, "hooke-headless: a.mp4: ffmpeg, which makes films, cannot be started: No such file or directory (apt-get install ffmpeg)\n");
+  EXPECT_EQ(said.err,
+            "hooke-headless: a.mp4: ffmpeg, which makes films, cannot be started: No such file or directory (apt-get install ffmpeg)\n");
   EXPECT_EQ(files(), 0u);
 }
 

@@ -13,10 +13,10 @@
 #include "lab/lab.h"
 #include "lab/parameters.h"
 #include "lab/scene_file.h"
+#include "scratch_folder.h"
 #include "sim/errors.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"
-#include "scratch_folder.h"
 
 namespace hooke {
 namespace {
@@ -30,10 +30,18 @@ std::string text_of(const Command& command) {
 // One of every command, with nothing left at its default that could be lost.
 std::vector<Command> one_of_each() {
   const Point point{.id = PointId{7}, .nailed = true, .color = Color{1, 2, 3}, .mass = 0.1, .radius = 0.3};
-  const Spring spring{.id = SpringId{9}, .first = PointId{7}, .second = PointId{1}, .family = SpringFamily::Shear,
-                      .stiffness = 1e300, .damping = 5e-324, .rest_length = 0.1};
-  const Grab grab{.point = PointId{1}, .patch = Patch{{PointId{1}, PointId{2}, PointId{3}}, {0.5, 0.25, 0.25}},
-                  .kind = GrabKind::Pull, .target = {-0.0, 1.0 / 3.0, 2.0}, .stiffness = 12.5};
+  const Spring spring{.id = SpringId{9},
+                      .first = PointId{7},
+                      .second = PointId{1},
+                      .family = SpringFamily::Shear,
+                      .stiffness = 1e300,
+                      .damping = 5e-324,
+                      .rest_length = 0.1};
+  const Grab grab{.point = PointId{1},
+                  .patch = Patch{{PointId{1}, PointId{2}, PointId{3}}, {0.5, 0.25, 0.25}},
+                  .kind = GrabKind::Pull,
+                  .target = {-0.0, 1.0 / 3.0, 2.0},
+                  .stiffness = 12.5};
   const Parameter& drag = *find_parameter("drag");
   return {
       Insert{{{no_index, point, {1, 2, 3}, {4, 5, 6}}}, {{3, spring}}, {{0, {{PointId{7}, PointId{1}, PointId{2}}}}}},
@@ -108,7 +116,8 @@ Session record_session(const std::filesystem::path& file) {
   lab.submit(Redo{});
   const PointId added = lab.new_point_id();
   lab.submit(Insert{{{no_index, {.id = added}, {0.3, 2.0, 0.1}, Vec3(0.0)}},
-                    {{no_index, {.id = lab.new_spring_id(), .first = added, .second = corner, .stiffness = 80.0, .rest_length = 0.4}}}, {}});
+                    {{no_index, {.id = lab.new_spring_id(), .first = added, .second = corner, .stiffness = 80.0, .rest_length = 0.4}}},
+                    {}});
   step(4);
   lab.submit(GoToStart{});
   step(2);
@@ -222,10 +231,11 @@ TEST_F(Recordings, AreRefusedWithTheLineThatIsWrong) {
   EXPECT_EQ(refusal("{}\n"), "x.hookelog: line 1: must be a recording: {\"hooke_recording\": 1, ...}");
   EXPECT_NE(refusal("{\"hooke_recording\": 2}\n").find("line 1: hooke_recording: 2: "), std::string::npos);
   EXPECT_NE(refusal("{\"hooke_recording\": 1}\n{\"frame\": \"00\"}\n").find("line 2: frame: "), std::string::npos);
-  for (const char* line : {"{\"frame\": \"zz00000000000000\"}", "{\"fly\": {}}", "{\"replace\": {\"scene\": null}}", "{\"move\": {\"items\": 3}}",
-                           "{\"set_parameter\": {\"parameter\": \"none\", \"value\": 1}}", "{\"remove\": {\"points\": [-1], \"springs\": []}}",
-                           "{\"move\": {}}", "nonsense"})
-    EXPECT_NE(refusal(first_lines + line + "\n").find("x.hookelog: line 4: "), std::string::npos) << line << ": " << refusal(first_lines + line + "\n");
+  for (const char* line : {"{\"frame\": \"zz00000000000000\"}", "{\"fly\": {}}", "{\"replace\": {\"scene\": null}}",
+                           "{\"move\": {\"items\": 3}}", "{\"set_parameter\": {\"parameter\": \"none\", \"value\": 1}}",
+                           "{\"remove\": {\"points\": [-1], \"springs\": []}}", "{\"move\": {}}", "nonsense"})
+    EXPECT_NE(refusal(first_lines + line + "\n").find("x.hookelog: line 4: "), std::string::npos)
+        << line << ": " << refusal(first_lines + line + "\n");
 }
 
 TEST(Fingerprints, OfLargeScenesNameAGroupOfPoints) {

@@ -271,8 +271,10 @@ TEST(BadScenes, CollidersMustBeWhole) {
 
 TEST(BadScenes, GeneratorsAreCheckedBeforeTheyMakeAnything) {
   expect_refused({
-      {R"({"hooke": 1, "generators": [{}]})", "generators[0].type: missing: must be one of cloth, rope, hanging_rope, chain, sheet, curtain, flag, net, bridge, jelly"},
-      {R"({"hooke": 1, "generators": [{"type": "knot"}]})", "generators[0].type: \"knot\": must be one of cloth, rope, hanging_rope, chain, sheet, curtain, flag, net, bridge, jelly"},
+      {R"({"hooke": 1, "generators": [{}]})",
+       "generators[0].type: missing: must be one of cloth, rope, hanging_rope, chain, sheet, curtain, flag, net, bridge, jelly"},
+      {R"({"hooke": 1, "generators": [{"type": "knot"}]})",
+       "generators[0].type: \"knot\": must be one of cloth, rope, hanging_rope, chain, sheet, curtain, flag, net, bridge, jelly"},
       {R"({"hooke": 1, "generators": [{"type": "rope", "points": 2}]})", "generators[0].from: missing: must be [x, y, z]"},
       {rope_with(R"("stiffness": 1)"), "generators[0].points: missing: must be a whole number of at least 2"},
       {rope_with(R"("stiffness": 1, "points": 1)"), "generators[0].points: 1: must be a whole number from 2 to 5000000"},

@@ -46,7 +46,9 @@ TEST_P(Allocation, IsNeverNeededOnceAFrameHasRun) {
   for (const GrabKind kind : {GrabKind::Hold, GrabKind::Pull}) {
     Trial trial = net(32, 1e4, 0.5);
     trial.system.drag = 0.3;
-    trial.system.colliders.push_back({.shape = Sphere{.center = {0.5, -0.6, 0.1}, .radius = 0.1}, .friction = 0.3, .path = {.swing = {0.1, 0.0, 0.0}, .spin = {0.0, 1.0, 0.0}}});
+    trial.system.colliders.push_back({.shape = Sphere{.center = {0.5, -0.6, 0.1}, .radius = 0.1},
+                                      .friction = 0.3,
+                                      .path = {.swing = {0.1, 0.0, 0.0}, .spin = {0.0, 1.0, 0.0}}});
     trial.system.break_strain = 50.0;
     trial.system.strain_limit = 0.05;
     trial.system.faces.push_back({.points = {trial.system.points()[1].id, trial.system.points()[2].id, trial.system.points()[33].id}});

@@ -17,7 +17,8 @@ Trial falling_sheet(double k) {
   Trial trial;
   std::vector<PointId> points;
   for (int row = 0; row < n; ++row)
-    for (int column = 0; column < n; ++column) points.push_back(trial.add({column * a - 0.48, radius + 0.1, row * a - 0.47}, 0.2 / (n * n)));
+    for (int column = 0; column < n; ++column)
+      points.push_back(trial.add({column * a - 0.48, radius + 0.1, row * a - 0.47}, 0.2 / (n * n)));
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column) {
       const PointId here = points[row * n + column];

@@ -185,7 +185,8 @@ TEST(Hand, AScriptedOneWaitsForAPersons) {
   scene.take(GrabKind::Hold, {5.0, 0.0, 0.0});
   EXPECT_EQ(acting_grab(scene.trial.system, 3.0 * frame_time, frame_time)->target, Vec3(5.0, 0.0, 0.0));
   scene.trial.system.grab.reset();
-  EXPECT_EQ(acting_grab(scene.trial.system, 3.0 * frame_time, frame_time)->target, place_at(circling(scene), 3.0 * frame_time + frame_time));
+  EXPECT_EQ(acting_grab(scene.trial.system, 3.0 * frame_time, frame_time)->target,
+            place_at(circling(scene), 3.0 * frame_time + frame_time));
   EXPECT_FALSE(acting_grab(scene.trial.system, 1.0 * frame_time, frame_time));
   EXPECT_FALSE(acting_grab(scene.trial.system, 7.0 * frame_time, frame_time));
 }

@@ -7,8 +7,8 @@
 #include "app/files.h"
 #include "draw/camera_text.h"
 #include "lab/excerpt.h"
-#include "sim/errors.h"
 #include "lab/scene_file.h"
+#include "sim/errors.h"
 #include "sim/overloaded.h"
 
 namespace hooke {
@@ -180,7 +180,8 @@ void App::cancel() {
     panels_.menu_closes = true;
     return;
   }
-  if (std::exchange(panels_.keys_shown, false) || std::exchange(panels_.search.shown, false) || std::exchange(panels_.gallery.is_shown, false))
+  if (std::exchange(panels_.keys_shown, false) || std::exchange(panels_.search.shown, false) ||
+      std::exchange(panels_.gallery.is_shown, false))
     return;
   tool_is_pressed_ = false;
   if (tool_->cancel(bench_)) return;

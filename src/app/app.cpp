@@ -246,8 +246,8 @@ std::string App::title() const {
 }
 
 bool App::is_still() const {
-  return !panels_.exporting.is_running() && !picture_file_ && !filming_.is_filming() && !status().running && panels_.toast.empty() && !tool_is_pressed_ &&
-         !turning_with_;
+  return !panels_.exporting.is_running() && !picture_file_ && !filming_.is_filming() && !status().running && panels_.toast.empty() &&
+         !tool_is_pressed_ && !turning_with_;
 }
 
 }  // namespace hooke

@@ -5,9 +5,9 @@
 #include "app/app.h"
 #include "app/files.h"
 #include "lab/open_file.h"
-#include "lab/recording.h"
 #include "lab/printable.h"
 #include "lab/read_file.h"
+#include "lab/recording.h"
 
 namespace hooke {
 namespace {
@@ -247,7 +247,8 @@ void App::attend() {
   take_status();
   if (const std::string news = filming_.take_news(); !news.empty()) panels_.say(news);
   if (!status().recording_error.empty() && !std::exchange(recording_, {}).empty()) panels_.say(status().recording_error);
-  if (!status().difference.empty() && status().difference != told_difference_) panels_.remarks = "Not as it was recorded: " + status().difference;
+  if (!status().difference.empty() && status().difference != told_difference_)
+    panels_.remarks = "Not as it was recorded: " + status().difference;
   told_difference_ = status().difference;
   const double now = seconds_now();
   autosave_.follow(status(), lab_, now, dress());

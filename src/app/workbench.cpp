@@ -14,7 +14,9 @@ constexpr double least_reach = 8.0;
 
 }  // namespace
 
-std::optional<PointId> Workbench::point_at(const glm::dvec2& cursor) const { return pick_point(snapshot(), lens(), cursor, std::max(least_reach, reach * scale)); }
+std::optional<PointId> Workbench::point_at(const glm::dvec2& cursor) const {
+  return pick_point(snapshot(), lens(), cursor, std::max(least_reach, reach * scale));
+}
 
 std::optional<SpringId> Workbench::spring_at(const glm::dvec2& cursor) const {
   return pick_spring(snapshot(), lens(), cursor, std::max(least_reach, spring_reach * scale));

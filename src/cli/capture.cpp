@@ -18,8 +18,8 @@ namespace {
 // Takes pictures of the laboratory to where they go.
 class Cameraman {
  public:
-  Cameraman(const Destination& destination, const PictureSize& size, const Shutter& shutter, const Scene& scene, std::optional<CameraPose> pose,
-            bool with_panels)
+  Cameraman(const Destination& destination, const PictureSize& size, const Shutter& shutter, const Scene& scene,
+            std::optional<CameraPose> pose, bool with_panels)
       : destination_(destination), size_(size), place_{0.0, 0.0, static_cast<double>(size.width), static_cast<double>(size.height)} {
     ViewSettings settings = scene.view;
     if (pose) settings.camera = pose;
@@ -31,7 +31,8 @@ class Cameraman {
     }
     camera_ = make_camera(settings, scene.system, scene.state, place_.width / place_.height);
     look_.place = {static_cast<int>(place_.x), static_cast<int>(place_.y), static_cast<int>(place_.width), static_cast<int>(place_.height)};
-    if (destination.kind == Destination::Kind::Film) film_.emplace(destination.path, size.width, size.height, shutter.pictures_per_second());
+    if (destination.kind == Destination::Kind::Film)
+      film_.emplace(destination.path, size.width, size.height, shutter.pictures_per_second());
   }
 
   bool wants_all() const { return destination_.kind != Destination::Kind::Picture; }
@@ -112,7 +113,8 @@ int capture(const CaptureOptions& options) {
 std::function<int()> declare_capture(CLI::App& app) {
   auto options = std::make_shared<CaptureOptions>();
   options->scene = add_scene_options(app, SceneIs::Optional);
-  app.add_option("--replay", options->replay, "A recording (" + std::string(recording_extension) + ") instead of SCENE; without --seconds, all of it")
+  app.add_option("--replay", options->replay,
+                 "A recording (" + std::string(recording_extension) + ") instead of SCENE; without --seconds, all of it")
       ->type_name("LOG");
   app.add_option("--out", options->out,
                  "A .png, for the last picture alone; a folder, for all: frame_00000.png and so on; or a .mp4, by ffmpeg")

@@ -59,7 +59,8 @@ Destination parse_destination(const std::string& out) {
   if (std::filesystem::is_directory(path, ignored) || (!out.empty() && !path.has_extension())) return {path, Destination::Kind::Folder};
   if (path.extension() == ".png") return {path, Destination::Kind::Picture};
   if (path.extension() == ".mp4") return {path, Destination::Kind::Film};
-  throw UsageError("--out " + printable(out, 200) + ": must end in .png or .mp4, or be a folder (a new one with a dot in its name ends in /)");
+  throw UsageError("--out " + printable(out, 200) +
+                   ": must end in .png or .mp4, or be a folder (a new one with a dot in its name ends in /)");
 }
 
 void prepare(const Destination& destination) {
@@ -79,7 +80,8 @@ Shutter::Shutter(const CaptureOptions& options, double frame_rate, double length
   constexpr double most = 1e15;
   const double last = options.frames ? static_cast<double>(*options.frames - 1)
                                      : std::floor(options.seconds.value_or(length) * fps * (1.0 + round_off) + round_off);
-  if (!(last * frames_per_picture_ <= most)) throw UsageError("--seconds " + shortest(options.seconds.value_or(length)) + ": must be at most 1e15 frames");
+  if (!(last * frames_per_picture_ <= most))
+    throw UsageError("--seconds " + shortest(options.seconds.value_or(length)) + ": must be at most 1e15 frames");
   pictures_ = static_cast<long>(last) + 1;
 }
 

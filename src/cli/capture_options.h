@@ -16,8 +16,8 @@ struct CaptureOptions {
   std::string out;
   std::optional<double> seconds;  // [s]
   std::optional<long> frames;
-  std::optional<double> fps;          // [1/s]
-  std::string size = "1280x720";      // [px]
+  std::optional<double> fps;      // [1/s]
+  std::string size = "1280x720";  // [px]
   bool panels = false;
   std::optional<std::string> camera;  // "x,y,z,x,y,z": the eye and its target
 };

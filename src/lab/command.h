@@ -145,9 +145,9 @@ struct Replace {
   std::shared_ptr<const Scene> scene;
 };
 
-using Command =
-    std::variant<Insert, Remove, SetNailed, Move, SetPointColor, SetPointProperty, SetSpringProperty, SetParameter, RestoreParameter,
-                 SetIntegrator, GrabPoint, GrabCollider, MoveHand, ReleaseHand, SetGravity, SetColliders, SetForces, SetTexture, GoToState, Replace>;
+using Command = std::variant<Insert, Remove, SetNailed, Move, SetPointColor, SetPointProperty, SetSpringProperty, SetParameter,
+                             RestoreParameter, SetIntegrator, GrabPoint, GrabCollider, MoveHand, ReleaseHand, SetGravity, SetColliders,
+                             SetForces, SetTexture, GoToState, Replace>;
 
 // What a person calls it: "nail 3 points".
 std::string describe(const Command& command);

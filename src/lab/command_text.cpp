@@ -59,17 +59,16 @@ struct Text<double> {
 };
 
 template <class T>
-  requires(std::is_integral_v<T> && !std::is_same_v<T, bool>)
-struct Text<T> {
+requires(std::is_integral_v<T> && !std::is_same_v<T, bool>) struct Text<T> {
   static void write(JsonWriter& out, T value) { out.whole(value); }
   static T read(const JsonField& field) {
-    return static_cast<T>(field.whole(static_cast<std::int64_t>(std::numeric_limits<T>::min()), static_cast<std::int64_t>(std::numeric_limits<T>::max())));
+    return static_cast<T>(
+        field.whole(static_cast<std::int64_t>(std::numeric_limits<T>::min()), static_cast<std::int64_t>(std::numeric_limits<T>::max())));
   }
 };
 
 template <class T>
-  requires(std::is_same_v<T, PointId> || std::is_same_v<T, SpringId>)
-struct Text<T> {
+requires(std::is_same_v<T, PointId> || std::is_same_v<T, SpringId>) struct Text<T> {
   static void write(JsonWriter& out, T id) { out.whole(static_cast<std::uint32_t>(id)); }
   static T read(const JsonField& field) { return T{static_cast<std::uint32_t>(field.whole(0, most_id))}; }
 };
@@ -194,15 +193,14 @@ struct Text<T> {
   static void write(JsonWriter& out, const T& value) {
     out.begin_object(Layout::Line);
     std::apply(
-        [&, i = std::size_t{0}](const auto&... members) mutable {
-          ((out.key(field_names<T>[i++]), hooke::write(out, members)), ...);
-        },
+        [&, i = std::size_t{0}](const auto&... members) mutable { ((out.key(field_names<T>[i++]), hooke::write(out, members)), ...); },
         members_of(value));
     out.end();
   }
   static T read(const JsonField& field) {
     T value{};
-    std::apply([&, i = std::size_t{0}](auto&... members) mutable { (read_member(field, field_names<T>[i++], members), ...); }, members_of(value));
+    std::apply([&, i = std::size_t{0}](auto&... members) mutable { (read_member(field, field_names<T>[i++], members), ...); },
+               members_of(value));
     return value;
   }
 

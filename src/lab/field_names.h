@@ -85,7 +85,7 @@ concept HasValueNames = !std::is_null_pointer_v<std::remove_cv_t<decltype(value_
 
 // References to all members of a value.
 template <class T>
-  requires HasFields<std::remove_const_t<T>>
+requires HasFields<std::remove_const_t<T>>
 auto members_of(T& value) {
   constexpr std::size_t count = field_names<std::remove_const_t<T>>.size();
   static_assert(count <= 9);

@@ -28,7 +28,8 @@ namespace {
 std::vector<std::string> arguments_for(const std::filesystem::path& file, int width, int height, double pictures_per_second) {
   return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
           std::to_string(width) + "x" + std::to_string(height), "-framerate", shortest(pictures_per_second), "-i", "pipe:0", "-vf",
-          "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-codec:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4",
+          "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-codec:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",
+          "mp4",
           // a name that begins with - or looks like a protocol is still a file
           "file:" + file.string()};
 }

@@ -277,7 +277,8 @@ void Lab::judge_played_frame() {
   difference_ = "frame " + std::to_string(playing_->frames) + ", at " + shortest(scene_.state.time) + " s: ";
   if (const auto points = first_difference(now, recorded, scene_.system.point_count())) {
     const auto& [first, last] = *points;
-    difference_ += first == last ? "point " + std::to_string(first) + " is" : "points " + std::to_string(first) + " to " + std::to_string(last) + " are";
+    difference_ += first == last ? "point " + std::to_string(first) + " is"
+                                 : "points " + std::to_string(first) + " to " + std::to_string(last) + " are";
     difference_ += " not where recorded";
   } else {
     difference_ += "not the state that was recorded";

@@ -29,12 +29,12 @@ struct GoInHistory {  // takes back, or does again, until so many steps are in e
 struct SetRunning {
   bool running;
 };
-struct StepOnce {};   // one frame, while paused
-struct RunTo {  // as fast as it goes, until the scene's clock says so
+struct StepOnce {};  // one frame, while paused
+struct RunTo {       // as fast as it goes, until the scene's clock says so
   double time;
 };
-struct StepBack {};   // to the frame before, where it is still known; pauses
-struct GoToTime {     // to the last known frame at this time or before; pauses
+struct StepBack {};  // to the frame before, where it is still known; pauses
+struct GoToTime {    // to the last known frame at this time or before; pauses
   double time;
 };
 struct Watch {  // what is measured of every frame, for the plots
@@ -46,13 +46,14 @@ struct Open {         // another document; the history ends
   bool unsaved = false;  // it holds changes that no file has
 };
 struct MarkSaved {};
-struct Record {  // what is done from here on; an earlier recording ends
+struct Record {                                       // what is done from here on; an earlier recording ends
   std::shared_ptr<const std::filesystem::path> file;  // null: none
 };
 struct Play {  // another document: what was recorded, done again frame by frame, until it ends or somebody lends a hand
   std::shared_ptr<const Recording> recording;
 };
-using Control = std::variant<Undo, Redo, GoInHistory, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, GoToStart, Open, MarkSaved, Record, Play>;
+using Control =
+    std::variant<Undo, Redo, GoInHistory, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, GoToStart, Open, MarkSaved, Record, Play>;
 
 // Whether the scene is kept as it was opened, to go back to: a copy, which a long run of a large scene can do without.
 enum class KeepStart { Yes, No };
@@ -137,7 +138,7 @@ class Lab {
   std::optional<double> run_to_;  // [s]
   double run_from_ = 0.0;         // [s]
   bool unsaved_ = false;
-  bool edited_ = false;  // since the start was kept
+  bool edited_ = false;           // since the start was kept
   Gesture grab_gesture_ = 0;      // of the hand's last grab: what tears under it is taken back with it
   double hand_lag_ = 0.0;         // [m], behind its target
   double limit_work_ = 0.0;       // [J], of the strain limit since the document was opened or started over
@@ -150,7 +151,7 @@ class Lab {
   std::optional<RecordingWriter> recorder_;
   std::string recording_error_;
   std::optional<Playing> playing_;
-  std::string difference_;  // of the recording last played
+  std::string difference_;                          // of the recording last played
   std::shared_ptr<const System> published_system_;  // null: stale
   std::shared_ptr<const Status> status_;
 };

@@ -48,12 +48,12 @@ class LabThread {
   Lab lab_;
   mutable std::mutex mutex_;
   std::condition_variable posted_;
-  std::vector<Task> tasks_;                    // guarded by mutex_
-  std::shared_ptr<const Status> status_;       // guarded by mutex_
+  std::vector<Task> tasks_;               // guarded by mutex_
+  std::shared_ptr<const Status> status_;  // guarded by mutex_
   std::condition_variable published_;
   long posted_count_ = 0, published_count_ = 0;  // tasks; guarded by mutex_
   std::atomic<bool> stopping_ = false;
-  std::atomic<bool> urgent_ = false;           // something waits that a frame in progress should make way for
+  std::atomic<bool> urgent_ = false;                      // something waits that a frame in progress should make way for
   std::uint32_t next_point_id_ = 0, next_spring_id_ = 0;  // of the asking thread
   std::thread thread_;
 };

@@ -228,7 +228,8 @@ void RecordingWriter::note_frame(const State& state) {
 
 void RecordingWriter::write_line(const std::string& line) {
   bytes_ += line.size() + 1;
-  if (bytes_ > most_file_bytes) throw FileError(printable(file_.native()) + ": the recording is full: more than 256 MiB could not be read again");
+  if (bytes_ > most_file_bytes)
+    throw FileError(printable(file_.native()) + ": the recording is full: more than 256 MiB could not be read again");
   errno = 0;
   out_ << line << '\n';
   if (!out_) throw FileError(printable(file_.native()) + ": cannot be written: " + std::strerror(errno != 0 ? errno : EIO));

@@ -54,8 +54,7 @@ std::vector<std::string> RunBooks::doubts(const System& system, const Tolerance&
     doubts.push_back(clause("its energy balance: %.2g of what was put in came from nowhere", energy_rise()));
   else if (!loses_energy(system) && energy_change() < -tolerance.energy)
     doubts.push_back(clause("its energy balance: %.2g of what was put in is lost", -energy_change()));
-  if (!(estimated_error_ <= tolerance.position))
-    doubts.push_back(clause("its own estimate: errors of %.1g m in all", estimated_error_));
+  if (!(estimated_error_ <= tolerance.position)) doubts.push_back(clause("its own estimate: errors of %.1g m in all", estimated_error_));
   return doubts;
 }
 

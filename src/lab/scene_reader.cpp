@@ -285,7 +285,8 @@ void SceneReader::check_generated(std::size_t generator, std::size_t first_point
   const std::string field = "generators[" + std::to_string(generator) + "]";
   for (std::size_t i = first_point; i < network_.points.size(); ++i) {
     const double mass = network_.points[i].mass, radius = network_.points[i].radius;
-    if (!(mass >= std::numeric_limits<double>::min()) || !std::isfinite(mass)) refuse(field, "mass of a point: " + shortest(mass) + ": must be more than 0 and a number");
+    if (!(mass >= std::numeric_limits<double>::min()) || !std::isfinite(mass))
+      refuse(field, "mass of a point: " + shortest(mass) + ": must be more than 0 and a number");
     if (!is_finite(network_.position[i]) || !std::isfinite(radius)) refuse(field, "position of a point: must be a number below 1.8e308");
     if (scene_.system.dimensions == 2 && network_.position[i].z != 0.0)
       refuse(field, "position of a point: z = " + shortest(network_.position[i].z) + ": must be 0 in a 2-D scene");
@@ -317,7 +318,8 @@ void SceneReader::check_hand() const {
   if (!scene_.system.scripted_hand || scene_.system.dimensions != 2) return;
   const Vec3& axis = scene_.system.scripted_hand->axis;
   if (axis.x != 0.0 || axis.y != 0.0)
-    refuse("hand.circle.axis", "[" + shortest(axis.x) + ", " + shortest(axis.y) + ", " + shortest(axis.z) + "]: must be along z in a 2-D scene");
+    refuse("hand.circle.axis",
+           "[" + shortest(axis.x) + ", " + shortest(axis.y) + ", " + shortest(axis.z) + "]: must be along z in a 2-D scene");
 }
 
 void SceneReader::set_rest_lengths() {

@@ -47,7 +47,9 @@ void Traces::add(const System& system, const State& state) {
   table_.times.push_back(state.time);
   for (Trace& trace : table_.traces) {
     const QuantityRow& row = *trace.quantity.row;
-    const Index count = row.of == QuantityRow::Of::Point ? system.point_count() : row.of == QuantityRow::Of::Spring ? system.spring_count() : 1;
+    const Index count = row.of == QuantityRow::Of::Point    ? system.point_count()
+                        : row.of == QuantityRow::Of::Spring ? system.spring_count()
+                                                            : 1;
     trace.values.push_back(trace.quantity.at < count ? trace.quantity.of(measured) : std::numeric_limits<double>::quiet_NaN());
   }
 }

@@ -1,8 +1,8 @@
 #include "sim/energy.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace hooke {
 
@@ -15,8 +15,7 @@ Energy compute_energy(const System& system, const State& state) {
     energy.gravitational -= point.mass * glm::dot(system.gravity, state.position[i]);
   }
   for (const Spring& spring : system.springs()) {
-    const double length =
-        glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
+    const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
     const double extension = length - spring.rest_length;
     energy.elastic += 0.5 * system.stiffness_of(spring) * extension * extension;
   }
@@ -39,8 +38,7 @@ Momentum compute_momentum(const System& system, const State& state) {
 }
 
 double strain(const System& system, const State& state, const Spring& spring) {
-  const double length =
-      glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
+  const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
   return spring.rest_length > 0.0 ? length / spring.rest_length - 1.0 : length;
 }
 

@@ -11,7 +11,8 @@
 namespace hooke {
 
 std::span<const Integrator> integrators() {
-  static const std::array rows{explicit_euler, symplectic_euler, velocity_verlet, blanes_moan4, runge_kutta4, dop853, xpbd, implicit_euler, baraff_witkin, implicit_midpoint, tr_bdf2, esdirk4};
+  static const std::array rows{explicit_euler, symplectic_euler, velocity_verlet, blanes_moan4,      runge_kutta4, dop853,
+                               xpbd,           implicit_euler,   baraff_witkin,   implicit_midpoint, tr_bdf2,      esdirk4};
   return rows;
 }
 
@@ -23,22 +24,32 @@ const Integrator* find_integrator(std::string_view id) {
 
 std::string_view describe(Stability stability) {
   switch (stability) {
-    case Stability::None: return "grows at every step";
-    case Stability::Conditional: return "stable up to a largest step";
-    case Stability::Adaptive: return "adapts its step";
-    case Stability::EachSpring: return "each spring alone is stable at any step";
-    case Stability::Absolute: return "stable at any step";
-    case Stability::Stiff: return "stable at any step, fast modes die out";
+    case Stability::None:
+      return "grows at every step";
+    case Stability::Conditional:
+      return "stable up to a largest step";
+    case Stability::Adaptive:
+      return "adapts its step";
+    case Stability::EachSpring:
+      return "each spring alone is stable at any step";
+    case Stability::Absolute:
+      return "stable at any step";
+    case Stability::Stiff:
+      return "stable at any step, fast modes die out";
   }
   return {};
 }
 
 std::string_view describe(EnergyTrend energy) {
   switch (energy) {
-    case EnergyTrend::Grows: return "grows";
-    case EnergyTrend::Drifts: return "drifts slowly";
-    case EnergyTrend::Bounded: return "stays within bounds";
-    case EnergyTrend::Falls: return "falls";
+    case EnergyTrend::Grows:
+      return "grows";
+    case EnergyTrend::Drifts:
+      return "drifts slowly";
+    case EnergyTrend::Bounded:
+      return "stays within bounds";
+    case EnergyTrend::Falls:
+      return "falls";
   }
   return {};
 }
@@ -57,8 +68,7 @@ namespace {
 // Jury's conditions for both roots of z^2 - trace z + determinant to lie in the closed unit disc.
 bool is_stable(const Amplification& amplification) {
   constexpr double round_off = 1e-12;
-  return amplification.determinant <= 1.0 + round_off &&
-         std::abs(amplification.trace) <= 1.0 + amplification.determinant + round_off;
+  return amplification.determinant <= 1.0 + round_off && std::abs(amplification.trace) <= 1.0 + amplification.determinant + round_off;
 }
 
 // of the one mode with these rates [1/s]
@@ -102,9 +112,9 @@ double largest_stable_step(const Integrator& integrator, const Spectrum& spectru
   // the corners of the region (omega, lambda) in which the scene's modes lie
   const double omega = spectrum.omega, drag = spectrum.drag_rate;
   const double least = std::min(spectrum.least_dashpot_ratio * omega * omega, spectrum.dashpot_rate);
-  const double along = std::min({largest_stable_step(integrator, omega, least, drag),
-                                 largest_stable_step(integrator, omega, spectrum.dashpot_rate, drag),
-                                 largest_stable_step(integrator, 0.0, spectrum.dashpot_rate, drag)});
+  const double along =
+      std::min({largest_stable_step(integrator, omega, least, drag), largest_stable_step(integrator, omega, spectrum.dashpot_rate, drag),
+                largest_stable_step(integrator, 0.0, spectrum.dashpot_rate, drag)});
   // across a stretched spring its dashpot does nothing; where no step holds without dashpots, what they can hold counts
   return integrator.stability == Stability::None ? along : std::min(along, largest_stable_step(integrator, omega, 0.0, drag));
 }

@@ -61,9 +61,7 @@ void kick(const Plan& plan, Motion& motion, double h) {
   for (int c = 0; plan.held && c < plan.dimensions; ++c) v[static_cast<std::size_t>(c) * plan.points + *plan.held] = held[c];
 }
 
-void drift(Motion& motion, double h) {
-  add_scaled(motion.x.data(), h, motion.v.data(), motion.x.size());
-}
+void drift(Motion& motion, double h) { add_scaled(motion.x.data(), h, motion.v.data(), motion.x.size()); }
 
 double root_mean_square(const Plan& plan, const Field& field) {
   double sum = 0.0;

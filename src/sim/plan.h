@@ -35,7 +35,7 @@ struct PlannedPull {
   std::array<Part, 3> parts{};
   int count = 1;
   double stiffness = 0.0;
-  double start = 0.0;      // [s]
+  double start = 0.0;  // [s]
   Vec3 from{0.0}, velocity{0.0};
   Vec3 target_at(double time) const { return from + (time - start) * velocity; }
   std::span<const Part> points() const { return {parts.data(), static_cast<std::size_t>(count)}; }
@@ -56,11 +56,11 @@ struct CarriedCollider {
 
 // Bounds on the fastest rates of the scene, never below the true ones, however the scene is deformed.
 struct Spectrum {
-  double omega = 0.0;           // [rad/s], highest undamped frequency
-  double dashpot_rate = 0.0;    // [1/s], highest rate of the dashpots
-  double drag_rate = 0.0;       // [1/s]
+  double omega = 0.0;                // [rad/s], highest undamped frequency
+  double dashpot_rate = 0.0;         // [1/s], highest rate of the dashpots
+  double drag_rate = 0.0;            // [1/s]
   double least_dashpot_ratio = 0.0;  // [s], least damping / stiffness over the springs
-  bool contact = false;          // whether there is anything solid to touch
+  bool contact = false;              // whether there is anything solid to touch
 };
 
 struct Plan {
@@ -77,20 +77,20 @@ struct Plan {
   // Springs in the order of the runs.
   std::vector<SpringRun> runs;
   std::vector<double> stiffness, rest_length;
-  std::vector<double> damping;       // empty: no dashpot anywhere
-  std::vector<Index> spring_index;   // of the packed spring, in the System
+  std::vector<double> damping;      // empty: no dashpot anywhere
+  std::vector<Index> spring_index;  // of the packed spring, in the System
 
   std::vector<double> break_length;  // [m], of the packed spring, at which it breaks; empty: none does
   std::vector<double> most_length;   // [m], that it is held to; empty: none is
 
-  std::vector<double> radius;        // [m], a point; empty: nothing to collide with, nor a force that asks
-  std::vector<Collider> colliders;   // the solid ones, as their paths start
-  bool colliders_move = false;       // by their paths or by the hand
+  std::vector<double> radius;       // [m], a point; empty: nothing to collide with, nor a force that asks
+  std::vector<Collider> colliders;  // the solid ones, as their paths start
+  bool colliders_move = false;      // by their paths or by the hand
   std::optional<CarriedCollider> carried;
-  std::vector<Force> forces;         // those that are on, in the table's order
+  std::vector<Force> forces;                // those that are on, in the table's order
   std::vector<std::array<Index, 3>> faces;  // of points; empty when no force asks
   std::optional<PlannedPull> pull;
-  std::optional<Index> held;         // the point under a holding hand
+  std::optional<Index> held;  // the point under a holding hand
 
   Spectrum spectrum;
 

@@ -30,9 +30,7 @@ void set(std::vector<Item>& items, std::vector<Index>& index_by_id, std::uint32_
   for (std::size_t i = 0; i < items.size(); ++i) index_by_id[static_cast<std::uint32_t>(items[i].id)] = static_cast<Index>(i);
 }
 
-Index look_up(const std::vector<Index>& index_by_id, std::uint32_t id) {
-  return id < index_by_id.size() ? index_by_id[id] : no_index;
-}
+Index look_up(const std::vector<Index>& index_by_id, std::uint32_t id) { return id < index_by_id.size() ? index_by_id[id] : no_index; }
 
 }  // namespace
 
@@ -97,8 +95,8 @@ bool System::operator==(const System& other) const {
                     s.strain_limit);
   };
   return scalars(*this) == scalars(other) && faces == other.faces && colliders == other.colliders && forces == other.forces &&
-         grab == other.grab && collider_grab == other.collider_grab && scripted_hand == other.scripted_hand &&
-         points_ == other.points_ && springs_ == other.springs_;
+         grab == other.grab && collider_grab == other.collider_grab && scripted_hand == other.scripted_hand && points_ == other.points_ &&
+         springs_ == other.springs_;
 }
 
 }  // namespace hooke

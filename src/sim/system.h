@@ -45,10 +45,10 @@ struct Spring {
   SpringId id{};
   PointId first{}, second{};
   SpringFamily family = SpringFamily::None;
-  double stiffness = 100.0;           // [N/m], >= 0
-  double damping = 0.0;               // [N s/m], >= 0: a dashpot along the spring
-  double rest_length = 1.0;           // [m], >= 0
-  double break_strain = never_breaks; // [1], > 0
+  double stiffness = 100.0;            // [N/m], >= 0
+  double damping = 0.0;                // [N s/m], >= 0: a dashpot along the spring
+  double rest_length = 1.0;            // [m], >= 0
+  double break_strain = never_breaks;  // [1], > 0
   bool operator==(const Spring&) const = default;
 };
 
@@ -124,8 +124,8 @@ struct Grab {
   PointId point{};
   std::optional<Patch> patch{};  // pulled instead of the point, which is one of its three
   GrabKind kind = GrabKind::Pull;
-  Vec3 target{0.0};         // [m]
-  double stiffness = 100.0; // [N/m], of a pull
+  Vec3 target{0.0};          // [m]
+  double stiffness = 100.0;  // [N/m], of a pull
   bool operator==(const Grab&) const = default;
 };
 
@@ -153,21 +153,21 @@ struct ScriptedHand {
 // lookup by id true.
 class System {
  public:
-  int dimensions = 3;  // 2: everything stays in the plane z = 0
+  int dimensions = 3;             // 2: everything stays in the plane z = 0
   Vec3 gravity{0.0, -9.81, 0.0};  // [m/s^2]
   double drag = 0.0;              // [1/s]: point damping, acceleration -drag (v - wind)
   bool drag_on = true;
-  bool dashpots_on = true;        // false: every spring's damping is taken as zero
+  bool dashpots_on = true;                                              // false: every spring's damping is taken as zero
   std::array<bool, spring_families> family_on{true, true, true, true};  // false: its springs are as if they were not
-  Vec3 wind{0.0};                 // [m/s], of the air that drag is relative to
+  Vec3 wind{0.0};                                                       // [m/s], of the air that drag is relative to
   std::vector<Face> faces;
   std::vector<Collider> colliders;
-  std::vector<Force> forces;      // besides gravity, springs, dashpots and drag
+  std::vector<Force> forces;  // besides gravity, springs, dashpots and drag
   std::optional<Grab> grab;
   std::optional<ColliderGrab> collider_grab;
-  double hand_speed = 0.0;    // [m/s], the most that the hand moves at; 0: as the cursor does
-  double break_strain = 0.0;  // [1], at which every spring breaks that does not break before; 0: each only at its own
-  double strain_limit = 0.0;  // [1], that no spring is stretched beyond, by force; 0: none
+  double hand_speed = 0.0;                    // [m/s], the most that the hand moves at; 0: as the cursor does
+  double break_strain = 0.0;                  // [1], at which every spring breaks that does not break before; 0: each only at its own
+  double strain_limit = 0.0;                  // [1], that no spring is stretched beyond, by force; 0: none
   std::optional<ScriptedHand> scripted_hand;  // waits while there is a grab
 
   const std::vector<Point>& points() const { return points_; }

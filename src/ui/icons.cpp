@@ -133,8 +133,8 @@ void cut(const Pen& pen) {
 }
 
 // In the order of the enumeration.
-constexpr void (*drawings[])(const Pen&) = {select, add, attach, nail, drag, remove, release, run, pause,
-                                            step, start, undo, redo, step_back, folder, scene, cut};
+constexpr void (*drawings[])(const Pen&) = {select, add,   attach, nail, drag,      remove, release, run, pause,
+                                            step,   start, undo,   redo, step_back, folder, scene,   cut};
 
 }  // namespace
 

@@ -38,9 +38,9 @@ struct Desk {
   std::string next_step;       // what it waits for: "click the second point, Esc cancels"
   std::filesystem::path file;  // of the document; empty: it has none
   double frames_per_second = 0.0, draw_ms = 0.0;
-  double film_seconds = -1.0;        // of the film in progress; below 0: none
-  std::optional<Rect> rubber_band;  // of a selection in progress, in window coordinates
-  std::vector<glm::dvec2> stroke;   // of a cut in progress, from the scene's corner
+  double film_seconds = -1.0;                     // of the film in progress; below 0: none
+  std::optional<Rect> rubber_band;                // of a selection in progress, in window coordinates
+  std::vector<glm::dvec2> stroke;                 // of a cut in progress, from the scene's corner
   std::span<const std::filesystem::path> recent;  // files, newest first
   std::span<const LeftWork> left;
   bool has_desktop_dialog = false;
@@ -64,10 +64,10 @@ struct Choice {
 struct Dialog {
   enum class Kind { None, Message, Open, Save, Unsaved, Texture, Recovery };
   Kind kind = Kind::None;
-  std::string title, text;                   // of a message
-  std::vector<Choice> choices;               // under it: the first is Enter's, the last Esc's; none: "OK"
-  std::string typed;                         // the path
-  int typed_anew = 0;                        // grows when it is not the person who changed it: the field begins anew
+  std::string title, text;      // of a message
+  std::vector<Choice> choices;  // under it: the first is Enter's, the last Esc's; none: "OK"
+  std::string typed;            // the path
+  int typed_anew = 0;           // grows when it is not the person who changed it: the field begins anew
   Browser browser;
   bool is_new = false;                       // to be opened by the next frame
   bool accepted = false, cancelled = false;  // by a key
@@ -99,16 +99,16 @@ struct Panels {
   Placing placing;
   Exporting exporting;
   bool menu_is_open = false, menu_closes = false;
-  std::string toast;                   // a line shown for a moment
-  double toast_until = 0.0;            // [s], ImGui's clock
-  std::string dismissed;               // the message whose banner was closed
-  std::string remarks;                 // on the file that was opened
-  std::string file_notice;             // that the open file is not what it was
+  std::string toast;         // a line shown for a moment
+  double toast_until = 0.0;  // [s], ImGui's clock
+  std::string dismissed;     // the message whose banner was closed
+  std::string remarks;       // on the file that was opened
+  std::string file_notice;   // that the open file is not what it was
   bool file_is_gone = false;
-  bool text_in_progress = false;       // letters go into a field
-  bool edit_in_progress = false;       // the active slider has edited already
+  bool text_in_progress = false;  // letters go into a field
+  bool edit_in_progress = false;  // the active slider has edited already
   Look look = Look::Dark;
-  bool panels_hidden = false;          // all but the menu and the line at the bottom
+  bool panels_hidden = false;  // all but the menu and the line at the bottom
   bool plots_shown = false;
   double plot_seconds = 1e9;           // [s] of time in the plots, at most
   std::optional<double> plot_end;      // [s], the last time in them; none: the newest
@@ -133,11 +133,8 @@ struct Panels {
     waiting.push_back(message(std::move(title), std::move(text), std::move(choices)));
   }
   static Dialog message(std::string title, std::string text, std::vector<Choice> choices) {
-    return {.kind = Dialog::Kind::Message,
-            .title = std::move(title),
-            .text = std::move(text),
-            .choices = std::move(choices),
-            .is_new = true};
+    return {
+        .kind = Dialog::Kind::Message, .title = std::move(title), .text = std::move(text), .choices = std::move(choices), .is_new = true};
   }
 };
 

@@ -145,8 +145,9 @@ void texture_box(const Desk&, Panels& panels, Requests& requests) {
 
 void recovery_box(const Desk& desk, Panels& panels, Requests& requests) {
   ImGui::PushTextWrapPos(units(520.0));
-  ImGui::TextUnformatted(desk.left.size() == 1 ? "Hooke ended before this scene was saved. What it had kept of it can be opened again."
-                                               : "Hooke ended before these scenes were saved. What it had kept of them can be opened again.");
+  ImGui::TextUnformatted(desk.left.size() == 1
+                             ? "Hooke ended before this scene was saved. What it had kept of it can be opened again."
+                             : "Hooke ended before these scenes were saved. What it had kept of them can be opened again.");
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
   std::optional<Request> request;

@@ -98,7 +98,8 @@ void edit_menu(const Desk& desk, Panels&, Requests& requests) {
 }
 
 void run_menu(const Desk&, Panels&, Requests& requests) {
-  for (const Action action : {Action::RunOrPause, Action::StepOnce, Action::StepBack, Action::GoToStart, Action::Slower, Action::Faster}) item(action, requests);
+  for (const Action action : {Action::RunOrPause, Action::StepOnce, Action::StepBack, Action::GoToStart, Action::Slower, Action::Faster})
+    item(action, requests);
   ImGui::Separator();
   for (const Action action : {Action::StiffnessUp, Action::StiffnessDown, Action::SubstepsUp, Action::SubstepsDown}) item(action, requests);
 }
@@ -135,7 +136,8 @@ void view_menu(const Desk& desk, Panels& panels, Requests& requests) {
   ImGui::MenuItem("Colliders", nullptr, &panels.view.colliders);
   ImGui::MenuItem("Grid", nullptr, &panels.view.grid);
   ImGui::Separator();
-  for (const Action action : {Action::LargerPanels, Action::SmallerPanels, Action::SearchCommands, Action::ShowKeys}) item(action, requests);
+  for (const Action action : {Action::LargerPanels, Action::SmallerPanels, Action::SearchCommands, Action::ShowKeys})
+    item(action, requests);
   if (desk.status.snapshot->system->faces.empty()) return;
   ImGui::Separator();
   dim_text("Texture");

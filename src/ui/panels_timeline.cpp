@@ -92,7 +92,8 @@ void build_timeline(const Desk& desk, Panels& panels, Requests& requests) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(8.0), units(2.0)});
   begin_panel("timeline", strip, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
-  ImGui::GetWindowDrawList()->AddLine(corner(strip), {static_cast<float>(strip.x + strip.width), static_cast<float>(strip.y)}, palette::line);
+  ImGui::GetWindowDrawList()->AddLine(corner(strip), {static_cast<float>(strip.x + strip.width), static_cast<float>(strip.y)},
+                                      palette::line);
   ImGui::PushFont(fonts().small);
 
   const Status& status = desk.status;
@@ -100,12 +101,15 @@ void build_timeline(const Desk& desk, Panels& panels, Requests& requests) {
   const float right = static_cast<float>(strip.x + strip.width) - units(8.0), run_width = units(128.0), label = units(64.0);
   const ImVec2 button{units(26.0), units(24.0)};
   ImGui::SetCursorScreenPos({left, top + units(3.0)});
-  if (icon_button("back", Icon::StepBack, button, false, status.snapshot->state.time > status.first_moment)) requests.emplace_back(Action::StepBack);
+  if (icon_button("back", Icon::StepBack, button, false, status.snapshot->state.time > status.first_moment))
+    requests.emplace_back(Action::StepBack);
   tooltip(Action::StepBack);
 
   // the track stands between the times of its ends
   const float text_y = top + units(8.0);
-  const Track track{{left + button.x + label, top}, {right - run_width - units(16.0) - label - (left + button.x + label), units(30.0)}, status.first_moment,
+  const Track track{{left + button.x + label, top},
+                    {right - run_width - units(16.0) - label - (left + button.x + label), units(30.0)},
+                    status.first_moment,
                     status.last_moment};
   if (track.size.x > units(60.0)) {
     const auto place_text = [&](float x, const std::string& text) {

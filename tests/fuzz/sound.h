@@ -17,7 +17,9 @@ inline void require(bool claim, const char* words) {
   std::abort();
 }
 
-inline void require_finite(const Vec3& v, const char* words) { require(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z), words); }
+inline void require_finite(const Vec3& v, const char* words) {
+  require(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z), words);
+}
 
 inline void require_sound(const LoadedScene& loaded) {
   const System& system = loaded.scene.system;
@@ -25,7 +27,8 @@ inline void require_sound(const LoadedScene& loaded) {
   require(state.position.size() == system.points().size() && state.velocity.size() == system.points().size(), "every point has a place");
   for (const Vec3& x : state.position) require_finite(x, "places are numbers");
   for (const Vec3& v : state.velocity) require_finite(v, "velocities are numbers");
-  for (const Point& point : system.points()) require(point.mass > 0.0 && std::isfinite(point.mass) && point.radius >= 0.0, "masses are above 0");
+  for (const Point& point : system.points())
+    require(point.mass > 0.0 && std::isfinite(point.mass) && point.radius >= 0.0, "masses are above 0");
   for (const Spring& spring : system.springs()) {
     require(system.index_of(spring.first) != no_index && system.index_of(spring.second) != no_index, "springs join points");
     require(spring.first != spring.second, "springs join two points");

@@ -52,10 +52,14 @@ char mark_of(const CaseResult* result) {
   if (result == nullptr || !result->finished) return ' ';
   if (is_broken(result->verdict)) return '!';
   switch (result->verdict.outcome) {
-    case Outcome::Held: return '+';
-    case Outcome::FailedOpenly: return 'o';
-    case Outcome::FailedSilently: return '!';
-    case Outcome::OutOfScope: return '-';
+    case Outcome::Held:
+      return '+';
+    case Outcome::FailedOpenly:
+      return 'o';
+    case Outcome::FailedSilently:
+      return '!';
+    case Outcome::OutOfScope:
+      return '-';
   }
   return '?';
 }
@@ -86,8 +90,9 @@ std::string wrapped(std::string_view text, std::size_t indent) {
 
 std::string in_full(const CaseResult& result) {
   const Verdict& verdict = result.verdict;
-  std::string sentence = std::string(1, mark_of(&result)) + " " + std::to_string(result.hard_case->number) + " " + std::string(result.hard_case->name) +
-                         ", " + std::string(id_of(result)) + ": " + std::string(describe(verdict.outcome));
+  std::string sentence = std::string(1, mark_of(&result)) + " " + std::to_string(result.hard_case->number) + " " +
+                         std::string(result.hard_case->name) + ", " + std::string(id_of(result)) + ": " +
+                         std::string(describe(verdict.outcome));
   if (is_broken(verdict)) sentence += ", expected to " + std::string(describe(verdict.expected));
   for (const std::string& part : {verdict.measured, verdict.reason})
     if (!part.empty()) sentence += "; " + part;

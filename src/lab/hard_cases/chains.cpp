@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "lab/hard_cases/rows.h"
 #include "lab/hard_cases/watched_run.h"

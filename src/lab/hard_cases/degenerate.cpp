@@ -39,8 +39,7 @@ Verdict judge_zero_length_spring(const Integrator& method) {
     run.run(seconds);
     const Vec3 exact = std::cos(omega * seconds) * start.x + std::sin(omega * seconds) / omega * start.v;
     const double error = glm::distance(run.state().position[1], exact);
-    parts.push_back(judge(run, error <= allowed_error(method, 0.1, omega, seconds, run.settings().substep()),
-                          text("error %.1g m", error)));
+    parts.push_back(judge(run, error <= allowed_error(method, 0.1, omega, seconds, run.settings().substep()), text("error %.1g m", error)));
   }
   return worst_of(parts);
 }
@@ -60,7 +59,8 @@ Verdict judge_coincident_points(const Integrator& method) {
     draft.system.drag = 1.0;
     WatchedRun run(draft, {.integrator = &method, .substeps = 20});
     double longest = 0.0;
-    for (int i = 0; i < 60 && run.frame(); ++i) longest = std::max(longest, glm::distance(run.state().position[0], run.state().position[1]));
+    for (int i = 0; i < 60 && run.frame(); ++i)
+      longest = std::max(longest, glm::distance(run.state().position[0], run.state().position[1]));
     const double momentum = glm::length(compute_momentum(run.system(), run.state()).linear);
     const bool parted = longest >= 0.05;
     parts.push_back(judge(run, momentum < 1e-9 && parted == (apart > 0.0),
@@ -156,7 +156,8 @@ Verdict judge_self_spring() {
   run.lab().submit(Insert{.springs = {{.spring = {.id = run.lab().new_spring_id(), .first = point, .second = point}}}});
   run.frame();
   const bool kept_out = refused && run.system().spring_count() == 0;
-  return {.outcome = kept_out ? Outcome::Held : Outcome::FailedSilently, .measured = kept_out ? "self-spring refused" : "self-spring let in"};
+  return {.outcome = kept_out ? Outcome::Held : Outcome::FailedSilently,
+          .measured = kept_out ? "self-spring refused" : "self-spring let in"};
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ PointId Draft::nail(const Vec3& position) {
 
 SpringId Draft::join(PointId first, PointId second, double stiffness, double rest_length, double damping) {
   const SpringId id = system.new_spring_id();
-  system.append_spring({.id = id, .first = first, .second = second, .stiffness = stiffness, .damping = damping, .rest_length = rest_length});
+  system.append_spring(
+      {.id = id, .first = first, .second = second, .stiffness = stiffness, .damping = damping, .rest_length = rest_length});
   return id;
 }
 

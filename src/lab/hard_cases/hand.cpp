@@ -21,7 +21,8 @@ double driven_position(double amplitude, double omega, double zeta, double t) {
   const double drive = amplitude * std::sin(omega * t);
   if (zeta == 0.0) return 0.5 * amplitude * (std::sin(omega * t) - omega * t * std::cos(omega * t));
   const double wd = omega * std::sqrt(1.0 - zeta * zeta);
-  const double free = std::exp(-zeta * omega * t) * (amplitude / (2.0 * zeta) * std::cos(wd * t) - amplitude * omega / (2.0 * wd) * std::sin(wd * t));
+  const double free =
+      std::exp(-zeta * omega * t) * (amplitude / (2.0 * zeta) * std::cos(wd * t) - amplitude * omega / (2.0 * wd) * std::sin(wd * t));
   return drive - amplitude / (2.0 * zeta) * std::cos(omega * t) + free;
 }
 
@@ -110,7 +111,8 @@ void set_sliders(WatchedRun& run, const Sliders& to) {
 Verdict judge_slider_jumps(const Integrator& method) {
   constexpr double m = 1.0 / 64.0;
   constexpr Sliders usual{1e2, 0.0, m, 0.0};
-  constexpr Sliders jumps[] = {{1e6, 0.0, m, 0.0}, {1e2, 1e3, m, 0.0}, {1e2, 0.0, 1e3 * m, 0.0}, {1e2, 0.0, m, 50.0}, {1e6, 1e3, 1e3 * m, 50.0}, {1e-2, 0.0, m, 0.0}};
+  constexpr Sliders jumps[] = {{1e6, 0.0, m, 0.0},  {1e2, 1e3, m, 0.0},        {1e2, 0.0, 1e3 * m, 0.0},
+                               {1e2, 0.0, m, 50.0}, {1e6, 1e3, 1e3 * m, 50.0}, {1e-2, 0.0, m, 0.0}};
   const Start net = make_net(8, usual.stiffness, usual.damping);
   const auto settings_of = [&](const System& system) { return settings_for(method, system, {.least = 4, .free = 4}); };
   WatchedRun run({net.system, net.state}, settings_of(net.system));

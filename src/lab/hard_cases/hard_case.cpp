@@ -6,10 +6,14 @@ namespace hooke {
 
 bool is_broken(const Verdict& verdict) {
   switch (verdict.outcome) {
-    case Outcome::Held: return verdict.expected == Expectation::Report;
-    case Outcome::FailedOpenly: return verdict.expected == Expectation::Hold;
-    case Outcome::FailedSilently: return true;
-    case Outcome::OutOfScope: return false;
+    case Outcome::Held:
+      return verdict.expected == Expectation::Report;
+    case Outcome::FailedOpenly:
+      return verdict.expected == Expectation::Hold;
+    case Outcome::FailedSilently:
+      return true;
+    case Outcome::OutOfScope:
+      return false;
   }
   return true;
 }
@@ -17,10 +21,14 @@ bool is_broken(const Verdict& verdict) {
 Verdict worst_of(std::span<const Verdict> parts) {
   // a broken part first, then a failure, then what held; out of scope only where all parts are
   const auto badness = [](const Verdict& part) {
-    const int outcome = part.outcome == Outcome::FailedSilently ? 3 : part.outcome == Outcome::FailedOpenly ? 2 : part.outcome == Outcome::Held ? 1 : 0;
+    const int outcome = part.outcome == Outcome::FailedSilently ? 3
+                        : part.outcome == Outcome::FailedOpenly ? 2
+                        : part.outcome == Outcome::Held         ? 1
+                                                                : 0;
     return is_broken(part) ? 10 + outcome : outcome;
   };
-  Verdict worst = *std::max_element(parts.begin(), parts.end(), [&](const Verdict& a, const Verdict& b) { return badness(a) < badness(b); });
+  Verdict worst =
+      *std::max_element(parts.begin(), parts.end(), [&](const Verdict& a, const Verdict& b) { return badness(a) < badness(b); });
   worst.measured.clear();
   for (const Verdict& part : parts)
     if (!part.measured.empty()) worst.measured += (worst.measured.empty() ? "" : "; ") + part.measured;
@@ -29,19 +37,26 @@ Verdict worst_of(std::span<const Verdict> parts) {
 
 std::string_view describe(Outcome outcome) {
   switch (outcome) {
-    case Outcome::Held: return "held";
-    case Outcome::FailedOpenly: return "failed openly";
-    case Outcome::FailedSilently: return "failed silently";
-    case Outcome::OutOfScope: return "out of scope";
+    case Outcome::Held:
+      return "held";
+    case Outcome::FailedOpenly:
+      return "failed openly";
+    case Outcome::FailedSilently:
+      return "failed silently";
+    case Outcome::OutOfScope:
+      return "out of scope";
   }
   return {};
 }
 
 std::string_view describe(Expectation expectation) {
   switch (expectation) {
-    case Expectation::Hold: return "hold";
-    case Expectation::Report: return "report";
-    case Expectation::HoldOrReport: return "hold or report";
+    case Expectation::Hold:
+      return "hold";
+    case Expectation::Report:
+      return "report";
+    case Expectation::HoldOrReport:
+      return "hold or report";
   }
   return {};
 }

@@ -24,8 +24,8 @@ enum class Expectation { Hold, Report, HoldOrReport };
 struct Verdict {
   Outcome outcome = Outcome::Held;
   Expectation expected = Expectation::Hold;
-  std::string measured;  // the figures that the criterion is about
-  std::string reason;    // how a failure was reported, or why it is out of scope
+  std::string measured;                        // the figures that the criterion is about
+  std::string reason;                          // how a failure was reported, or why it is out of scope
   std::vector<std::vector<std::string>> rows;  // of the case's own table, if it has one: a row a step
 };
 
@@ -45,10 +45,10 @@ struct HardCase {
   std::string_view name;
   std::string_view parameters;
   std::string_view criterion;
-  std::string_view remark;     // what may be looser than it sounds, for whom and why, and what is not checked; may be empty
+  std::string_view remark;  // what may be looser than it sounds, for whom and why, and what is not checked; may be empty
   Concerns concerns = Concerns::EveryMethod;
-  std::string_view not_quick;  // ids of the methods that it costs seconds: left out of the quick subset; "*": all
-  std::string_view columns;    // of its own table, with bars between; empty: it has none
+  std::string_view not_quick;                  // ids of the methods that it costs seconds: left out of the quick subset; "*": all
+  std::string_view columns;                    // of its own table, with bars between; empty: it has none
   Verdict (*judge)(const Integrator& method);  // runs it; the default method where no method is concerned
 };
 

@@ -44,7 +44,8 @@ std::vector<CaseResult> list_cases(std::span<const HardCase* const> cases, std::
     if (!quick || is_quick(hard_case, method_of(result))) results.push_back(std::move(result));
   };
   for (const HardCase* hard_case : cases) {
-    if (hard_case->concerns == Concerns::NoMethod) add(*hard_case, nullptr);
+    if (hard_case->concerns == Concerns::NoMethod)
+      add(*hard_case, nullptr);
     else
       for (const Integrator* method : methods) add(*hard_case, method);
   }
@@ -55,7 +56,8 @@ void run_cases(std::span<CaseResult> results, int threads, const std::function<b
   // the long ones first, so that no thread is left with one at the end
   std::vector<CaseResult*> order;
   for (CaseResult& result : results) order.push_back(&result);
-  std::stable_partition(order.begin(), order.end(), [](const CaseResult* result) { return !is_quick(*result->hard_case, method_of(*result)); });
+  std::stable_partition(order.begin(), order.end(),
+                        [](const CaseResult* result) { return !is_quick(*result->hard_case, method_of(*result)); });
 
   std::atomic<std::size_t> next = 0;
   std::atomic<long> done = 0;

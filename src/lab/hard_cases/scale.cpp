@@ -46,9 +46,10 @@ double slowest_mode(const State& state, int n) {
 }
 
 Sheet measure_sheet(const Integrator& method, int n) {
-  const std::string json = R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0], "points": [)" +
-                           std::to_string(n) + ", " + std::to_string(n) +
-                           R"(], "density": 1, "stiffness": 200, "shear_stiffness": 100, "damping": 0.2, "nail": ["top"]}]})";
+  const std::string json =
+      R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0], "points": [)" +
+      std::to_string(n) + ", " + std::to_string(n) +
+      R"(], "density": 1, "stiffness": 200, "shear_stiffness": 100, "damping": 0.2, "nail": ["top"]}]})";
   const Scene scene = parse_scene(json, "sheet").scene;
   Draft draft{scene.system, scene.state};
   // at its limit the sweeps over the finest sheet's dashpots, d h / m = 0.8, take 6 % too little
@@ -123,7 +124,8 @@ Verdict judge_large_coordinates(const Integrator& method) {
     WatchedRun run(moved, settings);
     run.run(seconds);
     double most = 0.0;
-    for (std::size_t i = 0; i < here.position.size(); ++i) most = std::max(most, glm::distance(run.state().position[i] - by, here.position[i]));
+    for (std::size_t i = 0; i < here.position.size(); ++i)
+      most = std::max(most, glm::distance(run.state().position[i] - by, here.position[i]));
     // no tolerance is below the rounding of such coordinates
     parts.push_back(judge(run, most < (adapts(method) ? 1e-8 : 1e-9), text("%.0e m away: %.1g m off", offset, most)));
   }
@@ -158,7 +160,8 @@ Verdict judge_islands(const Integrator& method) {
   run.run(seconds);
   double most = 0.0;
   for (std::size_t i = 0; i < 64; ++i) most = std::max(most, glm::distance(run.state().position[i], soft.position[i]));
-  for (std::size_t i = 0; i < stiff.position.size(); ++i) most = std::max(most, glm::distance(run.state().position[64 + i], stiff.position[i]));
+  for (std::size_t i = 0; i < stiff.position.size(); ++i)
+    most = std::max(most, glm::distance(run.state().position[64 + i], stiff.position[i]));
   // solves that are cut short end elsewhere in other company, and say so
   const Expectation expected = run.books().unconverged_solves() > 0 ? Expectation::HoldOrReport : expectation_of(run);
   return judge(run, expected, most < 1e-6, text("together %.1g m from alone, %d substeps", most, settings.substeps));

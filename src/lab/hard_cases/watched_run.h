@@ -47,10 +47,10 @@ class WatchedRun {
 
 // How a method is set on a scene: at 60 frames a second, with the fewest substeps at which it holds.
 struct Stepping {
-  int least = 1;        // substeps, at least
-  int free = 1;         // substeps of the methods that hold at any step
-  double share = 1.0;   // of the largest stable step, that may be taken
-  int most = 1000000;   // substeps: where it takes more, these are too dear, and it is left at `least`
+  int least = 1;       // substeps, at least
+  int free = 1;        // substeps of the methods that hold at any step
+  double share = 1.0;  // of the largest stable step, that may be taken
+  int most = 1000000;  // substeps: where it takes more, these are too dear, and it is left at `least`
 };
 Settings settings_for(const Integrator& method, const System& system, const Stepping& stepping = {});
 

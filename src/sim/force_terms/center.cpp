@@ -9,8 +9,8 @@ namespace hooke {
 namespace {
 
 constexpr ForceNumber numbers[] = {
-    {"x", "Centre x", "m", -100.0, 100.0, 0.0},  {"y", "Centre y", "m", -100.0, 100.0, 0.0},
-    {"z", "Centre z", "m", -100.0, 100.0, 0.0},  {"strength", "Strength at 1 m", "m/s^2", -1000.0, 1000.0, 1.0},
+    {"x", "Centre x", "m", -100.0, 100.0, 0.0},        {"y", "Centre y", "m", -100.0, 100.0, 0.0},
+    {"z", "Centre z", "m", -100.0, 100.0, 0.0},        {"strength", "Strength at 1 m", "m/s^2", -1000.0, 1000.0, 1.0},
     {"power", "Falls with power", "", -3.0, 4.0, 2.0}, {"core", "Core radius", "m", 1e-6, 10.0, 0.01},
 };
 

@@ -6,8 +6,8 @@ namespace hooke {
 namespace {
 
 constexpr ForceNumber numbers[] = {
-    {"x", "Place x", "m", -100.0, 100.0, 0.0}, {"y", "Place y", "m", -100.0, 100.0, 0.0},
-    {"z", "Place z", "m", -100.0, 100.0, 0.0}, {"stiffness", "Stiffness", "N/m", 0.0, 1000.0, 10.0},
+    {"x", "Place x", "m", -100.0, 100.0, 0.0},         {"y", "Place y", "m", -100.0, 100.0, 0.0},
+    {"z", "Place z", "m", -100.0, 100.0, 0.0},         {"stiffness", "Stiffness", "N/m", 0.0, 1000.0, 10.0},
     {"damping", "Damping", "N s/m", 0.0, 1000.0, 2.0},
 };
 
