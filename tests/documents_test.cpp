@@ -313,6 +313,84 @@ TEST(Saving, UnderAnotherEndingIsRefusedInWords) {
   EXPECT_FALSE(fs::exists(desk.folder / "net.xsp"));
 }
 
+// Loose points, so many that reading and writing them takes many frames.
+Scene dust() {
+  Scene scene;
+  scene.name = "Dust";
+  std::vector<Point> points(100'000);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    points[i].id = PointId{i};
+    scene.state.position.push_back({0.001 * i, std::sin(i), std::cos(i)});
+    scene.state.velocity.push_back({0.1, -0.2, 0.3});
+  }
+  scene.system.set_points(std::move(points));
+  return scene;
+}
+
+TEST(LongWork, OpensALargeFileWhileTheWindowGoesOn) {
+  const OwnDesk desk;
+  const fs::path large = desk.folder / "dust.json";
+  save_scene(dust(), large);
+  GuiTrial gui = desk.open();
+  gui.app().set_work_patience(std::chrono::milliseconds(0));
+  gui.waits_for_work = false;
+  gui.app().handle(FileDrop{large});
+  std::string words;
+  for (int i = 0; i < 5; ++i) words = gui.words();
+  EXPECT_NE(words.find("Opening dust.json"), std::string::npos) << words;
+  EXPECT_EQ(gui.status().snapshot->system->point_count(), 2) << "the document stays until the other is read";
+  ASSERT_TRUE(wait_for(gui, [&] { return gui.status().snapshot->system->point_count() == 100'000; }));
+  gui.frames(2);
+  EXPECT_EQ(asked(gui), Dialog::Kind::None);
+  EXPECT_EQ(gui.app().title(), "Hooke - dust");
+}
+
+TEST(LongWork, StopsWhenItIsNotWantedAndLeavesTheDocument) {
+  const OwnDesk desk;
+  const fs::path large = desk.folder / "dust.json";
+  save_scene(dust(), large);
+  GuiTrial gui = desk.open();
+  gui.app().set_work_patience(std::chrono::milliseconds(0));
+  gui.waits_for_work = false;
+  gui.app().handle(FileDrop{large});
+  gui.frames(2);
+  ASSERT_EQ(asked(gui), Dialog::Kind::Working);
+  gui.key(Key::Escape);
+  ASSERT_TRUE(wait_for(gui, [&] { return asked(gui) == Dialog::Kind::None; }));
+  EXPECT_EQ(gui.status().snapshot->system->point_count(), 2);
+  EXPECT_EQ(gui.app().title(), "Hooke - net");
+  // and the next one opens
+  gui.waits_for_work = true;
+  gui.app().handle(FileDrop{large});
+  gui.frames(2);
+  EXPECT_EQ(gui.system().point_count(), 100'000);
+}
+
+TEST(LongWork, OfSavingStopsBeforeTheOldFileIsTouched) {
+  const OwnDesk desk;
+  const fs::path large = desk.folder / "dust.json";
+  save_scene(dust(), large);
+  const auto written = fs::last_write_time(large);
+  GuiTrial gui(load_scene(large).scene, large, desk.home);
+  gui.key(letter('A'), control);
+  gui.key(Key::Delete);
+  gui.key(letter('Z'), control);
+  ASSERT_EQ(gui.app().title(), "Hooke - dust*");
+  gui.app().set_work_patience(std::chrono::milliseconds(0));
+  gui.waits_for_work = false;
+  gui.app().handle(KeyPress{letter('S'), control});
+  gui.frame();
+  gui.key(Key::Escape);
+  ASSERT_TRUE(wait_for(gui, [&] { return asked(gui) == Dialog::Kind::None; }));
+  EXPECT_EQ(gui.app().title(), "Hooke - dust*");
+  EXPECT_EQ(fs::last_write_time(large), written);
+  EXPECT_EQ(std::distance(fs::directory_iterator(desk.folder), {}), 4) << "net, dust, config, state: nothing half written";
+  // wanted, it is saved, and the box goes by itself
+  gui.app().handle(KeyPress{letter('S'), control});
+  ASSERT_TRUE(wait_for(gui, [&] { return gui.app().title() == "Hooke - dust"; }));
+  EXPECT_EQ(load_scene(large).scene.system.point_count(), 100'000);
+}
+
 TEST(Opening, AnotherKindOfFileMakesADocumentWithoutAFile) {
   const OwnDesk desk;
   OwnDesk::write(desk.folder / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -42,6 +42,7 @@ class GuiTrial {
 
   App& app() { return *app_; }
   const Status& status() {
+    if (waits_for_work) app_->wait_for_work();
     app_->settle();
     return app_->status();
   }
@@ -51,11 +52,15 @@ class GuiTrial {
     ImGui::NewFrame();
     app_->build_frame({});
     ImGui::Render();
+    if (waits_for_work) app_->wait_for_work();
     app_->settle();
   }
   void frames(int many) {
     for (int i = 0; i < many; ++i) frame();
   }
+  // For files that are read and written; false: frames go on meanwhile, as in the window.
+  bool waits_for_work = true;
+
   // Every word that a frame shows.
   std::string words() {
     frame();

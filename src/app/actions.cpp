@@ -213,13 +213,19 @@ void App::follow_placing() {
   }
   if (moves_placing_) placing.shape.at = bench_.place_beside(pointer().at, placing.shape.at);
   if (bench_.system().dimensions == 2) placing.shape.at.z = 0.0;
-  if (std::exchange(placing.wants_mesh, false)) {
-    MeshPart loaded = load_mesh_part(typed_path(placing.mesh_path));
-    if (!loaded.scene) panels_.tell("Cannot use the mesh", loaded.error);
-    mesh_ = loaded.scene;
-    placing.mesh_remark = mesh_ ? std::to_string(mesh_->system.point_count()) + " points" : "";
-  }
+  if (std::exchange(placing.wants_mesh, false)) read_mesh(typed_path(placing.mesh_path));
   if (std::exchange(placing.wants_place, false)) place();
+}
+
+void App::read_mesh(const std::filesystem::path& file) {
+  begin_work("Reading", file, [this, file](const GoesOn& goes_on) -> LongWork::Finish {
+    return [this, loaded = load_mesh_part(file, goes_on)] {
+      if (work_.was_stopped()) return panels_.say("Stopped: no mesh was read");
+      if (!loaded.scene) panels_.tell("Cannot use the mesh", loaded.error);
+      mesh_ = loaded.scene;
+      panels_.placing.mesh_remark = mesh_ ? std::to_string(mesh_->system.point_count()) + " points" : "";
+    };
+  });
 }
 
 void App::place() {

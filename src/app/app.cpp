@@ -168,7 +168,11 @@ void App::on(const FileDrop& drop) {
   else
     unless_unsaved(OpenFile{drop.file});
 }
-void App::on(const CloseRequest&) { perform(Action::Quit); }
+void App::on(const CloseRequest&) {
+  if (work_.is_going_on()) work_.stop();
+  wait_for_work();
+  perform(Action::Quit);
+}
 
 void App::take_tool(Action action) {
   if (tool_) tool_->cancel(bench_);
@@ -246,8 +250,8 @@ std::string App::title() const {
 }
 
 bool App::is_still() const {
-  return !panels_.exporting.is_running() && !picture_file_ && !filming_.is_filming() && !status().running && panels_.toast.empty() &&
-         !tool_is_pressed_ && !turning_with_;
+  return !work_.is_going_on() && !panels_.exporting.is_running() && !picture_file_ && !filming_.is_filming() && !status().running &&
+         panels_.toast.empty() && !tool_is_pressed_ && !turning_with_;
 }
 
 }  // namespace hooke

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "app/file_watch.h"
 #include "app/filming.h"
 #include "app/home.h"
+#include "app/long_work.h"
 #include "app/placing.h"
 #include "app/preferences.h"
 #include "app/session.h"
@@ -70,6 +72,9 @@ class App {
   Action tool() const { return tool_action_; }
   // Waits until what was asked of the laboratory is done, and takes its newest status.
   void settle();
+  // The same for a file that is being read or written. For less than `patience` the window waits, and shows nothing of it.
+  void wait_for_work();
+  void set_work_patience(std::chrono::milliseconds patience) { work_patience_ = patience; }
 
  private:
   void on(const KeyPress& press);
@@ -90,10 +95,12 @@ class App {
   bool key_exports(const KeyPress& press);
   void follow_export();
   void start_export();
+  void export_as_it_stands(const std::filesystem::path& file);
   void export_plots(const std::filesystem::path& file);
   void finish_export(const std::string& error, bool stopped);
   bool key_places(const KeyPress& press);
   void follow_placing();
+  void read_mesh(const std::filesystem::path& file);
   void place();
   void delete_selection();
   void release_nails();
@@ -113,9 +120,13 @@ class App {
   void take_document(std::shared_ptr<const Scene> scene, std::filesystem::path file, bool unsaved = false);
   void begin_document();
   void open(const std::filesystem::path& file);
+  void open_recording(const std::filesystem::path& file);
   void save();
   void save_to(const std::filesystem::path& file);
   void write_to(const std::filesystem::path& file);
+  void finish_saving(const std::filesystem::path& file, const std::string& error);
+  void begin_work(const std::string& verb, const std::filesystem::path& file, LongWork::Work work);
+  void follow_work(std::chrono::milliseconds at_most = std::chrono::milliseconds(0));
   std::filesystem::path name_for(const std::string& extension) const;
   void film();
   void record();
@@ -161,6 +172,7 @@ class App {
   };
   std::shared_ptr<ExportProgress> export_progress_;
   std::filesystem::path export_file_;
+  std::chrono::steady_clock::time_point export_started_{};
   std::optional<std::filesystem::path> picture_file_;
 
   Panels panels_;
@@ -189,7 +201,10 @@ class App {
   std::optional<Request> pending_;         // what waits for the answer about unsaved changes
   std::shared_ptr<const Scene> to_frame_;  // a document whose camera waits for the window's size
   bool finished_ = false;
-  std::future<std::string> export_run_;  // last: it is waited for before anything that it uses is gone
+  std::chrono::milliseconds work_patience_{80};
+  // last: they are waited for before anything that they use is gone
+  std::future<std::string> export_run_;
+  LongWork work_;
 };
 
 }  // namespace hooke

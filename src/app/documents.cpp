@@ -109,24 +109,58 @@ void App::play(std::shared_ptr<const Recording> recording) {
   lab_.submit(SetRunning{true});
 }
 
+// What is short is over at once; what is not goes on in a box of its own.
+void App::begin_work(const std::string& verb, const std::filesystem::path& file, LongWork::Work work) {
+  if (work_.is_going_on()) {
+    pending_.reset();
+    return panels_.say("Not yet: " + work_.what());
+  }
+  panels_.work = {};
+  work_.start(verb + " " + name_of(file), std::move(work));
+  follow_work(work_patience_);
+}
+
+void App::follow_work(std::chrono::milliseconds at_most) {
+  if (panels_.work.wants_stop) work_.stop();
+  const bool is_over = work_.follow(at_most);
+  panels_.work = {
+      .what = work_.what(), .share = work_.share(), .seconds = work_.seconds(), .is_going_on = !is_over, .wants_stop = work_.was_stopped()};
+  if (!is_over && panels_.dialog.kind == Dialog::Kind::None) panels_.ask(Dialog::Kind::Working);
+}
+
+void App::wait_for_work() {
+  while (work_.is_going_on()) follow_work(work_patience_);
+}
+
 void App::open(const std::filesystem::path& file) {
-  if (file.extension() == recording_extension) {
+  if (file.extension() == recording_extension) return open_recording(file);
+  begin_work("Opening", file, [this, file](const GoesOn& goes_on) -> LongWork::Finish {
+    return [this, file, opened = try_open(file, goes_on)] {
+      if (work_.was_stopped()) return panels_.say("Stopped: nothing was opened");
+      if (!opened.scene) {
+        std::error_code error;
+        if (!std::filesystem::exists(file, error)) recent_.forget(file);
+        return panels_.tell("Cannot open the scene", opened.error);
+      }
+      // a file of another kind is taken over, not edited
+      const bool imported = find_file_kind(file) != nullptr && !is_scene_file(file);
+      take_document(opened.scene, imported ? std::filesystem::path() : file);
+      panels_.remarks = opened.warnings;
+    };
+  });
+}
+
+void App::open_recording(const std::filesystem::path& file) {
+  begin_work("Opening", file, [this, file](const GoesOn&) -> LongWork::Finish {
     try {
-      return play(std::make_shared<const Recording>(read_recording(file)));
-    } catch (const std::runtime_error& error) {
-      return panels_.tell("Cannot open the recording", error.what());
+      return [this, recording = std::make_shared<const Recording>(read_recording(file))] {
+        if (work_.was_stopped()) return panels_.say("Stopped: nothing was opened");
+        play(recording);
+      };
+    } catch (const std::runtime_error& error) {  // Refused or FileError
+      return [this, said = std::string(error.what())] { panels_.tell("Cannot open the recording", said); };
     }
-  }
-  const Opened opened = try_open(file);
-  if (!opened.scene) {
-    std::error_code error;
-    if (!std::filesystem::exists(file, error)) recent_.forget(file);
-    return panels_.tell("Cannot open the scene", opened.error);
-  }
-  // a file of another kind is taken over, not edited
-  const bool imported = find_file_kind(file) != nullptr && !is_scene_file(file);
-  take_document(opened.scene, imported ? std::filesystem::path() : file);
-  panels_.remarks = opened.warnings;
+  });
 }
 
 void App::save() {
@@ -152,10 +186,18 @@ void App::save_to(const std::filesystem::path& file) {
 }
 
 void App::write_to(const std::filesystem::path& file) {
-  Scene scene = *lab_.copy_scene().get();
-  dress()(scene);
-  if (const std::string error = try_save(scene, file); !error.empty()) {
+  auto copy = std::make_shared<std::future<std::shared_ptr<const Scene>>>(lab_.copy_scene());
+  begin_work("Saving", file, [this, file, copy, dress = dress()](const GoesOn& goes_on) -> LongWork::Finish {
+    Scene scene = *copy->get();
+    dress(scene);
+    return [this, file, error = try_save(scene, file, goes_on)] { finish_saving(file, error); };
+  });
+}
+
+void App::finish_saving(const std::filesystem::path& file, const std::string& error) {
+  if (!error.empty()) {
     pending_.reset();
+    if (work_.was_stopped()) return panels_.say("Stopped: nothing was saved");
     return panels_.tell("Cannot save the scene",
                         error + "\n\nNothing is lost: the scene is open as it was, and an older file is as it was.",
                         {{"Save as...", Answer::SaveAs}, {"OK", Answer::Cancel}});
@@ -250,6 +292,7 @@ void App::attend() {
   if (!status().difference.empty() && status().difference != told_difference_)
     panels_.remarks = "Not as it was recorded: " + status().difference;
   told_difference_ = status().difference;
+  if (work_.is_going_on()) follow_work();
   const double now = seconds_now();
   autosave_.follow(status(), lab_, now, dress());
   if (const std::string trouble = autosave_.take_trouble(); !trouble.empty())

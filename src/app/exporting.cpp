@@ -53,6 +53,7 @@ void App::follow_export() {
   if (!exporting.is_running()) return;
   if (std::exchange(exporting.wants_stop, false)) export_progress_->stop = true;
   exporting.share = export_progress_->share;
+  exporting.running_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - export_started_).count();
   if (export_run_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   exporting.share = -1.0;
   finish_export(export_run_.get(), export_progress_->stop);
@@ -71,23 +72,15 @@ void App::start_export() {
 
   export_file_ = file;
   if (kind.quantities && !kind.over_time) return export_plots(file);
+  if (!kind.over_time) return export_as_it_stands(file);
   Scene scene = *lab_.copy_scene().get();
-  if (!kind.over_time) {
-    try {
-      const std::vector<std::string> lost = save_any(scene, file);
-      finish_export({}, false);
-      if (!lost.empty()) panels_.tell("Exported, but not all of it", joined(lost));
-    } catch (const std::runtime_error& refusal) {  // Refused or FileError
-      finish_export(refusal.what(), false);
-    }
-    return;
-  }
 
   FramesFile wanted{.file = file, .seconds = exporting.seconds, .quantities = {}};
   if (kind.quantities)
     if (const std::string error = read_quantities(exporting.quantities, scene.system, wanted.quantities); !error.empty())
       return panels_.tell("Cannot export", error);
   exporting.share = 0.0;
+  export_started_ = std::chrono::steady_clock::now();
   export_progress_ = std::make_shared<ExportProgress>();
   export_run_ = std::async(std::launch::async, [scene = std::move(scene), wanted, progress = export_progress_]() mutable -> std::string {
     try {
@@ -98,6 +91,20 @@ void App::start_export() {
       return {};
     } catch (const std::runtime_error& refusal) {  // Refused or FileError
       return refusal.what();
+    }
+  });
+}
+
+void App::export_as_it_stands(const std::filesystem::path& file) {
+  auto copy = std::make_shared<std::future<std::shared_ptr<const Scene>>>(lab_.copy_scene());
+  begin_work("Exporting", file, [this, file, copy](const GoesOn&) -> LongWork::Finish {
+    try {
+      return [this, lost = save_any(*copy->get(), file)] {
+        finish_export({}, false);
+        if (!lost.empty()) panels_.tell("Exported, but not all of it", joined(lost));
+      };
+    } catch (const std::runtime_error& refusal) {  // Refused or FileError
+      return [this, said = std::string(refusal.what())] { finish_export(said, false); };
     }
   });
 }

@@ -23,18 +23,18 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-Opened try_open(const std::filesystem::path& file) {
+Opened try_open(const std::filesystem::path& file, const GoesOn& goes_on) {
   try {
-    LoadedScene loaded = load_any(file);
+    LoadedScene loaded = load_any(file, goes_on);
     return {std::make_shared<const Scene>(std::move(loaded.scene)), {}, joined(loaded.warnings)};
   } catch (const std::runtime_error& refusal) {  // Refused or FileError
     return {nullptr, refusal.what(), {}};
   }
 }
 
-std::string try_save(const Scene& scene, const std::filesystem::path& file) {
+std::string try_save(const Scene& scene, const std::filesystem::path& file, const GoesOn& goes_on) {
   try {
-    save_scene(scene, file);
+    save_scene(scene, file, goes_on);
     return {};
   } catch (const FileError& error) {
     return error.what();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lab/command.h"
+#include "lab/goes_on.h"
 
 namespace hooke {
 
@@ -17,10 +18,10 @@ struct Opened {
   std::shared_ptr<const Scene> scene;  // null: refused
   std::string error, warnings;         // lines
 };
-Opened try_open(const std::filesystem::path& file);
+Opened try_open(const std::filesystem::path& file, const GoesOn& goes_on);
 
 // An error text, empty when it is saved.
-std::string try_save(const Scene& scene, const std::filesystem::path& file);
+std::string try_save(const Scene& scene, const std::filesystem::path& file, const GoesOn& goes_on);
 
 // A texture as a person names it: one that ships, or a PNG by its path, which must lie in the folder of the document.
 struct ChosenTexture {

@@ -66,11 +66,11 @@ void turn(Scene& part, double turn_degrees, double tilt_degrees) {
 
 }  // namespace
 
-MeshPart load_mesh_part(const std::filesystem::path& file) {
+MeshPart load_mesh_part(const std::filesystem::path& file, const GoesOn& goes_on) {
   try {
     const FileKind* kind = find_file_kind(file);
     if (kind == nullptr || kind->extension != ".obj") return {nullptr, printable(file.native()) + ": must be an .obj file"};
-    Scene scene = load_any(file).scene;
+    Scene scene = load_any(file, goes_on).scene;
     const Box box = box_around(scene.state.position);
     const Vec3 size = box.most - box.least;
     const double longest = std::max({size.x, size.y, size.z});

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "draw/marks.h"
+#include "lab/goes_on.h"
 #include "lab/scene.h"
 #include "ui/placing.h"
 
@@ -16,7 +17,7 @@ struct MeshPart {
   std::shared_ptr<const Scene> scene;  // null: refused
   std::string error;
 };
-MeshPart load_mesh_part(const std::filesystem::path& file);
+MeshPart load_mesh_part(const std::filesystem::path& file, const GoesOn& goes_on);
 
 // The points, springs and faces that would be placed, in their places. `up` is the scene's; `mesh` may be null where no mesh is
 // placed. Nothing where there is nothing to place yet.

@@ -60,7 +60,7 @@ class CacheSink : public Sink {
 
 }  // namespace
 
-void write_frames(Scene scene, const FramesFile& wanted, const std::function<bool(double)>& goes_on) {
+void write_frames(Scene scene, const FramesFile& wanted, const GoesOn& goes_on) {
   const bool is_table = wanted.file.extension() == ".csv";
   std::unique_ptr<Sink> sink;
   if (is_table)

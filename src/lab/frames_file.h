@@ -2,10 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "lab/goes_on.h"
 #include "lab/quantity.h"
 #include "lab/scene.h"
 
@@ -19,6 +19,6 @@ struct FramesFile {
 
 // Steps the scene and writes its start and the end of every frame. `goes_on` is told the share that is done, and may stop
 // it: then there is no file. Throws Refused or FileError; a run that diverges leaves what came before and throws Refused with the reason.
-void write_frames(Scene scene, const FramesFile& wanted, const std::function<bool(double share)>& goes_on);
+void write_frames(Scene scene, const FramesFile& wanted, const GoesOn& goes_on);
 
 }  // namespace hooke

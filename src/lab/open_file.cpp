@@ -54,9 +54,9 @@ std::string writable_extensions() {
 
 bool is_scene_file(const std::filesystem::path& file) { return find_file_kind(file) == &rows[0]; }
 
-LoadedScene load_any(const std::filesystem::path& file) {
+LoadedScene load_any(const std::filesystem::path& file, const GoesOn& goes_on) {
   const FileKind* kind = find_file_kind(file);
-  if (!kind || is_scene_file(file)) return load_scene(file);
+  if (!kind || is_scene_file(file)) return load_scene(file, goes_on);
   const std::string name = printable(file.native());
   if (!kind->parse)
     throw Refused(name + ": kind of file: " + std::string(kind->extension) + ": is only written: must be " + readable_extensions() +

@@ -32,9 +32,8 @@ std::string writable_extensions();
 bool is_scene_file(const std::filesystem::path& file);
 
 // Reads a file by its ending; one without a known ending as a scene in JSON. Throws Refused or FileError; never anything
-// else, whatever the bytes. No file but this is opened,
-// and a texture within its folder.
-LoadedScene load_any(const std::filesystem::path& file);
+// else, whatever the bytes. No file but this is opened, and a texture within its folder. Only a scene tells how far it is.
+LoadedScene load_any(const std::filesystem::path& file, const GoesOn& goes_on = {});
 
 // Writes a file by its ending, whole or not at all. Returns what the kind has no place for. Throws Refused or FileError;
 // then the old file is as it was.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lab/goes_on.h"
 #include "lab/scene.h"
 #include "sim/errors.h"
 
@@ -15,22 +16,22 @@ struct LoadedScene {
   std::vector<std::string> warnings;  // one line each: unknown keys, coincident points, an explicit step past its limit
 };
 
-// Reads a scene. Throws Refused or FileError; never anything else, whatever the bytes.
-LoadedScene load_scene(const std::filesystem::path& file);
+// Reads a scene. Throws Refused or FileError; never anything else, whatever the bytes. Refused too when `goes_on` ends it.
+LoadedScene load_scene(const std::filesystem::path& file, const GoesOn& goes_on = {});
 
 // A copy of `original` that was kept in another folder: its pictures lie beside the original.
-LoadedScene load_copy(const std::filesystem::path& copy, const std::filesystem::path& original);
+LoadedScene load_copy(const std::filesystem::path& copy, const std::filesystem::path& original, const GoesOn& goes_on = {});
 
 // The same from memory; `name` stands for the file in messages.
 LoadedScene parse_scene(std::string_view text, const std::string& name);
 
 // The scene as JSON. What is read back is the same scene, bit for bit. Generators stay generators where their points and
 // springs are as they were made.
-std::string format_scene(const Scene& scene);
+std::string format_scene(const Scene& scene, const GoesOn& goes_on = {});
 
 // Writes atomically: a temporary file beside it, fsync, rename, fsync of the folder. Throws FileError; then the old file
-// is as it was.
-void save_scene(const Scene& scene, const std::filesystem::path& file);
+// is as it was. So it is when `goes_on` ends it, which is a FileError too.
+void save_scene(const Scene& scene, const std::filesystem::path& file, const GoesOn& goes_on = {});
 
 // The file of a shipped scene by its name ("cloth"), in the installed place or the source tree; none if unknown.
 struct ShippedScene {

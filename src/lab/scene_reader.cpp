@@ -33,7 +33,7 @@ bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) 
 
 class SceneReader {
  public:
-  SceneReader(const std::string& text, const std::string& name) : text_(text), name_(name) {}
+  SceneReader(const std::string& text, const std::string& name, const GoesOn& goes_on) : text_(text), name_(name), goes_on_(goes_on) {}
   LoadedScene read();
 
  private:
@@ -68,6 +68,7 @@ class SceneReader {
 
   const std::string& text_;
   const std::string& name_;
+  const GoesOn& goes_on_;
   JsonParser parser_;
   SceneFields fields_;
   Scene scene_;
@@ -164,6 +165,8 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
 void SceneReader::read_item(std::string_view key, std::size_t index, std::string_view text) {
   const List& list = *find_list(key);
   if (index >= list.most) refuse(std::string(key), std::to_string(index + 1) + " items: must be at most " + std::to_string(list.most));
+  if (goes_on_ && is_milestone(index) && !goes_on_(static_cast<double>(text.data() - text_.data()) / static_cast<double>(text_.size())))
+    throw Refused(name_ + ": reading was stopped");
   (this->*list.read)(JsonField(name_, key, parser_.parse(text), index));
 }
 
@@ -358,13 +361,15 @@ void add_picture(LoadedScene& loaded, const std::filesystem::path& folder, const
 
 }  // namespace
 
-LoadedScene parse_scene(std::string_view text, const std::string& name) { return SceneReader(std::string(text), printable(name)).read(); }
+LoadedScene parse_scene(std::string_view text, const std::string& name) {
+  return SceneReader(std::string(text), printable(name), {}).read();
+}
 
-LoadedScene load_scene(const std::filesystem::path& file) { return load_copy(file, file); }
+LoadedScene load_scene(const std::filesystem::path& file, const GoesOn& goes_on) { return load_copy(file, file, goes_on); }
 
-LoadedScene load_copy(const std::filesystem::path& copy, const std::filesystem::path& original) {
+LoadedScene load_copy(const std::filesystem::path& copy, const std::filesystem::path& original, const GoesOn& goes_on) {
   const std::string text = read_file(copy), name = printable(copy.native());
-  LoadedScene loaded = SceneReader(text, name).read();
+  LoadedScene loaded = SceneReader(text, name, goes_on).read();
   add_picture(loaded, original.parent_path(), name);
   return loaded;
 }

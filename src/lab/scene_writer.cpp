@@ -40,7 +40,7 @@ struct Listed {
 
 class SceneWriter {
  public:
-  explicit SceneWriter(const Scene& scene) : scene_(scene), system_(scene.system), state_(scene.state) {}
+  SceneWriter(const Scene& scene, const GoesOn& goes_on) : scene_(scene), system_(scene.system), state_(scene.state), goes_on_(goes_on) {}
   std::string write();
 
  private:
@@ -68,11 +68,14 @@ class SceneWriter {
   const Scene& scene_;
   const System& system_;
   const State& state_;
+  const GoesOn& goes_on_;
+  std::size_t items_ = 0, written_items_ = 0;  // of all lists
   JsonWriter out_;
 };
 
 std::string SceneWriter::write() {
   const Listed listed = find_listed();
+  items_ = static_cast<std::size_t>(listed.points) + static_cast<std::size_t>(listed.springs) + listed.faces;
   out_.begin_object(Layout::Lines);
   out_.whole("hooke", newest_scene_version);
   out_.text("name", scene_.name);
@@ -204,6 +207,8 @@ void SceneWriter::write_list(std::string_view key, std::size_t count, Write writ
   for (std::size_t i = 0; i < count; ++i) {
     write_item(i);
     check_size();
+    if (goes_on_ && is_milestone(written_items_++) && !goes_on_(static_cast<double>(written_items_) / static_cast<double>(items_)))
+      throw FileError(printable(scene_.name) + ": writing was stopped");
   }
   out_.end();
 }
@@ -381,8 +386,10 @@ void SceneWriter::check_size() const {
 
 }  // namespace
 
-std::string format_scene(const Scene& scene) { return SceneWriter(scene).write(); }
+std::string format_scene(const Scene& scene, const GoesOn& goes_on) { return SceneWriter(scene, goes_on).write(); }
 
-void save_scene(const Scene& scene, const std::filesystem::path& file) { write_atomically(file, format_scene(scene)); }
+void save_scene(const Scene& scene, const std::filesystem::path& file, const GoesOn& goes_on) {
+  write_atomically(file, format_scene(scene, goes_on));
+}
 
 }  // namespace hooke

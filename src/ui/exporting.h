@@ -24,7 +24,8 @@ struct Exporting {
   std::string quantities = "time, kinetic, elastic, gravitational, total";
   double seconds = 2.0;
   bool wants_export = false, wants_stop = false;
-  double share = -1.0;  // that is done; below 0: nothing is going on
+  double share = -1.0;           // that is done; below 0: nothing is going on
+  double running_seconds = 0.0;  // [s] since it began
   bool is_running() const { return share >= 0.0; }
 };
 

@@ -62,7 +62,7 @@ struct Choice {
 };
 
 struct Dialog {
-  enum class Kind { None, Message, Open, Save, Unsaved, Texture, Recovery };
+  enum class Kind { None, Message, Open, Save, Unsaved, Texture, Recovery, Working };
   Kind kind = Kind::None;
   std::string title, text;      // of a message
   std::vector<Choice> choices;  // under it: the first is Enter's, the last Esc's; none: "OK"
@@ -71,6 +71,13 @@ struct Dialog {
   Browser browser;
   bool is_new = false;                       // to be opened by the next frame
   bool accepted = false, cancelled = false;  // by a key
+};
+
+// A file that is being read or written, while the window goes on.
+struct FileWork {
+  std::string what;  // "Opening sheet.json"
+  double share = 0.0, seconds = 0.0;
+  bool is_going_on = false, wants_stop = false;
 };
 
 // The page of scenes.
@@ -92,6 +99,7 @@ struct Search {
 struct Panels {
   ViewOptions view;
   Dialog dialog;
+  FileWork work;
   std::deque<Dialog> waiting;  // come up one after the other
   Search search;
   bool keys_shown = false;

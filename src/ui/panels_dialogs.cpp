@@ -173,6 +173,19 @@ void recovery_box(const Desk& desk, Panels& panels, Requests& requests) {
   requests.push_back(*request);
 }
 
+void working_box(const Desk&, Panels& panels, Requests&) {
+  FileWork& work = panels.work;
+  if (!work.is_going_on) return close(panels);
+  ImGui::TextUnformatted(printable(work.what, 60).c_str());
+  ImGui::Spacing();
+  progress_bar(work.share, work.seconds, units(420.0));
+  ImGui::Spacing();
+  if (work.wants_stop)
+    dim_text("Stopping...");
+  else if (push_button("Cancel") || panels.dialog.cancelled)
+    work.wants_stop = true;
+}
+
 struct Question {
   const char* title;
   void (*build)(const Desk& desk, Panels& panels, Requests& requests);
@@ -183,7 +196,8 @@ constexpr Question questions[] = {{"Message", message_box},
                                   {"Save the scene as", save_box},
                                   {"Save the changes?", unsaved_box},
                                   {"Put a picture on the cloth", texture_box},
-                                  {"Unsaved work was found", recovery_box}};
+                                  {"Unsaved work was found", recovery_box},
+                                  {"One moment", working_box}};
 
 }  // namespace
 

@@ -67,7 +67,7 @@ void over_time(Exporting& exporting, Panels& panels) {
 
 void buttons(Exporting& exporting) {
   if (exporting.is_running()) {
-    ImGui::ProgressBar(static_cast<float>(exporting.share), {-units(110.0), units(30.0)});
+    progress_bar(exporting.share, exporting.running_seconds, -units(110.0));
     ImGui::SameLine();
     if (ImGui::Button("Stop", {units(96.0), units(30.0)})) exporting.wants_stop = true;
     return;

@@ -1,5 +1,8 @@
 #include "ui/widgets.h"
 
+#include <cmath>
+#include <cstdio>
+
 namespace hooke {
 
 Rect current_window() {
@@ -66,6 +69,17 @@ void tooltip(const std::string& text) {
 void tooltip(Action action, const std::string& detail) {
   const Shortcut& row = shortcut_of(action);
   tooltip(std::string(row.text) + (detail.empty() ? "" : ": " + detail) + "   " + key_text(row));
+}
+
+void progress_bar(double share, double seconds, float width) {
+  // the first moments tell nothing of the rest
+  char text[48] = "";
+  const double left = share > 0.0 ? seconds * (1.0 - share) / share : 0.0;
+  if (share > 0.03 && seconds > 0.3)
+    std::snprintf(text, sizeof text, "%.0f %%, %.0f s left", 100.0 * share, std::ceil(left));
+  else if (share > 0.0)
+    std::snprintf(text, sizeof text, "%.0f %%", 100.0 * share);
+  ImGui::ProgressBar(static_cast<float>(share), {width, units(30.0)}, text);
 }
 
 void text_in(ImU32 color, const std::string& text) {

@@ -34,6 +34,9 @@ void tooltip(const std::string& text);
 // "Undo nail 3 points  (Ctrl+Z)"
 void tooltip(Action action, const std::string& detail = {});
 
+// The share of a work that is done, and the time that it will still take, by the `seconds` that it took so far.
+void progress_bar(double share, double seconds, float width);
+
 void text_in(ImU32 color, const std::string& text);
 void dim_text(const std::string& text);
 
