@@ -99,10 +99,11 @@ class Desktop {
     const std::filesystem::path number = folder_ / "display";
     const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
     // A number of its own: servers that look for a free one at the same time can take the same. -displayfd says when it is up.
-    const std::string own = ":" + std::to_string(100 + ::getpid() % 50000);
-    server_ =
-        Process({"sh", "-c", "exec Xvfb " + own + " -displayfd 3 -screen 0 " + screen + " -dpi 96 -nolisten tcp 3>" + number.string()},
-                folder_ / "server.log");
+    static int many = 0;
+    const std::string own = ":" + std::to_string(100 + (::getpid() + 7919 * many++) % 50000);
+    server_ = Process(
+        {"sh", "-c", "exec Xvfb " + own + " -displayfd 3 -noreset -screen 0 " + screen + " -dpi 96 -nolisten tcp 3>" + number.string()},
+        folder_ / "server.log");
     wait_for([&] { return contents(number).find('\n') != std::string::npos; });
     std::istringstream(contents(number)) >> display_;
     ::setenv("DISPLAY", (":" + display_).c_str(), 1);
@@ -111,7 +112,12 @@ class Desktop {
     ::setenv("XDG_CONFIG_HOME", (folder_ / "config").c_str(), 1);
     ::setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
   }
-  ~Desktop() { std::filesystem::remove_all(folder_); }
+  ~Desktop() {
+    std::error_code error;  // a program that is being killed may still write there
+    std::filesystem::remove_all(folder_, error);
+  }
+  Desktop(const Desktop&) = delete;
+  Desktop& operator=(const Desktop&) = delete;
 
   bool is_up() const { return !display_.empty(); }
   const std::filesystem::path& folder() const { return folder_; }
@@ -164,6 +170,16 @@ class Desktop {
     press(from);
     for (const double share : {0.3, 0.6, 1.0}) move(from + share * (to - from));
     release();
+  }
+  // "close" or "drop", with a file. Whether the window took it.
+  bool tell_window(const std::string& what, const std::filesystem::path& file = {}) const {
+    const std::string window = ask("xdotool search --onlyvisible --class hooke");
+    const std::string words = HOOKE_WINDOW_MESSAGE " " + what + " " + window.substr(0, window.find('\n')) + " " + file.string();
+    return std::system(words.c_str()) == 0;
+  }
+  // What the screen shows, as a number, but for a lower right corner of so many pixels.
+  std::string digest(int width_left_out, int height_left_out) const {
+    return ask(HOOKE_WINDOW_MESSAGE " digest " + std::to_string(width_left_out) + " " + std::to_string(height_left_out));
   }
   // A picture of the screen, to be looked at by people.
   void photograph(const std::filesystem::path& file) const { ask("import -window root " + file.string()); }

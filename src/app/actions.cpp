@@ -176,6 +176,7 @@ void App::tune(const Tuning& tuning, bool repeated) {
 
 // The nearest thing to leave: a menu, the keys, what the tool has half done, the selection, the tool.
 void App::cancel() {
+  panels_.toast.clear();
   if (panels_.menu_is_open) {
     panels_.menu_closes = true;
     return;
@@ -271,6 +272,7 @@ void App::paste_camera() {
   const Camera pasted = make_camera(view, bench_.system(), bench_.snapshot().state, bench_.size.x / bench_.size.y);
   if (bench_.system().dimensions == 2 && pasted.back != bench_.camera.back) return panels_.say("A flat scene is seen from the front");
   bench_.camera = pasted;
+  panels_.say("Pasted the camera");
 }
 
 void App::release_nails() {

@@ -79,7 +79,9 @@ void progress_bar(double share, double seconds, float width) {
     std::snprintf(text, sizeof text, "%.0f %%, %.0f s left", 100.0 * share, std::ceil(left));
   else if (share > 0.0)
     std::snprintf(text, sizeof text, "%.0f %%", 100.0 * share);
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette::tinted);
   ImGui::ProgressBar(static_cast<float>(share), {width, units(30.0)}, text);
+  ImGui::PopStyleColor();
 }
 
 void text_in(ImU32 color, const std::string& text) {
