@@ -228,6 +228,9 @@ TEST_F(Recordings, AreRefusedWithTheLineThatIsWrong) {
   };
   const std::string first_lines = session.text.substr(0, session.text.find("{\"frame\""));
   EXPECT_EQ(refusal(""), "x.hookelog: empty: must begin with \"hooke_recording\"");
+  EXPECT_EQ(refusal("{\"hooke_recording\": 1}"), "x.hookelog: ends within its first line: must begin with \"hooke_recording\"");
+  EXPECT_EQ(refusal("garbage\n"), "x.hookelog: line 1: value: garbage: must be a JSON value (numbers are finite)");
+  EXPECT_EQ(refusal("[1]\n"), "x.hookelog: line 1: no object: must be {...}");
   EXPECT_EQ(refusal("{}\n"), "x.hookelog: line 1: must be a recording: {\"hooke_recording\": 1, ...}");
   EXPECT_NE(refusal("{\"hooke_recording\": 2}\n").find("line 1: hooke_recording: 2: "), std::string::npos);
   EXPECT_NE(refusal("{\"hooke_recording\": 1}\n{\"frame\": \"00\"}\n").find("line 2: frame: "), std::string::npos);

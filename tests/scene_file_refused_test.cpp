@@ -88,6 +88,7 @@ TEST(BadScenes, SyntaxIsRefusedWithTheLine) {
       {"[1, 2]", "line 1: no object: must be {...}"},
       {"\n5", "line 2: no object: must be {...}"},
       {"{", "line 1: the file ends too early"},
+      {"{\"hooke\": 1, \"points\": [", "line 1: the file ends too early"},
       {"{\"hooke\": 1,\n\"points\": [{\"position\": [0, 0", "line 2: the file ends too early"},
       {"{\"hooke\": 1}\n}", "line 2: The document root must not be followed by other values"},
       {"{\"hooke\": 1,}", "line 1: Missing a name for object member"},

@@ -74,7 +74,9 @@ class Walker {
   void check_number(std::string_view digits) const;
   std::string path(std::size_t levels, std::size_t next = 0) const;
   std::string line(std::size_t offset) const;
-  [[noreturn]] void refuse(const std::string& where, const std::string& what) const { throw Refused(name_ + ": " + where + ": " + what); }
+  [[noreturn]] void refuse(const std::string& where, const std::string& what) const {
+    throw Refused(name_ + ": " + where + (where.empty() ? "" : ": ") + what);
+  }
   [[noreturn]] void refuse_syntax(const rapidjson::ParseResult& result) const;
 
   const std::string& text_;
@@ -99,10 +101,11 @@ std::string Walker::path(std::size_t levels, std::size_t next) const {
     else if (!level.keys.empty())
       way += (way.empty() ? "" : ".") + printable(level.keys.back(), 60);
   }
-  return way.empty() ? "scene" : way;
+  return way.empty() ? (visitor_.is_one_line ? "value" : "scene") : way;
 }
 
 std::string Walker::line(std::size_t offset) const {
+  if (visitor_.is_one_line) return {};
   return "line " +
          std::to_string(1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(std::min(offset, text_.size())), '\n'));
 }
@@ -210,11 +213,11 @@ void Walker::refuse_syntax(const rapidjson::ParseResult& result) const {
   if (offset == text_.size()) what = "the file ends too early";
   while (!what.empty() && what.back() == '.') what.pop_back();
   if (text_.starts_with("\xef\xbb\xbf")) refuse(where, "a byte order mark: must begin with {");
-  if (result.Code() == rapidjson::kParseErrorValueInvalid) {
+  if (result.Code() == rapidjson::kParseErrorValueInvalid && offset < text_.size()) {
     // from the start of the word in which reading failed
     const std::size_t before = text_.find_last_of(" \t\r\n,:[{", offset == 0 ? 0 : offset - 1);
     const std::size_t begin = before == std::string::npos ? 0 : before + 1, end = text_.find_first_of(" \t\r\n,:]}", offset);
-    where += ": " + path(depth_, 1);
+    where += (where.empty() ? "" : ": ") + path(depth_, 1);
     what = printable(text_.substr(begin, std::min(end, text_.size()) - begin), 40) + ": must be a JSON value (numbers are finite)";
   }
   refuse(where, what);

@@ -15,6 +15,8 @@ struct JsonVisitor {
   std::function<void(std::string_view key, std::size_t index, std::string_view text)> item;
   // A top-level member as a whole; such a list after its items.
   std::function<void(std::string_view key, std::string_view text)> member;
+  // The text is a line of a file, and the name tells which: no line is told besides.
+  bool is_one_line = false;
 };
 
 // Throws Refused ("FILE: line N: ...") for what is no JSON object in UTF-8, and ("FILE: FIELD: ...") for the same key

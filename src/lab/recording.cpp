@@ -92,6 +92,7 @@ class RecordingReader {
 
   Recording read() {
     while (next_line()) read_line();
+    if (number_ == 0 && recording_.is_cut_short) refuse("ends within its first line: must begin with \"hooke_recording\"");
     if (number_ == 0) refuse("empty: must begin with \"hooke_recording\"");
     if (awaited_) refuse("must go on with the rest of the scene: {\"rest\": ...}");
     if (!recording_.start) refuse("no scene: must be on the second line");
@@ -123,7 +124,8 @@ class RecordingReader {
     walk_json(line_, name_,
               {.is_list = [](std::string_view) { return false; },
                .item = {},
-               .member = [this](std::string_view key, std::string_view text) { read_member(JsonField(name_, key, parser_.parse(text))); }});
+               .member = [this](std::string_view key, std::string_view text) { read_member(JsonField(name_, key, parser_.parse(text))); },
+               .is_one_line = true});
     if (number_ == 1 && !has_version_) refuse("must be a recording: {\"hooke_recording\": 1, ...}");
   }
 
