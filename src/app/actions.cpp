@@ -7,6 +7,7 @@
 #include "app/files.h"
 #include "draw/camera_text.h"
 #include "lab/excerpt.h"
+#include "lab/printable.h"
 #include "lab/scene_file.h"
 #include "sim/errors.h"
 #include "sim/overloaded.h"
@@ -64,11 +65,9 @@ void App::perform(Action action, bool repeated) {
     case Action::Duplicate:
       return duplicate();
     case Action::Cut:
-      if (copy()) delete_selection();
-      return;
+      return copy(Afterwards::Delete);
     case Action::Copy:
-      copy();
-      return;
+      return copy();
     case Action::Paste:
       return paste();
     case Action::DeleteSelection:
@@ -219,7 +218,7 @@ void App::follow_placing() {
 }
 
 void App::read_mesh(const std::filesystem::path& file) {
-  begin_work("Reading", file, [this, file](const GoesOn& goes_on) -> LongWork::Finish {
+  begin_work("Reading " + printable(file.filename().native(), 60), [this, file](const GoesOn& goes_on) -> LongWork::Finish {
     return [this, loaded = load_mesh_part(file, goes_on)] {
       if (work_.was_stopped()) return panels_.say("Stopped: no mesh was read");
       if (!loaded.scene) panels_.tell("Cannot use the mesh", loaded.error);

@@ -250,8 +250,8 @@ std::string App::title() const {
 }
 
 bool App::is_still() const {
-  return !work_.is_going_on() && !panels_.exporting.is_running() && !picture_file_ && !filming_.is_filming() && !status().running &&
-         panels_.toast.empty() && !tool_is_pressed_ && !turning_with_;
+  return !work_.is_going_on() && !panels_.exporting.is_running() && !picture_file_ && !filming_.is_filming() && !filming_.is_writing() &&
+         !status().running && panels_.toast.empty() && !tool_is_pressed_ && !turning_with_;
 }
 
 }  // namespace hooke

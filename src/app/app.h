@@ -110,8 +110,10 @@ class App {
   void paste_camera();
 
   // Parts of the scene, as text.
-  bool copy();
+  enum class Afterwards { Keep, Delete };
+  void copy(Afterwards afterwards = Afterwards::Keep);
   void paste();
+  void paste(const Scene& part);
   void duplicate();
   void put_in(const Scene& part, const Vec3& way);
 
@@ -125,7 +127,7 @@ class App {
   void save_to(const std::filesystem::path& file);
   void write_to(const std::filesystem::path& file);
   void finish_saving(const std::filesystem::path& file, const std::string& error);
-  void begin_work(const std::string& verb, const std::filesystem::path& file, LongWork::Work work);
+  void begin_work(std::string what, LongWork::Work work);
   void follow_work(std::chrono::milliseconds at_most = std::chrono::milliseconds(0));
   std::filesystem::path name_for(const std::string& extension) const;
   void film();

@@ -18,36 +18,45 @@ std::string count_of(const Scene& part) {
 
 }  // namespace
 
-// Whether it is on the clipboard now.
-bool App::copy() {
-  const Scene part = excerpt(bench_.snapshot(), selection_);
-  if (part.system.points().empty()) {
-    panels_.say("Nothing is selected");
-    return false;
-  }
-  if (part.system.point_count() > most_points) {
-    panels_.say("Too much for the clipboard: " + count(part.system.point_count(), "point") + ", it takes " + std::to_string(most_points));
-    return false;
-  }
-  clipboard_.put(format_scene(part));
-  panels_.say("Copied " + count_of(part));
-  return true;
+void App::copy(Afterwards afterwards) {
+  auto part = std::make_shared<const Scene>(excerpt(bench_.snapshot(), selection_));
+  if (part->system.points().empty()) return panels_.say("Nothing is selected");
+  if (part->system.point_count() > most_points)
+    return panels_.say("Too much for the clipboard: " + count(part->system.point_count(), "point") + ", it takes " +
+                       std::to_string(most_points));
+  begin_work("Copying " + count_of(*part), [this, part, afterwards](const GoesOn& goes_on) -> LongWork::Finish {
+    try {
+      return [this, part, afterwards, text = format_scene(*part, goes_on)] {
+        clipboard_.put(text);
+        panels_.say("Copied " + count_of(*part));
+        if (afterwards == Afterwards::Delete) delete_selection();
+      };
+    } catch (const FileError&) {
+      return [this] { panels_.say("Stopped: nothing was copied"); };
+    }
+  });
 }
 
 // Under the cursor, or beside the middle of the scene's picture when it is elsewhere.
 void App::paste() {
-  const std::string text = clipboard_.take();
+  std::string text = clipboard_.take();
   if (text.empty()) return panels_.say("The clipboard is empty");
-  try {
-    const Scene part = parse_scene(text, "clipboard").scene;
-    if (part.system.points().empty()) return panels_.say("The clipboard holds no points");
-    const bool over_scene = !panels_cover(panels_, layout_, cursor_.x, cursor_.y);
-    const Vec3 middle = middle_of(part);
-    put_in(part, bench_.place_beside(over_scene ? pointer().at : 0.5 * bench_.size, middle) - middle);
-    panels_.say("Pasted " + count_of(part));
-  } catch (const Refused&) {
-    panels_.say("The clipboard holds no part of a scene");
-  }
+  begin_work("Pasting", [this, text = std::move(text)](const GoesOn& goes_on) -> LongWork::Finish {
+    try {
+      auto part = std::make_shared<const Scene>(parse_scene(text, "clipboard", goes_on).scene);
+      return [this, part] { paste(*part); };
+    } catch (const Refused&) {
+      return [this] { panels_.say(work_.was_stopped() ? "Stopped: nothing was pasted" : "The clipboard holds no part of a scene"); };
+    }
+  });
+}
+
+void App::paste(const Scene& part) {
+  if (part.system.points().empty()) return panels_.say("The clipboard holds no points");
+  const bool over_scene = !panels_cover(panels_, layout_, cursor_.x, cursor_.y);
+  const Vec3 middle = middle_of(part);
+  put_in(part, bench_.place_beside(over_scene ? pointer().at : 0.5 * bench_.size, middle) - middle);
+  panels_.say("Pasted " + count_of(part));
 }
 
 void App::duplicate() {

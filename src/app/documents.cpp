@@ -108,13 +108,13 @@ void App::play(std::shared_ptr<const Recording> recording) {
 }
 
 // What is short is over at once; what is not goes on in a box of its own.
-void App::begin_work(const std::string& verb, const std::filesystem::path& file, LongWork::Work work) {
+void App::begin_work(std::string what, LongWork::Work work) {
   if (work_.is_going_on()) {
     pending_.reset();
     return panels_.say("Not yet: " + work_.what());
   }
   panels_.work = {};
-  work_.start(verb + " " + name_of(file), std::move(work));
+  work_.start(std::move(what), std::move(work));
   follow_work(work_patience_);
 }
 
@@ -132,7 +132,7 @@ void App::wait_for_work() {
 
 void App::open(const std::filesystem::path& file) {
   if (file.extension() == recording_extension) return open_recording(file);
-  begin_work("Opening", file, [this, file](const GoesOn& goes_on) -> LongWork::Finish {
+  begin_work("Opening " + name_of(file), [this, file](const GoesOn& goes_on) -> LongWork::Finish {
     return [this, file, opened = try_open(file, goes_on)] {
       if (work_.was_stopped()) return panels_.say("Stopped: nothing was opened");
       if (!opened.scene) {
@@ -149,7 +149,7 @@ void App::open(const std::filesystem::path& file) {
 }
 
 void App::open_recording(const std::filesystem::path& file) {
-  begin_work("Opening", file, [this, file](const GoesOn&) -> LongWork::Finish {
+  begin_work("Opening " + name_of(file), [this, file](const GoesOn&) -> LongWork::Finish {
     try {
       return [this, recording = std::make_shared<const Recording>(read_recording(file))] {
         if (work_.was_stopped()) return panels_.say("Stopped: nothing was opened");
@@ -185,7 +185,7 @@ void App::save_to(const std::filesystem::path& file) {
 
 void App::write_to(const std::filesystem::path& file) {
   auto copy = std::make_shared<std::future<std::shared_ptr<const Scene>>>(lab_.copy_scene());
-  begin_work("Saving", file, [this, file, copy, dress = dress()](const GoesOn& goes_on) -> LongWork::Finish {
+  begin_work("Saving " + name_of(file), [this, file, copy, dress = dress()](const GoesOn& goes_on) -> LongWork::Finish {
     Scene scene = *copy->get();
     dress(scene);
     return [this, file, error = try_save(scene, file, goes_on)] { finish_saving(file, error); };
@@ -238,6 +238,8 @@ std::filesystem::path App::name_for(const std::string& extension) const {
 void App::film() {
   if (filming_.is_filming())
     filming_.end_film();
+  else if (filming_.is_writing())
+    panels_.say("The film before is still being written");
   else
     filming_.start_film(name_for(".mp4"));
 }

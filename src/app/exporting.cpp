@@ -97,7 +97,7 @@ void App::start_export() {
 
 void App::export_as_it_stands(const std::filesystem::path& file) {
   auto copy = std::make_shared<std::future<std::shared_ptr<const Scene>>>(lab_.copy_scene());
-  begin_work("Exporting", file, [this, file, copy](const GoesOn&) -> LongWork::Finish {
+  begin_work("Exporting " + printable(file.filename().native(), 60), [this, file, copy](const GoesOn&) -> LongWork::Finish {
     try {
       return [this, lost = save_any(*copy->get(), file)] {
         finish_export({}, false);

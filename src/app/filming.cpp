@@ -32,45 +32,48 @@ Picture cut(const Picture& whole, const PicturePlace& place) {
 }  // namespace
 
 void Filming::take(const View& view, const PicturePlace& place, double now) {
-  const bool is_due = film_ && static_cast<long>((now - started_) * pictures_per_second) >= pictures_;
+  const bool is_due = film_ && !is_ending_ && static_cast<long>((now - started_) * pictures_per_second) >= pictures_;
   if (!film_wanted_ && !is_due) return;
-  const Picture picture = cut(view.read(), place);
+  Picture picture = cut(view.read(), place);
   if (picture.pixels.empty()) return;
   try {
     if (const auto file = std::exchange(film_wanted_, std::nullopt)) {
       film_.emplace(*file, picture.width, picture.height, pictures_per_second);
+      is_ending_ = false;
       width_ = picture.width;
       height_ = picture.height;
       started_ = now;
       pictures_ = 0;
     }
-    if (film_) take_for_film(picture, now);
+    take_for_film(std::move(picture), now);
   } catch (const FileError& error) {
     film_.reset();
     news_ = error.what();
   }
 }
 
-// As many times as the film's clock asks for: it runs as fast as the person's.
-void Filming::take_for_film(const Picture& picture, double now) {
+// As many times as the film's clock asks for: it runs as fast as the person's. Where ffmpeg is slower, the next picture that
+// it has room for stands for those that it had none for.
+void Filming::take_for_film(Picture picture, double now) {
   if (picture.width != width_ || picture.height != height_) return end_film();
   const long due = static_cast<long>((now - started_) * pictures_per_second) + 1;
-  const long repeats = std::min(due - pictures_, most_repeats);
-  for (long i = 0; i < repeats; ++i) film_->add(picture);
-  pictures_ = due;
+  if (film_->add(std::move(picture), std::min(due - pictures_, most_repeats))) pictures_ = due;
 }
 
 void Filming::end_film() {
   film_wanted_.reset();
   if (!film_) return;
-  try {
-    const std::filesystem::path file = film_->file();
-    film_->close();
-    news_ = "Film " + printable(file.native());
-  } catch (const FileError& error) {
-    news_ = error.what();
+  is_ending_ = true;
+  film_->end();
+}
+
+std::string Filming::take_news() {
+  if (const auto result = film_ ? film_->result() : std::nullopt) {
+    news_ = result->empty() ? "Film " + printable(film_->file().native()) : *result;
+    film_.reset();
+    is_ending_ = false;
   }
-  film_.reset();
+  return std::exchange(news_, {});
 }
 
 std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem, const std::string& extension) {

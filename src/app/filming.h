@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "app/film_writer.h"
 #include "draw/view.h"
-#include "lab/film.h"
 
 namespace hooke {
 
@@ -15,22 +15,25 @@ class Filming {
   // From the next frame on, until it is ended or the scene's place changes its size.
   void start_film(std::filesystem::path file) { film_wanted_ = std::move(file); }
   void end_film();
-  bool is_filming() const { return film_ || film_wanted_; }
+  bool is_filming() const { return film_wanted_ || (film_ && !is_ending_); }
+  // The film before is not in its place yet.
+  bool is_writing() const { return film_.has_value(); }
 
   // After a frame was drawn, with the view's framebuffer as it is; `now` [s] on any clock.
   void take(const View& view, const PicturePlace& place, double now);
   // What there is to tell, once: "Film /home/a/cloth.mp4"; empty: nothing.
-  std::string take_news() { return std::exchange(news_, {}); }
+  std::string take_news();
   // Of the film so far [s].
   double seconds() const { return static_cast<double>(pictures_) / pictures_per_second; }
 
   static constexpr double pictures_per_second = 30.0;
 
  private:
-  void take_for_film(const Picture& picture, double now);
+  void take_for_film(Picture picture, double now);
 
   std::optional<std::filesystem::path> film_wanted_;
-  std::optional<Film> film_;
+  std::optional<FilmWriter> film_;
+  bool is_ending_ = false;
   int width_ = 0, height_ = 0;
   double started_ = 0.0;  // [s]
   long pictures_ = 0;

@@ -64,7 +64,7 @@ Film::Film(std::filesystem::path file, int width, int height, double pictures_pe
   if (error == 0) return;
 
   ffmpeg_ = 0;
-  ::close(std::exchange(to_ffmpeg_, -1));
+  ::close(to_ffmpeg_.exchange(-1));
   if (std::error_code gone; !std::filesystem::exists(file_.parent_path().empty() ? "." : file_.parent_path(), gone))
     fail("there is no such folder");
   fail("ffmpeg, which makes films, cannot be started: " + std::string(std::strerror(error)) + " (apt-get install ffmpeg)");
@@ -80,13 +80,18 @@ Film::~Film() {
 
 // ffmpeg's exit code; -1 when a signal ended it.
 int Film::finish() {
-  if (to_ffmpeg_ >= 0) ::close(std::exchange(to_ffmpeg_, -1));
+  if (to_ffmpeg_ >= 0) ::close(to_ffmpeg_.exchange(-1));
   if (ffmpeg_ <= 0) return -1;
   int status = 0;
   while (::waitpid(ffmpeg_, &status, 0) < 0 && errno == EINTR) {
   }
   ffmpeg_ = 0;
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+void Film::give_up() {
+  given_up_ = true;
+  ::shutdown(to_ffmpeg_, SHUT_RDWR);
 }
 
 void Film::add(const Picture& picture) {
@@ -97,6 +102,8 @@ void Film::add(const Picture& picture) {
     const ssize_t sent = ::send(to_ffmpeg_, at, left, MSG_NOSIGNAL);
     if (sent < 0 && errno == EINTR) continue;
     if (sent < 0) {
+      // it need not read to its end what nobody wants
+      if (given_up_) ::kill(ffmpeg_, SIGKILL);
       finish();
       fail("ffmpeg ended early");
     }

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <atomic>
 #include <filesystem>
 
 #include "sim/view_settings.h"
@@ -22,6 +23,8 @@ class Film {
   void add(const Picture& picture);
   // Waits for ffmpeg and puts the film in its place. Throws FileError.
   void close();
+  // Ends ffmpeg, from any thread: an `add` that waits for it fails.
+  void give_up();
   const std::filesystem::path& file() const { return file_; }
 
  private:
@@ -30,7 +33,8 @@ class Film {
 
   std::filesystem::path file_, unfinished_, said_;
   int width_, height_;
-  int to_ffmpeg_ = -1;
+  std::atomic<int> to_ffmpeg_ = -1;
+  std::atomic<bool> given_up_ = false;
   pid_t ffmpeg_ = 0;
 };
 

@@ -23,6 +23,7 @@ LoadedScene load_scene(const std::filesystem::path& file, const GoesOn& goes_on 
 LoadedScene load_copy(const std::filesystem::path& copy, const std::filesystem::path& original, const GoesOn& goes_on = {});
 
 // The same from memory; `name` stands for the file in messages.
+LoadedScene parse_scene(std::string_view text, const std::string& name, const GoesOn& goes_on);
 LoadedScene parse_scene(std::string_view text, const std::string& name);
 
 // The scene as JSON. What is read back is the same scene, bit for bit. Generators stay generators where their points and

@@ -361,9 +361,10 @@ void add_picture(LoadedScene& loaded, const std::filesystem::path& folder, const
 
 }  // namespace
 
-LoadedScene parse_scene(std::string_view text, const std::string& name) {
-  return SceneReader(std::string(text), printable(name), {}).read();
+LoadedScene parse_scene(std::string_view text, const std::string& name, const GoesOn& goes_on) {
+  return SceneReader(std::string(text), printable(name), goes_on).read();
 }
+LoadedScene parse_scene(std::string_view text, const std::string& name) { return parse_scene(text, name, {}); }
 
 LoadedScene load_scene(const std::filesystem::path& file, const GoesOn& goes_on) { return load_copy(file, file, goes_on); }
 
