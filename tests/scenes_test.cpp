@@ -48,6 +48,12 @@ TEST(ShippedScenes, TheListNamesEveryFileAndNoOther) {
   EXPECT_EQ(listed, there);
 }
 
+TEST(ShippedScenes, AreAllNamedInTheReadme) {
+  std::ostringstream text;
+  text << std::ifstream(DOCS_FOLDER "/../README.md").rdbuf();
+  for (const ShippedScene& scene : shipped_scenes()) EXPECT_NE(text.str().find("`" + scene.id + "`"), std::string::npos) << scene.id;
+}
+
 TEST(ShippedScenes, SayInTwoSentencesWhatToTryAndWhatToSee) {
   for (const ShippedScene& shipped_scene : shipped_scenes()) {
     const std::string text = shipped(shipped_scene.id).description;
