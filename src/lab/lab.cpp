@@ -339,7 +339,6 @@ void Lab::follow_hand() {
 bool Lab::finish_frame() {
   next_ = scene_.state;
   frame_.end(plan_, next_);
-  book_hand_work(scene_.system, scene_.state, next_, scene_.settings.substeps);
   book_forces_work(plan_, scene_.state, next_);
   frame_in_progress_ = false;
   std::vector<Command> mending = tear();

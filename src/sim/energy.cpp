@@ -50,30 +50,6 @@ Vec3 grabbed_place(const System& system, const State& state) {
   return place;
 }
 
-Vec3 compute_hand_force(const System& system, const State& state) {
-  if (!system.grab) return Vec3(0.0);
-  if (system.grab->kind == GrabKind::Pull) return system.grab->stiffness * (state.hand - grabbed_place(system, state));
-  return compute_holding_force(system, system.grab->point, state);
-}
-
-Vec3 compute_holding_force(const System& system, PointId point, const State& state) {
-  const Index held = system.index_of(point);
-
-  // what the springs and gravity do to the held point, turned round
-  Vec3 force = system.points()[held].nailed ? Vec3(0.0) : system.points()[held].mass * system.gravity;
-  for (const Spring& spring : system.springs()) {
-    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
-    if (i != held && j != held) continue;
-    const Vec3 along = state.position[i] - state.position[j];
-    const double length = glm::length(along);
-    if (length == 0.0) continue;
-    const double approach = glm::dot(state.velocity[i] - state.velocity[j], along) / length;
-    const double tension = system.stiffness_of(spring) * (length - spring.rest_length) + system.damping_of(spring) * approach;
-    force -= (i == held ? 1.0 : -1.0) * (tension / length) * along;
-  }
-  return -force;
-}
-
 double energy_floor(const System& system, const State& state) {
   double mass = 0.0, reach = 0.0;
   Vec3 least(1e300), most(-1e300);

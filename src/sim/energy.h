@@ -27,12 +27,6 @@ double strain(const System& system, const State& state, const Spring& spring);
 // Where the grabbed point, or place between points, is [m]. There must be a grab.
 Vec3 grabbed_place(const System& system, const State& state);
 
-// The force [N] that the hand exerts on its point: a pull's spring, or what holds a held point against its springs and,
-// unless it is a nail, its weight. Zero without a grab.
-Vec3 compute_hand_force(const System& system, const State& state);
-// The same of another hand that holds.
-Vec3 compute_holding_force(const System& system, PointId point, const State& state);
-
 // M g L [J]: mass of the free points times gravity times the size of the scene, the least that counts as "put in". A
 // scene without extent, as a single point, counts as 1 m.
 double energy_floor(const System& system, const State& state);

@@ -3,7 +3,21 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/motion.h"
+
 namespace hooke {
+namespace {
+
+// The component c of every point.
+const double* component(const Plan& plan, const Field& field, int c) { return field.data() + static_cast<std::size_t>(c) * plan.points; }
+
+Vec3 vector_at(const Plan& plan, const Field& field, Index point) {
+  Vec3 vector(0.0);
+  for (int c = 0; c < plan.dimensions; ++c) vector[c] = component(plan, field, c)[point];
+  return vector;
+}
+
+}  // namespace
 
 // x = c + (n . d) n + cos(a) p + sin(a) n x d,  d = from - c,  p = d - (n . d) n,  a = speed (t - begin) / |p|
 Vec3 place_at(const ScriptedHand& hand, double time) {
@@ -22,6 +36,35 @@ std::optional<Grab> acting_grab(const System& system, double time, double durati
   const double since = time - hand.begin, round_off = 1e-6 * duration;
   if (since < -round_off || since > hand.seconds - round_off) return std::nullopt;
   return Grab{.point = hand.point, .kind = GrabKind::Hold, .target = place_at(hand, time + duration)};
+}
+
+Vec3 force_of_hand(const Plan& plan, const Motion& motion) {
+  Vec3 force(0.0);
+  if (plan.pull) {
+    const Vec3 target = plan.pull->target_at(motion.time);
+    for (int c = 0; c < plan.dimensions; ++c)
+      force[c] = plan.pull->stiffness * (target[c] - plan.pull->place(component(plan, motion.x, c)));
+  }
+  if (!plan.held) return force;
+
+  // against -(k (l - l0) + d l') u of each spring, u from its other end, and m g
+  const Vec3 x = vector_at(plan, motion.x, *plan.held), v = vector_at(plan, motion.v, *plan.held);
+  force = -plan.held_mass * plan.gravity;
+  for (const auto& [s, other] : plan.held_springs) {
+    const Vec3 along = x - vector_at(plan, motion.x, other);
+    const double length = glm::length(along);
+    if (length == 0.0) continue;
+    const double stretching = glm::dot(v - vector_at(plan, motion.v, other), along) / length;
+    const double damping = plan.has_dashpots() ? plan.damping[s] : 0.0;
+    force += (plan.stiffness[s] * (length - plan.rest_length[s]) + damping * stretching) / length * along;
+  }
+  return force;
+}
+
+double power_of_hand(const Plan& plan, const Motion& motion) {
+  if (!plan.held && !plan.pull) return 0.0;
+  const Vec3 velocity = plan.held ? vector_at(plan, motion.v, *plan.held) : plan.pull->velocity;
+  return glm::dot(force_of_hand(plan, motion), velocity);
 }
 
 }  // namespace hooke

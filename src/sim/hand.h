@@ -1,4 +1,4 @@
-// Which hand acts, and where a listed one is.
+// Which hand acts, where a listed one is, and what it does.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,20 @@
 
 namespace hooke {
 
+struct Motion;
+struct Plan;
+
 // Where the hand is at a time of the scene's clock, whether or not it holds then [m].
 Vec3 place_at(const ScriptedHand& hand, double time);
 
 // The grab during the frame of `duration` [s] that begins at `time`: the person's, or else the listed hand's, from the first
 // frame that begins when it takes hold to the one in which its seconds are over. Its point must still be there.
 std::optional<Grab> acting_grab(const System& system, double time, double duration);
+
+// The force [N] that the hand exerts: a pull's spring, or what holds a held point against its springs and dashpots and, unless
+// it is a nail, its weight. Zero without a hand.
+Vec3 force_of_hand(const Plan& plan, const Motion& motion);
+// That times its velocity [W]: what it puts into the scene.
+double power_of_hand(const Plan& plan, const Motion& motion);
 
 }  // namespace hooke

@@ -117,7 +117,13 @@ PlannedPull plan_pull(const System& system, const Grab& grab) {
 void hold(Plan& plan, const System& system, std::optional<Index> point) {
   if (plan.held) plan.inverse_mass[*plan.held] = system.points()[*plan.held].nailed ? 0.0 : 1.0 / system.points()[*plan.held].mass;
   plan.held = point;
-  if (plan.held) plan.inverse_mass[*plan.held] = 0.0;
+  plan.held_springs.clear();
+  if (!plan.held) return;
+  plan.inverse_mass[*plan.held] = 0.0;
+  plan.held_mass = system.points()[*plan.held].nailed ? 0.0 : system.points()[*plan.held].mass;
+  for (const SpringRun& run : plan.runs)
+    for (const auto& [mine, others] : {std::pair{run.first, run.second}, std::pair{run.second, run.first}})
+      if (const Index e = *plan.held - mine; e >= 0 && e < run.count) plan.held_springs.push_back({run.begin + e, others + e});
 }
 
 // What the pull adds to the rows of the points that move: K_ij = k s_i s_j I, s the shares.
@@ -150,21 +156,19 @@ void refresh_values(Plan& plan, const System& system) {
 
   plan.held.reset();
   plan.pull.reset();
-  if (system.grab) {
-    const Index point = system.index_of(system.grab->point);
-    if (system.grab->kind == GrabKind::Hold)
-      plan.held = point;
-    else
-      plan.pull = plan_pull(system, *system.grab);
-  }
 
   plan.mass.resize(plan.points);
   plan.inverse_mass.resize(plan.points);
   for (Index i = 0; i < plan.points; ++i) {
     const Point& point = system.points()[i];
     plan.mass[i] = point.mass;
-    plan.inverse_mass[i] = point.nailed || plan.held == i ? 0.0 : 1.0 / point.mass;
+    plan.inverse_mass[i] = point.nailed ? 0.0 : 1.0 / point.mass;
   }
+  if (system.grab && system.grab->kind == GrabKind::Hold)
+    hold(plan, system, system.index_of(system.grab->point));
+  else
+    hold(plan, system, std::nullopt);
+  if (system.grab && system.grab->kind == GrabKind::Pull) plan.pull = plan_pull(system, *system.grab);
 
   plan.stiffness.resize(plan.springs);
   plan.rest_length.resize(plan.springs);

@@ -47,6 +47,12 @@ struct PlannedPull {
   }
 };
 
+// A spring on the held point.
+struct HeldSpring {
+  Index spring = 0;  // packed
+  Index other = 0;   // point at its other end
+};
+
 // A collider in the hand during the frame that starts at `start`: besides its path it moves with `velocity`.
 struct CarriedCollider {
   std::size_t collider = 0;  // of the plan's
@@ -90,7 +96,9 @@ struct Plan {
   std::vector<Force> forces;                // those that are on, in the table's order
   std::vector<std::array<Index, 3>> faces;  // of points; empty when no force asks
   std::optional<PlannedPull> pull;
-  std::optional<Index> held;  // the point under a holding hand
+  std::optional<Index> held;             // the point under a holding hand
+  double held_mass = 0.0;                // [kg], of it; 0 of a nail, which has no energy of its own
+  std::vector<HeldSpring> held_springs;  // on it; empty without one
 
   Spectrum spectrum;
 

@@ -5,12 +5,23 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/energy.h"
 #include "sim/forces.h"
 #include "sim/hand.h"
 #include "sim/spring_limits.h"
 
 namespace hooke {
+
+namespace {
+
+// A step moves points straight on. A method that takes the springs as linear over it brings out those that turn as long as
+// the hypotenuse: by up to the hand's way too long, energy that no force gave, and that the next steps take back.
+double stretch_by(const System& system, double way) {
+  double stiffness = 0.0;
+  for (const Spring& spring : system.springs()) stiffness += system.stiffness_of(spring);
+  return 0.5 * stiffness * way * way;
+}
+
+}  // namespace
 
 void Frame::begin(Plan& plan, const System& system, const Settings& settings, const State& state) {
   integrator_ = settings.integrator;
@@ -26,9 +37,13 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   const std::optional<Grab> grab = acting_grab(system, state.time, duration_);
   const Vec3 from = grab && !system.grab ? state.position[system.index_of(grab->point)] : state.hand;
   target_ = grab ? reach_of_hand(system, from, grab->target, duration_) : Vec3(0.0);
+  const Vec3 way = !grab ? Vec3(0.0) : target_ - (plan.held ? state.position[*plan.held] : from);
+  hand_stretch_ = grab ? stretch_by(system, glm::length(way) / substeps_) : 0.0;
   if (plan.held) {
-    const Vec3 velocity = (target_ - state.position[*plan.held]) / duration_;
+    const Vec3 velocity = way / duration_, before = state.velocity[*plan.held];
     for (int c = 0; c < plan.dimensions; ++c) motion_.v[static_cast<std::size_t>(c) * plan.points + *plan.held] = velocity[c];
+    motion_.hand_work = 0.5 * plan.held_mass * (glm::dot(velocity, velocity) - glm::dot(before, before));
+    motion_.hand_size = std::abs(motion_.hand_work);
   }
 
   way_of_collider_ = plan.carried ? duration_ * plan.carried->velocity : Vec3(0.0);
@@ -45,9 +60,18 @@ void Frame::substep(Plan& plan) {
     before_.v = motion_.v;
   }
 
+  const bool has_hand = plan.held || plan.pull;
+  const double power = power_of_hand(plan, motion_);
   integrator_->step(plan, motion_, work_, h_);
   ++substeps_done_;
   motion_.time = start_ + substeps_done_ * h_;
+
+  // trapezium of the hand's power
+  if (has_hand) {
+    const double work = 0.5 * h_ * (power + power_of_hand(plan, motion_));
+    motion_.hand_work += work;
+    motion_.hand_size += std::abs(work);
+  }
 
   // held to their length, clear of the colliders, and only then perhaps broken
   if (!plan.most_length.empty() && limit_strain(plan, motion_)) motion_.acceleration_is_current = false;
@@ -68,6 +92,9 @@ void Frame::end(const Plan& plan, State& state) const {
     state.ledger.given += work;
     state.ledger.scale += std::abs(work);
   }
+  state.ledger.given += motion_.hand_work;
+  state.ledger.scale += motion_.hand_size;
+  state.ledger.hand_stretch = std::max(state.ledger.hand_stretch, hand_stretch_);
   if (plan.held)
     for (int c = 0; c < plan.dimensions; ++c) state.position[*plan.held][c] = target_[c];
 }
@@ -91,44 +118,6 @@ void book_forces_work(const Plan& plan, const State& before, State& after) {
     }
   after.ledger.given += work;
   after.ledger.scale += std::max(0.0, work);
-}
-
-namespace {
-
-// A step moves points straight on. A method that takes the springs as linear over it brings out those that turn as long as
-// the hypotenuse: by up to the hand's way too long, energy that no force gave, and that the next steps take back.
-double stretch_by(const System& system, double way) {
-  double stiffness = 0.0;
-  for (const Spring& spring : system.springs()) stiffness += system.stiffness_of(spring);
-  return 0.5 * stiffness * way * way;
-}
-
-}  // namespace
-
-void book_hand_work(const System& system, const State& before, State& after, int steps) {
-  const std::optional<Grab> grab = acting_grab(system, before.time, after.time - before.time);
-  if (!grab) return;
-  const bool holds = grab->kind == GrabKind::Hold;
-  const Index held = system.index_of(grab->point);
-  const auto force_in = [&](const State& state) {
-    return holds ? compute_holding_force(system, grab->point, state) : compute_hand_force(system, state);
-  };
-
-  // trapezium of the hand's force along its straight way, and the motion it gave to a held point
-  const Vec3 way = holds ? after.position[held] - before.position[held] : after.hand - before.hand;
-  const double start = glm::dot(force_in(before), way), finish = glm::dot(force_in(after), way);
-  double work = 0.5 * (start + finish);
-  double size = std::abs(start) + std::abs(finish);
-  if (holds && !system.points()[held].nailed) {
-    const double mass = system.points()[held].mass;
-    const double gained =
-        0.5 * mass * (glm::dot(after.velocity[held], after.velocity[held]) - glm::dot(before.velocity[held], before.velocity[held]));
-    work += gained;
-    size += std::abs(gained);
-  }
-  after.ledger.given += work;
-  after.ledger.scale += size;
-  after.ledger.hand_stretch = std::max(after.ledger.hand_stretch, stretch_by(system, glm::length(way) / steps));
 }
 
 }  // namespace hooke

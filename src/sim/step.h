@@ -21,8 +21,8 @@ class Frame {
   void substep(Plan& plan);
   bool done() const { return substeps_done_ >= substeps_; }
   int substeps_done() const { return substeps_done_; }
-  // Writes time, positions, velocities, the hand, and into the ledger the work of what is no force. The caller judges them
-  // (divergence.h) before showing them.
+  // Writes time, positions, velocities, the hand, and into the ledger its work and that of what is no force. The caller judges
+  // them (divergence.h) before showing them.
   void end(const Plan& plan, State& state) const;
 
   // Springs of the System that broke, in ascending order: they are to be removed.
@@ -40,6 +40,7 @@ class Frame {
   double start_ = 0.0, duration_ = 0.0, h_ = 0.0;  // [s]
   int substeps_ = 0, substeps_done_ = 0;
   Vec3 target_{0.0};
+  double hand_stretch_ = 0.0;  // [J], of this frame (EnergyLedger)
   Motion motion_;
   Workspace work_;
   ContactWorkspace before_;
@@ -49,8 +50,5 @@ class Frame {
 
 // Adds the work of the listed forces (force_term.h) between two frames to the ledger of the later one.
 void book_forces_work(const Plan& plan, const State& before, State& after);
-
-// Adds the hand's work between two frames, `steps` apart, to the ledger of the later one.
-void book_hand_work(const System& system, const State& before, State& after, int steps = 1);
 
 }  // namespace hooke
