@@ -6,8 +6,11 @@
 #include <numbers>
 
 #include "lab/apply.h"
+#include "lab/excerpt.h"
+#include "lab/lab.h"
 #include "lab/parameters.h"
 #include "lab/scene_file.h"
+#include "scratch_folder.h"
 #include "sim/errors.h"
 #include "sim/integrator.h"
 #include "trial.h"
@@ -199,6 +202,87 @@ TEST(Readings, AreTakenBackExactly) {
     EXPECT_EQ(scene.system, start.system) << name;
     EXPECT_EQ(scene.reading, start.reading) << name;
   }
+}
+
+Insert insertion_into(Lab& lab, const Scene& part) {
+  return insertion_of(part, Vec3(0.0), {[&] { return lab.new_point_id(); }, [&] { return lab.new_spring_id(); }});
+}
+void settle(Lab& lab) {
+  lab.advance(0.0, [] { return true; });
+}
+
+TEST(Sheet, PutIntoAnotherSceneHasItsSlidersThere) {
+  const Scene part = sheet(4, R"("sheet_stiffness": 80)");
+  Scene other = parse(R"({"hooke": 1, "reading": "material", "points": [{"position": [0, 1, 0], "nailed": true}]})");
+  ASSERT_EQ(other.sheet, nullptr);
+  Lab lab(other);
+  lab.submit(insertion_into(lab, part));
+  settle(lab);
+  const auto is_there = [&](const Scene& scene) {
+    ASSERT_NE(scene.sheet, nullptr);
+    ASSERT_EQ(scene.system.point_count(), 17);
+    for (Index i = 0; i < 16; ++i)
+      EXPECT_EQ(scene.sheet->area_of(scene.system.points()[i + 1].id), part.sheet->area_of(part.system.points()[i].id));
+    for (Index s = 0; s < part.system.spring_count(); ++s)
+      EXPECT_EQ(scene.sheet->share_of(scene.system.springs()[s].id), part.sheet->share_of(part.system.springs()[s].id));
+    EXPECT_EQ(scene.sheet->area_of(scene.system.points()[0].id), 0.0);
+    EXPECT_TRUE(find_parameter("sheet_stiffness")->applies(scene));
+    EXPECT_NEAR(read(scene, "sheet_stiffness"), 80.0, 1e-12);
+  };
+  is_there(lab.scene());
+  lab.submit(Undo{});
+  settle(lab);
+  EXPECT_EQ(lab.scene().sheet, nullptr);
+  lab.submit(Redo{});
+  settle(lab);
+  is_there(lab.scene());
+  is_there(parse(format_scene(lab.scene())));
+
+  lab.submit(SetParameter{find_parameter("sheet_stiffness"), 40.0});
+  settle(lab);
+  for (const Spring& spring : lab.scene().system.springs()) EXPECT_EQ(spring.stiffness, 40.0 * lab.scene().sheet->share_of(spring.id));
+}
+
+TEST(Sheet, KeepsItsMaterialWhereHalfOfItIsDeletedAndPutBack) {
+  const Scene start = sheet(5, R"("sheet_stiffness": 80)");
+  Lab lab(start);
+  Remove half;
+  for (Index i = 0; i < 10; ++i) half.points.push_back(start.system.points()[i].id);
+  lab.submit(half);
+  settle(lab);
+  ASSERT_NE(lab.scene().sheet, nullptr);
+  EXPECT_EQ(lab.scene().sheet->area_of(half.points[0]), 0.0);
+  lab.submit(Undo{});
+  settle(lab);
+  EXPECT_EQ(*lab.scene().sheet, *start.sheet);
+}
+
+TEST(Sheet, HasItsMaterialInACopyOfItAndInARecording) {
+  const Scene start = sheet(4, R"("sheet_stiffness": 80)");
+  ScratchFolder scratch;
+  const auto file = std::make_shared<const std::filesystem::path>(scratch.folder / "copy.hookelog");
+  Lab lab(start);
+  lab.submit(Record{file});
+  settle(lab);
+  const Scene part = parse(format_scene(excerpt(*lab.status()->snapshot, lab.status()->sheet, everything(start.system))));
+  lab.submit(insertion_into(lab, part));
+  lab.submit(SetParameter{find_parameter("sheet_density"), 3.0});
+  lab.step();
+  lab.submit(Undo{});  // the scene stands in the recording, with ids
+  lab.step();
+  lab.submit(Record{});
+  settle(lab);
+  const auto& areas = lab.scene().sheet->area;
+  ASSERT_EQ(areas.size(), 32u);
+  for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(areas[16 + i], areas[i]);
+
+  auto recording = std::make_shared<const Recording>(read_recording(*file));
+  Lab again(*recording->start);
+  again.submit(Play{recording});
+  settle(again);
+  while (again.is_playing()) again.step();
+  EXPECT_EQ(again.difference(), "");
+  EXPECT_EQ(*again.scene().sheet, *lab.scene().sheet);
 }
 
 TEST(Generators, RefuseAMaterialThatIsSaidTwice) {

@@ -83,6 +83,27 @@ TEST(Placing, EveryShapeComesIntoTheSceneAsItIsMade) {
   }
 }
 
+TEST(Placing, AClothHasTheMaterialThatItHasInAFile) {
+  for (const char* id : {"sheet", "curtain", "flag", "net"}) {
+    GuiTrial gui(spatial());
+    const Shape shape = choose(gui, id).shape;
+    gui.key(Key::Enter);
+    Network network;
+    generate(shape, network);
+    const auto& sheet = gui.status().sheet;
+    ASSERT_NE(sheet, nullptr) << id;
+    for (Index i = 0; i < gui.system().point_count(); ++i)
+      EXPECT_EQ(sheet->area_of(gui.system().points()[i].id), static_cast<std::size_t>(i) < network.areas.size() ? network.areas[i] : 0.0);
+    for (Index s = 0; s < gui.system().spring_count(); ++s)
+      EXPECT_EQ(sheet->share_of(gui.system().springs()[s].id),
+                static_cast<std::size_t>(s) < network.shares.size() ? network.shares[s] : 0.0);
+  }
+  GuiTrial gui(spatial());
+  choose(gui, "bridge");
+  gui.key(Key::Enter);
+  EXPECT_EQ(gui.status().sheet, nullptr);
+}
+
 TEST(Placing, EscLeavesTheSceneAsItWas) {
   GuiTrial gui(spatial());
   choose(gui, "net");
@@ -141,6 +162,7 @@ TEST(Placing, AMeshIsPlacedAtTheSizeThatIsAskedFor) {
   const auto& places = gui.status().snapshot->state.position;
   ASSERT_EQ(places.size(), 4u);
   EXPECT_NEAR(glm::length(places[1] - places[0]), 3.0, 1e-12);
+  for (const Point& point : gui.system().points()) EXPECT_NEAR(gui.status().sheet->area_of(point.id), 3.0 * 1.5 / 4.0, 1e-12);
   EXPECT_NEAR(glm::length(0.5 * (places[0] + places[2]) - gui.app().camera().target), 0.0, 1e-9);
   for (const Spring& spring : gui.system().springs()) {
     const Vec3 way = places[static_cast<std::size_t>(gui.system().index_of(spring.second))] -

@@ -44,7 +44,7 @@ std::vector<Command> one_of_each() {
                   .stiffness = 12.5};
   const Parameter& drag = *find_parameter("drag");
   return {
-      Insert{{{no_index, point, {1, 2, 3}, {4, 5, 6}}}, {{3, spring}}, {{0, {{PointId{7}, PointId{1}, PointId{2}}}}}},
+      Insert{{{no_index, point, {1, 2, 3}, {4, 5, 6}, 0.7}}, {{3, spring, 0.3}}, {{0, {{PointId{7}, PointId{1}, PointId{2}}}}}},
       Remove{{PointId{1}, PointId{2}}, {SpringId{3}}, {{{PointId{1}, PointId{2}, PointId{4}}}}},
       SetNailed{{{PointId{1}, true, {0.1, 0.2, 0.3}}}},
       Move{{{PointId{1}, {0.1, 0.2, 0.3}, {-1, -2, -3}}}},

@@ -61,15 +61,15 @@ Snapshot snapshot_of(const Scene& scene) {
 
 TEST(Excerpt, TakesSpringsBetweenSelectedPointsAndEndsOfSelectedSprings) {
   const Snapshot snapshot = snapshot_of(two_chains());
-  const Scene pair = excerpt(snapshot, {{point(0), point(1)}, {}});
+  const Scene pair = excerpt(snapshot, nullptr, {{point(0), point(1)}, {}});
   EXPECT_EQ(pair.system.point_count(), 2);
   EXPECT_EQ(pair.system.spring_count(), 1);
-  const Scene of_spring = excerpt(snapshot, {{}, {spring(1)}});
+  const Scene of_spring = excerpt(snapshot, nullptr, {{}, {spring(1)}});
   EXPECT_EQ(of_spring.system.point_count(), 2);
   ASSERT_EQ(of_spring.system.spring_count(), 1);
   EXPECT_EQ(of_spring.system.springs()[0].break_strain, 0.25);
-  EXPECT_EQ(excerpt(snapshot, {{point(4), point(5), point(6)}, {}}).system.faces.size(), 1u);
-  EXPECT_EQ(excerpt(snapshot, {{point(4), point(5)}, {}}).system.faces.size(), 0u);
+  EXPECT_EQ(excerpt(snapshot, nullptr, {{point(4), point(5), point(6)}, {}}).system.faces.size(), 1u);
+  EXPECT_EQ(excerpt(snapshot, nullptr, {{point(4), point(5)}, {}}).system.faces.size(), 0u);
 }
 
 // Carried as text, put in again, undone: everything about the copies is as it was, and nothing is left of them.
@@ -82,7 +82,7 @@ TEST(Excerpt, ComesBackFromItsTextBitForBit) {
     Lab lab(scene);
     const Snapshot& snapshot = *lab.status()->snapshot;
     const Selection all = everything(scene.system);
-    const Scene part = parse_scene(format_scene(excerpt(snapshot, all)), "clipboard").scene;
+    const Scene part = parse_scene(format_scene(excerpt(snapshot, nullptr, all)), "clipboard").scene;
     lab.submit(Command(insertion_of(part, Vec3(0.0), {[&] { return lab.new_point_id(); }, [&] { return lab.new_spring_id(); }})));
     lab.advance(0.0, [] { return true; });
     const System& system = lab.scene().system;
@@ -112,7 +112,7 @@ TEST(Excerpt, ComesBackFromItsTextBitForBit) {
 }
 
 TEST(Excerpt, IsMovedByItsWayAndKnowsItsMiddle) {
-  const Scene part = excerpt(snapshot_of(two_chains()), {{point(0), point(2)}, {}});
+  const Scene part = excerpt(snapshot_of(two_chains()), nullptr, {{point(0), point(2)}, {}});
   EXPECT_NEAR(middle_of(part).x, 0.1, 1e-15);
   std::uint32_t next = 100;
   const Insert insert = insertion_of(part, {0.0, 3.0, 0.0}, {[&] { return PointId{next++}; }, [&] { return SpringId{next++}; }});

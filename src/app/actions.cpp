@@ -243,7 +243,7 @@ void App::delete_selection() {
 
 // As the whole scene is framed, with the selected points alone.
 void App::frame_selection() {
-  const Scene part = excerpt(bench_.snapshot(), selection_);
+  const Scene part = excerpt(bench_.snapshot(), bench_.status->sheet, selection_);
   if (part.system.points().empty()) return panels_.say("Nothing is selected");
   frame_scene(bench_.camera, part.system, part.state, bench_.size.x / bench_.size.y);
 }

@@ -19,7 +19,7 @@ std::string count_of(const Scene& part) {
 }  // namespace
 
 void App::copy(Afterwards afterwards) {
-  auto part = std::make_shared<const Scene>(excerpt(bench_.snapshot(), selection_));
+  auto part = std::make_shared<const Scene>(excerpt(bench_.snapshot(), bench_.status->sheet, selection_));
   if (part->system.points().empty()) return panels_.say("Nothing is selected");
   if (part->system.point_count() > most_points)
     return panels_.say("Too much for the clipboard: " + count(part->system.point_count(), "point") + ", it takes " +
@@ -60,7 +60,7 @@ void App::paste(const Scene& part) {
 }
 
 void App::duplicate() {
-  const Scene part = excerpt(bench_.snapshot(), selection_);
+  const Scene part = excerpt(bench_.snapshot(), bench_.status->sheet, selection_);
   if (part.system.points().empty()) return panels_.say("Nothing is selected");
   const Vec3 middle = middle_of(part);
   const auto seen = seen_at(bench_.lens(), middle);

@@ -45,6 +45,7 @@ Scene from_network(Network network) {
   scene.system.faces = std::move(network.faces);
   scene.state.position = std::move(network.position);
   scene.state.velocity = std::move(network.velocity);
+  scene.sheet = std::make_shared<const SheetShares>(SheetShares{std::move(network.areas), std::move(network.shares)});
   return scene;
 }
 
@@ -56,6 +57,11 @@ Scene scaled(Scene scene, double size) {
     scene.system.point(i).radius *= size;
   }
   for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).rest_length *= size;
+  if (scene.sheet) {
+    SheetShares sheet = *scene.sheet;
+    for (double& area : sheet.area) area *= size * size;
+    scene.sheet = std::make_shared<const SheetShares>(std::move(sheet));
+  }
   return scene;
 }
 

@@ -23,6 +23,8 @@ bool is_sound(const Spring& spring) {
 }
 
 bool is_sound(const Force& force) {
+bool is_share(double share) { return share >= 0.0 && std::isfinite(share); }
+
   return force.term != nullptr && std::all_of(force.values.begin(), force.values.end(), [](double value) { return std::isfinite(value); });
 }
 
@@ -80,6 +82,7 @@ struct Apply {
     State& state = scene.state;
     Remove inverse;
 
+    SheetEdit sheet(scene.sheet);
     std::vector<std::pair<Index, Point>> points;
     std::vector<std::pair<Index, Vec3>> positions, velocities;
     for (const PlacedPoint& placed : insert.points) {
@@ -91,6 +94,7 @@ struct Apply {
       velocities.emplace_back(placed.at, in_plane(system, placed.velocity));
       inverse.points.push_back(placed.point.id);
     }
+      if (is_share(placed.area)) sheet.set(placed.point.id, placed.area);
     if (!points.empty()) {
       system.set_points(merged(system.points(), points));
       state.position = merged(state.position, positions);
@@ -105,6 +109,7 @@ struct Apply {
       springs.emplace_back(placed.at, spring);
       inverse.springs.push_back(spring.id);
     }
+      if (is_share(placed.share)) sheet.set(spring.id, placed.share);
     if (!springs.empty()) system.set_springs(merged(system.springs(), springs));
 
     std::vector<std::pair<Index, Face>> faces;
@@ -125,6 +130,8 @@ struct Apply {
     State& state = scene.state;
     Insert inverse;
 
+    const std::shared_ptr<const SheetShares> before = scene.sheet;
+    SheetEdit sheet(scene.sheet);
     std::vector<bool> point_goes(system.points().size(), false), spring_goes(system.springs().size(), false);
     for (const PointId id : remove.points)
       if (const Index i = system.index_of(id); i != no_index) point_goes[i] = true;
@@ -135,7 +142,9 @@ struct Apply {
     for (Index s = 0; s < system.spring_count(); ++s) {
       const Spring& spring = system.springs()[s];
       spring_goes[s] = spring_goes[s] || goes(spring.first) || goes(spring.second);
-      if (spring_goes[s]) inverse.springs.push_back({s, spring});
+      if (!spring_goes[s]) continue;
+      inverse.springs.push_back({s, spring, share_of(before.get(), spring.id)});
+      sheet.set(spring.id, 0.0);
     }
     // of equal faces the last ones go, as many as are named
     std::map<std::array<PointId, 3>, long> named;
@@ -150,8 +159,12 @@ struct Apply {
       face_goes[f] = face_goes[f] || std::any_of(corners.begin(), corners.end(), goes);
       if (face_goes[f]) inverse.faces.push_back({static_cast<Index>(f), system.faces[f]});
     }
-    for (Index i = 0; i < system.point_count(); ++i)
-      if (point_goes[i]) inverse.points.push_back({i, system.points()[i], state.position[i], state.velocity[i]});
+    for (Index i = 0; i < system.point_count(); ++i) {
+      if (!point_goes[i]) continue;
+      const Point& point = system.points()[i];
+      inverse.points.push_back({i, point, state.position[i], state.velocity[i], area_of(before.get(), point.id)});
+      sheet.set(point.id, 0.0);
+    }
 
     if (system.grab && std::ranges::any_of(points_of(*system.grab), goes)) system.grab.reset();
     if (!inverse.faces.empty()) system.faces = kept(system.faces, face_goes);

@@ -9,29 +9,12 @@
 #include <variant>
 #include <vector>
 
+#include "lab/placed.h"
 #include "lab/scene.h"
 
 namespace hooke {
 
 struct Parameter;
-
-// A point or spring as it was or shall be, and its place in the list.
-struct PlacedPoint {
-  Index at = no_index;  // no_index: at the end
-  Point point;
-  Vec3 position{0.0}, velocity{0.0};
-  bool operator==(const PlacedPoint&) const = default;
-};
-struct PlacedSpring {
-  Index at = no_index;
-  Spring spring;
-  bool operator==(const PlacedSpring&) const = default;
-};
-struct PlacedFace {
-  Index at = no_index;
-  Face face;
-  bool operator==(const PlacedFace&) const = default;
-};
 
 // Adds points, springs and faces, in this order; each list in ascending places. Ids must be new or those of removed things.
 struct Insert {

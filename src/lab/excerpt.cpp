@@ -6,7 +6,7 @@
 
 namespace hooke {
 
-Scene excerpt(const Snapshot& snapshot, const Selection& selection) {
+Scene excerpt(const Snapshot& snapshot, const std::shared_ptr<const SheetShares>& sheet, const Selection& selection) {
   const System& system = *snapshot.system;
   const Selection meant = still_there(system, selection);
 
@@ -22,6 +22,7 @@ Scene excerpt(const Snapshot& snapshot, const Selection& selection) {
   Scene part;
   part.name = "Part of a scene";
   part.system.dimensions = system.dimensions;
+  part.sheet = sheet;  // by id: the same
   for (Index i = 0; i < system.point_count(); ++i) {
     if (!wanted[i]) continue;
     part.system.append_point(system.points()[i]);
@@ -44,14 +45,16 @@ Insert insertion_of(const Scene& part, const Vec3& way, const NewIds& ids) {
   for (Index i = 0; i < part.system.point_count(); ++i) {
     Point point = part.system.points()[i];
     point.id = renamed[i] = ids.point();
-    insert.points.push_back({no_index, point, part.state.position[i] + way, part.state.velocity[i]});
+    const double area = area_of(part.sheet.get(), part.system.points()[i].id);
+    insert.points.push_back({no_index, point, part.state.position[i] + way, part.state.velocity[i], area});
   }
   const auto new_name = [&](PointId id) { return renamed[part.system.index_of(id)]; };
   for (Spring spring : part.system.springs()) {
+    const double share = share_of(part.sheet.get(), spring.id);
     spring.id = ids.spring();
     spring.first = new_name(spring.first);
     spring.second = new_name(spring.second);
-    insert.springs.push_back({no_index, spring});
+    insert.springs.push_back({no_index, spring, share});
   }
   for (Face face : part.system.faces) {
     for (PointId& id : face.points) id = new_name(id);

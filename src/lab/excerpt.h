@@ -11,8 +11,8 @@
 namespace hooke {
 
 // The selected points, the ends of the selected springs, the springs between selected points and the faces on all these;
-// as a scene of its own.
-Scene excerpt(const Snapshot& snapshot, const Selection& selection);
+// as a scene of its own. `sheet` is what the scene's cloths are made of; null: it has none.
+Scene excerpt(const Snapshot& snapshot, const std::shared_ptr<const SheetShares>& sheet, const Selection& selection);
 
 // Where new things get their ids from.
 struct NewIds {

@@ -33,8 +33,8 @@ template <> inline constexpr std::array<std::string_view, 2> field_names<MethodM
 template <> inline constexpr std::array<std::string_view, 9> field_names<SceneRest> =
     {"point_ids", "spring_ids", "next_point_id", "next_spring_id", "grab", "collider_grab", "hand", "ledger", "memory"};
 
-template <> inline constexpr std::array<std::string_view, 4> field_names<PlacedPoint> = {"at", "point", "position", "velocity"};
-template <> inline constexpr std::array<std::string_view, 2> field_names<PlacedSpring> = {"at", "spring"};
+template <> inline constexpr std::array<std::string_view, 5> field_names<PlacedPoint> = {"at", "point", "position", "velocity", "area"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<PlacedSpring> = {"at", "spring", "share"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<PlacedFace> = {"at", "face"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Insert> = {"points", "springs", "faces"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Remove> = {"points", "springs", "faces"};

@@ -29,7 +29,6 @@ struct OfSprings {
 };
 
 double weight_of(Weight weight, const SheetShares* sheet, const Spring& spring) {
-  const auto at = static_cast<std::size_t>(spring.id);
   switch (weight) {
     case Weight::One:
       return 1.0;
@@ -38,7 +37,7 @@ double weight_of(Weight weight, const SheetShares* sheet, const Spring& spring) 
     case Weight::Length:
       return spring.rest_length;
     case Weight::Share:
-      return sheet != nullptr && at < sheet->share.size() ? sheet->share[at] : 0.0;
+      return share_of(sheet, spring.id);
   }
   return 0.0;
 }
@@ -64,19 +63,15 @@ void write_springs(Scene& scene, double value) {
 }
 
 // mass = density area
-double area_of(const Scene& scene, const Point& point) {
-  const auto at = static_cast<std::size_t>(point.id);
-  return scene.sheet && at < scene.sheet->area.size() ? scene.sheet->area[at] : 0.0;
-}
 double read_density(const Scene& scene) {
   CommonValue common;
   for (const Point& point : scene.system.points())
-    if (const double area = area_of(scene, point); area > 0.0) common.include(point.mass / area);
+    if (const double area = area_of(scene.sheet.get(), point.id); area > 0.0) common.include(point.mass / area);
   return common.value_or(0.0);
 }
 void write_density(Scene& scene, double value) {
   for (Index i = 0; i < scene.system.point_count(); ++i)
-    if (const double area = area_of(scene, scene.system.points()[i]); area > 0.0) scene.system.point(i).mass = value * area;
+    if (const double area = area_of(scene.sheet.get(), scene.system.points()[i].id); area > 0.0) scene.system.point(i).mass = value * area;
 }
 
 // Radius, and mass where it goes along.

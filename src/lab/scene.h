@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "lab/placed.h"
+#include "lab/sheet_shares.h"
 #include "sim/settings.h"
 #include "sim/state.h"
 #include "sim/system.h"
@@ -31,12 +33,6 @@ enum class SpringReading : std::uint8_t {
   PerStrain,  // k = Y / l0; d of each spring
   BySize,     // k of each spring; d = c l0: in quads half as wide, half of it
   Material,   // of the sheet, however many points it has: k = E t share, d = eta share, mass = density area
-};
-
-// What the points and springs of cloths are of the sheet that they make up, by id. 0, as beyond the end: no part of one.
-struct SheetShares {
-  std::vector<double> area;   // [m^2], of each point
-  std::vector<double> share;  // [1], of each spring
 };
 
 // What the arrow keys and sliders of a scene step by, where the scene says so.
@@ -67,7 +63,7 @@ struct Scene {
   Print print;
   Defaults defaults;
   SpringReading reading = SpringReading::Plain;
-  std::shared_ptr<const SheetShares> sheet;  // null: there is no cloth
+  std::shared_ptr<const SheetShares> sheet;        // null: there is no cloth
   ControlRanges controls;
   KeptJson kept;
 };

@@ -57,7 +57,6 @@ class SceneWriter {
   void write_defaults();
   void write_view();
   void write_unknown_inside(const std::string& path);
-  double of_sheet(std::vector<double> SheetShares::*list, std::size_t id) const;
   bool has_unknown_inside(const std::string& path) const { return scene_.kept.unknown_inside.contains(path); }
   void check_size() const;
 
@@ -229,7 +228,7 @@ void SceneWriter::write_point(Index i) {
     out_.number(place.y);
     out_.end();
   }
-  if (const double area = of_sheet(&SheetShares::area, static_cast<std::size_t>(point.id)); area > 0.0) out_.number("area", area);
+  if (const double area = area_of(scene_.sheet.get(), point.id); area > 0.0) out_.number("area", area);
   const auto unknown = scene_.kept.unknown_of_points.find(point.id);
   if (unknown != scene_.kept.unknown_of_points.end()) out_.members(unknown->second);
   out_.end();
@@ -248,15 +247,10 @@ void SceneWriter::write_spring(Index s) {
   if (!is_plain_zero(spring.damping)) out_.number("damping", spring.damping);
   out_.number("rest_length", spring.rest_length);
   if (spring.break_strain != never_breaks) out_.number("break_strain", spring.break_strain);
-  if (const double share = of_sheet(&SheetShares::share, static_cast<std::size_t>(spring.id)); share > 0.0) out_.number("share", share);
+  if (const double share = share_of(scene_.sheet.get(), spring.id); share > 0.0) out_.number("share", share);
   const auto unknown = scene_.kept.unknown_of_springs.find(spring.id);
   if (unknown != scene_.kept.unknown_of_springs.end()) out_.members(unknown->second);
   out_.end();
-}
-
-// 0: no part of a sheet.
-double SceneWriter::of_sheet(std::vector<double> SheetShares::*list, std::size_t id) const {
-  return scene_.sheet && id < ((*scene_.sheet).*list).size() ? ((*scene_.sheet).*list)[id] : 0.0;
 }
 
 void SceneWriter::write_collider(std::size_t c) {
