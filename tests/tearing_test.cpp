@@ -8,6 +8,7 @@
 #include "lab/lab.h"
 #include "lab/parameters.h"
 #include "lab/scene_file.h"
+#include "scratch_folder.h"
 #include "sim/hash.h"
 #include "trial.h"
 
@@ -151,6 +152,136 @@ TEST(Tearing, AFrameThatIsDroppedBreaksNothing) {
   ASSERT_LT(whole.scene().system.spring_count(), scene.system.spring_count());
   EXPECT_EQ(whole.scene().state.position, cut_short.scene().state.position);
   EXPECT_EQ(whole.scene().system, cut_short.scene().system);
+}
+
+// A run of a sheet that tears: what was there after each frame.
+struct TornRun {
+  Lab lab{weak_sheet(*find_integrator("velocity_verlet"))};
+  std::vector<System> systems{lab.scene().system};
+  std::vector<std::uint64_t> hashes{hash_state(lab.scene().state)};
+  explicit TornRun(int frames) {
+    for (int i = 0; i < frames; ++i) go_on();
+    EXPECT_GT(std::set<Index>(counts.begin(), counts.end()).size(), 3u) << "it tears in several frames";
+  }
+  void go_on() {
+    ASSERT_TRUE(lab.step());
+    systems.push_back(lab.scene().system);
+    hashes.push_back(hash_state(lab.scene().state));
+    counts.push_back(lab.scene().system.spring_count());
+  }
+  void expect_at(std::size_t moment) const {
+    EXPECT_EQ(hash_state(lab.scene().state), hashes[moment]) << "moment " << moment;
+    EXPECT_TRUE(lab.scene().system == systems[moment]) << "moment " << moment;
+  }
+  std::vector<Index> counts;
+};
+
+TEST(Tearing, IsMendedByGoingBackInTimeAndIsThereAgainLater) {
+  TornRun run(40);
+  for (std::size_t moment = 40; moment-- > 0;) {
+    ask(run.lab, StepBack{});
+    run.expect_at(moment);
+  }
+  for (const std::size_t moment : {40, 17, 25, 3, 39, 0, 40}) {
+    ask(run.lab, GoToTime{static_cast<double>(moment) * frame});
+    run.expect_at(moment);
+  }
+  // it goes on from the past as it did
+  ask(run.lab, GoToTime{10 * frame});
+  for (std::size_t moment = 11; moment <= 40; ++moment) {
+    ASSERT_TRUE(run.lab.step());
+    run.expect_at(moment);
+  }
+}
+
+TEST(Tearing, IsTakenBackStepByStepThroughGoingBackInTime) {
+  TornRun run(40);
+  const std::size_t whole =
+      static_cast<std::size_t>(std::ranges::upper_bound(run.counts, run.counts[0], std::greater()) - run.counts.begin());
+  ask(run.lab, GoToTime{static_cast<double>(whole) * frame});
+  run.expect_at(whole);
+  // and otherwise: it holds, until it is made as weak as before
+  run.lab.submit(SetParameter{find_parameter("break_strain"), 10.0});
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(run.lab.step());
+  EXPECT_EQ(run.lab.scene().system.spring_count(), run.systems[0].spring_count());
+  run.lab.submit(SetParameter{find_parameter("break_strain"), 0.08});
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(run.lab.step());
+  const System otherwise = run.lab.scene().system;
+  ASSERT_LT(otherwise.spring_count(), run.systems[0].spring_count());
+
+  ask(run.lab, Undo{});  // the tear
+  EXPECT_EQ(run.lab.scene().system.spring_count(), run.systems[0].spring_count());
+  ask(run.lab, Undo{});
+  ask(run.lab, Undo{});  // both settings
+  ask(run.lab, Undo{});  // the way back
+  run.expect_at(40);
+  ask(run.lab, Undo{});  // the first tear
+  EXPECT_TRUE(run.lab.scene().system == run.systems[0]);
+  for (int i = 0; i < 5; ++i) ask(run.lab, Redo{});
+  EXPECT_TRUE(run.lab.scene().system == otherwise);
+}
+
+TEST(Tearing, LeavesEditsAsTheyAreWhenTimeGoesBack) {
+  TornRun run(40);
+  const System& last = run.systems[40];
+  const SpringId cut = last.springs()[last.spring_count() / 2].id;
+  run.lab.submit(Remove{{}, {cut}});
+  ask(run.lab, GoToTime{0.0});
+  EXPECT_EQ(run.lab.scene().system.index_of(cut), no_index);
+  EXPECT_EQ(run.lab.scene().system.spring_count(), run.systems[0].spring_count() - 1);
+  // a tear that was taken back by hand is there again at the moment at which it was
+  ask(run.lab, Undo{});
+  ask(run.lab, Undo{});
+  run.expect_at(40);
+  ask(run.lab, Undo{});
+  EXPECT_TRUE(run.lab.scene().system == run.systems[0]);
+  ask(run.lab, GoToTime{20 * frame});
+  run.expect_at(20);
+}
+
+TEST(Tearing, IsKnownAfterGoingToTheStart) {
+  TornRun run(40);
+  ask(run.lab, GoToStart{});
+  run.expect_at(0);
+  ask(run.lab, GoToTime{30 * frame});
+  run.expect_at(30);
+  ask(run.lab, Undo{});
+  run.expect_at(0);
+  for (std::size_t moment = 1; moment <= 25; ++moment) {
+    ASSERT_TRUE(run.lab.step());
+    run.expect_at(moment);
+  }
+  ask(run.lab, StepBack{});
+  run.expect_at(24);
+}
+
+TEST(Tearing, GoesBackInARecordingToo) {
+  ScratchFolder scratch;
+  const auto file = std::make_shared<const std::filesystem::path>(scratch.folder / "torn.hookelog");
+  TornRun run(20);
+  Lab& lab = run.lab;
+  lab.submit(Record{file});
+  for (int i = 0; i < 20; ++i) run.go_on();
+  lab.submit(StepBack{});
+  lab.submit(GoToTime{8 * frame});  // before the recording began, and before most of it tore
+  for (int i = 0; i < 8; ++i) lab.step();
+  lab.submit(Undo{});
+  lab.submit(Undo{});  // recorded as scenes, with their tears
+  for (int i = 0; i < 8; ++i) lab.step();
+  lab.submit(GoToTime{5 * frame});
+  for (int i = 0; i < 3; ++i) lab.step();
+  lab.submit(Record{});
+  lab.advance(0.0, [] { return true; });
+  ASSERT_EQ(lab.status()->recording_error, "");
+
+  auto recording = std::make_shared<const Recording>(read_recording(*file));
+  Lab again(*recording->start);
+  again.submit(Play{recording});
+  again.advance(0.0, [] { return true; });
+  while (again.is_playing()) again.step();
+  EXPECT_EQ(again.difference(), "");
+  EXPECT_EQ(hash_state(again.scene().state), hash_state(lab.scene().state));
+  EXPECT_TRUE(again.scene().system == lab.scene().system);
 }
 
 TEST(Tearing, ASpringsOwnStrainCountsWhereItIsLess) {

@@ -1,7 +1,7 @@
 // Cut: springs that the cursor is dragged across go, and the faces along them, at once and whether the scene runs or not. A
 // drag is one step of undo.
 #include "app/tools.h"
-#include "lab/apply.h"
+#include "lab/tears.h"
 
 namespace hooke {
 namespace {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "lab/parameters.h"
+#include "lab/tears.h"
 #include "lab/texture.h"
 
 namespace hooke {
@@ -22,9 +23,9 @@ bool is_sound(const Spring& spring) {
          std::isfinite(spring.damping) && spring.rest_length >= 0.0 && std::isfinite(spring.rest_length) && spring.break_strain > 0.0;
 }
 
-bool is_sound(const Force& force) {
 bool is_share(double share) { return share >= 0.0 && std::isfinite(share); }
 
+bool is_sound(const Force& force) {
   return force.term != nullptr && std::all_of(force.values.begin(), force.values.end(), [](double value) { return std::isfinite(value); });
 }
 
@@ -81,8 +82,8 @@ struct Apply {
     System& system = scene.system;
     State& state = scene.state;
     Remove inverse;
-
     SheetEdit sheet(scene.sheet);
+
     std::vector<std::pair<Index, Point>> points;
     std::vector<std::pair<Index, Vec3>> positions, velocities;
     for (const PlacedPoint& placed : insert.points) {
@@ -93,8 +94,8 @@ struct Apply {
       positions.emplace_back(placed.at, in_plane(system, placed.position));
       velocities.emplace_back(placed.at, in_plane(system, placed.velocity));
       inverse.points.push_back(placed.point.id);
-    }
       if (is_share(placed.area)) sheet.set(placed.point.id, placed.area);
+    }
     if (!points.empty()) {
       system.set_points(merged(system.points(), points));
       state.position = merged(state.position, positions);
@@ -108,8 +109,8 @@ struct Apply {
       if (system.index_of(spring.id) != no_index || !has_ends || !is_sound(spring)) continue;
       springs.emplace_back(placed.at, spring);
       inverse.springs.push_back(spring.id);
-    }
       if (is_share(placed.share)) sheet.set(spring.id, placed.share);
+    }
     if (!springs.empty()) system.set_springs(merged(system.springs(), springs));
 
     std::vector<std::pair<Index, Face>> faces;
@@ -129,9 +130,9 @@ struct Apply {
     System& system = scene.system;
     State& state = scene.state;
     Insert inverse;
-
     const std::shared_ptr<const SheetShares> before = scene.sheet;
     SheetEdit sheet(scene.sheet);
+
     std::vector<bool> point_goes(system.points().size(), false), spring_goes(system.springs().size(), false);
     for (const PointId id : remove.points)
       if (const Index i = system.index_of(id); i != no_index) point_goes[i] = true;
@@ -393,9 +394,10 @@ struct Apply {
     const auto fits = [&](const std::vector<Vec3>& list) {
       return list.size() == scene.system.points().size() && std::ranges::all_of(list, is_finite);
     };
-    if (!fits(there.position) || !fits(there.velocity) || !std::isfinite(there.time)) return {};
+    if (!fits(there.position) || !fits(there.velocity) || !std::isfinite(there.time) || there.torn > scene.tears.size()) return {};
     const GoToState inverse{std::make_shared<const State>(scene.state)};
     const EnergyLedger ledger = scene.state.ledger;
+    make_torn(there.torn);
     scene.state = there;
     scene.state.ledger = ledger;
     scene.system.grab.reset();
@@ -403,36 +405,34 @@ struct Apply {
     return {inverse};
   }
 
+  Inverse operator()(const SetTorn& set) {
+    if (set.torn > scene.tears.size()) return {};
+    const SetTorn inverse{scene.state.torn};
+    make_torn(set.torn);
+    return {inverse};
+  }
+
+  // Mends and tears what lies between.
+  void make_torn(std::uint32_t torn) {
+    const TearPath path = path_between(scene, scene.state.torn, torn);
+    for (const std::uint32_t tear : path.mended) (*this)(mending_of(*scene.tears[tear - 1]));
+    for (const std::uint32_t tear : path.torn) (*this)(tearing_of(*scene.tears[tear - 1]));
+    scene.state.torn = torn;
+  }
+
   Inverse operator()(const Replace& replace) {
     const Replace inverse{std::make_shared<const Scene>(scene)};
+    // tears of the same run stay known: what came of them may be gone back to
+    auto tears = std::move(scene.tears);
     scene = *replace.scene;
+    const bool goes_on = tears.size() > scene.tears.size() && std::equal(scene.tears.begin(), scene.tears.end(), tears.begin());
+    if (goes_on) scene.tears = std::move(tears);
     effect.structure = true;
     return {inverse};
   }
 };
 
 }  // namespace
-
-Remove torn_by(const System& system, std::span<const SpringId> broken) {
-  Remove torn;
-  std::vector<std::pair<PointId, PointId>> edges;
-  for (const SpringId id : broken) {
-    const Index s = system.index_of(id);
-    if (s == no_index) continue;
-    const Spring& spring = system.springs()[s];
-    torn.springs.push_back(id);
-    edges.push_back(std::minmax(spring.first, spring.second));
-  }
-  std::sort(edges.begin(), edges.end());
-  const auto is_torn = [&](PointId a, PointId b) {
-    return std::binary_search(edges.begin(), edges.end(), std::pair(std::min(a, b), std::max(a, b)));
-  };
-  for (const Face& face : system.faces) {
-    const auto& [a, b, c] = face.points;
-    if (is_torn(a, b) || is_torn(b, c) || is_torn(c, a)) torn.faces.push_back(face);
-  }
-  return torn;
-}
 
 std::vector<Command> apply(Scene& scene, const Command& command, Effect& effect) { return std::visit(Apply{scene, effect}, command); }
 

@@ -1,7 +1,6 @@
 // The only writer of System, State and Settings outside the step.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "lab/command.h"
@@ -17,8 +16,5 @@ struct Effect {
 // Applies `command` to the scene and returns the commands that undo exactly what it changed, to be applied in order.
 // Parts that name things that are gone do nothing. Never touches time (save Replace) or other points' motion.
 std::vector<Command> apply(Scene& scene, const Command& command, Effect& effect);
-
-// What goes when springs of the System break: they, and the faces that have one of them for an edge.
-Remove torn_by(const System& system, std::span<const SpringId> broken);
 
 }  // namespace hooke

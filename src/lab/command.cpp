@@ -53,6 +53,7 @@ struct Describe {
   std::string operator()(const SetForces&) const { return "change the forces"; }
   std::string operator()(const SetTexture& set) const { return set.texture.empty() ? "take the texture off" : "put a texture on"; }
   std::string operator()(const GoToState& go) const { return "go to " + shortest(std::round(1000.0 * go.state->time) / 1000.0) + " s"; }
+  std::string operator()(const SetTorn& set) const { return set.torn == 0 ? "mend" : "tear"; }
   std::string operator()(const Replace&) const { return "go back to the start"; }
 };
 

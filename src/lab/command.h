@@ -118,9 +118,14 @@ struct SetTexture {
   std::shared_ptr<const Picture> picture;
 };
 
-// Puts everything where it was at another moment of the same run, its time too.
+// Puts everything where it was at another moment of the same run, its time too, and as torn as it was then.
 struct GoToState {
   std::shared_ptr<const State> state;
+};
+
+// Makes the scene as torn as it was after this one of its tears (Scene::tears); 0: whole.
+struct SetTorn {
+  std::uint32_t torn;
 };
 
 // Replaces the whole scene: back to the start, or what was there before that.
@@ -130,7 +135,7 @@ struct Replace {
 
 using Command = std::variant<Insert, Remove, SetNailed, Move, SetPointColor, SetPointProperty, SetSpringProperty, SetParameter,
                              RestoreParameter, SetIntegrator, GrabPoint, GrabCollider, MoveHand, ReleaseHand, SetGravity, SetColliders,
-                             SetForces, SetTexture, GoToState, Replace>;
+                             SetForces, SetTexture, GoToState, SetTorn, Replace>;
 
 // What a person calls it: "nail 3 points".
 std::string describe(const Command& command);

@@ -245,10 +245,10 @@ struct Text<std::shared_ptr<const Picture>> {
   static std::shared_ptr<const Picture> read(const JsonField&) { return nullptr; }
 };
 
-template <>
-struct Text<std::shared_ptr<const State>> {
-  static void write(JsonWriter& out, const std::shared_ptr<const State>& state) { hooke::write(out, *state); }
-  static std::shared_ptr<const State> read(const JsonField& field) { return std::make_shared<const State>(hooke::read<State>(field)); }
+template <HasFields T>
+struct Text<std::shared_ptr<const T>> {
+  static void write(JsonWriter& out, const std::shared_ptr<const T>& value) { hooke::write(out, *value); }
+  static std::shared_ptr<const T> read(const JsonField& field) { return std::make_shared<const T>(hooke::read<T>(field)); }
 };
 
 // A whole scene is no part of a command's text.
@@ -338,7 +338,9 @@ SceneRest rest_of(const Scene& scene) {
           .collider_grab = scene.system.collider_grab,
           .hand = scene.state.hand,
           .ledger = scene.state.ledger,
-          .memory = scene.state.memory};
+          .memory = scene.state.memory,
+          .torn = scene.state.torn,
+          .tears = scene.tears};
 }
 
 void write_rest(JsonWriter& out, const SceneRest& rest) { write(out, rest); }
@@ -349,7 +351,12 @@ void restore_rest(const JsonField& field, Scene& scene) {
   check_ids(field, rest.spring_ids, scene.system.springs().size());
   // ids size the tables that find things by them
   if (std::max(rest.next_point_id, rest.next_spring_id) > most_id) field.refuse("next ids: must be at most " + std::to_string(most_id));
+  for (std::size_t i = 0; i < rest.tears.size(); ++i)
+    if (rest.tears[i]->before > i) field.refuse("tears: each must come after an earlier one");
+  if (rest.torn > rest.tears.size()) field.refuse("torn: must be one of the tears");
   restore_ids(rest, scene);
+  scene.state.torn = rest.torn;
+  scene.tears = rest.tears;
   scene.state.hand = rest.hand;
   scene.state.ledger = rest.ledger;
   scene.state.memory = rest.memory;

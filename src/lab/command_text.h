@@ -13,7 +13,8 @@ void write_command(JsonWriter& out, const Command& command);
 // The command of such a member. Throws Refused for what is none.
 Command read_command(const JsonField& member);
 
-// What goes on from a scene needs, and its file does not hold: ids, the hand, where energy came from, the method's memory.
+// What goes on from a scene needs, and its file does not hold: ids, the hand, where energy came from, the method's memory, what
+// tore.
 struct SceneRest {
   std::optional<std::vector<PointId>> point_ids;  // none: numbered from 0
   std::optional<std::vector<SpringId>> spring_ids;
@@ -23,6 +24,8 @@ struct SceneRest {
   Vec3 hand{0.0};
   EnergyLedger ledger;
   MethodMemory memory;
+  std::uint32_t torn = 0;
+  std::vector<std::shared_ptr<const Tear>> tears;
 };
 SceneRest rest_of(const Scene& scene);
 

@@ -30,12 +30,13 @@ template <> inline constexpr std::array<std::string_view, 5> field_names<Grab> =
 template <> inline constexpr std::array<std::string_view, 2> field_names<ColliderGrab> = {"collider", "target"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<EnergyLedger> = {"given", "scale", "hand_stretch"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<MethodMemory> = {"step", "error"};
-template <> inline constexpr std::array<std::string_view, 9> field_names<SceneRest> =
-    {"point_ids", "spring_ids", "next_point_id", "next_spring_id", "grab", "collider_grab", "hand", "ledger", "memory"};
+template <> inline constexpr std::array<std::string_view, 11> field_names<SceneRest> =
+    {"point_ids", "spring_ids", "next_point_id", "next_spring_id", "grab", "collider_grab", "hand", "ledger", "memory", "torn", "tears"};
 
 template <> inline constexpr std::array<std::string_view, 5> field_names<PlacedPoint> = {"at", "point", "position", "velocity", "area"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<PlacedSpring> = {"at", "spring", "share"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<PlacedFace> = {"at", "face"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<Tear> = {"before", "springs", "faces"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Insert> = {"points", "springs", "faces"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Remove> = {"points", "springs", "faces"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<SetNailed::Item> = {"point", "nailed", "velocity"};
@@ -56,16 +57,18 @@ template <> inline constexpr std::array<std::string_view, 1> field_names<SetGrav
 template <> inline constexpr std::array<std::string_view, 1> field_names<SetColliders> = {"colliders"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<SetForces> = {"forces"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<SetTexture> = {"texture", "size", "picture"};
-template <> inline constexpr std::array<std::string_view, 6> field_names<State> = {"time", "position", "velocity", "hand", "ledger", "memory"};
+template <> inline constexpr std::array<std::string_view, 7> field_names<State> =
+    {"time", "position", "velocity", "hand", "ledger", "memory", "torn"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<GoToState> = {"state"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<SetTorn> = {"torn"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<Replace> = {"scene"};
 
 // The alternatives of a variant.
 template <class T> inline constexpr std::nullptr_t alternative_names = nullptr;
-template <> inline constexpr std::array<std::string_view, 20> alternative_names<Command> = {
+template <> inline constexpr std::array<std::string_view, 21> alternative_names<Command> = {
     "insert", "remove", "set_nailed", "move", "set_point_color", "set_point_property", "set_spring_property", "set_parameter",
     "restore_parameter", "set_integrator", "grab", "grab_collider", "move_hand", "release_hand", "set_gravity", "set_colliders", "set_forces",
-    "set_texture", "go_to_state", "replace"};
+    "set_texture", "go_to_state", "set_torn", "replace"};
 template <> inline constexpr std::array<std::string_view, 3> alternative_names<decltype(Collider::shape)> = {"plane", "sphere", "box"};
 
 // The values of an enumeration, from 0.
@@ -88,7 +91,7 @@ template <class T>
 requires HasFields<std::remove_const_t<T>>
 auto members_of(T& value) {
   constexpr std::size_t count = field_names<std::remove_const_t<T>>.size();
-  static_assert(count <= 9);
+  static_assert(count <= 9 || count == 11);
   if constexpr (count == 0) {
     return std::tuple<>();
   } else if constexpr (count == 1) {
@@ -115,9 +118,12 @@ auto members_of(T& value) {
   } else if constexpr (count == 8) {
     auto& [a, b, c, d, e, f, g, h] = value;
     return std::tie(a, b, c, d, e, f, g, h);
-  } else {
+  } else if constexpr (count == 9) {
     auto& [a, b, c, d, e, f, g, h, i] = value;
     return std::tie(a, b, c, d, e, f, g, h, i);
+  } else {
+    auto& [a, b, c, d, e, f, g, h, i, j, k] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k);
   }
 }
 

@@ -33,6 +33,7 @@ struct Supersedes {
                       [](const auto& x, const auto& y) { return x.point == y.point; });
   }
   bool operator()(const GoToState&, const GoToState&) const { return true; }
+  bool operator()(const SetTorn&, const SetTorn&) const { return true; }
   template <class A, class B>
   bool operator()(const A&, const B&) const {
     return false;

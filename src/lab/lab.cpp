@@ -9,6 +9,7 @@
 #include "lab/bounds.h"
 #include "lab/parameters.h"
 #include "lab/printable.h"
+#include "lab/tears.h"
 #include "sim/errors.h"
 #include "sim/overloaded.h"
 
@@ -311,15 +312,23 @@ void Lab::begin_frame() {
 }
 
 // Takes away what broke in the frame just computed; what puts it back is returned.
-std::vector<Command> Lab::tear() {
-  if (frame_.broken().empty()) return {};
+std::optional<Insert> Lab::tear() {
+  if (frame_.broken().empty()) return std::nullopt;
   std::vector<SpringId> broken;
   for (const Index s : frame_.broken()) broken.push_back(scene_.system.springs()[s].id);
   Effect effect;
-  std::vector<Command> mending = apply(scene_, torn_by(scene_.system, broken), effect);
+  const std::vector<Command> mending = apply(scene_, torn_by(scene_.system, broken), effect);
   plan_ = make_plan(scene_.system);
   published_system_.reset();
-  return mending;
+  return std::get<Insert>(mending.front());
+}
+
+// Keeps what was taken away, so that the moments before it can be gone back to.
+void Lab::note_tear(Insert pieces) {
+  const std::uint32_t before = scene_.state.torn;
+  scene_.tears.push_back(std::make_shared<const Tear>(Tear{before, std::move(pieces.springs), std::move(pieces.faces)}));
+  scene_.state.torn = static_cast<std::uint32_t>(scene_.tears.size());
+  history_.note("tear", {SetTorn{before}}, scene_.system.grab || scene_.system.collider_grab ? grab_gesture_ : tearing);
 }
 
 // Puts the collider in the hand where the frame took it, and sees how far the hand is behind.
@@ -341,13 +350,13 @@ bool Lab::finish_frame() {
   frame_.end(plan_, next_);
   book_forces_work(plan_, scene_.state, next_);
   frame_in_progress_ = false;
-  std::vector<Command> mending = tear();
+  std::optional<Insert> torn = tear();
 
   const Energy energy = compute_energy(scene_.system, next_);
   divergence_ = find_divergence(scene_.system, next_, energy);
   if (divergence_) {
     Effect effect;
-    for (const Command& command : mending) apply(scene_, command, effect);
+    if (torn) apply(scene_, *torn, effect);
     if (effect.structure) take_over(effect);
     if (playing_) difference_ = "frame " + std::to_string(playing_->frames + 1) + " diverges, and did not when it was recorded";
     playing_.reset();
@@ -359,8 +368,7 @@ bool Lab::finish_frame() {
   std::swap(scene_.state, next_);
   energy_ = energy;
   ++frames_;
-  if (!mending.empty())
-    history_.note("tear", std::move(mending), scene_.system.grab || scene_.system.collider_grab ? grab_gesture_ : tearing);
+  if (torn) note_tear(*std::move(torn));
   follow_hand();
   last_limit_work_ = frame_.motion().limit_work;
   limit_work_ += last_limit_work_;

@@ -117,7 +117,8 @@ class Lab {
   void begin_frame();
   bool finish_frame();
   bool step_frame();
-  std::vector<Command> tear();
+  std::optional<Insert> tear();
+  void note_tear(Insert pieces);
   void drop_frame();
   void follow_hand();
 

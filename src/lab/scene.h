@@ -35,6 +35,14 @@ enum class SpringReading : std::uint8_t {
   Material,   // of the sheet, however many points it has: k = E t share, d = eta share, mass = density area
 };
 
+// What broke in one frame of a run, and what broke before it: from the whole scene, tears branch where somebody went back and
+// let it go on otherwise.
+struct Tear {
+  std::uint32_t before = 0;  // the tear that this one came after (State::torn)
+  std::vector<PlacedSpring> springs;
+  std::vector<PlacedFace> faces;
+};
+
 // What the arrow keys and sliders of a scene step by, where the scene says so.
 struct ControlRanges {
   double stiffness_least = 0.0, stiffness_most = 0.0, stiffness_step = 0.0;  // [N/m]; most = 0: the parameter's own
@@ -64,6 +72,7 @@ struct Scene {
   Defaults defaults;
   SpringReading reading = SpringReading::Plain;
   std::shared_ptr<const SheetShares> sheet;        // null: there is no cloth
+  std::vector<std::shared_ptr<const Tear>> tears;  // of the run, in the order in which they happened; state.torn counts from 1
   ControlRanges controls;
   KeptJson kept;
 };

@@ -1,5 +1,5 @@
-// The last frames as they were, to be gone back to. Only what moves is kept: going back changes no spring and no parameter,
-// and the past ends where points were added or taken away.
+// The last frames as they were, to be gone back to. Only what moves is kept, and as a number what had torn (Scene::tears): going
+// back mends that, and changes no edit; the past ends where points were added or taken away.
 #pragma once
 
 #include <cstddef>

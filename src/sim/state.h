@@ -1,6 +1,7 @@
 // What changes from step to step, and all of it: nothing hidden survives a step outside this list.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sim/types.h"
@@ -29,6 +30,7 @@ struct State {
   Vec3 hand{0.0};              // [m], where the hand is now; meaningful while the System has a grab
   EnergyLedger ledger;
   MethodMemory memory;
+  std::uint32_t torn = 0;  // which springs are broken: those of the so manieth tear of the run and of those before it; 0: none
   bool operator==(const State&) const = default;
 };
 
