@@ -5,10 +5,13 @@
 #include <glm/geometric.hpp>
 
 #include "convergence.h"
+#include "lab/apply.h"
+#include "lab/history.h"
 #include "lab/lab.h"
 #include "lab/parameters.h"
 #include "lab/scene_file.h"
 #include "scratch_folder.h"
+#include "sim/hand.h"
 #include "sim/hash.h"
 #include "trial.h"
 
@@ -380,6 +383,23 @@ TEST(MassFollowsRadius, BySquareWhereItIsSwitchedOnAndIsTakenBack) {
   }
 }
 
+TEST(MassFollowsRadius, ADragOfItsSliderIsOneStepThatTakesTheMemoryOfOne) {
+  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
+  scene.defaults.mass_follows_radius = true;
+  History one, drag;
+  Scene first = scene, last = scene;
+  const auto set = [](History& history, Scene& on, double radius) {
+    Effect effect;
+    history.note("radius", apply(on, SetParameter{find_parameter("radius"), radius}, effect), 7);
+  };
+  set(one, first, 0.05);
+  for (int i = 1; i <= 100; ++i) set(drag, last, 0.001 * i);
+  EXPECT_EQ(drag.done(), 1u);
+  EXPECT_EQ(drag.bytes(), one.bytes());
+  drag.go_to(0, last);
+  EXPECT_EQ(last.system, scene.system);
+}
+
 TEST(CarriedCollider, GoesWithTheHandInARunAndComesBackByOneUndo) {
   Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
   scene.system.break_strain = 0.0;
@@ -396,6 +416,37 @@ TEST(CarriedCollider, GoesWithTheHandInARunAndComesBackByOneUndo) {
   EXPECT_FALSE(lab.scene().system.collider_grab);
   ask(lab, Undo{});
   EXPECT_EQ(lab.scene().system.colliders, scene.system.colliders);
+}
+
+TEST(CarriedCollider, GoesWithThePersonWhileAListedHandActs) {
+  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
+  scene.system.break_strain = 0.0;
+  scene.system.colliders = {{.shape = Sphere{{0.5, -0.6, -1.0}, 0.2}}};
+  const ScriptedHand hand{.point = scene.system.points()[63].id,
+                          .from = scene.state.position[63],
+                          .center = scene.state.position[63] - Vec3(0.2, 0.0, 0.0),
+                          .speed = 1.0,
+                          .seconds = 0.25};
+  scene.system.scripted_hand = hand;
+  Lab lab(scene), without(scene);
+  lab.submit(GrabCollider{{0, {0.5, -0.6, -1.0}}}, 3);
+  for (int i = 1; i <= 30; ++i) {
+    lab.submit(MoveHand{{0.5, -0.6, -1.0 - 0.05 * i}}, 3);
+    ASSERT_TRUE(lab.step());
+    ASSERT_TRUE(without.step());
+    EXPECT_NEAR(anchor_of(lab.scene().system.colliders[0]).z, -1.0 - 0.05 * i, 1e-12);
+    if (i <= 15) {
+      EXPECT_LT(glm::distance(lab.scene().state.position[63], place_at(hand, i * frame)), 1e-12) << i;
+    }
+  }
+  lab.submit(ReleaseHand{}, 3);
+  ASSERT_TRUE(lab.step());
+  ASSERT_TRUE(without.step());
+  // it was taken away from the sheet, and nothing else was moved by it
+  EXPECT_EQ(lab.scene().state.position, without.scene().state.position);
+  EXPECT_EQ(lab.scene().state.ledger.given, without.scene().state.ledger.given);
+  ask(lab, Undo{});
+  EXPECT_EQ(lab.scene().system, scene.system);
 }
 
 TEST(MovingColliders, AreSavedAndBoxesDoNotSpin) {

@@ -40,8 +40,9 @@ struct Supersedes {
   }
 };
 
+// One by one: radii and the masses that went along with them are two commands.
 bool supersedes(const std::vector<Command>& earlier, const std::vector<Command>& later) {
-  return earlier.size() == 1 && later.size() == 1 && std::visit(Supersedes{}, earlier.front(), later.front());
+  return std::ranges::equal(earlier, later, [](const Command& a, const Command& b) { return std::visit(Supersedes{}, a, b); });
 }
 
 }  // namespace
