@@ -178,6 +178,21 @@ TEST(Readings, HaveTheirOwnRows) {
   EXPECT_EQ(applying("material"), "sheet_stiffness sheet_damping sheet_density ");
 }
 
+// what bends a sheet has no share of it: as a material it has its own slider, and no other touches it
+TEST(Readings, LeaveBendSpringsTheirOwnStiffness) {
+  Scene scene = sheet(5, R"("stiffness": 8, "stencil": 12, "bend_stiffness": 3)");
+  ASSERT_TRUE(find_parameter("bend_stiffness")->applies(scene));
+  EXPECT_FALSE(find_parameter("shear_stiffness")->applies(scene));
+  const auto before = scene.system.springs();
+  set(scene, "sheet_stiffness", 100.0);
+  set(scene, "sheet_damping", 2.0);
+  for (Index s = 0; s < scene.system.spring_count(); ++s)
+    EXPECT_EQ(scene.system.springs()[s] == before[s], before[s].family == SpringFamily::Bend);
+  set(scene, "bend_stiffness", 5.0);
+  EXPECT_EQ(read(scene, "bend_stiffness"), 5.0);
+  EXPECT_NEAR(read(scene, "sheet_stiffness"), 100.0, 1e-12);
+}
+
 TEST(Readings, AreSavedWithWhatTheyNeed) {
   Scene scene = sheet(4, R"("stiffness": 8)");
   EXPECT_EQ(parse(format_scene(scene)).reading, SpringReading::Material);

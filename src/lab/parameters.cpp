@@ -108,7 +108,8 @@ constexpr std::array readings{
     ParameterChoice{"per_strain", "By strain: Y, d", "k = Y / l0: a spring half as long is twice as stiff, as two pieces of one thread."},
     ParameterChoice{"by_size", "By size: k, d per length", "d = c l0: a quad half as wide is damped half as much."},
     ParameterChoice{"material", "As a material: E t, \u03b7, density",
-                    "One sheet, however many points it has: half along borders, k = 3/4 E t along threads and 3/8 across."},
+                    "One sheet, however many points it has: half along borders, k = 3/4 E t along threads and 3/8 across; bend springs "
+                    "keep their own k."},
 };
 
 template <SpringFamily family>
@@ -126,6 +127,11 @@ bool has_family(const Scene& scene) {
 template <SpringFamily family>
 bool has_family_stiffness(const Scene& scene) {
   return has_family<family>(scene) && has_plain_stiffness(scene);
+}
+
+// A sheet says nothing of what bends it: that keeps a k of its own, as a material too.
+bool has_bend_stiffness(const Scene& scene) {
+  return has_family<SpringFamily::Bend>(scene) && (has_plain_stiffness(scene) || is_read_as_sheet(scene));
 }
 
 double first_of_colliders(const Scene& scene, double Collider::*property) {
@@ -170,7 +176,7 @@ const std::array rows{
               .read = read_springs<OfSprings{&Spring::stiffness, Weight::InverseLength}>,
               .write = write_springs<OfSprings{&Spring::stiffness, Weight::InverseLength}>},
     Parameter{.name = "sheet_stiffness", .field = "", .group = "Springs", .label = "Stretch E t", .unit = "N/m",
-              .meaning = "Young's modulus times thickness of the cloth; springs over the next point but one keep their k.",
+              .meaning = "Young's modulus times thickness of the cloth; springs that bend it, over the next point but one, keep their own k.",
               .least = 0.01, .most = 1e6, .usual = 1000, .logarithmic = true, .scope = Scope::SpringStiffness,
               .weight = Weight::Share, .applies = is_read_as_sheet,
               .read = read_springs<OfSprings{&Spring::stiffness, Weight::Share}>,
@@ -206,7 +212,7 @@ const std::array rows{
     Parameter{.name = "bend_stiffness", .field = "", .group = "Springs", .label = "Bend k", .unit = "N/m",
               .meaning = "Stiffness of every spring over the next point but one of cloths.",
               .least = 0.01, .most = 1e6, .usual = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
-              .family = SpringFamily::Bend, .applies = has_family_stiffness<SpringFamily::Bend>,
+              .family = SpringFamily::Bend, .applies = has_bend_stiffness,
               .read = read_springs<OfSprings{&Spring::stiffness, Weight::One, SpringFamily::Bend}>,
               .write = write_springs<OfSprings{&Spring::stiffness, Weight::One, SpringFamily::Bend}>},
     Parameter{.name = "damped_springs", .field = "damped_springs", .group = "Springs", .label = "Damped springs", .unit = "",
