@@ -42,7 +42,9 @@ double energy_of(const Plan& plan, const Motion& motion) {
   return energy;
 }
 
-// Brings the ends of one spring to the length `most`, and stops them from parting.
+// Brings the ends of one spring to the length `most`, and stops them from parting. As it gets shorter they turn the faster about
+// their common centre, so that l v across it stays the same: a swing loses nothing by it. Not so where it is far too long, after
+// a step that was too coarse: that would fling them round, round after round.
 void hold(const Plan& plan, Motion& motion, Index first, Index second, double length, double most) {
   const double w1 = plan.inverse_mass[first], w2 = plan.inverse_mass[second];
   if (w1 + w2 == 0.0) return;
@@ -52,13 +54,16 @@ void hold(const Plan& plan, Motion& motion, Index first, Index second, double le
     along[c] = (motion.x[at + second] - motion.x[at + first]) / length;
     parting += along[c] * (motion.v[at + second] - motion.v[at + first]);
   }
-  const double way = (length - most) / (w1 + w2), impulse = std::max(0.0, parting) / (w1 + w2);
+  constexpr double far_too_long = 1.01;  // of the length
+  const double way = (length - most) / (w1 + w2), faster = length < far_too_long * most ? length / most - 1.0 : 0.0;
   for (int c = 0; c < plan.dimensions; ++c) {
     const std::size_t at = static_cast<std::size_t>(c) * plan.points;
+    const double across = motion.v[at + second] - motion.v[at + first] - parting * along[c];
+    const double impulse = (std::max(0.0, parting) * along[c] - faster * across) / (w1 + w2);
     motion.x[at + first] += w1 * way * along[c];
     motion.x[at + second] -= w2 * way * along[c];
-    motion.v[at + first] += w1 * impulse * along[c];
-    motion.v[at + second] -= w2 * impulse * along[c];
+    motion.v[at + first] += w1 * impulse;
+    motion.v[at + second] -= w2 * impulse;
   }
 }
 

@@ -88,9 +88,10 @@ void Frame::end(const Plan& plan, State& state) const {
   const double frames = (start_ + duration_) / duration_;
   state.time = std::abs(frames - std::round(frames)) < 1e-6 ? std::round(frames) * duration_ : start_ + duration_;
   state.hand = target_;
+  // what they take was there before; counted as put in, it would excuse an explosion that they feed on
   for (const double work : {motion_.collider_work, motion_.break_work, motion_.limit_work}) {
     state.ledger.given += work;
-    state.ledger.scale += std::abs(work);
+    state.ledger.scale += std::max(0.0, work);
   }
   state.ledger.given += motion_.hand_work;
   state.ledger.scale += motion_.hand_size;
