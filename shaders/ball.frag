@@ -1,10 +1,17 @@
 #version 330 core
-// A ray against a sphere: its nearest place, lit, with a soft edge.
+// A ray against a sphere: its nearest place, lit, with a soft edge; sectors that turn with it; the shade of what is over it.
 in vec3 place;
 flat in vec4 ball;
 flat in vec4 color;
+flat in vec3 axis;
+flat in vec3 meridian;
+flat in vec4 map;
+flat in vec4 texels;
 uniform vec2 depth;         // of the projection: clip z = depth.x z + depth.y
 uniform bool orthographic;
+uniform mat3 from_above;    // its columns: across, along and up the pole, for the viewer
+uniform sampler2D maps;
+uniform vec4 shadow;
 out vec4 result;
 
 const vec3 light = vec3(-0.42, 0.66, 0.62);
@@ -23,7 +30,22 @@ void main() {
 
   vec3 normal = (hit - ball.xyz) / ball.w;
   float lit = 0.62 + 0.42 * dot(normal, light);
-  result = vec4(color.rgb * lit, color.a * cover);
+  vec3 tone = color.rgb * lit;
+
+  // three dark sectors and three light ones; towards the poles, where they get too narrow, the mean of both
+  if (dot(axis, axis) > 0.5) {
+    float wave = sin(3.0 * atan(dot(normal, cross(axis, meridian)), dot(normal, meridian)));
+    tone *= mix(0.84, 1.10, clamp(wave / max(fwidth(wave), 1e-4) + 0.5, 0.0, 1.0));
+  }
+
+  // shade comes from above and is gone where the ball turns down
+  if (texels.z > 0.0) {
+    vec3 above = (hit - ball.xyz) * from_above;
+    vec2 at = clamp((above.xy - map.xy) * map.zw, 0.0, 1.0);
+    float shade = texture(maps, texels.xy + at * texels.zw).r * smoothstep(0.0, 0.4, above.z / ball.w);
+    tone = mix(tone, shadow.rgb, shadow.a * shade);
+  }
+  result = vec4(tone, color.a * cover);
   float clip = depth.x * hit.z + depth.y;
   gl_FragDepth = 0.5 * (orthographic ? clip : clip / -hit.z) + 0.5;
 }

@@ -237,6 +237,32 @@ TEST(Picture, DrawsASpringAsWideAsTheScreenAsksFor) {
   }
 }
 
+TEST(Picture, DrawsASpringAsWideAtEverySlopeWithManySamplesOrOne) {
+  for (const int samples : {0, 4})
+    for (const double scale : {1.0, 2.0})
+      for (const double degrees : {0.0, 9.0, 30.0, 45.0, 77.0, 90.0}) {
+        const double angle = degrees * 3.14159265358979 / 180.0;
+        Trial scene;
+        scene.system.dimensions = 2;
+        const Vec3 way = 0.4 * Vec3(std::cos(angle), std::sin(angle), 0.0);
+        scene.join(scene.add(-way), scene.add(way), 100.0, 0.8);
+        const Camera camera = make_camera({.camera = CameraPose{.orthographic = true}}, scene.system, scene.state, 1.6);
+        const ViewOptions options{.points = false, .grid = false, .samples = samples, .scale = scale};
+        const Image image = draw(scene, {}, camera, options, 480, 300);
+        double covered = 0.0;  // [px]
+        std::set<int> shades;
+        for (int y = 0; y < 300; ++y)
+          for (int x = 0; x < 480; ++x) {
+            covered += (at(image, x, y).blue - 40.0) / (150.0 - 40.0);
+            shades.insert(at(image, x, y).blue);
+          }
+        const double length = 0.8 / camera.metres_per_pixel(Vec3(0.0), {480, 300});
+        EXPECT_NEAR(covered / length, 1.75 * scale, 0.12 * scale) << degrees << ", " << samples << " samples";
+        const bool is_slanted = degrees > 0.0 && degrees < 90.0 && degrees != 45.0;
+        EXPECT_GT(shades.size(), is_slanted ? 12u : 1u) << degrees;  // its edges are soft
+      }
+}
+
 TEST(Picture, SmoothsTheEdgesOfPolygonsBySampling) {
   Trial scene;
   for (const Vec3& corner : {Vec3(-0.5, -0.4, 0.0), Vec3(0.6, -0.2, 0.0), Vec3(0.0, 0.5, 0.0)}) scene.add(corner);

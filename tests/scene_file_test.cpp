@@ -466,7 +466,8 @@ class RandomScene {
                       .speed = positive()};
     if (random_() % 2) scene.settings.tolerance = positive();
     if (random_() % 2) {
-      scene.view.camera = CameraPose{.eye = anywhere(), .target = anywhere(), .orthographic = random_() % 2 == 0};
+      scene.view.camera =
+          CameraPose{.eye = anywhere(), .target = anywhere(), .orthographic = random_() % 2 == 0, .follows = random_() % 2 == 0};
       if (scene.view.camera->eye == scene.view.camera->target)
         scene.view.camera.reset();
       else if (random_() % 2)
@@ -519,6 +520,7 @@ std::string bits_of(const Scene& scene) {
     add_vector(scene.view.camera->target);
     add_vector(scene.view.camera->up.value_or(Vec3(-7.0)));
     add(scene.view.camera->orthographic);
+    add(scene.view.camera->follows);
   }
   add_color(scene.view.background);
   const Defaults& d = scene.defaults;

@@ -165,11 +165,15 @@ TEST(ClothPlaces, OfOtherFacesAreTheirPictureInTheirPlane) {
 
 TEST(ViewSwitches, AndTheTextureComeBackFromAFile) {
   const std::string view =
-      R"("surface": false, "springs": false, "points": false, "strain_colors": false, "texture": "linen", "texture_size": 0.3)";
+      R"("surface": false, "springs": false, "points": false, "strain_colors": false, "shadows": false, "texture": "linen", "texture_size": 0.3)";
   const Scene scene = parse_scene(scene_with(view), "test").scene;
-  EXPECT_EQ(
-      scene.view,
-      (ViewSettings{.surface = false, .springs = false, .points = false, .strain_colors = false, .texture = "linen", .texture_size = 0.3}));
+  EXPECT_EQ(scene.view, (ViewSettings{.surface = false,
+                                      .springs = false,
+                                      .points = false,
+                                      .strain_colors = false,
+                                      .shadows = false,
+                                      .texture = "linen",
+                                      .texture_size = 0.3}));
   EXPECT_EQ(scene.print.width, 0.3);
   EXPECT_EQ(parse_scene(format_scene(scene), "again").scene.view, scene.view);
 }

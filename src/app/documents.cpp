@@ -282,6 +282,7 @@ std::function<void(Scene&)> App::dress() const {
     scene.view.springs = view.springs;
     scene.view.points = view.points;
     scene.view.strain_colors = view.strain_colors;
+    scene.view.shadows = view.shadows;
   };
 }
 

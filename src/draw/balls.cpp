@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "draw/ground.h"
 #include "draw/shader.h"
 
 namespace hooke {
@@ -12,10 +13,15 @@ Balls::Balls()
     : stream_({{4, GL_FLOAT, GL_FALSE, offsetof(Vertex, clip)},
                {3, GL_FLOAT, GL_FALSE, offsetof(Vertex, place)},
                {4, GL_FLOAT, GL_FALSE, offsetof(Vertex, center)},
-               {4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, ink)}},
+               {4, GL_UNSIGNED_BYTE, GL_TRUE, offsetof(Vertex, ink)},
+               {3, GL_FLOAT, GL_FALSE, offsetof(Vertex, axis)},
+               {3, GL_FLOAT, GL_FALSE, offsetof(Vertex, meridian)},
+               {4, GL_FLOAT, GL_FALSE, offsetof(Vertex, shade.corner)},
+               {4, GL_FLOAT, GL_FALSE, offsetof(Vertex, shade.from)}},
               sizeof(Vertex)) {}
 
-void Balls::add(const Projection& projection, const Vec3& center, double radius, Ink ink) {
+void Balls::add(const Projection& projection, const Vec3& center, double radius, Ink ink, const BallMeridians& meridians,
+                const BallShade& shade) {
   const Vec3 c = projection.viewed(center);
   const double distance = glm::length(c);
   const bool is_flat = projection.is_orthographic();
@@ -27,6 +33,7 @@ void Balls::add(const Projection& projection, const Vec3& center, double radius,
   const double reach = 1.02 * cone + 2.0 / projection.scale(projection.clip(center));
   const Vec3 right = glm::normalize(glm::cross(std::abs(towards.y) < 0.9 ? Vec3(0.0, 1.0, 0.0) : Vec3(1.0, 0.0, 0.0), towards));
   const Vec3 up = glm::cross(towards, right);
+  const glm::vec3 axis(projection.turned(meridians.axis)), meridian(projection.turned(meridians.meridian));
   for (const double y : {-reach, reach})
     for (const double x : {-reach, reach}) {
       const glm::vec3 p(c + x * right + y * up);
@@ -35,12 +42,22 @@ void Balls::add(const Projection& projection, const Vec3& center, double radius,
                            {p.x, p.y, p.z},
                            {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z)},
                            static_cast<float>(radius),
-                           ink});
+                           ink,
+                           {axis.x, axis.y, axis.z},
+                           {meridian.x, meridian.y, meridian.z},
+                           shade});
     }
 }
 
-void Balls::draw(const Shader& shader, const Projection& projection) {
+void Balls::draw(const Shader& shader, const Projection& projection, const Vec3& pole, Ink shadow) {
+  if (vertices_.empty()) return;
   shader.use();
+  Vec3 across, along;
+  span(pole, across, along);
+  const glm::mat3 from_above(projection.turned(across), projection.turned(along), projection.turned(pole));
+  glUniformMatrix3fv(shader.uniform("from_above"), 1, GL_FALSE, &from_above[0][0]);
+  glUniform4f(shader.uniform("shadow"), shadow.red / 255.0f, shadow.green / 255.0f, shadow.blue / 255.0f, shadow.opacity / 255.0f);
+  glUniform1i(shader.uniform("maps"), 0);
   const glm::dmat4& matrix = projection.matrix();
   glUniform2f(shader.uniform("depth"), static_cast<float>(matrix[2][2]), static_cast<float>(matrix[3][2]));
   glUniform1i(shader.uniform("orthographic"), projection.is_orthographic() ? 1 : 0);

@@ -11,13 +11,28 @@ namespace hooke {
 
 class Shader;
 
+// What shows how a ball turns: darker and lighter sectors about its axis, one of them beginning at the meridian. Unit
+// vectors; no axis: it does not turn.
+struct BallMeridians {
+  Vec3 axis{0.0}, meridian{0.0};
+};
+
+// The shade on a ball: its map begins at `corner` [m], in coordinates across and along the camera's pole from the middle of
+// the ball.
+struct BallShade {
+  float corner[2]{0.0f, 0.0f}, per_metre[2]{0.0f, 0.0f};  // to 0..1 across the map
+  float from[2]{0.0f, 0.0f}, size[2]{0.0f, 0.0f};         // of the map in the picture of all maps; no size: no shade
+};
+
 class Balls {
  public:
   Balls();
   void clear() { vertices_.clear(); }
   // Nothing when the eye is inside.
-  void add(const Projection& projection, const Vec3& center, double radius, Ink ink);
-  void draw(const Shader& shader, const Projection& projection);
+  void add(const Projection& projection, const Vec3& center, double radius, Ink ink, const BallMeridians& meridians = {},
+           const BallShade& shade = {});
+  // The picture of all maps of shade must be bound where there is any; `pole` is the camera's.
+  void draw(const Shader& shader, const Projection& projection, const Vec3& pole, Ink shadow);
 
  private:
   struct Vertex {
@@ -25,6 +40,8 @@ class Balls {
     float place[3];           // [m], for the viewer
     float center[3], radius;  // [m], for the viewer
     Ink ink;
+    float axis[3], meridian[3];  // for the viewer
+    BallShade shade;
   };
   std::vector<Vertex> vertices_;
   Stream stream_;

@@ -126,7 +126,7 @@ void Camera::zoom(double factor, const glm::dvec2& cursor, const glm::dvec2& siz
 }
 
 CameraPose pose_of(const Camera& camera) {
-  return {.eye = camera.eye(), .target = camera.target, .up = camera.pole, .orthographic = camera.orthographic};
+  return {.eye = camera.eye(), .target = camera.target, .up = camera.pole, .orthographic = camera.orthographic, .follows = camera.follows};
 }
 
 }  // namespace hooke

@@ -22,6 +22,7 @@ struct Camera {
   double distance = 3.0;       // [m]
   double field_of_view = 0.7;  // [rad], vertical
   bool orthographic = false;
+  bool follows = false;  // follow_scene moves it
 
   Vec3 eye() const { return target + distance * back; }
   glm::dmat4 view_matrix() const;
@@ -52,5 +53,8 @@ CameraPose pose_of(const Camera& camera);
 
 // Keeps the direction and moves so that the whole scene (or these points) is seen.
 void frame_scene(Camera& camera, const System& system, const State& state, double aspect);
+
+// Moves a camera that follows, as little as it takes to have the middle of all points near the middle of the picture.
+void follow_scene(Camera& camera, const State& state);
 
 }  // namespace hooke

@@ -27,29 +27,20 @@ ClothSurface::ClothSurface()
 
 void ClothSurface::add(const Subject& subject, const Net& net) {
   if (subject.snapshot.system->faces.empty()) return;
-  find_corners(subject.snapshot.system);
-  find_normals(subject.snapshot.state.position, net.seen());
+  find_normals(subject.snapshot.state.position, net);
   if (indices_.empty()) return;
   wanted_ = shows_strain(subject.options) ? nullptr : subject.options.print.picture;
   find_inks(subject, net);
   add_vertices(subject, net);
 }
 
-// A System does not change while somebody holds it.
-void ClothSurface::find_corners(const std::shared_ptr<const System>& system) {
-  if (system == corners_system_) return;
-  corners_system_ = system;
-  corners_.clear();
-  corners_.reserve(3 * system->faces.size());
-  for (const Face& face : system->faces)
-    for (const PointId id : face.points) corners_.push_back(static_cast<GLuint>(system->index_of(id)));
-}
-
-void ClothSurface::find_normals(const std::vector<Vec3>& position, const std::vector<Seen>& seen) {
+void ClothSurface::find_normals(const std::vector<Vec3>& position, const Net& net) {
+  const std::vector<GLuint>& corners = net.corners();
+  const std::vector<Seen>& seen = net.seen();
   normals_.assign(position.size(), Vec3(0.0));
-  indices_.reserve(corners_.size());
-  for (std::size_t f = 0; f < corners_.size(); f += 3) {
-    const GLuint a = corners_[f], b = corners_[f + 1], c = corners_[f + 2];
+  indices_.reserve(corners.size());
+  for (std::size_t f = 0; f < corners.size(); f += 3) {
+    const GLuint a = corners[f], b = corners[f + 1], c = corners[f + 2];
     if ((seen[a].outside | seen[b].outside | seen[c].outside) & not_a_place) continue;
     indices_.insert(indices_.end(), {a, b, c});
 

@@ -21,14 +21,11 @@ class ClothSurface {
     float print[2];          // place on the picture, 1 being its width and height
     Ink ink;
   };
-  void find_corners(const std::shared_ptr<const System>& system);
-  void find_normals(const std::vector<Vec3>& position, const std::vector<Seen>& seen);
+  void find_normals(const std::vector<Vec3>& position, const Net& net);
   void find_inks(const Subject& subject, const Net& net);
   void add_vertices(const Subject& subject, const Net& net);
   void upload_picture();
 
-  std::shared_ptr<const System> corners_system_;  // whose faces' corners are known
-  std::vector<GLuint> corners_;                   // points, three a face
   std::vector<Vec3> normals_;                     // a point, each face's share by its area
   std::vector<Ink> inks_;                         // a point
   std::vector<float> strain_sum_, strain_count_;  // a point

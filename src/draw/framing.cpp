@@ -16,6 +16,7 @@ namespace {
 constexpr double margin = 1.12;          // of the picture, around the scene
 constexpr double smallest_radius = 0.2;  // [m], of what is framed: an empty scene is an empty stage of this size
 constexpr double plane_reach = 6.0;      // a plane this many scene radii away is part of the scene
+constexpr double followed_share = 0.6;   // of half the picture's height: what is followed goes no further from its middle
 
 // A ball that is to be seen.
 struct Sight {
@@ -77,9 +78,25 @@ void make_room_to_hang(Extent& extent, const System& system, const State& state)
   if (std::none_of(system.colliders.begin(), system.colliders.end(), is_closed)) extent.include(below);
 }
 
+// Where colliders come on their paths: at the ends of each way to and fro.
+std::vector<Collider> colliders_on_their_ways(const System& system) {
+  std::vector<Collider> all;
+  for (const Collider& collider : system.colliders) {
+    const ColliderPath& path = collider.path;
+    if (path.swing == Vec3(0.0) || path.frequency == 0.0) {
+      all.push_back(moved_at(collider, 0.0));
+      continue;
+    }
+    all.push_back(moved_by(collider, path.swing));
+    all.push_back(moved_by(collider, -path.swing));
+  }
+  return all;
+}
+
 // Bounded colliders; then the nearest place of each plane that is not far off.
 void include_colliders(Extent& extent, const System& system) {
-  for (const Collider& collider : system.colliders) {
+  const std::vector<Collider> colliders = colliders_on_their_ways(system);
+  for (const Collider& collider : colliders) {
     if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) extent.include(sphere->center, sphere->radius);
     if (const auto* box = std::get_if<Box>(&collider.shape)) {
       const auto pick = [&](int bit, int axis) { return bit ? box->most[axis] : box->least[axis]; };
@@ -90,7 +107,7 @@ void include_colliders(Extent& extent, const System& system) {
 
   const Vec3 center = extent.center();
   const double near = plane_reach * extent.radius();
-  for (const Collider& collider : system.colliders) {
+  for (const Collider& collider : colliders) {
     const auto* plane = std::get_if<Plane>(&collider.shape);
     if (!plane) continue;
     const double height = glm::dot(center - plane->point, plane->normal);
@@ -171,6 +188,7 @@ Camera make_camera(const ViewSettings& view, const System& system, const State& 
     const double distance = glm::length(back);
     camera.target = view.camera->target;
     camera.orthographic = view.camera->orthographic;
+    camera.follows = view.camera->follows;
     if (distance > 0.0) camera.distance = distance;
     look(camera, distance > 0.0 ? back / distance : Vec3(0.0, 0.0, 1.0));
     return camera;
@@ -184,6 +202,27 @@ Camera make_camera(const ViewSettings& view, const System& system, const State& 
   include_colliders(extent, system);
   fit(camera, extent, aspect);
   return camera;
+}
+
+void follow_scene(Camera& camera, const State& state) {
+  if (!camera.follows) return;
+  Vec3 sum(0.0);
+  int counted = 0;
+  for (const Vec3& place : state.position) {
+    if (!std::isfinite(place.x + place.y + place.z)) continue;
+    sum += place;
+    ++counted;
+  }
+  if (counted == 0) return;
+
+  // how far it is beyond that share of the picture; towards the viewer and away it is followed all the way
+  const Vec3 way = sum / static_cast<double>(counted) - camera.target;
+  const double most = followed_share * std::tan(0.5 * camera.field_of_view) * camera.distance;
+  for (const Vec3& axis : {glm::cross(camera.up, camera.back), camera.up}) {
+    const double along = glm::dot(way, axis);
+    camera.target += (along - std::clamp(along, -most, most)) * axis;
+  }
+  camera.target += glm::dot(way, camera.back) * camera.back;
 }
 
 void frame_scene(Camera& camera, const System& system, const State& state, double aspect) {

@@ -7,16 +7,16 @@
 #include "draw/shader.h"
 
 namespace hooke {
-namespace {
-
-// Two unit vectors that span the plane, along the axes of the world where the plane is.
 void span(const Vec3& normal, Vec3& across, Vec3& along) {
   const Vec3 axis = std::abs(normal.x) < 0.9 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 0.0, 1.0);
   across = glm::normalize(axis - glm::dot(axis, normal) * normal);
   along = glm::cross(normal, across);
 }
 
-}  // namespace
+bool is_before(const Camera& camera, const Plane& plane) {
+  const Vec3 towards = camera.orthographic ? camera.back : camera.eye() - plane.point;
+  return glm::dot(towards, plane.normal) > 0.0;
+}
 
 Ground::Ground()
     : stream_({{4, GL_FLOAT, GL_FALSE, offsetof(Vertex, clip)},
@@ -33,12 +33,16 @@ void Ground::add(const Projection& projection, const Camera& camera, const Plane
 
   // coarse lines run through multiples of ten spacings of the world's coordinates: count from the nearest one
   const double coarse = 10.0 * look.spacing;
-  const glm::dvec2 place(glm::dot(middle, across), glm::dot(middle, along));
+  const auto in_plane = [&](const Vec3& place) { return glm::dvec2(glm::dot(place, across), glm::dot(place, along)); };
+  const double c = std::cos(look.turn), s = std::sin(look.turn);
+  const auto turned_back = [&](const glm::dvec2& way) { return glm::dvec2(c * way.x + s * way.y, c * way.y - s * way.x); };
+  const glm::dvec2 anchor = in_plane(plane.point);
+  const glm::dvec2 place = anchor - in_plane(look.run) + turned_back(in_plane(middle) - anchor);
   const glm::dvec2 cell = (place - coarse * glm::round(place / coarse)) / look.spacing;
   for (const double v : {-1.0, 1.0})
     for (const double u : {-1.0, 1.0}) {
       const glm::vec4 clip(projection.clip(middle + look.reach * (u * across + v * along)));
-      const glm::vec2 at(cell + look.reach / look.spacing * glm::dvec2(u, v));
+      const glm::vec2 at(cell + look.reach / look.spacing * turned_back({u, v}));
       vertices_.push_back({{clip.x, clip.y, clip.z, clip.w},
                            {at.x, at.y},
                            {static_cast<float>(u), static_cast<float>(v)},

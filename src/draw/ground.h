@@ -12,6 +12,12 @@ namespace hooke {
 
 class Shader;
 
+// Two unit vectors that span the plane of this normal, along the axes of the world where the plane is.
+void span(const Vec3& normal, Vec3& across, Vec3& along);
+
+// Seen from its free side.
+bool is_before(const Camera& camera, const Plane& plane);
+
 // How a plane looks.
 struct GroundLook {
   Ink fill{0, 0, 0, 0};  // of the floor itself
@@ -19,6 +25,8 @@ struct GroundLook {
   double reach = 1.0;    // [m], where it has faded out, from the place under the camera's target
   double spacing = 1.0;  // [m], of the finer grid
   double fine = 1.0;     // opacity of the finer grid against the coarser, ten times as wide
+  double turn = 0.0;     // [rad], of the grid about the plane's point and normal
+  Vec3 run{0.0};         // [m], of the grid along the plane
 };
 
 class Ground {

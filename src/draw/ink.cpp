@@ -15,7 +15,8 @@ constexpr Palette on_dark{.point = {205, 214, 222},
                           .face = {88, 82, 104},
                           .collider = {86, 97, 110},
                           .line = {120, 133, 146},
-                          .hover = {255, 255, 255}};
+                          .hover = {255, 255, 255},
+                          .shadow = {8, 10, 13, 140}};
 
 constexpr Palette on_light{.point = {70, 82, 94},
                            .nailed = {214, 150, 0},
@@ -24,7 +25,8 @@ constexpr Palette on_light{.point = {70, 82, 94},
                            .face = {196, 190, 208},
                            .collider = {176, 186, 196},
                            .line = {128, 138, 148},
-                           .hover = {20, 24, 28}};
+                           .hover = {20, 24, 28},
+                           .shadow = {52, 58, 70, 105}};
 
 // Blue over grey to orange: told apart with every common colour blindness, and by lightness from the middle outwards.
 constexpr std::array<Color, 5> strain_stops{{{64, 156, 255}, {108, 156, 206}, {134, 142, 150}, {214, 152, 92}, {255, 140, 26}}};

@@ -20,6 +20,7 @@ inline Ink ink(const Color& color, double opacity = 1.0) {
 // What stands out against a background, dark or light.
 struct Palette {
   Color point, nailed, selected, spring, face, collider, line, hover;
+  Ink shadow;  // where all light from above is kept away
 };
 Palette palette_for(const Color& background);
 

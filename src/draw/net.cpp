@@ -52,11 +52,16 @@ void Net::find_ends(const std::shared_ptr<const System>& system) {
   ends_.clear();
   for (const Spring& spring : system->springs()) ends_.push_back({system->index_of(spring.first), system->index_of(spring.second)});
 
-  // what is inside a solid belongs to it, by springs of its families
+  corners_.clear();
+  corners_.reserve(3 * system->faces.size());
   in_cloth_.assign(system->faces.empty() ? 0 : system->points().size(), 0);
   if (in_cloth_.empty()) return;
   for (const Face& face : system->faces)
-    for (const PointId id : face.points) in_cloth_[system->index_of(id)] = 1;
+    for (const PointId id : face.points) {
+      corners_.push_back(static_cast<GLuint>(system->index_of(id)));
+      in_cloth_[corners_.back()] = 1;
+    }
+  // what is inside a solid belongs to it, by springs of its families
   for (std::size_t s = 0; s < ends_.size(); ++s)
     if (system->springs()[s].family != SpringFamily::None) in_cloth_[ends_[s][0]] = in_cloth_[ends_[s][1]] = 1;
 }

@@ -42,6 +42,10 @@ class Net {
   double lift() const { return lift_; }
   // Of each spring: its ends, and its strain as it is drawn.
   const std::vector<std::array<Index, 2>>& ends() const { return ends_; }
+  // Of each face: its three points, one after the other.
+  const std::vector<GLuint>& corners() const { return corners_; }
+  // In a scene with faces: a point of none of them, nor of what they wrap.
+  bool is_beside_cloth(Index i) const { return !in_cloth_.empty() && !in_cloth_[i]; }
   const std::vector<float>& strain() const { return strain_; }
   // Of each point.
   const std::vector<glm::dvec4>& clip() const { return clip_; }
@@ -51,13 +55,13 @@ class Net {
   void find_ends(const std::shared_ptr<const System>& system);
   void measure_springs(const Subject& subject);
   Bead bead_of(const Subject& subject, Index i) const;
-  bool is_beside_cloth(Index i) const { return !in_cloth_.empty() && !in_cloth_[i]; }
 
   std::vector<glm::dvec4> clip_;               // a point
   std::vector<Seen> seen_;                     // a point
   std::vector<std::uint8_t> selected_;         // a point
   std::shared_ptr<const System> ends_system_;  // whose springs' ends are known
   std::vector<std::array<Index, 2>> ends_;     // a spring
+  std::vector<GLuint> corners_;                // three a face
   std::vector<std::uint8_t> in_cloth_;         // a point: of a face, or within what faces wrap; empty without faces
   std::vector<float> strain_;                  // a spring
   double spacing_ = 0.0;                       // [px], mean length of a spring at the camera's target; 0 without springs

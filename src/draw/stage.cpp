@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "draw/surface_motion.h"
+
 namespace hooke {
 namespace {
 
@@ -16,11 +18,6 @@ constexpr double hatching = 9.0;  // [px of the screen], between hatches and the
 double pixel_at_target(const Subject& subject) {
   const glm::dvec2 size(subject.projection.width(), subject.projection.height());
   return subject.camera.metres_per_pixel(subject.camera.target, size) * subject.options.scale;
-}
-
-bool is_before(const Camera& camera, const Plane& plane) {
-  const Vec3 towards = camera.orthographic ? camera.back : camera.eye() - plane.point;
-  return glm::dot(towards, plane.normal) > 0.0;
 }
 
 void add_box(const Subject& subject, const Box& box, Ink fill, Ink line, Surfaces& surfaces, Strokes& strokes) {
@@ -55,7 +52,7 @@ void add_shape(const Subject& subject, const Vec3& middle, const std::vector<Vec
 }
 
 // The edge of a half-plane, hatched on the side that is closed; a dashed line where nothing is solid.
-void add_edge(const Subject& subject, const Plane& plane, bool solid, Ink line, Strokes& strokes) {
+void add_edge(const Subject& subject, const Plane& plane, const ColliderPath& path, bool solid, Ink line, Strokes& strokes) {
   Vec3 normal(plane.normal.x, plane.normal.y, 0.0);
   if (!(glm::length(normal) > 1e-9)) return;
   normal = glm::normalize(normal);
@@ -71,9 +68,11 @@ void add_edge(const Subject& subject, const Plane& plane, bool solid, Ink line, 
   }
   strokes.add(subject.projection, middle - reach * along, middle + reach * along, line, width);
 
-  // hatches start at multiples of their spacing along the edge, so that they stay where they are as the camera moves
+  // hatches start at multiples of their spacing along the edge, so that they stay where they are as the camera moves, and run
+  // along with it
   const double spacing = hatching * pixel;
-  const double start = glm::dot(middle, along);
+  const double time = subject.snapshot.state.time;
+  const double start = glm::dot(middle - path.offset(time) - time * path.belt, along);
   const auto first = static_cast<long>(std::floor((start - reach) / spacing)),
              last = static_cast<long>(std::ceil((start + reach) / spacing));
   Ink thin = line;
@@ -93,14 +92,17 @@ void Stage::clear() {
   outlines.clear();
 }
 
-void Stage::add(const Subject& subject) {
+void Stage::add(const Subject& subject, const Shadows& shadows) {
   if (subject.options.grid) add_grid(subject);
   if (!subject.options.colliders) return;
   const System& system = *subject.snapshot.system;
   for (std::size_t c = 0; c < system.colliders.size(); ++c) {
     const Collider collider = moved_at(system.colliders[c], subject.snapshot.state.time);
     const bool is_hovered = subject.marks.hovered_collider == static_cast<Index>(c);
-    system.dimensions == 2 ? add_flat(subject, collider, is_hovered) : add_spatial(subject, collider, is_hovered);
+    if (system.dimensions == 2)
+      add_flat(subject, collider, is_hovered);
+    else
+      add_spatial(subject, collider, is_hovered, shadows.on_ball(static_cast<Index>(c)));
   }
 }
 
@@ -120,18 +122,22 @@ void Stage::add_grid(const Subject& subject) {
   backdrop.add(subject.projection, subject.camera, {.normal = is_flat ? Vec3(0.0, 0.0, 1.0) : pole}, look);
 }
 
-void Stage::add_spatial(const Subject& subject, const Collider& collider, bool is_hovered) {
+void Stage::add_spatial(const Subject& subject, const Collider& collider, bool is_hovered, const BallShade& shade) {
   const double opacity = collider.solid ? 1.0 : faint;
   const Color color = is_hovered ? mix(subject.palette.collider, subject.palette.line, 0.3) : subject.palette.collider;
   if (const auto* sphere = std::get_if<Sphere>(&collider.shape))
-    (collider.solid ? balls : faint_balls).add(subject.projection, sphere->center, sphere->radius, ink(color, opacity));
-  if (const auto* box = std::get_if<Box>(&collider.shape))
+    (collider.solid ? balls : faint_balls)
+        .add(subject.projection, sphere->center, sphere->radius, ink(color, opacity), meridians_of(subject, collider.path), shade);
+  if (const auto* box = std::get_if<Box>(&collider.shape)) {
+    add_belt(subject, *box, collider.path.belt, ink(subject.palette.line, 0.6 * opacity), outlines);
     add_box(subject, *box, ink(color, opacity), ink(subject.palette.line, 0.8 * opacity), collider.solid ? solids : faint_solids, outlines);
+  }
   if (const auto* plane = std::get_if<Plane>(&collider.shape)) {
     const bool is_shown = collider.solid && is_before(subject.camera, *plane);
     GroundLook look = look_from(subject.camera);
     look.fill = ink(mix(subject.options.background, color, 0.45), is_shown ? 1.0 : 0.0);
     look.line = ink(subject.palette.line, is_shown ? 0.35 : 0.15);
+    move_grid(look, subject, *plane, collider.path);
     (is_shown ? floors : veils).add(subject.projection, subject.camera, *plane, look);
   }
 }
@@ -140,10 +146,11 @@ void Stage::add_flat(const Subject& subject, const Collider& collider, bool is_h
   const double opacity = collider.solid ? 1.0 : faint;
   const Ink fill = ink(subject.palette.collider, (is_hovered ? 0.75 : 0.5) * opacity), line = ink(subject.palette.line, opacity);
   if (const auto* plane = std::get_if<Plane>(&collider.shape))
-    add_edge(subject, *plane, collider.solid, ink(subject.palette.line), outlines);
+    add_edge(subject, *plane, collider.path, collider.solid, ink(subject.palette.line), outlines);
   if (const auto* box = std::get_if<Box>(&collider.shape)) {
     const Vec3 least(box->least.x, box->least.y, 0.0), most(box->most.x, box->most.y, 0.0);
     add_shape(subject, 0.5 * (least + most), {least, {most.x, least.y, 0.0}, most, {least.x, most.y, 0.0}}, fill, line, *this);
+    add_belt(subject, *box, collider.path.belt, line, outlines);
   }
   if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) {
     const double radius = sphere->radius / pixel_at_target(subject);  // [px]
@@ -155,6 +162,7 @@ void Stage::add_flat(const Subject& subject, const Collider& collider, bool is_h
       border.push_back(middle + sphere->radius * Vec3(std::cos(angle), std::sin(angle), 0.0));
     }
     add_shape(subject, middle, border, fill, line, *this);
+    if (collider.path.spin.z != 0.0) add_diameters(subject, *sphere, collider.path.spin.z, line, outlines);
   }
 }
 

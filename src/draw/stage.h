@@ -4,6 +4,7 @@
 #include "draw/balls.h"
 #include "draw/ground.h"
 #include "draw/net.h"
+#include "draw/shadows.h"
 #include "draw/strokes.h"
 #include "draw/surfaces.h"
 
@@ -17,11 +18,11 @@ struct Stage {
   Strokes outlines;
 
   void clear();
-  void add(const Subject& subject);
+  void add(const Subject& subject, const Shadows& shadows);
 
  private:
   void add_grid(const Subject& subject);
-  void add_spatial(const Subject& subject, const Collider& collider, bool is_hovered);
+  void add_spatial(const Subject& subject, const Collider& collider, bool is_hovered, const BallShade& shade);
   void add_flat(const Subject& subject, const Collider& collider, bool is_hovered);
 };
 

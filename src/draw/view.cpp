@@ -5,6 +5,7 @@
 #include "draw/gui_renderer.h"
 #include "draw/net.h"
 #include "draw/shader.h"
+#include "draw/shadows.h"
 #include "draw/stage.h"
 #include "draw/strokes.h"
 #include "draw/target.h"
@@ -56,8 +57,9 @@ void add_ghosts(const Subject& subject, Strokes& strokes, Beads& beads) {
 struct View::Parts {
   Target target;
   Shader stroke_shader{"stroke"}, bead_shader{"bead"}, surface_shader{"surface"}, cloth_shader{"cloth"}, ball_shader{"ball"},
-      ground_shader{"ground"};
+      ground_shader{"ground"}, shadow_shader{"shadow"};
   Stage stage;
+  Shadows shadows;
   Net net;
   ClothSurface cloth;
   Strokes springs, marked_springs, ghost_springs;
@@ -66,19 +68,21 @@ struct View::Parts {
 
   void gather(const Subject& subject);
   void draw_scene(const Subject& subject, const PicturePlace& place, int width, int height);
-  void draw_stage(const Projection& projection);
+  void draw_stage(const Subject& subject);
   void draw_net(const Subject& subject);
   void draw_over(const Subject& subject);
 };
 
 void View::Parts::gather(const Subject& subject) {
   stage.clear();
+  shadows.clear();
   cloth.clear();
   for (Strokes* strokes : {&springs, &marked_springs, &ghost_springs}) strokes->clear();
   for (Beads* beads : {&points, &marked_points, &ghost_points}) beads->clear();
 
   net.see(subject);
-  stage.add(subject);
+  shadows.add(subject, net);
+  stage.add(subject, shadows);
   if (subject.options.surface) cloth.add(subject, net);
   // a bare cloth still shows what it hangs by, and what hangs on it
   if (subject.options.springs || !cloth.is_empty())
@@ -98,24 +102,32 @@ void View::Parts::draw_scene(const Subject& subject, const PicturePlace& place, 
   clear(subject.options.background);
   glViewport(place.x, height - place.y - place.height, place.width, place.height);
   set_state(subject.snapshot.system->dimensions == 3);
-  draw_stage(subject.projection);
+  draw_stage(subject);
   target.resolve();
   draw_net(subject);
   draw_over(subject);
 }
 
 // What stands behind the network and can hide it.
-void View::Parts::draw_stage(const Projection& projection) {
+void View::Parts::draw_stage(const Subject& subject) {
   glDepthMask(GL_FALSE);
   stage.backdrop.draw(ground_shader);
   glDepthMask(GL_TRUE);
   stage.floors.draw(ground_shader);
-  stage.balls.draw(ball_shader, projection);
+  shadows.bind();
+  stage.balls.draw(ball_shader, subject.projection, subject.camera.pole, subject.palette.shadow);
 
   // surfaces give way a little to the lines that lie on them
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.0f, 2.0f);
   stage.solids.draw(surface_shader);
+
+  // and shadows lie on them
+  glDepthMask(GL_FALSE);
+  glPolygonOffset(-1.0f, -2.0f);
+  shadows.draw(shadow_shader, subject.palette.shadow);
+  glDepthMask(GL_TRUE);
+  glPolygonOffset(1.0f, 2.0f);
   cloth.draw(cloth_shader);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
@@ -140,7 +152,7 @@ void View::Parts::draw_over(const Subject& subject) {
   glEnable(GL_CULL_FACE);
   stage.faint_solids.draw(surface_shader);
   glDisable(GL_CULL_FACE);
-  stage.faint_balls.draw(ball_shader, subject.projection);
+  stage.faint_balls.draw(ball_shader, subject.projection, subject.camera.pole, subject.palette.shadow);
   stage.veils.draw(ground_shader);
 
   // rings and ghosts are seen through everything
@@ -157,6 +169,7 @@ ViewOptions options_for(const ViewSettings& settings, const Print& print) {
   options.springs = settings.springs;
   options.surface = settings.surface;
   options.strain_colors = settings.strain_colors;
+  options.shadows = settings.shadows;
   options.print = print;
   if (settings.background) options.background = *settings.background;
   return options;

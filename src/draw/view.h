@@ -20,6 +20,7 @@ struct PicturePlace {
 
 struct ViewOptions {
   bool points = true, springs = true, surface = true, colliders = true, grid = true;
+  bool shadows = true;        // of what is near the ground, a ball or a box
   bool strain_colors = true;  // on the springs, or on the surface where no springs are shown
   Print print;                // on the surface
   int samples = 4;            // of MSAA; 0: none

@@ -133,6 +133,8 @@ CameraPose read_camera(const JsonField& field, SceneFields& fields, Scene& scene
       if (*pose.up == Vec3(0.0)) member.refuse("must not be zero");
     } else if (member.is("orthographic"))
       pose.orthographic = member.boolean();
+    else if (member.is("follow"))
+      pose.follows = member.boolean();
     else
       fields.keep_unknown(member, scene.kept.unknown_inside[field.path()]);
   }
@@ -146,6 +148,7 @@ bool* switch_of(const JsonField& field, ViewSettings& view) {
   if (field.is("springs")) return &view.springs;
   if (field.is("points")) return &view.points;
   if (field.is("strain_colors")) return &view.strain_colors;
+  if (field.is("shadows")) return &view.shadows;
   return nullptr;
 }
 

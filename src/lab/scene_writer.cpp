@@ -354,12 +354,16 @@ void SceneWriter::write_view() {
     out_.vector("target", view.camera->target);
     if (view.camera->up) out_.vector("up", *view.camera->up);
     if (view.camera->orthographic) out_.boolean("orthographic", true);
+    if (view.camera->follows) out_.boolean("follow", true);
     write_unknown_inside("view.camera");
     out_.end();
   }
   if (view.background) out_.text("background", to_text(*view.background));
-  for (const auto& [key, is_shown] :
-       {std::pair{"surface", view.surface}, {"springs", view.springs}, {"points", view.points}, {"strain_colors", view.strain_colors}})
+  for (const auto& [key, is_shown] : {std::pair{"surface", view.surface},
+                                      {"springs", view.springs},
+                                      {"points", view.points},
+                                      {"strain_colors", view.strain_colors},
+                                      {"shadows", view.shadows}})
     if (!is_shown) out_.boolean(key, false);
   if (!view.texture.empty()) out_.text("texture", view.texture);
   if (view.texture_size) out_.number("texture_size", *view.texture_size);

@@ -18,6 +18,7 @@ struct CameraPose {
   Vec3 target{0.0};
   std::optional<Vec3> up;  // none: opposite to gravity (y without gravity)
   bool orthographic = false;
+  bool follows = false;  // goes along with what leaves the middle of the picture
   bool operator==(const CameraPose&) const = default;
 };
 
@@ -26,6 +27,7 @@ struct ViewSettings {
   std::optional<Color> background;   // none: the program's own
   // what of the network is shown; colours of strain go on the springs, or on the surface where no springs are shown
   bool surface = true, springs = true, points = true, strain_colors = true;
+  bool shadows = true;                 // of what is near the ground, a ball or a box
   std::string texture;                 // on the faces: the name of one that ships, or a PNG beside the scene; empty: none
   std::optional<double> texture_size;  // [m] of cloth that the image is wide, > 0; none: the texture's own
   bool operator==(const ViewSettings&) const = default;

@@ -1,0 +1,13 @@
+#version 330 core
+// Shade, where light from above is kept away; gone where the ground has faded out.
+in vec2 place;
+in vec2 fade;
+uniform sampler2D maps;
+uniform vec4 ink;
+out vec4 result;
+
+void main() {
+  float shade = ink.a * texture(maps, place).r * (1.0 - smoothstep(0.2, 1.0, length(fade)));
+  if (shade < 0.004) discard;
+  result = vec4(ink.rgb, shade);
+}

@@ -1,0 +1,207 @@
+#include "draw/casters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <variant>
+
+namespace hooke {
+namespace {
+
+constexpr float not_over = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinite = std::numeric_limits<float>::infinity();
+// What is higher than things are wide, by this factor, casts no shadow that one would see.
+constexpr float highest = 4.0f;
+
+// The solid colliders that are shown, but for the receiver itself, where they are now.
+template <class Use>
+void each_collider(const Subject& subject, const Receiver& receiver, Use use) {
+  const System& system = *subject.snapshot.system;
+  if (!subject.options.colliders) return;
+  for (std::size_t c = 0; c < system.colliders.size(); ++c)
+    if (system.colliders[c].solid && static_cast<Index>(c) != receiver.collider)
+      use(moved_at(system.colliders[c], subject.snapshot.state.time));
+}
+
+Vec3 corner_of(const Box& box, int which) {
+  return {which & 1 ? box.most.x : box.least.x, which & 2 ? box.most.y : box.least.y, which & 4 ? box.most.z : box.least.z};
+}
+
+int steps_across(float length, const ShadeMap& map) {
+  constexpr float most_steps = 64.0f;
+  return static_cast<int>(std::clamp(std::ceil(length / map.texel()), 1.0f, most_steps));
+}
+
+// The lower half of a ball, in columns; where a column goes into the receiver, the ball stands upon it.
+void add_ball(const glm::vec3& center, float radius, const Receiver& receiver, ShadeMap& map) {
+  if (2.0f * radius < map.texel()) {
+    const float height = receiver.height_of(center, radius);
+    return map.add({center.x, center.y, std::max(height - radius, 0.0f)}, 3.14159f * radius * radius);
+  }
+  const int steps = steps_across(2.0f * radius, map);
+  const float step = 2.0f * radius / static_cast<float>(steps);
+  for (int j = 0; j < steps; ++j)
+    for (int i = 0; i < steps; ++i) {
+      const float x = (static_cast<float>(i) + 0.5f) * step - radius, y = (static_cast<float>(j) + 0.5f) * step - radius;
+      const float square = radius * radius - x * x - y * y;
+      if (square < 0.0f) continue;
+      const float half = std::sqrt(square);
+      const glm::vec3 below = center + glm::vec3(x, y, -half);
+      map.add({below.x, below.y, receiver.height_of(below, 2.0f * half)}, step * step);
+    }
+}
+
+// The sides that do not look up, in small pieces.
+void add_box(const Box& box, const Receiver& receiver, ShadeMap& map) {
+  constexpr int sides[6][3] = {{0, 2, 4}, {1, 2, 4}, {0, 1, 4}, {2, 1, 4}, {0, 1, 2}, {4, 1, 2}};
+  const auto height = static_cast<float>(glm::dot(box.most - box.least, glm::abs(receiver.above)));
+  for (int side = 0; side < 6; ++side) {
+    Vec3 normal(0.0);
+    normal[side / 2] = side % 2 == 0 ? -1.0 : 1.0;
+    const double up = glm::dot(normal, receiver.above);
+    if (up > 0.5) continue;
+    const glm::vec3 from = receiver.place_of(corner_of(box, sides[side][0]));
+    const glm::vec3 right = receiver.place_of(corner_of(box, sides[side][0] | sides[side][1])) - from;
+    const glm::vec3 up_to = receiver.place_of(corner_of(box, sides[side][0] | sides[side][2])) - from;
+    const int m = steps_across(glm::length(right), map), n = steps_across(glm::length(up_to), map);
+    const float whole = glm::length(glm::cross(right, up_to)) * std::max(static_cast<float>(std::abs(up)), ShadeMap::on_edge);
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < m; ++i) {
+        const glm::vec3 place = from + (static_cast<float>(i) + 0.5f) / static_cast<float>(m) * right +
+                                (static_cast<float>(j) + 0.5f) / static_cast<float>(n) * up_to;
+        map.add({place.x, place.y, receiver.height_of(place, up < -0.5 ? height : 0.0f)}, whole / static_cast<float>(m * n));
+      }
+  }
+}
+
+}  // namespace
+
+glm::vec3 Receiver::place_of(const Vec3& world) const {
+  const Vec3 way = world - origin;
+  return {glm::dot(way, across), glm::dot(way, along), glm::dot(way, above)};
+}
+
+float Receiver::height_of(const glm::vec3& place, float sunk) const {
+  float surface = 0.0f;
+  if (radius > 0.0f) {
+    // beside the ball its middle counts, so that what reaches beyond it on all sides is over it
+    surface = std::sqrt(std::max(radius * radius - place.x * place.x - place.y * place.y, 0.0f));
+  }
+  const float height = place.z - surface;
+  return height >= -sunk ? std::max(height, 0.0f) : not_over;
+}
+
+bool Casters::shade(const Subject& subject, const Net& net, const Receiver& receiver, int texels, ShadeMap& map, glm::vec2& least,
+                    glm::vec2& most) {
+  find_places(subject, receiver);
+  if (!find_sides(subject, receiver, least, most)) return false;
+  map.begin(least, most, texels);
+  most = least + map.texel() * glm::vec2(map.width(), map.height());
+  add_net(subject, net, receiver, map);
+  add_colliders(subject, receiver, map);
+  return true;
+}
+
+void Casters::find_places(const Subject& subject, const Receiver& receiver) {
+  const std::vector<Point>& points = subject.snapshot.system->points();
+  const ViewOptions& options = subject.options;
+  const bool is_shown = options.points || options.springs || options.surface;
+  places_.resize(is_shown ? points.size() : 0);
+  widest_ = 0.0f;
+  // a chord of something round lies a little beneath it, and what lies on a floor by rounding
+  const float sunk = receiver.radius > 0.0f ? 0.1f * receiver.radius : 1e-3f * static_cast<float>(subject.camera.distance);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    const glm::vec3 place = receiver.place_of(subject.snapshot.state.position[i]);
+    const auto radius = static_cast<float>(points[i].radius);
+    places_[i] = {place.x, place.y, receiver.height_of(place, sunk + radius)};
+    widest_ = std::max(widest_, radius);
+  }
+}
+
+// As far as shadows fall, within what the receiver wants: things as wide as they are, and around them as their heights blur them.
+bool Casters::find_sides(const Subject& subject, const Receiver& receiver, glm::vec2& least, glm::vec2& most) const {
+  const std::vector<Thing> things = colliders_over(subject, receiver);
+  const glm::vec2 margin = 0.2f * (receiver.most - receiver.least);
+  const glm::vec2 from = receiver.least - margin, to = receiver.most + margin;
+  const auto each = [&](auto use) {
+    for (const Thing& thing : things) use(thing.least, thing.most, thing.height);
+    for (const glm::vec3& place : places_)
+      if (place.z < infinite) use(glm::vec2(place) - widest_, glm::vec2(place) + widest_, place.z);
+  };
+
+  glm::vec2 low(infinite), high(-infinite);
+  each([&](const glm::vec2& thing_low, const glm::vec2& thing_high, float) {
+    low = glm::min(low, thing_low);
+    high = glm::max(high, thing_high);
+  });
+  const float wide = glm::distance(glm::max(low, from), glm::min(high, to));
+  if (!(low.x <= to.x && low.y <= to.y && high.x >= from.x && high.y >= from.y && wide > 0.0f)) return false;
+  least = glm::vec2(infinite);
+  most = glm::vec2(-infinite);
+  each([&](const glm::vec2& thing_low, const glm::vec2& thing_high, float height) {
+    if (height > highest * wide) return;
+    const float blur = std::min(2.0f * ShadeMap::softness * height, 0.5f * wide) + 0.06f * wide;
+    least = glm::min(least, thing_low - blur);
+    most = glm::max(most, thing_high + blur);
+  });
+  least = glm::max(least, from);
+  most = glm::min(most, to);
+  return least.x < most.x && least.y < most.y;
+}
+
+std::vector<Casters::Thing> Casters::colliders_over(const Subject& subject, const Receiver& receiver) const {
+  std::vector<Thing> things;
+  each_collider(subject, receiver, [&](const Collider& collider) {
+    if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) {
+      const glm::vec3 center = receiver.place_of(sphere->center);
+      const auto radius = static_cast<float>(sphere->radius);
+      if (center.z > -radius) things.push_back({glm::vec2(center) - radius, glm::vec2(center) + radius, std::max(center.z - radius, 0.0f)});
+    }
+    if (const auto* box = std::get_if<Box>(&collider.shape)) {
+      glm::vec3 low(infinite), high(-infinite);
+      for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 place = receiver.place_of(corner_of(*box, corner));
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+      }
+      if (high.z > 0.0f) things.push_back({glm::vec2(low), glm::vec2(high), std::max(low.z, 0.0f)});
+    }
+  });
+  return things;
+}
+
+void Casters::add_net(const Subject& subject, const Net& net, const Receiver& receiver, ShadeMap& map) const {
+  if (places_.empty()) return;
+  const System& system = *subject.snapshot.system;
+  const ViewOptions& options = subject.options;
+  const bool has_cloth = options.surface && !net.corners().empty();
+  if (has_cloth)
+    for (std::size_t f = 0; f < net.corners().size(); f += 3)
+      map.add_triangle(places_[net.corners()[f]], places_[net.corners()[f + 1]], places_[net.corners()[f + 2]]);
+
+  // what lies in the cloth is in its shadow
+  const auto is_seen = [&](Index i) { return !has_cloth || net.is_beside_cloth(i); };
+  if (options.springs || has_cloth)
+    for (std::size_t s = 0; s < net.ends().size(); ++s) {
+      const auto [a, b] = net.ends()[s];
+      if ((!is_seen(a) && !is_seen(b)) || !system.is_on(system.springs()[s])) continue;
+      const double width = 0.5 * (system.points()[a].radius + system.points()[b].radius);
+      map.add_line(places_[a], places_[b], static_cast<float>(width));
+    }
+  if (options.points || has_cloth)
+    for (Index i = 0; i < system.point_count(); ++i)
+      if (is_seen(i) && places_[i].z < infinite)
+        add_ball(receiver.place_of(subject.snapshot.state.position[i]), static_cast<float>(system.points()[i].radius), receiver, map);
+}
+
+void Casters::add_colliders(const Subject& subject, const Receiver& receiver, ShadeMap& map) const {
+  each_collider(subject, receiver, [&](const Collider& collider) {
+    if (const auto* sphere = std::get_if<Sphere>(&collider.shape))
+      add_ball(receiver.place_of(sphere->center), static_cast<float>(sphere->radius), receiver, map);
+    if (const auto* box = std::get_if<Box>(&collider.shape)) add_box(*box, receiver, map);
+  });
+}
+
+}  // namespace hooke
