@@ -224,6 +224,55 @@ TEST(Camera, FramesNothingAndASinglePointAndWhatIsNoNumber) {
   }
 }
 
+TEST(Camera, FramesAColliderWhereverItsPathTakesIt) {
+  Trial trial;
+  trial.add(Vec3(0.0));
+  trial.system.colliders = {{.shape = Sphere{{0.0, 0.0, 0.0}, 0.2}, .path = {.swing = {3.0, 0.0, 0.0}, .frequency = 0.5}}};
+  Camera home = make_camera({}, trial.system, trial.state, size.x / size.y);
+  for (int i = 0; i < 2; ++i) {
+    for (const double x : {-3.2, 3.2}) {
+      const Vec3 seen = home.project({x, 0.0, 0.0}, size);
+      EXPECT_GT(seen.x, 0.0) << x;
+      EXPECT_LT(seen.x, size.x) << x;
+    }
+    frame_scene(home, trial.system, trial.state, size.x / size.y);
+  }
+
+  // one that stays off its place is seen there
+  trial.system.colliders[0].path = {.swing = {0.0, 5.0, 0.0}, .frequency = 0.0, .phase = 1.5707963267948966};
+  const Camera still = make_camera({}, trial.system, trial.state, size.x / size.y);
+  EXPECT_GT(still.project({0.0, 5.2, 0.0}, size).y, 0.0);
+}
+
+TEST(Camera, ThatFollowsMovesNoFurtherThanItMust) {
+  Trial trial = scattered(3);
+  Camera camera = make_camera({}, trial.system, trial.state, size.x / size.y);
+  const auto move_all = [&](const Vec3& way) {
+    for (Vec3& place : trial.state.position) place += way;
+  };
+  const Vec3 before = camera.target;
+  move_all({1e3, 0.0, 0.0});
+  follow_scene(camera, trial.state);
+  EXPECT_EQ(camera.target, before);  // it was not asked to
+
+  camera.follows = true;
+  follow_scene(camera, trial.state);
+  const auto middle = [&] { return (trial.state.position[0] + trial.state.position[1] + trial.state.position[2]) / 3.0; };
+  const Vec3 seen = camera.project(middle(), size), there = camera.target;
+  EXPECT_NEAR(seen.x, 0.5 * size.x + 0.3 * size.y, 1.0);  // it went to the right: there it is
+  EXPECT_GT(seen.y, 0.19 * size.y);
+  EXPECT_LT(seen.y, 0.81 * size.y);
+
+  // within the middle of the picture it stays
+  move_all(0.5 * (camera.target - middle()));
+  follow_scene(camera, trial.state);
+  EXPECT_NEAR(glm::distance(camera.target, there), 0.0, 1e-9);
+
+  trial.state.position[0] = Vec3(std::nan(""));
+  follow_scene(camera, trial.state);
+  EXPECT_TRUE(std::isfinite(glm::length(camera.target)));
+}
+
 TEST(Camera, LeavesRoomForWhatWillHang) {
   Trial rope;
   rope.nail({0.0, 0.0, 0.0});

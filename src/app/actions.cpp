@@ -100,6 +100,9 @@ void App::perform(Action action, bool repeated) {
     case Action::Orthographic:
       bench_.camera.orthographic = !bench_.camera.orthographic;
       return panels_.say(bench_.camera.orthographic ? "Orthographic" : "Perspective");
+    case Action::FollowScene:
+      bench_.camera.follows = !bench_.camera.follows;
+      return panels_.say(bench_.camera.follows ? "Following what moves" : "Not following");
     case Action::CopyCamera:
       return copy_camera();
     case Action::PasteCamera:
@@ -268,6 +271,7 @@ void App::paste_camera() {
   if (!pose) return panels_.say("The clipboard holds no camera");
   ViewSettings view;
   view.camera = pose;
+  view.camera->follows = bench_.camera.follows;
   const Camera pasted = make_camera(view, bench_.system(), bench_.snapshot().state, bench_.size.x / bench_.size.y);
   if (bench_.system().dimensions == 2 && pasted.back != bench_.camera.back) return panels_.say("A flat scene is seen from the front");
   bench_.camera = pasted;

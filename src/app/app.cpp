@@ -184,7 +184,10 @@ void App::take_tool(Action action) {
 
 void App::build_frame(const Figures& figures) {
   attend();
-  if (tool_is_pressed_) tool_->follow(pointer(), bench_);
+  if (tool_is_pressed_)
+    tool_->follow(pointer(), bench_);
+  else
+    follow_scene(bench_.camera, bench_.snapshot().state);
 
   Requests requests;
   const auto band = tool_->rubber_band();
@@ -233,6 +236,7 @@ void App::take_switches(const ViewSettings& view) {
   panels_.view.springs = view.springs;
   panels_.view.points = view.points;
   panels_.view.strain_colors = view.strain_colors;
+  panels_.view.shadows = view.shadows;
 }
 
 ViewOptions App::view_options() const {

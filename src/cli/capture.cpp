@@ -39,7 +39,8 @@ class Cameraman {
   void take(Lab& lab, long number) {
     lab.publish();
     const Status& status = *lab.status();
-    const ImDrawData* panels = panels_ ? panels_->build(status, {}) : nullptr;
+    follow_scene(camera_, status.snapshot->state);
+    const ImDrawData* panels = panels_ ? panels_->build(status, camera_, {}) : nullptr;
     view_.draw(*status.snapshot, {}, camera_, look_, size_.width, size_.height, panels);
     if (film_)
       film_->add(view_.read());

@@ -17,6 +17,7 @@ Image take_thumbnail(View& view, const ShippedScene& shipped) {
   const long frames = std::lround(shipped.thumbnail_seconds * scene.settings.frame_rate);
   for (long frame = 0; frame < frames; ++frame) lab.step();
   lab.publish();
+  follow_scene(camera, scene.state);
   ViewOptions look = options_for(scene.view, scene.print);
   view.draw(*lab.status()->snapshot, {}, camera, look, thumbnail_width, thumbnail_height, nullptr);
   return view.read();

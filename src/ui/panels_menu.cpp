@@ -124,7 +124,7 @@ void view_menu(const Desk& desk, Panels& panels, Requests& requests) {
   ImGui::Separator();
   const bool turns = desk.status.snapshot->system->dimensions == 3;
   for (const Action action : {Action::ViewFront, Action::ViewSide, Action::ViewTop}) item(action, requests, turns);
-  for (const Action action : {Action::Orthographic, Action::CopyCamera, Action::PasteCamera}) item(action, requests);
+  for (const Action action : {Action::Orthographic, Action::FollowScene, Action::CopyCamera, Action::PasteCamera}) item(action, requests);
   ImGui::Separator();
   for (const Action action : {Action::ShowPlots, Action::HidePanels, Action::LightOrDark}) item(action, requests);
   ImGui::Separator();
@@ -132,6 +132,7 @@ void view_menu(const Desk& desk, Panels& panels, Requests& requests) {
   ImGui::MenuItem("Springs", nullptr, &panels.view.springs);
   ImGui::MenuItem("Surface", nullptr, &panels.view.surface);
   ImGui::MenuItem("Colours of strain", nullptr, &panels.view.strain_colors);
+  ImGui::MenuItem("Shadows", nullptr, &panels.view.shadows);
   ImGui::Separator();
   ImGui::MenuItem("Colliders", nullptr, &panels.view.colliders);
   ImGui::MenuItem("Grid", nullptr, &panels.view.grid);

@@ -58,6 +58,7 @@ constexpr std::array rows{
     Shortcut{letter('3'), plain, Action::ViewSide, look, "From the right, or from the left"},
     Shortcut{letter('7'), plain, Action::ViewTop, look, "From above, or from below"},
     Shortcut{letter('5'), plain, Action::Orthographic, look, "Orthographic or perspective"},
+    Shortcut{letter('9'), plain, Action::FollowScene, look, "Follow what moves, or stay"},
     Shortcut{letter('C'), control_shift, Action::CopyCamera, look, "Copy the camera as text"},
     Shortcut{letter('V'), control_shift, Action::PasteCamera, look, "Paste a camera"},
     Shortcut{letter('='), control, Action::LargerPanels, look, "Larger panels"},

@@ -47,6 +47,7 @@ enum class Action {
   ViewSide,
   ViewTop,
   Orthographic,
+  FollowScene,
   CopyCamera,
   PasteCamera,
   LargerPanels,
