@@ -343,6 +343,8 @@ TEST(Xsp, WhatTheFormatHasNoPlaceForIsSaid) {
 
   scene.system.dimensions = 2;
   scene.system.colliders = {{.shape = Sphere{}}, {.shape = Plane{Vec3(0.0), Vec3(0.0, 1.0, 0.0)}, .friction = 0.5}};
+  scene.system.colliders[0].path.swing = {0.1, 0.0, 0.0};
+  scene.system.colliders[1].path.belt = {1.0, 0.0, 0.0};
   for (const double x : {1.0, 2.0, 3.0}) {
     scene.system.append_point({.id = scene.system.new_point_id(), .radius = 0.0});
     scene.state.position.emplace_back(x, 1.0, 0.0);
@@ -351,11 +353,16 @@ TEST(Xsp, WhatTheFormatHasNoPlaceForIsSaid) {
   const auto id = [&](std::size_t i) { return scene.system.points()[i].id; };
   scene.system.append_spring({.id = scene.system.new_spring_id(), .first = id(0), .second = id(1), .break_strain = 0.1});
   scene.system.faces.push_back({{id(0), id(1), id(2)}});
+  scene.system.scripted_hand = ScriptedHand{.point = id(0), .speed = 1.0, .seconds = 1.0};
+  scene.system.strain_limit = 0.1;
   format_xsp(scene, "a.xsp", lost);
   EXPECT_EQ(lost, (std::vector<std::string>{
                       "a.xsp: .xsp has no place for 1 collider",
+                      "a.xsp: .xsp has no place for the motion of 2 colliders",
                       "a.xsp: .xsp has no place for the walls' friction",
                       "a.xsp: .xsp has no place for the break strains of 1 spring",
+                      "a.xsp: .xsp has no place for the hand that takes a point along",
+                      "a.xsp: .xsp has no place for the limit of strain",
                       "a.xsp: .xsp has no place for 1 face",
                   }));
 }

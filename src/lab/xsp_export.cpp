@@ -61,9 +61,10 @@ class Exporter {
 
  private:
   void find_walls() {
-    std::size_t others = 0;
+    std::size_t others = 0, moving = 0;
     for (const Collider& collider : system_.colliders) {
       if (!collider.solid) continue;
+      if (collider.path.moves()) ++moving;
       const Plane* plane = std::get_if<Plane>(&collider.shape);
       const auto side = plane ? side_of(plane->normal) : std::nullopt;
       const double radius = system_.points().empty() ? 0.0 : system_.points()[0].radius;
@@ -74,6 +75,7 @@ class Exporter {
         walls_.push_back({*side, glm::dot(plane->point + radius * plane->normal, glm::abs(plane->normal)), &collider});
     }
     if (others > 0) lose(count_of(others, "collider", "colliders"));
+    if (moving > 0) lose("the motion of " + count_of(moving, "collider", "colliders"));
   }
 
   const Wall* wall_at(XspSide side) const {
@@ -234,6 +236,8 @@ class Exporter {
     const auto breaking =
         std::count_if(springs.begin(), springs.end(), [](const Spring& spring) { return spring.break_strain != never_breaks; });
     if (breaking > 0) lose("the break strains of " + count_of(static_cast<std::size_t>(breaking), "spring", "springs"));
+    if (system_.scripted_hand) lose("the hand that takes a point along");
+    if (system_.strain_limit > 0.0) lose("the limit of strain");
     if (!system_.faces.empty()) lose(count_of(system_.faces.size(), "face", "faces"));
   }
 
