@@ -16,7 +16,6 @@ struct End {
   const char* name;  // null: the end without a letter
   ImU32 color;
 };
-constexpr ImU32 red = IM_COL32(0xe0, 0x74, 0x74, 255), green = IM_COL32(0x8f, 0xc0, 0x72, 255), blue = IM_COL32(0x6c, 0xa6, 0xe8, 255);
 
 struct SeenEnd {
   End end;
@@ -25,6 +24,7 @@ struct SeenEnd {
 };
 
 std::array<SeenEnd, 6> seen_ends(const Camera& camera, ImVec2 center) {
+  const ImU32 red = palette::axis_x, green = palette::axis_y, blue = palette::axis_z;
   const End ends[] = {{{1.0, 0.0, 0.0}, "x", red},      {{0.0, 1.0, 0.0}, "y", green},      {{0.0, 0.0, 1.0}, "z", blue},
                       {{-1.0, 0.0, 0.0}, nullptr, red}, {{0.0, -1.0, 0.0}, nullptr, green}, {{0.0, 0.0, -1.0}, nullptr, blue}};
   const Vec3 right = glm::cross(camera.up, camera.back);

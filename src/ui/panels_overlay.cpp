@@ -17,6 +17,8 @@ ImVec2 place(const Rect& scene, double x, double y) { return {static_cast<float>
 
 ImU32 strain_ink(double relative) { return to_imgui(View::strain_color(relative)); }
 
+ImU32 faint(ImU32 ink) { return (ink & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 150); }
+
 // A strain in per cent: "+2 %".
 std::string percent(double strain) {
   std::string text = strain > 0.0 ? "+" : "";
@@ -31,11 +33,15 @@ void legend(const Desk& desk, const Panels& panels, ImDrawList& list) {
   const ImVec2 at = place(scene, units(18.0), scene.height - units(44.0));
   const float width = units(180.0), height = units(8.0);
 
+  // to be read on whatever hangs there
+  const float left = units(10.0), top = units(24.0), bottom = units(28.0);
+  list.AddRectFilled({at.x - left, at.y - top}, {at.x + width + left, at.y + bottom}, faint(palette::shade), units(6.0));
+
   constexpr int bands = 32;
   for (int i = 0; i < bands; ++i) {
     const float from = at.x + width * static_cast<float>(i) / bands, to = at.x + width * static_cast<float>(i + 1) / bands;
-    const ImU32 left = strain_ink(2.0 * i / bands - 1.0), right = strain_ink(2.0 * (i + 1) / bands - 1.0);
-    list.AddRectFilledMultiColor({from, at.y}, {to, at.y + height}, left, right, right, left);
+    const ImU32 less = strain_ink(2.0 * i / bands - 1.0), more = strain_ink(2.0 * (i + 1) / bands - 1.0);
+    list.AddRectFilledMultiColor({from, at.y}, {to, at.y + height}, less, more, more, less);
   }
 
   const double scale = View::strain_scale(snapshot);

@@ -25,14 +25,15 @@ StillPanels::StillPanels(int width, int height, const ViewOptions& view) : layou
 
 StillPanels::~StillPanels() { ImGui::DestroyContext(); }
 
-const ImDrawData* StillPanels::build(const Status& status, const std::filesystem::path& file) {
+const ImDrawData* StillPanels::build(const Status& status, const Camera& camera, const std::filesystem::path& file) {
   const Desk desk{.status = status,
                   .selection = selection_,
                   .layout = layout_,
                   .tools = tool_buttons(),
                   .tool = tool_buttons().front().action,
                   .next_step = {},
-                  .file = file};
+                  .file = file,
+                  .camera = camera};
   for (int frame = 0; frame < frames_to_settle; ++frame) {
     ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
     ImGui::NewFrame();

@@ -19,8 +19,8 @@ class StillPanels {
   StillPanels& operator=(const StillPanels&) = delete;
 
   const Layout& layout() const { return layout_; }
-  // As they look at this status. Valid until the next call.
-  const ImDrawData* build(const Status& status, const std::filesystem::path& file);
+  // As they look at this status, the scene being seen by this camera. Valid until the next call.
+  const ImDrawData* build(const Status& status, const Camera& camera, const std::filesystem::path& file);
 
  private:
   Layout layout_;

@@ -10,7 +10,8 @@ namespace hooke {
 // Of the look in use.
 namespace palette {
 inline ImU32 panel, raised, hovered, pressed, line, box, text, dim, accent, tinted, good, warning, bad, edge, shade, alarm, notice;
-}
+inline ImU32 axis_x, axis_y, axis_z;  // palette::panel is read on them
+}  // namespace palette
 
 enum class Look { Dark, Light };
 
