@@ -263,6 +263,22 @@ TEST(Picture, DrawsASpringAsWideAtEverySlopeWithManySamplesOrOne) {
       }
 }
 
+// A near spring over a far one along nearly the same line, in both orders: no gap of background between them.
+TEST(Picture, LaysTheSoftEdgeOfANearSpringOnTheFarOne) {
+  const auto picture = [](bool near_first) {
+    Trial scene;
+    const auto add = [&](double z, double rise) {
+      const PointId a = scene.add({-0.5, -rise, z});
+      scene.join(a, scene.add({0.5, rise, z}), 100.0, std::hypot(1.0, 2.0 * rise));
+    };
+    add(near_first ? 0.1 : -0.1, near_first ? 0.02 : 0.0);
+    add(near_first ? -0.1 : 0.1, near_first ? 0.0 : 0.02);
+    const Camera camera = make_camera({.camera = CameraPose{.eye = {0.0, 0.0, 2.0}, .orthographic = true}}, scene.system, scene.state, 1.6);
+    return draw(scene, {}, camera, {.points = false, .grid = false}, 480, 300);
+  };
+  EXPECT_TRUE(picture(true).pixels == picture(false).pixels);
+}
+
 TEST(Picture, SmoothsTheEdgesOfPolygonsBySampling) {
   Trial scene;
   for (const Vec3& corner : {Vec3(-0.5, -0.4, 0.0), Vec3(0.6, -0.2, 0.0), Vec3(0.0, 0.5, 0.0)}) scene.add(corner);

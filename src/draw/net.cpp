@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 namespace hooke {
 namespace {
@@ -89,6 +91,20 @@ void Net::measure_springs(const Subject& subject) {
 
 bool Net::is_dense(const ViewOptions& options) const { return spacing_ > 0.0 && spacing_ < options.scale * dense; }
 
+// The order in which to draw springs. In an open net in space the far ones come first, so that the soft edge of a near one
+// lies on what is behind it and does not cut it out.
+std::vector<std::size_t> Net::far_to_near(const Subject& subject) const {
+  std::vector<std::size_t> order(ends_.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  if (subject.snapshot.system->dimensions == 2 || is_dense(subject.options)) return order;
+  const auto depth = [&](std::size_t s) {
+    const float sum = seen_[ends_[s][0]].depth + seen_[ends_[s][1]].depth;
+    return std::isfinite(sum) ? sum : 0.0f;
+  };
+  std::ranges::stable_sort(order, std::greater<>(), depth);
+  return order;
+}
+
 void Net::add_springs(const Subject& subject, Which which, Strokes& strokes) const {
   const double scale = subject.options.scale;
   const auto width = static_cast<float>(scale * spring_width * std::clamp(spacing_ / (scale * dense), 0.35, 1.0));
@@ -99,7 +115,7 @@ void Net::add_springs(const Subject& subject, Which which, Strokes& strokes) con
   const System& system = *subject.snapshot.system;
   const bool all_on = std::ranges::find(system.family_on, false) == system.family_on.end();
   if (which == Which::All) strokes.reserve(strain_.size());
-  for (std::size_t s = 0; s < strain_.size(); ++s) {
+  for (const std::size_t s : far_to_near(subject)) {
     if (!all_on && !system.is_on(system.springs()[s])) continue;
     const auto [a, b] = ends_[s];
     if (which == Which::BesideCloth && !is_beside_cloth(a) && !is_beside_cloth(b)) continue;

@@ -54,6 +54,7 @@ class Net {
  private:
   void find_ends(const std::shared_ptr<const System>& system);
   void measure_springs(const Subject& subject);
+  std::vector<std::size_t> far_to_near(const Subject& subject) const;
   Bead bead_of(const Subject& subject, Index i) const;
 
   std::vector<glm::dvec4> clip_;               // a point
