@@ -17,8 +17,6 @@ ImVec2 place(const Rect& scene, double x, double y) { return {static_cast<float>
 
 ImU32 strain_ink(double relative) { return to_imgui(View::strain_color(relative)); }
 
-ImU32 faint(ImU32 ink) { return (ink & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 150); }
-
 // A strain in per cent: "+2 %".
 std::string percent(double strain) {
   std::string text = strain > 0.0 ? "+" : "";
@@ -35,7 +33,7 @@ void legend(const Desk& desk, const Panels& panels, ImDrawList& list) {
 
   // to be read on whatever hangs there
   const float left = units(10.0), top = units(24.0), bottom = units(28.0);
-  list.AddRectFilled({at.x - left, at.y - top}, {at.x + width + left, at.y + bottom}, faint(palette::shade), units(6.0));
+  list.AddRectFilled({at.x - left, at.y - top}, {at.x + width + left, at.y + bottom}, palette::shade, units(6.0));
 
   constexpr int bands = 32;
   for (int i = 0; i < bands; ++i) {
