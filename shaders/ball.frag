@@ -42,7 +42,7 @@ void main() {
   if (texels.z > 0.0) {
     vec3 above = (hit - ball.xyz) * from_above;
     vec2 at = clamp((above.xy - map.xy) * map.zw, 0.0, 1.0);
-    float shade = texture(maps, texels.xy + at * texels.zw).r * smoothstep(0.0, 0.4, above.z / ball.w);
+    float shade = texture(maps, texels.xy + at * texels.zw).r * smoothstep(0.0, 0.8, above.z / ball.w);
     tone = mix(tone, shadow.rgb, shadow.a * shade);
   }
   result = vec4(tone, color.a * cover);
