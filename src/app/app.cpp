@@ -184,6 +184,7 @@ void App::take_tool(Action action) {
 
 void App::build_frame(const Figures& figures) {
   attend();
+  forecasting_.follow(status());
   if (tool_is_pressed_)
     tool_->follow(pointer(), bench_);
   else
@@ -211,7 +212,8 @@ void App::build_frame(const Figures& figures) {
                   .recent = recent_.files(),
                   .left = left_work_,
                   .has_desktop_dialog = has_system_dialog_,
-                  .camera = bench_.camera};
+                  .camera = bench_.camera,
+                  .forecast = &forecasting_.newest()};
   build_panels(desk, panels_, requests);
   for (const Request& request : requests) obey(request);
   follow_placing();

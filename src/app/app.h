@@ -15,6 +15,7 @@
 #include "app/event.h"
 #include "app/file_watch.h"
 #include "app/filming.h"
+#include "app/forecasting.h"
 #include "app/home.h"
 #include "app/long_work.h"
 #include "app/placing.h"
@@ -189,6 +190,7 @@ class App {
   Session session_;
   Autosave autosave_;
   Filming filming_;
+  Forecasting forecasting_;
   std::string told_difference_;
   std::filesystem::path recording_;  // the file of it; empty: none
   FileWatch watch_;

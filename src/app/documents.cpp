@@ -88,6 +88,7 @@ void App::take_document(std::shared_ptr<const Scene> scene, std::filesystem::pat
 
 // Tells the other runs, and asks when one of them has the same file open.
 void App::begin_document() {
+  forecasting_.forget();
   panels_.file_notice.clear();
   const bool own = !file_.empty() && !is_shipped(file_);
   watch_.take(own ? file_ : std::filesystem::path());

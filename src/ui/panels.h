@@ -23,6 +23,8 @@
 
 namespace hooke {
 
+struct Forecast;
+
 // Unsaved work that a killed run left behind.
 struct LeftWork {
   std::string title, detail;
@@ -45,6 +47,7 @@ struct Desk {
   std::span<const LeftWork> left;
   bool has_desktop_dialog = false;
   Camera camera{};
+  const Forecast* forecast = nullptr;  // null: none is made
 };
 
 // Where a dialog looks for files.

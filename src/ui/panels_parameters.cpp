@@ -5,9 +5,9 @@
 
 #include "lab/parameters.h"
 #include "sim/integrator.h"
+#include "ui/meaning.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
-#include "ui/text.h"
 #include "ui/widgets.h"
 
 namespace hooke {
@@ -118,37 +118,6 @@ void method_row(const Desk& desk, Panels& panels, Requests& requests) {
   }
 }
 
-// omega h against the method's limit, under the slider that changes it.
-void stability_row(const Snapshot& snapshot) {
-  const double h = snapshot.settings.substep(), limit = snapshot.largest_stable_step;
-  const double share = limit > 0.0 ? h / limit : INFINITY;
-  const bool anything = snapshot.omega > 0.0;
-  const ImU32 ink = !anything ? palette::dim : share > 1.0 ? palette::bad : share > 0.8 ? palette::warning : palette::good;
-
-  std::string text = "\u03c9h = " + number(snapshot.omega * h);
-  if (!anything)
-    text = "\u03c9h = 0, nothing swings";
-  else if (limit == 0.0)
-    text += ", no step holds";
-  else if (std::isinf(limit))
-    text += ", any step holds";
-  else if (share > 1.0)
-    text += ", needs " + number(std::ceil(1.0 / (snapshot.settings.frame_rate * limit))) + " substeps";
-  else
-    text += ", holds up to " + number(snapshot.omega * limit);
-
-  begin_row("");
-  ImGui::PushFont(fonts().small);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float radius = units(4.0), middle = at.y + ImGui::GetStyle().FramePadding.y + 0.5f * ImGui::GetTextLineHeight();
-  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + radius, middle}, radius, ink);
-  ImGui::SetCursorScreenPos({at.x + units(14.0), at.y});
-  text_in(anything && share > 0.8 ? ink : palette::dim, text);
-  ImGui::PopFont();
-  tooltip(
-      "The fastest swing of the scene turns by at most this many radians in a substep. Beyond the method's limit the scene can blow up.");
-}
-
 void parameter_row(const Parameter& row, double value, const Meant& meant, const Desk& desk, Panels& panels, Requests& requests) {
   const bool of_springs = row.scope == Parameter::Scope::SpringStiffness || row.scope == Parameter::Scope::SpringDamping;
   if (of_springs) {
@@ -193,7 +162,7 @@ void build_parameters(const Desk& desk, Panels& panels, Requests& requests) {
     ImGui::PushID(row.name.data());
     parameter_row(row, desk.status.parameter_values[i], meant, desk, panels, requests);
     ImGui::PopID();
-    if (row.name == "substeps") stability_row(*desk.status.snapshot);
+    meaning_row(row, desk);
   }
 }
 

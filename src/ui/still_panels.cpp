@@ -26,6 +26,8 @@ StillPanels::StillPanels(int width, int height, const ViewOptions& view) : layou
 StillPanels::~StillPanels() { ImGui::DestroyContext(); }
 
 const ImDrawData* StillPanels::build(const Status& status, const Camera& camera, const std::filesystem::path& file) {
+  if (status.snapshot->system != forecast_.system)
+    forecast_ = make_forecast(status.snapshot->system, status.snapshot->state, forecast_, std::atomic<bool>(false));
   const Desk desk{.status = status,
                   .selection = selection_,
                   .layout = layout_,
@@ -33,7 +35,8 @@ const ImDrawData* StillPanels::build(const Status& status, const Camera& camera,
                   .tool = tool_buttons().front().action,
                   .next_step = {},
                   .file = file,
-                  .camera = camera};
+                  .camera = camera,
+                  .forecast = &forecast_};
   for (int frame = 0; frame < frames_to_settle; ++frame) {
     ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
     ImGui::NewFrame();

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "lab/forecast.h"
 #include "ui/panels.h"
 
 struct ImDrawData;
@@ -25,6 +26,7 @@ class StillPanels {
  private:
   Layout layout_;
   Panels panels_;
+  Forecast forecast_;
   Selection selection_;
 };
 
