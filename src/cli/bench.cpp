@@ -1,7 +1,6 @@
 #include "cli/bench.h"
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -42,15 +41,6 @@ std::string build() {
   std::ifstream program("/proc/self/exe", std::ios::binary);
   const std::string bytes(std::istreambuf_iterator<char>(program), {});
   return to_hexadecimal(hash_bytes(bytes));
-}
-
-std::string now() {
-  const std::time_t time = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&time, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
 }
 
 std::vector<Problem> chosen_problems(const BenchOptions& options) {
@@ -183,7 +173,7 @@ class Bench {
   }
 
   void save() {
-    results_.date = now();
+    results_.date = time_text("%Y-%m-%dT%H:%M:%SZ");
     write_atomically(options_.folder / "bench.json", format_results(results_));
     write_atomically(options_.folder / "bench.csv", format_csv(results_));
     write_pages(results_, options_.folder);

@@ -1,7 +1,6 @@
 #include "cli/check.h"
 
 #include <algorithm>
-#include <ctime>
 #include <iostream>
 #include <thread>
 
@@ -53,15 +52,6 @@ void write(const std::optional<std::string>& file, const std::string& text) {
   output.close();
 }
 
-std::string today() {
-  const std::time_t time = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&time, &utc);
-  char text[16];
-  std::strftime(text, sizeof text, "%Y-%m-%d", &utc);
-  return text;
-}
-
 // As it would be typed to get the same document.
 std::string command_of(const CheckOptions& options) {
   const auto list = [](const char* option, const auto& items, const auto& word) {
@@ -98,7 +88,8 @@ int check_hard_cases(const CheckOptions& options) {
   if (was_interrupted()) std::cerr << "Stopped: this is what is known.\n";
   write(options.json, format_json(results));
   if (options.markdown && !was_interrupted())
-    write(options.markdown, format_markdown(results, {.command = command_of(options), .date = today(), .machine = machine()}));
+    write(options.markdown,
+          format_markdown(results, {.command = command_of(options), .date = time_text("%Y-%m-%d"), .machine = machine()}));
   if (!options.json && !options.markdown && !options.quiet) std::cout << format_table(results);
   if (was_interrupted()) return exit_interrupted;
   return count_broken(results) == 0 ? exit_code::fine : exit_code::check_failed;

@@ -17,6 +17,21 @@ struct NumberField {
   bool mixed = false;  // stands for several that differ
 };
 
+// The field of a row of a table of numbers that has a label, a unit, a range and a usual value.
+template <class Row>
+NumberField field_of_row(const Row& row, double value, bool whole) {
+  const bool spans_decades = row.least > 0.0 && row.most >= 100.0 * row.least && !whole;
+  return {.label = row.label,
+          .unit = row.unit,
+          .meaning = {},
+          .least = row.least,
+          .most = row.most,
+          .usual = row.usual,
+          .value = value,
+          .whole = whole,
+          .logarithmic = spans_decades};
+}
+
 // The name of a row at the left; what follows is at the right of it.
 void begin_row(const std::string& label);
 

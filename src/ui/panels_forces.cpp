@@ -8,19 +8,6 @@
 namespace hooke {
 namespace {
 
-NumberField field_of(const ForceNumber& row, double value) {
-  const bool spans_decades = row.least > 0.0 && row.most >= 1e3 * row.least;
-  return {.label = row.label,
-          .unit = row.unit,
-          .meaning = {},
-          .least = row.least,
-          .most = row.most,
-          .usual = row.usual,
-          .value = value,
-          .whole = row.name == "seed",
-          .logarithmic = spans_decades};
-}
-
 // Its switch, its name and the sign that takes it away. Returns whether it stays.
 bool heading(Force& force) {
   const float end = ImGui::GetContentRegionMax().x, side = ImGui::GetFrameHeight();
@@ -48,8 +35,9 @@ void build_forces(const Desk& desk, Panels& panels, Requests& requests) {
     ImGui::PushID((std::string(force.term->id) + ' ' + std::to_string(f)).c_str());
     const bool stays = heading(force);
     for (std::size_t i = 0; i < force.term->numbers.size() && force.on; ++i) {
-      ImGui::PushID(force.term->numbers[i].name.data());
-      if (const auto value = number_row(field_of(force.term->numbers[i], force.values[i]), panels)) force.values[i] = *value;
+      const ForceNumber& row = force.term->numbers[i];
+      ImGui::PushID(row.name.data());
+      if (const auto value = number_row(field_of_row(row, force.values[i], row.name == "seed"), panels)) force.values[i] = *value;
       ImGui::PopID();
     }
     ImGui::PopID();
