@@ -12,10 +12,10 @@
 #include "app/preferences.h"
 #include "app/session.h"
 #include "app/system_dialog.h"
+#include "flat_scene.h"
 #include "gui_trial.h"
 #include "lab/scene_file.h"
 #include "scratch_folder.h"
-#include "trial.h"
 
 namespace hooke {
 namespace {
@@ -28,12 +28,7 @@ Scene two_points() {
   Trial trial;
   const PointId nail = trial.nail({0.0, 0.5, 0.0}), bob = trial.add({0.2, 0.0, 0.0});
   trial.join(nail, bob, 100.0, 0.5);
-  Scene scene;
-  scene.name = "Two points";
-  scene.system = trial.system;
-  scene.system.dimensions = 2;
-  scene.state = trial.state;
-  return scene;
+  return flat_scene("Two points", trial);
 }
 
 // A person's folders, with unsaved work kept after a second.
@@ -126,18 +121,19 @@ TEST(Recovery, ThrownAwayWorkIsNotOfferedAgain) {
   GuiTrial gui({}, {}, desk.home);
   gui.frames(2);
   ASSERT_EQ(asked(gui), Dialog::Kind::Recovery);
-  const Rect box = [] {
-    const ImGuiWindow* window = ImGui::FindWindowByName("Unsaved work was found");
-    return Rect{window->Pos.x, window->Pos.y, window->Size.x, window->Size.y};
-  }();
-  // within its row: the second button
+  const ImGuiWindow* box = ImGui::FindWindowByName("Unsaved work was found");
+  ASSERT_NE(box, nullptr);
+  const int row = 0;
+  const ImGuiID button = ImHashStr("Throw away", 0, ImHashData(&row, sizeof row, box->ID));
   bool gone = false;
-  for (double x = box.x + 10.0; x < box.x + box.width && !gone; x += 12.0) {
-    gui.move({x, box.y + 85.0});
-    if (x < box.x + 455.0) continue;
-    gui.click({x, box.y + 85.0});
-    gone = copies_in(desk.home) == 0;
-  }
+  for (float y = 0.0f; y < box->Size.y && !gone; y += 8.0f)
+    for (float x = 0.0f; x < box->Size.x && !gone; x += 24.0f) {
+      const glm::dvec2 at(box->Pos.x + x, box->Pos.y + y);
+      gui.move(at);
+      if (ImGui::GetCurrentContext()->HoveredId != button) continue;
+      gui.click(at);
+      gone = copies_in(desk.home) == 0;
+    }
   EXPECT_TRUE(gone);
   gui.frames(3);
   EXPECT_EQ(asked(gui), Dialog::Kind::None);

@@ -27,10 +27,7 @@ class GuiTrial {
     io.DisplaySize = {1280.0f, 800.0f};
     io.DeltaTime = 1.0f / 60.0f;
     for (int i = 0; i < ImGuiKey_COUNT; ++i) io.KeyMap[i] = i;
-    load_theme(1.0, 1.0);
-    unsigned char* pixels = nullptr;
-    int width = 0, height = 0;
-    io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    load_fonts(1.0);
     app_ = std::make_unique<App>(std::make_shared<const Scene>(std::move(scene)), std::move(file), home);
     app_->resize({1280.0, 800.0}, 1.0);
     frames(3);
@@ -41,6 +38,15 @@ class GuiTrial {
   }
 
   App& app() { return *app_; }
+
+  // To another size, and another scale of the screen, as the window's loop does it every frame.
+  void resize(const glm::dvec2& size, double scale) {
+    if (scale != scale_) load_fonts(scale);
+    ImGui::GetIO().DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
+    app_->resize(size, scale);
+    frames(2);
+  }
+
   const Status& status() {
     if (waits_for_work) app_->wait_for_work();
     app_->settle();
@@ -122,7 +128,16 @@ class GuiTrial {
   }
 
  private:
+  void load_fonts(double scale) {
+    scale_ = scale;
+    load_theme(scale, 1.0);
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  }
+
   ScratchFolder scratch_;
+  double scale_ = 1.0;
   std::unique_ptr<App> app_;
   glm::dvec2 at_{-1.0};
 };

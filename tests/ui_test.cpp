@@ -1,13 +1,14 @@
 // The panels, run without a window: what they show, and what they ask for.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <set>
 
+#include "flat_scene.h"
 #include "gui_trial.h"
 #include "lab/parameters.h"
 #include "sim/force_term.h"
 #include "sim/integrator.h"
-#include "trial.h"
 
 namespace hooke {
 namespace {
@@ -17,12 +18,7 @@ Scene two_springs() {
   const PointId a = trial.nail({-0.5, 0.0, 0.0}), b = trial.add({0.0, 0.0, 0.0}), c = trial.add({0.5, 0.0, 0.0});
   trial.join(a, b, 100.0, 0.5);
   trial.join(b, c, 100.0, 0.5);
-  Scene scene;
-  scene.name = "Two springs";
-  scene.system = trial.system;
-  scene.system.dimensions = 2;
-  scene.state = trial.state;
-  return scene;
+  return flat_scene("Two springs", trial);
 }
 
 double value_of(GuiTrial& gui, std::string_view name) {
@@ -237,6 +233,46 @@ TEST(Stability, IsSaidUnderTheSubstepsWithWhatWouldHold) {
   const double h = largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system));
   const auto needed = static_cast<int>(std::ceil(1.0 / (60.0 * h)));
   EXPECT_NE(GuiTrial(scene).words().find("needs " + std::to_string(needed) + " substeps"), std::string::npos);
+}
+
+// What is foretold is made beside the window: it comes when it is ready.
+bool comes_to_say(GuiTrial& gui, const char* words) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (gui.words().find(words) == std::string::npos)
+    if (std::chrono::steady_clock::now() > until) return false;
+  return true;
+}
+
+TEST(Meaning, StandsUnderTheSlidersAndFollowsThem) {
+  // a mass of 1 kg on a spring of 100 N/m below a nail
+  Trial trial;
+  const PointId nail = trial.nail(Vec3(0.0)), bob = trial.add({0.0, -0.5, 0.0});
+  trial.join(nail, bob, 100.0, 0.5, 4.0);
+  Scene scene = flat_scene("Bob", trial);
+  scene.system.drag = 2.0;
+  GuiTrial gui(scene);
+  EXPECT_TRUE(comes_to_say(gui, "~ 98 mm"));
+  // d / (2 sqrt(k m)), c / (2 omega) with omega = 10 and sqrt(g / l)
+  EXPECT_TRUE(comes_to_say(gui, "0 slowest, 0.2 fastest"));
+  EXPECT_TRUE(comes_to_say(gui, "0.25 slowest, 0.1 fastest"));
+  EXPECT_NE(gui.words().find("step 0.833 ms"), std::string::npos);
+
+  const glm::dvec2 slider = gui.find("side", {"gravity", "##value"});
+  gui.drag(slider, slider + glm::dvec2(-500.0, 0.0));
+  EXPECT_EQ(value_of(gui, "gravity"), 0.0);
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (gui.words().find("98 mm") != std::string::npos) ASSERT_LT(std::chrono::steady_clock::now(), until);
+  EXPECT_NE(gui.words().find("sag"), std::string::npos);
+  EXPECT_NE(gui.words().find("0.2 fastest"), std::string::npos);
+}
+
+TEST(Meaning, IsNotSaidWhereThereIsNone) {
+  for (const Scene& scene : {Scene{}, empty_scene()}) {
+    GuiTrial gui(scene);
+    gui.frames(20);
+    EXPECT_EQ(gui.words().find("sag"), std::string::npos);
+    EXPECT_EQ(gui.words().find("slowest"), std::string::npos);
+  }
 }
 
 TEST(ToolBar, AClickTakesTheToolAndItsNextStepIsSaid) {

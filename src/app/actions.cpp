@@ -79,6 +79,9 @@ void App::perform(Action action, bool repeated) {
       return frame_scene(bench_.camera, bench_.system(), bench_.snapshot().state, bench_.size.x / bench_.size.y);
     case Action::ShowPlots:
       panels_.plots_shown = !panels_.plots_shown;
+      if (panels_.plots_shown &&
+          lay_out(layout_.menu.width, layout_.status.y + layout_.status.height, bench_.scale, {.plots = true}).plots.height == 0.0)
+        panels_.say("The window is too low for plots");
       if (panels_.plots_shown && status().traces->traces.empty()) lab_.submit(Watch{first_plots(bench_.system())});
       return;
     case Action::HidePanels:

@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -46,6 +47,17 @@ std::string last_error() {
   return text != nullptr ? text : "unknown error";
 }
 
+// No larger than the screen, where that is smaller or its scale makes the window larger.
+void fit_to_screen(GLFWwindow* window) {
+  GLFWmonitor* screen = glfwGetPrimaryMonitor();
+  if (screen == nullptr) return;
+  glm::ivec2 at, room, size;
+  glfwGetMonitorWorkarea(screen, &at.x, &at.y, &room.x, &room.y);
+  glfwGetWindowSize(window, &size.x, &size.y);
+  if (room.x > 0 && room.y > 0 && (size.x > room.x || size.y > room.y))
+    glfwSetWindowSize(window, std::min(size.x, room.x), std::min(size.y, room.y));
+}
+
 GLFWwindow* open_window(const std::string& title, const glm::ivec2& size) {
   if (glfwInit() != GLFW_TRUE) throw WindowError("cannot open a window: " + last_error());
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -65,6 +77,7 @@ GLFWwindow* open_window(const std::string& title, const glm::ivec2& size) {
     throw WindowError("cannot open a window with OpenGL 3.3: " + error);
   }
   glfwSetWindowSizeLimits(window, 640, 420, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  fit_to_screen(window);
   return window;
 }
 

@@ -71,14 +71,15 @@ void build_keys(const Desk& desk, Panels& panels) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const int columns = std::clamp(static_cast<int>(display.x / units(column_width + 24.0)), 1, most_columns);
   const float width = std::min(display.x, static_cast<float>(columns) * units(column_width) + units(48.0));
-  const float middle = static_cast<float>(desk.layout.scene.y + 0.5 * desk.layout.scene.height);
+  const Rect& page = desk.layout.page;
+  const float middle = static_cast<float>(page.y + 0.5 * page.height);
   ImGui::SetNextWindowPos({0.5f * display.x, middle}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, static_cast<float>(desk.layout.scene.height)});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, static_cast<float>(page.height)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(24.0), units(14.0)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
-  ImGui::Begin("keys", nullptr, (fixed_panel & ~ImGuiWindowFlags_NoBringToFrontOnFocus) | ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::Begin("keys", nullptr, front_box);
   panels.floating.push_back(current_window());
   ImGui::Columns(columns, "columns", false);
   build_columns(columns);

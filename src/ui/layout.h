@@ -29,7 +29,7 @@ inline Layout lay_out(double width, double height, double scale, Shown shown = {
   const double middle = std::max(1.0, height - menu - status);
   // only where there is room for them
   const double timeline = shown.panels && middle > 200.0 * scale ? 30.0 * scale : 0.0;
-  const double plots = shown.panels && shown.plots && middle > 320.0 * scale ? std::clamp(0.3 * middle, 150.0 * scale, 260.0 * scale) : 0.0;
+  const double plots = shown.panels && shown.plots && middle > 280.0 * scale ? std::clamp(0.3 * middle, 120.0 * scale, 260.0 * scale) : 0.0;
   const double scene_width = std::max(1.0, width - tools - side), scene_height = middle - timeline - plots;
   return {
       .menu = {0.0, 0.0, width, menu},

@@ -22,8 +22,11 @@ std::string pretty(std::string_view unit) {
 }
 
 std::string value_text(const NumberField& field) {
-  std::string text = field.mixed ? "~ " : "";
-  text += std::abs(field.value) >= 1000.0 && std::abs(field.value) < 1e7 ? std::to_string(std::lround(field.value)) : number(field.value);
+  char mean[32];
+  std::snprintf(mean, sizeof mean, "~ %.3g", field.value);
+  const bool is_long = std::abs(field.value) >= 1000.0 && std::abs(field.value) < 1e7;
+  const std::string whole = std::to_string(std::lround(std::clamp(field.value, -1e7, 1e7)));
+  std::string text = is_long ? (field.mixed ? "~ " : "") + whole : field.mixed ? mean : number(field.value);
   if (!field.unit.empty()) text.append(" ").append(pretty(field.unit));
   return text;
 }
@@ -54,6 +57,14 @@ bool invisible_slider(const NumberField& field, double& value, bool typing) {
   return changed;
 }
 
+// A line where the value is: only its ends where the words are.
+void draw_mark(ImDrawList& list, float x, ImVec2 least, ImVec2 most, bool under_words) {
+  const float half = units(1.0), top = least.y + units(2.0), bottom = most.y - units(2.0), end = units(3.0);
+  if (!under_words) return list.AddRectFilled({x - half, top}, {x + half, bottom}, palette::accent, half);
+  list.AddRectFilled({x - half, least.y}, {x + half, least.y + end}, palette::accent);
+  list.AddRectFilled({x - half, most.y - end}, {x + half, most.y}, palette::accent);
+}
+
 // A bar that is filled up to the value, the value on it.
 void draw_slider(const NumberField& field) {
   const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
@@ -61,18 +72,18 @@ void draw_slider(const NumberField& field) {
   const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
   const float rounding = ImGui::GetStyle().FrameRounding;
   list.AddRectFilled(least, most, lit ? palette::hovered : palette::raised, rounding);
+  const std::string text = value_text(field);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at{most.x - size.x - units(8.0), 0.5f * (least.y + most.y - size.y)};
   if (field.enabled) {
     const float end = least.x + static_cast<float>(share_of(field)) * (most.x - least.x);
     list.PushClipRect(least, {end, most.y}, true);
     list.AddRectFilled(least, most, palette::tinted, rounding);
     list.PopClipRect();
     const float edge = std::clamp(end, least.x + units(1.0), most.x - units(1.0));
-    list.AddRectFilled({edge - units(1.0), least.y + units(2.0)}, {edge + units(1.0), most.y - units(2.0)}, palette::accent, units(1.0));
+    draw_mark(list, edge, least, most, edge > at.x - units(3.0) && edge < at.x + size.x + units(3.0));
   }
-  const std::string text = value_text(field);
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  list.AddText({most.x - size.x - units(8.0), 0.5f * (least.y + most.y - size.y)}, field.enabled ? palette::text : palette::dim,
-               text.c_str());
+  list.AddText(at, field.enabled ? palette::text : palette::dim, text.c_str());
 }
 
 bool slider(const NumberField& field, double& value, bool typing) {

@@ -46,7 +46,7 @@ void path_line(Panels& panels) {
 }
 
 void message_box(const Desk&, Panels& panels, Requests& requests) {
-  ImGui::PushTextWrapPos(units(480.0));
+  ImGui::PushTextWrapPos(box_width(480.0));
   ImGui::TextUnformatted(panels.dialog.text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
@@ -144,7 +144,7 @@ void texture_box(const Desk&, Panels& panels, Requests& requests) {
 }
 
 void recovery_box(const Desk& desk, Panels& panels, Requests& requests) {
-  ImGui::PushTextWrapPos(units(520.0));
+  ImGui::PushTextWrapPos(box_width(520.0));
   ImGui::TextUnformatted(desk.left.size() == 1
                              ? "Hooke ended before this scene was saved. What it had kept of it can be opened again."
                              : "Hooke ended before these scenes were saved. What it had kept of them can be opened again.");
@@ -153,11 +153,10 @@ void recovery_box(const Desk& desk, Panels& panels, Requests& requests) {
   std::optional<Request> request;
   for (std::size_t i = 0; i < desk.left.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    ImGui::BeginGroup();
+    ImGui::PushTextWrapPos(box_width(520.0));
     ImGui::TextUnformatted(desk.left[i].title.c_str());
     dim_text(desk.left[i].detail);
-    ImGui::EndGroup();
-    ImGui::SameLine(units(320.0));
+    ImGui::PopTextWrapPos();
     if (push_button("Recover") || (i == 0 && panels.dialog.accepted)) request = Recover{i};
     ImGui::SameLine();
     if (push_button("Throw away")) requests.emplace_back(ThrowAway{i});

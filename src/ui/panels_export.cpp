@@ -87,14 +87,15 @@ void build_export(const Desk& desk, Panels& panels) {
   Exporting& exporting = panels.exporting;
   if (!exporting.is_shown) return;
   if (exporting.is_new) follow_kind(exporting);
-  const Rect& scene = desk.layout.scene;
-  ImGui::SetNextWindowPos({static_cast<float>(scene.x + 0.5 * scene.width), static_cast<float>(scene.y + 0.4 * scene.height)},
-                          ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({units(480.0), 0.0f});
+  const Rect &scene = desk.layout.scene, &page = desk.layout.page;
+  const float wide = box_width(480.0);
+  ImGui::SetNextWindowPos({middle_for(scene, wide), static_cast<float>(page.y + 0.5 * page.height)}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, static_cast<float>(page.height)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(20.0), units(16.0)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
-  ImGui::Begin("export", nullptr, fixed_panel | ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::Begin("export", nullptr, front_box);
   panels.floating.push_back(current_window());
 
   ImGui::PushFont(fonts().strong);
@@ -117,7 +118,7 @@ void build_export(const Desk& desk, Panels& panels) {
   buttons(exporting);
   ImGui::End();
   ImGui::PopStyleColor();
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(3);
 }
 
 }  // namespace hooke

@@ -36,7 +36,8 @@ std::string shortened(const std::string& text, float width, int lines) {
   }
   if (at >= end) return text;
   std::string some(text.c_str(), at);
-  some.resize(some.find_last_of(' ', some.size() - 6));
+  const std::size_t word = some.find_last_of(' ', some.size() - std::min<std::size_t>(some.size(), 6));
+  some.resize(word == std::string::npos ? 0 : word);
   return some + " ...";
 }
 
@@ -145,7 +146,9 @@ void build_gallery(const Desk& desk, Panels& panels, Requests& requests) {
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Gallery");
   ImGui::PopFont();
+  ImGui::PushTextWrapPos(0.0f);
   dim_text("Every scene can be run, pulled about, changed and saved under a name of its own. Arrows and Enter choose, Esc goes back.");
+  ImGui::PopTextWrapPos();
   const Grid grid = grid_for(static_cast<float>(page.width) - 2.0f * units(margin));
   for (std::size_t first = 0; first < gallery_cards().size();) first = group(desk, panels, first, grid, requests);
   panels.gallery.follows = false;

@@ -1,4 +1,6 @@
 // The bar at the top: menus, the run's buttons, undo and redo, the clock.
+#include <algorithm>
+
 #include "lab/printable.h"
 #include "lab/scene_file.h"
 #include "lab/texture.h"
@@ -179,7 +181,8 @@ float build_one(const Menu& menu, float x, const Desk& desk, Panels& panels, Req
   return width;
 }
 
-void run_buttons(const Desk& desk, Requests& requests) {
+// In the middle above the scene, where the menus leave room for them. Returns where they end.
+float run_buttons(const Desk& desk, float menus_end, Requests& requests) {
   struct Button {
     Action action;
     Icon icon;
@@ -196,7 +199,8 @@ void run_buttons(const Desk& desk, Requests& requests) {
   };
   const ImVec2 size{units(36.0), units(30.0)};
   const Rect& scene = desk.layout.scene;
-  float x = static_cast<float>(scene.x + 0.5 * scene.width) - 2.5f * (size.x + units(4.0));
+  const float width = 5.0f * (size.x + units(4.0)) + units(14.0);
+  float x = std::max(static_cast<float>(scene.x + 0.5 * scene.width) - 0.5f * width, menus_end + units(8.0));
   for (const Button& button : buttons) {
     if (button.action == Action::Undo) x += units(14.0);
     ImGui::SetCursorScreenPos({x, static_cast<float>(desk.layout.menu.y) + units(4.0)});
@@ -206,14 +210,15 @@ void run_buttons(const Desk& desk, Requests& requests) {
     ImGui::PopID();
     x += size.x + units(4.0);
   }
+  return x;
 }
 
-void clock(const Desk& desk) {
+void clock(const Desk& desk, float buttons_end) {
   char text[48];
   std::snprintf(text, sizeof text, "t = %.2f s", desk.status.snapshot->state.time);
-  const float width = ImGui::CalcTextSize(text).x;
-  ImGui::SetCursorScreenPos(
-      {static_cast<float>(desk.layout.menu.width) - width - units(14.0), static_cast<float>(desk.layout.menu.y) + units(11.0)});
+  const float x = static_cast<float>(desk.layout.menu.width) - ImGui::CalcTextSize(text).x - units(14.0);
+  if (x < buttons_end) return;
+  ImGui::SetCursorScreenPos({x, static_cast<float>(desk.layout.menu.y) + units(11.0)});
   text_in(desk.status.running ? palette::text : palette::dim, text);
 }
 
@@ -231,8 +236,7 @@ void build_menu(const Desk& desk, Panels& panels, Requests& requests) {
   float x = units(8.0);
   for (const Menu& menu : menus) x += build_one(menu, x, desk, panels, requests) + units(2.0);
   panels.menu_closes = false;
-  run_buttons(desk, requests);
-  clock(desk);
+  clock(desk, run_buttons(desk, x, requests));
   ImGui::End();
 }
 

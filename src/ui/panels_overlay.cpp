@@ -27,7 +27,9 @@ void legend(const Desk& desk, const Panels& panels, ImDrawList& list) {
   const Snapshot& snapshot = *desk.status.snapshot;
   const bool is_coloured = panels.view.springs || (panels.view.surface && !snapshot.system->faces.empty());
   if (snapshot.system->springs().empty() || !is_coloured || !panels.view.strain_colors) return;
+  // not where it would cover the scene
   const Rect& scene = desk.layout.scene;
+  if (scene.width < units(240.0) || scene.height < units(200.0)) return;
   const ImVec2 at = place(scene, units(18.0), scene.height - units(44.0));
   const float width = units(180.0), height = units(8.0);
 
@@ -60,8 +62,9 @@ void hint_of_empty_scene(const Desk& desk, ImDrawList& list) {
   if (desk.status.snapshot->system->point_count() > 0) return;
   const Rect& scene = desk.layout.scene;
   const std::string text = "Press A and click to add points; T attaches springs; Space runs.";
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  list.AddText(place(scene, 0.5 * (scene.width - size.x), 0.36 * scene.height), palette::dim, text.c_str());
+  const float room = std::max(1.0f, static_cast<float>(scene.width) - units(32.0));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
+  list.AddText(nullptr, 0.0f, place(scene, 0.5 * (scene.width - size.x), 0.36 * scene.height), palette::dim, text.c_str(), nullptr, room);
 }
 
 void rubber_band(const Desk& desk, ImDrawList& list) {
@@ -91,11 +94,11 @@ void toast(const Desk& desk, Panels& panels, ImDrawList& list) {
     return;
   }
   const Rect& scene = desk.layout.scene;
-  const ImVec2 size = ImGui::CalcTextSize(panels.toast.c_str());
-  const ImVec2 at = place(scene, 0.5 * (scene.width - size.x), scene.height - units(84.0));
-  const float dx = units(14.0), dy = units(8.0);
+  const float dx = units(14.0), dy = units(8.0), room = std::max(1.0f, static_cast<float>(scene.width) - 2.0f * (dx + units(8.0)));
+  const ImVec2 size = ImGui::CalcTextSize(panels.toast.c_str(), nullptr, false, room);
+  const ImVec2 at = place(scene, 0.5 * (scene.width - size.x), scene.height - units(70.0) - size.y);
   list.AddRectFilled({at.x - dx, at.y - dy}, {at.x + size.x + dx, at.y + size.y + dy}, palette::shade, units(8.0));
-  list.AddText(at, palette::text, panels.toast.c_str());
+  list.AddText(nullptr, 0.0f, at, palette::text, panels.toast.c_str(), nullptr, room);
 }
 
 // What the advice comes to here: another method does not need fewer substeps than there are.
@@ -167,7 +170,7 @@ void banners(const Desk& desk, Panels& panels, Requests& requests) {
         take_advice(advice, settings, requests);
         panels.remarks.clear();
       }
-      ImGui::SameLine();
+      same_line_for("Dismiss");
     }
     if (ImGui::Button("Dismiss")) panels.dismissed = status.message;
     down += end_banner() + units(8.0);
@@ -175,11 +178,11 @@ void banners(const Desk& desk, Panels& panels, Requests& requests) {
 
   // the open file is not what it was
   if (!panels.file_notice.empty()) {
-    begin_banner("file", scene, down, panels.file_notice, IM_COL32(0x30, 0x2b, 0x20, 245), palette::warning, panels);
+    begin_banner("file", scene, down, panels.file_notice, palette::notice, palette::warning, panels);
     std::optional<Answer> answer;
     if (!panels.file_is_gone) {
       if (ImGui::Button("Load it")) answer = Answer::Reload;
-      ImGui::SameLine();
+      same_line_for("Keep mine");
     }
     if (ImGui::Button(panels.file_is_gone ? "Go on" : "Keep mine")) answer = Answer::KeepMine;
     down += end_banner() + units(8.0);

@@ -9,19 +9,6 @@
 namespace hooke {
 namespace {
 
-NumberField field_of(const ShapeNumber& row, double value) {
-  const bool spans_decades = row.least > 0.0 && row.most >= 100.0 * row.least && !row.whole;
-  return {.label = row.label,
-          .unit = row.unit,
-          .meaning = {},
-          .least = row.least,
-          .most = row.most,
-          .usual = row.usual,
-          .value = value,
-          .whole = row.whole,
-          .logarithmic = spans_decades};
-}
-
 std::string in_words(std::string_view hold) {
   std::string words(hold);
   for (char& c : words)
@@ -44,7 +31,7 @@ void number_rows(Shape& shape, bool is_flat, Panels& panels) {
     const ShapeNumber& row = shape.kind->numbers[i];
     if (is_flat && row.spatial) continue;
     ImGui::PushID(row.name.data());
-    if (const auto value = number_row(field_of(row, shape.values[i]), panels)) shape.values[i] = *value;
+    if (const auto value = number_row(field_of_row(row, shape.values[i], row.whole), panels)) shape.values[i] = *value;
     ImGui::PopID();
   }
 }
@@ -90,9 +77,11 @@ void build_placing(const Desk& desk, Panels& panels) {
   const Rect& scene = desk.layout.scene;
   const bool is_flat = desk.status.snapshot->system->dimensions == 2;
   ImGui::SetNextWindowPos({static_cast<float>(scene.x) + units(14.0), static_cast<float>(scene.y) + units(14.0)});
-  ImGui::SetNextWindowSize({units(310.0), 0.0f});
+  const float wide = std::min(units(310.0), std::max(1.0f, static_cast<float>(scene.width) - units(28.0)));
+  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, std::max(1.0f, static_cast<float>(scene.height) - units(28.0))});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(16.0), units(12.0)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
   ImGui::Begin("placing", nullptr, fixed_panel | ImGuiWindowFlags_AlwaysAutoResize);
   panels.floating.push_back(current_window());
@@ -121,7 +110,7 @@ void build_placing(const Desk& desk, Panels& panels) {
   if (ImGui::Button("Cancel", {units(96.0), units(30.0)})) placing.stop();
   ImGui::End();
   ImGui::PopStyleColor();
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(3);
 }
 
 }  // namespace hooke

@@ -239,7 +239,9 @@ void build_plots(const Desk& desk, Panels& panels, Requests& requests) {
   const double left = dock.x + units(78.0), width = dock.width - units(78.0);
   if (table.times.empty() || plots.empty()) {
     ImGui::SetCursorScreenPos({static_cast<float>(left) + units(12.0), static_cast<float>(dock.y) + units(12.0)});
+    ImGui::PushTextWrapPos(0.0f);
     dim_text(plots.empty() ? "Choose what to plot" : "Space runs the scene, and the plots begin");
+    ImGui::PopTextWrapPos();
   }
   for (std::size_t i = 0; i < plots.size() && !table.times.empty(); ++i) {
     const double share = width / static_cast<double>(plots.size());

@@ -12,7 +12,7 @@ namespace hooke {
 namespace {
 
 constexpr double width = 460.0, row_height = 26.0;  // [units of design]
-constexpr std::size_t rows_in_sight = 9;
+constexpr std::size_t most_rows = 9;
 
 std::string lower(std::string_view text) {
   std::string low(text);
@@ -54,14 +54,14 @@ void build_search(const Desk& desk, Panels& panels, Requests& requests) {
   Search& search = panels.search;
   if (!search.shown) return;
   const Rect& scene = desk.layout.scene;
-  ImGui::SetNextWindowPos({static_cast<float>(scene.x + 0.5 * scene.width), static_cast<float>(scene.y) + units(24.0)}, ImGuiCond_Always,
-                          {0.5f, 0.0f});
-  ImGui::SetNextWindowSize({units(width), 0.0f});
+  const float wide = box_width(width);
+  ImGui::SetNextWindowPos({middle_for(scene, wide), static_cast<float>(scene.y) + units(24.0)}, ImGuiCond_Always, {0.5f, 0.0f});
+  ImGui::SetNextWindowSize({wide, 0.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(12.0), units(12.0)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
-  ImGui::Begin("search", nullptr, (fixed_panel & ~ImGuiWindowFlags_NoFocusOnAppearing) | ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::Begin("search", nullptr, front_box);
   panels.floating.push_back(current_window());
 
   if (std::exchange(search.is_new, false)) ImGui::SetKeyboardFocusHere();
@@ -74,7 +74,10 @@ void build_search(const Desk& desk, Panels& panels, Requests& requests) {
   search.accepted = false;
   if (found.empty()) dim_text("No command has these letters.");
 
-  ImGui::BeginChild("found", {0.0f, units(row_height) * static_cast<float>(std::min(found.size(), rows_in_sight))});
+  const double room =
+      (desk.layout.page.y + desk.layout.page.height) / units(row_height) - ImGui::GetCursorScreenPos().y / units(row_height) - 0.7;
+  const auto rows_that_fit = static_cast<std::size_t>(std::clamp(room, 1.0, static_cast<double>(most_rows)));
+  ImGui::BeginChild("found", {0.0f, units(row_height) * static_cast<float>(std::min(found.size(), rows_that_fit))});
   ImGui::PushStyleColor(ImGuiCol_Header, palette::tinted);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(8.0), 0.0f});
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -98,7 +98,10 @@ void build_timeline(const Desk& desk, Panels& panels, Requests& requests) {
 
   const Status& status = desk.status;
   const float left = static_cast<float>(strip.x) + units(8.0), top = static_cast<float>(strip.y);
-  const float right = static_cast<float>(strip.x + strip.width) - units(8.0), run_width = units(128.0), label = units(64.0);
+  const float right = static_cast<float>(strip.x + strip.width) - units(8.0);
+  // where it is short, the track has it
+  const bool is_long = strip.width > units(440.0);
+  const float run_width = units(is_long ? 128.0 : 0.0), label = units(is_long ? 64.0 : 10.0);
   const ImVec2 button{units(26.0), units(24.0)};
   ImGui::SetCursorScreenPos({left, top + units(3.0)});
   if (icon_button("back", Icon::StepBack, button, false, status.snapshot->state.time > status.first_moment))
@@ -116,11 +119,11 @@ void build_timeline(const Desk& desk, Panels& panels, Requests& requests) {
       ImGui::GetWindowDrawList()->AddText({x, text_y}, palette::dim, text.c_str());
     };
     const std::string first = seconds(track.first);
-    place_text(track.at.x - units(10.0) - ImGui::CalcTextSize(first.c_str()).x, first);
-    place_text(track.at.x + track.size.x + units(10.0), seconds(track.last));
+    if (is_long) place_text(track.at.x - units(10.0) - ImGui::CalcTextSize(first.c_str()).x, first);
+    if (is_long) place_text(track.at.x + track.size.x + units(10.0), seconds(track.last));
     scrubber(desk, track, panels, requests);
   }
-  if (strip.width > units(300.0)) run_to(desk, right - run_width, run_width, panels, requests);
+  if (is_long) run_to(desk, right - run_width, run_width, panels, requests);
   ImGui::PopFont();
   ImGui::End();
 }

@@ -128,6 +128,7 @@ void load_theme(double scale, double density) {
   style.ScrollbarSize = 10;
   style.WindowTitleAlign = {0.0f, 0.5f};
   style.ScaleAllSizes(static_cast<float>(scale));
+  style.WindowMinSize = {1, 1};
   ImGui::GetStyle() = style;
 }
 

@@ -46,11 +46,13 @@ bool section(const std::string& title, const std::string& remark, bool starts_op
                          open ? ImVec2{tip.x + u, tip.y - u} : ImVec2{tip.x - u, tip.y + u}};
   list.AddPolyline(ends, 3, ink, 0, units(1.5));
   ImGui::PushFont(fonts().strong);
+  const float title_end = units(16.0) + ImGui::CalcTextSize(title.c_str()).x;
   list.AddText({at.x + units(16.0), middle - 0.5f * ImGui::GetFontSize()}, palette::text, title.c_str());
   ImGui::PopFont();
   ImGui::PushFont(fonts().small);
   const ImVec2 width = ImGui::CalcTextSize(remark.c_str());
-  list.AddText({at.x + size.x - width.x - units(2.0), middle - 0.5f * width.y}, palette::dim, remark.c_str());
+  if (title_end + units(8.0) + width.x < size.x)
+    list.AddText({at.x + size.x - width.x - units(2.0), middle - 0.5f * width.y}, palette::dim, remark.c_str());
   ImGui::PopFont();
   return open;
 }
