@@ -267,6 +267,10 @@ TEST(BadScenes, CollidersMustBeWhole) {
        "colliders[0].friction: -1: must be at least 0"},
       {collider_with(R"("type": "box", "min": [0, 0, 0], "max": [1, 1, 0])"),
        "colliders[0]: {\"type\": \"box\", \"min\": [0, 0, 0], \"max\": [1, 1, 0]}: must have a min below max in each direction"},
+      {collider_with(R"("type": "box", "min": [0, 0, 0], "max": [1, 1, 1], "spin": [0, 1, 0])"),
+       "colliders[0].spin: [0, 1, 0]: must not be given to a box, which cannot turn"},
+      {collider_with(R"("type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "spin": [1, 1, 0])"),
+       "colliders[0].spin: [1, 1, 0]: must be along the normal of the plane"},
   });
 }
 

@@ -43,10 +43,13 @@ bool read_path(const JsonField& field, SceneFields& fields, ColliderPath& path) 
 void check_spin(const JsonField& field, const Collider& collider) {
   const Vec3& spin = collider.path.spin;
   if (spin == Vec3(0.0)) return;
-  if (std::holds_alternative<Box>(collider.shape)) field.refuse("must have no spin where it is a box");
   const auto* plane = std::get_if<Plane>(&collider.shape);
-  if (plane != nullptr && glm::length(glm::cross(spin, plane->normal)) > 1e-9 * glm::length(spin))
-    field.refuse("must have a spin along the normal where it is a plane");
+  for (const JsonField member : field.members()) {
+    if (!member.is("spin")) continue;
+    if (std::holds_alternative<Box>(collider.shape)) member.refuse("must not be given to a box, which cannot turn");
+    if (plane != nullptr && glm::length(glm::cross(spin, plane->normal)) > 1e-9 * glm::length(spin))
+      member.refuse("must be along the normal of the plane");
+  }
 }
 
 // Reads what all colliders share; false: not one of those fields.
