@@ -84,8 +84,10 @@ void sag_remark(const Forecast& forecast) {
 }
 
 void ratio_remark(double (*ratio)(const Forecast&, const Mode&), const std::string& of, const Forecast& forecast) {
+  const auto is_none = [&](const std::optional<Mode>& mode) { return !mode || ratio_text(ratio(forecast, *mode)) == "0"; };
   std::string text = forecast.fastest ? ratio_text(ratio(forecast, *forecast.fastest)) + " fastest" : nothing;
   if (forecast.slowest) text = ratio_text(ratio(forecast, *forecast.slowest)) + " slowest, " + text;
+  if (forecast.fastest && is_none(forecast.fastest) && is_none(forecast.slowest)) text = "0";
   const auto period = [](const Mode& mode) { return number(2.0 * 3.14159265358979323846 / mode.omega) + " s"; };
   std::string meaning =
       "What the " + of + " alone makes of the scene's swings: at 1 they die out as soon as they can, beyond it they creep. ";

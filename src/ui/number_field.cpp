@@ -38,6 +38,14 @@ double fitted(const NumberField& field, double value) {
   return field.whole ? std::round(value) : value;
 }
 
+// What it is, and what a hand can do with it.
+std::string hint_of(const NumberField& field) {
+  std::string text(field.meaning);
+  if (field.mixed) text += " They differ: this is their mean, and setting it makes them equal.";
+  const std::string unit = field.unit.empty() ? "" : " " + pretty(field.unit);
+  return text + (text.empty() ? "" : "\n") + "Ctrl+click types it, a right click gives " + number(field.usual) + unit + ".";
+}
+
 // Where the value stands between least and most, as ImGui's slider has it.
 double share_of(const NumberField& field) {
   const double value = std::clamp(field.value, field.least, field.most);
@@ -136,8 +144,7 @@ std::optional<double> number_row(const NumberField& field, Panels& panels) {
     value = field.usual;
     changed = true;
   }
-  if (!ImGui::IsItemActive())
-    tooltip(std::string(field.meaning) + (field.mixed ? " They differ: this is their mean, and setting it makes them equal." : ""));
+  if (!ImGui::IsItemActive()) tooltip(hint_of(field));
   ImGui::EndDisabled();
 
   value = fitted(field, value);

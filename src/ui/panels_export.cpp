@@ -32,6 +32,7 @@ void follow_kind(Exporting& exporting) {
 }
 
 void kinds(Exporting& exporting, bool is_flat) {
+  ImGui::PushStyleColor(ImGuiCol_FrameBg, palette::pressed);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ImGui::BeginDisabled(rows[i].flat_only && !is_flat);
     if (ImGui::RadioButton((std::string(rows[i].label) + " (" + std::string(rows[i].extension) + ")").c_str(), exporting.kind == i)) {
@@ -40,6 +41,7 @@ void kinds(Exporting& exporting, bool is_flat) {
     }
     ImGui::EndDisabled();
   }
+  ImGui::PopStyleColor();
 }
 
 void over_time(Exporting& exporting, Panels& panels) {

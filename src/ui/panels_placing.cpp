@@ -78,12 +78,12 @@ void build_placing(const Desk& desk, Panels& panels) {
   const bool is_flat = desk.status.snapshot->system->dimensions == 2;
   ImGui::SetNextWindowPos({static_cast<float>(scene.x) + units(14.0), static_cast<float>(scene.y) + units(14.0)});
   const float wide = std::min(units(310.0), std::max(1.0f, static_cast<float>(scene.width) - units(28.0)));
-  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, std::max(1.0f, static_cast<float>(scene.height) - units(28.0))});
+  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, std::max(1.0f, static_cast<float>(desk.layout.page.height) - units(28.0))});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(16.0), units(12.0)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
-  ImGui::Begin("placing", nullptr, fixed_panel | ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::Begin("placing", nullptr, front_box);
   panels.floating.push_back(current_window());
 
   ImGui::PushFont(fonts().strong);
@@ -102,7 +102,9 @@ void build_placing(const Desk& desk, Panels& panels) {
   if (!is_flat) angle_rows(placing.shape, panels);
 
   ImGui::Dummy({0.0f, units(4.0)});
+  ImGui::PushTextWrapPos(0.0f);
   dim_text("Click or drag in the scene to move it there.");
+  ImGui::PopTextWrapPos();
   ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);
   if (ImGui::Button("Place", {units(96.0), units(30.0)})) placing.wants_place = true;
   ImGui::PopStyleColor();
