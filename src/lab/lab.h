@@ -12,10 +12,11 @@
 
 #include "lab/command.h"
 #include "lab/history.h"
-#include "lab/recording.h"
+#include "lab/past.h"
+#include "lab/playback.h"
+#include "lab/real_time.h"
+#include "lab/recorder.h"
 #include "lab/status.h"
-#include "lab/timeline.h"
-#include "lab/traces.h"
 #include "sim/step.h"
 
 namespace hooke {
@@ -87,19 +88,13 @@ class Lab {
   SpringId new_spring_id() { return scene_.system.new_spring_id(); }
 
   // Whether a recording is being played, and where it came out otherwise: "frame 12, at 0.2 s: point 5 is not where recorded".
-  bool is_playing() const { return playing_.has_value(); }
-  const std::string& difference() const { return difference_; }
+  bool is_playing() const { return playback_.is_on(); }
+  const std::string& difference() const { return playback_.difference(); }
 
   // Of the last frame, for `run --json`.
   const Frame& last_frame() const { return frame_; }
 
  private:
-  // How far a recording has been done again.
-  struct Playing {
-    std::shared_ptr<const Recording> recording;
-    std::size_t next = 0;  // item
-    long frames = 0;
-  };
   void apply_queue();
   void obey(const Control& control, Gesture gesture);
   void edit(const Command& command, Gesture gesture);
@@ -109,9 +104,6 @@ class Lab {
   void keep_start();
   void note_moment();
   void go_to_moment(std::size_t moment, Gesture gesture);
-  void forget_other_points();
-  void start_or_stop_recording(const std::filesystem::path* file);
-  void record(const std::function<void(RecordingWriter&)>& note);
   void play_edits();
   void judge_played_frame();
   void begin_frame();
@@ -121,14 +113,16 @@ class Lab {
   void note_tear(Insert pieces);
   void drop_frame();
   void follow_hand();
+  std::shared_ptr<const Snapshot> snapshot();
 
   Scene scene_;
   std::shared_ptr<const Scene> start_;
   std::vector<std::pair<std::variant<Command, Control>, Gesture>> queue_;
   History history_;
-  Timeline timeline_;
-  Traces traces_;
-  std::vector<PointId> timeline_points_;  // whose past it is
+  Past past_;
+  Recorder recorder_;
+  Playback playback_;
+  RealTime real_time_;
   Plan plan_;
   Frame frame_;
   bool frame_in_progress_ = false;
@@ -145,14 +139,8 @@ class Lab {
   double limit_work_ = 0.0;       // [J], of the strain limit since the document was opened or started over
   double last_limit_work_ = 0.0;  // [J], in the last frame
   long edits_ = 0;
-  double owed_ = 0.0;  // [s] of simulated time not yet stepped
   double frame_ms_ = 0.0, simulate_ms_ = 0.0;
-  double recent_simulated_ = 0.0, recent_real_ = 0.0;  // [s], fading sums
   long frames_ = 0;
-  std::optional<RecordingWriter> recorder_;
-  std::string recording_error_;
-  std::optional<Playing> playing_;
-  std::string difference_;                          // of the recording last played
   std::shared_ptr<const System> published_system_;  // null: stale
   std::shared_ptr<const Status> status_;
 };
