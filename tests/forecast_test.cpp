@@ -85,6 +85,25 @@ TEST(Forecast, AChainBetweenNailsHasItsModesAndWhatIsLooseIsNone) {
   EXPECT_NEAR(dashpot_ratio(*forecast.fastest), d * omega(n) / (2.0 * k), 1e-6);
 }
 
+// Drawn crooked, it is found at rest but for a last trace of tension, in which it would swing across ever so slowly.
+TEST(Forecast, WhatIsLeftOfTensionWhereSpringsAreAtRestIsNoSwing) {
+  constexpr int n = 12;
+  const double m = 0.3, k = 500.0, l0 = 0.1;
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  PointId last = trial.nail(Vec3(0.0));
+  for (int i = 1; i <= n + 1; ++i) {
+    const Vec3 place(l0 * i, 0.0, 0.0), crooked(0.01 * std::sin(i), 0.01 * std::cos(3.0 * i), 0.01 * std::sin(2.0 * i));
+    const PointId next = i == n + 1 ? trial.nail(place) : trial.add(place + crooked, m);
+    trial.join(last, next, k, l0);
+    last = next;
+  }
+  const Forecast forecast = forecast_of(trial);
+  ASSERT_TRUE(forecast.slowest);
+  const double omega = 2.0 * std::sqrt(k / m) * std::sin(pi / (2.0 * (n + 1)));
+  EXPECT_NEAR(forecast.slowest->omega, omega, 1e-3 * omega);
+}
+
 TEST(Forecast, WhatFallsFreelySwingsWithoutWeightAndDoesNotSag) {
   const double m = 2.0, k = 50.0;
   Trial trial;
@@ -95,6 +114,24 @@ TEST(Forecast, WhatFallsFreelySwingsWithoutWeightAndDoesNotSag) {
   ASSERT_TRUE(forecast.slowest && forecast.fastest);
   EXPECT_NEAR(forecast.slowest->omega, std::sqrt(2.0 * k / m), 1e-6);
   EXPECT_NEAR(forecast.fastest->omega, std::sqrt(2.0 * k / m), 1e-6);
+}
+
+TEST(Forecast, WhatSwingsAsFastAndDiesOutDifferentlyHasNoOneRatio) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  for (int i = 0; i < 3; ++i) {
+    const double x = 0.5 * i;
+    const PointId nail = trial.nail({x, 0.0, 0.0}), mass = trial.add({x, -0.5, 0.0});
+    trial.join(nail, mass, 40.0, 0.5, 2.0 * i);
+  }
+  const Forecast forecast = forecast_of(trial);
+  ASSERT_TRUE(forecast.slowest && forecast.fastest);
+  EXPECT_NEAR(forecast.slowest->omega, std::sqrt(40.0), 1e-6);
+  EXPECT_TRUE(std::isnan(dashpot_ratio(*forecast.slowest)));
+  EXPECT_TRUE(std::isnan(dashpot_ratio(*forecast.fastest)));
+  // damped alike it has one
+  for (Index s = 0; s < 3; ++s) trial.system.spring(s).damping = 3.0;
+  EXPECT_NEAR(dashpot_ratio(forecast_of(trial).slowest.value_or(Mode{})), 3.0 / (2.0 * std::sqrt(40.0)), 1e-6);
 }
 
 // A membrane bears its weight only by bending down: its sag is no linear thing.

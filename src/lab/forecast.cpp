@@ -20,6 +20,9 @@ constexpr Index most_springs = 1'000'000;
 // What may be left of the forces, of what they usually are. A flat cloth's middle rises with the cube root of its load: little
 // must be left. But folds are found slowly, and a sheet without weight has many ways to lie: then a hundredth is near enough.
 constexpr double wished = 1e-6, near_enough = 1e-2, at_rest = 1e-4;
+// Without weight a chain is taut by the square of how crooked it is, and the forces by its third power: hardly anything may be
+// left, and still it swings across at the rate that its crookedness is of its length.
+constexpr double wished_without_weight = 1e-12, loose_without_weight = 1e-3, loose = 5e-7;
 constexpr int most_steps = 200, most_relieving_steps = 60;
 
 // The springs and the weight of a scene; its dashpots apart.
@@ -134,33 +137,34 @@ void relax(Plan& plan, const Field& x) {
     }
 }
 
-// Rest under the weight, and without it. Leaves x where the scene is at rest, if that is found.
-bool find_rest(Plan& plan, const System& system, double time, Field& x, Forecast& forecast, StiffnessMatrix& matrix,
-               const std::atomic<bool>& stop) {
+// Rest under the weight, and without it. Leaves x where the scene is at rest; returns what counts as loose there, none where it
+// is not found.
+std::optional<double> find_rest(Plan& plan, const System& system, double time, Field& x, Forecast& forecast, StiffnessMatrix& matrix,
+                                const std::atomic<bool>& stop) {
   const double usual = usual_force(plan);
-  const auto rests = [&] {
-    return come_to_rest(plan, matrix, wished * usual, most_steps, x, stop) <= at_rest * usual && !touches(plan, system, time, x) &&
+  const auto rests = [&](double small, double enough) {
+    return come_to_rest(plan, matrix, small * usual, most_steps, x, stop) <= enough * usual && !touches(plan, system, time, x) &&
            !is_overstretched(plan, system, x);
   };
   const Index carried = count_carried(plan);
   const bool has_weight = plan.acceleration != Vec3(0.0);
   if (has_weight && carried > 0) {
-    if (carried < count_free(plan) || !rests()) return false;
+    if (carried < count_free(plan) || !rests(wished, at_rest)) return std::nullopt;
     for (Index i = 0; i < plan.points; ++i) forecast.rest.push_back(place_in(plan, x, i));
-    if (plan.gravity == Vec3(0.0)) return true;
+    if (plan.gravity == Vec3(0.0)) return loose;
     Field relieved = x;
     Plan weightless = plan;
     weightless.acceleration = Vec3(0.0);
     const double left = come_to_rest(weightless, matrix, wished * usual, most_relieving_steps, relieved, stop);
     if (left <= near_enough * usual) forecast.sag = sag_between(plan, relieved, x);
-    return true;
+    return loose;
   }
   // what floats, or falls freely, swings as if there were no weight
-  if (has_weight && !plan.colliders.empty()) return false;
+  if (has_weight && !plan.colliders.empty()) return std::nullopt;
   plan.acceleration = Vec3(0.0);
-  if (!rests()) return false;
+  if (!rests(wished_without_weight, wished_without_weight)) return std::nullopt;
   relax(plan, x);
-  return true;
+  return loose_without_weight;
 }
 
 }  // namespace
@@ -179,8 +183,9 @@ Forecast make_forecast(std::shared_ptr<const System> system, const State& state,
   } catch (const Refused&) {
     // a factor too large for the memory
   }
-  if (matrix && find_rest(statics.plan, *system, state.time, x, forecast, *matrix, stop) && !stop)
-    forecast.slowest = slowest_mode(statics.plan, statics.damping, x, *matrix);
+  if (matrix)
+    if (const auto loose = find_rest(statics.plan, *system, state.time, x, forecast, *matrix, stop); loose && !stop)
+      forecast.slowest = slowest_mode(statics.plan, statics.damping, x, *loose, *matrix);
   if (!stop) forecast.fastest = fastest_mode(statics.plan, statics.damping, x);
   return forecast;
 }

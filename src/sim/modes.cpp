@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "sim/spring_frames.h"
 
@@ -15,8 +16,6 @@ using Operator = std::function<void(Vector&)>;  // in place
 
 constexpr int most_steps = 40;
 constexpr double close_enough = 0.02;  // of an eigenvalue, which is the square of a frequency
-// What swings this much slower than the fastest mode can not be told from what does not swing at all.
-constexpr double loose = 5e-7;
 
 struct Ritz {
   double value, error;
@@ -78,15 +77,29 @@ Vector inverse_of(const Vector& root) {
   return root.unaryExpr([](double each) { return each == 0.0 ? 0.0 : 1.0 / each; });
 }
 
-// No symmetry of a scene has it, and it is the same every time: multiples of the golden ratio, without their whole part
-// (H. Weyl 1916), turned over.
-Vector start_of(const Vector& root) {
+// No symmetry of a scene has it, and it is the same every time: multiples of an irrational number without their whole part
+// (H. Weyl 1916). 0 where nothing moves.
+Vector start_of(const Vector& root, double irrational) {
   Vector start = root;
   for (Eigen::Index i = 0; i < start.size(); ++i) {
-    const double turns = 0.6180339887498949 * static_cast<double>(i) * static_cast<double>(i + 1);
+    const double turns = irrational * static_cast<double>(i) * static_cast<double>(i + 1);
     if (start[i] != 0.0) start[i] = turns - std::floor(turns) - 0.5;
   }
   return start;
+}
+constexpr double golden = 0.6180339887498949, silver = 0.4142135623730951;
+
+// One mode, as it is found from two starts: where they differ in what the dashpots take, it is not one but several.
+template <class Find>
+std::optional<Mode> one_of(const Find& find, bool is_damped) {
+  std::optional<Mode> mode = find(golden);
+  if (!mode || !is_damped) return mode;
+  const std::optional<Mode> other = find(silver);
+  constexpr double alike = 0.1, none = 1e-6;
+  if (!other ||
+      std::abs(mode->dashpot_rate - other->dashpot_rate) > alike * std::max(mode->dashpot_rate, other->dashpot_rate) + none * mode->omega)
+    mode->dashpot_rate = std::numeric_limits<double>::quiet_NaN();
+  return mode;
 }
 
 // u.K u and u.D u, of a mode with u.M u = 1.
@@ -129,14 +142,18 @@ std::optional<Mode> fastest_mode(const Plan& plan, const std::vector<double>& da
     });
     y = force.cwiseProduct(inverse);
   };
-  const Lanczos lanczos(start_of(root), apply);
-  if (lanczos.size() == 0) return std::nullopt;
-  const Ritz found = lanczos.at(0);
-  if (!(found.value > 0.0)) return std::nullopt;
-  return mode_of(plan, damping, x, found.vector.cwiseProduct(inverse));
+  const auto find = [&](double irrational) -> std::optional<Mode> {
+    const Lanczos lanczos(start_of(root, irrational), apply);
+    if (lanczos.size() == 0) return std::nullopt;
+    const Ritz found = lanczos.at(0);
+    if (!(found.value > 0.0)) return std::nullopt;
+    return mode_of(plan, damping, x, found.vector.cwiseProduct(inverse));
+  };
+  return one_of(find, !damping.empty());
 }
 
-std::optional<Mode> slowest_mode(const Plan& plan, const std::vector<double>& damping, const Field& x, StiffnessMatrix& matrix) {
+std::optional<Mode> slowest_mode(const Plan& plan, const std::vector<double>& damping, const Field& x, double loose,
+                                 StiffnessMatrix& matrix) {
   const double b = 0.1 / (loose * plan.spectrum.omega);
   const Field still(x.size(), 0.0);
   matrix.assemble(plan, b, x, still, Curvature::Clamped);
@@ -149,15 +166,18 @@ std::optional<Mode> slowest_mode(const Plan& plan, const std::vector<double>& da
     matrix.solve(solved);
     y = Vector::Map(solved.data(), y.size()).cwiseProduct(root);
   };
-  const Lanczos lanczos(start_of(root), apply);
-  for (int place = 0; place < lanczos.size(); ++place) {
-    const Ritz found = lanczos.at(place);
-    if (found.error > close_enough * found.value) return std::nullopt;
-    // the value is 1 / (1 + b^2 omega^2)
-    const double omega = std::sqrt(std::max(0.0, 1.0 / found.value - 1.0)) / b;
-    if (omega > 2.0 * loose * plan.spectrum.omega) return mode_of(plan, damping, x, found.vector.cwiseProduct(inverse));
-  }
-  return std::nullopt;
+  const auto find = [&](double irrational) -> std::optional<Mode> {
+    const Lanczos lanczos(start_of(root, irrational), apply);
+    for (int place = 0; place < lanczos.size(); ++place) {
+      const Ritz found = lanczos.at(place);
+      if (found.error > close_enough * found.value) return std::nullopt;
+      // the value is 1 / (1 + b^2 omega^2)
+      const double omega = std::sqrt(std::max(0.0, 1.0 / found.value - 1.0)) / b;
+      if (omega > 2.0 * loose * plan.spectrum.omega) return mode_of(plan, damping, x, found.vector.cwiseProduct(inverse));
+    }
+    return std::nullopt;
+  };
+  return one_of(find, !damping.empty());
 }
 
 }  // namespace hooke

@@ -84,10 +84,15 @@ void sag_remark(const Forecast& forecast) {
 }
 
 void ratio_remark(double (*ratio)(const Forecast&, const Mode&), const std::string& of, const Forecast& forecast) {
-  const auto is_none = [&](const std::optional<Mode>& mode) { return !mode || ratio_text(ratio(forecast, *mode)) == "0"; };
-  std::string text = forecast.fastest ? ratio_text(ratio(forecast, *forecast.fastest)) + " fastest" : nothing;
-  if (forecast.slowest) text = ratio_text(ratio(forecast, *forecast.slowest)) + " slowest, " + text;
-  if (forecast.fastest && is_none(forecast.fastest) && is_none(forecast.slowest)) text = "0";
+  const auto of_mode = [&](const std::optional<Mode>& mode, const std::string& which) -> std::string {
+    if (!mode) return "";
+    const double value = ratio(forecast, *mode);
+    return std::isnan(value) ? which + " differs" : ratio_text(value) + " " + which;
+  };
+  const std::string slowest = of_mode(forecast.slowest, "slowest"), fastest = of_mode(forecast.fastest, "fastest");
+  std::string text = slowest.empty() ? fastest : slowest + ", " + fastest;
+  if (fastest.empty()) text = nothing;
+  if (fastest == "0 fastest" && (slowest.empty() || slowest == "0 slowest")) text = "0";
   const auto period = [](const Mode& mode) { return number(2.0 * 3.14159265358979323846 / mode.omega) + " s"; };
   std::string meaning =
       "What the " + of + " alone makes of the scene's swings: at 1 they die out as soon as they can, beyond it they creep. ";
