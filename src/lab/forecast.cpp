@@ -13,8 +13,8 @@
 namespace hooke {
 namespace {
 
-// A factor of so many points, tied as in a cloth, takes tenths of a second.
-constexpr Index most_points = 6000;
+// A cloth of so many points is found at rest in a second or two, a larger one often not at all in ten times as long.
+constexpr Index most_points = 1700;
 // A product with so many springs takes tens of milliseconds.
 constexpr Index most_springs = 1'000'000;
 // What may be left of the forces, of what they usually are. A flat cloth's middle rises with the cube root of its load: little

@@ -26,7 +26,7 @@ struct Forecast {
 inline double dashpot_ratio(const Mode& mode) { return 0.5 * mode.dashpot_rate / mode.omega; }
 inline double drag_ratio(const Mode& mode, double drag) { return 0.5 * drag / mode.omega; }
 
-// Takes seconds for a large cloth; beyond some thousand points only the fastest mode is looked for. The hand does not count.
+// Takes a second or two for a cloth of 40 x 40; beyond 1,700 points only the fastest mode is looked for. The hand does not count.
 // `before`: an earlier forecast, of this scene with other numbers perhaps, or none.
 Forecast make_forecast(std::shared_ptr<const System> system, const State& state, const Forecast& before, const std::atomic<bool>& stop);
 

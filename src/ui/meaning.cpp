@@ -80,7 +80,8 @@ void step_remark(const Snapshot& snapshot) {
 
 void sag_remark(const Forecast& forecast) {
   remark("sag", forecast.sag ? length_text(*forecast.sag) : nothing,
-         "How far the weight stretches the scene at rest: the point that hangs lowest for it, against where it would be without weight.");
+         "How far the weight stretches the scene at rest: the point that hangs lowest for it, against where it would be without weight. "
+         "Not told where nothing carries the weight, where colliders or other forces decide too, and of more than 1,700 points.");
 }
 
 void ratio_remark(double (*ratio)(const Forecast&, const Mode&), const std::string& of, const Forecast& forecast) {
