@@ -65,6 +65,40 @@ TEST(Capture, DrawsThePanelsOfTheWindowWhenAskedTo) {
   EXPECT_GT(bright, 200);
 }
 
+// The mean of each tile of so many pixels a side, channel by channel.
+std::vector<double> means(const Image& image, int side) {
+  const int across = image.width / side;
+  std::vector<double> sums(static_cast<std::size_t>(3 * across * (image.height / side)));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        sums[static_cast<std::size_t>(3 * (y / side * across + x / side) + c)] +=
+            image.pixels[static_cast<std::size_t>(3 * (y * image.width + x) + c)];
+  for (double& sum : sums) sum /= side * side;
+  return sums;
+}
+
+// What stands on a finer screen stands at the same place in the same size: letters alone fall on its pixels otherwise.
+TEST(Capture, ShowsTheSameOnAScreenTwiceAsFineAtEverySize) {
+  struct Size {
+    int width, height;
+  };
+  for (const Size size : {Size{960, 600}, {1280, 720}, {1920, 1080}}) {
+    const ScratchFolder scratch;
+    const auto tiles_at = [&](int scale) {
+      const std::string words = "cloth --ui --seconds 0.5 --out a.png --scale " + std::to_string(scale) + " --size " +
+                                std::to_string(scale * size.width) + "x" + std::to_string(scale * size.height);
+      EXPECT_EQ(capture(words, scratch.folder).code, 0);
+      return means(read_png(scratch.folder / "a.png"), scale * 20);
+    };
+    const std::vector<double> plain = tiles_at(1), fine = tiles_at(2);
+    ASSERT_EQ(fine.size(), plain.size());
+    double most = 0.0;
+    for (std::size_t i = 0; i < plain.size(); ++i) most = std::max(most, std::abs(plain[i] - fine[i]));
+    EXPECT_LT(most, 16.0) << size.width << " x " << size.height << ", of 255";
+  }
+}
+
 TEST(Capture, TakesAsManyPicturesAsAskedFor) {
   const ScratchFolder scratch;
   EXPECT_EQ(capture("two_masses --out pictures --frames 2 --size 32x32", scratch.folder).code, 0);

@@ -78,7 +78,7 @@ class Bench {
   }
 
   void press(const std::string& keys) const {
-    desktop.hand("key --clearmodifiers --delay 50 " + keys);
+    desktop.hand("key --clearmodifiers --delay 15 " + keys);
     rest(0.1);
   }
   fs::path file() const { return folder_ / "four.json"; }
@@ -93,7 +93,7 @@ class Bench {
   std::string shown() const { return desktop.digest(340, 28); }
   bool is_steady() const {
     const std::string once = shown();
-    rest(0.15);
+    rest(0.1);
     return shown() == once;
   }
   void select() const {

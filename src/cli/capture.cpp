@@ -19,11 +19,12 @@ namespace {
 class Cameraman {
  public:
   Cameraman(const Destination& destination, const PictureSize& size, const Shutter& shutter, const Scene& scene,
-            std::optional<CameraPose> pose, bool with_panels)
+            std::optional<CameraPose> pose, double scale, bool with_panels)
       : destination_(destination), size_(size), place_{0.0, 0.0, static_cast<double>(size.width), static_cast<double>(size.height)} {
     ViewSettings settings = scene.view;
     if (pose) settings.camera = pose;
     look_ = options_for(settings, scene.print);
+    look_.scale = scale;
     if (with_panels) {
       panels_.emplace(size.width, size.height, look_);
       place_ = panels_->layout().scene;
@@ -84,7 +85,7 @@ int capture(const CaptureOptions& options) {
   const Shutter shutter(options, frame_rate, recording ? static_cast<double>(recording->frames) / frame_rate : 0.0);
   prepare(destination);
 
-  Cameraman cameraman(destination, size, shutter, lab.scene(), pose, options.panels);
+  Cameraman cameraman(destination, size, shutter, lab.scene(), pose, options.scale, options.panels);
   const long last = shutter.pictures() - 1;
   Progress progress(shutter.frame_of(last), !options.scene->quiet);
   bool goes_on = true, diverged = false;
@@ -133,6 +134,10 @@ std::function<int()> declare_capture(CLI::App& app) {
       ->type_name("RATE")
       ->check(within(positive));
   app.add_option("--size", options->size, "Width and height [px]")->type_name("WxH")->capture_default_str();
+  app.add_option("--scale", options->scale, "Magnifies points, lines and panels, for a finer screen")
+      ->type_name("S")
+      ->check(within({.least = 0.5, .most = 4.0}))
+      ->capture_default_str();
   app.add_flag("--ui", options->panels, "With the window's panels around it");
   app.add_option("--camera", options->camera,
                  "Where the eye is and what it looks at [m]; without it as the scene says, or so that all of it is seen")

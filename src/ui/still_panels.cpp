@@ -13,14 +13,14 @@ constexpr int frames_to_settle = 3;
 
 }  // namespace
 
-StillPanels::StillPanels(int width, int height, const ViewOptions& view) : layout_(lay_out(width, height, 1.0)) {
+StillPanels::StillPanels(int width, int height, const ViewOptions& view) : layout_(lay_out(width, height, view.scale)) {
   panels_.view = view;
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = io.LogFilename = nullptr;
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
   io.MousePos = {-1.0f, -1.0f};
-  load_theme(1.0, 1.0);
+  load_theme(view.scale, 1.0);
 }
 
 StillPanels::~StillPanels() { ImGui::DestroyContext(); }

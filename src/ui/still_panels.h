@@ -13,7 +13,7 @@ namespace hooke {
 // Owns ImGui's context; one at a time.
 class StillPanels {
  public:
-  // For a picture of so many pixels, with these switches of the view. The fonts are ready to be uploaded.
+  // For a picture of so many pixels, with these switches of the view and at its scale. The fonts are ready to be uploaded.
   StillPanels(int width, int height, const ViewOptions& view);
   ~StillPanels();
   StillPanels(const StillPanels&) = delete;
