@@ -90,15 +90,11 @@ unsigned long digest(int width_left_out, int height_left_out) {
     for (int i = 0; i < row * image->bits_per_pixel / 8; ++i)
       hash = (hash ^ static_cast<unsigned char>(image->data[y * image->bytes_per_line + i])) * 1099511628211ul;
   }
+  XDestroyImage(image);
   return hash;
 }
 
-}  // namespace
-
-int main(int count, char** arguments) {
-  display = XOpenDisplay(nullptr);
-  if (display == nullptr || count < 3) return 1;
-  const std::string what = arguments[1];
+int obey(const std::string& what, int count, char** arguments) {
   if (what == "digest" && count == 4) {
     std::printf("%lx\n", digest(std::atoi(arguments[2]), std::atoi(arguments[3])));
     return 0;
@@ -112,4 +108,14 @@ int main(int count, char** arguments) {
   std::string list;
   for (int i = 3; i < count; ++i) list += "file://" + std::string(arguments[i]) + "\r\n";
   return what == "drop" && drop(window, list) ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  display = XOpenDisplay(nullptr);
+  if (display == nullptr || count < 3) return 1;
+  const int code = obey(arguments[1], count, arguments);
+  XCloseDisplay(display);
+  return code;
 }
