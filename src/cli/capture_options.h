@@ -18,7 +18,7 @@ struct CaptureOptions {
   std::optional<long> frames;
   std::optional<double> fps;      // [1/s]
   std::string size = "1280x720";  // [px]
-  double scale = 1.0;  // of points, lines and panels
+  double scale = 1.0;             // of points, lines and panels
   bool panels = false;
   std::optional<std::string> camera;  // "x,y,z,x,y,z": the eye and its target
 };
