@@ -323,14 +323,19 @@ Scene dust() {
   return scene;
 }
 
-TEST(LongWork, OpensALargeFileWhileTheWindowGoesOn) {
-  const OwnDesk desk;
-  const fs::path large = desk.folder / "dust.json";
+// On a window whose frames go on meanwhile.
+void drop_large(GuiTrial& gui, const fs::path& large) {
   save_scene(dust(), large);
-  GuiTrial gui = desk.open();
   gui.app().set_work_patience(std::chrono::milliseconds(0));
   gui.waits_for_work = false;
   gui.app().handle(FileDrop{large});
+}
+
+TEST(LongWork, OpensALargeFileWhileTheWindowGoesOn) {
+  const OwnDesk desk;
+  const fs::path large = desk.folder / "dust.json";
+  GuiTrial gui = desk.open();
+  drop_large(gui, large);
   std::string words;
   for (int i = 0; i < 5; ++i) words = gui.words();
   EXPECT_NE(words.find("Opening dust.json"), std::string::npos) << words;
@@ -344,11 +349,8 @@ TEST(LongWork, OpensALargeFileWhileTheWindowGoesOn) {
 TEST(LongWork, StopsWhenItIsNotWantedAndLeavesTheDocument) {
   const OwnDesk desk;
   const fs::path large = desk.folder / "dust.json";
-  save_scene(dust(), large);
   GuiTrial gui = desk.open();
-  gui.app().set_work_patience(std::chrono::milliseconds(0));
-  gui.waits_for_work = false;
-  gui.app().handle(FileDrop{large});
+  drop_large(gui, large);
   gui.frames(2);
   ASSERT_EQ(asked(gui), Dialog::Kind::Working);
   gui.key(Key::Escape);
