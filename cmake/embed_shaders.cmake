@@ -8,7 +8,7 @@ foreach(name IN LISTS names)
   string(APPEND rows "    {\"${name}\",\n     R\"glsl(${vertex})glsl\",\n     R\"glsl(${fragment})glsl\"},\n")
 endforeach()
 file(WRITE "${OUT}" "// Generated from shaders/ by cmake/embed_shaders.cmake.
-#include \"draw/shader.h\"
+#include \"draw/gl/shader.h\"
 
 namespace hooke {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/errors.h"
 #include "draw/view.h"
-#include "sim/errors.h"
 
 namespace hooke {
 namespace {

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/errors.h"
 #include "cli/offscreen.h"
 #include "cli/thumbnail.h"
-#include "sim/errors.h"
 
 int main(int count, char** arguments) {
   if (count < 2) return 2;
@@ -13,7 +13,7 @@ int main(int count, char** arguments) {
     hooke::View view;
     for (const hooke::ShippedScene& scene : hooke::shipped_scenes()) {
       const bool wanted = count == 2 || std::any_of(arguments + 2, arguments + count, [&](const char* id) { return scene.id == id; });
-      if (wanted) write_png(take_thumbnail(view, scene), std::filesystem::path(arguments[1]) / (scene.id + ".png"));
+      if (wanted) write_png(render_thumbnail(view, scene), std::filesystem::path(arguments[1]) / (scene.id + ".png"));
     }
   } catch (const std::runtime_error& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -6,31 +6,30 @@
 #  - a file outside sim and lab can write a System or a State.
 cmake_minimum_required(VERSION 3.25)
 
-# Whom each layer may include.
-set(may_use_sim sim)
-set(may_use_lab lab sim)
-set(may_use_draw draw sim)
-set(may_use_ui ui draw lab sim)
-set(may_use_app app ui draw lab sim)
-set(may_use_cli cli ui draw lab sim)
-set(layers sim lab draw ui app cli)
+# The modules and whom each may include: the table that the build is made from.
+include(${CMAKE_CURRENT_LIST_DIR}/../src/modules.cmake)
+set(layers ${hooke_modules})
+foreach(layer IN LISTS layers)
+  set(may_use_${layer} ${layer} ${${layer}_uses})
+endforeach()
 
 # Owners of headers: a header's name, and the files that may include it. The first name that fits decides.
 set(owners
   "^GL/osmesa[.]h$"                     "^cli/offscreen[.]cpp$"
   "^GL/"                                "^draw/"
-  "^GLFW/"                              "^app/"
-  "^(imgui|imstb|misc/|backends/).*"    "^(ui/|draw/gui_renderer[.]|app/[a-z_]*gui[a-z_]*[.])"
-  "^png[.]h$"                           "^(draw/|lab/png_picture[.]cpp$)"
-  "^rapidjson/"                         "^lab/"
-  "^tiny_obj_loader[.]h$"               "^lab/obj_text[.]cpp$"
-  "^CLI/"                               "^(cli/|app/main[.]cpp$)"
+  "^GLFW/"                              "^app/window/"
+  "^(imgui|imstb|misc/|backends/).*"    "^(ui/|draw/gl/gui_renderer[.]|app/window/imgui_backend[.])"
+  "^png[.]h$"                           "^(draw/|formats/png_picture[.]cpp$)"
+  "^rapidjson/"                         "^(base/|study/work_precision_file[.]cpp$)"
+  "^tiny_obj_loader[.]h$"               "^formats/obj_text[.]cpp$"
+  "^CLI/"                               "^(cli/|app/window/main[.]cpp$)"
   "^hwy/"                               "^sim/"
   "^Eigen/"                             "^sim/"
   "^glm/"                               "."
-  "^malloc[.]h$"                        "^draw/gl[.]cpp$"
-  "^(chrono|ctime|random|thread|iostream|fstream|cstdio|filesystem|unordered_map|unordered_set)$"  "^(lab|draw|ui|app|cli)/"
-  "^(unistd|fcntl|dirent|signal|spawn|sys/[a-z]+)[.]h$"  "^(lab|app|cli)/"
+  "^malloc[.]h$"                        "^draw/gl/gl[.]cpp$"
+  "^(chrono|ctime|random|thread|iostream|fstream|filesystem|unordered_map|unordered_set)$"  "^(base|formats|lab|study|draw|ui|app|cli)/"
+  "^cstdio$"                            "^(base|scene|formats|lab|study|draw|ui|app|cli)/"
+  "^(unistd|fcntl|dirent|signal|spawn|sys/[a-z]+)[.]h$"  "^(base|formats|lab|study|app|cli)/"
   "^[a-z_]+$"                           "."  # the C++ standard library
 )
 
@@ -108,7 +107,7 @@ foreach(file IN LISTS files)
   file(READ "${SOURCES}/${file}" text)
   string(REGEX REPLACE "[][;]" " " text "${text}")
   check_includes("${file}" ${layer} "${text}")
-  if(NOT layer MATCHES "^(sim|lab)$")
+  if(NOT layer MATCHES "^(sim|scene|formats|edit|lab|study)$")
     check_constness("${file}" "${text}")
   endif()
 endforeach()

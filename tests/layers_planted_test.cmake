@@ -49,7 +49,7 @@ allows(cli/run.cpp "#include \"lab/lab.h\"\n#include <vector>\n#include <sys/sta
 # third-party headers have owners
 refuses(draw/view.cpp "#include <GL/osmesa.h>")
 refuses(cli/capture.cpp "#include <GL/osmesa.h>")
-refuses(app/window.cpp "#include <GL/glew.h>")
+refuses(app/window/window.cpp "#include <GL/glew.h>")
 refuses(ui/panels.cpp "#include <GL/gl.h>")
 refuses(cli/run.cpp "#include <GLFW/glfw3.h>")
 refuses(draw/view.cpp "#include <GLFW/glfw3.h>")
@@ -63,9 +63,9 @@ refuses(ui/panels.cpp "#include <Eigen/Dense>")
 refuses(lab/lab.cpp "#include <hwy/highway.h>")
 refuses(lab/lab.cpp "#include <boost/any.hpp>")
 allows(cli/offscreen.cpp "#include <GL/osmesa.h>")
-allows(app/window.cpp "#include <GLFW/glfw3.h>")
-allows(app/gui_input.cpp "#include <imgui.h>\n#include <GLFW/glfw3.h>")
-allows(draw/gui_renderer.cpp "#include <imgui.h>\n#include <GL/glew.h>")
+allows(app/window/window.cpp "#include <GLFW/glfw3.h>")
+allows(app/window/imgui_backend.cpp "#include <imgui.h>\n#include <GLFW/glfw3.h>")
+allows(draw/gl/gui_renderer.cpp "#include <imgui.h>\n#include <GL/glew.h>")
 allows(sim/plan.cpp "#include <Eigen/Sparse>\n#include <glm/vec3.hpp>\n#include <hwy/highway.h>")
 
 # physics has neither clock nor dice nor files

@@ -4,7 +4,7 @@
 
 #include "question.h"
 #include "sim/integrator.h"
-#include "trial.h"
+#include "support/trial.h"
 
 namespace hooke {
 namespace {

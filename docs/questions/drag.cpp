@@ -4,13 +4,13 @@
 
 #include "question.h"
 #include "sim/integrator.h"
-#include "trial.h"
+#include "support/trial.h"
 
 namespace hooke {
 
 Answer why_drag_is_an_exponential() {
   constexpr double c = 10.0;
-  const double truth = std::exp(-c);
+  const double exact = std::exp(-c);
   Answer answer{{.title = "Velocity left of 1 m/s after 1 s of drag, c = 10 1/s",
                  .x = "steps in that second",
                  .y = "velocity [m/s]",
@@ -32,13 +32,13 @@ Answer why_drag_is_an_exponential() {
     const PointId point = trial.add({0.0, 0.0, 0.0}, 1.0, {1.0, 0.0, 0.0});
     trial.run(*find_integrator("symplectic_euler"), 1.0, steps);
     const double measured = trial.velocity(point).x;
-    worst = std::max({worst, std::abs(exponential / truth - 1.0), std::abs(measured / truth - 1.0)});
+    worst = std::max({worst, std::abs(exponential / exact - 1.0), std::abs(measured / exact - 1.0)});
 
     auto& series = answer.chart.series;
     series[0].points.push_back({steps, std::abs(linear)});
     series[1].points.push_back({steps, exponential});
     series[2].points.push_back({steps, measured});
-    series[3].points.push_back({steps, truth});
+    series[3].points.push_back({steps, exact});
   }
   answer.expect(worst < 1e-11, "the exponential is right in any number of steps");
   answer.expect(answer.chart.series[0].points[1].second > 10.0, "1 - c h grows where c h > 2");

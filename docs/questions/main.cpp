@@ -26,7 +26,7 @@ constexpr std::array questions{
 // Okabe and Ito 2008, legible in print and to the colour-blind.
 constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#000000", "#CC79A7", "#E69F00", "#56B4E9", "#5B5B5B"};
 
-std::string script_of(const Chart& chart, const std::string& file) {
+std::string make_script(const Chart& chart, const std::string& file) {
   std::ostringstream script;
   script << "set terminal svg size 900,440 noenhanced font 'DejaVu Sans,13' background 'white'\nset output '" << file << "'\nset title '"
          << chart.title << "'\nset xlabel '" << chart.x << "'\nset ylabel '" << chart.y
@@ -56,7 +56,7 @@ int answer_all(const std::filesystem::path& folder) {
   for (const Question& question : questions) {
     const Answer answer = question.measure();
     const std::string file = std::string("question_") + question.name + ".svg";
-    if (const auto failure = run_gnuplot(script_of(answer.chart, file), folder)) {
+    if (const auto failure = run_gnuplot(make_script(answer.chart, file), folder)) {
       std::cerr << *failure << "\n";
       return 5;
     }

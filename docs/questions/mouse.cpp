@@ -6,7 +6,7 @@
 #include "question.h"
 #include "sim/energy.h"
 #include "sim/integrator.h"
-#include "trial.h"
+#include "support/trial.h"
 
 namespace hooke {
 namespace {
@@ -25,43 +25,43 @@ Trial net(int n, double stiffness) {
 }
 
 double largest_strain(const Trial& trial) {
-  double most = 0.0;
+  double max = 0.0;
   for (const Spring& spring : trial.system.springs()) {
     const double now = std::abs(strain(trial.system, trial.state, spring));
-    most = std::isfinite(now) ? std::max(most, now) : 1e9;
+    max = std::isfinite(now) ? std::max(max, now) : 1e9;
   }
-  return std::min(most, 1e9);
+  return std::min(max, 1e9);
 }
 
 // The largest strain while a net whose top row is nailed falls into its springs for a second.
-double strain_of_fall(const char* method, double stiffness, int substeps) {
+double max_strain_falling(const char* method, double stiffness, int substeps) {
   Trial trial = net(8, stiffness);
   trial.system.gravity = Vec3(0.0, -9.81, 0.0);
   for (int i = 0; i < 8; ++i) trial.system.point(i).nailed = true;
-  double most = 0.0;
-  for (int frame = 0; frame < 60 && most < 1e6; ++frame) {
+  double max = 0.0;
+  for (int frame = 0; frame < 60 && max < 1e6; ++frame) {
     trial.run(*find_integrator(method), 1.0 / 60.0, substeps);
-    most = std::max(most, largest_strain(trial));
+    max = std::max(max, largest_strain(trial));
   }
-  return most;
+  return max;
 }
 
 // The largest strain while a hand takes a corner 0.5 m away at `speed`, itself or lagging behind it at most so fast.
-double strain_of_pull(GrabKind kind, double speed, double top_speed) {
+double max_strain_pulled(GrabKind kind, double speed, double top_speed) {
   Trial trial = net(8, 1e4);
   const Vec3 start = trial.state.position[0];
   trial.system.grab = Grab{.point = trial.system.points()[0].id, .kind = kind, .target = start, .stiffness = 200.0};
   trial.state.hand = start;
-  double most = 0.0;
+  double max = 0.0;
   constexpr double frame_time = 1.0 / 60.0;
   for (int frame = 0; frame < 60; ++frame) {
     const double mouse = std::min(speed * (frame + 1) * frame_time, 0.5);
     Vec3& target = trial.system.grab->target;
     target = start + Vec3(-std::min(mouse, start.x - target.x + top_speed * frame_time), 0.0, 0.0);
     trial.run(*find_integrator("velocity_verlet"), frame_time, 80);
-    most = std::max(most, largest_strain(trial));
+    max = std::max(max, largest_strain(trial));
   }
-  return most;
+  return max;
 }
 
 }  // namespace
@@ -79,7 +79,8 @@ Answer why_large_constants_explode() {
   for (double h_omega = 0.25; h_omega < 40.0; h_omega *= std::sqrt(2.0)) {
     // omega^2 = 8 k / m at most in a square net
     const double omega = h_omega * 60.0 * substeps, stiffness = 0.01 * omega * omega / 8.0;
-    for (Series& series : answer.chart.series) series.points.push_back({h_omega, strain_of_fall(series.name.c_str(), stiffness, substeps)});
+    for (Series& series : answer.chart.series)
+      series.points.push_back({h_omega, max_strain_falling(series.name.c_str(), stiffness, substeps)});
   }
   for (const auto& [x, y] : answer.chart.series[1].points) {
     if (x < 1.9) answer.expect(y < 1.0, "Verlet holds below h omega = 2");
@@ -98,9 +99,9 @@ Answer what_a_fast_mouse_does() {
                  .series = {{"held where the mouse is", {}}, {"held, lagging: at most 2 m/s", {}}, {"pulled by a spring, 200 N/m", {}}}},
                 {}};
   for (const double speed : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 30.0}) {
-    answer.chart.series[0].points.push_back({speed, strain_of_pull(GrabKind::Hold, speed, 1e3)});
-    answer.chart.series[1].points.push_back({speed, strain_of_pull(GrabKind::Hold, speed, 2.0)});
-    answer.chart.series[2].points.push_back({speed, strain_of_pull(GrabKind::Pull, speed, 1e3)});
+    answer.chart.series[0].points.push_back({speed, max_strain_pulled(GrabKind::Hold, speed, 1e3)});
+    answer.chart.series[1].points.push_back({speed, max_strain_pulled(GrabKind::Hold, speed, 2.0)});
+    answer.chart.series[2].points.push_back({speed, max_strain_pulled(GrabKind::Pull, speed, 1e3)});
   }
   const auto last = [&](int s) { return answer.chart.series[s].points.back().second; };
   answer.expect(last(0) > 3.0 * last(1), "a hand that lags stretches far less");

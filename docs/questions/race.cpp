@@ -57,27 +57,27 @@ struct Cloth {
 };
 
 // Height of the free corner over time.
-std::vector<double> heights(bool pass_ends) {
+std::vector<double> heights(bool separate_passes) {
   Cloth cloth;
-  std::vector<double> forces(3 * points), seen;
-  std::barrier all_here(2);
+  std::vector<double> forces(3 * points), heights_sampled;
+  std::barrier sync_point(2);
   const auto work = [&](int thread) {
     const int begin = thread * points / 2, end = (thread + 1) * points / 2;
     for (int step = 0; step < steps; ++step) {
       for (int i = begin; i < end; ++i) {
         cloth.force(i, &forces[3 * i]);
-        if (!pass_ends) cloth.move(i, &forces[3 * i]);
+        if (!separate_passes) cloth.move(i, &forces[3 * i]);
       }
-      all_here.arrive_and_wait();
-      for (int i = begin; i < end && pass_ends; ++i) cloth.move(i, &forces[3 * i]);
-      all_here.arrive_and_wait();
-      if (thread == 0 && step % (steps / samples) == 0) seen.push_back(cloth.x[3 * (points - 1) + 1]);
+      sync_point.arrive_and_wait();
+      for (int i = begin; i < end && separate_passes; ++i) cloth.move(i, &forces[3 * i]);
+      sync_point.arrive_and_wait();
+      if (thread == 0 && step % (steps / samples) == 0) heights_sampled.push_back(cloth.x[3 * (points - 1) + 1]);
     }
   };
   std::jthread other(work, 1);
   work(0);
   other.join();
-  return seen;
+  return heights_sampled;
 }
 
 }  // namespace
@@ -93,16 +93,16 @@ Answer why_a_pass_must_end() {
   const std::vector<double> first = heights(true);
   double spread = 0.0;
   std::vector<double> racing;
-  for (const bool pass_ends : {true, false})
+  for (const bool separate_passes : {true, false})
     for (int run = 1; run <= 3; ++run) {
-      const std::vector<double> seen = heights(pass_ends);
-      Series series{(pass_ends ? "passes end, run " : "moved at once, run ") + std::to_string(run), {}};
+      const std::vector<double> heights_sampled = heights(separate_passes);
+      Series series{(separate_passes ? "passes end, run " : "moved at once, run ") + std::to_string(run), {}};
       for (int s = 0; s < samples; ++s) {
-        const double gap = std::abs(seen[s] - first[s]);
-        if (pass_ends) spread = std::max(spread, gap);
+        const double gap = std::abs(heights_sampled[s] - first[s]);
+        if (separate_passes) spread = std::max(spread, gap);
         series.points.push_back({s * (steps / samples) * h, std::max(gap, 2e-17)});  // 0 has no place on the scale
       }
-      if (!pass_ends) racing.push_back(series.points.back().second);
+      if (!separate_passes) racing.push_back(series.points.back().second);
       answer.chart.series.push_back(std::move(series));
     }
   answer.expect(spread == 0.0, "runs whose passes end are the same to the last bit");

@@ -4,13 +4,13 @@
 #include <glm/geometric.hpp>
 
 #include "app/app.h"
-#include "app/files.h"
+#include "app/document/files.h"
+#include "base/errors.h"
+#include "base/overloaded.h"
+#include "base/printable.h"
 #include "draw/camera_text.h"
-#include "lab/excerpt.h"
-#include "lab/printable.h"
-#include "lab/scene_file.h"
-#include "sim/errors.h"
-#include "sim/overloaded.h"
+#include "edit/copy_selection.h"
+#include "formats/scene_file.h"
 
 namespace hooke {
 
@@ -54,18 +54,18 @@ void App::perform(Action action, bool repeated) {
     case Action::Redo:
       return lab_.submit(Redo{});
     case Action::SelectAll:
-      selection_ = everything(bench_.system());
+      selection_ = select_all(tool_context_.system());
       return;
     case Action::SelectInverted:
-      selection_ = inverted(bench_.system(), selection_);
+      selection_ = invert_selection(tool_context_.system(), selection_);
       return;
     case Action::SelectConnected:
-      selection_ = connected(bench_.system(), selection_);
+      selection_ = select_connected(tool_context_.system(), selection_);
       return;
     case Action::Duplicate:
       return duplicate();
     case Action::Cut:
-      return copy(Afterwards::Delete);
+      return copy(AfterCopy::Delete);
     case Action::Copy:
       return copy();
     case Action::Paste:
@@ -76,13 +76,14 @@ void App::perform(Action action, bool repeated) {
       return cancel();
 
     case Action::FrameAll:
-      return frame_scene(bench_.camera, bench_.system(), bench_.snapshot().state, bench_.size.x / bench_.size.y);
+      return frame_scene(tool_context_.camera, tool_context_.system(), tool_context_.snapshot().state,
+                         tool_context_.size.x / tool_context_.size.y);
     case Action::ShowPlots:
       panels_.plots_shown = !panels_.plots_shown;
       if (panels_.plots_shown &&
-          lay_out(layout_.menu.width, layout_.status.y + layout_.status.height, bench_.scale, {.plots = true}).plots.height == 0.0)
-        panels_.say("The window is too low for plots");
-      if (panels_.plots_shown && status().traces->traces.empty()) lab_.submit(Watch{first_plots(bench_.system())});
+          lay_out(layout_.menu.width, layout_.status.y + layout_.status.height, tool_context_.scale, {.plots = true}).plots.height == 0.0)
+        panels_.show_toast("The window is too low for plots");
+      if (panels_.plots_shown && status().traces->traces.empty()) lab_.submit(Watch{first_plots(tool_context_.system())});
       return;
     case Action::HidePanels:
       panels_.panels_hidden = !panels_.panels_hidden;
@@ -95,17 +96,17 @@ void App::perform(Action action, bool repeated) {
     case Action::FrameSelection:
       return frame_selection();
     case Action::ViewFront:
-      return look_from(bench_.camera.front());
+      return look_from(tool_context_.camera.front());
     case Action::ViewSide:
-      return look_from(glm::cross(bench_.camera.pole, bench_.camera.front()));
+      return look_from(glm::cross(tool_context_.camera.pole, tool_context_.camera.front()));
     case Action::ViewTop:
-      return look_from(bench_.camera.pole);
+      return look_from(tool_context_.camera.pole);
     case Action::Orthographic:
-      bench_.camera.orthographic = !bench_.camera.orthographic;
-      return panels_.say(bench_.camera.orthographic ? "Orthographic" : "Perspective");
+      tool_context_.camera.orthographic = !tool_context_.camera.orthographic;
+      return panels_.show_toast(tool_context_.camera.orthographic ? "Orthographic" : "Perspective");
     case Action::FollowScene:
-      bench_.camera.follows = !bench_.camera.follows;
-      return panels_.say(bench_.camera.follows ? "Following what moves" : "Not following");
+      tool_context_.camera.follows = !tool_context_.camera.follows;
+      return panels_.show_toast(tool_context_.camera.follows ? "Following what moves" : "Not following");
     case Action::CopyCamera:
       return copy_camera();
     case Action::PasteCamera:
@@ -127,16 +128,16 @@ void App::perform(Action action, bool repeated) {
       return;
 
     case Action::NewScene:
-      return unless_unsaved(action);
+      return confirm_unsaved_then(action);
     case Action::OpenScene:
-      if (preferences_.system_dialogs && has_system_dialog_) return ask_desktop(false);
-      return panels_.ask_for_file(Dialog::Kind::Open, start_folder());
+      if (preferences_.system_dialogs && has_system_dialog_) return open_system_dialog(false);
+      return panels_.open_file_dialog(Dialog::Kind::Open, start_folder());
     case Action::Save:
       return save();
     case Action::SaveAs:
-      return ask_for_path();
+      return open_path_dialog();
     case Action::Export:
-      return ask_export();
+      return open_export_dialog();
     case Action::TakePicture:
       picture_file_ = name_for(".png");
       return;
@@ -145,11 +146,11 @@ void App::perform(Action action, bool repeated) {
     case Action::RecordOnOff:
       return record();
     case Action::Quit:
-      return unless_unsaved(action);
+      return confirm_unsaved_then(action);
   }
 }
 
-void App::obey(const Request& request) {
+void App::handle(const Request& request) {
   std::visit(Overloaded{
                  [this](const Edit& edit) {
                    if (!edit.continues) ++last_gesture_;
@@ -161,13 +162,13 @@ void App::obey(const Request& request) {
                  },
                  [this](const Control& control) { lab_.submit(control); },
                  [this](Action action) { perform(action); },
-                 [this](const OpenFile& open_file) { unless_unsaved(OpenFile{typed_path(open_file.file)}); },
+                 [this](const OpenFile& open_file) { confirm_unsaved_then(OpenFile{typed_path(open_file.file)}); },
                  [this](const SaveFile& save_file) { save_to(typed_path(save_file.file)); },
                  [this](const ChooseTexture& choose) { choose_texture(choose.texture); },
                  [this](const LookFrom& look) { look_from(look.direction); },
-                 [this](const AskDesktop& ask) { ask_desktop(ask.to_save); },
+                 [this](const OpenSystemDialog& open_dialog) { open_system_dialog(open_dialog.to_save); },
                  [this](const Recover& wanted) { recover(wanted.which); },
-                 [this](const ThrowAway& unwanted) { throw_away(unwanted.which); },
+                 [this](const DiscardRecovery& unwanted) { discard_recovery(unwanted.which); },
                  [this](Answer given) { answer(given); },
              },
              request);
@@ -176,7 +177,7 @@ void App::obey(const Request& request) {
 void App::tune(const Tuning& tuning, bool repeated) {
   if (!repeated) ++last_gesture_;
   for (const Command& command : tuning.commands) lab_.submit(command, last_gesture_);
-  panels_.say(tuning.said);
+  panels_.show_toast(tuning.message);
 }
 
 // The nearest thing to leave: a menu, the keys, what the tool has half done, the selection, the tool.
@@ -190,7 +191,7 @@ void App::cancel() {
       std::exchange(panels_.gallery.is_shown, false))
     return;
   tool_is_pressed_ = false;
-  if (tool_->cancel(bench_)) return;
+  if (tool_->cancel(tool_context_)) return;
   if (!selection_.empty())
     selection_ = {};
   else
@@ -198,47 +199,47 @@ void App::cancel() {
 }
 
 // Enter and Esc, unless a number is being typed.
-bool App::key_places(const KeyPress& press) {
-  if (!panels_.placing.is_on() || panels_.menu_is_open || panels_.typing != 0 || panels_.placing.types_path) return false;
-  if (press.key == Key::Enter) panels_.placing.wants_place = true;
-  if (press.key == Key::Escape) panels_.placing.stop();
+bool App::handle_placement_key(const KeyPress& press) {
+  if (!panels_.placement.is_on() || panels_.menu_is_open || panels_.typing != 0 || panels_.placement.types_path) return false;
+  if (press.key == Key::Enter) panels_.placement.wants_place = true;
+  if (press.key == Key::Escape) panels_.placement.stop();
   return press.key == Key::Enter || press.key == Key::Escape;
 }
 
 // What the panel and the mouse want of what is being placed.
-void App::follow_placing() {
-  Placing& placing = panels_.placing;
-  if (!placing.is_on()) {
+void App::update_placement() {
+  Placement& placement = panels_.placement;
+  if (!placement.is_on()) {
     mesh_.reset();
-    moves_placing_ = false;
+    moves_placement_ = false;
     return;
   }
-  if (std::exchange(placing.is_new, false)) {
-    placing.shape.at = bench_.camera.target;
+  if (std::exchange(placement.is_new, false)) {
+    placement.shape.at = tool_context_.camera.target;
     mesh_.reset();
   }
-  if (moves_placing_) placing.shape.at = bench_.place_beside(pointer().at, placing.shape.at);
-  if (bench_.system().dimensions == 2) placing.shape.at.z = 0.0;
-  if (std::exchange(placing.wants_mesh, false)) read_mesh(typed_path(placing.mesh_path));
-  if (std::exchange(placing.wants_place, false)) place();
+  if (moves_placement_) placement.shape.at = tool_context_.point_in_view_plane(pointer().at, placement.shape.at);
+  if (tool_context_.system().dimensions == 2) placement.shape.at.z = 0.0;
+  if (std::exchange(placement.wants_mesh, false)) read_mesh(typed_path(placement.mesh_path));
+  if (std::exchange(placement.wants_place, false)) place();
 }
 
 void App::read_mesh(const std::filesystem::path& file) {
-  begin_work("Reading " + printable(file.filename().native(), 60), [this, file](const GoesOn& goes_on) -> LongWork::Finish {
-    return [this, loaded = load_mesh_part(file, goes_on)] {
-      if (work_.was_stopped()) return panels_.say("Stopped: no mesh was read");
-      if (!loaded.scene) panels_.tell("Cannot use the mesh", loaded.error);
+  begin_work("Reading " + printable(file.filename().native(), 60), [this, file](const Progress& progress) -> BackgroundTask::Completion {
+    return [this, loaded = load_mesh_part(file, progress)] {
+      if (work_.was_stopped()) return panels_.show_toast("Stopped: no mesh was read");
+      if (!loaded.scene) panels_.show_message("Cannot use the mesh", loaded.error);
       mesh_ = loaded.scene;
-      panels_.placing.mesh_remark = mesh_ ? std::to_string(mesh_->system.point_count()) + " points" : "";
+      panels_.placement.mesh_info = mesh_ ? std::to_string(mesh_->system.point_count()) + " points" : "";
     };
   });
 }
 
 void App::place() {
-  const Scene part = part_of(panels_.placing, mesh_.get(), bench_.camera.pole, bench_.system().dimensions == 2);
-  if (part.system.point_count() == 0) return panels_.say("Nothing to place yet");
-  lab_.submit(insertion_of(part, Vec3(0.0), {[this] { return lab_.new_point_id(); }, [this] { return lab_.new_spring_id(); }}));
-  panels_.placing.stop();
+  const Scene part = part_of(panels_.placement, mesh_.get(), tool_context_.camera.pole, tool_context_.system().dimensions == 2);
+  if (part.system.point_count() == 0) return panels_.show_toast("Nothing to place yet");
+  lab_.submit(make_insert(part, Vec3(0.0), {[this] { return lab_.new_point_id(); }, [this] { return lab_.new_spring_id(); }}));
+  panels_.placement.stop();
 }
 
 void App::delete_selection() {
@@ -249,41 +250,43 @@ void App::delete_selection() {
 
 // As the whole scene is framed, with the selected points alone.
 void App::frame_selection() {
-  const Scene part = excerpt(bench_.snapshot(), bench_.status->sheet, selection_);
-  if (part.system.points().empty()) return panels_.say("Nothing is selected");
-  frame_scene(bench_.camera, part.system, part.state, bench_.size.x / bench_.size.y);
+  const Scene part = copy_selection(tool_context_.snapshot(), tool_context_.status->sheet, selection_);
+  if (part.system.points().empty()) return panels_.show_toast("Nothing is selected");
+  frame_scene(tool_context_.camera, part.system, part.state, tool_context_.size.x / tool_context_.size.y);
 }
 
 // From there; from the other side when it is seen from there already.
 void App::look_from(const Vec3& direction) {
-  Camera& camera = bench_.camera;
-  if (bench_.system().dimensions == 2) return panels_.say("A flat scene is seen from the front");
+  Camera& camera = tool_context_.camera;
+  if (tool_context_.system().dimensions == 2) return panels_.show_toast("A flat scene is seen from the front");
   const bool is_there = glm::dot(camera.back, glm::normalize(direction)) > 1.0 - 1e-9;
   camera.look_from(is_there ? -direction : direction);
 }
 
 // As `hooke capture --camera` takes it.
 void App::copy_camera() {
-  const std::string text = camera_text(pose_of(bench_.camera));
+  const std::string text = camera_text(pose_of(tool_context_.camera));
   clipboard_.put(text);
-  panels_.say("Copied the camera: " + text);
+  panels_.show_toast("Copied the camera: " + text);
 }
 
 void App::paste_camera() {
   const auto pose = camera_from_text(clipboard_.take());
-  if (!pose) return panels_.say("The clipboard holds no camera");
+  if (!pose) return panels_.show_toast("The clipboard holds no camera");
   ViewSettings view;
   view.camera = pose;
-  view.camera->follows = bench_.camera.follows;
-  const Camera pasted = make_camera(view, bench_.system(), bench_.snapshot().state, bench_.size.x / bench_.size.y);
-  if (bench_.system().dimensions == 2 && pasted.back != bench_.camera.back) return panels_.say("A flat scene is seen from the front");
-  bench_.camera = pasted;
-  panels_.say("Pasted the camera");
+  view.camera->follows = tool_context_.camera.follows;
+  const Camera pasted =
+      make_camera(view, tool_context_.system(), tool_context_.snapshot().state, tool_context_.size.x / tool_context_.size.y);
+  if (tool_context_.system().dimensions == 2 && pasted.back != tool_context_.camera.back)
+    return panels_.show_toast("A flat scene is seen from the front");
+  tool_context_.camera = pasted;
+  panels_.show_toast("Pasted the camera");
 }
 
 void App::release_nails() {
   SetNailed release;
-  for (const Point& point : bench_.system().points())
+  for (const Point& point : tool_context_.system().points())
     if (point.nailed) release.items.push_back({point.id, false});
   if (!release.items.empty()) lab_.submit(release);
 }
@@ -291,8 +294,8 @@ void App::release_nails() {
 // Larger or smaller by a step, from then on in every run.
 void App::scale_panels(double factor) {
   const PreferenceRow& row = preference_rows()[0];
-  preferences_.interface_scale = std::clamp(std::round(20.0 * factor * preferences_.interface_scale) / 20.0, row.least, row.most);
-  panels_.say("Panels at " + std::to_string(std::lround(100.0 * preferences_.interface_scale)) + " %");
+  preferences_.interface_scale = std::clamp(std::round(20.0 * factor * preferences_.interface_scale) / 20.0, row.min, row.max);
+  panels_.show_toast("Panels at " + std::to_string(std::lround(100.0 * preferences_.interface_scale)) + " %");
   keep_preferences();
 }
 
@@ -300,7 +303,7 @@ void App::keep_preferences() {
   try {
     save_preferences(preferences_, home_.config);
   } catch (const FileError& error) {
-    panels_.say(error.what());
+    panels_.show_toast(error.what());
   }
 }
 

@@ -2,14 +2,14 @@
 
 #include <array>
 
-#include "cli/bench.h"
-#include "cli/capture.h"
-#include "cli/check.h"
-#include "cli/convert.h"
-#include "cli/replay.h"
-#include "cli/run.h"
-#include "lab/build_info.h"
-#include "lab/file_limits.h"
+#include "base/build_info.h"
+#include "base/file_limits.h"
+#include "cli/commands/bench.h"
+#include "cli/commands/capture.h"
+#include "cli/commands/check.h"
+#include "cli/commands/convert.h"
+#include "cli/commands/replay.h"
+#include "cli/commands/run.h"
 
 namespace hooke {
 namespace {

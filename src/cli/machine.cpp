@@ -4,7 +4,7 @@
 #include <ctime>
 #include <fstream>
 
-#include "lab/printable.h"
+#include "base/printable.h"
 
 namespace hooke {
 

@@ -2,9 +2,9 @@
 
 #include <iostream>
 
+#include "base/errors.h"
+#include "base/printable.h"
 #include "cli/command_line.h"
-#include "lab/printable.h"
-#include "sim/errors.h"
 
 namespace hooke {
 namespace {
@@ -15,7 +15,7 @@ int report(const std::string& what, int code) {
   return code;
 }
 
-int obey(int argc, char** argv) {
+int handle(int argc, char** argv) {
   CLI::App app;
   const DeclaredCommands declared = declare_command_line(app);
   try {
@@ -35,10 +35,10 @@ int obey(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace hooke;
   try {
-    return obey(argc, argv);
+    return handle(argc, argv);
   } catch (const UsageError& error) {
     return report(error.what(), exit_code::wrong_usage);
-  } catch (const Refused& error) {
+  } catch (const InputError& error) {
     return report(error.what(), exit_code::refused);
   } catch (const FileError& error) {
     return report(error.what(), exit_code::file_error);

@@ -20,7 +20,7 @@ class OutputFile {
   void close();
 
  private:
-  std::string shown_;
+  std::string display_name_;
   std::FILE* file_;
 };
 

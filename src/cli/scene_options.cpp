@@ -4,13 +4,13 @@
 #include <cmath>
 #include <iostream>
 
-#include "lab/apply.h"
-#include "lab/diagnosis.h"
-#include "lab/file_limits.h"
-#include "lab/open_file.h"
-#include "lab/parameters.h"
-#include "lab/printable.h"
-#include "lab/scene_file.h"
+#include "base/file_limits.h"
+#include "base/printable.h"
+#include "edit/apply.h"
+#include "formats/open_file.h"
+#include "formats/scene_file.h"
+#include "scene/diagnosis.h"
+#include "scene/parameters.h"
 #include "sim/integrator.h"
 
 namespace hooke {
@@ -37,7 +37,7 @@ std::string ids_of_adaptive_integrators() {
 
 void set_tolerance(Settings& settings, double tolerance) {
   if (settings.integrator->stability != Stability::Adaptive)
-    throw UsageError("--tolerance " + shortest(tolerance) + ": must go with a method that adapts its steps: --integrator " +
+    throw UsageError("--tolerance " + format_exact(tolerance) + ": must go with a method that adapts its steps: --integrator " +
                      ids_of_adaptive_integrators());
   settings.tolerance = tolerance;
 }
@@ -77,9 +77,9 @@ SetParameter parse_setting(const std::string& setting) {
   const auto value = parse_value(*parameter, std::string_view(setting).substr(equals + 1));
   if (parameter->kind == Parameter::Kind::Switch && !value) throw UsageError(shown + ": must be on or off");
   if (parameter->kind == Parameter::Kind::Choice && !value) throw UsageError(shown + ": must be one of " + ids_of_choices(*parameter));
-  const Bounds range{.least = parameter->least, .most = parameter->most};
-  if (!value || !range.hold(*value) || clamp_to(*parameter, *value) != *value)
-    throw UsageError(shown + ": " + (parameter->kind == Parameter::Kind::Whole ? "must be whole, and " : "") + range.text() +
+  const Bounds range{.min = parameter->min, .max = parameter->max};
+  if (!value || !range.contains(*value) || clamp_to(*parameter, *value) != *value)
+    throw UsageError(shown + ": " + (parameter->kind == Parameter::Kind::Integer ? "must be whole, and " : "") + range.text() +
                      (parameter->unit.empty() ? "" : " [" + std::string(parameter->unit) + "]"));
   return {.parameter = parameter, .value = *value};
 }
@@ -90,7 +90,7 @@ CLI::Validator within(const Bounds& bounds) {
   const auto check = [bounds](std::string& text) {
     double value = 0.0;
     const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
-    return is_number && bounds.hold(value) ? std::string() : printable(text, 80) + ": " + bounds.text();
+    return is_number && bounds.contains(value) ? std::string() : printable(text, 80) + ": " + bounds.text();
   };
   return CLI::Validator(check, "", "");
 }
@@ -102,7 +102,7 @@ std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene) {
   app.add_option("--integrator", options->integrator, "Method: " + ids_of_integrators())->type_name("ID");
   app.add_option("--substeps", options->substeps, "Steps of the method in each frame")
       ->type_name("N")
-      ->check(within({.least = 1, .most = most_substeps}));
+      ->check(within({.min = 1, .max = max_substeps}));
   app.add_option("--frame-rate", options->frame_rate, "Frames per simulated second [1/s]")->type_name("RATE")->check(within(positive));
   app.add_option("--tolerance", options->tolerance,
                  "Local error allowed a step of an adaptive method (" + ids_of_adaptive_integrators() + ") [m]")
@@ -130,10 +130,10 @@ Scene open_scene(const SceneOptions& options) {
   std::vector<SetParameter> settings;
   for (const std::string& setting : options.settings) settings.push_back(parse_setting(setting));
 
-  LoadedScene loaded = load_any(find_scene(options.scene));
+  LoadedScene loaded = load_file(find_scene(options.scene));
   Scene& scene = loaded.scene;
   // what the file says of the step does not hold once the options say something else
-  if (const auto warning = warn_of_step(scene.system, scene.settings))
+  if (const auto warning = step_warning(scene.system, scene.settings))
     std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
   Effect effect;
   for (const SetParameter& setting : settings) apply(scene, setting, effect);
@@ -144,7 +144,7 @@ Scene open_scene(const SceneOptions& options) {
 
   if (!options.quiet) {
     for (const std::string& warning : loaded.warnings) std::cerr << "warning: " << warning << "\n";
-    if (const auto warning = warn_of_step(scene.system, scene.settings)) std::cerr << "warning: " << *warning << "\n";
+    if (const auto warning = step_warning(scene.system, scene.settings)) std::cerr << "warning: " << *warning << "\n";
   }
   return std::move(loaded.scene);
 }

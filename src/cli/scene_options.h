@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/subcommand.h"
-#include "lab/scene.h"
+#include "scene/scene.h"
 
 namespace hooke {
 
@@ -28,7 +28,7 @@ std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene = S
 // The first of the options that say how a scene is stepped, if any is given: "--substeps"; none for nothing but SCENE and --quiet.
 std::optional<std::string> first_stepping_option(const CLI::App& app);
 
-// Loads the scene and sets what the options say; warnings go to stderr. Throws UsageError, Refused, FileError.
+// Loads the scene and sets what the options say; warnings go to stderr. Throws UsageError, InputError, FileError.
 Scene open_scene(const SceneOptions& options);
 
 }  // namespace hooke

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "lab/bounds.h"
+#include "base/bounds.h"
 
 namespace hooke {
 
@@ -18,7 +18,7 @@ struct Subcommand {
 };
 
 namespace exit_code {
-inline constexpr int fine = 0;
+inline constexpr int success = 0;
 inline constexpr int check_failed = 1;
 inline constexpr int wrong_usage = 2;
 inline constexpr int refused = 3;     // Refused: the input

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "lab/gallery.h"
+#include "formats/gallery.h"
 #include "lab/lab.h"
 
 namespace hooke {
 
-Image take_thumbnail(View& view, const ShippedScene& shipped) {
+Image render_thumbnail(View& view, const ShippedScene& shipped) {
   Lab lab(load_scene(shipped.file).scene, KeepStart::No);
   const Scene& scene = lab.scene();
   Camera camera = make_camera(scene.view, scene.system, scene.state, static_cast<double>(thumbnail_width) / thumbnail_height);
@@ -18,7 +18,7 @@ Image take_thumbnail(View& view, const ShippedScene& shipped) {
   for (long frame = 0; frame < frames; ++frame) lab.step();
   lab.publish();
   follow_scene(camera, scene.state);
-  ViewOptions look = options_for(scene.view, scene.print);
+  ViewOptions look = options_for(scene.view, scene.cloth_texture);
   view.draw(*lab.status()->snapshot, {}, camera, look, thumbnail_width, thumbnail_height, nullptr);
   return view.read();
 }

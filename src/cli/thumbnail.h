@@ -2,11 +2,11 @@
 #pragma once
 
 #include "draw/view.h"
-#include "lab/scene_file.h"
+#include "formats/scene_file.h"
 
 namespace hooke {
 
 // The scene so long after its start as its row says, a little nearer than it is opened. A context must be current.
-Image take_thumbnail(View& view, const ShippedScene& shipped);
+Image render_thumbnail(View& view, const ShippedScene& shipped);
 
 }  // namespace hooke

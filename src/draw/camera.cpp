@@ -16,7 +16,7 @@ namespace {
 constexpr double perspective_near = 0.01, perspective_far = 1000.0;
 constexpr double orthographic_reach = 50.0;  // to both sides of the target
 
-constexpr double least_distance = 1e-6, most_distance = 1e9;  // [m]
+constexpr double min_distance = 1e-6, max_distance = 1e9;  // [m]
 
 double half_height(const Camera& camera) { return camera.distance * std::tan(0.5 * camera.field_of_view); }
 
@@ -109,8 +109,8 @@ Vec3 Camera::front() const { return flatten({0.0, 0.0, 1.0}, pole, {0.0, -1.0, 0
 void Camera::look_from(const Vec3& direction) {
   back = glm::normalize(direction);
   const double rise = glm::dot(back, pole);
-  const bool steep = std::abs(rise) > 1.0 - 1e-12;
-  up = flatten(steep ? -rise * front() : pole, back, any_normal_to(back));
+  const bool near_pole = std::abs(rise) > 1.0 - 1e-12;
+  up = flatten(near_pole ? -rise * front() : pole, back, any_normal_to(back));
 }
 
 void Camera::pan(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& size) {
@@ -119,7 +119,7 @@ void Camera::pan(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2&
 
 // The eye and the target are scaled about what is under the cursor: all of that ray stays where it is seen.
 void Camera::zoom(double factor, const glm::dvec2& cursor, const glm::dvec2& size) {
-  const double nearer = std::clamp(distance * factor, least_distance, most_distance) / distance;
+  const double nearer = std::clamp(distance * factor, min_distance, max_distance) / distance;
   const Vec3 fixed = unproject(cursor, size, target);
   target = fixed + nearer * (target - fixed);
   distance *= nearer;

@@ -4,8 +4,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
+#include "scene/view_settings.h"
 #include "sim/snapshot.h"
-#include "sim/view_settings.h"
 
 namespace hooke {
 

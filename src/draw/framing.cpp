@@ -16,26 +16,26 @@ namespace {
 constexpr double margin = 1.12;          // of the picture, around the scene
 constexpr double smallest_radius = 0.2;  // [m], of what is framed: an empty scene is an empty stage of this size
 constexpr double plane_reach = 6.0;      // a plane this many scene radii away is part of the scene
-constexpr double followed_share = 0.6;   // of half the picture's height: what is followed goes no further from its middle
+constexpr double follow_fraction = 0.6;  // of half the picture's height: what is followed goes no further from its middle
 
 // A ball that is to be seen.
-struct Sight {
+struct VisibleSphere {
   Vec3 place;
   double radius = 0.0;
 };
 
 struct Extent {
-  Vec3 least{std::numeric_limits<double>::infinity()}, most{-std::numeric_limits<double>::infinity()};
-  std::vector<Sight> sights;
+  Vec3 min{std::numeric_limits<double>::infinity()}, max{-std::numeric_limits<double>::infinity()};
+  std::vector<VisibleSphere> spheres;
 
   void include(const Vec3& place, double radius = 0.0) {
     if (!std::isfinite(place.x + place.y + place.z)) return;
-    least = glm::min(least, place - radius);
-    most = glm::max(most, place + radius);
-    sights.push_back({place, radius});
+    min = glm::min(min, place - radius);
+    max = glm::max(max, place + radius);
+    spheres.push_back({place, radius});
   }
-  Vec3 center() const { return 0.5 * (least + most); }
-  double radius() const { return std::max(0.5 * glm::length(most - least), smallest_radius); }
+  Vec3 center() const { return 0.5 * (min + max); }
+  double radius() const { return std::max(0.5 * glm::length(max - min), smallest_radius); }
 };
 
 void include_points(Extent& extent, const System& system, const State& state) {
@@ -43,7 +43,7 @@ void include_points(Extent& extent, const System& system, const State& state) {
 }
 
 // How far the freest of the free points is from the nail nearest to it [m], of a few hundred of each; 0 without nails.
-double longest_way_to_a_nail(const System& system, const State& state) {
+double longest_distance_to_nail(const System& system, const State& state) {
   std::vector<Vec3> nailed, free;
   for (Index i = 0; i < system.point_count(); ++i) {
     const Vec3& place = state.position[i];
@@ -62,14 +62,14 @@ double longest_way_to_a_nail(const System& system, const State& state) {
 }
 
 // What hangs from nails falls that far below them: room for it, down to the floor.
-void make_room_to_hang(Extent& extent, const System& system, const State& state) {
-  const double strength = glm::length(system.gravity), way = longest_way_to_a_nail(system, state);
-  if (!(strength > 0.0) || !(way > 0.0)) return;
+void include_hanging_extent(Extent& extent, const System& system, const State& state) {
+  const double strength = glm::length(system.gravity), displacement = longest_distance_to_nail(system, state);
+  if (!(strength > 0.0) || !(displacement > 0.0)) return;
   const Vec3 down = system.gravity / strength;
   double lowest_nail = -std::numeric_limits<double>::infinity();
   for (Index i = 0; i < system.point_count(); ++i)
     if (system.points()[i].nailed) lowest_nail = std::max(lowest_nail, glm::dot(state.position[i], down));
-  const Vec3 below = extent.center() + (lowest_nail + way - glm::dot(extent.center(), down)) * down;
+  const Vec3 below = extent.center() + (lowest_nail + displacement - glm::dot(extent.center(), down)) * down;
 
   const auto is_closed = [&](const Collider& collider) {
     const auto* plane = std::get_if<Plane>(&collider.shape);
@@ -79,31 +79,31 @@ void make_room_to_hang(Extent& extent, const System& system, const State& state)
 }
 
 // Where colliders come on their paths: at the ends of each way to and fro.
-std::vector<Collider> colliders_on_their_ways(const System& system) {
+std::vector<Collider> include_collider_paths(const System& system) {
   std::vector<Collider> all;
   for (const Collider& collider : system.colliders) {
     const ColliderPath& path = collider.path;
-    if (path.swing == Vec3(0.0) || path.frequency == 0.0) {
-      all.push_back(moved_at(collider, 0.0));
+    if (path.amplitude == Vec3(0.0) || path.frequency == 0.0) {
+      all.push_back(collider_at_time(collider, 0.0));
       continue;
     }
-    all.push_back(moved_by(collider, path.swing));
-    all.push_back(moved_by(collider, -path.swing));
+    all.push_back(translated(collider, path.amplitude));
+    all.push_back(translated(collider, -path.amplitude));
   }
   return all;
 }
 
 // Bounded colliders; then the nearest place of each plane that is not far off.
 void include_colliders(Extent& extent, const System& system) {
-  const std::vector<Collider> colliders = colliders_on_their_ways(system);
+  const std::vector<Collider> colliders = include_collider_paths(system);
   for (const Collider& collider : colliders) {
     if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) extent.include(sphere->center, sphere->radius);
     if (const auto* box = std::get_if<Box>(&collider.shape)) {
-      const auto pick = [&](int bit, int axis) { return bit ? box->most[axis] : box->least[axis]; };
+      const auto pick = [&](int bit, int axis) { return bit ? box->max[axis] : box->min[axis]; };
       for (int corner = 0; corner < 8; ++corner) extent.include({pick(corner & 1, 0), pick(corner & 2, 1), pick(corner & 4, 2)});
     }
   }
-  if (extent.sights.empty()) extent.include(Vec3(0.0), 5.0 * smallest_radius);
+  if (extent.spheres.empty()) extent.include(Vec3(0.0), 5.0 * smallest_radius);
 
   const Vec3 center = extent.center();
   const double near = plane_reach * extent.radius();
@@ -120,14 +120,14 @@ void include_colliders(Extent& extent, const System& system) {
 //   max(s_i + r_i + slope z_i) - slope z <= s <= min(s_i - r_i - slope z_i) + slope z
 struct Axis {
   double slope;  // 0: the picture is as wide everywhere
-  double most = -std::numeric_limits<double>::infinity(), least = std::numeric_limits<double>::infinity();
+  double max = -std::numeric_limits<double>::infinity(), min = std::numeric_limits<double>::infinity();
 
   void include(double s, double z, double radius) {
-    most = std::max(most, s + radius + slope * z);
-    least = std::min(least, s - radius - slope * z);
+    max = std::max(max, s + radius + slope * z);
+    min = std::min(min, s - radius - slope * z);
   }
-  double middle() const { return 0.5 * (most + least); }
-  double reach() const { return 0.5 * (most - least); }
+  double middle() const { return 0.5 * (max + min); }
+  double reach() const { return 0.5 * (max - min); }
 };
 
 // Moves the camera, without turning it, to where the sights just fit.
@@ -137,13 +137,13 @@ void fit(Camera& camera, const Extent& extent, double aspect) {
   const double depth_slope = camera.orthographic ? 0.0 : slope;
   Axis across{depth_slope * aspect}, upward{depth_slope};
   double farthest = 0.0, nearest = 0.0;  // towards the viewer, from the middle
-  for (const Sight& sight : extent.sights) {
-    const Vec3 place = sight.place - middle;
+  for (const VisibleSphere& visible_sphere : extent.spheres) {
+    const Vec3 place = visible_sphere.place - middle;
     const double z = glm::dot(place, camera.back);
-    across.include(glm::dot(place, right), z, sight.radius);
-    upward.include(glm::dot(place, camera.up), z, sight.radius);
-    nearest = std::max(nearest, z + sight.radius);
-    farthest = std::min(farthest, z - sight.radius);
+    across.include(glm::dot(place, right), z, visible_sphere.radius);
+    upward.include(glm::dot(place, camera.up), z, visible_sphere.radius);
+    nearest = std::max(nearest, z + visible_sphere.radius);
+    farthest = std::min(farthest, z - visible_sphere.radius);
   }
 
   // the eye is as far away as the more demanding axis says; the target in the middle of the depths
@@ -169,7 +169,7 @@ void look(Camera& camera, const Vec3& back) {
 }
 
 // A little from above and from the side: x mostly to the right.
-Vec3 usual_back(const Vec3& pole) {
+Vec3 default_back(const Vec3& pole) {
   const double azimuth = glm::radians(25.0), elevation = glm::radians(20.0);
   Vec3 right = Vec3(1.0, 0.0, 0.0) - pole.x * pole;
   right = glm::length(right) > 1e-6 ? glm::normalize(right) : Vec3(0.0, 0.0, -1.0);
@@ -195,10 +195,10 @@ Camera make_camera(const ViewSettings& view, const System& system, const State& 
   }
 
   camera.orthographic = system.dimensions == 2;
-  look(camera, system.dimensions == 2 ? Vec3(0.0, 0.0, 1.0) : usual_back(camera.pole));
+  look(camera, system.dimensions == 2 ? Vec3(0.0, 0.0, 1.0) : default_back(camera.pole));
   Extent extent;
   include_points(extent, system, state);
-  make_room_to_hang(extent, system, state);
+  include_hanging_extent(extent, system, state);
   include_colliders(extent, system);
   fit(camera, extent, aspect);
   return camera;
@@ -216,13 +216,13 @@ void follow_scene(Camera& camera, const State& state) {
   if (counted == 0) return;
 
   // how far it is beyond that share of the picture; towards the viewer and away it is followed all the way
-  const Vec3 way = sum / static_cast<double>(counted) - camera.target;
-  const double most = followed_share * std::tan(0.5 * camera.field_of_view) * camera.distance;
+  const Vec3 displacement = sum / static_cast<double>(counted) - camera.target;
+  const double max = follow_fraction * std::tan(0.5 * camera.field_of_view) * camera.distance;
   for (const Vec3& axis : {glm::cross(camera.up, camera.back), camera.up}) {
-    const double along = glm::dot(way, axis);
-    camera.target += (along - std::clamp(along, -most, most)) * axis;
+    const double along = glm::dot(displacement, axis);
+    camera.target += (along - std::clamp(along, -max, max)) * axis;
   }
-  camera.target += glm::dot(way, camera.back) * camera.back;
+  camera.target += glm::dot(displacement, camera.back) * camera.back;
 }
 
 void frame_scene(Camera& camera, const System& system, const State& state, double aspect) {

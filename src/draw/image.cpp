@@ -6,8 +6,8 @@
 #include <cstring>
 #include <memory>
 
+#include "base/errors.h"
 #include "draw/view.h"
-#include "sim/errors.h"
 
 namespace hooke {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/types.h"
+#include "base/types.h"
 
 namespace hooke {
 

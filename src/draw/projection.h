@@ -11,7 +11,7 @@
 namespace hooke {
 
 // Where a place is seen. Pixels count from the lower left corner of the picture.
-struct Seen {
+struct ProjectedPoint {
   float x = 0.0f, y = 0.0f;  // [px]
   float depth = 0.0f;        // in -1..1 between the clip planes
   float scale = 0.0f;        // [px/m] at this depth
@@ -19,17 +19,17 @@ struct Seen {
   std::uint8_t outside = 0;
 };
 
-enum Outside : std::uint8_t { left_of = 1, right_of = 2, below = 4, above = 8, before = 16, beyond = 32, not_a_place = 64 };
+enum Outside : std::uint8_t { left_of = 1, right_of = 2, below = 4, above = 8, before = 16, beyond = 32, not_finite = 64 };
 
 class Projection {
  public:
   Projection(const Camera& camera, int width, int height);
 
   // Homogeneous clip coordinates of a place; not finite when the place is not.
-  glm::dvec4 clip(const Vec3& place) const { return clip_viewed(viewed(place)); }
-  glm::dvec4 clip_viewed(const Vec3& viewed) const;
-  Seen see(const glm::dvec4& clip) const;
-  Seen see(const Vec3& place) const { return see(clip(place)); }
+  glm::dvec4 clip(const Vec3& place) const { return clip_from_view(view_position(place)); }
+  glm::dvec4 clip_from_view(const Vec3& view_position) const;
+  ProjectedPoint project(const glm::dvec4& clip) const;
+  ProjectedPoint project(const Vec3& place) const { return project(clip(place)); }
 
   // Depth of a place that lies `nearer` [m] to the viewer than the clip coordinates say.
   float depth(const glm::dvec4& clip, double nearer) const;
@@ -38,9 +38,9 @@ class Projection {
   // [px/m] at clip coordinates.
   double scale(const glm::dvec4& clip) const { return pixels_ / clip.w; }
   // A direction of the world as the viewer sees it: x right, y up, z towards the viewer.
-  Vec3 turned(const Vec3& direction) const { return turn_ * direction; }
+  Vec3 view_direction(const Vec3& direction) const { return rotation_ * direction; }
   // A place of the world for the viewer: the eye in the origin, z towards the viewer [m].
-  Vec3 viewed(const Vec3& place) const { return turn_ * (place - target_) - Vec3(0.0, 0.0, distance_); }
+  Vec3 view_position(const Vec3& place) const { return rotation_ * (place - target_) - Vec3(0.0, 0.0, distance_); }
 
   const glm::dmat4& matrix() const { return projection_; }
   bool is_orthographic() const { return orthographic_; }
@@ -50,7 +50,7 @@ class Projection {
  private:
   Vec3 target_;
   double distance_;
-  glm::dmat3 turn_;
+  glm::dmat3 rotation_;
   glm::dmat4 projection_;  // of viewed places
   double pixels_;          // [px] per metre at w = 1
   bool orthographic_;

@@ -14,23 +14,23 @@ struct ImDrawData;
 namespace hooke {
 
 // A part of the framebuffer [px], origin at the top left; of no width: all of it.
-struct PicturePlace {
+struct Viewport {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
 struct ViewOptions {
   bool points = true, springs = true, surface = true, colliders = true, grid = true;
-  bool shadows = true;        // of what is near the ground, a ball or a box
-  bool strain_colors = true;  // on the springs, or on the surface where no springs are shown
-  Print print;                // on the surface
-  int samples = 4;            // of MSAA; 0: none
-  double scale = 1.0;         // framebuffer pixels per point of the screen: widths of lines follow it
+  bool shadows = true;         // of what is near the ground, a ball or a box
+  bool strain_colors = true;   // on the springs, or on the surface where no springs are shown
+  ClothTexture cloth_texture;  // on the surface
+  int samples = 4;             // of MSAA; 0: none
+  double scale = 1.0;          // framebuffer pixels per point of the screen: widths of lines follow it
   Color background{32, 36, 40};
-  PicturePlace place;  // of the scene; the panels have the whole framebuffer
+  Viewport place;  // of the scene; the panels have the whole framebuffer
 };
 
 // As a scene asks to be looked at.
-ViewOptions options_for(const ViewSettings& settings, const Print& print);
+ViewOptions options_for(const ViewSettings& settings, const ClothTexture& cloth_texture);
 
 using Image = Picture;
 

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "lab/tears.h"
+#include "edit/tears.h"
 
 namespace hooke {
 namespace {
@@ -18,7 +18,7 @@ double milliseconds_since(Clock::time_point start) { return std::chrono::duratio
 constexpr double smoothing = 0.1;
 
 // What tears without a hand in it, one frame after another: a step of undo, until something else is done.
-constexpr Gesture tearing = std::numeric_limits<Gesture>::max();
+constexpr Gesture tearing_gesture = std::numeric_limits<Gesture>::max();
 
 void smooth(double& shown, double value) { shown = shown == 0.0 ? value : shown + smoothing * (value - shown); }
 
@@ -27,7 +27,7 @@ void smooth(double& shown, double value) { shown = shown == 0.0 ? value : shown 
 Lab::Lab(Scene scene, KeepStart keep) {
   if (keep == KeepStart::No) {
     scene_ = std::move(scene);
-    start_afresh();
+    reset_session();
     return;
   }
   open(std::make_shared<const Scene>(std::move(scene)));
@@ -38,8 +38,8 @@ void Lab::submit(Command command, Gesture gesture) { queue_.emplace_back(std::mo
 void Lab::submit(Control control, Gesture gesture) { queue_.emplace_back(std::move(control), gesture); }
 
 // Makes the Plan agree with the System again.
-void Lab::take_over(Effect effect) {
-  if (effect.structure) past_.keep_to(scene_.system);
+void Lab::update_plan(Effect effect) {
+  if (effect.structure) frame_history_.clear_if_points_changed(scene_.system);
   if (effect.structure)
     plan_ = make_plan(scene_.system);
   else if (effect.values)
@@ -63,23 +63,23 @@ void Lab::edit(const Command& command, Gesture gesture) {
     Effect effect;
     apply(scene_, command, effect);
     published_system_.reset();
-    recorder_.note(command, scene_);
+    recorder_.record(command, scene_);
     return;
   }
 
   const double before = compute_energy(scene_.system, scene_.state).total();
   Effect effect;
   std::vector<Command> inverse = apply(scene_, command, effect);
-  take_over(effect);
+  update_plan(effect);
   if (std::holds_alternative<Replace>(command))
-    open_ledger(scene_.system, scene_.state);
+    initialize_ledger(scene_.system, scene_.state);
   else
-    book_edit(scene_.system, before, scene_.state);
-  recorder_.note(command, scene_);
+    record_edit_energy(scene_.system, before, scene_.state);
+  recorder_.record(command, scene_);
   divergence_.reset();
   if (std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command)) grab_gesture_ = gesture;
   if (inverse.empty()) return;
-  history_.note(describe(command), std::move(inverse), gesture);
+  history_.record(describe(command), std::move(inverse), gesture);
   unsaved_ = edited_ = true;
   ++edits_;
 }
@@ -92,7 +92,7 @@ void Lab::apply_queue() {
       playback_.stop();
       edit(*command, gesture);
     } else {
-      obey(std::get<Control>(request), gesture);
+      handle(std::get<Control>(request), gesture);
     }
   }
 }
@@ -111,23 +111,23 @@ void Lab::play_edits() {
 }
 
 // Compares the frame just taken over with the recorded one.
-void Lab::judge_played_frame() {
-  playback_.judge(scene_.state, scene_.system.point_count());
-  if (playback_.is_on() && !playback_.is_past_the_last_frame()) return;
+void Lab::check_played_frame() {
+  playback_.compare(scene_.state, scene_.system.point_count());
+  if (playback_.is_on() && !playback_.is_after_last_frame()) return;
   play_edits();
   running_ = false;
 }
 
 // A frame that can be gone back to; kept for people, not for runs without a start to go back to.
-void Lab::note_moment() {
+void Lab::add_to_timeline() {
   if (!start_) return;
-  past_.note(scene_.system, scene_.state);
+  frame_history_.record(scene_.system, scene_.state);
 }
 
 void Lab::begin_frame() {
   play_edits();
   keep_start();
-  if (past_.timeline().empty() || past_.timeline().last_time() != scene_.state.time) note_moment();
+  if (frame_history_.timeline().empty() || frame_history_.timeline().last_time() != scene_.state.time) add_to_timeline();
   frame_.begin(plan_, scene_.system, scene_.settings, scene_.state);
   frame_in_progress_ = true;
   frame_ms_ = 0.0;
@@ -139,38 +139,38 @@ std::optional<Insert> Lab::tear() {
   std::vector<SpringId> broken;
   for (const Index s : frame_.broken()) broken.push_back(scene_.system.springs()[s].id);
   Effect effect;
-  const std::vector<Command> mending = apply(scene_, torn_by(scene_.system, broken), effect);
+  const std::vector<Command> inverse = apply(scene_, removal_of_broken(scene_.system, broken), effect);
   plan_ = make_plan(scene_.system);
   published_system_.reset();
-  return std::get<Insert>(mending.front());
+  return std::get<Insert>(inverse.front());
 }
 
 // Keeps what was taken away, so that the moments before it can be gone back to.
-void Lab::note_tear(Insert pieces) {
+void Lab::record_tear(Insert pieces) {
   const std::uint32_t before = scene_.state.torn;
   scene_.tears.push_back(std::make_shared<const Tear>(Tear{before, std::move(pieces.springs), std::move(pieces.faces)}));
   scene_.state.torn = static_cast<std::uint32_t>(scene_.tears.size());
-  history_.note("tear", {SetTorn{before}}, scene_.system.grab || scene_.system.collider_grab ? grab_gesture_ : tearing);
+  history_.record("tear", {SetTorn{before}}, scene_.system.grab || scene_.system.collider_grab ? grab_gesture_ : tearing_gesture);
 }
 
 // Puts the collider in the hand where the frame took it, and sees how far the hand is behind.
-void Lab::follow_hand() {
+void Lab::update_hand() {
   const auto& grab = scene_.system.grab;
-  const auto& carried = scene_.system.collider_grab;
+  const auto& collider_grab = scene_.system.collider_grab;
   hand_lag_ = grab ? glm::distance(grab->target, scene_.state.hand) : 0.0;
-  if (!carried) return;
-  Collider& collider = scene_.system.colliders[carried->collider];
-  collider = moved_by(collider, frame_.way_of_collider());
+  if (!collider_grab) return;
+  Collider& collider = scene_.system.colliders[collider_grab->collider];
+  collider = translated(collider, frame_.collider_displacement());
   refresh_colliders(plan_, scene_.system);
   published_system_.reset();
-  hand_lag_ = glm::distance(carried->target, anchor_of(collider));
+  hand_lag_ = glm::distance(collider_grab->target, anchor_of(collider));
 }
 
 // Judges the frame just computed and takes it over, or keeps the one before and stops.
 bool Lab::finish_frame() {
   next_ = scene_.state;
   frame_.end(plan_, next_);
-  book_forces_work(plan_, scene_.state, next_);
+  record_force_work(plan_, scene_.state, next_);
   frame_in_progress_ = false;
   std::optional<Insert> torn = tear();
 
@@ -179,28 +179,28 @@ bool Lab::finish_frame() {
   if (divergence_) {
     Effect effect;
     if (torn) apply(scene_, *torn, effect);
-    if (effect.structure) take_over(effect);
-    playback_.note_divergence();
+    if (effect.structure) update_plan(effect);
+    playback_.record_divergence();
     run_to_.reset();
     running_ = false;
-    real_time_.forgive();
+    frame_pacer_.clear_backlog();
     return false;
   }
   std::swap(scene_.state, next_);
   energy_ = energy;
   ++frames_;
-  if (torn) note_tear(*std::move(torn));
-  follow_hand();
+  if (torn) record_tear(*std::move(torn));
+  update_hand();
   last_limit_work_ = frame_.motion().limit_work;
   limit_work_ += last_limit_work_;
-  note_moment();
+  add_to_timeline();
   // the clock is a sum of frames: half a frame decides
   if (run_to_ && scene_.state.time + 0.5 / scene_.settings.frame_rate > *run_to_) {
     running_ = false;
     run_to_.reset();
   }
-  recorder_.note_frame(scene_.state);
-  if (playback_.is_on()) judge_played_frame();
+  recorder_.record_frame(scene_.state);
+  if (playback_.is_on()) check_played_frame();
   smooth(simulate_ms_, frame_ms_);
   return true;
 }
@@ -218,39 +218,39 @@ bool Lab::step() {
   return step_frame();
 }
 
-void Lab::advance(double real_seconds, const std::function<bool()>& may_go_on) {
+void Lab::advance(double real_seconds, const std::function<bool()>& should_continue) {
   // a frame cut short goes on, unless something else than the hand's place is to change
-  const bool only_hand = std::all_of(queue_.begin(), queue_.end(), [](const auto& queued) {
+  const bool is_only_hand_motion = std::all_of(queue_.begin(), queue_.end(), [](const auto& queued) {
     const auto* command = std::get_if<Command>(&queued.first);
     return command != nullptr && std::holds_alternative<MoveHand>(*command);
   });
-  if (!frame_in_progress_ || !only_hand) apply_queue();
+  if (!frame_in_progress_ || !is_only_hand_motion) apply_queue();
 
   if (running_) {
     const double frame = 1.0 / scene_.settings.frame_rate;
-    real_time_.ask(real_seconds, scene_.settings.speed);
+    frame_pacer_.accumulate(real_seconds, scene_.settings.speed);
     long stepped = 0;
     bool in_time = true;
-    while (running_ && in_time && (frame_in_progress_ || run_to_ || real_time_.owes(frame))) {
+    while (running_ && in_time && (frame_in_progress_ || run_to_ || frame_pacer_.has_frame_due(frame))) {
       if (!frame_in_progress_) begin_frame();
       const auto start = Clock::now();
       while (!frame_.done() && in_time) {
         frame_.substep(plan_);
-        in_time = may_go_on();
+        in_time = should_continue();
       }
       frame_ms_ += milliseconds_since(start);
       if (frame_.done()) {
-        real_time_.pay(frame);
+        frame_pacer_.consume(frame);
         stepped += finish_frame() ? 1 : 0;
       }
     }
-    real_time_.settle(real_seconds, static_cast<double>(stepped) * frame, frame);
+    frame_pacer_.update_speed(real_seconds, static_cast<double>(stepped) * frame, frame);
   }
   publish();
 }
 
 std::chrono::duration<double> Lab::time_to_next_frame() const {
-  const double due = real_time_.time_to_next(1.0 / scene_.settings.frame_rate);
+  const double due = frame_pacer_.time_to_next(1.0 / scene_.settings.frame_rate);
   return std::chrono::duration<double>(frame_in_progress_ || run_to_ ? 0.0 : std::clamp(due / scene_.settings.speed, 0.0, 0.05));
 }
 

@@ -10,11 +10,11 @@
 #include <variant>
 #include <vector>
 
-#include "lab/command.h"
-#include "lab/history.h"
-#include "lab/past.h"
+#include "edit/command.h"
+#include "edit/history.h"
+#include "lab/frame_history.h"
+#include "lab/frame_pacer.h"
 #include "lab/playback.h"
-#include "lab/real_time.h"
 #include "lab/recorder.h"
 #include "lab/status.h"
 #include "sim/step.h"
@@ -24,7 +24,7 @@ namespace hooke {
 // What is asked of the laboratory itself; queued like commands, in the same order.
 struct Undo {};
 struct Redo {};
-struct GoInHistory {  // takes back, or does again, until so many steps are in effect
+struct GoToHistoryStep {  // takes back, or does again, until so many steps are in effect
   std::size_t done;
 };
 struct SetRunning {
@@ -53,8 +53,8 @@ struct Record {                                       // what is done from here 
 struct Play {  // another document: what was recorded, done again frame by frame, until it ends or somebody lends a hand
   std::shared_ptr<const Recording> recording;
 };
-using Control =
-    std::variant<Undo, Redo, GoInHistory, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, GoToStart, Open, MarkSaved, Record, Play>;
+using Control = std::variant<Undo, Redo, GoToHistoryStep, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, GoToStart, Open,
+                             MarkSaved, Record, Play>;
 
 // Whether the scene is kept as it was opened, to go back to: a copy, which a long run of a large scene can do without.
 enum class KeepStart { Yes, No };
@@ -68,9 +68,9 @@ class Lab {
   void submit(Control control, Gesture gesture = 0);
 
   // Applies what is queued, then steps as many frames as `real_seconds` at the scene's speed ask for, until
-  // `may_go_on` says no (asked between substeps; a frame cut short is taken up by the next call). What cannot be
+  // `should_continue` says no (asked between substeps; a frame cut short is taken up by the next call). What cannot be
   // computed in time is dropped, so that the scene slows down instead of piling up.
-  void advance(double real_seconds, const std::function<bool()>& may_go_on);
+  void advance(double real_seconds, const std::function<bool()>& should_continue);
 
   // Real time until the next frame is due while running; zero for a frame in progress.
   std::chrono::duration<double> time_to_next_frame() const;
@@ -96,33 +96,33 @@ class Lab {
 
  private:
   void apply_queue();
-  void obey(const Control& control, Gesture gesture);
+  void handle(const Control& control, Gesture gesture);
   void edit(const Command& command, Gesture gesture);
-  void take_over(Effect effect);
+  void update_plan(Effect effect);
   void open(std::shared_ptr<const Scene> scene);
-  void start_afresh();
+  void reset_session();
   void keep_start();
-  void note_moment();
-  void go_to_moment(std::size_t moment, Gesture gesture);
+  void add_to_timeline();
+  void go_to_timeline_index(std::size_t moment, Gesture gesture);
   void play_edits();
-  void judge_played_frame();
+  void check_played_frame();
   void begin_frame();
   bool finish_frame();
   bool step_frame();
   std::optional<Insert> tear();
-  void note_tear(Insert pieces);
+  void record_tear(Insert pieces);
   void drop_frame();
-  void follow_hand();
+  void update_hand();
   std::shared_ptr<const Snapshot> snapshot();
 
   Scene scene_;
   std::shared_ptr<const Scene> start_;
   std::vector<std::pair<std::variant<Command, Control>, Gesture>> queue_;
   History history_;
-  Past past_;
+  FrameHistory frame_history_;
   Recorder recorder_;
   Playback playback_;
-  RealTime real_time_;
+  FramePacer frame_pacer_;
   Plan plan_;
   Frame frame_;
   bool frame_in_progress_ = false;

@@ -1,33 +1,33 @@
 // What a Lab does when it is asked for something else than an edit: documents, undo, going back in time, recordings.
+#include "base/overloaded.h"
 #include "lab/lab.h"
-#include "sim/overloaded.h"
 
 namespace hooke {
 
 void Lab::open(std::shared_ptr<const Scene> scene) {
   start_ = std::move(scene);
   scene_ = *start_;
-  start_afresh();
+  reset_session();
   // until the first edit the start is what is shown: a large scene is not copied once more
   published_system_ = std::shared_ptr<const System>(start_, &start_->system);
 }
 
 // With the scene that was just put in place.
-void Lab::start_afresh() {
+void Lab::reset_session() {
   scene_.state.ledger = {};
   history_.clear();
   divergence_.reset();
   running_ = unsaved_ = edited_ = false;
   playback_.stop();
-  playback_.forget();
+  playback_.clear_difference();
   run_to_.reset();
-  past_.clear();
-  real_time_.reset();
+  frame_history_.clear();
+  frame_pacer_.reset();
   simulate_ms_ = 0.0;
   frames_ = 0;
   limit_work_ = last_limit_work_ = hand_lag_ = 0.0;
-  take_over({.structure = true});
-  open_ledger(scene_.system, scene_.state);
+  update_plan({.structure = true});
+  initialize_ledger(scene_.system, scene_.state);
 }
 
 // The start is what was built before it ran: edits until then belong to it.
@@ -36,34 +36,34 @@ void Lab::keep_start() {
   edited_ = false;
 }
 
-void Lab::go_to_moment(std::size_t moment, Gesture gesture) {
+void Lab::go_to_timeline_index(std::size_t moment, Gesture gesture) {
   running_ = false;
   run_to_.reset();
   playback_.stop();
-  const auto state = past_.timeline().at(moment);
+  const auto state = frame_history_.timeline().at(moment);
   if (state->time != scene_.state.time) edit(GoToState{state}, gesture);
 }
 
-void Lab::obey(const Control& control, Gesture gesture) {
-  const auto go_in_history = [this](std::size_t done) {
+void Lab::handle(const Control& control, Gesture gesture) {
+  const auto go_to_history_step = [this](std::size_t done) {
     if (done == history_.done() || done > history_.done() + history_.undone()) return;
     playback_.stop();
     const double before = compute_energy(scene_.system, scene_.state).total();
-    take_over(history_.go_to(done, scene_));
-    book_edit(scene_.system, before, scene_.state);
-    recorder_.note_scene(scene_);
+    update_plan(history_.go_to(done, scene_));
+    record_edit_energy(scene_.system, before, scene_.state);
+    recorder_.record_scene(scene_);
     divergence_.reset();
     unsaved_ = edited_ = true;
     ++edits_;
   };
   std::visit(Overloaded{
-                 [&](const Undo&) { go_in_history(history_.done() - 1); },
-                 [&](const Redo&) { go_in_history(history_.done() + 1); },
-                 [&](const GoInHistory& go) { go_in_history(go.done); },
+                 [&](const Undo&) { go_to_history_step(history_.done() - 1); },
+                 [&](const Redo&) { go_to_history_step(history_.done() + 1); },
+                 [&](const GoToHistoryStep& go) { go_to_history_step(go.done); },
                  [&](const SetRunning& set) {
                    running_ = set.running;
                    run_to_.reset();
-                   real_time_.reset();
+                   frame_pacer_.reset();
                    drop_frame();
                    if (running_) divergence_.reset();
                  },
@@ -79,11 +79,11 @@ void Lab::obey(const Control& control, Gesture gesture) {
                    divergence_.reset();
                  },
                  [&](const StepBack&) {
-                   if (!past_.timeline().empty()) go_to_moment(past_.step_back_from(scene_.state.time), 0);
+                   if (!frame_history_.timeline().empty()) go_to_timeline_index(frame_history_.step_back_from(scene_.state.time), 0);
                  },
-                 [&](const Watch& watch) { past_.watch(watch.quantities, scene_.system); },
+                 [&](const Watch& watch) { frame_history_.watch(watch.quantities, scene_.system); },
                  [&](const GoToTime& go) {
-                   if (!past_.timeline().empty()) go_to_moment(past_.timeline().find(go.time), gesture);
+                   if (!frame_history_.timeline().empty()) go_to_timeline_index(frame_history_.timeline().find(go.time), gesture);
                  },
                  [&](const GoToStart&) {
                    if (!start_) return;

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/printable.h"
 #include "lab/lab.h"
-#include "lab/parameters.h"
-#include "lab/printable.h"
+#include "scene/parameters.h"
 
 namespace hooke {
 
@@ -19,8 +19,8 @@ std::shared_ptr<const Snapshot> Lab::snapshot() {
   for (const Spring& spring : scene_.system.springs()) {
     if (!scene_.system.is_on(spring)) continue;
     const double value = strain(scene_.system, scene_.state, spring);
-    snapshot->least_strain = std::min(snapshot->least_strain, value);
-    snapshot->most_strain = std::max(snapshot->most_strain, value);
+    snapshot->min_strain = std::min(snapshot->min_strain, value);
+    snapshot->max_strain = std::max(snapshot->max_strain, value);
   }
   snapshot->omega = plan_.spectrum.omega;
   snapshot->largest_stable_step = largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
@@ -34,7 +34,7 @@ void Lab::publish() {
   status->scene_name = scene_.name;
   status->scene_description = scene_.description;
   status->view = scene_.view;
-  status->print = scene_.print;
+  status->cloth_texture = scene_.cloth_texture;
   status->defaults = scene_.defaults;
   status->sheet = scene_.sheet;
   status->controls = scene_.controls;
@@ -56,19 +56,19 @@ void Lab::publish() {
     status->message = explain(*divergence_, scene_.system, scene_.settings, *status->advice);
   }
   status->simulate_ms = simulate_ms_;
-  status->speed = running_ ? real_time_.speed() : 0.0;
+  status->speed = running_ ? frame_pacer_.speed() : 0.0;
   status->frames = frames_;
-  const Timeline& timeline = past_.timeline();
-  status->first_moment = timeline.empty() ? scene_.state.time : timeline.first_time();
-  status->last_moment = timeline.empty() ? scene_.state.time : timeline.last_time();
-  status->traces = past_.traces();
+  const Timeline& timeline = frame_history_.timeline();
+  status->timeline_start = timeline.empty() ? scene_.state.time : timeline.first_time();
+  status->timeline_end = timeline.empty() ? scene_.state.time : timeline.last_time();
+  status->traces = frame_history_.traces();
   if (run_to_) {
     status->run_from = run_from_;
     status->run_to = *run_to_;
   }
   if (recorder_.file() != nullptr) status->recording = printable(recorder_.file()->native());
   status->recording_error = recorder_.error();
-  if (playback_.is_on()) status->playing = playback_.progress();
+  if (playback_.is_on()) status->playback_progress = playback_.progress();
   status->difference = playback_.difference();
   status->next_point_id = scene_.system.next_point_id();
   status->next_spring_id = scene_.system.next_spring_id();

@@ -10,7 +10,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // How long a frame in progress may keep its results to itself.
-constexpr auto longest_silence = std::chrono::milliseconds(50);
+constexpr auto max_publish_interval = std::chrono::milliseconds(50);
 
 }  // namespace
 
@@ -82,11 +82,11 @@ void LabThread::work() {
     std::vector<Task> tasks;
     {
       std::unique_lock lock(mutex_);
-      const auto something_to_do = [this] { return stopping_ || !tasks_.empty(); };
+      const auto has_work = [this] { return stopping_ || !tasks_.empty(); };
       if (status_->running)
-        posted_.wait_for(lock, lab_.time_to_next_frame(), something_to_do);
+        posted_.wait_for(lock, lab_.time_to_next_frame(), has_work);
       else
-        posted_.wait(lock, something_to_do);
+        posted_.wait(lock, has_work);
       if (stopping_) return;
       tasks = std::exchange(tasks_, {});
       urgent_ = false;
@@ -97,7 +97,7 @@ void LabThread::work() {
     const double elapsed = lab_.status()->running ? std::chrono::duration<double>(now - last).count() : 0.0;
     last = now;
     for (const Task& task : tasks) task(lab_);
-    lab_.advance(elapsed, [&] { return !stopping_ && !urgent_ && Clock::now() - now < longest_silence; });
+    lab_.advance(elapsed, [&] { return !stopping_ && !urgent_ && Clock::now() - now < max_publish_interval; });
 
     {
       const std::lock_guard lock(mutex_);

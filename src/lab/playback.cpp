@@ -1,6 +1,6 @@
 #include "lab/playback.h"
 
-#include "lab/bounds.h"
+#include "base/bounds.h"
 
 namespace hooke {
 
@@ -19,13 +19,13 @@ const Recording::Item* Playback::next_edit() {
   return nullptr;
 }
 
-void Playback::judge(const State& state, Index points) {
+void Playback::compare(const State& state, Index points) {
   const Fingerprint& recorded = std::get<Fingerprint>(recording_->items[next_++]);
   const Fingerprint now = fingerprint_of(state);
   ++frames_;
   if (now == recorded) return;
 
-  difference_ = "frame " + std::to_string(frames_) + ", at " + shortest(state.time) + " s: ";
+  difference_ = "frame " + std::to_string(frames_) + ", at " + format_exact(state.time) + " s: ";
   if (const auto apart = first_difference(now, recorded, points)) {
     const auto& [first, last] = *apart;
     difference_ += first == last ? "point " + std::to_string(first) + " is"
@@ -37,7 +37,7 @@ void Playback::judge(const State& state, Index points) {
   stop();
 }
 
-void Playback::note_divergence() {
+void Playback::record_divergence() {
   if (is_on()) difference_ = "frame " + std::to_string(frames_ + 1) + " diverges, and did not when it was recorded";
   stop();
 }

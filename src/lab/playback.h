@@ -13,7 +13,7 @@ class Playback {
   void start(std::shared_ptr<const Recording> recording);
   // What it found out is still known, until the next one starts or it is forgotten.
   void stop() { recording_.reset(); }
-  void forget() { difference_.clear(); }
+  void clear_difference() { difference_.clear(); }
   bool is_on() const { return recording_ != nullptr; }
 
   // What was done next, before the next frame: a Command or a scene; null where a frame comes first. It is over when nothing
@@ -21,10 +21,10 @@ class Playback {
   const Recording::Item* next_edit();
 
   // Compares the frame just computed with the recorded one, or says that it diverged; where they are not the same it is over.
-  void judge(const State& state, Index points);
-  void note_divergence();
+  void compare(const State& state, Index points);
+  void record_divergence();
   // Whether the last frame has been done; edits may follow.
-  bool is_past_the_last_frame() const { return is_on() && frames_ == recording_->frames; }
+  bool is_after_last_frame() const { return is_on() && frames_ == recording_->frames; }
 
   // Where it came out otherwise: "frame 12, at 0.2 s: point 5 is not where recorded"; empty: nowhere so far.
   const std::string& difference() const { return difference_; }

@@ -1,6 +1,6 @@
 #include "lab/recorder.h"
 
-#include "sim/errors.h"
+#include "base/errors.h"
 
 namespace hooke {
 
@@ -19,20 +19,20 @@ void Recorder::stop() {
   writer_.reset();
 }
 
-void Recorder::note(const Command& command, const Scene& now) {
-  write([&](RecordingWriter& writer) { writer.note(command, now); });
+void Recorder::record(const Command& command, const Scene& now) {
+  write([&](RecordingWriter& writer) { writer.record(command, now); });
 }
-void Recorder::note_scene(const Scene& scene) {
-  write([&](RecordingWriter& writer) { writer.note_scene(scene); });
+void Recorder::record_scene(const Scene& scene) {
+  write([&](RecordingWriter& writer) { writer.record_scene(scene); });
 }
-void Recorder::note_frame(const State& state) {
-  write([&](RecordingWriter& writer) { writer.note_frame(state); });
+void Recorder::record_frame(const State& state) {
+  write([&](RecordingWriter& writer) { writer.record_frame(state); });
 }
 
-void Recorder::write(const std::function<void(RecordingWriter&)>& note) {
+void Recorder::write(const std::function<void(RecordingWriter&)>& record) {
   if (!writer_) return;
   try {
-    note(*writer_);
+    record(*writer_);
   } catch (const FileError& error) {
     error_ = error.what();
     writer_.reset();

@@ -17,9 +17,9 @@ class Recorder {
   void stop();
 
   // As RecordingWriter's; nothing without a recording.
-  void note(const Command& command, const Scene& now);
-  void note_scene(const Scene& scene);
-  void note_frame(const State& state);
+  void record(const Command& command, const Scene& now);
+  void record_scene(const Scene& scene);
+  void record_frame(const State& state);
 
   // What is written; null: nothing.
   const std::filesystem::path* file() const { return writer_ ? &writer_->file() : nullptr; }
@@ -27,7 +27,7 @@ class Recorder {
   const std::string& error() const { return error_; }
 
  private:
-  void write(const std::function<void(RecordingWriter&)>& note);
+  void write(const std::function<void(RecordingWriter&)>& record);
 
   std::optional<RecordingWriter> writer_;
   std::string error_;

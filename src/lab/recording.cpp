@@ -6,14 +6,14 @@
 #include <charconv>
 #include <cstring>
 
-#include "lab/build_info.h"
-#include "lab/command_text.h"
-#include "lab/file_limits.h"
-#include "lab/json_text.h"
-#include "lab/printable.h"
-#include "lab/read_file.h"
-#include "lab/scene_file.h"
-#include "sim/errors.h"
+#include "base/build_info.h"
+#include "base/errors.h"
+#include "base/file_limits.h"
+#include "base/json_text.h"
+#include "base/printable.h"
+#include "base/read_file.h"
+#include "edit/command_text.h"
+#include "formats/scene_file.h"
 #include "sim/hash.h"
 
 namespace hooke {
@@ -22,21 +22,21 @@ namespace {
 constexpr int newest_recording_version = 1;
 
 // The longest text of a command; a longer one is recorded by the scene that it leads to.
-constexpr std::size_t most_command_bytes = std::size_t{1} << 20;
+constexpr std::size_t max_command_bytes = std::size_t{1} << 20;
 
 // Lines that reach the disk at once: a second or so of frames.
 constexpr long frames_per_flush = 60;
 
 std::size_t group_of(std::size_t point, std::size_t points) {
-  const std::size_t size = (points + Fingerprint::most_groups - 1) / Fingerprint::most_groups;
+  const std::size_t size = (points + Fingerprint::max_groups - 1) / Fingerprint::max_groups;
   return point / size;
 }
 
-std::string hexadecimal(const Fingerprint& print) {
+std::string hexadecimal(const Fingerprint& fingerprint) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string text;
-  for (int shift = 60; shift >= 0; shift -= 4) text += digits[(print.hash >> shift) & 15];
-  for (const std::uint8_t group : print.groups) {
+  for (int shift = 60; shift >= 0; shift -= 4) text += digits[(fingerprint.hash >> shift) & 15];
+  for (const std::uint8_t group : fingerprint.groups) {
     text += digits[group >> 4];
     text += digits[group & 15];
   }
@@ -51,16 +51,16 @@ Fingerprint read_fingerprint(const JsonField& field) {
     if (error != std::errc() || end != text.data() + at + 2) field.refuse("must be hexadecimal digits");
     return static_cast<std::uint8_t>(byte);
   };
-  if (text.size() < 16 || text.size() % 2 != 0 || text.size() > 16 + 2 * Fingerprint::most_groups)
+  if (text.size() < 16 || text.size() % 2 != 0 || text.size() > 16 + 2 * Fingerprint::max_groups)
     field.refuse("must be the 16 hexadecimal digits of a hash, and two for every group of points");
-  Fingerprint print;
-  for (std::size_t at = 0; at < 16; at += 2) print.hash = print.hash << 8 | byte_at(at);
-  for (std::size_t at = 16; at < text.size(); at += 2) print.groups.push_back(byte_at(at));
-  return print;
+  Fingerprint fingerprint;
+  for (std::size_t at = 0; at < 16; at += 2) fingerprint.hash = fingerprint.hash << 8 | byte_at(at);
+  for (std::size_t at = 16; at < text.size(); at += 2) fingerprint.groups.push_back(byte_at(at));
+  return fingerprint;
 }
 
 // Without line ends and the indents after them: both stand between values alone, those in texts are escaped.
-std::string on_one_line(std::string_view text) {
+std::string to_single_line(std::string_view text) {
   std::string line;
   bool in_indent = false;
   for (const char c : text) {
@@ -74,14 +74,14 @@ std::string scene_line(const Scene& scene) {
   Scene plain = scene;
   plain.view.texture.clear();  // looks alone, and a file of its own
   plain.view.texture_size.reset();
-  return on_one_line(format_scene(plain));
+  return to_single_line(format_scene(plain));
 }
 
-std::string rest_line(const Scene& scene) {
+std::string resume_state_line(const Scene& scene) {
   JsonWriter out;
   out.begin_object(JsonWriter::Layout::Line);
   out.key("rest");
-  write_rest(out, rest_of(scene));
+  write_resume_state(out, resume_state_of(scene));
   out.end();
   return out.take();
 }
@@ -92,9 +92,9 @@ class RecordingReader {
 
   Recording read() {
     while (next_line()) read_line();
-    if (number_ == 0 && recording_.is_cut_short) refuse("ends within its first line: must begin with \"hooke_recording\"");
+    if (number_ == 0 && recording_.is_truncated) refuse("ends within its first line: must begin with \"hooke_recording\"");
     if (number_ == 0) refuse("empty: must begin with \"hooke_recording\"");
-    if (awaited_) refuse("must go on with the rest of the scene: {\"rest\": ...}");
+    if (pending_scene_) refuse("must go on with the rest of the scene: {\"rest\": ...}");
     if (!recording_.start) refuse("no scene: must be on the second line");
     return std::move(recording_);
   }
@@ -105,7 +105,7 @@ class RecordingReader {
     const std::size_t end = text_.find('\n', at_);
     // a line that its writer did not finish is left out
     if (end == std::string::npos) {
-      recording_.is_cut_short = true;
+      recording_.is_truncated = true;
       return false;
     }
     line_ = text_.substr(at_, end - at_);
@@ -117,8 +117,8 @@ class RecordingReader {
   void read_line() {
     if (line_.starts_with("{\"hooke\":")) {
       if (number_ == 1) refuse("a scene: must be a recording, {\"hooke_recording\": 1, ...}");
-      if (awaited_) refuse("must be the rest of the scene: {\"rest\": ...}");
-      awaited_ = parse_scene(line_, name_).scene;
+      if (pending_scene_) refuse("must be the rest of the scene: {\"rest\": ...}");
+      pending_scene_ = parse_scene(line_, name_).scene;
       return;
     }
     walk_json(line_, name_,
@@ -132,12 +132,12 @@ class RecordingReader {
   void read_member(const JsonField& field) {
     if (number_ == 1) {
       if (!field.is("hooke_recording")) return;
-      field.whole(1, newest_recording_version);
+      field.integer(1, newest_recording_version);
       has_version_ = true;
-    } else if (awaited_) {
+    } else if (pending_scene_) {
       if (!field.is("rest")) field.refuse("must be the rest of the scene: {\"rest\": ...}");
-      restore_rest(field, *awaited_);
-      take_scene();
+      restore_resume_state(field, *pending_scene_);
+      add_pending_scene();
     } else if (!recording_.start) {
       field.refuse("must be a scene first");
     } else if (field.is("frame")) {
@@ -148,22 +148,22 @@ class RecordingReader {
     }
   }
 
-  void take_scene() {
-    auto scene = std::make_shared<const Scene>(std::move(*awaited_));
-    awaited_.reset();
+  void add_pending_scene() {
+    auto scene = std::make_shared<const Scene>(std::move(*pending_scene_));
+    pending_scene_.reset();
     if (recording_.start)
       recording_.items.emplace_back(std::move(scene));
     else
       recording_.start = std::move(scene);
   }
 
-  [[noreturn]] void refuse(const std::string& what) const { throw Refused((number_ == 0 ? file_ : name_) + ": " + what); }
+  [[noreturn]] void refuse(const std::string& what) const { throw InputError((number_ == 0 ? file_ : name_) + ": " + what); }
 
   const std::string& text_;
   std::string file_, name_, line_;
   std::size_t at_ = 0, number_ = 0;
   bool has_version_ = false;
-  std::optional<Scene> awaited_;  // its rest is still to come
+  std::optional<Scene> pending_scene_;  // its rest is still to come
   JsonParser parser_;
   Recording recording_;
 };
@@ -171,25 +171,25 @@ class RecordingReader {
 }  // namespace
 
 Fingerprint fingerprint_of(const State& state) {
-  Fingerprint print{.hash = hash_state(state), .groups = {}};
+  Fingerprint fingerprint{.hash = hash_state(state), .groups = {}};
   const std::size_t points = state.position.size();
-  if (points == 0) return print;
-  print.groups.assign(group_of(points - 1, points) + 1, 0);
+  if (points == 0) return fingerprint;
+  fingerprint.groups.assign(group_of(points - 1, points) + 1, 0);
   for (std::size_t i = 0; i < points; ++i) {
     std::uint64_t mixed = i;
     for (const Vec3* v : {&state.position[i], &state.velocity[i]})
       for (int c = 0; c < 3; ++c) mixed = (std::rotl(mixed, 23) ^ std::bit_cast<std::uint64_t>((*v)[c])) * 0x9e3779b97f4a7c15ull;
-    print.groups[group_of(i, points)] ^= static_cast<std::uint8_t>(mixed >> 56);
+    fingerprint.groups[group_of(i, points)] ^= static_cast<std::uint8_t>(mixed >> 56);
   }
-  return print;
+  return fingerprint;
 }
 
 std::optional<std::pair<Index, Index>> first_difference(const Fingerprint& a, const Fingerprint& b, Index points) {
   const std::size_t count = static_cast<std::size_t>(points);
   if (a.groups.size() != b.groups.size() || count == 0) return std::nullopt;
-  const auto [mine, other] = std::ranges::mismatch(a.groups, b.groups);
-  if (mine == a.groups.end()) return std::nullopt;
-  const auto group = static_cast<std::size_t>(mine - a.groups.begin());
+  const auto [differing, other] = std::ranges::mismatch(a.groups, b.groups);
+  if (differing == a.groups.end()) return std::nullopt;
+  const auto group = static_cast<std::size_t>(differing - a.groups.begin());
   std::size_t first = 0, last = 0;
   while (group_of(first, count) < group) ++first;
   for (last = first; last + 1 < count && group_of(last + 1, count) == group;) ++last;
@@ -202,35 +202,35 @@ Recording parse_recording(const std::string& text, const std::string& name) { re
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const Scene& start) : file_(file), out_(file, std::ios::binary) {
   write_line("{\"hooke_recording\": " + std::to_string(newest_recording_version) + ", \"program\": " + to_json(program_version) + "}");
-  note_scene(start);
+  record_scene(start);
 }
 
-void RecordingWriter::note(const Command& command, const Scene& now) {
+void RecordingWriter::record(const Command& command, const Scene& now) {
   if (!std::holds_alternative<Replace>(command)) {
     JsonWriter out;
     write_command(out, command);
-    if (const std::string line = out.take(); line.size() <= most_command_bytes) {
+    if (const std::string line = out.take(); line.size() <= max_command_bytes) {
       write_line(line);
       return;
     }
   }
-  note_scene(now);
+  record_scene(now);
 }
 
-void RecordingWriter::note_scene(const Scene& scene) {
+void RecordingWriter::record_scene(const Scene& scene) {
   write_line(scene_line(scene));
-  write_line(rest_line(scene));
+  write_line(resume_state_line(scene));
   out_.flush();
 }
 
-void RecordingWriter::note_frame(const State& state) {
+void RecordingWriter::record_frame(const State& state) {
   write_line("{\"frame\": \"" + hexadecimal(fingerprint_of(state)) + "\"}");
   if (++frames_ % frames_per_flush == 0) out_.flush();
 }
 
 void RecordingWriter::write_line(const std::string& line) {
   bytes_ += line.size() + 1;
-  if (bytes_ > most_file_bytes)
+  if (bytes_ > max_file_bytes)
     throw FileError(printable(file_.native()) + ": the recording is full: more than 256 MiB could not be read again");
   errno = 0;
   out_ << line << '\n';

@@ -11,16 +11,16 @@
 #include <variant>
 #include <vector>
 
-#include "lab/command.h"
+#include "edit/command.h"
 
 namespace hooke {
 
 inline constexpr const char* recording_extension = ".hookelog";
 
 // Of a state: hash_state of all of it, and a byte a group of neighbouring points, so that a difference can be placed. A group
-// is one point in scenes of up to most_groups of them.
+// is one point in scenes of up to max_groups of them.
 struct Fingerprint {
-  static constexpr std::size_t most_groups = 1024;
+  static constexpr std::size_t max_groups = 1024;
   std::uint64_t hash = 0;
   std::vector<std::uint8_t> groups;
   bool operator==(const Fingerprint&) const = default;
@@ -37,10 +37,10 @@ struct Recording {
   std::shared_ptr<const Scene> start;
   std::vector<Item> items;
   long frames = 0;
-  bool is_cut_short = false;  // the last line was not finished: who wrote it was stopped
+  bool is_truncated = false;  // the last line was not finished: who wrote it was stopped
 };
 
-// Throws Refused ("FILE: line N: ...") or FileError.
+// Throws InputError ("FILE: line N: ...") or FileError.
 Recording read_recording(const std::filesystem::path& file);
 Recording parse_recording(const std::string& text, const std::string& name);
 
@@ -50,9 +50,9 @@ class RecordingWriter {
   RecordingWriter(const std::filesystem::path& file, const Scene& start);
 
   // An edit that was just applied to the scene.
-  void note(const Command& command, const Scene& now);
-  void note_scene(const Scene& scene);
-  void note_frame(const State& state);
+  void record(const Command& command, const Scene& now);
+  void record_scene(const Scene& scene);
+  void record_frame(const State& state);
   // All of it is in the file.
   void close();
 

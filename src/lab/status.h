@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "lab/diagnosis.h"
-#include "lab/history_list.h"
-#include "lab/scene.h"
+#include "edit/history_list.h"
 #include "lab/traces.h"
+#include "scene/diagnosis.h"
+#include "scene/scene.h"
 #include "sim/snapshot.h"
 
 namespace hooke {
@@ -17,9 +17,9 @@ struct Status {
   std::shared_ptr<const Snapshot> snapshot;
   std::string scene_name, scene_description;
   ViewSettings view;
-  Print print;
+  ClothTexture cloth_texture;
   Defaults defaults;
-  std::shared_ptr<const SheetShares> sheet;  // null: there is no cloth
+  std::shared_ptr<const SheetWeights> sheet;  // null: there is no cloth
   ControlRanges controls;
   std::vector<double> parameter_values;        // one a row of parameters(); NaN: the row does not apply
   double hand_lag = 0.0;                       // [m], of the hand behind the cursor, by its top speed; 0: it keeps up
@@ -35,14 +35,14 @@ struct Status {
   double speed = 0.0;                                   // simulated against real seconds, measured; 0 while paused
   std::uint32_t next_point_id = 0, next_spring_id = 0;  // ids from here on are free
   long frames = 0;                                      // stepped since the document was opened
-  double first_moment = 0.0, last_moment = 0.0;         // [s], of the frames that one can go back to; the same: none but this
+  double timeline_start = 0.0, timeline_end = 0.0;      // [s], of the frames that one can go back to; the same: none but this
   std::shared_ptr<const TraceTable> traces;             // what the plots show
   double run_to = 0.0;                                  // [s], where a run to a time ends, from `run_from`; both 0: none
   double run_from = 0.0;
-  std::string recording;        // the file that what is done is recorded in; empty: none
-  std::string recording_error;  // why the last recording ended early, in one line; empty: it did not
-  double playing = 0.0;         // how much of a recording has been played, to 1; 0: none is playing
-  std::string difference;       // where a recording came out otherwise than recorded; empty: nowhere so far
+  std::string recording;           // the file that what is done is recorded in; empty: none
+  std::string recording_error;     // why the last recording ended early, in one line; empty: it did not
+  double playback_progress = 0.0;  // how much of a recording has been played, to 1; 0: none is playing
+  std::string difference;          // where a recording came out otherwise than recorded; empty: nowhere so far
 };
 
 }  // namespace hooke

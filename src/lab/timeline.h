@@ -13,25 +13,25 @@ namespace hooke {
 class Timeline {
  public:
   // Beyond this many moments, or bytes of them, the oldest are forgotten; the newest never.
-  static constexpr std::size_t most_moments = 2000, most_bytes = std::size_t{100} << 20;
+  static constexpr std::size_t max_states = 2000, max_bytes = std::size_t{100} << 20;
 
   // The newest moment. Moments at its time or later are gone: from there it went on otherwise.
-  void note(const State& state);
+  void record(const State& state);
   void clear();
 
-  bool empty() const { return moments_.empty(); }
-  std::size_t count() const { return moments_.size(); }
+  bool empty() const { return states_.empty(); }
+  std::size_t count() const { return states_.size(); }
   std::size_t bytes() const { return bytes_; }
-  double first_time() const { return moments_.front()->time; }
-  double last_time() const { return moments_.back()->time; }
-  std::shared_ptr<const State> at(std::size_t moment) const { return moments_[moment]; }
+  double first_time() const { return states_.front()->time; }
+  double last_time() const { return states_.back()->time; }
+  std::shared_ptr<const State> at(std::size_t moment) const { return states_[moment]; }
   // The moment at this time or the last before it; the first when all are later. There must be one.
   std::size_t find(double time) const;
 
  private:
   void drop(bool newest);
 
-  std::deque<std::shared_ptr<const State>> moments_;  // in the order of time
+  std::deque<std::shared_ptr<const State>> states_;  // in the order of time
   std::size_t bytes_ = 0;
 };
 

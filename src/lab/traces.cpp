@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lab/bounds.h"
+#include "base/bounds.h"
 
 namespace hooke {
 namespace {
@@ -15,7 +15,7 @@ void drop_front(std::vector<T>& list, std::size_t count) {
 }
 
 // Dropping from the front of a list moves the rest of it: some hundreds at a time.
-constexpr std::size_t drop_at_once = 256;
+constexpr std::size_t drop_batch = 256;
 
 }  // namespace
 
@@ -27,30 +27,30 @@ void Traces::watch(const std::vector<Quantity>& quantities, const Timeline& time
   for (std::size_t moment = 0; moment < timeline.count(); ++moment) add(system, *timeline.at(moment));
 }
 
-void Traces::note(const Timeline& timeline, const System& system, const State& state) {
+void Traces::record(const Timeline& timeline, const System& system, const State& state) {
   if (table_.traces.empty()) return;
   published_.reset();
   while (!table_.times.empty() && table_.times.back() >= state.time) {
     table_.times.pop_back();
     for (Trace& trace : table_.traces) trace.values.pop_back();
   }
-  if (table_.times.size() >= timeline.count() + drop_at_once) {
-    drop_front(table_.times, drop_at_once);
-    for (Trace& trace : table_.traces) drop_front(trace.values, drop_at_once);
+  if (table_.times.size() >= timeline.count() + drop_batch) {
+    drop_front(table_.times, drop_batch);
+    for (Trace& trace : table_.traces) drop_front(trace.values, drop_batch);
   }
   add(system, state);
 }
 
 void Traces::add(const System& system, const State& state) {
   if (state.position.size() != system.points().size()) return;
-  const Measured measured = measure(system, state);
+  const Measurement measurement = measure(system, state);
   table_.times.push_back(state.time);
   for (Trace& trace : table_.traces) {
     const QuantityRow& row = *trace.quantity.row;
     const Index count = row.of == QuantityRow::Of::Point    ? system.point_count()
                         : row.of == QuantityRow::Of::Spring ? system.spring_count()
                                                             : 1;
-    trace.values.push_back(trace.quantity.at < count ? trace.quantity.of(measured) : std::numeric_limits<double>::quiet_NaN());
+    trace.values.push_back(trace.quantity.at < count ? trace.quantity.of(measurement) : std::numeric_limits<double>::quiet_NaN());
   }
 }
 
@@ -70,8 +70,8 @@ std::string to_csv(const TraceTable& table) {
   for (const Trace& trace : table.traces) text += "," + trace.quantity.heading();
   text += "\n";
   for (std::size_t i = 0; i < table.times.size(); ++i) {
-    text += shortest(table.times[i]);
-    for (const Trace& trace : table.traces) text += "," + (std::isfinite(trace.values[i]) ? shortest(trace.values[i]) : std::string());
+    text += format_exact(table.times[i]);
+    for (const Trace& trace : table.traces) text += "," + (std::isfinite(trace.values[i]) ? format_exact(trace.values[i]) : std::string());
     text += "\n";
   }
   return text;

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "lab/quantity.h"
 #include "lab/timeline.h"
+#include "scene/quantity.h"
 
 namespace hooke {
 
@@ -25,7 +25,7 @@ class Traces {
   // What is measured from here on, and of the moments that are known, with the System as it is now.
   void watch(const std::vector<Quantity>& quantities, const Timeline& timeline, const System& system);
   // The newest moment, which the timeline has just noted.
-  void note(const Timeline& timeline, const System& system, const State& state);
+  void record(const Timeline& timeline, const System& system, const State& state);
   void clear();
 
   // The same object until it changes.

@@ -57,24 +57,24 @@ bool is_finite(const State& state) {
 namespace {
 
 // The least that counts as put in [J]: M g L, and in scenes without weight a billionth of what the springs could hold.
-double least_scale(const System& system, const State& state) {
+double min_scale(const System& system, const State& state) {
   double springs = 0.0;
   for (const Spring& spring : system.springs()) springs += system.stiffness_of(spring) * spring.rest_length * spring.rest_length;
-  return std::max({energy_floor(system, state), 1e-9 * springs, 1e-300});
+  return std::max({reference_energy(system, state), 1e-9 * springs, 1e-300});
 }
 
 }  // namespace
 
-void open_ledger(const System& system, State& state) {
+void initialize_ledger(const System& system, State& state) {
   const Energy energy = compute_energy(system, state);
-  state.ledger = {.given = energy.total()};
-  state.ledger.scale = std::max(energy.kinetic + energy.elastic, least_scale(system, state));
+  state.ledger = {.net_input = energy.total()};
+  state.ledger.scale = std::max(energy.kinetic + energy.elastic, min_scale(system, state));
 }
 
-void book_edit(const System& system, double before, State& state) {
+void record_edit_energy(const System& system, double before, State& state) {
   const double change = compute_energy(system, state).total() - before;
-  state.ledger.given += change;
-  state.ledger.scale = std::max(state.ledger.scale + std::abs(change), least_scale(system, state));
+  state.ledger.net_input += change;
+  state.ledger.scale = std::max(state.ledger.scale + std::abs(change), min_scale(system, state));
 }
 
 std::optional<Divergence> find_divergence(const System& system, const State& state, const Energy& energy) {
@@ -85,13 +85,13 @@ std::optional<Divergence> find_divergence(const System& system, const State& sta
   for (const Point& point : system.points()) mass += point.mass;
   if (system.drag_rate() > 0.0) divergence.scale += mass * glm::dot(system.wind, system.wind);
 
-  divergence.energy = energy.total() - state.ledger.given;
+  divergence.energy = energy.total() - state.ledger.net_input;
   const double present = energy.kinetic + energy.elastic;
   if (!is_finite(state) || !std::isfinite(energy.total()))
     divergence.kind = Divergence::Kind::NotFinite;
   else if (divergence.energy > divergence_factor * divergence.scale + state.ledger.hand_stretch &&
-           divergence.energy > divergence_share * present)
-    divergence.kind = Divergence::Kind::EnergyFromNowhere;
+           divergence.energy > divergence_fraction * present)
+    divergence.kind = Divergence::Kind::EnergyGain;
   else
     return std::nullopt;
 

@@ -10,7 +10,7 @@ namespace hooke {
 
 // Why a frame was refused, and what broke first.
 struct Divergence {
-  enum class Kind { NotFinite, EnergyFromNowhere };
+  enum class Kind { NotFinite, EnergyGain };
   Kind kind = Kind::NotFinite;
   double time = 0.0;               // [s], end of the refused frame
   double energy = 0.0;             // [J], beyond what was put in; not finite for NotFinite
@@ -25,16 +25,16 @@ inline constexpr double divergence_factor = 100.0;
 // step that takes a stiff sheet by a corner and turns it leaves it too long for a moment, and the books still say so.
 // And it must be this share of the energy in motion and springs: a long fall gathers far more than what was put in, and
 // with it a method's small share of error.
-inline constexpr double divergence_share = 0.5;
+inline constexpr double divergence_fraction = 0.5;
 
 // True when every position and velocity is a number.
 bool is_finite(const State& state);
 
 // Starts the books at this state: the ledger holds its energy.
-void open_ledger(const System& system, State& state);
+void initialize_ledger(const System& system, State& state);
 
 // Notes that an edit took the energy from `before` [J] to that of (system, state).
-void book_edit(const System& system, double before, State& state);
+void record_edit_energy(const System& system, double before, State& state);
 
 // Judges the frame that ended in `state`; none if it is sound.
 std::optional<Divergence> find_divergence(const System& system, const State& state, const Energy& energy);

@@ -20,8 +20,8 @@ Energy compute_energy(const System& system, const State& state) {
     energy.elastic += 0.5 * system.stiffness_of(spring) * extension * extension;
   }
   if (system.grab && system.grab->kind == GrabKind::Pull) {
-    const Vec3 reach = state.hand - grabbed_place(system, state);
-    energy.elastic += 0.5 * system.grab->stiffness * glm::dot(reach, reach);
+    const Vec3 stretch = state.hand - grabbed_position(system, state);
+    energy.elastic += 0.5 * system.grab->stiffness * glm::dot(stretch, stretch);
   }
   return energy;
 }
@@ -42,7 +42,7 @@ double strain(const System& system, const State& state, const Spring& spring) {
   return spring.rest_length > 0.0 ? length / spring.rest_length - 1.0 : length;
 }
 
-Vec3 grabbed_place(const System& system, const State& state) {
+Vec3 grabbed_position(const System& system, const State& state) {
   const Grab& grab = *system.grab;
   if (!grab.patch) return state.position[system.index_of(grab.point)];
   Vec3 place(0.0);
@@ -50,16 +50,16 @@ Vec3 grabbed_place(const System& system, const State& state) {
   return place;
 }
 
-double energy_floor(const System& system, const State& state) {
-  double mass = 0.0, reach = 0.0;
-  Vec3 least(1e300), most(-1e300);
+double reference_energy(const System& system, const State& state) {
+  double mass = 0.0, max_rest_length = 0.0;
+  Vec3 min(1e300), max(-1e300);
   for (Index i = 0; i < system.point_count(); ++i) {
-    least = glm::min(least, state.position[i]);
-    most = glm::max(most, state.position[i]);
+    min = glm::min(min, state.position[i]);
+    max = glm::max(max, state.position[i]);
     if (!system.points()[i].nailed) mass += system.points()[i].mass;
   }
-  for (const Spring& spring : system.springs()) reach = std::max(reach, spring.rest_length);
-  const double extent = system.point_count() > 0 ? std::max(glm::distance(least, most), reach) : 0.0;
+  for (const Spring& spring : system.springs()) max_rest_length = std::max(max_rest_length, spring.rest_length);
+  const double extent = system.point_count() > 0 ? std::max(glm::distance(min, max), max_rest_length) : 0.0;
   const double size = extent > 0.0 ? extent : 1.0;
   return mass * glm::length(system.gravity) * size;
 }

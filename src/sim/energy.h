@@ -25,10 +25,10 @@ Momentum compute_momentum(const System& system, const State& state);
 double strain(const System& system, const State& state, const Spring& spring);
 
 // Where the grabbed point, or place between points, is [m]. There must be a grab.
-Vec3 grabbed_place(const System& system, const State& state);
+Vec3 grabbed_position(const System& system, const State& state);
 
 // M g L [J]: mass of the free points times gravity times the size of the scene, the least that counts as "put in". A
 // scene without extent, as a single point, counts as 1 m.
-double energy_floor(const System& system, const State& state);
+double reference_energy(const System& system, const State& state);
 
 }  // namespace hooke

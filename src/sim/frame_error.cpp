@@ -9,7 +9,7 @@ namespace hooke {
 namespace {
 
 // Order of the positions on this scene.
-int order_on(const Integrator& method, const System& system, const Plan& plan) {
+int effective_order(const Integrator& method, const System& system, const Plan& plan) {
   if (!plan.colliders.empty()) return method.order_contact;
   if (plan.has_dashpots()) return method.order_damped;
   return system.drag_rate() > 0.0 ? method.order_drag : method.order;
@@ -22,11 +22,11 @@ double estimate_frame_error(const System& system, const Settings& settings, cons
   Plan plan = make_plan(system);
   Frame frame;
   const auto step = [&](int substeps, State& to) {
-    Settings with = settings;
-    with.substeps = substeps;
+    Settings frame_settings = settings;
+    frame_settings.substeps = substeps;
     to = state;
     if (!frame.broken().empty()) refresh_values(plan, system);
-    frame.begin(plan, system, with, state);
+    frame.begin(plan, system, frame_settings, state);
     while (!frame.done()) frame.substep(plan);
     frame.end(plan, to);
   };
@@ -37,11 +37,11 @@ double estimate_frame_error(const System& system, const Settings& settings, cons
   step(2 * settings.substeps, fine);
   double sum = 0.0;
   for (Index i = 0; i < system.point_count(); ++i) {
-    const Vec3 apart = coarse.position[i] - fine.position[i];
-    sum += glm::dot(apart, apart);
+    const Vec3 difference = coarse.position[i] - fine.position[i];
+    sum += glm::dot(difference, difference);
   }
-  const double gain = std::exp2(order_on(*settings.integrator, system, plan));
-  return std::sqrt(sum / system.point_count()) * gain / (gain - 1.0);
+  const double factor = std::exp2(effective_order(*settings.integrator, system, plan));
+  return std::sqrt(sum / system.point_count()) * factor / (factor - 1.0);
 }
 
 }  // namespace hooke

@@ -20,14 +20,14 @@ Vec3 vector_at(const Plan& plan, const Field& field, Index point) {
 }  // namespace
 
 // x = c + (n . d) n + cos(a) p + sin(a) n x d,  d = from - c,  p = d - (n . d) n,  a = speed (t - begin) / |p|
-Vec3 place_at(const ScriptedHand& hand, double time) {
+Vec3 position_at(const ScriptedHand& hand, double time) {
   const Vec3 &n = hand.axis, d = hand.from - hand.center;
   const Vec3 along = glm::dot(n, d) * n, p = d - along;
   const double angle = hand.speed * (time - hand.begin) / glm::length(p);
   return hand.center + along + std::cos(angle) * p + std::sin(angle) * glm::cross(n, d);
 }
 
-std::optional<Grab> acting_grab(const System& system, double time, double duration) {
+std::optional<Grab> active_grab(const System& system, double time, double duration) {
   if (system.grab || !system.scripted_hand) return system.grab;
   const ScriptedHand& hand = *system.scripted_hand;
   if (system.index_of(hand.point) == no_index) return std::nullopt;
@@ -35,15 +35,15 @@ std::optional<Grab> acting_grab(const System& system, double time, double durati
   // frames begin at whole multiples of their duration, but for round-off
   const double since = time - hand.begin, round_off = 1e-6 * duration;
   if (since < -round_off || since > hand.seconds - round_off) return std::nullopt;
-  return Grab{.point = hand.point, .kind = GrabKind::Hold, .target = place_at(hand, time + duration)};
+  return Grab{.point = hand.point, .kind = GrabKind::Hold, .target = position_at(hand, time + duration)};
 }
 
-Vec3 force_of_hand(const Plan& plan, const Motion& motion) {
+Vec3 hand_force(const Plan& plan, const Motion& motion) {
   Vec3 force(0.0);
   if (plan.pull) {
     const Vec3 target = plan.pull->target_at(motion.time);
     for (int c = 0; c < plan.dimensions; ++c)
-      force[c] = plan.pull->stiffness * (target[c] - plan.pull->place(component(plan, motion.x, c)));
+      force[c] = plan.pull->stiffness * (target[c] - plan.pull->interpolate(component(plan, motion.x, c)));
   }
   if (!plan.held) return force;
 
@@ -61,10 +61,10 @@ Vec3 force_of_hand(const Plan& plan, const Motion& motion) {
   return force;
 }
 
-double power_of_hand(const Plan& plan, const Motion& motion) {
+double hand_power(const Plan& plan, const Motion& motion) {
   if (!plan.held && !plan.pull) return 0.0;
   const Vec3 velocity = plan.held ? vector_at(plan, motion.v, *plan.held) : plan.pull->velocity;
-  return glm::dot(force_of_hand(plan, motion), velocity);
+  return glm::dot(hand_force(plan, motion), velocity);
 }
 
 }  // namespace hooke

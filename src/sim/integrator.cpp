@@ -32,9 +32,9 @@ std::string_view describe(Stability stability) {
       return "adapts its step";
     case Stability::EachSpring:
       return "each spring alone is stable at any step";
-    case Stability::Absolute:
+    case Stability::AStable:
       return "stable at any step";
-    case Stability::Stiff:
+    case Stability::LStable:
       return "stable at any step, fast modes die out";
   }
   return {};
@@ -73,13 +73,13 @@ bool is_stable(const Amplification& amplification) {
 
 // of the one mode with these rates [1/s]
 double largest_stable_step(const Integrator& integrator, double omega, double lambda, double drag) {
-  const auto step_of = [&](double h) {
+  const auto amplification_at = [&](double h) {
     return integrator.amplification({.h_omega_squared = h * h * omega * omega, .h_lambda = h * lambda, .h_drag = h * drag});
   };
-  const auto holds = [&](double h) { return is_stable(step_of(h)); };
+  const auto is_stable_at = [&](double h) { return is_stable(amplification_at(h)); };
   // where an eigenvalue comes near -1 the higher splitting methods lose a band of steps not a hundredth wide
-  const auto is_near_half_turn = [&](double h) {
-    const Amplification step = step_of(h);
+  const auto is_near_minus_one = [&](double h) {
+    const Amplification step = amplification_at(h);
     return 1.0 + step.determinant + step.trace < 0.02;
   };
   const double rate = std::max({omega, lambda, drag});
@@ -87,16 +87,16 @@ double largest_stable_step(const Integrator& integrator, double omega, double la
 
   // walk up from a thousandth of the fastest rate until a step fails, then bisect
   double stable = 1e-3 / rate, unstable = stable;
-  if (!holds(stable)) return 0.0;
+  if (!is_stable_at(stable)) return 0.0;
   while (true) {
-    unstable = stable * (is_near_half_turn(stable) ? 1.0005 : 1.02);
-    if (!holds(unstable)) break;
+    unstable = stable * (is_near_minus_one(stable) ? 1.0005 : 1.02);
+    if (!is_stable_at(unstable)) break;
     stable = unstable;
     if (stable * rate > 1e6) return std::numeric_limits<double>::infinity();
   }
   for (int i = 0; i < 50; ++i) {
     const double middle = 0.5 * (stable + unstable);
-    (holds(middle) ? stable : unstable) = middle;
+    (is_stable_at(middle) ? stable : unstable) = middle;
   }
   return stable;
 }
@@ -111,12 +111,12 @@ double largest_stable_step(const Integrator& integrator, const Spectrum& spectru
 
   // the corners of the region (omega, lambda) in which the scene's modes lie
   const double omega = spectrum.omega, drag = spectrum.drag_rate;
-  const double least = std::min(spectrum.least_dashpot_ratio * omega * omega, spectrum.dashpot_rate);
-  const double along =
-      std::min({largest_stable_step(integrator, omega, least, drag), largest_stable_step(integrator, omega, spectrum.dashpot_rate, drag),
+  const double min = std::min(spectrum.min_dashpot_ratio * omega * omega, spectrum.dashpot_rate);
+  const double along_spring =
+      std::min({largest_stable_step(integrator, omega, min, drag), largest_stable_step(integrator, omega, spectrum.dashpot_rate, drag),
                 largest_stable_step(integrator, 0.0, spectrum.dashpot_rate, drag)});
   // across a stretched spring its dashpot does nothing; where no step holds without dashpots, what they can hold counts
-  return integrator.stability == Stability::None ? along : std::min(along, largest_stable_step(integrator, omega, 0.0, drag));
+  return integrator.stability == Stability::None ? along_spring : std::min(along_spring, largest_stable_step(integrator, omega, 0.0, drag));
 }
 
 }  // namespace hooke

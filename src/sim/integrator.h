@@ -28,8 +28,8 @@ enum class Stability {
   Conditional,  // none grows up to a largest step, which follows from the amplification
   Adaptive,     // the method picks its own steps within the one asked for
   EachSpring,   // a spring alone never grows and, when too fast for the step, dies out; many together promise nothing
-  Absolute,     // none grows at any step (A-stable)
-  Stiff,        // and modes far too fast for the step die out at once (L-stable)
+  AStable,      // none grows at any step (A-stable)
+  LStable,      // and modes far too fast for the step die out at once (L-stable)
 };
 
 // What becomes of the energy of an undamped scene over many steps.
@@ -43,7 +43,7 @@ struct Integrator {
   std::string_view id;       // on the command line and in files
   std::string_view label;    // in the menu
   std::string_view summary;  // one sentence: what it is for
-  std::string_view needs;    // what a step costs, in force evaluations or factorisations
+  std::string_view cost;     // what a step costs, in force evaluations or factorisations
   std::string_view formula;  // one step of h, lines
   std::string_view source;   // who found or described it
   int order;                 // of positions and velocities, undamped

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/field_kernel.h"
+#include "sim/forces/field_kernel.h"
 #include "sim/state.h"
 
 namespace hooke {
@@ -30,7 +30,7 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
   motion.acceleration_is_current = false;
   motion.memory = state.memory;
   motion.force_evaluations = motion.factorizations = motion.solves = motion.sweeps = motion.unconverged_solves = 0;
-  motion.collider_work = motion.break_work = motion.limit_work = motion.hand_work = motion.hand_size = 0.0;
+  motion.collider_work = motion.break_work = motion.limit_work = motion.hand_work = motion.abs_hand_work = 0.0;
   motion.local_error = 0.0;
 }
 

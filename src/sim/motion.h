@@ -23,8 +23,8 @@ struct Motion {
   long unconverged_solves = 0;  // nonlinear systems left at the limit of iterations
   // [J], of what is no force of the scene: colliders that move, springs that break, springs that are held to a length
   double collider_work = 0.0, break_work = 0.0, limit_work = 0.0;
-  double hand_work = 0.0, hand_size = 0.0;  // [J], what the hand put in, and the sum of the sizes of what it put in and took
-  double local_error = 0.0;                 // [m], sum over the steps of the method's own estimate, RMS over the points; 0: it has none
+  double hand_work = 0.0, abs_hand_work = 0.0;  // [J], what the hand put in, and the sum of the sizes of what it put in and took
+  double local_error = 0.0;                     // [m], sum over the steps of the method's own estimate, RMS over the points; 0: it has none
 };
 
 // What a method builds from the Plan's structure alone (an order of springs, a symbolic factor). It outlives the frame

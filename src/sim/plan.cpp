@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-constexpr Index longest_run = 512;
+constexpr Index max_run_length = 512;
 
 // Springs between the same two offsets, one after another, make a run.
 void find_runs(Plan& plan, const System& system) {
@@ -38,7 +38,7 @@ void find_runs(Plan& plan, const System& system) {
   std::vector<Found> found;
   for (std::size_t e = 0; e < ends.size(); ++e) {
     // cut at a few hundred springs, so that runs along the whole scene do not sweep the cache once for each direction
-    const bool continues = !found.empty() && found.back().count < longest_run && ends[e].first == ends[e - 1].first + 1 &&
+    const bool continues = !found.empty() && found.back().count < max_run_length && ends[e].first == ends[e - 1].first + 1 &&
                            ends[e].second == ends[e - 1].second + 1;
     if (continues)
       ++found.back().count;
@@ -61,7 +61,7 @@ void find_runs(Plan& plan, const System& system) {
 bool flatten(Collider& collider) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   ColliderPath& path = collider.path;
-  path.swing.z = path.belt.z = path.spin.x = path.spin.y = 0.0;
+  path.amplitude.z = path.belt.z = path.spin.x = path.spin.y = 0.0;
   if (auto* plane = std::get_if<Plane>(&collider.shape)) {
     plane->point.z = plane->normal.z = 0.0;
     plane->normal /= std::max(glm::length(plane->normal), std::numeric_limits<double>::min());
@@ -69,25 +69,25 @@ bool flatten(Collider& collider) {
   }
   if (auto* sphere = std::get_if<Sphere>(&collider.shape)) sphere->center.z = 0.0;
   if (auto* box = std::get_if<Box>(&collider.shape)) {
-    box->least.z = -infinity;
-    box->most.z = infinity;
+    box->min.z = -infinity;
+    box->max.z = infinity;
   }
   return true;
 }
 
 // The lengths at which springs break and to which they are held; empty where there are none.
-void plan_lengths(Plan& plan, const System& system) {
+void plan_length_limits(Plan& plan, const System& system) {
   const auto breaks = [&](const Spring& spring) { return system.break_strain > 0.0 || spring.break_strain != never_breaks; };
   const bool any = std::ranges::any_of(system.springs(), breaks);
   plan.break_length.resize(any ? plan.springs : 0);
-  plan.most_length.resize(system.strain_limit > 0.0 ? plan.springs : 0);
+  plan.max_length.resize(system.strain_limit > 0.0 ? plan.springs : 0);
   for (Index s = 0; s < static_cast<Index>(plan.break_length.size()); ++s)
     plan.break_length[s] = system.break_length_of(system.springs()[plan.spring_index[s]]);
   // one that is switched off, or has no rest length, holds nothing
-  for (Index s = 0; s < static_cast<Index>(plan.most_length.size()); ++s) {
+  for (Index s = 0; s < static_cast<Index>(plan.max_length.size()); ++s) {
     const Spring& spring = system.springs()[plan.spring_index[s]];
     const bool holds = system.is_on(spring) && spring.rest_length > 0.0;
-    plan.most_length[s] = holds ? spring.rest_length * (1.0 + system.strain_limit) : never_breaks;
+    plan.max_length[s] = holds ? spring.rest_length * (1.0 + system.strain_limit) : never_breaks;
   }
 }
 
@@ -114,7 +114,7 @@ PlannedPull plan_pull(const System& system, const Grab& grab) {
 }
 
 // Lets go of what is held, and holds this.
-void hold(Plan& plan, const System& system, std::optional<Index> point) {
+void set_held_point(Plan& plan, const System& system, std::optional<Index> point) {
   if (plan.held) plan.inverse_mass[*plan.held] = system.points()[*plan.held].nailed ? 0.0 : 1.0 / system.points()[*plan.held].mass;
   plan.held = point;
   plan.held_springs.clear();
@@ -122,18 +122,18 @@ void hold(Plan& plan, const System& system, std::optional<Index> point) {
   plan.inverse_mass[*plan.held] = 0.0;
   plan.held_mass = system.points()[*plan.held].nailed ? 0.0 : system.points()[*plan.held].mass;
   for (const SpringRun& run : plan.runs)
-    for (const auto& [mine, others] : {std::pair{run.first, run.second}, std::pair{run.second, run.first}})
-      if (const Index e = *plan.held - mine; e >= 0 && e < run.count) plan.held_springs.push_back({run.begin + e, others + e});
+    for (const auto& [held_end, other_end] : {std::pair{run.first, run.second}, std::pair{run.second, run.first}})
+      if (const Index e = *plan.held - held_end; e >= 0 && e < run.count) plan.held_springs.push_back({run.begin + e, other_end + e});
 }
 
 // What the pull adds to the rows of the points that move: K_ij = k s_i s_j I, s the shares.
 void add_pull_rows(const System& system, std::vector<double>& row) {
   const PlannedPull pull = plan_pull(system, *system.grab);
-  for (const auto& [i, share] : pull.points())
+  for (const auto& [i, weight] : pull.points())
     for (const auto& [j, other] : pull.points()) {
-      const Point &at = system.points()[i], &beside = system.points()[j];
-      if (at.nailed || beside.nailed) continue;
-      row[i] += pull.stiffness * share * other / (i == j ? at.mass : std::sqrt(at.mass * beside.mass));
+      const Point &at = system.points()[i], &other_point = system.points()[j];
+      if (at.nailed || other_point.nailed) continue;
+      row[i] += pull.stiffness * weight * other / (i == j ? at.mass : std::sqrt(at.mass * other_point.mass));
     }
 }
 
@@ -165,9 +165,9 @@ void refresh_values(Plan& plan, const System& system) {
     plan.inverse_mass[i] = point.nailed ? 0.0 : 1.0 / point.mass;
   }
   if (system.grab && system.grab->kind == GrabKind::Hold)
-    hold(plan, system, system.index_of(system.grab->point));
+    set_held_point(plan, system, system.index_of(system.grab->point));
   else
-    hold(plan, system, std::nullopt);
+    set_held_point(plan, system, std::nullopt);
   if (system.grab && system.grab->kind == GrabKind::Pull) plan.pull = plan_pull(system, *system.grab);
 
   plan.stiffness.resize(plan.springs);
@@ -183,7 +183,7 @@ void refresh_values(Plan& plan, const System& system) {
   for (Index s = 0; s < static_cast<Index>(plan.damping.size()); ++s)
     plan.damping[s] = system.damping_of(system.springs()[plan.spring_index[s]]);
 
-  plan_lengths(plan, system);
+  plan_length_limits(plan, system);
   refresh_colliders(plan, system);
   plan_forces(plan, system);
   plan.radius.clear();
@@ -196,46 +196,46 @@ void refresh_values(Plan& plan, const System& system) {
 void refresh_colliders(Plan& plan, const System& system) {
   plan.colliders.clear();
   plan.colliders_move = false;
-  plan.carried.reset();
+  plan.grabbed_collider.reset();
   for (std::size_t c = 0; c < system.colliders.size(); ++c) {
     Collider collider = system.colliders[c];
     if (!collider.solid || (plan.dimensions == 2 && !flatten(collider))) continue;
-    const bool is_carried = system.collider_grab && system.collider_grab->collider == static_cast<Index>(c);
-    if (is_carried) plan.carried = {.collider = plan.colliders.size()};
-    plan.colliders_move = plan.colliders_move || is_carried || collider.path.moves();
+    const bool is_grabbed = system.collider_grab && system.collider_grab->collider == static_cast<Index>(c);
+    if (is_grabbed) plan.grabbed_collider = {.collider = plan.colliders.size()};
+    plan.colliders_move = plan.colliders_move || is_grabbed || collider.path.moves();
     plan.colliders.push_back(collider);
   }
 }
 
-Vec3 reach_of_hand(const System& system, const Vec3& from, const Vec3& target, double duration) {
-  const Vec3 way = target - from;
-  const double length = glm::length(way), most = system.hand_speed * duration;
-  return system.hand_speed > 0.0 && length > most ? from + most / length * way : target;
+Vec3 clamp_hand_target(const System& system, const Vec3& from, const Vec3& target, double duration) {
+  const Vec3 displacement = target - from;
+  const double length = glm::length(displacement), max = system.hand_speed * duration;
+  return system.hand_speed > 0.0 && length > max ? from + max / length * displacement : target;
 }
 
-void aim_hand(Plan& plan, const System& system, const State& state, double duration) {
+void prepare_hand(Plan& plan, const System& system, const State& state, double duration) {
   // a listed hand takes its point and leaves it between frames
-  const std::optional<Grab> grab = acting_grab(system, state.time, duration);
+  const std::optional<Grab> grab = active_grab(system, state.time, duration);
   std::optional<Index> held;
   if (grab && grab->kind == GrabKind::Hold) held = system.index_of(grab->point);
-  if (plan.held != held) hold(plan, system, held);
+  if (plan.held != held) set_held_point(plan, system, held);
 
   if (plan.pull) {
     plan.pull->start = state.time;
     plan.pull->from = state.hand;
-    plan.pull->velocity = (reach_of_hand(system, state.hand, system.grab->target, duration) - state.hand) / duration;
+    plan.pull->velocity = (clamp_hand_target(system, state.hand, system.grab->target, duration) - state.hand) / duration;
   }
-  if (plan.carried) {
+  if (plan.grabbed_collider) {
     const Vec3 anchor = anchor_of(system.colliders[system.collider_grab->collider]);
-    plan.carried->start = state.time;
-    plan.carried->velocity = (reach_of_hand(system, anchor, system.collider_grab->target, duration) - anchor) / duration;
-    if (plan.dimensions == 2) plan.carried->velocity.z = 0.0;
+    plan.grabbed_collider->start = state.time;
+    plan.grabbed_collider->velocity = (clamp_hand_target(system, anchor, system.collider_grab->target, duration) - anchor) / duration;
+    if (plan.dimensions == 2) plan.grabbed_collider->velocity.z = 0.0;
   }
 }
 
 Spectrum bound_spectrum(const System& system) {
   std::vector<double> stiffness_row(system.points().size(), 0.0), dashpot_row(system.points().size(), 0.0);
-  double least_ratio = std::numeric_limits<double>::infinity();
+  double min_ratio = std::numeric_limits<double>::infinity();
   for (const Spring& spring : system.springs()) {
     const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
     const Point &first = system.points()[i], &second = system.points()[j];
@@ -248,7 +248,7 @@ Spectrum bound_spectrum(const System& system) {
       stiffness_row[at] += stiffness * weight;
       dashpot_row[at] += damping * weight;
     }
-    if (stiffness > 0.0) least_ratio = std::min(least_ratio, damping / stiffness);
+    if (stiffness > 0.0) min_ratio = std::min(min_ratio, damping / stiffness);
   }
   if (system.grab && system.grab->kind == GrabKind::Pull) add_pull_rows(system, stiffness_row);
 
@@ -260,7 +260,7 @@ Spectrum bound_spectrum(const System& system) {
   spectrum.omega = std::sqrt(spectrum.omega);
   spectrum.drag_rate = system.drag_rate();
   spectrum.contact = std::any_of(system.colliders.begin(), system.colliders.end(), [](const Collider& collider) { return collider.solid; });
-  spectrum.least_dashpot_ratio = std::isfinite(least_ratio) ? least_ratio : 0.0;
+  spectrum.min_dashpot_ratio = std::isfinite(min_ratio) ? min_ratio : 0.0;
   return spectrum;
 }
 

@@ -30,7 +30,7 @@ struct SpringRun {
 struct PlannedPull {
   struct Part {
     Index point = no_index;
-    double share = 1.0;
+    double weight = 1.0;
   };
   std::array<Part, 3> parts{};
   int count = 1;
@@ -40,9 +40,9 @@ struct PlannedPull {
   Vec3 target_at(double time) const { return from + (time - start) * velocity; }
   std::span<const Part> points() const { return {parts.data(), static_cast<std::size_t>(count)}; }
   // The sum of share times x over the points, of the component of a field that starts at x.
-  double place(const double* x) const {
+  double interpolate(const double* x) const {
     double sum = 0.0;
-    for (const Part& part : points()) sum += part.share * x[part.point];
+    for (const Part& part : points()) sum += part.weight * x[part.point];
     return sum;
   }
 };
@@ -54,7 +54,7 @@ struct HeldSpring {
 };
 
 // A collider in the hand during the frame that starts at `start`: besides its path it moves with `velocity`.
-struct CarriedCollider {
+struct GrabbedCollider {
   std::size_t collider = 0;  // of the plan's
   double start = 0.0;        // [s]
   Vec3 velocity{0.0};        // [m/s]
@@ -62,11 +62,11 @@ struct CarriedCollider {
 
 // Bounds on the fastest rates of the scene, never below the true ones, however the scene is deformed.
 struct Spectrum {
-  double omega = 0.0;                // [rad/s], highest undamped frequency
-  double dashpot_rate = 0.0;         // [1/s], highest rate of the dashpots
-  double drag_rate = 0.0;            // [1/s]
-  double least_dashpot_ratio = 0.0;  // [s], least damping / stiffness over the springs
-  bool contact = false;              // whether there is anything solid to touch
+  double omega = 0.0;              // [rad/s], highest undamped frequency
+  double dashpot_rate = 0.0;       // [1/s], highest rate of the dashpots
+  double drag_rate = 0.0;          // [1/s]
+  double min_dashpot_ratio = 0.0;  // [s], least damping / stiffness over the springs
+  bool contact = false;            // whether there is anything solid to touch
 };
 
 struct Plan {
@@ -87,12 +87,12 @@ struct Plan {
   std::vector<Index> spring_index;  // of the packed spring, in the System
 
   std::vector<double> break_length;  // [m], of the packed spring, at which it breaks; empty: none does
-  std::vector<double> most_length;   // [m], that it is held to; empty: none is
+  std::vector<double> max_length;    // [m], that it is held to; empty: none is
 
   std::vector<double> radius;       // [m], a point; empty: nothing to collide with, nor a force that asks
   std::vector<Collider> colliders;  // the solid ones, as their paths start
   bool colliders_move = false;      // by their paths or by the hand
-  std::optional<CarriedCollider> carried;
+  std::optional<GrabbedCollider> grabbed_collider;
   std::vector<Force> forces;                // those that are on, in the table's order
   std::vector<std::array<Index, 3>> faces;  // of points; empty when no force asks
   std::optional<PlannedPull> pull;
@@ -107,11 +107,13 @@ struct Plan {
   // How far a collider is off its place at a time, and its velocity.
   Vec3 offset_of(std::size_t collider, double time) const {
     const Vec3 offset = colliders[collider].path.offset(time);
-    return carried && carried->collider == collider ? offset + (time - carried->start) * carried->velocity : offset;
+    return grabbed_collider && grabbed_collider->collider == collider
+               ? offset + (time - grabbed_collider->start) * grabbed_collider->velocity
+               : offset;
   }
   Vec3 velocity_of(std::size_t collider, double time) const {
     const Vec3 velocity = colliders[collider].path.velocity(time);
-    return carried && carried->collider == collider ? velocity + carried->velocity : velocity;
+    return grabbed_collider && grabbed_collider->collider == collider ? velocity + grabbed_collider->velocity : velocity;
   }
 };
 
@@ -127,11 +129,11 @@ void refresh_colliders(Plan& plan, const System& system);
 
 // Where the hand, or the anchor of the collider in it, gets to from `from` in a frame of `duration` [s]: to the target, or as
 // far as it may move.
-Vec3 reach_of_hand(const System& system, const Vec3& from, const Vec3& target, double duration);
+Vec3 clamp_hand_target(const System& system, const Vec3& from, const Vec3& target, double duration);
 
 // Sets what the hand holds, and where it moves during the coming frame of `duration` [s]: in a straight line from state.hand, or
 // the anchor of its collider, towards the target of the grab that acts (hand.h).
-void aim_hand(Plan& plan, const System& system, const State& state, double duration);
+void prepare_hand(Plan& plan, const System& system, const State& state, double duration);
 
 // Gershgorin bounds on M^-1/2 K M^-1/2 by 3x3 blocks: omega^2 <= max_i sum_j k_ij (1/m_i + 1/sqrt(m_i m_j)), the second
 // term absent for a nailed j; the dashpots likewise.

@@ -19,10 +19,10 @@ struct Snapshot {
   Settings settings;
   Energy energy;
   Momentum momentum;
-  double least_strain = 0.0, most_strain = 0.0;  // [1], over all springs
-  double omega = 0.0;                            // [rad/s], bound on the highest frequency
-  double largest_stable_step = 0.0;              // [s], of this method on this scene; 0: none, infinity: any
-  std::optional<Divergence> divergence;          // the last frame was refused; state is the one before it
+  double min_strain = 0.0, max_strain = 0.0;  // [1], over all springs
+  double omega = 0.0;                         // [rad/s], bound on the highest frequency
+  double largest_stable_step = 0.0;           // [s], of this method on this scene; 0: none, infinity: any
+  std::optional<Divergence> divergence;       // the last frame was refused; state is the one before it
 
   const Vec3& position(PointId id) const { return state.position[system->index_of(id)]; }
 };

@@ -16,11 +16,11 @@ double squared_length(const Plan& plan, const Field& x, Index first, Index secon
 }
 
 // Whether any of the run is as long as its limit: in steps that stretch nothing so far, all that is asked.
-bool reaches(const Plan& plan, const SpringRun& run, const std::vector<double>& limit, const Field& x) {
+bool any_reaches_limit(const Plan& plan, const SpringRun& run, const std::vector<double>& limit, const Field& x) {
   Index count = 0;
   for (Index e = 0; e < run.count; ++e) {
-    const double most = limit[run.begin + e];
-    count += squared_length(plan, x, run.first + e, run.second + e) >= most * most ? 1 : 0;
+    const double max = limit[run.begin + e];
+    count += squared_length(plan, x, run.first + e, run.second + e) >= max * max ? 1 : 0;
   }
   return count > 0;
 }
@@ -45,39 +45,39 @@ double energy_of(const Plan& plan, const Motion& motion) {
 // Brings the ends of one spring to the length `most`, and stops them from parting. As it gets shorter they turn the faster about
 // their common centre, so that l v across it stays the same: a swing loses nothing by it. Not so where it is far too long, after
 // a step that was too coarse: that would fling them round, round after round.
-void hold(const Plan& plan, Motion& motion, Index first, Index second, double length, double most) {
+void limit_spring(const Plan& plan, Motion& motion, Index first, Index second, double length, double max) {
   const double w1 = plan.inverse_mass[first], w2 = plan.inverse_mass[second];
   if (w1 + w2 == 0.0) return;
-  double along[3] = {}, parting = 0.0;
+  double along[3] = {}, separation_speed = 0.0;
   for (int c = 0; c < plan.dimensions; ++c) {
     const std::size_t at = static_cast<std::size_t>(c) * plan.points;
     along[c] = (motion.x[at + second] - motion.x[at + first]) / length;
-    parting += along[c] * (motion.v[at + second] - motion.v[at + first]);
+    separation_speed += along[c] * (motion.v[at + second] - motion.v[at + first]);
   }
-  constexpr double far_too_long = 1.01;  // of the length
-  const double way = (length - most) / (w1 + w2), faster = length < far_too_long * most ? length / most - 1.0 : 0.0;
+  constexpr double max_conserving_ratio = 1.01;  // of the length
+  const double correction = (length - max) / (w1 + w2), rotation_gain = length < max_conserving_ratio * max ? length / max - 1.0 : 0.0;
   for (int c = 0; c < plan.dimensions; ++c) {
     const std::size_t at = static_cast<std::size_t>(c) * plan.points;
-    const double across = motion.v[at + second] - motion.v[at + first] - parting * along[c];
-    const double impulse = (std::max(0.0, parting) * along[c] - faster * across) / (w1 + w2);
-    motion.x[at + first] += w1 * way * along[c];
-    motion.x[at + second] -= w2 * way * along[c];
+    const double across = motion.v[at + second] - motion.v[at + first] - separation_speed * along[c];
+    const double impulse = (std::max(0.0, separation_speed) * along[c] - rotation_gain * across) / (w1 + w2);
+    motion.x[at + first] += w1 * correction * along[c];
+    motion.x[at + second] -= w2 * correction * along[c];
     motion.v[at + first] += w1 * impulse;
     motion.v[at + second] -= w2 * impulse;
   }
 }
 
 // Once over all springs. Returns whether any was too long.
-bool hold_all(const Plan& plan, Motion& motion) {
-  constexpr double slack = 1e-9;  // of the length
+bool limit_all_springs(const Plan& plan, Motion& motion) {
+  constexpr double tolerance = 1e-9;  // of the length
   bool any = false;
   for (const SpringRun& run : plan.runs) {
-    if (!reaches(plan, run, plan.most_length, motion.x)) continue;
+    if (!any_reaches_limit(plan, run, plan.max_length, motion.x)) continue;
     for (Index e = 0; e < run.count; ++e) {
-      const double most = plan.most_length[run.begin + e];
+      const double max = plan.max_length[run.begin + e];
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
-      if (!(length > most * (1.0 + slack)) || !std::isfinite(length)) continue;
-      hold(plan, motion, run.first + e, run.second + e, length, most);
+      if (!(length > max * (1.0 + tolerance)) || !std::isfinite(length)) continue;
+      limit_spring(plan, motion, run.first + e, run.second + e, length, max);
       any = true;
     }
   }
@@ -89,7 +89,7 @@ bool hold_all(const Plan& plan, Motion& motion) {
 bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
   const std::size_t before = broken.size();
   for (const SpringRun& run : plan.runs) {
-    if (!reaches(plan, run, plan.break_length, motion.x)) continue;
+    if (!any_reaches_limit(plan, run, plan.break_length, motion.x)) continue;
     for (Index e = 0; e < run.count; ++e) {
       const Index s = run.begin + e;
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
@@ -107,13 +107,13 @@ bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
 }
 
 bool limit_strain(const Plan& plan, Motion& motion) {
-  const auto is_too_long = [&](const SpringRun& run) { return reaches(plan, run, plan.most_length, motion.x); };
+  const auto is_too_long = [&](const SpringRun& run) { return any_reaches_limit(plan, run, plan.max_length, motion.x); };
   if (std::none_of(plan.runs.begin(), plan.runs.end(), is_too_long)) return false;
 
-  constexpr int most_rounds = 16;
+  constexpr int max_rounds = 16;
   const double before = energy_of(plan, motion);
   bool any = false;
-  for (int round = 0; round < most_rounds && hold_all(plan, motion); ++round) any = true;
+  for (int round = 0; round < max_rounds && limit_all_springs(plan, motion); ++round) any = true;
   if (any) motion.limit_work += energy_of(plan, motion) - before;
   return any;
 }

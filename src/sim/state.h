@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/types.h"
+#include "base/types.h"
 
 namespace hooke {
 
 // Where the energy came from; the watch for divergence compares the energy of the scene against it. [J]
 struct EnergyLedger {
-  double given = 0.0;         // net energy at the start, plus what the hand and edits added
+  double net_input = 0.0;     // net energy at the start, plus what the hand and edits added
   double scale = 0.0;         // sum of the sizes of those contributions
   double hand_stretch = 0.0;  // what the springs would hold, stretched each by the hand's longest way in a step so far
   bool operator==(const EnergyLedger&) const = default;

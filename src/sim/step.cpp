@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/forces.h"
+#include "sim/forces/forces.h"
 #include "sim/hand.h"
 #include "sim/spring_limits.h"
 
@@ -15,10 +15,10 @@ namespace {
 
 // A step moves points straight on. A method that takes the springs as linear over it brings out those that turn as long as
 // the hypotenuse: by up to the hand's way too long, energy that no force gave, and that the next steps take back.
-double stretch_by(const System& system, double way) {
+double stretch_energy(const System& system, double displacement) {
   double stiffness = 0.0;
   for (const Spring& spring : system.springs()) stiffness += system.stiffness_of(spring);
-  return 0.5 * stiffness * way * way;
+  return 0.5 * stiffness * displacement * displacement;
 }
 
 }  // namespace
@@ -30,23 +30,23 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   duration_ = 1.0 / settings.frame_rate;
   h_ = duration_ / substeps_;
   start_ = state.time;
-  aim_hand(plan, system, state, duration_);
+  prepare_hand(plan, system, state, duration_);
   pack(plan, state, motion_);
 
   // a held point moves straight to the target: as a massive point with that velocity, which every method does exactly
-  const std::optional<Grab> grab = acting_grab(system, state.time, duration_);
+  const std::optional<Grab> grab = active_grab(system, state.time, duration_);
   const Vec3 from = grab && !system.grab ? state.position[system.index_of(grab->point)] : state.hand;
-  target_ = grab ? reach_of_hand(system, from, grab->target, duration_) : Vec3(0.0);
-  const Vec3 way = !grab ? Vec3(0.0) : target_ - (plan.held ? state.position[*plan.held] : from);
-  hand_stretch_ = grab ? stretch_by(system, glm::length(way) / substeps_) : 0.0;
+  target_ = grab ? clamp_hand_target(system, from, grab->target, duration_) : Vec3(0.0);
+  const Vec3 displacement = !grab ? Vec3(0.0) : target_ - (plan.held ? state.position[*plan.held] : from);
+  hand_stretch_ = grab ? stretch_energy(system, glm::length(displacement) / substeps_) : 0.0;
   if (plan.held) {
-    const Vec3 velocity = way / duration_, before = state.velocity[*plan.held];
+    const Vec3 velocity = displacement / duration_, before = state.velocity[*plan.held];
     for (int c = 0; c < plan.dimensions; ++c) motion_.v[static_cast<std::size_t>(c) * plan.points + *plan.held] = velocity[c];
     motion_.hand_work = 0.5 * plan.held_mass * (glm::dot(velocity, velocity) - glm::dot(before, before));
-    motion_.hand_size = std::abs(motion_.hand_work);
+    motion_.abs_hand_work = std::abs(motion_.hand_work);
   }
 
-  way_of_collider_ = plan.carried ? duration_ * plan.carried->velocity : Vec3(0.0);
+  collider_displacement_ = plan.grabbed_collider ? duration_ * plan.grabbed_collider->velocity : Vec3(0.0);
   broken_.clear();
   broken_.reserve(plan.break_length.size());
   work_.tolerance = settings.tolerance;
@@ -61,20 +61,20 @@ void Frame::substep(Plan& plan) {
   }
 
   const bool has_hand = plan.held || plan.pull;
-  const double power = power_of_hand(plan, motion_);
+  const double power = hand_power(plan, motion_);
   integrator_->step(plan, motion_, work_, h_);
   ++substeps_done_;
   motion_.time = start_ + substeps_done_ * h_;
 
   // trapezium of the hand's power
   if (has_hand) {
-    const double work = 0.5 * h_ * (power + power_of_hand(plan, motion_));
+    const double work = 0.5 * h_ * (power + hand_power(plan, motion_));
     motion_.hand_work += work;
-    motion_.hand_size += std::abs(work);
+    motion_.abs_hand_work += std::abs(work);
   }
 
   // held to their length, clear of the colliders, and only then perhaps broken
-  if (!plan.most_length.empty() && limit_strain(plan, motion_)) motion_.acceleration_is_current = false;
+  if (!plan.max_length.empty() && limit_strain(plan, motion_)) motion_.acceleration_is_current = false;
   if (!plan.colliders.empty() && resolve_contacts(plan, before_, motion_, h_)) motion_.acceleration_is_current = false;
   if (!plan.break_length.empty() && break_springs(plan, motion_, broken_)) {
     motion_.acceleration_is_current = false;
@@ -90,17 +90,17 @@ void Frame::end(const Plan& plan, State& state) const {
   state.hand = target_;
   // what they take was there before; counted as put in, it would excuse an explosion that they feed on
   for (const double work : {motion_.collider_work, motion_.break_work, motion_.limit_work}) {
-    state.ledger.given += work;
+    state.ledger.net_input += work;
     state.ledger.scale += std::max(0.0, work);
   }
-  state.ledger.given += motion_.hand_work;
-  state.ledger.scale += motion_.hand_size;
+  state.ledger.net_input += motion_.hand_work;
+  state.ledger.scale += motion_.abs_hand_work;
   state.ledger.hand_stretch = std::max(state.ledger.hand_stretch, hand_stretch_);
   if (plan.held)
     for (int c = 0; c < plan.dimensions; ++c) state.position[*plan.held][c] = target_[c];
 }
 
-void book_forces_work(const Plan& plan, const State& before, State& after) {
+void record_force_work(const Plan& plan, const State& before, State& after) {
   if (plan.forces.empty()) return;
   // trapezium of the forces along each point's way
   double work = 0.0;
@@ -110,14 +110,14 @@ void book_forces_work(const Plan& plan, const State& before, State& after) {
     pack(plan, *state, motion);
     Field& f = force[state == &after];
     f.assign(motion.x.size(), 0.0);
-    add_listed_forces(plan, state->time, motion.x, motion.v, f);
+    add_force_terms(plan, state->time, motion.x, motion.v, f);
   }
   for (int c = 0; c < plan.dimensions; ++c)
     for (Index i = 0; i < plan.points; ++i) {
       const std::size_t at = static_cast<std::size_t>(c) * plan.points + i;
       if (plan.inverse_mass[i] != 0.0) work += 0.5 * (force[0][at] + force[1][at]) * (after.position[i][c] - before.position[i][c]);
     }
-  after.ledger.given += work;
+  after.ledger.net_input += work;
   after.ledger.scale += std::max(0.0, work);
 }
 

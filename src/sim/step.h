@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "sim/contact.h"
+#include "sim/contact/contact.h"
 #include "sim/integrator.h"
 #include "sim/settings.h"
 #include "sim/state.h"
@@ -28,7 +28,7 @@ class Frame {
   // Springs of the System that broke, in ascending order: they are to be removed.
   std::span<const Index> broken() const { return broken_; }
   // How far the hand took its collider.
-  Vec3 way_of_collider() const { return way_of_collider_; }
+  Vec3 collider_displacement() const { return collider_displacement_; }
 
   long force_evaluations() const { return motion_.force_evaluations; }
   long factorizations() const { return motion_.factorizations; }
@@ -45,10 +45,10 @@ class Frame {
   Workspace work_;
   ContactWorkspace before_;
   std::vector<Index> broken_;
-  Vec3 way_of_collider_{0.0};
+  Vec3 collider_displacement_{0.0};
 };
 
 // Adds the work of the listed forces (force_term.h) between two frames to the ledger of the later one.
-void book_forces_work(const Plan& plan, const State& before, State& after);
+void record_force_work(const Plan& plan, const State& before, State& after);
 
 }  // namespace hooke

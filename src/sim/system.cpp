@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "sim/overloaded.h"
+#include "base/overloaded.h"
 
 namespace hooke {
 namespace {
@@ -35,34 +35,34 @@ Index look_up(const std::vector<Index>& index_by_id, std::uint32_t id) { return 
 }  // namespace
 
 Vec3 ColliderPath::offset(double time) const {
-  return swing == Vec3(0.0) ? swing : std::sin(2.0 * std::numbers::pi * frequency * time + phase) * swing;
+  return amplitude == Vec3(0.0) ? amplitude : std::sin(2.0 * std::numbers::pi * frequency * time + phase) * amplitude;
 }
 
 Vec3 ColliderPath::velocity(double time) const {
   const double omega = 2.0 * std::numbers::pi * frequency;
-  return swing == Vec3(0.0) ? swing : omega * std::cos(omega * time + phase) * swing;
+  return amplitude == Vec3(0.0) ? amplitude : omega * std::cos(omega * time + phase) * amplitude;
 }
 
-Collider moved_by(Collider collider, const Vec3& way) {
+Collider translated(Collider collider, const Vec3& displacement) {
   std::visit(Overloaded{
-                 [&](Plane& plane) { plane.point += way; },
-                 [&](Sphere& sphere) { sphere.center += way; },
+                 [&](Plane& plane) { plane.point += displacement; },
+                 [&](Sphere& sphere) { sphere.center += displacement; },
                  [&](Box& box) {
-                   box.least += way;
-                   box.most += way;
+                   box.min += displacement;
+                   box.max += displacement;
                  },
              },
              collider.shape);
   return collider;
 }
 
-Collider moved_at(const Collider& collider, double time) { return moved_by(collider, collider.path.offset(time)); }
+Collider collider_at_time(const Collider& collider, double time) { return translated(collider, collider.path.offset(time)); }
 
 Vec3 anchor_of(const Collider& collider) {
   return std::visit(Overloaded{
                         [](const Plane& plane) { return plane.point; },
                         [](const Sphere& sphere) { return sphere.center; },
-                        [](const Box& box) { return 0.5 * (box.least + box.most); },
+                        [](const Box& box) { return 0.5 * (box.min + box.max); },
                     },
                     collider.shape);
 }

@@ -10,8 +10,8 @@
 #include <variant>
 #include <vector>
 
-#include "sim/force_term.h"
-#include "sim/types.h"
+#include "base/types.h"
+#include "sim/forces/force_term.h"
 
 namespace hooke {
 
@@ -72,15 +72,15 @@ struct Sphere {
 
 // Axis-aligned, solid inside.
 struct Box {
-  Vec3 least{-1.0};
-  Vec3 most{1.0};
+  Vec3 min{-1.0};
+  Vec3 max{1.0};
   bool operator==(const Box&) const = default;
 };
 
 // How a collider moves by itself: the whole of it to and fro about where it stands; or only its surface, while the shape
 // stays, as that of a turning ball or of a conveyor.
 struct ColliderPath {
-  Vec3 swing{0.0};                   // [m]: it is off its place by swing sin(2 pi frequency t + phase)
+  Vec3 amplitude{0.0};               // [m]: it is off its place by swing sin(2 pi frequency t + phase)
   double frequency = 1.0;            // [1/s], >= 0
   double phase = 0.0;                // [rad]
   Vec3 spin{0.0};                    // [rad/s], about the middle of a ball; about the point of a plane, along its normal; not of a box
@@ -101,8 +101,8 @@ struct Collider {
 };
 
 // The same collider `way` off, and where it has its path taken it by `time` [s].
-Collider moved_by(Collider collider, const Vec3& way);
-Collider moved_at(const Collider& collider, double time);
+Collider translated(Collider collider, const Vec3& displacement);
+Collider collider_at_time(const Collider& collider, double time);
 // What it is taken by: the middle of a ball or box, the point of a plane.
 Vec3 anchor_of(const Collider& collider);
 

@@ -28,7 +28,7 @@ struct Pen {
   void dot(float x, float y, float radius) const { list.AddCircleFilled(at(x, y), half * radius, color); }
   void ring(float x, float y, float radius) const { list.AddCircle(at(x, y), half * radius, color, 0, width()); }
   // An arc about (x, y) with an arrow's head at its end; angles in radians, clockwise from the right.
-  void bow(float x, float y, float radius, float from, float to) const {
+  void arc(float x, float y, float radius, float from, float to) const {
     list.PathArcTo(at(x, y), half * radius, from, to, 24);
     list.PathStroke(color, 0, width());
   }
@@ -101,12 +101,12 @@ void start(const Pen& pen) {
 }
 
 void undo(const Pen& pen) {
-  pen.bow(0.05f, 0.15f, 0.6f, -3.0f, 1.4f);
+  pen.arc(0.05f, 0.15f, 0.6f, -3.0f, 1.4f);
   pen.area({{-0.95f, -0.12f}, {-0.15f, -0.12f}, {-0.55f, 0.45f}});
 }
 
 void redo(const Pen& pen) {
-  pen.bow(-0.05f, 0.15f, 0.6f, 1.74f, 6.14f);
+  pen.arc(-0.05f, 0.15f, 0.6f, 1.74f, 6.14f);
   pen.area({{0.95f, -0.12f}, {0.55f, 0.45f}, {0.15f, -0.12f}});
 }
 

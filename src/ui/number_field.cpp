@@ -12,7 +12,7 @@ namespace {
 // Digits that a drag sets, and that a typed number starts with.
 constexpr const char *dragged_digits = "%.3g", *typed_digits = "%.8g";
 // Below this a logarithmic slider that reaches zero is at zero: ImGui's 10^-digits for the format of a drag.
-constexpr double least_of_logarithm = 1e-3;
+constexpr double min_of_logarithm = 1e-3;
 
 // "m/s^2" as it is written by hand.
 std::string pretty(std::string_view unit) {
@@ -25,71 +25,71 @@ std::string value_text(const NumberField& field) {
   char mean[32];
   std::snprintf(mean, sizeof mean, "~ %.3g", field.value);
   const bool is_long = std::abs(field.value) >= 1000.0 && std::abs(field.value) < 1e7;
-  const std::string whole = std::to_string(std::lround(std::clamp(field.value, -1e7, 1e7)));
-  std::string text = is_long ? (field.mixed ? "~ " : "") + whole : field.mixed ? mean : number(field.value);
+  const std::string integer = std::to_string(std::lround(std::clamp(field.value, -1e7, 1e7)));
+  std::string text = is_long ? (field.mixed ? "~ " : "") + integer : field.mixed ? mean : number(field.value);
   if (!field.unit.empty()) text.append(" ").append(pretty(field.unit));
   return text;
 }
 
 double fitted(const NumberField& field, double value) {
-  if (std::isnan(value)) return field.usual;
+  if (std::isnan(value)) return field.default_value;
   if (field.step > 0.0) value = field.step * std::round(value / field.step);
-  value = std::clamp(value, field.least, field.most);
-  return field.whole ? std::round(value) : value;
+  value = std::clamp(value, field.min, field.max);
+  return field.integer ? std::round(value) : value;
 }
 
 // What it is, and what a hand can do with it.
 std::string hint_of(const NumberField& field) {
-  std::string text(field.meaning);
+  std::string text(field.description);
   if (field.mixed) text += " They differ: this is their mean, and setting it makes them equal.";
   const std::string unit = field.unit.empty() ? "" : " " + pretty(field.unit);
-  return text + (text.empty() ? "" : "\n") + "Ctrl+click types it, a right click gives " + number(field.usual) + unit + ".";
+  return text + (text.empty() ? "" : "\n") + "Ctrl+click types it, a right click gives " + number(field.default_value) + unit + ".";
 }
 
 // Where the value stands between least and most, as ImGui's slider has it.
 double share_of(const NumberField& field) {
-  const double value = std::clamp(field.value, field.least, field.most);
-  if (!field.logarithmic) return (value - field.least) / (field.most - field.least);
-  const double least = std::max(field.least, least_of_logarithm);
-  return value <= least ? 0.0 : std::log(value / least) / std::log(field.most / least);
+  const double value = std::clamp(field.value, field.min, field.max);
+  if (!field.logarithmic) return (value - field.min) / (field.max - field.min);
+  const double min = std::max(field.min, min_of_logarithm);
+  return value <= min ? 0.0 : std::log(value / min) / std::log(field.max / min);
 }
 
 // ImGui's slider without its looks: what is under the mouse, and what is typed.
 bool invisible_slider(const NumberField& field, double& value, bool typing) {
   const char* format = typing || ImGui::GetIO().KeyCtrl ? typed_digits : dragged_digits;
   const ImGuiSliderFlags flags = field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
-  if (!field.whole) return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &field.least, &field.most, format, flags);
+  if (!field.integer) return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &field.min, &field.max, format, flags);
   int number = static_cast<int>(std::clamp(value, -2e9, 2e9));
-  const bool changed = ImGui::SliderInt("##value", &number, static_cast<int>(field.least), static_cast<int>(field.most), "%d", flags);
+  const bool changed = ImGui::SliderInt("##value", &number, static_cast<int>(field.min), static_cast<int>(field.max), "%d", flags);
   if (changed) value = number;
   return changed;
 }
 
 // A line where the value is: only its ends where the words are.
-void draw_mark(ImDrawList& list, float x, ImVec2 least, ImVec2 most, bool under_words) {
-  const float half = units(1.0), top = least.y + units(2.0), bottom = most.y - units(2.0), end = units(3.0);
-  if (!under_words) return list.AddRectFilled({x - half, top}, {x + half, bottom}, palette::accent, half);
-  list.AddRectFilled({x - half, least.y}, {x + half, least.y + end}, palette::accent);
-  list.AddRectFilled({x - half, most.y - end}, {x + half, most.y}, palette::accent);
+void draw_mark(ImDrawList& list, float x, ImVec2 min, ImVec2 max, bool below_text) {
+  const float half = units(1.0), top = min.y + units(2.0), bottom = max.y - units(2.0), end = units(3.0);
+  if (!below_text) return list.AddRectFilled({x - half, top}, {x + half, bottom}, palette::accent, half);
+  list.AddRectFilled({x - half, min.y}, {x + half, min.y + end}, palette::accent);
+  list.AddRectFilled({x - half, max.y - end}, {x + half, max.y}, palette::accent);
 }
 
 // A bar that is filled up to the value, the value on it.
 void draw_slider(const NumberField& field) {
-  const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool lit = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  const bool highlighted = ImGui::IsItemHovered() || ImGui::IsItemActive();
   const float rounding = ImGui::GetStyle().FrameRounding;
-  list.AddRectFilled(least, most, lit ? palette::hovered : palette::raised, rounding);
+  list.AddRectFilled(min, max, highlighted ? palette::hovered : palette::raised, rounding);
   const std::string text = value_text(field);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const ImVec2 at{most.x - size.x - units(8.0), 0.5f * (least.y + most.y - size.y)};
+  const ImVec2 at{max.x - size.x - units(8.0), 0.5f * (min.y + max.y - size.y)};
   if (field.enabled) {
-    const float end = least.x + static_cast<float>(share_of(field)) * (most.x - least.x);
-    list.PushClipRect(least, {end, most.y}, true);
-    list.AddRectFilled(least, most, palette::tinted, rounding);
+    const float end = min.x + static_cast<float>(share_of(field)) * (max.x - min.x);
+    list.PushClipRect(min, {end, max.y}, true);
+    list.AddRectFilled(min, max, palette::tinted, rounding);
     list.PopClipRect();
-    const float edge = std::clamp(end, least.x + units(1.0), most.x - units(1.0));
-    draw_mark(list, edge, least, most, edge > at.x - units(3.0) && edge < at.x + size.x + units(3.0));
+    const float edge = std::clamp(end, min.x + units(1.0), max.x - units(1.0));
+    draw_mark(list, edge, min, max, edge > at.x - units(3.0) && edge < at.x + size.x + units(3.0));
   }
   list.AddText(at, field.enabled ? palette::text : palette::dim, text.c_str());
 }
@@ -135,13 +135,14 @@ std::optional<double> number_row(const NumberField& field, Panels& panels) {
     panels.typed_number.reset();
     changed = !std::isnan(value);
     if (!changed)
-      panels.say("That is no number: " + std::string(field.label) + " stays as it was");
-    else if (value < field.least || value > field.most)
-      panels.say(std::string(field.label) + " goes from " + number(field.least) + " to " + number(field.most) + " " + pretty(field.unit));
+      panels.show_toast("That is no number: " + std::string(field.label) + " stays as it was");
+    else if (value < field.min || value > field.max)
+      panels.show_toast(std::string(field.label) + " goes from " + number(field.min) + " to " + number(field.max) + " " +
+                        pretty(field.unit));
   }
 
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
-    value = field.usual;
+    value = field.default_value;
     changed = true;
   }
   if (!ImGui::IsItemActive()) tooltip(hint_of(field));

@@ -10,25 +10,25 @@
 namespace hooke {
 
 struct NumberField {
-  std::string_view label, unit, meaning;
-  double least = 0.0, most = 1.0, usual = 0.0, value = 0.0;
+  std::string_view label, unit, description;
+  double min = 0.0, max = 1.0, default_value = 0.0, value = 0.0;
   double step = 0.0;  // values are multiples of it; 0: any
-  bool whole = false, logarithmic = false, enabled = true;
+  bool integer = false, logarithmic = false, enabled = true;
   bool mixed = false;  // stands for several that differ
 };
 
 // The field of a row of a table of numbers that has a label, a unit, a range and a usual value.
 template <class Row>
-NumberField field_of_row(const Row& row, double value, bool whole) {
-  const bool spans_decades = row.least > 0.0 && row.most >= 100.0 * row.least && !whole;
+NumberField field_of_row(const Row& row, double value, bool integer) {
+  const bool spans_decades = row.min > 0.0 && row.max >= 100.0 * row.min && !integer;
   return {.label = row.label,
           .unit = row.unit,
-          .meaning = {},
-          .least = row.least,
-          .most = row.most,
-          .usual = row.usual,
+          .description = {},
+          .min = row.min,
+          .max = row.max,
+          .default_value = row.default_value,
           .value = value,
-          .whole = whole,
+          .integer = integer,
           .logarithmic = spans_decades};
 }
 

@@ -6,29 +6,29 @@
 
 namespace hooke {
 
-void build_panels(const Desk& desk, Panels& panels, Requests& requests) {
+void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
   use_look(panels.look);
   if (!ImGui::IsAnyItemActive()) panels.edit_in_progress = false;
   panels.floating.clear();
-  build_menu(desk, panels, requests);
-  build_status_bar(desk);
+  build_menu(input, panels, requests);
+  build_status_bar(input);
   if (panels.gallery.is_shown) {
-    build_gallery(desk, panels, requests);
+    build_gallery(input, panels, requests);
   } else {
     if (!panels.panels_hidden) {
-      build_toolbar(desk, requests);
-      build_side(desk, panels, requests);
+      build_toolbar(input, requests);
+      build_side(input, panels, requests);
     }
-    build_plots(desk, panels, requests);
-    build_timeline(desk, panels, requests);
-    build_overlays(desk, panels, requests);
-    build_axes(desk, panels, requests);
-    build_placing(desk, panels);
+    build_plots(input, panels, requests);
+    build_timeline(input, panels, requests);
+    build_overlays(input, panels, requests);
+    build_axes(input, panels, requests);
+    build_placement(input, panels);
   }
-  build_export(desk, panels);
-  build_keys(desk, panels);
-  build_search(desk, panels, requests);
-  build_dialogs(desk, panels, requests);
+  build_export(input, panels);
+  build_keys(input, panels);
+  build_search(input, panels, requests);
+  build_dialogs(input, panels, requests);
   panels.text_in_progress = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
 }
 

@@ -1,4 +1,4 @@
-// The panels of the window. They read a Desk, keep Panels between frames, and return Requests; nothing else is
+// The panels of the window. They read a PanelInput, keep Panels between frames, and return Requests; nothing else is
 // touched, so they run in tests without a window.
 #pragma once
 
@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "base/folder_listing.h"
 #include "draw/view.h"
-#include "lab/folder_listing.h"
-#include "lab/selection.h"
 #include "lab/status.h"
-#include "ui/exporting.h"
+#include "scene/selection.h"
+#include "ui/export_state.h"
 #include "ui/icons.h"
 #include "ui/layout.h"
-#include "ui/placing.h"
+#include "ui/placement.h"
 #include "ui/requests.h"
 #include "ui/theme.h"
 #include "ui/tool_buttons.h"
@@ -26,12 +26,12 @@ namespace hooke {
 struct Forecast;
 
 // Unsaved work that a killed run left behind.
-struct LeftWork {
+struct RecoveryEntry {
   std::string title, detail;
 };
 
 // What the panels look at.
-struct Desk {
+struct PanelInput {
   const Status& status;
   const Selection& selection;
   Layout layout;
@@ -44,7 +44,7 @@ struct Desk {
   std::optional<Rect> rubber_band;                // of a selection in progress, in window coordinates
   std::vector<glm::dvec2> stroke;                 // of a cut in progress, from the scene's corner
   std::span<const std::filesystem::path> recent;  // files, newest first
-  std::span<const LeftWork> left;
+  std::span<const RecoveryEntry> left;
   bool has_desktop_dialog = false;
   Camera camera{};
   const Forecast* forecast = nullptr;  // null: none is made
@@ -70,7 +70,7 @@ struct Dialog {
   std::string title, text;      // of a message
   std::vector<Choice> choices;  // under it: the first is Enter's, the last Esc's; none: "OK"
   std::string typed;            // the path
-  int typed_anew = 0;           // grows when it is not the person who changed it: the field begins anew
+  int text_version = 0;         // grows when it is not the person who changed it: the field begins anew
   Browser browser;
   bool is_new = false;                       // to be opened by the next frame
   bool accepted = false, cancelled = false;  // by a key
@@ -79,8 +79,8 @@ struct Dialog {
 // A file that is being read or written, while the window goes on.
 struct FileWork {
   std::string what;  // "Opening sheet.json"
-  double share = 0.0, seconds = 0.0;
-  bool is_going_on = false, wants_stop = false;
+  double fraction = 0.0, seconds = 0.0;
+  bool is_running = false, wants_stop = false;
 };
 
 // The page of scenes.
@@ -95,7 +95,7 @@ struct Gallery {
 struct Search {
   bool shown = false, is_new = false;
   std::string typed;
-  int lit = 0;            // the row that Enter means
+  int highlighted = 0;    // the row that Enter means
   bool accepted = false;  // by a key
 };
 
@@ -107,14 +107,14 @@ struct Panels {
   Search search;
   bool keys_shown = false;
   Gallery gallery;
-  Placing placing;
-  Exporting exporting;
+  Placement placement;
+  ExportState export_state;
   bool menu_is_open = false, menu_closes = false;
-  std::string toast;         // a line shown for a moment
-  double toast_until = 0.0;  // [s], ImGui's clock
-  std::string dismissed;     // the message whose banner was closed
-  std::string remarks;       // on the file that was opened
-  std::string file_notice;   // that the open file is not what it was
+  std::string toast;          // a line shown for a moment
+  double toast_until = 0.0;   // [s], ImGui's clock
+  std::string dismissed;      // the message whose banner was closed
+  std::string file_warnings;  // on the file that was opened
+  std::string file_notice;    // that the open file is not what it was
   bool file_is_gone = false;
   bool text_in_progress = false;  // letters go into a field
   bool edit_in_progress = false;  // the active slider has edited already
@@ -130,17 +130,17 @@ struct Panels {
   std::string typed_text;              // into the field
   std::vector<Rect> floating;          // panels over the scene, of the last frame
 
-  void say(std::string line) { toast = std::move(line), toast_until = -1.0; }
-  void ask(Dialog::Kind kind, std::string typed = {}) { dialog = {.kind = kind, .typed = std::move(typed), .is_new = true}; }
-  void ask_for_file(Dialog::Kind kind, std::filesystem::path folder, std::string typed = {}) {
-    ask(kind, std::move(typed));
+  void show_toast(std::string line) { toast = std::move(line), toast_until = -1.0; }
+  void open_dialog(Dialog::Kind kind, std::string typed = {}) { dialog = {.kind = kind, .typed = std::move(typed), .is_new = true}; }
+  void open_file_dialog(Dialog::Kind kind, std::filesystem::path folder, std::string typed = {}) {
+    open_dialog(kind, std::move(typed));
     dialog.browser.folder = std::move(folder);
   }
-  void tell(std::string title, std::string text, std::vector<Choice> choices = {}) {
+  void show_message(std::string title, std::string text, std::vector<Choice> choices = {}) {
     dialog = message(std::move(title), std::move(text), std::move(choices));
   }
   // When the boxes before it are closed.
-  void tell_later(std::string title, std::string text, std::vector<Choice> choices = {}) {
+  void queue_message(std::string title, std::string text, std::vector<Choice> choices = {}) {
     waiting.push_back(message(std::move(title), std::move(text), std::move(choices)));
   }
   static Dialog message(std::string title, std::string text, std::vector<Choice> choices) {
@@ -150,7 +150,7 @@ struct Panels {
 };
 
 // Between ImGui::NewFrame and ImGui::Render.
-void build_panels(const Desk& desk, Panels& panels, Requests& requests);
+void build_panels(const PanelInput& input, Panels& panels, Requests& requests);
 
 // Whether a press at this place of the window belongs to the panels.
 bool panels_cover(const Panels& panels, const Layout& layout, double x, double y);
@@ -159,27 +159,27 @@ bool panels_cover(const Panels& panels, const Layout& layout, double x, double y
 bool move_in_gallery(Panels& panels, const Layout& layout, Key key);
 
 // The parts, each in a file of its own.
-void build_menu(const Desk& desk, Panels& panels, Requests& requests);
-void build_toolbar(const Desk& desk, Requests& requests);
-void build_side(const Desk& desk, Panels& panels, Requests& requests);
-void build_inspector(const Desk& desk, Panels& panels, Requests& requests);
-void build_parameters(const Desk& desk, Panels& panels, Requests& requests);
-void build_forces(const Desk& desk, Panels& panels, Requests& requests);
+void build_menu(const PanelInput& input, Panels& panels, Requests& requests);
+void build_toolbar(const PanelInput& input, Requests& requests);
+void build_side(const PanelInput& input, Panels& panels, Requests& requests);
+void build_inspector(const PanelInput& input, Panels& panels, Requests& requests);
+void build_parameters(const PanelInput& input, Panels& panels, Requests& requests);
+void build_forces(const PanelInput& input, Panels& panels, Requests& requests);
 // What is plotted before anything is chosen: the energies.
 std::vector<Quantity> first_plots(const System& system);
-void build_plots(const Desk& desk, Panels& panels, Requests& requests);
-void build_timeline(const Desk& desk, Panels& panels, Requests& requests);
-void build_history(const Desk& desk, Requests& requests);
+void build_plots(const PanelInput& input, Panels& panels, Requests& requests);
+void build_timeline(const PanelInput& input, Panels& panels, Requests& requests);
+void build_history(const PanelInput& input, Requests& requests);
 // The rows that the search finds for what was typed, the best first.
 std::vector<const Shortcut*> find_commands(const std::string& typed);
-void build_search(const Desk& desk, Panels& panels, Requests& requests);
-void build_export(const Desk& desk, Panels& panels);
-void build_placing(const Desk& desk, Panels& panels);
-void build_status_bar(const Desk& desk);
-void build_axes(const Desk& desk, Panels& panels, Requests& requests);
-void build_overlays(const Desk& desk, Panels& panels, Requests& requests);
-void build_keys(const Desk& desk, Panels& panels);
-void build_gallery(const Desk& desk, Panels& panels, Requests& requests);
-void build_dialogs(const Desk& desk, Panels& panels, Requests& requests);
+void build_search(const PanelInput& input, Panels& panels, Requests& requests);
+void build_export(const PanelInput& input, Panels& panels);
+void build_placement(const PanelInput& input, Panels& panels);
+void build_status_bar(const PanelInput& input);
+void build_axes(const PanelInput& input, Panels& panels, Requests& requests);
+void build_overlays(const PanelInput& input, Panels& panels, Requests& requests);
+void build_keys(const PanelInput& input, Panels& panels);
+void build_gallery(const PanelInput& input, Panels& panels, Requests& requests);
+void build_dialogs(const PanelInput& input, Panels& panels, Requests& requests);
 
 }  // namespace hooke

@@ -9,13 +9,13 @@ namespace hooke {
 std::vector<double> PlotAxis::ticks() const {
   std::vector<double> list;
   constexpr double round_off = 1e-9;
-  const double first = std::ceil(least / step - round_off);
-  for (double i = first; i * step <= most + round_off * step && list.size() < 50; ++i) list.push_back(i == 0.0 ? 0.0 : i * step);
+  const double first = std::ceil(min / step - round_off);
+  for (double i = first; i * step <= max + round_off * step && list.size() < 50; ++i) list.push_back(i == 0.0 ? 0.0 : i * step);
   return list;
 }
 
 std::string PlotAxis::label(double tick) const {
-  const double largest = std::max(std::abs(least), std::abs(most));
+  const double largest = std::max(std::abs(min), std::abs(max));
   char text[40];
   if (largest >= 1e5 || largest < 1e-3)
     std::snprintf(text, sizeof text, "%.3g", tick);
@@ -24,21 +24,21 @@ std::string PlotAxis::label(double tick) const {
   return text;
 }
 
-PlotAxis fit_axis(double least, double most, int ticks) {
-  if (!std::isfinite(least) || !std::isfinite(most)) return {};
+PlotAxis fit_axis(double min, double max, int ticks) {
+  if (!std::isfinite(min) || !std::isfinite(max)) return {};
   // as flat as round-off leaves it: a scale around the value
-  const double largest = std::max(std::abs(least), std::abs(most));
-  if (most - least <= 1e-12 * largest || most <= least) {
+  const double largest = std::max(std::abs(min), std::abs(max));
+  if (max - min <= 1e-12 * largest || max <= min) {
     const double half = largest > 0.0 ? 0.5 * largest : 0.5;
-    least -= half;
-    most += half;
+    min -= half;
+    max += half;
   }
   constexpr double room = 0.06;
-  const double range = most - least;
-  PlotAxis axis{.least = least - room * range, .most = most + room * range};
-  const double rough = range / std::max(1, ticks), decade = std::pow(10.0, std::floor(std::log10(rough)));
-  const double first_digits = rough / decade;
-  axis.step = decade * (first_digits < 1.5 ? 1.0 : first_digits < 3.5 ? 2.0 : first_digits < 7.5 ? 5.0 : 10.0);
+  const double range = max - min;
+  PlotAxis axis{.min = min - room * range, .max = max + room * range};
+  const double raw_step = range / std::max(1, ticks), decade = std::pow(10.0, std::floor(std::log10(raw_step)));
+  const double mantissa = raw_step / decade;
+  axis.step = decade * (mantissa < 1.5 ? 1.0 : mantissa < 3.5 ? 2.0 : mantissa < 7.5 ? 5.0 : 10.0);
   return axis;
 }
 

@@ -32,7 +32,7 @@ struct ChooseTexture {
   std::string texture;
 };
 // The desktop's own dialog for files.
-struct AskDesktop {
+struct OpenSystemDialog {
   bool to_save = false;
 };
 // The camera turned to see the scene from there.
@@ -43,7 +43,7 @@ struct LookFrom {
 struct Recover {
   std::size_t which;
 };
-struct ThrowAway {
+struct DiscardRecovery {
   std::size_t which;
 };
 // What a button of a box or a banner says.
@@ -58,8 +58,8 @@ enum class Answer {
   KeepMine,   // the scene as it is here
 };
 
-using Request =
-    std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, AskDesktop, LookFrom, Recover, ThrowAway, Answer>;
+using Request = std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, OpenSystemDialog, LookFrom, Recover,
+                             DiscardRecovery, Answer>;
 using Requests = std::vector<Request>;
 
 }  // namespace hooke

@@ -10,6 +10,6 @@ std::string number(double value) {
   return text;
 }
 
-std::string count(long many, std::string_view noun) { return std::to_string(many) + " " + std::string(noun) + (many == 1 ? "" : "s"); }
+std::string count(long n, std::string_view noun) { return std::to_string(n) + " " + std::string(noun) + (n == 1 ? "" : "s"); }
 
 }  // namespace hooke

@@ -9,6 +9,6 @@ namespace hooke {
 // Four digits: "1000", "0.1667", "2.5e+04".
 std::string number(double value);
 // "3 points", "1 point"
-std::string count(long many, std::string_view noun);
+std::string count(long n, std::string_view noun);
 
 }  // namespace hooke

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "lab/printable.h"
+#include "base/printable.h"
 #include "ui/number_field.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
@@ -17,7 +17,7 @@ namespace {
 
 std::string shown(const TypedField& field) {
   if (field.mixed) return {};
-  if (std::isinf(field.value) && !field.endless.empty()) return std::string(field.endless);
+  if (std::isinf(field.value) && !field.infinity_text.empty()) return std::string(field.infinity_text);
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", field.value);
   return text;
@@ -31,24 +31,24 @@ std::string_view trimmed(std::string_view text) {
 // What was typed, as the field can take it; what it cannot is said.
 std::optional<double> taken(const TypedField& field, const std::string& text, Panels& panels) {
   if (trimmed(text).empty()) return std::nullopt;
-  const auto number = number_typed(text, field.endless);
+  const auto number = number_typed(text, field.infinity_text);
   if (!number) {
-    panels.say("\"" + printable(text, 30) + "\" is no number: " + std::string(field.label) + " stays as it was");
+    panels.show_toast("\"" + printable(text, 30) + "\" is no number: " + std::string(field.label) + " stays as it was");
     return std::nullopt;
   }
-  if (std::isinf(*number) && !field.endless.empty()) return number;
-  const double value = std::clamp(*number, field.least, field.most);
+  if (std::isinf(*number) && !field.infinity_text.empty()) return number;
+  const double value = std::clamp(*number, field.min, field.max);
   if (value != *number)
-    panels.say(std::string(field.label) + " goes from " + hooke::number(field.least) + " to " + hooke::number(field.most) + " " +
-               std::string(field.unit));
+    panels.show_toast(std::string(field.label) + " goes from " + hooke::number(field.min) + " to " + hooke::number(field.max) + " " +
+                      std::string(field.unit));
   return value;
 }
 
 }  // namespace
 
-std::optional<double> number_typed(std::string_view text, std::string_view endless) {
+std::optional<double> number_typed(std::string_view text, std::string_view infinity_text) {
   text = trimmed(text);
-  if (!endless.empty() && text == endless) return INFINITY;
+  if (!infinity_text.empty() && text == infinity_text) return INFINITY;
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -74,7 +74,7 @@ std::optional<double> typed_row(const TypedField& field, Panels& panels) {
   const bool finished = ImGui::IsItemDeactivatedAfterEdit();
   if (!ImGui::IsItemActive()) {
     if (panels.typing == id) panels.typing = 0;
-    tooltip(std::string(field.meaning));
+    tooltip(std::string(field.description));
   }
   if (unit_width > 0.0f) {
     ImGui::SameLine(0.0f, units(6.0));

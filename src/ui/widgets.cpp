@@ -24,8 +24,8 @@ bool icon_button(const char* id, Icon icon, ImVec2 size, bool active, bool enabl
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 back = active ? palette::tinted : ImGui::IsItemActive() ? palette::pressed : hovered ? palette::hovered : 0;
   if (back != 0) list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, back, units(5.0));
-  const ImU32 ink = !enabled ? palette::pressed : active ? palette::accent : palette::text;
-  draw_icon(list, icon, {at.x + 0.5f * size.x, at.y + 0.5f * size.y}, units(15.0), ink);
+  const ImU32 text_color = !enabled ? palette::pressed : active ? palette::accent : palette::text;
+  draw_icon(list, icon, {at.x + 0.5f * size.x, at.y + 0.5f * size.y}, units(15.0), text_color);
   ImGui::EndDisabled();
   return clicked && enabled;
 }
@@ -36,7 +36,7 @@ bool section(const std::string& title, const std::string& remark, bool starts_op
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size{ImGui::GetContentRegionAvail().x, units(26.0)};
   if (ImGui::InvisibleButton(title.c_str(), size)) open = !open;
-  const ImU32 ink = ImGui::IsItemHovered() ? palette::text : palette::dim;
+  const ImU32 text_color = ImGui::IsItemHovered() ? palette::text : palette::dim;
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddLine(at, {at.x + size.x, at.y}, palette::line);
@@ -44,7 +44,7 @@ bool section(const std::string& title, const std::string& remark, bool starts_op
   const ImVec2 tip = open ? ImVec2{at.x + u, middle + 0.5f * u} : ImVec2{at.x + 1.5f * u, middle};
   const ImVec2 ends[] = {open ? ImVec2{tip.x - u, tip.y - u} : ImVec2{tip.x - u, tip.y - u}, tip,
                          open ? ImVec2{tip.x + u, tip.y - u} : ImVec2{tip.x - u, tip.y + u}};
-  list.AddPolyline(ends, 3, ink, 0, units(1.5));
+  list.AddPolyline(ends, 3, text_color, 0, units(1.5));
   ImGui::PushFont(fonts().strong);
   const float title_end = units(16.0) + ImGui::CalcTextSize(title.c_str()).x;
   list.AddText({at.x + units(16.0), middle - 0.5f * ImGui::GetFontSize()}, palette::text, title.c_str());
@@ -73,16 +73,16 @@ void tooltip(Action action, const std::string& detail) {
   tooltip(std::string(row.text) + (detail.empty() ? "" : ": " + detail) + "   " + key_text(row));
 }
 
-void progress_bar(double share, double seconds, float width) {
+void progress_bar(double fraction, double seconds, float width) {
   // the first moments tell nothing of the rest
   char text[48] = "";
-  const double left = share > 0.0 ? seconds * (1.0 - share) / share : 0.0;
-  if (share > 0.03 && seconds > 0.3)
-    std::snprintf(text, sizeof text, "%.0f %%, %.0f s left", 100.0 * share, std::ceil(left));
-  else if (share > 0.0)
-    std::snprintf(text, sizeof text, "%.0f %%", 100.0 * share);
+  const double left = fraction > 0.0 ? seconds * (1.0 - fraction) / fraction : 0.0;
+  if (fraction > 0.03 && seconds > 0.3)
+    std::snprintf(text, sizeof text, "%.0f %%, %.0f s left", 100.0 * fraction, std::ceil(left));
+  else if (fraction > 0.0)
+    std::snprintf(text, sizeof text, "%.0f %%", 100.0 * fraction);
   ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette::tinted);
-  ImGui::ProgressBar(static_cast<float>(share), {width, units(30.0)}, text);
+  ImGui::ProgressBar(static_cast<float>(fraction), {width, units(30.0)}, text);
   ImGui::PopStyleColor();
 }
 

@@ -48,7 +48,7 @@ void tooltip(const std::string& text);
 void tooltip(Action action, const std::string& detail = {});
 
 // The share of a work that is done, and the time that it will still take, by the `seconds` that it took so far.
-void progress_bar(double share, double seconds, float width);
+void progress_bar(double fraction, double seconds, float width);
 
 // Goes on in this line where an item of so much text fits.
 inline void same_line_for(const char* text) {

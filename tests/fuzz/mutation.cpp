@@ -6,7 +6,7 @@
 namespace hooke {
 namespace {
 
-constexpr std::size_t most_bytes = 20'000;
+constexpr std::size_t max_bytes = 20'000;
 constexpr std::string_view numbers[] = {"0",          "-1",
                                         "1e400",      "-1e400",
                                         "1e308",      "1e-320",
@@ -24,7 +24,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 std::string Mutator::next() {
   std::string bytes = seeds_[below(seeds_.size())];
   for (std::size_t changes = 1 + below(6); changes > 0; --changes) change(bytes);
-  if (bytes.size() > most_bytes) bytes.resize(most_bytes);
+  if (bytes.size() > max_bytes) bytes.resize(max_bytes);
   return bytes;
 }
 

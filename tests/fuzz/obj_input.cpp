@@ -1,7 +1,7 @@
 #include "fuzz/obj_input.h"
 
+#include "formats/mesh_file.h"
 #include "fuzz/sound.h"
-#include "lab/mesh_file.h"
 
 namespace hooke {
 
@@ -9,7 +9,7 @@ void try_as_obj(std::string_view bytes) {
   LoadedScene loaded;
   try {
     loaded = parse_obj(bytes, "fuzz.obj");
-  } catch (const Refused&) {
+  } catch (const InputError&) {
     return;
   }
   require_sound(loaded);

@@ -2,8 +2,8 @@
 
 #include <zlib.h>
 
+#include "formats/png_picture.h"
 #include "fuzz/sound.h"
-#include "lab/png_picture.h"
 
 namespace hooke {
 namespace {
@@ -20,7 +20,7 @@ void decode(std::string_view bytes) {
     require(picture.width > 0 && picture.height > 0 && picture.width <= 2048 && picture.height <= 2048,
             "a picture has a size that is kept");
     require(picture.pixels.size() == std::size_t{3} * picture.width * picture.height, "every pixel is there");
-  } catch (const Refused& refused) {
+  } catch (const InputError& refused) {
     for (const char* c = refused.what(); *c != '\0'; ++c)
       require(static_cast<unsigned char>(*c) >= 0x20 && *c != 0x7f, "no control character in a message");
   }

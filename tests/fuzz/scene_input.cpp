@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <optional>
 
+#include "formats/scene_file.h"
 #include "lab/lab.h"
-#include "lab/scene_file.h"
 
 namespace hooke {
 namespace {
@@ -19,7 +19,7 @@ void require(bool holds, const char* what) {
 std::optional<Scene> load(std::string_view bytes) {
   try {
     return parse_scene(bytes, "fuzzed.json").scene;
-  } catch (const Refused& refused) {
+  } catch (const InputError& refused) {
     // one line, with nothing in it that a terminal would obey
     for (const char* c = refused.what(); *c != '\0'; ++c)
       require(static_cast<unsigned char>(*c) >= 0x20 && *c != 0x7f, "a control character in a message");

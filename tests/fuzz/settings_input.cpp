@@ -1,8 +1,8 @@
 #include "fuzz/settings_input.h"
 
-#include "app/preferences.h"
+#include "app/document/preferences.h"
+#include "base/errors.h"
 #include "fuzz/sound.h"
-#include "sim/errors.h"
 
 namespace hooke {
 
@@ -10,8 +10,8 @@ void try_as_settings(std::string_view bytes) {
   try {
     const Preferences read = parse_preferences(std::string(bytes), "fuzzed.json");
     for (const PreferenceRow& row : preference_rows())
-      require(read.*row.field >= row.least && read.*row.field <= row.most, "numbers lie in their ranges");
-  } catch (const Refused& refused) {
+      require(read.*row.field >= row.min && read.*row.field <= row.max, "numbers lie in their ranges");
+  } catch (const InputError& refused) {
     // one line, with nothing in it that a terminal would obey
     for (const char* c = refused.what(); *c != '\0'; ++c)
       require(static_cast<unsigned char>(*c) >= 0x20 && *c != 0x7f, "messages have no control characters");

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "lab/scene_file.h"
+#include "formats/scene_file.h"
 #include "sim/integrator.h"
 #include "sim/plan.h"
 

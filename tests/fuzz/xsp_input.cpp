@@ -1,7 +1,7 @@
 #include "fuzz/xsp_input.h"
 
+#include "formats/xsp_file.h"
 #include "fuzz/sound.h"
-#include "lab/xsp_file.h"
 
 namespace hooke {
 
@@ -9,17 +9,17 @@ void try_as_xsp(std::string_view bytes) {
   LoadedScene loaded;
   try {
     loaded = parse_xsp(bytes, "fuzz.xsp");
-  } catch (const Refused&) {
+  } catch (const InputError&) {
     return;
   }
   require_sound(loaded);
   require_stable(loaded);
 
-  std::vector<std::string> lost;
+  std::vector<std::string> losses;
   std::string text;
   try {
-    text = format_xsp(loaded.scene, "again.xsp", lost);
-  } catch (const Refused&) {
+    text = format_xsp(loaded.scene, "again.xsp", losses);
+  } catch (const InputError&) {
     return;  // numbers next to the largest
   }
   const LoadedScene again = parse_xsp(text, "again.xsp");

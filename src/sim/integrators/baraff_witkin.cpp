@@ -7,21 +7,21 @@
 // takes back.
 #include <algorithm>
 
+#include "sim/implicit/newton.h"
 #include "sim/integrators/rows.h"
-#include "sim/newton.h"
 
 namespace hooke {
 namespace {
 
 void prepare(const Plan& plan, double, const Motion& motion, Workspace& work) {
   work.size_fields(1, motion);
-  make_structure<NewtonKernel>(plan, work).begin_frame(plan, motion);
+  make_structure<NewtonSolver>(plan, work).begin_frame(plan, motion);
 }
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   Field& V = work.fields[0];
   std::copy(motion.v.begin(), motion.v.end(), V.begin());
-  structure_of<NewtonKernel>(work).solve_once(plan, {motion.time + h, h, motion.x, motion.v}, V, motion);
+  structure_of<NewtonSolver>(work).solve_once(plan, {motion.time + h, h, motion.x, motion.v}, V, motion);
   std::swap(motion.v, V);
   drift(motion, h);
 }
@@ -37,7 +37,7 @@ constinit const Integrator baraff_witkin{
     .id = "baraff_witkin",
     .label = "Baraff-Witkin (one Newton step)",
     .summary = "The fallback for scenes that nothing else can follow: one linear solve a step, strongly damped, first order.",
-    .needs = "one factorisation and one solve a step",
+    .cost = "one factorisation and one solve a step",
     .formula =
         "(M - h df/dv - h^2 df/dx)(v' - v) = h (f + h df/dx v)\n"
         "x' = x + h v'",
@@ -46,7 +46,7 @@ constinit const Integrator baraff_witkin{
     .order_drag = 1,
     .order_damped = 1,
     .order_contact = 1,
-    .stability = Stability::Stiff,
+    .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
     .prepare = prepare,

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "sim/dashpot.h"
-#include "sim/forces.h"
+#include "sim/forces/dashpot.h"
+#include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 
 namespace hooke {
@@ -77,7 +77,7 @@ constinit const Integrator blanes_moan4{
     .id = "blanes_moan4",
     .label = "Blanes-Moan 4",
     .summary = "Fourth order without energy drift: the cheapest to tight errors in scenes without dashpots.",
-    .needs = "six force evaluations a step; two sweeps over the dashpots",
+    .cost = "six force evaluations a step; two sweeps over the dashpots",
     .formula =
         "kick b1 h, drift a1 h, kick b2 h, ... drift a6 h, kick b7 h,   b and a symmetric\n"
         "dashpots split off as in velocity_verlet",

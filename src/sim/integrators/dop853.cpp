@@ -8,8 +8,8 @@
 #include <array>
 #include <cmath>
 
-#include "sim/field_kernel.h"
-#include "sim/forces.h"
+#include "sim/forces/field_kernel.h"
+#include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 
 namespace hooke {
@@ -78,10 +78,10 @@ void prepare(const Plan&, double, const Motion& motion, Workspace& work) { work.
 
 // y += scale sum_j w_j a_j, in pieces that stay in the cache.
 void add_slopes(Field& y, double scale, const Row& w, Motion& motion, Workspace& work) {
-  constexpr std::size_t piece = 1024;
-  for (std::size_t begin = 0; begin < y.size(); begin += piece)
+  constexpr std::size_t block = 1024;
+  for (std::size_t begin = 0; begin < y.size(); begin += block)
     for (int j = 0; j < stages; ++j)
-      if (w[j] != 0.0) add_scaled(y.data() + begin, scale * w[j], slope(motion, work, j).data() + begin, std::min(piece, y.size() - begin));
+      if (w[j] != 0.0) add_scaled(y.data() + begin, scale * w[j], slope(motion, work, j).data() + begin, std::min(block, y.size() - begin));
 }
 
 // All but the first of the stages of a step of h from (motion.x, motion.v).
@@ -101,7 +101,9 @@ void compute_slopes(const Plan& plan, Motion& motion, Workspace& work, double ti
 }
 
 // The method's estimate from those of order 5 and 3: of order 8.
-double blend(double error_5, double error_3) { return error_5 == 0.0 ? 0.0 : error_5 * error_5 / std::hypot(error_5, 0.1 * error_3); }
+double combine_errors(double error_5, double error_3) {
+  return error_5 == 0.0 ? 0.0 : error_5 * error_5 / std::hypot(error_5, 0.1 * error_3);
+}
 
 struct LocalError {
   double position = 0.0, velocity = 0.0;  // [m], [m/s]
@@ -114,51 +116,51 @@ LocalError estimate_error(const Plan& plan, Motion& motion, Workspace& work, dou
     add_slopes(error, scale, w, motion, work);
     return root_mean_square(plan, error);
   };
-  return {blend(size(h * h, error5_times_a), size(h * h, error3_times_a)), blend(size(h, error5), size(h, error3))};
+  return {combine_errors(size(h * h, error5_times_a), size(h * h, error3_times_a)), combine_errors(size(h, error5), size(h, error3))};
 }
 
 // The first step, when none is remembered: a radian of the fastest mode there can be, or all of it.
-double first_step(const Plan& plan, double span) {
+double first_step(const Plan& plan, double interval) {
   const double rate = std::max({plan.spectrum.omega, plan.spectrum.dashpot_rate, plan.spectrum.drag_rate});
-  return rate * span > 1.0 ? 1.0 / rate : span;
+  return rate * interval > 1.0 ? 1.0 / rate : interval;
 }
 
 // What counts as no error [m], [m/s]: the tolerance, a velocity being judged by where it leads within a second; and never
 // less than the rounding of coordinates and of forces.
-struct Allowed {
+struct ErrorScale {
   double position, velocity;
-  Allowed(const Plan& plan, const Motion& motion, double tolerance) {
-    double reach = 0.0;
-    for (const double x : motion.x) reach = std::max(reach, std::abs(x));
+  ErrorScale(const Plan& plan, const Motion& motion, double tolerance) {
+    double max_coordinate = 0.0;
+    for (const double x : motion.x) max_coordinate = std::max(max_coordinate, std::abs(x));
     constexpr double round_off = 1e-14;
-    position = std::max(tolerance, round_off * reach);
-    velocity = std::max(tolerance, round_off * reach * (plan.spectrum.omega + plan.spectrum.dashpot_rate));
+    position = std::max(tolerance, round_off * max_coordinate);
+    velocity = std::max(tolerance, round_off * max_coordinate * (plan.spectrum.omega + plan.spectrum.dashpot_rate));
   }
 };
 
 constexpr double default_tolerance = 1e-8;  // [m]
 
-constexpr double least_factor = 1.0 / 3.0, greatest_factor = 6.0;
+constexpr double min_factor = 1.0 / 3.0, greatest_factor = 6.0;
 
 // Hairer's controller (II.4 and DOP853): step *= safety error^-alpha (error before)^beta, within bounds.
 double step_factor(double error, double error_before) {
   constexpr double beta = 0.04, alpha = 1.0 / 8.0 - 0.75 * beta, safety = 0.9;
-  if (!std::isfinite(error)) return least_factor;
-  return std::clamp(safety * std::pow(error, -alpha) * std::pow(error_before, beta), least_factor, greatest_factor);
+  if (!std::isfinite(error)) return min_factor;
+  return std::clamp(safety * std::pow(error, -alpha) * std::pow(error_before, beta), min_factor, greatest_factor);
 }
 
-void step(const Plan& plan, Motion& motion, Workspace& work, double span) {
-  constexpr double least_error = 1e-4, least_step = 1e-9;
-  const Allowed allowed(plan, motion, work.tolerance.value_or(default_tolerance));
+void step(const Plan& plan, Motion& motion, Workspace& work, double interval) {
+  constexpr double min_error = 1e-4, min_step = 1e-9;
+  const ErrorScale error_scale(plan, motion, work.tolerance.value_or(default_tolerance));
   MethodMemory& memory = motion.memory;
-  if (memory.step == 0.0) memory = {.step = first_step(plan, span), .error = least_error};
+  if (memory.step == 0.0) memory = {.step = first_step(plan, interval), .error = min_error};
 
   bool rejected = false;
-  for (double left = span, time = motion.time; left > 0.0;) {
+  for (double remaining = interval, time = motion.time; remaining > 0.0;) {
     // equal steps to the end of the span, none longer than the step remembered
-    const double pieces = std::ceil(left / memory.step * (1.0 - 1e-12));
-    const bool last = pieces <= 1.0;
-    const double h = last ? left : left / pieces;
+    const double steps = std::ceil(remaining / memory.step * (1.0 - 1e-12));
+    const bool last = steps <= 1.0;
+    const double h = last ? remaining : remaining / steps;
 
     if (!motion.acceleration_is_current) {
       compute_forces(plan, time, motion.x, motion.v, motion.a);
@@ -168,11 +170,11 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double span) {
     }
     compute_slopes(plan, motion, work, time, h);
     const LocalError local = estimate_error(plan, motion, work, h);
-    const double error = std::hypot(local.position / allowed.position, local.velocity / allowed.velocity);
+    const double error = std::hypot(local.position / error_scale.position, local.velocity / error_scale.velocity);
 
     // too coarse: again, shorter; where no step is short enough the scene has left all numbers, and is passed on as it is
-    const bool hopeless = h < least_step * span;
-    if (!(error <= 1.0) && !hopeless) {
+    const bool step_too_small = h < min_step * interval;
+    if (!(error <= 1.0) && !step_too_small) {
       memory.step = h * std::min(1.0, step_factor(error, 1.0));
       rejected = true;
       continue;
@@ -183,14 +185,14 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double span) {
     add_slopes(motion.v, h, b, motion, work);
     motion.acceleration_is_current = false;
     motion.local_error += local.position;
-    left = last || hopeless ? 0.0 : left - h;
+    remaining = last || step_too_small ? 0.0 : remaining - h;
     time += h;
 
     // a step cut short by the end of the span says little of how long it might have been
     const double factor = step_factor(error, memory.error);
     memory.step = factor == greatest_factor ? std::max(memory.step, factor * h) : factor * h;
     if (rejected) memory.step = std::min(memory.step, h);
-    memory.error = std::max(error, least_error);
+    memory.error = std::max(error, min_error);
     rejected = false;
   }
 }
@@ -216,7 +218,7 @@ constinit const Integrator dop853{
     .id = "dop853",
     .label = "Dormand-Prince 8(5,3)",
     .summary = "Eighth order with steps chosen by the tolerance: tight errors, with damping too, and the reference for all others.",
-    .needs = "twelve force evaluations a step of its own",
+    .cost = "twelve force evaluations a step of its own",
     .formula =
         "V_i = v + h sum_j A_ij a_j,   X_i = x + h c_i v + h^2 sum_j (A A)_ij a_j,   a_i = a(t + c_i h, X_i, V_i),   i = 1 ... 12\n"
         "x' = x + h v + h^2 sum b A a,   v' = v + h sum b a;   h from error estimates of order 5 and 3",

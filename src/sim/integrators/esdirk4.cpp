@@ -2,7 +2,7 @@
 // convection-diffusion-reaction equations, Appl. Numer. Math. 44 (2003) 139-181)
 // Fourth order in six stages, the first explicit, gamma = 1/4; L-stable, stiffly accurate, with an embedded method of third
 // order for the error.
-#include "sim/dirk.h"
+#include "sim/implicit/dirk.h"
 #include "sim/integrators/rows.h"
 
 namespace hooke {
@@ -36,7 +36,7 @@ constinit const Integrator esdirk4{
     .id = "esdirk4",
     .label = "ESDIRK4(3)",
     .summary = "Tight errors in very stiff or strongly damped scenes: fourth order, and what is too fast dies out.",
-    .needs = "five nonlinear solves a step with one matrix: one to three factorisations",
+    .cost = "five nonlinear solves a step with one matrix: one to three factorisations",
     .formula =
         "y_i = y + h sum_{j <= i} A_ij f(y_j),   i = 1 ... 6,   A_11 = 0, A_ii = 1/4\n"
         "y' = y_6",
@@ -45,7 +45,7 @@ constinit const Integrator esdirk4{
     .order_drag = 4,
     .order_damped = 4,
     .order_contact = 2,
-    .stability = Stability::Stiff,
+    .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
     .prepare = prepare,

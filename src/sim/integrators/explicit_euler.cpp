@@ -1,6 +1,6 @@
 // x' = x + h v,  v' = v + h a(x, v)     (Euler 1768)
 // First order. Every undamped mode grows by sqrt(1 + (h omega)^2) a step: it shows what instability is.
-#include "sim/forces.h"
+#include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 
 namespace hooke {
@@ -27,7 +27,7 @@ constinit const Integrator explicit_euler{
     .id = "explicit_euler",
     .label = "Explicit Euler",
     .summary = "The simplest method, to see it fail: without damping it gains energy at every step size.",
-    .needs = "one force evaluation a step",
+    .cost = "one force evaluation a step",
     .formula =
         "x' = x + h v\n"
         "v' = v + h a(x, v)",

@@ -1,6 +1,6 @@
 // x' = x + h v',  v' = v + h a(x', v')     (backward Euler)
 // First order, L-stable. Solved to the end, unlike baraff_witkin; damps everything that moves, more the faster it is.
-#include "sim/dirk.h"
+#include "sim/implicit/dirk.h"
 #include "sim/integrators/rows.h"
 
 namespace hooke {
@@ -22,7 +22,7 @@ constinit const Integrator implicit_euler{
     .id = "implicit_euler",
     .label = "Implicit Euler",
     .summary = "What implicit Euler truly gives, for comparison: stable at any step, strongly damped, first order.",
-    .needs = "a nonlinear solve a step: two to five factorisations where springs are stiff",
+    .cost = "a nonlinear solve a step: two to five factorisations where springs are stiff",
     .formula =
         "v' = v + h a(x', v')\n"
         "x' = x + h v'",
@@ -33,7 +33,7 @@ constinit const Integrator implicit_euler{
     .order_drag = 1,
     .order_damped = 1,
     .order_contact = 1,
-    .stability = Stability::Stiff,
+    .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
     .prepare = prepare,

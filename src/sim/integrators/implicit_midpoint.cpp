@@ -1,7 +1,7 @@
 // V = v + h/2 a(x + h/2 V, V),  x' = x + h V,  v' = 2 V - v     (Gauss, one stage)
 // Second order, symplectic, A-stable but not L-stable: nothing linear grows or dies out. Keeps linear and angular momentum;
 // energy up to what springs that turn within a step take from it or give.
-#include "sim/dirk.h"
+#include "sim/implicit/dirk.h"
 #include "sim/integrators/rows.h"
 
 namespace hooke {
@@ -23,7 +23,7 @@ constinit const Integrator implicit_midpoint{
     .id = "implicit_midpoint",
     .label = "Implicit midpoint",
     .summary = "Keeps the energy of smooth motion at steps beyond the explicit limit; fails on stiff springs that turn.",
-    .needs = "a nonlinear solve a step",
+    .cost = "a nonlinear solve a step",
     .formula =
         "V = v + h/2 a(x + h/2 V, V)\n"
         "x' = x + h V,   v' = 2 V - v",
@@ -32,7 +32,7 @@ constinit const Integrator implicit_midpoint{
     .order_drag = 2,
     .order_damped = 2,
     .order_contact = 2,
-    .stability = Stability::Absolute,
+    .stability = Stability::AStable,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
     .prepare = prepare,

@@ -1,7 +1,7 @@
 // k1 = f(y), k2 = f(y + h/2 k1), k3 = f(y + h/2 k2), k4 = f(y + h k3),  y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4)
 // (Kutta 1901), y = (x, v). Fourth order with damping and drag too; stable for h omega < 2.83, h lambda < 2.78; energy
 // drifts slowly.
-#include "sim/forces.h"
+#include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 
 namespace hooke {
@@ -17,12 +17,12 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
 
   for (int stage = 0; stage < 4; ++stage) {
     // the stage's state from the slopes (v, a) of the one before
-    const double reach = h * node[stage];
+    const double stage_step = h * node[stage];
     for (std::size_t i = 0; i < size; ++i) {
-      x[i] = stage == 0 ? motion.x[i] : motion.x[i] + reach * v[i];
-      v[i] = stage == 0 ? motion.v[i] : motion.v[i] + reach * a[i];
+      x[i] = stage == 0 ? motion.x[i] : motion.x[i] + stage_step * v[i];
+      v[i] = stage == 0 ? motion.v[i] : motion.v[i] + stage_step * a[i];
     }
-    compute_forces(plan, motion.time + reach, x, v, a);
+    compute_forces(plan, motion.time + stage_step, x, v, a);
     divide_by_mass(plan, a);
     ++motion.force_evaluations;
 
@@ -49,7 +49,7 @@ constinit const Integrator runge_kutta4{
     .id = "runge_kutta4",
     .label = "Runge-Kutta 4",
     .summary = "The classic of fourth order: accurate for damped scenes and small steps; energy drifts slowly.",
-    .needs = "four force evaluations a step",
+    .cost = "four force evaluations a step",
     .formula =
         "k1 = f(y), k2 = f(y + h/2 k1), k3 = f(y + h/2 k2), k4 = f(y + h k3),   y = (x, v)\n"
         "y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4)",

@@ -3,7 +3,7 @@
 // velocity of a fall with drag exact for any h; it must be on the whole acceleration, or equilibria shift.
 #include <cmath>
 
-#include "sim/forces.h"
+#include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 
 namespace hooke {
@@ -32,7 +32,7 @@ constinit const Integrator symplectic_euler{
     .id = "symplectic_euler",
     .label = "Symplectic Euler (semi-implicit, modified Euler)",
     .summary = "One force evaluation a step and no energy drift: the method of most games, first order.",
-    .needs = "one force evaluation a step",
+    .cost = "one force evaluation a step",
     .formula =
         "v' = E v + phi a(x, v),   E = e^(-c h), phi = (1 - E) / c\n"
         "x' = x + h v'",

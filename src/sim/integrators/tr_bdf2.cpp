@@ -4,7 +4,7 @@
 // embedded method of third order for the error.
 #include <numbers>
 
-#include "sim/dirk.h"
+#include "sim/implicit/dirk.h"
 #include "sim/integrators/rows.h"
 
 namespace hooke {
@@ -34,7 +34,7 @@ constinit const Integrator tr_bdf2{
     .id = "tr_bdf2",
     .label = "TR-BDF2",
     .summary = "The workhorse for very stiff or strongly damped scenes: second order, and what is too fast dies out.",
-    .needs = "two nonlinear solves a step with one matrix: one to three factorisations",
+    .cost = "two nonlinear solves a step with one matrix: one to three factorisations",
     .formula =
         "y1 = y + gamma h/2 (f(y) + f(y1)),   gamma = 2 - sqrt(2),   y = (x, v)\n"
         "y' = (y1 / gamma - (1 - gamma)^2 / gamma y + (1 - gamma) h f(y')) / (2 - gamma)",
@@ -45,7 +45,7 @@ constinit const Integrator tr_bdf2{
     .order_drag = 2,
     .order_damped = 2,
     .order_contact = 2,
-    .stability = Stability::Stiff,
+    .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
     .prepare = prepare,

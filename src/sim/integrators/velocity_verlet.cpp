@@ -4,8 +4,8 @@
 // stable for h omega < 2 whatever the dashpots.
 #include <cmath>
 
-#include "sim/dashpot.h"
-#include "sim/forces.h"
+#include "sim/forces/dashpot.h"
+#include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 
 namespace hooke {
@@ -51,7 +51,7 @@ constinit const Integrator velocity_verlet{
     .id = "velocity_verlet",
     .label = "Velocity Verlet",
     .summary = "The workhorse: second order, no energy drift, one force evaluation a step, exact dashpots.",
-    .needs = "one force evaluation a step; two sweeps over the dashpots",
+    .cost = "one force evaluation a step; two sweeps over the dashpots",
     .formula =
         "dashpots over h/2, each exactly, forward\n"
         "v = E v + phi a(x),   E = e^(-c h/2), phi = (1 - E) / c\n"

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "sim/forces.h"
+#include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 
 namespace hooke {
@@ -28,29 +28,29 @@ struct Constraint {
 
 // The order of the springs. Colours are given first come, first served, to the springs sorted by the distance of their
 // ends in the list of points, which on a grid is by direction.
-class ColouredSprings : public Structure {
+class ColoredSprings : public Structure {
  public:
-  explicit ColouredSprings(const Plan& plan) : Structure(plan) {
+  explicit ColoredSprings(const Plan& plan) : Structure(plan) {
     for (const SpringRun& run : plan.runs)
       for (Index e = 0; e < run.count; ++e) constraints.push_back({run.first + e, run.second + e, run.begin + e, 0.0, 0.0, 0.0});
     std::stable_sort(constraints.begin(), constraints.end(),
                      [](const Constraint& a, const Constraint& b) { return a.second - a.first < b.second - b.first; });
 
-    std::vector<std::vector<std::uint64_t>> taken(plan.points);  // 64 colours a word
-    std::vector<std::vector<Constraint>> colours;
+    std::vector<std::vector<std::uint64_t>> used_colors(plan.points);  // 64 colours a word
+    std::vector<std::vector<Constraint>> colors;
     for (const Constraint& constraint : constraints) {
-      const std::size_t colour = take_colour(taken[constraint.first], taken[constraint.second]);
-      colours.resize(std::max(colours.size(), colour + 1));
-      colours[colour].push_back(constraint);
+      const std::size_t color = assign_color(used_colors[constraint.first], used_colors[constraint.second]);
+      colors.resize(std::max(colors.size(), color + 1));
+      colors[color].push_back(constraint);
     }
     constraints.clear();
-    for (const auto& colour : colours) constraints.insert(constraints.end(), colour.begin(), colour.end());
+    for (const auto& color : colors) constraints.insert(constraints.end(), color.begin(), color.end());
   }
 
   std::vector<Constraint> constraints;
 
  private:
-  static std::size_t take_colour(std::vector<std::uint64_t>& first, std::vector<std::uint64_t>& second) {
+  static std::size_t assign_color(std::vector<std::uint64_t>& first, std::vector<std::uint64_t>& second) {
     for (std::size_t word = 0;; ++word) {
       first.resize(std::max(first.size(), word + 1));
       second.resize(std::max(second.size(), word + 1));
@@ -68,12 +68,12 @@ double drag_weight(double drag, double h) { return drag == 0.0 ? h : -std::expm1
 
 void prepare(const Plan& plan, double h, const Motion&, Workspace& work) {
   const double phi = drag_weight(plan.drag, h);
-  for (Constraint& constraint : make_structure<ColouredSprings>(plan, work).constraints) {
+  for (Constraint& constraint : make_structure<ColoredSprings>(plan, work).constraints) {
     const double k = plan.stiffness[constraint.spring], d = plan.has_dashpots() ? plan.damping[constraint.spring] : 0.0;
-    const double share = phi / (1.0 + phi * (h * k + d) * (plan.inverse_mass[constraint.first] + plan.inverse_mass[constraint.second]));
+    const double factor = phi / (1.0 + phi * (h * k + d) * (plan.inverse_mass[constraint.first] + plan.inverse_mass[constraint.second]));
     constraint.rest_length = plan.rest_length[constraint.spring];
-    constraint.stiffness = share * k;
-    constraint.damping = share * d;
+    constraint.stiffness = factor * k;
+    constraint.damping = factor * d;
   }
 }
 
@@ -86,10 +86,10 @@ void sweep(const Plan& plan, const std::vector<Constraint>& constraints, double 
     const std::size_t i = constraint.first, j = constraint.second;
     double along[Dimensions], length_squared = 0.0, approach = 0.0;
     for (int c = 0; c < Dimensions; ++c) {
-      const double apart = v[c * n + i] - v[c * n + j];
-      along[c] = x[c * n + i] - x[c * n + j] + h * apart;
+      const double relative_velocity = v[c * n + i] - v[c * n + j];
+      along[c] = x[c * n + i] - x[c * n + j] + h * relative_velocity;
       length_squared += along[c] * along[c];
-      approach += along[c] * apart;
+      approach += along[c] * relative_velocity;
     }
     if (length_squared == 0.0) continue;
     const double length = std::sqrt(length_squared);
@@ -106,27 +106,27 @@ void pull(const Plan& plan, Motion& motion, double h) {
   const PlannedPull& hand = *plan.pull;
   const double k = hand.stiffness, phi = drag_weight(plan.drag, h);
   double w = 0.0;
-  for (const auto& [point, share] : hand.points()) w += share * share * plan.inverse_mass[point];
+  for (const auto& [point, weight] : hand.points()) w += weight * weight * plan.inverse_mass[point];
   const double stiffness = phi * k / (1.0 + phi * h * k * w);
   const Vec3 target = hand.target_at(motion.time + h);
   for (int c = 0; c < plan.dimensions; ++c) {
     const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
-    const double impulse = stiffness * (hand.place(&motion.x[begin]) + h * hand.place(&motion.v[begin]) - target[c]);
-    for (const auto& [point, share] : hand.points()) motion.v[begin + point] -= plan.inverse_mass[point] * share * impulse;
+    const double impulse = stiffness * (hand.interpolate(&motion.x[begin]) + h * hand.interpolate(&motion.v[begin]) - target[c]);
+    for (const auto& [point, weight] : hand.points()) motion.v[begin + point] -= plan.inverse_mass[point] * weight * impulse;
   }
 }
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   // gravity alone never changes
   if (!motion.acceleration_is_current || !plan.forces.empty()) {
-    compute_outer_forces(plan, motion.time, motion.x, motion.v, motion.a);
+    compute_external_forces(plan, motion.time, motion.x, motion.v, motion.a);
     divide_by_mass(plan, motion.a);
     motion.acceleration_is_current = true;
   }
 
   kick(plan, motion, h);
 
-  const std::vector<Constraint>& constraints = structure_of<ColouredSprings>(work).constraints;
+  const std::vector<Constraint>& constraints = structure_of<ColoredSprings>(work).constraints;
   if (plan.dimensions == 2)
     sweep<2>(plan, constraints, h, motion.x.data(), motion.v.data());
   else
@@ -150,7 +150,7 @@ constinit const Integrator xpbd{
     .id = "xpbd",
     .label = "XPBD, one iteration",
     .summary = "Real-time stiff cloth to loose errors: bounded at steps far beyond the explicit limit, and too soft there.",
-    .needs = "one sweep over the springs a step",
+    .cost = "one sweep over the springs a step",
     .formula =
         "v = E v + phi g,   E = e^(-c h), phi = (1 - E) / c\n"
         "for every spring:  J = -phi (k (l - l0) + d (v_i - v_j).u) / (1 + phi (h k + d)(w_i + w_j)),   l, u at x + h v, w = 1/m\n"

@@ -1,0 +1,66 @@
+#include "app/document/autosave.h"
+
+#include <chrono>
+
+#include "formats/scene_file.h"
+
+namespace hooke {
+namespace {
+
+template <class Value>
+bool is_ready(std::future<Value>& future) {
+  return future.valid() && future.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+}  // namespace
+
+// The writer uses the session.
+Autosave::~Autosave() {
+  if (writing_.valid()) writing_.wait();
+}
+
+void Autosave::follow(const Status& status, LabThread& lab, double now, const std::function<void(Scene&)>& add_view_settings) {
+  if (is_ready(copying_)) start_writing(add_view_settings);
+  if (is_ready(writing_)) finish_writing();
+  if (!session_.is_enabled() || copying_.valid() || writing_.valid()) return;
+
+  const Version version{status.edits, status.frames};
+  if (!status.unsaved || version == saved_) {
+    changed_since_.reset();
+    return;
+  }
+  if (!changed_since_) changed_since_ = now;
+  if (now - *changed_since_ < interval_) return;
+  changed_since_.reset();
+  asked_ = version;
+  copying_ = lab.copy_scene();
+}
+
+void Autosave::start_writing(const std::function<void(Scene&)>& add_view_settings) {
+  writing_ = std::async(std::launch::async, [&session = session_, scene = copying_.get(), add_view_settings] {
+    try {
+      Scene scene_with_view = *scene;
+      add_view_settings(scene_with_view);
+      session.keep(format_scene(scene_with_view));
+      return std::string();
+    } catch (const std::exception& error) {  // FileError, or no memory
+      return std::string(error.what());
+    }
+  });
+}
+
+void Autosave::finish_writing() {
+  const std::string error = writing_.get();
+  if (!error.empty() && error_.empty()) error_ = error;
+  saved_ = asked_;
+}
+
+void Autosave::forget() {
+  copying_ = {};
+  if (writing_.valid()) writing_.get();
+  changed_since_.reset();
+  saved_ = {-1, -1};
+  session_.forget();
+}
+
+}  // namespace hooke

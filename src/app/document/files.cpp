@@ -1,0 +1,77 @@
+#include "app/document/files.h"
+
+#include <algorithm>
+
+#include "base/folder_listing.h"
+#include "base/printable.h"
+#include "formats/open_file.h"
+#include "formats/scene_file.h"
+#include "formats/texture.h"
+
+namespace hooke {
+namespace {
+
+std::filesystem::path without_tilde(const std::filesystem::path& typed) {
+  return typed.string().starts_with("~/") ? home_folder() / typed.string().substr(2) : typed;
+}
+
+}  // namespace
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text.append(text.empty() ? "" : "\n").append(line);
+  return text;
+}
+
+Opened try_open(const std::filesystem::path& file, const Progress& progress) {
+  try {
+    LoadedScene loaded = load_file(file, progress);
+    return {std::make_shared<const Scene>(std::move(loaded.scene)), {}, joined(loaded.warnings)};
+  } catch (const std::runtime_error& refusal) {  // Refused or FileError
+    return {nullptr, refusal.what(), {}};
+  }
+}
+
+std::string try_save(const Scene& scene, const std::filesystem::path& file, const Progress& progress) {
+  try {
+    save_scene(scene, file, progress);
+    return {};
+  } catch (const FileError& error) {
+    return error.what();
+  }
+}
+
+ChosenTexture try_texture(const std::string& typed, const std::filesystem::path& document) {
+  if (typed.empty()) return {};
+  const bool ships = std::ranges::any_of(shipped_textures(), [&](const ShippedTexture& row) { return row.id == typed; });
+  if (!ships && (document.empty() || is_shipped(document)))
+    return {{}, "A picture lies in the folder of its scene: save the scene there first."};
+
+  // where the picture is, seen from the document
+  const std::filesystem::path folder = document.parent_path();
+  std::string texture = typed;
+  if (!ships) {
+    std::error_code error;
+    const std::filesystem::path path = without_tilde(typed), full = std::filesystem::absolute(folder, error) / path;
+    texture = full.lexically_normal().lexically_relative(std::filesystem::absolute(folder, error).lexically_normal()).string();
+  }
+  const std::string name = "texture: \"" + printable(texture) + "\"";
+  if (const std::string limit = texture_limit(texture); !limit.empty()) return {{}, name + ": " + limit + ", " + folder.string()};
+  try {
+    return {{.texture = texture, .picture = read_texture(texture, folder, name)}, {}};
+  } catch (const std::runtime_error& refusal) {  // Refused or FileError
+    return {{}, refusal.what()};
+  }
+}
+
+std::filesystem::path typed_path(const std::filesystem::path& typed) {
+  std::error_code error;
+  return resolve_typed_path(typed, std::filesystem::current_path(error));
+}
+
+bool is_shipped(const std::filesystem::path& file) {
+  const auto& scenes = shipped_scenes();
+  return std::ranges::find(scenes, file, &ShippedScene::file) != scenes.end();
+}
+
+}  // namespace hooke

@@ -1,0 +1,46 @@
+// Films of the scene as the window shows it, without the panels.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/media/film_writer.h"
+#include "draw/view.h"
+
+namespace hooke {
+
+class FilmRecorder {
+ public:
+  // From the next frame on, until it is ended or the scene's place changes its size.
+  void start_film(std::filesystem::path file) { film_wanted_ = std::move(file); }
+  void end_film();
+  bool is_filming() const { return film_wanted_ || (film_ && !is_ending_); }
+  // The film before is not in its place yet.
+  bool is_writing() const { return film_.has_value(); }
+
+  // After a frame was drawn, with the view's framebuffer as it is; `now` [s] on any clock.
+  void take(const View& view, const Viewport& place, double now);
+  // What there is to tell, once: "Film /home/a/cloth.mp4"; empty: nothing.
+  std::string take_message();
+  // Of the film so far [s].
+  double seconds() const { return static_cast<double>(pictures_) / video_frame_rate; }
+
+  static constexpr double video_frame_rate = 30.0;
+
+ private:
+  void take_for_film(Picture picture, double now);
+
+  std::optional<std::filesystem::path> film_wanted_;
+  std::optional<FilmWriter> film_;
+  bool is_ending_ = false;
+  int width_ = 0, height_ = 0;
+  double started_ = 0.0;  // [s]
+  long pictures_ = 0;
+  std::string message_;
+};
+
+// A file in the folder that is not there yet: "cloth.png", "cloth 2.png", ...
+std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem, const std::string& extension);
+
+}  // namespace hooke

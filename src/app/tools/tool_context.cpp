@@ -1,0 +1,54 @@
+#include "app/tools/tool_context.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace hooke {
+namespace {
+
+// [units of design]
+constexpr double reach = 10.0, spring_reach = 8.0, drag_threshold = 4.0;
+// [px], however small the panels are
+constexpr double min_reach = 8.0;
+
+}  // namespace
+
+std::optional<PointId> ToolContext::point_at(const glm::dvec2& cursor) const {
+  return pick_point(snapshot(), view_transform(), cursor, std::max(min_reach, reach * scale));
+}
+
+std::optional<SpringId> ToolContext::spring_at(const glm::dvec2& cursor) const {
+  return pick_spring(snapshot(), view_transform(), cursor, std::max(min_reach, spring_reach * scale));
+}
+
+std::optional<SurfaceHit> ToolContext::surface_at(const glm::dvec2& cursor) const {
+  return shows_surface ? pick_surface(snapshot(), view_transform(), cursor) : std::nullopt;
+}
+
+std::optional<ColliderHit> ToolContext::collider_at(const glm::dvec2& cursor) const {
+  return pick_collider(snapshot(), view_transform(), cursor);
+}
+
+Vec3 ToolContext::point_in_view_plane(const glm::dvec2& cursor, const Vec3& through) const {
+  if (system().dimensions == 3) return camera.unproject(cursor, size, through);
+  const PickRay line = pick_ray(view_transform(), cursor);
+  // seen edge-on the plane has no place under the cursor
+  if (std::abs(line.direction.z) < 1e-6) return through;
+  return line.at(-line.origin.z / line.direction.z);
+}
+
+Vec3 ToolContext::place_for_point(const glm::dvec2& cursor, double radius) const {
+  const Vec3 beside = point_in_view_plane(cursor, camera.target);
+  if (system().dimensions == 2) return beside;
+  const PickRay line = pick_ray(view_transform(), cursor);
+  const std::optional<ColliderHit> hit = hit_collider(system(), line, snapshot().state.time);
+  if (!hit) return beside;
+  // an endless ground lies under nearly every cursor: it counts where it is before the plane of the target
+  const bool nearer = hit->distance < glm::dot(beside - line.origin, line.direction);
+  return hit->bounded || nearer ? hit->position + radius * hit->normal : beside;
+}
+
+bool ToolContext::is_drag(const glm::dvec2& from, const glm::dvec2& to) const { return glm::distance(from, to) > drag_threshold * scale; }
+
+}  // namespace hooke

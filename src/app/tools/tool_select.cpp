@@ -1,0 +1,144 @@
+// Select and move: a click selects, a drag of a point moves what is selected, a drag from empty space selects a box.
+#include <algorithm>
+
+#include "app/tools/collider_drag.h"
+#include "app/tools/tools.h"
+
+namespace hooke {
+namespace {
+
+class SelectTool : public Tool {
+ public:
+  void press(const Pointer& pointer, ToolContext& context) override {
+    *this = {};
+    pressed_at_ = current_ = pointer.at;
+    const bool add = pointer.modifiers.shift;
+    if (pointer.twice && !context.selection.empty() && (context.point_at(pointer.at) || context.spring_at(pointer.at))) {
+      context.selection = select_connected(context.system(), context.selection);
+      return;
+    }
+    if (const auto point = context.point_at(pointer.at))
+      press_point(*point, add, context);
+    else if (const auto spring = context.spring_at(pointer.at))
+      select(*spring, add, context.selection);
+    else if (collider_.begin(pointer.at, DraggableColliders::Bounded, context))
+      interaction_ = Interaction::Collider;
+    else
+      interaction_ = Interaction::Box;
+  }
+
+  void follow(const Pointer& pointer, ToolContext& context) override {
+    current_ = pointer.at;
+    if (interaction_ == Interaction::Waiting && context.is_drag(pressed_at_, pointer.at)) begin_move(context);
+    if (interaction_ == Interaction::Moving) move(context);
+    if (interaction_ == Interaction::Collider && (collider_moves_ || context.is_drag(pressed_at_, pointer.at))) {
+      collider_moves_ = true;
+      collider_.follow(pointer.at, context);
+    }
+  }
+
+  void release(const Pointer& pointer, ToolContext& context) override {
+    follow(pointer, context);
+    if (interaction_ == Interaction::Box) select_box(pointer, context);
+    if (interaction_ == Interaction::Collider && !collider_moves_ && !pointer.modifiers.shift) context.selection = {};
+    collider_.end(context);
+    if (interaction_ == Interaction::Waiting) context.selection = {{point_}, {}};
+    *this = {};
+  }
+
+  bool cancel(ToolContext& context) override {
+    const bool busy = interaction_ != Interaction::Nothing;
+    if (interaction_ == Interaction::Moving) context.lab.submit(Undo{});
+    collider_.revert(context);
+    *this = {};
+    return busy;
+  }
+
+  std::string next_step(const ToolContext& context) const override {
+    if (interaction_ == Interaction::Moving) return "let go to place it, Esc takes it back";
+    if (interaction_ == Interaction::Collider) return "move it, and let go; Esc takes it back";
+    if (interaction_ == Interaction::Box) return "drag over what is to be selected";
+    if (!context.selection.empty()) return "drag a selected point to move all, Shift+click adds, double click takes all connected";
+    return "click a point or a spring, or drag a box from empty space";
+  }
+
+  void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
+    marks.hovered_collider = collider_.collider();
+    if (interaction_ != Interaction::Nothing) return;
+    marks.hovered_point = context.point_at(pointer.at);
+    if (!marks.hovered_point) marks.hovered_spring = context.spring_at(pointer.at);
+    if (marks.hovered_point || marks.hovered_spring) return;
+    if (const auto hit = collider_to_drag(context, pointer.at, DraggableColliders::Bounded)) marks.hovered_collider = hit->collider;
+  }
+
+  std::optional<std::pair<glm::dvec2, glm::dvec2>> rubber_band() const override {
+    if (interaction_ != Interaction::Box) return std::nullopt;
+    return std::pair{pressed_at_, current_};
+  }
+
+ private:
+  enum class Interaction { Nothing, Waiting, Moving, Box, Collider };
+
+  template <class Id>
+  static void select(Id id, bool add, Selection& selection) {
+    if (!add) selection = {};
+    selection.toggle(id);
+  }
+
+  // A selected point stays so until it is clear that it is not dragged.
+  void press_point(PointId point, bool add, ToolContext& context) {
+    point_ = point;
+    if (add || !context.selection.contains(point)) select(point, add, context.selection);
+    if (!add) interaction_ = Interaction::Waiting;
+  }
+
+  void begin_move(ToolContext& context) {
+    if (context.system().index_of(point_) == no_index) return;
+    interaction_ = Interaction::Moving;
+    gesture_ = context.begin_gesture();
+    anchor_ = context.snapshot().position(point_);
+    from_ = context.point_in_view_plane(pressed_at_, anchor_);
+    for (const PointId id : context.selection.points)
+      if (context.system().index_of(id) != no_index) start_.emplace_back(id, context.snapshot().position(id));
+  }
+
+  // While it runs, a moved point is at rest under the hand; in a pause it keeps its velocity.
+  void move(ToolContext& context) {
+    const Vec3 displacement = context.point_in_view_plane(current_, anchor_) - from_;
+    if (displacement == displacement_ && !context.status->running) return;
+    displacement_ = displacement;
+    Move move;
+    for (const auto& [id, start] : start_) {
+      const Index i = context.system().index_of(id);
+      if (i != no_index)
+        move.items.push_back({id, start + displacement, context.status->running ? Vec3(0.0) : context.snapshot().state.velocity[i]});
+    }
+    context.lab.submit(move, gesture_);
+  }
+
+  void select_box(const Pointer& pointer, ToolContext& context) const {
+    Selection found;
+    if (context.is_drag(pressed_at_, pointer.at))
+      found = select_with_springs_between(context.system(),
+                                          points_in_box(context.snapshot(), context.view_transform(), pressed_at_, pointer.at));
+    if (pointer.modifiers.shift)
+      context.selection.add(found);
+    else
+      context.selection = found;
+  }
+
+  Interaction interaction_ = Interaction::Nothing;
+  glm::dvec2 pressed_at_{0.0}, current_{0.0};
+  PointId point_{};
+  ColliderDrag collider_;
+  bool collider_moves_ = false;
+  Gesture gesture_ = 0;
+  Vec3 anchor_{0.0}, from_{0.0}, displacement_{0.0};
+  std::vector<std::pair<PointId, Vec3>> start_;
+};
+
+}  // namespace
+
+std::unique_ptr<Tool> make_select_tool() { return std::make_unique<SelectTool>(); }
+
+}  // namespace hooke

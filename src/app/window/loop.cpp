@@ -1,0 +1,147 @@
+#include "app/window/loop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/errors.h"
+#include "draw/view.h"
+#include "formats/gallery.h"
+#include "ui/theme.h"
+
+namespace hooke {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// How long a frame waits for events when nothing moves [s], and for how long after the last one it does not.
+constexpr double idle_wait = 0.25, settle_time = 0.4;
+// A hidden window looks this seldom for events [s].
+constexpr double hidden_wait = 0.1;
+// Weight of the newest value in the displayed timings.
+constexpr double smoothing = 0.08;
+
+void smooth(double& shown, double value) { shown = shown == 0.0 ? value : shown + smoothing * (value - shown); }
+
+// When the next frame is due, and how fast frames come.
+class LoopPacer {
+ public:
+  // Sleeps until the next picture is due, or longer when nothing moves.
+  void wait(Window& window, bool app_is_idle) {
+    is_idle_ = app_is_idle && seconds_since(last_event_) > settle_time;
+    const double period = window.is_hidden() ? hidden_wait : is_idle_ ? idle_wait : 0.9 * window.refresh_period();
+    do window.wait(period - seconds_since(last_frame_));
+    while (!is_idle_ && seconds_since(last_frame_) < period);
+    elapsed_ = seconds_since(last_frame_);
+    last_frame_ = Clock::now();
+  }
+  void record_event() { last_event_ = Clock::now(); }
+
+  // The first frame, which compiles the shaders, and the rare ones of a still scene say nothing of the speed.
+  void record_drawn_frame(double seconds) {
+    const bool counts = !first_ && !is_idle_;
+    first_ = false;
+    if (!counts) return;
+    smooth(statistics_.draw_ms, 1000.0 * seconds);
+    smooth(frame_seconds_, elapsed_);
+    statistics_.frames_per_second = 1.0 / frame_seconds_;
+  }
+  const FrameStatistics& frame_statistics() const { return statistics_; }
+
+ private:
+  Clock::time_point last_frame_ = Clock::now(), last_event_ = Clock::now();
+  double elapsed_ = 0.0, frame_seconds_ = 0.0;  // [s]
+  bool is_idle_ = false, first_ = true;
+  FrameStatistics statistics_;
+};
+
+// Reloads style and fonts when the window comes to a screen of another scale, or the person wishes another.
+class Scale {
+ public:
+  void follow(const Window& window, double wished, View& view) {
+    const double scale = wished * window.content_scale(), density = window.framebuffer_size().x / std::max(1.0, window.size().x);
+    if (scale == scale_ && density == density_) return;
+    scale_ = scale;
+    density_ = density;
+    load_theme(scale, density);
+    view.upload_fonts();
+  }
+  double scale() const { return scale_; }
+  double density() const { return density_; }
+
+ private:
+  double scale_ = 0.0, density_ = 0.0;
+};
+
+void draw(View& view, App& app, const Window& window, const Scale& scale, const ImDrawData* panels) {
+  ViewOptions options = app.view_options();
+  options.scale = scale.scale() * scale.density();
+  const Rect& scene = app.layout().scene;
+  const auto pixels = [&](double length) { return static_cast<int>(std::lround(length * scale.density())); };
+  options.place = {pixels(scene.x), pixels(scene.y), pixels(scene.width), pixels(scene.height)};
+  const glm::ivec2 size = window.framebuffer_size();
+  view.draw(*app.status().snapshot, app.marks(), app.camera(), options, size.x, size.y, panels);
+  view.show();
+  app.film_recorder().take(view, options.place, seconds_since({}));
+}
+
+// The scene alone, as large as it is on the screen.
+void take_picture(View& view, App& app, const Scale& scale, const std::filesystem::path& file) {
+  ViewOptions options = app.view_options();
+  options.scale = scale.scale() * scale.density();
+  const Rect& scene = app.layout().scene;
+  const auto pixels = [&](double length) { return static_cast<int>(std::lround(length * scale.density())); };
+  view.draw(*app.status().snapshot, {}, app.camera(), options, pixels(scene.width), pixels(scene.height), nullptr);
+  try {
+    write_png(view.read(), file);
+    app.report_picture(file, {});
+  } catch (const FileError& error) {
+    app.report_picture(file, error.what());
+  }
+}
+
+}  // namespace
+
+void run_loop(Window& window, App& app) {
+  if (const std::string error = load_gl(); !error.empty()) throw WindowError(error);
+  View view;
+  Scale scale;
+  LoopPacer pacer;
+
+  while (!app.is_finished()) {
+    pacer.wait(window, app.is_idle());
+
+    // events mean places in the window as it is now
+    if (!window.is_hidden()) {
+      scale.follow(window, app.interface_scale(), view);
+      app.resize(window.size(), scale.scale());
+    }
+    const auto events = window.take_events();
+    if (!events.empty()) pacer.record_event();
+    for (const Event& event : events) app.handle(event);
+    if (window.is_hidden()) {
+      app.poll_background_work();
+      continue;
+    }
+
+    // panels
+    if (Gallery& gallery = app.panels().gallery; gallery.is_shown && gallery.thumbnails == nullptr)
+      gallery.thumbnails = view.upload_picture(read_thumbnails());
+    window.gui().begin_frame();
+    app.build_frame(pacer.frame_statistics());
+    const ImDrawData* panels = window.gui().end_frame();
+    window.set_title(app.title());
+
+    if (const auto file = app.take_picture_file()) take_picture(view, app, scale, *file);
+
+    // picture
+    const auto start = Clock::now();
+    draw(view, app, window, scale, panels);
+    pacer.record_drawn_frame(seconds_since(start));
+    window.swap();
+  }
+}
+
+}  // namespace hooke

@@ -1,0 +1,12 @@
+// The life of the window: events in, frames out, until the person quits.
+#pragma once
+
+#include "app/app.h"
+#include "app/window/window.h"
+
+namespace hooke {
+
+// Throws WindowError when the graphics cannot be used.
+void run_loop(Window& window, App& app);
+
+}  // namespace hooke

@@ -1,0 +1,93 @@
+// hooke: the window. Commands that need none are handed to hooke-headless beside it.
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+
+#include "app/app.h"
+#include "app/document/files.h"
+#include "app/window/loop.h"
+#include "formats/open_file.h"
+#include "lab/recording.h"
+
+namespace hooke {
+namespace {
+
+constexpr int exit_usage = 2, exit_refused = 3, exit_io = 5;
+constexpr std::string_view commands[] = {"run", "capture", "bench", "check", "convert", "replay"};
+constexpr const char* start_scene = "cloth";
+
+int print_error(int code, const std::string& line) {
+  std::cerr << "hooke: " << line << "\n";
+  return code;
+}
+
+// Becomes hooke-headless, with the same arguments. Returns only when that fails.
+int exec_hooke_cli(char** arguments) {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "hooke-headless";
+  arguments[0] = const_cast<char*>(program.c_str());
+  ::execv(program.c_str(), arguments);
+  return print_error(exit_io, program.string() + ": " + std::strerror(errno));
+}
+
+int open_window(const std::string& name) {
+  std::error_code error;
+  const std::filesystem::path file = std::filesystem::absolute(find_scene(name), error).lexically_normal();
+  std::shared_ptr<const Recording> recording;
+  LoadedScene loaded;
+  if (file.extension() == recording_extension) {
+    recording = std::make_shared<const Recording>(read_recording(file));
+    loaded.scene = *recording->start;
+  } else {
+    loaded = load_file(file);
+  }
+  // a file of another kind is taken over, not edited
+  const bool imported = recording || (find_file_kind(file) != nullptr && !is_scene_file(file));
+  App app(std::make_shared<const Scene>(std::move(loaded.scene)), imported ? std::filesystem::path() : file, xdg_home());
+  app.panels().file_warnings = joined(loaded.warnings);
+  Window window(app.title(), {1280, 800});
+  app.use(window.clipboard());
+  if (recording) app.play(recording);
+  run_loop(window, app);
+  return 0;
+}
+
+int start(int count, char** arguments) {
+  if (count > 1 && std::ranges::find(commands, arguments[1]) != std::end(commands)) return exec_hooke_cli(arguments);
+
+  CLI::App line("A laboratory for networks of point masses and springs.", "hooke");
+  std::string scene = start_scene;
+  line.add_option("SCENE", scene, "Scene to open: a file, or the name of one that comes with Hooke.");
+  bool reset_settings = false;
+  line.add_flag("--reset-settings", reset_settings, "Start with the usual settings; those that were set are forgotten.");
+  line.set_version_flag("--version", "hooke " HOOKE_VERSION);
+  line.footer("Without a window: hooke run|capture|convert ... (hooke run --help).");
+  try {
+    line.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    return line.exit(error) == 0 ? 0 : exit_usage;
+  }
+  if (reset_settings) std::filesystem::remove(xdg_home().config / "settings.json");
+  return open_window(scene);
+}
+
+}  // namespace
+}  // namespace hooke
+
+int main(int count, char** arguments) {
+  try {
+    return hooke::start(count, arguments);
+  } catch (const hooke::InputError& refused) {
+    return hooke::print_error(hooke::exit_refused, refused.what());
+  } catch (const hooke::FileError& error) {
+    return hooke::print_error(hooke::exit_io, error.what());
+  } catch (const std::exception& error) {  // no window, no graphics, no memory
+    return hooke::print_error(hooke::exit_io, error.what());
+  }
+}

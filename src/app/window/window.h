@@ -1,0 +1,64 @@
+// The one window: GLFW, its events in order, and ImGui's ears. Nothing else knows of GLFW.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "app/clipboard.h"
+#include "app/window/event.h"
+#include "app/window/imgui_backend.h"
+
+struct GLFWwindow;
+
+namespace hooke {
+
+// No display, or no OpenGL 3.3: what() is one line.
+struct WindowError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class Window {
+ public:
+  // Opens a window with a current OpenGL 3.3 core context, and an ImGui context that listens to it. Throws WindowError.
+  Window(const std::string& title, const glm::ivec2& size);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  // Sleeps until something happens, at most so long [s].
+  void wait(double seconds);
+  // What happened since the last call, oldest first.
+  std::vector<Event> take_events();
+
+  glm::dvec2 size() const;              // in the unit of cursors
+  glm::ivec2 framebuffer_size() const;  // [px]
+  double content_scale() const;         // window units per unit of design
+  bool is_hidden() const;               // iconified, or of no size
+  double refresh_period() const;        // [s], of the monitor
+
+  void set_title(const std::string& title);
+  void swap();
+  ImGuiBackend& gui() { return *gui_; }
+  // As long as the window lives.
+  Clipboard clipboard();
+
+ private:
+  struct Callbacks;
+  struct Press {
+    Button button = Button::Left;
+    double time = -1.0;  // [s], GLFW's clock
+    glm::dvec2 at{0.0};
+  };
+  bool is_second_press(Button button);
+  GLFWwindow* window_ = nullptr;
+  std::unique_ptr<ImGuiBackend> gui_;
+  std::vector<Event> events_;
+  glm::dvec2 cursor_{0.0};
+  Press last_press_;
+  std::string title_;
+};
+
+}  // namespace hooke

@@ -1,0 +1,148 @@
+#include "base/atomic_write.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/random.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <system_error>
+
+#include "base/errors.h"
+#include "base/printable.h"
+
+namespace hooke {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Our temporary files: ".hooke-" and 16 digits, so that no name of a scene makes them too long.
+constexpr std::string_view prefix = ".hooke-";
+constexpr std::size_t digits = 16;
+
+bool is_temporary(const std::string& name) {
+  return name.size() == prefix.size() + digits && name.starts_with(prefix) &&
+         name.find_first_not_of("0123456789abcdef", prefix.size()) == std::string::npos;
+}
+
+std::string new_temporary_name() {
+  std::uint64_t number = 0;
+  if (getrandom(&number, sizeof number, 0) != sizeof number) number = static_cast<std::uint64_t>(getpid());
+  char text[digits + 1];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(number));
+  return std::string(prefix) + text;
+}
+
+struct Descriptor {
+  int number;
+  explicit Descriptor(int opened) : number(opened) {}
+  ~Descriptor() {
+    if (number >= 0) close(number);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+};
+
+// A temporary file in a folder, removed unless it was renamed. A writer holds a lock on it as long as it lives.
+class Temporary {
+ public:
+  explicit Temporary(int folder) : folder_(folder) {
+    // until it is locked, a sweeper may take it for left behind
+    struct stat status;
+    do {
+      if (number_ >= 0) close(number_);
+      name_ = new_temporary_name();
+      number_ = openat(folder_, name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+      if (number_ < 0) return;
+    } while (flock(number_, LOCK_EX) == 0 && fstat(number_, &status) == 0 && status.st_nlink == 0);
+  }
+  ~Temporary() {
+    if (number_ < 0) return;
+    if (!renamed_) unlinkat(folder_, name_.c_str(), 0);
+    close(number_);
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  int number() const { return number_; }
+  bool rename_to(const std::string& name) {
+    renamed_ = renameat(folder_, name_.c_str(), folder_, name.c_str()) == 0;
+    return renamed_;
+  }
+
+ private:
+  int folder_;
+  std::string name_;
+  int number_ = -1;
+  bool renamed_ = false;
+};
+
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+// What killed writers left: our names that nobody holds a lock on.
+void remove_stale_files(const fs::path& folder, int folder_number) {
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
+    const std::string name = entry->path().filename();
+    if (!is_temporary(name)) continue;
+    const Descriptor stale(openat(folder_number, name.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat status;
+    if (stale.number >= 0 && fstat(stale.number, &status) == 0 && S_ISREG(status.st_mode) && flock(stale.number, LOCK_EX | LOCK_NB) == 0)
+      unlinkat(folder_number, name.c_str(), 0);
+  }
+}
+
+// Where the file is in truth: links are followed, so that they stay.
+fs::path resolve(const fs::path& file) {
+  std::error_code error;
+  if (!fs::is_symlink(fs::symlink_status(file, error))) return file;
+  const fs::path target = fs::weakly_canonical(file, error);
+  return error ? file : target;
+}
+
+}  // namespace
+
+void write_atomically(const fs::path& file, std::string_view bytes) {
+  const std::string printable_name = printable(file.native());
+  const auto fail = [&](const char* what, int reason) { throw FileError(printable_name + ": " + what + ": " + std::strerror(reason)); };
+
+  const fs::path target = resolve(file);
+  const fs::path folder_path = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  const Descriptor folder(open(folder_path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.number < 0) fail("its folder cannot be opened", errno);
+  const std::string name = target.filename();
+  if (name.empty() || name == "." || name == "..") throw FileError(printable_name + ": not the name of a file");
+
+  // an old file keeps its permissions; what is no file is not replaced by one
+  struct stat old;
+  const bool exists = fstatat(folder.number, name.c_str(), &old, AT_SYMLINK_NOFOLLOW) == 0;
+  if (!exists && errno != ENOENT) fail("cannot be written", errno);
+  if (exists && !S_ISREG(old.st_mode)) throw FileError(printable_name + ": cannot be written: not a regular file");
+  if (exists && faccessat(folder.number, name.c_str(), W_OK, AT_EACCESS) != 0) fail("cannot be written", errno);
+
+  remove_stale_files(folder_path, folder.number);
+  Temporary temporary(folder.number);
+  if (temporary.number() < 0) fail("cannot be written", errno);
+  if (exists && fchmod(temporary.number(), old.st_mode & 07777) != 0) fail("cannot keep its permissions", errno);
+  if (!write_all(temporary.number(), bytes)) fail("cannot be written", errno);
+  if (fsync(temporary.number()) != 0) fail("cannot be written", errno);
+  if (!temporary.rename_to(name)) fail("cannot be replaced", errno);
+
+  // some file systems know no fsync of a folder
+  if (fsync(folder.number) != 0 && errno != EINVAL && errno != EROFS) fail("is written, but its folder could not be flushed", errno);
+}
+
+}  // namespace hooke

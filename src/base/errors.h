@@ -1,0 +1,18 @@
+// What can go wrong with what a person gave us; our own mistakes are assertions.
+#pragma once
+
+#include <stdexcept>
+
+namespace hooke {
+
+// Input that was refused (exit code 3): what() is one line, "FILE: FIELD: VALUE: LIMIT".
+struct InputError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// A file that could not be read or written (exit code 5): what() is one line with the file and the system's reason.
+struct FileError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace hooke

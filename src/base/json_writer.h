@@ -1,0 +1,69 @@
+// Writes JSON text that people can read: some objects and lists with an item a line, the others on one line.
+#pragma once
+
+#include <rapidjson/document.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/types.h"
+
+namespace hooke {
+
+// A value, or a text in quotes, as JSON on one line. Bytes that are no UTF-8 are escaped visibly.
+std::string to_json(const rapidjson::Value& value);
+std::string to_json(std::string_view text);
+
+class JsonWriter {
+ public:
+  enum class Layout { Line, Lines };
+
+  void begin_object(Layout layout) { begin('{', '}', layout); }
+  void begin_list(Layout layout) { begin('[', ']', layout); }
+  void end();
+  void key(std::string_view key);
+
+  // Every number comes back bit for bit, -0.0 too. It must be finite.
+  void number(double value);
+  void integer(std::int64_t value) { raw(std::to_string(value)); }
+  void boolean(bool value) { raw(value ? "true" : "false"); }
+  void null() { raw("null"); }
+  void text(std::string_view value) { raw(to_json(value)); }
+  void vector(const Vec3& value);
+
+  // JSON that is there already: a value, or members ("\"a\": 1, \"b\": 2").
+  void raw(std::string_view json);
+  void members(std::string_view json) {
+    if (!json.empty()) raw(json);
+  }
+
+  // key and value at once
+  void number(std::string_view name, double value) { key(name), number(value); }
+  void integer(std::string_view name, std::int64_t value) { key(name), integer(value); }
+  void boolean(std::string_view name, bool value) { key(name), boolean(value); }
+  void text(std::string_view name, std::string_view value) { key(name), text(value); }
+  void vector(std::string_view name, const Vec3& value) { key(name), vector(value); }
+
+  const std::string& written() const { return written_; }
+  // What was written since the last call: for texts too long to be kept.
+  std::string take() { return std::exchange(written_, {}); }
+
+ private:
+  struct Level {
+    char close;
+    Layout layout;
+    bool is_empty = true;
+  };
+  void begin(char open, char close, Layout layout);
+  void separate();
+  void break_line();
+
+  std::string written_;
+  std::vector<Level> levels_;
+  bool after_key_ = false;
+};
+
+}  // namespace hooke

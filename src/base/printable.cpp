@@ -1,0 +1,82 @@
+#include "base/printable.h"
+
+#include <cstdint>
+#include <cstdio>
+
+namespace hooke {
+namespace {
+
+// The code point that starts the text, and its length in bytes; length 0: not UTF-8.
+struct CodePoint {
+  std::uint32_t value = 0;
+  std::size_t length = 0;
+};
+
+CodePoint first_code_point(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const std::uint32_t lead = byte(0);
+  if (lead < 0x80) return {lead, 1};
+  const std::size_t length = lead >= 0xc2 && lead < 0xe0 ? 2 : lead >= 0xe0 && lead < 0xf0 ? 3 : lead >= 0xf0 && lead < 0xf5 ? 4 : 0;
+  if (length == 0 || text.size() < length) return {};
+
+  std::uint32_t value = lead & (0xffu >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return {};
+    value = value << 6 | (byte(i) & 0x3f);
+  }
+  constexpr std::uint32_t min[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = value >= 0xd800 && value < 0xe000;
+  return value < min[length] || value > 0x10ffff || surrogate ? CodePoint{} : CodePoint{value, length};
+}
+
+// C0, DEL, C1, the separators that break lines, and the marks that turn the direction of writing.
+bool is_control(std::uint32_t c) {
+  return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x2028 || c == 0x2029 || (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+}
+
+std::string escape(const char* format, std::uint32_t value) {
+  char buffer[16];
+  std::snprintf(buffer, sizeof buffer, format, static_cast<unsigned>(value));
+  return buffer;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  shown.reserve(text.size());
+  while (!text.empty()) {
+    const CodePoint c = first_code_point(text);
+    const std::size_t length = c.length == 0 ? 1 : c.length;
+    if (c.length == 0)
+      shown += escape("\\x%02x", static_cast<unsigned char>(text[0]));
+    else if (c.value == '\n')
+      shown += "\\n";
+    else if (c.value == '\t')
+      shown += "\\t";
+    else if (is_control(c.value))
+      shown += escape("\\u%04x", c.value);
+    else
+      shown += text.substr(0, length);
+    text.remove_prefix(length);
+  }
+  return shown;
+}
+
+std::string printable(std::string_view text, std::size_t max) {
+  if (text.size() <= max) return printable(text);
+  // not in the middle of a character
+  while (max > 0 && (static_cast<unsigned char>(text[max]) & 0xc0) == 0x80) --max;
+  return printable(text.substr(0, max)) + "...";
+}
+
+bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = first_code_point(text).length;
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+}  // namespace hooke

@@ -1,0 +1,93 @@
+#include "base/read_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <iterator>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/file_limits.h"
+#include "base/printable.h"
+
+namespace hooke {
+namespace {
+
+struct Descriptor {
+  int number;
+  ~Descriptor() {
+    if (number >= 0) close(number);
+  }
+};
+
+std::string_view file_type_name(mode_t mode) {
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISCHR(mode) || S_ISBLK(mode)) return "a device";
+  return "no regular file";
+}
+
+[[noreturn]] void refuse_size(const std::string& name, std::uint64_t bytes) {
+  throw InputError(name + ": size: " + std::to_string(bytes) + " bytes: must be at most " + std::to_string(max_file_bytes) + " (256 MiB)");
+}
+
+[[noreturn]] void fail(const std::string& name, const char* what) { throw FileError(name + ": " + what + ": " + std::strerror(errno)); }
+
+// without O_NONBLOCK, opening a pipe would wait for somebody to write
+constexpr int read_flags = O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
+
+std::string read_all(const Descriptor& descriptor, const std::string& name) {
+  struct stat status;
+  if (fstat(descriptor.number, &status) != 0) fail(name, "cannot be read");
+  if (!S_ISREG(status.st_mode))
+    throw InputError(name + ": file: " + std::string(file_type_name(status.st_mode)) + ": must be a regular file");
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  if (size > max_file_bytes) refuse_size(name, size);
+
+  // files under /proc say 0 bytes, and a file may grow meanwhile: the end is where read() says it is
+  std::string bytes(size + 1, '\0');
+  std::size_t count = 0;
+  for (;;) {
+    const ssize_t bytes_read = read(descriptor.number, bytes.data() + count, bytes.size() - count);
+    if (bytes_read < 0 && errno == EINTR) continue;
+    if (bytes_read < 0) fail(name, "cannot be read");
+    if (bytes_read == 0) break;
+    count += static_cast<std::size_t>(bytes_read);
+    if (count > max_file_bytes) refuse_size(name, count);
+    if (count == bytes.size()) bytes.resize(bytes.size() + (std::size_t{1} << 16));
+  }
+  bytes.resize(count);
+  return bytes;
+}
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& file) {
+  const std::string name = printable(file.native());
+  const Descriptor descriptor{open(file.c_str(), read_flags)};
+  if (descriptor.number < 0) fail(name, "cannot be opened");
+  return read_all(descriptor, name);
+}
+
+// Step by step, each from the folder that the one before opened, so that nothing that changes meanwhile leads elsewhere.
+std::string read_file_within(const std::filesystem::path& folder, const std::filesystem::path& path, const std::string& name) {
+  const auto refuse = [&] { throw InputError(name + ": must lie in the scene's folder, with no link on the way"); };
+  if (path.empty() || path.is_absolute()) refuse();
+  Descriptor current{open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)};
+  if (current.number < 0) fail(name, "cannot be opened");
+  for (auto component = path.begin(); component != path.end(); ++component) {
+    if (component->empty() || *component == "." || *component == "..") refuse();
+    const bool is_last = std::next(component) == path.end();
+    struct stat status;
+    if (fstatat(current.number, component->c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(status.st_mode)) refuse();
+    Descriptor next{openat(current.number, component->c_str(), O_NOFOLLOW | (is_last ? read_flags : O_PATH | O_DIRECTORY | O_CLOEXEC))};
+    if (next.number < 0) fail(name, "cannot be opened");
+    std::swap(current.number, next.number);
+  }
+  return read_all(current, name);
+}
+
+}  // namespace hooke

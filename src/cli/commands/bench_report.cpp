@@ -1,0 +1,110 @@
+#include "cli/commands/bench_report.h"
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <vector>
+
+namespace hooke {
+namespace {
+
+__attribute__((format(printf, 2, 3))) void print(std::string& text, const char* format, ...) {
+  char line[600];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(line, sizeof line, format, arguments);
+  va_end(arguments);
+  text += line;
+}
+
+// Decades of error with the same cheapest row, or with none.
+struct Answer {
+  int first = 1, last = 1;
+  const Row* row = nullptr;
+  std::string decades() const {
+    std::string text = "1e-" + std::to_string(first);
+    return last > first ? text + " .. 1e-" + std::to_string(last) : text;
+  }
+};
+
+std::vector<Answer> answers(const ProblemRecord& record) {
+  std::vector<Answer> list;
+  for (int decade = 1; decade <= 10; ++decade) {
+    const Row* row = cheapest(record, std::pow(10.0, -decade));
+    if (!list.empty() && list.back().row == row)
+      list.back().last = decade;
+    else
+      list.push_back({decade, decade, row});
+  }
+  return list;
+}
+
+std::string describe(const ReferenceRecord& reference) {
+  std::string text;
+  if (reference.measure == Measure::Observables)
+    text += "Not predictable: judged by centre of mass, largest strain and energy instead of by where every point is. ";
+  print(text, "Reference: %s at %s; half the precision changes it by %.0e%s. ", reference.method.c_str(), reference.setting.c_str(),
+        reference.own_gap, reference.own_gap == 0.0 ? " (stability holds its steps, not the tolerance)" : "");
+  print(text, "%s at %s is %.0e away, and half its steps change that by %.0e. ", reference.other_method.c_str(),
+        reference.other_setting.c_str(), reference.other_gap, reference.other_own_gap);
+  print(text, "A perturbation of 1e-10 grows %.2g-fold.", reference.amplification);
+  return text;
+}
+
+// "192 forces", "40 factorisations, 80 solves".
+std::string describe(const WorkCounts& work) {
+  std::string text;
+  const auto add = [&](long count, const char* what) {
+    if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + what;
+  };
+  add(work.force_evaluations, "forces");
+  add(work.sweeps, "sweeps");
+  add(work.factorizations, "factorisations");
+  add(work.solves, "solves");
+  return text;
+}
+
+}  // namespace
+
+std::string report(const ProblemRecord& record) {
+  std::string text;
+  print(text, "%s: %s (%d points, %d springs, %g s)\n", record.id.c_str(), record.title.c_str(), record.points, record.springs,
+        record.seconds);
+  if (!record.reference) return text + "  no reference: nothing measured\n";
+  text += "  " + describe(*record.reference) + "\n";
+  for (const Answer& answer : answers(record))
+    if (answer.row == nullptr)
+      print(text, "  %-14s  not reached\n", answer.decades().c_str());
+    else
+      print(text, "  %-14s  %-18s %10.3g ms/s   %s\n", answer.decades().c_str(), answer.row->method.c_str(), *answer.row->cpu_ms_per_s,
+            answer.row->setting.c_str());
+  return text;
+}
+
+std::string markdown_report(const Results& results) {
+  const Conditions& conditions = results.conditions;
+  std::string text;
+  print(text, "Measured %s with hooke %s, %s effort, one thread of: %s. ", results.date.c_str(), conditions.version.c_str(),
+        conditions.effort.c_str(), conditions.machine.c_str());
+  text += "Error is relative to the scene's size; cost is CPU milliseconds per simulated second, the least of several runs.\n";
+  for (const ProblemRecord& record : results.problems) {
+    print(text, "\n### %s: %s\n\n%d points, %d springs, %g s. ", record.id.c_str(), record.title.c_str(), record.points, record.springs,
+          record.seconds);
+    if (!record.reference) {
+      text += "No reference: nothing measured.\n";
+      continue;
+    }
+    text += describe(*record.reference) +
+            "\n\n| error at most | cheapest method | cost [ms/s] | at | its error | work |\n"
+            "|---|---|---|---|---|---|\n";
+    for (const Answer& answer : answers(record))
+      if (answer.row == nullptr)
+        print(text, "| %s | not reached | | | | |\n", answer.decades().c_str());
+      else
+        print(text, "| %s | `%s` | %.3g | %s | %.1e | %s |\n", answer.decades().c_str(), answer.row->method.c_str(),
+              *answer.row->cpu_ms_per_s, answer.row->setting.c_str(), *answer.row->relative_error, describe(answer.row->work).c_str());
+  }
+  return text;
+}
+
+}  // namespace hooke

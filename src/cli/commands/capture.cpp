@@ -1,0 +1,155 @@
+#include "cli/commands/capture.h"
+
+#include <iostream>
+
+#include "base/printable.h"
+#include "cli/commands/capture_options.h"
+#include "cli/offscreen.h"
+#include "cli/progress_bar.h"
+#include "draw/view.h"
+#include "formats/video_encoder.h"
+#include "lab/lab.h"
+#include "lab/recording.h"
+#include "ui/panels/static_panels.h"
+
+namespace hooke {
+namespace {
+
+// Takes pictures of the laboratory to where they go.
+class FrameCapture {
+ public:
+  FrameCapture(const Destination& destination, const PictureSize& size, const CaptureSchedule& schedule, const Scene& scene,
+               std::optional<CameraPose> pose, double scale, bool with_panels)
+      : destination_(destination), size_(size), place_{0.0, 0.0, static_cast<double>(size.width), static_cast<double>(size.height)} {
+    ViewSettings settings = scene.view;
+    if (pose) settings.camera = pose;
+    view_options_ = options_for(settings, scene.cloth_texture);
+    view_options_.scale = scale;
+    if (with_panels) {
+      panels_.emplace(size.width, size.height, view_options_);
+      place_ = panels_->layout().scene;
+      view_.upload_fonts();
+    }
+    camera_ = make_camera(settings, scene.system, scene.state, place_.width / place_.height);
+    view_options_.place = {static_cast<int>(place_.x), static_cast<int>(place_.y), static_cast<int>(place_.width),
+                           static_cast<int>(place_.height)};
+    if (destination.kind == Destination::Kind::VideoEncoder)
+      film_.emplace(destination.path, size.width, size.height, schedule.video_frame_rate());
+  }
+
+  bool takes_every_picture() const { return destination_.kind != Destination::Kind::Picture; }
+  void take(Lab& lab, long number) {
+    lab.publish();
+    const Status& status = *lab.status();
+    follow_scene(camera_, status.snapshot->state);
+    const ImDrawData* panels = panels_ ? panels_->build(status, camera_, {}) : nullptr;
+    view_.draw(*status.snapshot, {}, camera_, view_options_, size_.width, size_.height, panels);
+    if (film_)
+      film_->add(view_.read());
+    else
+      write_png(view_.read(), destination_.file(number));
+  }
+  void finish() {
+    if (film_) film_->close();
+  }
+
+ private:
+  Destination destination_;
+  PictureSize size_;
+  Offscreen offscreen_;
+  View view_;
+  std::optional<StaticPanels> panels_;
+  Rect place_;  // of the scene
+  Camera camera_;
+  ViewOptions view_options_;
+  std::optional<VideoEncoder> film_;
+};
+
+// The scene of the command line, or the start of a recording, which is then played.
+Lab open_lab(const CaptureOptions& options, std::shared_ptr<const Recording>& recording) {
+  if (!options.replay) return Lab(open_scene(*options.scene), KeepStart::No);
+  recording = std::make_shared<const Recording>(read_recording(*options.replay));
+  Lab lab(*recording->start, KeepStart::No);
+  lab.submit(Play{recording});
+  lab.advance(0.0, [] { return true; });
+  return lab;
+}
+
+int capture(const CaptureOptions& options) {
+  const PictureSize size = parse_size(options.size);
+  const Destination destination = parse_destination(options.out);
+  std::optional<CameraPose> pose;
+  if (options.camera) pose = parse_camera(*options.camera);
+  std::shared_ptr<const Recording> recording;
+  Lab lab = open_lab(options, recording);
+  const double frame_rate = lab.scene().settings.frame_rate;
+  const CaptureSchedule schedule(options, frame_rate, recording ? static_cast<double>(recording->frames) / frame_rate : 0.0);
+  prepare(destination);
+
+  FrameCapture frame_capture(destination, size, schedule, lab.scene(), pose, options.scale, options.panels);
+  const long last = schedule.pictures() - 1;
+  ProgressBar progress(schedule.frame_of(last), !options.scene->quiet);
+  bool is_running = true, diverged = false;
+  long frame = 0;
+  for (long picture = 0; picture <= last && is_running; ++picture) {
+    for (; frame < schedule.frame_of(picture) && is_running; ++frame) {
+      diverged = !lab.step();
+      // a recording goes as far as it is as recorded
+      is_running = !diverged && lab.difference().empty();
+      progress.show(frame + 1);
+    }
+    // one file shows the end, and a run that ended early ends at its last sound frame
+    const bool is_shown = frame_capture.takes_every_picture() ? is_running : picture == last || !is_running;
+    if (is_shown) frame_capture.take(lab, picture);
+  }
+  frame_capture.finish();
+
+  if (!lab.difference().empty()) std::cerr << printable(*options.replay) << ": " << lab.difference() << "\n";
+  if (!diverged) return lab.difference().empty() ? exit_code::success : exit_code::check_failed;
+  lab.publish();
+  std::cerr << lab.status()->message << "\n";
+  return exit_code::diverged;
+}
+
+}  // namespace
+
+std::function<int()> declare_capture(CLI::App& app) {
+  auto options = std::make_shared<CaptureOptions>();
+  options->scene = add_scene_options(app, SceneIs::Optional);
+  app.add_option("--replay", options->replay,
+                 "A recording (" + std::string(recording_extension) + ") instead of SCENE; without --seconds, all of it")
+      ->type_name("LOG");
+  app.add_option("--out", options->out,
+                 "A .png, for the last picture alone; a folder, for all: frame_00000.png and so on; or a .mp4, by ffmpeg")
+      ->required()
+      ->type_name("FILE.png|DIR|FILE.mp4");
+  CLI::Option* seconds =
+      app.add_option("--seconds", options->seconds, "Simulated time from the first picture to the last [s]; without it 0")
+          ->type_name("S")
+          ->check(within(not_negative));
+  app.add_option("--frames", options->frames, "How many pictures, instead of --seconds")
+      ->type_name("N")
+      ->check(within({.min = 1, .max = 1e9}))
+      ->excludes(seconds);
+  app.add_option("--fps", options->fps, "Pictures per simulated second [1/s]; without it 60, or the scene's frame rate where that is less")
+      ->type_name("RATE")
+      ->check(within(positive));
+  app.add_option("--size", options->size, "Width and height [px]")->type_name("WxH")->capture_default_str();
+  app.add_option("--scale", options->scale, "Magnifies points, lines and panels, for a finer screen")
+      ->type_name("S")
+      ->check(within({.min = 0.5, .max = 4.0}))
+      ->capture_default_str();
+  app.add_flag("--ui", options->panels, "With the window's panels around it");
+  app.add_option("--camera", options->camera,
+                 "Where the eye is and what it looks at [m]; without it as the scene says, or so that all of it is seen")
+      ->type_name("X,Y,Z,X,Y,Z");
+  return [options, &app] {
+    const bool has_scene = app.count("SCENE") > 0;
+    if (has_scene == options->replay.has_value()) throw UsageError("must have either SCENE or --replay (--help tells more)");
+    if (const auto name = first_stepping_option(app); options->replay && name)
+      throw UsageError(*name + ": must not go with --replay, which steps as it was recorded");
+    return capture(*options);
+  };
+}
+
+}  // namespace hooke

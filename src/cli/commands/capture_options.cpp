@@ -1,0 +1,92 @@
+#include "cli/commands/capture_options.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "base/errors.h"
+#include "base/printable.h"
+#include "cli/output_file.h"
+#include "draw/camera_text.h"
+
+namespace hooke {
+namespace {
+
+constexpr double round_off = 1e-9;  // of a count of frames
+
+// A number at the start of the text, which it takes away.
+template <class Number>
+bool take(std::string_view& text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return error == std::errc();
+}
+
+bool take(std::string_view& text, char wanted) {
+  if (text.empty() || text.front() != wanted) return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+}  // namespace
+
+PictureSize parse_size(const std::string& text) {
+  PictureSize size{};
+  std::string_view rest = text;
+  const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= max_pixels; };
+  const bool is_size = take(rest, size.width) && take(rest, 'x') && take(rest, size.height) && rest.empty();
+  if (!is_size || !is_side(size.width) || !is_side(size.height))
+    throw UsageError("--size " + printable(text, 80) + ": must be WIDTHxHEIGHT, each from 1 to " + std::to_string(max_pixels));
+  return size;
+}
+
+CameraPose parse_camera(const std::string& text) {
+  if (const auto pose = camera_from_text(text)) return *pose;
+  throw UsageError("--camera " + printable(text, 80) + ": must be six numbers with commas between, of the eye and its target [m]");
+}
+
+std::filesystem::path Destination::file(long number) const {
+  if (kind != Kind::Folder) return path;
+  std::array<char, 40> name{};
+  std::snprintf(name.data(), name.size(), "frame_%05ld.png", number);
+  return path / name.data();
+}
+
+Destination parse_destination(const std::string& out) {
+  const std::filesystem::path path(out);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored) || (!out.empty() && !path.has_extension())) return {path, Destination::Kind::Folder};
+  if (path.extension() == ".png") return {path, Destination::Kind::Picture};
+  if (path.extension() == ".mp4") return {path, Destination::Kind::VideoEncoder};
+  throw UsageError("--out " + printable(out, 200) +
+                   ": must end in .png or .mp4, or be a folder (a new one with a dot in its name ends in /)");
+}
+
+void prepare(const Destination& destination) {
+  if (destination.kind == Destination::Kind::VideoEncoder) return;  // ffmpeg is started before any work
+  if (destination.kind == Destination::Kind::Picture) return OutputFile(destination.path.string()).close();
+  std::error_code error;
+  std::filesystem::create_directories(destination.path, error);
+  if (error) throw FileError(printable(destination.path.native()) + ": cannot be made: " + error.message());
+}
+
+CaptureSchedule::CaptureSchedule(const CaptureOptions& options, double frame_rate, double length) {
+  const double fps = pictures_per_second_ = options.fps.value_or(std::min(60.0, frame_rate));
+  if (fps > frame_rate * (1.0 + round_off))
+    throw UsageError("--fps " + format_exact(fps) + ": must be at most the scene's frame rate, " + format_exact(frame_rate) +
+                     " (--frame-rate sets it)");
+  frames_per_picture_ = frame_rate / fps;
+  constexpr double max = 1e15;
+  const double last = options.frames ? static_cast<double>(*options.frames - 1)
+                                     : std::floor(options.seconds.value_or(length) * fps * (1.0 + round_off) + round_off);
+  if (!(last * frames_per_picture_ <= max))
+    throw UsageError("--seconds " + format_exact(options.seconds.value_or(length)) + ": must be at most 1e15 frames");
+  pictures_ = static_cast<long>(last) + 1;
+}
+
+long CaptureSchedule::frame_of(long picture) const {
+  return static_cast<long>(std::ceil(static_cast<double>(picture) * frames_per_picture_ * (1.0 - round_off) - round_off));
+}
+
+}  // namespace hooke

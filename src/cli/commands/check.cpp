@@ -1,0 +1,142 @@
+#include "cli/commands/check.h"
+
+#include <algorithm>
+#include <iostream>
+#include <thread>
+
+#include "base/printable.h"
+#include "cli/interrupt.h"
+#include "cli/machine.h"
+#include "cli/output_file.h"
+#include "cli/progress_bar.h"
+#include "formats/open_file.h"
+#include "formats/scene_file.h"
+#include "study/check_scene.h"
+#include "study/hard_cases/case_report.h"
+
+namespace hooke {
+namespace {
+
+struct CheckOptions {
+  std::vector<std::string> scenes;   // none: those that ship
+  std::vector<std::string> methods;  // ids; none: all
+  std::vector<int> cases;            // numbers; none: all
+  std::optional<std::string> json, markdown;
+  int threads = 0;  // 0: as many as the machine has
+  bool hard = false, quick = false, strict = false, quiet = false;
+};
+
+std::vector<const HardCase*> chosen_cases(const CheckOptions& options) {
+  std::vector<const HardCase*> chosen;
+  for (const HardCase& row : hard_cases())
+    if (options.cases.empty() || std::ranges::find(options.cases, row.number) != options.cases.end()) chosen.push_back(&row);
+  for (const int number : options.cases)
+    if (std::ranges::none_of(chosen, [&](const HardCase* row) { return row->number == number; }))
+      throw UsageError("--cases: " + std::to_string(number) + ": no such case");
+  return chosen;
+}
+
+std::vector<const Integrator*> chosen_methods(const CheckOptions& options) {
+  for (const std::string& id : options.methods)
+    if (find_integrator(id) == nullptr) throw UsageError("--methods: " + printable(id, 80) + ": no such method");
+  std::vector<const Integrator*> chosen;
+  for (const Integrator& row : integrators())
+    if (options.methods.empty() || std::ranges::find(options.methods, row.id) != options.methods.end()) chosen.push_back(&row);
+  return chosen;
+}
+
+void write(const std::optional<std::string>& file, const std::string& text) {
+  if (!file) return;
+  OutputFile output(*file);
+  output.write(text);
+  output.close();
+}
+
+// As it would be typed to get the same document.
+std::string command_of(const CheckOptions& options) {
+  const auto list = [](const char* option, const auto& items, const auto& word) {
+    std::string words;
+    for (const auto& item : items) words += (words.empty() ? option : ",") + word(item);
+    return words;
+  };
+  std::string command = "hooke check --hard";
+  if (options.quick) command += " --quick";
+  if (options.strict) command += " --strict";
+  command += list(" --cases ", options.cases, [](int number) { return std::to_string(number); });
+  command += list(" --methods ", options.methods, [](const std::string& id) { return id; });
+  return command + " --markdown " + printable(options.markdown.value_or("-"), 200);
+}
+
+int check_hard_cases(const CheckOptions& options) {
+  const auto cases = chosen_cases(options);
+  const auto methods = chosen_methods(options);
+  std::vector<CaseResult> results = list_cases(cases, methods, options.quick);
+  if (results.empty()) throw UsageError("--quick leaves none of these cases");
+
+  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  catch_interrupts();
+  {
+    ProgressBar progress(static_cast<long>(results.size()), !options.quiet);
+    run_cases(results, threads, [&](long done, long) {
+      if (done > 0) progress.show(done);
+      return !was_interrupted();
+    });
+  }
+  if (options.strict)
+    for (CaseResult& result : results) result.verdict.expected = Expectation::Hold;
+
+  if (was_interrupted()) std::cerr << "Stopped: this is what is known.\n";
+  write(options.json, format_json(results));
+  if (options.markdown && !was_interrupted())
+    write(options.markdown,
+          format_markdown(results, {.command = command_of(options), .date = time_text("%Y-%m-%d"), .machine = machine()}));
+  if (!options.json && !options.markdown && !options.quiet) std::cout << format_table(results);
+  if (was_interrupted()) return exit_interrupted;
+  return count_broken(results) == 0 ? exit_code::success : exit_code::check_failed;
+}
+
+int check_scenes(const CheckOptions& options) {
+  std::vector<std::string> names = options.scenes;
+  if (names.empty())
+    for (const ShippedScene& shipped : shipped_scenes()) names.push_back(shipped.id);
+
+  int failed = 0;
+  for (const std::string& name : names)
+    for (const CheckResult& result : check_scene(load_file(find_scene(name)).scene)) {
+      failed += result.passed ? 0 : 1;
+      if (!options.quiet)
+        std::cout << (result.passed ? "passed  " : "FAILED  ") << printable(name, 80) << ", " << result.method->id << ": "
+                  << result.measured << std::endl;
+    }
+  return failed == 0 ? exit_code::success : exit_code::check_failed;
+}
+
+int check(const CheckOptions& options) {
+  const bool of_hard_cases = options.quick || options.strict || options.json || options.markdown || !options.methods.empty() ||
+                             !options.cases.empty() || options.threads > 0;
+  if (of_hard_cases && !options.hard)
+    throw UsageError("--quick, --strict, --cases, --methods, --threads, --json and --markdown go with --hard");
+  if (options.hard && !options.scenes.empty()) throw UsageError("--hard brings its own scenes: no SCENE goes with it");
+  return options.hard ? check_hard_cases(options) : check_scenes(options);
+}
+
+}  // namespace
+
+std::function<int()> declare_check(CLI::App& app) {
+  auto options = std::make_shared<CheckOptions>();
+  app.add_option("SCENE", options->scenes, "Scenes, by file or by the id of one that ships; none: all that ship")->type_name("");
+  app.add_flag("--hard", options->hard, "The hard cases instead, for every method");
+  app.add_flag("--quick", options->quick, "Only what is cheap: some ten seconds in all");
+  app.add_flag("--strict", options->strict, "A failure counts, even if it was reported and no more was promised");
+  app.add_option("--cases", options->cases, "Only these, by number")->type_name("1,20")->delimiter(',');
+  app.add_option("--methods", options->methods, "Only these, by id")->type_name("a,b")->delimiter(',');
+  app.add_option("--threads", options->threads, "How many cases at a time; without it, as many as the machine has cores")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256));
+  app.add_option("--json", options->json, "Write the results as JSON; - is stdout")->type_name("FILE");
+  app.add_option("--markdown", options->markdown, "Write the results as docs/stability.md; - is stdout")->type_name("FILE");
+  app.add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
+  return [options] { return check(*options); };
+}
+
+}  // namespace hooke

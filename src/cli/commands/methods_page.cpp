@@ -1,0 +1,128 @@
+#include "cli/commands/methods_page.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "sim/integrator.h"
+#include "sim/plan.h"
+
+namespace hooke {
+namespace {
+
+// Relative errors at which methods are compared: one that the eye forgives, one for measuring, a tight one.
+constexpr std::array decades{2, 4, 8};
+
+std::string rounded(double value, const char* format = "%.3g") {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+// The method's own cheapest row, or null.
+const Row* cheapest_of(const ProblemRecord& record, std::string_view method, double error) {
+  const Row* best = nullptr;
+  for (const Row& row : record.rows) {
+    const auto known = error_with_uncertainty(record, row);
+    if (row.method != method || !known || *known > error || !row.cpu_ms_per_s) continue;
+    if (best == nullptr || *row.cpu_ms_per_s < *best->cpu_ms_per_s) best = &row;
+  }
+  return best;
+}
+
+std::string limit_of(const Integrator& method, const Spectrum& spectrum, const char* rate) {
+  const double limit = largest_stable_step(method, spectrum);
+  if (limit == 0.0) return "none";
+  return std::isinf(limit) ? "any" : std::string("h ") + rate + " < " + rounded(limit);
+}
+
+void add_summary(std::string& text) {
+  text +=
+      "| method | order: undamped, drag, dashpots, contact | undamped modes | dashpots alone | energy, undamped |\n"
+      "|---|---|---|---|---|\n";
+  for (const Integrator& method : integrators()) {
+    const auto order = [](int p) { return std::to_string(p); };
+    text += "| [`" + std::string(method.id) + "`](#" + std::string(method.id) + ") | " + order(method.order) + ", " +
+            order(method.order_drag) + ", " + order(method.order_damped) + ", " + order(method.order_contact) + " | " +
+            limit_of(method, {.omega = 1.0}, "omega") + " | " + limit_of(method, {.dashpot_rate = 1.0}, "lambda") + " | " +
+            std::string(describe(method.energy)) + (method.symplectic ? "; symplectic" : "") + " |\n";
+  }
+}
+
+// Cost of each method to a decade of error, as a multiple of the cheapest.
+void add_comparison(std::string& text, const Results& results, int decade) {
+  text += "\n### To an error of 1e-" + std::to_string(decade) + "\n\n| problem | cheapest [ms/s] |";
+  std::string line = "|---|---|";
+  for (const Integrator& method : integrators()) {
+    text += " `" + std::string(method.id) + "` |";
+    line += "---|";
+  }
+  text += "\n" + line + "\n";
+  for (const ProblemRecord& record : results.problems) {
+    const Row* best = cheapest(record, std::pow(10.0, -decade));
+    text += "| " + record.id + " | " + (best ? rounded(*best->cpu_ms_per_s) : "not reached") + " |";
+    for (const Integrator& method : integrators()) {
+      const Row* row = best ? cheapest_of(record, method.id, std::pow(10.0, -decade)) : nullptr;
+      text += row == nullptr ? " - |" : row == best ? " **1** |" : " " + rounded(*row->cpu_ms_per_s / *best->cpu_ms_per_s, "%.2g") + " |";
+    }
+    text += "\n";
+  }
+}
+
+// "cheapest on net_w4 at 1e-3 to 1e-6"
+std::string place_of(const Integrator& method, const Results& results) {
+  std::string text;
+  for (const ProblemRecord& record : results.problems) {
+    int first = 0, last = 0;
+    for (int decade = 1; decade <= 10; ++decade) {
+      const Row* best = cheapest(record, std::pow(10.0, -decade));
+      if (best == nullptr || best->method != method.id) continue;
+      if (first == 0) first = decade;
+      last = decade;
+    }
+    if (first == 0) continue;
+    text += (text.empty() ? "Cheapest on " : "; ") + record.id + " at 1e-" + std::to_string(first);
+    if (last > first) text += " to 1e-" + std::to_string(last);
+  }
+  if (!text.empty()) return text + ".";
+
+  std::set<std::string> front_problems;
+  for (const ProblemRecord& record : results.problems)
+    for (const Row* row : pareto_front(record))
+      if (row->method == method.id) front_problems.insert(record.id);
+  if (front_problems.empty()) return "Never on the front of these problems: another method is both faster and more accurate.";
+  for (const std::string& id : front_problems) text += (text.empty() ? "On the front, between decades, of " : ", ") + id;
+  return text + ".";
+}
+
+void add_method(std::string& text, const Integrator& method, const Results& results) {
+  text += "\n## " + std::string(method.id) + "\n\n**" + std::string(method.label) + ".** " + std::string(method.summary) + "\n\n```\n" +
+          std::string(method.formula) + "\n```\n\n" + "* Source: " + std::string(method.source) + ".\n* Costs " + std::string(method.cost) +
+          ".\n* Stability: " + std::string(describe(method.stability)) + ".\n* Measured: " + place_of(method, results) + "\n";
+}
+
+}  // namespace
+
+std::string methods_page(const Results& results) {
+  std::string text =
+      "# Methods\n\n"
+      "Made from the table of methods and from the benchmark's results by `scripts/accuracy`; do not edit it by hand. Which method to "
+      "choose when\n"
+      "stands in [accuracy.md](accuracy.md). One step goes from (x, v) to (x', v') in the time h: a is the acceleration by all forces, c "
+      "the drag\n"
+      "rate, k, d and l0 a spring's stiffness, dashpot and rest length, u its direction, omega an undamped mode's frequency and lambda the "
+      "rate\n"
+      "of a dashpot. Orders are of positions and velocities, measured by the tests from both sides.\n\n";
+  add_summary(text);
+  text +=
+      "\n## Measured\n\nHow many times the cheapest method's CPU time each method takes to come below an error, relative to the scene's "
+      "size;\n"
+      "`-`: no setting that was tried does. Measured " +
+      results.date.substr(0, 10) + " on one thread of " + results.conditions.machine + ".\n";
+  for (const int decade : decades) add_comparison(text, results, decade);
+  for (const Integrator& method : integrators()) add_method(text, method, results);
+  return text;
+}
+
+}  // namespace hooke

@@ -1,0 +1,12 @@
+// docs/methods.md: every method, from its row in the table and its place in the benchmark's results.
+#pragma once
+
+#include <string>
+
+#include "study/work_precision_file.h"
+
+namespace hooke {
+
+std::string methods_page(const Results& results);
+
+}  // namespace hooke

@@ -1,0 +1,198 @@
+#include "cli/commands/run.h"
+
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <iostream>
+#include <numeric>
+
+#include "base/printable.h"
+#include "base/text_lines.h"
+#include "cli/commands/run_report.h"
+#include "cli/progress_bar.h"
+#include "cli/scene_options.h"
+#include "formats/point_cache.h"
+#include "lab/lab.h"
+#include "sim/hash.h"
+#include "sim/integrator.h"
+#include "study/run_monitor.h"
+
+namespace hooke {
+namespace {
+
+struct RunOptions {
+  std::shared_ptr<SceneOptions> scene;
+  double seconds = 0.0;                   // [s]
+  std::optional<double> sample;           // [s]
+  std::optional<std::string> points;      // "0,5,9"; none: all
+  std::optional<std::string> quantities;  // "time,y5"; none: time, energies, positions of the points
+  std::optional<std::string> json, csv, pc2;
+};
+
+double cpu_now() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+// Frames that cover `seconds`: none more for a rounding error.
+long count_frames(double seconds, double frame_rate) {
+  constexpr double max = 1e15, round_off = 1e-9;
+  const double frames = seconds * frame_rate;
+  if (!(frames <= max)) throw UsageError("--seconds " + format_exact(seconds) + ": must be at most 1e15 frames");
+  return static_cast<long>(std::ceil(frames * (1.0 - round_off) - round_off));
+}
+
+// Which frames are sampled: those in which a multiple of the spacing is reached, or the last alone.
+class SampleClock {
+ public:
+  SampleClock(std::optional<double> spacing, double frame_rate, long frames)
+      : frames_per_sample_(spacing ? *spacing * frame_rate : 0.0), last_(frames) {}
+  bool is_due(long frame) {
+    if (frames_per_sample_ == 0.0) return frame == last_;
+    constexpr double round_off = 1e-9;
+    if (static_cast<double>(frame) < next_ * frames_per_sample_ * (1.0 - round_off)) return false;
+    // one sample a frame at most: multiples that fall into the same frame share it
+    next_ = std::floor(static_cast<double>(frame) / frames_per_sample_ * (1.0 + round_off)) + 1.0;
+    return true;
+  }
+
+ private:
+  double frames_per_sample_, next_ = 0.0;
+  long last_;
+};
+
+// "0,5,9", or all of them.
+std::vector<Index> parse_points(const std::optional<std::string>& list, Index count) {
+  std::vector<Index> points;
+  if (!list) {
+    points.resize(static_cast<std::size_t>(count));
+    std::iota(points.begin(), points.end(), 0);
+    return points;
+  }
+  const char* at = list->data();
+  const char* const end = at + list->size();
+  for (;;) {
+    Index point = -1;
+    const auto [after, error] = std::from_chars(at, end, point);
+    const bool is_number = error == std::errc() && point >= 0 && point < count && (after == end || *after == ',');
+    if (!is_number)
+      throw UsageError("--points " + printable(*list, 80) + ": must be numbers from 0 to " + std::to_string(count - 1) +
+                       " with commas between");
+    points.push_back(point);
+    if (after == end) return points;
+    at = after + 1;
+  }
+}
+
+std::vector<Quantity> wanted_quantities(const std::optional<std::string>& list, const std::vector<Index>& points, const System& system) {
+  std::vector<Quantity> quantities;
+  if (list) {
+    const std::string unknown = parse_quantities(*list, system.point_count(), system.spring_count(), quantities);
+    if (!unknown.empty()) throw UsageError("--quantities " + printable(unknown, 80) + ": must be one of " + quantity_names());
+    return quantities;
+  }
+  parse_quantities("time,kinetic,elastic,gravitational,total", system.point_count(), system.spring_count(), quantities);
+  for (const Index i : points)
+    for (const char* component : {"x", "y", "z"})
+      quantities.push_back(*find_quantity(component + std::to_string(i), system.point_count(), system.spring_count()));
+  return quantities;
+}
+
+void print_summary(const RunOptions& options, const Scene& scene, const RunTotals& totals) {
+  const Settings& settings = scene.settings;
+  const auto count = [](Index number, const char* one, const char* many) { return pluralize(static_cast<std::size_t>(number), one, many); };
+  std::cout << printable(options.scene->scene) << ": " << count(scene.system.point_count(), "point", "points") << ", "
+            << count(scene.system.spring_count(), "spring", "springs") << "; " << settings.integrator->id << ", "
+            << count(settings.substeps, "substep", "substeps") << " a frame, " << settings.frame_rate << " frames a second\n"
+            << "simulated " << totals.seconds << " s in " << totals.wall_seconds << " s (" << totals.cpu_seconds << " s of CPU), "
+            << totals.force_evaluations << " force evaluations\n"
+            << "hash " << to_hexadecimal(totals.hash) << "\n";
+}
+
+int run(const RunOptions& options) {
+  Lab lab(open_scene(*options.scene), KeepStart::No);
+  const Scene& scene = lab.scene();
+  const double start = scene.state.time;
+  const long frames = count_frames(options.seconds, scene.settings.frame_rate);
+  const std::vector<Index> points = parse_points(options.points, scene.system.point_count());
+
+  // files are opened before the work, so that a bad path does not cost it
+  std::optional<JsonReport> json;
+  std::optional<CsvReport> csv;
+  if (options.json) json.emplace(*options.json, options.scene->scene, scene);
+  if (options.csv) csv.emplace(*options.csv, wanted_quantities(options.quantities, points, scene.system));
+  std::optional<PointCacheWriter> pc2;
+  if (options.pc2) pc2.emplace(*options.pc2, scene.system.point_count());
+
+  RunTotals totals;
+  RunMonitor monitor(scene.system, scene.state, 0);
+  SampleClock samples(options.sample, scene.settings.frame_rate, frames);
+  {
+    ProgressBar progress(frames, !options.scene->quiet);
+    for (long frame = 0;; ++frame) {
+      const bool is_sampled = samples.is_due(frame);
+      if (is_sampled) {
+        if (json) json->add_sample(scene.system, scene.state, points);
+        if (csv) csv->add_sample(scene.system, scene.state);
+      }
+      if (pc2) pc2->add(scene.state.position);
+      if (frame == frames) break;
+
+      const double cpu = cpu_now(), wall = wall_now();
+      totals.diverged = !lab.step();
+      totals.cpu_seconds += cpu_now() - cpu;
+      totals.wall_seconds += wall_now() - wall;
+      totals.force_evaluations += lab.last_frame().force_evaluations();
+      totals.factorizations += lab.last_frame().factorizations();
+      if (totals.diverged) {
+        // the last good state, where it was not sampled anyway
+        if (json && !is_sampled) json->add_sample(scene.system, scene.state, points);
+        if (csv && !is_sampled) csv->add_sample(scene.system, scene.state);
+        break;
+      }
+      monitor.end_frame(scene.system, scene.state, lab.last_frame().motion());
+      progress.show(frame + 1);
+    }
+  }
+  totals.seconds = scene.state.time - start;
+  totals.hash = hash_state(scene.state);
+
+  if (json) json->finish(totals);
+  if (csv) csv->finish();
+  if (pc2) pc2->close();
+  if (!options.json && !options.csv && !options.scene->quiet) print_summary(options, scene, totals);
+  if (!options.scene->quiet)
+    for (const std::string& doubt : monitor.warnings(scene.system, {})) std::cerr << "warning: " << doubt << "\n";
+  if (!totals.diverged) return exit_code::success;
+  lab.publish();
+  std::cerr << lab.status()->message << "\n";
+  return exit_code::diverged;
+}
+
+}  // namespace
+
+std::function<int()> declare_run(CLI::App& app) {
+  auto options = std::make_shared<RunOptions>();
+  options->scene = add_scene_options(app);
+  app.add_option("--seconds", options->seconds, "Simulated time, in whole frames [s]")
+      ->required()
+      ->type_name("S")
+      ->check(within(not_negative));
+  app.add_option("--sample", options->sample,
+                 "Sample at the start and at the first end of a frame at or after each multiple of DT, nothing interpolated [s]; "
+                 "without it, the last state alone")
+      ->type_name("DT")
+      ->check(within(positive));
+  app.add_option("--points", options->points, "Points to sample, by number from 0; without it, all")->type_name("0,5,9");
+  app.add_option("--json", options->json, "Write the run and its samples as JSON; - is stdout")->type_name("FILE");
+  app.add_option("--csv", options->csv, "Write one row a sample: time, energies, positions; - is stdout")->type_name("FILE");
+  app.add_option("--quantities", options->quantities, "What --csv writes instead: " + quantity_names())->type_name("time,total,y5");
+  app.add_option("--pc2", options->pc2, "Write the positions of all points in every frame as a point cache")->type_name("FILE");
+  return [options] { return run(*options); };
+}
+
+}  // namespace hooke

@@ -1,0 +1,89 @@
+#include "cli/commands/run_report.h"
+
+#include <cstdio>
+#include <utility>
+
+#include "sim/integrator.h"
+
+namespace hooke {
+
+using Layout = JsonWriter::Layout;
+
+// [bytes] of a sample that are kept before they are written: samples of large scenes are longer than the scenes.
+constexpr std::size_t max_buffered_bytes = 1 << 16;
+
+std::string to_hexadecimal(std::uint64_t hash) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+JsonReport::JsonReport(const std::string& file, const std::string& scene_name, const Scene& scene) : file_(file) {
+  json_.begin_object(Layout::Lines);
+  json_.text("scene", scene_name);
+  json_.integer("points", scene.system.point_count());
+  json_.integer("springs", scene.system.spring_count());
+  json_.text("integrator", scene.settings.integrator->id);
+  json_.integer("substeps", scene.settings.substeps);
+  json_.number("frame_rate", scene.settings.frame_rate);
+  json_.key("samples");
+  json_.begin_list(Layout::Lines);
+}
+
+void JsonReport::add_sample(const System& system, const State& state, const std::vector<Index>& points) {
+  const auto write_vectors = [&](const char* key, const std::vector<Vec3>& vectors) {
+    json_.key(key);
+    json_.begin_list(Layout::Line);
+    for (const Index i : points) {
+      json_.vector(vectors[i]);
+      if (json_.written().size() > max_buffered_bytes) file_.write(json_.take());
+    }
+    json_.end();
+  };
+  json_.begin_object(Layout::Line);
+  json_.number("time", state.time);
+  write_vectors("positions", state.position);
+  write_vectors("velocities", state.velocity);
+
+  const Energy energy = compute_energy(system, state);
+  json_.key("energy");
+  json_.begin_object(Layout::Line);
+  json_.number("kinetic", energy.kinetic);
+  json_.number("elastic", energy.elastic);
+  json_.number("gravitational", energy.gravitational);
+  json_.number("total", energy.total());
+  json_.end();
+
+  // nothing estimates the error of a fixed step
+  json_.key("error");
+  json_.begin_object(Layout::Line);
+  for (const char* key : {"frame", "accumulated", "amplification"}) {
+    json_.key(key);
+    json_.null();
+  }
+  json_.end();
+  json_.end();
+  file_.write(json_.take());
+}
+
+void JsonReport::finish(const RunTotals& totals) {
+  json_.end();
+  json_.number("seconds", totals.seconds);
+  json_.number("cpu_seconds", totals.cpu_seconds);
+  json_.number("wall_seconds", totals.wall_seconds);
+  json_.boolean("diverged", totals.diverged);
+  json_.integer("force_evaluations", totals.force_evaluations);
+  json_.integer("factorizations", totals.factorizations);
+  json_.text("hash", to_hexadecimal(totals.hash));
+  json_.end();
+  file_.write(json_.take() + "\n");
+  file_.close();
+}
+
+CsvReport::CsvReport(const std::string& file, std::vector<Quantity> quantities) : file_(file), quantities_(std::move(quantities)) {
+  file_.write(csv_heading(quantities_));
+}
+
+void CsvReport::add_sample(const System& system, const State& state) { file_.write(csv_row(quantities_, system, state)); }
+
+}  // namespace hooke

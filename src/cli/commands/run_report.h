@@ -1,0 +1,52 @@
+// What `run` writes while it goes: samples as JSON and as CSV, sample by sample, so that none is kept.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json_writer.h"
+#include "cli/output_file.h"
+#include "scene/quantity.h"
+#include "scene/scene.h"
+#include "sim/energy.h"
+
+namespace hooke {
+
+// Of a run that has ended.
+struct RunTotals {
+  double seconds = 0.0;  // simulated
+  double cpu_seconds = 0.0, wall_seconds = 0.0;
+  bool diverged = false;
+  long force_evaluations = 0, factorizations = 0;
+  std::uint64_t hash = 0;  // of the last state
+};
+
+// The JSON object of `run --json`. Members that cannot be known are null.
+class JsonReport {
+ public:
+  JsonReport(const std::string& file, const std::string& scene_name, const Scene& scene);
+  void add_sample(const System& system, const State& state, const std::vector<Index>& points);
+  void finish(const RunTotals& totals);
+
+ private:
+  OutputFile file_;
+  JsonWriter json_;
+};
+
+// One row a sample: the quantities.
+class CsvReport {
+ public:
+  CsvReport(const std::string& file, std::vector<Quantity> quantities);
+  void add_sample(const System& system, const State& state);
+  void finish() { file_.close(); }
+
+ private:
+  OutputFile file_;
+  std::vector<Quantity> quantities_;
+};
+
+// 16 hexadecimal digits.
+std::string to_hexadecimal(std::uint64_t hash);
+
+}  // namespace hooke

@@ -1,0 +1,206 @@
+#include "cli/manual/manual.h"
+
+#include <sstream>
+
+#include "base/build_info.h"
+#include "cli/command_line.h"
+#include "formats/open_file.h"
+#include "formats/scene_file.h"
+#include "scene/parameters.h"
+#include "sim/integrator.h"
+#include "ui/shortcuts.h"
+
+namespace hooke {
+namespace {
+
+// Text as roff prints it: no escapes, a minus that can be copied, no line that begins like a request.
+std::string roff(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    const bool at_start = safe.empty() || safe.back() == '\n';
+    if (at_start && (c == '.' || c == '\'')) safe += "\\&";
+    if (c == '\\')
+      safe += "\\e";
+    else if (c == '-')
+      safe += "\\-";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
+void section(std::ostream& page, std::string_view title) { page << ".SH " << title << "\n"; }
+
+// A term, and what it means, indented.
+void entry(std::ostream& page, std::string_view term, std::string_view description) {
+  page << ".TP\n.B " << roff(term) << "\n" << roff(description) << "\n";
+}
+
+// "-q, --quiet", "--size WxH"; a positional by its name.
+std::string term_of(const CLI::Option& option) {
+  std::string term = option.get_positional() ? option.get_name(true) : option.get_name(false, true);
+  for (std::size_t comma = 0; (comma = term.find(',', comma)) != std::string::npos; comma += 2) term.insert(comma + 1, " ");
+  const bool takes_value = !option.get_positional() && option.get_items_expected_max() > 0;
+  return takes_value && !option.get_type_name().empty() ? term + " " + option.get_type_name() : term;
+}
+
+bool is_general(const CLI::Option& option) {
+  for (const char* name : {"--help", "--version", "--limits"})
+    if (option.check_name(name)) return true;
+  return false;
+}
+
+void write_options(std::ostream& page, const CLI::App& app, bool general) {
+  for (const CLI::Option* option : app.get_options())
+    if (is_general(*option) == general) entry(page, term_of(*option), option->get_description());
+}
+
+// What follows a command on its line, shortened.
+std::string synopsis_of(const CLI::App& app) {
+  std::string line;
+  for (const CLI::Option* option : app.get_options()) {
+    if (!option->get_positional()) continue;
+    const std::string name = option->get_name(true) + (option->get_items_expected_max() > 1 ? " ..." : "");
+    line += option->get_required() ? " " + name : " [" + name + "]";
+  }
+  return line + " [OPTIONS]";
+}
+
+void write_keys(std::ostream& page) {
+  std::string_view group;
+  for (const Shortcut& shortcut : shortcuts()) {
+    if (shortcut.group != group) page << ".SS " << roff(group = shortcut.group) << "\n";
+    entry(page, key_text(shortcut), shortcut.text);
+  }
+  page << ".SS Mouse\n";
+  for (const MouseHint& hint : mouse_hints()) entry(page, hint.gesture, hint.text);
+}
+
+void write_parameters(std::ostream& page) {
+  for (const Parameter& parameter : parameters()) {
+    const std::string unit = parameter.unit.empty() ? "" : " [" + std::string(parameter.unit) + "]";
+    entry(page, parameter.name, std::string(parameter.description) + unit);
+  }
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+// The names of an app's options as they are typed.
+std::string names_of_options(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return joined(names);
+}
+
+}  // namespace
+
+std::string manual_page() {
+  CLI::App app;
+  const DeclaredCommands commands = declare_command_line(app);
+  std::ostringstream page;
+  page << ".TH HOOKE 1 \"\" \"hooke " << program_version << "\" \"User commands\"\n";
+  section(page, "NAME");
+  page << "hooke, hooke\\-headless \\- a laboratory for networks of point masses and springs\n";
+
+  section(page, "SYNOPSIS");
+  page << ".B hooke\n.RB [ \\-\\-reset\\-settings ]\n.RI [ SCENE ]\n";
+  for (const auto& [command, work] : commands) {
+    const std::string rest = synopsis_of(*command);
+    page << ".br\n.B hooke " << command->get_name() << "\n" << roff(std::string_view(rest).substr(1)) << "\n";
+  }
+
+  section(page, "DESCRIPTION");
+  page << "Hooke is a desktop laboratory for networks of point masses and springs. It says how wrong it is, and what being less\n"
+          "wrong would cost. Without a command a window opens on SCENE: a file ("
+       << roff(readable_extensions())
+       << "), or the name of one that comes with Hooke.\n"
+          "The commands need no window and no display; they are done by\n.BR hooke\\-headless ,\nwhich takes the same ones.\n";
+
+  section(page, "OPTIONS");
+  write_options(page, app, true);
+  entry(page, "--reset-settings", "Of the window: start with the usual settings; those that were set are forgotten.");
+  for (const auto& [command, work] : commands) {
+    page << ".SS hooke " << command->get_name() << "\n" << roff(command->get_description()) << ".\n";
+    write_options(page, *command, false);
+  }
+
+  section(page, "KEYS");
+  page << "In the window:\n";
+  write_keys(page);
+
+  section(page, "METHODS");
+  for (const Integrator& integrator : integrators()) entry(page, integrator.id, integrator.summary);
+
+  section(page, "PARAMETERS");
+  page << "Of a scene, set by a slider, in its file, or with\n.BR \\-\\-set :\n";
+  write_parameters(page);
+
+  section(page, "SCENES");
+  page << "Those that come with Hooke:\n";
+  for (const ShippedScene& scene : shipped_scenes()) entry(page, scene.id, scene.title);
+
+  section(page, "EXIT STATUS");
+  for (const auto& [code, description] : {std::pair{"0", "Fine."},
+                                          {"1", "A check failed."},
+                                          {"2", "Wrong usage."},
+                                          {"3", "The input was refused: one line names file, field, value and limit."},
+                                          {"4", "The simulation diverged, or the tolerance was not met."},
+                                          {"5", "A file could not be read or written."}})
+    entry(page, code, description);
+  return page.str();
+}
+
+std::string bash_completion() {
+  CLI::App app;
+  const DeclaredCommands commands = declare_command_line(app);
+  std::vector<std::string> names, methods, settings, scenes;
+  for (const auto& [command, work] : commands) names.push_back(command->get_name());
+  for (const Integrator& integrator : integrators()) methods.emplace_back(integrator.id);
+  for (const Parameter& parameter : parameters()) settings.push_back(std::string(parameter.name) + "=");
+  for (const ShippedScene& scene : shipped_scenes()) scenes.push_back(scene.id);
+
+  std::ostringstream script;
+  script << "# bash completion of hooke and hooke-headless\n"
+            "_hooke() {\n"
+            "  local cur prev words cword\n"
+            "  _init_completion -n = || return\n"
+            "  local scenes='"
+         << joined(scenes)
+         << "'\n"
+            "  case $prev in\n"
+            "    --integrator|--methods) COMPREPLY=($(compgen -W '"
+         << joined(methods)
+         << "' -- \"$cur\")); return ;;\n"
+            "    --set) COMPREPLY=($(compgen -W '"
+         << joined(settings)
+         << "' -- \"$cur\")); compopt -o nospace; return ;;\n"
+            "    --json|--csv|--pc2|--out|--markdown|--report) _filedir; return ;;\n"
+            "  esac\n"
+            "  local options\n"
+            "  case ${words[1]} in\n";
+  for (const auto& [command, work] : commands)
+    script << "    " << command->get_name() << ") options='" << names_of_options(*command) << "' ;;\n";
+  script << "    *) options='" << names_of_options(app)
+         << " --reset-settings' ;;\n"
+            "  esac\n"
+            "  case $cur in\n"
+            "    -*) COMPREPLY=($(compgen -W \"$options\" -- \"$cur\")); return ;;\n"
+            "  esac\n"
+            "  _filedir\n"
+            "  COMPREPLY+=($(compgen -W \"$scenes\" -- \"$cur\"))\n"
+            "  [ \"$cword\" -gt 1 ] || COMPREPLY+=($(compgen -W '"
+         << joined(names)
+         << "' -- \"$cur\"))\n"
+            "}\n"
+            "complete -F _hooke hooke hooke-headless\n";
+  return script.str();
+}
+
+}  // namespace hooke

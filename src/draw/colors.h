@@ -1,0 +1,30 @@
+// Colours as they are drawn, and the few that Hooke uses.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "sim/system.h"
+
+namespace hooke {
+
+// sRGB with opacity, as a vertex holds it.
+struct Rgba {
+  std::uint8_t red = 0, green = 0, blue = 0, opacity = 255;
+};
+
+inline Rgba rgba(const Color& color, double opacity = 1.0) {
+  return {color.red, color.green, color.blue, static_cast<std::uint8_t>(std::lround(255.0 * opacity))};
+}
+
+// What stands out against a background, dark or light.
+struct Palette {
+  Color point, nailed, selected, spring, face, collider, line, hover;
+  Rgba shadow;  // where all light from above is kept away
+};
+Palette palette_for(const Color& background);
+
+// From a (t = 0) to b (t = 1).
+Color mix(const Color& a, const Color& b, double t);
+
+}  // namespace hooke

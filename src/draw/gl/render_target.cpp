@@ -1,0 +1,87 @@
+#include "draw/gl/render_target.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace hooke {
+namespace {
+
+void attach(GLenum place, GLenum format, const GlName& store, int width, int height, int samples) {
+  glBindRenderbuffer(GL_RENDERBUFFER, store);
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, store);
+}
+
+void forget_errors() {
+  while (glGetError() != GL_NO_ERROR) continue;
+}
+
+}  // namespace
+
+bool RenderTarget::Layer::allocate(int new_width, int new_height, int new_samples) {
+  *this = {GlName(GlKind::Framebuffer), GlName(GlKind::Renderbuffer), GlName(GlKind::Renderbuffer), new_width, new_height, new_samples};
+  forget_errors();
+  glBindFramebuffer(GL_FRAMEBUFFER, frame);
+  attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, color, width, height, samples);
+  attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, depth, width, height, samples);
+  const bool made = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR;
+  if (!made) *this = {};
+  return made;
+}
+
+void RenderTarget::begin(int width, int height, int samples) {
+  if (!picture_.fits(width, height) && !picture_.allocate(width, height, 0))
+    throw std::runtime_error("OpenGL: no framebuffer of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
+  if (samples > 0 && (!sampled_.fits(width, height) || asked_ != samples)) allocate_sampled(samples);
+  sampling_ = samples > 0 && sampled_.samples > 0;
+  glBindFramebuffer(GL_FRAMEBUFFER, sampling_ ? sampled_.frame : picture_.frame);
+  glViewport(0, 0, width, height);
+}
+
+void RenderTarget::allocate_sampled(int samples) {
+  GLint max = 0;
+  glGetIntegerv(GL_MAX_SAMPLES, &max);
+  asked_ = samples;
+  for (int tried = std::min(samples, max); tried > 1; tried /= 2)
+    if (sampled_.allocate(picture_.width, picture_.height, tried)) return;
+
+  // nothing to be had: the picture does without
+  sampled_ = {};
+  sampled_.width = picture_.width;
+  sampled_.height = picture_.height;
+}
+
+void RenderTarget::resolve() const {
+  if (sampling_) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.frame);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture_.frame);
+    glBlitFramebuffer(0, 0, picture_.width, picture_.height, 0, 0, picture_.width, picture_.height,
+                      GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, picture_.frame);
+}
+
+void RenderTarget::show() const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.frame);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, picture_.width, picture_.height, 0, 0, picture_.width, picture_.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+Image RenderTarget::read() const {
+  const int width = picture_.width, height = picture_.height;
+  Image image{width, height, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width) * height)};
+  if (image.pixels.empty()) return image;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.frame);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
+
+  // OpenGL's rows start at the bottom
+  const std::size_t row = 3 * static_cast<std::size_t>(width);
+  for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom)
+    std::swap_ranges(&image.pixels[top * row], &image.pixels[top * row] + row, &image.pixels[bottom * row]);
+  return image;
+}
+
+}  // namespace hooke

@@ -1,0 +1,28 @@
+// Shader programs, built from the sources under shaders/ that the build embeds.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "draw/gl/gl.h"
+
+namespace hooke {
+
+// A .vert and .frag pair by its file name without the ending. Generated (cmake/embed_shaders.cmake).
+struct ShaderSource {
+  std::string_view name, vertex, fragment;
+};
+std::span<const ShaderSource> shader_sources();
+
+class Shader {
+ public:
+  // Compiles and links the pair of this name. A mistake in a shader is ours: it throws std::logic_error with the log.
+  explicit Shader(std::string_view name);
+  void use() const { glUseProgram(program_); }
+  GLint uniform(const char* name) const { return glGetUniformLocation(program_, name); }
+
+ private:
+  GlName program_;
+};
+
+}  // namespace hooke

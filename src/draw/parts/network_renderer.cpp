@@ -1,0 +1,190 @@
+#include "draw/parts/network_renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+namespace hooke {
+namespace {
+
+constexpr double spring_width = 1.75;  // [px of the screen]
+constexpr double min_radius = 2.5;     // [px of the screen], of a point in an open network
+constexpr double mark_radius = 4.0;    // [px of the screen], of a marked or nailed point
+constexpr double dense = 12.0;         // [px of the screen]: springs shorter than this are drawn thinner
+
+// Colours of a strain from -1 to 1 of the scale, looked up.
+constexpr int strain_steps = 256;
+using StrainColors = std::array<Rgba, strain_steps + 1>;
+
+const StrainColors& fill_strain_colors() {
+  static const StrainColors colors = [] {
+    StrainColors made;
+    for (int i = 0; i <= strain_steps; ++i) made[i] = rgba(View::strain_color(2.0 * i / strain_steps - 1.0));
+    return made;
+  }();
+  return colors;
+}
+
+}  // namespace
+
+void NetworkRenderer::project(const DrawContext& context) {
+  measure_springs(context);
+  const State& state = context.snapshot.state;
+  clip_.resize(state.position.size());
+  projected_.resize(state.position.size());
+  for (std::size_t i = 0; i < state.position.size(); ++i) {
+    clip_[i] = context.projection.moved_nearer(context.projection.clip(state.position[i]), depth_offset());
+    projected_[i] = context.projection.project(clip_[i]);
+  }
+
+  selected_.assign(state.position.size(), 0);
+  for (const PointId id : context.marks.selected_points) {
+    const Index i = context.snapshot.system->index_of(id);
+    if (i != no_index) selected_[i] = 1;
+  }
+}
+
+// A System does not change while somebody holds it.
+void NetworkRenderer::find_ends(const std::shared_ptr<const System>& system) {
+  if (system == ends_system_) return;
+  ends_system_ = system;
+  ends_.clear();
+  for (const Spring& spring : system->springs()) ends_.push_back({system->index_of(spring.first), system->index_of(spring.second)});
+
+  corners_.clear();
+  corners_.reserve(3 * system->faces.size());
+  in_cloth_.assign(system->faces.empty() ? 0 : system->points().size(), 0);
+  if (in_cloth_.empty()) return;
+  for (const Face& face : system->faces)
+    for (const PointId id : face.points) {
+      corners_.push_back(static_cast<GLuint>(system->index_of(id)));
+      in_cloth_[corners_.back()] = 1;
+    }
+  // what is inside a solid belongs to it, by springs of its families
+  for (std::size_t s = 0; s < ends_.size(); ++s)
+    if (system->springs()[s].family != SpringFamily::None) in_cloth_[ends_[s][0]] = in_cloth_[ends_[s][1]] = 1;
+}
+
+void NetworkRenderer::measure_springs(const DrawContext& context) {
+  find_ends(context.snapshot.system);
+  const std::vector<Spring>& springs = context.snapshot.system->springs();
+  const std::vector<Vec3>& position = context.snapshot.state.position;
+  strain_.resize(springs.size());
+  double sum = 0.0;
+  int counted = 0;
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    const double length = glm::distance(position[ends_[s][0]], position[ends_[s][1]]), rest = springs[s].rest_length;
+    strain_[s] = static_cast<float>(rest > 0.0 ? length / rest - 1.0 : length);
+    if (!std::isfinite(length)) continue;
+    sum += length;
+    ++counted;
+  }
+  const double length = counted > 0 ? sum / counted : 0.0;
+  const double pixel = context.camera.metres_per_pixel(context.camera.target, {context.projection.width(), context.projection.height()});
+  constexpr double max_lift = 4.0;  // [px]
+  spacing_ = length / pixel;
+  depth_offset_ = std::min(0.1 * length, max_lift * pixel);
+}
+
+bool NetworkRenderer::is_dense(const ViewOptions& options) const { return spacing_ > 0.0 && spacing_ < options.scale * dense; }
+
+// The order in which to draw springs. In an open net in space the far ones come first, so that the soft edge of a near one
+// lies on what is behind it and does not cut it out.
+std::vector<std::size_t> NetworkRenderer::far_to_near(const DrawContext& context) const {
+  std::vector<std::size_t> order(ends_.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  if (context.snapshot.system->dimensions == 2 || is_dense(context.options)) return order;
+  const auto depth = [&](std::size_t s) {
+    const float sum = projected_[ends_[s][0]].depth + projected_[ends_[s][1]].depth;
+    return std::isfinite(sum) ? sum : 0.0f;
+  };
+  std::ranges::stable_sort(order, std::greater<>(), depth);
+  return order;
+}
+
+void NetworkRenderer::add_springs(const DrawContext& context, Subset subset, Strokes& strokes) const {
+  const double scale = context.options.scale;
+  const auto width = static_cast<float>(scale * spring_width * std::clamp(spacing_ / (scale * dense), 0.35, 1.0));
+  const StrainColors& colors = fill_strain_colors();
+  const auto steps = static_cast<float>(0.5 * strain_steps / View::strain_scale(context.snapshot));
+  const Rgba plain = rgba(context.palette.spring);
+
+  const System& system = *context.snapshot.system;
+  const bool all_on = std::ranges::find(system.family_on, false) == system.family_on.end();
+  if (subset == Subset::All) strokes.reserve(strain_.size());
+  for (const std::size_t s : far_to_near(context)) {
+    if (!all_on && !system.is_on(system.springs()[s])) continue;
+    const auto [a, b] = ends_[s];
+    if (subset == Subset::OutsideCloth && !is_outside_cloth(a) && !is_outside_cloth(b)) continue;
+    Rgba color = plain;
+    if (context.options.strain_colors) {
+      const float step = 0.5f * strain_steps + strain_[s] * steps;
+      color = colors[step >= 0.0f ? static_cast<int>(std::min(step, float(strain_steps))) : 0];
+    }
+    strokes.add(context.projection, clip_[a], projected_[a], clip_[b], projected_[b], color, width);
+  }
+}
+
+PointImpostor NetworkRenderer::impostor_of(const DrawContext& context, Index i) const {
+  const Point& point = context.snapshot.system->points()[i];
+  const double scale = context.options.scale;
+
+  // in a dense net points shrink with the spacing, so that the springs stay in sight
+  const double sparse = spacing_ > 0.0 ? spacing_ / scale : 1e3;
+  const double wider = sparse / (3.0 * dense);
+  const double max = scale * 0.16 * sparse * (1.0 + wider * wider);
+  const double min = scale * std::min(min_radius, 0.22 * sparse);
+  double radius = std::max(point.radius * projected_[i].scale, min);
+  if (!is_outside_cloth(i)) radius = std::min(radius, max);
+  if (point.nailed || selected_[i]) radius = std::max(radius, mark_radius * scale * std::clamp(sparse / dense, 0.6, 1.0));
+
+  PointImpostor impostor{.radius = static_cast<float>(radius), .square = point.nailed};
+  const bool is_plain = !point.color && !point.nailed;
+  const Color color = point.color ? *point.color : point.nailed ? context.palette.nailed : context.palette.point;
+  impostor.body = rgba(selected_[i] && is_plain ? context.palette.selected : color);
+  if (is_plain && !selected_[i]) impostor.body.opacity = static_cast<std::uint8_t>(255.0 * std::clamp((sparse - 5.0) / 8.0, 0.0, 1.0));
+  return impostor;
+}
+
+void NetworkRenderer::add_points(const DrawContext& context, Subset subset, PointImpostors& impostors) const {
+  if (subset == Subset::All) impostors.reserve(projected_.size());
+  constexpr std::uint8_t min_opacity = 16;
+  for (Index i = 0; i < static_cast<Index>(projected_.size()); ++i) {
+    if (projected_[i].outside & (before | beyond | not_finite)) continue;
+    if (subset == Subset::OutsideCloth && !context.snapshot.system->points()[i].nailed && !is_outside_cloth(i)) continue;
+    const PointImpostor impostor = impostor_of(context, i);
+    if (impostor.body.opacity >= min_opacity) impostors.add(context.projection, clip_[i], projected_[i], impostor);
+  }
+}
+
+void NetworkRenderer::add_marks(const DrawContext& context, Strokes& strokes, PointImpostors& impostors) const {
+  const System& system = *context.snapshot.system;
+  const double scale = context.options.scale;
+  const auto add_spring = [&](SpringId id, Rgba color) {
+    const Index s = system.index_of(id);
+    if (s == no_index) return;
+    const auto [a, b] = ends_[s];
+    strokes.add(context.projection, clip_[a], projected_[a], clip_[b], projected_[b], color, static_cast<float>(5.0 * scale));
+  };
+  for (const SpringId id : context.marks.selected_springs) add_spring(id, rgba(context.palette.selected, 0.7));
+  if (context.marks.hovered_spring) add_spring(*context.marks.hovered_spring, rgba(context.palette.hover, 0.35));
+
+  // rings alone: the points themselves are drawn already
+  const auto add_ring = [&](Index i, double distance, Rgba color) {
+    PointImpostor ring = impostor_of(context, i);
+    ring.body.opacity = 0;
+    ring.ring = ring.radius + static_cast<float>(distance * scale);
+    ring.ring_color = color;
+    impostors.add(context.projection, clip_[i], projected_[i], ring);
+  };
+  for (const PointId id : context.marks.selected_points)
+    if (const Index i = system.index_of(id); i != no_index) add_ring(i, 3.0, rgba(context.palette.selected));
+  if (!context.marks.hovered_point) return;
+  if (const Index i = system.index_of(*context.marks.hovered_point); i != no_index)
+    add_ring(i, selected_[i] ? 6.0 : 4.0, rgba(context.palette.hover, 0.8));
+}
+
+}  // namespace hooke

@@ -1,0 +1,54 @@
+// Soft shadows of what is near the ground, a ball or the top of a box, so that one sees how far it is above them.
+#pragma once
+
+#include <vector>
+
+#include "draw/gl/vertex_stream.h"
+#include "draw/parts/balls.h"
+#include "draw/parts/shadow_casters.h"
+#include "draw/parts/soft_shadow_map.h"
+
+namespace hooke {
+
+class Shader;
+
+class Shadows {
+ public:
+  Shadows();
+  void clear();
+  // Works out what is shaded; needs what the net has seen.
+  void add(const DrawContext& context, const NetworkRenderer& network_renderer);
+  BallShadow on_ball(Index collider) const;
+  // The maps as the texture that is bound; does nothing without shadows.
+  void bind();
+  // Those on flat things, over them.
+  void draw(const Shader& shader, Rgba rgba);
+
+ private:
+  // A map and where it is in the picture of all maps.
+  struct Tile {
+    Index collider = no_index;
+    int x = 0, y = 0, width = 0, height = 0;  // [texels]
+    std::vector<std::uint8_t> occlusion;
+    glm::vec2 min{0.0f}, max{0.0f};  // [m]
+  };
+  struct Vertex {
+    float clip[4];
+    float place[2];  // in the picture of all maps
+    float fade[2];   // as the ground under it has
+  };
+  bool is_full() const;
+  const Tile* shade(const DrawContext& context, const NetworkRenderer& network_renderer, const ShadowReceiver& receiver);
+  void add_flat(const DrawContext& context, const NetworkRenderer& network_renderer, const ShadowReceiver& receiver, double reach);
+  void upload();
+
+  ShadowCasters shadow_casters_;
+  SoftShadowMap map_;
+  std::vector<Tile> tiles_;
+  std::vector<Vertex> vertices_;
+  VertexStream stream_;
+  GlName texture_;
+  bool uploaded_ = false;
+};
+
+}  // namespace hooke

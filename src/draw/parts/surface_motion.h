@@ -1,0 +1,21 @@
+// What shows that the surface of a collider moves while its shape stays: it turns, or runs like a belt.
+#pragma once
+
+#include "draw/parts/balls.h"
+#include "draw/parts/ground.h"
+#include "draw/parts/network_renderer.h"
+#include "draw/parts/strokes.h"
+
+namespace hooke {
+
+// Meridians on a ball that turns.
+BallMeridians meridians_of(const DrawContext& context, const ColliderPath& path);
+
+// The grid of a plane goes along.
+void move_grid(GroundStyle& style, const DrawContext& context, const Plane& plane, const ColliderPath& path);
+
+// Lines across the sides of a box, and diameters of a disc.
+void add_belt(const DrawContext& context, const Box& box, const Vec3& belt, Rgba line, Strokes& strokes);
+void add_diameters(const DrawContext& context, const Sphere& disc, double spin, Rgba line, Strokes& strokes);
+
+}  // namespace hooke

@@ -1,0 +1,39 @@
+// Lit triangles: boxes, the filled shapes of flat scenes.
+#pragma once
+
+#include <vector>
+
+#include "draw/colors.h"
+#include "draw/gl/vertex_stream.h"
+#include "draw/projection.h"
+
+namespace hooke {
+
+class Shader;
+
+class Surfaces {
+ public:
+  Surfaces();
+  void clear();
+  // A corner; a zero normal means that it is not lit. Returns its number, for add_triangle.
+  GLuint add_corner(const glm::dvec4& clip, const Vec3& view_normal, Rgba rgba);
+  void add_triangle(GLuint a, GLuint b, GLuint c);
+  // A flat four-cornered shape, its corners in order around it.
+  void add_quad(const Projection& projection, const Vec3 (&corners)[4], const Vec3& normal, Rgba rgba);
+
+  GLuint corner_count() const { return static_cast<GLuint>(vertices_.size()); }
+  bool is_empty() const { return indices_.empty(); }
+  void draw(const Shader& shader);
+
+ private:
+  struct Vertex {
+    float clip[4];
+    std::int8_t normal[4];
+    Rgba rgba;
+  };
+  std::vector<Vertex> vertices_;
+  std::vector<GLuint> indices_;
+  VertexStream stream_;
+};
+
+}  // namespace hooke

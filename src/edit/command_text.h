@@ -1,0 +1,36 @@
+// Commands as JSON, and back bit for bit; and what a scene holds beside its file.
+#pragma once
+
+#include "base/json_field.h"
+#include "base/json_writer.h"
+#include "edit/command.h"
+
+namespace hooke {
+
+// An object with one member, named like the command. A Replace has none: a whole scene is a text of its own.
+void write_command(JsonWriter& out, const Command& command);
+
+// The command of such a member. Throws InputError for what is none.
+Command read_command(const JsonField& member);
+
+// What goes on from a scene needs, and its file does not hold: ids, the hand, where energy came from, the method's memory, what
+// tore.
+struct ResumeState {
+  std::optional<std::vector<PointId>> point_ids;  // none: numbered from 0
+  std::optional<std::vector<SpringId>> spring_ids;
+  std::uint32_t next_point_id = 0, next_spring_id = 0;
+  std::optional<Grab> grab;
+  std::optional<ColliderGrab> collider_grab;
+  Vec3 hand{0.0};
+  EnergyLedger ledger;
+  MethodMemory memory;
+  std::uint32_t torn = 0;
+  std::vector<std::shared_ptr<const Tear>> tears;
+};
+ResumeState resume_state_of(const Scene& scene);
+
+// As an object, and back. Throws InputError for what does not fit the scene.
+void write_resume_state(JsonWriter& out, const ResumeState& resume_state);
+void restore_resume_state(const JsonField& field, Scene& scene);
+
+}  // namespace hooke

@@ -1,0 +1,67 @@
+// How each command acts on a scene; `apply` (lab/apply.h) picks one. A file a group of them.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "edit/apply.h"
+
+namespace hooke {
+
+using Inverse = std::vector<Command>;
+
+struct Apply {
+  Scene& scene;
+  Effect& effect;
+
+  // network.cpp: points, springs and faces come and go
+  Inverse operator()(const Insert& insert);
+  Inverse operator()(const Remove& remove);
+
+  // properties.cpp: what points and springs are
+  Inverse operator()(const SetNailed& set);
+  Inverse operator()(const Move& move);
+  Inverse operator()(const SetPointColor& set);
+  Inverse operator()(const SetPointProperty& set);
+  Inverse operator()(const SetSpringProperty& set);
+
+  // settings.cpp: parameters, and what is around
+  Inverse operator()(const SetParameter& set);
+  Inverse operator()(const RestoreParameter& restore);
+  Inverse operator()(const SetIntegrator& set);
+  Inverse operator()(const SetGravity& set);
+  Inverse operator()(const SetColliders& set);
+  Inverse operator()(const SetForces& set);
+  Inverse operator()(const SetTexture& set);
+
+  // hand.cpp
+  Inverse operator()(const GrabPoint& grab);
+  Inverse operator()(const GrabCollider& grab);
+  Inverse operator()(const MoveHand& move);
+  Inverse operator()(const ReleaseHand&);
+
+  // moments.cpp: other states of the run, other scenes
+  Inverse operator()(const GoToState& go);
+  Inverse operator()(const SetTorn& set);
+  Inverse operator()(const Replace& replace);
+
+ private:
+  Inverse inverse_of(const Parameter& parameter) const;
+  void apply_tears_until(std::uint32_t torn);
+};
+
+// What may come into a scene.
+inline bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool is_valid(const Point& point);
+bool is_valid(const Spring& spring);
+
+// What the hand has hold of.
+std::vector<PointId> points_of(const Grab& grab);
+
+// In a flat scene everything stays in its plane.
+inline Vec3 in_plane(const System& system, Vec3 v) {
+  if (system.dimensions == 2) v.z = 0.0;
+  return v;
+}
+
+}  // namespace hooke

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "edit/edits/edits.h"
+
+namespace hooke {
+namespace {
+
+bool is_sheet_weight(double sheet_weight) { return sheet_weight >= 0.0 && std::isfinite(sheet_weight); }
+
+// Puts each (place, item), places ascending, where it was before it was taken out; no_index and beyond: at the end.
+template <class Item>
+std::vector<Item> merged(const std::vector<Item>& list, const std::vector<std::pair<Index, Item>>& inserted) {
+  std::vector<Item> result;
+  result.reserve(list.size() + inserted.size());
+  auto next = inserted.begin();
+  for (const Item& item : list) {
+    while (next != inserted.end() && next->first == static_cast<Index>(result.size())) result.push_back((next++)->second);
+    result.push_back(item);
+  }
+  while (next != inserted.end()) result.push_back((next++)->second);
+  return result;
+}
+
+// The items whose flag is not set.
+template <class Item>
+std::vector<Item> without(const std::vector<Item>& list, const std::vector<bool>& gone) {
+  std::vector<Item> result;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (!gone[i]) result.push_back(list[i]);
+  return result;
+}
+
+}  // namespace
+
+Inverse Apply::operator()(const Insert& insert) {
+  System& system = scene.system;
+  State& state = scene.state;
+  Remove inverse;
+  SheetEdit sheet(scene.sheet);
+
+  std::vector<std::pair<Index, Point>> points;
+  std::vector<std::pair<Index, Vec3>> positions, velocities;
+  for (const PlacedPoint& placed : insert.points) {
+    if (system.index_of(placed.point.id) != no_index || !is_valid(placed.point) || !is_finite(placed.position) ||
+        !is_finite(placed.velocity))
+      continue;
+    points.emplace_back(placed.at, placed.point);
+    positions.emplace_back(placed.at, in_plane(system, placed.position));
+    velocities.emplace_back(placed.at, in_plane(system, placed.velocity));
+    inverse.points.push_back(placed.point.id);
+    if (is_sheet_weight(placed.area)) sheet.set(placed.point.id, placed.area);
+  }
+  if (!points.empty()) {
+    system.set_points(merged(system.points(), points));
+    state.position = merged(state.position, positions);
+    state.velocity = merged(state.velocity, velocities);
+  }
+
+  std::vector<std::pair<Index, Spring>> springs;
+  for (const PlacedSpring& placed : insert.springs) {
+    const Spring& spring = placed.spring;
+    const bool has_ends = system.index_of(spring.first) != no_index && system.index_of(spring.second) != no_index;
+    if (system.index_of(spring.id) != no_index || !has_ends || !is_valid(spring)) continue;
+    springs.emplace_back(placed.at, spring);
+    inverse.springs.push_back(spring.id);
+    if (is_sheet_weight(placed.sheet_weight)) sheet.set(spring.id, placed.sheet_weight);
+  }
+  if (!springs.empty()) system.set_springs(merged(system.springs(), springs));
+
+  std::vector<std::pair<Index, Face>> faces;
+  for (const PlacedFace& placed : insert.faces) {
+    const auto& corners = placed.face.points;
+    if (std::all_of(corners.begin(), corners.end(), [&](PointId id) { return system.index_of(id) != no_index; }))
+      faces.emplace_back(placed.at, placed.face);
+  }
+  for (const auto& [at, face] : faces) inverse.faces.push_back(face);
+  if (!faces.empty()) system.faces = merged(system.faces, faces);
+
+  effect.structure = true;
+  return {inverse};
+}
+
+Inverse Apply::operator()(const Remove& remove) {
+  System& system = scene.system;
+  State& state = scene.state;
+  Insert inverse;
+  const std::shared_ptr<const SheetWeights> before = scene.sheet;
+  SheetEdit sheet(scene.sheet);
+
+  std::vector<bool> is_point_removed(system.points().size(), false), is_spring_removed(system.springs().size(), false);
+  for (const PointId id : remove.points)
+    if (const Index i = system.index_of(id); i != no_index) is_point_removed[i] = true;
+  for (const SpringId id : remove.springs)
+    if (const Index s = system.index_of(id); s != no_index) is_spring_removed[s] = true;
+  const auto is_removed = [&](PointId id) { return is_point_removed[system.index_of(id)]; };
+
+  for (Index s = 0; s < system.spring_count(); ++s) {
+    const Spring& spring = system.springs()[s];
+    is_spring_removed[s] = is_spring_removed[s] || is_removed(spring.first) || is_removed(spring.second);
+    if (!is_spring_removed[s]) continue;
+    inverse.springs.push_back({s, spring, sheet_weight_of(before.get(), spring.id)});
+    sheet.set(spring.id, 0.0);
+  }
+  // of equal faces the last ones go, as many as are named
+  std::map<std::array<PointId, 3>, long> named;
+  for (const Face& face : remove.faces) ++named[face.points];
+  std::vector<bool> is_face_removed(system.faces.size(), false);
+  for (std::size_t f = system.faces.size(); f-- > 0 && !named.empty();) {
+    const auto found = named.find(system.faces[f].points);
+    is_face_removed[f] = found != named.end() && found->second-- > 0;
+  }
+  for (std::size_t f = 0; f < system.faces.size(); ++f) {
+    const auto& corners = system.faces[f].points;
+    is_face_removed[f] = is_face_removed[f] || std::any_of(corners.begin(), corners.end(), is_removed);
+    if (is_face_removed[f]) inverse.faces.push_back({static_cast<Index>(f), system.faces[f]});
+  }
+  for (Index i = 0; i < system.point_count(); ++i) {
+    if (!is_point_removed[i]) continue;
+    const Point& point = system.points()[i];
+    inverse.points.push_back({i, point, state.position[i], state.velocity[i], area_of(before.get(), point.id)});
+    sheet.set(point.id, 0.0);
+  }
+
+  if (system.grab && std::ranges::any_of(points_of(*system.grab), is_removed)) system.grab.reset();
+  if (!inverse.faces.empty()) system.faces = without(system.faces, is_face_removed);
+  if (!inverse.springs.empty()) system.set_springs(without(system.springs(), is_spring_removed));
+  if (!inverse.points.empty()) {
+    system.set_points(without(system.points(), is_point_removed));
+    state.position = without(state.position, is_point_removed);
+    state.velocity = without(state.velocity, is_point_removed);
+  }
+
+  effect.structure = true;
+  return {inverse};
+}
+
+}  // namespace hooke

@@ -1,0 +1,101 @@
+#include <algorithm>
+
+#include "edit/edits/edits.h"
+#include "formats/texture.h"
+#include "scene/parameters.h"
+
+namespace hooke {
+namespace {
+
+bool is_valid(const Force& force) {
+  return force.term != nullptr && std::all_of(force.values.begin(), force.values.end(), [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+Inverse Apply::operator()(const SetParameter& set) {
+  const Inverse inverse = inverse_of(*set.parameter);
+  set.parameter->write(scene, clamp_to(*set.parameter, set.value));
+  effect.values = true;
+  return inverse;
+}
+
+// What a parameter's write is about to overwrite.
+Inverse Apply::inverse_of(const Parameter& parameter) const {
+  const auto all_springs = [&](SpringProperty property, double Spring::*member) {
+    SetSpringProperty set{property, {}};
+    for (const Spring& spring : scene.system.springs()) set.values.emplace_back(spring.id, spring.*member);
+    return Inverse{set};
+  };
+  const auto all_points = [&](PointProperty property, double Point::*member) {
+    SetPointProperty set{property, {}};
+    for (const Point& point : scene.system.points()) set.values.emplace_back(point.id, point.*member);
+    return set;
+  };
+  switch (parameter.scope) {
+    case Parameter::Scope::Gravity:
+      return {SetGravity{scene.system.gravity}};
+    case Parameter::Scope::Colliders:
+      return {SetColliders{scene.system.colliders}};
+    case Parameter::Scope::SpringStiffness:
+      return all_springs(SpringProperty::Stiffness, &Spring::stiffness);
+    case Parameter::Scope::SpringDamping:
+      return all_springs(SpringProperty::Damping, &Spring::damping);
+    case Parameter::Scope::PointMass:
+      return {all_points(PointProperty::Mass, &Point::mass)};
+    case Parameter::Scope::PointSize:
+      return {all_points(PointProperty::Radius, &Point::radius), all_points(PointProperty::Mass, &Point::mass)};
+    case Parameter::Scope::Number:
+      break;
+  }
+  return {RestoreParameter{&parameter, parameter.read(scene)}};
+}
+
+Inverse Apply::operator()(const RestoreParameter& restore) {
+  const RestoreParameter inverse{restore.parameter, restore.parameter->read(scene)};
+  restore.parameter->write(scene, restore.value);
+  effect.values = true;
+  return {inverse};
+}
+
+Inverse Apply::operator()(const SetIntegrator& set) {
+  const SetIntegrator inverse{scene.settings.integrator};
+  scene.settings.integrator = set.integrator;
+  return {inverse};
+}
+
+Inverse Apply::operator()(const SetGravity& set) {
+  const SetGravity inverse{scene.system.gravity};
+  if (is_finite(set.gravity)) scene.system.gravity = set.gravity;
+  effect.values = true;
+  return {inverse};
+}
+
+Inverse Apply::operator()(const SetColliders& set) {
+  const SetColliders inverse{scene.system.colliders};
+  scene.system.colliders = set.colliders;
+  if (scene.system.collider_grab && scene.system.collider_grab->collider >= static_cast<Index>(set.colliders.size()))
+    scene.system.collider_grab.reset();
+  effect.values = true;
+  return {inverse};
+}
+
+Inverse Apply::operator()(const SetForces& set) {
+  const SetForces inverse{scene.system.forces};
+  scene.system.forces.clear();
+  for (const Force& force : set.forces)
+    if (is_valid(force)) scene.system.forces.push_back(force);
+  effect.values = true;
+  return {inverse};
+}
+
+Inverse Apply::operator()(const SetTexture& set) {
+  const SetTexture inverse{scene.view.texture, scene.view.texture_size, scene.cloth_texture.picture};
+  scene.view.texture = set.texture;
+  scene.view.texture_size = set.size;
+  scene.cloth_texture.picture = set.picture;
+  set_print_layout(scene);
+  return {inverse};
+}
+
+}  // namespace hooke

@@ -1,0 +1,51 @@
+#include <algorithm>
+
+#include "edit/edits/edits.h"
+#include "edit/tears.h"
+
+namespace hooke {
+
+// The time moves with the points: it is another moment of the same run.
+Inverse Apply::operator()(const GoToState& go) {
+  const State& target = *go.state;
+  const auto fits = [&](const std::vector<Vec3>& list) {
+    return list.size() == scene.system.points().size() && std::ranges::all_of(list, is_finite);
+  };
+  if (!fits(target.position) || !fits(target.velocity) || !std::isfinite(target.time) || target.torn > scene.tears.size()) return {};
+  const GoToState inverse{std::make_shared<const State>(scene.state)};
+  const EnergyLedger ledger = scene.state.ledger;
+  apply_tears_until(target.torn);
+  scene.state = target;
+  scene.state.ledger = ledger;
+  scene.system.grab.reset();
+  effect.values = true;
+  return {inverse};
+}
+
+Inverse Apply::operator()(const SetTorn& set) {
+  if (set.torn > scene.tears.size()) return {};
+  const SetTorn inverse{scene.state.torn};
+  apply_tears_until(set.torn);
+  return {inverse};
+}
+
+// Mends and tears what lies between.
+void Apply::apply_tears_until(std::uint32_t torn) {
+  const TearPath path = path_between(scene, scene.state.torn, torn);
+  for (const std::uint32_t tear : path.undone) (*this)(restored_by_undo(*scene.tears[tear - 1]));
+  for (const std::uint32_t tear : path.torn) (*this)(removal_of_tear(*scene.tears[tear - 1]));
+  scene.state.torn = torn;
+}
+
+Inverse Apply::operator()(const Replace& replace) {
+  const Replace inverse{std::make_shared<const Scene>(scene)};
+  // tears of the same run stay known: what came of them may be gone back to
+  auto tears = std::move(scene.tears);
+  scene = *replace.scene;
+  const bool is_same_run = tears.size() > scene.tears.size() && std::equal(scene.tears.begin(), scene.tears.end(), tears.begin());
+  if (is_same_run) scene.tears = std::move(tears);
+  effect.structure = true;
+  return {inverse};
+}
+
+}  // namespace hooke

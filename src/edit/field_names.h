@@ -1,0 +1,130 @@
+// The members of everything that a command is made of, by name, in the order of their declaration: from a row follows how
+// it stands in a recording. A member without a name does not compile.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include "edit/command_text.h"
+
+namespace hooke {
+
+// clang-format off
+template <class T> inline constexpr std::nullptr_t field_names = nullptr;
+
+template <> inline constexpr std::array<std::string_view, 5> field_names<Point> = {"id", "nailed", "color", "mass", "radius"};
+template <> inline constexpr std::array<std::string_view, 8> field_names<Spring> =
+    {"id", "first", "second", "family", "stiffness", "damping", "rest_length", "break_strain"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<Face> = {"points"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<Color> = {"red", "green", "blue"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<Plane> = {"point", "normal"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<Sphere> = {"center", "radius"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<Box> = {"min", "max"};
+template <> inline constexpr std::array<std::string_view, 5> field_names<ColliderPath> = {"oscillate", "frequency", "phase", "spin", "belt"};
+template <> inline constexpr std::array<std::string_view, 5> field_names<Collider> = {"shape", "restitution", "friction", "solid", "path"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<Force> = {"type", "on", "values"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<Patch> = {"points", "shares"};
+template <> inline constexpr std::array<std::string_view, 5> field_names<Grab> = {"point", "patch", "kind", "target", "stiffness"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<ColliderGrab> = {"collider", "target"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<EnergyLedger> = {"given", "scale", "hand_stretch"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<MethodMemory> = {"step", "error"};
+template <> inline constexpr std::array<std::string_view, 11> field_names<ResumeState> =
+    {"point_ids", "spring_ids", "next_point_id", "next_spring_id", "grab", "collider_grab", "hand", "ledger", "memory", "torn", "tears"};
+
+template <> inline constexpr std::array<std::string_view, 5> field_names<PlacedPoint> = {"at", "point", "position", "velocity", "area"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<PlacedSpring> = {"at", "spring", "share"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<PlacedFace> = {"at", "face"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<Tear> = {"before", "springs", "faces"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<Insert> = {"points", "springs", "faces"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<Remove> = {"points", "springs", "faces"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<SetNailed::Item> = {"point", "nailed", "velocity"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<SetNailed> = {"items"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<Move::Item> = {"point", "position", "velocity"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<Move> = {"items"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<SetPointColor> = {"values"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<SetPointProperty> = {"property", "values"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<SetSpringProperty> = {"property", "values"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<SetParameter> = {"parameter", "value"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<RestoreParameter> = {"parameter", "value"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<SetIntegrator> = {"integrator"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<GrabPoint> = {"grab"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<GrabCollider> = {"grab"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<MoveHand> = {"target"};
+template <> inline constexpr std::array<std::string_view, 0> field_names<ReleaseHand> = {};
+template <> inline constexpr std::array<std::string_view, 1> field_names<SetGravity> = {"gravity"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<SetColliders> = {"colliders"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<SetForces> = {"forces"};
+template <> inline constexpr std::array<std::string_view, 3> field_names<SetTexture> = {"texture", "size", "picture"};
+template <> inline constexpr std::array<std::string_view, 7> field_names<State> =
+    {"time", "position", "velocity", "hand", "ledger", "memory", "torn"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<GoToState> = {"state"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<SetTorn> = {"torn"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<Replace> = {"scene"};
+
+// The alternatives of a variant.
+template <class T> inline constexpr std::nullptr_t alternative_names = nullptr;
+template <> inline constexpr std::array<std::string_view, 21> alternative_names<Command> = {
+    "insert", "remove", "set_nailed", "move", "set_point_color", "set_point_property", "set_spring_property", "set_parameter",
+    "restore_parameter", "set_integrator", "grab", "grab_collider", "move_hand", "release_hand", "set_gravity", "set_colliders", "set_forces",
+    "set_texture", "go_to_state", "set_torn", "replace"};
+template <> inline constexpr std::array<std::string_view, 3> alternative_names<decltype(Collider::shape)> = {"plane", "sphere", "box"};
+
+// The values of an enumeration, from 0.
+template <class T> inline constexpr std::nullptr_t value_names = nullptr;
+template <> inline constexpr std::array<std::string_view, 2> value_names<PointProperty> = {"mass", "radius"};
+template <> inline constexpr std::array<std::string_view, 4> value_names<SpringProperty> = {"stiffness", "damping", "rest_length", "break_strain"};
+template <> inline constexpr std::array<std::string_view, 4> value_names<SpringFamily> = {"none", "structural", "shear", "bend"};
+template <> inline constexpr std::array<std::string_view, 2> value_names<GrabKind> = {"hold", "pull"};
+// clang-format on
+
+template <class T>
+concept HasFields = !std::is_null_pointer_v<std::remove_cv_t<decltype(field_names<T>)>>;
+template <class T>
+concept HasAlternatives = !std::is_null_pointer_v<std::remove_cv_t<decltype(alternative_names<T>)>>;
+template <class T>
+concept HasValueNames = !std::is_null_pointer_v<std::remove_cv_t<decltype(value_names<T>)>>;
+
+// References to all members of a value.
+template <class T>
+requires HasFields<std::remove_const_t<T>>
+auto members_of(T& value) {
+  constexpr std::size_t count = field_names<std::remove_const_t<T>>.size();
+  static_assert(count <= 9 || count == 11);
+  if constexpr (count == 0) {
+    return std::tuple<>();
+  } else if constexpr (count == 1) {
+    auto& [a] = value;
+    return std::tie(a);
+  } else if constexpr (count == 2) {
+    auto& [a, b] = value;
+    return std::tie(a, b);
+  } else if constexpr (count == 3) {
+    auto& [a, b, c] = value;
+    return std::tie(a, b, c);
+  } else if constexpr (count == 4) {
+    auto& [a, b, c, d] = value;
+    return std::tie(a, b, c, d);
+  } else if constexpr (count == 5) {
+    auto& [a, b, c, d, e] = value;
+    return std::tie(a, b, c, d, e);
+  } else if constexpr (count == 6) {
+    auto& [a, b, c, d, e, f] = value;
+    return std::tie(a, b, c, d, e, f);
+  } else if constexpr (count == 7) {
+    auto& [a, b, c, d, e, f, g] = value;
+    return std::tie(a, b, c, d, e, f, g);
+  } else if constexpr (count == 8) {
+    auto& [a, b, c, d, e, f, g, h] = value;
+    return std::tie(a, b, c, d, e, f, g, h);
+  } else if constexpr (count == 9) {
+    auto& [a, b, c, d, e, f, g, h, i] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i);
+  } else {
+    auto& [a, b, c, d, e, f, g, h, i, j, k] = value;
+    return std::tie(a, b, c, d, e, f, g, h, i, j, k);
+  }
+}
+
+}  // namespace hooke

@@ -1,0 +1,56 @@
+// Undo and redo: a list of named steps, each the commands that take it back. Used by Lab alone.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "edit/apply.h"
+#include "edit/history_list.h"
+
+namespace hooke {
+
+// Edits that carry the same gesture (a drag of a slider, a drag of a point) are one step. 0: a step of its own.
+using Gesture = std::uint64_t;
+
+class History {
+ public:
+  // Notes an edit that was just applied and how to take it back. Forgets what was undone.
+  void record(const std::string& name, std::vector<Command> inverse, Gesture gesture);
+
+  // Takes steps back, or does them again, until `steps` of them are in effect; as far as there are.
+  Effect go_to(std::size_t steps, Scene& scene);
+
+  void clear();
+  // What undo and redo would take, or an empty string.
+  std::string undo_name() const { return done_.empty() ? std::string() : done_.back().name; }
+  std::string redo_name() const { return undone_.empty() ? std::string() : undone_.back().name; }
+  std::size_t done() const { return done_.size(); }
+  std::size_t undone() const { return undone_.size(); }
+  std::size_t bytes() const { return bytes_; }
+  // All steps by name; the same object until they change.
+  std::shared_ptr<const HistoryList> list() const;
+
+  // Beyond this many steps, or bytes of them, the oldest are forgotten; the newest never.
+  static constexpr std::size_t max_steps = 10000, max_bytes = std::size_t{256} << 20;
+
+ private:
+  struct Step {
+    std::string name;
+    std::vector<Command> commands;  // applied in order
+    Gesture gesture;
+    std::size_t bytes = 0;
+  };
+  using Steps = std::deque<Step>;
+  void move_step(Steps& from, Steps& to, Scene& scene, Effect& effect);
+  void update_bytes(Step& step);
+  void drop(Steps& steps);
+  void drop_oldest();
+
+  Steps done_, undone_;
+  std::size_t bytes_ = 0;
+  mutable std::shared_ptr<const HistoryList> list_;  // null: stale
+};
+
+}  // namespace hooke

@@ -1,0 +1,23 @@
+// A mesh of polygons as files have it, before anything is made of it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/types.h"
+
+namespace hooke {
+
+struct Mesh {
+  std::vector<Vec3> vertices;       // [m]
+  std::vector<Index> corners;       // vertices of all polygons, one polygon after the other
+  std::vector<Index> polygon_ends;  // in `corners`, one past each polygon's last
+
+  std::size_t polygon_count() const { return polygon_ends.size(); }
+  std::span<const Index> polygon(std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : static_cast<std::size_t>(polygon_ends[i - 1]);
+    return {corners.data() + begin, corners.data() + polygon_ends[i]};
+  }
+};
+
+}  // namespace hooke

@@ -1,0 +1,45 @@
+// What the fields of a scene file have in common, and what is noted while they are read.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/json_field.h"
+#include "sim/system.h"
+
+namespace hooke {
+
+class SceneFields {
+ public:
+  // Three numbers, or two in a 2-D scene, which lie in the plane z = 0. `in_plane`: z must be 0 in a 2-D scene.
+  // Whether the scene is 2-D may be known later only: check_dimensions refuses what does not fit it.
+  Vec3 position(const JsonField& field) { return vector(field, true); }
+  Vec3 vector(const JsonField& field) { return vector(field, false); }
+  void check_dimensions(int dimensions) const;
+
+  // "#rrggbb"
+  Color color(const JsonField& field) const;
+
+  // Warns of a key that is not ours and adds it to the members kept, with its value as it stands in the text if that is
+  // known.
+  void preserve_unknown(const JsonField& field, std::string& members, std::string_view text = {});
+
+  void warn(const std::string& line) { warnings_.push_back(line); }
+  // All of them: repeated ones once, with their number.
+  std::vector<std::string> warnings(const std::string& file) const;
+
+ private:
+  Vec3 vector(const JsonField& field, bool in_plane);
+
+  struct Unknown {
+    std::string first;  // path of the first
+    std::size_t count = 0;
+  };
+  std::string vector_2d_error_, nonzero_z_error_;  // complaints about the first vector of two numbers, with z != 0
+  std::map<std::string, Unknown> unknown_keys_;    // by their name
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace hooke

@@ -1,0 +1,52 @@
+// Scenes as JSON files (docs/scene-format.md).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/errors.h"
+#include "base/progress.h"
+#include "scene/scene.h"
+
+namespace hooke {
+
+struct LoadedScene {
+  Scene scene;
+  std::vector<std::string> warnings;  // one line each: unknown keys, coincident points, an explicit step past its limit
+};
+
+// Reads a scene. Throws InputError or FileError; never anything else, whatever the bytes. Refused too when `progress` ends it.
+LoadedScene load_scene(const std::filesystem::path& file, const Progress& progress = {});
+
+// A copy of `original` that was kept in another folder: its pictures lie beside the original.
+LoadedScene load_scene_from_copy(const std::filesystem::path& copy, const std::filesystem::path& original, const Progress& progress = {});
+
+// The same from memory; `name` stands for the file in messages.
+LoadedScene parse_scene(std::string_view text, const std::string& name, const Progress& progress);
+LoadedScene parse_scene(std::string_view text, const std::string& name);
+
+// The scene as JSON. What is read back is the same scene, bit for bit. Generators stay generators where their points and
+// springs are as they were made.
+std::string format_scene(const Scene& scene, const Progress& progress = {});
+
+// Writes atomically: a temporary file beside it, fsync, rename, fsync of the folder. Throws FileError; then the old file
+// is as it was. So it is when `progress` ends it, which is a FileError too.
+void save_scene(const Scene& scene, const std::filesystem::path& file, const Progress& progress = {});
+
+// The file of a shipped scene by its name ("cloth"), in the installed place or the source tree; none if unknown.
+struct ShippedScene {
+  std::string id;     // "cloth"
+  std::string title;  // "Cloth"
+  std::filesystem::path file;
+  std::string_view group;    // "Lessons": those of a group follow each other
+  double thumbnail_seconds;  // [s] after its start
+};
+
+// In the order of the menu and the gallery.
+const std::vector<ShippedScene>& shipped_scenes();
+
+// What SCENE on a command line means: a path if there is such a file, else a shipped scene's id. Throws FileError.
+std::filesystem::path find_scene(const std::string& name);
+
+}  // namespace hooke

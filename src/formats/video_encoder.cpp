@@ -1,0 +1,135 @@
+#include "formats/video_encoder.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/bounds.h"
+#include "base/errors.h"
+#include "base/printable.h"
+
+extern char** environ;
+
+namespace hooke {
+namespace {
+
+// What ffmpeg is told. H.264 with 4:2:0 colours needs even sides: an odd one gets a black line more.
+std::vector<std::string> arguments_for(const std::filesystem::path& file, int width, int height, double video_frame_rate) {
+  return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
+          std::to_string(width) + "x" + std::to_string(height), "-framerate", format_exact(video_frame_rate), "-i", "pipe:0", "-vf",
+          "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-codec:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",
+          "mp4",
+          // a name that begins with - or looks like a protocol is still a file
+          "file:" + file.string()};
+}
+
+// Beside the film, of this process alone.
+std::filesystem::path sibling_file(const std::filesystem::path& file, const char* ending) {
+  return file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()) + ending);
+}
+
+}  // namespace
+
+VideoEncoder::VideoEncoder(std::filesystem::path file, int width, int height, double video_frame_rate)
+    : file_(std::move(file)),
+      unfinished_(sibling_file(file_, ".part")),
+      stderr_file_(sibling_file(file_, ".said")),
+      width_(width),
+      height_(height) {
+  // a socket, so that a write to an ffmpeg that has ended is an error and no signal
+  std::array<int, 2> sockets{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0) fail(std::strerror(errno));
+  ffmpeg_socket_ = sockets[1];
+
+  std::vector<std::string> command_line = arguments_for(unfinished_, width, height, video_frame_rate);
+  std::vector<char*> arguments;
+  for (std::string& argument : command_line) arguments.push_back(argument.data());
+  arguments.push_back(nullptr);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, sockets[0], STDIN_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, stderr_file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  const int error = ::posix_spawnp(&ffmpeg_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  ::close(sockets[0]);
+  if (error == 0) return;
+
+  ffmpeg_ = 0;
+  ::close(ffmpeg_socket_.exchange(-1));
+  if (std::error_code gone; !std::filesystem::exists(file_.parent_path().empty() ? "." : file_.parent_path(), gone))
+    fail("there is no such folder");
+  fail("ffmpeg, which makes films, cannot be started: " + std::string(std::strerror(error)) + " (apt-get install ffmpeg)");
+}
+
+VideoEncoder::~VideoEncoder() {
+  if (ffmpeg_ > 0) ::kill(ffmpeg_, SIGKILL);
+  finish();
+  std::error_code ignored;
+  std::filesystem::remove(unfinished_, ignored);
+  std::filesystem::remove(stderr_file_, ignored);
+}
+
+// ffmpeg's exit code; -1 when a signal ended it.
+int VideoEncoder::finish() {
+  if (ffmpeg_socket_ >= 0) ::close(ffmpeg_socket_.exchange(-1));
+  if (ffmpeg_ <= 0) return -1;
+  int status = 0;
+  while (::waitpid(ffmpeg_, &status, 0) < 0 && errno == EINTR) {
+  }
+  ffmpeg_ = 0;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+void VideoEncoder::abort() {
+  aborted_ = true;
+  ::shutdown(ffmpeg_socket_, SHUT_RDWR);
+}
+
+void VideoEncoder::add(const Picture& picture) {
+  if (picture.width != width_ || picture.height != height_) fail("a picture has another size");
+  const std::uint8_t* at = picture.pixels.data();
+  std::size_t left = picture.pixels.size();
+  while (left > 0) {
+    const ssize_t sent = ::send(ffmpeg_socket_, at, left, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) {
+      // it need not read to its end what nobody wants
+      if (aborted_) ::kill(ffmpeg_, SIGKILL);
+      finish();
+      fail("ffmpeg ended early");
+    }
+    at += sent;
+    left -= static_cast<std::size_t>(sent);
+  }
+}
+
+void VideoEncoder::close() {
+  if (const int code = finish(); code != 0) fail("ffmpeg ended with " + std::to_string(code));
+  std::error_code error;
+  std::filesystem::rename(unfinished_, file_, error);
+  if (error) fail(error.message());
+}
+
+// With the first line of what ffmpeg said. Called in the making too, which no destructor follows.
+void VideoEncoder::fail(const std::string& why) const {
+  std::string first_line;
+  std::getline(std::ifstream(stderr_file_), first_line);
+  std::error_code ignored;
+  std::filesystem::remove(stderr_file_, ignored);
+  throw FileError(printable(file_.native()) + ": " + why + (first_line.empty() ? "" : ": " + printable(first_line, 200)));
+}
+
+}  // namespace hooke

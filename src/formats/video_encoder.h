@@ -1,0 +1,41 @@
+// A film made by ffmpeg, where it is installed: pictures go down a pipe, raw, without a shell.
+#pragma once
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <filesystem>
+
+#include "scene/view_settings.h"
+
+namespace hooke {
+
+class VideoEncoder {
+ public:
+  // A .mp4 (H.264) of pictures of this size. Nothing is at `file` before `close`. Throws FileError when ffmpeg cannot be
+  // started, with the line that says how to get it.
+  VideoEncoder(std::filesystem::path file, int width, int height, double video_frame_rate);
+  ~VideoEncoder();  // a film that was not closed is thrown away
+  VideoEncoder(const VideoEncoder&) = delete;
+  VideoEncoder& operator=(const VideoEncoder&) = delete;
+
+  // Throws FileError when ffmpeg has ended, with what it said.
+  void add(const Picture& picture);
+  // Waits for ffmpeg and puts the film in its place. Throws FileError.
+  void close();
+  // Ends ffmpeg, from any thread: an `add` that waits for it fails.
+  void abort();
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  int finish();
+  [[noreturn]] void fail(const std::string& why) const;
+
+  std::filesystem::path file_, unfinished_, stderr_file_;
+  int width_, height_;
+  std::atomic<int> ffmpeg_socket_ = -1;
+  std::atomic<bool> aborted_ = false;
+  pid_t ffmpeg_ = 0;
+};
+
+}  // namespace hooke

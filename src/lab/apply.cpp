@@ -1,9 +1,0 @@
-#include "lab/apply.h"
-
-#include "lab/edits/edits.h"
-
-namespace hooke {
-
-std::vector<Command> apply(Scene& scene, const Command& command, Effect& effect) { return std::visit(Apply{scene, effect}, command); }
-
-}  // namespace hooke

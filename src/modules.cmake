@@ -1,0 +1,16 @@
+# The modules of Hooke, from the bottom up, and the modules that each may use. One table: src/CMakeLists.txt makes a library of
+# each module and links it with those it uses, tests/layers.cmake checks the includes, and docs/architecture.md shows it as a diagram.
+
+set(hooke_modules base sim scene formats edit lab study draw ui app cli)
+
+set(base_uses)
+set(sim_uses base)
+set(scene_uses base sim)
+set(formats_uses base sim scene)
+set(edit_uses base sim scene formats)
+set(lab_uses base sim scene formats edit)
+set(study_uses base sim scene formats edit lab)
+set(draw_uses base sim scene)
+set(ui_uses base sim scene formats edit lab study draw)
+set(app_uses base sim scene formats edit lab study draw ui)
+set(cli_uses base sim scene formats edit lab study draw ui)

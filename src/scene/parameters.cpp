@@ -1,0 +1,348 @@
+#include "scene/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "base/file_limits.h"
+
+namespace hooke {
+namespace {
+
+using Kind = Parameter::Kind;
+using Scope = Parameter::Scope;
+using Weight = Parameter::Weight;
+
+// Scales the gravity to a size; down when there was none.
+void set_gravity(Scene& scene, double size) {
+  Vec3& gravity = scene.system.gravity;
+  const double magnitude = glm::length(gravity);
+  gravity = magnitude > 0.0 ? gravity * (size / magnitude) : Vec3(0.0, -size, 0.0);
+}
+
+// The springs that a row sets, and what they are of its value.
+struct SpringSlider {
+  double Spring::*property;
+  Weight weight = Weight::One;
+  SpringFamily family = SpringFamily::None;  // none: all
+};
+
+double weight_of(Weight weight, const SheetWeights* sheet, const Spring& spring) {
+  switch (weight) {
+    case Weight::One:
+      return 1.0;
+    case Weight::InverseLength:
+      return spring.rest_length > 0.0 ? 1.0 / spring.rest_length : 0.0;
+    case Weight::Length:
+      return spring.rest_length;
+    case Weight::SheetWeight:
+      return sheet_weight_of(sheet, spring.id);
+  }
+  return 0.0;
+}
+
+template <SpringSlider row>
+double spring_weight_in(const Scene& scene, const Spring& spring) {
+  const bool is_in_family = row.family == SpringFamily::None || spring.family == row.family;
+  return is_in_family ? weight_of(row.weight, scene.sheet.get(), spring) : 0.0;
+}
+template <SpringSlider row>
+double read_springs(const Scene& scene) {
+  CommonValue common;
+  for (const Spring& spring : scene.system.springs())
+    if (const double weight = spring_weight_in<row>(scene, spring); weight > 0.0) common.include(spring.*row.property / weight);
+  const bool is_stiffness = row.property == &Spring::stiffness;
+  return common.value_or(is_stiffness ? scene.defaults.stiffness : scene.defaults.damping);
+}
+template <SpringSlider row>
+void write_springs(Scene& scene, double value) {
+  for (Index s = 0; s < scene.system.spring_count(); ++s)
+    if (const double weight = spring_weight_in<row>(scene, scene.system.springs()[s]); weight > 0.0)
+      scene.system.spring(s).*row.property = weight * value;
+}
+
+// mass = density area
+double read_density(const Scene& scene) {
+  CommonValue common;
+  for (const Point& point : scene.system.points())
+    if (const double area = area_of(scene.sheet.get(), point.id); area > 0.0) common.include(point.mass / area);
+  return common.value_or(0.0);
+}
+void write_density(Scene& scene, double value) {
+  for (Index i = 0; i < scene.system.point_count(); ++i)
+    if (const double area = area_of(scene.sheet.get(), scene.system.points()[i].id); area > 0.0) scene.system.point(i).mass = value * area;
+}
+
+// Radius, and mass where it goes along.
+double read_radius(const Scene& scene) {
+  CommonValue common;
+  for (const Point& point : scene.system.points()) common.include(point.radius);
+  return common.value_or(scene.defaults.radius);
+}
+void write_radius(Scene& scene, double value) {
+  for (Index i = 0; i < scene.system.point_count(); ++i) {
+    Point& point = scene.system.point(i);
+    if (scene.defaults.mass_follows_radius) point.mass = mass_at_radius(point, value);
+    point.radius = value;
+  }
+}
+
+template <SpringParameterization parameterization>
+bool has_parameterization(const Scene& scene) {
+  return scene.parameterization == parameterization;
+}
+bool has_springs(const Scene& scene) { return scene.system.spring_count() > 0; }
+bool is_per_strain(const Scene& scene) { return has_springs(scene) && has_parameterization<SpringParameterization::PerStrain>(scene); }
+bool is_by_size(const Scene& scene) { return has_springs(scene) && has_parameterization<SpringParameterization::BySize>(scene); }
+bool is_sheet_material(const Scene& scene) {
+  return scene.sheet != nullptr && has_parameterization<SpringParameterization::Material>(scene);
+}
+// Without a cloth there is no material to speak of.
+bool is_per_spring(const Scene& scene) {
+  return has_parameterization<SpringParameterization::Plain>(scene) ||
+         (scene.sheet == nullptr && has_parameterization<SpringParameterization::Material>(scene));
+}
+bool has_plain_stiffness(const Scene& scene) { return is_per_spring(scene) || has_parameterization<SpringParameterization::BySize>(scene); }
+bool has_plain_damping(const Scene& scene) {
+  return is_per_spring(scene) || has_parameterization<SpringParameterization::PerStrain>(scene);
+}
+
+constexpr std::array parameterizations{
+    ParameterChoice{"plain", "Each spring: k, d", "Every spring has exactly the k and d given: finer is another thing."},
+    ParameterChoice{"per_strain", "By strain: Y, d", "k = Y / l0: a spring half as long is twice as stiff, as two pieces of one thread."},
+    ParameterChoice{"by_size", "By size: k, d per length", "d = c l0: a quad half as wide is damped half as much."},
+    ParameterChoice{"material", "As a material: E t, \u03b7, density",
+                    "One sheet, however many points it has: half along borders, k = 3/4 E t along threads and 3/8 across; bend springs "
+                    "keep their own k."},
+};
+
+template <SpringFamily family>
+double read_family_switch(const Scene& scene) {
+  return scene.system.family_on[static_cast<std::size_t>(family)] ? 1.0 : 0.0;
+}
+template <SpringFamily family>
+void write_family_switch(Scene& scene, double value) {
+  scene.system.family_on[static_cast<std::size_t>(family)] = value != 0.0;
+}
+template <SpringFamily family>
+bool has_family(const Scene& scene) {
+  return scene.system.count_of(family) > 0;
+}
+template <SpringFamily family>
+bool has_family_stiffness(const Scene& scene) {
+  return has_family<family>(scene) && has_plain_stiffness(scene);
+}
+
+// A sheet says nothing of what bends it: that keeps a k of its own, as a material too.
+bool has_bend_stiffness(const Scene& scene) {
+  return has_family<SpringFamily::Bend>(scene) && (has_plain_stiffness(scene) || is_sheet_material(scene));
+}
+
+double first_of_colliders(const Scene& scene, double Collider::*property) {
+  return scene.system.colliders.empty() ? 0.0 : scene.system.colliders.front().*property;
+}
+
+void set_colliders(Scene& scene, double Collider::*property, double value) {
+  for (Collider& collider : scene.system.colliders) collider.*property = value;
+}
+
+// A row reads as a table does, so clang-format leaves it alone.
+// clang-format off
+const std::array rows{
+    Parameter{.name = "substeps", .field = "simulation.substeps", .group = "Simulation", .label = "Substeps", .unit = "",
+              .description = "Steps of the method in each frame: more are slower and more accurate.",
+              .kind = Kind::Integer, .min = 1, .max = 1000, .default_value = 20, .physical = {.min = 1, .max = max_substeps}, .logarithmic = true,
+              .read = [](const Scene& s) { return double(s.settings.substeps); },
+              .write = [](Scene& s, double value) { s.settings.substeps = int(value); }},
+    Parameter{.name = "frame_rate", .field = "simulation.frame_rate", .group = "Simulation", .label = "Frame rate", .unit = "1/s",
+              .description = "Frames of simulated time per simulated second.",
+              .min = 1, .max = 1000, .default_value = 60, .physical = positive, .logarithmic = true,
+              .read = [](const Scene& s) { return s.settings.frame_rate; },
+              .write = [](Scene& s, double value) { s.settings.frame_rate = value; }},
+    Parameter{.name = "speed", .field = "simulation.speed", .group = "Simulation", .label = "Speed", .unit = "s/s",
+              .description = "Simulated seconds per real second.",
+              .min = 0.01, .max = 10, .default_value = 1, .physical = positive, .logarithmic = true,
+              .read = [](const Scene& s) { return s.settings.speed; },
+              .write = [](Scene& s, double value) { s.settings.speed = value; }},
+    Parameter{.name = "reading", .field = "reading", .group = "Springs", .label = "Given as", .unit = "",
+              .description = "In which numbers the springs are given: those of each, or those of what they make up.",
+              .kind = Kind::Choice, .max = double(parameterizations.size() - 1), .choices = parameterizations, .applies = has_springs,
+              .read = [](const Scene& s) { return double(s.parameterization); },
+              .write = [](Scene& s, double value) { s.parameterization = static_cast<SpringParameterization>(value); }},
+    Parameter{.name = "stiffness", .field = "", .group = "Springs", .label = "Stiffness k", .unit = "N/m",
+              .description = "Force per stretched metre of every spring.",
+              .min = 0.01, .max = 1e6, .default_value = 100, .logarithmic = true, .scope = Scope::SpringStiffness, .applies = has_plain_stiffness,
+              .read = read_springs<SpringSlider{&Spring::stiffness}>, .write = write_springs<SpringSlider{&Spring::stiffness}>},
+    Parameter{.name = "stiffness_per_strain", .field = "", .group = "Springs", .label = "Stiffness Y", .unit = "N",
+              .description = "Force of every spring per strain: k = Y / rest length.",
+              .min = 0.001, .max = 1e6, .default_value = 10, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .weight = Weight::InverseLength, .applies = is_per_strain,
+              .read = read_springs<SpringSlider{&Spring::stiffness, Weight::InverseLength}>,
+              .write = write_springs<SpringSlider{&Spring::stiffness, Weight::InverseLength}>},
+    Parameter{.name = "sheet_stiffness", .field = "", .group = "Springs", .label = "Stretch E t", .unit = "N/m",
+              .description = "Young's modulus times thickness of the cloth; springs that bend it, over the next point but one, keep their own k.",
+              .min = 0.01, .max = 1e6, .default_value = 1000, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .weight = Weight::SheetWeight, .applies = is_sheet_material,
+              .read = read_springs<SpringSlider{&Spring::stiffness, Weight::SheetWeight}>,
+              .write = write_springs<SpringSlider{&Spring::stiffness, Weight::SheetWeight}>},
+    Parameter{.name = "sheet_density", .field = "", .group = "Springs", .label = "Density", .unit = "kg/m^2",
+              .description = "Mass of an area of the cloth.",
+              .min = 0.001, .max = 100, .default_value = 0.2, .logarithmic = true, .scope = Scope::PointMass, .applies = is_sheet_material,
+              .read = read_density, .write = write_density},
+    Parameter{.name = "structural_springs", .field = "structural_springs", .group = "Springs", .label = "Structural springs", .unit = "",
+              .description = "Whether the springs along the threads of cloths act.",
+              .kind = Kind::Switch, .default_value = 1, .family = SpringFamily::Structural, .applies = has_family<SpringFamily::Structural>,
+              .read = read_family_switch<SpringFamily::Structural>, .write = write_family_switch<SpringFamily::Structural>},
+    Parameter{.name = "structural_stiffness", .field = "", .group = "Springs", .label = "Structural k", .unit = "N/m",
+              .description = "Stiffness of every spring along the threads of cloths.",
+              .min = 0.01, .max = 1e6, .default_value = 100, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .family = SpringFamily::Structural, .applies = has_family_stiffness<SpringFamily::Structural>,
+              .read = read_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Structural}>,
+              .write = write_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Structural}>},
+    Parameter{.name = "shear_springs", .field = "shear_springs", .group = "Springs", .label = "Shear springs", .unit = "",
+              .description = "Whether the springs across the cells of cloths act.",
+              .kind = Kind::Switch, .default_value = 1, .family = SpringFamily::Shear, .applies = has_family<SpringFamily::Shear>,
+              .read = read_family_switch<SpringFamily::Shear>, .write = write_family_switch<SpringFamily::Shear>},
+    Parameter{.name = "shear_stiffness", .field = "", .group = "Springs", .label = "Shear k", .unit = "N/m",
+              .description = "Stiffness of every spring across the cells of cloths.",
+              .min = 0.01, .max = 1e6, .default_value = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .family = SpringFamily::Shear, .applies = has_family_stiffness<SpringFamily::Shear>,
+              .read = read_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Shear}>,
+              .write = write_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Shear}>},
+    Parameter{.name = "bend_springs", .field = "bend_springs", .group = "Springs", .label = "Bend springs", .unit = "",
+              .description = "Whether the springs over the next point but one of cloths act.",
+              .kind = Kind::Switch, .default_value = 1, .family = SpringFamily::Bend, .applies = has_family<SpringFamily::Bend>,
+              .read = read_family_switch<SpringFamily::Bend>, .write = write_family_switch<SpringFamily::Bend>},
+    Parameter{.name = "bend_stiffness", .field = "", .group = "Springs", .label = "Bend k", .unit = "N/m",
+              .description = "Stiffness of every spring over the next point but one of cloths.",
+              .min = 0.01, .max = 1e6, .default_value = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
+              .family = SpringFamily::Bend, .applies = has_bend_stiffness,
+              .read = read_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Bend}>,
+              .write = write_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Bend}>},
+    Parameter{.name = "damped_springs", .field = "damped_springs", .group = "Springs", .label = "Damped springs", .unit = "",
+              .description = "Whether the springs' dashpots act.",
+              .kind = Kind::Switch, .default_value = 1,
+              .read = [](const Scene& s) { return s.system.dashpots_on ? 1.0 : 0.0; },
+              .write = [](Scene& s, double value) { s.system.dashpots_on = value != 0.0; }},
+    Parameter{.name = "damping", .field = "", .group = "Springs", .label = "Damping d", .unit = "N s/m",
+              .description = "Force along the spring per speed at which its ends part, of every spring.",
+              .min = 0, .max = 1e4, .default_value = 0, .logarithmic = true, .scope = Scope::SpringDamping, .applies = has_plain_damping,
+              .read = read_springs<SpringSlider{&Spring::damping}>, .write = write_springs<SpringSlider{&Spring::damping}>},
+    Parameter{.name = "damping_per_length", .field = "", .group = "Springs", .label = "Damping per length", .unit = "N s/m^2",
+              .description = "Dashpot of every spring, by its length: d = this times the rest length.",
+              .min = 0, .max = 1e5, .default_value = 0, .logarithmic = true, .scope = Scope::SpringDamping,
+              .weight = Weight::Length, .applies = is_by_size,
+              .read = read_springs<SpringSlider{&Spring::damping, Weight::Length}>,
+              .write = write_springs<SpringSlider{&Spring::damping, Weight::Length}>},
+    Parameter{.name = "sheet_damping", .field = "", .group = "Springs", .label = "Damping \u03b7", .unit = "N s/m",
+              .description = "Viscosity of the cloth times its thickness: what E t is for stiffness.",
+              .min = 0, .max = 1e4, .default_value = 0, .logarithmic = true, .scope = Scope::SpringDamping,
+              .weight = Weight::SheetWeight, .applies = is_sheet_material,
+              .read = read_springs<SpringSlider{&Spring::damping, Weight::SheetWeight}>,
+              .write = write_springs<SpringSlider{&Spring::damping, Weight::SheetWeight}>},
+    Parameter{.name = "break_strain", .field = "break_strain", .group = "Springs", .label = "Breaks at strain", .unit = "",
+              .description = "Strain at which every spring breaks, and the faces along it go; 0: only those that have a strain of their own.",
+              .min = 0, .max = 10, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
+              .read = [](const Scene& s) { return s.system.break_strain; },
+              .write = [](Scene& s, double value) { s.system.break_strain = value; }},
+    Parameter{.name = "strain_limit_percent", .field = "strain_limit_percent", .group = "Springs", .label = "Limit on strain", .unit = "%",
+              .description = "Springs are held to this strain by force, which takes energy from the scene; 0: none.",
+              .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
+              .read = [](const Scene& s) { return 100.0 * s.system.strain_limit; },
+              .write = [](Scene& s, double value) { s.system.strain_limit = value / 100.0; }},
+    Parameter{.name = "radius", .field = "", .group = "Points", .label = "Radius r", .unit = "m",
+              .description = "What is drawn of every point, and the distance at which it touches.",
+              .min = 0.001, .max = 1, .default_value = 0.02, .logarithmic = true, .scope = Scope::PointSize,
+              .read = read_radius, .write = write_radius},
+    Parameter{.name = "mass_follows_radius", .field = "defaults.mass_follows_radius", .group = "Points", .label = "Mass goes with r\u00b2", .unit = "",
+              .description = "Whether a point whose radius is set gets mass in proportion to the radius squared.",
+              .kind = Kind::Switch, .default_value = 0, .omit_if_default = true,
+              .read = [](const Scene& s) { return s.defaults.mass_follows_radius ? 1.0 : 0.0; },
+              .write = [](Scene& s, double value) { s.defaults.mass_follows_radius = value != 0.0; }},
+    Parameter{.name = "point_damping", .field = "point_damping", .group = "Surroundings", .label = "Point damping", .unit = "",
+              .description = "Whether drag acts on the points.",
+              .kind = Kind::Switch, .default_value = 1,
+              .read = [](const Scene& s) { return s.system.drag_on ? 1.0 : 0.0; },
+              .write = [](Scene& s, double value) { s.system.drag_on = value != 0.0; }},
+    Parameter{.name = "drag", .field = "drag", .group = "Surroundings", .label = "Drag c", .unit = "1/s",
+              .description = "Rate at which the air takes speed from every point.",
+              .min = 0, .max = 100, .default_value = 0, .physical = not_negative, .logarithmic = true,
+              .read = [](const Scene& s) { return s.system.drag; },
+              .write = [](Scene& s, double value) { s.system.drag = value; }},
+    Parameter{.name = "gravity", .field = "", .group = "Surroundings", .label = "Gravity", .unit = "m/s^2",
+              .description = "Size of the gravity; its direction is the scene's.",
+              .min = 0, .max = 30, .default_value = 9.81, .scope = Scope::Gravity,
+              .read = [](const Scene& s) { return glm::length(s.system.gravity); },
+              .write = set_gravity},
+    Parameter{.name = "restitution", .field = "", .group = "Surroundings", .label = "Restitution", .unit = "",
+              .description = "Speed after a bounce against the speed before, on every collider.",
+              .min = 0, .max = 1, .default_value = 0, .scope = Scope::Colliders,
+              .read = [](const Scene& s) { return first_of_colliders(s, &Collider::restitution); },
+              .write = [](Scene& s, double value) { set_colliders(s, &Collider::restitution, value); }},
+    Parameter{.name = "friction", .field = "", .group = "Surroundings", .label = "Friction", .unit = "",
+              .description = "Coulomb's coefficient on every collider.",
+              .min = 0, .max = 2, .default_value = 0.3, .scope = Scope::Colliders,
+              .read = [](const Scene& s) { return first_of_colliders(s, &Collider::friction); },
+              .write = [](Scene& s, double value) { set_colliders(s, &Collider::friction, value); }},
+    Parameter{.name = "new_stiffness", .field = "defaults.stiffness", .group = "New parts", .label = "New springs' k", .unit = "N/m",
+              .description = "Stiffness of the springs that are attached from now on.",
+              .min = 0.01, .max = 1e6, .default_value = 100, .physical = not_negative, .logarithmic = true,
+              .read = [](const Scene& s) { return s.defaults.stiffness; },
+              .write = [](Scene& s, double value) { s.defaults.stiffness = value; }},
+    Parameter{.name = "new_damping", .field = "defaults.damping", .group = "New parts", .label = "New springs' d", .unit = "N s/m",
+              .description = "Damping of the springs that are attached from now on.",
+              .min = 0, .max = 1e4, .default_value = 0, .physical = not_negative, .logarithmic = true,
+              .read = [](const Scene& s) { return s.defaults.damping; },
+              .write = [](Scene& s, double value) { s.defaults.damping = value; }},
+    Parameter{.name = "new_mass", .field = "defaults.mass", .group = "New parts", .label = "New points' mass", .unit = "kg",
+              .description = "Mass of the points that are added from now on.",
+              .min = 1e-6, .max = 1e3, .default_value = 1, .physical = positive, .logarithmic = true,
+              .read = [](const Scene& s) { return s.defaults.mass; },
+              .write = [](Scene& s, double value) { s.defaults.mass = value; }},
+    Parameter{.name = "pull", .field = "", .group = "Hand", .label = "Pull, not hold", .unit = "",
+              .description = "Whether dragging pulls the point with a spring; else the point follows the cursor exactly.",
+              .kind = Kind::Switch, .default_value = 0,
+              .read = [](const Scene& s) { return s.defaults.grab == GrabKind::Pull ? 1.0 : 0.0; },
+              .write = [](Scene& s, double value) { s.defaults.grab = value != 0.0 ? GrabKind::Pull : GrabKind::Hold; }},
+    Parameter{.name = "pull_stiffness", .field = "defaults.pull_stiffness", .group = "Hand", .label = "Pull of the hand", .unit = "N/m",
+              .description = "Stiffness of the spring between the cursor and a pulled point; 0 fits it to the point.",
+              .min = 0, .max = 1e6, .default_value = 0, .physical = not_negative, .logarithmic = true,
+              .read = [](const Scene& s) { return s.defaults.pull_stiffness; },
+              .write = [](Scene& s, double value) { s.defaults.pull_stiffness = value; }},
+    Parameter{.name = "hand_speed", .field = "hand_speed", .group = "Hand", .label = "Top speed", .unit = "m/s",
+              .description = "The hand moves no faster than this and lags behind the cursor; 0: as fast as the cursor.",
+              .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
+              .read = [](const Scene& s) { return s.system.hand_speed; },
+              .write = [](Scene& s, double value) { s.system.hand_speed = value; }},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const Parameter> parameters() { return rows; }
+
+const Parameter* find_parameter(std::string_view name) {
+  for (const Parameter& row : rows)
+    if (row.name == name) return &row;
+  return nullptr;
+}
+
+double weight_of(const Parameter& parameter, const SheetWeights* sheet, const Spring& spring) {
+  return parameter.family && spring.family != *parameter.family ? 0.0 : weight_of(parameter.weight, sheet, spring);
+}
+
+void CommonValue::include(double value) {
+  constexpr double rounding = 1e-12;
+  if (count_++ == 0) first_ = value;
+  sum_ += value;
+  is_uniform_ = is_uniform_ && std::abs(value - first_) <= rounding * std::abs(first_);
+}
+
+double clamp_to(const Parameter& parameter, double value) {
+  if (std::isnan(value)) return parameter.default_value;
+  const double clamped = std::clamp(value, parameter.min, parameter.max);
+  return parameter.kind == Kind::Number ? clamped : std::round(clamped);
+}
+
+}  // namespace hooke

@@ -1,0 +1,188 @@
+#include "scene/quantity.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "base/bounds.h"
+#include "sim/contact/gap.h"
+
+namespace hooke {
+namespace {
+
+using Of = QuantityRow::Of;
+
+const Spring& spring_at(const Measurement& m, Index s) { return m.system.springs()[static_cast<std::size_t>(s)]; }
+
+double length_of(const Measurement& m, Index s) {
+  const Spring& spring = spring_at(m, s);
+  return glm::length(m.state.position[static_cast<std::size_t>(m.system.index_of(spring.second))] -
+                     m.state.position[static_cast<std::size_t>(m.system.index_of(spring.first))]);
+}
+
+// Of the free points.
+Vec3 center_of_mass(const Measurement& m) {
+  Vec3 sum(0.0);
+  double mass = 0.0;
+  for (std::size_t i = 0; i < m.system.points().size(); ++i) {
+    const Point& point = m.system.points()[i];
+    if (point.nailed) continue;
+    sum += point.mass * m.state.position[i];
+    mass += point.mass;
+  }
+  return mass > 0.0 ? sum / mass : sum;
+}
+
+double max_speed(const Measurement& m) {
+  double max = 0.0;
+  for (const Vec3& v : m.state.velocity) max = std::max(max, glm::length(v));
+  return max;
+}
+
+double min_height(const Measurement& m) {
+  double min = HUGE_VAL;
+  for (const Vec3& x : m.state.position) min = std::min(min, x.y);
+  return min;
+}
+
+// How deep the rim of any free point is in any solid collider.
+double max_penetration(const Measurement& m) {
+  double max = 0.0;
+  std::vector<Collider> colliders;
+  for (const Collider& collider : m.system.colliders) colliders.push_back(collider_at_time(collider, m.state.time));
+  for (std::size_t i = 0; i < m.system.points().size(); ++i) {
+    const Point& point = m.system.points()[i];
+    if (point.nailed) continue;
+    for (const Collider& collider : colliders)
+      if (collider.solid) max = std::max(max, -gap_to(collider, point.radius, m.state.position[i]).distance);
+  }
+  return max;
+}
+
+template <int c>
+double position_of(const Measurement& m, Index i) {
+  return m.state.position[static_cast<std::size_t>(i)][c];
+}
+template <int c>
+double velocity_of(const Measurement& m, Index i) {
+  return m.state.velocity[static_cast<std::size_t>(i)][c];
+}
+template <int c>
+double momentum_of(const Measurement& m, Index) {
+  return m.momentum.linear[c];
+}
+template <int c>
+double angular_momentum_of(const Measurement& m, Index) {
+  return m.momentum.angular[c];
+}
+template <int c>
+double center_of(const Measurement& m, Index) {
+  return center_of_mass(m)[c];
+}
+
+constexpr std::array rows{
+    QuantityRow{"time", "s", Of::Scene, "Time", [](const Measurement& m, Index) { return m.state.time; }},
+    QuantityRow{"kinetic", "J", Of::Scene, "Kinetic energy", [](const Measurement& m, Index) { return m.energy.kinetic; }},
+    QuantityRow{"elastic", "J", Of::Scene, "Energy in the springs", [](const Measurement& m, Index) { return m.energy.elastic; }},
+    QuantityRow{"gravitational", "J", Of::Scene, "Potential energy", [](const Measurement& m, Index) { return m.energy.gravitational; }},
+    QuantityRow{"total", "J", Of::Scene, "Total energy", [](const Measurement& m, Index) { return m.energy.total(); }},
+    QuantityRow{"dissipated", "J", Of::Scene, "Energy lost since the start",
+                [](const Measurement& m, Index) { return m.state.ledger.net_input - m.energy.total(); }},
+    QuantityRow{"momentum_x", "kg m/s", Of::Scene, "Momentum along x", momentum_of<0>},
+    QuantityRow{"momentum_y", "kg m/s", Of::Scene, "Momentum along y", momentum_of<1>},
+    QuantityRow{"momentum_z", "kg m/s", Of::Scene, "Momentum along z", momentum_of<2>},
+    QuantityRow{"angular_x", "kg m^2/s", Of::Scene, "Angular momentum about x", angular_momentum_of<0>},
+    QuantityRow{"angular_y", "kg m^2/s", Of::Scene, "Angular momentum about y", angular_momentum_of<1>},
+    QuantityRow{"angular_z", "kg m^2/s", Of::Scene, "Angular momentum about z", angular_momentum_of<2>},
+    QuantityRow{"center_x", "m", Of::Scene, "Centre of the free mass, x", center_of<0>},
+    QuantityRow{"center_y", "m", Of::Scene, "Centre of the free mass, y", center_of<1>},
+    QuantityRow{"center_z", "m", Of::Scene, "Centre of the free mass, z", center_of<2>},
+    QuantityRow{"least_strain", "1", Of::Scene, "Least strain of a spring", [](const Measurement& m, Index) { return m.min_strain; }},
+    QuantityRow{"largest_strain", "1", Of::Scene, "Largest strain of a spring",
+                [](const Measurement& m, Index) { return m.largest_strain; }},
+    QuantityRow{"fastest", "m/s", Of::Scene, "Speed of the fastest point", [](const Measurement& m, Index) { return max_speed(m); }},
+    QuantityRow{"lowest", "m", Of::Scene, "Height of the lowest point", [](const Measurement& m, Index) { return min_height(m); }},
+    QuantityRow{"depth", "m", Of::Scene, "How deep a point is in a collider",
+                [](const Measurement& m, Index) { return max_penetration(m); }},
+    QuantityRow{"x", "m", Of::Point, "Place of a point, x", position_of<0>},
+    QuantityRow{"y", "m", Of::Point, "Place of a point, y", position_of<1>},
+    QuantityRow{"z", "m", Of::Point, "Place of a point, z", position_of<2>},
+    QuantityRow{"vx", "m/s", Of::Point, "Velocity of a point, x", velocity_of<0>},
+    QuantityRow{"vy", "m/s", Of::Point, "Velocity of a point, y", velocity_of<1>},
+    QuantityRow{"vz", "m/s", Of::Point, "Velocity of a point, z", velocity_of<2>},
+    QuantityRow{"length", "m", Of::Spring, "Length of a spring", length_of},
+    QuantityRow{"strain", "1", Of::Spring, "Strain of a spring",
+                [](const Measurement& m, Index s) { return strain(m.system, m.state, spring_at(m, s)); }},
+};
+
+}  // namespace
+
+Measurement measure(const System& system, const State& state) {
+  Measurement measurement{system, state, compute_energy(system, state), compute_momentum(system, state)};
+  for (const Spring& spring : system.springs()) {
+    const double spring_strain = strain(system, state, spring);
+    measurement.min_strain = std::min(measurement.min_strain, spring_strain);
+    measurement.largest_strain = std::max(measurement.largest_strain, spring_strain);
+  }
+  return measurement;
+}
+
+std::span<const QuantityRow> quantity_rows() { return rows; }
+
+std::string Quantity::name() const { return std::string(row->name) + (row->of == Of::Scene ? "" : std::to_string(at)); }
+std::string Quantity::heading() const { return name() + " [" + std::string(row->unit) + "]"; }
+
+std::optional<Quantity> find_quantity(std::string_view name, Index points, Index springs) {
+  const std::size_t digits = std::min(name.find_first_of("0123456789"), name.size());
+  const std::string_view letters = name.substr(0, digits), number = name.substr(digits);
+  const auto row = std::ranges::find(rows, letters, &QuantityRow::name);
+  if (row == rows.end() || (row->of == Of::Scene) != number.empty()) return std::nullopt;
+  if (row->of == Of::Scene) return Quantity{&*row};
+
+  Index at = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), at);
+  const bool is_there = error == std::errc() && end == number.data() + number.size() && at < (row->of == Of::Point ? points : springs);
+  return is_there ? std::optional(Quantity{&*row, at}) : std::nullopt;
+}
+
+std::string parse_quantities(std::string_view list, Index points, Index springs, std::vector<Quantity>& quantities) {
+  for (bool is_last = false; !is_last;) {
+    const std::size_t comma = list.find(',');
+    is_last = comma == std::string_view::npos;
+    std::string_view name = list.substr(0, comma);
+    while (name.starts_with(' ')) name.remove_prefix(1);
+    while (name.ends_with(' ')) name.remove_suffix(1);
+    const auto quantity = find_quantity(name, points, springs);
+    if (!quantity) return name.empty() ? "," : std::string(name);
+    quantities.push_back(*quantity);
+    if (!is_last) list.remove_prefix(comma + 1);
+  }
+  return {};
+}
+
+std::string csv_heading(std::span<const Quantity> quantities) {
+  std::string line;
+  for (const Quantity& quantity : quantities) line += (line.empty() ? "" : ",") + quantity.heading();
+  return line + "\n";
+}
+
+std::string csv_row(std::span<const Quantity> quantities, const System& system, const State& state) {
+  const Measurement measurement = measure(system, state);
+  std::string line;
+  for (const Quantity& quantity : quantities) line += (line.empty() ? "" : ",") + format_exact(quantity.of(measurement));
+  return line + "\n";
+}
+
+std::string quantity_names() {
+  std::string names;
+  for (const QuantityRow& row : rows)
+    names += (names.empty() ? "" : ", ") + std::string(row.name) +
+             (row.of == Of::Scene   ? ""
+              : row.of == Of::Point ? "<point>"
+                                    : "<spring>");
+  return names;
+}
+
+}  // namespace hooke

@@ -1,0 +1,110 @@
+#include "scene/selection.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+namespace hooke {
+namespace {
+
+template <class Id>
+bool holds(const std::vector<Id>& ids, Id id) {
+  return std::ranges::binary_search(ids, id);
+}
+
+template <class Id>
+void flip(std::vector<Id>& ids, Id id) {
+  const auto at = std::ranges::lower_bound(ids, id);
+  if (at != ids.end() && *at == id)
+    ids.erase(at);
+  else
+    ids.insert(at, id);
+}
+
+template <class Id>
+std::vector<Id> union_of(const std::vector<Id>& a, const std::vector<Id>& b) {
+  std::vector<Id> both;
+  std::ranges::set_union(a, b, std::back_inserter(both));
+  return both;
+}
+
+template <class Item>
+auto ids_of(const std::vector<Item>& items) {
+  std::vector<decltype(Item::id)> ids;
+  ids.reserve(items.size());
+  for (const Item& item : items) ids.push_back(item.id);
+  std::ranges::sort(ids);
+  return ids;
+}
+
+}  // namespace
+
+bool Selection::contains(PointId id) const { return holds(points, id); }
+bool Selection::contains(SpringId id) const { return holds(springs, id); }
+void Selection::toggle(PointId id) { flip(points, id); }
+void Selection::toggle(SpringId id) { flip(springs, id); }
+
+void Selection::add(const Selection& other) {
+  points = union_of(points, other.points);
+  springs = union_of(springs, other.springs);
+}
+
+Selection select_all(const System& system) { return {ids_of(system.points()), ids_of(system.springs())}; }
+
+Selection invert_selection(const System& system, const Selection& selection) {
+  const Selection all = select_all(system);
+  Selection result;
+  std::ranges::set_difference(all.points, selection.points, std::back_inserter(result.points));
+  std::ranges::set_difference(all.springs, selection.springs, std::back_inserter(result.springs));
+  return result;
+}
+
+Selection select_connected(const System& system, const Selection& selection) {
+  // every piece of the net under one of its points: union by the way to it, shortened as it is walked
+  std::vector<Index> parent(static_cast<std::size_t>(system.point_count()));
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root_of = [&](PointId id) {
+    Index i = system.index_of(id);
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  for (const Spring& spring : system.springs()) parent[root_of(spring.first)] = root_of(spring.second);
+  for (const Face& face : system.faces)
+    for (const PointId id : face.points) parent[root_of(id)] = root_of(face.points[0]);
+
+  std::vector<bool> is_reached(parent.size(), false);
+  const Selection start = existing_part_of(system, selection);
+  for (const PointId id : start.points) is_reached[root_of(id)] = true;
+  for (const SpringId id : start.springs) is_reached[root_of(system.springs()[system.index_of(id)].first)] = true;
+
+  Selection found;
+  for (const Point& point : system.points())
+    if (is_reached[root_of(point.id)]) found.points.push_back(point.id);
+  for (const Spring& spring : system.springs())
+    if (is_reached[root_of(spring.first)]) found.springs.push_back(spring.id);
+  std::ranges::sort(found.points);
+  std::ranges::sort(found.springs);
+  return found;
+}
+
+Selection select_with_springs_between(const System& system, std::vector<PointId> points) {
+  std::ranges::sort(points);
+  Selection selection{std::move(points), {}};
+  for (const Spring& spring : system.springs())
+    if (selection.contains(spring.first) && selection.contains(spring.second)) selection.springs.push_back(spring.id);
+  std::ranges::sort(selection.springs);
+  return selection;
+}
+
+Selection existing_part_of(const System& system, const Selection& selection) {
+  Selection result;
+  std::ranges::copy_if(selection.points, std::back_inserter(result.points), [&](PointId id) { return system.index_of(id) != no_index; });
+  std::ranges::copy_if(selection.springs, std::back_inserter(result.springs), [&](SpringId id) { return system.index_of(id) != no_index; });
+  return result;
+}
+
+std::vector<SpringId> affected_springs(const System& system, const Selection& selection) {
+  return union_of(selection.springs, select_with_springs_between(system, selection.points).springs);
+}
+
+}  // namespace hooke

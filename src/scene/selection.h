@@ -1,0 +1,40 @@
+// What the person has selected. Ids in ascending order, each once.
+#pragma once
+
+#include <vector>
+
+#include "sim/system.h"
+
+namespace hooke {
+
+struct Selection {
+  std::vector<PointId> points;
+  std::vector<SpringId> springs;
+
+  bool empty() const { return points.empty() && springs.empty(); }
+  bool contains(PointId id) const;
+  bool contains(SpringId id) const;
+  void toggle(PointId id);
+  void toggle(SpringId id);
+  void add(const Selection& other);
+  bool operator==(const Selection&) const = default;
+};
+
+Selection select_all(const System& system);
+
+// What is not selected.
+Selection invert_selection(const System& system, const Selection& selection);
+
+// The selection and all that hangs together with it, through springs and faces.
+Selection select_connected(const System& system, const Selection& selection);
+
+// These points, and the springs between them.
+Selection select_with_springs_between(const System& system, std::vector<PointId> points);
+
+// Without what is gone from the system.
+Selection existing_part_of(const System& system, const Selection& selection);
+
+// The springs that an edit of the selection means: those selected, and those between selected points.
+std::vector<SpringId> affected_springs(const System& system, const Selection& selection);
+
+}  // namespace hooke

@@ -1,0 +1,60 @@
+#include "scene/shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "scene/generators.h"
+#include "scene/shapes/rows.h"
+
+namespace hooke {
+namespace {
+
+constexpr double radians_per_degree = 3.14159265358979323846 / 180.0;  // [rad]
+
+// x to the right, y up, z towards the viewer: about x by the tilt, then about y by the turn.
+Vec3 rotated(const Shape& shape, const Vec3& v) {
+  if (shape.turn == 0.0 && shape.tilt == 0.0) return v;
+  const double ct = std::cos(shape.tilt * radians_per_degree), st = std::sin(shape.tilt * radians_per_degree);
+  const double cu = std::cos(shape.turn * radians_per_degree), su = std::sin(shape.turn * radians_per_degree);
+  const Vec3 tilted(v.x, ct * v.y - st * v.z, st * v.y + ct * v.z);
+  return {cu * tilted.x + su * tilted.z, tilted.y, cu * tilted.z - su * tilted.x};
+}
+
+}  // namespace
+
+std::span<const ShapeKind> shape_kinds() {
+  static const std::array rows{hanging_rope_shape, chain_shape, sheet_shape,  curtain_shape,
+                               flag_shape,         net_shape,   bridge_shape, jelly_shape};
+  return rows;
+}
+
+const ShapeKind* find_shape_kind(std::string_view id) {
+  const auto rows = shape_kinds();
+  const auto row = std::ranges::find(rows, id, &ShapeKind::id);
+  return row == rows.end() ? nullptr : &*row;
+}
+
+double Shape::operator[](std::string_view name) const {
+  const auto row = std::ranges::find(kind->numbers, name, &ShapeNumber::name);
+  return values[static_cast<std::size_t>(row - kind->numbers.begin())];
+}
+
+Shape default_shape(const ShapeKind& kind) {
+  Shape shape{.kind = &kind};
+  for (std::size_t i = 0; i < kind.numbers.size(); ++i) shape.values[i] = kind.numbers[i].default_value;
+  return shape;
+}
+
+ElementCount element_count_of(const Shape& shape) { return shape.kind->element_count(shape); }
+
+void generate(const Shape& shape, Network& network) {
+  const std::size_t first = network.points.size();
+  shape.kind->make(shape, network);
+  for (std::size_t i = first; i < network.points.size(); ++i) {
+    network.position[i] = shape.at + rotated(shape, network.position[i]);
+    if (shape.color) network.points[i].color = shape.color;
+  }
+}
+
+}  // namespace hooke

@@ -1,0 +1,51 @@
+// What the points and springs of cloths are of the sheets that they make up: what material sliders turn numbers of a sheet into
+// those of each point and spring with.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "sim/system.h"
+
+namespace hooke {
+
+// By id. 0, as beyond the end: no part of one.
+struct SheetWeights {
+  std::vector<double> area;           // [m^2], of each point
+  std::vector<double> spring_weight;  // [1], of each spring
+
+  double area_of(PointId id) const { return at(area, static_cast<std::size_t>(id)); }
+  double sheet_weight_of(SpringId id) const { return at(spring_weight, static_cast<std::size_t>(id)); }
+  bool operator==(const SheetWeights&) const = default;
+
+ private:
+  static double at(const std::vector<double>& list, std::size_t id) { return id < list.size() ? list[id] : 0.0; }
+};
+
+// The same where there may be no cloth.
+inline double area_of(const SheetWeights* sheet, PointId id) { return sheet != nullptr ? sheet->area_of(id) : 0.0; }
+inline double sheet_weight_of(const SheetWeights* sheet, SpringId id) { return sheet != nullptr ? sheet->sheet_weight_of(id) : 0.0; }
+
+// Changes what a scene holds of its sheets; copies it only when something changes. In the end there is none where nothing is of
+// a sheet.
+class SheetEdit {
+ public:
+  explicit SheetEdit(std::shared_ptr<const SheetWeights>& sheet) : sheet_(sheet) {}
+  ~SheetEdit();
+  SheetEdit(const SheetEdit&) = delete;
+  SheetEdit& operator=(const SheetEdit&) = delete;
+
+  void set(PointId id, double area) { set(&SheetWeights::area, static_cast<std::size_t>(id), area, area_of(sheet_.get(), id)); }
+  void set(SpringId id, double spring_weight) {
+    set(&SheetWeights::spring_weight, static_cast<std::size_t>(id), spring_weight, sheet_weight_of(sheet_.get(), id));
+  }
+
+ private:
+  void set(std::vector<double> SheetWeights::*list, std::size_t id, double value, double before);
+
+  std::shared_ptr<const SheetWeights>& sheet_;
+  std::optional<SheetWeights> changed_;
+};
+
+}  // namespace hooke

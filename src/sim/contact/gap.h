@@ -1,0 +1,39 @@
+// Distances of points from colliders, and when a path meets one. All colliders are convex: they lie wholly behind the
+// tangent plane at their nearest point.
+#pragma once
+
+#include <optional>
+
+#include "sim/system.h"
+
+namespace hooke {
+
+// Between the rim of a point and a collider.
+struct Gap {
+  double distance = 0.0;       // [m], negative inside
+  Vec3 normal{0.0, 1.0, 0.0};  // outward, where the collider is nearest
+  double curvature = 0.0;      // [1/m], of the surface on which the point's centre slides
+};
+
+// A path under constant acceleration: x + v t + a t^2 / 2.
+struct Parabola {
+  Vec3 x, v, a;
+  Vec3 position(double t) const { return x + t * (v + 0.5 * t * a); }
+  Vec3 velocity(double t) const { return v + t * a; }
+};
+
+// Of a point of `radius` [m] at x. At the centre of a sphere the way out is up.
+Gap gap_to(const Collider& collider, double radius, const Vec3& x);
+
+// Gaps up to this [m] are touch: what round-off leaves of a point put on a surface.
+double contact_tolerance(const Vec3& x);
+
+// False when a point that goes from `from` to `to`, off the straight line by no more than `bulge` [m], is sure to miss
+// the collider. Cheap, for the many points that are far from everything.
+bool may_touch(const Collider& collider, double radius, const Vec3& from, const Vec3& to, double bulge);
+
+// The first time [s] within `within` at which a point outside the collider touches it and goes on inwards; none if it
+// does not.
+std::optional<double> first_impact(const Collider& collider, double radius, const Parabola& path, double time_limit);
+
+}  // namespace hooke

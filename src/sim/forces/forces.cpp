@@ -1,0 +1,70 @@
+#include "sim/forces/forces.h"
+
+#include "sim/forces/field_kernel.h"
+#include "sim/forces/spring_kernel.h"
+
+namespace hooke {
+namespace {
+
+void set_gravity(const Plan& plan, Field& f) {
+  for (int c = 0; c < plan.dimensions; ++c)
+    set_scaled(f.data() + static_cast<std::size_t>(c) * plan.points, plan.acceleration[c], plan.mass.data(), plan.mass.size());
+}
+
+// E = k/2 |sum s_i x_i - target|^2, f_i = -k s_i (sum s_j x_j - target)
+void add_pull(const Plan& plan, double time, const Field& x, Field& f) {
+  const Vec3 target = plan.pull->target_at(time);
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
+    const double stretch = plan.pull->interpolate(&x[begin]) - target[c];
+    for (const auto& [point, weight] : plan.pull->points()) f[begin + point] -= plan.pull->stiffness * weight * stretch;
+  }
+}
+
+void add_drag(const Plan& plan, const Field& v, Field& f) {
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
+    for (Index i = 0; i < plan.points; ++i) f[begin + i] -= plan.drag * plan.mass[i] * v[begin + i];
+  }
+}
+
+}  // namespace
+
+void add_force_terms(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+  for (const Force& force : plan.forces) force.term->add(plan, force.values, time, x.data(), v.data(), f.data());
+}
+
+void compute_external_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+  set_gravity(plan, f);
+  add_force_terms(plan, time, x, v, f);
+}
+
+void compute_position_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+  set_gravity(plan, f);
+  add_spring_forces(plan, x.data(), nullptr, f.data());
+  if (plan.pull) add_pull(plan, time, x, f);
+  add_force_terms(plan, time, x, v, f);
+}
+
+void compute_network_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+  set_gravity(plan, f);
+  add_spring_forces(plan, x.data(), plan.has_dashpots() ? v.data() : nullptr, f.data());
+  if (plan.pull) add_pull(plan, time, x, f);
+}
+
+void compute_explicit_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+  compute_network_forces(plan, time, x, v, f);
+  add_force_terms(plan, time, x, v, f);
+}
+
+void compute_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+  compute_explicit_forces(plan, time, x, v, f);
+  if (plan.drag != 0.0) add_drag(plan, v, f);
+}
+
+void divide_by_mass(const Plan& plan, Field& f) {
+  for (int c = 0; c < plan.dimensions; ++c)
+    multiply_each(f.data() + static_cast<std::size_t>(c) * plan.points, plan.inverse_mass.data(), plan.inverse_mass.size());
+}
+
+}  // namespace hooke

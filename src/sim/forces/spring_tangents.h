@@ -1,0 +1,40 @@
+// The stiffness of each spring where it is: along it and across it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/plan.h"
+
+namespace hooke {
+
+// K = along u u^T + across (I - u u^T), u the unit vector along the spring; clamped, as in stiffness.h.
+struct SpringTangent {
+  double u[3] = {};
+  double axial = 0.0, transverse = 0.0;  // [N/m]
+};
+
+// For every spring with an end that is free: its ends, its place among the packed ones, its stiffness at x. `use` may take the
+// ends as free; what it gives to one that is not must not count.
+template <class Use>
+void for_each_spring_tangent(const Plan& plan, const Field& x, const Use& use) {
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const Index i = run.first + e, j = run.second + e, s = run.begin + e;
+      if (plan.inverse_mass[i] == 0.0 && plan.inverse_mass[j] == 0.0) continue;
+      SpringTangent tangent;
+      double square = 0.0;
+      for (int c = 0; c < plan.dimensions; ++c) {
+        const std::size_t start = static_cast<std::size_t>(c) * plan.points;
+        tangent.u[c] = x[start + i] - x[start + j];
+        square += tangent.u[c] * tangent.u[c];
+      }
+      const double length = std::sqrt(square), k = plan.stiffness[s];
+      for (double& component : tangent.u) component = length > 0.0 ? component / length : 0.0;
+      tangent.axial = k;
+      tangent.transverse = length > 0.0 ? std::max(0.0, k * (1.0 - plan.rest_length[s] / length)) : k;
+      use(i, j, s, tangent);
+    }
+}
+
+}  // namespace hooke

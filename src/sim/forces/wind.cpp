@@ -1,0 +1,85 @@
+// Air that moves past faces: f = A (a |u.n| (u.n) n + b |u_t| u_t), u the wind against the face's mean velocity, n its
+// normal, u_t the part of u along it; a third to each corner. Scenes without faces: A = pi r^2 and n along u, point by
+// point. Gusts: the wind's speed varies by a smooth noise of a seed, the same in every run.
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+
+#include "sim/forces/rows.h"
+#include "sim/plan.h"
+
+namespace hooke {
+namespace {
+
+constexpr ForceParameter numbers[] = {
+    {"x", "Wind x", "m/s", -50.0, 50.0, 3.0},
+    {"y", "Wind y", "m/s", -50.0, 50.0, 0.0},
+    {"z", "Wind z", "m/s", -50.0, 50.0, 1.0},
+    {"normal", "Across the faces", "kg/m^3", 0.0, 5.0, 0.6},
+    {"tangential", "Along the faces", "kg/m^3", 0.0, 1.0, 0.01},
+    {"gusts", "Gusts", "of the speed", 0.0, 1.0, 0.3},
+    {"gust_time", "Time of a gust", "s", 0.05, 10.0, 0.7},
+    {"seed", "Seed", "", 0.0, 1e6, 1.0},
+};
+
+// In [-1, 1], the same for the same two numbers: the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+double random_at(std::int64_t place, double seed) {
+  auto z = static_cast<std::uint64_t>(place) * 0x9e3779b97f4a7c15ull + static_cast<std::uint64_t>(seed) * 0xd1b54a32d192ed03ull;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+  z ^= z >> 31;
+  return static_cast<double>(z >> 11) * 0x1p-52 - 1.0;
+}
+
+// Between random values at whole numbers, with a continuous slope.
+double smooth_noise(double t, double seed) {
+  const double whole = std::floor(t), part = t - whole;
+  const auto place = static_cast<std::int64_t>(whole);
+  const double blend = part * part * (3.0 - 2.0 * part);
+  return (1.0 - blend) * random_at(place, seed) + blend * random_at(place + 1, seed);
+}
+
+Vec3 vector_at(const Plan& plan, const double* field, std::size_t i) {
+  const std::size_t n = plan.points;
+  return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
+}
+
+void add_to(const Plan& plan, double* f, std::size_t i, const Vec3& force) {
+  for (int c = 0; c < plan.dimensions; ++c) f[static_cast<std::size_t>(c) * plan.points + i] += force[c];
+}
+
+void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f) {
+  const double gust = 1.0 + values[5] * smooth_noise(time / values[6], values[7]);
+  const Vec3 wind = gust * Vec3(values[0], values[1], plan.dimensions == 3 ? values[2] : 0.0);
+
+  for (const auto& [i, j, k] : plan.faces) {
+    const Vec3 a = vector_at(plan, x, i), twice_area = glm::cross(vector_at(plan, x, j) - a, vector_at(plan, x, k) - a);
+    const double length = glm::length(twice_area);
+    if (length == 0.0) continue;
+    const Vec3 normal = twice_area / length;
+    const Vec3 past = wind - (vector_at(plan, v, i) + vector_at(plan, v, j) + vector_at(plan, v, k)) / 3.0;
+    const double across = glm::dot(past, normal);
+    const Vec3 along = past - across * normal;
+    const Vec3 force = 0.5 * length * (values[3] * std::abs(across) * across * normal + values[4] * glm::length(along) * along);
+    for (const Index corner : {i, j, k}) add_to(plan, f, corner, force / 3.0);
+  }
+  if (!plan.faces.empty()) return;
+
+  constexpr double pi = 3.14159265358979323846;
+  for (Index i = 0; i < plan.points; ++i) {
+    const Vec3 past = wind - vector_at(plan, v, i);
+    add_to(plan, f, i, values[3] * pi * plan.radius[i] * plan.radius[i] * glm::length(past) * past);
+  }
+}
+
+}  // namespace
+
+constinit const ForceTerm wind_force{
+    .id = "wind",
+    .label = "Wind",
+    .description = "Air that moves past the faces and pushes them, across and along, with gusts.",
+    .numbers = numbers,
+    .add = add,
+};
+
+}  // namespace hooke

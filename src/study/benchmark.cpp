@@ -1,0 +1,92 @@
+#include "study/benchmark.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <glm/geometric.hpp>
+
+#include "sim/divergence.h"
+
+namespace hooke {
+namespace {
+
+// Sizes of the scene beyond which no motion of a second is meant. Not the laboratory's watch over energy: a method that is
+// off by a hundredth of a stiff spring has a multiple of the scene's energy, and is to be measured all the same.
+constexpr double out_of_bounds = 1e6;
+
+void add(RunResult& result, const Motion& motion) {
+  result.work.force_evaluations += motion.force_evaluations;
+  result.work.factorizations += motion.factorizations;
+  result.work.solves += motion.solves;
+  result.work.sweeps += motion.sweeps;
+  result.unconverged_solves += motion.unconverged_solves;
+}
+
+}  // namespace
+
+bool is_adaptive(const Integrator& method) { return method.stability == Stability::Adaptive; }
+
+double rms_distance(const State& first, const State& second) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < first.position.size(); ++i) {
+    const Vec3 apart = first.position[i] - second.position[i];
+    sum += glm::dot(apart, apart);
+  }
+  return first.position.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(first.position.size()));
+}
+
+double cpu_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+Benchmark::Benchmark(const Problem& problem) : problem_(problem), plan_(make_plan(problem.system)) {}
+
+RunResult Benchmark::run(const Integrator& method, const Setting& setting, const std::function<bool()>& should_continue) {
+  return run(method, setting, problem_.start, should_continue);
+}
+
+RunResult Benchmark::run(const Integrator& method, const Setting& setting, const State& start,
+                         const std::function<bool()>& should_continue) {
+  const Settings settings{
+      .integrator = &method, .frame_rate = snapshot_count / problem_.seconds, .substeps = setting.steps, .tolerance = setting.tolerance};
+  const int steps_per_poll = std::max(1, setting.steps / 256);
+  RunResult result;
+  State state = start;
+  if (!plan_.break_length.empty()) refresh_values(plan_, problem_.system);  // mends what broke in the run before
+
+  for (int i = 0; i < snapshot_count; ++i) {
+    const double begin = cpu_seconds();
+    frame_.begin(plan_, problem_.system, settings, state);
+    while (!frame_.done()) {
+      frame_.substep(plan_);
+      if (frame_.substeps_done() % steps_per_poll == 0 && !should_continue()) {
+        result.end = RunResult::End::Stopped;
+        return result;
+      }
+    }
+    frame_.end(plan_, state);
+    result.cpu_seconds += cpu_seconds() - begin;
+    add(result, frame_.motion());
+
+    if (!is_finite(state) || rms_distance(state, start) > out_of_bounds * problem_.size) {
+      result.end = RunResult::End::Diverged;
+      return result;
+    }
+    result.snapshots.push_back(state);
+  }
+  return result;
+}
+
+std::string Benchmark::name(const Setting& setting) const {
+  char text[64];
+  if (setting.tolerance)
+    std::snprintf(text, sizeof text, "tolerance %.0e", *setting.tolerance);
+  else
+    std::snprintf(text, sizeof text, "%.10g steps/s", 1.0 / step(setting));
+  return text;
+}
+
+}  // namespace hooke

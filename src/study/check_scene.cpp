@@ -1,0 +1,95 @@
+#include "study/check_scene.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "lab/lab.h"
+#include "scene/quantity.h"
+#include "sim/divergence.h"
+#include "study/run_monitor.h"
+
+namespace hooke {
+namespace {
+
+// What is known of how far the run may be trusted.
+std::string describe_accuracy(const RunMonitor& monitor, const System& system) {
+  char text[80];
+  std::snprintf(text, sizeof text, "; errors of %.1g m in all, as estimated", monitor.estimated_error());
+  std::string accuracy = text;
+  for (const std::string& doubt : monitor.warnings(system, {})) accuracy += "; " + doubt;
+  return accuracy;
+}
+
+// The quantities of the laws, frame by frame.
+class QuantityHistory {
+ public:
+  QuantityHistory(const SceneCheck& check, const Scene& scene) : check_(check), start_(scene.state.time), series_(check.criteria.size()) {
+    for (const Criterion& criterion : check.criteria)
+      quantities_.push_back(find_quantity(criterion.of, scene.system.point_count(), scene.system.spring_count()));
+  }
+  void add(const Scene& scene) {
+    if (check_.criteria.empty()) return;
+    const Measurement measured = measure(scene.system, scene.state);
+    for (std::size_t i = 0; i < series_.size(); ++i) {
+      if (!quantities_[i] || scene.state.time - start_ < check_.criteria[i].from) continue;
+      series_[i].time.push_back(scene.state.time);
+      series_[i].value.push_back(quantities_[i]->of(measured));
+    }
+  }
+  CriterionResult evaluate_all() const {
+    CriterionResult all{true, ""};
+    for (std::size_t i = 0; i < series_.size(); ++i) {
+      const CriterionResult one = series_[i].value.empty() ? CriterionResult{false, check_.criteria[i].of + ": nothing to measure"}
+                                                   : evaluate_criterion(check_.criteria[i], series_[i]);
+      all.holds = all.holds && one.holds;
+      all.description += (all.description.empty() ? "" : "; ") + std::string(one.holds ? "" : "NOT SO: ") + one.description;
+    }
+    return all;
+  }
+
+ private:
+  const SceneCheck& check_;
+  double start_;
+  std::vector<std::optional<Quantity>> quantities_;
+  std::vector<TimeSeries> series_;
+};
+
+CheckResult run(const SceneCheck& check, Scene scene, const CheckedMethod& checked) {
+  const Integrator& method = *checked.method;
+  scene.settings.integrator = &method;
+  if (checked.substeps) scene.settings.substeps = *checked.substeps;
+  if (method.stability != Stability::Adaptive) scene.settings.tolerance.reset();
+  const long frames = std::lround(std::ceil(check.seconds * scene.settings.frame_rate));
+  Lab lab(std::move(scene), KeepStart::No);
+  QuantityHistory history(check, lab.scene());
+  history.add(lab.scene());
+  constexpr int frames_per_estimate = 20;
+  RunMonitor monitor(lab.scene().system, lab.scene().state, check.expects_divergence ? 0 : frames_per_estimate);
+  for (long frame = 0; frame < frames; ++frame) {
+    monitor.begin_frame(lab.scene().system, lab.scene().settings, lab.scene().state);
+    if (lab.step()) {
+      monitor.end_frame(lab.scene().system, lab.scene().state, lab.last_frame().motion());
+      history.add(lab.scene());
+      continue;
+    }
+    lab.publish();
+    const Status& status = *lab.status();
+    const bool is_reported = status.snapshot->divergence && !status.message.empty() && status.advice && is_finite(lab.scene().state);
+    return {&method, is_reported && check.expects_divergence, status.message};
+  }
+  if (check.expects_divergence) return {&method, false, "it was to be stopped by the watch, and ran on"};
+  const CriterionResult verdict = history.evaluate_all();
+  return {&method, verdict.holds && is_finite(lab.scene().state),
+          (verdict.description.empty() ? "runs to its end" : verdict.description) + describe_accuracy(monitor, lab.scene().system)};
+}
+
+}  // namespace
+
+std::vector<CheckResult> check_scene(const Scene& scene) {
+  const SceneCheck check = check_of(scene);
+  std::vector<CheckResult> results;
+  for (const CheckedMethod& method : check.methods) results.push_back(run(check, scene, method));
+  return results;
+}
+
+}  // namespace hooke

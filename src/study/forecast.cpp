@@ -1,0 +1,194 @@
+#include "study/forecast.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "base/errors.h"
+#include "sim/contact/gap.h"
+#include "sim/motion.h"
+#include "sim/statics/equilibrium.h"
+
+namespace hooke {
+namespace {
+
+// A cloth of so many points is found at rest in a second or two, a larger one often not at all in ten times as long.
+constexpr Index max_points = 1700;
+// A product with so many springs takes tens of milliseconds.
+constexpr Index max_springs = 1'000'000;
+// What may be left of the forces, of what they usually are. A flat cloth's middle rises with the cube root of its load: little
+// must be left. But folds are found slowly, and a sheet without weight has many ways to lie: then a hundredth is near enough.
+constexpr double target_residual = 1e-6, acceptable_residual = 1e-2, equilibrium_residual = 1e-4;
+// Without weight a chain is taut by the square of how crooked it is, and the forces by its third power: hardly anything may be
+// left, and still it swings across at the rate that its crookedness is of its length.
+constexpr double weightless_residual = 1e-12, weightless_floppy_threshold = 1e-3, floppy_threshold = 5e-7;
+constexpr int max_steps = 200, max_unloading_steps = 60;
+
+// The springs and the weight of a scene; its dashpots apart.
+struct Statics {
+  Plan plan;
+  std::vector<double> damping;
+};
+
+Statics make_statics(const System& system) {
+  Statics statics{make_plan(system), {}};
+  Plan& plan = statics.plan;
+  std::swap(statics.damping, plan.damping);
+  plan.drag = 0.0;
+  plan.pull.reset();
+  plan.forces.clear();
+  if (plan.held) {
+    const Point& point = system.points()[*plan.held];
+    plan.inverse_mass[*plan.held] = point.nailed ? 0.0 : 1.0 / point.mass;
+    plan.held.reset();
+  }
+  return statics;
+}
+
+// Whether a nail, or what hangs on one, carries each free point; how many are carried so.
+Index count_supported(const Plan& plan) {
+  std::vector<Index> root(plan.points);
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](Index i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e)
+      if (plan.stiffness[run.begin + e] > 0.0) root[find(run.first + e)] = find(run.second + e);
+  std::vector<bool> holds(plan.points, false);
+  for (Index i = 0; i < plan.points; ++i)
+    if (plan.inverse_mass[i] == 0.0) holds[find(i)] = true;
+  Index supported = 0;
+  for (Index i = 0; i < plan.points; ++i) supported += plan.inverse_mass[i] != 0.0 && holds[find(i)] ? 1 : 0;
+  return supported;
+}
+
+Index count_free(const Plan& plan) {
+  return static_cast<Index>(std::ranges::count_if(plan.inverse_mass, [](double w) { return w != 0.0; }));
+}
+
+// RMS of the weights [N]; without any, of what the springs would bear at double their length.
+double compute_force_scale(const Plan& plan) {
+  const double pull = glm::length(plan.acceleration);
+  double sum = 0.0;
+  for (Index i = 0; i < plan.points; ++i)
+    if (plan.inverse_mass[i] != 0.0) sum += plan.mass[i] * plan.mass[i] * pull * pull;
+  if (sum > 0.0) return std::sqrt(sum / count_free(plan));
+  for (Index s = 0; s < plan.springs; ++s) sum += std::pow(plan.stiffness[s] * plan.rest_length[s], 2);
+  return std::sqrt(sum / plan.springs);
+}
+
+Vec3 position_in(const Plan& plan, const Field& x, Index i) {
+  Vec3 position(0.0);
+  for (int c = 0; c < plan.dimensions; ++c) position[c] = x[static_cast<std::size_t>(c) * plan.points + i];
+  return position;
+}
+
+// Where more than springs and weight would decide.
+bool touches(const Plan& plan, const System& system, double time, const Field& x) {
+  for (const Collider& still : plan.colliders) {
+    const Collider collider = collider_at_time(still, time);
+    for (Index i = 0; i < plan.points; ++i)
+      if (plan.inverse_mass[i] != 0.0 && gap_to(collider, system.points()[i].radius, position_in(plan, x, i)).distance < 0.0) return true;
+  }
+  return false;
+}
+bool is_overstretched(const Plan& plan, const System& system, const Field& x) {
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const Spring& spring = system.springs()[plan.spring_index[run.begin + e]];
+      if (plan.stiffness[run.begin + e] == 0.0) continue;
+      const double length = glm::distance(position_in(plan, x, run.first + e), position_in(plan, x, run.second + e));
+      if (length >= system.break_length_of(spring)) return true;
+      if (system.strain_limit > 0.0 && length > spring.rest_length * (1.0 + system.strain_limit)) return true;
+    }
+  return false;
+}
+
+double sag_between(const Plan& plan, const Field& above, const Field& below) {
+  const Vec3 down = glm::normalize(plan.gravity);
+  double max = 0.0;
+  for (Index i = 0; i < plan.points; ++i) max = std::max(max, glm::dot(down, position_in(plan, below, i) - position_in(plan, above, i)));
+  return max;
+}
+
+// Free points from where they were at rest before, where they are still the same ones.
+Field initial_guess(const Plan& plan, const System& system, const State& state, const Forecast& before) {
+  Motion motion;
+  pack(plan, state, motion);
+  const bool is_known = before.system && before.rest.size() == system.points().size() &&
+                        std::ranges::equal(before.system->points(), system.points(), {}, &Point::id, &Point::id);
+  for (Index i = 0; is_known && i < plan.points; ++i)
+    for (int c = 0; c < plan.dimensions && plan.inverse_mass[i] != 0.0; ++c)
+      motion.x[static_cast<std::size_t>(c) * plan.points + i] = before.rest[i][c];
+  return motion.x;
+}
+
+// Springs at their rest length but for round-off, which would swing across as if they were taut, get the length that they have.
+void snap_rest_lengths(Plan& plan, const Field& x) {
+  constexpr double round_off = 1e-4;
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      double& rest_length = plan.rest_length[run.begin + e];
+      const double length = glm::distance(position_in(plan, x, run.first + e), position_in(plan, x, run.second + e));
+      if (std::abs(length - rest_length) < round_off * rest_length) rest_length = length;
+    }
+}
+
+// Rest under the weight, and without it. Leaves x where the scene is at rest; returns what counts as loose there, none where it
+// is not found.
+std::optional<double> find_equilibrium(Plan& plan, const System& system, double time, Field& x, Forecast& forecast, StiffnessMatrix& matrix,
+                                       const std::atomic<bool>& stop) {
+  const double force_scale = compute_force_scale(plan);
+  const auto finds_equilibrium = [&](double small, double enough) {
+    return find_equilibrium(plan, matrix, small * force_scale, max_steps, x, stop) <= enough * force_scale &&
+           !touches(plan, system, time, x) && !is_overstretched(plan, system, x);
+  };
+  const Index supported = count_supported(plan);
+  const bool has_weight = plan.acceleration != Vec3(0.0);
+  if (has_weight && supported > 0) {
+    if (supported < count_free(plan) || !finds_equilibrium(target_residual, equilibrium_residual)) return std::nullopt;
+    for (Index i = 0; i < plan.points; ++i) forecast.rest.push_back(position_in(plan, x, i));
+    if (plan.gravity == Vec3(0.0)) return floppy_threshold;
+    Field unloaded = x;
+    Plan weightless = plan;
+    weightless.acceleration = Vec3(0.0);
+    const double left = find_equilibrium(weightless, matrix, target_residual * force_scale, max_unloading_steps, unloaded, stop);
+    if (left <= acceptable_residual * force_scale) forecast.sag = sag_between(plan, unloaded, x);
+    return floppy_threshold;
+  }
+  // what floats, or falls freely, swings as if there were no weight
+  if (has_weight && !plan.colliders.empty()) return std::nullopt;
+  plan.acceleration = Vec3(0.0);
+  if (!finds_equilibrium(weightless_residual, weightless_residual)) return std::nullopt;
+  snap_rest_lengths(plan, x);
+  return weightless_floppy_threshold;
+}
+
+}  // namespace
+
+Forecast make_forecast(std::shared_ptr<const System> system, const State& state, const Forecast& before, const std::atomic<bool>& stop) {
+  Forecast forecast{.drag = system->drag_rate(), .system = system};
+  if (system->spring_count() == 0 || system->spring_count() > max_springs) return forecast;
+  const bool has_external_forces = std::ranges::any_of(system->forces, &Force::on);
+  Statics statics = make_statics(*system);
+  if (!(statics.plan.spectrum.omega > 0.0)) return forecast;
+
+  Field x = initial_guess(statics.plan, *system, state, before);
+  std::unique_ptr<StiffnessMatrix> matrix;
+  try {
+    if (!has_external_forces && system->point_count() <= max_points) matrix = std::make_unique<StiffnessMatrix>(statics.plan);
+  } catch (const InputError&) {
+    // a factor too large for the memory
+  }
+  if (matrix)
+    if (const auto floppy_threshold = find_equilibrium(statics.plan, *system, state.time, x, forecast, *matrix, stop);
+        floppy_threshold && !stop)
+      forecast.slowest = slowest_mode(statics.plan, statics.damping, x, *floppy_threshold, *matrix);
+  if (!stop) forecast.fastest = fastest_mode(statics.plan, statics.damping, x);
+  return forecast;
+}
+
+}  // namespace hooke

@@ -1,0 +1,149 @@
+// Where the laboratory meets the world: its scenes, its files, its clock, its threads.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <thread>
+
+#include "formats/scene_file.h"
+#include "sim/divergence.h"
+#include "sim/hash.h"
+#include "study/analytic_scenes.h"
+#include "study/hard_cases/case_functions.h"
+#include "study/hard_cases/monitored_run.h"
+
+namespace hooke {
+
+Verdict judge_one_substep(const Integrator& method) {
+  // every scene that ships, for a second: it runs through or is stopped openly
+  int held = 0, all = 0;
+  std::vector<Verdict> parts;
+  for (const ShippedScene& shipped : shipped_scenes()) {
+    const Scene scene = load_scene(shipped.file).scene;
+    MonitoredRun run({scene.system, scene.state}, {.integrator = &method, .substeps = 1});
+    run.run(1.0);
+    parts.push_back(judge(run, is_finite(run.state()), ""));
+    if (parts.back().outcome == Outcome::FailedOpenly) parts.back().reason = shipped.id + ": " + parts.back().reason;
+    held += run.stopped() ? 0 : 1;
+    ++all;
+  }
+  Verdict verdict = worst_of(parts);
+  verdict.measured = text("%d of %d scenes run through", held, all);
+  return verdict;
+}
+
+namespace {
+
+constexpr std::string_view invalid_scenes[] = {
+    R"({"hooke": 1, "points": [{"position": [0, NaN, 0]}]})",
+    R"({"hooke": 1, "points": [{"position": [0, 1e400, 0]}]})",
+    R"({"hooke": 1, "points": [{"position": [0, 0, 0], "velocity": [-Infinity, 0, 0]}]})",
+    R"({"hooke": 1, "points": [{"position": [0, 0, 0], "mass": 0}]})",
+    R"({"hooke": 1, "points": [{"position": [0, 0, 0], "mass": -1}]})",
+    R"({"hooke": 1, "points": [{"position": [0, 0, 0], "mass": NaN}]})",
+    R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}], "springs": [{"points": [0, 1], "stiffness": -1}]})",
+    R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}], "springs": [{"points": [0, 1], "stiffness": 1e999}]})",
+    R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}], "springs": [{"points": [0, 1], "damping": -0.5}]})",
+    R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}], "springs": [{"points": [0, 1], "rest_length": -1}]})",
+    R"({"hooke": 1, "points": [{"position": [0, 0, 0]}], "springs": [{"points": [0, 0]}]})",
+    R"({"hooke": 1, "points": [{"position": [0, 0, 0]}], "springs": [{"points": [0, 7]}]})",
+    R"({"hooke": 1, "drag": -1})",
+    R"({"hooke": 1, "gravity": [0, -1e309, 0]})",
+    R"({"hooke": 1, "points": [{"position": [0, 0, 0], "mass": 1e-310}]})",
+    R"({"hooke": 1, "simulation": {"frame_rate": 0}})",
+    R"({"hooke": 1, "simulation": {"substeps": 0}})",
+    R"({"hooke": 1, "simulation": {"tolerance": -1}})",
+};
+
+// How many of the bad scenes are let in, or refused without a word.
+int count_accepted() {
+  int accepted = 0;
+  for (const std::string_view text : invalid_scenes) {
+    try {
+      parse_scene(text, "bad.json");
+      ++accepted;
+    } catch (const InputError& refused) {
+      if (std::string_view(refused.what()).size() < 20) ++accepted;
+    }
+  }
+  return accepted;
+}
+
+// Six points and ten springs with any values that a file may hold, from the smallest numbers to the largest.
+TestNetwork make_extreme(Random& random, double decades) {
+  const auto size = [&] { return std::pow(10.0, random.uniform(-decades, decades)); };
+  TestNetwork network;
+  network.system.gravity = random.vector(size());
+  network.system.drag = random.next_bits() % 2 == 0 ? 0.0 : size();
+  const double extent = size(), speed = size();
+  for (int i = 0; i < 6; ++i) network.add(random.vector(extent), size(), random.vector(speed));
+  network.system.point(0).nailed = true;
+  network.state.velocity[0] = Vec3(0.0);
+  for (int i = 0; i < 10; ++i) {
+    const auto first = static_cast<Index>(random.next_bits() % 6), second = static_cast<Index>((first + 1 + random.next_bits() % 5) % 6);
+    const double damping = random.next_bits() % 2 == 0 ? 0.0 : size();
+    network.join(network.system.points()[first].id, network.system.points()[second].id, size(), size(), damping);
+  }
+  return network;
+}
+
+}  // namespace
+
+Verdict judge_bad_input(const Integrator& method) {
+  const int accepted = count_accepted();
+
+  // an adaptive method would take steps without end
+  const double decades = method.stability == Stability::Adaptive ? 2.0 : 100.0;
+  constexpr int sets = 300;
+  int stopped = 0, silent = 0;
+  std::string reason;
+  for (int seed = 0; seed < sets; ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    MonitoredRun run(make_extreme(random, decades * (seed + 1) / sets), {.integrator = &method, .substeps = 4});
+    run.run(0.2);
+    const bool named = !run.stopped() || !run.report().empty();
+    if (!named || !is_finite(run.state())) ++silent;
+    if (run.stopped()) ++stopped;
+  }
+  return {.outcome = accepted == 0 && silent == 0 ? Outcome::Held : Outcome::FailedSilently,
+          .measured = text("%zu bad scenes: %d let in; %d extreme ones: %d stopped by the watch, %d not finite in silence",
+                           std::size(invalid_scenes), accepted, sets, stopped, silent)};
+}
+
+// The window was hidden for ten seconds: it comes back where it was, and then goes on as if nothing had been.
+Verdict judge_hidden_window(const Integrator& method) {
+  const InitialState net = make_net(8, 1e2, 0.0);
+  MonitoredRun run({net.system, net.state}, {.integrator = &method, .substeps = 20});
+  Lab& lab = run.lab();
+  lab.submit(SetRunning{true});
+  const auto frames_after = [&](double seconds, bool in_time) {
+    const long before = lab.status()->frames;
+    lab.advance(seconds, [&] { return in_time; });
+    return lab.status()->frames - before;
+  };
+  const long jump = frames_after(10.0, true), next = frames_after(1.0 / 60.0, true);
+  // too slow for real time: one substep an answer, so that a frame takes twenty
+  long slow = 0;
+  for (int i = 0; i < 40; ++i) slow += frames_after(0.1, false);
+  const double shown = lab.status()->speed;
+  return judge(run, Expectation::Hold, jump <= 16 && next <= 2 && slow <= 2 && shown < 0.5,
+               text("%ld frames after 10 s, %ld after the next 60th; too slow: shows %.2g of real time", jump, next, shown));
+}
+
+Verdict judge_determinism(const Integrator& method) {
+  const InitialState curtain = make_curtain(8, 1e3, 0.1);
+  const auto hash = [&] {
+    MonitoredRun run({curtain.system, curtain.state}, {.integrator = &method, .substeps = 20});
+    run.run(0.5);
+    return hash_state(run.state());
+  };
+  std::array<std::uint64_t, 3> hashes{};
+  hashes[0] = hash();
+  std::thread first([&] { hashes[1] = hash(); }), second([&] { hashes[2] = hash(); });
+  first.join();
+  second.join();
+  const bool same = hashes[0] == hashes[1] && hashes[0] == hashes[2];
+  return {.outcome = same ? Outcome::Held : Outcome::FailedSilently,
+          .measured = text("hash %016llx", static_cast<unsigned long long>(hashes[0]))};
+}
+
+}  // namespace hooke

@@ -1,0 +1,136 @@
+// Scenes that give way: one state of rest for another, or for none.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "study/analytic_scenes.h"
+#include "study/benchmark.h"
+#include "study/hard_cases/case_functions.h"
+#include "study/hard_cases/monitored_run.h"
+
+namespace hooke {
+
+namespace {
+
+// Two bars from (+-1, 0) to an apex at (0, h), h = 0.1, under half as much again as the largest load that it bears:
+// P(y) = k y (h^2 - y^2), y the height left, is largest at y = h / sqrt(3) (shallow truss; R. von Mises 1923).
+constexpr double bar_stiffness = 1e4, truss_rise = 0.1;  // [N/m], [m]
+
+// Where the apex hangs under the load P, far below its nails: the root of 2 k (L - L0) y / L = P.
+double hanging_rest(double load) {
+  const double rest_length = std::hypot(1.0, truss_rise);
+  double min = truss_rise, max = 2.0;
+  for (int i = 0; i < 60; ++i) {
+    const double y = 0.5 * (min + max), length = std::hypot(1.0, y);
+    (2.0 * bar_stiffness * (length - rest_length) * y / length < load ? min : max) = y;
+  }
+  return -min;
+}
+
+struct Snap {
+  double rest = 0.0;  // [m], height at the end
+  Verdict verdict;
+};
+Snap snap_through(const Integrator& method, int refinement) {
+  const double limit = bar_stiffness * truss_rise * truss_rise * truss_rise * 2.0 / (3.0 * std::sqrt(3.0));
+  const double mass = 1.5 * limit / 9.81;
+  TestNetwork network;
+  network.system.drag = 8.0;
+  const PointId apex = network.add({0.0, truss_rise, 0.0}, mass);
+  for (const double side : {-1.0, 1.0}) network.join(network.nail({side, 0.0, 0.0}), apex, bar_stiffness);
+
+  // one step a frame where any may be taken, else half the largest
+  Settings settings = settings_for(method, network.system, {.fraction = 0.5});
+  settings.substeps *= refinement;
+  MonitoredRun run(network, settings, {.energy = 1e-3, .position = 1e-3 * truss_rise});
+  run.run(5.0);
+  const double rest = run.state().position[0].y, off = std::abs(rest - hanging_rest(mass * 9.81));
+  const double energy_rise = run.monitor().energy_rise(), allowed = method.energy == EnergyTrend::Falls ? 1e-9 : 1e-3;
+  return {rest, judge(run, off < 1e-4 && energy_rise < allowed && run.monitor().unconverged_solves() == 0,
+                      text("rests %.1g m off at %.3f m, energy rises %.1g", off, rest, energy_rise))};
+}
+
+}  // namespace
+
+Verdict judge_snap_through(const Integrator& method) {
+  const Snap coarse = snap_through(method, 1), fine = snap_through(method, 2);
+  Verdict verdict = worst_of(std::array{coarse.verdict, fine.verdict});
+  // not the other branch for half the step
+  if (verdict.outcome == Outcome::Held && std::abs(coarse.rest - fine.rest) > 1e-4) verdict.outcome = Outcome::FailedSilently;
+  return verdict;
+}
+
+namespace {
+
+Vec3 center_of_mass(const State& state) {
+  Vec3 sum{0.0};
+  for (const Vec3& x : state.position) sum += x;
+  return sum / static_cast<double>(state.position.size());
+}
+
+}  // namespace
+
+namespace {
+
+struct CurtainReference {
+  State end;
+  double amplification;  // [1], of how far its points were nudged at the start
+};
+
+// The default method at an eighth of its limit, and how far a twin parts from it whose points started elsewhere by a nudge.
+CurtainReference compute_curtain_reference(const TestNetwork& network) {
+  const auto hang = [](const TestNetwork& from) {
+    MonitoredRun run(from, settings_for(default_integrator(), from.system, {.fraction = 0.125}));
+    run.run(1.0);
+    return run.state();
+  };
+  constexpr double perturbation = 1e-10;
+  TestNetwork perturbed = network;
+  Random random(17);
+  for (Index i = 0; i < network.system.point_count(); ++i)
+    if (!network.system.points()[i].nailed) perturbed.state.position[i] += random.vector(perturbation);
+  const State end = hang(network);
+  return {end, rms_distance(end, hang(perturbed)) / perturbation};
+}
+
+}  // namespace
+
+Verdict judge_chaotic_curtain(const Integrator& method) {
+  const InitialState curtain = make_curtain(16, 1e4, 0.0);
+  const TestNetwork network{curtain.system, curtain.state};
+  static const CurtainReference reference = compute_curtain_reference(network);
+
+  MonitoredRun run(network, settings_for(method, network.system, {.free = 4}), {.energy = 0.01, .position = 1e-3});
+  run.run(1.0);
+  const double center = glm::distance(center_of_mass(run.state()), center_of_mass(reference.end));
+  const double balance = run.monitor().energy_change(), rise = run.monitor().energy_rise();
+  // where energy is let fall it does, at these steps, and the balance must show it
+  const Expectation expected = is_stable_at_any_step(method) ? Expectation::HoldOrReport : expectation_of(run);
+  return judge(run, expected, center < 1e-3 && std::abs(balance) < 0.01 && rise < 0.01,
+               text("centre of mass %.1g m off, energy balance %+.1g, a nudge grows %.0e times", center, balance, reference.amplification));
+}
+
+Verdict judge_tangled_start(const Integrator& method) {
+  constexpr int n = 6;
+  TestNetwork sheet = make_sheet({.rows = n,
+                                  .columns = n,
+                                  .across = {0.2, 0.0, 0.0},
+                                  .down = {0.0, -0.2, 0.0},
+                                  .mass = 1.0 / 36.0,
+                                  .stiffness = 100.0,
+                                  .diagonal_stiffness = 50.0});
+  sheet.system.gravity = Vec3(0.0);
+  sheet.system.drag = 2.0;
+  Random random(18);
+  for (int i = n * n - 1; i > 0; --i) std::swap(sheet.state.position[i], sheet.state.position[random.next_bits() % (i + 1)]);
+  for (Vec3& x : sheet.state.position) x += random.vector(1e-3);
+
+  MonitoredRun run(sheet, settings_for(method, sheet.system, {.min = 4}), {.position = 1e-3 * 0.2});
+  run.run(60.0);
+  double max = 0.0;
+  for (const Spring& spring : run.system().springs()) max = std::max(max, std::abs(strain(run.system(), run.state(), spring)));
+  return judge(run, max < 1e-3, text("strain %.1g at rest", max));
+}
+
+}  // namespace hooke

@@ -1,0 +1,170 @@
+// Scenes without lengths, directions, freedom or measure.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "formats/scene_file.h"
+#include "study/hard_cases/case_functions.h"
+#include "study/hard_cases/monitored_run.h"
+
+namespace hooke {
+namespace {
+
+constexpr Vec3 no_gravity{0.0};
+
+// Error of a harmonic motion of amplitude A [m] that a method of order p may have: A omega t (h omega)^p; the constants
+// of all methods are below one. An adaptive method's tolerance besides.
+double allowed_error(const Integrator& method, double amplitude, double omega, double t, double h) {
+  return amplitude * omega * t * std::pow(h * omega, method.order) + 1e-5 * amplitude;
+}
+
+}  // namespace
+
+// x(t) = x0 cos w t + v0 / w sin w t, w = sqrt(k / m): on an ellipse, and on a line through the length zero.
+Verdict judge_zero_length_spring(const Integrator& method) {
+  constexpr double omega = 10.0, seconds = 2.0;
+  constexpr int substeps = 40;
+  std::vector<Verdict> parts;
+  struct InitialState {
+    Vec3 x, v;
+  };
+  for (const InitialState& start :
+       {InitialState{{0.1, 0.0, 0.0}, {0.0, 0.5, 0.0}}, InitialState{{0.1, 0.0, 0.0}, {}}, InitialState{{}, {1.0, 0.0, 0.0}}}) {
+    TestNetwork network;
+    network.system.gravity = no_gravity;
+    const PointId nail = network.nail(Vec3(0.0));
+    network.join(nail, network.add(start.x, 1.0, start.v), omega * omega, 0.0);
+    MonitoredRun run(network, {.integrator = &method, .substeps = substeps});
+    run.run(seconds);
+    const Vec3 exact = std::cos(omega * seconds) * start.x + std::sin(omega * seconds) / omega * start.v;
+    const double error = glm::distance(run.state().position[1], exact);
+    parts.push_back(judge(run, error <= allowed_error(method, 0.1, omega, seconds, run.settings().substep()), text("error %.1g m", error)));
+  }
+  return worst_of(parts);
+}
+
+// A star of four springs of length 0.1 m, all five points in one place.
+Verdict judge_coincident_points(const Integrator& method) {
+  std::vector<Verdict> parts;
+  for (const double apart : {0.0, 1e-12}) {
+    TestNetwork network;
+    network.system.gravity = no_gravity;
+    const PointId center = network.add({0.3, -0.2, 0.1});
+    for (int i = 0; i < 4; ++i) {
+      const double angle = 1.5 * i;
+      network.join(center, network.add(network.state.position[0] + apart * Vec3(std::cos(angle), std::sin(angle), 0.3)), 100.0, 0.1);
+    }
+    // a drag keeps the methods that need it within their limit
+    network.system.drag = 1.0;
+    MonitoredRun run(network, {.integrator = &method, .substeps = 20});
+    double longest = 0.0;
+    for (int i = 0; i < 60 && run.frame(); ++i)
+      longest = std::max(longest, glm::distance(run.state().position[0], run.state().position[1]));
+    const double momentum = glm::length(compute_momentum(run.system(), run.state()).linear);
+    const bool separated = longest >= 0.05;
+    parts.push_back(judge(run, momentum < 1e-9 && separated == (apart > 0.0),
+                          text("%g apart: %.2g m apart later, momentum %.1g kg m/s", apart, longest, momentum)));
+  }
+  return worst_of(parts);
+}
+
+namespace {
+
+Verdict judge_flight(const Integrator& method, const TestNetwork& network, const char* name) {
+  constexpr double seconds = 0.5;
+  MonitoredRun run(network, {.integrator = &method, .substeps = 20});
+  run.run(seconds);
+  double error = 0.0;
+  for (Index i = 0; i < network.system.point_count(); ++i) {
+    const Vec3 start = network.state.position[i], v = network.state.velocity[i];
+    const Vec3 exact = network.system.points()[i].nailed ? start : start + seconds * v + 0.5 * seconds * seconds * network.system.gravity;
+    error = std::max(error, glm::distance(run.state().position[i], exact));
+  }
+  // Euler methods are g h t / 2 off
+  const double allowed = method.order == 1 ? 9.81 * run.settings().substep() * seconds : 1e-9;
+  // what has nothing to solve for is not factored
+  const bool moves = std::ranges::any_of(network.system.points(), [](const Point& point) { return !point.nailed; });
+  const long empty = moves ? 0 : run.lab().last_frame().factorizations();
+  return judge(run, error <= allowed && empty == 0, std::string(name) + text(" %.1g m off", error));
+}
+
+}  // namespace
+
+Verdict judge_nothing_to_move(const Integrator& method) {
+  TestNetwork nailed;
+  nailed.join(nailed.nail({0.0, 0.0, 0.0}), nailed.nail({1.0, 0.0, 0.0}), 1e6, 0.5, 10.0);
+  TestNetwork single;
+  single.add({0.1, 0.2, 0.3}, 2.0, {1.0, 2.0, 3.0});
+  TestNetwork isolated = nailed;
+  for (int i = 0; i < 5; ++i) isolated.add({0.1 * i, 1.0, 0.0}, 0.1 + i, {0.0, 0.0, 0.5 * i});
+  const std::array parts{judge_flight(method, TestNetwork{}, "empty"), judge_flight(method, nailed, "all nailed"),
+                         judge_flight(method, single, "single point"), judge_flight(method, isolated, "isolated points")};
+  return worst_of(parts);
+}
+
+namespace {
+
+// Two springs between the same points pull as one of twice the stiffness.
+Verdict judge_duplicates(const Integrator& method) {
+  const auto swing = [&](int springs, double k) {
+    TestNetwork network;
+    const PointId nail = network.nail(Vec3(0.0)), point = network.add({1.0, 0.0, 0.0});
+    for (int i = 0; i < springs; ++i) network.join(nail, point, k, 1.0);
+    MonitoredRun run(network, {.integrator = &method, .substeps = 40});
+    run.run(1.0);
+    return run;
+  };
+  const MonitoredRun two = swing(2, 50.0), one = swing(1, 100.0);
+  const double apart = glm::distance(two.state().position[1], one.state().position[1]);
+  // one that sweeps over the springs one by one takes them for two
+  const double allowed = method.stability == Stability::EachSpring ? 0.1 : 1e-6;
+  return judge(two, apart <= allowed, text("two springs %.1g m from one twice as stiff", apart));
+}
+
+// A thousand springs from the nails of a circle to one point in its middle.
+Verdict judge_hub(const Integrator& method) {
+  constexpr int spokes = 1000;
+  TestNetwork network;
+  const PointId hub = network.add({0.3, 0.1, 0.0}, 1.0);
+  for (int i = 0; i < spokes; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / spokes;
+    network.join(network.nail({std::cos(angle), std::sin(angle), 0.0}), hub, 10.0, 0.5);
+  }
+  // more than half of what lets the hub creep back without swinging, 2 sqrt(k spokes 0.75 / m)
+  network.system.drag = 100.0;
+  MonitoredRun run(network, settings_for(method, network.system, {.min = 8, .free = 8, .fraction = 0.5}), {.position = 1e-5});
+  run.run(0.5);
+
+  // at rest: k spokes (1 - l0 / (2 l)) x = m g for a small way x from the middle, l = 1
+  const double exact = -9.81 / (10.0 * spokes * 0.75);
+  const double off = glm::distance(run.state().position[0], {0.0, exact, 0.0});
+  return judge(run, off < 1e-5, text("hub of %d springs rests %.1g m off", spokes, off));
+}
+
+// A spring from a point to itself, by the file and by the hand.
+Verdict judge_self_spring() {
+  bool refused = false;
+  try {
+    parse_scene(R"({"hooke": 1, "points": [{"position": [0, 0, 0]}], "springs": [{"points": [0, 0]}]})", "self.json");
+  } catch (const InputError&) {
+    refused = true;
+  }
+  TestNetwork network;
+  const PointId point = network.add(Vec3(0.0));
+  MonitoredRun run(network, {.substeps = 1});
+  run.lab().submit(Insert{.springs = {{.spring = {.id = run.lab().new_spring_id(), .first = point, .second = point}}}});
+  run.frame();
+  const bool rejected = refused && run.system().spring_count() == 0;
+  return {.outcome = rejected ? Outcome::Held : Outcome::FailedSilently,
+          .measured = rejected ? "self-spring refused" : "self-spring let in"};
+}
+
+}  // namespace
+
+Verdict judge_springs_on_one_point(const Integrator& method) {
+  return worst_of(std::array{judge_self_spring(), judge_duplicates(method), judge_hub(method)});
+}
+
+}  // namespace hooke

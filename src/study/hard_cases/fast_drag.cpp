@@ -1,0 +1,271 @@
+// A mouse that is too fast: it drags the corner of a stiff sheet round a circle and lets go.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ctime>
+#include <glm/geometric.hpp>
+
+#include "study/hard_cases/case_functions.h"
+#include "study/hard_cases/monitored_run.h"
+
+namespace hooke {
+namespace {
+
+constexpr double a = 1.0 / 23.0;                     // [m], between points
+constexpr double speed = 50.0, radius = 1.0;         // [m/s], [m], of the hand
+constexpr double top_speed = 10.0;                   // [m/s], where the hand is held to one
+constexpr int held_frames = 30, flight_frames = 90;  // of a 60th
+
+// 24 x 24 points, 1 m, 1 kg, free but for the hand at a corner.
+TestNetwork make_dragged_sheet() {
+  TestNetwork sheet =
+      make_sheet({.rows = 24, .columns = 24, .across = {a, 0.0, 0.0}, .down = {0.0, -a, 0.0}, .mass = 1.0 / 576.0, .stiffness = 1e6});
+  sheet.system.gravity = Vec3(0.0);
+  sheet.system.drag = 2.0;
+  return sheet;
+}
+
+double max_strain(const MonitoredRun& run) {
+  double max = 0.0;
+  for (const Spring& spring : run.system().springs()) max = std::max(max, std::abs(strain(run.system(), run.state(), spring)));
+  return max;
+}
+
+// Where a mouse is seen that goes round the circle: at every 60th of a second, and straight ahead between.
+Vec3 hand_position(double time) {
+  const auto mouse_at_frame = [](double frame) {
+    const double angle = speed / radius * frame / 60.0;
+    return radius * Vec3(std::cos(angle) - 1.0, std::sin(angle), 0.0);
+  };
+  const double frame = std::floor(60.0 * time + 1e-9), fraction = 60.0 * time - frame;
+  return mouse_at_frame(frame) + fraction * (mouse_at_frame(frame + 1.0) - mouse_at_frame(frame));
+}
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Drag {
+  double peak_strain = 0.0, last_strain = 0.0;  // [1]
+  double gain = 0.0;                            // [1], above the energy at the release, of that: drag alone takes some
+  double ms_per_frame = 0.0;                    // [ms] of CPU a 60th of a second
+};
+
+// Looks at the strains as often as the substeps allow, up to 16 times in a 60th of a second: waves cross the sheet in a
+// millisecond. The watch ends it early.
+Drag drag_corner(MonitoredRun& run, int samples) {
+  Drag drag;
+  double busy = 0.0;
+  const auto frame = [&] {
+    const double start = thread_seconds();
+    const bool held = run.frame();
+    busy += thread_seconds() - start;
+    return held;
+  };
+
+  const Vec3 start = run.state().position[0];
+  run.lab().submit(GrabPoint{{.point = run.system().points()[0].id, .kind = GrabKind::Hold, .target = start}});
+  for (int i = 1; i <= samples * held_frames; ++i) {
+    run.lab().submit(MoveHand{start + hand_position(i / (60.0 * samples))});
+    if (!frame()) return drag;
+    drag.peak_strain = std::max(drag.peak_strain, max_strain(run));
+  }
+
+  run.lab().submit(ReleaseHand{});
+  const double released = compute_energy(run.system(), run.state()).total();
+  for (int i = 0; i < samples * flight_frames && frame(); ++i) {
+    const double energy = compute_energy(run.system(), run.state()).total();
+    drag.gain = std::max(drag.gain, energy / released - 1.0);
+    drag.peak_strain = std::max(drag.peak_strain, max_strain(run));
+  }
+  drag.last_strain = max_strain(run);
+  drag.ms_per_frame = 1e3 * busy / (held_frames + flight_frames);
+  return drag;
+}
+
+// Of `substeps` a 60th: as many frames of their own as there may be looks.
+int samples_per_frame(int substeps) {
+  for (int samples = std::min(16, substeps); samples > 1; --samples)
+    if (substeps % samples == 0) return samples;
+  return 1;
+}
+
+MonitoredRun make_run(const TestNetwork& sheet, const Integrator& method, int substeps, const Tolerance& tolerance) {
+  const int samples = samples_per_frame(substeps);
+  return {sheet, {.integrator = &method, .frame_rate = 60.0 * samples, .substeps = substeps / samples}, tolerance};
+}
+
+// A sixteenth more than the fewest stable substeps at most: to be looked at often.
+int stable_substeps(const Integrator& method, const TestNetwork& sheet, double fraction) {
+  return (settings_for(method, sheet.system, {.fraction = fraction}).substeps + 15) / 16 * 16;
+}
+
+// The converged drag: the default method at a quarter of its limit.
+struct Converged {
+  int substeps;
+  Drag drag;
+};
+const Converged& converged() {
+  static const Converged reference = [] {
+    const TestNetwork sheet = make_dragged_sheet();
+    const int substeps = stable_substeps(default_integrator(), sheet, 0.25);
+    MonitoredRun run = make_run(sheet, default_integrator(), substeps, {});
+    return Converged{substeps, drag_corner(run, 16)};
+  }();
+  return reference;
+}
+
+// Its cost is the least of three runs, where they take no longer than a second.
+Drag remeasure_cost(const TestNetwork& sheet, const Integrator& method, int substeps, Drag drag) {
+  constexpr double max_repeat_ms_per_frame = 1e3 / (held_frames + flight_frames);  // [ms] a frame
+  for (int i = 1; i < 3 && drag.ms_per_frame < max_repeat_ms_per_frame; ++i) {
+    MonitoredRun run = make_run(sheet, method, substeps, {});
+    drag.ms_per_frame = std::min(drag.ms_per_frame, drag_corner(run, samples_per_frame(substeps)).ms_per_frame);
+  }
+  return drag;
+}
+
+std::vector<std::string> row_of(const std::string& substeps, const Drag& drag, const std::string& report) {
+  return {substeps,
+          text("%.2g", drag.peak_strain),
+          text("%.2g", drag.peak_strain / converged().drag.peak_strain),
+          text("%.1g", drag.last_strain),
+          text("%.1g", drag.gain),
+          text("%.2g", drag.ms_per_frame),
+          report};
+}
+
+// The same over a slab of 2 cm, far too thin for 0.8 m a frame, that the sheet is swung into: how many points get through.
+int count_through_slab(const Integrator& method, int substeps) {
+  constexpr double top = -1.2 * radius, thickness = 0.02, wide = 1e3;
+  TestNetwork sheet = make_dragged_sheet();
+  for (Vec3& x : sheet.state.position) x.y += 1.0;
+  sheet.system.colliders.push_back({.shape = Box{{-wide, top - thickness, -wide}, {wide, top, wide}}, .restitution = 0.3, .friction = 0.3});
+  MonitoredRun run(sheet, {.integrator = &method, .substeps = substeps});
+  drag_corner(run, 1);
+  return static_cast<int>(std::ranges::count_if(run.state().position, [](const Vec3& x) { return x.y < top - 1e-9; }));
+}
+
+// Methods that a scene may be left to: at the finest of their steps here each has to hold.
+bool is_for_production(const Integrator& method) {
+  constexpr std::array<std::string_view, 8> ids{"velocity_verlet", "blanes_moan4", "runge_kutta4", "dop853", "xpbd",
+                                                "implicit_euler",  "tr_bdf2",      "esdirk4"};
+  return std::ranges::find(ids, method.id) != ids.end();
+}
+
+std::vector<int> substeps_of(const Integrator& method, const TestNetwork& sheet) {
+  if (method.stability == Stability::EachSpring) return {16, 64, 256, 1024};
+  if (method.id == "implicit_euler") return {1, 4, 16, 64};
+  if (method.id == "esdirk4") return {1, 4, 64};
+  if (is_stable_at_any_step(method)) return {1, 4};
+  if (adapts(method)) return {16};
+  const int fewest = stable_substeps(method, sheet, 1.0);
+  return {fewest, 2 * fewest};
+}
+
+bool is_met(const Drag& drag) {
+  const double peak = converged().drag.peak_strain;
+  return drag.peak_strain <= 2.0 * peak && drag.peak_strain >= 0.5 * peak && drag.gain <= 1e-2;
+}
+
+// One step of a method: its verdict, and its row in the table.
+struct StepTrial {
+  int substeps = 0;
+  Verdict verdict;
+  std::vector<std::string> row;
+  bool holds() const { return verdict.outcome == Outcome::Held; }
+};
+StepTrial run_step_trial(const Integrator& method, const TestNetwork& sheet, int substeps, bool is_finest) {
+  MonitoredRun run = make_run(sheet, method, substeps, {.position = 0.5 * converged().drag.peak_strain * a});
+  Drag drag = drag_corner(run, samples_per_frame(substeps));
+  const std::string name = text("%d", substeps);
+  StepTrial step_trial{.substeps = substeps};
+  if (run.stopped())
+    step_trial.row = {name, "stopped", "", "", "", "", run.report()};
+  else
+    step_trial.row = row_of(name, remeasure_cost(sheet, method, substeps, drag), is_met(drag) ? "" : run.report());
+
+  // one that holds at any step need not be exact at few, nor one of first order near its limit
+  const bool must_hold = is_finest && is_for_production(method), may_fail = is_stable_at_any_step(method) || method.order == 1;
+  const Expectation expected = must_hold ? Expectation::Hold : may_fail ? Expectation::HoldOrReport : expectation_of(run);
+  step_trial.verdict = judge(run, expected, is_met(drag),
+                             text("%d substeps: peak strain %.2g, last %.1g, energy gained after release %.1g", substeps, drag.peak_strain,
+                                  drag.last_strain, drag.gain));
+  return step_trial;
+}
+
+// A method is judged by its finest step, when the coarser ones fail openly at worst; and says from which step on it holds.
+Verdict judge_step_trials(std::span<const StepTrial> step_trials) {
+  std::vector<Verdict> parts;
+  for (const StepTrial& step_trial : step_trials)
+    if (step_trial.holds() || is_broken(step_trial.verdict) || &step_trial == &step_trials.back()) parts.push_back(step_trial.verdict);
+  Verdict verdict = worst_of(parts);
+  if (!step_trials.back().holds()) return verdict;
+
+  std::size_t first = step_trials.size();
+  while (first > 0 && step_trials[first - 1].holds()) --first;
+  std::string coarser;
+  for (const StepTrial& step_trial : step_trials.first(first))
+    coarser += (coarser.empty() ? "" : ", ") + std::to_string(step_trial.substeps);
+  if (!coarser.empty())
+    verdict.measured = text("from %d substeps on, openly not with ", step_trials[first].substeps) + coarser + ": " + verdict.measured;
+  return verdict;
+}
+
+// The same mouse, but the hand is held to a top speed: it stays behind, says by how much, and the sheet is stretched the less.
+Verdict judge_lag(const Integrator& method, int substeps) {
+  TestNetwork sheet = make_dragged_sheet();
+  sheet.system.hand_speed = top_speed;
+  MonitoredRun run = make_run(sheet, method, substeps, {});
+  const int samples = samples_per_frame(substeps);
+  const Vec3 start = run.state().position[0];
+  double fastest = 0.0, lag = 0.0, max = 0.0;
+  bool is_lag_reported = true;
+  run.lab().submit(GrabPoint{{.point = run.system().points()[0].id, .kind = GrabKind::Hold, .target = start}});
+  for (int i = 1; i <= samples * held_frames; ++i) {
+    const Vec3 before = run.state().position[0], target = start + hand_position(i / (60.0 * samples));
+    run.lab().submit(MoveHand{target});
+    if (!run.frame()) break;
+    run.lab().publish();
+    const double behind = glm::distance(target, run.state().position[0]);
+    is_lag_reported = is_lag_reported && std::abs(run.lab().status()->hand_lag - behind) < 1e-9;
+    fastest = std::max(fastest, glm::distance(run.state().position[0], before) * 60.0 * samples);
+    lag = std::max(lag, behind);
+    max = std::max(max, max_strain(run));
+  }
+  const bool is_met = !run.stopped() && is_lag_reported && fastest < top_speed * (1.0 + 1e-9) && max < converged().drag.peak_strain;
+  return judge(run, Expectation::Hold, is_met,
+               text("at most %.0f m/s: the hand is up to %.2g m behind, and says so; peak strain %.2g", top_speed, lag, max));
+}
+
+}  // namespace
+
+Verdict judge_fast_drag(const Integrator& method) {
+  const TestNetwork sheet = make_dragged_sheet();
+  const std::vector<int> substep_counts = substeps_of(method, sheet);
+  std::vector<StepTrial> step_trials;
+  for (const int substeps : substep_counts)
+    step_trials.push_back(run_step_trial(method, sheet, substeps, substeps == substep_counts.back()));
+
+  std::vector<Verdict> parts;
+  if (is_for_production(method)) {
+    parts.push_back(judge_step_trials(step_trials));
+  } else {
+    for (const StepTrial& step_trial : step_trials) parts.push_back(step_trial.verdict);
+  }
+  // nothing tunnels, at whatever step
+  const int through = count_through_slab(method, is_stable_at_any_step(method) ? 1 : substep_counts[0]);
+  parts.push_back(
+      {.outcome = through == 0 ? Outcome::Held : Outcome::FailedSilently, .measured = text("%d points through the slab", through)});
+  if (&method == &default_integrator()) parts.push_back(judge_lag(method, substep_counts[0]));
+
+  Verdict verdict = worst_of(parts);
+  for (StepTrial& step_trial : step_trials) verdict.rows.push_back(std::move(step_trial.row));
+  if (&method == &default_integrator())
+    verdict.rows.push_back(row_of(text("%d, the converged", converged().substeps), converged().drag, ""));
+  return verdict;
+}
+
+}  // namespace hooke

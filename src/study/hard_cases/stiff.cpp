@@ -1,0 +1,192 @@
+// Springs and dashpots far too fast for the frame.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/implicit/newton.h"
+#include "study/analytic_scenes.h"
+#include "study/benchmark.h"
+#include "study/hard_cases/case_functions.h"
+#include "study/hard_cases/monitored_run.h"
+
+namespace hooke {
+namespace {
+
+constexpr double frame = 1.0 / 60.0;  // [s]
+constexpr double round_off = 1e-9;    // of the sums that energies are
+
+// Of first order, and its energy falls: then it never rises, however the springs turn.
+bool is_dissipative(const Integrator& method) {
+  return method.order == 1 && method.energy == EnergyTrend::Falls && method.stability == Stability::LStable;
+}
+
+// 12 x 12 points, 1 m, 1 kg, all springs of the stiffness k that k dt^2 / m asks for; no gravity.
+TestNetwork make_stiff_sheet(double k_dt2_per_m) {
+  constexpr double a = 1.0 / 11.0, m = 1.0 / 144.0;
+  const double k = k_dt2_per_m * m / (frame * frame);
+  TestNetwork sheet = make_sheet(
+      {.rows = 12, .columns = 12, .across = {a, 0.0, 0.0}, .down = {0.0, -a, 0.0}, .mass = m, .stiffness = k, .diagonal_stiffness = k});
+  sheet.system.gravity = Vec3(0.0);
+  return sheet;
+}
+
+}  // namespace
+
+Verdict judge_stiff_spring(const Integrator& method) {
+  constexpr double k = 3.6e11, rest_length = 1.0, eq = rest_length + 9.81 / k;
+  TestNetwork network;
+  const PointId point = network.add({0.0, -1.1 * rest_length, 0.0});
+  network.join(network.nail(Vec3(0.0)), point, k, rest_length);
+  MonitoredRun run(network, {.integrator = &method, .substeps = 1}, {.position = 1e-6 * rest_length});
+
+  // the true motion, which goes on swinging: in some thousand steps a frame
+  if (adapts(method)) {
+    run.run(frame);
+    if (run.stopped()) return judge(run, false, "");
+    return {.outcome = Outcome::OutOfScope, .reason = "follows the swing itself, which nothing damps, in thousands of steps a frame"};
+  }
+
+  run.run(600 * frame);
+  const bool any_step = is_stable_at_any_step(method);
+  if (!any_step) return judge(run, Expectation::Report, !run.stopped() || run.state().time >= 59.5 * frame, "not stopped within 60 frames");
+
+  const double off = std::abs(-run.state().position[0].y - eq) / rest_length;
+  // what damps nothing keeps swinging
+  const Expectation expected = method.stability == Stability::AStable ? Expectation::HoldOrReport : Expectation::Hold;
+  return judge(run, expected, off <= 1e-6 && run.monitor().energy_rise() <= round_off,
+               text("off rest %.1g l0, energy rises %.1g", off, run.monitor().energy_rise()));
+}
+
+namespace {
+
+// A sheet with every point out of place by up to 5 cm in each direction.
+TestNetwork make_crumpled_sheet(double k_dt2_per_m, int seed) {
+  TestNetwork sheet = make_stiff_sheet(k_dt2_per_m);
+  Random random(seed);
+  for (Vec3& x : sheet.state.position) x += random.vector(0.05);
+  return sheet;
+}
+
+constexpr int seeds = 10;
+
+MonitoredRun run_crumpled(const Integrator& method, double k_dt2_per_m, int seed, double seconds) {
+  MonitoredRun run(make_crumpled_sheet(k_dt2_per_m, seed), {.integrator = &method, .substeps = 1});
+  run.run(seconds);
+  return run;
+}
+
+// Implicit Euler's solve with clamped curvature and line search, given as many iterations as it likes.
+Verdict solve_to_convergence(double k_dt2_per_m) {
+  int converged = 0;
+  for (int seed = 0; seed < seeds; ++seed) {
+    const TestNetwork sheet = make_crumpled_sheet(k_dt2_per_m, seed);
+    const Plan plan = make_plan(sheet.system);
+    Motion motion;
+    pack(plan, sheet.state, motion);
+    NewtonSolver newton(plan);
+    newton.begin_frame(plan, motion);
+    Field V = motion.v;
+    newton.solve(plan, {frame, frame, motion.x, motion.v}, {.tolerance = 1e-10, .iterations = 400, .factorizations = 400}, V, motion);
+    converged += motion.unconverged_solves == 0 ? 1 : 0;
+  }
+  return {.outcome = converged == seeds ? Outcome::Held : Outcome::FailedSilently,
+          .measured = text("%.0e: %d of %d solves converge in the end", k_dt2_per_m, converged, seeds)};
+}
+
+std::vector<Verdict> crumple(const Integrator& method, double k_dt2_per_m) {
+  if (adapts(method) && k_dt2_per_m > 1e5)
+    return {{.outcome = Outcome::OutOfScope, .reason = "follows these springs swing by swing, in thousands of steps a frame"}};
+
+  // a second of it, and the first frames of nine others
+  const MonitoredRun run = run_crumpled(method, k_dt2_per_m, 0, 60 * frame);
+  long unconverged = run.monitor().unconverged_solves();
+  double rise = run.monitor().energy_rise();
+  for (int seed = 1; seed < seeds && !run.stopped(); ++seed) {
+    const MonitoredRun start = run_crumpled(method, k_dt2_per_m, seed, 2.0 * frame);
+    unconverged += start.monitor().unconverged_solves();
+    rise = std::max(rise, start.monitor().energy_rise());
+  }
+
+  std::vector<Verdict> parts;
+  // where the energy can only fall, it falls whether the solves converge or not: they never end above where they began
+  parts.push_back(judge(run, is_dissipative(method) ? Expectation::Hold : expectation_of(run),
+                        rise <= (is_dissipative(method) ? round_off : 0.02), text("%.0e: energy rises %.1g", k_dt2_per_m, rise)));
+  if (!is_dissipative(method) && unconverged > 0) parts.back().expected = Expectation::HoldOrReport;
+  if (unconverged > 0)
+    parts.push_back({.outcome = Outcome::FailedOpenly,
+                     .expected = Expectation::HoldOrReport,
+                     .measured = text("%ld solves cut short", unconverged),
+                     .reason = text("%ld solves did not converge", unconverged)});
+  return parts;
+}
+
+}  // namespace
+
+Verdict judge_crumpled_sheet(const Integrator& method) {
+  std::vector<Verdict> parts;
+  for (const double stiffness : {4.0, 4e2, 4e4, 4e6}) {
+    for (Verdict& part : crumple(method, stiffness)) parts.push_back(std::move(part));
+    if (method.id == "implicit_euler") parts.push_back(solve_to_convergence(stiffness));
+  }
+  return worst_of(parts);
+}
+
+namespace {
+
+// The border nailed at 0.6 of the rest lengths: every spring pushes, every block of the Hessian has negative directions.
+Verdict compress(const Integrator& method, double k_dt2_per_m) {
+  TestNetwork sheet = make_stiff_sheet(k_dt2_per_m);
+  sheet.system.drag = 4.0;
+  Random random(7);
+  for (int i = 0; i < 144; ++i) {
+    const int row = i / 12, column = i % 12;
+    const bool border = row == 0 || column == 0 || row == 11 || column == 11;
+    sheet.system.point(i).nailed = border;
+    sheet.state.position[i] *= 0.6;
+    if (!border) sheet.state.position[i].z += random.uniform(-1e-6, 1e-6);
+  }
+
+  // modes beside the linear ones are fast too: a third of the limit of these
+  MonitoredRun run(sheet, settings_for(method, sheet.system, {.fraction = 0.3}), {.energy = 1e-3});
+  run.run(1.0);
+  double highest = 0.0;
+  for (const Vec3& x : run.state().position) highest = std::max(highest, std::abs(x.z));
+  const double rise = run.monitor().energy_rise();
+  const bool solves = run.monitor().unconverged_solves() == 0, never_rises = rise <= (method.id == "implicit_euler" ? round_off : 1e-3);
+
+  // one linear solve goes too far along a direction that nothing holds, and solves that are cut short say so
+  Expectation expected = expectation_of(run);
+  if (method.id == "baraff_witkin" || (!solves && highest > 0.05 && never_rises)) expected = Expectation::HoldOrReport;
+  return judge(run, expected, solves && never_rises && highest > 0.05,
+               text("%.0e: buckles by %.2f m, energy rises %.1g", k_dt2_per_m, highest, rise));
+}
+
+}  // namespace
+
+Verdict judge_compressed_sheet(const Integrator& method) { return worst_of(std::array{compress(method, 4.0), compress(method, 4e4)}); }
+
+Verdict judge_huge_damping(const Integrator& method) {
+  const InitialState net = make_net(16, 1e4, 1e3);
+  const TestNetwork network{net.system, net.state};
+  constexpr int substeps = 60;  // stable without the dashpots
+  constexpr double seconds = 1.0;
+
+  // the exact dashpots of the default method converge as its steps do
+  static const State exact = [&] {
+    MonitoredRun reference(network, {.integrator = &default_integrator(), .substeps = 4 * substeps});
+    reference.run(seconds);
+    return reference.state();
+  }();
+
+  const int few = method.stability == Stability::EachSpring ? 4 : 1;
+  MonitoredRun run(network, {.integrator = &method, .substeps = is_stable_at_any_step(method) ? few : substeps}, {.position = 1e-4});
+  run.run(seconds);
+
+  const double error = rms_distance(run.state(), exact);
+  // first order at so few steps is not that exact
+  return judge(run, method.order_damped == 1 ? Expectation::HoldOrReport : expectation_of(run), error <= 1e-4,
+               text("error %.1g m after 1 s", error));
+}
+
+}  // namespace hooke

@@ -1,0 +1,181 @@
+#include "study/reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <random>
+#include <utility>
+
+#include "sim/energy.h"
+
+namespace hooke {
+namespace {
+
+constexpr double round_off = 1e-14;     // relative: nothing is gained below
+constexpr double perturbation = 1e-10;  // relative to the problem's size
+constexpr double predictable = 1e-3;    // relative gap above which a trajectory means nothing
+
+Vec3 center_of_mass(const System& system, const State& state) {
+  Vec3 sum(0.0);
+  double mass = 0.0;
+  for (Index i = 0; i < system.point_count(); ++i) {
+    sum += system.points()[i].mass * state.position[i];
+    mass += system.points()[i].mass;
+  }
+  return sum / mass;
+}
+
+double largest_strain(const System& system, const State& state) {
+  double largest = 0.0;
+  for (const Spring& spring : system.springs()) largest = std::max(largest, std::abs(strain(system, state, spring)));
+  return largest;
+}
+
+// The greatest kinetic energy [J] that the reference shows, to measure energies against.
+double energy_scale(const Problem& problem, const std::vector<State>& reference) {
+  double scale = compute_energy(problem.system, problem.start).kinetic;
+  for (const State& state : reference) scale = std::max(scale, compute_energy(problem.system, state).kinetic);
+  return scale > 0.0 ? scale : 1.0;
+}
+
+// The order that a method declares for what the problem has: with its contacts, and, to choose among equals, without
+// them, since they may never come about.
+std::pair<int, int> convergence_orders(const Integrator& method, const Problem& problem) {
+  const System& system = problem.system;
+  int order = method.order;
+  if (system.drag_rate() > 0.0) order = std::min(order, method.order_drag);
+  if (std::any_of(system.springs().begin(), system.springs().end(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; }))
+    order = std::min(order, method.order_damped);
+  const bool collides =
+      std::any_of(system.colliders.begin(), system.colliders.end(), [](const Collider& collider) { return collider.solid; });
+  return {collides ? std::min(order, method.order_contact) : order, order};
+}
+
+Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
+  if (is_adaptive(method)) return {.tolerance = 1e-8 * benchmark.problem().size};
+  const double limit = largest_stable_step(method, benchmark.spectrum());
+  const double part = benchmark.problem().seconds / snapshot_count;
+  if (!(limit > 0.0) || !std::isfinite(limit)) return {.steps = 64};
+  return {.steps = std::max(4, static_cast<int>(std::ceil(2.0 * part / limit)))};
+}
+
+Setting finer(const Setting& setting) {
+  if (setting.tolerance) return {.tolerance = 0.1 * *setting.tolerance};
+  return {.steps = 2 * setting.steps};
+}
+
+// Halves the step until the solution stands still, round-off has the upper hand or time is up.
+std::optional<Refinement> refine(Benchmark& benchmark, const Integrator& method, double seconds,
+                                 const std::function<bool()>& should_continue) {
+  const Problem& problem = benchmark.problem();
+  Setting setting = first_setting(benchmark, method);
+  RunResult coarse = benchmark.run(method, setting, should_continue);
+  std::optional<Refinement> best;
+  for (double spent = 0.0, next = 0.0; spent + next < seconds; setting = finer(setting)) {
+    RunResult fine = benchmark.run(method, finer(setting), should_continue);
+    if (fine.end == RunResult::End::Stopped) return std::nullopt;
+    spent += fine.cpu_seconds;
+    next = 2.0 * fine.cpu_seconds;
+    if (coarse.end == RunResult::End::Finished && fine.end == RunResult::End::Finished) {
+      const double gap = judge(problem, problem.measure, fine.snapshots, coarse.snapshots).relative_error;
+      const bool improves = !best || gap < best->gap;
+      const bool has_stalled = best && gap > 0.5 * best->gap && gap < 1e-8;
+      if (improves)
+        best = Refinement{.method = &method,
+                          .setting = finer(setting),
+                          .setting_name = benchmark.name(finer(setting)),
+                          .gap = gap,
+                          .snapshots = fine.snapshots,
+                          .coarser = coarse.snapshots};
+      if (gap < round_off || has_stalled) break;
+    }
+    if (setting.tolerance && *setting.tolerance < round_off * problem.size) break;
+    coarse = std::move(fine);
+  }
+  return best;
+}
+
+// Free points moved at random by 1e-10 of the size [RMS]; the same on every machine.
+State perturb(const Problem& problem) {
+  State state = problem.start;
+  std::mt19937_64 random(1);
+  double sum = 0.0;
+  std::vector<Vec3> shift(state.position.size(), Vec3(0.0));
+  for (Index i = 0; i < problem.system.point_count(); ++i) {
+    if (problem.system.points()[i].nailed) continue;
+    for (int c = 0; c < problem.system.dimensions; ++c) shift[i][c] = static_cast<double>(random() >> 11) * 0x1p-52 - 1.0;
+    sum += glm::dot(shift[i], shift[i]);
+  }
+  const double scale = sum > 0.0 ? perturbation * problem.size / std::sqrt(sum / static_cast<double>(shift.size())) : 0.0;
+  for (std::size_t i = 0; i < shift.size(); ++i) state.position[i] += scale * shift[i];
+  return state;
+}
+
+double measure_amplification(Benchmark& benchmark, const Refinement& own, const std::function<bool()>& should_continue) {
+  const State start = perturb(benchmark.problem());
+  const double begin = rms_distance(start, benchmark.problem().start);
+  const RunResult result = benchmark.run(*own.method, own.setting, start, should_continue);
+  if (result.end != RunResult::End::Finished || begin == 0.0) return std::numeric_limits<double>::quiet_NaN();
+  double growth = 0.0;
+  for (int i = 0; i < snapshot_count; ++i) growth = std::max(growth, rms_distance(result.snapshots[i], own.snapshots[i]) / begin);
+  return growth;
+}
+
+}  // namespace
+
+Score judge(const Problem& problem, Measure measure, const std::vector<State>& reference, const std::vector<State>& measured) {
+  const System& system = problem.system;
+  const double scale = energy_scale(problem, reference);
+  Score score;
+  double strain_error = 0.0;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const double drift = (compute_energy(system, measured[i]).total() - compute_energy(system, reference[i]).total()) / scale;
+    if (std::abs(drift) > std::abs(score.energy_drift)) score.energy_drift = drift;
+    const double error = measure == Measure::Trajectory
+                             ? rms_distance(measured[i], reference[i])
+                             : glm::distance(center_of_mass(system, measured[i]), center_of_mass(system, reference[i]));
+    score.error = std::max(score.error, error);
+    strain_error = std::max(strain_error, std::abs(largest_strain(system, measured[i]) - largest_strain(system, reference[i])));
+  }
+  score.relative_error = score.error / problem.size;
+  if (measure == Measure::Observables) {
+    score.strain_error = strain_error;
+    score.relative_error = std::max({score.relative_error, strain_error, std::abs(score.energy_drift)});
+  }
+  return score;
+}
+
+std::vector<const Integrator*> most_accurate_methods(const Problem& problem) {
+  std::vector<const Integrator*> methods;
+  for (const Integrator& method : integrators()) methods.push_back(&method);
+  std::stable_sort(methods.begin(), methods.end(), [&](const Integrator* a, const Integrator* b) {
+    return convergence_orders(*a, problem) > convergence_orders(*b, problem);
+  });
+  return methods;
+}
+
+std::optional<Reference> compute_reference(Benchmark& benchmark, double seconds, const std::function<bool()>& should_continue) {
+  const Problem& problem = benchmark.problem();
+  const std::vector<const Integrator*> methods = most_accurate_methods(problem);
+  std::optional<Refinement> own = refine(benchmark, *methods[0], seconds, should_continue);
+  if (!own) return std::nullopt;
+  std::optional<Refinement> other = refine(benchmark, *methods[1], seconds, should_continue);
+  if (!other) return std::nullopt;
+
+  Reference reference{.own = std::move(*own), .other = std::move(*other), .measure = problem.measure};
+  reference.amplification = measure_amplification(benchmark, reference.own, should_continue);
+  const auto gap_between = [&](Measure measure) {
+    return judge(problem, measure, reference.own.snapshots, reference.other.snapshots).relative_error;
+  };
+  reference.other_gap = gap_between(reference.measure);
+  if (reference.measure == Measure::Trajectory && reference.uncertainty() > predictable) {
+    reference.measure = Measure::Observables;
+    reference.other_gap = gap_between(reference.measure);
+    for (Refinement* refinement : {&reference.own, &reference.other})
+      refinement->gap = judge(problem, reference.measure, refinement->snapshots, refinement->coarser).relative_error;
+  }
+  return reference;
+}
+
+}  // namespace hooke

@@ -1,0 +1,110 @@
+// What accuracy costs: every method over every problem, from the coarsest setting that it survives to the finest that
+// pays, each against a converged reference.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "study/reference.h"
+
+namespace hooke {
+
+// One method at one setting on one problem.
+struct Row {
+  std::string method, setting;
+  std::optional<double> step;       // [s]; none where the method chooses it
+  std::optional<double> tolerance;  // [m], of such a method
+  // none of a run that did not reach its end
+  std::optional<double> error;           // [m]
+  std::optional<double> relative_error;  // [1]
+  std::optional<double> energy_drift;    // [1]
+  std::optional<double> strain_error;    // [1], where observables are judged
+  std::optional<double> cpu_ms_per_s;    // CPU milliseconds per simulated second, the least of `runs`
+  int runs = 0;
+  WorkCounts work;
+  std::string status;
+  bool operator==(const Row&) const = default;
+};
+
+// What can become of a run.
+namespace status {
+inline constexpr const char* ok = "ok";
+inline constexpr const char* below_reference = "below_reference";  // as good as the reference can tell
+inline constexpr const char* unconverged = "unconverged";          // finished, with solves left at their limit of iterations
+inline constexpr const char* lost = "lost";                        // finished, further from the truth than the scene is large
+inline constexpr const char* diverged = "diverged";
+inline constexpr const char* too_slow = "too_slow";  // given up
+}  // namespace status
+
+// The reference in numbers.
+struct ReferenceRecord {
+  std::string method, setting, other_method, other_setting;
+  double own_gap = 0.0, other_own_gap = 0.0;  // [1], relative: what half the precision changes in each
+  double other_gap = 0.0;                     // [1], relative: between the two
+  double amplification = 0.0;                 // [1]
+  Measure measure = Measure::Trajectory;
+  double uncertainty() const { return own_gap > other_gap ? own_gap : other_gap; }
+};
+
+// A problem and its rows, ordered by method as in the table of integrators, coarsest first.
+struct ProblemRecord {
+  std::string id, title;
+  Index points = 0, springs = 0;
+  double seconds = 0.0, size = 0.0;  // [s], [m]
+  std::uint64_t fingerprint = 0;
+  std::optional<ReferenceRecord> reference;
+  std::vector<Row> rows;
+};
+
+ProblemRecord make_record(const Problem& problem);
+
+// How much trouble to take.
+struct Effort {
+  int repeats = 5;                  // of a run, to take the least time
+  double run_seconds = 4.0;         // CPU time beyond which no finer setting is tried
+  double reference_seconds = 60.0;  // CPU time for each of the two solutions of a reference
+  double finest_error = 1e-11;      // relative: no finer setting is tried below
+};
+
+// Fills the record of one problem, method by method. Rows that are there already are taken as they are, and the
+// reference is not computed unless a row needs it.
+class PrecisionSweep {
+ public:
+  // All three must outlive it. `should_continue` is asked often; `row_done` is told after every new row.
+  PrecisionSweep(const Problem& problem, const Effort& effort, ProblemRecord& record);
+  std::function<bool()> should_continue = [] { return true; };
+  std::function<void()> row_done = [] {};
+
+  // False when `should_continue` said no, or the problem has no reference.
+  bool run(const Integrator& method);
+  bool has_reference() const { return !reference_failed_; }
+
+ private:
+  const Row* measure(const Integrator& method, const Setting& setting);
+  std::optional<Row> measure_row(const Integrator& method, const Setting& setting);
+  bool ensure_reference();
+  void sweep_coarser(const Integrator& method, Setting setting);
+  void sweep_finer(const Integrator& method, Setting setting);
+
+  const Problem& problem_;
+  const Effort& effort_;
+  ProblemRecord& record_;
+  Benchmark benchmark_;
+  std::optional<Reference> reference_;
+  bool reference_failed_ = false, stopped_ = false;
+};
+
+// Its error as far as the reference can tell [1]; none of a run that did not reach its end.
+std::optional<double> error_with_uncertainty(const ProblemRecord& record, const Row& row);
+
+// The cheapest row whose error is at most this, or null.
+const Row* cheapest(const ProblemRecord& record, double relative_error);
+
+// The rows that no other beats in both error and cost, cheapest first.
+std::vector<const Row*> pareto_front(const ProblemRecord& record);
+
+}  // namespace hooke

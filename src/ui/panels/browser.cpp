@@ -1,0 +1,195 @@
+// The browser of files: places at the left, what lies there at the right.
+#include <algorithm>
+
+#include "base/printable.h"
+#include "formats/open_file.h"
+#include "formats/scene_file.h"
+#include "ui/file_browser.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double places_width = 168.0;  // [units of design]
+
+// As large as is pleasant, where the window has room for it and for what stands around it. [units of design]
+double width() { return std::clamp(ImGui::GetIO().DisplaySize.x / units(1.0) - 64.0, 300.0, 640.0); }
+double height() { return std::clamp(ImGui::GetIO().DisplaySize.y / units(1.0) - 220.0, 80.0, 300.0); }
+
+// A folder is looked at again after so many seconds.
+constexpr double stale_after = 2.0;
+
+bool is_readable(const fs::path& file) {
+  const FileKind* kind = find_file_kind(file);
+  return kind != nullptr && kind->parse != nullptr;
+}
+
+void look_again(Browser& browser, FileDialogMode mode) {
+  const double now = ImGui::GetTime();
+  if (browser.listing.folder == browser.folder && now < browser.listed_at + stale_after) return;
+  browser.listing = list_folder(
+      browser.folder, [&](const fs::path& file) { return mode == FileDialogMode::Open ? is_readable(file) : is_scene_file(file); });
+  browser.listed_at = now;
+}
+
+// A name at the left, a remark at the right; ids may repeat names.
+bool row(const char* id, const std::string& name, const std::string& remark, bool chosen, Icon icon, bool* twice = nullptr) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float end = at.x + ImGui::GetContentRegionAvail().x;
+  ImGui::PushStyleColor(ImGuiCol_Header, palette::tinted);
+  const bool clicked =
+      ImGui::Selectable(id, chosen, ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups, {0.0f, units(22.0)});
+  ImGui::PopStyleColor();
+  if (twice != nullptr) *twice = clicked && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float middle = at.y + 0.5f * units(22.0) - 0.5f * ImGui::GetFontSize();
+  draw_icon(list, icon, {at.x + units(12.0), at.y + units(11.0)}, units(13.0), icon == Icon::Folder ? palette::accent : palette::dim);
+  const float remark_width = ImGui::CalcTextSize(remark.c_str()).x;
+  list.PushClipRect(at, {end - remark_width - units(16.0), at.y + units(24.0)}, true);
+  list.AddText({at.x + units(26.0), middle}, palette::text, name.c_str());
+  list.PopClipRect();
+  list.AddText({end - remark_width - units(6.0), middle}, palette::dim, remark.c_str());
+  return clicked;
+}
+
+void place(Dialog& dialog, FileDialogMode mode, const char* name, const fs::path& folder) {
+  const Browser& browser = dialog.browser;
+  const bool here = browser.place == Browser::Place::Folder && browser.folder == folder;
+  if (row(("##" + folder.string()).c_str(), name, "", here, Icon::Folder)) go_to_folder(dialog, folder, mode);
+  tooltip(printable(folder.native()));
+}
+
+void place_row(Dialog& dialog, const char* name, Browser::Place which) {
+  if (row(name, name, "", dialog.browser.place == which, Icon::Scene)) dialog.browser.place = which;
+}
+
+void places(const PanelInput& input, Dialog& dialog, FileDialogMode mode) {
+  ImGui::BeginChild("places", {units(places_width), units(height())});
+  if (mode == FileDialogMode::Open) {
+    ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
+    place_row(dialog, "Recent", Browser::Place::Recent);
+    place_row(dialog, "Comes with Hooke", Browser::Place::Shipped);
+    ImGui::PopStyleColor();
+    ImGui::Dummy({0.0f, units(4.0)});
+  }
+  place(dialog, mode, "Home", home_folder());
+  place(dialog, mode, "File system", "/");
+  std::vector<fs::path> shown = {home_folder(), "/"};
+  for (const fs::path& file : input.recent) {
+    const fs::path folder = file.parent_path();
+    if (std::ranges::find(shown, folder) != shown.end() || shown.size() >= 8) continue;
+    shown.push_back(folder);
+    place(dialog, mode, printable(folder.filename().native(), 24).c_str(), folder);
+  }
+  ImGui::EndChild();
+}
+
+// The way to the folder, each part of which leads there.
+void breadcrumbs(Dialog& dialog, FileDialogMode mode) {
+  const fs::path folder = dialog.browser.folder;
+  // the last parts, where all do not fit
+  std::vector<fs::path> parts;
+  for (fs::path part = folder; parts.size() < 4; part = part.parent_path()) {
+    parts.push_back(part);
+    if (part == part.parent_path()) break;
+  }
+  ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(0, 0, 0, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(1.0), 0.0f});
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+    const std::string name = part->has_filename() ? printable(part->filename().native(), 24) : "/";
+    if (part != parts.rbegin()) ImGui::SameLine();
+    if (ImGui::Button((name + "##" + part->string()).c_str())) go_to_folder(dialog, *part, mode);
+    if (part + 1 == parts.rend() || !part->has_filename()) continue;
+    ImGui::SameLine();
+    dim_text("/");
+  }
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+}
+
+bool folder_list(Dialog& dialog, FileDialogMode mode) {
+  Browser& browser = dialog.browser;
+  look_again(browser, mode);
+  if (!browser.listing.error.empty()) text_in(palette::warning, "Cannot look into this folder: " + browser.listing.error);
+  if (browser.listing.items.empty() && browser.listing.error.empty()) dim_text("No folders and no scenes here.");
+
+  const fs::path folder = browser.folder, chosen_path = resolved_path(dialog);
+  fs::path next;
+  bool for_good = false;
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(browser.listing.items.size()));
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const FolderItem& item = browser.listing.items[static_cast<std::size_t>(i)];
+      const fs::path path = folder / item.name;
+      bool twice = false;
+      const bool clicked = row(("##" + item.name).c_str(), printable(item.name), item.modified, !item.is_folder && path == chosen_path,
+                               item.is_folder ? Icon::Folder : Icon::Scene, &twice);
+      if (clicked && item.is_folder) next = path;
+      if (clicked && !item.is_folder) dialog.typed = path.string();
+      for_good = for_good || (twice && !item.is_folder);
+    }
+  }
+  clipper.End();
+  if (browser.listing.truncated) dim_text("There is more than is shown: type the name.");
+  if (!next.empty()) go_to_folder(dialog, next, mode);
+  return for_good;
+}
+
+bool recent_list(const PanelInput& input, Dialog& dialog) {
+  if (input.recent.empty()) dim_text("Nothing was opened or saved yet.");
+  bool for_good = false;
+  for (const fs::path& file : input.recent) {
+    bool twice = false;
+    if (row(("##" + file.string()).c_str(), printable(file.stem().native()), printable(file.parent_path().native(), 36),
+            dialog.typed == file.string(), Icon::Scene, &twice))
+      dialog.typed = file.string();
+    for_good = for_good || twice;
+  }
+  return for_good;
+}
+
+// A click on one of these opens it: there is nothing to look for.
+bool shipped_list(Dialog& dialog) {
+  bool chosen = false;
+  for (const ShippedScene& scene : shipped_scenes()) {
+    if (row(("##" + scene.id).c_str(), printable(scene.title), scene.id, false, Icon::Scene)) {
+      dialog.typed = scene.file.string();
+      chosen = true;
+    }
+  }
+  return chosen;
+}
+
+}  // namespace
+
+fs::path resolved_path(const Dialog& dialog) { return resolve_typed_path(dialog.typed, dialog.browser.folder); }
+
+void go_to_folder(Dialog& dialog, const fs::path& folder, FileDialogMode mode) {
+  const fs::path name = resolved_path(dialog).filename();
+  dialog.browser.folder = folder;
+  dialog.browser.place = Browser::Place::Folder;
+  ++dialog.text_version;
+  dialog.typed = mode == FileDialogMode::Save && !dialog.typed.empty() ? (folder / name).string() : std::string();
+}
+
+bool build_browser(const PanelInput& input, Dialog& dialog, FileDialogMode mode) {
+  places(input, dialog, mode);
+  ImGui::SameLine();
+  ImGui::BeginGroup();
+  const bool shows_folder = dialog.browser.place == Browser::Place::Folder;
+  const float above = shows_folder ? units(34.0) : 0.0f;
+  if (shows_folder) breadcrumbs(dialog, mode);
+  ImGui::BeginChild(shows_folder ? "files" : "list", {units(width() - places_width), units(height()) - above});
+  const bool chosen = shows_folder                                     ? folder_list(dialog, mode)
+                      : dialog.browser.place == Browser::Place::Recent ? recent_list(input, dialog)
+                                                                       : shipped_list(dialog);
+  ImGui::EndChild();
+  ImGui::EndGroup();
+  return chosen;
+}
+
+}  // namespace hooke

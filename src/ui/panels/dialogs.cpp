@@ -1,0 +1,233 @@
+// Boxes that ask or tell: open, save as, unsaved changes, what a file was refused for.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "base/printable.h"
+#include "ui/file_browser.h"
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+bool push_button(const char* label) {
+  const float text = ImGui::CalcTextSize(label, nullptr, true).x;
+  return ImGui::Button(label, {std::max(units(96.0), text + units(24.0)), units(30.0)});
+}
+
+// The first button, and Enter; the last one, and Esc.
+bool accepted(Panels& panels, const char* label) {
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);
+  const bool pressed = push_button(label);
+  ImGui::PopStyleColor();
+  return pressed || panels.dialog.accepted;
+}
+bool cancelled(Panels& panels) {
+  ImGui::SameLine();
+  return push_button("Cancel") || panels.dialog.cancelled;
+}
+
+void close(Panels& panels) {
+  panels.dialog = {};
+  ImGui::CloseCurrentPopup();
+}
+
+void path_line(Panels& panels) {
+  int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("anew"), -1);
+  if (ImGui::IsWindowAppearing() || shown != panels.dialog.text_version) ImGui::SetKeyboardFocusHere();
+  shown = panels.dialog.text_version;
+  ImGui::SetNextItemWidth(-1.0f);
+  ImGui::PushID(shown);
+  ImGui::InputTextWithHint("##path", "Name or path", &panels.dialog.typed);
+  ImGui::PopID();
+}
+
+void message_box(const PanelInput&, Panels& panels, Requests& requests) {
+  ImGui::PushTextWrapPos(box_width(480.0));
+  ImGui::TextUnformatted(panels.dialog.text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+  std::vector<Choice>& choices = panels.dialog.choices;
+  if (choices.empty()) {
+    if (accepted(panels, "OK") || panels.dialog.cancelled) close(panels);
+    return;
+  }
+  std::optional<Request> chosen;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (i > 0) ImGui::SameLine();
+    if (i == 0 ? accepted(panels, choices[i].label.c_str()) : push_button(choices[i].label.c_str())) chosen = choices[i].request;
+  }
+  if (panels.dialog.cancelled) chosen = choices.back().request;
+  if (!chosen) return;
+  close(panels);
+  requests.push_back(std::move(*chosen));
+}
+
+// Whether a folder was typed, which is then shown.
+bool goes_to_folder(Panels& panels, FileDialogMode mode) {
+  std::error_code error;
+  const std::filesystem::path chosen_path = resolved_path(panels.dialog);
+  if (!std::filesystem::is_directory(chosen_path, error)) return false;
+  panels.dialog.typed.clear();
+  go_to_folder(panels.dialog, chosen_path, mode);
+  return true;
+}
+
+void desktop_button(const PanelInput& input, Panels& panels, Requests& requests, bool to_save) {
+  if (!input.has_desktop_dialog) return;
+  ImGui::SameLine(0.0f, units(24.0));
+  if (!ImGui::Button("Desktop's dialog", {0.0f, units(30.0)})) return;
+  requests.emplace_back(OpenSystemDialog{to_save});
+  close(panels);
+}
+
+void open_box(const PanelInput& input, Panels& panels, Requests& requests) {
+  bool chosen = build_browser(input, panels.dialog, FileDialogMode::Open);
+  path_line(panels);
+  ImGui::Spacing();
+  chosen = accepted(panels, "Open") || chosen;
+  if (cancelled(panels)) return close(panels);
+  desktop_button(input, panels, requests, false);
+  if (!chosen || panels.dialog.typed.empty() || goes_to_folder(panels, FileDialogMode::Open)) return;
+  requests.emplace_back(OpenFile{resolved_path(panels.dialog)});
+  close(panels);
+}
+
+void save_box(const PanelInput& input, Panels& panels, Requests& requests) {
+  bool chosen = build_browser(input, panels.dialog, FileDialogMode::Save);
+  path_line(panels);
+  std::error_code error;
+  const std::filesystem::path chosen_path = resolved_path(panels.dialog);
+  const bool replaces = chosen_path != input.file && std::filesystem::is_regular_file(chosen_path, error);
+  text_in(palette::warning, replaces ? "There is such a file: it will be replaced." : " ");
+  chosen = accepted(panels, replaces ? "Replace" : "Save") || chosen;
+  if (cancelled(panels)) {
+    requests.emplace_back(Answer::Cancel);
+    return close(panels);
+  }
+  desktop_button(input, panels, requests, true);
+  if (!chosen || panels.dialog.typed.empty() || goes_to_folder(panels, FileDialogMode::Save)) return;
+  requests.emplace_back(SaveFile{chosen_path});
+  close(panels);
+}
+
+void unsaved_box(const PanelInput&, Panels& panels, Requests& requests) {
+  ImGui::TextUnformatted("The scene has changes that are not saved.");
+  ImGui::Spacing();
+  struct Button {
+    const char* label;
+    Answer answer;
+  };
+  std::optional<Answer> answer;
+  if (accepted(panels, "Save")) answer = Answer::Save;
+  ImGui::SameLine();
+  if (push_button("Discard")) answer = Answer::Discard;
+  if (cancelled(panels)) answer = Answer::Cancel;
+  if (!answer) return;
+  close(panels);
+  requests.emplace_back(*answer);
+}
+
+void texture_box(const PanelInput&, Panels& panels, Requests& requests) {
+  dim_text("Path of a PNG in the folder of the scene");
+  ImGui::Dummy({units(460.0), 0.0f});
+  path_line(panels);
+  ImGui::Spacing();
+  const bool chosen = accepted(panels, "Choose");
+  if (cancelled(panels)) return close(panels);
+  if (!chosen || panels.dialog.typed.empty()) return;
+  requests.emplace_back(ChooseTexture{panels.dialog.typed});
+  close(panels);
+}
+
+void recovery_box(const PanelInput& input, Panels& panels, Requests& requests) {
+  ImGui::PushTextWrapPos(box_width(520.0));
+  ImGui::TextUnformatted(input.left.size() == 1
+                             ? "Hooke ended before this scene was saved. What it had kept of it can be opened again."
+                             : "Hooke ended before these scenes were saved. What it had kept of them can be opened again.");
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+  std::optional<Request> request;
+  for (std::size_t i = 0; i < input.left.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::PushTextWrapPos(box_width(520.0));
+    ImGui::TextUnformatted(input.left[i].title.c_str());
+    dim_text(input.left[i].detail);
+    ImGui::PopTextWrapPos();
+    if (push_button("Recover") || (i == 0 && panels.dialog.accepted)) request = Recover{i};
+    ImGui::SameLine();
+    if (push_button("Throw away")) requests.emplace_back(DiscardRecovery{i});
+    ImGui::PopID();
+    ImGui::Dummy({0.0f, units(4.0)});
+  }
+  if (push_button("Later") || panels.dialog.cancelled || input.left.empty()) return close(panels);
+  ImGui::SameLine();
+  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + units(6.0));
+  dim_text("What is left is offered again at the next start.");
+  if (!request) return;
+  close(panels);
+  requests.push_back(*request);
+}
+
+void working_box(const PanelInput&, Panels& panels, Requests&) {
+  FileWork& work = panels.work;
+  if (!work.is_running) return close(panels);
+  ImGui::TextUnformatted(printable(work.what, 60).c_str());
+  ImGui::Spacing();
+  progress_bar(work.fraction, work.seconds, units(420.0));
+  ImGui::Spacing();
+  if (work.wants_stop)
+    dim_text("Stopping...");
+  else if (push_button("Cancel") || panels.dialog.cancelled)
+    work.wants_stop = true;
+}
+
+struct Question {
+  const char* title;
+  void (*build)(const PanelInput& input, Panels& panels, Requests& requests);
+};
+// In the order of Dialog::Kind, after None.
+constexpr Question questions[] = {{"Message", message_box},
+                                  {"Open a scene", open_box},
+                                  {"Save the scene as", save_box},
+                                  {"Save the changes?", unsaved_box},
+                                  {"Put a picture on the cloth", texture_box},
+                                  {"Unsaved work was found", recovery_box},
+                                  {"One moment", working_box}};
+
+}  // namespace
+
+void build_dialogs(const PanelInput& input, Panels& panels, Requests& requests) {
+  if (panels.dialog.kind == Dialog::Kind::None && !panels.waiting.empty()) {
+    panels.dialog = std::move(panels.waiting.front());
+    panels.waiting.pop_front();
+  }
+  if (panels.dialog.kind == Dialog::Kind::None) return;
+  const Question& question = questions[static_cast<int>(panels.dialog.kind) - 1];
+  const std::string heading = panels.dialog.title.empty() ? question.title : printable(panels.dialog.title);
+  if (panels.dialog.is_new) ImGui::OpenPopup(question.title);
+  panels.dialog.is_new = false;
+
+  ImGui::SetNextWindowPos({0.5f * ImGui::GetIO().DisplaySize.x, 0.42f * ImGui::GetIO().DisplaySize.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(20.0), units(16.0)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
+  if (ImGui::BeginPopupModal(
+          question.title, nullptr,
+          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+    ImGui::PushFont(fonts().strong);
+    ImGui::TextUnformatted(heading.c_str());
+    ImGui::PopFont();
+    ImGui::Dummy({0.0f, units(4.0)});
+    question.build(input, panels, requests);
+    panels.dialog.accepted = panels.dialog.cancelled = false;
+    ImGui::EndPopup();
+  } else {
+    panels.dialog = {};
+  }
+  ImGui::PopStyleVar(2);
+}
+
+}  // namespace hooke

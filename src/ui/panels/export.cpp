@@ -1,0 +1,126 @@
+// The box of Ctrl+E: what for, where to, and for what happens in time how long and which quantities.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <array>
+
+#include "scene/quantity.h"
+#include "ui/number_field.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+constexpr std::array rows{
+    ExportKind{".obj", "Mesh", "Points, faces and loose springs as they stand now, in the Wavefront format.", false, false, false},
+    ExportKind{".ply", "Mesh with strain", "The same in the Stanford format, with the strain at every vertex.", false, false, false},
+    ExportKind{".pc2", "Point cache", "Where every point is in every frame from now on: Blender's Mesh Cache plays it on the .obj.", true,
+               false, false},
+    ExportKind{".csv", "Table", "Quantities in every frame from now on.", true, true, false},
+    ExportKind{".csv", "Plots", "What the plots show, as far back as the frames of the run go.", false, true, false},
+    ExportKind{".xsp", "XSpringies", "A flat scene for XSpringies, as it stands now.", false, false, true},
+    ExportKind{".png", "Picture", "The scene as it is seen now, without the panels.", false, false, false},
+};
+
+// The ending that the kind has, in place of another kind's.
+void follow_kind(ExportState& export_state) {
+  const std::string_view extension = rows[export_state.kind].extension;
+  for (const ExportKind& row : rows)
+    if (export_state.path.ends_with(row.extension)) export_state.path.resize(export_state.path.size() - row.extension.size());
+  export_state.path += extension;
+}
+
+void kinds(ExportState& export_state, bool is_flat) {
+  ImGui::PushStyleColor(ImGuiCol_FrameBg, palette::pressed);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ImGui::BeginDisabled(rows[i].flat_only && !is_flat);
+    if (ImGui::RadioButton((std::string(rows[i].label) + " (" + std::string(rows[i].extension) + ")").c_str(), export_state.kind == i)) {
+      export_state.kind = i;
+      follow_kind(export_state);
+    }
+    ImGui::EndDisabled();
+  }
+  ImGui::PopStyleColor();
+}
+
+void over_time(ExportState& export_state, Panels& panels) {
+  const ExportKind& kind = rows[export_state.kind];
+  if (!kind.over_time) return;
+  const NumberField field{.label = "From now on",
+                          .unit = "s",
+                          .description = "The scene is run on from where it stands; what is on the screen stays.",
+                          .min = 0.01,
+                          .max = 600.0,
+                          .default_value = 2.0,
+                          .value = export_state.seconds,
+                          .logarithmic = true};
+  if (const auto value = number_row(field, panels)) export_state.seconds = *value;
+  if (!kind.quantities) return;
+  dim_text("Quantities, with commas between");
+  ImGui::SetNextItemWidth(-1.0f);
+  ImGui::InputText("##quantities", &export_state.quantities);
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::PushFont(fonts().small);
+  dim_text(quantity_names() + ".");
+  ImGui::PopFont();
+  ImGui::PopTextWrapPos();
+}
+
+void buttons(ExportState& export_state) {
+  if (export_state.is_running()) {
+    progress_bar(export_state.fraction, export_state.running_seconds, -units(110.0));
+    ImGui::SameLine();
+    if (ImGui::Button("Stop", {units(96.0), units(30.0)})) export_state.wants_stop = true;
+    return;
+  }
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);
+  if (ImGui::Button("Export", {units(96.0), units(30.0)})) export_state.wants_export = true;
+  ImGui::PopStyleColor();
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel", {units(96.0), units(30.0)})) export_state.is_shown = false;
+}
+
+}  // namespace
+
+std::span<const ExportKind> export_kinds() { return rows; }
+
+void build_export(const PanelInput& input, Panels& panels) {
+  ExportState& export_state = panels.export_state;
+  if (!export_state.is_shown) return;
+  if (export_state.is_new) follow_kind(export_state);
+  const Rect &scene = input.layout.scene, &page = input.layout.page;
+  const float wide = box_width(480.0);
+  ImGui::SetNextWindowPos({middle_for(scene, wide), static_cast<float>(page.y + 0.5 * page.height)}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, static_cast<float>(page.height)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(20.0), units(16.0)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
+  ImGui::Begin("export", nullptr, front_box);
+  panels.floating.push_back(current_window());
+
+  ImGui::PushFont(fonts().strong);
+  ImGui::TextUnformatted("Export");
+  ImGui::PopFont();
+  ImGui::BeginDisabled(export_state.is_running());
+  kinds(export_state, input.status.snapshot->system->dimensions == 2);
+  ImGui::Dummy({0.0f, units(2.0)});
+  ImGui::PushTextWrapPos(0.0f);
+  dim_text(std::string(rows[export_state.kind].description));
+  ImGui::PopTextWrapPos();
+  over_time(export_state, panels);
+  dim_text("Path");
+  if (export_state.is_new) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1.0f);
+  ImGui::InputText("##path", &export_state.path);
+  ImGui::EndDisabled();
+  export_state.is_new = false;
+  ImGui::Dummy({0.0f, units(4.0)});
+  buttons(export_state);
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace hooke

@@ -1,0 +1,60 @@
+// The listed forces of the scene, made from the rows of their table: switch, numbers, remove; and a menu that adds one.
+#include "sim/forces/force_term.h"
+#include "sim/system.h"
+#include "ui/number_field.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+// Its switch, its name and the sign that takes it away. Returns whether it stays.
+bool heading(Force& force) {
+  const float end = ImGui::GetContentRegionMax().x, side = ImGui::GetFrameHeight();
+  ImGui::Checkbox("##on", &force.on);
+  tooltip(std::string(force.term->description));
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(force.term->label.data());
+  tooltip(std::string(force.term->description));
+  ImGui::SameLine(end - side);
+  const bool removed = icon_button("remove", Icon::Delete, {side, side});
+  tooltip("Remove this force");
+  return !removed;
+}
+
+}  // namespace
+
+void build_forces(const PanelInput& input, Panels& panels, Requests& requests) {
+  const std::vector<Force>& now = input.status.snapshot->system->forces;
+  if (!section("Forces", now.empty() ? "" : std::to_string(now.size()), !now.empty())) return;
+
+  std::vector<Force> wanted;
+  for (std::size_t f = 0; f < now.size(); ++f) {
+    Force force = now[f];
+    ImGui::PushID((std::string(force.term->id) + ' ' + std::to_string(f)).c_str());
+    const bool stays = heading(force);
+    for (std::size_t i = 0; i < force.term->numbers.size() && force.on; ++i) {
+      const ForceParameter& row = force.term->numbers[i];
+      ImGui::PushID(row.name.data());
+      if (const auto value = number_row(field_of_row(row, force.values[i], row.name == "seed"), panels)) force.values[i] = *value;
+      ImGui::PopID();
+    }
+    ImGui::PopID();
+    if (stays) wanted.push_back(force);
+  }
+
+  ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::BeginCombo("##add", "Add a force ...", ImGuiComboFlags_HeightLarge)) {
+    for (const ForceTerm& term : force_terms()) {
+      if (ImGui::Selectable(term.label.data())) wanted.push_back({&term, true, default_values(term)});
+      tooltip(std::string(term.description));
+    }
+    ImGui::EndCombo();
+  }
+  if (wanted == now) return;
+  requests.emplace_back(Edit{SetForces{std::move(wanted)}, panels.edit_in_progress});
+  panels.edit_in_progress = true;
+}
+
+}  // namespace hooke

@@ -1,0 +1,92 @@
+// The F1 overlay: every shortcut of the table, by group, and what the mouse does, in as many columns as fit.
+#include <algorithm>
+
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+constexpr double column_width = 330.0;  // [units of design]
+constexpr int max_columns = 3;
+constexpr double heading_lines = 1.6;  // a heading and the gap above it, in lines
+
+struct Line {
+  std::string left;
+  std::string_view right;
+};
+struct Group {
+  std::string_view title;
+  std::vector<Line> lines;
+  double indent;  // of what stands at the right [units of design]
+  double height() const { return heading_lines + static_cast<double>(lines.size()); }
+};
+
+std::vector<Group> all_groups() {
+  std::vector<Group> groups;
+  for (const Shortcut& row : shortcuts()) {
+    if (groups.empty() || groups.back().title != row.group) groups.push_back({row.group, {}, 112.0});
+    groups.back().lines.push_back({key_text(row), row.text});
+  }
+  groups.push_back({"Mouse", {}, 170.0});
+  for (const MouseHint& hint : mouse_hints()) groups.back().lines.push_back({std::string(hint.gesture), hint.text});
+  return groups;
+}
+
+void build_group(const Group& group) {
+  ImGui::Dummy({0.0f, units(3.0)});
+  ImGui::PushFont(fonts().strong);
+  text_in(palette::accent, std::string(group.title));
+  ImGui::PopFont();
+  for (const Line& line : group.lines) {
+    ImGui::TextUnformatted(line.left.c_str());
+    ImGui::SameLine(units(group.indent));
+    dim_text(std::string(line.right));
+  }
+}
+
+// Groups stay whole and in their order; each column takes its share.
+void build_columns(int columns) {
+  const std::vector<Group> groups = all_groups();
+  double rest = 0.0;
+  for (const Group& group : groups) rest += group.height();
+  double filled = 0.0;
+  for (const Group& group : groups) {
+    const double fraction = (rest + filled) / columns;
+    if (filled > 0.0 && columns > 1 && filled + 0.5 * group.height() > fraction) {
+      ImGui::NextColumn();
+      --columns;
+      filled = 0.0;
+    }
+    build_group(group);
+    filled += group.height();
+    rest -= group.height();
+  }
+}
+
+}  // namespace
+
+void build_keys(const PanelInput& input, Panels& panels) {
+  if (!panels.keys_shown) return;
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const int columns = std::clamp(static_cast<int>(display.x / units(column_width + 24.0)), 1, max_columns);
+  const float width = std::min(display.x, static_cast<float>(columns) * units(column_width) + units(48.0));
+  const Rect& page = input.layout.page;
+  const float middle = static_cast<float>(page.y + 0.5 * page.height);
+  ImGui::SetNextWindowPos({0.5f * display.x, middle}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, static_cast<float>(page.height)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(24.0), units(14.0)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
+  ImGui::Begin("keys", nullptr, front_box);
+  panels.floating.push_back(current_window());
+  ImGui::Columns(columns, "columns", false);
+  build_columns(columns);
+  ImGui::Columns(1);
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace hooke

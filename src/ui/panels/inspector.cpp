@@ -1,0 +1,213 @@
+// What is selected, and its properties to be typed: of one thing, or of all at once.
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "ui/number_field.h"
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/typed_field.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+// What can be typed. Far beyond the sliders, within what stays computable. [kg], [m], [N/m], [N s/m]
+constexpr double min_mass = 1e-9, max_mass = 1e9, max_length = 1e6, max_stiffness = 1e12, max_damping = 1e9, max_strain = 1e6;
+
+template <class Value>
+struct Common {
+  Value value{};
+  bool mixed = false;
+};
+
+template <class Item, class Read>
+auto common(const std::vector<Item>& items, const Read& read) {
+  Common<std::decay_t<decltype(read(items.front()))>> found{read(items.front())};
+  found.mixed = std::ranges::any_of(items, [&](const Item& item) { return !(read(item) == found.value); });
+  return found;
+}
+
+void edit(Command command, Panels& panels, Requests& requests) { requests.emplace_back(Edit{std::move(command), panels.edit_in_progress}); }
+
+struct Inspected {
+  const Snapshot& snapshot;
+  std::vector<Index> points;
+  std::vector<Index> springs;
+
+  const Point& point(Index i) const { return snapshot.system->points()[i]; }
+  const Spring& spring(Index s) const { return snapshot.system->springs()[s]; }
+};
+
+Inspected inspect(const PanelInput& input) {
+  const System& system = *input.status.snapshot->system;
+  Inspected inspected{*input.status.snapshot, {}, {}};
+  for (const PointId id : input.selection.points)
+    if (const Index i = system.index_of(id); i != no_index) inspected.points.push_back(i);
+  for (const SpringId id : affected_springs(system, input.selection))
+    if (const Index s = system.index_of(id); s != no_index) inspected.springs.push_back(s);
+  return inspected;
+}
+
+// The rest of a field whose value all share, or not.
+TypedField field_of(TypedField field, const Common<double>& now) {
+  field.value = now.value;
+  field.mixed = now.mixed;
+  return field;
+}
+
+void point_row(const TypedField& field, PointProperty property, double Point::*member, const Inspected& inspected, Panels& panels,
+               Requests& requests) {
+  const auto now = common(inspected.points, [&](Index i) { return inspected.point(i).*member; });
+  if (const auto value = typed_row(field_of(field, now), panels)) {
+    SetPointProperty set{property, {}};
+    for (const Index i : inspected.points) set.values.emplace_back(inspected.point(i).id, *value);
+    edit(std::move(set), panels, requests);
+  }
+}
+
+void place_row(const char* label, int axis, const Inspected& inspected, Panels& panels, Requests& requests) {
+  const State& state = inspected.snapshot.state;
+  const auto now = common(inspected.points, [&](Index i) { return state.position[i][axis]; });
+  const TypedField field{.label = label,
+                         .unit = "m",
+                         .description = "Where it is; a point that is moved keeps its velocity.",
+                         .min = -max_length,
+                         .max = max_length};
+  if (const auto value = typed_row(field_of(field, now), panels)) {
+    Move move;
+    for (const Index i : inspected.points) {
+      Vec3 position = state.position[i];
+      position[axis] = *value;
+      move.items.push_back({inspected.point(i).id, position, state.velocity[i]});
+    }
+    edit(std::move(move), panels, requests);
+  }
+}
+
+void nailed_row(const Inspected& inspected, Panels& panels, Requests& requests) {
+  const auto now = common(inspected.points, [&](Index i) { return inspected.point(i).nailed; });
+  begin_row("Nailed");
+  // two bits of which one is set are drawn as neither on nor off
+  int bits = now.mixed ? 1 : now.value ? 3 : 0;
+  if (!ImGui::CheckboxFlags("##nailed", &bits, 3)) return;
+  SetNailed set;
+  for (const Index i : inspected.points)
+    if (inspected.point(i).nailed != (bits == 3)) set.items.push_back({inspected.point(i).id, bits == 3});
+  edit(std::move(set), panels, requests);
+}
+
+void color_row(const Inspected& inspected, Panels& panels, Requests& requests) {
+  const auto now = common(inspected.points, [&](Index i) { return inspected.point(i).color; });
+  const auto set_all = [&](std::optional<Color> color) {
+    SetPointColor set;
+    for (const Index i : inspected.points) set.values.emplace_back(inspected.point(i).id, color);
+    edit(std::move(set), panels, requests);
+    panels.edit_in_progress = true;
+  };
+  begin_row("Colour");
+  const Color color = now.value.value_or(Color{200, 205, 212});
+  float channels[] = {color.red / 255.0f, color.green / 255.0f, color.blue / 255.0f};
+  if (ImGui::ColorEdit3("##color", channels, ImGuiColorEditFlags_NoInputs)) {
+    const auto byte = [](float fraction) { return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(fraction, 0.0f, 1.0f))); };
+    set_all(Color{byte(channels[0]), byte(channels[1]), byte(channels[2])});
+  }
+  ImGui::SameLine();
+  if (now.mixed) {
+    dim_text("mixed");
+    ImGui::SameLine();
+  } else if (!now.value) {
+    return dim_text("by state");
+  }
+  if (ImGui::SmallButton("By state")) set_all(std::nullopt);
+}
+
+void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) {
+  ImGui::PushID("points");
+  const char* names[] = {"Position x", "Position y", "Position z"};
+  for (int axis = 0; axis < inspected.snapshot.system->dimensions; ++axis) {
+    ImGui::PushID(axis);
+    place_row(names[axis], axis, inspected, panels, requests);
+    ImGui::PopID();
+  }
+  ImGui::PushID("mass");
+  point_row({.label = "Mass", .unit = "kg", .description = "Of each selected point.", .min = min_mass, .max = max_mass},
+            PointProperty::Mass, &Point::mass, inspected, panels, requests);
+  ImGui::PopID();
+  ImGui::PushID("radius");
+  point_row({.label = "Radius",
+             .unit = "m",
+             .description = "Of the ball that is drawn, and the distance at which it touches.",
+             .min = 0.0,
+             .max = max_length},
+            PointProperty::Radius, &Point::radius, inspected, panels, requests);
+  ImGui::PopID();
+  nailed_row(inspected, panels, requests);
+  color_row(inspected, panels, requests);
+  ImGui::PopID();
+}
+
+// How long it is now, of a single one.
+void length_line(const Inspected& inspected) {
+  const Spring& spring = inspected.spring(inspected.springs[0]);
+  const double length = glm::distance(inspected.snapshot.position(spring.first), inspected.snapshot.position(spring.second));
+  begin_row("Length now");
+  std::string text = number(length) + " m";
+  if (spring.rest_length > 0.0) text += ", strain " + number(100.0 * (length / spring.rest_length - 1.0)) + " %";
+  ImGui::TextUnformatted(text.c_str());
+}
+
+struct SpringRow {
+  TypedField field;
+  SpringProperty property;
+  double Spring::*member;
+};
+constexpr SpringRow spring_table[] = {
+    {{.label = "Stiffness k", .unit = "N/m", .description = "Force per stretched metre.", .max = max_stiffness},
+     SpringProperty::Stiffness,
+     &Spring::stiffness},
+    {{.label = "Damping d", .unit = "N s/m", .description = "Force along the spring per speed at which its ends part.", .max = max_damping},
+     SpringProperty::Damping,
+     &Spring::damping},
+    {{.label = "Rest length", .unit = "m", .description = "At which it neither pulls nor pushes.", .max = max_length},
+     SpringProperty::RestLength,
+     &Spring::rest_length},
+    {{.label = "Breaks at",
+      .description = "Strain at which it tears: 0.5 is half as long again as at rest; \"never\" is never.",
+      .min = 1e-6,
+      .max = max_strain,
+      .infinity_text = "never"},
+     SpringProperty::BreakStrain,
+     &Spring::break_strain},
+};
+
+void spring_rows(const Inspected& inspected, Panels& panels, Requests& requests) {
+  ImGui::PushID("springs");
+  for (const SpringRow& row : spring_table) {
+    ImGui::PushID(row.field.label.data());
+    const auto now = common(inspected.springs, [&](Index s) { return inspected.spring(s).*row.member; });
+    if (const auto value = typed_row(field_of(row.field, now), panels)) {
+      SetSpringProperty set{row.property, {}};
+      for (const Index s : inspected.springs) set.values.emplace_back(inspected.spring(s).id, *value);
+      edit(std::move(set), panels, requests);
+    }
+    ImGui::PopID();
+  }
+  if (inspected.springs.size() == 1) length_line(inspected);
+  ImGui::PopID();
+}
+
+}  // namespace
+
+void build_inspector(const PanelInput& input, Panels& panels, Requests& requests) {
+  if (input.selection.empty()) return;
+  const Inspected inspected = inspect(input);
+  const auto points = static_cast<long>(inspected.points.size()), springs = static_cast<long>(inspected.springs.size());
+  std::string what = points > 0 ? count(points, "point") : "";
+  if (springs > 0) what += (what.empty() ? "" : ", ") + count(springs, "spring");
+  if (!section("Selection", what)) return;
+  if (points > 0) point_rows(inspected, panels, requests);
+  if (springs > 0) spring_rows(inspected, panels, requests);
+}
+
+}  // namespace hooke

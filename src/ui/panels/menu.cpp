@@ -1,0 +1,243 @@
+// The bar at the top: menus, the run's buttons, undo and redo, the clock.
+#include <algorithm>
+
+#include "base/printable.h"
+#include "formats/scene_file.h"
+#include "formats/texture.h"
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+// A line of a menu for an action of the table.
+void item(Action action, Requests& requests, bool enabled = true, const std::string& detail = {}) {
+  const Shortcut& row = shortcut_of(action);
+  const std::string label = std::string(row.text) + (detail.empty() ? "" : ": " + detail);
+  if (ImGui::MenuItem(label.c_str(), key_text(row).c_str(), false, enabled)) requests.emplace_back(action);
+}
+
+void recent_menu(const PanelInput& input, Requests& requests) {
+  if (!ImGui::BeginMenu("Open recent", !input.recent.empty())) return;
+  for (const std::filesystem::path& file : input.recent) {
+    ImGui::PushID(file.c_str());
+    if (ImGui::MenuItem(printable(file.filename().native(), 40).c_str())) requests.emplace_back(OpenFile{file});
+    tooltip(printable(file.native()));
+    ImGui::PopID();
+  }
+  ImGui::EndMenu();
+}
+
+void file_menu(const PanelInput& input, Panels&, Requests& requests) {
+  item(Action::NewScene, requests);
+  item(Action::OpenScene, requests);
+  recent_menu(input, requests);
+  ImGui::Separator();
+  item(Action::Save, requests);
+  item(Action::SaveAs, requests);
+  item(Action::Export, requests);
+  ImGui::Separator();
+  item(Action::TakePicture, requests);
+  item(Action::FilmOnOff, requests);
+  item(Action::RecordOnOff, requests);
+  ImGui::Separator();
+  item(Action::Quit, requests);
+}
+
+// Two columns: the lessons, and everything else, group by group.
+void scenes_column(const PanelInput& input, bool lessons, Requests& requests) {
+  ImGui::BeginGroup();
+  std::string_view group;
+  for (const ShippedScene& scene : shipped_scenes()) {
+    if ((scene.group == "Lessons") != lessons) continue;
+    if (scene.group != group) {
+      group = scene.group;
+      text_in(palette::accent, std::string(group));
+    }
+    ImGui::PushID(scene.id.c_str());
+    const std::string title = printable(scene.title);
+    if (ImGui::Selectable(title.c_str(), input.file == scene.file, 0, {units(220.0), 0.0f})) requests.emplace_back(OpenFile{scene.file});
+    ImGui::PopID();
+  }
+  ImGui::EndGroup();
+}
+
+void scenes_menu(const PanelInput& input, Panels&, Requests& requests) {
+  item(Action::ShowGallery, requests);
+  ImGui::Separator();
+  scenes_column(input, false, requests);
+  ImGui::SameLine(0.0f, units(24.0));
+  scenes_column(input, true, requests);
+}
+
+// Shapes to be placed, from their table.
+void add_menu(const PanelInput& input, Panels& panels, Requests&) {
+  const bool is_flat = input.status.snapshot->system->dimensions == 2;
+  for (const ShapeKind& kind : shape_kinds()) {
+    if (ImGui::MenuItem((std::string(kind.label) + "...").c_str(), nullptr, false, !kind.is_3d_only || !is_flat))
+      panels.placement = {.shape = default_shape(kind), .is_new = true};
+    tooltip(std::string(kind.description) + (kind.is_3d_only && is_flat ? " Not in a flat scene." : ""));
+  }
+  ImGui::Separator();
+  if (ImGui::MenuItem("From a mesh...", nullptr, false, !is_flat)) panels.placement = {.is_mesh = true, .is_new = true};
+  tooltip(is_flat ? "An .obj file as cloth. Not in a flat scene." : "An .obj file as cloth.");
+}
+
+void edit_menu(const PanelInput& input, Panels&, Requests& requests) {
+  item(Action::Undo, requests, !input.status.undo_name.empty(), input.status.undo_name);
+  item(Action::Redo, requests, !input.status.redo_name.empty(), input.status.redo_name);
+  ImGui::Separator();
+  const bool any = !input.selection.empty();
+  for (const Action action : {Action::Cut, Action::Copy}) item(action, requests, any);
+  item(Action::Paste, requests);
+  for (const Action action : {Action::Duplicate, Action::DeleteSelection}) item(action, requests, any);
+  ImGui::Separator();
+  for (const Action action : {Action::SelectAll, Action::SelectInverted}) item(action, requests);
+  item(Action::SelectConnected, requests, any);
+  ImGui::Separator();
+  item(Action::ReleaseNails, requests);
+}
+
+void run_menu(const PanelInput&, Panels&, Requests& requests) {
+  for (const Action action : {Action::RunOrPause, Action::StepOnce, Action::StepBack, Action::GoToStart, Action::Slower, Action::Faster})
+    item(action, requests);
+  ImGui::Separator();
+  for (const Action action : {Action::StiffnessUp, Action::StiffnessDown, Action::SubstepsUp, Action::SubstepsDown}) item(action, requests);
+}
+
+// A line for each texture that ships, and for a picture of one's own.
+void texture_menu(const PanelInput& input, Panels& panels, Requests& requests) {
+  const std::string& now = input.status.view.texture;
+  if (ImGui::MenuItem("None", nullptr, now.empty())) requests.emplace_back(ChooseTexture{});
+  bool ships = now.empty();
+  for (const ShippedTexture& texture : shipped_textures()) {
+    const bool chosen = now == texture.id;
+    ships = ships || chosen;
+    if (ImGui::MenuItem(texture.title.data(), nullptr, chosen)) requests.emplace_back(ChooseTexture{std::string(texture.id)});
+  }
+  const std::string own = ships ? "Picture..." : "Picture: " + printable(now, 40) + "...";
+  if (ImGui::MenuItem(own.c_str(), nullptr, !ships)) panels.open_dialog(Dialog::Kind::Texture, ships ? "" : now);
+}
+
+void view_menu(const PanelInput& input, Panels& panels, Requests& requests) {
+  item(Action::FrameAll, requests);
+  item(Action::FrameSelection, requests, !input.selection.empty());
+  ImGui::Separator();
+  const bool turns = input.status.snapshot->system->dimensions == 3;
+  for (const Action action : {Action::ViewFront, Action::ViewSide, Action::ViewTop}) item(action, requests, turns);
+  for (const Action action : {Action::Orthographic, Action::FollowScene, Action::CopyCamera, Action::PasteCamera}) item(action, requests);
+  ImGui::Separator();
+  for (const Action action : {Action::ShowPlots, Action::HidePanels, Action::LightOrDark}) item(action, requests);
+  ImGui::Separator();
+  ImGui::MenuItem("Points", nullptr, &panels.view.points);
+  ImGui::MenuItem("Springs", nullptr, &panels.view.springs);
+  ImGui::MenuItem("Surface", nullptr, &panels.view.surface);
+  ImGui::MenuItem("Colours of strain", nullptr, &panels.view.strain_colors);
+  ImGui::MenuItem("Shadows", nullptr, &panels.view.shadows);
+  ImGui::Separator();
+  ImGui::MenuItem("Colliders", nullptr, &panels.view.colliders);
+  ImGui::MenuItem("Grid", nullptr, &panels.view.grid);
+  ImGui::Separator();
+  for (const Action action : {Action::LargerPanels, Action::SmallerPanels, Action::SearchCommands, Action::ShowKeys})
+    item(action, requests);
+  if (input.status.snapshot->system->faces.empty()) return;
+  ImGui::Separator();
+  dim_text("Texture");
+  texture_menu(input, panels, requests);
+}
+
+struct Menu {
+  const char* name;
+  void (*build)(const PanelInput& input, Panels& panels, Requests& requests);
+};
+constexpr Menu menus[] = {{"File", file_menu}, {"Scenes", scenes_menu}, {"Edit", edit_menu},
+                          {"Add", add_menu},   {"Run", run_menu},       {"View", view_menu}};
+
+// A flat button at x that opens the list under it. Returns its width.
+float build_one(const Menu& menu, float x, const PanelInput& input, Panels& panels, Requests& requests) {
+  const Rect& bar = input.layout.menu;
+  const float width = ImGui::CalcTextSize(menu.name).x + units(18.0);
+  ImGui::SetCursorScreenPos({x, static_cast<float>(bar.y) + units(5.0)});
+  const bool is_open = ImGui::IsPopupOpen(menu.name);
+  ImGui::PushStyleColor(ImGuiCol_Button, is_open ? palette::hovered : IM_COL32(0, 0, 0, 0));
+  const bool clicked = ImGui::Button(menu.name, {width, units(28.0)});
+  ImGui::PopStyleColor();
+
+  // sliding along the bar opens the next list, as in every menu bar
+  const bool sliding = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId) && panels.dialog.kind == Dialog::Kind::None &&
+                       ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+  if (clicked || (sliding && !is_open)) ImGui::OpenPopup(menu.name);
+
+  ImGui::SetNextWindowPos({x, static_cast<float>(bar.y + bar.height)});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(10.0), units(7.0)});
+  if (ImGui::BeginPopup(menu.name, ImGuiWindowFlags_NoMove)) {
+    menu.build(input, panels, requests);
+    panels.menu_is_open = !panels.menu_closes;
+    if (panels.menu_closes) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+  return width;
+}
+
+// In the middle above the scene, where the menus leave room for them. Returns where they end.
+float run_buttons(const PanelInput& input, float menus_end, Requests& requests) {
+  struct Button {
+    Action action;
+    Icon icon;
+    bool active, enabled;
+    std::string detail;
+  };
+  const Status& status = input.status;
+  const Button buttons[] = {
+      {Action::GoToStart, Icon::Start, false, true, ""},
+      {Action::RunOrPause, status.running ? Icon::Pause : Icon::Run, status.running, true, ""},
+      {Action::StepOnce, Icon::Step, false, true, ""},
+      {Action::Undo, Icon::Undo, false, !status.undo_name.empty(), status.undo_name},
+      {Action::Redo, Icon::Redo, false, !status.redo_name.empty(), status.redo_name},
+  };
+  const ImVec2 size{units(36.0), units(30.0)};
+  const Rect& scene = input.layout.scene;
+  const float width = 5.0f * (size.x + units(4.0)) + units(14.0);
+  float x = std::max(static_cast<float>(scene.x + 0.5 * scene.width) - 0.5f * width, menus_end + units(8.0));
+  for (const Button& button : buttons) {
+    if (button.action == Action::Undo) x += units(14.0);
+    ImGui::SetCursorScreenPos({x, static_cast<float>(input.layout.menu.y) + units(4.0)});
+    ImGui::PushID(static_cast<int>(button.action));
+    if (icon_button("run", button.icon, size, button.active, button.enabled)) requests.emplace_back(button.action);
+    tooltip(button.action, button.detail);
+    ImGui::PopID();
+    x += size.x + units(4.0);
+  }
+  return x;
+}
+
+void clock(const PanelInput& input, float buttons_end) {
+  char text[48];
+  std::snprintf(text, sizeof text, "t = %.2f s", input.status.snapshot->state.time);
+  const float x = static_cast<float>(input.layout.menu.width) - ImGui::CalcTextSize(text).x - units(14.0);
+  if (x < buttons_end) return;
+  ImGui::SetCursorScreenPos({x, static_cast<float>(input.layout.menu.y) + units(11.0)});
+  text_in(input.status.running ? palette::text : palette::dim, text);
+}
+
+}  // namespace
+
+void build_menu(const PanelInput& input, Panels& panels, Requests& requests) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(6.0), 0.0f});
+  begin_panel("menu", input.layout.menu, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  ImGui::GetWindowDrawList()->AddLine({0.0f, static_cast<float>(input.layout.menu.height) - 1.0f},
+                                      {static_cast<float>(input.layout.menu.width), static_cast<float>(input.layout.menu.height) - 1.0f},
+                                      palette::line);
+
+  panels.menu_is_open = false;
+  float x = units(8.0);
+  for (const Menu& menu : menus) x += build_one(menu, x, input, panels, requests) + units(2.0);
+  panels.menu_closes = false;
+  clock(input, run_buttons(input, x, requests));
+  ImGui::End();
+}
+
+}  // namespace hooke

@@ -1,0 +1,214 @@
+// What lies over the scene: the legend of strain, the hint of an empty scene, the rubber band, a passing line, and the
+// banner that says why a run stopped.
+#include <algorithm>
+
+#include "scene/parameters.h"
+#include "sim/integrator.h"
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+constexpr double toast_seconds = 1.8;
+
+ImVec2 place(const Rect& scene, double x, double y) { return {static_cast<float>(scene.x + x), static_cast<float>(scene.y + y)}; }
+
+ImU32 strain_rgba(double relative) { return to_imgui(View::strain_color(relative)); }
+
+// A strain in per cent: "+2 %".
+std::string percent(double strain) {
+  std::string text = strain > 0.0 ? "+" : "";
+  return text.append(number(100.0 * strain)).append(" %");
+}
+
+void legend(const PanelInput& input, const Panels& panels, ImDrawList& list) {
+  const Snapshot& snapshot = *input.status.snapshot;
+  const bool is_coloured = panels.view.springs || (panels.view.surface && !snapshot.system->faces.empty());
+  if (snapshot.system->springs().empty() || !is_coloured || !panels.view.strain_colors) return;
+  // not where it would cover the scene
+  const Rect& scene = input.layout.scene;
+  if (scene.width < units(240.0) || scene.height < units(200.0)) return;
+  const ImVec2 at = place(scene, units(18.0), scene.height - units(44.0));
+  const float width = units(180.0), height = units(8.0);
+
+  // to be read on whatever hangs there
+  const float left = units(10.0), top = units(24.0), bottom = units(28.0);
+  list.AddRectFilled({at.x - left, at.y - top}, {at.x + width + left, at.y + bottom}, palette::shade, units(6.0));
+
+  constexpr int bands = 32;
+  for (int i = 0; i < bands; ++i) {
+    const float from = at.x + width * static_cast<float>(i) / bands, to = at.x + width * static_cast<float>(i + 1) / bands;
+    const ImU32 less = strain_rgba(2.0 * i / bands - 1.0), more = strain_rgba(2.0 * (i + 1) / bands - 1.0);
+    list.AddRectFilledMultiColor({from, at.y}, {to, at.y + height}, less, more, more, less);
+  }
+
+  const double scale = View::strain_scale(snapshot);
+  ImGui::PushFont(fonts().small);
+  const auto label = [&](float x, float align, float y, const std::string& text, ImU32 text_color) {
+    list.AddText({x - align * ImGui::CalcTextSize(text.c_str()).x, y}, text_color, text.c_str());
+  };
+  const float below = at.y + height + units(4.0), above = at.y - units(19.0);
+  label(at.x, 0.0f, above, "Strain", palette::text);
+  label(at.x + width, 1.0f, above, percent(snapshot.min_strain) + " to " + percent(snapshot.max_strain), palette::dim);
+  label(at.x, 0.0f, below, percent(-scale), palette::dim);
+  label(at.x + 0.5f * width, 0.5f, below, "0", palette::dim);
+  label(at.x + width, 1.0f, below, percent(scale), palette::dim);
+  ImGui::PopFont();
+}
+
+void hint_of_empty_scene(const PanelInput& input, ImDrawList& list) {
+  if (input.status.snapshot->system->point_count() > 0) return;
+  const Rect& scene = input.layout.scene;
+  const std::string text = "Press A and click to add points; T attaches springs; Space runs.";
+  const float room = std::max(1.0f, static_cast<float>(scene.width) - units(32.0));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
+  list.AddText(nullptr, 0.0f, place(scene, 0.5 * (scene.width - size.x), 0.36 * scene.height), palette::dim, text.c_str(), nullptr, room);
+}
+
+void rubber_band(const PanelInput& input, ImDrawList& list) {
+  if (!input.rubber_band) return;
+  const ImVec2 min = corner(*input.rubber_band), size = extent(*input.rubber_band);
+  const ImVec2 max{min.x + size.x, min.y + size.y};
+  list.AddRectFilled(min, max, (palette::accent & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 30));
+  list.AddRect(min, max, palette::accent);
+}
+
+// Where the scissors went, a light line on a dark one, to be seen on any cloth.
+void stroke(const PanelInput& input, ImDrawList& list) {
+  if (input.stroke.size() < 2) return;
+  std::vector<ImVec2> stroke_points;
+  for (const glm::dvec2& at : input.stroke) stroke_points.push_back(place(input.layout.scene, at.x, at.y));
+  const auto count = static_cast<int>(stroke_points.size());
+  list.AddPolyline(stroke_points.data(), count, palette::shade, 0, units(5.0));
+  list.AddPolyline(stroke_points.data(), count, palette::accent, 0, units(2.0));
+}
+
+void toast(const PanelInput& input, Panels& panels, ImDrawList& list) {
+  if (panels.toast.empty()) return;
+  const double now = ImGui::GetTime();
+  if (panels.toast_until < 0.0) panels.toast_until = now + toast_seconds;
+  if (now >= panels.toast_until) {
+    panels.toast.clear();
+    return;
+  }
+  const Rect& scene = input.layout.scene;
+  const float dx = units(14.0), dy = units(8.0), room = std::max(1.0f, static_cast<float>(scene.width) - 2.0f * (dx + units(8.0)));
+  const ImVec2 size = ImGui::CalcTextSize(panels.toast.c_str(), nullptr, false, room);
+  const ImVec2 at = place(scene, 0.5 * (scene.width - size.x), scene.height - units(70.0) - size.y);
+  list.AddRectFilled({at.x - dx, at.y - dy}, {at.x + size.x + dx, at.y + size.y + dy}, palette::shade, units(8.0));
+  list.AddText(nullptr, 0.0f, at, palette::text, panels.toast.c_str(), nullptr, room);
+}
+
+// What the advice comes to here: another method does not need fewer substeps than there are.
+Advice fitted(const Advice& advice, const Settings& settings) {
+  if (advice.integrator == settings.integrator) return advice;
+  return {advice.integrator, std::max(advice.substeps, settings.substeps)};
+}
+
+std::string display_text(const Advice& advice, const Settings& settings) {
+  std::string text = "Start over with ";
+  if (advice.integrator != settings.integrator) text.append(advice.integrator->label);
+  if (advice.integrator != settings.integrator && advice.substeps != settings.substeps) text.append(" and ");
+  return advice.substeps == settings.substeps ? text : text.append(count(advice.substeps, "substep"));
+}
+
+// Sets what the advice says, past the slider's end where that is what it takes, and starts over with it.
+void take_advice(const Advice& advice, const Settings& settings, Requests& requests) {
+  const bool changes_method = advice.integrator != settings.integrator;
+  if (changes_method) requests.emplace_back(Edit{SetIntegrator{advice.integrator}});
+  requests.emplace_back(Edit{RestoreParameter{find_parameter("substeps"), static_cast<double>(advice.substeps)}, changes_method});
+  requests.emplace_back(Control(GoToStart{}));
+  requests.emplace_back(Control(SetRunning{true}));
+}
+
+// A notice at the top of the scene, `down` from it; the rest of it is built between begin and end. end returns its height.
+void begin_banner(const char* name, const Rect& scene, double down, const std::string& text, ImU32 ground, ImU32 edge, Panels& panels) {
+  const float width = std::min(static_cast<float>(scene.width) - units(32.0), units(620.0));
+  ImGui::SetNextWindowPos(place(scene, 0.5 * (scene.width - width), units(14.0) + down));
+  ImGui::SetNextWindowSize({width, 0.0f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(6.0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(18.0), units(12.0)});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::pressed);
+  ImGui::Begin(name, nullptr, fixed_panel | ImGuiWindowFlags_AlwaysAutoResize);
+  panels.floating.push_back(current_window());
+
+  const ImVec2 min = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  ImGui::PushClipRect(min, {min.x + size.x, min.y + size.y}, false);
+  ImGui::GetWindowDrawList()->AddRectFilled(min, {min.x + units(5.0), min.y + size.y}, edge, units(6.0), ImDrawFlags_RoundCornersLeft);
+  ImGui::PopClipRect();
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+}
+
+double end_banner() {
+  const double height = ImGui::GetWindowSize().y;
+  ImGui::End();
+  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar(2);
+  return height;
+}
+
+void banners(const PanelInput& input, Panels& panels, Requests& requests) {
+  const Status& status = input.status;
+  const Rect& scene = input.layout.scene;
+  double down = 0.0;
+  if (status.message.empty()) panels.dismissed.clear();
+
+  // why the run stopped
+  if (!status.message.empty() && status.message != panels.dismissed) {
+    begin_banner("stopped", scene, down, status.message, palette::alarm, palette::bad, panels);
+    if (status.advice) {
+      const Settings& settings = status.snapshot->settings;
+      const Advice advice = fitted(*status.advice, settings);
+      if (ImGui::Button(display_text(advice, settings).c_str())) {
+        take_advice(advice, settings, requests);
+        panels.file_warnings.clear();
+      }
+      same_line_for("Dismiss");
+    }
+    if (ImGui::Button("Dismiss")) panels.dismissed = status.message;
+    down += end_banner() + units(8.0);
+  }
+
+  // the open file is not what it was
+  if (!panels.file_notice.empty()) {
+    begin_banner("file", scene, down, panels.file_notice, palette::notice, palette::warning, panels);
+    std::optional<Answer> answer;
+    if (!panels.file_is_gone) {
+      if (ImGui::Button("Load it")) answer = Answer::Reload;
+      same_line_for("Keep mine");
+    }
+    if (ImGui::Button(panels.file_is_gone ? "Go on" : "Keep mine")) answer = Answer::KeepMine;
+    down += end_banner() + units(8.0);
+    if (answer) requests.emplace_back(*answer);
+  }
+
+  // what the file that was opened is remarkable for
+  if (!panels.file_warnings.empty() && down == 0.0) {
+    begin_banner("remarks", scene, down, panels.file_warnings, palette::notice, palette::warning, panels);
+    if (ImGui::Button("Dismiss")) panels.file_warnings.clear();
+    end_banner();
+  }
+}
+
+}  // namespace
+
+void build_overlays(const PanelInput& input, Panels& panels, Requests& requests) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const Rect& scene = input.layout.scene;
+  list.PushClipRect(corner(scene), place(scene, scene.width, scene.height));
+  legend(input, panels, list);
+  hint_of_empty_scene(input, list);
+  rubber_band(input, list);
+  stroke(input, list);
+  toast(input, panels, list);
+  list.PopClipRect();
+  banners(input, panels, requests);
+}
+
+}  // namespace hooke

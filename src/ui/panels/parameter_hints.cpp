@@ -1,0 +1,121 @@
+#include "ui/panels/parameter_hints.h"
+
+#include <cmath>
+
+#include "study/forecast.h"
+#include "ui/number_field.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+// Two digits: of what is not known better, or not needed better.
+std::string two_digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return value >= 100.0 && value < 1e6 ? std::to_string(std::lround(value)) : text;
+}
+
+std::string three_digits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+std::string length_text(double length) {
+  if (length < 1e-6) return "< 1 \u03bcm";
+  if (length < 1e-3) return "~ " + two_digits(1e6 * length) + " \u03bcm";
+  return length < 1.0 ? "~ " + two_digits(1e3 * length) + " mm" : "~ " + two_digits(length) + " m";
+}
+
+// Stands where nothing can be said, so that no slider moves under the mouse when it can.
+constexpr const char* nothing = "\u2013";
+
+// Too little to notice is none.
+std::string ratio_text(double ratio) { return ratio < 5e-5 ? "0" : two_digits(ratio); }
+
+// Small, the name on the left under the slider's; a dot before what is good or bad.
+void remark(const std::string& name, const std::string& text, const std::string& description, ImU32 dot = 0,
+            ImU32 text_color = palette::dim) {
+  ImGui::PushFont(fonts().small);
+  begin_row(name);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (dot != 0) {
+    const float radius = units(4.0), middle = at.y + ImGui::GetStyle().FramePadding.y + 0.5f * ImGui::GetTextLineHeight();
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x + radius, middle}, radius, dot);
+    ImGui::SetCursorScreenPos({at.x + units(14.0), at.y});
+    ImGui::AlignTextToFramePadding();
+  }
+  ImGui::PushTextWrapPos(0.0f);
+  text_in(text_color, text);
+  ImGui::PopTextWrapPos();
+  ImGui::PopFont();
+  tooltip(description);
+}
+
+// The step, and omega h against the method's limit.
+void step_remark(const Snapshot& snapshot) {
+  const double h = snapshot.settings.substep(), limit = snapshot.largest_stable_step;
+  const double fraction = limit > 0.0 ? h / limit : INFINITY;
+  const bool anything = snapshot.omega > 0.0;
+  const ImU32 text_color = !anything ? palette::dim : fraction > 1.0 ? palette::bad : fraction > 0.8 ? palette::warning : palette::good;
+
+  std::string text = "\u03c9h = " + three_digits(snapshot.omega * h);
+  if (!anything)
+    text = "\u03c9h = 0, nothing swings";
+  else if (limit == 0.0)
+    text += ", no step holds";
+  else if (std::isinf(limit))
+    text += ", any step holds";
+  else if (fraction > 1.0)
+    text += ", needs " + number(std::ceil(1.0 / (snapshot.settings.frame_rate * limit))) + " substeps";
+  else
+    text += ", holds up to " + three_digits(snapshot.omega * limit);
+  char step[32];
+  std::snprintf(step, sizeof step, "step %.3g ms", 1000.0 * h);
+  remark(step, text,
+         "The fastest swing of the scene turns by at most this many radians in a step. Beyond the method's limit the scene can blow up.",
+         text_color, anything && fraction > 0.8 ? text_color : palette::dim);
+}
+
+void sag_remark(const Forecast& forecast) {
+  remark("sag", forecast.sag ? length_text(*forecast.sag) : nothing,
+         "How far the weight stretches the scene at rest: the point that hangs lowest for it, against where it would be without weight. "
+         "Not told where nothing carries the weight, where colliders or other forces decide too, and of more than 1,700 points.");
+}
+
+void ratio_remark(double (*ratio)(const Forecast&, const Mode&), const std::string& of, const Forecast& forecast) {
+  const auto of_mode = [&](const std::optional<Mode>& mode, const std::string& which) -> std::string {
+    if (!mode) return "";
+    const double value = ratio(forecast, *mode);
+    return std::isnan(value) ? which + " differs" : ratio_text(value) + " " + which;
+  };
+  const std::string slowest = of_mode(forecast.slowest, "slowest"), fastest = of_mode(forecast.fastest, "fastest");
+  std::string text = slowest.empty() ? fastest : slowest + ", " + fastest;
+  if (fastest.empty()) text = nothing;
+  if (fastest == "0 fastest" && (slowest.empty() || slowest == "0 slowest")) text = "0";
+  const auto period = [](const Mode& mode) { return number(2.0 * 3.14159265358979323846 / mode.omega) + " s"; };
+  std::string description =
+      "What the " + of + " alone makes of the scene's swings: at 1 they die out as soon as they can, beyond it they creep. ";
+  if (forecast.slowest && forecast.fastest)
+    description += "The slowest swing takes " + period(*forecast.slowest) + ", the fastest " + period(*forecast.fastest) + ".";
+  remark("damping ratio \u03b6", text, description);
+}
+
+}  // namespace
+
+void parameter_hint_row(const Parameter& row, const PanelInput& input) {
+  using Scope = Parameter::Scope;
+  if (row.name == "substeps") return step_remark(*input.status.snapshot);
+  if (input.forecast == nullptr || input.status.snapshot->system->springs().empty()) return;
+  const bool is_per_family = row.family.has_value();
+  if ((row.scope == Scope::SpringStiffness && !is_per_family) || row.scope == Scope::PointMass || row.scope == Scope::Gravity)
+    sag_remark(*input.forecast);
+  else if (row.scope == Scope::SpringDamping)
+    ratio_remark([](const Forecast&, const Mode& mode) { return dashpot_ratio(mode); }, "dashpots", *input.forecast);
+  else if (row.name == "drag")
+    ratio_remark([](const Forecast& forecast, const Mode& mode) { return drag_ratio(mode, forecast.drag); }, "drag", *input.forecast);
+}
+
+}  // namespace hooke

@@ -1,0 +1,171 @@
+// Sliders and switches, made from the rows of the parameter table; what they mean for the scene on screen stands beside.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "scene/parameters.h"
+#include "sim/integrator.h"
+#include "ui/number_field.h"
+#include "ui/panels.h"
+#include "ui/panels/parameter_hints.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+void edit(Command command, Panels& panels, Requests& requests) {
+  requests.emplace_back(Edit{std::move(command), panels.edit_in_progress});
+  panels.edit_in_progress = true;
+}
+
+// The springs that k and d act on: of the selection, else all.
+struct AffectedSprings {
+  bool all;
+  std::vector<const Spring*> springs;
+};
+
+AffectedSprings springs_of(const PanelInput& input) {
+  const System& system = *input.status.snapshot->system;
+  const std::vector<SpringId> selected = affected_springs(system, input.selection);
+  AffectedSprings affected{selected.empty(), {}};
+  if (affected.all)
+    for (const Spring& spring : system.springs()) affected.springs.push_back(&spring);
+  for (const SpringId id : selected)
+    if (const Index s = system.index_of(id); s != no_index) affected.springs.push_back(&system.springs()[s]);
+  return affected;
+}
+
+NumberField field_of(const Parameter& row, const ControlRanges& controls, double value) {
+  NumberField field{.label = row.label,
+                    .unit = row.unit,
+                    .description = row.description,
+                    .min = row.min,
+                    .max = row.max,
+                    .default_value = row.default_value,
+                    .value = value,
+                    .integer = row.kind == Parameter::Kind::Integer,
+                    .logarithmic = row.logarithmic};
+  const bool is_stiffness = row.name == "stiffness" || row.name == "new_stiffness";
+  if (is_stiffness && controls.stiffness_max > 0.0) {
+    field.min = controls.stiffness_min;
+    field.max = controls.stiffness_max;
+    field.step = controls.stiffness_step;
+    field.default_value = std::clamp(field.default_value, field.min, field.max);
+    field.logarithmic = false;
+  }
+  return field;
+}
+
+// What the row says of the springs meant; without any, the value that the table says.
+void spring_row(const Parameter& row, double value_without, const AffectedSprings& affected, const PanelInput& input, Panels& panels,
+                Requests& requests) {
+  const bool stiffness = row.scope == Parameter::Scope::SpringStiffness;
+  CommonValue common;
+  std::vector<std::pair<const Spring*, double>> weights;
+  for (const Spring* spring : affected.springs) {
+    const double weight = weight_of(row, input.status.sheet.get(), *spring);
+    if (!(weight > 0.0)) continue;
+    weights.emplace_back(spring, weight);
+    common.include((stiffness ? spring->stiffness : spring->damping) / weight);
+  }
+  NumberField field = field_of(row, input.status.controls, common.value_or(value_without));
+  field.mixed = common.is_mixed();
+  field.enabled = !weights.empty();
+  const auto value = number_row(field, panels);
+  if (!value) return;
+  if (affected.all) return edit(SetParameter{&row, *value}, panels, requests);
+  SetSpringProperty set{stiffness ? SpringProperty::Stiffness : SpringProperty::Damping, {}};
+  for (const auto& [spring, weight] : weights) set.values.emplace_back(spring->id, weight * *value);
+  edit(std::move(set), panels, requests);
+}
+
+void switch_row(const Parameter& row, double value, Panels& panels, Requests& requests) {
+  begin_row(std::string(row.label));
+  bool on = value != 0.0;
+  if (ImGui::Checkbox("##switch", &on)) edit(SetParameter{&row, on ? 1.0 : 0.0}, panels, requests);
+  tooltip(std::string(row.description));
+}
+
+void choice_row(const Parameter& row, double value, Panels& panels, Requests& requests) {
+  const auto now = static_cast<std::size_t>(value);
+  begin_row(std::string(row.label));
+  ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::BeginCombo("##choice", row.choices[now].label.data())) {
+    for (std::size_t i = 0; i < row.choices.size(); ++i) {
+      const bool chosen = ImGui::Selectable(row.choices[i].label.data(), i == now);
+      tooltip(std::string(row.choices[i].description));
+      if (chosen && i != now) edit(SetParameter{&row, static_cast<double>(i)}, panels, requests);
+    }
+    ImGui::EndCombo();
+  } else {
+    tooltip(std::string(row.choices[now].description));
+  }
+}
+
+void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
+  const Integrator& now = *input.status.snapshot->settings.integrator;
+  begin_row("Method");
+  ImGui::SetNextItemWidth(-1.0f);
+  // its other names stand in the list
+  const std::string name(now.label.substr(0, now.label.find(" (")));
+  if (ImGui::BeginCombo("##method", name.c_str(), ImGuiComboFlags_HeightLarge)) {
+    for (const Integrator& method : integrators()) {
+      if (ImGui::Selectable(method.label.data(), &method == &now) && &method != &now) edit(SetIntegrator{&method}, panels, requests);
+      tooltip(std::string(method.summary));
+    }
+    ImGui::EndCombo();
+  } else {
+    tooltip(std::string(now.summary));
+  }
+}
+
+void parameter_row(const Parameter& row, double value, const AffectedSprings& affected, const PanelInput& input, Panels& panels,
+                   Requests& requests) {
+  const bool of_springs = row.scope == Parameter::Scope::SpringStiffness || row.scope == Parameter::Scope::SpringDamping;
+  if (of_springs) {
+    spring_row(row, value, affected, input, panels, requests);
+  } else if (row.kind == Parameter::Kind::Switch) {
+    switch_row(row, value, panels, requests);
+  } else if (row.kind == Parameter::Kind::Choice) {
+    choice_row(row, value, panels, requests);
+  } else {
+    NumberField field = field_of(row, input.status.controls, value);
+    if (row.scope == Parameter::Scope::Colliders) {
+      const auto& colliders = input.status.snapshot->system->colliders;
+      const auto property = row.name == "friction" ? &Collider::friction : &Collider::restitution;
+      field.enabled = std::ranges::any_of(colliders, &Collider::solid);
+      field.mixed = std::ranges::any_of(colliders, [&](const Collider& each) { return each.*property != value; });
+    }
+    if (const auto changed = number_row(field, panels)) edit(SetParameter{&row, *changed}, panels, requests);
+  }
+}
+
+// What a section says at the right of its heading.
+std::string scope_of(std::string_view group, const AffectedSprings& affected) {
+  if (group != "Springs") return {};
+  return affected.all ? "all " + std::to_string(affected.springs.size()) : std::to_string(affected.springs.size()) + " selected";
+}
+
+}  // namespace
+
+void build_parameters(const PanelInput& input, Panels& panels, Requests& requests) {
+  const AffectedSprings affected = springs_of(input);
+  std::string_view group;
+  bool open = false;
+  const auto rows = parameters();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Parameter& row = rows[i];
+    if (row.group != group) {
+      group = row.group;
+      open = section(std::string(group), scope_of(group, affected), group != "Hand" && group != "Points");
+      if (open && group == "Simulation") method_row(input, panels, requests);
+    }
+    if (!open || std::isnan(input.status.parameter_values[i])) continue;
+    ImGui::PushID(row.name.data());
+    parameter_row(row, input.status.parameter_values[i], affected, input, panels, requests);
+    ImGui::PopID();
+    parameter_hint_row(row, input);
+  }
+}
+
+}  // namespace hooke

@@ -1,0 +1,124 @@
+// The panel of a shape that is about to be placed, made from its row: how it is held, its numbers, how it is turned.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "ui/number_field.h"
+#include "ui/panels.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+std::string display_text(std::string_view support_name) {
+  std::string text(support_name);
+  for (char& c : text)
+    if (c == '_') c = ' ';
+  return text;
+}
+
+void hold_row(Shape& shape) {
+  if (shape.kind->supports.size() < 2) return;
+  begin_row("Held by");
+  ImGui::SetNextItemWidth(-1.0f);
+  if (!ImGui::BeginCombo("##held", display_text(shape.support_name()).c_str())) return;
+  for (std::size_t i = 0; i < shape.kind->supports.size(); ++i)
+    if (ImGui::Selectable(display_text(shape.kind->supports[i]).c_str(), i == shape.support)) shape.support = i;
+  ImGui::EndCombo();
+}
+
+void number_rows(Shape& shape, bool is_flat, Panels& panels) {
+  for (std::size_t i = 0; i < shape.kind->numbers.size(); ++i) {
+    const ShapeNumber& row = shape.kind->numbers[i];
+    if (is_flat && row.is_3d_only) continue;
+    ImGui::PushID(row.name.data());
+    if (const auto value = number_row(field_of_row(row, shape.values[i], row.integer), panels)) shape.values[i] = *value;
+    ImGui::PopID();
+  }
+}
+
+void angle_rows(Shape& shape, Panels& panels) {
+  struct Angle {
+    const char* label;
+    double& value;
+  };
+  for (const Angle& angle : {Angle{"Turned", shape.turn}, Angle{"Tilted", shape.tilt}}) {
+    ImGui::PushID(angle.label);
+    const NumberField field{.label = angle.label,
+                            .unit = "degrees",
+                            .description = {},
+                            .min = -180.0,
+                            .max = 180.0,
+                            .default_value = 0.0,
+                            .value = angle.value};
+    if (const auto value = number_row(field, panels)) angle.value = *value;
+    ImGui::PopID();
+  }
+}
+
+void mesh_rows(Placement& placement, Panels& panels) {
+  dim_text("Path of an .obj file");
+  ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::InputText("##mesh", &placement.mesh_path, ImGuiInputTextFlags_EnterReturnsTrue)) placement.wants_mesh = true;
+  placement.types_path = ImGui::IsItemActive();
+  if (ImGui::Button("Load")) placement.wants_mesh = true;
+  ImGui::SameLine();
+  dim_text(placement.mesh_info);
+  const NumberField field{.label = "Size",
+                          .unit = "m",
+                          .description = {},
+                          .min = 0.01,
+                          .max = 100.0,
+                          .default_value = 1.0,
+                          .value = placement.mesh_size,
+                          .logarithmic = true};
+  if (const auto value = number_row(field, panels)) placement.mesh_size = *value;
+}
+
+}  // namespace
+
+void build_placement(const PanelInput& input, Panels& panels) {
+  Placement& placement = panels.placement;
+  if (!placement.is_on()) return;
+  const Rect& scene = input.layout.scene;
+  const bool is_flat = input.status.snapshot->system->dimensions == 2;
+  ImGui::SetNextWindowPos({static_cast<float>(scene.x) + units(14.0), static_cast<float>(scene.y) + units(14.0)});
+  const float wide = std::min(units(310.0), std::max(1.0f, static_cast<float>(scene.width) - units(28.0)));
+  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, std::max(1.0f, static_cast<float>(input.layout.page.height) - units(28.0))});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(16.0), units(12.0)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
+  ImGui::Begin("placing", nullptr, front_box);
+  panels.floating.push_back(current_window());
+
+  ImGui::PushFont(fonts().strong);
+  ImGui::TextUnformatted(placement.is_mesh ? "From a mesh" : placement.shape.kind->label.data());
+  ImGui::PopFont();
+  ImGui::PushTextWrapPos(0.0f);
+  dim_text(placement.is_mesh ? "Triangles and quads become cloth, lying as they are drawn."
+                             : std::string(placement.shape.kind->description));
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy({0.0f, units(3.0)});
+  if (placement.is_mesh) {
+    mesh_rows(placement, panels);
+  } else {
+    hold_row(placement.shape);
+    number_rows(placement.shape, is_flat, panels);
+  }
+  if (!is_flat) angle_rows(placement.shape, panels);
+
+  ImGui::Dummy({0.0f, units(4.0)});
+  ImGui::PushTextWrapPos(0.0f);
+  dim_text("Click or drag in the scene to move it there.");
+  ImGui::PopTextWrapPos();
+  ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);
+  if (ImGui::Button("Place", {units(96.0), units(30.0)})) placement.wants_place = true;
+  ImGui::PopStyleColor();
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel", {units(96.0), units(30.0)})) placement.stop();
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace hooke

@@ -1,0 +1,254 @@
+// The plots under the scene: quantities over time, those of one unit in one plot.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/panels.h"
+#include "ui/plot_axis.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+// Told apart by the colour-blind too (Okabe and Ito), light enough for a dark ground and dark enough for a light one.
+constexpr ImU32 inks[] = {IM_COL32(0x56, 0xb4, 0xe9, 255), IM_COL32(0xe6, 0x9f, 0x00, 255), IM_COL32(0x00, 0x9e, 0x73, 255),
+                          IM_COL32(0xd5, 0x5e, 0x00, 255), IM_COL32(0xcc, 0x79, 0xa7, 255), IM_COL32(0x80, 0x80, 0x80, 255)};
+
+// What can be chosen without selecting anything, in the order of the list.
+constexpr std::string_view of_the_scene[] = {"kinetic",    "elastic",    "gravitational", "total",          "dissipated", "momentum_x",
+                                             "momentum_y", "momentum_z", "angular_x",     "angular_y",      "angular_z",  "center_x",
+                                             "center_y",   "center_z",   "least_strain",  "largest_strain", "fastest"};
+
+// Traces of the same unit.
+struct Plot {
+  std::string_view unit;
+  std::vector<std::pair<const Trace*, ImU32>> lines;
+};
+
+std::vector<Plot> plots_of(const TraceTable& table) {
+  std::vector<Plot> plots;
+  for (const Trace& trace : table.traces) {
+    auto plot = std::ranges::find(plots, trace.quantity.row->unit, &Plot::unit);
+    if (plot == plots.end()) plot = plots.insert(plots.end(), {trace.quantity.row->unit, {}});
+    plot->lines.emplace_back(&trace, inks[plot->lines.size() % std::size(inks)]);
+  }
+  return plots;
+}
+
+// The part of the time that is shown.
+struct Span {
+  double first, last;      // [s]
+  std::size_t begin, end;  // of the moments in it, one more at either side
+};
+
+Span shown_span(const TraceTable& table, const Panels& panels) {
+  const double newest = table.times.back(), oldest = table.times.front();
+  const double length = std::max(1e-9, std::min(panels.plot_seconds, std::max(newest - oldest, 1e-9)));
+  const double last = std::clamp(panels.plot_end.value_or(newest), oldest + length, newest);
+  const auto from = std::ranges::lower_bound(table.times, last - length), to = std::ranges::upper_bound(table.times, last);
+  const auto begin = static_cast<std::size_t>(from - table.times.begin()), end = static_cast<std::size_t>(to - table.times.begin());
+  return {last - length, last, begin > 0 ? begin - 1 : 0, std::min(end + 1, table.times.size())};
+}
+
+PlotAxis axis_of_values(const Plot& plot, const Span& span) {
+  double min = std::numeric_limits<double>::infinity(), max = -min;
+  for (const auto& [trace, text_color] : plot.lines)
+    for (std::size_t i = span.begin; i < span.end; ++i) {
+      if (!std::isfinite(trace->values[i])) continue;
+      min = std::min(min, trace->values[i]);
+      max = std::max(max, trace->values[i]);
+    }
+  return fit_axis(min, max, 4);
+}
+
+// At most one extreme pair of points a pixel: a line of thousands of moments is drawn with hundreds.
+void draw_line(ImDrawList& list, const TraceTable& table, const Trace& trace, const Span& span, const PlotAxis& x_axis,
+               const PlotAxis& y_axis, ImVec2 min, ImVec2 max, ImU32 text_color) {
+  std::vector<ImVec2> points;
+  for (std::size_t i = span.begin; i < span.end; ++i) {
+    if (!std::isfinite(trace.values[i])) continue;
+    const ImVec2 at{min.x + static_cast<float>(x_axis.fraction(table.times[i])) * (max.x - min.x),
+                    max.y - static_cast<float>(y_axis.fraction(trace.values[i])) * (max.y - min.y)};
+    if (points.size() >= 2 && std::floor(points[points.size() - 2].x) == std::floor(at.x)) {
+      ImVec2 &low = points[points.size() - 2], &high = points.back();
+      low.y = std::min({low.y, high.y, at.y});
+      high.y = std::max(high.y, at.y);
+      continue;
+    }
+    points.push_back(at);
+  }
+  list.AddPolyline(points.data(), static_cast<int>(points.size()), text_color, 0, units(1.6));
+}
+
+// The moment under the mouse: a line, and what every trace is there.
+void draw_readout(ImDrawList& list, const TraceTable& table, const Plot& plot, const PlotAxis& x_axis, ImVec2 min, ImVec2 max) {
+  const float mouse = ImGui::GetIO().MousePos.x;
+  const double time = x_axis.min + (mouse - min.x) / (max.x - min.x) * (x_axis.max - x_axis.min);
+  const auto after = std::ranges::lower_bound(table.times, time);
+  const std::size_t i = std::min(static_cast<std::size_t>(after - table.times.begin()), table.times.size() - 1);
+  list.AddLine({mouse, min.y}, {mouse, max.y}, palette::edge);
+  std::string text = "t = " + number(table.times[i]) + " s";
+  for (const auto& [trace, text_color] : plot.lines)
+    text += "\n" + trace->quantity.name() + " = " + number(trace->values[i]) + " " + std::string(plot.unit);
+  ImGui::SetTooltip("%s", text.c_str());
+}
+
+// Wheel: more or less of the time; drag: along it.
+void move_span(const TraceTable& table, const Span& span, float width, Panels& panels) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const double length = span.last - span.first;
+  if (ImGui::IsItemHovered() && io.MouseWheel != 0.0f) panels.plot_seconds = std::clamp(length * std::pow(0.8, io.MouseWheel), 1e-3, 1e9);
+  if (!ImGui::IsItemActive() || io.MouseDelta.x == 0.0f) return;
+  const double end = span.last - io.MouseDelta.x / width * length;
+  panels.plot_end = end < table.times.back() ? std::optional(end) : std::nullopt;
+}
+
+void draw_plot(const TraceTable& table, const Plot& plot, const Rect& place, int number_of_plot, Panels& panels) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 min{static_cast<float>(place.x) + units(56.0), static_cast<float>(place.y) + units(24.0)};
+  const ImVec2 max{static_cast<float>(place.x + place.width) - units(10.0), static_cast<float>(place.y + place.height) - units(20.0)};
+  if (max.x - min.x < units(40.0) || max.y - min.y < units(20.0)) return;
+  const Span span = shown_span(table, panels);
+  const PlotAxis y_axis = axis_of_values(plot, span);
+  PlotAxis x_axis = fit_axis(span.first, span.last, std::max(2, static_cast<int>((max.x - min.x) / units(70.0))));
+  x_axis.min = span.first;
+  x_axis.max = span.last;
+
+  list.AddRectFilled(min, max, palette::box);
+  for (const double tick : y_axis.ticks()) {
+    const float y = max.y - static_cast<float>(y_axis.fraction(tick)) * (max.y - min.y);
+    const std::string text = y_axis.label(tick);
+    list.AddLine({min.x, y}, {max.x, y}, palette::line);
+    list.AddText({min.x - units(6.0) - ImGui::CalcTextSize(text.c_str()).x, y - units(7.0)}, palette::dim, text.c_str());
+  }
+  for (const double tick : x_axis.ticks()) {
+    const float x = min.x + static_cast<float>(x_axis.fraction(tick)) * (max.x - min.x);
+    const std::string text = x_axis.label(tick) + " s";
+    list.AddLine({x, min.y}, {x, max.y}, palette::line);
+    list.AddText({x - 0.5f * ImGui::CalcTextSize(text.c_str()).x, max.y + units(4.0)}, palette::dim, text.c_str());
+  }
+
+  list.PushClipRect(min, max, true);
+  for (const auto& [trace, text_color] : plot.lines) draw_line(list, table, *trace, span, x_axis, y_axis, min, max, text_color);
+  list.PopClipRect();
+
+  // the names over it, each in its colour; the unit over the scale
+  const float names_y = static_cast<float>(place.y) + units(6.0);
+  list.AddText({static_cast<float>(place.x) + units(10.0), names_y}, palette::dim, ("[" + std::string(plot.unit) + "]").c_str());
+  float x = min.x;
+  for (const auto& [trace, text_color] : plot.lines) {
+    const std::string name = trace->quantity.name();
+    list.AddRectFilled({x, names_y + units(6.0)}, {x + units(12.0), names_y + units(9.0)}, text_color);
+    list.AddText({x + units(17.0), names_y}, palette::text, name.c_str());
+    x += units(30.0) + ImGui::CalcTextSize(name.c_str()).x;
+  }
+
+  ImGui::SetCursorScreenPos(min);
+  ImGui::PushID(number_of_plot);
+  ImGui::InvisibleButton("plot", {max.x - min.x, max.y - min.y});
+  ImGui::PopID();
+  move_span(table, span, max.x - min.x, panels);
+  if (ImGui::IsItemHovered()) draw_readout(list, table, plot, x_axis, min, max);
+}
+
+// A line of the list of what can be plotted.
+void choice(const std::string& name, const PanelInput& input, Requests& requests) {
+  const System& system = *input.status.snapshot->system;
+  const auto quantity = find_quantity(name, system.point_count(), system.spring_count());
+  if (!quantity) return;
+  std::vector<Quantity> watched;
+  bool is_watched = false;
+  for (const Trace& trace : input.status.traces->traces) {
+    const bool is_same = trace.quantity.name() == name;
+    is_watched = is_watched || is_same;
+    if (!is_same) watched.push_back(trace.quantity);
+  }
+  if (!is_watched) watched.push_back(*quantity);
+  const std::string text = std::string(quantity->row->description) + (quantity->row->of == QuantityRow::Of::Scene ? "" : ": " + name);
+  if (ImGui::MenuItem(text.c_str(), std::string(quantity->row->unit).c_str(), is_watched))
+    requests.emplace_back(Control(Watch{std::move(watched)}));
+}
+
+// Of the scene, and of the first point and spring of the selection.
+void choices(const PanelInput& input, Requests& requests) {
+  for (const std::string_view name : of_the_scene) choice(std::string(name), input, requests);
+  const System& system = *input.status.snapshot->system;
+  const auto of_each = [&](const auto& ids, QuantityRow::Of of) {
+    if (ids.empty()) return;
+    const Index at = system.index_of(ids.front());
+    if (at == no_index) return;
+    ImGui::Separator();
+    for (const QuantityRow& row : quantity_rows())
+      if (row.of == of) choice(std::string(row.name) + std::to_string(at), input, requests);
+  };
+  of_each(input.selection.points, QuantityRow::Of::Point);
+  of_each(input.selection.springs, QuantityRow::Of::Spring);
+  if (input.selection.empty()) dim_text("Select a point or a spring for more");
+}
+
+void buttons(const PanelInput& input, const Rect& place, Panels& panels, Requests& requests) {
+  const float x = static_cast<float>(place.x) + units(8.0), width = units(62.0);
+  float y = static_cast<float>(place.y) + units(8.0);
+  const auto button = [&](const char* name, const char* says) {
+    ImGui::SetCursorScreenPos({x, y});
+    const bool clicked = ImGui::Button(name, {width, units(24.0)});
+    tooltip(says);
+    y += units(29.0);
+    return clicked;
+  };
+  if (button("Choose", "What is plotted")) ImGui::OpenPopup("choose");
+  const bool held = panels.plot_end.has_value();
+  if (button(held ? "Follow" : "Hold", held ? "Show the newest again" : "Keep showing this part of the time")) {
+    if (held || input.status.traces->times.empty())
+      panels.plot_end.reset();
+    else
+      panels.plot_end = input.status.traces->times.back();
+  }
+  if (button("All", "The whole time; the wheel shows less of it")) {
+    panels.plot_seconds = 1e9;
+    panels.plot_end.reset();
+  }
+  if (ImGui::BeginPopup("choose")) {
+    choices(input, requests);
+    ImGui::EndPopup();
+  }
+}
+
+}  // namespace
+
+std::vector<Quantity> first_plots(const System& system) {
+  std::vector<Quantity> quantities;
+  for (const char* name : {"kinetic", "elastic", "gravitational", "total"})
+    quantities.push_back(*find_quantity(name, system.point_count(), system.spring_count()));
+  return quantities;
+}
+
+void build_plots(const PanelInput& input, Panels& panels, Requests& requests) {
+  const Rect& dock = input.layout.plots;
+  if (dock.height <= 0.0) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0f, 0.0f});
+  begin_panel("plots", dock, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  ImGui::GetWindowDrawList()->AddLine(corner(dock), {static_cast<float>(dock.x + dock.width), static_cast<float>(dock.y)}, palette::line);
+  ImGui::PushFont(fonts().small);
+  buttons(input, dock, panels, requests);
+
+  const TraceTable& table = *input.status.traces;
+  const std::vector<Plot> plots = plots_of(table);
+  const double left = dock.x + units(78.0), width = dock.width - units(78.0);
+  if (table.times.empty() || plots.empty()) {
+    ImGui::SetCursorScreenPos({static_cast<float>(left) + units(12.0), static_cast<float>(dock.y) + units(12.0)});
+    ImGui::PushTextWrapPos(0.0f);
+    dim_text(plots.empty() ? "Choose what to plot" : "Space runs the scene, and the plots begin");
+    ImGui::PopTextWrapPos();
+  }
+  for (std::size_t i = 0; i < plots.size() && !table.times.empty(); ++i) {
+    const double fraction = width / static_cast<double>(plots.size());
+    draw_plot(table, plots[i], {left + static_cast<double>(i) * fraction, dock.y, fraction, dock.height}, static_cast<int>(i), panels);
+  }
+  ImGui::PopFont();
+  ImGui::End();
+}
+
+}  // namespace hooke

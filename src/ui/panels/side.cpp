@@ -1,0 +1,59 @@
+// The panel at the right: the scene, the parameters, the selection, the energy.
+#include <glm/geometric.hpp>
+
+#include "base/printable.h"
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+void scene_section(const PanelInput& input) {
+  const System& system = *input.status.snapshot->system;
+  ImGui::PushFont(fonts().strong);
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(printable(input.status.scene_name.empty() ? "Untitled" : input.status.scene_name).c_str());
+  ImGui::PopFont();
+  if (!input.status.scene_description.empty()) dim_text(printable(input.status.scene_description));
+  ImGui::PopTextWrapPos();
+  dim_text(count(system.point_count(), "point") + ", " + count(system.spring_count(), "spring") + (system.dimensions == 2 ? ", flat" : ""));
+}
+
+void energy_row(const char* name, const std::string& value, ImU32 text_color = palette::text) {
+  dim_text(name);
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
+  text_in(text_color, value);
+}
+
+void energy_section(const Status& status) {
+  const Snapshot& snapshot = *status.snapshot;
+  energy_row("Kinetic", number(snapshot.energy.kinetic) + " J");
+  energy_row("Elastic", number(snapshot.energy.elastic) + " J");
+  energy_row("Gravitational", number(snapshot.energy.gravitational) + " J");
+  energy_row("Total", number(snapshot.energy.total()) + " J");
+  if (snapshot.system->strain_limit > 0.0) {
+    // what it takes is no physics of the scene: said where the energy stands
+    const ImU32 text_color = status.limit_power != 0.0 ? palette::warning : palette::text;
+    energy_row("Limit on strain", number(status.limit_power) + " W, " + number(status.limit_work) + " J in all", text_color);
+  }
+  energy_row("Momentum", number(glm::length(snapshot.momentum.linear)) + " kg m/s");
+}
+
+}  // namespace
+
+void build_side(const PanelInput& input, Panels& panels, Requests& requests) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(14.0), units(12.0)});
+  begin_panel("side", input.layout.side);
+  ImGui::PopStyleVar();
+  scene_section(input);
+  build_inspector(input, panels, requests);
+  build_parameters(input, panels, requests);
+  build_forces(input, panels, requests);
+  if (section("Energy")) energy_section(input.status);
+  build_history(input, requests);
+  ImGui::End();
+}
+
+}  // namespace hooke

@@ -1,0 +1,94 @@
+// The bar at the bottom: the tool and its next step; what the scene costs and how fast it runs.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+// From the fullest to the shortest.
+std::array<std::string, 3> figures(const PanelInput& input) {
+  const Status& status = input.status;
+  char text[160];
+  const std::string speed = !status.running ? "paused" : number(std::round(100.0 * status.speed) / 100.0) + "\u00d7 real time";
+  std::snprintf(text, sizeof text, "simulate %.*f ms    ", status.simulate_ms < 1.0 ? 2 : 1, status.simulate_ms);
+  const std::string simulate = text;
+  std::snprintf(text, sizeof text, "draw %.1f ms    %.0f frames/s    ", input.draw_ms, input.frames_per_second);
+  // a picture that nobody looked at has none
+  const std::string draw = input.frames_per_second > 0.0 ? text : "";
+  return {simulate + draw + speed, simulate + speed, speed};
+}
+
+float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+
+// As much of it as fits, by whole letters.
+std::string shortened(std::string text, float width) {
+  if (width_of(text) <= width) return text;
+  constexpr const char* rest = "\u2026";
+  while (!text.empty() && width_of(text + rest) > width) {
+    while (!text.empty() && (text.back() & 0xc0) == 0x80) text.pop_back();
+    if (!text.empty()) text.pop_back();
+  }
+  return text + rest;
+}
+
+// What goes to a file all the while is said in red.
+std::string recording_text(const PanelInput& input) {
+  std::string taken;
+  if (input.film_seconds >= 0.0) taken = "\u25cf film " + number(std::floor(input.film_seconds)) + " s    ";
+  if (!input.status.recording.empty()) taken += "\u25cf recording    ";
+  if (input.status.playback_progress > 0.0) taken += "playing " + number(std::round(100.0 * input.status.playback_progress)) + " %    ";
+  return taken;
+}
+
+// What is acting against the hand, beside the tool's next step.
+std::string hand_text(const PanelInput& input) {
+  constexpr double noticed = 1e-6;  // [m]
+  return input.status.hand_lag > noticed ? "hand " + number(input.status.hand_lag) + " m behind, at its top speed" : "";
+}
+
+}  // namespace
+
+void build_status_bar(const PanelInput& input) {
+  const Rect& bar = input.layout.status;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(12.0), units(5.0)});
+  begin_panel("status", bar, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  ImGui::GetWindowDrawList()->AddLine(corner(bar), {static_cast<float>(bar.x + bar.width), static_cast<float>(bar.y)}, palette::line);
+  ImGui::PushFont(fonts().small);
+  ImGui::SetCursorPosY(units(7.0));
+  const std::string tool(shortcut_of(input.tool).text), hand = hand_text(input), taken = recording_text(input);
+
+  // what is left of the line for figures, the fullest that fit, and the rest for words
+  const float edge = units(14.0), gap = units(16.0), line = static_cast<float>(bar.width) - 2.0f * edge;
+  const float left = width_of(tool) + units(8.0),
+              wished = left + width_of(input.next_step) + gap + (hand.empty() ? 0.0f : width_of(hand) + gap);
+  const auto all = figures(input);
+  const auto text =
+      std::ranges::find_if(all.begin(), all.end() - 1, [&](const std::string& each) { return wished + width_of(taken + each) <= line; });
+  const float right = width_of(taken + *text);
+
+  text_in(palette::accent, tool);
+  ImGui::SameLine(0.0f, units(8.0));
+  ImGui::TextUnformatted(shortened(input.next_step, line - left - gap - right - (hand.empty() ? 0.0f : width_of(hand) + gap)).c_str());
+  if (!hand.empty()) {
+    ImGui::SameLine(0.0f, gap);
+    text_in(palette::warning, hand);
+  }
+  ImGui::SameLine();
+  ImGui::SetCursorPosX(static_cast<float>(bar.width) - right - edge);
+  text_in(palette::bad, taken);
+  ImGui::SameLine(0.0f, 0.0f);
+  // slower than the scene asks for: said openly
+  const bool slow = input.status.running && input.status.speed > 0.0 && input.status.speed < 0.9 * input.status.snapshot->settings.speed;
+  text_in(slow ? palette::warning : palette::dim, *text);
+  ImGui::PopFont();
+  ImGui::End();
+}
+
+}  // namespace hooke

@@ -1,0 +1,208 @@
+// Editing in the window: selecting, copies, the history and the search through all commands.
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "formats/scene_file.h"
+#include "support/gui_trial.h"
+#include "support/trial.h"
+
+namespace hooke {
+namespace {
+
+constexpr Modifiers control{.control = true}, control_shift{.control = true, .shift = true};
+
+// A pair joined by a spring, and a point on its own.
+Scene pair_and_one(int dimensions = 2) {
+  Trial trial;
+  const PointId nail = trial.nail({-0.3, 0.4, 0.0}), bob = trial.add({0.1, 0.0, 0.0}, 2.0, {0.5, 0.0, 0.0});
+  trial.add({0.5, 0.3, 0.0});
+  trial.join(nail, bob, 70.0, 0.4);
+  Scene scene;
+  scene.name = "Pair";
+  scene.system = trial.system;
+  scene.system.dimensions = dimensions;
+  scene.state = trial.state;
+  return scene;
+}
+
+glm::dvec2 seen(GuiTrial& gui, const Vec3& place) {
+  const Rect& scene = gui.app().layout().scene;
+  const Vec3 at = gui.app().camera().project(place, {scene.width, scene.height});
+  return {scene.x + at.x, scene.y + at.y};
+}
+
+TEST(Selecting, ADoubleClickTakesAllThatIsConnected) {
+  GuiTrial gui(pair_and_one());
+  const glm::dvec2 at = seen(gui, {0.1, 0.0, 0.0});
+  gui.click(at);
+  EXPECT_EQ(gui.app().selection().points.size(), 1u);
+  gui.app().handle(ButtonPress{Button::Left, at, {}, true});
+  gui.app().handle(ButtonRelease{Button::Left, at, {}});
+  EXPECT_EQ(gui.app().selection().points.size(), 2u);
+  EXPECT_EQ(gui.app().selection().springs.size(), 1u);
+}
+
+TEST(Selecting, InvertsAndGrowsByKeys) {
+  GuiTrial gui(pair_and_one());
+  gui.click(seen(gui, {-0.3, 0.4, 0.0}));
+  gui.key(letter('L'), control);
+  EXPECT_EQ(gui.app().selection().points.size(), 2u);
+  gui.key(letter('I'), control);
+  ASSERT_EQ(gui.app().selection().points.size(), 1u);
+  EXPECT_TRUE(gui.app().selection().springs.empty());
+  gui.key(letter('F'));
+  const glm::dvec2 framed = seen(gui, {0.5, 0.3, 0.0});
+  const Rect& scene = gui.app().layout().scene;
+  EXPECT_LT(glm::distance(framed, {scene.x + 0.5 * scene.width, scene.y + 0.5 * scene.height}), 1.0);
+}
+
+TEST(Selecting, ReachesEightPixelsAtEveryScale) {
+  for (const double scale : {0.75, 1.0, 2.0, 3.0}) {
+    GuiTrial gui(pair_and_one());
+    gui.app().resize({1280.0, 800.0}, scale);
+    gui.frames(2);
+    gui.key(Key::Home);
+    // a point that is seen small, missed by nearly 8 pixels
+    const glm::dvec2 at = seen(gui, {0.5, 0.3, 0.0});
+    gui.move(at + glm::dvec2(7.5, 0.0));
+    EXPECT_TRUE(gui.app().marks().hovered_point) << scale;
+    gui.click(at + glm::dvec2(0.0, 7.5));
+    EXPECT_EQ(gui.app().selection().points.size(), 1u) << scale;
+  }
+}
+
+TEST(Copies, DuplicateLiesBesideAndIsSelected) {
+  for (const int dimensions : {2, 3}) {
+    GuiTrial gui(pair_and_one(dimensions));
+    gui.click(seen(gui, {0.1, 0.0, 0.0}));
+    gui.key(letter('L'), control);
+    gui.key(letter('D'), control);
+    const System& system = gui.system();
+    ASSERT_EQ(system.point_count(), 5);
+    ASSERT_EQ(system.spring_count(), 2);
+    EXPECT_EQ(gui.app().selection().points.size(), 2u);
+    EXPECT_EQ(gui.app().selection().points[0], system.points()[3].id);
+    EXPECT_TRUE(system.points()[3].nailed);
+    EXPECT_EQ(system.points()[4].mass, 2.0);
+    EXPECT_EQ(system.springs()[1].stiffness, 70.0);
+    const auto& position = gui.status().snapshot->state.position;
+    const Vec3 way = position[3] - position[0];
+    EXPECT_GT(glm::length(way), 0.01);
+    EXPECT_LT(glm::length(position[4] - position[1] - way), 1e-12);
+    gui.key(letter('Z'), control);
+    EXPECT_EQ(gui.system().point_count(), 3);
+    EXPECT_TRUE(gui.app().selection().empty());
+  }
+}
+
+TEST(Copies, GoFromOneHookeToAnotherThroughText) {
+  std::string board;
+  const Clipboard shared{.put = [&](const std::string& text) { board = text; }, .take = [&] { return board; }};
+  {
+    GuiTrial gui(pair_and_one());
+    gui.app().use(shared);
+    gui.key(letter('C'), control);
+    EXPECT_EQ(gui.app().panels().toast, "Nothing is selected");
+    gui.key(letter('A'), control);
+    gui.key(letter('X'), control);
+    EXPECT_EQ(gui.system().point_count(), 0);
+    EXPECT_EQ(gui.status().undo_name, "delete 3 points and 1 spring");
+  }
+  // what is on the board is a scene like any other
+  EXPECT_EQ(parse_scene(board, "board").scene.system.point_count(), 3);
+  GuiTrial gui(pair_and_one(3));
+  gui.app().use(shared);
+  const glm::dvec2 cursor(500.0, 300.0);
+  gui.move(cursor);
+  gui.key(letter('V'), control);
+  ASSERT_EQ(gui.system().point_count(), 6);
+  EXPECT_EQ(gui.system().spring_count(), 2);
+  EXPECT_EQ(gui.app().selection().points.size(), 3u);
+  // its middle is under the cursor
+  const auto& position = gui.status().snapshot->state.position;
+  EXPECT_LT(glm::distance(seen(gui, 0.5 * (position[3] + position[5]) + Vec3(0.0, -0.15, 0.0)), cursor), 25.0);
+}
+
+TEST(Copies, OfAnythingElseAreRefusedInWords) {
+  GuiTrial gui(pair_and_one());
+  std::string board;
+  gui.app().use({.put = [&](const std::string& text) { board = text; }, .take = [&] { return board; }});
+  for (const char* text : {"", "hello", "{}", "{\"hooke\": 1}", "{\"hooke\": 1, \"points\": [{\"position\": [0,0,1e999]}]}", "\xff"}) {
+    board = text;
+    gui.key(letter('V'), control);
+    EXPECT_EQ(gui.system().point_count(), 3) << text;
+    EXPECT_NE(gui.app().panels().toast.find("The clipboard "), std::string::npos) << text;
+  }
+}
+
+TEST(HistoryPanel, NamesEveryStepAndGoesToIt) {
+  GuiTrial gui(pair_and_one());
+  ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
+  gui.app().resize({1280.0, 2000.0}, 1.0);
+  gui.key(letter('R'));
+  gui.key(letter('A'), control);
+  gui.key(letter('D'), control);
+  gui.key(Key::Delete);
+  gui.click(gui.find("side", {"History"}));
+  gui.frames(3);
+  const std::string words = gui.words();
+  for (const char* step : {"As it was opened", "Release 1 point", "Add 3 points and 1 spring", "Delete 3 points and 1 spring", "3 of 3"})
+    EXPECT_NE(words.find(step), std::string::npos) << step << " in\n" << words;
+
+  // the second line: after the first step
+  const ImGuiWindow* list = nullptr;
+  for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+    if (std::string(window->Name).find("steps") != std::string::npos) list = window;
+  ASSERT_NE(list, nullptr);
+  const double line = ImGui::GetTextLineHeightWithSpacing();
+  gui.click({list->Pos.x + 40.0, list->Pos.y + 1.5 * line});
+  EXPECT_EQ(gui.system().point_count(), 3);
+  EXPECT_FALSE(gui.system().points()[0].nailed);
+  EXPECT_EQ(gui.status().history->done, 1u);
+  gui.click({list->Pos.x + 40.0, list->Pos.y + 2.5 * line});
+  EXPECT_EQ(gui.system().point_count(), 6);
+}
+
+TEST(Search, FindsEveryActionByItsWords) {
+  for (const Shortcut& row : shortcuts()) {
+    const auto found = find_commands(std::string(row.text));
+    ASSERT_FALSE(found.empty()) << row.text;
+    EXPECT_EQ(found.front()->text, row.text);
+  }
+  EXPECT_TRUE(find_commands("no such thing").empty());
+  EXPECT_EQ(find_commands("").size(), [] {
+    std::size_t actions = 0;
+    for (const Shortcut& row : shortcuts()) actions += &shortcut_of(row.action) == &row ? 1 : 0;
+    return actions;
+  }());
+}
+
+TEST(Search, DoesWhatIsTypedAndChosen) {
+  GuiTrial gui(pair_and_one());
+  gui.key(letter('P'), control_shift);
+  gui.frames(2);
+  EXPECT_NE(gui.words().find("Search all commands"), std::string::npos);
+  gui.type("release");
+  EXPECT_NE(gui.words().find("Release every nail"), std::string::npos);
+  EXPECT_TRUE(gui.system().points()[0].nailed);
+  gui.key(Key::Enter);
+  EXPECT_FALSE(gui.system().points()[0].nailed);
+  EXPECT_FALSE(gui.app().panels().search.shown);
+
+  // a way out, and the second of what is found
+  gui.key(letter('P'), control_shift);
+  gui.frames(2);
+  gui.type("undo");
+  gui.key(Key::Escape);
+  EXPECT_FALSE(gui.app().panels().search.shown);
+  EXPECT_FALSE(gui.system().points()[0].nailed);
+  gui.key(letter('P'), control_shift);
+  gui.frames(2);
+  gui.type("select");
+  gui.key(Key::Down);
+  EXPECT_EQ(gui.app().panels().search.highlighted, 1);
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,166 @@
+// Ctrl+E: every kind of file is written as it should be, and what fails is told and harms nothing.
+#include <fstream>
+#include <sstream>
+
+#include "formats/open_file.h"
+#include "support/gui_trial.h"
+#include "support/scratch_folder.h"
+
+namespace hooke {
+namespace {
+
+std::string contents_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+// The box opened by its keys, on a scene that ships; a kind chosen and a path given.
+class Export {
+ public:
+  Export(const std::string& scene, std::string_view extension) : gui_(load_scene(find_scene(scene)).scene) {
+    gui_.key(letter('E'), {.control = true});
+    ExportState& box = gui_.app().panels().export_state;
+    EXPECT_TRUE(box.is_shown);
+    leave_field();
+    while (export_kinds()[box.kind].extension != extension) ++box.kind;
+    box.path = file(extension).string();
+  }
+  std::filesystem::path file(std::string_view extension) const { return scratch_.folder / ("out" + std::string(extension)); }
+  ExportState& box() { return gui_.app().panels().export_state; }
+  GuiTrial& gui() { return gui_; }
+  Dialog& dialog() { return gui_.app().panels().dialog; }
+  // Nobody types, so that what a test sets stays.
+  void leave_field() {
+    ImGui::ClearActiveID();
+    gui_.frame();
+  }
+  void run() {
+    gui_.key(Key::Enter);
+    for (int i = 0; i < 2000 && box().is_running(); ++i) gui_.frame();
+    EXPECT_FALSE(box().is_running());
+  }
+
+ private:
+  ScratchFolder scratch_;
+  GuiTrial gui_;
+};
+
+TEST(Export, TheBoxOffersEveryKindAndFollowsItWithTheEnding) {
+  GuiTrial gui(load_scene(find_scene("two_masses")).scene);
+  gui.key(letter('E'), {.control = true});
+  const std::string words = gui.words();
+  for (const ExportKind& kind : export_kinds()) EXPECT_NE(words.find(kind.label), std::string::npos) << kind.label;
+  EXPECT_TRUE(gui.app().panels().export_state.path.ends_with("untitled.obj")) << gui.app().panels().export_state.path;
+  gui.click(gui.find("export", {"Table (.csv)"}));
+  EXPECT_TRUE(gui.app().panels().export_state.path.ends_with("untitled.csv")) << gui.app().panels().export_state.path;
+  gui.key(Key::Escape);
+  EXPECT_FALSE(gui.app().panels().export_state.is_shown);
+}
+
+TEST(Export, MeshesHoldTheSurface) {
+  Export obj("trampoline", ".obj");
+  obj.run();
+  EXPECT_EQ(load_file(obj.file(".obj")).scene.system.faces.size(), std::size_t{2 * 30 * 30});
+  EXPECT_FALSE(obj.box().is_shown);
+}
+
+TEST(Export, APolygonFileHasTheStrain) {
+  Export ply("trampoline", ".ply");
+  ply.run();
+  EXPECT_NE(contents_of(ply.file(".ply")).find("strain"), std::string::npos);
+}
+
+TEST(Export, ATableHasARowAFrameOfWhatIsAskedFor) {
+  Export csv("damping_ratios", ".csv");
+  csv.box().seconds = 0.5;
+  csv.box().quantities = "time, y1,largest_strain";
+  csv.run();
+  std::istringstream lines(contents_of(csv.file(".csv")));
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "time [s],y1 [m],largest_strain [1]");
+  std::getline(lines, line);
+  EXPECT_EQ(line.substr(0, 8), "0,-0.45,") << line;
+  int rows = 1;
+  while (std::getline(lines, line)) ++rows;
+  EXPECT_EQ(rows, 31);
+  EXPECT_EQ(csv.gui().status().snapshot->state.time, 0.0) << "what is on the screen stays";
+}
+
+TEST(Export, PlotsAreWrittenAsTheyAreShown) {
+  Export csv("two_masses", ".csv");
+  ++csv.box().kind;
+  ASSERT_EQ(export_kinds()[csv.box().kind].label, "Plots");
+  csv.run();
+  EXPECT_NE(csv.dialog().text.find("no plots"), std::string::npos) << csv.dialog().text;
+  csv.gui().key(Key::Enter);
+  csv.gui().app().panels().export_state.is_shown = false;
+  csv.gui().key(letter('P'));
+  csv.gui().key(Key::Period);
+  csv.gui().key(letter('E'), {.control = true});
+  csv.leave_field();
+  csv.box().path = csv.file(".csv").string();
+  csv.run();
+  EXPECT_NE(contents_of(csv.file(".csv")).find("kinetic"), std::string::npos);
+}
+
+TEST(Export, APointCacheHasEveryFrame) {
+  Export pc2("damping_ratios", ".pc2");
+  pc2.box().seconds = 0.5;
+  pc2.run();
+  EXPECT_EQ(contents_of(pc2.file(".pc2")).size(), 32u + 31u * 10u * 12u);
+  EXPECT_FALSE(std::filesystem::exists(pc2.file(".pc2.part")));
+}
+
+TEST(Export, AFlatSceneGoesToXspringies) {
+  Export xsp("two_masses_bouncy", ".xsp");
+  xsp.run();
+  EXPECT_EQ(load_file(xsp.file(".xsp")).scene.system.point_count(), 2);
+}
+
+TEST(Export, ASceneInSpaceDoesNotAndSaysSo) {
+  Export xsp("rope", ".xsp");
+  xsp.run();
+  EXPECT_EQ(xsp.dialog().kind, Dialog::Kind::Message);
+  EXPECT_FALSE(std::filesystem::exists(xsp.file(".xsp")));
+}
+
+TEST(Export, APictureIsAskedOfTheWindow) {
+  Export png("two_masses", ".png");
+  png.run();
+  EXPECT_EQ(png.gui().app().take_picture_file(), png.file(".png"));
+  EXPECT_EQ(png.gui().app().take_picture_file(), std::nullopt);
+}
+
+TEST(Export, AnUnknownQuantityIsNamed) {
+  Export csv("two_masses", ".csv");
+  csv.box().quantities = "time, y7";
+  csv.run();
+  EXPECT_NE(csv.dialog().text.find("\"y7\" is no quantity"), std::string::npos) << csv.dialog().text;
+  EXPECT_FALSE(std::filesystem::exists(csv.file(".csv")));
+}
+
+TEST(Export, IntoAFolderThatIsNotThereIsToldOf) {
+  for (const char* extension : {".obj", ".csv", ".pc2"}) {
+    Export box("two_masses", extension);
+    box.box().path = (box.file("").parent_path() / "nowhere" / ("out" + std::string(extension))).string();
+    box.run();
+    EXPECT_EQ(box.dialog().kind, Dialog::Kind::Message) << extension;
+    EXPECT_FALSE(box.gui().status().unsaved);
+  }
+}
+
+TEST(Export, CanBeStoppedAndThenWritesNothing) {
+  Export csv("cloth", ".csv");
+  csv.box().seconds = 600.0;
+  csv.gui().key(Key::Enter);
+  ASSERT_TRUE(csv.box().is_running());
+  csv.gui().key(Key::Escape);
+  for (int i = 0; i < 2000 && csv.box().is_running(); ++i) csv.gui().frame();
+  EXPECT_FALSE(csv.box().is_running());
+  EXPECT_FALSE(std::filesystem::exists(csv.file(".csv")));
+}
+
+}  // namespace
+}  // namespace hooke

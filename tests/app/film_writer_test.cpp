@@ -1,0 +1,76 @@
+// Films of the window, with a stand-in for ffmpeg.
+#include "app/media/film_writer.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+
+#include "base/errors.h"
+#include "support/scratch_folder.h"
+
+namespace hooke {
+namespace {
+
+namespace fs = std::filesystem;
+
+// An ffmpeg that reads nothing before there is a file `go`.
+struct LateFfmpeg {
+  ScratchFolder scratch;
+  std::string path = std::getenv("PATH");
+  LateFfmpeg() {
+    const fs::path program = scratch.folder / "ffmpeg";
+    std::ofstream(program) << "#!/bin/sh\nwhile [ ! -e '" << (scratch.folder / "go").string() << "' ]; do sleep 0.02; done\n"
+                           << "for last; do :; done\nexec cat >\"${last#file:}\"\n";
+    fs::permissions(program, fs::perms::owner_all);
+    ::setenv("PATH", (scratch.folder.string() + ":" + path).c_str(), 1);
+  }
+  ~LateFfmpeg() { ::setenv("PATH", path.c_str(), 1); }
+  fs::path film() const { return scratch.folder / "a.mp4"; }
+};
+
+Picture grey(int width, int height) {
+  return {.width = width, .height = height, .pixels = std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height), 100)};
+}
+
+TEST(FilmWriter, TakesPicturesWithoutWaitingUntilTooManyWait) {
+  const LateFfmpeg ffmpeg;
+  FilmWriter writer(ffmpeg.film(), 1280, 720, 30.0);
+  std::uintmax_t taken = 0;
+  while (writer.add(grey(1280, 720), 1)) ++taken;
+  EXPECT_GT(taken, 10u);
+  EXPECT_LT(taken, 50u);
+  EXPECT_FALSE(writer.result());
+
+  std::ofstream(ffmpeg.scratch.folder / "go") << "go";
+  writer.end();
+  while (!writer.result()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  EXPECT_EQ(*writer.result(), "");
+  EXPECT_EQ(fs::file_size(ffmpeg.film()), taken * 3 * 1280 * 720);
+}
+
+TEST(FilmWriter, WritesAPictureAsOftenAsItStandsFor) {
+  const LateFfmpeg ffmpeg;
+  std::ofstream(ffmpeg.scratch.folder / "go") << "go";
+  {
+    FilmWriter writer(ffmpeg.film(), 64, 36, 30.0);
+    EXPECT_TRUE(writer.add(grey(64, 36), 3));
+    EXPECT_TRUE(writer.add(grey(64, 36), 1));
+    writer.end();
+  }  // waits
+  EXPECT_EQ(fs::file_size(ffmpeg.film()), 4u * 3 * 64 * 36);
+}
+
+TEST(FilmWriter, ThrowsAwayWhatWasNotEndedThoughFfmpegReadsNothing) {
+  const LateFfmpeg ffmpeg;
+  {
+    FilmWriter writer(ffmpeg.film(), 1280, 720, 30.0);
+    EXPECT_TRUE(writer.add(grey(1280, 720), 1));
+  }
+  EXPECT_FALSE(fs::exists(ffmpeg.film()));
+  EXPECT_EQ(std::distance(fs::directory_iterator(ffmpeg.scratch.folder), {}), 1) << "the stand-in alone";
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,187 @@
+// Shapes and meshes are seen before they are placed; placing is one step of undo.
+#include <fstream>
+
+#include "scene/generators.h"
+#include "support/gui_trial.h"
+#include "support/scratch_folder.h"
+
+namespace hooke {
+namespace {
+
+Scene is_3d_only() {
+  Scene scene = empty_scene();
+  scene.system.dimensions = 3;
+  return scene;
+}
+
+Placement& choose(GuiTrial& gui, std::string_view id) {
+  gui.app().panels().placement = {.shape = default_shape(*find_shape_kind(id)), .is_new = true};
+  gui.frames(2);
+  return gui.app().panels().placement;
+}
+
+TEST(Placement, TheMenuOffersEveryShapeOfTheTable) {
+  GuiTrial gui(is_3d_only());
+  gui.click(gui.find("menu", {"Add"}));
+  gui.frames(3);
+  const std::string words = gui.words();
+  for (const ShapeKind& kind : shape_kinds()) EXPECT_NE(words.find(kind.label), std::string::npos) << kind.label;
+  EXPECT_NE(words.find("From a mesh"), std::string::npos);
+}
+
+TEST(Placement, ThePanelHasAFieldForEveryNumber) {
+  for (const ShapeKind& kind : shape_kinds()) {
+    GuiTrial gui(is_3d_only());
+    choose(gui, kind.id);
+    const std::string words = gui.words();
+    for (const ShapeNumber& number : kind.numbers) EXPECT_NE(words.find(number.label), std::string::npos) << kind.id << ' ' << number.label;
+  }
+}
+
+TEST(Placement, ShowsWhatWillBeThereAndChangesNothing) {
+  GuiTrial gui(is_3d_only());
+  Placement& placement = choose(gui, "sheet");
+  EXPECT_EQ(gui.app().marks().ghost_lines.size(), element_count_of(placement.shape).springs);
+  EXPECT_EQ(gui.app().marks().ghost_nails.size(), 2u);
+  EXPECT_EQ(gui.system().point_count(), 0);
+  EXPECT_FALSE(gui.status().unsaved);
+  EXPECT_EQ(placement.shape.at, gui.app().camera().target);
+}
+
+TEST(Placement, ASliderIsSeenAtOnce) {
+  GuiTrial gui(is_3d_only());
+  Placement& placement = choose(gui, "hanging_rope");
+  const glm::dvec2 slider = gui.find("placing", {"points", "##value"});
+  ASSERT_GT(slider.x, 0.0);
+  const std::size_t before = gui.app().marks().ghost_lines.size();
+  gui.drag(slider, slider + glm::dvec2(40.0, 0.0));
+  EXPECT_GT(gui.app().marks().ghost_lines.size(), before);
+  EXPECT_EQ(gui.app().marks().ghost_lines.size(), element_count_of(placement.shape).springs);
+}
+
+TEST(Placement, EnterPlacesItAsOneStepOfUndo) {
+  GuiTrial gui(is_3d_only());
+  const ElementCount element_count = element_count_of(choose(gui, "jelly").shape);
+  gui.key(Key::Enter);
+  EXPECT_EQ(gui.system().points().size(), element_count.points);
+  EXPECT_EQ(gui.system().springs().size(), element_count.springs);
+  EXPECT_EQ(gui.system().faces.size(), element_count.faces);
+  EXPECT_FALSE(gui.app().panels().placement.is_on());
+  gui.key(letter('Z'), {.control = true});
+  EXPECT_EQ(gui.system().point_count(), 0);
+  gui.key(letter('Z'), {.control = true, .shift = true});
+  EXPECT_EQ(gui.system().points().size(), element_count.points);
+}
+
+TEST(Placement, EveryShapeComesIntoTheSceneAsItIsMade) {
+  for (const ShapeKind& kind : shape_kinds()) {
+    GuiTrial gui(is_3d_only());
+    const ElementCount element_count = element_count_of(choose(gui, kind.id).shape);
+    gui.key(Key::Enter);
+    EXPECT_EQ(gui.system().points().size(), element_count.points) << kind.id;
+    EXPECT_EQ(gui.system().springs().size(), element_count.springs) << kind.id;
+  }
+}
+
+TEST(Placement, AClothHasTheMaterialThatItHasInAFile) {
+  for (const char* id : {"sheet", "curtain", "flag", "net"}) {
+    GuiTrial gui(is_3d_only());
+    const Shape shape = choose(gui, id).shape;
+    gui.key(Key::Enter);
+    Network network;
+    generate(shape, network);
+    const auto& sheet = gui.status().sheet;
+    ASSERT_NE(sheet, nullptr) << id;
+    for (Index i = 0; i < gui.system().point_count(); ++i)
+      EXPECT_EQ(sheet->area_of(gui.system().points()[i].id),
+                static_cast<std::size_t>(i) < network.sheet_areas.size() ? network.sheet_areas[i] : 0.0);
+    for (Index s = 0; s < gui.system().spring_count(); ++s)
+      EXPECT_EQ(sheet->sheet_weight_of(gui.system().springs()[s].id),
+                static_cast<std::size_t>(s) < network.sheet_weights.size() ? network.sheet_weights[s] : 0.0);
+  }
+  GuiTrial gui(is_3d_only());
+  choose(gui, "bridge");
+  gui.key(Key::Enter);
+  EXPECT_EQ(gui.status().sheet, nullptr);
+}
+
+TEST(Placement, EscLeavesTheSceneAsItWas) {
+  GuiTrial gui(is_3d_only());
+  choose(gui, "net");
+  gui.key(Key::Escape);
+  EXPECT_FALSE(gui.app().panels().placement.is_on());
+  EXPECT_TRUE(gui.app().marks().ghost_lines.empty());
+  EXPECT_EQ(gui.system().point_count(), 0);
+}
+
+TEST(Placement, AClickInTheSceneMovesItThereAndToolsRest) {
+  GuiTrial gui(is_3d_only());
+  gui.key(letter('A'));
+  Placement& placement = choose(gui, "net");
+  const Layout& layout = gui.app().layout();
+  const glm::dvec2 to(layout.scene.x + 0.7 * layout.scene.width, layout.scene.y + 0.6 * layout.scene.height);
+  gui.click(to);
+  EXPECT_EQ(gui.system().point_count(), 0) << "the tool for points is in hand";
+  const Vec3 seen = gui.app().camera().project(placement.shape.at, {layout.scene.width, layout.scene.height});
+  EXPECT_NEAR(seen.x, 0.7 * layout.scene.width, 1.0);
+  EXPECT_NEAR(seen.y, 0.6 * layout.scene.height, 1.0);
+}
+
+TEST(Placement, InAFlatSceneStaysFlat) {
+  Scene flat = empty_scene();
+  flat.system.dimensions = 2;
+  GuiTrial gui(flat);
+  choose(gui, "bridge").shape.tilt = 30.0;
+  gui.key(Key::Enter);
+  EXPECT_EQ(gui.system().points().size(), 21u) << "a truss without a width";
+  for (const Vec3& place : gui.status().snapshot->state.position) EXPECT_EQ(place.z, 0.0);
+}
+
+TEST(Placement, IsUprightWhereUpIsAnotherWay) {
+  Scene scene = is_3d_only();
+  scene.system.gravity = {0.0, 0.0, -9.81};
+  GuiTrial gui(scene);
+  Placement& placement = choose(gui, "sheet");
+  gui.key(Key::Enter);
+  const auto& places = gui.status().snapshot->state.position;
+  EXPECT_NEAR(places.front().z - places.back().z, 1.0, 1e-9) << "its first row is its upper edge";
+  EXPECT_FALSE(placement.is_on());
+}
+
+TEST(Placement, AMeshIsPlacedAtTheSizeThatIsAskedFor) {
+  ScratchFolder scratch;
+  std::ofstream(scratch.folder / "square.obj") << "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nf 1 2 3 4\n";
+  GuiTrial gui(is_3d_only());
+  Placement& placement = gui.app().panels().placement;
+  placement = {.is_mesh = true, .is_new = true};
+  placement.mesh_size = 3.0;
+  placement.mesh_path = (scratch.folder / "square.obj").string();
+  placement.wants_mesh = true;
+  gui.frames(2);
+  EXPECT_EQ(gui.app().marks().ghost_lines.size(), 6u);
+  gui.key(Key::Enter);
+  const auto& places = gui.status().snapshot->state.position;
+  ASSERT_EQ(places.size(), 4u);
+  EXPECT_NEAR(glm::length(places[1] - places[0]), 3.0, 1e-12);
+  for (const Point& point : gui.system().points()) EXPECT_NEAR(gui.status().sheet->area_of(point.id), 3.0 * 1.5 / 4.0, 1e-12);
+  EXPECT_NEAR(glm::length(0.5 * (places[0] + places[2]) - gui.app().camera().target), 0.0, 1e-9);
+  for (const Spring& spring : gui.system().springs()) {
+    const Vec3 way = places[static_cast<std::size_t>(gui.system().index_of(spring.second))] -
+                     places[static_cast<std::size_t>(gui.system().index_of(spring.first))];
+    EXPECT_NEAR(glm::length(way), spring.rest_length, 1e-12);
+  }
+}
+
+TEST(Placement, ABrokenMeshIsToldOfAndNothingElseHappens) {
+  ScratchFolder scratch;
+  std::ofstream(scratch.folder / "broken.obj") << "v 0 0 zero\n";
+  GuiTrial gui(is_3d_only());
+  gui.app().panels().placement = {.is_mesh = true, .mesh_path = (scratch.folder / "broken.obj").string(), .wants_mesh = true};
+  gui.frames(2);
+  EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
+  EXPECT_NE(gui.app().panels().dialog.text.find("line 1"), std::string::npos) << gui.app().panels().dialog.text;
+  EXPECT_EQ(gui.system().point_count(), 0);
+}
+
+}  // namespace
+}  // namespace hooke

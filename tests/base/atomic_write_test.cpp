@@ -1,0 +1,134 @@
+// Saves: the old file or the new one, never less.
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "base/atomic_write.h"
+#include "formats/scene_file.h"
+#include "support/scratch_folder.h"
+
+namespace hooke {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+void put(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
+
+std::size_t files_in(const fs::path& folder) { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {})); }
+
+mode_t mode_of(const fs::path& file) {
+  struct stat status;
+  return stat(file.c_str(), &status) == 0 ? status.st_mode & 07777 : 0;
+}
+
+TEST(AtomicWrite, LeavesTheFileAndNothingElse) {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.folder / "scene.json";
+  write_atomically(file, "first");
+  EXPECT_EQ(content_of(file), "first");
+  write_atomically(file, "second");
+  EXPECT_EQ(content_of(file), "second");
+  EXPECT_EQ(files_in(scratch.folder), 1u);
+}
+
+TEST(AtomicWrite, ANewFileGetsThePermissionsThatTheUmaskLeaves) {
+  const ScratchFolder scratch;
+  const mode_t old = umask(027);
+  write_atomically(scratch.folder / "new.json", "x");
+  umask(old);
+  EXPECT_EQ(mode_of(scratch.folder / "new.json"), 0640u);
+}
+
+TEST(AtomicWrite, AnOldFileKeepsItsPermissions) {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.folder / "scene.json";
+  put(file, "old");
+  chmod(file.c_str(), 0604);
+  write_atomically(file, "new");
+  EXPECT_EQ(mode_of(file), 0604u);
+}
+
+TEST(AtomicWrite, ASymbolicLinkStaysAndItsFileIsReplaced) {
+  const ScratchFolder scratch;
+  fs::create_directory(scratch.folder / "there");
+  put(scratch.folder / "there" / "scene.json", "old");
+  fs::create_symlink("there/scene.json", scratch.folder / "link.json");
+  write_atomically(scratch.folder / "link.json", "new");
+  EXPECT_TRUE(fs::is_symlink(scratch.folder / "link.json"));
+  EXPECT_EQ(content_of(scratch.folder / "there" / "scene.json"), "new");
+  EXPECT_EQ(files_in(scratch.folder / "there"), 1u);
+}
+
+TEST(AtomicWrite, AFolderOrAPipeIsNotReplaced) {
+  const ScratchFolder scratch;
+  fs::create_directory(scratch.folder / "sub");
+  ASSERT_EQ(mkfifo((scratch.folder / "pipe").c_str(), 0600), 0);
+  EXPECT_THROW(write_atomically(scratch.folder / "sub", "x"), FileError);
+  EXPECT_THROW(write_atomically(scratch.folder / "pipe", "x"), FileError);
+  EXPECT_THROW(write_atomically(scratch.folder / "none" / "scene.json", "x"), FileError);
+  EXPECT_EQ(files_in(scratch.folder), 2u);
+}
+
+TEST(AtomicWrite, AWriteThatFailsHalfwayLeavesTheOldFileAndNoOther) {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.folder / "scene.json";
+  put(file, "old");
+
+  // no file may grow beyond 1000 bytes: what a full disk looks like
+  rlimit before;
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit tight{1000, before.rlim_max};
+  const auto handler = signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tight), 0);
+  EXPECT_THROW(write_atomically(file, std::string(5000, 'x')), FileError);
+  setrlimit(RLIMIT_FSIZE, &before);
+  signal(SIGXFSZ, handler);
+
+  EXPECT_EQ(content_of(file), "old");
+  EXPECT_EQ(files_in(scratch.folder), 1u);
+}
+
+TEST(AtomicWrite, SweepsWhatKilledWritersLeftButNotWhatAWriterHolds) {
+  const ScratchFolder scratch;
+  const fs::path left = scratch.folder / ".hooke-0123456789abcdef", held = scratch.folder / ".hooke-fedcba9876543210";
+  const fs::path foreign = scratch.folder / ".hooke-notes";
+  for (const fs::path& file : {left, held, foreign}) put(file, "half");
+  const int writer = open(held.c_str(), O_RDONLY);
+  ASSERT_EQ(flock(writer, LOCK_EX), 0);
+  write_atomically(scratch.folder / "scene.json", "x");
+  close(writer);
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_TRUE(fs::exists(held));
+  EXPECT_TRUE(fs::exists(foreign));
+}
+
+TEST(AtomicWrite, AFileThatMayNotBeWrittenStays) {
+  if (geteuid() == 0) {
+    // nothing is forbidden to root
+    SUCCEED();
+    return;
+  }
+  const ScratchFolder scratch;
+  const fs::path file = scratch.folder / "scene.json";
+  put(file, "old");
+  chmod(file.c_str(), 0444);
+  EXPECT_THROW(write_atomically(file, "new"), FileError);
+  EXPECT_EQ(content_of(file), "old");
+}
+
+}  // namespace
+}  // namespace hooke

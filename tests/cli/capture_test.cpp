@@ -1,0 +1,187 @@
+// hooke-headless capture, run as a program.
+#include <algorithm>
+#include <sstream>
+#include <tuple>
+#include <vector>
+
+#include "formats/scene_file.h"
+#include "lab/lab.h"
+#include "support/picture.h"
+#include "support/process.h"
+#include "support/scratch_folder.h"
+
+namespace hooke {
+namespace {
+
+// In this folder, with no display. The words stand between spaces; '' is an empty one.
+Outcome capture(const std::string& arguments, const std::filesystem::path& folder) {
+  std::vector<std::string> words{"/usr/bin/env", "-C", folder.string(), "-u", "DISPLAY", HOOKE_HEADLESS, "capture"};
+  std::istringstream text(arguments);
+  for (std::string word; text >> word;) words.push_back(word == "''" ? "" : word);
+  return run_process(words);
+}
+
+std::vector<std::string> files_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+TEST(Capture, DrawsOnePictureOfTheSizeAskedForAndSaysNothing) {
+  const ScratchFolder scratch;
+  const Outcome said = capture("two_masses --out a.png --size 200x120", scratch.folder);
+  EXPECT_EQ(said.code, 0);
+  EXPECT_EQ(said.out, "");
+  EXPECT_EQ(said.err, "");
+  const Image image = read_png(scratch.folder / "a.png");
+  EXPECT_EQ(image.width, 200);
+  EXPECT_EQ(image.height, 120);
+}
+
+TEST(Capture, DrawsAFolderOfNumberedPicturesFromStartToEnd) {
+  const ScratchFolder scratch;
+  const Outcome said = capture("two_masses --out pictures --seconds 0.1 --fps 30 --size 160x90", scratch.folder);
+  EXPECT_EQ(said.code, 0);
+  EXPECT_EQ(files_in(scratch.folder / "pictures"),
+            (std::vector<std::string>{"frame_00000.png", "frame_00001.png", "frame_00002.png", "frame_00003.png"}));
+}
+
+TEST(Capture, DrawsThePanelsOfTheWindowWhenAskedTo) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(capture("cloth --ui --out a.png --size 1280x720", scratch.folder).code, 0);
+  EXPECT_EQ(capture("cloth --out b.png --size 1280x720", scratch.folder).code, 0);
+  const Image with = read_png(scratch.folder / "a.png"), without = read_png(scratch.folder / "b.png");
+  const auto color_at = [](const Image& image, int x, int y) {
+    const std::uint8_t* pixel = &image.pixels[3u * static_cast<std::size_t>(y * image.width + x)];
+    return std::tuple(pixel[0], pixel[1], pixel[2]);
+  };
+  // the ground of the panels at the left and at the right, and words on it: pixels that stand out
+  EXPECT_EQ(color_at(with, 4, 600), std::tuple(0x1a, 0x1d, 0x22));
+  EXPECT_NE(color_at(without, 4, 600), std::tuple(0x1a, 0x1d, 0x22));
+  int bright = 0;
+  for (int y = 60; y < 200; ++y)
+    for (int x = 960; x < 1240; ++x) bright += std::get<0>(color_at(with, x, y)) > 0xa0;
+  EXPECT_GT(bright, 200);
+}
+
+// The mean of each tile of so many pixels a side, channel by channel.
+std::vector<double> means(const Image& image, int side) {
+  const int across = image.width / side;
+  std::vector<double> sums(static_cast<std::size_t>(3 * across * (image.height / side)));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        sums[static_cast<std::size_t>(3 * (y / side * across + x / side) + c)] +=
+            image.pixels[static_cast<std::size_t>(3 * (y * image.width + x) + c)];
+  for (double& sum : sums) sum /= side * side;
+  return sums;
+}
+
+// What stands on a finer screen stands at the same place in the same size: letters alone fall on its pixels otherwise.
+TEST(Capture, ShowsTheSameOnAScreenTwiceAsFineAtEverySize) {
+  struct Size {
+    int width, height;
+  };
+  for (const Size size : {Size{960, 600}, {1280, 720}, {1920, 1080}}) {
+    const ScratchFolder scratch;
+    const auto tiles_at = [&](int scale) {
+      const std::string words = "cloth --ui --seconds 0.5 --out a.png --scale " + std::to_string(scale) + " --size " +
+                                std::to_string(scale * size.width) + "x" + std::to_string(scale * size.height);
+      EXPECT_EQ(capture(words, scratch.folder).code, 0);
+      return means(read_png(scratch.folder / "a.png"), scale * 20);
+    };
+    const std::vector<double> plain = tiles_at(1), fine = tiles_at(2);
+    ASSERT_EQ(fine.size(), plain.size());
+    double max = 0.0;
+    for (std::size_t i = 0; i < plain.size(); ++i) max = std::max(max, std::abs(plain[i] - fine[i]));
+    EXPECT_LT(max, 16.0) << size.width << " x " << size.height << ", of 255";
+  }
+}
+
+TEST(Capture, TakesAsManyPicturesAsAskedFor) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(capture("two_masses --out pictures --frames 2 --size 32x32", scratch.folder).code, 0);
+  EXPECT_EQ(files_in(scratch.folder / "pictures").size(), 2u);
+}
+
+TEST(Capture, OneFileIsTheLastOfTheFolder) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(capture("two_masses --out pictures --seconds 0.5 --fps 4 --size 320x180", scratch.folder).code, 0);
+  EXPECT_EQ(capture("two_masses --out last.png --seconds 0.5 --size 320x180", scratch.folder).code, 0);
+  const Image last = read_png(scratch.folder / "last.png");
+  EXPECT_EQ(last.pixels, read_png(scratch.folder / "pictures/frame_00002.png").pixels);
+  EXPECT_GT(difference(last, read_png(scratch.folder / "pictures/frame_00000.png")), 0.001);
+}
+
+TEST(Capture, DrawsWhatTheViewDraws) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(capture("cloth --out a.png --seconds 0.2 --size 320x180 --quiet", scratch.folder).code, 0);
+  Lab lab(load_scene(find_scene("cloth")).scene);
+  const Camera camera = make_camera(lab.scene().view, lab.scene().system, lab.scene().state, 320.0 / 180.0);
+  for (int frame = 0; frame < 12; ++frame) lab.step();
+  lab.publish();
+
+  const Offscreen offscreen;
+  View view;
+  const ViewOptions options = options_for(lab.scene().view, lab.scene().cloth_texture);
+  view.draw(*lab.status()->snapshot, {}, camera, options, 320, 180, nullptr);
+  EXPECT_EQ(read_png(scratch.folder / "a.png").pixels, view.read().pixels);
+}
+
+TEST(Capture, LooksFromWhereItIsTold) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(capture("cloth --out a.png --size 160x90", scratch.folder).code, 0);
+  EXPECT_EQ(capture("cloth --out b.png --size 160x90 --camera 5,1,0,0,0,0", scratch.folder).code, 0);
+  EXPECT_GT(difference(read_png(scratch.folder / "a.png"), read_png(scratch.folder / "b.png")), 0.01);
+}
+
+TEST(Capture, KeepsTheLastSoundPictureOfARunThatDiverges) {
+  const ScratchFolder scratch;
+  const Outcome said = capture("unstable --out a.png --seconds 60 --size 160x90 --quiet", scratch.folder);
+  EXPECT_EQ(said.code, 4);
+  EXPECT_NE(said.err.find("spring"), std::string::npos) << said.err;
+  EXPECT_EQ(read_png(scratch.folder / "a.png").width, 160);
+}
+
+// Command line, exit code, and how the one line on stderr goes on after "hooke-headless: ".
+TEST(Capture, RefusesInOneLine) {
+  const ScratchFolder scratch;
+  const std::string size = " must be WIDTHxHEIGHT, each from 1 to 8192\n";
+  const std::string camera = " must be six numbers with commas between, of the eye and its target [m]\n";
+  const std::string out = " must end in .png or .mp4, or be a folder (a new one with a dot in its name ends in /)\n";
+  const std::vector<std::tuple<std::string, int, std::string>> refusals{
+      {"two_masses --out a.png --size 0x9", 2, "--size 0x9:" + size},
+      {"two_masses --out a.png --size 640", 2, "--size 640:" + size},
+      {"two_masses --out a.png --size 640x480x2", 2, "--size 640x480x2:" + size},
+      {"two_masses --out a.png --size 8193x9", 2, "--size 8193x9:" + size},
+      {"two_masses --out a.png --camera 1,2,3", 2, "--camera 1,2,3:" + camera},
+      {"two_masses --out a.png --camera 1,2,3,1,2,3", 2, "--camera 1,2,3,1,2,3:" + camera},
+      {"two_masses --out a.png --camera nan,2,3,1,2,3", 2, "--camera nan,2,3,1,2,3:" + camera},
+      {"two_masses --out a.gif", 2, "--out a.gif:" + out},
+      {"two_masses --out a.gif", 2, "--out a.gif:" + out},
+      {"two_masses --out ''", 2, "--out :" + out},
+      {"two_masses --out a.png --fps 61", 2, "--fps 61: must be at most the scene's frame rate, 60 (--frame-rate sets it)\n"},
+      {"two_masses --out a.png --seconds 1e300", 2, "--seconds 1e+300: must be at most 1e15 frames\n"},
+      {"two_masses --out /nowhere/at/all.png", 5, "/nowhere/at/all.png: cannot be written: No such file or directory\n"},
+      {"two_masses --out /dev/null/pictures", 5, "/dev/null/pictures: cannot be made: Not a directory\n"},
+  };
+  for (const auto& [arguments, code, line] : refusals) {
+    const Outcome said = capture(arguments, scratch.folder);
+    EXPECT_EQ(said.code, code) << arguments;
+    EXPECT_EQ(said.err, "hooke-headless: " + line);
+    EXPECT_EQ(said.out, "");
+  }
+  EXPECT_TRUE(files_in(scratch.folder).empty());
+}
+
+TEST(Capture, RefusesWhatItDoesNotKnow) {
+  const ScratchFolder scratch;
+  for (const char* arguments : {"two_masses", "--out a.png", "two_masses --out a.png --uii", "two_masses --out a.png --frames 0",
+                                "two_masses --out a.png --frames 2 --seconds 1", "two_masses --out a.png --fps 0"})
+    EXPECT_EQ(capture(arguments, scratch.folder).code, 2) << arguments;
+  EXPECT_EQ(capture("no_such_scene --out a.png", scratch.folder).code, 5);
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,106 @@
+// `hooke check` as scripts see it.
+
+#include <gtest/gtest.h>
+#include <rapidjson/document.h>
+#include <signal.h>
+
+#include <chrono>
+#include <sstream>
+#include <thread>
+
+#include "support/process.h"
+
+namespace hooke {
+namespace {
+
+Outcome check(std::vector<std::string> words) {
+  words.insert(words.begin(), {HOOKE_HEADLESS, "check"});
+  return run_process(words);
+}
+
+TEST(Check, TheQuickHardCasesComeOutAsExpected) {
+  const Outcome outcome = check({"--hard", "--quick"});
+  EXPECT_EQ(outcome.code, 0) << outcome.out;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("none against expectation"), std::string::npos);
+  std::istringstream lines(outcome.out);
+  int cases = 0;
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LE(line.size(), 100u) << line;
+    cases += line.size() > 32 && (line[1] >= '0' && line[1] <= '9') ? 1 : 0;
+  }
+  // all but those of more than a few seconds for every method
+  EXPECT_GE(cases, 24);
+}
+
+TEST(Check, AFailureThatWasToHoldIsCodeOne) {
+  // it may fail, if it says so; strictly it may not
+  EXPECT_EQ(check({"--hard", "--cases", "9", "--methods", "implicit_euler", "--quiet"}).code, 0);
+  const Outcome outcome = check({"--hard", "--cases", "9", "--methods", "implicit_euler", "--strict"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(outcome.out.find("! 9 Resonance, implicit_euler: failed openly, expected to hold"), std::string::npos) << outcome.out;
+}
+
+TEST(Check, CasesAndMethodsCanBeChosenAndWrittenAsJson) {
+  const Outcome outcome = check({"--hard", "--cases", "20,5", "--methods", "xpbd,velocity_verlet", "--json", "-"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  rapidjson::Document document;
+  document.Parse(outcome.out.c_str());
+  ASSERT_FALSE(document.HasParseError()) << outcome.out;
+  ASSERT_EQ(document["cases"].Size(), 2u);
+  EXPECT_EQ(document["cases"][0]["number"].GetInt(), 5);
+  ASSERT_EQ(document["cases"][1]["results"].Size(), 2u);
+  EXPECT_STREQ(document["cases"][1]["results"][0]["method"].GetString(), "velocity_verlet");
+}
+
+// A mouse at 50 m/s: peak strain within a factor of two of the converged one, no energy gained, nothing through the slab.
+TEST(Check, TheDefaultMethodHoldsWhatAFastMouseDrags) {
+  const Outcome outcome = check({"--hard", "--cases", "8", "--methods", "velocity_verlet", "--strict"});
+  EXPECT_EQ(outcome.code, 0) << outcome.out;
+  EXPECT_NE(outcome.out.find("1 held"), std::string::npos) << outcome.out;
+}
+
+TEST(Check, WrongUsageIsCodeTwo) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--hard", "--cases", "28"},
+                                                {"--hard", "--cases", "0"},
+                                                {"--hard", "--methods", "magic"},
+                                                {"--quick"},
+                                                {"--hard", "two_masses"},
+                                                {"--hard", "--threads", "0"},
+                                                {"--hard", "--quick", "--cases", "22"}}) {
+    const Outcome outcome = check(words);
+    EXPECT_EQ(outcome.code, 2) << words.back();
+    EXPECT_EQ(outcome.out, "") << words.back();
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+TEST(Check, CtrlCPrintsWhatIsKnown) {
+  int out[2];
+  ASSERT_EQ(pipe(out), 0);
+  const pid_t child = start_process({HOOKE_HEADLESS, "check", "--hard", "--cases", "14,22", "--threads", "2"}, out[1], STDERR_FILENO);
+  close(out[1]);
+  // case 22 takes half a minute, the others no time
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  kill(child, SIGINT);
+  std::string text(1 << 16, '\0');
+  std::size_t size = 0;
+  for (ssize_t count = 0; (count = read(out[0], text.data() + size, text.size() - size)) > 0;) size += static_cast<std::size_t>(count);
+  close(out[0]);
+  EXPECT_EQ(wait_for(child), 130);
+  text.resize(size);
+  EXPECT_NE(text.find("14 Nothing to move"), std::string::npos) << text;
+  EXPECT_NE(text.find("1 not run"), std::string::npos) << text;
+}
+
+// All of them are tried by the test scene_checks.
+TEST(Check, AScenePassesItsOwnUnderEveryMethodThatItLists) {
+  const Outcome outcome = check({"two_masses"});
+  EXPECT_EQ(outcome.code, 0) << outcome.out;
+  EXPECT_EQ(outcome.out.find("FAILED"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("passed  two_masses, tr_bdf2: "), std::string::npos) << outcome.out;
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,95 @@
+// Every reader of files under fire: what is committed in the corpus, changed at random, for some seconds a format. The changes
+// are the same in every run as far as it gets. scripts/fuzz goes deeper, with a compiler that measures what was reached.
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "fuzz/mutation.h"
+#include "fuzz/obj_input.h"
+#include "fuzz/png_input.h"
+#include "fuzz/scene_input.h"
+#include "fuzz/xsp_input.h"
+
+namespace hooke {
+namespace {
+
+// [s] a format: four of them are the minute. HOOKE_FUZZ_SECONDS sets another.
+double budget() {
+  const char* given = std::getenv("HOOKE_FUZZ_SECONDS");
+  return given != nullptr ? std::atof(given) : 15.0;
+}
+
+std::vector<std::string> read_all(const std::filesystem::path& folder, std::uintmax_t max_bytes) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.file_size() <= max_bytes) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> texts;
+  for (const auto& file : files) {
+    std::ostringstream bytes;
+    bytes << std::ifstream(file, std::ios::binary).rdbuf();
+    texts.push_back(bytes.str());
+  }
+  return texts;
+}
+
+// Where an input ends the process, it lies in the working folder as it was tried.
+void fire(const std::string& format, std::vector<std::string> seeds, void (*try_as)(std::string_view bytes)) {
+#if !defined(__SANITIZE_ADDRESS__)
+  // an input that wants more, or more time, is a find
+  const rlimit memory{6ull << 30, 6ull << 30};
+  ASSERT_EQ(::setrlimit(RLIMIT_AS, &memory), 0);
+#endif
+  const std::filesystem::path last = "fuzzed_last." + format;
+  Mutator mutator(std::move(seeds), read_dictionary(FUZZ_FOLDER "/" + format + ".dict"));
+  const auto start = std::chrono::steady_clock::now();
+  long tried = 0;
+  for (; std::chrono::steady_clock::now() - start < std::chrono::duration<double>(budget()); ++tried) {
+    const std::string bytes = mutator.next();
+    std::ofstream(last, std::ios::binary) << bytes;
+    ::alarm(120);
+    try_as(bytes);
+  }
+  ::alarm(0);
+  std::filesystem::remove(last);
+  testing::Test::RecordProperty("tried", static_cast<int>(tried));
+  EXPECT_GT(tried, 20);
+}
+
+TEST(Fuzzed, Scenes) {
+  auto seeds = read_all(FUZZ_FOLDER "/corpus/scene", 20'000);
+  const auto shipped = read_all(SCENES_FOLDER, 4'000);
+  seeds.insert(seeds.end(), shipped.begin(), shipped.end());
+  fire("scene", seeds, try_as_scene);
+}
+TEST(Fuzzed, Xsp) { fire("xsp", read_all(FUZZ_FOLDER "/corpus/xsp", 20'000), try_as_xsp); }
+TEST(Fuzzed, Obj) { fire("obj", read_all(FUZZ_FOLDER "/corpus/obj", 20'000), try_as_obj); }
+TEST(Fuzzed, Png) { fire("png", read_all(FUZZ_FOLDER "/corpus/png", 20'000), try_as_png); }
+
+TEST(Mutations, AreTheSameEveryTimeAndAreChanges) {
+  const std::vector<std::string> seeds{"{\"a\": 12.5}"}, words{"true"};
+  Mutator one(seeds, words), other(seeds, words);
+  int changed = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const std::string bytes = one.next();
+    EXPECT_EQ(bytes, other.next());
+    changed += bytes != seeds[0];
+  }
+  EXPECT_GT(changed, 900);
+}
+
+TEST(Mutations, ADictionaryIsReadAsLibFuzzerReadsIt) {
+  const auto words = read_dictionary(FUZZ_FOLDER "/png.dict");
+  EXPECT_NE(std::find(words.begin(), words.end(), "\x89PNG\r\n\x1a\n"), words.end());
+  EXPECT_NE(std::find(words.begin(), words.end(), "IHDR"), words.end());
+}
+
+}  // namespace
+}  // namespace hooke

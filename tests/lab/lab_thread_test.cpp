@@ -1,0 +1,99 @@
+// The laboratory on its own thread: the same bits, and an answer at any time.
+#include "lab/lab_thread.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "scene/parameters.h"
+#include "sim/hash.h"
+#include "support/trial.h"
+
+namespace hooke {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A rope of `count` points, hanging from its first.
+Scene rope(int count) {
+  Trial trial;
+  std::vector<PointId> points;
+  for (int i = 0; i < count; ++i) points.push_back(i == 0 ? trial.nail(Vec3(0.0)) : trial.add({0.01 * i, 0.0, 0.0}, 0.01));
+  for (int i = 1; i < count; ++i) trial.join(points[i - 1], points[i], 1000.0, 0.01);
+  Scene scene;
+  scene.system = trial.system;
+  scene.state = trial.state;
+  return scene;
+}
+
+template <class Condition>
+bool wait_for(Condition condition) {
+  for (int i = 0; i < 2000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(5ms);
+  }
+  return false;
+}
+
+TEST(LabThread, GivesTheSameBitsAsWithoutOne) {
+  LabThread threaded(rope(20));
+  threaded.submit(SetRunning{true});
+  ASSERT_TRUE(wait_for([&] { return threaded.status()->frames >= 30; }));
+  threaded.submit(SetRunning{false});
+  const auto scene = threaded.copy_scene().get();
+
+  Lab lab(rope(20));
+  while (lab.scene().state.time < scene->state.time - 1e-9) lab.step();
+  EXPECT_EQ(hash_state(lab.scene().state), hash_state(scene->state));
+}
+
+TEST(LabThread, AppliesWhatIsSubmittedInOrder) {
+  LabThread lab(rope(3));
+  const PointId point = lab.new_point_id();
+  lab.submit(Command(Insert{.points = {{.point = {.id = point}, .position = {0.0, 1.0, 0.0}}}}));
+  lab.submit(Command(SetNailed{{{point, true}}}));
+  lab.submit(Undo{});
+  const auto scene = lab.copy_scene().get();
+  ASSERT_EQ(scene->system.point_count(), 4);
+  EXPECT_FALSE(scene->system.points()[3].nailed);
+  EXPECT_NE(lab.new_point_id(), point);
+}
+
+TEST(LabThread, AnswersWhileAFrameTakesLong) {
+  Scene scene = rope(2000);
+  scene.settings.substeps = 200000;  // seconds a frame
+  LabThread lab(std::move(scene));
+  lab.submit(SetRunning{true});
+  ASSERT_TRUE(wait_for([&] { return lab.status()->running; }));
+  lab.submit(Command(SetParameter{find_parameter("drag"), 5.0}));
+  lab.submit(SetRunning{false});
+  EXPECT_TRUE(wait_for([&] { return !lab.status()->running && lab.status()->snapshot->system->drag == 5.0; }));
+  EXPECT_EQ(lab.status()->frames, 0);
+}
+
+TEST(LabThread, RestsWhilePausedAndLosesNoTime) {
+  LabThread lab(rope(5));
+  const auto status = lab.status();
+  std::this_thread::sleep_for(100ms);
+  EXPECT_EQ(lab.status(), status);  // nothing published: nothing ran
+
+  lab.submit(SetRunning{true});
+  ASSERT_TRUE(wait_for([&] { return lab.status()->running; }));
+  EXPECT_LE(lab.status()->snapshot->state.time, 0.1);  // the pause was not made up for
+}
+
+TEST(LabThread, EndsAtOnceInTheMiddleOfAFrame) {
+  Scene scene = rope(2000);
+  scene.settings.substeps = 1000000;
+  const auto start = std::chrono::steady_clock::now();
+  {
+    LabThread lab(std::move(scene));
+    lab.submit(SetRunning{true});
+    wait_for([&] { return lab.status()->running; });
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - start, 10s);
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,261 @@
+// Recordings: what was done comes back from the text, the run is the same bits, and where it is not, it says so.
+#include "lab/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/errors.h"
+#include "edit/command_text.h"
+#include "edit/field_names.h"
+#include "formats/scene_file.h"
+#include "lab/lab.h"
+#include "scene/generators.h"
+#include "scene/parameters.h"
+#include "sim/hash.h"
+#include "sim/integrator.h"
+#include "support/scratch_folder.h"
+
+namespace hooke {
+namespace {
+
+std::string text_of(const Command& command) {
+  JsonWriter out;
+  write_command(out, command);
+  return out.take();
+}
+
+// One of every command, with nothing left at its default that could be lost.
+std::vector<Command> one_of_each() {
+  const Point point{.id = PointId{7}, .nailed = true, .color = Color{1, 2, 3}, .mass = 0.1, .radius = 0.3};
+  const Spring spring{.id = SpringId{9},
+                      .first = PointId{7},
+                      .second = PointId{1},
+                      .family = SpringFamily::Shear,
+                      .stiffness = 1e300,
+                      .damping = 5e-324,
+                      .rest_length = 0.1};
+  const Grab grab{.point = PointId{1},
+                  .patch = Patch{{PointId{1}, PointId{2}, PointId{3}}, {0.5, 0.25, 0.25}},
+                  .kind = GrabKind::Pull,
+                  .target = {-0.0, 1.0 / 3.0, 2.0},
+                  .stiffness = 12.5};
+  const Parameter& drag = *find_parameter("drag");
+  return {
+      Insert{{{no_index, point, {1, 2, 3}, {4, 5, 6}, 0.7}}, {{3, spring, 0.3}}, {{0, {{PointId{7}, PointId{1}, PointId{2}}}}}},
+      Remove{{PointId{1}, PointId{2}}, {SpringId{3}}, {{{PointId{1}, PointId{2}, PointId{4}}}}},
+      SetNailed{{{PointId{1}, true, {0.1, 0.2, 0.3}}}},
+      Move{{{PointId{1}, {0.1, 0.2, 0.3}, {-1, -2, -3}}}},
+      SetPointColor{{{PointId{1}, Color{9, 8, 7}}, {PointId{2}, std::nullopt}}},
+      SetPointProperty{PointProperty::Radius, {{PointId{1}, 0.1}}},
+      SetSpringProperty{SpringProperty::BreakStrain, {{SpringId{1}, never_breaks}}},
+      SetParameter{&drag, 0.25},
+      RestoreParameter{&drag, 1e9},
+      SetIntegrator{find_integrator("xpbd")},
+      GrabPoint{grab},
+      GrabCollider{{2, {0.5, -1, 2}}},
+      MoveHand{{1, 2, 3}},
+      ReleaseHand{},
+      SetGravity{{0, -1.62, 0}},
+      SetColliders{{{Sphere{{1, 2, 3}, 4}, 0.5, 0.25, false, {{1, 2, 3}, 4, 5, {6, 7, 8}, {9, 10, 11}}},
+                    {Plane{}, 0, 0, true},
+                    {Box{}, 1, 1, true}}},
+      SetForces{{{&force_terms()[0], false, default_values(force_terms()[0])}}},
+      SetTexture{"linen", 0.5, nullptr},
+      GoToState{std::make_shared<const State>(
+          State{.time = 0.1, .position = {{1, 2, 3}}, .velocity = {{4, 5, 6}}, .memory = {0.1, 0.2}, .torn = 4})},
+      SetTorn{3},
+  };
+}
+
+TEST(CommandText, EveryCommandComesBackAsItWas) {
+  const std::vector<Command> commands = one_of_each();
+  // all but Replace, which is a scene on lines of its own
+  ASSERT_EQ(commands.size() + 1, std::variant_size_v<Command>);
+  const std::string name = "test";
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    ASSERT_EQ(commands[i].index(), i);
+    const std::string text = text_of(commands[i]);
+    JsonParser parser;
+    const rapidjson::Value& value = parser.parse(text);
+    const JsonField whole(name, "command", value);
+    EXPECT_EQ(text_of(read_command(whole.members()[0])), text);
+  }
+}
+
+struct Session {
+  std::uint64_t hash = 0;
+  std::string text;
+};
+
+// A person at work on a cloth: everything that a recording may hold.
+Session record_session(const std::filesystem::path& file) {
+  Lab lab(load_scene(find_scene("cloth_on_ball")).scene);
+  const auto step = [&](int frames) {
+    for (int i = 0; i < frames; ++i) lab.step();
+  };
+  step(3);
+  lab.submit(Remove{{lab.scene().system.points()[5].id}, {}});  // ids are no longer places
+  step(1);
+  lab.submit(Record{std::make_shared<const std::filesystem::path>(file)});
+  step(5);
+  const PointId corner = lab.scene().system.points()[0].id;
+  lab.submit(GrabPoint{{.point = corner, .kind = GrabKind::Hold, .target = lab.scene().state.position[0]}});
+  for (int i = 0; i < 5; ++i) {
+    lab.submit(MoveHand{lab.scene().state.position[0] + Vec3(0.05, 0.1, 0.0)});
+    step(1);
+  }
+  lab.submit(ReleaseHand{});
+  lab.submit(SetParameter{find_parameter("damping"), 0.5});
+  step(2);
+  lab.submit(Undo{});
+  lab.submit(SetIntegrator{find_integrator("dop853")});
+  step(2);
+  lab.submit(SetIntegrator{find_integrator("xpbd")});
+  step(2);
+  lab.submit(Redo{});
+  const PointId added = lab.new_point_id();
+  lab.submit(Insert{{{no_index, {.id = added}, {0.3, 2.0, 0.1}, Vec3(0.0)}},
+                    {{no_index, {.id = lab.new_spring_id(), .first = added, .second = corner, .stiffness = 80.0, .rest_length = 0.4}}},
+                    {}});
+  step(4);
+  lab.submit(GoToStart{});
+  step(2);
+  lab.submit(Record{});
+  lab.advance(0.0, [] { return true; });
+  EXPECT_EQ(lab.status()->recording_error, "");
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return {hash_state(lab.scene().state), text.str()};
+}
+
+class Recordings : public testing::Test {
+ protected:
+  // Played to its end, or to where it differs.
+  Lab play(const std::string& text) {
+    auto recording = std::make_shared<const Recording>(parse_recording(text, "test"));
+    Lab lab(*recording->start, KeepStart::No);
+    lab.submit(Play{std::move(recording)});
+    lab.advance(0.0, [] { return true; });
+    while (lab.is_playing()) lab.step();
+    return lab;
+  }
+  const ScratchFolder scratch;
+  const Session session = record_session(scratch.folder / "session.hookelog");
+};
+
+TEST_F(Recordings, PlayToTheSameBits) {
+  const Lab lab = play(session.text);
+  EXPECT_EQ(lab.difference(), "");
+  EXPECT_EQ(hash_state(lab.scene().state), session.hash);
+}
+
+TEST_F(Recordings, OfAPlayedOneAreTheSameAgain) {
+  auto recording = std::make_shared<const Recording>(parse_recording(session.text, "test"));
+  Lab lab(*recording->start);
+  lab.submit(Play{recording});
+  lab.submit(Record{std::make_shared<const std::filesystem::path>(scratch.folder / "again.hookelog")});
+  lab.advance(0.0, [] { return true; });
+  while (lab.is_playing()) lab.step();
+  lab.submit(Record{});
+  lab.advance(0.0, [] { return true; });
+  const Recording again = read_recording(scratch.folder / "again.hookelog");
+  EXPECT_EQ(again.frames, recording->frames);
+  EXPECT_EQ(hash_state(play(session.text).scene().state), session.hash);
+}
+
+TEST_F(Recordings, NameTheFrameAndThePointThatDiffer) {
+  // the fingerprint of the fourth frame, with the byte of the third pair of points changed
+  std::size_t at = 0;
+  for (int frame = 0; frame < 4; ++frame) at = session.text.find("{\"frame\": \"", at + 1);
+  std::string text = session.text;
+  char& digit = text[at + std::string("{\"frame\": \"").size() + 16 + 2 * 2];
+  digit = digit == '0' ? '1' : '0';
+  const Lab lab = play(text);
+  EXPECT_TRUE(lab.difference().starts_with("frame 4, at ")) << lab.difference();
+  EXPECT_TRUE(lab.difference().ends_with("points 4 to 5 are not where recorded")) << lab.difference();
+  EXPECT_FALSE(lab.is_playing());
+}
+
+TEST_F(Recordings, OfAnotherPhysicsDiffer) {
+  std::string text = session.text;
+  const std::string gravity = "\"gravity\": [0, -9.8";
+  const std::size_t at = text.find(gravity);
+  ASSERT_NE(at, std::string::npos) << text.substr(0, 400);
+  text[at + gravity.size() - 1] = '7';
+  EXPECT_TRUE(play(text).difference().starts_with("frame 1, at ")) << play(text).difference();
+}
+
+TEST_F(Recordings, CutShortPlayAsFarAsTheyGo) {
+  const std::string text = session.text.substr(0, session.text.size() - 7);
+  const Recording recording = parse_recording(text, "test");
+  EXPECT_TRUE(recording.is_truncated);
+  EXPECT_EQ(recording.frames, parse_recording(session.text, "test").frames - 1);
+  EXPECT_EQ(play(text).difference(), "");
+}
+
+TEST_F(Recordings, EndWhenAHandIsLent) {
+  auto recording = std::make_shared<const Recording>(parse_recording(session.text, "test"));
+  Lab lab(*recording->start);
+  lab.submit(Play{std::move(recording)});
+  lab.step();
+  ASSERT_TRUE(lab.is_playing());
+  lab.submit(SetGravity{{0.0, 1.0, 0.0}});
+  lab.step();
+  EXPECT_FALSE(lab.is_playing());
+  EXPECT_EQ(lab.scene().system.gravity, Vec3(0.0, 1.0, 0.0));
+}
+
+TEST_F(Recordings, ThatCannotBeWrittenEndAndSayWhy) {
+  Lab lab(load_scene(find_scene("two_masses")).scene);
+  lab.submit(Record{std::make_shared<const std::filesystem::path>("/nowhere/session.hookelog")});
+  lab.step();
+  lab.publish();
+  EXPECT_EQ(lab.status()->recording, "");
+  EXPECT_NE(lab.status()->recording_error.find("/nowhere/session.hookelog: cannot be written"), std::string::npos)
+      << lab.status()->recording_error;
+  EXPECT_GT(lab.scene().state.time, 0.0);
+}
+
+TEST_F(Recordings, AreRefusedWithTheLineThatIsWrong) {
+  const auto refusal = [](const std::string& text) {
+    try {
+      parse_recording(text, "x.hookelog");
+    } catch (const InputError& refused) {
+      return std::string(refused.what());
+    }
+    return std::string("taken");
+  };
+  const std::string first_lines = session.text.substr(0, session.text.find("{\"frame\""));
+  EXPECT_EQ(refusal(""), "x.hookelog: empty: must begin with \"hooke_recording\"");
+  EXPECT_EQ(refusal("{\"hooke_recording\": 1}"), "x.hookelog: ends within its first line: must begin with \"hooke_recording\"");
+  EXPECT_EQ(refusal("garbage\n"), "x.hookelog: line 1: value: garbage: must be a JSON value (numbers are finite)");
+  EXPECT_EQ(refusal("[1]\n"), "x.hookelog: line 1: no object: must be {...}");
+  EXPECT_EQ(refusal("{}\n"), "x.hookelog: line 1: must be a recording: {\"hooke_recording\": 1, ...}");
+  EXPECT_NE(refusal("{\"hooke_recording\": 2}\n").find("line 1: hooke_recording: 2: "), std::string::npos);
+  EXPECT_NE(refusal("{\"hooke_recording\": 1}\n{\"frame\": \"00\"}\n").find("line 2: frame: "), std::string::npos);
+  for (const char* line : {"{\"frame\": \"zz00000000000000\"}", "{\"fly\": {}}", "{\"replace\": {\"scene\": null}}",
+                           "{\"move\": {\"items\": 3}}", "{\"set_parameter\": {\"parameter\": \"none\", \"value\": 1}}",
+                           "{\"remove\": {\"points\": [-1], \"springs\": []}}", "{\"move\": {}}", "nonsense"})
+    EXPECT_NE(refusal(first_lines + line + "\n").find("x.hookelog: line 4: "), std::string::npos)
+        << line << ": " << refusal(first_lines + line + "\n");
+}
+
+TEST(Fingerprints, OfLargeScenesNameAGroupOfPoints) {
+  State a;
+  a.position.assign(5000, Vec3(1.0));
+  a.velocity.assign(5000, Vec3(0.0));
+  State b = a;
+  b.velocity[3333].z = 1e-300;
+  const auto range = first_difference(fingerprint_of(a), fingerprint_of(b), 5000);
+  ASSERT_TRUE(range);
+  EXPECT_LE(range->first, 3333);
+  EXPECT_GE(range->second, 3333);
+  EXPECT_LT(range->second - range->first, 5);
+  EXPECT_FALSE(first_difference(fingerprint_of(a), fingerprint_of(a), 5000));
+}
+
+}  // namespace
+}  // namespace hooke

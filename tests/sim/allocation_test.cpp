@@ -1,0 +1,80 @@
+// Stepping takes no memory once it is warm: every allocation of the program is counted here.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+
+#include "support/convergence.h"
+#include "support/nets.h"
+
+// what glibc's own functions are under
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+
+static long allocations = 0;
+
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* old, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(old, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+}
+
+namespace hooke {
+namespace {
+
+class Allocation : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, Allocation, testing::ValuesIn(every_method()), method_name);
+
+// all that a step may have to do at once: dashpots, drag, contact with what moves, the listed forces, the hand, springs that
+// are held to a length, and springs that might break and do not
+TEST_P(Allocation, IsNeverNeededOnceAFrameHasRun) {
+  for (const GrabKind kind : {GrabKind::Hold, GrabKind::Pull}) {
+    Trial trial = net(32, 1e4, 0.5);
+    trial.system.drag = 0.3;
+    trial.system.colliders.push_back({.shape = Sphere{.center = {0.5, -0.6, 0.1}, .radius = 0.1},
+                                      .friction = 0.3,
+                                      .path = {.amplitude = {0.1, 0.0, 0.0}, .spin = {0.0, 1.0, 0.0}}});
+    trial.system.break_strain = 50.0;
+    trial.system.strain_limit = 0.05;
+    trial.system.faces.push_back({.points = {trial.system.points()[1].id, trial.system.points()[2].id, trial.system.points()[33].id}});
+    for (const ForceTerm& term : force_terms()) trial.system.forces.push_back({.term = &term, .values = default_values(term)});
+    trial.system.grab = Grab{.point = trial.system.points()[500].id, .kind = kind, .target = trial.state.position[500] + Vec3(0.01)};
+    State state = trial.state;
+    state.hand = state.position[500];
+
+    const Settings settings{.integrator = &method(), .frame_rate = 60.0, .substeps = method().stability == Stability::Conditional ? 20 : 2};
+    Plan plan = make_plan(trial.system);
+    Frame frame;
+    for (int i = 0; i < 3; ++i) {
+      const long before = allocations;
+      frame.begin(plan, trial.system, settings, state);
+      while (!frame.done()) frame.substep(plan);
+      frame.end(plan, state);
+      if (i > 0) {
+        EXPECT_EQ(allocations - before, 0);
+      }
+    }
+  }
+  const long before = allocations;
+  const auto* seen = new std::string(100, 'a');
+  EXPECT_GE(allocations - before, 2);
+  delete seen;
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,244 @@
+// Impacts: their times, heights and directions, and what rests afterwards.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/contact/gap.h"
+#include "support/convergence.h"
+#include "support/random_scene.h"
+
+namespace hooke {
+namespace {
+
+constexpr double g = 9.81, frame = 1.0 / 60.0;
+
+// A ball of radius 0.05 m let go `height` above a floor at y = -1.
+Trial falling_ball(double height, double restitution, double radius = 0.05) {
+  Trial trial;
+  trial.add({0.2, -1.0 + radius + height, 0.1});
+  trial.system.point(0).radius = radius;
+  trial.system.colliders = {{.shape = Plane{.point = {0.0, -1.0, 0.0}}, .restitution = restitution}};
+  return trial;
+}
+
+// Height above the floor and velocity at time t: flights of 2 e^n v0 / g after the first impact at v0 = sqrt(2 g h).
+struct Bouncing {
+  double height, velocity;
+  Bouncing(double drop_height, double restitution, double t) {
+    double rebound = std::sqrt(2.0 * g * drop_height), left = t - rebound / g;
+    if (left < 0.0) {
+      height = drop_height - 0.5 * g * t * t;
+      velocity = -g * t;
+      return;
+    }
+    rebound *= restitution;
+    while (rebound > 1e-9 && left > 2.0 * rebound / g) {
+      left -= 2.0 * rebound / g;
+      rebound *= restitution;
+    }
+    height = rebound > 1e-9 ? left * (rebound - 0.5 * g * left) : 0.0;
+    velocity = rebound > 1e-9 ? rebound - g * left : 0.0;
+  }
+};
+
+class Bounce : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, Bounce, testing::ValuesIn(every_method()), method_name);
+
+TEST(Bounce, IsExactThroughManyImpactsAtOneSubstepAFrame) {
+  const Integrator& verlet = *find_integrator("velocity_verlet");
+  for (const double restitution : {0.5, 0.8, 0.95}) {
+    Trial trial = falling_ball(1.0, restitution);
+    for (int i = 1; i <= 130; ++i) {
+      trial.run(verlet, frame, 1);
+      const Bouncing exact(1.0, restitution, i * frame);
+      EXPECT_NEAR(trial.state.position[0].y, -0.95 + exact.height, 1e-9) << "e = " << restitution << ", frame " << i;
+      EXPECT_NEAR(trial.state.velocity[0].y, exact.velocity, 1e-8) << "e = " << restitution << ", frame " << i;
+    }
+  }
+}
+
+// in the flight after the third impact, at t1 (1 + 2 e + 2 e^2); the Euler methods are off by g h t / 2, as in any fall
+TEST_P(Bounce, MeetsTheOrderOfTheMethodAfterTheThirdImpact) {
+  const double e = 0.8, t1 = std::sqrt(2.0 / g), t = t1 * (1.0 + 2.0 * e + 2.0 * e * e + 0.6 * e * e * e);
+  const auto error = [&](int steps) {
+    Trial trial = falling_ball(1.0, e);
+    trial.run(method(), t, steps);
+    return std::abs(trial.state.position[0].y + 0.95 - Bouncing(1.0, e, t).height);
+  };
+  if (method().order == 1) {
+    expect_order(error, 2000, 1.0);
+  } else {
+    EXPECT_LT(error(97), 1e-9);
+  }
+}
+
+// A mass on a spring from above that hits the floor, where the spring is at rest: y = y_eq + A cos(w t) + B sin(w t) between
+// the impacts, y_eq = -g / w^2. Where in its step an impact lies decides about its error: the mean over many heights.
+TEST_P(Bounce, OnASpringMeetsTheOrderDeclaredForContact) {
+  const double m = 0.5, w = 6.0, e = 0.7, seconds = 0.3, rest = -g / (w * w);
+  const auto error = [&](int steps) {
+    double sum = 0.0;
+    for (double height = 0.3; height < 0.5; height += 0.002) {
+      Trial trial;
+      const PointId mass = trial.add({0.0, height, 0.0}, m);
+      trial.join(mass, trial.nail({0.0, 1.0, 0.0}), m * w * w, 1.0);
+      trial.system.colliders = {{.shape = Plane{}, .restitution = e}};
+      trial.run(method(), seconds, steps);
+
+      const double fall = std::acos(-rest / (height - rest)) / w, speed = (height - rest) * w * std::sin(w * fall);
+      const double exact = rest - rest * std::cos(w * (seconds - fall)) + e * speed / w * std::sin(w * (seconds - fall));
+      EXPECT_GT(exact, 0.0);
+      sum += std::pow(trial.position(mass).y - exact, 2);
+    }
+    return std::sqrt(sum);
+  };
+  expect_order(error, method().order_contact == 1 ? 400 : 100, method().order_contact, 0.1);
+}
+
+// t1 (1 + e) / (1 - e): at rest at the end of the frame in which that lies, and not before
+TEST(Bounce, EndsAtTheGeometricTime) {
+  const Integrator& verlet = *find_integrator("velocity_verlet");
+  for (const double e : {0.0, 0.3, 0.5, 0.9, 0.97}) {
+    Trial trial = falling_ball(0.5, e);
+    const int frames = static_cast<int>(std::ceil(std::sqrt(1.0 / g) * (1.0 + e) / (1.0 - e) / frame));
+    for (int i = 1; i < frames; ++i) {
+      trial.run(verlet, frame, 1);
+      ASSERT_NE(trial.state.velocity[0].y, 0.0) << "e = " << e << ", frame " << i << " of " << frames;
+    }
+    trial.run(verlet, frame, 1);
+    EXPECT_EQ(trial.state.velocity[0].y, 0.0) << "e = " << e;
+    EXPECT_NEAR(trial.state.position[0].y, -0.95, 1e-13) << "e = " << e;
+  }
+}
+
+TEST_P(Bounce, EndsAtRestWithEveryMethod) {
+  for (const double e : {0.0, 0.5, 0.9})
+    for (const int substeps : {1, 20}) {
+      Trial trial = falling_ball(0.1, e);
+      const double rest = std::sqrt(0.2 / g) * (1.0 + e) / (1.0 - e);
+      for (int i = 0; i * frame < 1.2 * rest + 5.0 * frame; ++i) trial.run(method(), frame, substeps);
+      EXPECT_EQ(trial.state.velocity[0].y, 0.0) << "e = " << e << ", " << substeps << " substeps";
+      EXPECT_NEAR(trial.state.position[0].y, -0.95, 1e-13) << "e = " << e << ", " << substeps << " substeps";
+    }
+}
+
+TEST(Bounce, OfRestitutionOneKeepsItsHeightForAThousandBounces) {
+  Trial trial = falling_ball(0.05, 1.0);
+  trial.system.drag = 0.0;
+  const int frames = static_cast<int>(2000.0 * std::sqrt(0.1 / g) / frame);
+  for (int i = 0; i < frames; ++i) trial.run(*find_integrator("velocity_verlet"), frame, 1);
+  const double height = trial.state.position[0].y + 0.95 + 0.5 * trial.state.velocity[0].y * trial.state.velocity[0].y / g;
+  EXPECT_NEAR(height, 0.05, 1e-9);
+}
+
+// its positions are Verlet's, with velocities half a step off: nothing is lost from bounce to bounce
+TEST(Bounce, OfRestitutionOneNeitherGrowsNorDiesUnderSymplecticEuler) {
+  Trial trial = falling_ball(0.05, 1.0);
+  const int frames = static_cast<int>(2000.0 * std::sqrt(0.1 / g) / frame);
+  for (int i = 0; i < frames; ++i) trial.run(*find_integrator("symplectic_euler"), frame, 4);
+  const double height = trial.state.position[0].y + 0.95 + 0.5 * trial.state.velocity[0].y * trial.state.velocity[0].y / g;
+  // v is off by g h / 2
+  EXPECT_NEAR(height, 0.05, std::sqrt(2.0 * g * 0.05) * frame / 4.0);
+}
+
+TEST(Bounce, AtHighSpeedRisesByTheSquareOfRestitution) {
+  Trial trial = falling_ball(0.0, 0.7);
+  trial.state.position[0].y += 3.0;
+  trial.state.velocity[0].y = -100.0;
+  double highest = -1.0;
+  for (int i = 0; i < 600; ++i) {
+    trial.run(*find_integrator("velocity_verlet"), frame, 1);
+    if (trial.state.velocity[0].y > 0.0) highest = trial.state.position[0].y + 0.5 * std::pow(trial.state.velocity[0].y, 2) / g;
+    if (i > 10) break;
+  }
+  EXPECT_NEAR(highest + 0.95, 0.49 * (1e4 + 2.0 * g * 3.0) / (2.0 * g), 1e-9);
+}
+
+// Coulomb: the tangential velocity falls by mu (1 + e) |v_n|, to zero at the most
+TEST(Bounce, LosesTangentialSpeedToFriction) {
+  for (const double friction : {0.1, 5.0}) {
+    Trial trial = falling_ball(0.0, 0.5);
+    trial.system.gravity = Vec3(0.0);
+    trial.system.colliders[0].friction = friction;
+    trial.state.position[0].y += 0.01;
+    trial.state.velocity[0] = {3.0, -4.0, 4.0};
+    trial.run(*find_integrator("velocity_verlet"), frame, 1);
+    const double left = std::max(0.0, 5.0 - friction * 1.5 * 4.0) / 5.0;
+    EXPECT_LT(glm::distance(trial.state.velocity[0], Vec3(3.0 * left, 2.0, 4.0 * left)), 1e-12) << "mu = " << friction;
+  }
+}
+
+// A shot at 100 m/s past a ball at distance b from its centre reflects where it meets it, however close it grazes.
+TEST_P(Bounce, OffABallReflectsAtEveryObliquity) {
+  const double combined_radius = 0.3;
+  for (const double radius : {0.0, 0.1})
+    for (const double b : {0.0, 0.1, 0.5, 0.9, 0.99, 0.9999}) {
+      Trial trial;
+      trial.system.gravity = Vec3(0.0);
+      trial.system.colliders = {{.shape = Sphere{.center = {0.1, 0.2, 0.3}, .radius = combined_radius - radius}, .restitution = 1.0}};
+      trial.add(Vec3(0.1 - 0.8, 0.2 + b * combined_radius, 0.3), 1.0, {100.0, 0.0, 0.0});
+      trial.system.point(0).radius = radius;
+      trial.run(method(), frame, 1);
+
+      const double cosine = std::sqrt(1.0 - b * b), path_length = 0.8 - combined_radius * cosine;
+      const Vec3 normal(-cosine, b, 0.0), out = Vec3(1.0, 0.0, 0.0) - 2.0 * -cosine * normal;
+      const Vec3 expected = Vec3(0.1, 0.2, 0.3) + combined_radius * normal + (100.0 * frame - path_length) * out;
+      EXPECT_LT(glm::distance(trial.state.position[0], expected), 1e-9 / std::max(cosine, 0.01)) << "b = " << b << ", radius " << radius;
+      EXPECT_LT(glm::distance(trial.state.velocity[0], 100.0 * out), 1e-8 / std::max(cosine, 0.01)) << "b = " << b;
+    }
+}
+
+TEST(Bounce, NeedsATouch) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  trial.system.colliders = {{.shape = Sphere{.center = Vec3(0.0), .radius = 0.3}, .restitution = 1.0}};
+  trial.add(Vec3(-0.8, 0.3 + 1e-9, 0.0), 1.0, {100.0, 0.0, 0.0});
+  trial.run(*find_integrator("velocity_verlet"), frame, 1);
+  EXPECT_EQ(trial.state.velocity[0], Vec3(100.0, 0.0, 0.0));
+}
+
+// A room of 2 m with walls of 1 mm, a ball and a block in it: what flies about in it at 100 m/s stays in it, and out of
+// the ball and the block.
+Trial room(double restitution) {
+  Trial trial;
+  const auto box = [&](const Vec3& min, const Vec3& max) {
+    trial.system.colliders.push_back({.shape = Box{min, max}, .restitution = restitution});
+  };
+  const double w = 1.001;
+  for (int c = 0; c < 3; ++c)
+    for (const double side : {-1.0, 1.0}) {
+      Vec3 min(-w), max(w);
+      min[c] = side > 0.0 ? 1.0 : -w;
+      max[c] = side > 0.0 ? w : -1.0;
+      box(min, max);
+    }
+  trial.system.colliders.push_back({.shape = Sphere{.center = {0.3, 0.0, 0.0}, .radius = 0.3}, .restitution = restitution});
+  box({-0.8, -1.0, -0.5}, {-0.5, -0.2, 0.5});
+  trial.system.colliders.push_back({.shape = Plane{.point = {0.0, -0.9, 0.0}}, .restitution = restitution});
+  return trial;
+}
+
+TEST_P(Bounce, LetsNothingThroughAtAHundredMetresPerSecond) {
+  Random random(5);
+  for (const double restitution : {0.0, 0.6, 1.0}) {
+    Trial trial = room(restitution);
+    for (int i = 0; i < 100; ++i) {
+      const Vec3 direction = glm::normalize(Vec3(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)));
+      trial.add({-0.2, 0.3, random.uniform(-0.3, 0.3)}, 1.0, 100.0 * direction);
+      trial.system.point(i).radius = i % 2 == 0 ? 0.0 : 0.03;
+    }
+    for (int f = 0; f < 60; ++f) {
+      trial.run(method(), frame, 1);
+      for (std::size_t i = 0; i < trial.state.position.size(); ++i) {
+        const Vec3& x = trial.state.position[i];
+        ASSERT_LT(std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}), 1.0 + 1e-12) << "point " << i << ", frame " << f;
+        for (const Collider& collider : trial.system.colliders)
+          ASSERT_GT(gap_to(collider, trial.system.points()[i].radius, x).distance, -1e-12) << "point " << i << ", frame " << f;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hooke

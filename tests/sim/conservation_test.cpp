@@ -1,0 +1,182 @@
+// What a scene keeps, and what it loses to dashpots and drag.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <utility>
+
+#include "sim/energy.h"
+#include "support/convergence.h"
+#include "support/nets.h"
+#include "support/random_scene.h"
+
+namespace hooke {
+namespace {
+
+// A free network of 20 points: no nails, no weight.
+Trial free_network(double max_damping) {
+  Trial trial = random_trial(3, 20, 60, 3, max_damping);
+  trial.system.gravity = Vec3(0.0);
+  for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).nailed = false;
+  return trial;
+}
+
+double momentum_scale(const Trial& trial) {
+  double scale = 0.0;
+  for (Index i = 0; i < trial.system.point_count(); ++i)
+    scale += trial.system.points()[i].mass * (1.0 + glm::length(trial.state.velocity[i])) * (1.0 + glm::length(trial.state.position[i]));
+  return scale;
+}
+
+class Conservation : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, Conservation, testing::ValuesIn(every_method()), method_name);
+
+TEST_P(Conservation, OfMomentumToRoundOff) {
+  for (const double damping : {0.0, 2.0}) {
+    Trial trial = free_network(damping);
+    const Momentum before = compute_momentum(trial.system, trial.state);
+    trial.run(method(), 1.0, 2000);
+    const Momentum after = compute_momentum(trial.system, trial.state);
+    EXPECT_LT(glm::distance(after.linear, before.linear), 1e-13 * momentum_scale(trial)) << "d up to " << damping;
+  }
+}
+
+// The symplectic methods' kicks are along the springs and their drifts along v. The others exert their forces elsewhere than
+// where the points are, XPBD's corrections too: they lose angular momentum as they lose accuracy.
+TEST_P(Conservation, OfAngularMomentumToRoundOffJustIfSymplectic) {
+  for (const double damping : {0.0, 2.0}) {
+    Trial trial = free_network(damping);
+    const Momentum before = compute_momentum(trial.system, trial.state);
+    const auto [seconds, steps] = method().symplectic ? std::pair(1.0, 2000) : std::pair(0.2, 20);
+    trial.run(method(), seconds, steps);
+    const double lost = glm::distance(compute_momentum(trial.system, trial.state).angular, before.angular);
+    if (method().symplectic) {
+      EXPECT_LT(lost, 1e-13 * momentum_scale(trial)) << "d up to " << damping;
+    } else {
+      EXPECT_GT(lost, 1e-9 * momentum_scale(trial)) << "d up to " << damping;
+    }
+  }
+}
+
+// Sixteen seconds of the swinging net, dozens of its swings. If the energy moves steadily, its mean moves from the first
+// half to the second by as much as it has spread in the first, or by half of that if it decays; if it is bounded, hardly.
+TEST_P(Conservation, OfEnergyIsAsDeclared) {
+  Trial trial = net(8, 1e2, 0.0);
+  const double omega = make_plan(trial.system).spectrum.omega;
+  const auto steps_per_frame = [&] {
+    switch (method().stability) {
+      case Stability::None:
+        return static_cast<int>(0.05 * omega * omega);  // modes grow by e^(t h w^2 / 2): e^16 at most
+      case Stability::Conditional:
+      case Stability::EachSpring:
+        return static_cast<int>(0.1 * omega);  // a radian a step
+      case Stability::Adaptive:
+        return static_cast<int>(0.025 * omega);
+      default:
+        return 6;
+    }
+  };
+  constexpr int frames = 160;
+  std::vector<double> energy;
+  for (int frame = 0; frame < frames; ++frame) {
+    trial.run(method(), 0.1, steps_per_frame());
+    energy.push_back(compute_energy(trial.system, trial.state).total());
+  }
+
+  const auto half = energy.begin() + frames / 2;
+  const double first = std::accumulate(energy.begin(), half, 0.0) / (frames / 2),
+               second = std::accumulate(half, energy.end(), 0.0) / (frames / 2);
+  const double spread = *std::max_element(energy.begin(), half) - *std::min_element(energy.begin(), half);
+  EXPECT_GT(spread, 1e-13);
+  switch (method().energy) {
+    case EnergyTrend::Grows:
+      EXPECT_GT(second - first, 0.4 * spread);
+      break;
+    case EnergyTrend::Drifts:
+      EXPECT_GT(std::abs(second - first), 0.4 * spread);
+      break;
+    case EnergyTrend::Bounded:
+      EXPECT_LT(std::abs(second - first), 0.1 * spread);
+      break;
+    case EnergyTrend::Falls:
+      EXPECT_LT(second - first, -0.4 * spread);
+      break;
+  }
+}
+
+// how far the energy strays within 8 s of the swinging net, in frames of 1/50 s
+double energy_fluctuation(const Integrator& method, int substeps) {
+  Trial trial = net(8, 1e2, 0.0);
+  const double start = compute_energy(trial.system, trial.state).total();
+  double max = 0.0;
+  for (int frame = 0; frame < 400; ++frame) {
+    trial.run(method, 0.02, substeps);
+    max = std::max(max, std::abs(compute_energy(trial.system, trial.state).total() - start));
+  }
+  return max;
+}
+
+TEST(Energy, StaysWithinABandOfTheOrderUnderTheSymplecticMethods) {
+  for (const Integrator& row : integrators()) {
+    if (!row.symplectic) continue;
+    const int substeps = row.order > 2 ? 2 : 16;
+    EXPECT_NEAR(std::log2(energy_fluctuation(row, substeps) / energy_fluctuation(row, 2 * substeps)), row.order, 0.3) << row.id;
+  }
+}
+
+TEST(Energy, IsTheSumOfItsParts) {
+  Trial trial;
+  const PointId first = trial.add({1.0, 2.0, 3.0}, 2.0, {3.0, 0.0, 4.0}), second = trial.add({1.0, 2.0, 5.0}, 0.5);
+  trial.join(first, second, 100.0, 1.5);
+  trial.nail({0.0, 7.0, 0.0});
+  trial.system.grab = Grab{.point = second, .kind = GrabKind::Pull, .stiffness = 8.0};
+  trial.state.hand = {1.0, 2.0, 6.0};
+  const Energy energy = compute_energy(trial.system, trial.state);
+  EXPECT_DOUBLE_EQ(energy.kinetic, 25.0);
+  EXPECT_DOUBLE_EQ(energy.elastic, 0.5 * 100.0 * 0.25 + 0.5 * 8.0);
+  EXPECT_DOUBLE_EQ(energy.gravitational, 9.81 * 2.0 * 2.5);
+  EXPECT_DOUBLE_EQ(energy.total(), energy.kinetic + energy.elastic + energy.gravitational);
+
+  const Momentum momentum = compute_momentum(trial.system, trial.state);
+  EXPECT_LT(glm::distance(momentum.linear, Vec3(6.0, 0.0, 8.0)), 1e-14);
+  EXPECT_LT(glm::distance(momentum.angular, Vec3(16.0, 10.0, -12.0)), 1e-14);
+}
+
+// [W] that dashpots and drag take: sum d w^2 + sum c m v^2
+double dissipation(const System& system, const State& state) {
+  double power = 0.0;
+  for (const Spring& spring : system.springs()) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    const Vec3 along = glm::normalize(state.position[i] - state.position[j]);
+    const double w = glm::dot(state.velocity[i] - state.velocity[j], along);
+    power += system.damping_of(spring) * w * w;
+  }
+  for (Index i = 0; i < system.point_count(); ++i)
+    if (!system.points()[i].nailed) power += system.drag_rate() * system.points()[i].mass * glm::dot(state.velocity[i], state.velocity[i]);
+  return power;
+}
+
+// E(t) - E(0) = - integral of the dissipation, by the trapezium rule: second order at the best
+TEST_P(Conservation, OfEnergySaveWhatDashpotsAndDragTake) {
+  const auto missing = [&](int frames) {
+    Trial trial = net(6, 1e2, 0.3);
+    trial.system.drag = 0.7;
+    const Energy start = compute_energy(trial.system, trial.state);
+    double lost = 0.0, before = dissipation(trial.system, trial.state);
+    for (int frame = 0; frame < frames; ++frame) {
+      trial.run(method(), 1.0 / frames, 4);
+      const double after = dissipation(trial.system, trial.state);
+      lost += 0.5 * (before + after) / frames;
+      before = after;
+    }
+    EXPECT_GT(lost, 0.1 * start.kinetic);
+    return std::abs(compute_energy(trial.system, trial.state).total() + lost - start.total());
+  };
+  const int order = std::min({2, method().order_damped, method().order_drag});
+  expect_order(missing, order == 1 ? 800 : 100, order, 0.2);
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,183 @@
+// The listed forces against their formulas.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/divergence.h"
+#include "sim/forces/force_term.h"
+#include "sim/forces/forces.h"
+#include "sim/integrator.h"
+#include "support/trial.h"
+
+namespace hooke {
+namespace {
+
+Force force(std::string_view id, std::initializer_list<double> values) {
+  Force result{.term = find_force_term(id)};
+  std::copy(values.begin(), values.end(), result.values.begin());
+  return result;
+}
+
+// The sum of the listed forces on each point.
+std::vector<Vec3> listed_forces(const Trial& trial, double time = 0.0) {
+  const Plan plan = make_plan(trial.system);
+  Motion motion;
+  pack(plan, trial.state, motion);
+  Field f(motion.x.size(), 0.0);
+  add_force_terms(plan, time, motion.x, motion.v, f);
+  std::vector<Vec3> result;
+  for (Index i = 0; i < plan.points; ++i) result.emplace_back(f[i], f[plan.points + i], f[2 * plan.points + i]);
+  return result;
+}
+
+TEST(ForceTerms, StandOnceEachWithWhatAPanelNeeds) {
+  for (const ForceTerm& term : force_terms()) {
+    EXPECT_EQ(find_force_term(term.id), &term);
+    EXPECT_FALSE(term.label.empty());
+    EXPECT_FALSE(term.description.empty());
+    EXPECT_LE(term.numbers.size(), max_force_parameters);
+    for (const ForceParameter& number : term.numbers) {
+      EXPECT_LT(number.min, number.max) << number.name;
+      EXPECT_GE(number.default_value, number.min) << number.name;
+      EXPECT_LE(number.default_value, number.max) << number.name;
+    }
+  }
+}
+
+TEST(ForceTerms, DoNothingWhenOff) {
+  Trial trial;
+  trial.add({1.0, 0.0, 0.0});
+  for (const ForceTerm& term : force_terms()) trial.system.forces.push_back({.term = &term, .on = false, .values = default_values(term)});
+  EXPECT_TRUE(make_plan(trial.system).forces.empty());
+}
+
+TEST(ForceTerms, BuoyancyOfOneFloats) {
+  Trial trial;
+  const PointId point = trial.add({0.0, 0.0, 0.0}, 2.0);
+  trial.system.forces = {force("buoyancy", {1.0})};
+  trial.run(*find_integrator("velocity_verlet"), 1.0, 100);
+  EXPECT_NEAR(glm::length(trial.position(point)), 0.0, 1e-12);
+}
+
+TEST(ForceTerms, ACentreOfPowerTwoCarriesACircularOrbit) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  const double r = 2.0, strength = 3.0, speed = std::sqrt(strength / r);  // v^2 / r = s / r^2
+  const PointId point = trial.add({r, 0.0, 0.0}, 5.0, {0.0, speed, 0.0});
+  trial.system.forces = {force("center", {0.0, 0.0, 0.0, strength, 2.0, 0.01})};
+  const double period = 2.0 * 3.14159265358979323846 * r / speed;
+  trial.run(*find_integrator("runge_kutta4"), period, 1000);
+  EXPECT_NEAR(glm::distance(trial.position(point), Vec3(r, 0.0, 0.0)), 0.0, 1e-8);
+}
+
+TEST(ForceTerms, ThePullOfTheCentreOfMassIsADampedOscillatorOfTheWhole) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  const PointId first = trial.add({1.0, 0.0, 0.0}, 1.0), second = trial.add({2.0, 0.0, 0.0}, 3.0);
+  trial.join(first, second, 100.0, 1.0);
+  trial.system.forces = {force("mass_center", {0.0, 0.0, 0.0, 16.0, 0.0})};
+  const double omega = std::sqrt(16.0 / 4.0), center = 1.75;
+  trial.run(*find_integrator("runge_kutta4"), 1.0, 1000);
+  const double moved = (trial.position(first).x + 3.0 * trial.position(second).x) / 4.0;
+  EXPECT_NEAR(moved, center * std::cos(omega), 1e-9);
+}
+
+TEST(ForceTerms, AWallPushesByThePowerOfTheDistance) {
+  Trial trial;
+  trial.add({0.0, 0.5, 0.0}, 2.0);
+  trial.system.colliders = {{.shape = Plane{}}};
+  trial.system.forces = {force("wall", {3.0, 2.0, 0.01})};
+  EXPECT_NEAR(listed_forces(trial)[0].y, 2.0 * 3.0 / 0.25, 1e-12);
+}
+
+TEST(ForceTerms, AStickyCeilingHoldsUpToItsStrength) {
+  for (const double strength : {10.0, 9.0}) {
+    Trial trial;  // 1 kg weighs 9.81 N
+    const PointId point = trial.add({0.0, 0.0, 0.0}, 1.0);
+    trial.system.colliders = {{.shape = Plane{.normal = {0.0, -1.0, 0.0}}}};
+    trial.system.forces = {force("sticky", {strength})};
+    trial.run(*find_integrator("velocity_verlet"), 1.0, 100);
+    if (strength > 9.81)
+      EXPECT_NEAR(trial.position(point).y, 0.0, 1e-12);
+    else
+      EXPECT_NEAR(trial.position(point).y, -0.5 * 9.81, 1e-9);
+  }
+}
+
+// A triangle of area 1/2 in the plane z = 0.
+Trial triangle() {
+  Trial trial;
+  const PointId a = trial.add({0.0, 0.0, 0.0}), b = trial.add({1.0, 0.0, 0.0}), c = trial.add({0.0, 1.0, 0.0});
+  trial.system.faces.push_back({{a, b, c}});
+  return trial;
+}
+
+TEST(ForceTerms, WindPushesAcrossAndAlongFaces) {
+  Trial trial = triangle();
+  trial.system.forces = {force("wind", {0.0, 0.0, 4.0, 0.6, 0.1, 0.0, 1.0, 1.0})};
+  for (const Vec3& f : listed_forces(trial)) EXPECT_NEAR(glm::distance(f, Vec3(0.0, 0.0, 0.5 * 0.6 * 16.0 / 3.0)), 0.0, 1e-12);
+  trial.system.forces = {force("wind", {4.0, 0.0, 0.0, 0.6, 0.1, 0.0, 1.0, 1.0})};
+  for (const Vec3& f : listed_forces(trial)) EXPECT_NEAR(glm::distance(f, Vec3(0.5 * 0.1 * 16.0 / 3.0, 0.0, 0.0)), 0.0, 1e-12);
+}
+
+TEST(ForceTerms, WindDoesNothingToWhatMovesWithIt) {
+  Trial trial = triangle();
+  for (Vec3& v : trial.state.velocity) v = {1.0, 2.0, 3.0};
+  trial.system.forces = {force("wind", {1.0, 2.0, 3.0, 0.6, 0.1, 0.0, 1.0, 1.0})};
+  for (const Vec3& f : listed_forces(trial)) EXPECT_EQ(f, Vec3(0.0));
+}
+
+TEST(ForceTerms, GustsAreSmoothBoundedAndTheSameForTheSameSeed) {
+  Trial trial = triangle();
+  trial.system.forces = {force("wind", {0.0, 0.0, 4.0, 0.6, 0.0, 0.5, 1.0, 7.0})};
+  const double mean_force = 0.5 * 0.6 * 16.0 / 3.0;
+  double min = 1e9, max = -1e9, last = listed_forces(trial, 0.0)[0].z;
+  for (double t = 0.0; t < 200.0; t += 0.01) {
+    const double f = listed_forces(trial, t)[0].z;
+    min = std::min(min, f);
+    max = std::max(max, f);
+    EXPECT_LT(std::abs(f - last), 0.1 * mean_force);
+    last = f;
+  }
+  EXPECT_GE(min, 0.25 * mean_force - 1e-12);
+  EXPECT_LE(max, 2.25 * mean_force + 1e-12);
+  EXPECT_GT(max - min, 0.5 * mean_force);
+
+  const double before = listed_forces(trial, 3.3)[0].z;
+  EXPECT_EQ(listed_forces(trial, 3.3)[0].z, before);
+  trial.system.forces[0].values[7] = 8.0;
+  EXPECT_NE(listed_forces(trial, 3.3)[0].z, before);
+}
+
+TEST(ForceTerms, ActInEveryMethod) {
+  for (const Integrator& method : integrators()) {
+    Trial trial;
+    trial.system.gravity = Vec3(0.0);
+    const PointId point = trial.add({0.5, 0.0, 0.0}, 1.0);
+    trial.system.forces = {force("center", {0.0, 0.0, 0.0, 1.0, -1.0, 0.01})};  // a = -x
+    trial.run(method, 1.0, 2000);
+    EXPECT_NEAR(trial.position(point).x, 0.5 * std::cos(1.0), 1e-3) << method.id;
+  }
+}
+
+TEST(ForceTerms, TheirWorkIsInTheLedger) {
+  // a point drawn from rest to near a centre gains far more than M g L, and is no divergence
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  trial.add({1.0, 0.0, 0.0}, 1.0);
+  trial.system.forces = {force("center", {0.0, 0.0, 0.0, 1000.0, 2.0, 0.01})};
+  initialize_ledger(trial.system, trial.state);
+  const Plan plan = make_plan(trial.system);
+  for (int frame = 0; frame < 20; ++frame) {
+    const State before = trial.state;
+    trial.run(*find_integrator("velocity_verlet"), 1.0 / 600.0, 200);
+    record_force_work(plan, before, trial.state);
+  }
+  const double kinetic = compute_energy(trial.system, trial.state).kinetic;
+  ASSERT_GT(kinetic, 100.0);
+  EXPECT_NEAR(trial.state.ledger.net_input, kinetic, 0.1 * kinetic);  // a trapezium a frame is coarse, and enough for the watch
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,305 @@
+// Forces: as the formulas say, opposite in pairs, minus the gradient of the energy, and the same bits in every width.
+#include "sim/forces/forces.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "sim/energy.h"
+#include "sim/forces/spring_kernel.h"
+#include "support/random_scene.h"
+
+namespace hooke {
+namespace {
+
+struct Packed {
+  Plan plan;
+  Motion motion;
+  explicit Packed(const Trial& trial) : plan(make_plan(trial.system)) {
+    prepare_hand(plan, trial.system, trial.state, 1.0 / 60.0);
+    pack(plan, trial.state, motion);
+  }
+  // [N] on every point
+  Field forces() const {
+    Field f(motion.x.size(), 0.0);
+    compute_forces(plan, motion.time, motion.x, motion.v, f);
+    return f;
+  }
+  Field spring_forces() const {
+    Field f(motion.x.size(), 0.0);
+    add_spring_forces(plan, motion.x.data(), plan.has_dashpots() ? motion.v.data() : nullptr, f.data());
+    return f;
+  }
+  Vec3 at(const Field& f, Index i) const { return {f[i], f[plan.points + i], plan.dimensions == 3 ? f[2 * plan.points + i] : 0.0}; }
+};
+
+// -(k (l - l0) + d w) u on the first end of every spring, in a plain loop over the System.
+std::vector<Vec3> plain_spring_forces(const Trial& trial, std::vector<double>& size) {
+  std::vector<Vec3> forces(trial.state.position.size(), Vec3(0.0));
+  size.assign(forces.size(), 0.0);
+  for (const Spring& spring : trial.system.springs()) {
+    const Index i = trial.system.index_of(spring.first), j = trial.system.index_of(spring.second);
+    const Vec3 along = trial.state.position[i] - trial.state.position[j];
+    const double length = glm::length(along);
+    if (length == 0.0) continue;
+    const Vec3 u = along / length;
+    const double w = glm::dot(trial.state.velocity[i] - trial.state.velocity[j], u);
+    const Vec3 force = -(spring.stiffness * (length - spring.rest_length) + trial.system.damping_of(spring) * w) * u;
+    forces[i] += force;
+    forces[j] -= force;
+    for (const Index end : {i, j})
+      size[end] += spring.stiffness * (length + spring.rest_length) + trial.system.damping_of(spring) * std::abs(w);
+  }
+  return forces;
+}
+
+// A square net in grid order, crumpled, with springs of different values: long runs and remainders.
+Trial crumpled_net(int n, int dimensions, double max_damping) {
+  Random random(n);
+  Trial trial;
+  trial.system.dimensions = dimensions;
+  for (int i = 0; i < n * n; ++i) {
+    const Vec3 away(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), dimensions == 3 ? random.uniform(-0.3, 0.3) : 0.0);
+    const Vec3 velocity(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), dimensions == 3 ? random.uniform(-1.0, 1.0) : 0.0);
+    trial.add(Vec3(i % n, -(i / n), 0.0) + away, 1.0, velocity);
+  }
+  const auto join = [&](int from, int to) {
+    trial.join(trial.system.points()[from].id, trial.system.points()[to].id, random.uniform(1.0, 100.0), random.uniform(0.0, 2.0),
+               random.uniform(0.0, max_damping));
+  };
+  for (int i = 0; i < n * n; ++i) {
+    if (i % n + 1 < n) join(i, i + 1);
+    if (i / n + 1 < n) join(i, i + n);
+    if (i % n + 1 < n && i / n + 1 < n) join(i, i + n + 1);
+    if (i % n > 0 && i / n + 1 < n) join(i, i + n - 1);
+  }
+  return trial;
+}
+
+std::vector<Trial> assorted_trials() {
+  std::vector<Trial> trials;
+  for (const int dimensions : {2, 3})
+    for (const double damping : {0.0, 5.0}) {
+      trials.push_back(random_trial(11, 30, 120, dimensions, damping));
+      for (const int n : {2, 3, 9, 20}) trials.push_back(crumpled_net(n, dimensions, damping));
+    }
+  return trials;
+}
+
+TEST(SpringForces, EqualAPlainLoop) {
+  for (const Trial& trial : assorted_trials()) {
+    const Packed packed(trial);
+    const Field f = packed.spring_forces();
+    std::vector<double> size;
+    const std::vector<Vec3> plain = plain_spring_forces(trial, size);
+    for (Index i = 0; i < packed.plan.points; ++i)
+      EXPECT_LE(glm::distance(packed.at(f, i), plain[i]), 1e-15 * size[i]) << "point " << i << " of " << packed.plan.points;
+  }
+}
+
+TEST(SpringForces, HaveTheSameBitsForEveryVectorUnit) {
+  const std::vector<int64_t> targets = hwy::SupportedAndGeneratedTargets();
+  std::vector<Field> first;
+  for (const int64_t target : targets) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().DeInit();
+    std::vector<Field> forces;
+    for (const Trial& trial : assorted_trials()) forces.push_back(Packed(trial).spring_forces());
+    if (first.empty()) first = forces;
+    EXPECT_EQ(forces, first) << hwy::TargetName(target);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
+}
+
+// Added to `f` spring by spring: in a row each point takes both its springs at once, in any other run of at most a block
+// first the first ends take theirs, then the second ones.
+void add_plain_forces(const Packed& packed, Field& f) {
+  const Plan& plan = packed.plan;
+  const Field &x = packed.motion.x, &v = packed.motion.v;
+  for (const SpringRun& run : plan.runs)
+    for (int c = 0; c < plan.dimensions; ++c) {
+      std::vector<double> term;
+      for (Index e = 0; e < run.count; ++e) {
+        double length_squared = 0.0, approach = 0.0;
+        for (int k = 0; k < plan.dimensions; ++k) {
+          const Index i = k * plan.points + run.first + e, j = k * plan.points + run.second + e;
+          length_squared += (x[i] - x[j]) * (x[i] - x[j]);
+          approach += (x[i] - x[j]) * (v[i] - v[j]);
+        }
+        const Index spring = run.begin + e, at = c * plan.points + e;
+        const double length = std::sqrt(length_squared);
+        double tension = plan.stiffness[spring] * (length - plan.rest_length[spring]);
+        if (plan.has_dashpots()) tension += plan.damping[spring] * approach / length;
+        term.push_back((length == 0.0 ? 0.0 : tension / length) * (x[at + run.first] - x[at + run.second]));
+      }
+      double* first = &f[c * plan.points + run.first];
+      double* second = &f[c * plan.points + run.second];
+      if (run.second == run.first + 1) {
+        for (Index e = 0; e <= run.count; ++e) first[e] += (e > 0 ? term[e - 1] : 0.0) - (e < run.count ? term[e] : 0.0);
+      } else {
+        for (Index e = 0; e < run.count; ++e) first[e] -= term[e];
+        for (Index e = 0; e < run.count; ++e) second[e] += term[e];
+      }
+    }
+}
+
+// Triangles between n x n points, the diagonal of each cell on either side: runs of every length up to a row's.
+Trial triangle_mesh(int n, int dimensions, double max_damping, bool shuffled) {
+  Random random(n);
+  Trial trial;
+  trial.system.dimensions = dimensions;
+  std::vector<Index> at;
+  for (Index i = 0; i < n * n; ++i) at.push_back(i);
+  for (Index i = n * n; shuffled && i > 1; --i) std::swap(at[i - 1], at[random.below(i)]);
+  for (int i = 0; i < n * n; ++i) {
+    const Vec3 position(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), dimensions == 3 ? random.uniform(-1.0, 1.0) : 0.0);
+    // some points lie on the one before
+    trial.add(i > 0 && random.one_in(5) ? trial.state.position.back() : position, 1.0, 2.0 * position);
+  }
+  const auto join = [&](int from, int to) {
+    trial.join(trial.system.points()[at[from]].id, trial.system.points()[at[to]].id, random.uniform(1.0, 100.0), random.uniform(0.0, 2.0),
+               random.uniform(0.0, max_damping));
+  };
+  for (int i = 0; i < n * n; ++i) {
+    const bool right = i % n + 1 < n, down = i / n + 1 < n;
+    if (right) join(i, i + 1);
+    if (down) join(i, i + n);
+    if (right && down) random.one_in(2) ? join(i, i + n + 1) : join(i + 1, i + n);
+  }
+  return trial;
+}
+
+// signs of zero included
+std::vector<std::uint64_t> next_bits(const Field& f) {
+  std::vector<std::uint64_t> next_bits;
+  for (const double component : f) next_bits.push_back(std::bit_cast<std::uint64_t>(component));
+  return next_bits;
+}
+
+TEST(SpringForces, EqualAPlainLoopOverAnyGraphToTheLastBitForEveryVectorUnit) {
+  std::vector<Trial> trials = assorted_trials();
+  for (const int dimensions : {2, 3})
+    for (const double damping : {0.0, 5.0}) {
+      for (Index springs = 1; springs < 20; ++springs) trials.push_back(random_trial(springs, 12, springs, dimensions, damping));
+      trials.push_back(random_trial(7, 200, 800, dimensions, damping));
+      for (const int n : {2, 3, 4, 6, 9, 17, 40})
+        for (const bool shuffled : {false, true}) trials.push_back(triangle_mesh(n, dimensions, damping, shuffled));
+    }
+  // no force at all but zeros, added to zeros below: in a row, and not
+  Trial& still = trials.emplace_back();
+  for (int i = 0; i < 5; ++i) still.add(Vec3(0.0));
+  for (const auto& [i, j] : {std::pair{0, 1}, std::pair{2, 4}})
+    still.join(still.system.points()[i].id, still.system.points()[j].id, 1.0, 1.0);
+
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().DeInit();
+    for (const Trial& trial : trials) {
+      const Packed packed(trial);
+      Field f(packed.motion.x.size(), -0.0), plain = f;
+      add_spring_forces(packed.plan, packed.motion.x.data(), packed.plan.has_dashpots() ? packed.motion.v.data() : nullptr, f.data());
+      add_plain_forces(packed, plain);
+      EXPECT_EQ(next_bits(f), next_bits(plain))
+          << hwy::TargetName(target) << ", " << packed.plan.points << " points, " << packed.plan.springs << " springs";
+    }
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
+}
+
+TEST(SpringForces, AreEqualAndOppositeInAPair) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Trial trial = random_trial(seed, 2, 1, 3, 5.0);
+    const Packed packed(trial);
+    const Field f = packed.spring_forces();
+    EXPECT_EQ(packed.at(f, 0), -packed.at(f, 1)) << "seed " << seed;
+  }
+}
+
+// of the whole scene: no net force, no net torque, to round-off
+TEST(SpringForces, BalanceOverTheScene) {
+  for (const Trial& trial : assorted_trials()) {
+    const Packed packed(trial);
+    const Field f = packed.spring_forces();
+    std::vector<double> size;
+    plain_spring_forces(trial, size);
+    Vec3 force(0.0), torque(0.0);
+    double scale = 0.0;
+    for (Index i = 0; i < packed.plan.points; ++i) {
+      force += packed.at(f, i);
+      torque += glm::cross(trial.state.position[i], packed.at(f, i));
+      scale += size[i] * (1.0 + glm::length(trial.state.position[i]));
+    }
+    EXPECT_LT(glm::length(force), 1e-15 * scale);
+    EXPECT_LT(glm::length(torque), 1e-15 * scale);
+  }
+}
+
+// f = -dE/dx by central differences of step s: error s^2 f'' / 6 + round-off E eps / s
+TEST(Forces, AreMinusTheGradientOfTheEnergy) {
+  for (const int dimensions : {2, 3}) {
+    Trial trial = random_trial(21, 9, 25, dimensions);
+    trial.system.gravity = {1.0, -9.81, dimensions == 3 ? 2.0 : 0.0};
+    for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).nailed = false;
+    trial.system.grab = Grab{.point = trial.system.points()[2].id, .kind = GrabKind::Pull, .stiffness = 37.0};
+    trial.state.hand = trial.system.grab->target = {0.4, 0.5, 0.0};
+    for (Vec3& v : trial.state.velocity) v = Vec3(0.0);
+    const Packed packed(trial);
+    const Field f = packed.forces();
+
+    const double s = 1e-5;
+    for (Index i = 0; i < trial.system.point_count(); ++i)
+      for (int c = 0; c < dimensions; ++c) {
+        State ahead = trial.state, behind = trial.state;
+        ahead.position[i][c] += s;
+        behind.position[i][c] -= s;
+        const double slope = (compute_energy(trial.system, ahead).total() - compute_energy(trial.system, behind).total()) / (2.0 * s);
+        EXPECT_NEAR(packed.at(f, i)[c], -slope, 1e-6) << "point " << i << ", component " << c;
+      }
+  }
+}
+
+TEST(Forces, OfCoincidentPointsAreNone) {
+  for (const double damping : {0.0, 3.0})
+    for (const double rest_length : {0.0, 1.0}) {
+      Trial trial;
+      trial.system.gravity = Vec3(0.0);
+      const PointId first = trial.add({0.3, 0.2, 0.1}, 1.0, {1.0, 2.0, 3.0}), second = trial.add({0.3, 0.2, 0.1}, 2.0);
+      trial.join(first, second, 100.0, rest_length, damping);
+      const Packed packed(trial);
+      const Field f = packed.forces();
+      EXPECT_EQ(packed.at(f, 0), Vec3(0.0));
+      EXPECT_EQ(packed.at(f, 1), Vec3(0.0));
+    }
+}
+
+TEST(Forces, OfPointsAlmostCoincidentAreFinite) {
+  for (const double distance : {1e-12, 1e-100, 1e-160, 1e-300}) {
+    Trial trial;
+    trial.system.gravity = Vec3(0.0);
+    const PointId first = trial.add(Vec3(0.0), 1.0, {1.0, 0.0, 0.0}), second = trial.add({distance, 0.0, 0.0}, 1.0);
+    trial.join(first, second, 100.0, 1.0, 3.0);
+    const Packed packed(trial);
+    const double force = glm::length(packed.at(packed.forces(), 0));
+    EXPECT_LE(force, 104.0) << "distance " << distance;
+  }
+}
+
+TEST(Forces, OfGravityAndDragGoWithTheMass) {
+  Trial trial;
+  trial.system.drag = 0.5;
+  trial.system.wind = {2.0, 0.0, 0.0};
+  trial.add(Vec3(0.0), 3.0, {1.0, 4.0, 0.0});
+  const Packed packed(trial);
+  // m g - c m (v - wind)
+  EXPECT_LT(glm::distance(packed.at(packed.forces(), 0), 3.0 * (Vec3(0.0, -9.81, 0.0) - 0.5 * Vec3(-1.0, 4.0, 0.0))), 1e-14);
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,255 @@
+// The hand: what is held follows it, what is pulled feels a spring, and what is let go flies on.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/divergence.h"
+#include "sim/energy.h"
+#include "sim/hand.h"
+#include "support/convergence.h"
+#include "support/trial.h"
+
+namespace hooke {
+namespace {
+
+constexpr double frame_time = 1.0 / 60.0;
+
+class Grabbed : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, Grabbed, testing::ValuesIn(every_method()), method_name);
+
+// A mass of 0.5 kg on a point that the hand takes; the hand starts where the point is.
+struct Held {
+  Trial trial;
+  PointId held, mass;
+  Held() : held(trial.add({0.1, 0.2, 0.3}, 2.0)), mass(trial.add({0.1, -0.8, 0.3}, 0.5)) {
+    trial.join(held, mass, 50.0, 0.9, 0.3);
+    trial.system.drag = 0.5;
+    grab(GrabKind::Hold, trial.position(held));
+  }
+  void grab(GrabKind kind, const Vec3& target) {
+    trial.system.grab = Grab{.point = held, .kind = kind, .target = target, .stiffness = 80.0};
+    trial.state.hand = trial.position(held);
+  }
+};
+
+TEST_P(Grabbed, HeldPointFollowsTheHandOverTheSubsteps) {
+  Held scene;
+  const Vec3 from = scene.trial.position(scene.held), target(0.7, -0.4, 1.3);
+  scene.grab(GrabKind::Hold, target);
+  Plan plan = make_plan(scene.trial.system);
+  Frame frame;
+  State state = scene.trial.state;
+  frame.begin(plan, scene.trial.system, {.integrator = &method(), .frame_rate = 60.0, .substeps = 7}, state);
+  for (int k = 1; k <= 7; ++k) {
+    frame.substep(plan);
+    unpack(plan, frame.motion(), state);
+    EXPECT_LT(glm::distance(state.position[0], from + k / 7.0 * (target - from)), 1e-14) << "substep " << k;
+  }
+  frame.end(plan, state);
+  EXPECT_EQ(state.position[0], target);
+  EXPECT_LT(glm::distance(state.velocity[0], (target - from) / frame_time), 1e-11);
+}
+
+TEST_P(Grabbed, HeldPointStaysWhileTheHandDoes) {
+  Held scene;
+  const Vec3 place = scene.trial.position(scene.held);
+  for (int i = 0; i < 30; ++i) scene.trial.run(method(), frame_time, 5);
+  EXPECT_EQ(scene.trial.position(scene.held), place);
+  EXPECT_EQ(scene.trial.velocity(scene.held), Vec3(0.0));
+}
+
+// a mass on a spring whose end moves with V: x = V t + l0 + A cos(w t) - V / w sin(w t)
+TEST_P(Grabbed, HeldEndDrivesItsSprings) {
+  const double w = 10.0, speed = 1.5, seconds = 1.0;
+  const auto error = [&](int steps) {
+    Trial trial;
+    trial.system.gravity = Vec3(0.0);
+    const PointId held = trial.add(Vec3(0.0)), mass = trial.add({1.1, 0.0, 0.0}, 0.5);
+    trial.join(held, mass, 50.0, 1.0);
+    trial.system.grab = Grab{.point = held, .kind = GrabKind::Hold, .target = {speed * seconds, 0.0, 0.0}};
+    trial.run(method(), seconds, steps);
+    const double exact = 1.0 + speed * seconds + 0.1 * std::cos(w * seconds) - speed / w * std::sin(w * seconds);
+    return std::abs(trial.position(mass).x - exact);
+  };
+  expect_order(error, asymptotic_steps(method().order), method().order, 0.2);
+}
+
+TEST_P(Grabbed, LetGoFliesOnAsTheHandThrewIt) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  const PointId point = trial.add(Vec3(0.0));
+  Vec3 hand(0.0);
+  const Vec3 displacement(0.05, 0.02, -0.01);
+  trial.system.grab = Grab{.point = point, .kind = GrabKind::Hold};
+  for (int i = 0; i < 3; ++i) {
+    trial.system.grab->target = hand += displacement;
+    trial.run(method(), frame_time, 4);
+  }
+  trial.system.grab.reset();
+  trial.run(method(), frame_time, 4);
+  EXPECT_LT(glm::distance(trial.position(point), 4.0 * displacement), 1e-13);
+  EXPECT_LT(glm::distance(trial.velocity(point), displacement / frame_time), 1e-11);
+}
+
+TEST_P(Grabbed, NailStaysWhereItIsLetGo) {
+  Trial trial;
+  trial.system.drag = 0.3;
+  const PointId nail = trial.nail(Vec3(0.0));
+  trial.system.grab = Grab{.point = nail, .kind = GrabKind::Hold, .target = {0.3, 0.2, 0.1}};
+  trial.run(method(), frame_time, 4);
+  EXPECT_EQ(trial.position(nail), Vec3(0.3, 0.2, 0.1));
+  trial.system.grab.reset();
+  for (int i = 0; i < 10; ++i) trial.run(method(), frame_time, 4);
+  EXPECT_EQ(trial.position(nail), Vec3(0.3, 0.2, 0.1));
+  EXPECT_EQ(trial.velocity(nail), Vec3(0.0));
+}
+
+TEST_P(Grabbed, InTwoDimensionsStaysInThePlane) {
+  Trial trial;
+  trial.system.dimensions = 2;
+  const PointId point = trial.add(Vec3(0.0));
+  for (const GrabKind kind : {GrabKind::Hold, GrabKind::Pull}) {
+    trial.system.grab = Grab{.point = point, .kind = kind, .target = {0.3, 0.2, 0.1}};
+    trial.run(method(), frame_time, 4);
+    EXPECT_EQ(trial.position(point).z, 0.0);
+    EXPECT_EQ(trial.velocity(point).z, 0.0);
+  }
+}
+
+// pulled by a hand that moves with V: x = V t - V / w sin(w t), w^2 = k / m
+TEST_P(Grabbed, PulledPointFeelsASpringToTheHand) {
+  const double w = 10.0, seconds = 0.5;
+  const Vec3 speed(1.5, -0.5, 0.8);
+  const auto error = [&](int steps) {
+    Trial trial;
+    trial.system.gravity = Vec3(0.0);
+    const PointId point = trial.add({0.1, 0.0, 0.0}, 0.5);
+    trial.state.hand = Vec3(0.0);
+    trial.system.grab = Grab{.point = point, .kind = GrabKind::Pull, .target = seconds * speed, .stiffness = 50.0};
+    trial.run(method(), seconds, steps);
+    const Vec3 exact = seconds * speed - std::sin(w * seconds) / w * speed + std::cos(w * seconds) * Vec3(0.1, 0.0, 0.0);
+    return glm::distance(trial.position(point), exact);
+  };
+  expect_order(error, asymptotic_steps(method().order), method().order, 0.2);
+}
+
+// A hand of the scene's, which takes the held point round a circle from the third frame to the seventh.
+ScriptedHand circling(const Held& scene) {
+  return {.point = scene.held,
+          .from = {0.3, 0.2, 0.3},
+          .center = {0.1, 0.2, -0.2},
+          .axis = {0.0, 1.0, 0.0},
+          .speed = 4.0,
+          .begin = 2.0 * frame_time,
+          .seconds = 4.6 * frame_time};
+}
+
+TEST_P(Grabbed, AScriptedHandHoldsBitForBitAsAPersonsDoes) {
+  Held scripted, by_hand;
+  scripted.trial.system.grab.reset();
+  scripted.trial.system.scripted_hand = circling(scripted);
+  initialize_ledger(scripted.trial.system, scripted.trial.state);
+  by_hand.trial.system.grab.reset();
+  initialize_ledger(by_hand.trial.system, by_hand.trial.state);
+
+  Plan plan = make_plan(scripted.trial.system);  // one for all frames: it takes and lets go without an edit
+  Frame frame;
+  State& state = scripted.trial.state;
+  for (int i = 0; i < 10; ++i) {
+    const Settings settings{.integrator = &method(), .frame_rate = 60.0, .substeps = 5, .tolerance = 1e9};
+    state.memory = {.step = 1e9, .error = 1e-4};
+    frame.begin(plan, scripted.trial.system, settings, state);
+    while (!frame.done()) frame.substep(plan);
+    frame.end(plan, state);
+    state.memory = {};
+
+    by_hand.trial.system.grab.reset();
+    if (i >= 2 && i < 7) by_hand.grab(GrabKind::Hold, position_at(circling(by_hand), (i + 1) * frame_time));
+    by_hand.trial.run(method(), frame_time, 5);
+
+    EXPECT_EQ(plan.held.has_value(), i >= 2 && i < 7) << "frame " << i;
+    for (Index p = 0; p < 2; ++p) EXPECT_LT(glm::distance(state.position[p], by_hand.trial.state.position[p]), 1e-13) << "frame " << i;
+    EXPECT_NEAR(state.ledger.net_input, by_hand.trial.state.ledger.net_input, 1e-9) << "frame " << i;
+  }
+  EXPECT_GT(state.ledger.scale, 1.0);
+}
+
+TEST(Hand, AScriptedOneWaitsForAPersons) {
+  Held scene;
+  scene.trial.system.scripted_hand = circling(scene);
+  scene.grab(GrabKind::Hold, {5.0, 0.0, 0.0});
+  EXPECT_EQ(active_grab(scene.trial.system, 3.0 * frame_time, frame_time)->target, Vec3(5.0, 0.0, 0.0));
+  scene.trial.system.grab.reset();
+  EXPECT_EQ(active_grab(scene.trial.system, 3.0 * frame_time, frame_time)->target,
+            position_at(circling(scene), 3.0 * frame_time + frame_time));
+  EXPECT_FALSE(active_grab(scene.trial.system, 1.0 * frame_time, frame_time));
+  EXPECT_FALSE(active_grab(scene.trial.system, 7.0 * frame_time, frame_time));
+}
+
+// at an arm of 0.2 m and 0.5 m about y: |p| = sqrt(0.29), counter-clockwise as seen from above
+TEST(Hand, AScriptedOneGoesRoundItsCircleAtItsSpeed) {
+  const ScriptedHand hand = circling(Held());
+  EXPECT_LT(glm::distance(position_at(hand, hand.begin), hand.from), 1e-15);
+  const double radius = std::sqrt(0.29), round = 2.0 * 3.14159265358979323846 * radius / hand.speed;
+  EXPECT_LT(glm::distance(position_at(hand, hand.begin + round), hand.from), 1e-14);
+  const Vec3 moved = position_at(hand, hand.begin + 1e-6) - hand.from;
+  EXPECT_NEAR(glm::length(moved), 4e-6, 1e-11);
+  EXPECT_GT(glm::cross(hand.from - hand.center, moved).y, 0.0);
+}
+
+// the hand's force on the scene, at the start of a frame of a second
+Vec3 force_in(const Trial& trial) {
+  Plan plan = make_plan(trial.system);
+  prepare_hand(plan, trial.system, trial.state, 1.0);
+  Motion motion;
+  pack(plan, trial.state, motion);
+  return hand_force(plan, motion);
+}
+
+TEST(Hand, ForceIsWhatTheGrabExerts) {
+  Held scene;
+  const Vec3 weight = 2.0 * scene.trial.system.gravity;
+  // the spring is stretched by 0.1 m and pulls the held point down
+  EXPECT_LT(glm::distance(force_in(scene.trial), -weight + Vec3(0.0, 5.0, 0.0)), 1e-12);
+  // its dashpot too, while the mass goes down
+  scene.trial.state.velocity[1] = {3.0, -2.0, 0.0};
+  EXPECT_LT(glm::distance(force_in(scene.trial), -weight + Vec3(0.0, 5.6, 0.0)), 1e-12);
+  scene.grab(GrabKind::Pull, Vec3(0.0));
+  scene.trial.state.hand += Vec3(0.1, 0.0, 0.0);
+  EXPECT_LT(glm::distance(force_in(scene.trial), Vec3(8.0, 0.0, 0.0)), 1e-12);
+  scene.trial.system.grab.reset();
+  EXPECT_EQ(force_in(scene.trial), Vec3(0.0));
+}
+
+// energy of the scene = energy at the start + work of the hand, but for the error of the substeps: whatever the frames are
+TEST_P(Grabbed, TheHandsWorkIsBookedToTheOrderOfTheSubsteps) {
+  struct Case {
+    const char* name;
+    GrabKind kind;
+    bool nailed;
+  };
+  for (const Case& which : {Case{"pull", GrabKind::Pull, false}, {"hold", GrabKind::Hold, false}, {"hold a nail", GrabKind::Hold, true}}) {
+    const auto missing = [&](int steps) {
+      constexpr int frames = 8;
+      Held scene;
+      scene.trial.system.drag = 0.0;
+      scene.trial.system.spring(0).damping = 0.0;
+      scene.trial.system.point(0).nailed = which.nailed;
+      scene.grab(which.kind, scene.trial.position(scene.held));
+      initialize_ledger(scene.trial.system, scene.trial.state);
+      for (int i = 1; i <= frames; ++i) {
+        const double t = 1.0 * i / frames;
+        scene.trial.system.grab->target = Vec3(0.1, 0.2, 0.3) + 0.2 * std::pow(std::sin(3.0 * t), 2) * Vec3(1.0, 0.5, 0.2);
+        scene.trial.run(method(), 1.0 / frames, steps / frames);
+      }
+      EXPECT_GT(scene.trial.state.ledger.scale, 0.1) << which.name;
+      return std::abs(compute_energy(scene.trial.system, scene.trial.state).total() - scene.trial.state.ledger.net_input);
+    };
+    // the trapezium rule takes no method beyond the second
+    expect_order(missing, 512, std::min(2, method().order), 0.2);
+  }
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,211 @@
+// Every method of the table on what it declares, and where each is strong.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string>
+
+#include "support/convergence.h"
+#include "support/nets.h"
+
+namespace hooke {
+namespace {
+
+const Integrator& method(std::string_view id) { return *find_integrator(id); }
+
+class Method : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, Method, testing::ValuesIn(every_method()), method_name);
+
+// One mass on a nail, x'' = -w^2 x - lambda x' - c x', stepped from (x, h v) = (s, 0) and (0, s): the columns of its matrix.
+Amplification stepped(const Integrator& row, const Oscillator& oscillator, double h) {
+  const double s = 0.01;
+  double column[2][2];
+  for (int i = 0; i < 2; ++i) {
+    Trial trial;
+    trial.system.dimensions = 2;
+    trial.system.gravity = Vec3(0.0);
+    trial.system.drag = oscillator.h_drag / h;
+    const PointId point = trial.add({i == 0 ? s : 0.0, 0.0, 0.0}, 2.0, {i == 1 ? s / h : 0.0, 0.0, 0.0});
+    trial.join(point, trial.nail({-0.5, 0.0, 0.0}), 2.0 * oscillator.h_omega_squared / (h * h), 0.5, 2.0 * oscillator.h_lambda / h);
+    trial.run(row, h, 1);
+    column[i][0] = trial.position(point).x / s;
+    column[i][1] = h * trial.velocity(point).x / s;
+  }
+  return {column[0][0] + column[1][1], column[0][0] * column[1][1] - column[0][1] * column[1][0]};
+}
+
+TEST_P(Method, AmplifiesAModeAsItsClosedForm) {
+  for (const double omega : {0.01, 0.7, 1.9, 2.6})
+    for (const double lambda : {0.0, 0.3, 1.5})
+      for (const double drag : {0.0, 0.4}) {
+        const Oscillator oscillator{omega * omega, lambda, drag};
+        const Amplification closed = method().amplification(oscillator), simulated = stepped(method(), oscillator, 0.125);
+        EXPECT_NEAR(closed.trace, simulated.trace, 1e-12) << "h w = " << omega << ", h lambda = " << lambda << ", h c = " << drag;
+        EXPECT_NEAR(closed.determinant, simulated.determinant, 1e-12)
+            << "h w = " << omega << ", h lambda = " << lambda << ", h c = " << drag;
+      }
+}
+
+// a modulus over 1 for some mode, or none, as the row says
+TEST_P(Method, IsAsStableAsItDeclares) {
+  double peak = 0.0, final_norm = 0.0;
+  for (double omega = 1e-3; omega < 1e6; omega *= 1.01) {
+    const Amplification mode = method().amplification({.h_omega_squared = omega * omega});
+    const double discriminant = 0.25 * mode.trace * mode.trace - mode.determinant;
+    final_norm = discriminant < 0.0 ? std::sqrt(mode.determinant) : 0.5 * std::abs(mode.trace) + std::sqrt(discriminant);
+    peak = std::max(peak, final_norm);
+  }
+  switch (method().stability) {
+    case Stability::None:
+      EXPECT_EQ(largest_stable_step(method(), {.omega = 1.0}), 0.0);
+      break;
+    case Stability::Conditional:
+      EXPECT_GT(largest_stable_step(method(), {.omega = 1.0}), 1.0);
+      EXPECT_GT(peak, 2.0);
+      break;
+    case Stability::Adaptive:
+      EXPECT_GT(peak, 2.0);
+      break;
+    case Stability::EachSpring:
+    case Stability::LStable:
+      EXPECT_LT(peak, 1.0 + 1e-12);
+      EXPECT_LT(final_norm, 1e-3);
+      break;
+    case Stability::AStable:
+      EXPECT_LT(peak, 1.0 + 1e-12);
+      EXPECT_GT(final_norm, 0.9);
+      break;
+  }
+}
+
+// a new frame, plan and workspace for every frame, or the same
+TEST_P(Method, HidesNothingOutsideTheState) {
+  Trial trial = net(5, 1e3, 0.2);
+  trial.system.drag = 0.5;
+  const Settings settings{.integrator = &method(), .frame_rate = 100.0, .substeps = 3};
+  State reused = trial.state, fresh = trial.state;
+  Plan reused_plan = make_plan(trial.system);
+  Frame reused_frame;
+  for (int frame = 0; frame < 10; ++frame) {
+    reused_frame.begin(reused_plan, trial.system, settings, reused);
+    while (!reused_frame.done()) reused_frame.substep(reused_plan);
+    reused_frame.end(reused_plan, reused);
+
+    Plan plan = make_plan(trial.system);
+    Frame fresh_frame;
+    fresh_frame.begin(plan, trial.system, settings, fresh);
+    while (!fresh_frame.done()) fresh_frame.substep(plan);
+    fresh_frame.end(plan, fresh);
+  }
+  EXPECT_EQ(reused, fresh);
+}
+
+// what Verlet does with the same number of force evaluations
+TEST(BlanesMoan, BeatsVerletAtTheSameCost) {
+  const auto error = [](const Integrator& row, int steps) {
+    Trial trial = net(8, 1e2, 0.0), exact = trial;
+    trial.run(row, 0.5, steps);
+    exact.run(method("runge_kutta4"), 0.5, 20000);
+    return distance(trial.state, exact.state);
+  };
+  EXPECT_LT(error(method("blanes_moan4"), 100), 1e-3 * error(method("velocity_verlet"), 600));
+}
+
+struct Adapted {
+  State state;
+  long force_evaluations;
+  double local_error;
+};
+
+Adapted run_adaptive(const Trial& trial, double seconds, int substeps, double tolerance) {
+  Plan plan = make_plan(trial.system);
+  Frame frame;
+  State state = trial.state;
+  frame.begin(plan, trial.system,
+              {.integrator = &method("dop853"), .frame_rate = 1.0 / seconds, .substeps = substeps, .tolerance = tolerance}, state);
+  while (!frame.done()) frame.substep(plan);
+  frame.end(plan, state);
+  return {state, frame.force_evaluations(), frame.motion().local_error};
+}
+
+TEST(Dop853, MeetsItsTolerance) {
+  for (const double d : {0.0, 0.9}) {
+    const Trial trial = net(8, 1e4, d);
+    Trial exact = trial;
+    exact.run(method("runge_kutta4"), 0.5, 50000);
+    for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+      const Adapted adapted = run_adaptive(trial, 0.5, 1, tolerance);
+      EXPECT_LT(distance(adapted.state, exact.state), tolerance) << "d = " << d;
+      EXPECT_GT(adapted.local_error, 0.0);
+      EXPECT_EQ(adapted.state.time, 0.5);
+    }
+    EXPECT_LT(run_adaptive(trial, 0.5, 1, 1e-6).force_evaluations, 12000) << "d = " << d;
+  }
+}
+
+// a thousand ends of substeps cost a step each and change nothing
+TEST(Dop853, EndsExactlyOnEverySubstep) {
+  const Trial trial = net(8, 1e2, 0.0);
+  const Adapted whole = run_adaptive(trial, 0.5, 1, 1e-9), cut = run_adaptive(trial, 0.5, 1000, 1e-9);
+  EXPECT_LT(distance(whole.state, cut.state), 1e-9);
+  EXPECT_LT(cut.force_evaluations, 12100);
+}
+
+TEST(Dop853, RemembersItsStepFromFrameToFrame) {
+  Trial trial = net(8, 1e2, 0.0);
+  const Adapted first = run_adaptive(trial, 0.5, 1, 1e-9);
+  EXPECT_GT(first.state.memory.step, 1e-3);
+  EXPECT_GT(first.state.memory.error, 0.0);
+  trial.system.point(9).mass *= 1e-4;  // a sudden stiffness is found within the frame
+  trial.state = first.state;
+  const Adapted second = run_adaptive(trial, 0.1, 1, 1e-9);
+  EXPECT_LT(second.state.memory.step, 0.1 * first.state.memory.step);
+}
+
+TEST(Dop853, ComesToAnEndWhereNoStepIsShortEnough) {
+  Trial trial = net(4, 1e2, 0.0);
+  trial.state.velocity[9].x = 1e308;
+  const Adapted adapted = run_adaptive(trial, 1.0 / 60.0, 1, 1e-6);
+  EXPECT_LT(adapted.force_evaluations, 10000);
+}
+
+// One sweep a step is all it takes: the error against the true motion falls with the step.
+TEST(Xpbd, IsOfFirstOrderWithDashpotsAndDrag) {
+  Trial trial = net(6, 1e2, 0.05);
+  trial.system.drag = 0.5;
+  Trial exact = trial;
+  exact.run(method("dop853"), 0.25, 64);
+  expect_order(
+      [&](int steps) {
+        Trial simulated = trial;
+        simulated.run(method("xpbd"), 0.25, steps);
+        return distance(simulated.state, exact.state);
+      },
+      25000, 1.0, 0.02);
+}
+
+// points may hang as far as the nails let them, and no further: the cloth is 1 m, its diagonal 1.41 m
+TEST(Xpbd, StaysBoundedOnAFineClothFarBeyondTheExplicitLimit) {
+  for (const double hertz : {1000.0, 2000.0, 4000.0}) {
+    Trial trial = cloth(128);
+    EXPECT_GT(1.0 / hertz, 2.7 * largest_stable_step(method("velocity_verlet"), make_plan(trial.system).spectrum));
+    trial.run(method("xpbd"), 0.4, static_cast<int>(0.4 * hertz));
+    double max_distance = 0.0, speed = 0.0;
+    for (const Vec3& x : trial.state.position) max_distance = std::max(max_distance, glm::length(x));
+    for (const Vec3& v : trial.state.velocity) speed = std::max(speed, glm::length(v));
+    EXPECT_LT(max_distance, 2.0) << hertz << " Hz";
+    EXPECT_LT(speed, 10.0) << hertz << " Hz";
+  }
+}
+
+TEST(Xpbd, HangsAsFarAsTheSpringsSayWithDragAndDashpots) {
+  Trial trial;
+  trial.system.drag = 50.0;
+  const PointId point = trial.add({0.0, -1.3, 0.0}, 0.5);
+  trial.join(trial.nail({0.0, 0.0, 0.0}), point, 40.0, 1.0, 3.0);
+  trial.run(method("xpbd"), 60.0, 3600);
+  EXPECT_NEAR(trial.position(point).y, -1.0 - 0.5 * 9.81 / 40.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,175 @@
+// Colliders that move: by their paths, by their surfaces, by the hand; against closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "sim/contact/contact.h"
+#include "sim/contact/gap.h"
+#include "sim/divergence.h"
+#include "sim/energy.h"
+#include "support/convergence.h"
+#include "support/trial.h"
+
+namespace hooke {
+namespace {
+
+constexpr double g = 9.81, frame = 1.0 / 60.0;
+
+// A point of radius 0.02 m at rest on top of a collider, in the middle.
+Trial resting_on(const Collider& collider, const Vec3& place) {
+  Trial trial;
+  trial.system.colliders = {collider};
+  trial.add(place, 0.3);
+  trial.system.point(0).radius = 0.02;
+  return trial;
+}
+Collider floor_with(const ColliderPath& path, double friction) { return {.shape = Plane{}, .friction = friction, .path = path}; }
+
+class Moving : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, Moving, testing::ValuesIn(every_method()), method_name);
+
+// slides until mu g t = v, and then goes along: x = v t - v^2 / (2 mu g)
+TEST_P(Moving, ABeltTakesAPointAlongAfterSpeedOverFriction) {
+  const double mu = 0.4, v = 1.5, reaches = v / (mu * g);
+  for (const int substeps : {1, 7}) {
+    Trial trial = resting_on(floor_with({.belt = {v, 0.0, 0.0}}, mu), {0.0, 0.02, 0.0});
+    const int before = static_cast<int>(reaches / frame);
+    for (int i = 0; i < before; ++i) trial.run(method(), frame, substeps);
+    EXPECT_NEAR(trial.state.velocity[0].x, mu * g * before * frame, 1e-11);
+    for (int i = before; i < 60; ++i) trial.run(method(), frame, substeps);
+    EXPECT_NEAR(trial.state.velocity[0].x, v, 1e-11);
+    EXPECT_NEAR(trial.state.position[0].x, v * 1.0 - 0.5 * v * v / (mu * g), 1e-10);
+    EXPECT_NEAR(trial.state.position[0].y, 0.02, 1e-13);
+  }
+}
+
+// The belt of a box is its own, too.
+TEST_P(Moving, ABeltOnABoxGoesAlongItsSides) {
+  Trial trial =
+      resting_on({.shape = Box{{-9.0, -1.0, -9.0}, {9.0, 0.0, 9.0}}, .friction = 1.0, .path = {.belt = {0.0, 3.0, 1.0}}}, {0.0, 0.02, 0.0});
+  for (int i = 0; i < 30; ++i) trial.run(method(), frame, 2);
+  EXPECT_NEAR(trial.state.velocity[0].z, 1.0, 1e-12);
+  EXPECT_NEAR(trial.state.velocity[0].y, 0.0, 1e-12);  // up is not along the top
+}
+
+// a plate that rises and sinks: A omega^2 < g, so that nothing leaves it
+TEST_P(Moving, APointRidesOnAPlateThatGoesUpAndDown) {
+  const ColliderPath path{.amplitude = {0.0, 0.1, 0.0}, .frequency = 1.3, .phase = 0.7};
+  Trial trial = resting_on(floor_with(path, 0.0), path.offset(0.0) + Vec3(0.0, 0.02, 0.0));
+  trial.state.velocity[0] = path.velocity(0.0);
+  for (int i = 0; i < 120; ++i) {
+    trial.run(method(), frame, 5);
+    EXPECT_NEAR(trial.state.position[0].y, path.offset(trial.state.time).y + 0.02, 1e-12);
+    EXPECT_NEAR(trial.state.velocity[0].y, path.velocity(trial.state.time).y, 1e-9);
+  }
+}
+
+// shaken to and fro below the angle of friction it goes along, and beyond it slips
+TEST_P(Moving, FrictionHoldsAPointOnAShakenPlateUpToItsLimit) {
+  const ColliderPath path{.amplitude = {0.05, 0.0, 0.0}, .frequency = 2.0};
+  const double peak_acceleration = 0.05 * std::pow(2.0 * std::numbers::pi * 2.0, 2.0) / g;  // the greatest acceleration, in g
+  for (const bool holds : {true, false}) {
+    Trial trial = resting_on(floor_with(path, peak_acceleration * (holds ? 1.01 : 0.9)), {0.0, 0.02, 0.0});
+    trial.state.velocity[0] = path.velocity(0.0);
+    double slip = 0.0;
+    for (int i = 0; i < 60; ++i) {
+      trial.run(method(), frame, 10);
+      slip = std::max(slip, std::abs(trial.state.position[0].x - path.offset(trial.state.time).x));
+    }
+    if (holds) {
+      EXPECT_LT(slip, 1e-12);
+    } else {
+      EXPECT_GT(slip, 1e-3);
+    }
+  }
+}
+
+// omega^2 r < mu g
+TEST(Moving, ATurntableCarriesWhatItCanHold) {
+  const Integrator& verlet = *find_integrator("velocity_verlet");
+  const double omega = 3.0, r = 0.4, mu = omega * omega * r / g;
+  const auto error = [&](double friction, int steps) {
+    Trial trial = resting_on(floor_with({.spin = {0.0, omega, 0.0}}, friction), {r, 0.02, 0.0});
+    trial.state.velocity[0] = {0.0, 0.0, -omega * r};
+    trial.run(verlet, 1.0, steps);
+    return glm::distance(trial.state.position[0], {r * std::cos(omega), 0.02, -r * std::sin(omega)});
+  };
+  expect_order([&](int steps) { return error(1.05 * mu, steps); }, 200, 2.0);
+  EXPECT_LT(error(1.05 * mu, 400), 2e-5);
+  EXPECT_GT(error(0.9 * mu, 400), 1e-2);
+}
+
+// A turning ball hands its spin to a point on its top, which it then loses: that part is not looked at. On the equator of a
+// ball that turns about the vertical, held on by a spring to its middle, it goes round with it.
+TEST(Moving, ATurningBallTakesAPointAlong) {
+  const Integrator& verlet = *find_integrator("velocity_verlet");
+  const double omega = 2.0, contact_radius = 0.52;
+  const auto error = [&](int steps) {
+    Trial trial =
+        resting_on({.shape = Sphere{.radius = 0.5}, .friction = 1.0, .path = {.spin = {0.0, omega, 0.0}}}, {contact_radius, 0.0, 0.0});
+    trial.system.gravity = Vec3(0.0);
+    trial.state.velocity[0] = {0.0, 0.0, -omega * contact_radius};
+    trial.join(trial.system.points()[0].id, trial.nail(Vec3(0.0)), 30.0, 0.1);
+    trial.run(verlet, 1.0, steps);
+    EXPECT_NEAR(gap_to(trial.system.colliders[0], 0.02, trial.state.position[0]).distance, 0.0, 1e-13);
+    return glm::distance(trial.state.position[0], {contact_radius * std::cos(omega), 0.0, -contact_radius * std::sin(omega)});
+  };
+  expect_order(error, 200, 2.0);
+  EXPECT_LT(error(400), 1e-4);
+}
+
+// v' = 2 w - v off a wall that comes with w: the wall's speed counts twice
+TEST_P(Moving, ABounceOffAWallThatComesGainsTwiceItsSpeed) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  trial.system.colliders = {
+      {.shape = Plane{{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, .restitution = 1.0, .path = {.amplitude = {5.0, 0.0, 0.0}, .frequency = 1e-3}}};
+  const double w = trial.system.colliders[0].path.velocity(0.0).x;
+  trial.add({0.0, 0.0, 0.0}, 1.0, {-2.0, 0.0, 0.0});
+  for (int i = 0; i < 60; ++i) trial.run(method(), frame, 3);
+  EXPECT_NEAR(trial.state.velocity[0].x, 2.0 + 2.0 * w, 1e-6);
+}
+
+// What the hand does to a collider in a frame: it moves at one speed, and nothing is left behind or inside.
+TEST_P(Moving, ACarriedBallPushesWhatItMeets) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  trial.system.colliders = {{.shape = Sphere{.radius = 0.5}}};
+  trial.add({0.8, 0.0, 0.0});
+  trial.system.collider_grab = ColliderGrab{.collider = 0, .target = {30.0, 0.0, 0.0}};
+  Plan plan = make_plan(trial.system);
+  Frame step;
+  step.begin(plan, trial.system, {.integrator = &method(), .substeps = 3}, trial.state);
+  while (!step.done()) step.substep(plan);
+  step.end(plan, trial.state);
+  EXPECT_NEAR(step.collider_displacement().x, 30.0, 1e-12);
+  EXPECT_NEAR(trial.state.position[0].x, 30.5, 1e-9);
+  EXPECT_NEAR(trial.state.velocity[0].x, 30.0 * 60.0, 1e-6);
+  // all its energy was given by the hand, and is in the books
+  EXPECT_NEAR(trial.state.ledger.net_input, compute_energy(trial.system, trial.state).total(), 1e-6 * trial.state.ledger.net_input);
+}
+
+TEST(Moving, ACarriedColliderKeepsToTheTopSpeedOfTheHand) {
+  Trial trial;
+  trial.system.colliders = {{.shape = Sphere{.radius = 0.5}}};
+  trial.system.hand_speed = 6.0;
+  trial.system.collider_grab = ColliderGrab{.collider = 0, .target = {30.0, 0.0, 0.0}};
+  Plan plan = make_plan(trial.system);
+  Frame step;
+  step.begin(plan, trial.system, {}, trial.state);
+  EXPECT_NEAR(step.collider_displacement().x, 0.1, 1e-15);
+}
+
+TEST(Moving, InTwoDimensionsStaysInThePlane) {
+  Trial trial =
+      resting_on({.shape = Plane{}, .friction = 0.5, .path = {.amplitude = {0.1, 0.0, 3.0}, .belt = {1.0, 0.0, 5.0}}}, {0.0, 0.02, 0.0});
+  trial.system.dimensions = 2;
+  for (int i = 0; i < 60; ++i) trial.run(*find_integrator("velocity_verlet"), frame, 2);
+  EXPECT_EQ(trial.state.position[0].z, 0.0);
+  EXPECT_GT(trial.state.velocity[0].x, 0.1);
+}
+
+}  // namespace
+}  // namespace hooke

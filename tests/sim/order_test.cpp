@@ -1,0 +1,166 @@
+// What the table of methods declares, measured: orders on a swinging net, limits of stability, symplecticity.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
+
+#include "support/convergence.h"
+#include "support/nets.h"
+
+namespace hooke {
+namespace {
+
+class Row : public EveryMethod {
+ protected:
+  // Steps for a quarter of a second of the net, of which the longest is a quarter of a radian of the fastest mode for an order
+  // of one, and some radians for eight: few enough for changes far above round-off (1e-14 m), enough for the next term of
+  // the error, a power of h omega smaller, to change the order by less than a tenth. One sweep over the constraints, far
+  // from a solution of them, needs far shorter steps for that.
+  int steps(int order) const {
+    if (method().stability == Stability::EachSpring) return 24000;
+    if (method().stability == Stability::AStable || method().stability == Stability::LStable)
+      return order == 1 ? 200 : order == 2 ? 40 : 60;
+    return order == 1 ? 1000 : order == 2 ? 250 : order == 4 ? 120 : 28;
+  }
+
+  State after(const Trial& start, int count) const {
+    Trial trial = start;
+    trial.run(method(), 0.25, count);
+    return trial.state;
+  }
+
+  // Richardson: the changes as the step is halved fall by 2^p. A method is of the lesser of its orders in positions and in
+  // velocities; symplectic Euler's positions are Verlet's.
+  void expect_measured(const Trial& start, int order) const {
+    const State coarse = after(start, steps(order)), middle = after(start, 2 * steps(order)), fine = after(start, 4 * steps(order));
+    const auto measured = [&](auto change) { return std::log2(change(coarse, middle) / change(middle, fine)); };
+    EXPECT_NEAR(std::min(measured(distance), measured(difference_in_speed)), order, 0.1)
+        << "changes " << distance(coarse, middle) << " m and " << distance(middle, fine) << " m";
+  }
+
+  static double difference_in_speed(const State& first, const State& second) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < first.velocity.size(); ++i) {
+      const Vec3 difference = first.velocity[i] - second.velocity[i];
+      sum += glm::dot(difference, difference);
+    }
+    return std::sqrt(sum);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Methods, Row, testing::ValuesIn(every_method()), method_name);
+
+// net W2 of the accuracy tables: 16 x 16 points, k = 100 N/m, swinging in tension
+TEST_P(Row, MeetsItsOrder) { expect_measured(net(16, 1e2, 0.0), method().order); }
+
+TEST_P(Row, MeetsItsOrderWithDashpots) { expect_measured(net(16, 1e2, 0.03), method().order_damped); }
+
+TEST_P(Row, MeetsItsOrderWithDrag) {
+  Trial trial = net(16, 1e2, 0.0);
+  trial.system.drag = 3.0;
+  expect_measured(trial, method().order_drag);
+}
+
+TEST_P(Row, MeetsItsOrderWithDashpotsAndDrag) {
+  Trial trial = net(16, 1e2, 0.03);
+  trial.system.drag = 3.0;
+  expect_measured(trial, std::min(method().order_damped, method().order_drag));
+}
+
+// The modulus of the greater eigenvalue of one step: what a mode grows by.
+double growth(const Integrator& method, const Oscillator& oscillator) {
+  const auto [trace, determinant] = method.amplification(oscillator);
+  const double discriminant = 0.25 * trace * trace - determinant;
+  return discriminant < 0.0 ? std::sqrt(determinant) : 0.5 * std::abs(trace) + std::sqrt(discriminant);
+}
+
+// x'' = -w^2 x - lambda x' - c x', a spring without rest length on a nail: how much longer (x, v / w) is after `count` steps.
+double growth_after(const Integrator& method, double omega, double lambda, double drag, double h, int count) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  trial.system.drag = drag;
+  const PointId point = trial.add({1.0, 0.0, 0.0});
+  trial.join(point, trial.nail(Vec3(0.0)), omega * omega, 0.0, lambda);
+  trial.run(method, h * count, count);
+  return std::hypot(trial.position(point).x, trial.velocity(point).x / omega);
+}
+
+// just below the limit the motion stays bounded, just above it grows; what is stated for a whole scene is not above it
+TEST_P(Row, HoldsUpToItsLimitAndNotBeyond) {
+  if (method().stability != Stability::Conditional && method().stability != Stability::None) return;
+  const double omega = 20.0;
+  for (const double lambda : {0.0, 5.0, 30.0, 300.0})
+    for (const double drag : {0.0, 4.0}) {
+      SCOPED_TRACE(testing::Message() << "lambda = " << lambda << ", c = " << drag);
+      const auto growth_at = [&](double h) { return growth(method(), {h * h * omega * omega, h * lambda, h * drag}); };
+      double limit = 1e-5;
+      while (growth_at(limit) <= 1.0 + 1e-12 && limit < 10.0) limit *= 1.0001;
+
+      const Spectrum spectrum{.omega = omega, .dashpot_rate = lambda, .drag_rate = drag, .min_dashpot_ratio = lambda / (omega * omega)};
+      const double stated = largest_stable_step(method(), spectrum);
+      EXPECT_LE(stated, limit * 1.001);
+      if (limit > 1e-5) {
+        EXPECT_LT(growth_after(method(), omega, lambda, drag, 0.995 * limit, 5000), 50.0);
+        if (lambda == 0.0) {
+          EXPECT_NEAR(stated, limit, 1e-3 * limit);
+        }
+      }
+
+      // some methods hold again a little beyond: where it grows most nearby
+      double beyond = std::max(limit, 1e-3);
+      for (double h = beyond; h < 1.02 * std::max(limit, 1e-3); h *= 1.0001)
+        if (growth_at(h) > growth_at(beyond)) beyond = h;
+      const int count = std::min(20000, static_cast<int>(std::log(1e6) / std::log(growth_at(beyond))) + 1);
+      EXPECT_GT(growth_after(method(), omega, lambda, drag, beyond, count), 0.01 * std::pow(growth_at(beyond), count)) << count << " steps";
+    }
+}
+
+// x = x0 cos(theta t / h) |R|^(t / h) of the textbooks, theta = h w, by the eigenvalues |R| e^(+- i theta') of a step; R(z) of
+// Runge-Kutta methods at z = i theta
+TEST(Amplification, OfAnUndampedModeIsTheTextbooks) {
+  const auto expect_eigenvalue = [](std::string_view id, double theta, std::complex<double> expected) {
+    const auto [trace, determinant] = find_integrator(id)->amplification({.h_omega_squared = theta * theta});
+    EXPECT_NEAR(trace, 2.0 * expected.real(), 1e-12 * std::max(1.0, std::abs(trace))) << id << ", h w = " << theta;
+    EXPECT_NEAR(determinant, std::norm(expected), 1e-12 * std::max(1.0, determinant)) << id << ", h w = " << theta;
+  };
+  for (const double theta : {0.01, 0.3, 1.0, 1.9}) {
+    const std::complex<double> z(0.0, theta), turned = std::polar(1.0, std::acos(1.0 - 0.5 * theta * theta));
+    expect_eigenvalue("explicit_euler", theta, std::polar(std::sqrt(1.0 + theta * theta), std::atan(theta)));
+    expect_eigenvalue("symplectic_euler", theta, turned);
+    expect_eigenvalue("velocity_verlet", theta, turned);
+    expect_eigenvalue("runge_kutta4", theta, 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
+    for (const char* id : {"implicit_euler", "baraff_witkin", "xpbd"})
+      expect_eigenvalue(id, theta, std::polar(1.0 / std::sqrt(1.0 + theta * theta), std::atan(theta)));
+    expect_eigenvalue("implicit_midpoint", theta, std::polar(1.0, 2.0 * std::atan(0.5 * theta)));
+    // R. E. Bank et al., Transient simulation of silicon devices and circuits, 1985: a trapezium to g h, then BDF2
+    const double g = 2.0 - std::numbers::sqrt2;
+    expect_eigenvalue(
+        "tr_bdf2", theta,
+        ((1.0 + (1.0 - g) * (1.0 - g)) * z + 2.0 * (2.0 - g)) / (z * z * (1.0 - g) * g + z * (g * g - 2.0) + 2.0 * (2.0 - g)));
+  }
+  // of orders four and eight: what the exponential leaves is z^(p + 1) times a constant, the next powers being theta smaller
+  for (const auto& [id, order] : {std::pair("blanes_moan4", 4), {"esdirk4", 4}, {"dop853", 8}}) {
+    const auto off = [&](double theta) {
+      const auto [trace, determinant] = find_integrator(id)->amplification({.h_omega_squared = theta * theta});
+      return std::abs(std::complex<double>(0.5 * trace, std::sqrt(determinant - 0.25 * trace * trace)) - std::polar(1.0, theta));
+    };
+    const double theta = order == 4 ? 0.05 : 0.4;
+    EXPECT_NEAR(std::log2(off(theta) / off(0.5 * theta)), order + 1, 0.1) << id;
+  }
+}
+
+// the determinant of an undamped step is 1 just if the method is symplectic
+TEST_P(Row, KeepsAreasJustIfItIsSymplectic) {
+  const double determinant = method().amplification({.h_omega_squared = 1.44}).determinant;
+  if (method().symplectic) {
+    EXPECT_NEAR(determinant, 1.0, 1e-14);
+  } else {
+    EXPECT_GT(std::abs(determinant - 1.0), 1e-7);
+  }
+}
+
+}  // namespace
+}  // namespace hooke

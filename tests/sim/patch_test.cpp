@@ -1,0 +1,192 @@
+// A pull at a place between three points: one spring from the weighted place to the hand, its force shared by the weights.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/divergence.h"
+#include "sim/energy.h"
+#include "sim/forces/forces.h"
+#include "sim/hand.h"
+#include "support/convergence.h"
+#include "support/random_scene.h"
+
+namespace hooke {
+namespace {
+
+constexpr std::array shares{0.2, 0.5, 0.3};
+constexpr double stiffness = 60.0;
+
+Grab pull(const Trial& trial, std::array<Index, 3> points, const Vec3& target) {
+  Grab grab{.point = trial.system.points()[points[1]].id, .kind = GrabKind::Pull, .target = target, .stiffness = stiffness};
+  grab.patch = Patch{.shares = shares};
+  for (std::size_t p = 0; p < 3; ++p) grab.patch->points[p] = trial.system.points()[points[p]].id;
+  return grab;
+}
+
+// Three points of different masses, no two joined, pulled by a hand that stands still.
+struct ThreePointScene {
+  Trial trial;
+  std::array<double, 3> mass{0.5, 0.8, 1.5};
+  ThreePointScene(bool first_is_nailed = false) {
+    trial.system.gravity = Vec3(0.0);
+    const Vec3 places[] = {{0.1, 0.0, 0.2}, {1.0, 0.3, -0.1}, {0.2, 0.9, 0.4}};
+    for (int i = 0; i < 3; ++i) trial.add(places[i], mass[i]);
+    trial.system.point(0).nailed = first_is_nailed;
+    trial.state.hand = Vec3(0.3, -0.2, 0.1);
+    trial.system.grab = pull(trial, {0, 1, 2}, trial.state.hand);
+  }
+  double give() const {  // [1/kg], acceleration of the place per force on it
+    double sum = 0.0;
+    for (Index i = 0; i < 3; ++i) sum += trial.system.points()[i].nailed ? 0.0 : shares[i] * shares[i] / mass[i];
+    return sum;
+  }
+};
+
+class PulledPatch : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, PulledPatch, testing::ValuesIn(every_method()), method_name);
+
+// the place swings about the hand with w^2 = k sum s_i^2 / m_i; the points follow by s_i / m_i of it
+TEST_P(PulledPatch, SwingsAboutTheHand) {
+  for (const bool nailed : {false, true}) {
+    const auto error = [&](int steps) {
+      ThreePointScene three(nailed);
+      const State start = three.trial.state;
+      const Vec3 reach = grabbed_position(three.trial.system, start) - start.hand;
+      const double w = std::sqrt(stiffness * three.give()), seconds = 3.0 / w;
+      three.trial.run(method(), seconds, steps);
+      double worst = 0.0;
+      for (Index i = 0; i < 3; ++i) {
+        const double part = nailed && i == 0 ? 0.0 : shares[i] / three.mass[i] / three.give();
+        const Vec3 exact = start.position[i] + part * (std::cos(3.0) - 1.0) * reach;
+        worst = std::max(worst, glm::distance(three.trial.state.position[i], exact));
+      }
+      return worst;
+    };
+    expect_order(error, asymptotic_steps(method().order), method().order, 0.2);
+  }
+}
+
+TEST_P(PulledPatch, InTwoDimensionsStaysInThePlane) {
+  ThreePointScene three;
+  three.trial.system.dimensions = 2;
+  for (Vec3& place : three.trial.state.position) place.z = 0.0;
+  three.trial.state.hand.z = three.trial.system.grab->target.z = 0.0;
+  const double before = compute_energy(three.trial.system, three.trial.state).total();
+  three.trial.run(method(), 0.1, 400);
+  for (const Vec3& place : three.trial.state.position) EXPECT_EQ(place.z, 0.0);
+  const double after = compute_energy(three.trial.system, three.trial.state).total();
+  EXPECT_NEAR(after / before, 1.0, 0.02);
+}
+
+TEST(Patch, ForceIsMinusTheGradientOfTheEnergy) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    Trial trial = random_trial(seed, 8, 12);
+    trial.state.hand = Vec3(0.4, -0.3, 0.8);
+    trial.system.grab = pull(trial, {1, 4, 6}, trial.state.hand);
+    Plan plan = make_plan(trial.system);
+    prepare_hand(plan, trial.system, trial.state, 1.0);
+    Motion motion;
+    pack(plan, trial.state, motion);
+    Field f(motion.x.size());
+    compute_position_forces(plan, 0.0, motion.x, motion.v, f);
+
+    constexpr double small = 1e-5;
+    for (Index i = 0; i < 8; ++i) {
+      if (trial.system.points()[i].nailed) continue;
+      for (int c = 0; c < 3; ++c) {
+        const auto energy_at = [&](double shift) {
+          State moved = trial.state;
+          moved.position[i][c] += shift;
+          return compute_energy(trial.system, moved).total();
+        };
+        EXPECT_NEAR(f[c * 8 + i], -(energy_at(small) - energy_at(-small)) / (2.0 * small), 1e-6);
+      }
+    }
+  }
+}
+
+// Momentum changes by what the hand exerts, at the place where it exerts it.
+TEST(Patch, PassesOnTheHandsForceAndItsTorque) {
+  const ThreePointScene three;
+  Plan plan = make_plan(three.trial.system);
+  prepare_hand(plan, three.trial.system, three.trial.state, 1.0);
+  Motion motion;
+  pack(plan, three.trial.state, motion);
+  Field f(motion.x.size());
+  compute_position_forces(plan, 0.0, motion.x, motion.v, f);
+  Vec3 force(0.0), torque(0.0);
+  for (Index i = 0; i < 3; ++i) {
+    const Vec3 on_point(f[i], f[3 + i], f[6 + i]);
+    force += on_point;
+    torque += glm::cross(three.trial.state.position[i], on_point);
+  }
+  const Vec3 hand = hand_force(plan, motion);
+  EXPECT_LT(glm::distance(hand, stiffness * (three.trial.state.hand - grabbed_position(three.trial.system, three.trial.state))), 1e-12);
+  EXPECT_LT(glm::distance(force, hand), 1e-12);
+  EXPECT_LT(glm::distance(torque, glm::cross(grabbed_position(three.trial.system, three.trial.state), hand)), 1e-12);
+}
+
+// Springs without rest length and the pull are linear: one step of Newton's method with the true matrix is all that implicit
+// Euler needs, however stiff they are, although no spring joins the three points that the pull couples.
+TEST(Patch, IsWholeInTheMatrixOfImplicitMethods) {
+  for (const int dimensions : {2, 3})
+    for (const double k : {60.0, 1e7}) {
+      ThreePointScene three;
+      three.trial.system.dimensions = dimensions;
+      const PointId nail = three.trial.nail({0.5, -0.5, 0.0}), beside = three.trial.add({0.6, 0.2, 0.0}, 0.7);
+      three.trial.join(nail, PointId{1}, 90.0, 0.0);
+      three.trial.join(beside, PointId{2}, 40.0, 0.0);
+      three.trial.system.grab->stiffness = k;
+      if (dimensions == 2)
+        for (Vec3& place : three.trial.state.position) place.z = 0.0;
+      Trial converged = three.trial;
+      three.trial.run(*find_integrator("baraff_witkin"), 0.2, 1);
+      converged.run(*find_integrator("implicit_euler"), 0.2, 1);
+      for (Index i = 0; i < 5; ++i) EXPECT_LT(glm::distance(three.trial.state.position[i], converged.state.position[i]), 1e-8) << k;
+
+      // and the place is where k alone would have it: v' = h k (target - p') sum s^2/m, the other springs being soft
+      if (k > 1e6) {
+        const Vec3 place = grabbed_position(three.trial.system, three.trial.state);
+        EXPECT_LT(std::hypot(place.x - 0.3, place.y + 0.2), 1e-4);
+      }
+    }
+}
+
+TEST(Patch, IsTakenToTheHandInOneStepByAPullWithoutEnd) {
+  for (const char* id : {"xpbd", "baraff_witkin", "implicit_euler", "tr_bdf2"})
+    for (const bool nailed : {false, true}) {
+      ThreePointScene three(nailed);
+      three.trial.system.grab->stiffness = 1e11;
+      three.trial.run(*find_integrator(id), 0.02, 1);
+      EXPECT_LT(glm::distance(grabbed_position(three.trial.system, three.trial.state), three.trial.state.hand), 1e-5) << id;
+    }
+}
+
+TEST(Patch, BoundsTheFrequencyItAdds) {
+  const ThreePointScene three;
+  EXPECT_GE(bound_spectrum(three.trial.system).omega, std::sqrt(stiffness * three.give()) * (1.0 - 1e-12));
+  const ThreePointScene nailed(true);
+  EXPECT_GE(bound_spectrum(nailed.trial.system).omega, std::sqrt(stiffness * nailed.give()) * (1.0 - 1e-12));
+  EXPECT_LT(bound_spectrum(nailed.trial.system).omega, bound_spectrum(three.trial.system).omega);
+}
+
+// energy = energy at the start + work of a moving hand, but for the error of the substeps
+TEST(Patch, WorkOfTheHandIsBooked) {
+  const auto missing = [](int steps) {
+    constexpr int frames = 8;
+    ThreePointScene three;
+    Trial& trial = three.trial;
+    initialize_ledger(trial.system, trial.state);
+    for (int i = 1; i <= frames; ++i) {
+      trial.system.grab->target = Vec3(0.3, -0.2, 0.1) + 0.3 * std::pow(std::sin(3.0 * i / frames), 2) * Vec3(1.0, 0.5, 0.2);
+      trial.run(*find_integrator("velocity_verlet"), 1.0 / frames, steps / frames);
+    }
+    EXPECT_GT(trial.state.ledger.scale, 0.1);
+    return std::abs(compute_energy(trial.system, trial.state).total() - trial.state.ledger.net_input);
+  };
+  expect_order(missing, 512, 2, 0.2);
+}
+
+}  // namespace
+}  // namespace hooke

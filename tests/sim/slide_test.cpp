@@ -1,0 +1,369 @@
+// Sliding, sticking and resting on planes, balls, blocks, and where two of them meet.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/contact/gap.h"
+#include "sim/energy.h"
+#include "support/convergence.h"
+#include "support/trial.h"
+
+namespace hooke {
+namespace {
+
+constexpr double g = 9.81, frame = 1.0 / 60.0;
+
+const Integrator& verlet() { return *find_integrator("velocity_verlet"); }
+
+// A point on a plane through the origin that falls towards +x at `angle`; `down` is the way it slides.
+struct Incline {
+  Trial trial;
+  Vec3 down;
+  Incline(double angle, double friction, double speed_down, double restitution = 0.0) : down(std::cos(angle), -std::sin(angle), 0.0) {
+    const Vec3 normal(std::sin(angle), std::cos(angle), 0.0);
+    trial.system.colliders = {{.shape = Plane{.point = Vec3(0.0), .normal = normal}, .restitution = restitution, .friction = friction}};
+    trial.add(0.02 * normal, 0.3, speed_down * down);
+    trial.system.point(0).radius = 0.02;
+  }
+  double displacement() const { return glm::dot(trial.state.position[0], down); }
+  double speed() const { return glm::dot(trial.state.velocity[0], down); }
+  double gap() const { return gap_to(trial.system.colliders[0], 0.02, trial.state.position[0]).distance; }
+};
+
+class Slide : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, Slide, testing::ValuesIn(every_method()), method_name);
+
+TEST_P(Slide, SticksUpToTheAngleOfFrictionAndNotBeyond) {
+  for (const double angle : {0.1, 0.5, 1.2}) {
+    Incline sticks(angle, std::tan(angle) * (1.0 + 1e-9), 0.0);
+    Incline slips(angle, std::tan(angle) * (1.0 - 1e-6), 0.0);
+    const Vec3 start = sticks.trial.state.position[0];
+    for (int i = 0; i < 60; ++i) {
+      sticks.trial.run(method(), frame, 3);
+      slips.trial.run(method(), frame, 3);
+    }
+    EXPECT_EQ(sticks.trial.state.position[0], start) << "angle " << angle;
+    EXPECT_EQ(sticks.trial.state.velocity[0], Vec3(0.0)) << "angle " << angle;
+    EXPECT_GT(slips.displacement(), 0.0) << "angle " << angle;
+  }
+}
+
+// s = v0 t + g (sin a - mu cos a) t^2 / 2, exactly with friction; without it as the method falls
+TEST_P(Slide, FollowsTheIncline) {
+  const double angle = 0.7, v0 = 0.5, seconds = 1.0;
+  for (const double friction : {0.3, 0.0}) {
+    const double a = g * (std::sin(angle) - friction * std::cos(angle));
+    const auto error = [&](int steps) {
+      Incline incline(angle, friction, v0);
+      incline.trial.run(method(), seconds, steps);
+      EXPECT_NEAR(incline.speed(), v0 + a * seconds, 1e-11);
+      EXPECT_NEAR(incline.gap(), 0.0, 1e-13);
+      return std::abs(incline.displacement() - v0 * seconds - 0.5 * a * seconds * seconds);
+    };
+    if (method().order == 1 && friction == 0.0) {
+      expect_order(error, 500, 1.0);
+    } else {
+      EXPECT_LT(error(60), 1e-12);
+    }
+  }
+}
+
+// uphill: stops after v0 / (g (sin a + mu cos a)); stays there below the angle of friction, else slides back
+TEST(Slide, UphillStopsAndStaysOrComesBack) {
+  const double angle = 0.4, v0 = 2.0, sine = std::sin(angle), cosine = std::cos(angle);
+  for (const double friction : {0.6, 0.2}) {
+    Incline incline(angle, friction, -v0);
+    for (int i = 0; i < 60; ++i) incline.trial.run(verlet(), frame, 1);
+    const double slowing = g * (sine + friction * cosine), top = -0.5 * v0 * v0 / slowing, left = 1.0 - v0 / slowing;
+    const double back = std::max(0.0, g * (sine - friction * cosine));
+    EXPECT_NEAR(incline.displacement(), top + 0.5 * back * left * left, 1e-12) << "mu = " << friction;
+    EXPECT_NEAR(incline.speed(), back * left, 1e-12) << "mu = " << friction;
+  }
+}
+
+// v0^2 / (2 mu g)
+TEST_P(Slide, OnTheFlatStopsAfterTheStoppingDistance) {
+  for (const double friction : {0.1, 0.5, 2.0})
+    for (const int substeps : {1, 7}) {
+      Incline flat(0.0, friction, 3.0);
+      for (int i = 0; i < 240; ++i) flat.trial.run(method(), frame, substeps);
+      EXPECT_NEAR(flat.displacement(), 9.0 / (2.0 * friction * g), 1e-11) << "mu = " << friction;
+      EXPECT_EQ(flat.trial.state.velocity[0], Vec3(0.0)) << "mu = " << friction;
+    }
+}
+
+// a surface without friction leaves the motion along it as it is, forces and all
+TEST_P(Slide, WithoutFrictionMovesAsWithoutThePlane) {
+  const auto swinging = [&](bool on_plane) {
+    Trial trial;
+    const PointId point = trial.add({0.5, 0.0, 0.2}, 0.5, {0.0, 0.0, 1.0});
+    trial.join(point, trial.nail({0.0, 0.0, 0.0}), 60.0, 0.3, 0.2);
+    if (on_plane)
+      trial.system.colliders = {{.shape = Plane{}}};
+    else
+      trial.system.gravity = Vec3(0.0);
+    trial.run(method(), 1.0, 600);
+    return trial.state;
+  };
+  // the forces within a step are taken up to y = g h^2 below the plane, where the spring is y^2 / 2l longer
+  const double below = g / 360000.0, bound = 0.5 * 60.0 / 0.5 * below * below / 0.5;
+  EXPECT_LT(glm::distance(swinging(true).position[0], swinging(false).position[0]), bound);
+}
+
+class Rest : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, Rest, testing::ValuesIn(every_method()), method_name);
+
+TEST_P(Rest, LastsTenThousandFrames) {
+  for (const double restitution : {0.0, 0.5, 0.9, 1.0}) {
+    std::vector<Trial> trials;
+    trials.push_back(Incline(0.0, 0.0, 0.0, restitution).trial);
+    trials.push_back(Incline(0.3, 0.4, 0.0, restitution).trial);
+
+    // on top of a ball and of a block, and in a groove
+    for (const auto& shape : {std::variant<Plane, Sphere, Box>(Sphere{.center = {0.0, -0.52, 0.0}, .radius = 0.5}),
+                              std::variant<Plane, Sphere, Box>(Box{.min = {-1.0, -1.0, -1.0}, .max = {1.0, -0.02, 1.0}})}) {
+      Trial trial;
+      trial.add(Vec3(0.0));
+      trial.system.point(0).radius = 0.02;
+      trial.system.colliders = {{.shape = shape, .restitution = restitution, .friction = 0.1}};
+      trials.push_back(trial);
+    }
+    Trial groove;
+    groove.add(Vec3(0.0, 0.02 * std::sqrt(2.0), 0.0));
+    groove.system.point(0).radius = 0.02;
+    for (const double side : {-1.0, 1.0})
+      groove.system.colliders.push_back({.shape = Plane{.normal = glm::normalize(Vec3(side, 1.0, 0.0))}, .restitution = restitution});
+    trials.push_back(groove);
+
+    for (std::size_t which = 0; which < trials.size(); ++which) {
+      Trial& trial = trials[which];
+      const Vec3 start = trial.state.position[0];
+      for (int i = 0; i < 10000; i += 20) trial.run(method(), 20.0 * frame, 20);
+      EXPECT_LT(glm::distance(trial.state.position[0], start), 1e-12) << "scene " << which << ", e = " << restitution;
+      EXPECT_EQ(trial.state.velocity[0], Vec3(0.0)) << "scene " << which << ", e = " << restitution;
+    }
+  }
+}
+
+// pressed to the floor by a spring: no penetration, whatever the spring's force
+TEST_P(Rest, UnderASpringIsOnTheFloor) {
+  for (const double stiffness : {1.0, 1e3, 1e5}) {
+    Trial trial;
+    trial.system.drag = 30.0;
+    const PointId point = trial.add({0.0, 0.3, 0.0}, 1.0);
+    trial.join(point, trial.nail({0.0, 1.0, 0.0}), stiffness, 1.5);
+    trial.system.colliders = {{.shape = Plane{}, .restitution = 0.3, .friction = 0.2}};
+    for (int i = 0; i < 60; ++i) trial.run(method(), frame, 200);
+    EXPECT_NEAR(trial.position(point).y, 0.0, 1e-13) << "k = " << stiffness;
+    EXPECT_EQ(trial.velocity(point).y, 0.0) << "k = " << stiffness;
+  }
+}
+
+// What presses is the weight and the spring: friction holds up to mu times their sum. The forces of a step are taken up to
+// g h^2 below the floor, k h^2 / m = 1e-3 of the spring's off.
+TEST_P(Rest, IsPressedByItsWeightAndItsSpring) {
+  const double m = 0.5, k = 200.0, friction = 0.4;
+  for (const double share : {0.998, 1.002})
+    for (const double squeezed : {0.0, 0.3}) {
+      Trial trial;
+      const PointId point = trial.add(Vec3(0.0), m);
+      trial.join(point, trial.nail({0.0, 1.0, 0.0}), k, 1.0 + squeezed);
+      trial.system.colliders = {{.shape = Plane{}, .friction = friction}};
+      trial.system.gravity.x = share * friction * (g + k * squeezed / m);
+      trial.run(method(), 0.05, 30);
+      if (share < 1.0) {
+        EXPECT_EQ(trial.position(point), Vec3(0.0)) << "squeezed by " << squeezed;
+      } else {
+        EXPECT_GT(trial.position(point).x, 0.0) << "squeezed by " << squeezed;
+      }
+    }
+}
+
+// A point let go at rest on a ball of radius R, `angle` from the top, without friction.
+Trial on_ball(double angle, double radius, double friction = 0.0) {
+  Trial trial;
+  trial.add(Vec3(std::sin(angle), std::cos(angle), 0.0) * radius);
+  trial.system.colliders = {{.shape = Sphere{.center = Vec3(0.0), .radius = radius}, .restitution = 0.5, .friction = friction}};
+  return trial;
+}
+
+// it leaves where cos = 2/3 of the cosine it started at, within what a step turns it by
+TEST_P(Slide, DownABallLeavesAtTwoThirds) {
+  const double radius = 0.5, start = 0.05;
+  for (const int substeps : {1, 10, 100, 1000}) {
+    Trial trial = on_ball(start, radius);
+    const double h = frame / substeps;
+    double cosine = 1.0, speed = 0.0;
+    for (int i = 0; i < 120 * substeps; ++i) {
+      trial.run(method(), h, 1);
+      const double distance = glm::length(trial.state.position[0]) / radius;
+      if (distance > 1.0 + 1e-12) break;
+      EXPECT_NEAR(distance, 1.0, 1e-12);
+      cosine = trial.state.position[0].y / radius;
+      speed = glm::length(trial.state.velocity[0]);
+    }
+    const double turned = speed * h / radius;
+    EXPECT_NEAR(cosine, 2.0 / 3.0 * std::cos(start), 2.0 * turned) << substeps << " substeps";
+    EXPECT_LT(cosine, 0.9) << substeps << " substeps";
+  }
+}
+
+// v^2 = 2 g R (cos a0 - cos a): second order in the step
+TEST(Slide, DownABallKeepsItsEnergyToSecondOrder) {
+  const auto error = [&](int steps) {
+    Trial trial = on_ball(0.2, 0.5);
+    const double start = compute_energy(trial.system, trial.state).total();
+    trial.run(verlet(), 0.35, steps);
+    EXPECT_NEAR(glm::length(trial.state.position[0]), 0.5, 1e-12);
+    return std::abs(compute_energy(trial.system, trial.state).total() - start);
+  };
+  expect_order(error, 100, 2.0);
+}
+
+TEST(Slide, DownABallWithFrictionConverges) {
+  const auto end = [&](int steps) {
+    Trial trial = on_ball(0.5, 0.5, 0.2);
+    trial.run(verlet(), 0.3, steps);
+    EXPECT_NEAR(glm::length(trial.state.position[0]), 0.5, 1e-12);
+    return trial.state.position[0];
+  };
+  const Vec3 coarse = end(50), middle = end(100), fine = end(200);
+  EXPECT_NEAR(std::log2(glm::distance(coarse, middle) / glm::distance(middle, fine)), 2.0, 0.15);
+}
+
+TEST(Slide, OnABallSticksUpToTheAngleOfFriction) {
+  Trial sticks = on_ball(0.5, 0.5, std::tan(0.5) * 1.000001), slips = on_ball(0.5, 0.5, std::tan(0.5) * 0.999);
+  const Vec3 start = sticks.state.position[0];
+  sticks.run(verlet(), 1.0, 60);
+  slips.run(verlet(), 1.0, 60);
+  EXPECT_EQ(sticks.state.position[0], start);
+  EXPECT_GT(glm::distance(slips.state.position[0], start), 1e-4);
+}
+
+// a ball of 1 mm turns the path by more than a right angle in a step
+TEST_P(Slide, DownATinyBallIsFinite) {
+  Trial trial = on_ball(0.01, 1e-3);
+  for (int i = 0; i < 120; ++i) {
+    trial.run(method(), frame, 1);
+    ASSERT_GT(glm::length(trial.state.position[0]), 1e-3 - 1e-13);
+  }
+  EXPECT_LT(trial.state.position[0].y, -1.0);
+}
+
+// off a table: a parabola from the edge, within the step on which it leaves
+TEST_P(Slide, OffATableFalls) {
+  const double v0 = 2.0, seconds = 0.5, edge = 0.3;
+  const auto distance = [&](int steps) {
+    Trial trial;
+    trial.add(Vec3(0.0), 1.0, {v0, 0.0, 0.0});
+    trial.system.colliders = {{.shape = Box{.min = {-1.0, -0.1, -1.0}, .max = {edge, 0.0, 1.0}}}};
+    trial.run(method(), seconds, steps);
+    const double falling = seconds - edge / v0;
+    return glm::distance(trial.state.position[0], Vec3(v0 * seconds, -0.5 * g * falling * falling, 0.0));
+  };
+  for (const int steps : {30, 300}) EXPECT_LT(distance(steps), 2.0 * g * seconds * seconds / steps) << steps << " steps";
+}
+
+TEST_P(Slide, OffATableRoundTheEdgeWithARadius) {
+  Trial trial;
+  trial.add({0.0, 0.05, 0.0}, 1.0, {0.3, 0.0, 0.0});
+  trial.system.point(0).radius = 0.05;
+  trial.system.colliders = {{.shape = Box{.min = {-1.0, -0.1, -1.0}, .max = {0.1, 0.0, 1.0}}, .restitution = 0.5}};
+  for (int i = 0; i < 60; ++i) {
+    trial.run(method(), frame, 4);
+    ASSERT_GT(gap_to(trial.system.colliders[0], 0.05, trial.state.position[0]).distance, -1e-12);
+  }
+  EXPECT_LT(trial.state.position[0].y, -1.0);
+}
+
+// what is lifted off leaves as if there were no floor; explicit Euler's first step is that of a parabola, h^2 a / 2 off
+TEST_P(Rest, EndsWithoutABounce) {
+  const auto lifted = [&](bool on_floor) {
+    Trial trial;
+    trial.system.gravity = {0.0, 0.5, 0.0};
+    trial.add(Vec3(0.0));
+    if (on_floor) trial.system.colliders = {{.shape = Plane{}, .restitution = 0.5, .friction = 0.5}};
+    trial.run(method(), 0.5, 30);
+    return trial.state;
+  };
+  EXPECT_LT(glm::distance(lifted(true).position[0], lifted(false).position[0]), method().order == 1 ? 0.25 / 3600.0 + 1e-14 : 1e-14);
+  EXPECT_LT(glm::distance(lifted(true).velocity[0], lifted(false).velocity[0]), 1e-14);
+}
+
+// down a ball into the corner that it makes with a floor
+TEST_P(Slide, DownABallOntoAFloorEndsInTheCorner) {
+  Trial trial = on_ball(0.2, 0.5, 0.05);
+  trial.system.colliders.push_back({.shape = Plane{.point = {0.0, 0.4, 0.0}}, .friction = 0.5});
+  trial.system.colliders.push_back({.shape = Plane{.point = {0.35, 0.0, 0.0}, .normal = {-1.0, 0.0, 0.0}}, .friction = 0.5});
+  for (int i = 0; i < 180; ++i) {
+    trial.run(method(), frame, 1);
+    for (const Collider& collider : trial.system.colliders)
+      ASSERT_GT(gap_to(collider, 0.0, trial.state.position[0]).distance, -1e-13) << "frame " << i;
+  }
+  EXPECT_EQ(trial.state.velocity[0], Vec3(0.0));
+  EXPECT_NEAR(trial.state.position[0].y, 0.4, 1e-13);
+}
+
+// A groove of two planes along z, each `angle` from the vertical.
+Trial groove(double angle, double restitution, double friction) {
+  Trial trial;
+  for (const double side : {-1.0, 1.0})
+    trial.system.colliders.push_back(
+        {.shape = Plane{.normal = {side * std::cos(angle), std::sin(angle), 0.0}}, .restitution = restitution, .friction = friction});
+  return trial;
+}
+
+TEST_P(Rest, InAGrooveIsFoundFromAbove) {
+  for (const double angle : {0.3, 0.8, 1.4})
+    for (const double restitution : {0.0, 0.5}) {
+      Trial trial = groove(angle, restitution, 0.3);
+      trial.add({0.1, 0.8, 0.0}, 1.0, {0.3, 0.0, 0.0});
+      trial.system.point(0).radius = 0.05;
+      for (int i = 0; i < 1200; ++i) trial.run(method(), frame, 1);
+      for (const Collider& collider : trial.system.colliders)
+        EXPECT_GT(gap_to(collider, 0.05, trial.state.position[0]).distance, -1e-12) << "angle " << angle << ", e = " << restitution;
+      EXPECT_LT(glm::length(trial.state.velocity[0]), 1e-9) << "angle " << angle << ", e = " << restitution;
+      // friction may hold it on one side if the groove is flat enough
+      if (std::tan(0.5 * std::numbers::pi - angle) > 0.3) {
+        EXPECT_NEAR(trial.state.position[0].y, 0.05 / std::sin(angle), 1e-9) << "angle " << angle << ", e = " << restitution;
+      }
+    }
+}
+
+// without friction what moves along the groove goes on
+TEST_P(Slide, AlongAGrooveIsFree) {
+  Trial trial = groove(0.7, 0.5, 0.0);
+  trial.add({0.0, 0.05 / std::sin(0.7), 0.0}, 1.0, {0.0, 0.0, 1.5});
+  trial.system.point(0).radius = 0.05;
+  for (int i = 0; i < 60; ++i) trial.run(method(), frame, 1);
+  EXPECT_LT(glm::distance(trial.state.position[0], Vec3(0.0, 0.05 / std::sin(0.7), 1.5)), 1e-12);
+}
+
+// both sides of a groove press by g / (2 sin a), and both rub
+TEST(Slide, AlongAGrooveIsSlowedByBothSides) {
+  const double angle = 0.7, friction = 0.1, slowing = friction * g / std::sin(angle);
+  Trial trial = groove(angle, 0.0, friction);
+  trial.add({0.0, 0.05 / std::sin(angle), 0.0}, 1.0, {0.0, 0.0, 1.5});
+  trial.system.point(0).radius = 0.05;
+  trial.run(verlet(), 0.5, 30);
+  EXPECT_NEAR(trial.state.position[0].z, 1.5 * 0.5 - 0.5 * slowing * 0.25, 1e-12);
+}
+
+// a wall stops what slides on the floor, even when the whole way lies in one step
+TEST_P(Slide, IntoAWallStopsThere) {
+  for (const double restitution : {0.0, 0.5}) {
+    Trial trial;
+    trial.add({0.0, 0.0, 0.0}, 1.0, {100.0, 0.0, 0.0});
+    trial.system.colliders = {{.shape = Plane{}},
+                              {.shape = Box{.min = {0.5, -1.0, -1.0}, .max = {0.501, 1.0, 1.0}}, .restitution = restitution}};
+    trial.run(method(), frame, 1);
+    const double left = frame - 0.5 / 100.0;
+    EXPECT_NEAR(trial.state.position[0].x, 0.5 - restitution * 100.0 * left, 1e-12);
+    EXPECT_NEAR(trial.state.velocity[0].x, -restitution * 100.0, 1e-10);
+    EXPECT_NEAR(trial.state.position[0].y, 0.0, 1e-13);
+  }
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,150 @@
+// The dashpots' sweeps: spring by spring as the formula says, to the last bit in every width, and backward undoes forward.
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/forces/dashpot.h"
+#include "support/nets.h"
+#include "support/random_scene.h"
+
+namespace hooke {
+namespace {
+
+struct Swept {
+  Plan plan;
+  Motion motion;
+  std::vector<double> decay;
+  Swept(const Trial& trial, double duration) : plan(make_plan(trial.system)) {
+    pack(plan, trial.state, motion);
+    plan_dashpot_decay(plan, duration, decay);
+  }
+  Field velocities_after(Sweep sweep) const {
+    Field v = motion.v;
+    decay_dashpots(plan, decay, sweep, motion.x, v);
+    return v;
+  }
+};
+
+// Packed springs with their ends, in the order of a forward sweep.
+struct Turn {
+  Index spring, first, second;
+};
+std::vector<Turn> turns(const Plan& plan) {
+  std::vector<Turn> turns;
+  for (const SpringRun& run : plan.runs) {
+    const Index step = run.second == run.first + 1 ? 2 : 1;  // in a row every other one first
+    for (Index start = 0; start < step; ++start)
+      for (Index e = start; e < run.count; e += step) turns.push_back({run.begin + e, run.first + e, run.second + e});
+  }
+  return turns;
+}
+
+Field plain_velocities_after(const Swept& swept, Sweep sweep) {
+  const Plan& plan = swept.plan;
+  const Field& x = swept.motion.x;
+  Field v = swept.motion.v;
+  std::vector<Turn> order = turns(plan);
+  if (sweep == Sweep::Backward) std::reverse(order.begin(), order.end());
+  for (const Turn& turn : order) {
+    double length_squared = 0.0, approach = 0.0;
+    for (int c = 0; c < plan.dimensions; ++c) {
+      const Index i = c * plan.points + turn.first, j = c * plan.points + turn.second;
+      length_squared += (x[i] - x[j]) * (x[i] - x[j]);
+      approach += (x[i] - x[j]) * (v[i] - v[j]);
+    }
+    if (length_squared == 0.0) continue;
+    const double p = swept.decay[turn.spring] / length_squared * approach;
+    for (int c = 0; c < plan.dimensions; ++c) {
+      const Index i = c * plan.points + turn.first, j = c * plan.points + turn.second;
+      const double along = x[i] - x[j];
+      v[i] -= plan.inverse_mass[turn.first] * p * along;
+      v[j] += plan.inverse_mass[turn.second] * p * along;
+    }
+  }
+  return v;
+}
+
+// `count` springs from each of the first points to the one `stride` further on: one run. Some points are nailed, some
+// ends coincide.
+Trial band(Index stride, Index count, int dimensions) {
+  Trial trial = random_trial(static_cast<std::uint64_t>(100 * stride + count), count + stride, 0, dimensions);
+  Random random(5);
+  for (Index e = 0; e < count; ++e) {
+    if (random.one_in(7)) trial.state.position[e + stride] = trial.state.position[e];
+    trial.join(trial.system.points()[e].id, trial.system.points()[e + stride].id, 1.0, 1.0, random.uniform(0.0, 20.0));
+  }
+  return trial;
+}
+
+// runs shorter and longer than any vector, at strides below, at and above its lanes; and any graph
+std::vector<Trial> assorted_trials() {
+  std::vector<Trial> trials;
+  for (const int dimensions : {2, 3}) {
+    for (Index stride = 1; stride <= 10; ++stride)
+      for (const Index count : {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 30, 33, 70}) trials.push_back(band(stride, count, dimensions));
+    for (std::uint64_t seed = 0; seed < 10; ++seed) trials.push_back(random_trial(seed, 30, 90, dimensions, 20.0));
+  }
+  for (const int n : {2, 3, 5, 9, 16, 33}) {
+    trials.push_back(curtain(n, 1.0, 0.9));
+    for (Vec3& velocity : trials.back().state.velocity) velocity = velocity.z * Vec3(1.0, -2.0, 3.0);
+  }
+  return trials;
+}
+
+constexpr double duration = 0.05;
+
+TEST(DashpotSweep, EqualsAPlainLoopToTheLastBitForEveryVectorUnit) {
+  const std::vector<Trial> trials = assorted_trials();
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().DeInit();
+    for (const Trial& trial : trials) {
+      const Swept swept(trial, duration);
+      for (const Sweep sweep : {Sweep::Forward, Sweep::Backward})
+        EXPECT_EQ(swept.velocities_after(sweep), plain_velocities_after(swept, sweep))
+            << hwy::TargetName(target) << ", " << swept.plan.points << " points, " << swept.plan.springs << " springs, "
+            << (sweep == Sweep::Forward ? "forward" : "backward");
+    }
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
+}
+
+// over a duration turned round; round-off grows by what the dashpots have taken
+TEST(DashpotSweep, BackwardUndoesForward) {
+  for (const Trial& trial : assorted_trials()) {
+    Swept swept(trial, 1e-4);
+    const Field start = swept.motion.v;
+    swept.motion.v = swept.velocities_after(Sweep::Forward);
+    plan_dashpot_decay(swept.plan, -1e-4, swept.decay);
+    const Field back = swept.velocities_after(Sweep::Backward), astray = swept.velocities_after(Sweep::Forward);
+    double error = 0.0, without = 0.0;
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      error = std::max(error, std::abs(back[i] - start[i]));
+      without = std::max(without, std::abs(astray[i] - start[i]));
+    }
+    EXPECT_LT(error, 1e-12) << swept.plan.points << " points, " << swept.plan.springs << " springs";
+    if (swept.plan.springs > 70) {
+      EXPECT_GT(without, 1e-9);
+    }
+  }
+}
+
+TEST(DashpotSweep, OfPointsAlmostCoincidentIsFinite) {
+  for (const double distance : {0.0, 1e-300, 1e-160, 1e-150, 1e-139, 1e-100, 1e-12}) {
+    Trial trial;
+    const PointId first = trial.add(Vec3(0.0), 1e3, {1.0, 0.0, 2.0}), second = trial.add({distance, 0.0, 0.0}, 1e3);
+    trial.join(first, second, 1.0, 1.0, 1e9);
+    const Field v = Swept(trial, 1.0).velocities_after(Sweep::Forward);
+    // as one body along the spring, or, too short to have a direction, as if it were not there
+    const double expected = distance < 1e-140 ? 1.0 : 0.5;
+    EXPECT_NEAR(v[0], expected, 1e-15) << "distance " << distance;
+    EXPECT_NEAR(v[1], 1.0 - expected, 1e-15) << "distance " << distance;
+    EXPECT_EQ(v[4], 2.0);
+  }
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,106 @@
+// Ids and places of points and springs.
+#include <gtest/gtest.h>
+
+#include "support/trial.h"
+
+namespace hooke {
+namespace {
+
+// Points 0..3 and springs 0..2 along them.
+Trial chain() {
+  Trial trial;
+  std::vector<PointId> points;
+  for (int i = 0; i < 4; ++i) points.push_back(trial.add({i, 0.0, 0.0}));
+  for (int i = 0; i < 3; ++i) trial.join(points[i], points[i + 1], 100.0, 1.0);
+  return trial;
+}
+
+template <class Item>
+std::vector<Item> without(std::vector<Item> list, Index at) {
+  list.erase(list.begin() + at);
+  return list;
+}
+
+void remove_point(System& system, Index at) { system.set_points(without(system.points(), at)); }
+void remove_spring(System& system, Index at) { system.set_springs(without(system.springs(), at)); }
+
+TEST(System, GivesEveryPointAndSpringItsPlace) {
+  const System system = chain().system;
+  for (Index i = 0; i < 4; ++i) EXPECT_EQ(system.index_of(system.points()[i].id), i);
+  for (Index s = 0; s < 3; ++s) EXPECT_EQ(system.index_of(system.springs()[s].id), s);
+}
+
+TEST(System, KnowsNoPlaceOfWhatIsGoneOrNeverWas) {
+  System system = chain().system;
+  const PointId gone = system.points()[1].id;
+  const SpringId gone_spring = system.springs()[2].id;
+  remove_spring(system, 2);
+  remove_spring(system, 1);
+  remove_spring(system, 0);
+  remove_point(system, 1);
+  EXPECT_EQ(system.index_of(gone), no_index);
+  EXPECT_EQ(system.index_of(gone_spring), no_index);
+  EXPECT_EQ(system.index_of(PointId{77}), no_index);
+  EXPECT_EQ(system.index_of(SpringId{77}), no_index);
+}
+
+TEST(System, MovesThePlacesBehindARemoval) {
+  System system = chain().system;
+  const std::vector<Point> points = system.points();
+  const std::vector<Spring> springs = system.springs();
+  remove_spring(system, 0);
+  EXPECT_EQ(system.index_of(springs[1].id), 0);
+  EXPECT_EQ(system.index_of(springs[2].id), 1);
+  remove_point(system, 0);
+  EXPECT_EQ(system.index_of(points[1].id), 0);
+  EXPECT_EQ(system.index_of(points[3].id), 2);
+  EXPECT_EQ(system.point_count(), 3);
+  EXPECT_EQ(system.spring_count(), 2);
+}
+
+TEST(System, IsTheSameAfterARemovalTakenBack) {
+  const System original = chain().system;
+  System system = original;
+  const Point point = system.points()[2];
+  const Spring spring = system.springs()[1];
+  remove_spring(system, 1);
+  remove_point(system, 2);
+  EXPECT_NE(system, original);
+  std::vector<Point> points = system.points();
+  points.insert(points.begin() + 2, point);
+  system.set_points(points);
+  std::vector<Spring> springs = system.springs();
+  springs.insert(springs.begin() + 1, spring);
+  system.set_springs(springs);
+  EXPECT_EQ(system, original);
+}
+
+TEST(System, NeverGivesAnIdTwice) {
+  System system = chain().system;
+  const PointId last = system.points().back().id;
+  remove_spring(system, 2);
+  remove_point(system, 3);
+  const PointId fresh = system.new_point_id();
+  EXPECT_GT(fresh, last);
+  EXPECT_NE(system.new_point_id(), fresh);
+
+  // nor one that came with an inserted point
+  system.append_point({.id = PointId{41}});
+  EXPECT_EQ(system.new_point_id(), PointId{42});
+  EXPECT_EQ(system.index_of(PointId{41}), 3);
+}
+
+TEST(System, TakesDampingAndDragAsZeroWhenSwitchedOff) {
+  System system;
+  system.drag = 3.0;
+  const Spring spring{.damping = 2.0};
+  EXPECT_EQ(system.drag_rate(), 3.0);
+  EXPECT_EQ(system.damping_of(spring), 2.0);
+  system.drag_on = false;
+  system.dashpots_on = false;
+  EXPECT_EQ(system.drag_rate(), 0.0);
+  EXPECT_EQ(system.damping_of(spring), 0.0);
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,221 @@
+// What is foretold of a scene against closed forms, and against what it does. m mass, k stiffness, d dashpot, c drag.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "study/forecast.h"
+#include "support/nets.h"
+
+namespace hooke {
+namespace {
+
+constexpr double g = 9.81, pi = std::numbers::pi;
+
+Forecast forecast_of(const Trial& trial) { return make_forecast(std::make_shared<const System>(trial.system), trial.state, {}, false); }
+
+// The scene after it has swung out under strong drag.
+Trial at_rest(Trial trial) {
+  trial.system.drag = 5.0;
+  trial.run(*find_integrator("baraff_witkin"), 60.0, 1200);
+  return trial;
+}
+
+TEST(Forecast, AHangingMassSagsByItsWeightOverTheStiffness) {
+  const double m = 0.7, k = 120.0, l0 = 0.5, d = 3.0, c = 0.4;
+  Trial trial;
+  const PointId nail = trial.nail(Vec3(0.0)), mass = trial.add({0.0, -l0, 0.0}, m);
+  trial.join(nail, mass, k, l0, d);
+  trial.system.drag = c;
+  const Forecast forecast = forecast_of(trial);
+  ASSERT_TRUE(forecast.sag && forecast.slowest && forecast.fastest);
+  EXPECT_NEAR(*forecast.sag, m * g / k, 1e-8);
+
+  // up and down: zeta = d / (2 sqrt(k m)) and c / (2 omega)
+  const double omega = std::sqrt(k / m);
+  EXPECT_NEAR(forecast.fastest->omega, omega, 1e-9 * omega);
+  EXPECT_NEAR(dashpot_ratio(*forecast.fastest), d / (2.0 * std::sqrt(k * m)), 1e-9);
+  EXPECT_NEAR(drag_ratio(*forecast.fastest, forecast.drag), c / (2.0 * omega), 1e-9);
+
+  // to and fro as a pendulum, which the dashpot does not feel
+  EXPECT_NEAR(forecast.slowest->omega, std::sqrt(g / (l0 + m * g / k)), 1e-6);
+  EXPECT_NEAR(dashpot_ratio(*forecast.slowest), 0.0, 1e-9);
+}
+
+// Drawn level, nailed at one end: it first has to swing down.
+TEST(Forecast, ARopeThatIsDrawnLevelHangsAndSwingsAsARopeDoes) {
+  constexpr int n = 40;
+  const double length = 1.0, mass = 0.1, k = 2000.0;
+  Trial trial;
+  PointId last = trial.nail(Vec3(0.0));
+  for (int i = 1; i <= n; ++i) {
+    const PointId next = trial.add({length * i / n, 0.0, 0.0}, mass / n);
+    trial.join(last, next, k, length / n);
+    last = next;
+  }
+  const Forecast forecast = forecast_of(trial);
+  ASSERT_TRUE(forecast.sag && forecast.slowest);
+  // the r-th spring from below carries r masses
+  EXPECT_NEAR(*forecast.sag, mass / n * g / k * n * (n + 1) / 2.0, 1e-6);
+  // J0(2 omega sqrt(L / g)) = 0 of the continuous rope (Daniel Bernoulli 1733), from below as 1 / n
+  const double continuous = 0.5 * 2.404825557695773 * std::sqrt(g / length);
+  EXPECT_NEAR(forecast.slowest->omega, continuous, 0.02 * continuous);
+}
+
+TEST(Forecast, AChainBetweenNailsHasItsModesAndWhatIsLooseIsNone) {
+  // omega_j = 2 sqrt(k / m) sin(j pi / (2 (N + 1))), along the chain; across it nothing drives back
+  constexpr int n = 12;
+  const double m = 0.3, k = 500.0, l0 = 0.1, d = 0.2;
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  PointId last = trial.nail(Vec3(0.0));
+  for (int i = 1; i <= n + 1; ++i) {
+    const Vec3 place(l0 * i, 0.0, 0.0);
+    const PointId next = i == n + 1 ? trial.nail(place) : trial.add(place, m);
+    trial.join(last, next, k, l0, d);
+    last = next;
+  }
+  const Forecast forecast = forecast_of(trial);
+  EXPECT_FALSE(forecast.sag);
+  ASSERT_TRUE(forecast.slowest && forecast.fastest);
+  const auto omega = [&](int j) { return 2.0 * std::sqrt(k / m) * std::sin(j * pi / (2.0 * (n + 1))); };
+  EXPECT_NEAR(forecast.slowest->omega, omega(1), 1e-6 * omega(1));
+  EXPECT_NEAR(forecast.fastest->omega, omega(n), 1e-6 * omega(n));
+  EXPECT_NEAR(dashpot_ratio(*forecast.slowest), d * omega(1) / (2.0 * k), 1e-6);
+  EXPECT_NEAR(dashpot_ratio(*forecast.fastest), d * omega(n) / (2.0 * k), 1e-6);
+}
+
+// Drawn crooked, it is found at rest but for a last trace of tension, in which it would swing across ever so slowly.
+TEST(Forecast, WhatIsLeftOfTensionWhereSpringsAreAtRestIsNoSwing) {
+  constexpr int n = 12;
+  const double m = 0.3, k = 500.0, l0 = 0.1;
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  PointId last = trial.nail(Vec3(0.0));
+  for (int i = 1; i <= n + 1; ++i) {
+    const Vec3 place(l0 * i, 0.0, 0.0), crooked(0.01 * std::sin(i), 0.01 * std::cos(3.0 * i), 0.01 * std::sin(2.0 * i));
+    const PointId next = i == n + 1 ? trial.nail(place) : trial.add(place + crooked, m);
+    trial.join(last, next, k, l0);
+    last = next;
+  }
+  const Forecast forecast = forecast_of(trial);
+  ASSERT_TRUE(forecast.slowest);
+  const double omega = 2.0 * std::sqrt(k / m) * std::sin(pi / (2.0 * (n + 1)));
+  EXPECT_NEAR(forecast.slowest->omega, omega, 1e-3 * omega);
+}
+
+TEST(Forecast, WhatFallsFreelySwingsWithoutWeightAndDoesNotSag) {
+  const double m = 2.0, k = 50.0;
+  Trial trial;
+  const PointId a = trial.add({0.0, 0.0, 0.0}, m), b = trial.add({0.4, 0.3, 0.0}, m);
+  trial.join(a, b, k, 0.5);
+  const Forecast forecast = forecast_of(trial);
+  EXPECT_FALSE(forecast.sag);
+  ASSERT_TRUE(forecast.slowest && forecast.fastest);
+  EXPECT_NEAR(forecast.slowest->omega, std::sqrt(2.0 * k / m), 1e-6);
+  EXPECT_NEAR(forecast.fastest->omega, std::sqrt(2.0 * k / m), 1e-6);
+}
+
+TEST(Forecast, WhatSwingsAsFastAndDiesOutDifferentlyHasNoOneRatio) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  for (int i = 0; i < 3; ++i) {
+    const double x = 0.5 * i;
+    const PointId nail = trial.nail({x, 0.0, 0.0}), mass = trial.add({x, -0.5, 0.0});
+    trial.join(nail, mass, 40.0, 0.5, 2.0 * i);
+  }
+  const Forecast forecast = forecast_of(trial);
+  ASSERT_TRUE(forecast.slowest && forecast.fastest);
+  EXPECT_NEAR(forecast.slowest->omega, std::sqrt(40.0), 1e-6);
+  EXPECT_TRUE(std::isnan(dashpot_ratio(*forecast.slowest)));
+  EXPECT_TRUE(std::isnan(dashpot_ratio(*forecast.fastest)));
+  // damped alike it has one
+  for (Index s = 0; s < 3; ++s) trial.system.spring(s).damping = 3.0;
+  EXPECT_NEAR(dashpot_ratio(forecast_of(trial).slowest.value_or(Mode{})), 3.0 / (2.0 * std::sqrt(40.0)), 1e-6);
+}
+
+// A membrane bears its weight only by bending down: its sag is no linear thing.
+TEST(Forecast, ADrumSagsAsFarAsItComesToRest) {
+  constexpr int n = 12;
+  Trial trial = cloth(n);
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column)
+      trial.system.point(sheet::at(n, row, column)).nailed = row % (n - 1) == 0 || column % (n - 1) == 0;
+  const Forecast forecast = forecast_of(trial);
+  ASSERT_TRUE(forecast.sag);
+  double deepest = 0.0;
+  for (const Vec3& x : at_rest(trial).state.position) deepest = std::min(deepest, x.z);
+  EXPECT_NEAR(*forecast.sag, -deepest, -0.02 * deepest);
+}
+
+// From level it swings down, and folds; its sag is what the weight stretches, not the way down.
+TEST(Forecast, AClothByTwoCornersSagsByWhatItsWeightStretches) {
+  Trial trial = cloth(12);
+  const Forecast forecast = forecast_of(trial);
+  ASSERT_TRUE(forecast.sag && forecast.slowest && forecast.fastest);
+  EXPECT_GT(*forecast.sag, 1e-4);
+  EXPECT_LT(*forecast.sag, 0.05);
+  EXPECT_GT(forecast.slowest->omega, 1.0);
+  EXPECT_LT(forecast.slowest->omega, 10.0);
+  const double bound = make_plan(trial.system).spectrum.omega;
+  EXPECT_LT(forecast.fastest->omega, bound);
+  EXPECT_GT(forecast.fastest->omega, 0.5 * bound);
+
+  // twice as stiff, begun from there, it sags about half as far
+  for (Index s = 0; s < trial.system.spring_count(); ++s) trial.system.spring(s).stiffness *= 2.0;
+  const Forecast stiffer = make_forecast(std::make_shared<const System>(trial.system), trial.state, forecast, false);
+  ASSERT_TRUE(stiffer.sag);
+  EXPECT_NEAR(*stiffer.sag / *forecast.sag, 0.5, 0.1);
+}
+
+// An upright sheet of k = 200 N/m, diagonals 100, 1 kg in equal points, by its top row: sags measured with another program.
+TEST(Forecast, AnUprightSheetSagsAsMeasured) {
+  const auto sag = [](int n) {
+    Trial trial;
+    const double a = 1.0 / (n - 1);
+    for (Index i = 0; i < n * n; ++i) {
+      trial.add({a * (i % n), -a * (i / n), 0.0}, 1.0 / (n * n));
+      trial.system.point(i).nailed = i < n;
+    }
+    sheet::join_neighbours(trial, n, 200.0, 100.0, 0.0);
+    return forecast_of(trial).sag.value_or(0.0);
+  };
+  EXPECT_NEAR(sag(5), 0.0149, 0.0005);
+  EXPECT_NEAR(sag(9), 0.0164, 0.0005);
+  EXPECT_NEAR(sag(17), 0.0172, 0.0005);
+}
+
+TEST(Forecast, SaysNothingWhereNothingCanBeSaid) {
+  Trial trial;
+  const auto says_nothing = [&] {
+    const Forecast forecast = forecast_of(trial);
+    return !forecast.sag && !forecast.slowest;
+  };
+  EXPECT_TRUE(says_nothing());
+  const PointId nail = trial.nail(Vec3(0.0)), mass = trial.add({0.0, -1.0, 0.0});
+  EXPECT_TRUE(says_nothing());
+  trial.join(nail, mass, 0.0, 1.0);
+  EXPECT_TRUE(says_nothing());
+  trial.system.spring(0).stiffness = 100.0;
+  EXPECT_FALSE(says_nothing());
+
+  // it would tear, or lie on the ground; or one falls while the other hangs
+  trial.system.break_strain = 0.05;
+  EXPECT_TRUE(says_nothing());
+  trial.system.break_strain = 0.2;
+  EXPECT_FALSE(says_nothing());
+  trial.system.colliders = {{.shape = Plane{{0.0, -1.05, 0.0}, {0.0, 1.0, 0.0}}}};
+  EXPECT_TRUE(says_nothing());
+  trial.system.colliders.clear();
+  trial.add({1.0, 0.0, 0.0});
+  EXPECT_TRUE(says_nothing());
+}
+
+TEST(Forecast, StopsWhenItIsNoLongerWanted) {
+  const Trial trial = cloth(32);
+  const Forecast forecast = make_forecast(std::make_shared<const System>(trial.system), trial.state, {}, true);
+  EXPECT_FALSE(forecast.sag || forecast.slowest || forecast.fastest);
+}
+
+}  // namespace
+}  // namespace hooke

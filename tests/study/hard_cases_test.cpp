@@ -1,0 +1,287 @@
+// The hard cases as a machine for judging: that it finds what is planted. What becomes of the methods in them is
+// `hooke check --hard` itself.
+
+#include <rapidjson/document.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "study/analytic_scenes.h"
+#include "study/hard_cases/case_report.h"
+#include "study/hard_cases/monitored_run.h"
+
+namespace hooke {
+namespace {
+
+const Integrator& method(const char* id) { return *find_integrator(id); }
+
+TEST(Verdict, IsBrokenWhenItIsNotWhatWasExpected) {
+  using enum Outcome;
+  using enum Expectation;
+  struct Row {
+    Outcome outcome;
+    Expectation expected;
+    bool broken;
+  };
+  for (const Row& row : {Row{Held, Hold, false},
+                         {Held, Report, true},
+                         {Held, HoldOrReport, false},
+                         {FailedOpenly, Hold, true},
+                         {FailedOpenly, Report, false},
+                         {FailedOpenly, HoldOrReport, false},
+                         {FailedSilently, Hold, true},
+                         {FailedSilently, Report, true},
+                         {FailedSilently, HoldOrReport, true},
+                         {OutOfScope, Hold, false}})
+    EXPECT_EQ(is_broken({.outcome = row.outcome, .expected = row.expected}), row.broken)
+        << describe(row.outcome) << ", expected to " << describe(row.expected);
+}
+
+TEST(Verdict, OfSeveralPartsIsTheWorstWithTheFiguresOfAll) {
+  const std::array parts{Verdict{.measured = "a"}, Verdict{.outcome = Outcome::FailedOpenly, .measured = "b", .reason = "why"},
+                         Verdict{.outcome = Outcome::OutOfScope}};
+  const Verdict worst = worst_of(parts);
+  EXPECT_EQ(worst.outcome, Outcome::FailedOpenly);
+  EXPECT_EQ(worst.measured, "a; b");
+  EXPECT_EQ(worst.reason, "why");
+  EXPECT_TRUE(is_broken(worst));
+}
+
+// a mass on a spring, let go 0.1 m from rest
+TestNetwork oscillator(double omega) {
+  TestNetwork network;
+  network.system.gravity = Vec3(0.0);
+  network.join(network.nail(Vec3(0.0)), network.add({1.1, 0.0, 0.0}), omega * omega, 1.0);
+  return network;
+}
+
+TEST(Verdict, OnAMissedCriterionDependsOnWhetherTheRunSaysSo) {
+  // accurate, so that nothing speaks against it
+  MonitoredRun sound(oscillator(2.0), {.substeps = 20}, {.position = 1e-3});
+  sound.run(1.0);
+  EXPECT_EQ(judge(sound, true, "").outcome, Outcome::Held);
+  EXPECT_EQ(judge(sound, false, "").outcome, Outcome::FailedSilently);
+
+  // it loses energy, which nothing takes
+  MonitoredRun damped(oscillator(2.0), {.integrator = &method("implicit_euler"), .substeps = 1});
+  damped.run(1.0);
+  const Verdict verdict = judge(damped, false, "");
+  EXPECT_EQ(verdict.outcome, Outcome::FailedOpenly);
+  EXPECT_NE(verdict.reason.find("energy balance"), std::string::npos) << verdict.reason;
+
+  // stopped by the watch: no figure of its own can make that a success
+  MonitoredRun wild(oscillator(1e4), {.substeps = 1});
+  EXPECT_FALSE(wild.run(1.0));
+  const Verdict stopped = judge(wild, true, "fine");
+  EXPECT_EQ(stopped.outcome, Outcome::FailedOpenly);
+  EXPECT_EQ(stopped.expected, Expectation::HoldOrReport);
+  EXPECT_NE(stopped.reason.find("stopped by the watch"), std::string::npos) << stopped.reason;
+  EXPECT_NE(stopped.reason.find("spring 0"), std::string::npos) << stopped.reason;
+}
+
+TEST(RunMonitor, EstimateTheErrorOfARunWithinAFactorOfFour) {
+  const InitialState net = make_net(8, 1e2, 0.0);
+  const auto run = [&](const char* id, int substeps) {
+    MonitoredRun watched({net.system, net.state}, {.integrator = &method(id), .substeps = substeps}, {.position = 1.0});
+    watched.run(1.0);
+    return watched;
+  };
+  const MonitoredRun exact = run("blanes_moan4", 50);
+  for (const char* id : {"velocity_verlet", "tr_bdf2", "baraff_witkin"}) {
+    const MonitoredRun rough = run(id, 4);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < exact.state().position.size(); ++i) {
+      const Vec3 apart = rough.state().position[i] - exact.state().position[i];
+      sum += glm::dot(apart, apart);
+    }
+    const double error = std::sqrt(sum / static_cast<double>(exact.state().position.size()));
+    EXPECT_GT(rough.monitor().estimated_error(), 0.25 * error) << id;
+    EXPECT_LT(rough.monitor().estimated_error(), 4.0 * error) << id;
+  }
+}
+
+TEST(RunMonitor, TellEnergyFromNowhereFromEnergyThatIsLost) {
+  const auto doubts_of = [](const char* id, double drag) {
+    TestNetwork network = oscillator(2.0);
+    network.system.drag = drag;
+    MonitoredRun run(network, {.integrator = &method(id), .substeps = 1});
+    run.run(1.0);
+    const std::vector<std::string> warnings = run.monitor().warnings(run.system(), {});
+    return warnings.empty() ? "" : warnings.front();
+  };
+  EXPECT_NE(doubts_of("explicit_euler", 0.0).find("came from nowhere"), std::string::npos);
+  EXPECT_NE(doubts_of("implicit_euler", 0.0).find("is lost"), std::string::npos);
+  EXPECT_EQ(doubts_of("velocity_verlet", 0.0), "");
+  // drag takes it, and rightly
+  EXPECT_EQ(doubts_of("velocity_verlet", 5.0), "");
+}
+
+// Cases as they should not be: one held, one that fails in silence, one that throws, one for no method.
+Verdict judge_held(const Integrator&) { return {.measured = "fine"}; }
+Verdict judge_silent(const Integrator& row) {
+  if (row.id != "xpbd") return {};
+  std::string long_word(300, 'x');
+  long_word += " and more words";
+  return {.outcome = Outcome::FailedSilently, .measured = long_word};
+}
+Verdict judge_thrown(const Integrator&) { throw std::runtime_error("a planted error"); }
+Verdict judge_endless(const Integrator&) {
+  MonitoredRun run(oscillator(2.0), {.substeps = 1});
+  while (run.frame()) {
+  }
+  return {};
+}
+
+constexpr HardCase held{.number = 1, .name = "Held", .parameters = "p", .criterion = "c", .judge = judge_held};
+constexpr HardCase silent{
+    .number = 2, .name = "Silent", .parameters = "p", .criterion = "c", .not_quick = "xpbd tr_bdf2", .judge = judge_silent};
+constexpr HardCase thrown{.number = 3,
+                          .name = "Thrown",
+                          .parameters = "p",
+                          .criterion = "c",
+                          .remark = "r",
+                          .concerns = Concerns::NoMethod,
+                          .judge = judge_thrown};
+constexpr HardCase infinity_text{
+    .number = 4, .name = "Endless", .parameters = "p", .criterion = "c", .concerns = Concerns::NoMethod, .judge = judge_endless};
+
+std::vector<CaseResult> run_planted(int threads) {
+  const std::array cases{&held, &silent, &thrown};
+  const std::array methods{&method("velocity_verlet"), &method("xpbd"), &method("tr_bdf2")};
+  std::vector<CaseResult> results = list_cases(cases, methods, false);
+  run_cases(results, threads, [](long, long) { return true; });
+  return results;
+}
+
+TEST(HardCases, ThatArePlantedBrokenAreFoundWhateverTheThreads) {
+  for (const int threads : {1, 4}) {
+    const std::vector<CaseResult> results = run_planted(threads);
+    ASSERT_EQ(results.size(), 7u);
+    EXPECT_EQ(count_broken(results), 2);
+    EXPECT_EQ(results[4].method->id, "xpbd");
+    EXPECT_TRUE(is_broken(results[4].verdict));
+    EXPECT_EQ(results[6].verdict.reason, "threw: a planted error");
+    for (const CaseResult& result : results) EXPECT_TRUE(result.finished);
+  }
+}
+
+TEST(HardCases, OfTheQuickSubsetAreThoseThatAreCheap) {
+  const std::array cases{&held, &silent};
+  const std::array methods{&method("velocity_verlet"), &method("tr_bdf2")};
+  const std::vector<CaseResult> results = list_cases(cases, methods, true);
+  ASSERT_EQ(results.size(), 3u);
+  EXPECT_EQ(results[2].hard_case, &silent);
+  EXPECT_EQ(results[2].method->id, "velocity_verlet");
+}
+
+TEST(HardCases, ThatAreInterruptedStayUnfinished) {
+  const std::array cases{&infinity_text};
+  std::vector<CaseResult> results = list_cases(cases, {}, false);
+  run_cases(results, 1, [](long, long) { return false; });
+  ASSERT_EQ(results.size(), 1u);
+  EXPECT_FALSE(results[0].finished);
+  EXPECT_EQ(count_broken(results), 0);
+  EXPECT_NE(format_table(results).find("1 not run"), std::string::npos);
+  // and the next may run again
+  EXPECT_EQ(count_broken(run_planted(1)), 2);
+}
+
+TEST(HardCases, AreAllThere) {
+  int number = 0;
+  std::set<std::string_view> names;
+  for (const HardCase& row : hard_cases()) {
+    EXPECT_EQ(row.number, ++number);
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    EXPECT_FALSE(row.parameters.empty() || row.criterion.empty() || row.judge == nullptr) << row.name;
+    std::istringstream ids{std::string(row.not_quick)};
+    for (std::string id; ids >> id;) EXPECT_TRUE(id == "*" || find_integrator(id) != nullptr) << row.name << ": " << id;
+  }
+  EXPECT_EQ(number, 27);
+}
+
+TEST(CaseReport, FitsATerminalAndTellsWhatBroke) {
+  const std::string table = format_table(run_planted(1));
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), table_width + 220) << line;
+  EXPECT_NE(table.find("! 2 Silent, xpbd: failed silently, expected to hold;"), std::string::npos) << table;
+  EXPECT_NE(table.find("7 results: 5 held, 0 failed openly, 0 out of scope, 2 against expectation"), std::string::npos) << table;
+}
+
+TEST(CaseReport, IsJsonForMachines) {
+  rapidjson::Document document;
+  document.Parse(format_json(run_planted(1)).c_str());
+  ASSERT_FALSE(document.HasParseError());
+  EXPECT_EQ(document["broken"].GetInt(), 2);
+  EXPECT_EQ(document["unfinished"].GetInt(), 0);
+  ASSERT_EQ(document["cases"].Size(), 3u);
+  const auto& silent_case = document["cases"][1];
+  EXPECT_EQ(silent_case["number"].GetInt(), 2);
+  for (const char* key : {"name", "parameters", "criterion", "remark"}) EXPECT_TRUE(silent_case[key].IsString()) << key;
+  ASSERT_EQ(silent_case["results"].Size(), 3u);
+  const auto& result = silent_case["results"][1];
+  EXPECT_STREQ(result["method"].GetString(), "xpbd");
+  EXPECT_STREQ(result["outcome"].GetString(), "failed_silently");
+  EXPECT_STREQ(result["expected"].GetString(), "hold");
+  EXPECT_TRUE(result["broken"].GetBool());
+  EXPECT_TRUE(result["measured"].IsString() && result["reason"].IsString() && result["cpu_seconds"].IsDouble());
+}
+
+TEST(CaseReport, IsADocumentForPeople) {
+  const std::string document =
+      format_markdown(run_planted(1), {.command = "hooke check --hard", .date = "2000-01-02", .machine = "Abacus"});
+  for (const char* part :
+       {"Made on 2000-01-02, on one Abacus, by", "    hooke check --hard\n", "| 2 Silent | held | **against expectation** | held |",
+        "## 3. Thrown", "Remark: r.", "| any | failed silently |"})
+    EXPECT_NE(document.find(part), std::string::npos) << part;
+}
+
+// "| a | b |": its cells, trimmed.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream row(line.substr(1));
+  for (std::string cell; std::getline(row, cell, '|');) {
+    const std::size_t first = cell.find_first_not_of(' ');
+    cells.push_back(first == std::string::npos ? "" : cell.substr(first, cell.find_last_not_of(' ') - first + 1));
+  }
+  return cells;
+}
+
+TEST(StabilityPage, HasTheCasesAndMethodsOfTheProgramAndNothingAgainstExpectation) {
+  std::ifstream page(DOCS_FOLDER "/stability.md");
+  std::vector<std::string> methods, rows, sections;
+  std::string text;
+  for (std::string line; std::getline(page, line); text += line + "\n") {
+    if (line.starts_with("| case |")) {
+      methods = cells_of(line);
+      methods.erase(methods.begin());
+    } else if (!methods.empty() && sections.empty() && line.size() > 2 && line.starts_with("| ")) {
+      const std::vector<std::string> cells = cells_of(line);
+      rows.push_back(cells[0]);
+      // none was left out of the run that made it
+      EXPECT_EQ(cells.size(), methods.size() + 1) << line;
+      EXPECT_EQ(std::ranges::count(cells, ""), 0) << line;
+    } else if (line.starts_with("## ") && line[3] >= '0' && line[3] <= '9') {
+      sections.push_back(line.substr(3));
+    }
+  }
+
+  std::vector<std::string> ids, names, headings;
+  for (const Integrator& row : integrators()) ids.emplace_back(row.id);
+  for (const HardCase& row : hard_cases()) {
+    names.push_back(std::to_string(row.number) + " " + std::string(row.name));
+    headings.push_back(std::to_string(row.number) + ". " + std::string(row.name));
+    for (const std::string_view part : {row.parameters, row.criterion, row.remark})
+      EXPECT_NE(text.find(part), std::string::npos) << row.name << ": " << part;
+  }
+  EXPECT_EQ(methods, ids);
+  EXPECT_EQ(rows, names);
+  EXPECT_EQ(sections, headings);
+  EXPECT_EQ(text.find("**against expectation**"), std::string::npos);
+  EXPECT_NE(text.find("none against expectation"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,93 @@
+// The errors that methods are held to on the scenes that Hooke is measured on: RMS over the points of the distance to the
+// converged motion, of which SUNDIALS (oracle_test) is of the same opinion.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "formats/scene_file.h"
+#include "study/analytic_scenes.h"
+#include "support/nets.h"
+
+namespace hooke {
+namespace {
+
+Trial shipped(const char* id) {
+  const Scene scene = load_scene(find_scene(id)).scene;
+  return {scene.system, scene.state};
+}
+
+Trial fine_net(double stiffness) {
+  const InitialState start = make_net(64, stiffness, 0.0);
+  return {start.system, start.state};
+}
+
+State after(const Trial& start, const char* method, double seconds, double hertz) {
+  Trial trial = start;
+  trial.run(*find_integrator(method), seconds, static_cast<int>(std::lround(seconds * hertz)));
+  return trial.state;
+}
+
+// A step of 1e-10 m is one of 1e-13 m in these scenes, where stability asks for more than the tolerance.
+State converged(const Trial& start, double seconds) {
+  Trial trial = start;
+  trial.run(*find_integrator("dop853"), seconds, 1, 1e-10);
+  return trial.state;
+}
+
+// Each figure is the published one, and what would round to it.
+
+TEST(PromisedErrors, OfVerletAndRungeKuttaOnTheDrum) {
+  const Trial drum = shipped("drum_32");
+  const State exact = converged(drum, 1.0);
+  EXPECT_LT(distance(after(drum, "velocity_verlet", 1.0, 3200.0), exact), 1.65e-5);
+  EXPECT_LT(distance(after(drum, "runge_kutta4", 1.0, 12800.0), exact), 3.05e-10);
+}
+
+TEST(PromisedErrors, OfRungeKuttaOnTheRope) {
+  const Trial rope = shipped("rope_64");
+  EXPECT_LT(distance(after(rope, "runge_kutta4", 0.5, 12800.0), converged(rope, 0.5)), 3.75e-9);
+}
+
+TEST(PromisedErrors, OfRungeKuttaOnTheCloth) {
+  const Trial cloth = shipped("cloth_32");
+  EXPECT_LT(distance(after(cloth, "runge_kutta4", 0.5, 6400.0), converged(cloth, 0.5)), 5.65e-8);
+}
+
+// TR-BDF2 for half a second at one step a frame, and what it costs.
+struct OneStepAFrame {
+  State state;
+  long unconverged_solves = 0, max_factorizations = 0;
+
+  explicit OneStepAFrame(const Trial& start) : state(start.state) {
+    Plan plan = make_plan(start.system);
+    Frame frame;
+    for (int i = 0; i < 30; ++i) {
+      frame.begin(plan, start.system, {.integrator = find_integrator("tr_bdf2"), .frame_rate = 60.0, .substeps = 1}, state);
+      while (!frame.done()) frame.substep(plan);
+      frame.end(plan, state);
+      unconverged_solves += frame.motion().unconverged_solves;
+      max_factorizations = std::max(max_factorizations, frame.factorizations());
+    }
+  }
+};
+
+TEST(PromisedErrors, OfTrBdf2OnAFineNetWithThreeFactorizationsAStepAtMost) {
+  const Trial net = fine_net(1e4);
+  const OneStepAFrame run(net);
+  EXPECT_LT(distance(run.state, converged(net, 0.5)), 1.25e-5);
+  EXPECT_EQ(run.unconverged_solves, 0);
+  EXPECT_LE(run.max_factorizations, 3);
+}
+
+// converged: Verlet at 3.4 times its limit is off by 4e-10 m
+TEST(PromisedErrors, OfTrBdf2AndXpbdOnAStiffFineNet) {
+  const Trial net = fine_net(1e6);
+  const State exact = after(net, "velocity_verlet", 0.5, 96000.0);
+  const OneStepAFrame run(net);
+  EXPECT_LT(distance(run.state, exact), 1.25e-5);
+  EXPECT_EQ(run.unconverged_solves, 0);
+  EXPECT_LT(distance(after(net, "xpbd", 0.5, 60.0 * 40.0), exact), 4.5e-3);
+}
+
+}  // namespace
+}  // namespace hooke

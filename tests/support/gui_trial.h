@@ -1,0 +1,145 @@
+// The program of the window with its panels, without a window and without OpenGL: a mouse, keys and frames.
+#pragma once
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <glm/vec2.hpp>
+#include <initializer_list>
+#include <string>
+
+#include "app/app.h"
+#include "support/gui_text.h"
+#include "support/scratch_folder.h"
+#include "ui/theme.h"
+
+namespace hooke {
+
+class GuiTrial {
+ public:
+  explicit GuiTrial(Scene scene = {}, std::filesystem::path file = {}, const Home& home = {}) {
+    // what a key writes without a document goes to the home folder, and to where the program was started: not to a person's
+    ::setenv("HOME", scratch_.folder.c_str(), 1);
+    std::filesystem::current_path(scratch_.folder);
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.DisplaySize = {1280.0f, 800.0f};
+    io.DeltaTime = 1.0f / 60.0f;
+    for (int i = 0; i < ImGuiKey_COUNT; ++i) io.KeyMap[i] = i;
+    load_fonts(1.0);
+    app_ = std::make_unique<App>(std::make_shared<const Scene>(std::move(scene)), std::move(file), home);
+    app_->resize({1280.0, 800.0}, 1.0);
+    frames(3);
+  }
+  ~GuiTrial() {
+    std::filesystem::current_path(std::filesystem::temp_directory_path());
+    ImGui::DestroyContext();
+  }
+
+  App& app() { return *app_; }
+
+  // To another size, and another scale of the screen, as the window's loop does it every frame.
+  void resize(const glm::dvec2& size, double scale) {
+    if (scale != scale_) load_fonts(scale);
+    ImGui::GetIO().DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
+    app_->resize(size, scale);
+    frames(2);
+  }
+
+  const Status& status() {
+    if (waits_for_work) app_->wait_for_work();
+    app_->settle();
+    return app_->status();
+  }
+  const System& system() { return *status().snapshot->system; }
+
+  void frame() {
+    ImGui::NewFrame();
+    app_->build_frame({});
+    ImGui::Render();
+    if (waits_for_work) app_->wait_for_work();
+    app_->settle();
+  }
+  void frames(int many) {
+    for (int i = 0; i < many; ++i) frame();
+  }
+  // For files that are read and written; false: frames go on meanwhile, as in the window.
+  bool waits_for_work = true;
+
+  // Every word that a frame shows.
+  std::string words() {
+    frame();
+    return read_text(*ImGui::GetDrawData());
+  }
+
+  void move(const glm::dvec2& to, Modifiers modifiers = {}) {
+    ImGui::GetIO().MousePos = {static_cast<float>(to.x), static_cast<float>(to.y)};
+    app_->handle(CursorMove{to, modifiers});
+    at_ = to;
+    frame();
+  }
+  void press(Button button = Button::Left, Modifiers modifiers = {}) {
+    ImGui::GetIO().MouseDown[static_cast<int>(button)] = true;
+    ImGui::GetIO().KeyCtrl = modifiers.control;
+    app_->handle(ButtonPress{button, at_, modifiers});
+    frame();
+  }
+  void release(Button button = Button::Left, Modifiers modifiers = {}) {
+    ImGui::GetIO().MouseDown[static_cast<int>(button)] = false;
+    app_->handle(ButtonRelease{button, at_, modifiers});
+    frame();
+    ImGui::GetIO().KeyCtrl = false;
+  }
+  void click(const glm::dvec2& at, Button button = Button::Left, Modifiers modifiers = {}) {
+    move(at);
+    press(button, modifiers);
+    release(button, modifiers);
+  }
+  void drag(const glm::dvec2& from, const glm::dvec2& to, Button button = Button::Left, Modifiers modifiers = {}) {
+    move(from, modifiers);
+    press(button, modifiers);
+    for (const double fraction : {0.25, 0.5, 0.75, 1.0}) move(from + fraction * (to - from), modifiers);
+    release(button, modifiers);
+  }
+  void key(Key key, Modifiers modifiers = {}, bool repeated = false) {
+    app_->handle(KeyPress{key, modifiers, repeated});
+    frames(2);
+  }
+  void type(const std::string& text) {
+    for (const char c : text) ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(c));
+    frames(2);
+  }
+
+  // The middle of an item by the names that lead to it, found by looking under the mouse all over its window.
+  glm::dvec2 find(const char* window, std::initializer_list<const char*> names) {
+    const ImGuiWindow* found = ImGui::FindWindowByName(window);
+    if (found == nullptr) return {-1.0, -1.0};
+    ImGuiID id = found->ID;
+    for (const char* name : names) id = ImHashStr(name, 0, id);
+    const glm::dvec2 min(found->Pos.x, found->Pos.y), size(found->Size.x, found->Size.y);
+    for (double y = 2.0; y < size.y; y += 5.0) {
+      for (const double fraction : {0.7, 0.42, 0.1, 0.06, 0.13, 0.92}) {
+        move(min + glm::dvec2(fraction * size.x, y));
+        if (ImGui::GetCurrentContext()->HoveredId == id) return at_;
+      }
+    }
+    return {-1.0, -1.0};
+  }
+
+ private:
+  void load_fonts(double scale) {
+    scale_ = scale;
+    load_theme(scale, 1.0);
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  }
+
+  ScratchFolder scratch_;
+  double scale_ = 1.0;
+  std::unique_ptr<App> app_;
+  glm::dvec2 at_{-1.0};
+};
+
+}  // namespace hooke

@@ -1,0 +1,242 @@
+// The inspector: properties of what is selected, typed; and whatever else is typed into any field.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "formats/scene_file.h"
+#include "scene/parameters.h"
+#include "support/gui_trial.h"
+#include "support/trial.h"
+#include "support/valid_scene.h"
+#include "ui/typed_field.h"
+
+namespace hooke {
+namespace {
+
+constexpr Modifiers control{.control = true};
+
+// Three points that differ, two springs that differ.
+Scene chain(int dimensions = 3) {
+  Trial trial;
+  const PointId a = trial.nail({-0.3, 0.4, 0.0}), b = trial.add({0.1, 0.0, 0.0}, 2.0, {0.5, 0.0, 0.0}), c = trial.add({0.5, 0.3, 0.0}, 4.0);
+  trial.join(a, b, 70.0, 0.4);
+  trial.join(b, c, 90.0, 0.3, 1.0);
+  Scene scene;
+  scene.name = "Chain";
+  scene.system = trial.system;
+  scene.system.dimensions = dimensions;
+  scene.system.point(2).color = Color{1, 2, 3};
+  scene.state = trial.state;
+  return scene;
+}
+
+struct Field {
+  const char* group;
+  const char* id;
+  int axis = -1;
+};
+constexpr Field fields[] = {{"points", "", 0},        {"points", "", 1},          {"points", "", 2},
+                            {"points", "mass"},       {"points", "radius"},       {"springs", "Stiffness k"},
+                            {"springs", "Damping d"}, {"springs", "Rest length"}, {"springs", "Breaks at"}};
+
+// With a window so tall that nothing is scrolled away, and everything selected.
+class Inspector : public GuiTrial {
+ public:
+  explicit Inspector(const Scene& scene) : GuiTrial(scene) {
+    ImGui::GetIO().DisplaySize = {1280.0f, 2400.0f};
+    app().resize({1280.0, 2400.0}, 1.0);
+    key(letter('A'), control);
+    frames(3);
+  }
+
+  // Where the field is.
+  glm::dvec2 place_of(const Field& field) {
+    const ImGuiWindow* side = ImGui::FindWindowByName("side");
+    ImGuiID id = ImHashStr(field.group, 0, side->ID);
+    id = field.axis >= 0 ? ImHashData(&field.axis, sizeof field.axis, id) : ImHashStr(field.id, 0, id);
+    id = ImHashStr("##typed", 0, id);
+    for (double y = 4.0; y < 1200.0; y += 6.0) {
+      move({side->Pos.x + 0.5 * side->Size.x, side->Pos.y + y});
+      if (ImGui::GetCurrentContext()->HoveredId == id) return {side->Pos.x + 0.5 * side->Size.x, side->Pos.y + y};
+    }
+    return {-1.0, -1.0};
+  }
+  void type_at(const glm::dvec2& place, const std::string& text) {
+    click(place);
+    type(text);
+    click({1270.0, 2300.0});  // elsewhere in the panel
+    frames(2);
+  }
+  void type_into(const Field& field, const std::string& text) {
+    const glm::dvec2 place = place_of(field);
+    ASSERT_GT(place.x, 0.0) << field.group << " " << field.id << field.axis;
+    type_at(place, text);
+  }
+};
+
+TEST(Inspector, SetsAPropertyOfAllAndUndoGivesEachItsOwnBack) {
+  const Scene scene = chain();
+  Inspector gui(scene);
+  EXPECT_NE(gui.words().find("3 points, 2 springs"), std::string::npos);
+  EXPECT_NE(gui.words().find("mixed"), std::string::npos);
+  gui.type_into({"points", "mass"}, "3.5");
+  for (const Point& point : gui.system().points()) EXPECT_EQ(point.mass, 3.5);
+  EXPECT_EQ(gui.status().undo_name, "mass of 3 points");
+  gui.type_into({"points", "radius"}, "0.1");
+  for (const Point& point : gui.system().points()) EXPECT_EQ(point.radius, 0.1);
+  gui.type_into({"springs", "Stiffness k"}, "250");
+  gui.type_into({"springs", "Damping d"}, "0.5");
+  gui.type_into({"springs", "Rest length"}, "0.25");
+  gui.type_into({"springs", "Breaks at"}, "0.75");
+  for (const Spring& spring : gui.system().springs()) {
+    EXPECT_EQ(spring.stiffness, 250.0);
+    EXPECT_EQ(spring.damping, 0.5);
+    EXPECT_EQ(spring.rest_length, 0.25);
+    EXPECT_EQ(spring.break_strain, 0.75);
+  }
+  gui.type_into({"springs", "Breaks at"}, "never");
+  EXPECT_EQ(gui.system().springs()[0].break_strain, never_breaks);
+  gui.type_into({"points", "", 1}, "-0.2");
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(gui.status().snapshot->state.position[i], Vec3(scene.state.position[i].x, -0.2, 0.0));
+    EXPECT_EQ(gui.status().snapshot->state.velocity[i], scene.state.velocity[i]);
+  }
+  for (int step = 0; step < 8; ++step) gui.key(letter('Z'), control);
+  EXPECT_EQ(gui.system(), scene.system);
+  EXPECT_EQ(gui.status().snapshot->state.position, scene.state.position);
+  EXPECT_TRUE(gui.status().undo_name.empty());
+}
+
+TEST(Inspector, NailsAndColoursAll) {
+  Inspector gui(chain());
+  const glm::dvec2 box = gui.find("side", {"points", "##nailed"});
+  ASSERT_GT(box.x, 0.0);
+  gui.click(box);
+  for (const Point& point : gui.system().points()) EXPECT_TRUE(point.nailed);
+  gui.click(box);
+  for (const Point& point : gui.system().points()) EXPECT_FALSE(point.nailed);
+  gui.click(gui.find("side", {"points", "By state"}));
+  for (const Point& point : gui.system().points()) EXPECT_FALSE(point.color);
+  gui.key(letter('Z'), control);
+  EXPECT_EQ(gui.system().points()[2].color, (Color{1, 2, 3}));
+}
+
+TEST(Inspector, IsNotThereWithoutASelectionAndFollowsIt) {
+  Inspector gui(chain(2));
+  EXPECT_EQ(gui.words().find("Position z"), std::string::npos);
+  gui.key(Key::Escape);
+  EXPECT_EQ(gui.words().find("Position x"), std::string::npos);
+}
+
+TEST(Inspector, EscWhileTypingLeavesTheSelection) {
+  Inspector gui(chain());
+  gui.click(gui.place_of({"points", "mass"}));
+  gui.type("9");
+  gui.key(Key::Escape);
+  EXPECT_EQ(gui.app().selection().points.size(), 3u);
+}
+
+TEST(TypedNumbers, MeanWhatTheySay) {
+  EXPECT_EQ(number_typed(" 1.5 "), 1.5);
+  EXPECT_EQ(number_typed("+2e3"), 2000.0);
+  EXPECT_EQ(number_typed("1e999"), INFINITY);
+  EXPECT_EQ(number_typed("-1e999"), -INFINITY);
+  EXPECT_EQ(number_typed("1e-999"), 0.0);
+  EXPECT_EQ(number_typed("never", "never"), INFINITY);
+  for (const char* text : {"", "abc", "1,5", "nan", "NAN", "-nan", "1 2", "0x", "--1", "never", "1m", "e5"})
+    EXPECT_FALSE(number_typed(text)) << text;
+}
+
+// What is shown is what there is.
+Scene scene_of(GuiTrial& gui) {
+  Scene scene;
+  scene.system = gui.system();
+  scene.state = gui.status().snapshot->state;
+  scene.settings = gui.status().snapshot->settings;
+  return scene;
+}
+
+const std::string absurd[] = {"",      "abc",    "nan", "-nan(7)", "inf", "-inf", "1e300", "-1e300",
+                              "1e999", "1e-300", "-1",  "0x1p9",   "1,5", "%n%s", "\\",    std::string(3000, '9'),
+                              "0"};
+
+TEST(BadInput, TypedIntoAnyFieldOfTheInspectorDoesNoHarm) {
+  Inspector gui(chain());
+  for (const Field& field : fields) {
+    const glm::dvec2 place = gui.place_of(field);
+    ASSERT_GT(place.x, 0.0);
+    for (const std::string& text : absurd) {
+      gui.type_at(place, text);
+      ASSERT_TRUE(is_valid(gui.status())) << field.id << " " << text;
+    }
+  }
+  EXPECT_FALSE(gui.app().is_finished());
+  // what is saved then is read again
+  EXPECT_EQ(parse_scene(format_scene(scene_of(gui)), "typed").scene.system.point_count(), 3);
+}
+
+TEST(BadInput, NoNumberLeavesTheValueAndSaysSo) {
+  Inspector gui(chain());
+  gui.type_into({"points", "mass"}, "heavy");
+  EXPECT_EQ(gui.app().panels().toast, "\"heavy\" is no number: Mass stays as it was");
+  gui.type_into({"points", "mass"}, "1e300");
+  EXPECT_EQ(gui.app().panels().toast, "Mass goes from 1e-09 to 1e+09 kg");
+  for (const Point& point : gui.system().points()) EXPECT_EQ(point.mass, 1e9);
+}
+
+TEST(BadInput, TypedIntoAnySliderDoesNoHarm) {
+  Inspector gui(chain());
+  gui.key(Key::Escape);
+  gui.frames(2);
+  gui.click(gui.find("side", {"Hand"}));  // unfolds
+  for (const Parameter& row : parameters()) {
+    if (row.kind == Parameter::Kind::Switch) continue;
+    const glm::dvec2 place = gui.find("side", {row.name.data(), "##value"});
+    if (place.x < 0.0) continue;  // the scene has no such thing
+    for (const std::string& text : absurd) {
+      gui.click(place, Button::Left, control);
+      gui.type(text);
+      gui.click({1270.0, 2300.0});
+      gui.frames(2);
+      ASSERT_TRUE(is_valid(gui.status())) << row.name << " " << text;
+    }
+  }
+}
+
+TEST(BadInput, WindowsOfOnePixelAndOfEightThousandHaveTheirPanels) {
+  for (const glm::dvec2 size :
+       {glm::dvec2(1.0), glm::dvec2(8000.0), glm::dvec2(8000.0, 1.0), glm::dvec2(1.0, 8000.0), glm::dvec2(640.0, 420.0)}) {
+    for (const double scale : {0.75, 1.0, 3.0}) {
+      GuiTrial gui(chain());
+      ImGui::GetIO().DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
+      gui.app().resize(size, scale);
+      gui.frames(2);
+      const Rect& scene = gui.app().layout().scene;
+      EXPECT_GE(scene.width, 1.0);
+      EXPECT_GE(scene.height, 1.0);
+      for (const char key : {'O', 'S', 'A'}) {
+        gui.key(letter(key), control);
+        gui.frames(2);
+        gui.key(Key::Escape);
+      }
+      gui.key(Key::F1);
+      gui.key(Key::F1);
+      gui.key(letter('P'), {.control = true, .shift = true});
+      gui.key(Key::Escape);
+      gui.key(Key::Home);
+      gui.click(0.5 * size);
+      gui.drag(0.4 * size, 0.6 * size);
+      gui.drag(0.4 * size, 0.6 * size, Button::Right);
+      gui.app().handle(Scroll{3.0, 0.5 * size});
+      gui.frames(2);
+      const Camera& camera = gui.app().camera();
+      EXPECT_TRUE(std::isfinite(camera.distance + camera.target.x + camera.target.y + camera.back.x))
+          << size.x << " x " << size.y << " at " << scale;
+      EXPECT_TRUE(is_valid(gui.status()));
+      EXPECT_EQ(gui.system().point_count(), 3);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hooke

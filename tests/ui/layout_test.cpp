@@ -1,0 +1,288 @@
+// What stands where in the window, at several sizes and scales: nothing is cut off, nothing lies on something else, and the
+// scene stays in sight. Judged by the letters that are drawn.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "formats/scene_file.h"
+#include "scene/shape.h"
+#include "support/gui_trial.h"
+#include "support/trial.h"
+
+namespace hooke {
+namespace {
+
+struct Letter {
+  ImVec4 box;   // least x, y, most x, y
+  ImVec4 clip;  // the same, of what it is drawn into
+  ImWchar code;
+  int run;  // letters that stand together
+  bool is_seen() const { return box.x < clip.z && box.z > clip.x && box.y < clip.w && box.w > clip.y; }
+};
+
+struct Sheet {
+  std::string window;
+  bool scrolls = false;  // up and down: what is cut there comes in sight
+  std::vector<Letter> letters;
+};
+
+std::vector<Sheet> read_sheets(const ImDrawData& data) {
+  const Glyphs glyphs = glyphs_by_texture();
+  std::vector<Sheet> sheets;
+  for (int n = 0; n < data.CmdListsCount; ++n) {
+    const ImDrawList& list = *data.CmdLists[n];
+    std::vector<ImVec4> clips(static_cast<std::size_t>(list.VtxBuffer.Size));
+    for (const ImDrawCmd& command : list.CmdBuffer)
+      for (unsigned i = 0; i < command.ElemCount; ++i)
+        clips[command.VtxOffset + list.IdxBuffer[static_cast<int>(command.IdxOffset + i)]] = command.ClipRect;
+
+    Sheet sheet{list._OwnerName, false, {}};
+    if (const ImGuiWindow* window = ImGui::FindWindowByName(list._OwnerName)) sheet.scrolls = window->ScrollMax.y > 0.0f;
+    int run = 0;
+    for (int i = 0; i + 3 < list.VtxBuffer.Size; ++i) {
+      const ImDrawVert &min = list.VtxBuffer[i], &max = list.VtxBuffer[i + 2];
+      const auto found = glyphs.find({min.uv.x, min.uv.y});
+      if (found == glyphs.end() || max.uv.x != found->second.u1 || max.uv.y != found->second.v1) continue;
+      const bool progress = !sheet.letters.empty() && std::abs(max.pos.y - sheet.letters.back().box.w) < 12.0f &&
+                            std::abs(min.pos.x - sheet.letters.back().box.z) < 14.0f;
+      if (!progress) ++run;
+      sheet.letters.push_back({{min.pos.x, min.pos.y, max.pos.x, max.pos.y}, clips[static_cast<std::size_t>(i)], found->second.code, run});
+      i += 3;
+    }
+    sheets.push_back(std::move(sheet));
+  }
+  return sheets;
+}
+
+std::string words_of(const Sheet& sheet, int run) {
+  std::string words;
+  for (const Letter& letter : sheet.letters)
+    if (letter.run == run) append_utf8(words, letter.code);
+  return words;
+}
+
+std::string all_letters(const ImDrawData& data) {
+  std::string letters;
+  for (const Sheet& sheet : read_sheets(data))
+    for (const Letter& letter : sheet.letters) append_utf8(letters, letter.code);
+  return letters;
+}
+std::string without_spaces(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
+// Cut at the sides, or above and below where nothing scrolls; and on each other. Each once.
+std::set<std::string> faults(const ImDrawData& data) {
+  constexpr float slack = 1.5f;
+  std::set<std::string> found;
+  for (const Sheet& sheet : read_sheets(data)) {
+    for (const Letter& letter : sheet.letters) {
+      if (!letter.is_seen()) continue;
+      const bool is_cut = letter.box.x < letter.clip.x - slack || letter.box.z > letter.clip.z + slack ||
+                          (!sheet.scrolls && (letter.box.y < letter.clip.y - slack || letter.box.w > letter.clip.w + slack));
+      if (is_cut) found.insert(sheet.window + ": cut: " + words_of(sheet, letter.run));
+    }
+    for (std::size_t a = 0; a < sheet.letters.size(); ++a)
+      for (std::size_t b = a + 1; b < sheet.letters.size(); ++b) {
+        const Letter &first = sheet.letters[a], &second = sheet.letters[b];
+        if (first.run == second.run || !first.is_seen() || !second.is_seen()) continue;
+        const float wide = std::min(first.box.z, second.box.z) - std::max(first.box.x, second.box.x);
+        const float high = std::min(first.box.w, second.box.w) - std::max(first.box.y, second.box.y);
+        if (wide > slack && high > slack)
+          found.insert(sheet.window + ": on each other: " + words_of(sheet, first.run) + " | " + words_of(sheet, second.run));
+      }
+  }
+  return found;
+}
+
+// Windows that reach out of the display.
+std::set<std::string> outside() {
+  std::set<std::string> found;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+    if (!window->Active || window->Hidden || window->ParentWindow != nullptr || window->IsFallbackWindow) continue;
+    const ImRect place = window->Rect();
+    if (place.Min.x < -1.0f || place.Min.y < -1.0f || place.Max.x > size.x + 1.0f || place.Max.y > size.y + 1.0f)
+      found.insert(std::string(window->Name) + " reaches out of the window");
+  }
+  return found;
+}
+
+// Windows over the middle of the scene.
+std::set<std::string> over_the_scene(const Rect& scene) {
+  std::set<std::string> found;
+  const ImRect middle(static_cast<float>(scene.x + 0.25 * scene.width), static_cast<float>(scene.y + 0.25 * scene.height),
+                      static_cast<float>(scene.x + 0.75 * scene.width), static_cast<float>(scene.y + 0.75 * scene.height));
+  for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+    if (window->Active && !window->Hidden && !window->IsFallbackWindow && window->Rect().Overlaps(middle)) found.insert(window->Name);
+  return found;
+}
+
+// A cloth with everything that has a row: families, colliders, forces; a long name, and a nail.
+Scene full_scene() {
+  Scene scene = load_scene(find_scene("flag")).scene;
+  scene.name = "A flag with quite a long name, as people give them";
+  scene.system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}}};
+  return scene;
+}
+
+TEST(Faults, AreFoundWhereTheyArePlanted) {
+  GuiTrial gui;
+  const auto faults_of = [](ImVec2 at, ImVec2 size) {
+    ImGui::NewFrame();
+    ImGui::SetNextWindowPos({10.0f, 10.0f});
+    ImGui::SetNextWindowSize({200.0f, 60.0f});
+    ImGui::Begin("planted", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoScrollbar);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect({10.0f, 10.0f}, {10.0f + size.x, 10.0f + size.y});
+    list.AddText({20.0f, 20.0f}, IM_COL32_WHITE, "First words");
+    list.AddText(at, IM_COL32_WHITE, "Second words");
+    list.PopClipRect();
+    ImGui::End();
+    ImGui::Render();
+    return faults(*ImGui::GetDrawData());
+  };
+  EXPECT_EQ(faults_of({20.0f, 40.0f}, {200.0f, 60.0f}), std::set<std::string>());
+  EXPECT_EQ(faults_of({24.0f, 26.0f}, {200.0f, 60.0f}).size(), 1u);
+  EXPECT_EQ(faults_of({20.0f, 40.0f}, {64.0f, 60.0f}), (std::set<std::string>{"planted: cut: Firstword", "planted: cut: Secondw"}));
+  EXPECT_EQ(faults_of({20.0f, 40.0f}, {200.0f, 36.0f}), (std::set<std::string>{"planted: cut: Secondwords"}));
+}
+
+struct Place {
+  double width, height, scale;
+};
+void PrintTo(const Place& place, std::ostream* out) { *out << place.width << "x" << place.height << " at scale " << place.scale; }
+
+std::string name_of(const testing::TestParamInfo<Place>& info) {
+  const auto whole = [](double number) { return std::to_string(static_cast<int>(number)); };
+  return whole(info.param.width) + "x" + whole(info.param.height) + "at" + whole(info.param.scale);
+}
+
+class Layouts : public testing::TestWithParam<Place> {
+ protected:
+  // `words`: by which it is seen that it is shown
+  void expect_in_order(GuiTrial& gui, const char* when, const char* words) {
+    SCOPED_TRACE(when);
+    resize(gui);
+    EXPECT_NE(all_letters(*ImGui::GetDrawData()).find(without_spaces(words)), std::string::npos);
+    EXPECT_EQ(faults(*ImGui::GetDrawData()), std::set<std::string>());
+    EXPECT_EQ(outside(), std::set<std::string>());
+  }
+  void resize(GuiTrial& gui) { gui.resize({GetParam().width, GetParam().height}, GetParam().scale); }
+};
+INSTANTIATE_TEST_SUITE_P(Sizes, Layouts,
+                         testing::Values(Place{640, 420, 1}, Place{960, 600, 1}, Place{1280, 720, 0.75}, Place{1280, 720, 1},
+                                         Place{1920, 1080, 1}, Place{1280, 720, 2}, Place{1920, 1080, 2}),
+                         name_of);
+
+TEST_P(Layouts, ThePanelsLeaveTheSceneInSightAndTheirWordsWhole) {
+  GuiTrial gui(full_scene());
+  resize(gui);
+  expect_in_order(gui, "at the start", "Substeps");
+  EXPECT_EQ(over_the_scene(gui.app().layout().scene), std::set<std::string>());
+  gui.key(letter('P'));
+  gui.key(Key::Space);
+  gui.frames(30);
+  gui.key(Key::Space);
+  expect_in_order(gui, "with plots", "Choose");
+  EXPECT_EQ(over_the_scene(gui.app().layout().scene), std::set<std::string>());
+  gui.key(letter('P'));
+  gui.key(letter('A'), {.control = true});
+  expect_in_order(gui, "with everything selected", "Selection");
+  gui.app().panels().panels_hidden = true;
+  expect_in_order(gui, "without panels", "File");
+}
+
+TEST_P(Layouts, BoxesStandWithinTheWindow) {
+  GuiTrial gui(full_scene());
+  resize(gui);
+  Panels& panels = gui.app().panels();
+  gui.key(Key::F1);
+  expect_in_order(gui, "keys", "Select and move");
+  gui.key(Key::Escape);
+  gui.key(letter('P'), {.control = true, .shift = true});
+  expect_in_order(gui, "search", "Attach two points");
+  gui.key(Key::Escape);
+  gui.key(letter('E'), {.control = true});
+  expect_in_order(gui, "export", "Wavefront");
+  gui.key(Key::Escape);
+  for (const ShapeKind& kind : shape_kinds()) {
+    panels.placement = {.shape = default_shape(kind), .is_new = true};
+    expect_in_order(gui, kind.label.data(), kind.label.data());
+    gui.key(Key::Escape);
+  }
+  gui.key(letter('G'));
+  expect_in_order(gui, "gallery", "Gallery");
+  gui.key(Key::Escape);
+
+  gui.key(letter('O'), {.control = true});
+  expect_in_order(gui, "open", "Open a scene");
+  gui.key(Key::Escape);
+  gui.key(letter('S'), {.control = true, .shift = true});
+  expect_in_order(gui, "save", "Save the scene as");
+  gui.key(Key::Escape);
+  panels.open_dialog(Dialog::Kind::Unsaved);
+  expect_in_order(gui, "unsaved", "Discard");
+  gui.key(Key::Escape);
+  panels.show_message(
+      "A file was refused",
+      "scene.json: points[17].mass: -1: must be more than 0. The scene that was open stays as it was, and nothing is lost.");
+  expect_in_order(gui, "message", "points[17]");
+  gui.key(Key::Escape);
+  panels.show_toast("Stiffness of the springs between the flag and its pole goes from 0.01 to 1000000 N/m, and this line is a long one");
+  expect_in_order(gui, "a passing line", "Stiffness of the springs");
+  panels.file_warnings =
+      "flag.json: points[3].colour: unknown, and kept as it stands; the scene takes so many substeps that it will run slowly";
+  expect_in_order(gui, "banner", "Dismiss");
+}
+
+TEST_P(Layouts, EveryMenuIsReadable) {
+  GuiTrial gui(full_scene());
+  resize(gui);
+  const std::pair<const char*, const char*> menus[] = {
+      {"File", "Save as"},       {"Scenes", "Flag in the wind"}, {"Edit", "Paste"},
+      {"Add", "Chain of links"}, {"Run", "Back to the start"},   {"View", "See the whole scene"}};
+  for (const auto& [menu, line] : menus) {
+    const Rect& bar = gui.app().layout().menu;
+    const ImGuiID id = ImHashStr(menu, 0, ImGui::FindWindowByName("menu")->ID);
+    for (double x = 4.0; x < bar.width; x += 8.0) {
+      gui.move({x, bar.y + 0.5 * bar.height});
+      if (ImGui::GetCurrentContext()->HoveredId != id) continue;
+      gui.click({x, bar.y + 0.5 * bar.height});
+      break;
+    }
+    gui.frames(3);
+    expect_in_order(gui, menu, line);
+    gui.key(Key::Escape);
+    gui.frames(2);
+  }
+}
+
+TEST(AnySize, OfTheWindowIsSurvived) {
+  GuiTrial gui(full_scene());
+  const auto try_all = [&](const glm::dvec2& size) {
+    for (const double scale : {1.0, 2.0}) {
+      gui.resize(size, scale);
+      for (const auto& [key, modifiers] : {std::pair{letter('P'), Modifiers{}},
+                                           {Key::F1, {}},
+                                           {letter('E'), {.control = true}},
+                                           {letter('G'), {}},
+                                           {letter('O'), {.control = true}}}) {
+        gui.key(key, modifiers);
+        gui.resize(size, scale);
+        gui.key(Key::Escape);
+      }
+    }
+  };
+  for (const glm::dvec2& size : {glm::dvec2(1, 1), {1, 900}, {900, 1}, {3, 7}, {120, 80}, {8000, 8000}, {8000, 40}}) {
+    SCOPED_TRACE(testing::Message() << size.x << " x " << size.y);
+    try_all(size);
+    for (const Vec3& x : gui.status().snapshot->state.position) ASSERT_TRUE(std::isfinite(x.x + x.y + x.z));
+  }
+  gui.resize({1280.0, 720.0}, 1.0);
+  EXPECT_NE(gui.words().find("Stiffness k"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hooke

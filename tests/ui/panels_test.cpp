@@ -1,0 +1,346 @@
+// The panels, run without a window: what they show, and what they ask for.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+
+#include "scene/parameters.h"
+#include "sim/forces/force_term.h"
+#include "sim/integrator.h"
+#include "support/flat_scene.h"
+#include "support/gui_trial.h"
+
+namespace hooke {
+namespace {
+
+Scene two_springs() {
+  Trial trial;
+  const PointId a = trial.nail({-0.5, 0.0, 0.0}), b = trial.add({0.0, 0.0, 0.0}), c = trial.add({0.5, 0.0, 0.0});
+  trial.join(a, b, 100.0, 0.5);
+  trial.join(b, c, 100.0, 0.5);
+  return flat_scene("Two springs", trial);
+}
+
+double value_of(GuiTrial& gui, std::string_view name) {
+  const auto rows = parameters();
+  const Status& status = gui.status();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows[i].name == name) return status.parameter_values[i];
+  return -1.0;
+}
+
+TEST(Shortcuts, NoTwoRowsShareAKey) {
+  std::set<std::string> seen;
+  for (const Shortcut& row : shortcuts()) EXPECT_TRUE(seen.insert(key_text(row)).second) << key_text(row);
+}
+
+TEST(Shortcuts, EachRowIsFoundByItsKeyAndSaysWhatItDoes) {
+  for (const Shortcut& row : shortcuts()) {
+    EXPECT_EQ(find_shortcut(row.key, row.modifiers), &row) << key_text(row);
+    EXPECT_FALSE(row.text.empty());
+    EXPECT_FALSE(row.group.empty());
+    // and with other modifiers it means something else or nothing
+    EXPECT_NE(find_shortcut(row.key, {.control = !row.modifiers.control, .shift = row.modifiers.shift}), &row);
+  }
+}
+
+TEST(Shortcuts, TheOverlayShowsEveryRow) {
+  GuiTrial gui;
+  EXPECT_EQ(gui.words().find("Ctrl+Shift+Z"), std::string::npos);
+  gui.key(Key::F1);
+  const std::string words = gui.words();
+  for (const Shortcut& row : shortcuts()) {
+    EXPECT_NE(words.find(key_text(row)), std::string::npos) << key_text(row);
+    EXPECT_NE(words.find(row.text), std::string::npos) << row.text;
+  }
+  for (const MouseHint& hint : mouse_hints()) EXPECT_NE(words.find(hint.gesture), std::string::npos);
+  gui.key(Key::Escape);
+  EXPECT_EQ(gui.words().find("Ctrl+Shift+Z"), std::string::npos);
+}
+
+TEST(Sliders, EachParameterHasOne) {
+  Scene scene = two_springs();
+  scene.system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}}};
+  std::vector<Spring> springs;
+  for (const SpringFamily family : {SpringFamily::Structural, SpringFamily::Shear, SpringFamily::Bend}) {
+    springs.push_back(scene.system.springs()[0]);
+    springs.back().id = scene.system.new_spring_id();
+    springs.back().family = family;
+  }
+  scene.system.set_springs(springs);
+  scene.sheet = std::make_shared<const SheetWeights>(SheetWeights{{0.1, 0.1, 0.1}, {0.75, 0.75, 0.375, 0.0, 0.75}});
+  std::set<std::string_view> shown;
+  for (int parameterization = 0; parameterization < 4; ++parameterization) {
+    scene.parameterization = static_cast<SpringParameterization>(parameterization);
+    GuiTrial gui(scene);
+    ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
+    gui.app().resize({1280.0, 2000.0}, 1.0);
+    gui.frames(2);
+    gui.click(gui.find("side", {"Hand"}));  // unfolds
+    gui.click(gui.find("side", {"Points"}));
+    for (const Parameter& row : parameters()) {
+      const bool is_switch = row.kind == Parameter::Kind::Switch, is_choice = row.kind == Parameter::Kind::Choice;
+      if (gui.find("side", {row.name.data(), is_switch ? "##switch" : is_choice ? "##choice" : "##value"}).x > 0.0) shown.insert(row.name);
+    }
+  }
+  for (const Parameter& row : parameters()) EXPECT_TRUE(shown.contains(row.name)) << row.name;
+}
+
+TEST(Sliders, OfFamiliesThatTheSceneHasNotAreAbsent) {
+  GuiTrial gui(two_springs());
+  EXPECT_NE(gui.words().find("Stiffness k"), std::string::npos);
+  EXPECT_EQ(gui.words().find("Shear"), std::string::npos);
+}
+
+TEST(Sliders, ADragIsOneStepOfUndo) {
+  GuiTrial gui(two_springs());
+  const glm::dvec2 slider = gui.find("side", {"substeps", "##value"});
+  ASSERT_GT(slider.x, 0.0);
+  gui.drag(slider, slider + glm::dvec2(-60.0, 0.0));
+  const double dragged = value_of(gui, "substeps");
+  EXPECT_LT(dragged, 200.0);
+  gui.drag(slider, slider + glm::dvec2(40.0, 0.0));
+  EXPECT_GT(value_of(gui, "substeps"), dragged);
+  gui.key(letter('Z'), {.control = true});
+  EXPECT_EQ(value_of(gui, "substeps"), dragged);
+  gui.key(letter('Z'), {.control = true});
+  EXPECT_EQ(value_of(gui, "substeps"), 20.0);
+}
+
+TEST(Sliders, RightClickGivesTheUsualValue) {
+  GuiTrial gui(two_springs());
+  const glm::dvec2 slider = gui.find("side", {"gravity", "##value"});
+  gui.drag(slider, slider + glm::dvec2(-500.0, 0.0));
+  EXPECT_EQ(value_of(gui, "gravity"), 0.0);
+  gui.click(slider, Button::Right);
+  EXPECT_NEAR(value_of(gui, "gravity"), 9.81, 1e-12);
+}
+
+TEST(Sliders, ATypedNumberCountsWhenItIsFinishedAndIsClampedOpenly) {
+  GuiTrial gui(two_springs());
+  const glm::dvec2 slider = gui.find("side", {"stiffness", "##value"});
+  gui.click(slider, Button::Left, {.control = true});
+  gui.type("250");
+  EXPECT_EQ(value_of(gui, "stiffness"), 100.0);
+  gui.click({500.0, 600.0});
+  gui.frames(2);
+  EXPECT_EQ(value_of(gui, "stiffness"), 250.0);
+  EXPECT_EQ(gui.app().panels().toast, "");
+
+  gui.click(gui.find("side", {"substeps", "##value"}), Button::Left, {.control = true});
+  gui.type("5000");
+  gui.click({500.0, 600.0});
+  gui.frames(2);
+  EXPECT_EQ(value_of(gui, "substeps"), 1000.0);
+  EXPECT_EQ(gui.app().panels().toast, "Substeps goes from 1 to 1000 ");
+}
+
+TEST(Sliders, StiffnessIsOfTheSelectionWhereThereIsOne) {
+  GuiTrial gui(two_springs());
+  gui.key(letter('V'));
+  const Layout& layout = gui.app().layout();
+  // between the second and the third point
+  const Vec3 middle = gui.app().camera().project({0.25, 0.0, 0.0}, {layout.scene.width, layout.scene.height});
+  gui.click({layout.scene.x + middle.x, layout.scene.y + middle.y});
+  ASSERT_EQ(gui.app().selection().springs.size(), 1u);
+  EXPECT_NE(gui.words().find("Stiffness k"), std::string::npos);
+  const glm::dvec2 slider = gui.find("side", {"stiffness", "##value"});
+  gui.drag(slider, slider + glm::dvec2(-300.0, 0.0));
+  EXPECT_EQ(gui.system().springs()[0].stiffness, 100.0);
+  EXPECT_EQ(gui.system().springs()[1].stiffness, 0.01);
+}
+
+TEST(Sliders, StiffnessKeepsToTheStepsOfTheScene) {
+  Scene scene = two_springs();
+  scene.controls = {0.1, 10.0, 0.1};
+  GuiTrial gui(scene);
+  const glm::dvec2 slider = gui.find("side", {"stiffness", "##value"});
+  gui.drag(slider, slider + glm::dvec2(-30.0, 0.0));
+  const double k = gui.system().springs()[0].stiffness;
+  EXPECT_GT(k, 0.1);
+  EXPECT_LT(k, 10.0);
+  EXPECT_NEAR(10.0 * k, std::round(10.0 * k), 1e-9);
+}
+
+TEST(Switches, TurnTheDashpotsOffAndOn) {
+  GuiTrial gui(two_springs());
+  const glm::dvec2 box = gui.find("side", {"damped_springs", "##switch"});
+  gui.click(box);
+  EXPECT_FALSE(gui.system().dashpots_on);
+  gui.click(box);
+  EXPECT_TRUE(gui.system().dashpots_on);
+}
+
+TEST(Forces, AreSwitchedSetAndRemovedInTheirPanel) {
+  Scene scene = two_springs();
+  scene.system.forces = {{find_force_term("wind"), false, default_values(*find_force_term("wind"))},
+                         {find_force_term("buoyancy"), true, default_values(*find_force_term("buoyancy"))}};
+  GuiTrial gui(scene);
+  ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
+  gui.app().resize({1280.0, 2000.0}, 1.0);
+  gui.frames(2);
+  gui.frames(2);
+
+  // the numbers of a force that is off are not shown
+  EXPECT_LT(gui.find("side", {"wind 0", "x", "##value"}).x, 0.0);
+  const glm::dvec2 box = gui.find("side", {"wind 0", "##on"});
+  ASSERT_GT(box.x, 0.0);
+  gui.click(box);
+  EXPECT_TRUE(gui.system().forces[0].on);
+  EXPECT_GT(gui.find("side", {"wind 0", "x", "##value"}).x, 0.0);
+
+  const glm::dvec2 lift = gui.find("side", {"buoyancy 1", "lift", "##value"});
+  gui.drag(lift, lift + glm::dvec2(500.0, 0.0));
+  EXPECT_EQ(gui.system().forces[1].values[0], 2.0);
+  gui.key(letter('Z'), {.control = true});
+  EXPECT_EQ(gui.system().forces[1].values[0], 0.5);
+
+  gui.click(gui.find("side", {"wind 0", "remove"}));
+  ASSERT_EQ(gui.system().forces.size(), 1u);
+  EXPECT_EQ(gui.system().forces[0].term, find_force_term("buoyancy"));
+}
+
+TEST(Forces, EachCanBeAddedFromTheList) {
+  for (const ForceTerm& term : force_terms()) {
+    GuiTrial gui(two_springs());
+    ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
+    gui.app().resize({1280.0, 2000.0}, 1.0);
+    gui.frames(2);
+    gui.frames(2);
+    gui.click(gui.find("side", {"Forces"}));  // unfolds
+    gui.click(gui.find("side", {"##add"}));
+    gui.frames(2);
+    gui.click(gui.find("##Combo_00", {term.label.data()}));
+    ASSERT_EQ(gui.system().forces.size(), 1u) << term.id;
+    EXPECT_EQ(gui.system().forces[0].term, &term);
+    EXPECT_TRUE(gui.system().forces[0].on);
+  }
+}
+
+TEST(Methods, EachCanBeChosenFromTheList) {
+  GuiTrial gui(two_springs());
+  gui.click(gui.find("side", {"##method"}));
+  gui.frames(2);
+  const std::string words = gui.words();
+  for (const Integrator& method : integrators()) EXPECT_NE(words.find(method.label), std::string::npos) << method.label;
+}
+
+TEST(Stability, IsSaidUnderTheSubstepsWithWhatWouldHold) {
+  Scene scene = two_springs();
+  EXPECT_NE(GuiTrial(scene).words().find("holds up to 2"), std::string::npos);
+  scene.settings.substeps = 1;
+  for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 1e5;
+  const double h = largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system));
+  const auto needed = static_cast<int>(std::ceil(1.0 / (60.0 * h)));
+  EXPECT_NE(GuiTrial(scene).words().find("needs " + std::to_string(needed) + " substeps"), std::string::npos);
+}
+
+// What is foretold is made beside the window: it comes when it is ready.
+bool comes_to_say(GuiTrial& gui, const char* words) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (gui.words().find(words) == std::string::npos)
+    if (std::chrono::steady_clock::now() > until) return false;
+  return true;
+}
+
+TEST(Meaning, StandsUnderTheSlidersAndFollowsThem) {
+  // a mass of 1 kg on a spring of 100 N/m below a nail
+  Trial trial;
+  const PointId nail = trial.nail(Vec3(0.0)), bob = trial.add({0.0, -0.5, 0.0});
+  trial.join(nail, bob, 100.0, 0.5, 4.0);
+  Scene scene = flat_scene("Bob", trial);
+  scene.system.drag = 2.0;
+  GuiTrial gui(scene);
+  EXPECT_TRUE(comes_to_say(gui, "~ 98 mm"));
+  // d / (2 sqrt(k m)), c / (2 omega) with omega = 10 and sqrt(g / l)
+  EXPECT_TRUE(comes_to_say(gui, "0 slowest, 0.2 fastest"));
+  EXPECT_TRUE(comes_to_say(gui, "0.25 slowest, 0.1 fastest"));
+  EXPECT_NE(gui.words().find("step 0.833 ms"), std::string::npos);
+
+  const glm::dvec2 slider = gui.find("side", {"gravity", "##value"});
+  gui.drag(slider, slider + glm::dvec2(-500.0, 0.0));
+  EXPECT_EQ(value_of(gui, "gravity"), 0.0);
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (gui.words().find("98 mm") != std::string::npos) ASSERT_LT(std::chrono::steady_clock::now(), until);
+  EXPECT_NE(gui.words().find("sag"), std::string::npos);
+  EXPECT_NE(gui.words().find("0.2 fastest"), std::string::npos);
+}
+
+TEST(Meaning, IsNotSaidWhereThereIsNone) {
+  for (const Scene& scene : {Scene{}, empty_scene()}) {
+    GuiTrial gui(scene);
+    gui.frames(20);
+    EXPECT_EQ(gui.words().find("sag"), std::string::npos);
+    EXPECT_EQ(gui.words().find("slowest"), std::string::npos);
+  }
+}
+
+TEST(ToolBar, AClickTakesTheToolAndItsNextStepIsSaid) {
+  GuiTrial gui(two_springs());
+  for (const ToolRow& row : tools()) {
+    const int action = static_cast<int>(row.action);
+    // an item by number: found by its place in the bar
+    const Rect& bar = gui.app().layout().tools;
+    const double index = static_cast<double>(&row - tools().data());
+    gui.click({bar.x + 0.5 * bar.width, bar.y + 30.0 + 58.0 * index});
+    EXPECT_EQ(gui.app().tool(), row.action) << action;
+    EXPECT_NE(gui.words().find(shortcut_of(row.action).text), std::string::npos);
+  }
+}
+
+TEST(Menus, OpenUnderTheirNamesAndCloseOnEsc) {
+  GuiTrial gui(two_springs());
+  gui.click(gui.find("menu", {"Scenes"}));
+  gui.frames(3);
+  EXPECT_NE(gui.words().find("Cloth on a ball"), std::string::npos);
+  gui.key(Key::Escape);
+  EXPECT_EQ(gui.words().find("Cloth on a ball"), std::string::npos);
+}
+
+TEST(Menus, SayWhatUndoTakesBack) {
+  GuiTrial gui(two_springs());
+  gui.key(letter('R'));
+  gui.click(gui.find("menu", {"Edit"}));
+  gui.frames(3);
+  EXPECT_NE(gui.words().find("Undo: release 1 point"), std::string::npos);
+}
+
+TEST(Banner, SaysWhyTheRunStoppedAndStartsOverWithTheAdvice) {
+  Scene scene = two_springs();
+  scene.settings.integrator = find_integrator("explicit_euler");
+  scene.settings.substeps = 2;
+  for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 1e4;
+  scene.state.position[2].x = 0.6;
+  GuiTrial gui(scene);
+  gui.key(Key::Space);
+  for (int i = 0; i < 2000 && gui.status().message.empty(); ++i) gui.frame();
+  ASSERT_FALSE(gui.status().message.empty());
+  ASSERT_TRUE(gui.status().advice);
+  gui.frames(3);
+  EXPECT_NE(gui.words().find("Start over with "), std::string::npos);
+  const Advice advice = *gui.status().advice;
+
+  const Rect banner = gui.app().panels().floating.at(0);
+  EXPECT_TRUE(panels_cover(gui.app().panels(), gui.app().layout(), banner.x + 5.0, banner.y + 5.0));
+  gui.click({banner.x + 60.0, banner.y + banner.height - 22.0});
+  EXPECT_TRUE(gui.status().message.empty());
+  EXPECT_TRUE(gui.status().running);
+  EXPECT_EQ(gui.status().snapshot->settings.integrator, advice.integrator);
+  EXPECT_EQ(gui.status().snapshot->settings.substeps, std::max(2, advice.substeps));
+}
+
+TEST(Legend, SaysTheStrainsOfItsColours) {
+  GuiTrial gui(two_springs());
+  EXPECT_NE(gui.words().find("Strain"), std::string::npos);
+  EXPECT_NE(gui.words().find("+0.01 %"), std::string::npos);
+  gui.app().panels().view.strain_colors = false;
+  EXPECT_EQ(gui.words().find("Strain"), std::string::npos);
+}
+
+TEST(EmptyScene, SaysWhatToDo) {
+  EXPECT_NE(GuiTrial(Scene{}).words().find("Press A and click to add points"), std::string::npos);
+  EXPECT_EQ(GuiTrial(two_springs()).words().find("Press A and click to add points"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hooke

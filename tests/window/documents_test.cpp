@@ -1,0 +1,132 @@
+// Documents in the real window: killed and recovered, and parts of scenes that go from one window to another.
+#include <cstdlib>
+#include <random>
+
+#include "formats/scene_file.h"
+#include "support/desktop.h"
+#include "ui/layout.h"
+
+namespace hooke {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) { return std::chrono::duration<double>(to - from).count(); }
+
+double number_from_environment(const char* name, double default_value) {
+  const char* text = std::getenv(name);
+  return text != nullptr ? std::atof(text) : default_value;
+}
+
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+}
+
+// The copies that killed runs left.
+std::vector<fs::path> copies(const Desktop& desktop) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (const fs::directory_entry& run : fs::directory_iterator(desktop.folder() / "state" / "hooke" / "runs", error))
+    if (fs::exists(run.path() / "scene.json")) found.push_back(run.path() / "scene.json");
+  return found;
+}
+
+class Hand {
+ public:
+  explicit Hand(Desktop& desktop) : desktop_(desktop), scene_(lay_out(Desktop::width, Desktop::height, 1.0).scene) {}
+  // A point where there is none yet.
+  void add_point() {
+    const int column = next_ % 20, row = next_ / 20 % 20;
+    ++next_;
+    desktop_.run_xdotool("mousemove " + std::to_string(static_cast<int>(scene_.x) + 40 + 30 * column) + " " +
+                  std::to_string(static_cast<int>(scene_.y) + 40 + 25 * row) + " sleep 0.05 mousedown 1 sleep 0.08 mouseup 1");
+  }
+
+ private:
+  Desktop& desktop_;
+  Rect scene_;
+  int next_ = 0;
+};
+
+// Run after run adds points, is killed without warning, and the next one recovers what was kept. What is lost is never older
+// than it may be. HOOKE_KILLS and HOOKE_AUTOSAVE make it longer: scripts/soak.
+TEST(KilledWindow, LosesOnlyTheLastMomentsAndOffersTheRest) {
+  const int kills = static_cast<int>(number_from_environment("HOOKE_KILLS", 3.0));
+  const double autosave = number_from_environment("HOOKE_AUTOSAVE", 1.0);
+  const double may_be_lost = autosave >= 30.0 ? 60.0 : 5.0 * autosave;  // [s]
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> more(0.2, 0.8 * may_be_lost);
+
+  Desktop desktop;
+  ASSERT_TRUE(desktop.is_up());
+  Hand hand(desktop);
+  const fs::path file = desktop.folder() / "net.json";
+  write(file, R"({"hooke": 1, "name": "Net", "dimensions": 2, "points": []})");
+  write(desktop.folder() / "config" / "hooke" / "settings.json", "{\"autosave_seconds\": " + std::to_string(autosave) + "}");
+
+  Index kept = 0;
+  for (int kill = 0; kill < kills; ++kill) {
+    Process program({HOOKE_PROGRAM, file.string()}, desktop.folder() / "output");
+    ASSERT_TRUE(desktop.wait_for_title("Hooke - net"));
+    rest(1.5);  // it has its title before it is on the screen, and takes keys only then
+    if (kill > 0) {
+      desktop.save_screenshot("window_recovery.png");
+      desktop.key("Return");
+      ASSERT_TRUE(desktop.wait_for_title("Hooke - net*"));
+    }
+    desktop.key("a");
+    std::vector<Clock::time_point> added;
+    const auto start = Clock::now();
+    for (const double until = may_be_lost + more(random); seconds_between(start, Clock::now()) < until;) {
+      added.push_back(Clock::now());
+      hand.add_point();
+      rest(0.2);
+    }
+    const auto end = Clock::now();
+    program.signal(SIGKILL);
+    ASSERT_TRUE(wait_for([&] { return !program.is_running(); }));
+
+    const auto left = copies(desktop);
+    ASSERT_EQ(left.size(), 1u) << "after kill " << kill + 1;
+    const Index found = load_scene(left[0]).scene.system.point_count();
+    const auto old_enough = std::ranges::count_if(added, [&](const auto& when) { return seconds_between(when, end) > may_be_lost; });
+    EXPECT_GT(old_enough, 0);
+    EXPECT_GE(found, kept + old_enough) << "after kill " << kill + 1;
+    EXPECT_LE(found, kept + static_cast<Index>(added.size()));
+    kept = found;
+  }
+  // the file itself was never touched
+  EXPECT_EQ(load_scene(file).scene.system.point_count(), 0);
+}
+
+TEST(TwoWindows, ShareTheClipboard) {
+  Desktop desktop;
+  ASSERT_TRUE(desktop.is_up());
+  const Process first({HOOKE_PROGRAM, "three_masses"}, desktop.folder() / "first");
+  ASSERT_TRUE(wait_for([&] { return desktop.window_title().find("Hooke - ") == 0; }));
+  rest(1.5);
+  const Scene source = load_scene(find_scene("three_masses")).scene;
+  desktop.control("a");
+  desktop.control("c");
+  rest(0.3);
+
+  const fs::path file = desktop.folder() / "target.json";
+  write(file, R"({"hooke": 1, "name": "Target", "dimensions": 2, "points": []})");
+  const Process second({HOOKE_PROGRAM, file.string()}, desktop.folder() / "second");
+  ASSERT_TRUE(wait_for([&] { return !desktop.output_of("xdotool search --onlyvisible --name 'Hooke - target'").empty(); }));
+  rest(1.5);
+  desktop.control("v");
+  EXPECT_TRUE(wait_for([&] {
+    desktop.control("s");
+    return wait_for([&] { return load_scene(file).scene.system.point_count() == source.system.point_count(); }, 3.0);
+  }));
+  const Scene pasted = load_scene(file).scene;
+  ASSERT_EQ(pasted.system.spring_count(), source.system.spring_count());
+  for (Index s = 0; s < source.system.spring_count(); ++s)
+    EXPECT_EQ(pasted.system.springs()[s].stiffness, source.system.springs()[s].stiffness);
+}
+
+}  // namespace
+}  // namespace hooke
