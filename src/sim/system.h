@@ -149,8 +149,16 @@ struct ScriptedHand {
   bool operator==(const ScriptedHand&) const = default;
 };
 
-// Properties are plain fields. Points and springs come and go only through the functions below, which keep the
-// lookup by id true.
+// The places of items in their list by id, and the next id to assign. It takes no part in comparisons: the places follow from
+// the list, and ids assigned but not used do not make two scenes different.
+struct IdTable {
+  std::vector<Index> index_by_id;
+  std::uint32_t next_id = 0;
+  bool operator==(const IdTable&) const { return true; }
+};
+
+// Properties are plain fields. Points and springs are added and removed only through the functions below, which keep the
+// lookup by id valid. Two systems are equal if all fields are; unused ids do not count.
 class System {
  public:
   int dimensions = 3;             // 2: everything stays in the plane z = 0
@@ -184,10 +192,10 @@ class System {
   Spring& spring(Index index) { return springs_[index]; }
 
   // The next ids to give away, and the same without giving them.
-  std::uint32_t next_point_id() const { return next_point_id_; }
-  std::uint32_t next_spring_id() const { return next_spring_id_; }
-  PointId new_point_id() { return PointId{next_point_id_++}; }
-  SpringId new_spring_id() { return SpringId{next_spring_id_++}; }
+  std::uint32_t next_point_id() const { return point_ids_.next_id; }
+  std::uint32_t next_spring_id() const { return spring_ids_.next_id; }
+  PointId new_point_id() { return PointId{point_ids_.next_id++}; }
+  SpringId new_spring_id() { return SpringId{spring_ids_.next_id++}; }
   // Ids that were given elsewhere (an undo brings removed things back) are fine; new ids stay beyond every id ever seen.
   void append_point(const Point& point);
   void append_spring(const Spring& spring);
@@ -196,8 +204,7 @@ class System {
   void set_springs(std::vector<Spring> springs);
   void reserve(Index points, Index springs);
 
-  // Equal in what the scene is; ids given and never used do not count.
-  bool operator==(const System& other) const;
+  bool operator==(const System& other) const = default;
 
   // Springs that are in the family.
   Index count_of(SpringFamily family) const { return family_count_[static_cast<std::size_t>(family)]; }
@@ -216,11 +223,8 @@ class System {
  private:
   std::vector<Point> points_;
   std::vector<Spring> springs_;
-  std::vector<Index> point_index_;   // by id
-  std::vector<Index> spring_index_;  // by id
+  IdTable point_ids_, spring_ids_;
   std::array<Index, spring_families> family_count_{};
-  std::uint32_t next_point_id_ = 0;
-  std::uint32_t next_spring_id_ = 0;
 };
 
 }  // namespace hooke

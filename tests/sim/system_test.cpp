@@ -102,5 +102,29 @@ TEST(System, TakesDampingAndDragAsZeroWhenSwitchedOff) {
   EXPECT_EQ(system.damping_of(spring), 0.0);
 }
 
+TEST(System, EqualsOneThatHasAssignedOtherIds) {
+  const System system = chain().system;
+  System other = system;
+  other.new_point_id();
+  other.new_spring_id();
+  EXPECT_EQ(system, other);
+}
+
+TEST(System, DiffersInEveryProperty) {
+  const auto differs = [](auto change) {
+    System changed = chain().system;
+    change(changed);
+    return !(changed == chain().system);
+  };
+  EXPECT_TRUE(differs([](System& system) { system.drag = 0.5; }));
+  EXPECT_TRUE(differs([](System& system) { system.family_on[1] = false; }));
+  EXPECT_TRUE(differs([](System& system) { system.strain_limit = 0.1; }));
+  EXPECT_TRUE(differs([](System& system) { system.faces.emplace_back(); }));
+  EXPECT_TRUE(differs([](System& system) { system.forces.emplace_back(); }));
+  EXPECT_TRUE(differs([](System& system) { system.point(2).nailed = true; }));
+  EXPECT_TRUE(differs([](System& system) { system.spring(1).rest_length = 3.0; }));
+  EXPECT_TRUE(differs([](System& system) { remove_spring(system, 2); }));
+}
+
 }  // namespace
 }  // namespace hooke
