@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -113,20 +114,35 @@ fs::path resolve(const fs::path& file) {
   return error ? file : target;
 }
 
+// Bytes that are collected before they are written.
+constexpr std::size_t buffer_size = 1 << 16;
+
 }  // namespace
 
-void write_atomically(const fs::path& file, std::string_view bytes) {
-  const std::string printable_name = printable(file.native());
-  const auto fail = [&](const char* what, int reason) { throw FileError(printable_name + ": " + what + ": " + std::strerror(reason)); };
+struct AtomicFile::Destination {
+  explicit Destination(const fs::path& file);
+  [[noreturn]] void fail(const char* what, int reason) const {
+    throw FileError(printable_name + ": " + what + ": " + std::strerror(reason));
+  }
 
-  const fs::path target = resolve(file);
-  const fs::path folder_path = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  const Descriptor folder(open(folder_path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (folder.number < 0) fail("its folder cannot be opened", errno);
-  const std::string name = target.filename();
-  if (name.empty() || name == "." || name == "..") throw FileError(printable_name + ": not the name of a file");
+  std::string printable_name;
+  fs::path target, folder_path;
+  Descriptor folder;
+  std::string name;
+  std::optional<Temporary> temporary;
+  std::string buffer;
+};
 
-  // an old file keeps its permissions; what is no file is not replaced by one
+AtomicFile::Destination::Destination(const fs::path& file)
+    : printable_name(printable(file.native())),
+      target(resolve(file)),
+      folder_path(target.has_parent_path() ? target.parent_path() : fs::path(".")),
+      folder(open(folder_path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
+      name(target.filename()) {
+  if (folder.number < 0) fail("cannot be written", errno);
+  if (name.empty() || name == "." || name == "..") throw FileError(printable_name + ": not a file name");
+
+  // an existing file keeps its permissions; anything but a regular file is not replaced
   struct stat old;
   const bool exists = fstatat(folder.number, name.c_str(), &old, AT_SYMLINK_NOFOLLOW) == 0;
   if (!exists && errno != ENOENT) fail("cannot be written", errno);
@@ -134,15 +150,46 @@ void write_atomically(const fs::path& file, std::string_view bytes) {
   if (exists && faccessat(folder.number, name.c_str(), W_OK, AT_EACCESS) != 0) fail("cannot be written", errno);
 
   remove_stale_files(folder_path, folder.number);
-  Temporary temporary(folder.number);
-  if (temporary.number() < 0) fail("cannot be written", errno);
-  if (exists && fchmod(temporary.number(), old.st_mode & 07777) != 0) fail("cannot keep its permissions", errno);
-  if (!write_all(temporary.number(), bytes)) fail("cannot be written", errno);
-  if (fsync(temporary.number()) != 0) fail("cannot be written", errno);
-  if (!temporary.rename_to(name)) fail("cannot be replaced", errno);
+  temporary.emplace(folder.number);
+  if (temporary->number() < 0) fail("cannot be written", errno);
+  if (exists && fchmod(temporary->number(), old.st_mode & 07777) != 0) fail("cannot keep its permissions", errno);
+}
 
-  // some file systems know no fsync of a folder
-  if (fsync(folder.number) != 0 && errno != EINVAL && errno != EROFS) fail("is written, but its folder could not be flushed", errno);
+AtomicFile::AtomicFile(const fs::path& file) : destination_(std::make_unique<Destination>(file)) {}
+AtomicFile::~AtomicFile() = default;
+
+void AtomicFile::write(std::string_view bytes) {
+  destination_->buffer += bytes;
+  if (destination_->buffer.size() >= buffer_size) flush();
+}
+
+void AtomicFile::flush() {
+  if (!write_all(destination_->temporary->number(), destination_->buffer)) destination_->fail("cannot be written", errno);
+  destination_->buffer.clear();
+}
+
+void AtomicFile::overwrite(std::size_t offset, std::string_view bytes) {
+  flush();
+  const int file = destination_->temporary->number();
+  const off_t end = lseek(file, 0, SEEK_CUR);
+  if (end < 0 || lseek(file, static_cast<off_t>(offset), SEEK_SET) < 0 || !write_all(file, bytes) || lseek(file, end, SEEK_SET) < 0)
+    destination_->fail("cannot be written", errno);
+}
+
+void AtomicFile::commit() {
+  flush();
+  if (fsync(destination_->temporary->number()) != 0) destination_->fail("cannot be written", errno);
+  if (!destination_->temporary->rename_to(destination_->name)) destination_->fail("cannot be replaced", errno);
+
+  // some file systems do not support fsync of a folder
+  if (fsync(destination_->folder.number) != 0 && errno != EINVAL && errno != EROFS)
+    destination_->fail("is written, but its folder could not be flushed", errno);
+}
+
+void write_atomically(const fs::path& file, std::string_view bytes) {
+  AtomicFile output(file);
+  output.write(bytes);
+  output.commit();
 }
 
 }  // namespace hooke

@@ -1,15 +1,36 @@
-// Files that are written whole or not at all.
+// Files that are written completely or not at all.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 
 namespace hooke {
 
-// Puts `bytes` where `file` is: a temporary file in the same folder, fsync, rename, fsync of the folder, so that at every
-// moment there is the old file or the new one. An old file's permissions stay; a symbolic link stays, and the file it
-// leads to is replaced. Throws FileError; the old file is then as it was, unless only the folder could not be flushed.
-// Temporary files left by writers that were killed are removed.
+// A file that grows as a temporary file in the same folder and takes its place on `commit`: fsync, rename, fsync of the folder. At
+// every moment there is the old file or the new one. An existing file keeps its permissions; a symbolic link stays, and the file it
+// leads to is replaced. Everything throws FileError; the old file is then unchanged, unless only the folder could not be flushed.
+// Temporary files of writers that were killed are removed.
+class AtomicFile {
+ public:
+  explicit AtomicFile(const std::filesystem::path& file);
+  ~AtomicFile();  // without `commit`: removes the temporary file
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  void write(std::string_view bytes);
+  // Replaces bytes written before, from `offset` on.
+  void overwrite(std::size_t offset, std::string_view bytes);
+  void commit();
+
+ private:
+  struct Destination;
+  void flush();
+  std::unique_ptr<Destination> destination_;
+};
+
+// Puts `bytes` where `file` is, as an AtomicFile.
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace hooke

@@ -1,16 +1,16 @@
-// hooke-headless: everything that needs no window.
+// hooke-headless: the commands that need no window.
 
 #include <iostream>
 
 #include "base/errors.h"
 #include "base/printable.h"
 #include "cli/command_line.h"
+#include "cli/output_file.h"
 
 namespace hooke {
 namespace {
 
 int report(const std::string& what, int code) {
-  std::cout.flush();
   std::cerr << "hooke-headless: " << what << "\n";
   return code;
 }
@@ -21,8 +21,8 @@ int handle(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // help, version or limits, on stdout
-    return report(printable(error.what()) + " (--help tells more)", exit_code::wrong_usage);
+    if (error.get_exit_code() == 0) return app.exit(error);  // help, version or limits, printed to stdout
+    return report(printable(error.what()) + " (see --help)", exit_code::wrong_usage);
   }
   for (const auto& [sub, work] : declared)
     if (sub->parsed()) return work();
@@ -35,7 +35,9 @@ int handle(int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace hooke;
   try {
-    return handle(argc, argv);
+    const int code = handle(argc, argv);
+    flush_stdout();
+    return code;
   } catch (const UsageError& error) {
     return report(error.what(), exit_code::wrong_usage);
   } catch (const InputError& error) {

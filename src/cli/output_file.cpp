@@ -2,31 +2,60 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <iostream>
 #include <utility>
 
 #include "base/errors.h"
 #include "base/printable.h"
 
 namespace hooke {
+namespace {
 
-OutputFile::OutputFile(const std::string& name)
-    : display_name_(name == "-" ? "stdout" : printable(name)), file_(name == "-" ? stdout : std::fopen(name.c_str(), "we")) {
-  if (file_ == nullptr) throw FileError(display_name_ + ": cannot be written: " + std::strerror(errno));
+// Devices and pipes, which cannot be replaced.
+bool is_stream(const std::string& name) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(name, ignored);
+  return std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
+}
+
+[[noreturn]] void fail(const std::string& name, int reason) { throw FileError(name + ": cannot be written: " + std::strerror(reason)); }
+
+}  // namespace
+
+OutputFile::OutputFile(const std::string& name) : display_name_(name == "-" ? "stdout" : printable(name)) {
+  if (name == "-") {
+    stream_ = stdout;
+  } else if (is_stream(name)) {
+    stream_ = std::fopen(name.c_str(), "we");
+    if (stream_ == nullptr) fail(display_name_, errno);
+  } else {
+    regular_.emplace(name);
+  }
 }
 
 OutputFile::~OutputFile() {
-  if (file_ != nullptr && file_ != stdout) std::fclose(file_);
+  if (stream_ != nullptr && stream_ != stdout) std::fclose(stream_);
 }
 
 void OutputFile::write(std::string_view text) {
-  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size())
-    throw FileError(display_name_ + ": cannot be written: " + std::strerror(errno));
+  if (regular_) return regular_->write(text);
+  if (std::fwrite(text.data(), 1, text.size(), stream_) != text.size()) fail(display_name_, errno);
 }
 
 void OutputFile::close() {
-  std::FILE* file = std::exchange(file_, nullptr);
-  const bool arrived = file == stdout ? std::fflush(file) == 0 : std::fclose(file) == 0;
-  if (!arrived) throw FileError(display_name_ + ": cannot be written: " + std::strerror(errno));
+  if (regular_) return regular_->commit();
+  std::FILE* stream = std::exchange(stream_, nullptr);
+  if (stream == stdout) return flush_stdout();
+  if (std::fclose(stream) != 0) fail(display_name_, errno);
+}
+
+void flush_stdout() {
+  errno = 0;
+  std::cout.flush();
+  const bool is_flushed = std::fflush(stdout) == 0;
+  // a write may have failed before; its reason is then no longer known
+  if (!is_flushed || std::ferror(stdout) != 0 || !std::cout) fail("stdout", errno != 0 ? errno : EIO);
 }
 
 }  // namespace hooke

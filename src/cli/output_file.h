@@ -1,27 +1,35 @@
-// Where results go: a file, or stdout.
+// Where a command writes its results: a file, or stdout.
 #pragma once
 
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "base/atomic_write.h"
+
 namespace hooke {
 
+// A regular file is replaced when everything is written (base/atomic_write.h); stdout, devices and pipes are written as it comes.
 class OutputFile {
  public:
-  // "-" is stdout. Throws FileError, as all of them do.
+  // "-" is stdout. Throws FileError, as all members do.
   explicit OutputFile(const std::string& name);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
   void write(std::string_view text);
-  // Makes sure that all of it arrived; to be called when everything is written.
+  // Must be called after the last write: without it a regular file is not replaced.
   void close();
 
  private:
   std::string display_name_;
-  std::FILE* file_;
+  std::optional<AtomicFile> regular_;
+  std::FILE* stream_ = nullptr;  // null: the file is a regular one
 };
+
+// Writes out what stdout still holds. Throws FileError if any of what the program wrote to stdout is lost.
+void flush_stdout();
 
 }  // namespace hooke

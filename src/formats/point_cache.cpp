@@ -1,11 +1,9 @@
 #include "formats/point_cache.h"
 
 #include <bit>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <limits>
-#include <utility>
+#include <string_view>
 
 #include "base/errors.h"
 #include "base/printable.h"
@@ -26,29 +24,18 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32);
 
+// The bytes of a value as they stand in the file.
+template <class Value>
+std::string_view bytes_of(const Value& value) {
+  return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
 }  // namespace
 
 PointCacheWriter::PointCacheWriter(const std::filesystem::path& file, Index points)
-    : printable_name_(printable(file.native())), file_(std::fopen(file.c_str(), "wb")), points_(points) {
-  if (!file_) fail(errno);
+    : printable_name_(printable(file.native())), file_(file), points_(points) {
   const Header header{.points = points_};
-  write(&header, sizeof header);
-  // close() will go back to the header: not every file can
-  if (std::fseek(file_, 0, SEEK_END) != 0) fail(errno);
-}
-
-PointCacheWriter::~PointCacheWriter() {
-  if (file_) std::fclose(file_);
-}
-
-void PointCacheWriter::fail(int reason) {
-  if (file_) std::fclose(file_);
-  file_ = nullptr;
-  throw FileError(printable_name_ + ": cannot be written: " + std::strerror(reason));
-}
-
-void PointCacheWriter::write(const void* bytes, std::size_t count) {
-  if (std::fwrite(bytes, 1, count, file_) != count) fail(errno);
+  file_.write(bytes_of(header));
 }
 
 void PointCacheWriter::add(std::span<const Vec3> positions) {
@@ -59,17 +46,15 @@ void PointCacheWriter::add(std::span<const Vec3> positions) {
       rounded[c] = static_cast<float>(x[c]);
       if (!std::isfinite(rounded[c])) throw FileError(printable_name_ + ": has no place for a point at " + format_rounded(x[c]) + " m");
     }
-    write(rounded, sizeof rounded);
+    file_.write(bytes_of(rounded));
   }
   ++samples_;
 }
 
 void PointCacheWriter::close() {
   const Header header{.points = points_, .samples = samples_};
-  if (std::fseek(file_, 0, SEEK_SET) != 0) fail(errno);
-  write(&header, sizeof header);
-  std::FILE* file = std::exchange(file_, nullptr);
-  if (std::fclose(file) != 0) fail(errno);
+  file_.overwrite(0, bytes_of(header));
+  file_.commit();
 }
 
 }  // namespace hooke

@@ -1,39 +1,34 @@
-// Point caches (.pc2): where every point was in every frame, as programs for pictures take it up. Blender's modifier
-// Mesh Cache plays one on a mesh with as many vertices, such as the scene's own .obj.
+// Point caches (.pc2): the positions of all points in every frame. Blender's Mesh Cache modifier plays one back on a mesh with as
+// many vertices, such as the scene exported as .obj.
 #pragma once
 
-#include <cstdio>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
 
+#include "base/atomic_write.h"
 #include "base/types.h"
 
 namespace hooke {
 
-// Writes one frame by frame; none is kept. Little end first:
+// Writes frame by frame; keeps none in memory. Little-endian:
 //   char[12] "POINTCACHE2", int32 version 1, int32 points, float first frame 0, float frames per sample 1, int32 samples,
 //   then float x y z [m] of every point, sample by sample.
-// Until close() the file says that it holds no samples. All of it throws FileError.
+// The file is replaced by `close`, as an AtomicFile (base/atomic_write.h). All members throw FileError.
 class PointCacheWriter {
  public:
   PointCacheWriter(const std::filesystem::path& file, Index points);
-  ~PointCacheWriter();
-  PointCacheWriter(const PointCacheWriter&) = delete;
-  PointCacheWriter& operator=(const PointCacheWriter&) = delete;
 
   // Positions [m] of all points in the next frame.
   void add(std::span<const Vec3> positions);
 
-  // Writes how many there were, and makes sure that all of it arrived.
+  // Writes the number of frames and puts the file in its place.
   void close();
 
  private:
-  [[noreturn]] void fail(int reason);
-  void write(const void* bytes, std::size_t count);
-
   std::string printable_name_;
-  std::FILE* file_;
+  AtomicFile file_;
   std::int32_t points_, samples_ = 0;
 };
 

@@ -12,7 +12,7 @@
 namespace hooke {
 namespace {
 
-// Takes the frames; `finish` makes the file whole.
+// Receives the frames; `finish` puts the file in its place.
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
@@ -35,29 +35,14 @@ class TableSink : public FrameSink {
   std::string text_;
 };
 
-// Grows beside its place, so that a run that is given up leaves the old file as it was.
 class CacheSink : public FrameSink {
  public:
-  CacheSink(const FrameExport& request, Index points)
-      : file_(request.file),
-        temporary_file_(request.file.native() + ".part"),
-        writer_(std::make_unique<PointCacheWriter>(temporary_file_, points)) {}
-  ~CacheSink() override {
-    std::error_code ignored;
-    writer_.reset();
-    std::filesystem::remove(temporary_file_, ignored);
-  }
-  void add(const System&, const State& state) override { writer_->add(state.position); }
-  void finish() override {
-    writer_->close();
-    std::error_code error;
-    std::filesystem::rename(temporary_file_, file_, error);
-    if (error) throw FileError(printable(file_.native()) + ": " + error.message());
-  }
+  CacheSink(const FrameExport& request, Index points) : writer_(request.file, points) {}
+  void add(const System&, const State& state) override { writer_.add(state.position); }
+  void finish() override { writer_.close(); }
 
  private:
-  std::filesystem::path file_, temporary_file_;
-  std::unique_ptr<PointCacheWriter> writer_;
+  PointCacheWriter writer_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>
 #include <signal.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <fstream>
@@ -155,6 +156,46 @@ TEST(Headless, ADivergedRunIsCodeFourAndNamesTheSpringAndWhatWouldHold) {
   ASSERT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
   for (const char* part : {"Stopped at t = ", "point ", "spring ", "Velocity Verlet holds with "})
     EXPECT_NE(outcome.err.find(part), std::string::npos) << part << outcome.err;
+}
+
+TEST(Headless, OutputLostOnAFullStdoutIsCodeFive) {
+  const int full = open("/dev/full", O_WRONLY | O_CLOEXEC), null = open("/dev/null", O_WRONLY | O_CLOEXEC);
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"run", "two_masses", "--seconds", "0.1"},
+                                                {"run", "two_masses", "--seconds", "0.1", "--json", "-"},
+                                                {"run", "two_masses", "--seconds", "0.1", "--csv", "-"},
+                                                {"check", "two_masses"},
+                                                {"check", "--hard", "--cases", "14"},
+                                                {"check", "--hard", "--cases", "14", "--json", "-"},
+                                                {"--limits"},
+                                                {"--version"},
+                                                {"--help"},
+                                                {"run", "--help"}}) {
+    std::vector<std::string> command = words;
+    command.insert(command.begin(), HOOKE_HEADLESS);
+    EXPECT_EQ(wait_for(start_process(command, full, null)), 5) << words.front();
+  }
+  close(full);
+  close(null);
+}
+
+TEST(Headless, AFileThatDoesNotFitLeavesTheOldOneAndIsCodeFive) {
+  const ScratchFolder scratch;
+  // a limit on the size of files stands for a full disk
+  signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  for (const char* option : {"--json", "--csv", "--pc2"}) {
+    const std::string file = write(scratch.folder / "out", "old");
+    const rlimit small{4096, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    const Outcome outcome = headless({"run", "cloth", "--seconds", "0.1", "--sample", "0.01", "-q", option, file});
+    setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_EQ(outcome.code, 5) << option;
+    EXPECT_NE(outcome.err.find("out: cannot be written: File too large"), std::string::npos) << outcome.err;
+    EXPECT_EQ(content_of(file), "old") << option;
+    EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1) << option;
+  }
+  signal(SIGXFSZ, SIG_DFL);
 }
 
 TEST(Headless, RunWritesEveryFieldOfItsJson) {

@@ -69,7 +69,7 @@ std::vector<const Integrator*> chosen_methods(const std::vector<std::string>& id
 void make_folder(const std::filesystem::path& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
-  if (failure) throw FileError(printable(folder.native()) + ": cannot be made: " + failure.message());
+  if (failure) throw FileError(printable(folder.native()) + ": cannot be created: " + failure.message());
 }
 
 void write_pages(const Results& results, const std::filesystem::path& folder) {

@@ -64,11 +64,14 @@ Destination parse_destination(const std::string& out) {
 }
 
 void prepare(const Destination& destination) {
-  if (destination.kind == Destination::Kind::VideoEncoder) return;  // ffmpeg is started before any work
-  if (destination.kind == Destination::Kind::Picture) return OutputFile(destination.path.string()).close();
+  if (destination.kind == Destination::Kind::VideoEncoder) return;  // ffmpeg starts before any work
+  if (destination.kind == Destination::Kind::Picture) {
+    const OutputFile can_be_written(destination.path.string());
+    return;
+  }
   std::error_code error;
   std::filesystem::create_directories(destination.path, error);
-  if (error) throw FileError(printable(destination.path.native()) + ": cannot be made: " + error.message());
+  if (error) throw FileError(printable(destination.path.native()) + ": cannot be created: " + error.message());
 }
 
 CaptureSchedule::CaptureSchedule(const CaptureOptions& options, double frame_rate, double length) {
