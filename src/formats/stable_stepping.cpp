@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
-#include <string_view>
 
 #include "base/file_limits.h"
 #include "scene/diagnosis.h"
@@ -16,25 +14,23 @@ std::optional<std::string> choose_stable_stepping(Scene& scene, int min_substeps
   Settings& settings = scene.settings;
   Spectrum spectrum = bound_spectrum(scene.system);
   spectrum.omega = std::hypot(spectrum.omega, forces_omega);
-  const Integrator& verlet = *find_integrator("velocity_verlet");
-  const auto stable_substeps = min_stable_substeps(verlet, spectrum, settings.frame_rate);
+  const Integrator& explicit_method = default_integrator();
+  const auto stable_substeps = min_stable_substeps(explicit_method, spectrum, settings.frame_rate);
 
   // the limit holds for the scene as it is: some room for springs that a person makes stiffer
   constexpr double safety_factor = 1.25;
   constexpr int max_affordable_substeps = 5000;
-  settings.integrator = &verlet;
+  settings.integrator = &explicit_method;
   if (stable_substeps && safety_factor * *stable_substeps <= max_affordable_substeps) {
     settings.substeps = std::max(min_substeps, static_cast<int>(std::ceil(safety_factor * *stable_substeps)));
     return std::nullopt;
   }
 
   // an implicit step is worth thousands of explicit ones
-  for (const std::string_view id : {"tr_bdf2", "implicit_midpoint", "implicit_euler"}) {
-    const Integrator* implicit = find_integrator(id);
-    if (!implicit) continue;
-    const auto implicit_substeps = min_stable_substeps(*implicit, spectrum, settings.frame_rate);
-    if (!implicit_substeps || *implicit_substeps > max_affordable_substeps) continue;
-    settings.integrator = implicit;
+  const Integrator& implicit_method = stiff_integrator();
+  const auto implicit_substeps = min_stable_substeps(implicit_method, spectrum, settings.frame_rate);
+  if (implicit_substeps && *implicit_substeps <= max_affordable_substeps) {
+    settings.integrator = &implicit_method;
     settings.substeps = std::max(min_substeps, *implicit_substeps);
     return std::nullopt;
   }

@@ -61,7 +61,7 @@ Advice advise(const Spectrum& spectrum, const Settings& settings) {
   const Integrator& fallback = default_integrator();
   if (const auto substeps = min_stable_substeps(fallback, spectrum, settings.frame_rate)) return {&fallback, *substeps};
   // more than there may be
-  return {find_integrator("tr_bdf2"), settings.substeps};
+  return {&stiff_integrator(), settings.substeps};
 }
 
 std::optional<std::string> step_warning(const System& system, const Settings& settings) {

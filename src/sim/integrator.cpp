@@ -1,7 +1,6 @@
 #include "sim/integrator.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -10,10 +9,13 @@
 
 namespace hooke {
 
-std::span<const Integrator> integrators() {
-  static const std::array rows{explicit_euler, symplectic_euler, velocity_verlet, blanes_moan4,      runge_kutta4, dop853,
-                               xpbd,           implicit_euler,   baraff_witkin,   implicit_midpoint, tr_bdf2,      esdirk4};
-  return rows;
+Table<Integrator> integrators() {
+#define ROW(name) &name,
+  static constexpr const Integrator* rows[] = {
+#include "sim/integrators/list.inc"
+  };
+#undef ROW
+  return Table<Integrator>(rows, {});
 }
 
 const Integrator* find_integrator(std::string_view id) {
@@ -54,7 +56,9 @@ std::string_view describe(EnergyTrend energy) {
   return {};
 }
 
-const Integrator& default_integrator() { return *find_integrator("velocity_verlet"); }
+const Integrator& default_integrator() { return velocity_verlet; }
+
+const Integrator& stiff_integrator() { return tr_bdf2; }
 
 Amplification amplification_from(std::complex<double> (*r)(std::complex<double>), const Oscillator& oscillator) {
   const double damping = oscillator.h_lambda + oscillator.h_drag;

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <complex>
-#include <span>
 #include <string_view>
 
+#include "base/table.h"
 #include "sim/motion.h"
 
 namespace hooke {
@@ -53,16 +53,22 @@ struct Integrator {
   Stability stability;
   EnergyTrend energy;
   bool symplectic;  // undamped
+  // Robust enough to be left alone with a scene: the hard cases require that it succeeds at the smallest step tried. The others
+  // are for teaching and comparison.
+  bool for_production;
   // Once a frame, before its first step of h: sizes the workspace, computes what all steps of the frame share. May be null.
   void (*prepare)(const Plan& plan, double h, const Motion& motion, Workspace& work);
   void (*step)(const Plan& plan, Motion& motion, Workspace& work, double h);
   Amplification (*amplification)(const Oscillator& oscillator);  // closed form of one step
 };
 
-std::span<const Integrator> integrators();
+Table<Integrator> integrators();
 
 // The row with this id, or null.
 const Integrator* find_integrator(std::string_view id);
+
+// The method for scenes so stiff that the default one would need more substeps than are allowed.
+const Integrator& stiff_integrator();
 
 // Amplification of a Runge-Kutta method with the stability function `r`: the eigenvalues of a step are r(h s) at the two
 // roots s of s^2 + (lambda + c) s + omega^2.

@@ -13,8 +13,8 @@ bool reached_end(const Row& row) { return row.relative_error.has_value(); }
 bool is_stable(const Row& row) { return reached_end(row) && row.status != status::lost; }
 
 std::ptrdiff_t method_index(const std::string& method) {
-  const Integrator* row = find_integrator(method);
-  return row == nullptr ? std::ssize(integrators()) : row - integrators().data();
+  const auto methods = integrators();
+  return std::ranges::find(methods, method, &Integrator::id) - methods.begin();
 }
 
 void sort_rows(std::vector<Row>& rows) {

@@ -7,6 +7,7 @@
 #include "sim/divergence.h"
 #include "sim/forces/force_term.h"
 #include "sim/forces/forces.h"
+#include "sim/forces/terms/rows.h"
 #include "sim/integrator.h"
 #include "support/trial.h"
 
@@ -29,6 +30,11 @@ std::vector<Vec3> listed_forces(const Trial& trial, double time = 0.0) {
   std::vector<Vec3> result;
   for (Index i = 0; i < plan.points; ++i) result.emplace_back(f[i], f[plan.points + i], f[2 * plan.points + i]);
   return result;
+}
+
+TEST(ForceTerms, AreTheConstantsOfTheirFiles) {
+  EXPECT_EQ(&wind_force, find_force_term("wind"));
+  EXPECT_EQ(&sticky_force, &force_terms()[force_terms().size() - 1]);
 }
 
 TEST(ForceTerms, StandOnceEachWithWhatAPanelNeeds) {

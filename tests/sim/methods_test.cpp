@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "sim/integrators/rows.h"
 #include "support/convergence.h"
 #include "support/nets.h"
 
@@ -12,6 +13,13 @@ namespace hooke {
 namespace {
 
 const Integrator& method(std::string_view id) { return *find_integrator(id); }
+
+TEST(Integrators, AreTheConstantsOfTheirFiles) {
+  EXPECT_EQ(&velocity_verlet, find_integrator("velocity_verlet"));
+  EXPECT_EQ(&velocity_verlet, &default_integrator());
+  EXPECT_EQ(&tr_bdf2, &stiff_integrator());
+  for (const Integrator& row : integrators()) EXPECT_EQ(&row, find_integrator(row.id)) << row.id;
+}
 
 class Method : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Method, testing::ValuesIn(every_method()), method_name);

@@ -2,18 +2,10 @@
 // friction.
 #pragma once
 
+#include "sim/contact/obstacle.h"
 #include "sim/motion.h"
 
 namespace hooke {
-
-// A collider during a step, and how its shape is off its place: on the parabola through both ends under its mean
-// acceleration, which starts ahead of its velocity by `lead`. All zero where it stands still.
-struct Obstacle {
-  const Collider* collider = nullptr;
-  Vec3 offset{0.0}, velocity{0.0}, acceleration{0.0}, velocity_correction{0.0};
-  Vec3 offset_at(double t) const { return offset + t * (velocity + velocity_correction + 0.5 * t * acceleration); }
-  Vec3 velocity_at(double t) const { return velocity + t * acceleration; }
-};
 
 // Where each point was and how fast before a substep, and how the colliders move in it; sized once a frame.
 struct ContactWorkspace {

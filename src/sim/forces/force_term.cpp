@@ -1,13 +1,16 @@
 #include "sim/forces/force_term.h"
 
-#include "sim/forces/rows.h"
+#include "sim/forces/terms/rows.h"
 
 namespace hooke {
 
-std::span<const ForceTerm> force_terms() {
-  // sticky last: it holds against the sum of all others
-  static const std::array rows{wind_force, buoyancy_force, center_force, mass_center_force, wall_force, sticky_force};
-  return rows;
+Table<ForceTerm> force_terms() {
+#define ROW(name) &name,
+  static constexpr const ForceTerm* rows[] = {
+#include "sim/forces/terms/list.inc"
+  };
+#undef ROW
+  return Table<ForceTerm>(rows, {});
 }
 
 const ForceTerm* find_force_term(std::string_view id) {

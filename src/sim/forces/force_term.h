@@ -6,6 +6,8 @@
 #include <span>
 #include <string_view>
 
+#include "base/table.h"
+
 namespace hooke {
 
 struct Plan;
@@ -31,7 +33,7 @@ struct ForceTerm {
   void (*add)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f);
 };
 
-std::span<const ForceTerm> force_terms();
+Table<ForceTerm> force_terms();
 
 // The row with this id, or null.
 const ForceTerm* find_force_term(std::string_view id);

@@ -49,6 +49,7 @@ constinit const Integrator baraff_witkin{
     .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
+    .for_production = false,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

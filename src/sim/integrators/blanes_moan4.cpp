@@ -89,6 +89,7 @@ constinit const Integrator blanes_moan4{
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
+    .for_production = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

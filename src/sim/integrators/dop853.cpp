@@ -230,6 +230,7 @@ constinit const Integrator dop853{
     .stability = Stability::Adaptive,
     .energy = EnergyTrend::Drifts,
     .symplectic = false,
+    .for_production = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

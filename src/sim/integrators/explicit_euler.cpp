@@ -39,6 +39,7 @@ constinit const Integrator explicit_euler{
     .stability = Stability::None,
     .energy = EnergyTrend::Grows,
     .symplectic = false,
+    .for_production = false,
     .prepare = nullptr,
     .step = step,
     .amplification = amplification,

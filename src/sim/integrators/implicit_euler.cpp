@@ -36,6 +36,7 @@ constinit const Integrator implicit_euler{
     .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
+    .for_production = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

@@ -35,6 +35,7 @@ constinit const Integrator implicit_midpoint{
     .stability = Stability::AStable,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
+    .for_production = false,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

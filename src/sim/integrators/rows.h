@@ -1,21 +1,12 @@
-// One row per file of this folder, gathered by integrator.cpp in the order of the menu.
+// Declarations of the integrators of list.inc. Each file of this folder defines one of them.
 #pragma once
 
 #include "sim/integrator.h"
 
 namespace hooke {
 
-extern const Integrator explicit_euler;
-extern const Integrator symplectic_euler;
-extern const Integrator velocity_verlet;
-extern const Integrator blanes_moan4;
-extern const Integrator runge_kutta4;
-extern const Integrator dop853;
-extern const Integrator xpbd;
-extern const Integrator implicit_euler;
-extern const Integrator baraff_witkin;
-extern const Integrator implicit_midpoint;
-extern const Integrator tr_bdf2;
-extern const Integrator esdirk4;
+#define ROW(name) extern const Integrator name;
+#include "sim/integrators/list.inc"
+#undef ROW
 
 }  // namespace hooke

@@ -61,6 +61,7 @@ constinit const Integrator runge_kutta4{
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Drifts,
     .symplectic = false,
+    .for_production = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

@@ -44,6 +44,7 @@ constinit const Integrator symplectic_euler{
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
+    .for_production = false,
     .prepare = nullptr,
     .step = step,
     .amplification = amplification,

@@ -48,6 +48,7 @@ constinit const Integrator tr_bdf2{
     .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
+    .for_production = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

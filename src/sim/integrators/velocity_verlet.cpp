@@ -68,6 +68,7 @@ constinit const Integrator velocity_verlet{
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
+    .for_production = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

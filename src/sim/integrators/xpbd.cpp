@@ -164,6 +164,7 @@ constinit const Integrator xpbd{
     .stability = Stability::EachSpring,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
+    .for_production = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

@@ -1,7 +1,7 @@
 // A point that touches a plane is held there until the other forces pull it off harder than s [N].
 #include <glm/geometric.hpp>
 
-#include "sim/forces/rows.h"
+#include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
 namespace hooke {

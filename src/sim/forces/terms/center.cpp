@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/forces/rows.h"
+#include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
 namespace hooke {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "sim/forces/rows.h"
+#include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
 namespace hooke {

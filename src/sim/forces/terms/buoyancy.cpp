@@ -1,5 +1,5 @@
 // f = -b m g: a constant lift, the fraction b of the weight.
-#include "sim/forces/rows.h"
+#include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
 namespace hooke {

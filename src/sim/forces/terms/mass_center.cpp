@@ -1,5 +1,5 @@
 // a = -(p X + q V) / M, the same for every point: X the centre of mass from a place, V its velocity, M the mass of all.
-#include "sim/forces/rows.h"
+#include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
 namespace hooke {

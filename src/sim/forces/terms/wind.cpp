@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 
-#include "sim/forces/rows.h"
+#include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
 namespace hooke {

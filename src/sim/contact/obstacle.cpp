@@ -1,0 +1,37 @@
+#include "sim/contact/obstacle.h"
+
+#include <glm/geometric.hpp>
+
+#include "sim/contact/gap.h"
+#include "sim/contact/supports.h"
+
+namespace hooke {
+
+std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double h, std::vector<Obstacle>& obstacles) {
+  obstacles.resize(plan.colliders.size());
+  for (std::size_t c = 0; c < obstacles.size(); ++c) {
+    Obstacle& obstacle = obstacles[c] = {.collider = &plan.colliders[c]};
+    if (!plan.colliders_move) continue;
+    const Vec3 end = plan.offset_of(c, start + h), last = plan.velocity_of(c, start + h);
+    obstacle.offset = plan.offset_of(c, start);
+    obstacle.velocity = plan.velocity_of(c, start);
+    obstacle.acceleration = (last - obstacle.velocity) / h;
+    obstacle.velocity_correction = (end - obstacle.offset) / h - obstacle.velocity - 0.5 * h * obstacle.acceleration;
+  }
+  return obstacles;
+}
+
+bool may_touch(const Obstacle& obstacle, double radius, const Vec3& x0, const Vec3& x1, double bulge, double h) {
+  const double more = 0.125 * h * h * glm::length(obstacle.acceleration);
+  return may_touch(*obstacle.collider, radius, x0 - obstacle.offset, x1 - obstacle.offset_at(h), bulge + more);
+}
+
+Vec3 relative_surface_velocity(const Obstacle& obstacle, const Vec3& normal, const Vec3& x) {
+  const ColliderPath& path = obstacle.collider->path;
+  Vec3 velocity = tangential(normal, path.belt);
+  if (const auto* sphere = std::get_if<Sphere>(&obstacle.collider->shape)) velocity += glm::cross(path.spin, x - sphere->center);
+  if (const auto* plane = std::get_if<Plane>(&obstacle.collider->shape)) velocity += glm::cross(path.spin, x - plane->point);
+  return velocity;
+}
+
+}  // namespace hooke

@@ -1,0 +1,29 @@
+// Colliders during a step.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/plan.h"
+
+namespace hooke {
+
+// A collider during a step, and how its shape is off its place: on the parabola through both ends under its mean
+// acceleration, which starts ahead of its velocity by `lead`. All zero where it stands still.
+struct Obstacle {
+  const Collider* collider = nullptr;
+  Vec3 offset{0.0}, velocity{0.0}, acceleration{0.0}, velocity_correction{0.0};
+  Vec3 offset_at(double t) const { return offset + t * (velocity + velocity_correction + 0.5 * t * acceleration); }
+  Vec3 velocity_at(double t) const { return velocity + t * acceleration; }
+};
+
+// The plan's colliders in the step of h that starts at `start`.
+std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double h, std::vector<Obstacle>& obstacles);
+
+// False when the point is sure to miss the obstacle on its way from x0 to x1, off the straight line by `bulge` [m] at most.
+bool may_touch(const Obstacle& obstacle, double radius, const Vec3& x0, const Vec3& x1, double bulge, double h);
+
+// The velocity of the surface below a point at x, on the side of `normal`, relative to the shape: of a belt, or of a spin.
+Vec3 relative_surface_velocity(const Obstacle& obstacle, const Vec3& normal, const Vec3& x);
+
+}  // namespace hooke

@@ -1,0 +1,225 @@
+#include "sim/contact/point_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace hooke {
+
+bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction, double duration) {
+  bool touched = resolve_penetration();
+  Supports supports = find_supports(a, duration);
+  constrain(supports.all(), a, v);
+  touched = apply_velocity_correction(velocity_correction, supports) || touched;
+
+  constexpr int max_segments = 64;
+  double remaining = duration;
+  for (int segments = 0; remaining > 0.0 && segments < max_segments; ++segments) {
+    supports = find_supports(a, remaining);
+    Segment segment = plan_segment(supports, a, remaining);
+    const Vec3 start = x;
+    const double speed = glm::length(v - segment.support.surface);
+    const Obstacle* hit = advance_segment(segment, supports);
+    remaining -= segment.time;
+    touched = touched || hit != nullptr || supports.any_loaded();
+
+    if (hit != nullptr) {
+      bounce(*hit, a, remaining);
+    } else if (x != start) {
+      const Obstacle* carrier = segment.support.obstacle;
+      const Vec3 surface = carrier != nullptr ? surface_velocity_of(*carrier, segment.support.normal) : Vec3(0.0);
+      const bool stands = segment.sticks || (segment.stops && glm::length(v - surface) <= 1e-9 * speed);
+      const bool is_curved = segment.support.curvature > 0.0;
+      if (is_curved && (!stands || surface != Vec3(0.0))) follow_surface(segment, start, a);
+      if (stands) {
+        v = surface_velocity_of(*carrier, is_curved ? gap_to(*carrier).normal : segment.support.normal);
+        velocity_correction_ = carrier->velocity_correction;
+      }
+      project_onto_supports(supports);
+    }
+  }
+
+  resolve_penetration();
+  v -= velocity_correction_;
+  return touched;
+}
+
+// Out of what it is in, by the shortest way.
+bool PointContactSolver::resolve_penetration() {
+  constexpr int max_rounds = 8;
+  bool was_penetrating = false;
+  for (int round = 0; round < max_rounds; ++round) {
+    bool penetrating = false;
+    for (const Obstacle& obstacle : obstacles_) {
+      const Gap gap = gap_to(obstacle);
+      if (gap.distance >= -contact_tolerance(x)) continue;
+      x -= gap.distance * gap.normal;
+      penetrating = was_penetrating = true;
+    }
+    if (!penetrating) break;
+  }
+  return was_penetrating;
+}
+
+Supports PointContactSolver::find_supports(const Vec3& a, double duration) const {
+  Supports supports;
+  const double velocity_tolerance = 1e-12 * (glm::length(v) + duration * glm::length(a));
+  for (const Obstacle& obstacle : obstacles_) {
+    const Gap gap = gap_to(obstacle);
+    if (gap.distance > contact_tolerance(x)) continue;
+    // where it moves, its velocity is known to the rounding of the time
+    const Vec3 velocity = velocity_of(obstacle);
+    const double obstacle_tolerance = 1e-9 * (glm::length(velocity) + duration * glm::length(obstacle.acceleration));
+    if (std::abs(glm::dot(v - velocity, gap.normal)) > velocity_tolerance + obstacle_tolerance || supports.count == Supports::max) continue;
+    const Vec3 surface = surface_velocity_of(obstacle, gap.normal);
+    const Vec3 surface_acceleration =
+        glm::cross(obstacle.collider->path.spin, surface - velocity - tangential(gap.normal, obstacle.collider->path.belt));
+    supports.items[supports.count++] = {&obstacle, gap.normal, gap.curvature, velocity, surface, surface_acceleration};
+  }
+  return supports;
+}
+
+// A flight starts as the method's own path does, but never into what the point touches; so does a slide without
+// friction. What rests, or rubs, starts with its own velocity: the lead comes from forces that the supports bear.
+// What bears it may have a lead of its own, which it goes along with. Returns whether anything was left out.
+bool PointContactSolver::apply_velocity_correction(const Vec3& velocity_correction, const Supports& supports) {
+  applies_correction_ = true;
+  for (const Support& s : supports.all()) {
+    if (!(s.normal_acceleration > 0.0) || !(s.friction() > 0.0 || v == s.surface)) continue;
+    velocity_correction_ = s.obstacle->velocity_correction;
+    v += velocity_correction_;
+    return true;
+  }
+  velocity_correction_ = velocity_correction;
+  for (const Support& s : supports.all()) {
+    const double separation = glm::dot(velocity_correction_ - s.obstacle->velocity_correction, s.normal);
+    if (separation < 0.0 || s.normal_acceleration > 0.0) velocity_correction_ -= separation * s.normal;
+  }
+  v += velocity_correction_;
+  return velocity_correction_ != velocity_correction;
+}
+
+// Friction takes mu N against the motion past the surface or, where there is none, against the drive as far as it reaches.
+PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports, const Vec3& a, double remaining) const {
+  const Vec3 constrained = constrain(supports.all(), a, v);
+  Segment segment{constrained, remaining, false, false, {}};
+  if (!supports.any_loaded()) return segment;
+
+  double max_friction = 0.0;  // [m/s^2]
+  for (const Support& s : supports.all()) max_friction += s.friction() * s.normal_acceleration;
+  segment.support = combine_supports(supports);
+
+  // relative to the shape that it runs on
+  const Support& carrier = segment.support;
+  const Vec3 shape_acceleration = carrier.obstacle->acceleration, drive = constrained - shape_acceleration;
+  const Vec3 tangential_drive = carrier.curvature > 0.0 ? tangential(carrier.normal, drive) : drive;
+  const Vec3 surface_acceleration =
+      carrier.curvature > 0.0 ? tangential(carrier.normal, carrier.surface_acceleration) : carrier.surface_acceleration;
+  const Vec3 slip_velocity = v - carrier.surface;
+  const double speed = glm::length(slip_velocity), required_friction = glm::length(tangential_drive - surface_acceleration);
+  const double min_speed = carrier.surface == Vec3(0.0) ? 0.0 : 1e-12 * (glm::length(v) + glm::length(carrier.surface));
+  if (speed <= min_speed) {
+    segment.sticks = required_friction <= max_friction + 1e-12 * glm::length(a);
+    segment.acceleration =
+        segment.sticks ? surface_acceleration
+                       : surface_acceleration + (tangential_drive - surface_acceleration) * (1.0 - max_friction / required_friction);
+  } else {
+    segment.acceleration = tangential_drive - max_friction / speed * slip_velocity;
+    const double deceleration = -glm::dot(segment.acceleration - surface_acceleration, slip_velocity) / speed;
+    segment.stops = deceleration * remaining >= speed;
+    if (segment.stops) segment.time = speed / deceleration;
+  }
+
+  // no further on a curved surface than an eighth of its radius
+  const double arc_angle =
+      carrier.curvature * segment.time * (glm::length(v - carrier.velocity) + remaining * glm::length(segment.acceleration));
+  if (arc_angle > 0.125) {
+    segment.time *= 0.125 / arc_angle;
+    segment.stops = false;
+  }
+  segment.acceleration += shape_acceleration;
+  return segment;
+}
+
+// Goes the leg, or as far as the first hit on anything but its supports: then the leg ends there.
+const Obstacle* PointContactSolver::advance_segment(Segment& segment, const Supports& supports) {
+  const Obstacle* hit = nullptr;
+  for (const Obstacle& obstacle : obstacles_) {
+    if (supports.contains(&obstacle)) continue;
+    const Parabola relative{x - obstacle.offset_at(time_), v - velocity_of(obstacle), segment.acceleration - obstacle.acceleration};
+    const auto impact = first_impact(*obstacle.collider, radius_, relative, segment.time);
+    if (!impact || (hit != nullptr && *impact == segment.time)) continue;
+    segment.time = *impact;
+    hit = &obstacle;
+  }
+
+  const Parabola path{x, v, segment.acceleration};
+  x = path.position(segment.time);
+  v = path.velocity(segment.time);
+  time_ += segment.time;
+  return hit;
+}
+
+// From the tangent plane at `start` down to the surface along the old normal, and the velocity likewise: the second
+// order scheme RATTLE (Andersen 1983). Friction took the normal force at the start; here it takes the mean.
+void PointContactSolver::follow_surface(const Segment& segment, const Vec3& start, const Vec3& a) {
+  const Support& surface = segment.support;
+  const Obstacle& obstacle = *surface.obstacle;
+  const Vec3 shape_velocity = velocity_of(obstacle), relative_acceleration = a - obstacle.acceleration;
+  const double radius = 1.0 / surface.curvature;
+  const Vec3 displacement = x - start - (obstacle.offset_at(time_) - obstacle.offset_at(time_ - segment.time));
+  const double normal_displacement =
+      -glm::dot(displacement, displacement) / (radius + std::sqrt(radius * radius - glm::dot(displacement, displacement)));
+  x += normal_displacement * surface.normal;
+  const Vec3 normal = surface.normal + (displacement + normal_displacement * surface.normal) / radius;
+  const Vec3 relative_velocity =
+      tangential(normal, v - shape_velocity +
+                             (normal_displacement / segment.time + 0.5 * segment.time * glm::dot(relative_acceleration, surface.normal)) *
+                                 surface.normal);
+  const Vec3 surface_velocity = relative_surface_velocity(obstacle, normal, x - obstacle.offset_at(time_));
+  v = shape_velocity + relative_velocity;
+
+  const Vec3 slip_velocity = relative_velocity - surface_velocity;
+  const double speed = glm::length(slip_velocity);
+  const double normal_acceleration =
+      std::max(0.0, -glm::dot(relative_acceleration, normal) - surface.curvature * glm::dot(relative_velocity, relative_velocity));
+  const double speed_loss = 0.5 * segment.time * surface.friction() * (normal_acceleration - surface.normal_acceleration);
+  if (speed > 0.0) v = shape_velocity + surface_velocity + std::max(0.0, 1.0 - speed_loss / speed) * slip_velocity;
+}
+
+// Clears away what round-off, or a bent surface, left of motion out of the supports. One that the point has slid off
+// the edge of, where the nearest surface is another one, does not hold it back.
+void PointContactSolver::project_onto_supports(const Supports& supports) {
+  for (const Support& s : supports.all()) {
+    if (s.normal_acceleration == 0.0) continue;
+    const Gap gap = gap_to(*s.obstacle);
+    if (std::abs(gap.distance) > contact_tolerance(x) || glm::dot(gap.normal, s.normal) < 0.9) continue;
+    x -= gap.distance * gap.normal;
+    v -= glm::dot(v - velocity_of(*s.obstacle), gap.normal) * gap.normal;
+    velocity_correction_ -= glm::dot(velocity_correction_ - s.obstacle->velocity_correction, gap.normal) * gap.normal;
+  }
+}
+
+// Restitution along the normal, Coulomb's impulse across it, both of the velocity past the surface.
+void PointContactSolver::bounce(const Obstacle& obstacle, const Vec3& a, double remaining) {
+  const Collider& collider = *obstacle.collider;
+  const Gap gap = gap_to(obstacle);
+  x -= gap.distance * gap.normal;
+
+  const Vec3 shape_velocity = velocity_of(obstacle), surface = surface_velocity_of(obstacle, gap.normal);
+  const double approach = std::min(0.0, glm::dot(v - surface, gap.normal));
+  double rebound = -collider.restitution * approach;
+  Vec3 tangential_velocity = tangential(gap.normal, v - surface);
+  const double speed = glm::length(tangential_velocity);
+  if (speed > 0.0) tangential_velocity *= std::max(0.0, 1.0 - collider.friction * (rebound - approach) / speed);
+
+  // all bounces to come take 2 v / (N (1 - e)): if that is within the step, they are over
+  const Vec3 relative_velocity = tangential_velocity + tangential(gap.normal, surface - shape_velocity);
+  const double normal_acceleration =
+      -glm::dot(a - obstacle.acceleration, gap.normal) - gap.curvature * glm::dot(relative_velocity, relative_velocity);
+  if (normal_acceleration > 0.0 && 2.0 * rebound <= remaining * normal_acceleration * (1.0 - collider.restitution)) rebound = 0.0;
+  v = surface + tangential_velocity + rebound * gap.normal;
+  if (rebound == 0.0) velocity_correction_ = obstacle.velocity_correction;
+}
+
+}  // namespace hooke

@@ -1,0 +1,58 @@
+// The path of one point through a step among obstacles: impacts, slides and rest.
+#pragma once
+
+#include <span>
+
+#include "sim/contact/gap.h"
+#include "sim/contact/supports.h"
+
+namespace hooke {
+
+// One point on its way through a step.
+class PointContactSolver {
+ public:
+  Vec3 x, v;
+
+  PointContactSolver(std::span<const Obstacle> obstacles, double radius, const Vec3& x0, const Vec3& v0)
+      : x(x0), v(v0), obstacles_(obstacles), radius_(radius) {}
+
+  // Goes on for `duration` under the acceleration `a`. `lead` [m/s]: what the method's path starts faster than v. Returns
+  // whether anything was touched.
+  bool advance(const Vec3& a, const Vec3& velocity_correction, double duration);
+
+ private:
+  // A stretch of the way on which the acceleration is constant: the supports, and friction, stay as they are.
+  struct Segment {
+    Vec3 acceleration;
+    double time;      // [s]
+    bool stops;       // at the end, under friction
+    bool sticks;      // to what it rests on, wherever that goes
+    Support support;  // what it rests on or rubs on, the mean of several; of none: no obstacle
+  };
+
+  bool resolve_penetration();
+  Supports find_supports(const Vec3& a, double duration) const;
+  bool apply_velocity_correction(const Vec3& velocity_correction, const Supports& supports);
+  Segment plan_segment(Supports& supports, const Vec3& a, double remaining) const;
+  const Obstacle* advance_segment(Segment& segment, const Supports& supports);
+  void follow_surface(const Segment& segment, const Vec3& start, const Vec3& a);
+  void project_onto_supports(const Supports& supports);
+  void bounce(const Obstacle& obstacle, const Vec3& a, double remaining);
+
+  Gap gap_to(const Obstacle& obstacle) const { return hooke::gap_to(*obstacle.collider, radius_, x - obstacle.offset_at(time_)); }
+  // Of the shape, and of its surface where the point is.
+  Vec3 velocity_of(const Obstacle& obstacle) const {
+    return obstacle.velocity_at(time_) + (applies_correction_ ? obstacle.velocity_correction : Vec3(0.0));
+  }
+  Vec3 surface_velocity_of(const Obstacle& obstacle, const Vec3& normal) const {
+    return velocity_of(obstacle) + relative_surface_velocity(obstacle, normal, x - obstacle.offset_at(time_));
+  }
+
+  std::span<const Obstacle> obstacles_;
+  double radius_;
+  double time_ = 0.0;                // [s], since the step began
+  Vec3 velocity_correction_{0.0};    // [m/s], that v is ahead by
+  bool applies_correction_ = false;  // whether v and the velocities of obstacles are to be taken with their leads
+};
+
+}  // namespace hooke

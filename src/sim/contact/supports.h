@@ -1,0 +1,51 @@
+// What a point rests on during part of a step, and how its supports restrict its acceleration.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "sim/contact/obstacle.h"
+
+namespace hooke {
+
+// A collider that the point touches, neither moving into it nor away from it.
+struct Support {
+  const Obstacle* obstacle = nullptr;
+  Vec3 normal{0.0};
+  double curvature = 0.0;
+  Vec3 velocity{0.0};                // [m/s], of the shape
+  Vec3 surface{0.0};                 // [m/s], of what is touched: of the shape, and along it
+  Vec3 surface_acceleration{0.0};    // [m/s^2], of what is touched, besides the shape's: as it turns
+  double normal_acceleration = 0.0;  // [m/s^2], normal force over mass
+  double friction() const { return obstacle->collider->friction; }
+};
+
+struct Supports {
+  static constexpr int max = 4;
+  std::array<Support, max> items;
+  int count = 0;
+
+  std::span<Support> all() { return {items.data(), static_cast<std::size_t>(count)}; }
+  std::span<const Support> all() const { return {items.data(), static_cast<std::size_t>(count)}; }
+  bool contains(const Obstacle* obstacle) const {
+    return std::ranges::any_of(all(), [&](const Support& s) { return s.obstacle == obstacle; });
+  }
+  bool any_loaded() const {
+    return std::ranges::any_of(all(), [](const Support& s) { return s.normal_acceleration > 0.0; });
+  }
+};
+
+// The component of w perpendicular to the unit vector `normal`.
+Vec3 tangential(const Vec3& normal, const Vec3& w);
+
+// The acceleration that the supports leave of `a` for a point of velocity v. Sets the normal_acceleration N_i >= 0 of each support
+// to the least for which nothing moves into any of them,
+//   n_i . (a - a_i + sum N_j n_j) + (v - v_i)^2 / R_i >= 0,
+// a_i and v_i being those of the support.
+Vec3 constrain(std::span<Support> supports, const Vec3& a, const Vec3& v);
+
+// The support that the point rests on or slides along: one of the loaded supports, preferably a curved one, with the mean motion
+// of all loaded surfaces, weighted by friction. Without an obstacle if none is loaded.
+Support combine_supports(const Supports& supports);
+
+}  // namespace hooke
