@@ -14,6 +14,7 @@
 #include "draw/view.h"
 #include "formats/scene_file.h"
 #include "support/gui_trial.h"
+#include "support/scratch_folder.h"
 #include "support/trial.h"
 
 namespace hooke {
@@ -32,18 +33,6 @@ Scene hanging(int dimensions = 2) {
   scene.system.dimensions = dimensions;
   scene.state = trial.state;
   return scene;
-}
-
-struct Folder {
-  std::filesystem::path path = std::filesystem::temp_directory_path() / ("hooke_app_test_" + std::to_string(::getpid()));
-  Folder() { std::filesystem::create_directories(path); }
-  ~Folder() { std::filesystem::remove_all(path); }
-};
-
-glm::dvec2 seen(GuiTrial& gui, const Vec3& place) {
-  const Rect& scene = gui.app().layout().scene;
-  const Vec3 at = gui.app().camera().project(place, {scene.width, scene.height});
-  return {scene.x + at.x, scene.y + at.y};
 }
 
 TEST(Keys, TakeTheTools) {
@@ -116,10 +105,10 @@ TEST(TimelineStrip, RunsToATimeThatIsTyped) {
 }
 
 TEST(Recordings, AreMadeByAKeyAndPlayedToTheSameBits) {
-  const Folder folder;
+  const ScratchFolder scratch;
   Scene scene = hanging();
-  save_scene(scene, folder.path / "net.json");
-  GuiTrial gui(scene, folder.path / "net.json");
+  save_scene(scene, scratch.folder / "net.json");
+  GuiTrial gui(scene, scratch.folder / "net.json");
   gui.key(letter('R'), {.control = true, .shift = true});
   for (int frame = 0; frame < 5; ++frame) gui.key(Key::Period);
   gui.key(letter('R'));
@@ -128,9 +117,9 @@ TEST(Recordings, AreMadeByAKeyAndPlayedToTheSameBits) {
   EXPECT_NE(gui.status().recording, "");
   gui.key(letter('R'), {.control = true, .shift = true});
   EXPECT_EQ(gui.status().recording, "");
-  ASSERT_TRUE(std::filesystem::exists(folder.path / "net.hookelog"));
+  ASSERT_TRUE(std::filesystem::exists(scratch.folder / "net.hookelog"));
 
-  gui.app().play(std::make_shared<const Recording>(read_recording(folder.path / "net.hookelog")));
+  gui.app().play(std::make_shared<const Recording>(read_recording(scratch.folder / "net.hookelog")));
   EXPECT_EQ(gui.status().snapshot->state.position, scene.state.position);
   // in real time, ten frames take a sixth of a second
   for (int i = 0; i < 2000 && (gui.status().running || gui.status().frames == 0); ++i) {
@@ -143,10 +132,10 @@ TEST(Recordings, AreMadeByAKeyAndPlayedToTheSameBits) {
 }
 
 TEST(FreeNames, AreLikeTheDocumentAndReplaceNothing) {
-  const Folder folder;
-  EXPECT_EQ(free_name(folder.path, "net", ".png"), folder.path / "net.png");
-  std::ofstream(folder.path / "net.png") << "mine";
-  EXPECT_EQ(free_name(folder.path, "net", ".png"), folder.path / "net 2.png");
+  const ScratchFolder scratch;
+  EXPECT_EQ(free_name(scratch.folder, "net", ".png"), scratch.folder / "net.png");
+  std::ofstream(scratch.folder / "net.png") << "mine";
+  EXPECT_EQ(free_name(scratch.folder, "net", ".png"), scratch.folder / "net 2.png");
 }
 
 TEST(Plots, ShowTheEnergiesAndWhatIsChosen) {
@@ -272,7 +261,7 @@ TEST(Mouse, BuildsWhileItRuns) {
   GuiTrial gui(hanging());
   gui.key(Key::Space);
   gui.key(letter('A'));
-  gui.click(seen(gui, {0.25, 0.4, 0.0}));
+  gui.click(gui.seen({0.25, 0.4, 0.0}));
   EXPECT_EQ(gui.system().point_count(), 4);
   EXPECT_TRUE(gui.status().running);
 }
@@ -280,7 +269,7 @@ TEST(Mouse, BuildsWhileItRuns) {
 TEST(Mouse, TwoClicksWithinOneFrameBothCount) {
   GuiTrial gui(hanging());
   gui.key(letter('A'));
-  const glm::dvec2 first = seen(gui, {0.25, 0.4, 0.0}), second = seen(gui, {0.4, 0.1, 0.0});
+  const glm::dvec2 first = gui.seen({0.25, 0.4, 0.0}), second = gui.seen({0.4, 0.1, 0.0});
   for (const glm::dvec2& at : {first, second}) {
     gui.app().handle(ButtonPress{Button::Left, at, {}});
     gui.app().handle(ButtonRelease{Button::Left, at, {}});
@@ -311,14 +300,14 @@ TEST(Camera, OrbitsPansAndZoomsToTheCursor) {
   gui.drag({400.0, 400.0}, {480.0, 420.0}, Button::Middle, {.shift = true});
   EXPECT_GT(glm::distance(gui.app().camera().target, target), 0.01);
 
-  const glm::dvec2 before = seen(gui, {0.2, 0.0, 0.0});
+  const glm::dvec2 before = gui.seen({0.2, 0.0, 0.0});
   const double distance = gui.app().camera().distance;
   gui.move(before);
   gui.app().handle(Scroll{3.0, before});
   EXPECT_LT(gui.app().camera().distance, distance);
-  EXPECT_LT(glm::distance(seen(gui, {0.2, 0.0, 0.0}), before), 40.0);
+  EXPECT_LT(glm::distance(gui.seen({0.2, 0.0, 0.0}), before), 40.0);
   gui.key(Key::Home);
-  const glm::dvec2 home = seen(gui, {0.2, 0.2, 0.0});
+  const glm::dvec2 home = gui.seen({0.2, 0.2, 0.0});
   EXPECT_TRUE(gui.app().layout().scene.contains(home.x, home.y));
 }
 
@@ -393,25 +382,25 @@ TEST(Camera, IsCopiedAndPastedAsText) {
 }
 
 TEST(Documents, SaveAsByTypingAPathAndOpenAgain) {
-  const Folder folder;
+  const ScratchFolder scratch;
   GuiTrial gui(hanging());
   EXPECT_EQ(gui.app().title(), "Hooke - Hanging");
   gui.key(letter('R'));
   EXPECT_EQ(gui.app().title(), "Hooke - Hanging*");
   gui.key(letter('S'), control);
   ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Save);
-  gui.type((folder.path / "mine").string());
+  gui.type((scratch.folder / "mine").string());
   gui.key(Key::Enter);
   EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
   EXPECT_EQ(gui.app().title(), "Hooke - mine");
-  const Scene saved = load_scene(folder.path / "mine.json").scene;
+  const Scene saved = load_scene(scratch.folder / "mine.json").scene;
   EXPECT_EQ(saved.system.point_count(), 3);
   EXPECT_FALSE(saved.system.points()[0].nailed);
 
   gui.key(letter('N'), control);
   EXPECT_EQ(gui.system().point_count(), 0);
   gui.key(letter('O'), control);
-  gui.type((folder.path / "mine.json").string());
+  gui.type((scratch.folder / "mine.json").string());
   gui.key(Key::Enter);
   EXPECT_EQ(gui.system().point_count(), 3);
   EXPECT_EQ(gui.app().title(), "Hooke - mine");
@@ -421,7 +410,7 @@ TEST(Documents, SaveAsByTypingAPathAndOpenAgain) {
   gui.key(Key::Delete);
   gui.key(letter('S'), control);
   EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
-  EXPECT_EQ(load_scene(folder.path / "mine.json").scene.system.point_count(), 0);
+  EXPECT_EQ(load_scene(scratch.folder / "mine.json").scene.system.point_count(), 0);
 }
 
 TEST(Documents, AShippedSceneIsNeverOverwritten) {
@@ -433,11 +422,11 @@ TEST(Documents, AShippedSceneIsNeverOverwritten) {
 }
 
 TEST(Documents, ARefusedFileIsNamedAndTheOpenOneStaysAsItWas) {
-  const Folder folder;
-  std::ofstream(folder.path / "bad.json") << R"({"hooke": 1, "points": [{"position": [0, 0, 0], "mass": -1}]})";
+  const ScratchFolder scratch;
+  std::ofstream(scratch.folder / "bad.json") << R"({"hooke": 1, "points": [{"position": [0, 0, 0], "mass": -1}]})";
   GuiTrial gui(hanging());
   gui.key(letter('O'), control);
-  gui.type((folder.path / "bad.json").string());
+  gui.type((scratch.folder / "bad.json").string());
   gui.key(Key::Enter);
   ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
   const std::string words = gui.words();
@@ -461,12 +450,12 @@ TEST(Documents, AFailedSaveIsSaidAndLeavesTheStar) {
 
 // A sheet of two faces, and a picture beside it.
 struct Draped {
-  Folder folder;
-  std::filesystem::path file = folder.path / "draped.json";
+  ScratchFolder scratch;
+  std::filesystem::path file = scratch.folder / "draped.json";
   Draped() {
     std::ofstream(file) << R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0],
       "down": [0, -1, 0], "points": [2, 2], "stiffness": 10}], "view": {"springs": false}})";
-    write_png(Image{1, 1, {9, 9, 9}}, folder.path / "mine.png");
+    write_png(Image{1, 1, {9, 9, 9}}, scratch.folder / "mine.png");
   }
 };
 
@@ -474,7 +463,7 @@ TEST(Textures, AreChosenSavedAndTakenBack) {
   const Draped draped;
   GuiTrial gui(load_scene(draped.file).scene, draped.file);
   EXPECT_FALSE(gui.app().view_options().springs);
-  gui.app().handle(FileDrop{draped.folder.path / "mine.png"});
+  gui.app().handle(FileDrop{draped.scratch.folder / "mine.png"});
   EXPECT_EQ(gui.status().view.texture, "mine.png");
   ASSERT_TRUE(gui.app().view_options().cloth_texture.picture);
   EXPECT_FALSE(gui.app().view_options().strain_colors);  // they would hide it
@@ -494,9 +483,9 @@ TEST(Textures, AreChosenSavedAndTakenBack) {
 TEST(Textures, FromElsewhereAreRefusedWithTheReason) {
   const Draped draped;
   GuiTrial gui(load_scene(draped.file).scene, draped.file);
-  gui.app().handle(FileDrop{draped.folder.path.parent_path() / "other.png"});
+  gui.app().handle(FileDrop{draped.scratch.folder.parent_path() / "other.png"});
   ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
-  EXPECT_NE(gui.app().panels().dialog.text.find("\"../other.png\": must lie in the scene's folder, " + draped.folder.path.string()),
+  EXPECT_NE(gui.app().panels().dialog.text.find("\"../other.png\": must lie in the scene's folder, " + draped.scratch.folder.string()),
             std::string::npos);
   gui.key(Key::Enter);
   EXPECT_EQ(gui.status().view.texture, "");
@@ -505,12 +494,12 @@ TEST(Textures, FromElsewhereAreRefusedWithTheReason) {
 TEST(Textures, OfADocumentThatIsInNoFolderAskForOne) {
   const Draped draped;
   GuiTrial gui(hanging());
-  gui.app().handle(FileDrop{draped.folder.path / "mine.png"});
+  gui.app().handle(FileDrop{draped.scratch.folder / "mine.png"});
   EXPECT_NE(gui.app().panels().dialog.text.find("save the scene there first"), std::string::npos);
 }
 
 TEST(Documents, AsksBeforeChangesAreLost) {
-  const Folder folder;
+  const ScratchFolder scratch;
   GuiTrial gui(hanging());
   gui.key(letter('R'));
   gui.app().handle(CloseRequest{});
@@ -526,10 +515,10 @@ TEST(Documents, AsksBeforeChangesAreLost) {
   gui.key(Key::Enter);
   ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Save);
   gui.frames(2);  // the box comes up
-  gui.type((folder.path / "kept.json").string());
+  gui.type((scratch.folder / "kept.json").string());
   gui.key(Key::Enter);
   EXPECT_TRUE(gui.app().is_finished());
-  EXPECT_TRUE(std::filesystem::exists(folder.path / "kept.json"));
+  EXPECT_TRUE(std::filesystem::exists(scratch.folder / "kept.json"));
 }
 
 TEST(Documents, QuitAtOnceWithNothingToLose) {

@@ -13,6 +13,7 @@
 #include "app/document/session.h"
 #include "app/document/system_dialog.h"
 #include "formats/scene_file.h"
+#include "support/contents.h"
 #include "support/flat_scene.h"
 #include "support/gui_trial.h"
 #include "support/scratch_folder.h"
@@ -539,11 +540,7 @@ struct FakeDialog {
     ::setenv("PATH", (scratch.folder.string() + ":" + path).c_str(), 1);
   }
   ~FakeDialog() { ::setenv("PATH", path.c_str(), 1); }
-  std::string called() const {
-    std::ostringstream text;
-    text << std::ifstream(scratch.folder / "called").rdbuf();
-    return text.str();
-  }
+  std::string called() const { return contents(scratch.folder / "called"); }
 };
 
 TEST(DesktopDialog, AnswersWithAFile) {

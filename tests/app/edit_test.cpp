@@ -26,15 +26,9 @@ Scene pair_and_one(int dimensions = 2) {
   return scene;
 }
 
-glm::dvec2 seen(GuiTrial& gui, const Vec3& place) {
-  const Rect& scene = gui.app().layout().scene;
-  const Vec3 at = gui.app().camera().project(place, {scene.width, scene.height});
-  return {scene.x + at.x, scene.y + at.y};
-}
-
 TEST(Selecting, ADoubleClickTakesAllThatIsConnected) {
   GuiTrial gui(pair_and_one());
-  const glm::dvec2 at = seen(gui, {0.1, 0.0, 0.0});
+  const glm::dvec2 at = gui.seen({0.1, 0.0, 0.0});
   gui.click(at);
   EXPECT_EQ(gui.app().selection().points.size(), 1u);
   gui.app().handle(ButtonPress{Button::Left, at, {}, true});
@@ -45,14 +39,14 @@ TEST(Selecting, ADoubleClickTakesAllThatIsConnected) {
 
 TEST(Selecting, InvertsAndGrowsByKeys) {
   GuiTrial gui(pair_and_one());
-  gui.click(seen(gui, {-0.3, 0.4, 0.0}));
+  gui.click(gui.seen({-0.3, 0.4, 0.0}));
   gui.key(letter('L'), control);
   EXPECT_EQ(gui.app().selection().points.size(), 2u);
   gui.key(letter('I'), control);
   ASSERT_EQ(gui.app().selection().points.size(), 1u);
   EXPECT_TRUE(gui.app().selection().springs.empty());
   gui.key(letter('F'));
-  const glm::dvec2 framed = seen(gui, {0.5, 0.3, 0.0});
+  const glm::dvec2 framed = gui.seen({0.5, 0.3, 0.0});
   const Rect& scene = gui.app().layout().scene;
   EXPECT_LT(glm::distance(framed, {scene.x + 0.5 * scene.width, scene.y + 0.5 * scene.height}), 1.0);
 }
@@ -64,7 +58,7 @@ TEST(Selecting, ReachesEightPixelsAtEveryScale) {
     gui.frames(2);
     gui.key(Key::Home);
     // a point that is seen small, missed by nearly 8 pixels
-    const glm::dvec2 at = seen(gui, {0.5, 0.3, 0.0});
+    const glm::dvec2 at = gui.seen({0.5, 0.3, 0.0});
     gui.move(at + glm::dvec2(7.5, 0.0));
     EXPECT_TRUE(gui.app().marks().hovered_point) << scale;
     gui.click(at + glm::dvec2(0.0, 7.5));
@@ -75,7 +69,7 @@ TEST(Selecting, ReachesEightPixelsAtEveryScale) {
 TEST(Copies, DuplicateLiesBesideAndIsSelected) {
   for (const int dimensions : {2, 3}) {
     GuiTrial gui(pair_and_one(dimensions));
-    gui.click(seen(gui, {0.1, 0.0, 0.0}));
+    gui.click(gui.seen({0.1, 0.0, 0.0}));
     gui.key(letter('L'), control);
     gui.key(letter('D'), control);
     const System& system = gui.system();
@@ -121,7 +115,7 @@ TEST(Copies, GoFromOneHookeToAnotherThroughText) {
   EXPECT_EQ(gui.app().selection().points.size(), 3u);
   // its middle is under the cursor
   const auto& position = gui.status().snapshot->state.position;
-  EXPECT_LT(glm::distance(seen(gui, 0.5 * (position[3] + position[5]) + Vec3(0.0, -0.15, 0.0)), cursor), 25.0);
+  EXPECT_LT(glm::distance(gui.seen(0.5 * (position[3] + position[5]) + Vec3(0.0, -0.15, 0.0)), cursor), 25.0);
 }
 
 TEST(Copies, OfAnythingElseAreRefusedInWords) {

@@ -1,19 +1,15 @@
 // Ctrl+E: every kind of file is written as it should be, and what fails is told and harms nothing.
-#include <fstream>
+#include <gtest/gtest.h>
+
 #include <sstream>
 
 #include "formats/open_file.h"
+#include "support/contents.h"
 #include "support/gui_trial.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
 namespace {
-
-std::string contents_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 // The box opened by its keys, on a scene that ships; a kind chosen and a path given.
 class Export {
@@ -68,7 +64,7 @@ TEST(Export, MeshesHoldTheSurface) {
 TEST(Export, APolygonFileHasTheStrain) {
   Export ply("trampoline", ".ply");
   ply.run();
-  EXPECT_NE(contents_of(ply.file(".ply")).find("strain"), std::string::npos);
+  EXPECT_NE(contents(ply.file(".ply")).find("strain"), std::string::npos);
 }
 
 TEST(Export, ATableHasARowAFrameOfWhatIsAskedFor) {
@@ -76,7 +72,7 @@ TEST(Export, ATableHasARowAFrameOfWhatIsAskedFor) {
   csv.box().seconds = 0.5;
   csv.box().quantities = "time, y1,largest_strain";
   csv.run();
-  std::istringstream lines(contents_of(csv.file(".csv")));
+  std::istringstream lines(contents(csv.file(".csv")));
   std::string line;
   std::getline(lines, line);
   EXPECT_EQ(line, "time [s],y1 [m],largest_strain [1]");
@@ -102,14 +98,14 @@ TEST(Export, PlotsAreWrittenAsTheyAreShown) {
   csv.leave_field();
   csv.box().path = csv.file(".csv").string();
   csv.run();
-  EXPECT_NE(contents_of(csv.file(".csv")).find("kinetic"), std::string::npos);
+  EXPECT_NE(contents(csv.file(".csv")).find("kinetic"), std::string::npos);
 }
 
 TEST(Export, APointCacheHasEveryFrame) {
   Export pc2("damping_ratios", ".pc2");
   pc2.box().seconds = 0.5;
   pc2.run();
-  EXPECT_EQ(contents_of(pc2.file(".pc2")).size(), 32u + 31u * 10u * 12u);
+  EXPECT_EQ(contents(pc2.file(".pc2")).size(), 32u + 31u * 10u * 12u);
   EXPECT_FALSE(std::filesystem::exists(pc2.file(".pc2.part")));
 }
 

@@ -1,4 +1,6 @@
 // A file that cannot be taken in leaves the open document as it was: scene, clock, history, name and star.
+#include <gtest/gtest.h>
+
 #include <fstream>
 
 #include "formats/scene_file.h"

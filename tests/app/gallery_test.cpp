@@ -1,4 +1,6 @@
 // The gallery: its thumbnails are what Hooke draws, and its page opens what it shows.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <filesystem>
 

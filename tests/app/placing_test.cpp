@@ -1,4 +1,6 @@
 // Shapes and meshes are seen before they are placed; placing is one step of undo.
+#include <gtest/gtest.h>
+
 #include <fstream>
 
 #include "scene/generators.h"

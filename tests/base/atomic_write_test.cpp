@@ -9,22 +9,16 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <sstream>
 
 #include "base/atomic_write.h"
 #include "formats/scene_file.h"
+#include "support/contents.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string content_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 void put(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 
@@ -39,9 +33,9 @@ TEST(AtomicWrite, LeavesTheFileAndNothingElse) {
   const ScratchFolder scratch;
   const fs::path file = scratch.folder / "scene.json";
   write_atomically(file, "first");
-  EXPECT_EQ(content_of(file), "first");
+  EXPECT_EQ(contents(file), "first");
   write_atomically(file, "second");
-  EXPECT_EQ(content_of(file), "second");
+  EXPECT_EQ(contents(file), "second");
   EXPECT_EQ(files_in(scratch.folder), 1u);
 }
 
@@ -69,7 +63,7 @@ TEST(AtomicWrite, ASymbolicLinkStaysAndItsFileIsReplaced) {
   fs::create_symlink("there/scene.json", scratch.folder / "link.json");
   write_atomically(scratch.folder / "link.json", "new");
   EXPECT_TRUE(fs::is_symlink(scratch.folder / "link.json"));
-  EXPECT_EQ(content_of(scratch.folder / "there" / "scene.json"), "new");
+  EXPECT_EQ(contents(scratch.folder / "there" / "scene.json"), "new");
   EXPECT_EQ(files_in(scratch.folder / "there"), 1u);
 }
 
@@ -98,7 +92,7 @@ TEST(AtomicWrite, AWriteThatFailsHalfwayLeavesTheOldFileAndNoOther) {
   setrlimit(RLIMIT_FSIZE, &before);
   signal(SIGXFSZ, handler);
 
-  EXPECT_EQ(content_of(file), "old");
+  EXPECT_EQ(contents(file), "old");
   EXPECT_EQ(files_in(scratch.folder), 1u);
 }
 
@@ -127,7 +121,7 @@ TEST(AtomicWrite, AFileThatMayNotBeWrittenStays) {
   put(file, "old");
   chmod(file.c_str(), 0444);
   EXPECT_THROW(write_atomically(file, "new"), FileError);
-  EXPECT_EQ(content_of(file), "old");
+  EXPECT_EQ(contents(file), "old");
 }
 
 }  // namespace

@@ -15,17 +15,13 @@
 #include <vector>
 
 #include "study/work_precision_file.h"
+#include "support/contents.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string contents(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // A running benchmark; what it says on stderr goes to a file in its folder.
 class Process {

@@ -1,4 +1,6 @@
 // hooke-headless capture, run as a program.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <sstream>
 #include <tuple>

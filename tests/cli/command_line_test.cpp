@@ -14,6 +14,7 @@
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "sim/hash.h"
+#include "support/contents.h"
 #include "support/process.h"
 #include "support/scratch_folder.h"
 
@@ -25,12 +26,6 @@ namespace fs = std::filesystem;
 Outcome headless(std::vector<std::string> words) {
   words.insert(words.begin(), HOOKE_HEADLESS);
   return run_process(words);
-}
-
-std::string content_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
 }
 
 std::string write(const fs::path& file, const std::string& text) {
@@ -192,7 +187,7 @@ TEST(Headless, AFileThatDoesNotFitLeavesTheOldOneAndIsCodeFive) {
     setrlimit(RLIMIT_FSIZE, &before);
     EXPECT_EQ(outcome.code, 5) << option;
     EXPECT_NE(outcome.err.find("out: cannot be written: File too large"), std::string::npos) << outcome.err;
-    EXPECT_EQ(content_of(file), "old") << option;
+    EXPECT_EQ(contents(file), "old") << option;
     EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 1) << option;
   }
   signal(SIGXFSZ, SIG_DFL);
@@ -296,7 +291,7 @@ TEST(Headless, CsvHasARowASample) {
   const Outcome outcome = headless({"run", "two_masses", "--seconds", "0.1", "--sample", "0.05", "--points", "1,0", "--csv", file});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.out + outcome.err, "");
-  const std::vector<std::string> lines = lines_of(content_of(file));
+  const std::vector<std::string> lines = lines_of(contents(file));
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[0], "time [s],kinetic [J],elastic [J],gravitational [J],total [J],x1 [m],y1 [m],z1 [m],x0 [m],y0 [m],z0 [m]");
   EXPECT_EQ(lines[1], "0,0,0,4.9,4.9,0.5,0.5,0,0,0.5,0");
@@ -306,7 +301,7 @@ TEST(Headless, CsvHasTheQuantitiesThatAreAskedFor) {
   const ScratchFolder scratch;
   const std::string file = (scratch.folder / "out.csv").string();
   EXPECT_EQ(headless({"run", "two_masses", "--seconds", "0", "--csv", file, "--quantities", "time,length0, y1"}).code, 0);
-  EXPECT_EQ(content_of(file), "time [s],length0 [m],y1 [m]\n0,0.5,0.5\n");
+  EXPECT_EQ(contents(file), "time [s],length0 [m],y1 [m]\n0,0.5,0.5\n");
   const Outcome refused = headless({"run", "two_masses", "--seconds", "0", "--csv", file, "--quantities", "time,y2"});
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.err.find("--quantities y2: must be one of time, kinetic"), std::string::npos) << refused.err;
@@ -381,7 +376,7 @@ TEST(Headless, ASaveKilledAtAnyMomentLeavesTheOldFileOrTheNewOne) {
       kill(child, SIGKILL);
     }
     wait_for(child);
-    const std::string content = content_of(file);
+    const std::string content = contents(file);
     seen_old += content == old;
     seen_new += content == next;
     return content == old || content == next;

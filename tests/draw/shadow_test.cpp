@@ -1,4 +1,6 @@
 // Soft shadows: the map of the shade, and how it looks on ground, ball and box.
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <numeric>
 

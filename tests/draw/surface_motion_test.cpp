@@ -1,4 +1,6 @@
 // What is seen of a collider whose surface moves while its shape stays.
+#include <gtest/gtest.h>
+
 #include <numbers>
 
 #include "support/picture.h"

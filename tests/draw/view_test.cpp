@@ -1,4 +1,5 @@
 // Pictures, drawn without a display.
+#include <gtest/gtest.h>
 #include <imgui.h>
 
 #include <cstdlib>

@@ -5,6 +5,7 @@
 
 #include "lab/lab.h"
 #include "scene/parameters.h"
+#include "support/apply_now.h"
 #include "support/trial.h"
 
 namespace hooke {
@@ -17,10 +18,6 @@ Scene row_of(int points) {
   scene.system = trial.system;
   scene.state = trial.state;
   return scene;
-}
-
-void apply_now(Lab& lab) {
-  lab.advance(0.0, [] { return true; });
 }
 
 double mass_after(Lab& lab, std::size_t steps) {

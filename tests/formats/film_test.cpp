@@ -1,5 +1,7 @@
 // Films and replays of hooke-headless, run as a program. A stand-in for ffmpeg takes what a film is made of, so that its
 // bytes can be counted and its failures chosen.
+#include <gtest/gtest.h>
+
 #include <fstream>
 #include <sstream>
 
@@ -7,6 +9,8 @@
 #include "lab/lab.h"
 #include "lab/recording.h"
 #include "scene/parameters.h"
+#include "support/apply_now.h"
+#include "support/contents.h"
 #include "support/picture.h"
 #include "support/process.h"
 #include "support/scratch_folder.h"
@@ -30,11 +34,7 @@ class Films : public testing::Test {
     std::ofstream(program) << "#!/bin/sh\n" << script;
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   }
-  std::string contents(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(scratch.folder / name, std::ios::binary).rdbuf();
-    return text.str();
-  }
+  std::string contents(const std::string& name) const { return hooke::contents(scratch.folder / name); }
   std::size_t files() const {
     return static_cast<std::size_t>(
         std::distance(std::filesystem::directory_iterator(scratch.folder), std::filesystem::directory_iterator()));
@@ -86,7 +86,7 @@ class Replays : public Films {
       lab.step();
     }
     lab.submit(Record{});
-    lab.advance(0.0, [] { return true; });
+    apply_now(lab);
   }
 };
 

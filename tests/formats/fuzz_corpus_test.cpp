@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "fuzz/obj_input.h"
 #include "fuzz/png_input.h"
 #include "fuzz/scene_input.h"
 #include "fuzz/settings_input.h"
 #include "fuzz/xsp_input.h"
+#include "support/contents.h"
 
 namespace hooke {
 namespace {
@@ -20,9 +19,7 @@ int replay(const std::string& format, void (*try_as)(std::string_view bytes)) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(FUZZ_CORPUS "/" + format)) {
     SCOPED_TRACE(entry.path().filename().string());
-    std::ostringstream bytes;
-    bytes << std::ifstream(entry.path(), std::ios::binary).rdbuf();
-    try_as(bytes.str());
+    try_as(contents(entry.path()));
     ++count;
   }
   return count;

@@ -9,13 +9,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "fuzz/mutation.h"
 #include "fuzz/obj_input.h"
 #include "fuzz/png_input.h"
 #include "fuzz/scene_input.h"
 #include "fuzz/xsp_input.h"
+#include "support/contents.h"
 
 namespace hooke {
 namespace {
@@ -33,9 +33,7 @@ std::vector<std::string> read_all(const std::filesystem::path& folder, std::uint
   std::sort(files.begin(), files.end());
   std::vector<std::string> texts;
   for (const auto& file : files) {
-    std::ostringstream bytes;
-    bytes << std::ifstream(file, std::ios::binary).rdbuf();
-    texts.push_back(bytes.str());
+    texts.push_back(contents(file));
   }
   return texts;
 }

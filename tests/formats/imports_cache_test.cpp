@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
-#include <unistd.h>
-
 #include <cstring>
 #include <filesystem>
 #include <functional>
@@ -12,20 +10,17 @@
 #include "base/read_file.h"
 #include "formats/open_file.h"
 #include "formats/point_cache.h"
+#include "support/scratch_folder.h"
 
 namespace hooke {
 namespace {
 
 namespace fs = std::filesystem;
 
-// A folder of this test's own, gone with it.
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("hooke-imports-" + std::to_string(getpid()));
-  Folder() { fs::create_directory(path); }
-  ~Folder() { fs::remove_all(path); }
+struct Folder : ScratchFolder {
   fs::path file(const std::string& name, std::string_view bytes) const {
-    write_atomically(path / name, bytes);
-    return path / name;
+    write_atomically(folder / name, bytes);
+    return folder / name;
   }
 };
 
@@ -52,7 +47,7 @@ std::string bytes_of(Values... values) {
 
 TEST(PointCache, IsByteForByteWhatTheFormatSays) {
   const Folder folder;
-  const fs::path file = folder.path / "run.pc2";
+  const fs::path file = folder.folder / "run.pc2";
   PointCacheWriter cache(file, 2);
   cache.add(std::vector{Vec3(1.0, 2.0, 3.0), Vec3(-1.0, 0.5, 0.1)});
   cache.add(std::vector{Vec3(4.0, 5.0, 6.0), Vec3(0.0)});
@@ -70,8 +65,8 @@ TEST(PointCache, LeftUnfinishedItLeavesTheOldFile) {
 
 TEST(PointCache, ReportsWhatCannotBeWritten) {
   const Folder folder;
-  EXPECT_THROW(PointCacheWriter(folder.path / "none" / "run.pc2", 1), FileError);
-  PointCacheWriter cache(folder.path / "run.pc2", 1);
+  EXPECT_THROW(PointCacheWriter(folder.folder / "none" / "run.pc2", 1), FileError);
+  PointCacheWriter cache(folder.folder / "run.pc2", 1);
   EXPECT_THROW(cache.add(std::vector{Vec3(1e39, 0.0, 0.0)}), FileError);
   EXPECT_THROW(PointCacheWriter("/dev/full", 1), FileError);
 }
@@ -87,40 +82,40 @@ TEST(OpenFile, EachEndingHasItsReader) {
 
   const std::string ply = folder.file("a.ply", "ply").string();
   EXPECT_EQ(refusal([&] { load_file(ply); }), ply + ": kind of file: .ply: is only written: must be .json, .xsp or .obj to be read");
-  EXPECT_THROW(load_file(folder.path / "none.obj"), FileError);
+  EXPECT_THROW(load_file(folder.folder / "none.obj"), FileError);
   EXPECT_EQ(refusal([&] { load_file(folder.file("bad\n.xsp", "")); }),
-            folder.path.string() + "/bad\\n.xsp: line 1: \"\": must begin with #1.0");
-  fs::create_directory(folder.path / "folder.obj");
-  EXPECT_THROW(load_file(folder.path / "folder.obj"), InputError);
+            folder.folder.string() + "/bad\\n.xsp: line 1: \"\": must begin with #1.0");
+  fs::create_directory(folder.folder / "folder.obj");
+  EXPECT_THROW(load_file(folder.folder / "folder.obj"), InputError);
 }
 
 TEST(OpenFile, EachEndingHasItsWriter) {
   const Folder folder;
   const Scene scene = load_file(folder.file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).scene;
   for (const char* name : {"b.json", "b.obj", "b.PLY"}) {
-    EXPECT_TRUE(write_scene_as(scene, folder.path / name).empty());
-    EXPECT_GT(fs::file_size(folder.path / name), 0u);
+    EXPECT_TRUE(write_scene_as(scene, folder.folder / name).empty());
+    EXPECT_GT(fs::file_size(folder.folder / name), 0u);
   }
-  EXPECT_EQ(load_file(folder.path / "b.json").scene.system, scene.system);
+  EXPECT_EQ(load_file(folder.folder / "b.json").scene.system, scene.system);
 
   // refused, and the old file stays
   folder.file("b.xsp", "old");
-  EXPECT_EQ(refusal([&] { write_scene_as(scene, folder.path / "b.xsp"); }),
-            folder.path.string() + "/b.xsp: dimensions: 3: must be 2 to be written as .xsp");
-  EXPECT_EQ(read_file(folder.path / "b.xsp"), "old");
-  EXPECT_EQ(refusal([&] { write_scene_as(scene, folder.path / "b.stl"); }),
-            folder.path.string() + "/b.stl: kind of file: \".stl\": must be .json, .xsp, .obj or .ply");
+  EXPECT_EQ(refusal([&] { write_scene_as(scene, folder.folder / "b.xsp"); }),
+            folder.folder.string() + "/b.xsp: dimensions: 3: must be 2 to be written as .xsp");
+  EXPECT_EQ(read_file(folder.folder / "b.xsp"), "old");
+  EXPECT_EQ(refusal([&] { write_scene_as(scene, folder.folder / "b.stl"); }),
+            folder.folder.string() + "/b.stl: kind of file: \".stl\": must be .json, .xsp, .obj or .ply");
 
   Scene flat = load_file(folder.file("c.xsp", "#1.0\nmass 1 100 0 0 0 1 1\nmass 2 50 0 0 0 1 1\nspng 1 1 2 5 1 50\n")).scene;
   flat.system.spring(0).break_strain = 0.5;
-  EXPECT_EQ(write_scene_as(flat, folder.path / "d.xsp").size(), 1u);
-  EXPECT_EQ(load_file(folder.path / "d.xsp").scene.state, flat.state);
+  EXPECT_EQ(write_scene_as(flat, folder.folder / "d.xsp").size(), 1u);
+  EXPECT_EQ(load_file(folder.folder / "d.xsp").scene.state, flat.state);
 }
 
 TEST(OpenFile, NothingThatAMeshNamesIsOpened) {
   // a pipe: opening it would wait for ever
   const Folder folder;
-  ASSERT_EQ(mkfifo((folder.path / "cloth.mtl").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo((folder.folder / "cloth.mtl").c_str(), 0600), 0);
   const fs::path file = folder.file("a.obj", "mtllib cloth.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl x\nf 1 2 3\ncall cloth.mtl\n");
   EXPECT_EQ(load_file(file).scene.system.point_count(), 3);
 }

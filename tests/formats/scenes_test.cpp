@@ -3,15 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <set>
-#include <sstream>
 
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
 #include "sim/integrator.h"
+#include "support/contents.h"
 
 namespace hooke {
 namespace {
@@ -49,9 +48,8 @@ TEST(ShippedScenes, TheListNamesEveryFileAndNoOther) {
 }
 
 TEST(ShippedScenes, AreAllNamedInTheReadme) {
-  std::ostringstream text;
-  text << std::ifstream(DOCS_FOLDER "/../README.md").rdbuf();
-  for (const ShippedScene& scene : shipped_scenes()) EXPECT_NE(text.str().find("`" + scene.id + "`"), std::string::npos) << scene.id;
+  const std::string readme = contents(DOCS_FOLDER "/../README.md");
+  for (const ShippedScene& scene : shipped_scenes()) EXPECT_NE(readme.find("`" + scene.id + "`"), std::string::npos) << scene.id;
 }
 
 TEST(ShippedScenes, SayInTwoSentencesWhatToTryAndWhatToSee) {
@@ -260,11 +258,7 @@ TEST(ShippedScenes, TheMeasuredRopeHasItsPublishedFigures) {
   }
 }
 
-std::string scene_format_page() {
-  std::ostringstream text;
-  text << std::ifstream(DOCS_FOLDER "/scene-format.md").rdbuf();
-  return text.str();
-}
+std::string scene_format_page() { return contents(DOCS_FOLDER "/scene-format.md"); }
 
 TEST(SceneFormatPage, ItsExampleLoadsWithoutWarnings) {
   const std::string page = scene_format_page();

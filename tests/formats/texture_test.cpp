@@ -1,4 +1,6 @@
 // Textures: what a scene may name, what of it is read, and where on it the points lie.
+#include <gtest/gtest.h>
+
 #include "formats/texture.h"
 
 #include <fstream>

@@ -10,6 +10,7 @@
 #include "scene/parameters.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"
+#include "support/apply_now.h"
 
 namespace hooke {
 namespace {
@@ -50,10 +51,6 @@ struct Content {
 
 Content content_of(const Scene& scene) {
   return {scene.system, scene.state.position, scene.state.velocity, scene.settings, scene.defaults};
-}
-
-void apply_now(Lab& lab) {
-  lab.advance(0.0, [] { return true; });
 }
 
 // One of every kind of edit, on random things, some of which are gone.

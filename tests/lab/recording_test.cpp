@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "base/errors.h"
 #include "edit/command_text.h"
@@ -16,6 +14,8 @@
 #include "scene/parameters.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"
+#include "support/apply_now.h"
+#include "support/contents.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
@@ -124,11 +124,9 @@ Session record_session(const std::filesystem::path& file) {
   lab.submit(GoToStart{});
   step(2);
   lab.submit(Record{});
-  lab.advance(0.0, [] { return true; });
+  apply_now(lab);
   EXPECT_EQ(lab.status()->recording_error, "");
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return {hash_state(lab.scene().state), text.str()};
+  return {hash_state(lab.scene().state), contents(file)};
 }
 
 class Recordings : public testing::Test {
@@ -138,7 +136,7 @@ class Recordings : public testing::Test {
     auto recording = std::make_shared<const Recording>(parse_recording(text, "test"));
     Lab lab(*recording->start, KeepStart::No);
     lab.submit(Play{std::move(recording)});
-    lab.advance(0.0, [] { return true; });
+    apply_now(lab);
     while (lab.is_playing()) lab.step();
     return lab;
   }
@@ -157,10 +155,10 @@ TEST_F(Recordings, OfAPlayedOneAreTheSameAgain) {
   Lab lab(*recording->start);
   lab.submit(Play{recording});
   lab.submit(Record{std::make_shared<const std::filesystem::path>(scratch.folder / "again.hookelog")});
-  lab.advance(0.0, [] { return true; });
+  apply_now(lab);
   while (lab.is_playing()) lab.step();
   lab.submit(Record{});
-  lab.advance(0.0, [] { return true; });
+  apply_now(lab);
   const Recording again = read_recording(scratch.folder / "again.hookelog");
   EXPECT_EQ(again.frames, recording->frames);
   EXPECT_EQ(hash_state(play(session.text).scene().state), session.hash);

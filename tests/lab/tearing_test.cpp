@@ -11,6 +11,7 @@
 #include "scene/parameters.h"
 #include "sim/hand.h"
 #include "sim/hash.h"
+#include "support/apply_now.h"
 #include "support/convergence.h"
 #include "support/scratch_folder.h"
 #include "support/trial.h"
@@ -36,7 +37,7 @@ void run(Lab& lab, int frames) {
 }
 void ask(Lab& lab, const Control& control) {
   lab.submit(control);
-  lab.advance(0.0, [] { return true; });
+  apply_now(lab);
 }
 
 class Tearing : public EveryMethod {};
@@ -274,7 +275,7 @@ TEST(Tearing, GoesBackInARecordingToo) {
   lab.submit(GoToTime{5 * frame});
   for (int i = 0; i < 3; ++i) lab.step();
   lab.submit(Record{});
-  lab.advance(0.0, [] { return true; });
+  apply_now(lab);
   ASSERT_EQ(lab.status()->recording_error, "");
 
   auto recording = std::make_shared<const Recording>(read_recording(*file));
@@ -403,7 +404,7 @@ TEST(MassFollowsRadius, BySquareWhereItIsSwitchedOnAndIsTakenBack) {
     const Point before = scene.system.points()[5];
     Lab lab(scene);
     lab.submit(SetPointProperty{PointProperty::Radius, {{before.id, 3.0 * before.radius}}});
-    lab.advance(0.0, [] { return true; });
+    apply_now(lab);
     EXPECT_DOUBLE_EQ(lab.scene().system.points()[5].mass, (follows ? 9.0 : 1.0) * before.mass);
     ask(lab, Undo{});
     EXPECT_EQ(lab.scene().system, scene.system);
@@ -411,7 +412,7 @@ TEST(MassFollowsRadius, BySquareWhereItIsSwitchedOnAndIsTakenBack) {
     EXPECT_DOUBLE_EQ(lab.scene().system.points()[5].mass, (follows ? 9.0 : 1.0) * before.mass);
 
     lab.submit(SetParameter{find_parameter("radius"), 0.5});
-    lab.advance(0.0, [] { return true; });
+    apply_now(lab);
     EXPECT_EQ(lab.scene().system.points()[6].radius, 0.5);
     ask(lab, Undo{});
     ask(lab, Undo{});

@@ -7,6 +7,7 @@
 #include "lab/lab.h"
 #include "scene/parameters.h"
 #include "sim/hash.h"
+#include "support/apply_now.h"
 
 namespace hooke {
 namespace {
@@ -18,9 +19,7 @@ void step(Lab& lab, int frames) {
 }
 
 // Does what is queued, and lets no time pass.
-void settle(Lab& lab) {
-  lab.advance(0.0, [] { return true; });
-}
+void settle(Lab& lab) { apply_now(lab); }
 
 std::uint64_t hash_of(const Lab& lab) { return hash_state(lab.scene().state); }
 

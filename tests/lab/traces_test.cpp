@@ -10,6 +10,7 @@
 #include "lab/lab.h"
 #include "scene/parameters.h"
 #include "sim/energy.h"
+#include "support/apply_now.h"
 
 namespace hooke {
 namespace {
@@ -21,9 +22,7 @@ Quantity quantity(const Lab& lab, const char* name) {
   return *find_quantity(name, system.point_count(), system.spring_count());
 }
 
-void settle(Lab& lab) {
-  lab.advance(0.0, [] { return true; });
-}
+void settle(Lab& lab) { apply_now(lab); }
 
 TEST(Traces, HoldWhatIsMeasuredOfEveryMoment) {
   Lab lab = lab_on("two_masses");

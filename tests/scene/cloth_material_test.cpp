@@ -12,6 +12,7 @@
 #include "lab/lab.h"
 #include "scene/parameters.h"
 #include "sim/integrator.h"
+#include "support/apply_now.h"
 #include "support/scratch_folder.h"
 #include "support/trial.h"
 
@@ -222,9 +223,7 @@ TEST(Readings, AreTakenBackExactly) {
 Insert insertion_into(Lab& lab, const Scene& part) {
   return make_insert(part, Vec3(0.0), {[&] { return lab.new_point_id(); }, [&] { return lab.new_spring_id(); }});
 }
-void settle(Lab& lab) {
-  lab.advance(0.0, [] { return true; });
-}
+void settle(Lab& lab) { apply_now(lab); }
 
 TEST(Sheet, PutIntoAnotherSceneHasItsSlidersThere) {
   const Scene part = sheet(4, R"("sheet_stiffness": 80)");

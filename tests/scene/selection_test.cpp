@@ -6,6 +6,7 @@
 #include "edit/copy_selection.h"
 #include "formats/scene_file.h"
 #include "lab/lab.h"
+#include "support/apply_now.h"
 #include "support/random_scene.h"
 #include "support/trial.h"
 
@@ -84,7 +85,7 @@ TEST(Excerpt, ComesBackFromItsTextBitForBit) {
     const Selection all = select_all(scene.system);
     const Scene part = parse_scene(format_scene(copy_selection(snapshot, nullptr, all)), "clipboard").scene;
     lab.submit(Command(make_insert(part, Vec3(0.0), {[&] { return lab.new_point_id(); }, [&] { return lab.new_spring_id(); }})));
-    lab.advance(0.0, [] { return true; });
+    apply_now(lab);
     const System& system = lab.scene().system;
     const Index points = scene.system.point_count(), springs = scene.system.spring_count();
     ASSERT_EQ(system.point_count(), 2 * points);
@@ -106,7 +107,7 @@ TEST(Excerpt, ComesBackFromItsTextBitForBit) {
       EXPECT_EQ(copy.family, original.family);
     }
     lab.submit(Undo{});
-    lab.advance(0.0, [] { return true; });
+    apply_now(lab);
     EXPECT_EQ(lab.scene().system, scene.system);
   }
 }

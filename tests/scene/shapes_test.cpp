@@ -2,14 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <set>
-#include <sstream>
 
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "scene/generators.h"
+#include "support/contents.h"
 
 namespace hooke {
 namespace {
@@ -221,9 +220,7 @@ TEST(Shapes, AreRefusedWhereTheyCannotBe) {
 }
 
 TEST(SceneFormatPage, DescribesEveryShape) {
-  std::ostringstream text;
-  text << std::ifstream(DOCS_FOLDER "/scene-format.md").rdbuf();
-  const std::string page = text.str();
+  const std::string page = contents(DOCS_FOLDER "/scene-format.md");
   for (const ShapeKind& kind : shape_kinds()) {
     const std::size_t row = page.find("| `" + std::string(kind.id) + "` |", page.find("### Shapes"));
     ASSERT_NE(row, std::string::npos) << kind.id;

@@ -1,4 +1,6 @@
 // The surface of a cloth in pictures: lit from both sides, printed on, coloured by strain.
+#include <gtest/gtest.h>
+
 #include <set>
 
 #include "support/picture.h"

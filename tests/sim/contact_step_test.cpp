@@ -1,5 +1,7 @@
 // Steps that contacts allow: they act when a step is done, each on its own point.
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "sim/energy.h"

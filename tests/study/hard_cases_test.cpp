@@ -1,6 +1,7 @@
 // The hard cases as a machine for judging: that it finds what is planted. What becomes of the methods in them is
 // `hooke check --hard` itself.
 
+#include <gtest/gtest.h>
 #include <rapidjson/document.h>
 
 #include <algorithm>

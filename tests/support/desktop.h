@@ -11,13 +11,15 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#include "support/contents.h"
 
 namespace hooke {
 
@@ -31,12 +33,6 @@ inline bool wait_for(const std::function<bool()>& condition, double seconds = 30
     rest(0.05);
   }
   return false;
-}
-
-inline std::string contents(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
 }
 
 // A child process whose output goes to a file; killed when forgotten.

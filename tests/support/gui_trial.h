@@ -73,6 +73,13 @@ class GuiTrial {
     return read_text(*ImGui::GetDrawData());
   }
 
+  // Where a place of the scene appears in the window [px].
+  glm::dvec2 seen(const Vec3& place) {
+    const Rect& scene = app_->layout().scene;
+    const Vec3 at = app_->camera().project(place, {scene.width, scene.height});
+    return {scene.x + at.x, scene.y + at.y};
+  }
+
   void move(const glm::dvec2& to, Modifiers modifiers = {}) {
     ImGui::GetIO().MousePos = {static_cast<float>(to.x), static_cast<float>(to.y)};
     app_->handle(CursorMove{to, modifiers});

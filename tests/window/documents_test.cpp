@@ -1,4 +1,6 @@
 // Documents in the real window: killed and recovered, and parts of scenes that go from one window to another.
+#include <gtest/gtest.h>
+
 #include <cstdlib>
 #include <random>
 
@@ -41,7 +43,7 @@ class Hand {
     const int column = next_ % 20, row = next_ / 20 % 20;
     ++next_;
     desktop_.run_xdotool("mousemove " + std::to_string(static_cast<int>(scene_.x) + 40 + 30 * column) + " " +
-                  std::to_string(static_cast<int>(scene_.y) + 40 + 25 * row) + " sleep 0.05 mousedown 1 sleep 0.08 mouseup 1");
+                         std::to_string(static_cast<int>(scene_.y) + 40 + 25 * row) + " sleep 0.05 mousedown 1 sleep 0.08 mouseup 1");
   }
 
  private:

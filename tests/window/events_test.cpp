@@ -1,5 +1,7 @@
 // The real window and everything that can come at it: every key of the table, files that are dropped, the closing button,
 // and somebody who hits keys and mouse at random.
+#include <gtest/gtest.h>
+
 #include <cctype>
 #include <map>
 #include <random>
@@ -99,7 +101,7 @@ class Bench {
   void select() const {
     const Rect scene = lay_out(Desktop::width, Desktop::height, 1.0).scene;
     desktop.run_xdotool("mousemove " + std::to_string(static_cast<int>(scene.x + 0.5 * scene.width)) + " " +
-                 std::to_string(static_cast<int>(scene.y + 0.5 * scene.height)) + " mousedown 1 sleep 0.06 mouseup 1");
+                        std::to_string(static_cast<int>(scene.y + 0.5 * scene.height)) + " mousedown 1 sleep 0.06 mouseup 1");
   }
   // Nothing pressed, nothing open, one point selected; what is shown then, or nothing when it does not come to rest.
   std::string ready() {

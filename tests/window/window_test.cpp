@@ -1,4 +1,6 @@
 // The real window under Xvfb, driven by mouse and keys; judged by what it saves, not only by what it shows.
+#include <gtest/gtest.h>
+
 #include <glm/geometric.hpp>
 
 #include "app/tools/tool_context.h"

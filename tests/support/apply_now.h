@@ -1,0 +1,13 @@
+// For tests that submit commands and look at the result.
+#pragma once
+
+#include "lab/lab.h"
+
+namespace hooke {
+
+// Applies everything that was submitted, without advancing time.
+inline void apply_now(Lab& lab) {
+  lab.advance(0.0, [] { return true; });
+}
+
+}  // namespace hooke
