@@ -6,6 +6,7 @@
 
 #include "fuzz/obj_input.h"
 #include "fuzz/png_input.h"
+#include "fuzz/recording_input.h"
 #include "fuzz/scene_input.h"
 #include "fuzz/settings_input.h"
 #include "fuzz/xsp_input.h"
@@ -29,6 +30,7 @@ TEST(FuzzCorpus, EverySceneIsLoadedOrRefused) { EXPECT_GT(replay("scene", try_as
 TEST(FuzzCorpus, EveryXspIsLoadedOrRefused) { EXPECT_GT(replay("xsp", try_as_xsp), 10); }
 TEST(FuzzCorpus, EveryPngIsDecodedOrRefused) { EXPECT_GT(replay("png", try_as_png), 10); }
 TEST(FuzzCorpus, EverySettingsFileIsReadOrRefused) { EXPECT_GT(replay("settings", try_as_settings), 10); }
+TEST(FuzzCorpus, EveryRecordingIsPlayedOrRefused) { EXPECT_GT(replay("recording", try_as_recording), 10); }
 TEST(FuzzCorpus, EveryObjIsLoadedOrRefused) { EXPECT_GT(replay("obj", try_as_obj), 10); }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "fuzz/mutation.h"
 #include "fuzz/obj_input.h"
 #include "fuzz/png_input.h"
+#include "fuzz/recording_input.h"
 #include "fuzz/scene_input.h"
 #include "fuzz/xsp_input.h"
 #include "support/contents.h"
@@ -20,10 +21,10 @@
 namespace hooke {
 namespace {
 
-// [s] a format: four of them are the minute. HOOKE_FUZZ_SECONDS sets another.
+// [s] a format: five of them take a minute. HOOKE_FUZZ_SECONDS sets another.
 double budget() {
   const char* given = std::getenv("HOOKE_FUZZ_SECONDS");
-  return given != nullptr ? std::atof(given) : 15.0;
+  return given != nullptr ? std::atof(given) : 12.0;
 }
 
 std::vector<std::string> read_all(const std::filesystem::path& folder, std::uintmax_t max_bytes) {
@@ -67,6 +68,7 @@ TEST(Fuzzed, Scenes) {
   seeds.insert(seeds.end(), shipped.begin(), shipped.end());
   fire("scene", seeds, try_as_scene);
 }
+TEST(Fuzzed, Recordings) { fire("recording", read_all(FUZZ_FOLDER "/corpus/recording", 20'000), try_as_recording); }
 TEST(Fuzzed, Xsp) { fire("xsp", read_all(FUZZ_FOLDER "/corpus/xsp", 20'000), try_as_xsp); }
 TEST(Fuzzed, Obj) { fire("obj", read_all(FUZZ_FOLDER "/corpus/obj", 20'000), try_as_obj); }
 TEST(Fuzzed, Png) { fire("png", read_all(FUZZ_FOLDER "/corpus/png", 20'000), try_as_png); }

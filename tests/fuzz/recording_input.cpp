@@ -1,0 +1,76 @@
+#include "fuzz/recording_input.h"
+
+#include <algorithm>
+
+#include "base/json_text.h"
+#include "edit/command_text.h"
+#include "fuzz/sound.h"
+#include "lab/lab.h"
+#include "support/valid_scene.h"
+
+namespace hooke {
+namespace {
+
+constexpr int max_played_frames = 20;
+constexpr std::size_t max_played_items = 100;
+
+std::string text_of(const Command& command) {
+  JsonWriter out;
+  write_command(out, command);
+  return out.take();
+}
+
+Command parse_command(const std::string& text) {
+  std::optional<Command> command;
+  JsonParser parser;
+  walk_json(text, "again",
+            {.is_list = [](std::string_view) { return false; },
+             .item = {},
+             .member = [&](std::string_view key,
+                           std::string_view value) { command = read_command(JsonField("again", key, parser.parse(value))); },
+             .is_one_line = true});
+  require(command.has_value(), "a command that was written is one");
+  return *command;
+}
+
+// Scenes within every limit may still take too long to wait for.
+bool is_small(const Scene& scene) {
+  const System& system = scene.system;
+  return system.point_count() < 500 && system.spring_count() < 2000 && scene.settings.substeps <= 50 && system.colliders.size() <= 10;
+}
+
+void play(const Recording& recording) {
+  Lab lab(*recording.start);
+  lab.submit(Play{std::make_shared<const Recording>(recording)});
+  for (int frame = 0; frame < max_played_frames && is_small(lab.scene()); ++frame) {
+    lab.step();
+    lab.publish();
+    require(is_valid(*lab.status()), "the scene is valid after a frame");
+    if (!lab.is_playing() || lab.status()->snapshot->divergence) return;
+  }
+}
+
+}  // namespace
+
+void try_as_recording(std::string_view bytes) {
+  Recording recording;
+  try {
+    recording = parse_recording(std::string(bytes), "fuzz.hookelog");
+  } catch (const InputError& refused) {
+    for (const char* c = refused.what(); *c != '\0'; ++c)
+      require(static_cast<unsigned char>(*c) >= 0x20 && *c != 0x7f, "no control character in a message");
+    return;
+  }
+
+  bool are_small = is_small(*recording.start) && recording.items.size() <= max_played_items;
+  for (const Recording::Item& item : recording.items) {
+    if (const auto* scene = std::get_if<std::shared_ptr<const Scene>>(&item)) are_small = are_small && is_small(**scene);
+    const auto* command = std::get_if<Command>(&item);
+    if (command == nullptr) continue;
+    const std::string text = text_of(*command);
+    require(text_of(parse_command(text)) == text, "an edit comes back as it was written");
+  }
+  if (are_small) play(recording);
+}
+
+}  // namespace hooke
