@@ -17,8 +17,8 @@ __attribute__((format(printf, 2, 3))) void print(std::string& text, const char* 
   text += line;
 }
 
-// Decades of error with the same cheapest row, or with none.
-struct Answer {
+// Consecutive decades of error with the same cheapest row; null where no row reaches them.
+struct CheapestRow {
   int first = 1, last = 1;
   const Row* row = nullptr;
   std::string decades() const {
@@ -27,8 +27,8 @@ struct Answer {
   }
 };
 
-std::vector<Answer> answers(const ProblemRecord& record) {
-  std::vector<Answer> list;
+std::vector<CheapestRow> cheapest_rows(const ProblemRecord& record) {
+  std::vector<CheapestRow> list;
   for (int decade = 1; decade <= 10; ++decade) {
     const Row* row = cheapest(record, std::pow(10.0, -decade));
     if (!list.empty() && list.back().row == row)
@@ -72,12 +72,12 @@ std::string report(const ProblemRecord& record) {
         record.seconds);
   if (!record.reference) return text + "  no reference: nothing measured\n";
   text += "  " + describe(*record.reference) + "\n";
-  for (const Answer& answer : answers(record))
-    if (answer.row == nullptr)
-      print(text, "  %-14s  not reached\n", answer.decades().c_str());
+  for (const CheapestRow& cheapest_row : cheapest_rows(record))
+    if (cheapest_row.row == nullptr)
+      print(text, "  %-14s  not reached\n", cheapest_row.decades().c_str());
     else
-      print(text, "  %-14s  %-18s %10.3g ms/s   %s\n", answer.decades().c_str(), answer.row->method.c_str(), *answer.row->cpu_ms_per_s,
-            answer.row->setting.c_str());
+      print(text, "  %-14s  %-18s %10.3g ms/s   %s\n", cheapest_row.decades().c_str(), cheapest_row.row->method.c_str(),
+            *cheapest_row.row->cpu_ms_per_s, cheapest_row.row->setting.c_str());
   return text;
 }
 
@@ -97,12 +97,13 @@ std::string markdown_report(const Results& results) {
     text += describe(*record.reference) +
             "\n\n| error at most | cheapest method | cost [ms/s] | at | its error | work |\n"
             "|---|---|---|---|---|---|\n";
-    for (const Answer& answer : answers(record))
-      if (answer.row == nullptr)
-        print(text, "| %s | not reached | | | | |\n", answer.decades().c_str());
+    for (const CheapestRow& cheapest_row : cheapest_rows(record))
+      if (cheapest_row.row == nullptr)
+        print(text, "| %s | not reached | | | | |\n", cheapest_row.decades().c_str());
       else
-        print(text, "| %s | `%s` | %.3g | %s | %.1e | %s |\n", answer.decades().c_str(), answer.row->method.c_str(),
-              *answer.row->cpu_ms_per_s, answer.row->setting.c_str(), *answer.row->relative_error, describe(answer.row->work).c_str());
+        print(text, "| %s | `%s` | %.3g | %s | %.1e | %s |\n", cheapest_row.decades().c_str(), cheapest_row.row->method.c_str(),
+              *cheapest_row.row->cpu_ms_per_s, cheapest_row.row->setting.c_str(), *cheapest_row.row->relative_error,
+              describe(cheapest_row.row->work).c_str());
   }
   return text;
 }

@@ -13,7 +13,7 @@
 namespace hooke {
 namespace {
 
-constexpr double round_off = 1e-9;  // of a count of frames
+constexpr double frame_tolerance = 1e-9;  // relative rounding error of a number of frames
 
 // A number at the start of the text, which it takes away.
 template <class Number>
@@ -76,20 +76,20 @@ void prepare(const Destination& destination) {
 
 CaptureSchedule::CaptureSchedule(const CaptureOptions& options, double frame_rate, double length) {
   const double fps = pictures_per_second_ = options.fps.value_or(std::min(60.0, frame_rate));
-  if (fps > frame_rate * (1.0 + round_off))
+  if (fps > frame_rate * (1.0 + frame_tolerance))
     throw UsageError("--fps " + format_exact(fps) + ": must be at most the scene's frame rate, " + format_exact(frame_rate) +
                      " (--frame-rate sets it)");
   frames_per_picture_ = frame_rate / fps;
   constexpr double max = 1e15;
   const double last = options.frames ? static_cast<double>(*options.frames - 1)
-                                     : std::floor(options.seconds.value_or(length) * fps * (1.0 + round_off) + round_off);
+                                     : std::floor(options.seconds.value_or(length) * fps * (1.0 + frame_tolerance) + frame_tolerance);
   if (!(last * frames_per_picture_ <= max))
     throw UsageError("--seconds " + format_exact(options.seconds.value_or(length)) + ": must be at most 1e15 frames");
   pictures_ = static_cast<long>(last) + 1;
 }
 
 long CaptureSchedule::frame_of(long picture) const {
-  return static_cast<long>(std::ceil(static_cast<double>(picture) * frames_per_picture_ * (1.0 - round_off) - round_off));
+  return static_cast<long>(std::ceil(static_cast<double>(picture) * frames_per_picture_ * (1.0 - frame_tolerance) - frame_tolerance));
 }
 
 }  // namespace hooke

@@ -7,7 +7,7 @@
 
 namespace hooke {
 
-using Layout = JsonWriter::Layout;
+using JsonLayout = JsonWriter::Layout;
 
 // [bytes] of a sample that are kept before they are written: samples of large scenes are longer than the scenes.
 constexpr std::size_t max_buffered_bytes = 1 << 16;
@@ -19,7 +19,7 @@ std::string to_hexadecimal(std::uint64_t hash) {
 }
 
 JsonReport::JsonReport(const std::string& file, const std::string& scene_name, const Scene& scene) : file_(file) {
-  json_.begin_object(Layout::Lines);
+  json_.begin_object(JsonLayout::Lines);
   json_.text("scene", scene_name);
   json_.integer("points", scene.system.point_count());
   json_.integer("springs", scene.system.spring_count());
@@ -27,27 +27,27 @@ JsonReport::JsonReport(const std::string& file, const std::string& scene_name, c
   json_.integer("substeps", scene.settings.substeps);
   json_.number("frame_rate", scene.settings.frame_rate);
   json_.key("samples");
-  json_.begin_list(Layout::Lines);
+  json_.begin_list(JsonLayout::Lines);
 }
 
 void JsonReport::add_sample(const System& system, const State& state, const std::vector<Index>& points) {
   const auto write_vectors = [&](const char* key, const std::vector<Vec3>& vectors) {
     json_.key(key);
-    json_.begin_list(Layout::Line);
+    json_.begin_list(JsonLayout::Line);
     for (const Index i : points) {
       json_.vector(vectors[i]);
       if (json_.written().size() > max_buffered_bytes) file_.write(json_.take());
     }
     json_.end();
   };
-  json_.begin_object(Layout::Line);
+  json_.begin_object(JsonLayout::Line);
   json_.number("time", state.time);
   write_vectors("positions", state.position);
   write_vectors("velocities", state.velocity);
 
   const Energy energy = compute_energy(system, state);
   json_.key("energy");
-  json_.begin_object(Layout::Line);
+  json_.begin_object(JsonLayout::Line);
   json_.number("kinetic", energy.kinetic);
   json_.number("elastic", energy.elastic);
   json_.number("gravitational", energy.gravitational);
@@ -56,7 +56,7 @@ void JsonReport::add_sample(const System& system, const State& state, const std:
 
   // nothing estimates the error of a fixed step
   json_.key("error");
-  json_.begin_object(Layout::Line);
+  json_.begin_object(JsonLayout::Line);
   for (const char* key : {"frame", "accumulated", "amplification"}) {
     json_.key(key);
     json_.null();

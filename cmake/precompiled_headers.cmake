@@ -1,0 +1,31 @@
+# Precompiled headers: the standard and library headers that most sources include, compiled once for each set of compiler options.
+# Sources still include everything they use: sanitizer builds and scripts/tidy compile without precompiled headers and fail on a missing
+# include.
+
+option(HOOKE_PRECOMPILED_HEADERS "Precompile the headers that most sources include" ON)
+
+set(common_headers <algorithm> <array> <atomic> <chrono> <cmath> <filesystem> <functional> <glm/geometric.hpp> <memory> <optional> <span>
+    <string> <string_view> <variant> <vector>)
+
+# precompile(NAME HEADERS header... [LIBS target...] [OPTIONS option...]): a library NAME that holds nothing but precompiled headers.
+function(precompile name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LIBS;OPTIONS")
+  if(NOT HOOKE_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp CONTENT "")
+  add_library(${name} STATIC ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  target_link_libraries(${name} PRIVATE hooke_options glm::glm ${arg_LIBS})
+  target_compile_options(${name} PRIVATE ${arg_OPTIONS})
+  target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+endfunction()
+
+# use_precompiled(NAME target...): the targets are compiled with the headers of NAME, which has the same compiler options.
+function(use_precompiled name)
+  if(NOT HOOKE_PRECOMPILED_HEADERS)
+    return()
+  endif()
+  foreach(target IN LISTS ARGN)
+    target_precompile_headers(${target} REUSE_FROM ${name})
+  endforeach()
+endfunction()
