@@ -79,9 +79,9 @@ void include_hanging_extent(Extent& extent, const System& system, const State& s
 }
 
 // Where colliders come on their paths: at the ends of each way to and fro.
-std::vector<Collider> include_collider_paths(const System& system) {
+std::vector<Collider> include_collider_paths(const System& system, const State& state) {
   std::vector<Collider> all;
-  for (const Collider& collider : system.colliders) {
+  for (const Collider& collider : carried_colliders(system, state)) {
     const ColliderPath& path = collider.path;
     if (path.amplitude == Vec3(0.0) || path.frequency == 0.0) {
       all.push_back(collider_at_time(collider, 0.0));
@@ -94,8 +94,8 @@ std::vector<Collider> include_collider_paths(const System& system) {
 }
 
 // Bounded colliders; then the nearest place of each plane that is not far off.
-void include_colliders(Extent& extent, const System& system) {
-  const std::vector<Collider> colliders = include_collider_paths(system);
+void include_colliders(Extent& extent, const System& system, const State& state) {
+  const std::vector<Collider> colliders = include_collider_paths(system, state);
   for (const Collider& collider : colliders) {
     if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) extent.include(sphere->center, sphere->radius);
     if (const auto* box = std::get_if<Box>(&collider.shape)) {
@@ -199,7 +199,7 @@ Camera make_camera(const ViewSettings& view, const System& system, const State& 
   Extent extent;
   include_points(extent, system, state);
   include_hanging_extent(extent, system, state);
-  include_colliders(extent, system);
+  include_colliders(extent, system, state);
   fit(camera, extent, aspect);
   return camera;
 }
@@ -228,7 +228,7 @@ void follow_scene(Camera& camera, const State& state) {
 void frame_scene(Camera& camera, const System& system, const State& state, double aspect) {
   Extent extent;
   include_points(extent, system, state);
-  include_colliders(extent, system);
+  include_colliders(extent, system, state);
   fit(camera, extent, aspect);
 }
 

@@ -84,17 +84,31 @@ struct SetIntegrator {
   const Integrator* integrator;
 };
 
-// Takes hold of a point or, pulling, of a place between three; moves the hand, lets go. Not edits of their own in the history:
-// the grab is one step as a whole, its inverse puts the points back where they were taken.
+// Grabs a point or, pulling, a place between three points. The whole drag is one step of the history: the inverse of the grab moves the
+// points back to where they were grabbed.
 struct GrabPoint {
-  Grab grab;
+  struct Item {
+    PointId point{};
+    std::optional<Patch> patch{};
+    GrabKind kind = GrabKind::Pull;
+    Vec3 target{0.0};          // [m]
+    double stiffness = 100.0;  // [N/m], of a pull
+  };
+  Item grab;
 };
+
+// Grabs a collider by its anchor. Its inverse moves the colliders back.
+struct GrabCollider {
+  struct Item {
+    Index collider = no_index;
+    Vec3 target{0.0};  // [m]
+  };
+  Item grab;
+};
+
+// Moves what is grabbed towards the target in the coming frame; releases it.
 struct MoveHand {
   Vec3 target;
-};
-// Takes hold of a collider by its anchor, to be moved and let go by the same commands. Its inverse puts the colliders back.
-struct GrabCollider {
-  ColliderGrab grab;
 };
 struct ReleaseHand {};
 

@@ -238,6 +238,13 @@ struct Text<const ForceTerm*> : RowText<ForceTerm, find_force_term, ById> {};
 template <>
 struct Text<const Parameter*> : RowText<Parameter, find_parameter, ByName> {};
 
+// Of the hand only its position: no grab survives a jump to another state.
+template <>
+struct Text<Hand> {
+  static void write(JsonWriter& out, const Hand& hand) { hooke::write(out, hand.position); }
+  static Hand read(const JsonField& field) { return {.position = hooke::read<Vec3>(field)}; }
+};
+
 // A picture is looks alone.
 template <>
 struct Text<std::shared_ptr<const Picture>> {
@@ -331,13 +338,18 @@ void write_command(JsonWriter& out, const Command& command) { write(out, command
 Command read_command(const JsonField& member) { return Text<Command>::read_alternative(member); }
 
 ResumeState resume_state_of(const Scene& scene) {
+  const Hand& hand = scene.state.hand;
+  std::optional<GrabPoint::Item> grab;
+  if (const auto& held = scene.system.grab) grab = {held->point, held->patch, held->kind, hand.target, held->stiffness};
+  std::optional<GrabCollider::Item> collider_grab;
+  if (hand.collider) collider_grab = {hand.collider->collider, hand.collider->target};
   return {.point_ids = ids_of(scene.system.points()),
           .spring_ids = ids_of(scene.system.springs()),
           .next_point_id = scene.system.next_point_id(),
           .next_spring_id = scene.system.next_spring_id(),
-          .grab = scene.system.grab,
-          .collider_grab = scene.system.collider_grab,
-          .hand = scene.state.hand,
+          .grab = grab,
+          .collider_grab = collider_grab,
+          .hand = hand.position,
           .ledger = scene.state.ledger,
           .memory = scene.state.memory,
           .torn = scene.state.torn,
@@ -358,14 +370,14 @@ void restore_resume_state(const JsonField& field, Scene& scene) {
   restore_ids(rest, scene);
   scene.state.torn = rest.torn;
   scene.tears = rest.tears;
-  scene.state.hand = rest.hand;
+  scene.state.hand.position = rest.hand;
   scene.state.ledger = rest.ledger;
   scene.state.memory = rest.memory;
   Effect effect;
   if (rest.collider_grab) apply(scene, GrabCollider{*rest.collider_grab}, effect);
   if (!rest.grab) return;
   apply(scene, GrabPoint{*rest.grab}, effect);
-  scene.state.hand = rest.hand;
+  scene.state.hand.position = rest.hand;
 }
 
 }  // namespace hooke

@@ -13,14 +13,14 @@ void write_command(JsonWriter& out, const Command& command);
 // The command of such a member. Throws InputError for what is none.
 Command read_command(const JsonField& member);
 
-// What goes on from a scene needs, and its file does not hold: ids, the hand, where energy came from, the method's memory, what
-// tore.
+// What a run needs to resume from a scene and the scene's file does not hold: ids, the hand, the energy ledger, the memory of an adaptive
+// method, and the tears.
 struct ResumeState {
   std::optional<std::vector<PointId>> point_ids;  // none: numbered from 0
   std::optional<std::vector<SpringId>> spring_ids;
   std::uint32_t next_point_id = 0, next_spring_id = 0;
-  std::optional<Grab> grab;
-  std::optional<ColliderGrab> collider_grab;
+  std::optional<GrabPoint::Item> grab;
+  std::optional<GrabCollider::Item> collider_grab;
   Vec3 hand{0.0};
   EnergyLedger ledger;
   MethodMemory memory;
@@ -30,7 +30,7 @@ struct ResumeState {
 ResumeState resume_state_of(const Scene& scene);
 
 // As an object, and back. Throws InputError for what does not fit the scene.
-void write_resume_state(JsonWriter& out, const ResumeState& resume_state);
+void write_resume_state(JsonWriter& out, const ResumeState& rest);
 void restore_resume_state(const JsonField& field, Scene& scene);
 
 }  // namespace hooke

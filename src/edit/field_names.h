@@ -26,8 +26,8 @@ template <> inline constexpr std::array<std::string_view, 5> field_names<Collide
 template <> inline constexpr std::array<std::string_view, 5> field_names<Collider> = {"shape", "restitution", "friction", "solid", "path"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Force> = {"type", "on", "values"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Patch> = {"points", "shares"};
-template <> inline constexpr std::array<std::string_view, 5> field_names<Grab> = {"point", "patch", "kind", "target", "stiffness"};
-template <> inline constexpr std::array<std::string_view, 2> field_names<ColliderGrab> = {"collider", "target"};
+template <> inline constexpr std::array<std::string_view, 5> field_names<GrabPoint::Item> = {"point", "patch", "kind", "target", "stiffness"};
+template <> inline constexpr std::array<std::string_view, 2> field_names<GrabCollider::Item> = {"collider", "target"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<EnergyLedger> = {"given", "scale", "hand_stretch"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<MethodMemory> = {"step", "error"};
 template <> inline constexpr std::array<std::string_view, 11> field_names<ResumeState> =

@@ -62,7 +62,6 @@ void Lab::edit(const Command& command, Gesture gesture) {
   if (std::holds_alternative<MoveHand>(command)) {
     Effect effect;
     apply(scene_, command, effect);
-    published_system_.reset();
     recorder_.record(command, scene_);
     return;
   }
@@ -150,20 +149,14 @@ void Lab::record_tear(Insert pieces) {
   const std::uint32_t before = scene_.state.torn;
   scene_.tears.push_back(std::make_shared<const Tear>(Tear{before, std::move(pieces.springs), std::move(pieces.faces)}));
   scene_.state.torn = static_cast<std::uint32_t>(scene_.tears.size());
-  history_.record("tear", {SetTorn{before}}, scene_.system.grab || scene_.system.collider_grab ? grab_gesture_ : tearing_gesture);
+  history_.record("tear", {SetTorn{before}}, scene_.system.grab || scene_.state.hand.collider ? grab_gesture_ : tearing_gesture);
 }
 
-// Puts the collider in the hand where the frame took it, and sees how far the hand is behind.
-void Lab::update_hand() {
-  const auto& grab = scene_.system.grab;
-  const auto& collider_grab = scene_.system.collider_grab;
-  hand_lag_ = grab ? glm::distance(grab->target, scene_.state.hand) : 0.0;
-  if (!collider_grab) return;
-  Collider& collider = scene_.system.colliders[collider_grab->collider];
-  collider = translated(collider, frame_.collider_displacement());
-  refresh_colliders(plan_, scene_.system);
-  published_system_.reset();
-  hand_lag_ = glm::distance(collider_grab->target, anchor_of(collider));
+// How far the hand is behind its target [m].
+double Lab::hand_lag() const {
+  const Hand& hand = scene_.state.hand;
+  if (hand.collider) return glm::distance(hand.collider->target, anchor_of(hand.collider->shape));
+  return scene_.system.grab ? glm::distance(hand.target, hand.position) : 0.0;
 }
 
 // Judges the frame just computed and takes it over, or keeps the one before and stops.
@@ -190,7 +183,7 @@ bool Lab::finish_frame() {
   energy_ = energy;
   ++frames_;
   if (torn) record_tear(*std::move(torn));
-  update_hand();
+  hand_lag_ = hand_lag();
   last_limit_work_ = frame_.motion().limit_work;
   limit_work_ += last_limit_work_;
   add_to_timeline();

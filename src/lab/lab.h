@@ -112,7 +112,7 @@ class Lab {
   std::optional<Insert> tear();
   void record_tear(Insert pieces);
   void drop_frame();
-  void update_hand();
+  double hand_lag() const;
   std::shared_ptr<const Snapshot> snapshot();
 
   Scene scene_;

@@ -42,7 +42,7 @@ void Lab::publish() {
     const bool applies = parameter.applies == nullptr || parameter.applies(scene_);
     status->parameter_values.push_back(applies ? parameter.read(scene_) : std::numeric_limits<double>::quiet_NaN());
   }
-  status->hand_lag = scene_.system.hand_speed > 0.0 && (scene_.system.grab || scene_.system.collider_grab) ? hand_lag_ : 0.0;
+  status->hand_lag = scene_.system.hand_speed > 0.0 && (scene_.system.grab || scene_.state.hand.collider) ? hand_lag_ : 0.0;
   status->limit_power = running_ ? last_limit_work_ * scene_.settings.frame_rate : 0.0;
   status->limit_work = limit_work_;
   status->running = running_;

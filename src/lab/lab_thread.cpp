@@ -55,7 +55,9 @@ std::future<std::shared_ptr<const Scene>> LabThread::copy_scene() {
   post(
       [promise](Lab& lab) {
         lab.advance(0.0, [] { return false; });
-        promise->set_value(std::make_shared<const Scene>(lab.scene()));
+        auto scene = std::make_shared<Scene>(lab.scene());
+        scene->system.colliders = carried_colliders(scene->system, scene->state);
+        promise->set_value(std::move(scene));
       },
       true);
   return future;

@@ -72,6 +72,7 @@ std::string to_single_line(std::string_view text) {
 
 std::string scene_line(const Scene& scene) {
   Scene plain = scene;
+  plain.system.colliders = carried_colliders(scene.system, scene.state);
   plain.view.texture.clear();  // looks alone, and a file of its own
   plain.view.texture_size.reset();
   return to_single_line(format_scene(plain));

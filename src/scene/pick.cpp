@@ -190,7 +190,7 @@ bool is_occluded(const Snapshot& snapshot, const ViewTransform& view_transform, 
   const std::optional<glm::dvec2> on_screen = project_to_screen(view_transform, place);
   if (!on_screen) return true;
   const PickRay ray = pick_ray(view_transform, *on_screen);
-  const std::optional<ColliderHit> hit = hit_collider(*snapshot.system, ray, snapshot.state.time);
+  const std::optional<ColliderHit> hit = hit_collider(*snapshot.system, snapshot.state, ray);
   const double distance = glm::dot(place - ray.origin, ray.direction), before = distance * (1.0 - 1e-6) - radius;
   return (hit && hit->distance < before) || (faces && faces->nearest_hit(ray).distance < before);
 }
@@ -211,11 +211,11 @@ std::optional<glm::dvec2> project_to_screen(const ViewTransform& view_transform,
   return clip_to_screen(clip, view_transform.size);
 }
 
-std::optional<ColliderHit> hit_collider(const System& system, const PickRay& ray, double time) {
+std::optional<ColliderHit> hit_collider(const System& system, const State& state, const PickRay& ray) {
   std::optional<ColliderHit> nearest;
   for (std::size_t c = 0; c < system.colliders.size(); ++c) {
     if (!system.colliders[c].solid) continue;
-    const Collider collider = collider_at_time(system.colliders[c], time);
+    const Collider collider = current_collider(system, state, c);
     Vec3 normal(0.0);
     const double distance = std::visit([&](const auto& shape) { return distance_to(shape, ray, normal); }, collider.shape);
     if (distance < (nearest ? nearest->distance : infinity))
@@ -228,7 +228,7 @@ std::optional<ColliderHit> pick_collider(const Snapshot& snapshot, const ViewTra
   const System& system = *snapshot.system;
   const PickRay ray = pick_ray(view_transform, cursor);
   if (system.dimensions == 3) {
-    const std::optional<ColliderHit> hit = hit_collider(system, ray, snapshot.state.time);
+    const std::optional<ColliderHit> hit = hit_collider(system, snapshot.state, ray);
     const bool is_behind = hit && view_transform.shows_surface &&
                            FacesNearCursor(snapshot, view_transform, cursor, 0.0).nearest_hit(ray).distance < hit->distance;
     return is_behind ? std::nullopt : hit;
@@ -237,7 +237,7 @@ std::optional<ColliderHit> pick_collider(const Snapshot& snapshot, const ViewTra
   const double distance = -ray.origin.z / ray.direction.z;
   const Vec3 place = ray.at(distance);
   for (std::size_t c = system.colliders.size(); c-- > 0;) {
-    const Collider collider = collider_at_time(system.colliders[c], snapshot.state.time);
+    const Collider collider = current_collider(system, snapshot.state, c);
     if (collider.solid && contains(collider, place))
       return ColliderHit{distance, place, Vec3(0.0, 0.0, 1.0), !std::holds_alternative<Plane>(collider.shape), static_cast<Index>(c)};
   }
@@ -278,7 +278,7 @@ std::optional<SurfaceHit> pick_surface(const Snapshot& snapshot, const ViewTrans
   const FacesNearCursor::Hit hit = FacesNearCursor(snapshot, view_transform, cursor, 0.0).nearest_hit(ray);
   if (!(hit.distance < infinity)) return std::nullopt;
   const std::optional<ColliderHit> collider =
-      snapshot.system->dimensions == 2 ? std::nullopt : hit_collider(*snapshot.system, ray, snapshot.state.time);
+      snapshot.system->dimensions == 2 ? std::nullopt : hit_collider(*snapshot.system, snapshot.state, ray);
   if (collider && collider->distance < hit.distance) return std::nullopt;
   return SurfaceHit{hit.patch, ray.at(hit.distance)};
 }

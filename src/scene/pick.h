@@ -35,7 +35,7 @@ struct ColliderHit {
   bool bounded;  // a sphere or a box, not an endless plane
   Index collider = no_index;
 };
-std::optional<ColliderHit> hit_collider(const System& system, const PickRay& ray, double time = 0.0);
+std::optional<ColliderHit> hit_collider(const System& system, const State& state, const PickRay& ray);
 
 // The solid collider that is seen at the cursor, not behind the surface if it is shown. In a 2-D scene, that of which the
 // inside lies under it in the scene's plane.

@@ -51,7 +51,7 @@ double min_height(const Measurement& m) {
 double max_penetration(const Measurement& m) {
   double max = 0.0;
   std::vector<Collider> colliders;
-  for (const Collider& collider : m.system.colliders) colliders.push_back(collider_at_time(collider, m.state.time));
+  for (std::size_t c = 0; c < m.system.colliders.size(); ++c) colliders.push_back(current_collider(m.system, m.state, c));
   for (std::size_t i = 0; i < m.system.points().size(); ++i) {
     const Point& point = m.system.points()[i];
     if (point.nailed) continue;

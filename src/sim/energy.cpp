@@ -20,7 +20,7 @@ Energy compute_energy(const System& system, const State& state) {
     energy.elastic += 0.5 * system.stiffness_of(spring) * extension * extension;
   }
   if (system.grab && system.grab->kind == GrabKind::Pull) {
-    const Vec3 stretch = state.hand - grabbed_position(system, state);
+    const Vec3 stretch = state.hand.position - grabbed_position(system, state);
     energy.elastic += 0.5 * system.grab->stiffness * glm::dot(stretch, stretch);
   }
   return energy;
@@ -46,7 +46,7 @@ Vec3 grabbed_position(const System& system, const State& state) {
   const Grab& grab = *system.grab;
   if (!grab.patch) return state.position[system.index_of(grab.point)];
   Vec3 place(0.0);
-  for (std::size_t p = 0; p < 3; ++p) place += grab.patch->shares[p] * state.position[system.index_of(grab.patch->points[p])];
+  for (std::size_t p = 0; p < 3; ++p) place += grab.patch->weights[p] * state.position[system.index_of(grab.patch->points[p])];
   return place;
 }
 

@@ -27,15 +27,16 @@ Vec3 position_at(const ScriptedHand& hand, double time) {
   return hand.center + along + std::cos(angle) * p + std::sin(angle) * glm::cross(n, d);
 }
 
-std::optional<Grab> active_grab(const System& system, double time, double duration) {
-  if (system.grab || !system.scripted_hand) return system.grab;
+std::optional<ActiveGrab> active_grab(const System& system, const State& state, double duration) {
+  if (system.grab) return ActiveGrab{system.grab->point, system.grab->kind, state.hand.target};
+  if (!system.scripted_hand) return std::nullopt;
   const ScriptedHand& hand = *system.scripted_hand;
   if (system.index_of(hand.point) == no_index) return std::nullopt;
 
   // frames begin at whole multiples of their duration, but for round-off
-  const double since = time - hand.begin, round_off = 1e-6 * duration;
+  const double since = state.time - hand.begin, round_off = 1e-6 * duration;
   if (since < -round_off || since > hand.seconds - round_off) return std::nullopt;
-  return Grab{.point = hand.point, .kind = GrabKind::Hold, .target = position_at(hand, time + duration)};
+  return ActiveGrab{hand.point, GrabKind::Hold, position_at(hand, state.time + duration)};
 }
 
 Vec3 hand_force(const Plan& plan, const Motion& motion) {

@@ -1,26 +1,33 @@
-// Which hand acts, where a listed one is, and what it does.
+// The hands: the person's at the screen and the one that a scene lists. Which of them acts, where it is and what force it exerts.
 #pragma once
 
 #include <optional>
 
-#include "sim/system.h"
+#include "sim/state.h"
 
 namespace hooke {
 
 struct Motion;
 struct Plan;
 
-// Where the hand is at a time of the scene's clock, whether or not it holds then [m].
+// Position of a scripted hand [m] at a time of the scene's clock, whether or not it holds its point then.
 Vec3 position_at(const ScriptedHand& hand, double time);
 
-// The grab during the frame of `duration` [s] that begins at `time`: the person's, or else the listed hand's, from the first
-// frame that begins when it takes hold to the one in which its seconds are over. Its point must still be there.
-std::optional<Grab> active_grab(const System& system, double time, double duration);
+// What the hand that acts holds during a frame, and where it is to be at the end of it.
+struct ActiveGrab {
+  PointId point{};
+  GrabKind kind = GrabKind::Hold;
+  Vec3 target{0.0};  // [m]
+};
 
-// The force [N] that the hand exerts: a pull's spring, or what holds a held point against its springs and dashpots and, unless
-// it is a nail, its weight. Zero without a hand.
+// The grab during the frame of `duration` [s] that begins at the State's time: the person's, or else the scripted hand's, from the
+// first frame that begins when it takes hold to the one in which its seconds are over. Nothing when its point has been removed.
+std::optional<ActiveGrab> active_grab(const System& system, const State& state, double duration);
+
+// The force [N] that the hand exerts: the spring of a pull, or what holds a held point against its springs and dashpots and, unless
+// it is nailed, its weight. Zero without a hand.
 Vec3 hand_force(const Plan& plan, const Motion& motion);
-// That times its velocity [W]: what it puts into the scene.
+// The power [W] of that force.
 double hand_power(const Plan& plan, const Motion& motion);
 
 }  // namespace hooke

@@ -75,6 +75,36 @@ bool flatten(Collider& collider) {
   return true;
 }
 
+void plan_colliders(Plan& plan, const System& system) {
+  plan.colliders.clear();
+  plan.collider_index.clear();
+  plan.colliders_move = false;
+  plan.grabbed_collider.reset();
+  for (std::size_t c = 0; c < system.colliders.size(); ++c) {
+    Collider collider = system.colliders[c];
+    if (!collider.solid || (plan.dimensions == 2 && !flatten(collider))) continue;
+    plan.colliders_move = plan.colliders_move || collider.path.moves();
+    plan.colliders.push_back(collider);
+    plan.collider_index.push_back(static_cast<Index>(c));
+  }
+}
+
+// Moves the carried collider to where the hand has it, and on to its target during the coming frame.
+void plan_carried_collider(Plan& plan, const System& system, const State& state, double duration) {
+  const CarriedCollider& carried = *state.hand.collider;
+  const auto planned = std::ranges::find(plan.collider_index, carried.collider);
+  if (planned == plan.collider_index.end()) return;
+  const auto c = static_cast<std::size_t>(planned - plan.collider_index.begin());
+  plan.colliders[c] = carried_collider(system, state, static_cast<std::size_t>(carried.collider));
+  if (plan.dimensions == 2) flatten(plan.colliders[c]);
+  plan.colliders_move = true;
+
+  const Vec3 anchor = anchor_of(carried.shape);
+  Vec3 velocity = (clamp_hand_target(system, anchor, carried.target, duration) - anchor) / duration;
+  if (plan.dimensions == 2) velocity.z = 0.0;
+  plan.grabbed_collider = {.collider = c, .start = state.time, .velocity = velocity};
+}
+
 // The lengths at which springs break and to which they are held; empty where there are none.
 void plan_length_limits(Plan& plan, const System& system) {
   const auto breaks = [&](const Spring& spring) { return system.break_strain > 0.0 || spring.break_strain != never_breaks; };
@@ -109,7 +139,7 @@ PlannedPull plan_pull(const System& system, const Grab& grab) {
   pull.parts[0].point = system.index_of(grab.point);
   if (!grab.patch) return pull;
   pull.count = 3;
-  for (std::size_t p = 0; p < 3; ++p) pull.parts[p] = {system.index_of(grab.patch->points[p]), grab.patch->shares[p]};
+  for (std::size_t p = 0; p < 3; ++p) pull.parts[p] = {system.index_of(grab.patch->points[p]), grab.patch->weights[p]};
   return pull;
 }
 
@@ -126,7 +156,7 @@ void set_held_point(Plan& plan, const System& system, std::optional<Index> point
       if (const Index e = *plan.held - held_end; e >= 0 && e < run.count) plan.held_springs.push_back({run.begin + e, other_end + e});
 }
 
-// What the pull adds to the rows of the points that move: K_ij = k s_i s_j I, s the shares.
+// What the pull adds to the rows of the points that move: K_ij = k w_i w_j I, w the weights.
 void add_pull_rows(const System& system, std::vector<double>& row) {
   const PlannedPull pull = plan_pull(system, *system.grab);
   for (const auto& [i, weight] : pull.points())
@@ -184,27 +214,13 @@ void refresh_values(Plan& plan, const System& system) {
     plan.damping[s] = system.damping_of(system.springs()[plan.spring_index[s]]);
 
   plan_length_limits(plan, system);
-  refresh_colliders(plan, system);
+  plan_colliders(plan, system);
   plan_forces(plan, system);
   plan.radius.clear();
   if (!plan.colliders.empty() || !plan.forces.empty())
     for (const Point& point : system.points()) plan.radius.push_back(point.radius);
 
   plan.spectrum = bound_spectrum(system);
-}
-
-void refresh_colliders(Plan& plan, const System& system) {
-  plan.colliders.clear();
-  plan.colliders_move = false;
-  plan.grabbed_collider.reset();
-  for (std::size_t c = 0; c < system.colliders.size(); ++c) {
-    Collider collider = system.colliders[c];
-    if (!collider.solid || (plan.dimensions == 2 && !flatten(collider))) continue;
-    const bool is_grabbed = system.collider_grab && system.collider_grab->collider == static_cast<Index>(c);
-    if (is_grabbed) plan.grabbed_collider = {.collider = plan.colliders.size()};
-    plan.colliders_move = plan.colliders_move || is_grabbed || collider.path.moves();
-    plan.colliders.push_back(collider);
-  }
 }
 
 Vec3 clamp_hand_target(const System& system, const Vec3& from, const Vec3& target, double duration) {
@@ -215,22 +231,19 @@ Vec3 clamp_hand_target(const System& system, const Vec3& from, const Vec3& targe
 
 void prepare_hand(Plan& plan, const System& system, const State& state, double duration) {
   // a listed hand takes its point and leaves it between frames
-  const std::optional<Grab> grab = active_grab(system, state.time, duration);
+  const std::optional<ActiveGrab> grab = active_grab(system, state, duration);
   std::optional<Index> held;
   if (grab && grab->kind == GrabKind::Hold) held = system.index_of(grab->point);
   if (plan.held != held) set_held_point(plan, system, held);
 
   if (plan.pull) {
     plan.pull->start = state.time;
-    plan.pull->from = state.hand;
-    plan.pull->velocity = (clamp_hand_target(system, state.hand, system.grab->target, duration) - state.hand) / duration;
+    const Vec3& from = state.hand.position;
+    plan.pull->from = from;
+    plan.pull->velocity = (clamp_hand_target(system, from, state.hand.target, duration) - from) / duration;
   }
-  if (plan.grabbed_collider) {
-    const Vec3 anchor = anchor_of(system.colliders[system.collider_grab->collider]);
-    plan.grabbed_collider->start = state.time;
-    plan.grabbed_collider->velocity = (clamp_hand_target(system, anchor, system.collider_grab->target, duration) - anchor) / duration;
-    if (plan.dimensions == 2) plan.grabbed_collider->velocity.z = 0.0;
-  }
+  plan.grabbed_collider.reset();
+  if (state.hand.collider) plan_carried_collider(plan, system, state, duration);
 }
 
 Spectrum bound_spectrum(const System& system) {

@@ -89,9 +89,10 @@ struct Plan {
   std::vector<double> break_length;  // [m], of the packed spring, at which it breaks; empty: none does
   std::vector<double> max_length;    // [m], that it is held to; empty: none is
 
-  std::vector<double> radius;       // [m], a point; empty: nothing to collide with, nor a force that asks
-  std::vector<Collider> colliders;  // the solid ones, as their paths start
-  bool colliders_move = false;      // by their paths or by the hand
+  std::vector<double> radius;         // [m], a point; empty: nothing to collide with, nor a force that asks
+  std::vector<Collider> colliders;    // the solid ones, as their paths start
+  std::vector<Index> collider_index;  // of the planned collider, in the System
+  bool colliders_move = false;        // by their paths or by the hand
   std::optional<GrabbedCollider> grabbed_collider;
   std::vector<Force> forces;                // those that are on, in the table's order
   std::vector<std::array<Index, 3>> faces;  // of points; empty when no force asks
@@ -121,18 +122,15 @@ struct Plan {
 Plan make_plan(const System& system);
 
 // Takes over values (masses, nails, stiffness, damping, rest lengths, forces, colliders) after edits that left points
-// and springs as they were. The hand is set by plan_grab.
+// and springs as they were. The hand is set by prepare_hand.
 void refresh_values(Plan& plan, const System& system);
 
-// The same for the colliders alone.
-void refresh_colliders(Plan& plan, const System& system);
-
-// Where the hand, or the anchor of the collider in it, gets to from `from` in a frame of `duration` [s]: to the target, or as
-// far as it may move.
+// Where the hand, or the anchor of the collider it carries, arrives in a frame of `duration` [s] that starts at `from`: at the
+// target, or as close to it as System::hand_speed allows.
 Vec3 clamp_hand_target(const System& system, const Vec3& from, const Vec3& target, double duration);
 
-// Sets what the hand holds, and where it moves during the coming frame of `duration` [s]: in a straight line from state.hand, or
-// the anchor of its collider, towards the target of the grab that acts (hand.h).
+// Sets what the hand holds or carries and how it moves during the coming frame of `duration` [s]: in a straight line from
+// state.hand.position, or from the anchor of the carried collider, towards the target of the grab that acts (hand.h).
 void prepare_hand(Plan& plan, const System& system, const State& state, double duration);
 
 // Gershgorin bounds on M^-1/2 K M^-1/2 by 3x3 blocks: omega^2 <= max_i sum_j k_ij (1/m_i + 1/sqrt(m_i m_j)), the second

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
-#include "base/types.h"
+#include "sim/system.h"
 
 namespace hooke {
 
@@ -23,15 +24,37 @@ struct MethodMemory {
   bool operator==(const MethodMemory&) const = default;
 };
 
+// A collider that the hand drags: its anchor moves to the target within the coming frame. Release writes its shape back to the System.
+struct CarriedCollider {
+  Index collider = no_index;
+  ColliderShape shape;  // where the hand has moved it, without its own path
+  Vec3 target{0.0};     // [m]
+  bool operator==(const CarriedCollider&) const = default;
+};
+
+// The hand of the person at the screen.
+struct Hand {
+  Vec3 position{0.0};  // [m], now; meaningful while the System has a grab
+  Vec3 target{0.0};    // [m], of the grabbed point at the end of the coming frame
+  std::optional<CarriedCollider> collider;
+  bool operator==(const Hand&) const = default;
+};
+
 struct State {
   double time = 0.0;           // [s]
   std::vector<Vec3> position;  // [m], one a point, in the System's order
   std::vector<Vec3> velocity;  // [m/s]
-  Vec3 hand{0.0};              // [m], where the hand is now; meaningful while the System has a grab
+  Hand hand;
   EnergyLedger ledger;
   MethodMemory memory;
-  std::uint32_t torn = 0;  // which springs are broken: those of the so manieth tear of the run and of those before it; 0: none
+  std::uint32_t torn = 0;  // index of the latest tear; 0 means intact
   bool operator==(const State&) const = default;
 };
+
+// A collider with the shape that the hand has moved it to, its path not applied; and where it is at the time of the State.
+Collider carried_collider(const System& system, const State& state, std::size_t collider);
+Collider current_collider(const System& system, const State& state, std::size_t collider);
+// All colliders with the carried one where the hand has it.
+std::vector<Collider> carried_colliders(const System& system, const State& state);
 
 }  // namespace hooke

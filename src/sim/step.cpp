@@ -34,8 +34,8 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   pack(plan, state, motion_);
 
   // a held point moves straight to the target: as a massive point with that velocity, which every method does exactly
-  const std::optional<Grab> grab = active_grab(system, state.time, duration_);
-  const Vec3 from = grab && !system.grab ? state.position[system.index_of(grab->point)] : state.hand;
+  const std::optional<ActiveGrab> grab = active_grab(system, state, duration_);
+  const Vec3 from = grab && !system.grab ? state.position[system.index_of(grab->point)] : state.hand.position;
   target_ = grab ? clamp_hand_target(system, from, grab->target, duration_) : Vec3(0.0);
   const Vec3 displacement = !grab ? Vec3(0.0) : target_ - (plan.held ? state.position[*plan.held] : from);
   hand_stretch_ = grab ? stretch_energy(system, glm::length(displacement) / substeps_) : 0.0;
@@ -87,7 +87,8 @@ void Frame::end(const Plan& plan, State& state) const {
   // whole frames stay whole: rounding does not add up over a long run
   const double frames = (start_ + duration_) / duration_;
   state.time = std::abs(frames - std::round(frames)) < 1e-6 ? std::round(frames) * duration_ : start_ + duration_;
-  state.hand = target_;
+  state.hand.position = target_;
+  if (auto& carried = state.hand.collider) carried->shape = translated(carried->shape, collider_displacement_);
   // what they take was there before; counted as put in, it would excuse an explosion that they feed on
   for (const double work : {motion_.collider_work, motion_.break_work, motion_.limit_work}) {
     state.ledger.net_input += work;

@@ -21,14 +21,12 @@ class Frame {
   void substep(Plan& plan);
   bool done() const { return substeps_done_ >= substeps_; }
   int substeps_done() const { return substeps_done_; }
-  // Writes time, positions, velocities, the hand, and into the ledger its work and that of what is no force. The caller judges
-  // them (divergence.h) before showing them.
+  // Writes time, positions, velocities, the hand with the collider it carries, and into the ledger its work and that of what is no force.
+  // The caller judges them (divergence.h) before showing them.
   void end(const Plan& plan, State& state) const;
 
   // Springs of the System that broke, in ascending order: they are to be removed.
   std::span<const Index> broken() const { return broken_; }
-  // How far the hand took its collider.
-  Vec3 collider_displacement() const { return collider_displacement_; }
 
   long force_evaluations() const { return motion_.force_evaluations; }
   long factorizations() const { return motion_.factorizations; }
@@ -45,7 +43,7 @@ class Frame {
   Workspace work_;
   ContactWorkspace before_;
   std::vector<Index> broken_;
-  Vec3 collider_displacement_{0.0};
+  Vec3 collider_displacement_{0.0};  // [m], of the carried collider in this frame
 };
 
 // Adds the work of the listed forces (force_term.h) between two frames to the ledger of the later one.

@@ -42,7 +42,7 @@ Vec3 ColliderPath::velocity(double time) const {
   return amplitude == Vec3(0.0) ? amplitude : omega * std::cos(omega * time + phase) * amplitude;
 }
 
-Collider translated(Collider collider, const Vec3& displacement) {
+ColliderShape translated(ColliderShape shape, const Vec3& displacement) {
   std::visit(Overloaded{
                  [&](Plane& plane) { plane.point += displacement; },
                  [&](Sphere& sphere) { sphere.center += displacement; },
@@ -51,19 +51,24 @@ Collider translated(Collider collider, const Vec3& displacement) {
                    box.max += displacement;
                  },
              },
-             collider.shape);
+             shape);
+  return shape;
+}
+
+Collider translated(Collider collider, const Vec3& displacement) {
+  collider.shape = translated(collider.shape, displacement);
   return collider;
 }
 
 Collider collider_at_time(const Collider& collider, double time) { return translated(collider, collider.path.offset(time)); }
 
-Vec3 anchor_of(const Collider& collider) {
+Vec3 anchor_of(const ColliderShape& shape) {
   return std::visit(Overloaded{
                         [](const Plane& plane) { return plane.point; },
                         [](const Sphere& sphere) { return sphere.center; },
                         [](const Box& box) { return 0.5 * (box.min + box.max); },
                     },
-                    collider.shape);
+                    shape);
 }
 
 Index System::index_of(PointId id) const { return look_up(point_ids_, static_cast<std::uint32_t>(id)); }

@@ -1,5 +1,5 @@
-// What a scene is: points, springs, faces, colliders, gravity, drag and the hand. Constant while a step runs;
-// changed only by lab's apply (commands) and by the scene loader.
+// What a scene is: points, springs, faces, colliders, forces and what the hand holds. Constant while a step runs; changed only by
+// edit's apply (commands) and by the scene loader.
 #pragma once
 
 #include <algorithm>
@@ -91,8 +91,10 @@ struct ColliderPath {
   bool operator==(const ColliderPath&) const = default;
 };
 
+using ColliderShape = std::variant<Plane, Sphere, Box>;
+
 struct Collider {
-  std::variant<Plane, Sphere, Box> shape;
+  ColliderShape shape;
   double restitution = 0.0;  // [1], 0..1: normal speed after / before
   double friction = 0.0;     // [1], >= 0: Coulomb's mu
   bool solid = true;         // false: drawn only
@@ -100,40 +102,33 @@ struct Collider {
   bool operator==(const Collider&) const = default;
 };
 
-// The same collider `way` off, and where it has its path taken it by `time` [s].
+// The same shape moved by `displacement` [m], and the collider where its path has taken it by `time` [s].
+ColliderShape translated(ColliderShape shape, const Vec3& displacement);
 Collider translated(Collider collider, const Vec3& displacement);
 Collider collider_at_time(const Collider& collider, double time);
-// What it is taken by: the middle of a ball or box, the point of a plane.
-Vec3 anchor_of(const Collider& collider);
+// The point that a hand drags it by: the center of a sphere or box, the point of a plane.
+Vec3 anchor_of(const ColliderShape& shape);
+inline Vec3 anchor_of(const Collider& collider) { return anchor_of(collider.shape); }
 
 enum class GrabKind {
   Hold,  // the point follows the target exactly
   Pull,  // a spring of zero rest length between point and target
 };
 
-// A place between three different points, as one on a face: the sum of share times position, shares at least 0 with sum 1.
+// A place between three different points, such as one on a face: the sum of weight times position; weights are at least 0 and sum to 1.
 struct Patch {
   std::array<PointId, 3> points{};
-  std::array<double, 3> shares{1.0, 0.0, 0.0};
+  std::array<double, 3> weights{1.0, 0.0, 0.0};
   bool operator==(const Patch&) const = default;
 };
 
-// The hand: at most one point, or place between points, is grabbed. The target is where the cursor was at the end of the
-// coming frame.
+// What the hand holds: at most one point, or one place between points. Where it moves is in the State (Hand).
 struct Grab {
   PointId point{};
   std::optional<Patch> patch{};  // pulled instead of the point, which is one of its three
   GrabKind kind = GrabKind::Pull;
-  Vec3 target{0.0};          // [m]
   double stiffness = 100.0;  // [N/m], of a pull
   bool operator==(const Grab&) const = default;
-};
-
-// A collider in the hand: its anchor goes to the target within the coming frame.
-struct ColliderGrab {
-  Index collider = no_index;
-  Vec3 target{0.0};  // [m]
-  bool operator==(const ColliderGrab&) const = default;
 };
 
 // A hand that is listed in the scene: it holds a point and takes it round a circle, then lets go. Where it is follows from the
@@ -172,7 +167,6 @@ class System {
   std::vector<Collider> colliders;
   std::vector<Force> forces;  // besides gravity, springs, dashpots and drag
   std::optional<Grab> grab;
-  std::optional<ColliderGrab> collider_grab;
   double hand_speed = 0.0;                    // [m/s], the most that the hand moves at; 0: as the cursor does
   double break_strain = 0.0;                  // [1], at which every spring breaks that does not break before; 0: each only at its own
   double strain_limit = 0.0;                  // [1], that no spring is stretched beyond, by force; 0: none

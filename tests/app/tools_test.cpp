@@ -232,13 +232,13 @@ TEST(DragTool, PullsAClothByThePlaceUnderTheCursor) {
   EXPECT_EQ(taken.kind, GrabKind::Pull);
   ASSERT_TRUE(taken.patch);
   EXPECT_EQ(taken.patch->points, (std::array{PointId{0}, PointId{1}, PointId{2}}));
-  for (std::size_t p = 0; p < 3; ++p) EXPECT_NEAR(taken.patch->shares[p], (std::array{0.2, 0.3, 0.5})[p], 1e-9);
+  for (std::size_t p = 0; p < 3; ++p) EXPECT_NEAR(taken.patch->weights[p], (std::array{0.2, 0.3, 0.5})[p], 1e-9);
   EXPECT_EQ(taken.point, PointId{2});
-  EXPECT_LT(distance(taken.target, place), 1e-9);
+  EXPECT_LT(distance(trial.context.snapshot().state.hand.target, place), 1e-9);
 
   // the target goes with the cursor in the plane that faces the viewer
   trial.follow(*tool, target);
-  EXPECT_LT(distance(trial.system().grab->target, target), 1e-9);
+  EXPECT_LT(distance(trial.context.snapshot().state.hand.target, target), 1e-9);
   Marks marks;
   tool->mark(trial.pointer(target), trial.context, marks);
   EXPECT_TRUE(marks.ghost_point);
@@ -356,13 +356,13 @@ TEST(DragTool, TakesAColliderWhereThereIsNoPoint) {
       const auto tool = make_drag_tool();
       trial.press(*tool, ball);
       trial.follow(*tool, ball + way);
-      EXPECT_EQ(trial.system().collider_grab.has_value(), running);
+      EXPECT_EQ(trial.context.snapshot().state.hand.collider.has_value(), running);
       // in space it is taken by its front, which is nearer: it goes a little less far
       if (!running) {
         EXPECT_LT(distance(anchor_of(trial.system().colliders[0]), ball + way), dimensions == 2 ? 1e-6 : 0.06 * glm::length(way));
       }
       trial.release(*tool, ball + way);
-      EXPECT_FALSE(trial.system().collider_grab);
+      EXPECT_FALSE(trial.context.snapshot().state.hand.collider);
       trial.submit(Undo{});
       EXPECT_EQ(trial.system().colliders, ball_scene(dimensions).system.colliders);
     }

@@ -37,11 +37,11 @@ std::vector<Command> one_of_each() {
                       .stiffness = 1e300,
                       .damping = 5e-324,
                       .rest_length = 0.1};
-  const Grab grab{.point = PointId{1},
-                  .patch = Patch{{PointId{1}, PointId{2}, PointId{3}}, {0.5, 0.25, 0.25}},
-                  .kind = GrabKind::Pull,
-                  .target = {-0.0, 1.0 / 3.0, 2.0},
-                  .stiffness = 12.5};
+  const GrabPoint::Item grab{.point = PointId{1},
+                             .patch = Patch{{PointId{1}, PointId{2}, PointId{3}}, {0.5, 0.25, 0.25}},
+                             .kind = GrabKind::Pull,
+                             .target = {-0.0, 1.0 / 3.0, 2.0},
+                             .stiffness = 12.5};
   const Parameter& drag = *find_parameter("drag");
   return {
       Insert{{{no_index, point, {1, 2, 3}, {4, 5, 6}, 0.7}}, {{3, spring, 0.3}}, {{0, {{PointId{7}, PointId{1}, PointId{2}}}}}},

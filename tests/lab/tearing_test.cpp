@@ -386,12 +386,12 @@ TEST(Hand, WithATopSpeedLagsAndSaysByHowMuch) {
     ASSERT_TRUE(lab.step());
     lab.submit(MoveHand{target});
     run(lab, 1);
-    EXPECT_NEAR(glm::distance(lab.scene().state.hand, from), 3.0 * frame, 1e-12);
+    EXPECT_NEAR(glm::distance(lab.scene().state.hand.position, from), 3.0 * frame, 1e-12);
     lab.publish();
     EXPECT_NEAR(lab.status()->hand_lag, 1.0 - 3.0 * frame, 1e-12);
     run(lab, 20);
     lab.publish();
-    EXPECT_EQ(lab.scene().state.hand, target);
+    EXPECT_EQ(lab.scene().state.hand.position, target);
     EXPECT_EQ(lab.status()->hand_lag, 0.0);
   }
 }
@@ -446,11 +446,11 @@ TEST(GrabbedCollider, GoesWithTheHandInARunAndComesBackByOneUndo) {
   for (int i = 1; i <= 30; ++i) {
     lab.submit(MoveHand{{0.5, -0.6, -1.0 + 0.05 * i}}, 3);
     ASSERT_TRUE(lab.step());
-    EXPECT_NEAR(anchor_of(lab.scene().system.colliders[0]).z, -1.0 + 0.05 * i, 1e-12);
+    EXPECT_NEAR(anchor_of(lab.scene().state.hand.collider->shape).z, -1.0 + 0.05 * i, 1e-12);
   }
   lab.submit(ReleaseHand{}, 3);
   ASSERT_TRUE(lab.step());
-  EXPECT_FALSE(lab.scene().system.collider_grab);
+  EXPECT_FALSE(lab.scene().state.hand.collider);
   ask(lab, Undo{});
   EXPECT_EQ(lab.scene().system.colliders, scene.system.colliders);
 }
@@ -471,7 +471,7 @@ TEST(GrabbedCollider, GoesWithThePersonWhileAListedHandActs) {
     lab.submit(MoveHand{{0.5, -0.6, -1.0 - 0.05 * i}}, 3);
     ASSERT_TRUE(lab.step());
     ASSERT_TRUE(without.step());
-    EXPECT_NEAR(anchor_of(lab.scene().system.colliders[0]).z, -1.0 - 0.05 * i, 1e-12);
+    EXPECT_NEAR(anchor_of(lab.scene().state.hand.collider->shape).z, -1.0 - 0.05 * i, 1e-12);
     if (i <= 15) {
       EXPECT_LT(glm::distance(lab.scene().state.position[63], position_at(hand, i * frame)), 1e-12) << i;
     }

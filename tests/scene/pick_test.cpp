@@ -160,25 +160,25 @@ TEST(Pick, MeetsEachKindOfColliderOnItsSurface) {
   const PickRay down{{0.3, 5.0, 0.1}, {0.0, -1.0, 0.0}};
   System system;
   system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}}};
-  const auto plane = hit_collider(system, down);
+  const auto plane = hit_collider(system, {}, down);
   ASSERT_TRUE(plane);
   EXPECT_NEAR(plane->distance, 6.0, 1e-12);
   EXPECT_FALSE(plane->bounded);
 
   system.colliders.push_back({.shape = Box{{-1.0, -0.5, -1.0}, {1.0, 0.5, 1.0}}});
-  const auto box = hit_collider(system, down);
+  const auto box = hit_collider(system, {}, down);
   EXPECT_NEAR(box->distance, 4.5, 1e-12);
   EXPECT_EQ(box->normal, Vec3(0.0, 1.0, 0.0));
 
   system.colliders.push_back({.shape = Sphere{Vec3(0.3, 1.0, 0.1), 0.5}});
-  const auto sphere = hit_collider(system, down);
+  const auto sphere = hit_collider(system, {}, down);
   EXPECT_NEAR(sphere->distance, 3.5, 1e-12);
   EXPECT_NEAR(glm::distance(sphere->normal, Vec3(0.0, 1.0, 0.0)), 0.0, 1e-12);
   EXPECT_TRUE(sphere->bounded);
 
   // from inside or from below there is no surface to land on
-  EXPECT_FALSE(hit_collider(system, {{0.3, 1.0, 0.1}, {1.0, 0.0, 0.0}}));
-  EXPECT_FALSE(hit_collider(system, {{5.0, -3.0, 0.0}, {0.0, 1.0, 0.0}}));
+  EXPECT_FALSE(hit_collider(system, {}, {{0.3, 1.0, 0.1}, {1.0, 0.0, 0.0}}));
+  EXPECT_FALSE(hit_collider(system, {}, {{5.0, -3.0, 0.0}, {0.0, 1.0, 0.0}}));
 }
 
 TEST(Pick, ABoxTakesThePointsSeenWithinItAndTheSpringsBetweenThem) {
@@ -231,9 +231,9 @@ TEST(Pick, MeetsTheSurfaceWhereItIsSeenAndSaysHowItLiesBetweenThePoints) {
     Vec3 sum(0.0);
     double whole = 0.0;
     for (std::size_t p = 0; p < 3; ++p) {
-      EXPECT_GE(hit->patch.shares[p], 0.0);
-      whole += hit->patch.shares[p];
-      sum += hit->patch.shares[p] * layers.trial.position(hit->patch.points[p]);
+      EXPECT_GE(hit->patch.weights[p], 0.0);
+      whole += hit->patch.weights[p];
+      sum += hit->patch.weights[p] * layers.trial.position(hit->patch.points[p]);
     }
     EXPECT_NEAR(whole, 1.0, 1e-15);
     EXPECT_LT(glm::distance(sum, place), 1e-9);

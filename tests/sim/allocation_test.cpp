@@ -53,9 +53,9 @@ TEST_P(Allocation, IsNeverNeededOnceAFrameHasRun) {
     trial.system.strain_limit = 0.05;
     trial.system.faces.push_back({.points = {trial.system.points()[1].id, trial.system.points()[2].id, trial.system.points()[33].id}});
     for (const ForceTerm& term : force_terms()) trial.system.forces.push_back({.term = &term, .values = default_values(term)});
-    trial.system.grab = Grab{.point = trial.system.points()[500].id, .kind = kind, .target = trial.state.position[500] + Vec3(0.01)};
+    trial.system.grab = Grab{.point = trial.system.points()[500].id, .kind = kind};
     State state = trial.state;
-    state.hand = state.position[500];
+    state.hand = {.position = state.position[500], .target = state.position[500] + Vec3(0.01)};
 
     const Settings settings{.integrator = &method(), .frame_rate = 60.0, .substeps = method().stability == Stability::Conditional ? 20 : 2};
     Plan plan = make_plan(trial.system);

@@ -132,7 +132,7 @@ TEST(Energy, IsTheSumOfItsParts) {
   trial.join(first, second, 100.0, 1.5);
   trial.nail({0.0, 7.0, 0.0});
   trial.system.grab = Grab{.point = second, .kind = GrabKind::Pull, .stiffness = 8.0};
-  trial.state.hand = {1.0, 2.0, 6.0};
+  trial.state.hand.position = {1.0, 2.0, 6.0};
   const Energy energy = compute_energy(trial.system, trial.state);
   EXPECT_DOUBLE_EQ(energy.kinetic, 25.0);
   EXPECT_DOUBLE_EQ(energy.elastic, 0.5 * 100.0 * 0.25 + 0.5 * 8.0);

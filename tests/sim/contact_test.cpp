@@ -53,7 +53,8 @@ TEST_P(Contact, PassesOverNailsAndTheHeldPoint) {
   Trial trial;
   trial.system.colliders = {{.shape = Plane{}}};
   const PointId nailed = trial.nail({0.0, -0.5, 0.0}), held = trial.add({0.0, 0.1, 0.0});
-  trial.system.grab = Grab{.point = held, .kind = GrabKind::Hold, .target = {1.0, -0.4, 0.0}};
+  trial.system.grab = Grab{.point = held, .kind = GrabKind::Hold};
+  trial.state.hand.target = {1.0, -0.4, 0.0};
   trial.run(method(), frame, 3);
   EXPECT_EQ(trial.position(nailed), Vec3(0.0, -0.5, 0.0));
   EXPECT_EQ(trial.position(held), Vec3(1.0, -0.4, 0.0));

@@ -110,13 +110,11 @@ TEST_P(Watch, LetsAWildHandAndWildSlidersBe) {
         trial.system.spring(s).damping = random.one_in(2) ? 0.0 : 0.5;
       }
       const Index point = 5 + random.below(20);
-      trial.system.grab = Grab{.point = trial.system.points()[point].id,
-                               .kind = frame % 80 == 0 ? GrabKind::Hold : GrabKind::Pull,
-                               .target = trial.state.position[point]};
-      trial.state.hand = trial.state.position[point];
+      trial.system.grab = Grab{.point = trial.system.points()[point].id, .kind = frame % 80 == 0 ? GrabKind::Hold : GrabKind::Pull};
+      trial.state.hand.position = trial.state.position[point];
       record_edit_energy(trial.system, energy, trial.state);
     }
-    trial.system.grab->target = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+    trial.state.hand.target = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
     trial.run(method(), 1.0 / 60.0, 60);
     ASSERT_FALSE(find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state))) << "frame " << frame;
   }
@@ -145,10 +143,8 @@ Swing swing_stiff_sheet(const Integrator& method, int substeps) {
   for (; swing.frames < 30; ++swing.frames) {
     const double angle = 50.0 / 60.0 * (swing.frames + 1);
     trial.system.grab.reset();
-    if (swing.frames < 10)
-      trial.system.grab =
-          Grab{.point = trial.system.points()[0].id, .kind = GrabKind::Hold, .target = {std::cos(angle) - 1.0, std::sin(angle), 0.0}};
-    trial.state.hand = trial.state.position[0];
+    if (swing.frames < 10) trial.system.grab = Grab{.point = trial.system.points()[0].id, .kind = GrabKind::Hold};
+    trial.state.hand = {.position = trial.state.position[0], .target = {std::cos(angle) - 1.0, std::sin(angle), 0.0}};
     trial.run(method, 1.0 / 60.0, substeps);
     const Energy energy = compute_energy(trial.system, trial.state);
     if (find_divergence(trial.system, trial.state, energy)) break;

@@ -107,7 +107,7 @@ class Shaken : public EveryMethod {
     const int periods = static_cast<int>(std::log(1e12) / (zeta * w0) / period) + 2;
     std::complex<double> sum = 0.0;
     for (int i = 1; i <= periods * frames; ++i) {
-      trial.system.grab->target = {hand_amplitude * std::sin(2.0 * pi * i / frames), 0.0, 0.0};
+      trial.state.hand.target = {hand_amplitude * std::sin(2.0 * pi * i / frames), 0.0, 0.0};
       trial.run(method(), dt, substeps);
       if (i > (periods - 1) * frames) sum += (trial.position(mass).x - 1.0) * std::polar(2.0 / frames, -2.0 * pi * i / frames);
     }

@@ -248,7 +248,7 @@ TEST(Forces, AreMinusTheGradientOfTheEnergy) {
     trial.system.gravity = {1.0, -9.81, dimensions == 3 ? 2.0 : 0.0};
     for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).nailed = false;
     trial.system.grab = Grab{.point = trial.system.points()[2].id, .kind = GrabKind::Pull, .stiffness = 37.0};
-    trial.state.hand = trial.system.grab->target = {0.4, 0.5, 0.0};
+    trial.state.hand = {.position = {0.4, 0.5, 0.0}, .target = {0.4, 0.5, 0.0}};
     for (Vec3& v : trial.state.velocity) v = Vec3(0.0);
     const Packed packed(trial);
     const Field f = packed.forces();

@@ -14,12 +14,12 @@
 namespace hooke {
 namespace {
 
-constexpr std::array shares{0.2, 0.5, 0.3};
+constexpr std::array weights{0.2, 0.5, 0.3};
 constexpr double stiffness = 60.0;
 
-Grab pull(const Trial& trial, std::array<Index, 3> points, const Vec3& target) {
-  Grab grab{.point = trial.system.points()[points[1]].id, .kind = GrabKind::Pull, .target = target, .stiffness = stiffness};
-  grab.patch = Patch{.shares = shares};
+Grab pull(const Trial& trial, std::array<Index, 3> points) {
+  Grab grab{.point = trial.system.points()[points[1]].id, .kind = GrabKind::Pull, .stiffness = stiffness};
+  grab.patch = Patch{.weights = weights};
   for (std::size_t p = 0; p < 3; ++p) grab.patch->points[p] = trial.system.points()[points[p]].id;
   return grab;
 }
@@ -33,12 +33,12 @@ struct ThreePointScene {
     const Vec3 places[] = {{0.1, 0.0, 0.2}, {1.0, 0.3, -0.1}, {0.2, 0.9, 0.4}};
     for (int i = 0; i < 3; ++i) trial.add(places[i], mass[i]);
     trial.system.point(0).nailed = first_is_nailed;
-    trial.state.hand = Vec3(0.3, -0.2, 0.1);
-    trial.system.grab = pull(trial, {0, 1, 2}, trial.state.hand);
+    trial.state.hand = {.position = {0.3, -0.2, 0.1}, .target = {0.3, -0.2, 0.1}};
+    trial.system.grab = pull(trial, {0, 1, 2});
   }
   double give() const {  // [1/kg], acceleration of the place per force on it
     double sum = 0.0;
-    for (Index i = 0; i < 3; ++i) sum += trial.system.points()[i].nailed ? 0.0 : shares[i] * shares[i] / mass[i];
+    for (Index i = 0; i < 3; ++i) sum += trial.system.points()[i].nailed ? 0.0 : weights[i] * weights[i] / mass[i];
     return sum;
   }
 };
@@ -57,7 +57,7 @@ TEST_P(PulledPatch, SwingsAboutTheHand) {
       three.trial.run(method(), seconds, steps);
       double worst = 0.0;
       for (Index i = 0; i < 3; ++i) {
-        const double part = nailed && i == 0 ? 0.0 : shares[i] / three.mass[i] / three.give();
+        const double part = nailed && i == 0 ? 0.0 : weights[i] / three.mass[i] / three.give();
         const Vec3 exact = start.position[i] + part * (std::cos(3.0) - 1.0) * reach;
         worst = std::max(worst, glm::distance(three.trial.state.position[i], exact));
       }
@@ -71,7 +71,7 @@ TEST_P(PulledPatch, InTwoDimensionsStaysInThePlane) {
   ThreePointScene three;
   three.trial.system.dimensions = 2;
   for (Vec3& place : three.trial.state.position) place.z = 0.0;
-  three.trial.state.hand.z = three.trial.system.grab->target.z = 0.0;
+  three.trial.state.hand.position.z = three.trial.state.hand.target.z = 0.0;
   const double before = compute_energy(three.trial.system, three.trial.state).total();
   three.trial.run(method(), 0.1, 400);
   for (const Vec3& place : three.trial.state.position) EXPECT_EQ(place.z, 0.0);
@@ -82,8 +82,8 @@ TEST_P(PulledPatch, InTwoDimensionsStaysInThePlane) {
 TEST(Patch, ForceIsMinusTheGradientOfTheEnergy) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     Trial trial = random_trial(seed, 8, 12);
-    trial.state.hand = Vec3(0.4, -0.3, 0.8);
-    trial.system.grab = pull(trial, {1, 4, 6}, trial.state.hand);
+    trial.state.hand = {.position = {0.4, -0.3, 0.8}, .target = {0.4, -0.3, 0.8}};
+    trial.system.grab = pull(trial, {1, 4, 6});
     Plan plan = make_plan(trial.system);
     prepare_hand(plan, trial.system, trial.state, 1.0);
     Motion motion;
@@ -122,7 +122,8 @@ TEST(Patch, PassesOnTheHandsForceAndItsTorque) {
     torque += glm::cross(three.trial.state.position[i], on_point);
   }
   const Vec3 hand = hand_force(plan, motion);
-  EXPECT_LT(glm::distance(hand, stiffness * (three.trial.state.hand - grabbed_position(three.trial.system, three.trial.state))), 1e-12);
+  EXPECT_LT(glm::distance(hand, stiffness * (three.trial.state.hand.position - grabbed_position(three.trial.system, three.trial.state))),
+            1e-12);
   EXPECT_LT(glm::distance(force, hand), 1e-12);
   EXPECT_LT(glm::distance(torque, glm::cross(grabbed_position(three.trial.system, three.trial.state), hand)), 1e-12);
 }
@@ -159,7 +160,7 @@ TEST(Patch, IsTakenToTheHandInOneStepByAPullWithoutEnd) {
       ThreePointScene three(nailed);
       three.trial.system.grab->stiffness = 1e11;
       three.trial.run(*find_integrator(id), 0.02, 1);
-      EXPECT_LT(glm::distance(grabbed_position(three.trial.system, three.trial.state), three.trial.state.hand), 1e-5) << id;
+      EXPECT_LT(glm::distance(grabbed_position(three.trial.system, three.trial.state), three.trial.state.hand.position), 1e-5) << id;
     }
 }
 
@@ -179,7 +180,7 @@ TEST(Patch, WorkOfTheHandIsBooked) {
     Trial& trial = three.trial;
     initialize_ledger(trial.system, trial.state);
     for (int i = 1; i <= frames; ++i) {
-      trial.system.grab->target = Vec3(0.3, -0.2, 0.1) + 0.3 * std::pow(std::sin(3.0 * i / frames), 2) * Vec3(1.0, 0.5, 0.2);
+      trial.state.hand.target = Vec3(0.3, -0.2, 0.1) + 0.3 * std::pow(std::sin(3.0 * i / frames), 2) * Vec3(1.0, 0.5, 0.2);
       trial.run(*find_integrator("velocity_verlet"), 1.0 / frames, steps / frames);
     }
     EXPECT_GT(trial.state.ledger.scale, 0.1);

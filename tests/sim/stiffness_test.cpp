@@ -36,7 +36,7 @@ Field residual(const Plan& plan, const Field& x, const Field& V) {
 void expect_derivative(const Trial& trial) {
   Plan plan = make_plan(trial.system);
   Motion motion = packed(plan, trial);
-  if (plan.pull) plan.pull->from = trial.state.hand;
+  if (plan.pull) plan.pull->from = trial.state.hand.position;
   Field V(motion.x.size(), 0.0);
   StiffnessMatrix matrix(plan);
   matrix.assemble(plan, b, motion.x, V, Curvature::Exact);

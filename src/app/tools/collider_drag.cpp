@@ -14,7 +14,7 @@ bool ColliderDrag::begin(const glm::dvec2& cursor, DraggableColliders draggable,
   collider_ = hit->collider;
   gesture_ = context.begin_gesture();
   place_ = hit->position;
-  target_ = anchor_of(context.system().colliders[*collider_]);
+  target_ = anchor_of(carried_collider(context.system(), context.snapshot().state, static_cast<std::size_t>(*collider_)));
   grab_offset_ = target_ - context.point_in_view_plane(cursor, place_);
   return true;
 }
@@ -33,7 +33,7 @@ void ColliderDrag::follow(const glm::dvec2& cursor, ToolContext& context) {
   } else {
     release(context);
     if (!moved) return;
-    std::vector<Collider> colliders = system.colliders;
+    std::vector<Collider> colliders = carried_colliders(system, context.snapshot().state);
     Collider& mine = colliders[*collider_];
     mine = translated(mine, target_ - anchor_of(mine));
     context.lab.submit(SetColliders{std::move(colliders)}, gesture_);

@@ -42,7 +42,7 @@ Vec3 ToolContext::place_for_point(const glm::dvec2& cursor, double radius) const
   const Vec3 beside = point_in_view_plane(cursor, camera.target);
   if (system().dimensions == 2) return beside;
   const PickRay line = pick_ray(view_transform(), cursor);
-  const std::optional<ColliderHit> hit = hit_collider(system(), line, snapshot().state.time);
+  const std::optional<ColliderHit> hit = hit_collider(system(), snapshot().state, line);
   if (!hit) return beside;
   // an endless ground lies under nearly every cursor: it counts where it is before the plane of the target
   const bool nearer = hit->distance < glm::dot(beside - line.origin, line.direction);

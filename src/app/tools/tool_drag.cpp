@@ -16,15 +16,15 @@ double fitting_pull(const System& system, const Patch& patch) {
   double stiffness = 0.0, mass = 0.0;
   for (const Spring& spring : system.springs())
     for (std::size_t p = 0; p < 3; ++p)
-      if (spring.first == patch.points[p] || spring.second == patch.points[p]) stiffness += patch.shares[p] * system.stiffness_of(spring);
+      if (spring.first == patch.points[p] || spring.second == patch.points[p]) stiffness += patch.weights[p] * system.stiffness_of(spring);
   if (stiffness > 0.0) return 0.25 * stiffness;
-  for (std::size_t p = 0; p < 3; ++p) mass += patch.shares[p] * system.points()[system.index_of(patch.points[p])].mass;
+  for (std::size_t p = 0; p < 3; ++p) mass += patch.weights[p] * system.points()[system.index_of(patch.points[p])].mass;
   constexpr double omega = 2.0 * 3.14159265358979323846 * 2.0;  // [rad/s]
   return mass * omega * omega;
 }
 
 PointId nearest_corner(const Patch& patch) {
-  return patch.points[static_cast<std::size_t>(std::ranges::max_element(patch.shares) - patch.shares.begin())];
+  return patch.points[static_cast<std::size_t>(std::ranges::max_element(patch.weights) - patch.weights.begin())];
 }
 
 // What a press would take: a point, or a place on a cloth.

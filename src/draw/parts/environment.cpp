@@ -98,7 +98,7 @@ void Environment::add(const DrawContext& context, const Shadows& shadows) {
   if (!context.options.colliders) return;
   const System& system = *context.snapshot.system;
   for (std::size_t c = 0; c < system.colliders.size(); ++c) {
-    const Collider collider = collider_at_time(system.colliders[c], context.snapshot.state.time);
+    const Collider collider = current_collider(system, context.snapshot.state, c);
     const bool is_hovered = context.marks.hovered_collider == static_cast<Index>(c);
     if (system.dimensions == 2)
       add_flat(context, collider, is_hovered);

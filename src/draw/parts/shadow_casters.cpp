@@ -21,8 +21,7 @@ void each_collider(const DrawContext& context, const ShadowReceiver& receiver, U
   const System& system = *context.snapshot.system;
   if (!context.options.colliders) return;
   for (std::size_t c = 0; c < system.colliders.size(); ++c)
-    if (system.colliders[c].solid && static_cast<Index>(c) != receiver.collider)
-      use(collider_at_time(system.colliders[c], context.snapshot.state.time));
+    if (system.colliders[c].solid && static_cast<Index>(c) != receiver.collider) use(current_collider(system, context.snapshot.state, c));
 }
 
 Vec3 corner_of(const Box& box, int which) {

@@ -73,7 +73,7 @@ void Shadows::add(const DrawContext& context, const NetworkRenderer& network_ren
   if (!context.options.shadows || !context.options.colliders || system.dimensions == 2) return;
   for (std::size_t c = 0; c < system.colliders.size() && !is_full(); ++c) {
     if (!system.colliders[c].solid) continue;
-    const Collider collider = collider_at_time(system.colliders[c], context.snapshot.state.time);
+    const Collider collider = current_collider(system, context.snapshot.state, c);
     ShadowReceiver receiver;
     if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) receiver = ball_receiver(context, *sphere);
     if (const auto* box = std::get_if<Box>(&collider.shape)) receiver = top_receiver(context, *box);
@@ -85,7 +85,8 @@ void Shadows::add(const DrawContext& context, const NetworkRenderer& network_ren
     if (receiver.radius > 0.0f)
       shade(context, network_renderer, receiver);
     else
-      add_flat(context, network_renderer, receiver, std::holds_alternative<Plane>(collider.shape) ? grid_style_for(context.camera).reach : 0.0);
+      add_flat(context, network_renderer, receiver,
+               std::holds_alternative<Plane>(collider.shape) ? grid_style_for(context.camera).reach : 0.0);
   }
 }
 

@@ -48,6 +48,7 @@ struct Apply {
  private:
   Inverse inverse_of(const Parameter& parameter) const;
   void apply_tears_until(std::uint32_t torn);
+  void release_collider();
 };
 
 // What may come into a scene.

@@ -5,15 +5,15 @@
 namespace hooke {
 namespace {
 
-bool is_valid(const Grab& grab) {
+bool is_valid(const GrabPoint::Item& grab) {
   if (!is_finite(grab.target) || !(grab.stiffness >= 0.0) || !std::isfinite(grab.stiffness)) return false;
   if (!grab.patch) return true;
   const auto& [a, b, c] = grab.patch->points;
-  const auto& shares = grab.patch->shares;
+  const auto& weights = grab.patch->weights;
   const bool is_between = a != b && b != c && c != a && (grab.point == a || grab.point == b || grab.point == c);
-  const bool is_whole = std::all_of(shares.begin(), shares.end(), [](double share) { return share >= 0.0; }) &&
-                        std::abs(shares[0] + shares[1] + shares[2] - 1.0) < 1e-9;
-  return is_between && is_whole && grab.kind == GrabKind::Pull;
+  const bool are_weights = std::all_of(weights.begin(), weights.end(), [](double weight) { return weight >= 0.0; }) &&
+                           std::abs(weights[0] + weights[1] + weights[2] - 1.0) < 1e-9;
+  return is_between && are_weights && grab.kind == GrabKind::Pull;
 }
 
 }  // namespace
@@ -23,44 +23,57 @@ std::vector<PointId> points_of(const Grab& grab) {
   return {grab.patch->points.begin(), grab.patch->points.end()};
 }
 
-Inverse Apply::operator()(const GrabPoint& grab) {
-  if (!is_valid(grab.grab)) return {};
+Inverse Apply::operator()(const GrabPoint& command) {
+  const GrabPoint::Item& grab = command.grab;
+  if (!is_valid(grab)) return {};
+  const Grab held{grab.point, grab.patch, grab.kind, grab.stiffness};
   Move back;
-  for (const PointId id : points_of(grab.grab)) {
+  for (const PointId id : points_of(held)) {
     const Index i = scene.system.index_of(id);
     if (i == no_index) return {};
     back.items.push_back({id, scene.state.position[i], scene.state.velocity[i]});
   }
-  scene.system.grab = grab.grab;
-  scene.system.grab->target = in_plane(scene.system, grab.grab.target);
-  scene.state.hand = grab.grab.kind == GrabKind::Hold ? back.items[0].position : scene.system.grab->target;
+  scene.system.grab = held;
+  Hand& hand = scene.state.hand;
+  hand.target = in_plane(scene.system, grab.target);
+  hand.position = grab.kind == GrabKind::Hold ? back.items[0].position : hand.target;
   effect.values = true;
   return {ReleaseHand{}, back};
 }
 
-Inverse Apply::operator()(const GrabCollider& grab) {
-  const Index c = grab.grab.collider;
-  if (c < 0 || c >= static_cast<Index>(scene.system.colliders.size()) || !is_finite(grab.grab.target)) return {};
-  scene.system.collider_grab = grab.grab;
-  effect.values = true;
+Inverse Apply::operator()(const GrabCollider& command) {
+  const Index c = command.grab.collider;
+  if (c < 0 || c >= static_cast<Index>(scene.system.colliders.size()) || !is_finite(command.grab.target)) return {};
+  release_collider();
+  scene.state.hand.collider = {c, scene.system.colliders[static_cast<std::size_t>(c)].shape, command.grab.target};
   return {ReleaseHand{}, SetColliders{scene.system.colliders}};
 }
 
 Inverse Apply::operator()(const MoveHand& move) {
-  if (scene.system.collider_grab && is_finite(move.target)) scene.system.collider_grab->target = move.target;
-  if (scene.system.grab && is_finite(move.target)) scene.system.grab->target = in_plane(scene.system, move.target);
+  if (!is_finite(move.target)) return {};
+  Hand& hand = scene.state.hand;
+  if (hand.collider) hand.collider->target = move.target;
+  if (scene.system.grab) hand.target = in_plane(scene.system, move.target);
   return {};
 }
 
 Inverse Apply::operator()(const ReleaseHand&) {
-  effect.values = effect.values || scene.system.collider_grab;
-  scene.system.collider_grab.reset();
+  release_collider();
   if (!scene.system.grab) return {};
   const Index i = scene.system.index_of(scene.system.grab->point);
   if (scene.system.points()[i].nailed) scene.state.velocity[i] = Vec3(0.0);
   scene.system.grab.reset();
   effect.values = true;
   return {};
+}
+
+// Leaves the carried collider where the hand has moved it.
+void Apply::release_collider() {
+  auto& carried = scene.state.hand.collider;
+  if (!carried) return;
+  scene.system.colliders[static_cast<std::size_t>(carried->collider)].shape = carried->shape;
+  carried.reset();
+  effect.values = true;
 }
 
 }  // namespace hooke

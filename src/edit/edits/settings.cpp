@@ -36,7 +36,7 @@ Inverse Apply::inverse_of(const Parameter& parameter) const {
     case Parameter::Scope::Gravity:
       return {SetGravity{scene.system.gravity}};
     case Parameter::Scope::Colliders:
-      return {SetColliders{scene.system.colliders}};
+      return {SetColliders{carried_colliders(scene.system, scene.state)}};
     case Parameter::Scope::SpringStiffness:
       return all_springs(SpringProperty::Stiffness, &Spring::stiffness);
     case Parameter::Scope::SpringDamping:
@@ -72,10 +72,15 @@ Inverse Apply::operator()(const SetGravity& set) {
 }
 
 Inverse Apply::operator()(const SetColliders& set) {
-  const SetColliders inverse{scene.system.colliders};
+  const SetColliders inverse{carried_colliders(scene.system, scene.state)};
   scene.system.colliders = set.colliders;
-  if (scene.system.collider_grab && scene.system.collider_grab->collider >= static_cast<Index>(set.colliders.size()))
-    scene.system.collider_grab.reset();
+  if (auto& carried = scene.state.hand.collider) {
+    const auto c = static_cast<std::size_t>(carried->collider);
+    if (c < set.colliders.size())
+      carried->shape = set.colliders[c].shape;
+    else
+      carried.reset();
+  }
   effect.values = true;
   return {inverse};
 }

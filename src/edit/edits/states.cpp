@@ -13,10 +13,13 @@ Inverse Apply::operator()(const GoToState& go) {
   };
   if (!fits(target.position) || !fits(target.velocity) || !std::isfinite(target.time) || target.torn > scene.tears.size()) return {};
   const GoToState inverse{std::make_shared<const State>(scene.state)};
+  // the ledger and a carried collider belong to the present
   const EnergyLedger ledger = scene.state.ledger;
+  const std::optional<CarriedCollider> carried = scene.state.hand.collider;
   apply_tears_until(target.torn);
   scene.state = target;
   scene.state.ledger = ledger;
+  scene.state.hand.collider = carried;
   scene.system.grab.reset();
   effect.values = true;
   return {inverse};
