@@ -26,7 +26,7 @@ void App::perform(Action action, bool repeated) {
       return take_tool(action);
 
     case Action::RunOrPause:
-      return lab_.submit(SetRunning{!status().running});
+      return lab_.submit(SetRunning{!status().run.running});
     case Action::StepOnce:
       return lab_.submit(StepOnce{});
     case Action::StepBack:
@@ -83,7 +83,7 @@ void App::perform(Action action, bool repeated) {
       if (panels_.plots_shown &&
           lay_out(layout_.menu.width, layout_.status.y + layout_.status.height, tool_context_.scale, {.plots = true}).plots.height == 0.0)
         panels_.show_toast("The window is too low for plots");
-      if (panels_.plots_shown && status().traces->traces.empty()) lab_.submit(Watch{first_plots(tool_context_.system())});
+      if (panels_.plots_shown && status().timeline.traces->traces.empty()) lab_.submit(Watch{first_plots(tool_context_.system())});
       return;
     case Action::HidePanels:
       panels_.panels_hidden = !panels_.panels_hidden;
@@ -250,7 +250,7 @@ void App::delete_selection() {
 
 // As the whole scene is framed, with the selected points alone.
 void App::frame_selection() {
-  const Scene part = copy_selection(tool_context_.snapshot(), tool_context_.status->sheet, selection_);
+  const Scene part = copy_selection(tool_context_.snapshot(), tool_context_.status->document->sheet, selection_);
   if (part.system.points().empty()) return panels_.show_toast("Nothing is selected");
   frame_scene(tool_context_.camera, part.system, part.state, tool_context_.size.x / tool_context_.size.y);
 }

@@ -45,7 +45,7 @@ App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const H
   // a clipboard of our own until the window lends its
   clipboard_ = {.put = [this](const std::string& text) { own_clipboard_ = text; }, .take = [this] { return own_clipboard_; }};
   take_tool(Action::SelectTool);
-  take_switches(tool_context_.status->view);
+  take_switches(tool_context_.status->document->view);
   begin_document();
 }
 
@@ -244,21 +244,21 @@ void App::take_switches(const ViewSettings& view) {
 
 ViewOptions App::view_options() const {
   ViewOptions options = panels_.view;
-  options.cloth_texture = status().cloth_texture;
+  options.cloth_texture = status().document->cloth_texture;
   options.background = background_of(panels_.look);
-  if (status().view.background) options.background = *status().view.background;
+  if (status().document->view.background) options.background = *status().document->view.background;
   return options;
 }
 
 std::string App::title() const {
-  const std::string& name = status().scene_name;
+  const std::string& name = status().document->name;
   const std::string shown = !file_.empty() && !is_shipped(file_) ? file_.stem().string() : name.empty() ? "Untitled" : name;
-  return "Hooke - " + shown + (status().unsaved ? "*" : "");
+  return "Hooke - " + shown + (status().history.unsaved ? "*" : "");
 }
 
 bool App::is_idle() const {
   return !work_.is_running() && !panels_.export_state.is_running() && !picture_file_ && !film_recorder_.is_filming() &&
-         !film_recorder_.is_writing() && !status().running && panels_.toast.empty() && !tool_is_pressed_ && !turning_with_;
+         !film_recorder_.is_writing() && !status().run.running && panels_.toast.empty() && !tool_is_pressed_ && !turning_with_;
 }
 
 }  // namespace hooke

@@ -19,7 +19,7 @@ std::string count_of(const Scene& part) {
 }  // namespace
 
 void App::copy(AfterCopy after_copy) {
-  auto part = std::make_shared<const Scene>(copy_selection(tool_context_.snapshot(), tool_context_.status->sheet, selection_));
+  auto part = std::make_shared<const Scene>(copy_selection(tool_context_.snapshot(), tool_context_.status->document->sheet, selection_));
   if (part->system.points().empty()) return panels_.show_toast("Nothing is selected");
   if (part->system.point_count() > max_points)
     return panels_.show_toast("Too much for the clipboard: " + count(part->system.point_count(), "point") + ", it takes " +
@@ -60,7 +60,7 @@ void App::paste(const Scene& part) {
 }
 
 void App::duplicate() {
-  const Scene part = copy_selection(tool_context_.snapshot(), tool_context_.status->sheet, selection_);
+  const Scene part = copy_selection(tool_context_.snapshot(), tool_context_.status->document->sheet, selection_);
   if (part.system.points().empty()) return panels_.show_toast("Nothing is selected");
   const Vec3 middle = bounding_box_center(part);
   const auto seen = project_to_screen(tool_context_.view_transform(), middle);

@@ -111,9 +111,9 @@ void App::export_as_it_stands(const std::filesystem::path& file) {
 }
 
 void App::export_plots(const std::filesystem::path& file) {
-  if (status().traces->traces.empty()) return panels_.show_message("Cannot export", "There are no plots: show some first.");
+  if (status().timeline.traces->traces.empty()) return panels_.show_message("Cannot export", "There are no plots: show some first.");
   try {
-    write_atomically(file, to_csv(*status().traces));
+    write_atomically(file, to_csv(*status().timeline.traces));
     finish_export({}, false);
   } catch (const FileError& error) {
     finish_export(error.what(), false);

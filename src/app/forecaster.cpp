@@ -11,7 +11,7 @@ void Forecaster::follow(const Status& status) {
     if (!std::exchange(is_stale_, false)) last_in_cell_ = std::move(made);
   }
   const System& system = *status.snapshot->system;
-  ForecastKey now{status.edits, status.scene_name, system.point_count(), system.spring_count()};
+  ForecastKey now{status.history.edits, status.document->name, system.point_count(), system.spring_count()};
   if (now == key_) return;
   key_ = std::move(now);
   stop_ = false;

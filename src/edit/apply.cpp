@@ -4,6 +4,12 @@
 
 namespace hooke {
 
-std::vector<Command> apply(Scene& scene, const Command& command, Effect& effect) { return std::visit(Apply{scene, effect}, command); }
+std::vector<Command> apply(Scene& scene, const Command& command, Effect& effect) {
+  const std::uint64_t revision = scene.revision;
+  std::vector<Command> inverse = std::visit(Apply{scene, effect}, command);
+  const bool is_state_only = std::holds_alternative<Move>(command) || std::holds_alternative<MoveHand>(command);
+  scene.revision = is_state_only ? revision : revision + 1;
+  return inverse;
+}
 
 }  // namespace hooke

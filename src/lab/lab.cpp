@@ -37,44 +37,58 @@ Lab::Lab(Scene scene, KeepStart keep) {
 void Lab::submit(Command command, Gesture gesture) { queue_.emplace_back(std::move(command), gesture); }
 void Lab::submit(Control control, Gesture gesture) { queue_.emplace_back(std::move(control), gesture); }
 
-// Makes the Plan agree with the System again.
+// Brings the Plan up to date, and discards the frame in progress unless the edit does not affect it.
 void Lab::update_plan(Effect effect) {
-  if (effect.structure) frame_history_.clear_if_points_changed(scene_.system);
-  if (effect.structure)
+  if (!effect.invalidates_frame()) return;
+  drop_frame();
+  if (effect.structure) {
+    frame_history_.clear_if_points_changed(scene_.system);
     plan_ = make_plan(scene_.system);
-  else if (effect.values)
+  } else if (effect.values) {
     refresh_values(plan_, scene_.system);
-  else
-    drop_frame();
-  frame_in_progress_ = false;
+  }
   energy_ = compute_energy(scene_.system, scene_.state);
-  published_system_.reset();
 }
 
-// A frame that is not finished has broken no spring.
+// Discards the frame in progress. The springs that it broke are intact.
 void Lab::drop_frame() {
   if (frame_in_progress_ && !frame_.broken().empty()) refresh_values(plan_, scene_.system);
   frame_in_progress_ = false;
+  record_held_edits();
+}
+
+// An edit that does not affect the frame in progress takes effect after it, and is recorded there.
+void Lab::record_edit(const Command& command) {
+  if (frame_in_progress_)
+    held_edits_.push_back(command);
+  else
+    recorder_.record(command, scene_);
+}
+
+void Lab::record_held_edits() {
+  for (const Command& command : std::exchange(held_edits_, {})) recorder_.record(command, scene_);
 }
 
 void Lab::edit(const Command& command, Gesture gesture) {
-  // the hand only moves: no edit, no energy, nothing to undo
+  // a moving hand changes no energy and leaves nothing to undo
   if (std::holds_alternative<MoveHand>(command)) {
     Effect effect;
     apply(scene_, command, effect);
-    recorder_.record(command, scene_);
+    record_edit(command);
     return;
   }
 
+  const bool was_in_progress = frame_in_progress_;
   const double before = compute_energy(scene_.system, scene_.state).total();
   Effect effect;
   std::vector<Command> inverse = apply(scene_, command, effect);
   update_plan(effect);
+  if (was_in_progress && !frame_in_progress_) must_finish_frame_ = true;
   if (std::holds_alternative<Replace>(command))
     initialize_ledger(scene_.system, scene_.state);
   else
     record_edit_energy(scene_.system, before, scene_.state);
-  recorder_.record(command, scene_);
+  record_edit(command);
   divergence_.reset();
   if (std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command)) grab_gesture_ = gesture;
   if (inverse.empty()) return;
@@ -83,8 +97,14 @@ void Lab::edit(const Command& command, Gesture gesture) {
   ++edits_;
 }
 
+// Edits that discard every frame in progress would stop the clock: after one discarded frame, edits wait until the next is finished.
+bool Lab::must_wait_for_frame() const {
+  return frame_in_progress_ && must_finish_frame_ &&
+         std::ranges::all_of(queue_, [](const auto& queued) { return std::holds_alternative<Command>(queued.first); });
+}
+
 void Lab::apply_queue() {
-  // moved out first: obeying may queue more
+  // moved out first: a handler may submit more
   auto queue = std::exchange(queue_, {});
   for (const auto& [request, gesture] : queue) {
     if (const auto* command = std::get_if<Command>(&request)) {
@@ -140,7 +160,6 @@ std::optional<Insert> Lab::tear() {
   Effect effect;
   const std::vector<Command> inverse = apply(scene_, removal_of_broken(scene_.system, broken), effect);
   plan_ = make_plan(scene_.system);
-  published_system_.reset();
   return std::get<Insert>(inverse.front());
 }
 
@@ -164,7 +183,7 @@ bool Lab::finish_frame() {
   next_ = scene_.state;
   frame_.end(plan_, next_);
   record_force_work(plan_, scene_.state, next_);
-  frame_in_progress_ = false;
+  frame_in_progress_ = must_finish_frame_ = false;
   std::optional<Insert> torn = tear();
 
   const Energy energy = compute_energy(scene_.system, next_);
@@ -177,6 +196,7 @@ bool Lab::finish_frame() {
     run_to_.reset();
     running_ = false;
     frame_pacer_.clear_backlog();
+    record_held_edits();
     return false;
   }
   std::swap(scene_.state, next_);
@@ -193,6 +213,7 @@ bool Lab::finish_frame() {
     run_to_.reset();
   }
   recorder_.record_frame(scene_.state);
+  record_held_edits();
   if (playback_.is_on()) check_played_frame();
   smooth(simulate_ms_, frame_ms_);
   return true;
@@ -212,12 +233,7 @@ bool Lab::step() {
 }
 
 void Lab::advance(double real_seconds, const std::function<bool()>& should_continue) {
-  // a frame cut short goes on, unless something else than the hand's place is to change
-  const bool is_only_hand_motion = std::all_of(queue_.begin(), queue_.end(), [](const auto& queued) {
-    const auto* command = std::get_if<Command>(&queued.first);
-    return command != nullptr && std::holds_alternative<MoveHand>(*command);
-  });
-  if (!frame_in_progress_ || !is_only_hand_motion) apply_queue();
+  if (!must_wait_for_frame()) apply_queue();
 
   if (running_) {
     const double frame = 1.0 / scene_.settings.frame_rate;

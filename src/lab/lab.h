@@ -78,6 +78,10 @@ class Lab {
   // Steps exactly one frame, applying what is queued before. False when it diverged: the state is the frame before.
   bool step();
 
+  // Whether submitted commands wait for the frame in progress, and a way to apply them without waiting.
+  bool has_pending() const { return !queue_.empty(); }
+  void apply_pending() { apply_queue(); }
+
   // The last published status; `advance` publishes, after `step` it is the caller's choice.
   const std::shared_ptr<const Status>& status() const { return status_; }
   void publish();
@@ -96,6 +100,7 @@ class Lab {
 
  private:
   void apply_queue();
+  bool must_wait_for_frame() const;
   void handle(const Control& control, Gesture gesture);
   void edit(const Command& command, Gesture gesture);
   void update_plan(Effect effect);
@@ -112,8 +117,14 @@ class Lab {
   std::optional<Insert> tear();
   void record_tear(Insert pieces);
   void drop_frame();
+  void record_edit(const Command& command);
+  void record_held_edits();
   double hand_lag() const;
+  const std::shared_ptr<const System>& published_system();
+  const std::shared_ptr<const DocumentStatus>& published_document();
   std::shared_ptr<const Snapshot> snapshot();
+  RunStatus run_status() const;
+  TimelineStatus timeline_status() const;
 
   Scene scene_;
   std::shared_ptr<const Scene> start_;
@@ -126,8 +137,10 @@ class Lab {
   Plan plan_;
   Frame frame_;
   bool frame_in_progress_ = false;
-  State next_;     // what the frame in progress will lead to
-  Energy energy_;  // of the last sound frame
+  bool must_finish_frame_ = false;   // an edit discarded the frame before it
+  std::vector<Command> held_edits_;  // applied while a frame that they do not affect is in progress; recorded after it
+  State next_;                       // what the frame in progress will lead to
+  Energy energy_;                    // of the last sound frame
   std::optional<Divergence> divergence_;
   bool running_ = false;
   std::optional<double> run_to_;  // [s]
@@ -141,7 +154,9 @@ class Lab {
   long edits_ = 0;
   double frame_ms_ = 0.0, simulate_ms_ = 0.0;
   long frames_ = 0;
-  std::shared_ptr<const System> published_system_;  // null: stale
+  std::shared_ptr<const System> published_system_;            // null: none yet
+  std::shared_ptr<const DocumentStatus> published_document_;  // null: none yet
+  std::uint64_t published_system_revision_ = 0, published_document_revision_ = 0;
   std::shared_ptr<const Status> status_;
 };
 

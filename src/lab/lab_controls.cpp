@@ -10,11 +10,16 @@ void Lab::open(std::shared_ptr<const Scene> scene) {
   reset_session();
   // until the first edit the start is what is shown: a large scene is not copied once more
   published_system_ = std::shared_ptr<const System>(start_, &start_->system);
+  published_system_revision_ = scene_.revision;
 }
 
 // With the scene that was just put in place.
 void Lab::reset_session() {
   scene_.state.ledger = {};
+  held_edits_.clear();
+  published_system_.reset();
+  published_document_.reset();
+  must_finish_frame_ = false;
   history_.clear();
   divergence_.reset();
   running_ = unsaved_ = edited_ = false;
@@ -48,6 +53,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
   const auto go_to_history_step = [this](std::size_t done) {
     if (done == history_.done() || done > history_.done() + history_.undone()) return;
     playback_.stop();
+    drop_frame();
     const double before = compute_energy(scene_.system, scene_.state).total();
     update_plan(history_.go_to(done, scene_));
     record_edit_energy(scene_.system, before, scene_.state);
@@ -69,6 +75,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                  },
                  [&](const StepOnce&) {
                    running_ = false;
+                   drop_frame();
                    step_frame();
                  },
                  [&](const RunTo& run) {

@@ -1,4 +1,4 @@
-// What a Lab says of itself, once a frame.
+// What a Lab publishes once a frame.
 #include <algorithm>
 #include <limits>
 
@@ -7,11 +7,44 @@
 #include "scene/parameters.h"
 
 namespace hooke {
+namespace {
+
+DocumentStatus document_of(const Scene& scene) {
+  DocumentStatus document{.name = scene.name,
+                          .description = scene.description,
+                          .view = scene.view,
+                          .cloth_texture = scene.cloth_texture,
+                          .defaults = scene.defaults,
+                          .sheet = scene.sheet,
+                          .controls = scene.controls,
+                          .parameter_values = {}};
+  for (const Parameter& parameter : parameters()) {
+    const bool applies = parameter.applies == nullptr || parameter.applies(scene);
+    document.parameter_values.push_back(applies ? parameter.read(scene) : std::numeric_limits<double>::quiet_NaN());
+  }
+  return document;
+}
+
+}  // namespace
+
+// The copies for readers are made once a revision: a System is large, and its parameters are read from all springs.
+const std::shared_ptr<const System>& Lab::published_system() {
+  if (!published_system_ || published_system_revision_ != scene_.revision)
+    published_system_ = std::make_shared<const System>(scene_.system);
+  published_system_revision_ = scene_.revision;
+  return published_system_;
+}
+
+const std::shared_ptr<const DocumentStatus>& Lab::published_document() {
+  if (!published_document_ || published_document_revision_ != scene_.revision)
+    published_document_ = std::make_shared<const DocumentStatus>(document_of(scene_));
+  published_document_revision_ = scene_.revision;
+  return published_document_;
+}
 
 std::shared_ptr<const Snapshot> Lab::snapshot() {
-  if (!published_system_) published_system_ = std::make_shared<const System>(scene_.system);
   auto snapshot = std::make_shared<Snapshot>();
-  snapshot->system = published_system_;
+  snapshot->system = published_system();
   snapshot->state = scene_.state;
   snapshot->settings = scene_.settings;
   snapshot->energy = energy_;
@@ -28,48 +61,43 @@ std::shared_ptr<const Snapshot> Lab::snapshot() {
   return snapshot;
 }
 
+RunStatus Lab::run_status() const {
+  const bool has_hand = scene_.system.grab || scene_.state.hand.collider;
+  return {.running = running_,
+          .simulate_ms = simulate_ms_,
+          .speed = running_ ? frame_pacer_.speed() : 0.0,
+          .frames = frames_,
+          .from = run_to_ ? run_from_ : 0.0,
+          .to = run_to_.value_or(0.0),
+          .hand_lag = scene_.system.hand_speed > 0.0 && has_hand ? hand_lag_ : 0.0,
+          .limit_power = running_ ? last_limit_work_ * scene_.settings.frame_rate : 0.0,
+          .limit_work = limit_work_};
+}
+
+TimelineStatus Lab::timeline_status() const {
+  const Timeline& timeline = frame_history_.timeline();
+  const double now = scene_.state.time;
+  return {.start = timeline.empty() ? now : timeline.first_time(),
+          .end = timeline.empty() ? now : timeline.last_time(),
+          .traces = frame_history_.traces()};
+}
+
 void Lab::publish() {
   auto status = std::make_shared<Status>();
   status->snapshot = snapshot();
-  status->scene_name = scene_.name;
-  status->scene_description = scene_.description;
-  status->view = scene_.view;
-  status->cloth_texture = scene_.cloth_texture;
-  status->defaults = scene_.defaults;
-  status->sheet = scene_.sheet;
-  status->controls = scene_.controls;
-  for (const Parameter& parameter : parameters()) {
-    const bool applies = parameter.applies == nullptr || parameter.applies(scene_);
-    status->parameter_values.push_back(applies ? parameter.read(scene_) : std::numeric_limits<double>::quiet_NaN());
-  }
-  status->hand_lag = scene_.system.hand_speed > 0.0 && (scene_.system.grab || scene_.state.hand.collider) ? hand_lag_ : 0.0;
-  status->limit_power = running_ ? last_limit_work_ * scene_.settings.frame_rate : 0.0;
-  status->limit_work = limit_work_;
-  status->running = running_;
-  status->unsaved = unsaved_;
-  status->edits = edits_;
-  status->undo_name = history_.undo_name();
-  status->redo_name = history_.redo_name();
-  status->history = history_.list();
+  status->document = published_document();
+  status->run = run_status();
+  status->history = {
+      .unsaved = unsaved_, .edits = edits_, .undo_name = history_.undo_name(), .redo_name = history_.redo_name(), .list = history_.list()};
+  status->timeline = timeline_status();
+  if (recorder_.file() != nullptr) status->recording.file = printable(recorder_.file()->native());
+  status->recording.error = recorder_.error();
+  if (playback_.is_on()) status->recording.playback_progress = playback_.progress();
+  status->recording.difference = playback_.difference();
   if (divergence_) {
-    status->advice = advise(plan_.spectrum, scene_.settings);
-    status->message = explain(*divergence_, scene_.system, scene_.settings, *status->advice);
+    status->diagnosis.advice = advise(plan_.spectrum, scene_.settings);
+    status->diagnosis.message = explain(*divergence_, scene_.system, scene_.settings, *status->diagnosis.advice);
   }
-  status->simulate_ms = simulate_ms_;
-  status->speed = running_ ? frame_pacer_.speed() : 0.0;
-  status->frames = frames_;
-  const Timeline& timeline = frame_history_.timeline();
-  status->timeline_start = timeline.empty() ? scene_.state.time : timeline.first_time();
-  status->timeline_end = timeline.empty() ? scene_.state.time : timeline.last_time();
-  status->traces = frame_history_.traces();
-  if (run_to_) {
-    status->run_from = run_from_;
-    status->run_to = *run_to_;
-  }
-  if (recorder_.file() != nullptr) status->recording = printable(recorder_.file()->native());
-  status->recording_error = recorder_.error();
-  if (playback_.is_on()) status->playback_progress = playback_.progress();
-  status->difference = playback_.difference();
   status->next_point_id = scene_.system.next_point_id();
   status->next_spring_id = scene_.system.next_spring_id();
   status_ = std::move(status);

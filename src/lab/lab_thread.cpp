@@ -54,7 +54,7 @@ std::future<std::shared_ptr<const Scene>> LabThread::copy_scene() {
   auto future = promise->get_future();
   post(
       [promise](Lab& lab) {
-        lab.advance(0.0, [] { return false; });
+        lab.apply_pending();
         auto scene = std::make_shared<Scene>(lab.scene());
         scene->system.colliders = carried_colliders(scene->system, scene->state);
         promise->set_value(std::move(scene));
@@ -80,12 +80,13 @@ SpringId LabThread::new_spring_id() {
 
 void LabThread::work() {
   auto last = Clock::now();
+  long taken_count = 0;
   while (!stopping_) {
     std::vector<Task> tasks;
     {
       std::unique_lock lock(mutex_);
       const auto has_work = [this] { return stopping_ || !tasks_.empty(); };
-      if (status_->running)
+      if (status_->run.running)
         posted_.wait_for(lock, lab_.time_to_next_frame(), has_work);
       else
         posted_.wait(lock, has_work);
@@ -96,7 +97,7 @@ void LabThread::work() {
 
     // paused time does not count
     const auto now = Clock::now();
-    const double elapsed = lab_.status()->running ? std::chrono::duration<double>(now - last).count() : 0.0;
+    const double elapsed = lab_.status()->run.running ? std::chrono::duration<double>(now - last).count() : 0.0;
     last = now;
     for (const Task& task : tasks) task(lab_);
     lab_.advance(elapsed, [&] { return !stopping_ && !urgent_ && Clock::now() - now < max_publish_interval; });
@@ -104,7 +105,8 @@ void LabThread::work() {
     {
       const std::lock_guard lock(mutex_);
       status_ = lab_.status();
-      published_count_ += static_cast<long>(tasks.size());
+      taken_count += static_cast<long>(tasks.size());
+      if (!lab_.has_pending()) published_count_ = taken_count;
     }
     published_.notify_all();
   }

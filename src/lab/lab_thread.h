@@ -33,7 +33,7 @@ class LabThread {
   // A copy of the scene after all that was submitted before, between two frames: to be saved. Ready when the thread gets to it.
   std::future<std::shared_ptr<const Scene>> copy_scene();
 
-  // Waits until the status shows all that was submitted before, at most so long. Whether it does.
+  // Waits at most `at_most` until the status reflects all that was submitted before; returns whether it does.
   bool settle(std::chrono::milliseconds at_most);
 
   // Ids for the points and springs of a coming Insert.

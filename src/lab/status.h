@@ -1,4 +1,5 @@
-// What the laboratory shows of itself, published once a frame beside the Snapshot; read by panels, never written.
+// What the laboratory publishes once a frame for panels and tools to read: a Snapshot of the simulation and the condition of
+// everything around it.
 #pragma once
 
 #include <memory>
@@ -13,36 +14,60 @@
 
 namespace hooke {
 
-struct Status {
-  std::shared_ptr<const Snapshot> snapshot;
-  std::string scene_name, scene_description;
+// The parts of the scene that only edits change; the same object until the next edit.
+struct DocumentStatus {
+  std::string name, description;
   ViewSettings view;
   ClothTexture cloth_texture;
   Defaults defaults;
   std::shared_ptr<const SheetWeights> sheet;  // null: there is no cloth
   ControlRanges controls;
-  std::vector<double> parameter_values;        // one a row of parameters(); NaN: the row does not apply
-  double hand_lag = 0.0;                       // [m], of the hand behind the cursor, by its top speed; 0: it keeps up
-  double limit_power = 0.0, limit_work = 0.0;  // [W], [J]: what the strain limit does to the scene now, and did in all
+  std::vector<double> parameter_values;  // one for each row of parameters(); NaN: the row does not apply
+};
+
+struct RunStatus {
   bool running = false;
-  bool unsaved = false;                                 // edited since it was opened or saved
-  long edits = 0;                                       // made, taken back and made again, ever: tells whether there was one since
-  std::string undo_name, redo_name;                     // "nail 3 points"; empty: nothing to undo
-  std::shared_ptr<const HistoryList> history;           // never null
-  std::string message;                                  // why the run stopped, and what would hold; empty: nothing to say
-  std::optional<Advice> advice;                         // what would hold, to be applied by a click
-  double simulate_ms = 0.0;                             // of real time per simulated frame, smoothed
-  double speed = 0.0;                                   // simulated against real seconds, measured; 0 while paused
+  double simulate_ms = 0.0;                    // of real time per simulated frame, smoothed
+  double speed = 0.0;                          // simulated seconds per real second, measured; 0 while paused
+  long frames = 0;                             // computed since the document was opened
+  double from = 0.0, to = 0.0;                 // [s], of a run to a given time; both 0: none
+  double hand_lag = 0.0;                       // [m], from the hand to its target because of its top speed
+  double limit_power = 0.0, limit_work = 0.0;  // [W] now and [J] in total, of the strain limit on the scene
+};
+
+struct HistoryStatus {
+  bool unsaved = false;                     // edited since the document was opened or saved
+  long edits = 0;                           // counts edits, undo and redo
+  std::string undo_name, redo_name;         // "nail 3 points"; empty: nothing to undo
+  std::shared_ptr<const HistoryList> list;  // never null
+};
+
+struct TimelineStatus {
+  double start = 0.0, end = 0.0;             // [s], of the recorded states; equal: none but the current one
+  std::shared_ptr<const TraceTable> traces;  // what the plots show
+};
+
+struct RecordingStatus {
+  std::string file;                // being written; empty: none
+  std::string error;               // why the last recording ended early; empty: it did not
+  double playback_progress = 0.0;  // [1]; 0: no playback
+  std::string difference;          // where a playback departs from its recording; empty: nowhere so far
+};
+
+struct DiagnosisStatus {
+  std::string message;           // why the run stopped and which setting would hold; empty: nothing to report
+  std::optional<Advice> advice;  // that setting, to be applied by a click
+};
+
+struct Status {
+  std::shared_ptr<const Snapshot> snapshot;
+  std::shared_ptr<const DocumentStatus> document;
+  RunStatus run;
+  HistoryStatus history;
+  TimelineStatus timeline;
+  RecordingStatus recording;
+  DiagnosisStatus diagnosis;
   std::uint32_t next_point_id = 0, next_spring_id = 0;  // ids from here on are free
-  long frames = 0;                                      // stepped since the document was opened
-  double timeline_start = 0.0, timeline_end = 0.0;      // [s], of the frames that one can go back to; the same: none but this
-  std::shared_ptr<const TraceTable> traces;             // what the plots show
-  double run_to = 0.0;                                  // [s], where a run to a time ends, from `run_from`; both 0: none
-  double run_from = 0.0;
-  std::string recording;           // the file that what is done is recorded in; empty: none
-  std::string recording_error;     // why the last recording ended early, in one line; empty: it did not
-  double playback_progress = 0.0;  // how much of a recording has been played, to 1; 0: none is playing
-  std::string difference;          // where a recording came out otherwise than recorded; empty: nowhere so far
 };
 
 }  // namespace hooke

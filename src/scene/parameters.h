@@ -19,8 +19,9 @@ struct ParameterChoice {
 
 struct Parameter {
   enum class Kind { Number, Integer, Switch, Choice };
-  // What a write changes, and so what its inverse must hold; Number: the one number that `read` gives.
-  enum class Scope { Number, Gravity, Colliders, SpringStiffness, SpringDamping, PointMass, PointSize };
+  // What a write changes, and so what its inverse must hold. Number and Setting: the one number that `read` gives; a Setting is not part
+  // of the Plan, it takes effect with the next frame.
+  enum class Scope { Number, Setting, Gravity, Colliders, SpringStiffness, SpringDamping, PointMass, PointSize };
   // What k or d of each spring is of the value.
   enum class Weight { One, InverseLength, Length, SheetWeight };
   std::string_view name;         // on the command line

@@ -75,6 +75,7 @@ struct Scene {
   std::vector<std::shared_ptr<const Tear>> tears;  // of the run, in the order in which they happened; state.torn counts from 1
   ControlRanges controls;
   PreservedJson preserved_json;
+  std::uint64_t revision = 0;  // of everything but the state; apply alone increments it, and what is derived from a scene is cached by it
 };
 
 // What the point weighs with another radius, its mass going with the square of it; as before without any.

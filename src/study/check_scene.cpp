@@ -40,7 +40,7 @@ class QuantityHistory {
     CriterionResult all{true, ""};
     for (std::size_t i = 0; i < series_.size(); ++i) {
       const CriterionResult one = series_[i].value.empty() ? CriterionResult{false, check_.criteria[i].of + ": nothing to measure"}
-                                                   : evaluate_criterion(check_.criteria[i], series_[i]);
+                                                           : evaluate_criterion(check_.criteria[i], series_[i]);
       all.holds = all.holds && one.holds;
       all.description += (all.description.empty() ? "" : "; ") + std::string(one.holds ? "" : "NOT SO: ") + one.description;
     }
@@ -74,8 +74,9 @@ CheckResult run(const SceneCheck& check, Scene scene, const CheckedMethod& check
     }
     lab.publish();
     const Status& status = *lab.status();
-    const bool is_reported = status.snapshot->divergence && !status.message.empty() && status.advice && is_finite(lab.scene().state);
-    return {&method, is_reported && check.expects_divergence, status.message};
+    const bool is_reported =
+        status.snapshot->divergence && !status.diagnosis.message.empty() && status.diagnosis.advice && is_finite(lab.scene().state);
+    return {&method, is_reported && check.expects_divergence, status.diagnosis.message};
   }
   if (check.expects_divergence) return {&method, false, "it was to be stopped by the watch, and ran on"};
   const CriterionResult verdict = history.evaluate_all();

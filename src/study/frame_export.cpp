@@ -67,7 +67,7 @@ void write_frames(Scene scene, const FrameExport& request, const Progress& progr
       sink->add(lab.scene().system, lab.scene().state);
     } else {
       lab.publish();
-      stop_reason = lab.status()->message;
+      stop_reason = lab.status()->diagnosis.message;
     }
   }
   sink->finish();

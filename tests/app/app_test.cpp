@@ -47,12 +47,12 @@ TEST(Keys, TakeTheTools) {
 TEST(Keys, RunPauseStepAndGoBack) {
   GuiTrial gui(hanging());
   gui.key(Key::Period);
-  EXPECT_EQ(gui.status().frames, 1);
-  EXPECT_FALSE(gui.status().running);
+  EXPECT_EQ(gui.status().run.frames, 1);
+  EXPECT_FALSE(gui.status().run.running);
   gui.key(Key::Space);
-  EXPECT_TRUE(gui.status().running);
+  EXPECT_TRUE(gui.status().run.running);
   gui.key(Key::Space);
-  EXPECT_FALSE(gui.status().running);
+  EXPECT_FALSE(gui.status().run.running);
   gui.key(letter('R'), control);
   EXPECT_EQ(gui.status().snapshot->state.position[2], (Vec3{0.2, 0.0, 0.0}));
   EXPECT_EQ(gui.status().snapshot->state.time, 0.0);
@@ -81,7 +81,7 @@ TEST(TimelineStrip, IsDraggedToAFrameAndBackInOneStepOfUndo) {
   const double there = gui.status().snapshot->state.time;
   EXPECT_GT(there, 0.0);
   EXPECT_LT(there, 0.6 * last);
-  EXPECT_EQ(gui.status().timeline_end, last);
+  EXPECT_EQ(gui.status().timeline.end, last);
   gui.key(letter('Z'), control);
   EXPECT_EQ(gui.status().snapshot->state.time, last);
 }
@@ -99,9 +99,9 @@ TEST(TimelineStrip, RunsToATimeThatIsTyped) {
   ImGui::GetIO().KeysDown[ImGuiKey_Enter] = true;
   gui.frame();
   ImGui::GetIO().KeysDown[ImGuiKey_Enter] = false;
-  for (int i = 0; i < 50 && (gui.status().running || gui.status().frames == 0); ++i) gui.frame();
+  for (int i = 0; i < 50 && (gui.status().run.running || gui.status().run.frames == 0); ++i) gui.frame();
   EXPECT_NEAR(gui.status().snapshot->state.time, 2.0, 1.0 / 60.0);
-  EXPECT_FALSE(gui.status().running);
+  EXPECT_FALSE(gui.status().run.running);
 }
 
 TEST(Recordings, AreMadeByAKeyAndPlayedToTheSameBits) {
@@ -114,19 +114,19 @@ TEST(Recordings, AreMadeByAKeyAndPlayedToTheSameBits) {
   gui.key(letter('R'));
   for (int frame = 0; frame < 5; ++frame) gui.key(Key::Period);
   const State end = gui.status().snapshot->state;
-  EXPECT_NE(gui.status().recording, "");
+  EXPECT_NE(gui.status().recording.file, "");
   gui.key(letter('R'), {.control = true, .shift = true});
-  EXPECT_EQ(gui.status().recording, "");
+  EXPECT_EQ(gui.status().recording.file, "");
   ASSERT_TRUE(std::filesystem::exists(scratch.folder / "net.hookelog"));
 
   gui.app().play(std::make_shared<const Recording>(read_recording(scratch.folder / "net.hookelog")));
   EXPECT_EQ(gui.status().snapshot->state.position, scene.state.position);
   // in real time, ten frames take a sixth of a second
-  for (int i = 0; i < 2000 && (gui.status().running || gui.status().frames == 0); ++i) {
+  for (int i = 0; i < 2000 && (gui.status().run.running || gui.status().run.frames == 0); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     gui.frame();
   }
-  EXPECT_EQ(gui.status().difference, "");
+  EXPECT_EQ(gui.status().recording.difference, "");
   EXPECT_EQ(gui.status().snapshot->state.position, end.position);
   EXPECT_EQ(gui.status().snapshot->state.velocity, end.velocity);
 }
@@ -143,7 +143,7 @@ TEST(Plots, ShowTheEnergiesAndWhatIsChosen) {
   gui.key(letter('P'));
   gui.app().resize({1280.0, 800.0}, 1.0);
   for (int frame = 0; frame < 5; ++frame) gui.key(Key::Period);
-  const TraceTable& table = *gui.status().traces;
+  const TraceTable& table = *gui.status().timeline.traces;
   ASSERT_EQ(table.traces.size(), 4u);
   EXPECT_EQ(table.times.size(), 6u);
   for (const char* word : {"kinetic", "gravitational", "[J]"}) EXPECT_NE(gui.words().find(word), std::string::npos) << word;
@@ -223,7 +223,7 @@ TEST(Keys, AHeldKeyActsOnceWhereOnceIsMeant) {
   GuiTrial gui(hanging());
   gui.key(Key::Space);
   gui.key(Key::Space, {}, true);
-  EXPECT_TRUE(gui.status().running);
+  EXPECT_TRUE(gui.status().run.running);
   gui.key(Key::F1);
   gui.key(Key::F1, {}, true);
   EXPECT_TRUE(gui.app().panels().keys_shown);
@@ -263,7 +263,7 @@ TEST(Mouse, BuildsWhileItRuns) {
   gui.key(letter('A'));
   gui.click(gui.seen({0.25, 0.4, 0.0}));
   EXPECT_EQ(gui.system().point_count(), 4);
-  EXPECT_TRUE(gui.status().running);
+  EXPECT_TRUE(gui.status().run.running);
 }
 
 TEST(Mouse, TwoClicksWithinOneFrameBothCount) {
@@ -434,7 +434,7 @@ TEST(Documents, ARefusedFileIsNamedAndTheOpenOneStaysAsItWas) {
   gui.key(Key::Enter);
   EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
   EXPECT_EQ(gui.system().point_count(), 3);
-  EXPECT_EQ(gui.status().scene_name, "Hanging");
+  EXPECT_EQ(gui.status().document->name, "Hanging");
 }
 
 TEST(Documents, AFailedSaveIsSaidAndLeavesTheStar) {
@@ -464,10 +464,10 @@ TEST(Textures, AreChosenSavedAndTakenBack) {
   GuiTrial gui(load_scene(draped.file).scene, draped.file);
   EXPECT_FALSE(gui.app().view_options().springs);
   gui.app().handle(FileDrop{draped.scratch.folder / "mine.png"});
-  EXPECT_EQ(gui.status().view.texture, "mine.png");
+  EXPECT_EQ(gui.status().document->view.texture, "mine.png");
   ASSERT_TRUE(gui.app().view_options().cloth_texture.picture);
   EXPECT_FALSE(gui.app().view_options().strain_colors);  // they would hide it
-  EXPECT_EQ(gui.status().undo_name, "put a texture on");
+  EXPECT_EQ(gui.status().history.undo_name, "put a texture on");
 
   gui.app().panels().view.points = false;
   gui.key(letter('S'), control);
@@ -476,7 +476,7 @@ TEST(Textures, AreChosenSavedAndTakenBack) {
   EXPECT_EQ(saved.scene.view, (ViewSettings{.springs = false, .points = false, .strain_colors = false, .texture = "mine.png"}));
 
   gui.key(letter('Z'), control);
-  EXPECT_EQ(gui.status().view.texture, "");
+  EXPECT_EQ(gui.status().document->view.texture, "");
   EXPECT_FALSE(gui.app().view_options().cloth_texture.picture);
 }
 
@@ -488,7 +488,7 @@ TEST(Textures, FromElsewhereAreRefusedWithTheReason) {
   EXPECT_NE(gui.app().panels().dialog.text.find("\"../other.png\": must lie in the scene's folder, " + draped.scratch.folder.string()),
             std::string::npos);
   gui.key(Key::Enter);
-  EXPECT_EQ(gui.status().view.texture, "");
+  EXPECT_EQ(gui.status().document->view.texture, "");
 }
 
 TEST(Textures, OfADocumentThatIsInNoFolderAskForOne) {
@@ -533,7 +533,7 @@ TEST(Dialogs, KeysAreTheirsWhileTheyAreOpen) {
   gui.key(letter('R'));
   gui.key(Key::Space);
   EXPECT_TRUE(gui.system().points()[0].nailed);
-  EXPECT_FALSE(gui.status().running);
+  EXPECT_FALSE(gui.status().run.running);
   gui.key(Key::Escape);
   EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
   gui.key(letter('R'));

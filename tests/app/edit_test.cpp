@@ -101,7 +101,7 @@ TEST(Copies, GoFromOneHookeToAnotherThroughText) {
     gui.key(letter('A'), control);
     gui.key(letter('X'), control);
     EXPECT_EQ(gui.system().point_count(), 0);
-    EXPECT_EQ(gui.status().undo_name, "delete 3 points and 1 spring");
+    EXPECT_EQ(gui.status().history.undo_name, "delete 3 points and 1 spring");
   }
   // what is on the board is a scene like any other
   EXPECT_EQ(parse_scene(board, "board").scene.system.point_count(), 3);
@@ -153,7 +153,7 @@ TEST(HistoryPanel, NamesEveryStepAndGoesToIt) {
   gui.click({list->Pos.x + 40.0, list->Pos.y + 1.5 * line});
   EXPECT_EQ(gui.system().point_count(), 3);
   EXPECT_FALSE(gui.system().points()[0].nailed);
-  EXPECT_EQ(gui.status().history->done, 1u);
+  EXPECT_EQ(gui.status().history.list->done, 1u);
   gui.click({list->Pos.x + 40.0, list->Pos.y + 2.5 * line});
   EXPECT_EQ(gui.system().point_count(), 6);
 }

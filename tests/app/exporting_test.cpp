@@ -143,7 +143,7 @@ TEST(Export, IntoAFolderThatIsNotThereIsToldOf) {
     box.box().path = (box.file("").parent_path() / "nowhere" / ("out" + std::string(extension))).string();
     box.run();
     EXPECT_EQ(box.dialog().kind, Dialog::Kind::Message) << extension;
-    EXPECT_FALSE(box.gui().status().unsaved);
+    EXPECT_FALSE(box.gui().status().history.unsaved);
   }
 }
 

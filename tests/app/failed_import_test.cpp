@@ -46,9 +46,9 @@ class OpenDocument {
     const Status& status = gui_.status();
     EXPECT_EQ(*status.snapshot->system, *before_->system) << what;
     EXPECT_EQ(status.snapshot->state, before_->state) << what;
-    EXPECT_EQ(status.scene_name, "Three masses") << what;
-    EXPECT_TRUE(status.unsaved) << what;
-    EXPECT_FALSE(status.undo_name.empty()) << what;
+    EXPECT_EQ(status.document->name, "Three masses") << what;
+    EXPECT_TRUE(status.history.unsaved) << what;
+    EXPECT_FALSE(status.history.undo_name.empty()) << what;
     EXPECT_EQ(gui_.app().title(), title_) << what;
   }
   // Says that it does not want to save, closes the message that then comes, and tells whether there was one.
@@ -101,8 +101,8 @@ TEST(FailedImport, OfAPictureLeavesTheTextureAsItWas) {
   gui.app().handle(FileDrop{scratch.folder / "broken.png"});
   gui.frames(2);
   EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
-  EXPECT_EQ(gui.status().view.texture, "tartan");
-  EXPECT_FALSE(gui.status().unsaved);
+  EXPECT_EQ(gui.status().document->view.texture, "tartan");
+  EXPECT_FALSE(gui.status().history.unsaved);
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ TEST(GalleryPage, AClickOnACardOpensItsSceneAndClosesThePage) {
   GuiTrial gui;
   gui.key(letter('G'));
   gui.click(gui.find("gallery", {"cloth_swing"}));
-  EXPECT_EQ(gui.status().scene_name, "Cloth swing");
+  EXPECT_EQ(gui.status().document->name, "Cloth swing");
   EXPECT_FALSE(gui.app().panels().gallery.is_shown);
 }
 
@@ -87,14 +87,14 @@ TEST(GalleryPage, ArrowsAndEnterDoSoToo) {
   gui.key(Key::Right);
   gui.key(Key::Left);
   gui.key(Key::Enter);
-  EXPECT_EQ(gui.status().scene_name, shipped_scenes()[1].title);
+  EXPECT_EQ(gui.status().document->name, shipped_scenes()[1].title);
 }
 
 TEST(GalleryPage, AsksBeforeChangesAreLost) {
   GuiTrial gui;
   gui.key(letter('A'));
   gui.click({500.0, 400.0});
-  ASSERT_TRUE(gui.status().unsaved);
+  ASSERT_TRUE(gui.status().history.unsaved);
   gui.key(letter('G'));
   gui.key(Key::Enter);
   EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Unsaved);
@@ -110,7 +110,7 @@ TEST(GalleryPage, HidesTheSceneFromKeysAndClicks) {
   gui.key(letter('G'));
   gui.click({500.0, 60.0});
   gui.key(Key::Space);
-  EXPECT_FALSE(gui.status().running);
+  EXPECT_FALSE(gui.status().run.running);
   EXPECT_EQ(gui.system().point_count(), 0);
 }
 

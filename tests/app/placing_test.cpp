@@ -46,7 +46,7 @@ TEST(Placement, ShowsWhatWillBeThereAndChangesNothing) {
   EXPECT_EQ(gui.app().marks().ghost_lines.size(), element_count_of(placement.shape).springs);
   EXPECT_EQ(gui.app().marks().ghost_nails.size(), 2u);
   EXPECT_EQ(gui.system().point_count(), 0);
-  EXPECT_FALSE(gui.status().unsaved);
+  EXPECT_FALSE(gui.status().history.unsaved);
   EXPECT_EQ(placement.shape.at, gui.app().camera().target);
 }
 
@@ -92,7 +92,7 @@ TEST(Placement, AClothHasTheMaterialThatItHasInAFile) {
     gui.key(Key::Enter);
     Network network;
     generate(shape, network);
-    const auto& sheet = gui.status().sheet;
+    const auto& sheet = gui.status().document->sheet;
     ASSERT_NE(sheet, nullptr) << id;
     for (Index i = 0; i < gui.system().point_count(); ++i)
       EXPECT_EQ(sheet->area_of(gui.system().points()[i].id),
@@ -104,7 +104,7 @@ TEST(Placement, AClothHasTheMaterialThatItHasInAFile) {
   GuiTrial gui(is_3d_only());
   choose(gui, "bridge");
   gui.key(Key::Enter);
-  EXPECT_EQ(gui.status().sheet, nullptr);
+  EXPECT_EQ(gui.status().document->sheet, nullptr);
 }
 
 TEST(Placement, EscLeavesTheSceneAsItWas) {
@@ -165,7 +165,7 @@ TEST(Placement, AMeshIsPlacedAtTheSizeThatIsAskedFor) {
   const auto& places = gui.status().snapshot->state.position;
   ASSERT_EQ(places.size(), 4u);
   EXPECT_NEAR(glm::length(places[1] - places[0]), 3.0, 1e-12);
-  for (const Point& point : gui.system().points()) EXPECT_NEAR(gui.status().sheet->area_of(point.id), 3.0 * 1.5 / 4.0, 1e-12);
+  for (const Point& point : gui.system().points()) EXPECT_NEAR(gui.status().document->sheet->area_of(point.id), 3.0 * 1.5 / 4.0, 1e-12);
   EXPECT_NEAR(glm::length(0.5 * (places[0] + places[2]) - gui.app().camera().target), 0.0, 1e-9);
   for (const Spring& spring : gui.system().springs()) {
     const Vec3 way = places[static_cast<std::size_t>(gui.system().index_of(spring.second))] -

@@ -25,7 +25,7 @@ TEST(AddTool, PutsAPointUnderTheCursorInThePlaneOfAFlatScene) {
   ASSERT_EQ(trial.system().point_count(), 1);
   EXPECT_NEAR(distance(trial.position(0), b), 0.0, 1e-9);
   EXPECT_EQ(trial.position(0).z, 0.0);
-  EXPECT_EQ(trial.system().points()[0].mass, trial.context.status->defaults.mass);
+  EXPECT_EQ(trial.system().points()[0].mass, trial.context.status->document->defaults.mass);
 }
 
 Scene deep_scene() {
@@ -156,7 +156,7 @@ TEST(DragTool, PutsThePointThereInAPauseAsOneStepOfUndo) {
   EXPECT_EQ(trial.position(1), b);
   trial.submit(Undo{});
   EXPECT_EQ(trial.position(0), a);
-  EXPECT_EQ(trial.context.status->undo_name, "");
+  EXPECT_EQ(trial.context.status->history.undo_name, "");
 }
 
 TEST(DragTool, HoldsThePointExactlyWhileItRunsAndThrowsIt) {
@@ -247,7 +247,7 @@ TEST(DragTool, PullsAClothByThePlaceUnderTheCursor) {
 
   trial.release(*tool, target);
   EXPECT_FALSE(trial.system().grab);
-  EXPECT_EQ(trial.context.status->undo_name, "drag the cloth");
+  EXPECT_EQ(trial.context.status->history.undo_name, "drag the cloth");
   trial.submit(SetRunning{false});
   trial.submit(Undo{});
   for (Index i = 0; i < 3; ++i) EXPECT_EQ(trial.position(i), (std::array{a, b, c})[i]);
@@ -429,7 +429,7 @@ TEST(SelectTool, AnUnsteadyClickMovesNothing) {
   const auto tool = make_select_tool();
   trial.drag(*tool, a, a + Vec3(0.008, 0.0, 0.0));
   EXPECT_EQ(trial.position(0), a);
-  EXPECT_EQ(trial.context.status->undo_name, "");
+  EXPECT_EQ(trial.context.status->history.undo_name, "");
 }
 
 TEST(SelectTool, EscTakesAMoveBack) {
@@ -479,10 +479,10 @@ TEST(Tune, StiffnessScalesEverySpringAndNewOnesByATenthAsOneStep) {
   submit_all(trial, tuning);
   EXPECT_DOUBLE_EQ(trial.system().springs()[0].stiffness, 110.0);
   EXPECT_DOUBLE_EQ(trial.system().springs()[1].stiffness, 44.0);
-  EXPECT_DOUBLE_EQ(trial.context.status->defaults.stiffness, 110.0);
+  EXPECT_DOUBLE_EQ(trial.context.status->document->defaults.stiffness, 110.0);
   trial.submit(Undo{});
   EXPECT_EQ(trial.system().springs()[0].stiffness, 100.0);
-  EXPECT_EQ(trial.context.status->defaults.stiffness, 100.0);
+  EXPECT_EQ(trial.context.status->document->defaults.stiffness, 100.0);
 }
 
 TEST(Tune, StiffnessOfASelectionLeavesTheRest) {
@@ -490,7 +490,7 @@ TEST(Tune, StiffnessOfASelectionLeavesTheRest) {
   submit_all(trial, tune_stiffness(*trial.context.status, {{}, {trial.system().springs()[1].id}}, -1));
   EXPECT_EQ(trial.system().springs()[0].stiffness, 100.0);
   EXPECT_DOUBLE_EQ(trial.system().springs()[1].stiffness, 40.0 / 1.1);
-  EXPECT_EQ(trial.context.status->defaults.stiffness, 100.0);
+  EXPECT_EQ(trial.context.status->document->defaults.stiffness, 100.0);
 }
 
 TEST(Tune, StiffnessKeepsToTheSceneStepsAndEnds) {
@@ -500,10 +500,10 @@ TEST(Tune, StiffnessKeepsToTheSceneStepsAndEnds) {
   ToolTrial trial(scene);
   for (const double expected : {10.0, 10.0}) {
     submit_all(trial, tune_stiffness(*trial.context.status, {}, +1));
-    EXPECT_DOUBLE_EQ(trial.context.status->defaults.stiffness, expected);
+    EXPECT_DOUBLE_EQ(trial.context.status->document->defaults.stiffness, expected);
   }
   for (int i = 0; i < 120; ++i) submit_all(trial, tune_stiffness(*trial.context.status, {}, -1));
-  EXPECT_DOUBLE_EQ(trial.context.status->defaults.stiffness, 0.1);
+  EXPECT_DOUBLE_EQ(trial.context.status->document->defaults.stiffness, 0.1);
 }
 
 TEST(Tune, SubstepsGoByFivesFromOneToAThousand) {

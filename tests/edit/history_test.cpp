@@ -31,22 +31,22 @@ TEST(History, GoesToAnyOfAThousandNamedSteps) {
   const PointId point = lab.scene().system.points()[0].id;
   for (int i = 1; i <= 1000; ++i) lab.submit(Command(SetPointProperty{PointProperty::Mass, {{point, 1.0 + i}}}));
   apply_now(lab);
-  ASSERT_EQ(lab.status()->history->names.size(), 1000u);
-  EXPECT_EQ(lab.status()->history->done, 1000u);
-  EXPECT_EQ(lab.status()->history->names.front(), "mass of 1 point");
+  ASSERT_EQ(lab.status()->history.list->names.size(), 1000u);
+  EXPECT_EQ(lab.status()->history.list->done, 1000u);
+  EXPECT_EQ(lab.status()->history.list->names.front(), "mass of 1 point");
   EXPECT_EQ(mass_after(lab, 0), 1.0);
   EXPECT_EQ(mass_after(lab, 1000), 1001.0);
   EXPECT_EQ(mass_after(lab, 417), 418.0);
-  EXPECT_EQ(lab.status()->history->names.size(), 1000u);
-  EXPECT_EQ(lab.status()->history->done, 417u);
+  EXPECT_EQ(lab.status()->history.list->names.size(), 1000u);
+  EXPECT_EQ(lab.status()->history.list->done, 417u);
   // there is no such step
   EXPECT_EQ(mass_after(lab, 1001), 418.0);
 
   // an edit ends what was taken back
   lab.submit(Command(SetParameter{find_parameter("drag"), 1.0}));
   apply_now(lab);
-  EXPECT_EQ(lab.status()->history->names.size(), 418u);
-  EXPECT_EQ(lab.status()->history->names.back(), "set " + std::string(find_parameter("drag")->label));
+  EXPECT_EQ(lab.status()->history.list->names.size(), 418u);
+  EXPECT_EQ(lab.status()->history.list->names.back(), "set " + std::string(find_parameter("drag")->label));
 }
 
 TEST(History, NothingToTakeBackIsNoChange) {
@@ -54,8 +54,8 @@ TEST(History, NothingToTakeBackIsNoChange) {
   lab.submit(Undo{});
   lab.submit(Redo{});
   apply_now(lab);
-  EXPECT_FALSE(lab.status()->unsaved);
-  EXPECT_EQ(lab.status()->edits, 0);
+  EXPECT_FALSE(lab.status()->history.unsaved);
+  EXPECT_EQ(lab.status()->history.edits, 0);
 }
 
 TEST(History, CountsEveryEditAndUndo) {
@@ -64,7 +64,7 @@ TEST(History, CountsEveryEditAndUndo) {
   lab.submit(Undo{});
   lab.submit(Redo{});
   apply_now(lab);
-  EXPECT_EQ(lab.status()->edits, 3);
+  EXPECT_EQ(lab.status()->history.edits, 3);
 }
 
 TEST(History, IsTheSameListUntilItChanges) {
@@ -72,14 +72,14 @@ TEST(History, IsTheSameListUntilItChanges) {
   const Parameter* drag = find_parameter("drag");
   lab.submit(Command(SetParameter{drag, 1.0}), 3);
   apply_now(lab);
-  const auto list = lab.status()->history;
+  const auto list = lab.status()->history.list;
   lab.submit(Command(SetParameter{drag, 2.0}), 3);
   apply_now(lab);
-  EXPECT_EQ(lab.status()->history, list);
+  EXPECT_EQ(lab.status()->history.list, list);
   lab.submit(Undo{});
   apply_now(lab);
-  EXPECT_NE(lab.status()->history, list);
-  EXPECT_EQ(lab.status()->history->done, 0u);
+  EXPECT_NE(lab.status()->history.list, list);
+  EXPECT_EQ(lab.status()->history.list->done, 0u);
 }
 
 // Moves of a thousand points take 60 kB each: the budget holds some thousands of them, and the oldest go first.

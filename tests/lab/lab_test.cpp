@@ -53,68 +53,93 @@ Content content_of(const Scene& scene) {
   return {scene.system, scene.state.position, scene.state.velocity, scene.settings, scene.defaults};
 }
 
-// One of every kind of edit, on random things, some of which are gone.
+// Edits of every kind, with random values and on random points and springs, some of which do not exist. A kind without a `draw` does
+// not compile.
 class RandomEdits {
  public:
   explicit RandomEdits(unsigned seed) : random_(seed) {}
 
-  Command next(Lab& lab) {
-    const System& system = lab.scene().system;
-    switch (pick(13)) {
-      case 0:
-        return insert_point(lab);
-      case 1:
-        return insert_spring(lab);
-      case 2:
-        return Remove{.points = {point(system)}};
-      case 3:
-        return Remove{.springs = {spring(system), spring(system)}};
-      case 4:
-        return SetNailed{{{point(system), pick(2) == 0}, {point(system), pick(2) == 0, {1.0, 2.0, 3.0}}}};
-      case 5:
-        return Move{{{point(system), place(), place()}}};
-      case 6:
-        return SetPointProperty{pick(2) == 0 ? PointProperty::Mass : PointProperty::Radius, {{point(system), number()}}};
-      case 7:
-        return SetSpringProperty{static_cast<SpringProperty>(pick(4)), {{spring(system), number()}, {spring(system), number()}}};
-      case 8:
-        return SetParameter{&parameters()[pick(static_cast<int>(parameters().size()))], number() * 10.0};
-      case 9:
-        return SetIntegrator{&integrators()[pick(static_cast<int>(integrators().size()))]};
-      case 10:
-        return grab(system);
-      case 11:
-        return color(system);
-      default:
-        return ReleaseHand{};
-    }
-  }
-
+  static constexpr std::size_t kinds = std::variant_size_v<Command>;
+  Command next(Lab& lab) { return next(lab, std::make_index_sequence<kinds>()); }
   int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
  private:
-  double number() { return std::uniform_real_distribution<double>(0.01, 2.0)(random_); }
-  Vec3 place() { return {number(), number(), number()}; }
-  PointId point(const System& system) { return PointId{static_cast<std::uint32_t>(pick(system.point_count() + 3))}; }
-  SpringId spring(const System& system) { return SpringId{static_cast<std::uint32_t>(pick(system.spring_count() + 3))}; }
-  Command color(const System& system) {
-    if (pick(3) == 0) return SetPointColor{{{point(system), std::nullopt}}};
-    return SetPointColor{{{point(system), Color{1, 2, 3}}, {point(system), Color{4, 5, static_cast<std::uint8_t>(pick(256))}}}};
+  template <std::size_t... i>
+  Command next(Lab& lab, std::index_sequence<i...>) {
+    using Draw = Command (*)(RandomEdits&, Lab&);
+    constexpr Draw draws[] = {[](RandomEdits& edits, Lab& of) -> Command {
+      return edits.draw(std::type_identity<std::variant_alternative_t<i, Command>>(), of);
+    }...};
+    return draws[pick(static_cast<int>(kinds))](*this, lab);
+  }
+
+  template <class T>
+  using Kind = std::type_identity<T>;
+  Insert draw(Kind<Insert>, Lab& lab) {
+    if (pick(2) == 0) return {.points = {{.point = {.id = lab.new_point_id(), .mass = number()}, .position = place()}}};
+    return {.springs = {{.spring = {.id = lab.new_spring_id(), .first = point(lab), .second = point(lab), .rest_length = number()}}}};
+  }
+  Remove draw(Kind<Remove>, Lab& lab) {
+    if (pick(2) == 0) return {.points = {point(lab)}};
+    return {.springs = {spring(lab), spring(lab)}};
+  }
+  SetNailed draw(Kind<SetNailed>, Lab& lab) { return {{{point(lab), pick(2) == 0}, {point(lab), pick(2) == 0, {1.0, 2.0, 3.0}}}}; }
+  Move draw(Kind<Move>, Lab& lab) { return {{{point(lab), place(), place()}}}; }
+  SetPointColor draw(Kind<SetPointColor>, Lab& lab) {
+    if (pick(3) == 0) return {{{point(lab), std::nullopt}}};
+    return {{{point(lab), Color{1, 2, 3}}, {point(lab), Color{4, 5, static_cast<std::uint8_t>(pick(256))}}}};
+  }
+  SetPointProperty draw(Kind<SetPointProperty>, Lab& lab) {
+    return {pick(2) == 0 ? PointProperty::Mass : PointProperty::Radius, {{point(lab), number()}}};
+  }
+  SetSpringProperty draw(Kind<SetSpringProperty>, Lab& lab) {
+    return {static_cast<SpringProperty>(pick(4)), {{spring(lab), number()}, {spring(lab), number()}}};
+  }
+  SetParameter draw(Kind<SetParameter>, Lab&) { return {parameter(), number() * 10.0}; }
+  // of what an inverse gives back: a value that was in force
+  RestoreParameter draw(Kind<RestoreParameter>, Lab& lab) {
+    const Parameter* drag = find_parameter(pick(2) == 0 ? "drag" : "hand_speed");
+    return {drag, drag->read(lab.scene()) + number()};
+  }
+  SetIntegrator draw(Kind<SetIntegrator>, Lab&) {
+    return {&integrators()[static_cast<std::size_t>(pick(static_cast<int>(integrators().size())))]};
   }
   // at a point, or at a place between three
-  Command grab(const System& system) {
-    const PointId first = point(system);
-    if (pick(2) == 0) return GrabPoint{{.point = first, .kind = pick(2) == 0 ? GrabKind::Hold : GrabKind::Pull, .target = place()}};
-    return GrabPoint{{.point = first, .patch = Patch{{first, point(system), point(system)}, {0.25, 0.25, 0.5}}, .target = place()}};
+  GrabPoint draw(Kind<GrabPoint>, Lab& lab) {
+    const PointId first = point(lab);
+    if (pick(2) == 0) return {{.point = first, .kind = pick(2) == 0 ? GrabKind::Hold : GrabKind::Pull, .target = place()}};
+    return {{.point = first, .patch = Patch{{first, point(lab), point(lab)}, {0.25, 0.25, 0.5}}, .target = place()}};
   }
-  Command insert_point(Lab& lab) {
-    return Insert{.points = {{.point = {.id = lab.new_point_id(), .mass = number()}, .position = place()}}};
+  GrabCollider draw(Kind<GrabCollider>, Lab&) { return {{pick(3), place()}}; }
+  MoveHand draw(Kind<MoveHand>, Lab&) { return {place()}; }
+  ReleaseHand draw(Kind<ReleaseHand>, Lab&) { return {}; }
+  SetGravity draw(Kind<SetGravity>, Lab&) { return {place()}; }
+  SetColliders draw(Kind<SetColliders>, Lab&) {
+    std::vector<Collider> colliders(static_cast<std::size_t>(pick(3)), {.shape = Sphere{place() - Vec3(0.0, 9.0, 0.0), number()}});
+    return {std::move(colliders)};
   }
-  Command insert_spring(Lab& lab) {
-    const System& system = lab.scene().system;
-    return Insert{
-        .springs = {{.spring = {.id = lab.new_spring_id(), .first = point(system), .second = point(system), .rest_length = number()}}}};
+  SetForces draw(Kind<SetForces>, Lab&) {
+    const ForceTerm& term = force_terms()[static_cast<std::size_t>(pick(static_cast<int>(force_terms().size())))];
+    return {{{&term, pick(2) == 0, default_values(term)}}};
   }
+  SetTexture draw(Kind<SetTexture>, Lab&) { return {pick(2) == 0 ? "linen" : "", number(), nullptr}; }
+  GoToState draw(Kind<GoToState>, Lab& lab) {
+    State state = lab.scene().state;
+    for (Vec3& position : state.position) position += 0.01 * place();
+    return {std::make_shared<const State>(std::move(state))};
+  }
+  SetTorn draw(Kind<SetTorn>, Lab&) { return {static_cast<std::uint32_t>(pick(2))}; }
+  Replace draw(Kind<Replace>, Lab& lab) {
+    Scene scene = lab.scene();
+    scene.system.drag = number();
+    return {std::make_shared<const Scene>(std::move(scene))};
+  }
+
+  double number() { return std::uniform_real_distribution<double>(0.01, 2.0)(random_); }
+  Vec3 place() { return {number(), number(), number()}; }
+  PointId point(const Lab& lab) { return PointId{static_cast<std::uint32_t>(pick(lab.scene().system.point_count() + 3))}; }
+  SpringId spring(const Lab& lab) { return SpringId{static_cast<std::uint32_t>(pick(lab.scene().system.spring_count() + 3))}; }
+  const Parameter* parameter() { return &parameters()[static_cast<std::size_t>(pick(static_cast<int>(parameters().size())))]; }
 
   std::mt19937 random_;
 };
@@ -129,7 +154,6 @@ TEST(Undo, TakesBackEveryEditExactlyWhilePaused) {
       // letting go is part of the grab's step
       lab.submit(Command(ReleaseHand{}));
       apply_now(lab);
-      const std::string before = lab.status()->undo_name;
       Content content = content_of(lab.scene());
       lab.submit(edits.next(lab));
       apply_now(lab);
@@ -140,13 +164,13 @@ TEST(Undo, TakesBackEveryEditExactlyWhilePaused) {
     const Content last = content_of(lab.scene());
 
     int undone = 0;
-    while (!lab.status()->undo_name.empty()) {
+    while (!lab.status()->history.undo_name.empty()) {
       lab.submit(Undo{});
       apply_now(lab);
       ++undone;
     }
     EXPECT_EQ(content_of(lab.scene()), contents.front()) << "seed " << seed;
-    while (!lab.status()->redo_name.empty()) {
+    while (!lab.status()->history.redo_name.empty()) {
       lab.submit(Redo{});
       apply_now(lab);
       --undone;
@@ -205,7 +229,7 @@ TEST(Undo, TakesADragOfASliderAsOneStep) {
   lab.submit(Undo{});
   apply_now(lab);
   EXPECT_EQ(lab.scene().system.drag, 0.0);
-  EXPECT_TRUE(lab.status()->undo_name.empty());
+  EXPECT_TRUE(lab.status()->history.undo_name.empty());
 }
 
 TEST(Undo, OfADragPutsThePointBackWhereItWasTaken) {
@@ -316,7 +340,7 @@ TEST(Clock, SlowsDownInsteadOfPilingUp) {
   // only one substep is affordable each call, and 20 make a frame
   for (int i = 0; i < 200; ++i) lab.advance(1.0 / 60.0, [] { return false; });
   EXPECT_NEAR(lab.scene().state.time * 60.0, 10.0, 1.0);
-  EXPECT_NEAR(lab.status()->speed, 0.05, 0.05);
+  EXPECT_NEAR(lab.status()->run.speed, 0.05, 0.05);
   // once there is time again, what was missed is not made up for
   const double before = lab.scene().state.time;
   lab.advance(1.0 / 60.0, [] { return true; });
@@ -328,7 +352,7 @@ TEST(Clock, AFrameCutShortGivesTheSameBits) {
   for (int i = 0; i < 10; ++i) whole.step();
   cut.submit(SetRunning{true});
   int substeps = 0;
-  while (cut.status()->frames < 10) cut.advance(0.02, [&] { return ++substeps % 3 != 0; });
+  while (cut.status()->run.frames < 10) cut.advance(0.02, [&] { return ++substeps % 3 != 0; });
   EXPECT_EQ(hash_state(cut.scene().state), hash_state(whole.scene().state));
 }
 
@@ -337,7 +361,7 @@ TEST(Clock, StepsOnceWhenPausedAndSaysSo) {
   lab.submit(StepOnce{});
   apply_now(lab);
   EXPECT_NEAR(lab.scene().state.time, 1.0 / 60.0, 1e-15);
-  EXPECT_FALSE(lab.status()->running);
+  EXPECT_FALSE(lab.status()->run.running);
 }
 
 TEST(Start, ComesBackWithTheMethodAsSet) {
@@ -389,18 +413,18 @@ TEST(Divergence, PausesKeepsTheFrameBeforeAndNamesWhatWouldHold) {
   for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).stiffness = 100.0;
   Lab lab(scene);
   lab.submit(SetRunning{true});
-  for (int i = 0; i < 600 && lab.status()->message.empty(); ++i) lab.advance(1.0 / 60.0, [] { return true; });
+  for (int i = 0; i < 600 && lab.status()->diagnosis.message.empty(); ++i) lab.advance(1.0 / 60.0, [] { return true; });
   const Status& status = *lab.status();
-  ASSERT_FALSE(status.message.empty());
-  EXPECT_FALSE(status.running);
+  ASSERT_FALSE(status.diagnosis.message.empty());
+  EXPECT_FALSE(status.run.running);
   EXPECT_TRUE(is_finite(status.snapshot->state));
-  EXPECT_NE(status.message.find("point "), std::string::npos) << status.message;
-  EXPECT_NE(status.message.find("spring "), std::string::npos) << status.message;
-  ASSERT_TRUE(status.advice.has_value());
-  EXPECT_EQ(status.advice->integrator, find_integrator("symplectic_euler"));
+  EXPECT_NE(status.diagnosis.message.find("point "), std::string::npos) << status.diagnosis.message;
+  EXPECT_NE(status.diagnosis.message.find("spring "), std::string::npos) << status.diagnosis.message;
+  ASSERT_TRUE(status.diagnosis.advice.has_value());
+  EXPECT_EQ(status.diagnosis.advice->integrator, find_integrator("symplectic_euler"));
 
   // what it advises holds
-  scene.settings.substeps = status.advice->substeps;
+  scene.settings.substeps = status.diagnosis.advice->substeps;
   Lab advised(scene);
   for (int i = 0; i < 1200; ++i) ASSERT_TRUE(advised.step()) << "frame " << i;
 }
@@ -413,9 +437,9 @@ TEST(Divergence, OfUndampedExplicitEulerNamesAMethodThatHolds) {
   for (int i = 0; i < 6000 && held; ++i) held = lab.step();
   ASSERT_FALSE(held);
   lab.publish();
-  EXPECT_NE(lab.status()->message.find("holds at no step"), std::string::npos) << lab.status()->message;
-  ASSERT_TRUE(lab.status()->advice.has_value());
-  EXPECT_NE(lab.status()->advice->integrator, find_integrator("explicit_euler"));
+  EXPECT_NE(lab.status()->diagnosis.message.find("holds at no step"), std::string::npos) << lab.status()->diagnosis.message;
+  ASSERT_TRUE(lab.status()->diagnosis.advice.has_value());
+  EXPECT_NE(lab.status()->diagnosis.advice->integrator, find_integrator("explicit_euler"));
 }
 
 // dashpots hold what moves along the springs; what swings across them grows at every step
@@ -431,8 +455,8 @@ TEST(Divergence, OfDampedExplicitEulerWithinItsLimitNamesAMethodThatHolds) {
   for (int i = 0; i < 6000 && held; ++i) held = lab.step();
   ASSERT_FALSE(held);
   lab.publish();
-  EXPECT_NE(lab.status()->message.find("holds at no step"), std::string::npos) << lab.status()->message;
-  EXPECT_NE(lab.status()->advice->integrator, find_integrator("explicit_euler"));
+  EXPECT_NE(lab.status()->diagnosis.message.find("holds at no step"), std::string::npos) << lab.status()->diagnosis.message;
+  EXPECT_NE(lab.status()->diagnosis.advice->integrator, find_integrator("explicit_euler"));
 }
 
 TEST(Parameters, ReadBackWhatTheyWriteWithinTheirRange) {

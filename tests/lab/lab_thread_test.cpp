@@ -39,7 +39,7 @@ bool wait_for(Condition condition) {
 TEST(LabThread, GivesTheSameBitsAsWithoutOne) {
   LabThread threaded(rope(20));
   threaded.submit(SetRunning{true});
-  ASSERT_TRUE(wait_for([&] { return threaded.status()->frames >= 30; }));
+  ASSERT_TRUE(wait_for([&] { return threaded.status()->run.frames >= 30; }));
   threaded.submit(SetRunning{false});
   const auto scene = threaded.copy_scene().get();
 
@@ -65,11 +65,11 @@ TEST(LabThread, AnswersWhileAFrameTakesLong) {
   scene.settings.substeps = 200000;  // seconds a frame
   LabThread lab(std::move(scene));
   lab.submit(SetRunning{true});
-  ASSERT_TRUE(wait_for([&] { return lab.status()->running; }));
+  ASSERT_TRUE(wait_for([&] { return lab.status()->run.running; }));
   lab.submit(Command(SetParameter{find_parameter("drag"), 5.0}));
   lab.submit(SetRunning{false});
-  EXPECT_TRUE(wait_for([&] { return !lab.status()->running && lab.status()->snapshot->system->drag == 5.0; }));
-  EXPECT_EQ(lab.status()->frames, 0);
+  EXPECT_TRUE(wait_for([&] { return !lab.status()->run.running && lab.status()->snapshot->system->drag == 5.0; }));
+  EXPECT_EQ(lab.status()->run.frames, 0);
 }
 
 TEST(LabThread, RestsWhilePausedAndLosesNoTime) {
@@ -79,7 +79,7 @@ TEST(LabThread, RestsWhilePausedAndLosesNoTime) {
   EXPECT_EQ(lab.status(), status);  // nothing published: nothing ran
 
   lab.submit(SetRunning{true});
-  ASSERT_TRUE(wait_for([&] { return lab.status()->running; }));
+  ASSERT_TRUE(wait_for([&] { return lab.status()->run.running; }));
   EXPECT_LE(lab.status()->snapshot->state.time, 0.1);  // the pause was not made up for
 }
 
@@ -90,7 +90,7 @@ TEST(LabThread, EndsAtOnceInTheMiddleOfAFrame) {
   {
     LabThread lab(std::move(scene));
     lab.submit(SetRunning{true});
-    wait_for([&] { return lab.status()->running; });
+    wait_for([&] { return lab.status()->run.running; });
   }
   EXPECT_LT(std::chrono::steady_clock::now() - start, 10s);
 }

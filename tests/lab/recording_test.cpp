@@ -125,7 +125,7 @@ Session record_session(const std::filesystem::path& file) {
   step(2);
   lab.submit(Record{});
   apply_now(lab);
-  EXPECT_EQ(lab.status()->recording_error, "");
+  EXPECT_EQ(lab.status()->recording.error, "");
   return {hash_state(lab.scene().state), contents(file)};
 }
 
@@ -211,9 +211,9 @@ TEST_F(Recordings, ThatCannotBeWrittenEndAndSayWhy) {
   lab.submit(Record{std::make_shared<const std::filesystem::path>("/nowhere/session.hookelog")});
   lab.step();
   lab.publish();
-  EXPECT_EQ(lab.status()->recording, "");
-  EXPECT_NE(lab.status()->recording_error.find("/nowhere/session.hookelog: cannot be written"), std::string::npos)
-      << lab.status()->recording_error;
+  EXPECT_EQ(lab.status()->recording.file, "");
+  EXPECT_NE(lab.status()->recording.error.find("/nowhere/session.hookelog: cannot be written"), std::string::npos)
+      << lab.status()->recording.error;
   EXPECT_GT(lab.scene().state.time, 0.0);
 }
 

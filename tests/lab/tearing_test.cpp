@@ -92,7 +92,7 @@ TEST_P(Tearing, ASheetTearsWithItsFacesAndUndoMendsItExactly) {
       }
 
   lab.publish();
-  EXPECT_EQ(lab.status()->undo_name, "tear");
+  EXPECT_EQ(lab.status()->history.undo_name, "tear");
   const State state = lab.scene().state;
   ask(lab, Undo{});
   EXPECT_EQ(lab.scene().system, start.system);
@@ -135,7 +135,7 @@ TEST(Tearing, UnderTheHandIsOneStepWithTheDrag) {
   ask(lab, Undo{});
   EXPECT_EQ(lab.scene().system, scene.system);
   lab.publish();
-  EXPECT_EQ(lab.status()->undo_name, "");
+  EXPECT_EQ(lab.status()->history.undo_name, "");
 }
 
 // nothing of a frame that is taken back, or left unfinished, stays broken
@@ -150,7 +150,7 @@ TEST(Tearing, AFrameThatIsDroppedBreaksNothing) {
   }
   const long frames = [&] {
     cut_short.publish();
-    return cut_short.status()->frames;
+    return cut_short.status()->run.frames;
   }();
   run(whole, static_cast<int>(frames));
   ASSERT_LT(whole.scene().system.spring_count(), scene.system.spring_count());
@@ -276,7 +276,7 @@ TEST(Tearing, GoesBackInARecordingToo) {
   for (int i = 0; i < 3; ++i) lab.step();
   lab.submit(Record{});
   apply_now(lab);
-  ASSERT_EQ(lab.status()->recording_error, "");
+  ASSERT_EQ(lab.status()->recording.error, "");
 
   auto recording = std::make_shared<const Recording>(read_recording(*file));
   Lab again(*recording->start);
@@ -316,8 +316,8 @@ TEST(StrainLimit, HoldsEverySpringAndSaysWhatItTakes) {
     EXPECT_LT(held.status()->snapshot->max_strain, 0.11);
   }
   EXPECT_GT(max, 0.15);
-  EXPECT_LT(held.status()->limit_work, 0.0);
-  EXPECT_EQ(free.status()->limit_work, 0.0);
+  EXPECT_LT(held.status()->run.limit_work, 0.0);
+  EXPECT_EQ(free.status()->run.limit_work, 0.0);
 }
 
 // both ends move by their inverse masses: the centre of mass goes on as it did
@@ -388,11 +388,11 @@ TEST(Hand, WithATopSpeedLagsAndSaysByHowMuch) {
     run(lab, 1);
     EXPECT_NEAR(glm::distance(lab.scene().state.hand.position, from), 3.0 * frame, 1e-12);
     lab.publish();
-    EXPECT_NEAR(lab.status()->hand_lag, 1.0 - 3.0 * frame, 1e-12);
+    EXPECT_NEAR(lab.status()->run.hand_lag, 1.0 - 3.0 * frame, 1e-12);
     run(lab, 20);
     lab.publish();
     EXPECT_EQ(lab.scene().state.hand.position, target);
-    EXPECT_EQ(lab.status()->hand_lag, 0.0);
+    EXPECT_EQ(lab.status()->run.hand_lag, 0.0);
   }
 }
 

@@ -58,7 +58,7 @@ TEST(Timeline, KeepsTheFutureUntilItGoesOnOtherwise) {
   const double last = lab.scene().state.time;
   lab.submit(GoToTime{0.1});
   settle(lab);
-  EXPECT_EQ(lab.status()->timeline_end, last);
+  EXPECT_EQ(lab.status()->timeline.end, last);
   lab.submit(GoToTime{last});
   settle(lab);
   EXPECT_EQ(lab.scene().state.time, last);
@@ -66,7 +66,7 @@ TEST(Timeline, KeepsTheFutureUntilItGoesOnOtherwise) {
   lab.submit(SetParameter{find_parameter("gravity"), 1.0});
   step(lab, 1);
   lab.publish();
-  EXPECT_EQ(lab.status()->timeline_end, lab.scene().state.time);
+  EXPECT_EQ(lab.status()->timeline.end, lab.scene().state.time);
 }
 
 TEST(Timeline, GoingBackChangesNoParameterAndCanBeUndone) {
@@ -80,11 +80,11 @@ TEST(Timeline, GoingBackChangesNoParameterAndCanBeUndone) {
   lab.submit(GoToTime{0.1}, 7);
   settle(lab);
   EXPECT_EQ(lab.scene().system.drag, 0.5);
-  EXPECT_EQ(lab.status()->undo_name, "go to 0.2 s");
+  EXPECT_EQ(lab.status()->history.undo_name, "go to 0.2 s");
   lab.submit(Undo{});
   settle(lab);
   EXPECT_EQ(hash_of(lab), before);
-  EXPECT_EQ(lab.status()->undo_name.substr(0, 3), "set");
+  EXPECT_EQ(lab.status()->history.undo_name.substr(0, 3), "set");
 }
 
 TEST(Timeline, EndsWherePointsWereAdded) {
@@ -92,7 +92,7 @@ TEST(Timeline, EndsWherePointsWereAdded) {
   step(lab, 10);
   lab.submit(Insert{{{no_index, {.id = lab.new_point_id()}, Vec3(0.0), Vec3(0.0)}}, {}, {}});
   settle(lab);
-  EXPECT_EQ(lab.status()->timeline_start, lab.status()->timeline_end);
+  EXPECT_EQ(lab.status()->timeline.start, lab.status()->timeline.end);
   lab.submit(StepBack{});
   settle(lab);
   EXPECT_EQ(lab.scene().state.position.size(), lab.scene().system.points().size());
@@ -129,8 +129,8 @@ TEST(RunTo, EndsAtTheTimeAskedForAsFastAsItGoes) {
   lab.submit(RunTo{5.0});
   lab.advance(1e-3, [] { return true; });
   EXPECT_NEAR(lab.scene().state.time, 5.0, 0.5 / lab.scene().settings.frame_rate);
-  EXPECT_FALSE(lab.status()->running);
-  EXPECT_EQ(lab.status()->run_to, 0.0);
+  EXPECT_FALSE(lab.status()->run.running);
+  EXPECT_EQ(lab.status()->run.to, 0.0);
 }
 
 TEST(RunTo, CanBeStoppedOnTheWay) {
@@ -138,11 +138,11 @@ TEST(RunTo, CanBeStoppedOnTheWay) {
   lab.submit(RunTo{1e6});
   int asked = 0;
   lab.advance(1e-3, [&] { return ++asked < 100; });
-  EXPECT_TRUE(lab.status()->running);
-  EXPECT_EQ(lab.status()->run_to, 1e6);
+  EXPECT_TRUE(lab.status()->run.running);
+  EXPECT_EQ(lab.status()->run.to, 1e6);
   lab.submit(SetRunning{false});
   settle(lab);
-  EXPECT_FALSE(lab.status()->running);
+  EXPECT_FALSE(lab.status()->run.running);
   EXPECT_LT(lab.scene().state.time, 100.0);
 }
 

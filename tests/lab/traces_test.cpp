@@ -30,12 +30,12 @@ TEST(Traces, HoldWhatIsMeasuredOfEveryMoment) {
   for (int frame = 0; frame < 10; ++frame) {
     lab.step();
     lab.publish();
-    const TraceTable& table = *lab.status()->traces;
+    const TraceTable& table = *lab.status()->timeline.traces;
     EXPECT_EQ(table.times.back(), lab.scene().state.time);
     EXPECT_EQ(table.traces[0].values.back(), compute_energy(lab.scene().system, lab.scene().state).total());
     EXPECT_EQ(table.traces[1].values.back(), lab.scene().state.position[1].y);
   }
-  EXPECT_EQ(lab.status()->traces->times.size(), 11u);  // with the start
+  EXPECT_EQ(lab.status()->timeline.traces->times.size(), 11u);  // with the start
 }
 
 TEST(Traces, OfWhatIsLostAddUpToTheEnergyAtTheStart) {
@@ -44,7 +44,7 @@ TEST(Traces, OfWhatIsLostAddUpToTheEnergyAtTheStart) {
   lab.submit(Watch{{quantity(lab, "dissipated"), quantity(lab, "total")}});
   for (int frame = 0; frame < 30; ++frame) lab.step();
   lab.publish();
-  const TraceTable& table = *lab.status()->traces;
+  const TraceTable& table = *lab.status()->timeline.traces;
   const auto& lost = table.traces[0].values;
   const auto& total = table.traces[1].values;
   EXPECT_GT(lost.back(), 0.01);
@@ -56,7 +56,7 @@ TEST(Traces, KnowThePastOfWhatIsChosenLater) {
   for (int frame = 0; frame < 10; ++frame) lab.step();
   lab.submit(Watch{{quantity(lab, "kinetic")}});
   settle(lab);
-  const TraceTable& table = *lab.status()->traces;
+  const TraceTable& table = *lab.status()->timeline.traces;
   ASSERT_EQ(table.times.size(), 11u);
   EXPECT_EQ(table.times.front(), 0.0);
   EXPECT_EQ(table.traces[0].values.front(), 0.0);
@@ -70,7 +70,7 @@ TEST(Traces, GoOnFromThePastThatWasGoneBackTo) {
   lab.submit(SetParameter{find_parameter("gravity"), 1.0});
   lab.step();
   lab.publish();
-  const TraceTable& table = *lab.status()->traces;
+  const TraceTable& table = *lab.status()->timeline.traces;
   EXPECT_TRUE(std::ranges::is_sorted(table.times));
   EXPECT_EQ(table.times.back(), lab.scene().state.time);
   EXPECT_EQ(table.times.size(), table.traces[0].values.size());
@@ -88,7 +88,7 @@ TEST(Traces, AreAsLongAsTheTimeline) {
   lab.submit(Watch{{quantity(lab, "kinetic")}});
   for (std::size_t frame = 0; frame < Timeline::max_states + 1000; ++frame) lab.step();
   lab.publish();
-  const std::size_t count = lab.status()->traces->times.size();
+  const std::size_t count = lab.status()->timeline.traces->times.size();
   EXPECT_GE(count, Timeline::max_states);
   EXPECT_LT(count, Timeline::max_states + 300);
 }

@@ -279,7 +279,7 @@ TEST(Sheet, HasItsMaterialInACopyOfItAndInARecording) {
   Lab lab(start);
   lab.submit(Record{file});
   settle(lab);
-  const Scene part = parse(format_scene(copy_selection(*lab.status()->snapshot, lab.status()->sheet, select_all(start.system))));
+  const Scene part = parse(format_scene(copy_selection(*lab.status()->snapshot, lab.status()->document->sheet, select_all(start.system))));
   lab.submit(insertion_into(lab, part));
   lab.submit(SetParameter{find_parameter("sheet_density"), 3.0});
   lab.step();

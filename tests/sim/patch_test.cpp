@@ -52,7 +52,7 @@ TEST_P(PulledPatch, SwingsAboutTheHand) {
     const auto error = [&](int steps) {
       ThreePointScene three(nailed);
       const State start = three.trial.state;
-      const Vec3 reach = grabbed_position(three.trial.system, start) - start.hand;
+      const Vec3 reach = grabbed_position(three.trial.system, start) - start.hand.position;
       const double w = std::sqrt(stiffness * three.give()), seconds = 3.0 / w;
       three.trial.run(method(), seconds, steps);
       double worst = 0.0;

@@ -81,7 +81,7 @@ TEST(Inspector, SetsAPropertyOfAllAndUndoGivesEachItsOwnBack) {
   EXPECT_NE(gui.words().find("mixed"), std::string::npos);
   gui.type_into({"points", "mass"}, "3.5");
   for (const Point& point : gui.system().points()) EXPECT_EQ(point.mass, 3.5);
-  EXPECT_EQ(gui.status().undo_name, "mass of 3 points");
+  EXPECT_EQ(gui.status().history.undo_name, "mass of 3 points");
   gui.type_into({"points", "radius"}, "0.1");
   for (const Point& point : gui.system().points()) EXPECT_EQ(point.radius, 0.1);
   gui.type_into({"springs", "Stiffness k"}, "250");
@@ -104,7 +104,7 @@ TEST(Inspector, SetsAPropertyOfAllAndUndoGivesEachItsOwnBack) {
   for (int step = 0; step < 8; ++step) gui.key(letter('Z'), control);
   EXPECT_EQ(gui.system(), scene.system);
   EXPECT_EQ(gui.status().snapshot->state.position, scene.state.position);
-  EXPECT_TRUE(gui.status().undo_name.empty());
+  EXPECT_TRUE(gui.status().history.undo_name.empty());
 }
 
 TEST(Inspector, NailsAndColoursAll) {

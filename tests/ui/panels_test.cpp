@@ -25,7 +25,7 @@ double value_of(GuiTrial& gui, std::string_view name) {
   const auto rows = parameters();
   const Status& status = gui.status();
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (rows[i].name == name) return status.parameter_values[i];
+    if (rows[i].name == name) return status.document->parameter_values[i];
   return -1.0;
 }
 
@@ -313,18 +313,18 @@ TEST(Banner, SaysWhyTheRunStoppedAndStartsOverWithTheAdvice) {
   scene.state.position[2].x = 0.6;
   GuiTrial gui(scene);
   gui.key(Key::Space);
-  for (int i = 0; i < 2000 && gui.status().message.empty(); ++i) gui.frame();
-  ASSERT_FALSE(gui.status().message.empty());
-  ASSERT_TRUE(gui.status().advice);
+  for (int i = 0; i < 2000 && gui.status().diagnosis.message.empty(); ++i) gui.frame();
+  ASSERT_FALSE(gui.status().diagnosis.message.empty());
+  ASSERT_TRUE(gui.status().diagnosis.advice);
   gui.frames(3);
   EXPECT_NE(gui.words().find("Start over with "), std::string::npos);
-  const Advice advice = *gui.status().advice;
+  const Advice advice = *gui.status().diagnosis.advice;
 
   const Rect banner = gui.app().panels().floating.at(0);
   EXPECT_TRUE(panels_cover(gui.app().panels(), gui.app().layout(), banner.x + 5.0, banner.y + 5.0));
   gui.click({banner.x + 60.0, banner.y + banner.height - 22.0});
-  EXPECT_TRUE(gui.status().message.empty());
-  EXPECT_TRUE(gui.status().running);
+  EXPECT_TRUE(gui.status().diagnosis.message.empty());
+  EXPECT_TRUE(gui.status().run.running);
   EXPECT_EQ(gui.status().snapshot->settings.integrator, advice.integrator);
   EXPECT_EQ(gui.status().snapshot->settings.substeps, std::max(2, advice.substeps));
 }

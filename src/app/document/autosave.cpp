@@ -24,8 +24,8 @@ void Autosave::follow(const Status& status, LabThread& lab, double now, const st
   if (is_ready(writing_)) finish_writing();
   if (!session_.is_enabled() || copying_.valid() || writing_.valid()) return;
 
-  const Version version{status.edits, status.frames};
-  if (!status.unsaved || version == saved_) {
+  const Version version{status.history.edits, status.run.frames};
+  if (!status.history.unsaved || version == saved_) {
     changed_since_.reset();
     return;
   }

@@ -22,7 +22,7 @@ std::string name_of(const std::filesystem::path& file) { return printable(file.f
 void App::confirm_unsaved_then(Request request) {
   settle();
   pending_ = std::move(request);
-  if (status().unsaved) return panels_.open_dialog(Dialog::Kind::Unsaved);
+  if (status().history.unsaved) return panels_.open_dialog(Dialog::Kind::Unsaved);
   go_on_after_saving();
 }
 
@@ -92,7 +92,7 @@ void App::begin_document() {
   panels_.file_notice.clear();
   const bool own = !file_.empty() && !is_shipped(file_);
   watch_.take(own ? file_ : std::filesystem::path());
-  session_.set_document(own ? file_ : std::filesystem::path(), status().scene_name);
+  session_.set_document(own ? file_ : std::filesystem::path(), status().document->name);
   if (!own) return;
   recent_.add(file_);
   if (session_.is_open_elsewhere(file_))
@@ -214,7 +214,7 @@ void App::finish_saving(const std::filesystem::path& file, const std::string& er
   panels_.file_notice.clear();
   watch_.take(file_);
   recent_.add(file_);
-  if (moved) session_.set_document(file_, status().scene_name);
+  if (moved) session_.set_document(file_, status().document->name);
   panels_.show_toast("Saved " + printable(file.native()));
   go_on_after_saving();
 }
@@ -296,10 +296,10 @@ std::function<void(Scene&)> App::add_view_settings() const {
 void App::poll_background_work() {
   take_status();
   if (const std::string message = film_recorder_.take_message(); !message.empty()) panels_.show_toast(message);
-  if (!status().recording_error.empty() && !std::exchange(recording_, {}).empty()) panels_.show_toast(status().recording_error);
-  if (!status().difference.empty() && status().difference != reported_difference_)
-    panels_.file_warnings = "Not as it was recorded: " + status().difference;
-  reported_difference_ = status().difference;
+  if (!status().recording.error.empty() && !std::exchange(recording_, {}).empty()) panels_.show_toast(status().recording.error);
+  if (!status().recording.difference.empty() && status().recording.difference != reported_difference_)
+    panels_.file_warnings = "Not as it was recorded: " + status().recording.difference;
+  reported_difference_ = status().recording.difference;
   if (work_.is_running()) update_work();
   const double now = seconds_now();
   autosave_.follow(status(), lab_, now, add_view_settings());

@@ -25,7 +25,7 @@ void ColliderDrag::follow(const glm::dvec2& cursor, ToolContext& context) {
   const Vec3 target = context.point_in_view_plane(cursor, place_) + grab_offset_;
   const bool moved = target != target_;
   target_ = target;
-  if (context.status->running) {
+  if (context.status->run.running) {
     if (!std::exchange(has_hand_, true))
       context.lab.submit(GrabCollider{{*collider_, target_}}, gesture_);
     else if (moved)

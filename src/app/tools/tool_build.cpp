@@ -9,7 +9,7 @@ namespace {
 class AddTool : public Tool {
  public:
   void press(const Pointer& pointer, ToolContext& context) override {
-    const Defaults& defaults = context.status->defaults;
+    const Defaults& defaults = context.status->document->defaults;
     PlacedPoint placed;
     placed.point = {.id = context.lab.new_point_id(), .mass = defaults.mass, .radius = defaults.radius};
     placed.position = context.place_for_point(pointer.at, defaults.radius);
@@ -22,7 +22,7 @@ class AddTool : public Tool {
   }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
-    marks.ghost_point = context.place_for_point(pointer.at, context.status->defaults.radius);
+    marks.ghost_point = context.place_for_point(pointer.at, context.status->document->defaults.radius);
   }
 };
 
@@ -71,7 +71,7 @@ class AttachTool : public Tool {
     const PointId first = *first_;
     first_ = pointer.modifiers.shift ? std::optional(second) : std::nullopt;
     if (first == second || context.system().index_of(first) == no_index) return;
-    const Defaults& defaults = context.status->defaults;
+    const Defaults& defaults = context.status->document->defaults;
     const double length = glm::distance(context.snapshot().position(first), context.snapshot().position(second));
     const Spring spring{.id = context.lab.new_spring_id(),
                         .first = first,

@@ -61,7 +61,7 @@ class DragTool : public Tool {
     const Vec3 target = context.point_in_view_plane(pointer.at, grab_target_->place) + offset_;
     const bool moved = target != target_;
     target_ = target;
-    if (context.status->running) {
+    if (context.status->run.running) {
       if (!has_hand_)
         take_hold(context);
       else if (moved)
@@ -98,7 +98,7 @@ class DragTool : public Tool {
     if (!grab_target_ && !context.system().colliders.empty()) return "press on a point, the cloth or what they lie on, and move it";
     if (!grab_target_)
       return context.system().faces.empty() ? "press on a point and move it" : "press on a point or on the cloth and move it";
-    return context.status->running ? "move, and let go to throw; Esc takes it back" : "move, and let go; Esc takes it back";
+    return context.status->run.running ? "move, and let go to throw; Esc takes it back" : "move, and let go; Esc takes it back";
   }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
@@ -125,7 +125,7 @@ class DragTool : public Tool {
 
   // A nailed point cannot be pulled: it is held. A place between points cannot be held: it is pulled.
   void take_hold(ToolContext& context) {
-    const Defaults& defaults = context.status->defaults;
+    const Defaults& defaults = context.status->document->defaults;
     const bool nailed = context.system().points()[context.system().index_of(grab_target_->point)].nailed;
     const GrabKind kind = grab_target_->patch ? GrabKind::Pull : nailed ? GrabKind::Hold : defaults.grab;
     const Patch patch = grab_target_->patch.value_or(Patch{{grab_target_->point, grab_target_->point, grab_target_->point}});

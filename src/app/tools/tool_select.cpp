@@ -105,13 +105,13 @@ class SelectTool : public Tool {
   // While it runs, a moved point is at rest under the hand; in a pause it keeps its velocity.
   void move(ToolContext& context) {
     const Vec3 displacement = context.point_in_view_plane(current_, anchor_) - from_;
-    if (displacement == displacement_ && !context.status->running) return;
+    if (displacement == displacement_ && !context.status->run.running) return;
     displacement_ = displacement;
     Move move;
     for (const auto& [id, start] : start_) {
       const Index i = context.system().index_of(id);
       if (i != no_index)
-        move.items.push_back({id, start + displacement, context.status->running ? Vec3(0.0) : context.snapshot().state.velocity[i]});
+        move.items.push_back({id, start + displacement, context.status->run.running ? Vec3(0.0) : context.snapshot().state.velocity[i]});
     }
     context.lab.submit(move, gesture_);
   }

@@ -33,7 +33,7 @@ Tuning tune_stiffness(const Status& status, const Selection& selection, int dire
   SetSpringProperty set{SpringProperty::Stiffness, {}};
   double min = INFINITY, max = 0.0;
   const auto include = [&](const Spring& spring) {
-    const double k = stepped(spring.stiffness, direction, status.controls, row);
+    const double k = stepped(spring.stiffness, direction, status.document->controls, row);
     set.values.emplace_back(spring.id, k);
     min = std::min(min, k);
     max = std::max(max, k);
@@ -43,7 +43,7 @@ Tuning tune_stiffness(const Status& status, const Selection& selection, int dire
     tuning.message = value_text(min, max) + " (" + count(static_cast<long>(affected.size()), "selected spring") + ")";
   } else {
     for (const Spring& spring : system.springs()) include(spring);
-    const double new_stiffness = stepped(status.defaults.stiffness, direction, status.controls, row);
+    const double new_stiffness = stepped(status.document->defaults.stiffness, direction, status.document->controls, row);
     tuning.commands.push_back(SetParameter{find_parameter("new_stiffness"), new_stiffness});
     tuning.message =
         set.values.empty() ? value_text(new_stiffness, new_stiffness) + " (new springs)" : value_text(min, max) + " (all springs)";

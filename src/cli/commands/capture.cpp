@@ -107,7 +107,7 @@ int capture(const CaptureOptions& options) {
   if (!lab.difference().empty()) std::cerr << printable(*options.replay) << ": " << lab.difference() << "\n";
   if (!diverged) return lab.difference().empty() ? exit_code::success : exit_code::check_failed;
   lab.publish();
-  std::cerr << lab.status()->message << "\n";
+  std::cerr << lab.status()->diagnosis.message << "\n";
   return exit_code::diverged;
 }
 

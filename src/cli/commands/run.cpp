@@ -169,7 +169,7 @@ int run(const RunOptions& options) {
     for (const std::string& doubt : monitor.warnings(scene.system, {})) std::cerr << "warning: " << doubt << "\n";
   if (!totals.diverged) return exit_code::success;
   lab.publish();
-  std::cerr << lab.status()->message << "\n";
+  std::cerr << lab.status()->diagnosis.message << "\n";
   return exit_code::diverged;
 }
 

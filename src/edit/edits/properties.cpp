@@ -37,6 +37,7 @@ Inverse Apply::operator()(const Move& move) {
     scene.state.velocity[i] = in_plane(scene.system, item.velocity);
   }
   std::reverse(inverse.items.begin(), inverse.items.end());
+  effect.motion = true;
   return {inverse};
 }
 

@@ -16,11 +16,11 @@ bool is_valid(const Force& force) {
 Inverse Apply::operator()(const SetParameter& set) {
   const Inverse inverse = inverse_of(*set.parameter);
   set.parameter->write(scene, clamp_to(*set.parameter, set.value));
-  effect.values = true;
+  effect.values = effect.values || set.parameter->scope != Parameter::Scope::Setting;
   return inverse;
 }
 
-// What a parameter's write is about to overwrite.
+// The commands that restore what a write of the parameter overwrites.
 Inverse Apply::inverse_of(const Parameter& parameter) const {
   const auto all_springs = [&](SpringProperty property, double Spring::*member) {
     SetSpringProperty set{property, {}};
@@ -46,6 +46,7 @@ Inverse Apply::inverse_of(const Parameter& parameter) const {
     case Parameter::Scope::PointSize:
       return {all_points(PointProperty::Radius, &Point::radius), all_points(PointProperty::Mass, &Point::mass)};
     case Parameter::Scope::Number:
+    case Parameter::Scope::Setting:
       break;
   }
   return {RestoreParameter{&parameter, parameter.read(scene)}};
@@ -54,7 +55,7 @@ Inverse Apply::inverse_of(const Parameter& parameter) const {
 Inverse Apply::operator()(const RestoreParameter& restore) {
   const RestoreParameter inverse{restore.parameter, restore.parameter->read(scene)};
   restore.parameter->write(scene, restore.value);
-  effect.values = true;
+  effect.values = effect.values || restore.parameter->scope != Parameter::Scope::Setting;
   return {inverse};
 }
 

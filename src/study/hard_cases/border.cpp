@@ -116,15 +116,15 @@ Verdict judge_hidden_window(const Integrator& method) {
   Lab& lab = run.lab();
   lab.submit(SetRunning{true});
   const auto frames_after = [&](double seconds, bool in_time) {
-    const long before = lab.status()->frames;
+    const long before = lab.status()->run.frames;
     lab.advance(seconds, [&] { return in_time; });
-    return lab.status()->frames - before;
+    return lab.status()->run.frames - before;
   };
   const long jump = frames_after(10.0, true), next = frames_after(1.0 / 60.0, true);
   // too slow for real time: one substep an answer, so that a frame takes twenty
   long slow = 0;
   for (int i = 0; i < 40; ++i) slow += frames_after(0.1, false);
-  const double shown = lab.status()->speed;
+  const double shown = lab.status()->run.speed;
   return judge(run, Expectation::Hold, jump <= 16 && next <= 2 && slow <= 2 && shown < 0.5,
                text("%ld frames after 10 s, %ld after the next 60th; too slow: shows %.2g of real time", jump, next, shown));
 }

@@ -224,7 +224,7 @@ Verdict judge_lag(const Integrator& method, int substeps) {
     if (!run.frame()) break;
     run.lab().publish();
     const double behind = glm::distance(target, run.state().position[0]);
-    is_lag_reported = is_lag_reported && std::abs(run.lab().status()->hand_lag - behind) < 1e-9;
+    is_lag_reported = is_lag_reported && std::abs(run.lab().status()->run.hand_lag - behind) < 1e-9;
     fastest = std::max(fastest, glm::distance(run.state().position[0], before) * 60.0 * samples);
     lag = std::max(lag, behind);
     max = std::max(max, max_strain(run));

@@ -35,7 +35,7 @@ std::string describe_stop(Lab& lab, const State& before) {
   const auto& divergence = status.snapshot->divergence;
   const bool named = divergence && (divergence->point || system.point_count() == 0) && (divergence->spring || system.spring_count() == 0);
   const bool kept = lab.scene().state.position == before.position && lab.scene().state.velocity == before.velocity && is_finite(before);
-  if (!named || !kept || status.message.empty() || !status.advice) return {};
+  if (!named || !kept || status.diagnosis.message.empty() || !status.diagnosis.advice) return {};
 
   const bool numbers = divergence->kind == Divergence::Kind::NotFinite;
   std::string name = text("stopped by the watch at %.3g s: %s", divergence->time, numbers ? "beyond all numbers" : "energy from nowhere");

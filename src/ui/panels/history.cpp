@@ -21,7 +21,7 @@ std::string name_of(const HistoryList& history, std::size_t row) {
 }  // namespace
 
 void build_history(const PanelInput& input, Requests& requests) {
-  const HistoryList& history = *input.status.history;
+  const HistoryList& history = *input.status.history.list;
   const std::string remark = history.names.empty() ? "" : std::to_string(history.done) + " of " + std::to_string(history.names.size());
   if (!section("History", remark, false)) return;
 

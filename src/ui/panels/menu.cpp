@@ -85,8 +85,8 @@ void add_menu(const PanelInput& input, Panels& panels, Requests&) {
 }
 
 void edit_menu(const PanelInput& input, Panels&, Requests& requests) {
-  item(Action::Undo, requests, !input.status.undo_name.empty(), input.status.undo_name);
-  item(Action::Redo, requests, !input.status.redo_name.empty(), input.status.redo_name);
+  item(Action::Undo, requests, !input.status.history.undo_name.empty(), input.status.history.undo_name);
+  item(Action::Redo, requests, !input.status.history.redo_name.empty(), input.status.history.redo_name);
   ImGui::Separator();
   const bool any = !input.selection.empty();
   for (const Action action : {Action::Cut, Action::Copy}) item(action, requests, any);
@@ -108,7 +108,7 @@ void run_menu(const PanelInput&, Panels&, Requests& requests) {
 
 // A line for each texture that ships, and for a picture of one's own.
 void texture_menu(const PanelInput& input, Panels& panels, Requests& requests) {
-  const std::string& now = input.status.view.texture;
+  const std::string& now = input.status.document->view.texture;
   if (ImGui::MenuItem("None", nullptr, now.empty())) requests.emplace_back(ChooseTexture{});
   bool ships = now.empty();
   for (const ShippedTexture& texture : shipped_textures()) {
@@ -192,10 +192,10 @@ float run_buttons(const PanelInput& input, float menus_end, Requests& requests) 
   const Status& status = input.status;
   const Button buttons[] = {
       {Action::GoToStart, Icon::Start, false, true, ""},
-      {Action::RunOrPause, status.running ? Icon::Pause : Icon::Run, status.running, true, ""},
+      {Action::RunOrPause, status.run.running ? Icon::Pause : Icon::Run, status.run.running, true, ""},
       {Action::StepOnce, Icon::Step, false, true, ""},
-      {Action::Undo, Icon::Undo, false, !status.undo_name.empty(), status.undo_name},
-      {Action::Redo, Icon::Redo, false, !status.redo_name.empty(), status.redo_name},
+      {Action::Undo, Icon::Undo, false, !status.history.undo_name.empty(), status.history.undo_name},
+      {Action::Redo, Icon::Redo, false, !status.history.redo_name.empty(), status.history.redo_name},
   };
   const ImVec2 size{units(36.0), units(30.0)};
   const Rect& scene = input.layout.scene;
@@ -219,7 +219,7 @@ void clock(const PanelInput& input, float buttons_end) {
   const float x = static_cast<float>(input.layout.menu.width) - ImGui::CalcTextSize(text).x - units(14.0);
   if (x < buttons_end) return;
   ImGui::SetCursorScreenPos({x, static_cast<float>(input.layout.menu.y) + units(11.0)});
-  text_in(input.status.running ? palette::text : palette::dim, text);
+  text_in(input.status.run.running ? palette::text : palette::dim, text);
 }
 
 }  // namespace

@@ -157,21 +157,21 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
   const Status& status = input.status;
   const Rect& scene = input.layout.scene;
   double down = 0.0;
-  if (status.message.empty()) panels.dismissed.clear();
+  if (status.diagnosis.message.empty()) panels.dismissed.clear();
 
   // why the run stopped
-  if (!status.message.empty() && status.message != panels.dismissed) {
-    begin_banner("stopped", scene, down, status.message, palette::alarm, palette::bad, panels);
-    if (status.advice) {
+  if (!status.diagnosis.message.empty() && status.diagnosis.message != panels.dismissed) {
+    begin_banner("stopped", scene, down, status.diagnosis.message, palette::alarm, palette::bad, panels);
+    if (status.diagnosis.advice) {
       const Settings& settings = status.snapshot->settings;
-      const Advice advice = fitted(*status.advice, settings);
+      const Advice advice = fitted(*status.diagnosis.advice, settings);
       if (ImGui::Button(display_text(advice, settings).c_str())) {
         take_advice(advice, settings, requests);
         panels.file_warnings.clear();
       }
       same_line_for("Dismiss");
     }
-    if (ImGui::Button("Dismiss")) panels.dismissed = status.message;
+    if (ImGui::Button("Dismiss")) panels.dismissed = status.diagnosis.message;
     down += end_banner() + units(8.0);
   }
 

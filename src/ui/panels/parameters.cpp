@@ -63,12 +63,12 @@ void spring_row(const Parameter& row, double value_without, const AffectedSpring
   CommonValue common;
   std::vector<std::pair<const Spring*, double>> weights;
   for (const Spring* spring : affected.springs) {
-    const double weight = weight_of(row, input.status.sheet.get(), *spring);
+    const double weight = weight_of(row, input.status.document->sheet.get(), *spring);
     if (!(weight > 0.0)) continue;
     weights.emplace_back(spring, weight);
     common.include((stiffness ? spring->stiffness : spring->damping) / weight);
   }
-  NumberField field = field_of(row, input.status.controls, common.value_or(value_without));
+  NumberField field = field_of(row, input.status.document->controls, common.value_or(value_without));
   field.mixed = common.is_mixed();
   field.enabled = !weights.empty();
   const auto value = number_row(field, panels);
@@ -129,7 +129,7 @@ void parameter_row(const Parameter& row, double value, const AffectedSprings& af
   } else if (row.kind == Parameter::Kind::Choice) {
     choice_row(row, value, panels, requests);
   } else {
-    NumberField field = field_of(row, input.status.controls, value);
+    NumberField field = field_of(row, input.status.document->controls, value);
     if (row.scope == Parameter::Scope::Colliders) {
       const auto& colliders = input.status.snapshot->system->colliders;
       const auto property = row.name == "friction" ? &Collider::friction : &Collider::restitution;
@@ -160,9 +160,9 @@ void build_parameters(const PanelInput& input, Panels& panels, Requests& request
       open = section(std::string(group), scope_of(group, affected), group != "Hand" && group != "Points");
       if (open && group == "Simulation") method_row(input, panels, requests);
     }
-    if (!open || std::isnan(input.status.parameter_values[i])) continue;
+    if (!open || std::isnan(input.status.document->parameter_values[i])) continue;
     ImGui::PushID(row.name.data());
-    parameter_row(row, input.status.parameter_values[i], affected, input, panels, requests);
+    parameter_row(row, input.status.document->parameter_values[i], affected, input, panels, requests);
     ImGui::PopID();
     parameter_hint_row(row, input);
   }

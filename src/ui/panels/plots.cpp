@@ -159,7 +159,7 @@ void choice(const std::string& name, const PanelInput& input, Requests& requests
   if (!quantity) return;
   std::vector<Quantity> watched;
   bool is_watched = false;
-  for (const Trace& trace : input.status.traces->traces) {
+  for (const Trace& trace : input.status.timeline.traces->traces) {
     const bool is_same = trace.quantity.name() == name;
     is_watched = is_watched || is_same;
     if (!is_same) watched.push_back(trace.quantity);
@@ -200,10 +200,10 @@ void buttons(const PanelInput& input, const Rect& place, Panels& panels, Request
   if (button("Choose", "What is plotted")) ImGui::OpenPopup("choose");
   const bool held = panels.plot_end.has_value();
   if (button(held ? "Follow" : "Hold", held ? "Show the newest again" : "Keep showing this part of the time")) {
-    if (held || input.status.traces->times.empty())
+    if (held || input.status.timeline.traces->times.empty())
       panels.plot_end.reset();
     else
-      panels.plot_end = input.status.traces->times.back();
+      panels.plot_end = input.status.timeline.traces->times.back();
   }
   if (button("All", "The whole time; the wheel shows less of it")) {
     panels.plot_seconds = 1e9;
@@ -234,7 +234,7 @@ void build_plots(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PushFont(fonts().small);
   buttons(input, dock, panels, requests);
 
-  const TraceTable& table = *input.status.traces;
+  const TraceTable& table = *input.status.timeline.traces;
   const std::vector<Plot> plots = plots_of(table);
   const double left = dock.x + units(78.0), width = dock.width - units(78.0);
   if (table.times.empty() || plots.empty()) {

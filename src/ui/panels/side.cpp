@@ -13,9 +13,9 @@ void scene_section(const PanelInput& input) {
   const System& system = *input.status.snapshot->system;
   ImGui::PushFont(fonts().strong);
   ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(printable(input.status.scene_name.empty() ? "Untitled" : input.status.scene_name).c_str());
+  ImGui::TextUnformatted(printable(input.status.document->name.empty() ? "Untitled" : input.status.document->name).c_str());
   ImGui::PopFont();
-  if (!input.status.scene_description.empty()) dim_text(printable(input.status.scene_description));
+  if (!input.status.document->description.empty()) dim_text(printable(input.status.document->description));
   ImGui::PopTextWrapPos();
   dim_text(count(system.point_count(), "point") + ", " + count(system.spring_count(), "spring") + (system.dimensions == 2 ? ", flat" : ""));
 }
@@ -35,8 +35,8 @@ void energy_section(const Status& status) {
   energy_row("Total", number(snapshot.energy.total()) + " J");
   if (snapshot.system->strain_limit > 0.0) {
     // what it takes is no physics of the scene: said where the energy stands
-    const ImU32 text_color = status.limit_power != 0.0 ? palette::warning : palette::text;
-    energy_row("Limit on strain", number(status.limit_power) + " W, " + number(status.limit_work) + " J in all", text_color);
+    const ImU32 text_color = status.run.limit_power != 0.0 ? palette::warning : palette::text;
+    energy_row("Limit on strain", number(status.run.limit_power) + " W, " + number(status.run.limit_work) + " J in all", text_color);
   }
   energy_row("Momentum", number(glm::length(snapshot.momentum.linear)) + " kg m/s");
 }

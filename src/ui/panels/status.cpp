@@ -15,8 +15,8 @@ namespace {
 std::array<std::string, 3> figures(const PanelInput& input) {
   const Status& status = input.status;
   char text[160];
-  const std::string speed = !status.running ? "paused" : number(std::round(100.0 * status.speed) / 100.0) + "\u00d7 real time";
-  std::snprintf(text, sizeof text, "simulate %.*f ms    ", status.simulate_ms < 1.0 ? 2 : 1, status.simulate_ms);
+  const std::string speed = !status.run.running ? "paused" : number(std::round(100.0 * status.run.speed) / 100.0) + "\u00d7 real time";
+  std::snprintf(text, sizeof text, "simulate %.*f ms    ", status.run.simulate_ms < 1.0 ? 2 : 1, status.run.simulate_ms);
   const std::string simulate = text;
   std::snprintf(text, sizeof text, "draw %.1f ms    %.0f frames/s    ", input.draw_ms, input.frames_per_second);
   // a picture that nobody looked at has none
@@ -41,15 +41,16 @@ std::string shortened(std::string text, float width) {
 std::string recording_text(const PanelInput& input) {
   std::string taken;
   if (input.film_seconds >= 0.0) taken = "\u25cf film " + number(std::floor(input.film_seconds)) + " s    ";
-  if (!input.status.recording.empty()) taken += "\u25cf recording    ";
-  if (input.status.playback_progress > 0.0) taken += "playing " + number(std::round(100.0 * input.status.playback_progress)) + " %    ";
+  if (!input.status.recording.file.empty()) taken += "\u25cf recording    ";
+  if (input.status.recording.playback_progress > 0.0)
+    taken += "playing " + number(std::round(100.0 * input.status.recording.playback_progress)) + " %    ";
   return taken;
 }
 
 // What is acting against the hand, beside the tool's next step.
 std::string hand_text(const PanelInput& input) {
   constexpr double noticed = 1e-6;  // [m]
-  return input.status.hand_lag > noticed ? "hand " + number(input.status.hand_lag) + " m behind, at its top speed" : "";
+  return input.status.run.hand_lag > noticed ? "hand " + number(input.status.run.hand_lag) + " m behind, at its top speed" : "";
 }
 
 }  // namespace
@@ -85,7 +86,8 @@ void build_status_bar(const PanelInput& input) {
   text_in(palette::bad, taken);
   ImGui::SameLine(0.0f, 0.0f);
   // slower than the scene asks for: said openly
-  const bool slow = input.status.running && input.status.speed > 0.0 && input.status.speed < 0.9 * input.status.snapshot->settings.speed;
+  const bool slow =
+      input.status.run.running && input.status.run.speed > 0.0 && input.status.run.speed < 0.9 * input.status.snapshot->settings.speed;
   text_in(slow ? palette::warning : palette::dim, *text);
   ImGui::PopFont();
   ImGui::End();

@@ -58,10 +58,10 @@ void run_to(const PanelInput& input, float x, float width, Panels& panels, Reque
   const Status& status = input.status;
   const float y = static_cast<float>(input.layout.timeline.y) + units(3.0);
   ImGui::SetCursorScreenPos({x, y});
-  if (status.run_to > 0.0) {
-    const double done = (status.snapshot->state.time - status.run_from) / (status.run_to - status.run_from);
+  if (status.run.to > 0.0) {
+    const double done = (status.snapshot->state.time - status.run.from) / (status.run.to - status.run.from);
     char text[48];
-    std::snprintf(text, sizeof text, "to %s: %.0f %%", seconds(status.run_to).c_str(), 100.0 * std::clamp(done, 0.0, 1.0));
+    std::snprintf(text, sizeof text, "to %s: %.0f %%", seconds(status.run.to).c_str(), 100.0 * std::clamp(done, 0.0, 1.0));
     ImGui::SetCursorScreenPos({x, y + units(3.0)});
     text_in(palette::accent, text);
     ImGui::SameLine(0.0f, units(10.0));
@@ -104,7 +104,7 @@ void build_timeline(const PanelInput& input, Panels& panels, Requests& requests)
   const float run_width = units(is_long ? 128.0 : 0.0), label = units(is_long ? 64.0 : 10.0);
   const ImVec2 button{units(26.0), units(24.0)};
   ImGui::SetCursorScreenPos({left, top + units(3.0)});
-  if (icon_button("back", Icon::StepBack, button, false, status.snapshot->state.time > status.timeline_start))
+  if (icon_button("back", Icon::StepBack, button, false, status.snapshot->state.time > status.timeline.start))
     requests.emplace_back(Action::StepBack);
   tooltip(Action::StepBack);
 
@@ -112,8 +112,8 @@ void build_timeline(const PanelInput& input, Panels& panels, Requests& requests)
   const float text_y = top + units(8.0);
   const Track track{{left + button.x + label, top},
                     {right - run_width - units(16.0) - label - (left + button.x + label), units(30.0)},
-                    status.timeline_start,
-                    status.timeline_end};
+                    status.timeline.start,
+                    status.timeline.end};
   if (track.size.x > units(60.0)) {
     const auto place_text = [&](float x, const std::string& text) {
       ImGui::GetWindowDrawList()->AddText({x, text_y}, palette::dim, text.c_str());
