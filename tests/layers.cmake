@@ -1,19 +1,23 @@
-# Checks who includes whom: cmake -DSOURCES=DIRECTORY -P layers.cmake
-# SOURCES holds a folder a layer. Fails, with a line for every violation, when
-#  - a file includes a layer that its own may not use,
-#  - a file includes a third-party or system header that another file owns, or that nobody owns yet,
+# Checks the structure of the sources: cmake -DSOURCES=DIRECTORY -P layers.cmake
+# SOURCES holds a folder for each module. Fails, with a line for each violation, when
+#  - a file includes a module that its own module may not use,
+#  - a file includes a third-party or system header that belongs to another file, or that has no owner yet,
 #  - physics includes a clock, random numbers, files or an unordered container,
-#  - a file outside sim and lab can write a System or a State.
+#  - a file outside sim, scene, formats, edit, lab and study can write a System or a State,
+#  - a file has more than 400 lines, or a folder more than 45 files.
 cmake_minimum_required(VERSION 3.25)
 
-# The modules and whom each may include: the table that the build is made from.
+set(max_lines 400)
+set(max_files 45)
+
+# The modules and the modules that each may include: the table that the build uses.
 include(${CMAKE_CURRENT_LIST_DIR}/../src/modules.cmake)
 set(layers ${hooke_modules})
 foreach(layer IN LISTS layers)
   set(may_use_${layer} ${layer} ${${layer}_uses})
 endforeach()
 
-# Owners of headers: a header's name, and the files that may include it. The first name that fits decides.
+# Owners of headers: a pattern of header names, and the files that may include them. The first match decides.
 set(owners
   "^GL/osmesa[.]h$"                     "^cli/offscreen[.]cpp$"
   "^GL/"                                "^draw/"
@@ -74,13 +78,13 @@ function(check_includes file layer text)
     elseif(include MATCHES "<")
       check_owner("${file}" "${header}")
     else()
-      refuse("${file}" "includes \"${header}\": our own headers are named by layer, as \"sim/plan.h\"")
+      refuse("${file}" "includes \"${header}\": headers of Hooke are included by module, as in \"sim/plan.h\"")
     endif()
   endforeach()
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
 
-# System and State are read-only outside sim and lab: no reference, pointer or pointer type to one that is not const.
+# Outside the modules that may write a System or a State, no reference, pointer or smart pointer to one may be non-const.
 function(check_constness file text)
   string(REGEX REPLACE "//[^\n]*" "" text "${text}")
   set(type "(hooke::)?[A-Za-z0-9_]*(System|State)")
@@ -93,6 +97,31 @@ function(check_constness file text)
   set(violations ${violations} PARENT_SCOPE)
 endfunction()
 
+function(check_lines file text)
+  string(REGEX MATCHALL "\n" ends "${text}")
+  list(LENGTH ends lines)
+  if(lines GREATER max_lines)
+    refuse("${file}" "has ${lines} lines, more than ${max_lines}")
+  endif()
+  set(violations ${violations} PARENT_SCOPE)
+endfunction()
+
+# The number of files in each folder, subfolders not counted.
+function(check_folders)
+  foreach(file IN LISTS ARGN)
+    get_filename_component(folder "${file}" DIRECTORY)
+    list(APPEND folders "${folder}")
+    math(EXPR count_${folder} "0${count_${folder}} + 1")
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder IN LISTS folders)
+    if(count_${folder} GREATER max_files)
+      refuse("${folder}" "has ${count_${folder}} files, more than ${max_files}")
+    endif()
+  endforeach()
+  set(violations ${violations} PARENT_SCOPE)
+endfunction()
+
 file(GLOB_RECURSE files RELATIVE "${SOURCES}" "${SOURCES}/*.h" "${SOURCES}/*.cpp")
 if(NOT files)
   message(FATAL_ERROR "no sources in '${SOURCES}'")
@@ -100,20 +129,22 @@ endif()
 foreach(file IN LISTS files)
   string(REGEX MATCH "^[^/]+" layer "${file}")
   if(NOT layer IN_LIST layers)
-    refuse("${file}" "stands in no layer")
+    refuse("${file}" "is in no module")
     continue()
   endif()
-  # brackets and semicolons mean something to CMake's lists, and nothing here
+  # Brackets and semicolons are special in CMake lists, and not needed here.
   file(READ "${SOURCES}/${file}" text)
   string(REGEX REPLACE "[][;]" " " text "${text}")
   check_includes("${file}" ${layer} "${text}")
   if(NOT layer MATCHES "^(sim|scene|formats|edit|lab|study)$")
     check_constness("${file}" "${text}")
   endif()
+  check_lines("${file}" "${text}")
 endforeach()
+check_folders(${files})
 
 list(LENGTH files count)
 if(violations)
   message(FATAL_ERROR "${violations} violations in ${count} files")
 endif()
-message(STATUS "${count} files keep to their layers")
+message(STATUS "${count} files conform to the structure")
