@@ -1,0 +1,41 @@
+# Writes the module diagram of docs/architecture.md from src/modules.cmake:
+#   cmake -P cmake/module_diagram.cmake
+# With -DCHECK=ON before -P it changes nothing, and fails when the page is out of date. A test does that.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/../src/modules.cmake)
+if(NOT PAGE)
+  set(PAGE ${CMAKE_CURRENT_LIST_DIR}/../docs/architecture.md)
+endif()
+
+# An arrow from each module to those that it uses, without the ones that follow from other arrows.
+set(diagram "```mermaid\nflowchart TD\n")
+foreach(module IN LISTS hooke_modules)
+  set(direct ${${module}_uses})
+  foreach(used IN LISTS ${module}_uses)
+    if(${used}_uses)
+      list(REMOVE_ITEM direct ${${used}_uses})
+    endif()
+  endforeach()
+  foreach(used IN LISTS direct)
+    string(APPEND diagram "  ${module} --> ${used}\n")
+  endforeach()
+endforeach()
+string(APPEND diagram "```\n")
+
+set(begin "<!-- modules: begin -->\n")
+set(end "<!-- modules: end -->\n")
+file(READ "${PAGE}" page)
+string(FIND "${page}" "${begin}" first)
+string(FIND "${page}" "${end}" last)
+if(first EQUAL -1 OR last LESS first)
+  message(FATAL_ERROR "${PAGE} has no place for the module diagram")
+endif()
+string(SUBSTRING "${page}" 0 ${first} before)
+string(SUBSTRING "${page}" ${last} -1 after)
+set(current "${before}${begin}${diagram}${after}")
+
+if(NOT CHECK)
+  file(WRITE "${PAGE}" "${current}")
+elseif(NOT page STREQUAL current)
+  message(FATAL_ERROR "The module diagram is out of date. Run: cmake -P cmake/module_diagram.cmake")
+endif()
