@@ -2,7 +2,7 @@
 # Sources still include everything they use: sanitizer builds and scripts/tidy compile without precompiled headers and fail on a missing
 # include.
 
-option(HOOKE_PRECOMPILED_HEADERS "Precompile the headers that most sources include" ON)
+option(HOOKE_PRECOMPILED_HEADERS "Build faster: precompile common headers, join the sources of the command line" ON)
 
 set(common_headers <algorithm> <array> <atomic> <chrono> <cmath> <filesystem> <functional> <glm/geometric.hpp> <memory> <optional> <span>
     <string> <string_view> <variant> <vector>)
