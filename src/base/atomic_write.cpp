@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Our temporary files: ".hooke-" and 16 digits, so that no name of a scene makes them too long.
+// Names of temporary files: ".hooke-" and 16 digits. Their length does not depend on the name of the target.
 constexpr std::string_view prefix = ".hooke-";
 constexpr std::size_t digits = 16;
 
@@ -49,11 +49,11 @@ struct Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
 };
 
-// A temporary file in a folder, removed unless it was renamed. A writer holds a lock on it as long as it lives.
+// A temporary file in a folder, removed unless it was renamed. It is locked as long as the object lives.
 class Temporary {
  public:
   explicit Temporary(int folder) : folder_(folder) {
-    // until it is locked, a sweeper may take it for left behind
+    // until it is locked, another writer may remove it as stale: then try again
     struct stat status;
     do {
       if (number_ >= 0) close(number_);
@@ -93,7 +93,7 @@ bool write_all(int file, std::string_view bytes) {
   return true;
 }
 
-// What killed writers left: our names that nobody holds a lock on.
+// Removes the temporary files of killed writers: those that no process has locked.
 void remove_stale_files(const fs::path& folder, int folder_number) {
   std::error_code ignored;
   for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
@@ -106,12 +106,18 @@ void remove_stale_files(const fs::path& folder, int folder_number) {
   }
 }
 
-// Where the file is in truth: links are followed, so that they stay.
-fs::path resolve(const fs::path& file) {
+// The path that the file's links lead to, whether or not a file exists there. Throws FileError for links in a circle.
+fs::path resolve_links(const fs::path& file, const std::string& printable_name) {
+  constexpr int max_links = 40;  // as the kernel's
+  fs::path target = file;
   std::error_code error;
-  if (!fs::is_symlink(fs::symlink_status(file, error))) return file;
-  const fs::path target = fs::weakly_canonical(file, error);
-  return error ? file : target;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {
+    if (links == max_links) throw FileError(printable_name + ": cannot be written: " + std::strerror(ELOOP));
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) throw FileError(printable_name + ": cannot be written: " + error.message());
+    target = target.parent_path() / next;
+  }
+  return target;
 }
 
 // Bytes that are collected before they are written.
@@ -135,7 +141,7 @@ struct AtomicFile::Destination {
 
 AtomicFile::Destination::Destination(const fs::path& file)
     : printable_name(printable(file.native())),
-      target(resolve(file)),
+      target(resolve_links(file, printable_name)),
       folder_path(target.has_parent_path() ? target.parent_path() : fs::path(".")),
       folder(open(folder_path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
       name(target.filename()) {
@@ -152,7 +158,7 @@ AtomicFile::Destination::Destination(const fs::path& file)
   remove_stale_files(folder_path, folder.number);
   temporary.emplace(folder.number);
   if (temporary->number() < 0) fail("cannot be written", errno);
-  if (exists && fchmod(temporary->number(), old.st_mode & 07777) != 0) fail("cannot keep its permissions", errno);
+  if (exists && fchmod(temporary->number(), old.st_mode & 07777) != 0) fail("cannot set its permissions", errno);
 }
 
 AtomicFile::AtomicFile(const fs::path& file) : destination_(std::make_unique<Destination>(file)) {}
@@ -183,7 +189,7 @@ void AtomicFile::commit() {
 
   // some file systems do not support fsync of a folder
   if (fsync(destination_->folder.number) != 0 && errno != EINVAL && errno != EROFS)
-    destination_->fail("is written, but its folder could not be flushed", errno);
+    destination_->fail("was written, but its folder could not be flushed", errno);
 }
 
 void write_atomically(const fs::path& file, std::string_view bytes) {

@@ -10,8 +10,8 @@ namespace hooke {
 
 // A file that grows as a temporary file in the same folder and takes its place on `commit`: fsync, rename, fsync of the folder. At
 // every moment there is the old file or the new one. An existing file keeps its permissions; a symbolic link stays, and the file it
-// leads to is replaced. Everything throws FileError; the old file is then unchanged, unless only the folder could not be flushed.
-// Temporary files of writers that were killed are removed.
+// leads to is replaced, or created if the link dangles. Everything throws FileError; the old file is then unchanged, unless only the folder
+// could not be flushed. Temporary files of writers that were killed are removed.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& file);

@@ -36,7 +36,7 @@ std::string_view file_type_name(mode_t mode) {
 
 [[noreturn]] void fail(const std::string& name, const char* what) { throw FileError(name + ": " + what + ": " + std::strerror(errno)); }
 
-// without O_NONBLOCK, opening a pipe would wait for somebody to write
+// without O_NONBLOCK, opening a pipe waits for a writer
 constexpr int read_flags = O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY;
 
 std::string read_all(const Descriptor& descriptor, const std::string& name) {
@@ -47,7 +47,7 @@ std::string read_all(const Descriptor& descriptor, const std::string& name) {
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (size > max_file_bytes) refuse_size(name, size);
 
-  // files under /proc say 0 bytes, and a file may grow meanwhile: the end is where read() says it is
+  // files under /proc report a size of 0, and a file may grow meanwhile: read() determines the end
   std::string bytes(size + 1, '\0');
   std::size_t count = 0;
   for (;;) {
@@ -72,15 +72,16 @@ std::string read_file(const std::filesystem::path& file) {
   return read_all(descriptor, name);
 }
 
-// Step by step, each from the folder that the one before opened, so that nothing that changes meanwhile leads elsewhere.
+// Opens one folder after the other, each relative to the last, so that a link created meanwhile is not followed.
 std::string read_file_within(const std::filesystem::path& folder, const std::filesystem::path& path, const std::string& name) {
-  const auto refuse = [&] { throw InputError(name + ": must lie in the scene's folder, with no link on the way"); };
-  if (path.empty() || path.is_absolute()) refuse();
+  const auto refuse = [&] { throw InputError(name + ": must lie in the scene's folder, not reached through a link"); };
+  const std::filesystem::path steps = path.lexically_normal();  // no link is followed, so "a/.." leads nowhere else
+  if (steps.empty() || steps.is_absolute()) refuse();
   Descriptor current{open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)};
   if (current.number < 0) fail(name, "cannot be opened");
-  for (auto component = path.begin(); component != path.end(); ++component) {
+  for (auto component = steps.begin(); component != steps.end(); ++component) {
     if (component->empty() || *component == "." || *component == "..") refuse();
-    const bool is_last = std::next(component) == path.end();
+    const bool is_last = std::next(component) == steps.end();
     struct stat status;
     if (fstatat(current.number, component->c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(status.st_mode)) refuse();
     Descriptor next{openat(current.number, component->c_str(), O_NOFOLLOW | (is_last ? read_flags : O_PATH | O_DIRECTORY | O_CLOEXEC))};

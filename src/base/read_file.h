@@ -1,4 +1,4 @@
-// Bytes of a file that somebody gave us.
+// Reads untrusted files.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@ namespace hooke {
 // larger file), without reading it, and FileError when the system will not open or read it.
 std::string read_file(const std::filesystem::path& file);
 
-// The same of a file that lies in `folder` or below it, whatever `way` says and whatever links stand on it: a way that is
-// absolute, goes up or passes a link is refused. `name` stands for it in messages.
+// The same for a file in `folder` or below it. Refuses a path that is absolute, leaves the folder or passes a symbolic link.
+// `name` stands for the file in messages.
 std::string read_file_within(const std::filesystem::path& folder, const std::filesystem::path& path, const std::string& name);
 
 }  // namespace hooke

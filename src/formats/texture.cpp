@@ -97,16 +97,15 @@ std::string texture_limit(std::string_view texture) {
     for (const ShippedTexture& row : rows) ids += std::string(row.id) + ", ";
     return "must be " + ids + "or a .png in the scene's folder";
   }
-  const std::filesystem::path relative_path(texture);
+  const std::filesystem::path path = std::filesystem::path(texture).lexically_normal();
   const bool has_no_control_characters = std::ranges::none_of(texture, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
-  const bool is_inside_folder =
-      !relative_path.is_absolute() && std::ranges::none_of(relative_path, [](const auto& step) { return step == ".." || step == "."; });
+  const bool is_inside_folder = !path.is_absolute() && !path.empty() && *path.begin() != "..";
   return has_no_control_characters && is_inside_folder ? "" : "must lie in the scene's folder";
 }
 
 std::shared_ptr<const Picture> read_texture(const std::string& texture, const std::filesystem::path& folder, const std::string& name) {
   if (find_shipped(texture) == nullptr) return std::make_shared<const Picture>(decode_png(read_file_within(folder, texture, name), name));
-  const std::filesystem::path shipped = shipped_scenes().front().file.parent_path().parent_path() / "textures";
+  const std::filesystem::path shipped = assets_folder() / "textures";
   return std::make_shared<const Picture>(decode_png(read_file(shipped / (texture + ".png")), name));
 }
 

@@ -11,7 +11,7 @@
 #include <fstream>
 
 #include "base/atomic_write.h"
-#include "formats/scene_file.h"
+#include "base/errors.h"
 #include "support/contents.h"
 #include "support/scratch_folder.h"
 
@@ -65,6 +65,34 @@ TEST(AtomicWrite, ASymbolicLinkStaysAndItsFileIsReplaced) {
   EXPECT_TRUE(fs::is_symlink(scratch.folder / "link.json"));
   EXPECT_EQ(contents(scratch.folder / "there" / "scene.json"), "new");
   EXPECT_EQ(files_in(scratch.folder / "there"), 1u);
+}
+
+TEST(AtomicWrite, ADanglingLinkStaysAndItsTargetIsCreated) {
+  const ScratchFolder scratch;
+  fs::create_directory(scratch.folder / "there");
+  fs::create_symlink("there/new.json", scratch.folder / "link.json");
+  fs::create_symlink("link.json", scratch.folder / "second.json");
+  write_atomically(scratch.folder / "second.json", "new");
+  EXPECT_TRUE(fs::is_symlink(scratch.folder / "link.json"));
+  EXPECT_TRUE(fs::is_symlink(scratch.folder / "second.json"));
+  EXPECT_EQ(content_of(scratch.folder / "there" / "new.json"), "new");
+}
+
+std::string error_of(const fs::path& file) {
+  try {
+    write_atomically(file, "x");
+    return "written";
+  } catch (const FileError& error) {
+    return error.what();
+  }
+}
+
+TEST(AtomicWrite, ALinkThatLeadsNowhereIsRefusedWithTheReason) {
+  const ScratchFolder scratch;
+  fs::create_symlink("none/new.json", scratch.folder / "link.json");
+  EXPECT_NE(error_of(scratch.folder / "link.json").find("cannot be written: No such file or directory"), std::string::npos);
+  fs::create_symlink("circle.json", scratch.folder / "circle.json");
+  EXPECT_NE(error_of(scratch.folder / "circle.json").find("Too many levels of symbolic links"), std::string::npos);
 }
 
 TEST(AtomicWrite, AFolderOrAPipeIsNotReplaced) {
