@@ -14,14 +14,14 @@ using Kind = Parameter::Kind;
 using Scope = Parameter::Scope;
 using Weight = Parameter::Weight;
 
-// Scales the gravity to a size; down when there was none.
+// Scales the gravity to a magnitude; downwards if there was none.
 void set_gravity(Scene& scene, double size) {
   Vec3& gravity = scene.system.gravity;
   const double magnitude = glm::length(gravity);
   gravity = magnitude > 0.0 ? gravity * (size / magnitude) : Vec3(0.0, -size, 0.0);
 }
 
-// The springs that a row sets, and what they are of its value.
+// The springs that a row sets, and the weights by which their values follow from its value.
 struct SpringSlider {
   double Spring::*property;
   Weight weight = Weight::One;
@@ -74,7 +74,7 @@ void write_density(Scene& scene, double value) {
     if (const double area = area_of(scene.sheet.get(), scene.system.points()[i].id); area > 0.0) scene.system.point(i).mass = value * area;
 }
 
-// Radius, and mass where it goes along.
+// Radius, and mass if it follows.
 double read_radius(const Scene& scene) {
   CommonValue common;
   for (const Point& point : scene.system.points()) common.include(point.radius);
@@ -98,7 +98,7 @@ bool is_by_size(const Scene& scene) { return has_springs(scene) && has_parameter
 bool is_sheet_material(const Scene& scene) {
   return scene.sheet != nullptr && has_parameterization<SpringParameterization::Material>(scene);
 }
-// Without a cloth there is no material to speak of.
+// Without a cloth there is no material.
 bool is_per_spring(const Scene& scene) {
   return has_parameterization<SpringParameterization::Plain>(scene) ||
          (scene.sheet == nullptr && has_parameterization<SpringParameterization::Material>(scene));
@@ -109,11 +109,11 @@ bool has_plain_damping(const Scene& scene) {
 }
 
 constexpr std::array parameterizations{
-    ParameterChoice{"plain", "Each spring: k, d", "Every spring has exactly the k and d given: finer is another thing."},
-    ParameterChoice{"per_strain", "By strain: Y, d", "k = Y / l0: a spring half as long is twice as stiff, as two pieces of one thread."},
+    ParameterChoice{"plain", "Each spring: k, d", "Every spring has exactly the k and d given; a finer net behaves differently."},
+    ParameterChoice{"per_strain", "By strain: Y, d", "k = Y / l0: a spring half as long is twice as stiff, like two pieces of one thread."},
     ParameterChoice{"by_size", "By size: k, d per length", "d = c l0: a quad half as wide is damped half as much."},
     ParameterChoice{"material", "As a material: E t, \u03b7, density",
-                    "One sheet, however many points it has: half along borders, k = 3/4 E t along threads and 3/8 across; bend springs "
+                    "The same sheet for any number of points: k = 3/4 E t along threads and 3/8 across, half along borders; bend springs "
                     "keep their own k."},
 };
 
@@ -134,7 +134,7 @@ bool has_family_stiffness(const Scene& scene) {
   return has_family<family>(scene) && has_plain_stiffness(scene);
 }
 
-// A sheet says nothing of what bends it: that keeps a k of its own, as a material too.
+// The material of a sheet does not determine its bending: bend springs keep their own k.
 bool has_bend_stiffness(const Scene& scene) {
   return has_family<SpringFamily::Bend>(scene) && (has_plain_stiffness(scene) || is_sheet_material(scene));
 }
@@ -149,9 +149,9 @@ void set_colliders(Scene& scene, double Collider::*property, double value) {
 
 // A row reads as a table does, so clang-format leaves it alone.
 // clang-format off
-const std::array rows{
+constexpr std::array rows{
     Parameter{.name = "substeps", .field = "simulation.substeps", .group = "Simulation", .label = "Substeps", .unit = "",
-              .description = "Steps of the method in each frame: more are slower and more accurate.",
+              .description = "Steps of the integrator per frame: more are slower and more accurate.",
               .kind = Kind::Integer, .min = 1, .max = 1000, .default_value = 20, .physical = {.min = 1, .max = max_substeps}, .logarithmic = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return double(s.settings.substeps); },
               .write = [](Scene& s, double value) { s.settings.substeps = int(value); }},
@@ -166,28 +166,28 @@ const std::array rows{
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.settings.speed; },
               .write = [](Scene& s, double value) { s.settings.speed = value; }},
     Parameter{.name = "reading", .field = "reading", .group = "Springs", .label = "Given as", .unit = "",
-              .description = "In which numbers the springs are given: those of each, or those of what they make up.",
+              .description = "Which quantities the sliders set: those of each spring, or those of the material.",
               .kind = Kind::Choice, .max = double(parameterizations.size() - 1), .scope = Scope::Setting, .choices = parameterizations, .applies = has_springs,
               .read = [](const Scene& s) { return double(s.parameterization); },
               .write = [](Scene& s, double value) { s.parameterization = static_cast<SpringParameterization>(value); }},
     Parameter{.name = "stiffness", .field = "", .group = "Springs", .label = "Stiffness k", .unit = "N/m",
-              .description = "Force per stretched metre of every spring.",
+              .description = "Force per elongation of every spring.",
               .min = 0.01, .max = 1e6, .default_value = 100, .logarithmic = true, .scope = Scope::SpringStiffness, .applies = has_plain_stiffness,
               .read = read_springs<SpringSlider{&Spring::stiffness}>, .write = write_springs<SpringSlider{&Spring::stiffness}>},
     Parameter{.name = "stiffness_per_strain", .field = "", .group = "Springs", .label = "Stiffness Y", .unit = "N",
-              .description = "Force of every spring per strain: k = Y / rest length.",
+              .description = "Force per strain of every spring: k = Y / rest length.",
               .min = 0.001, .max = 1e6, .default_value = 10, .logarithmic = true, .scope = Scope::SpringStiffness,
               .weight = Weight::InverseLength, .applies = is_per_strain,
               .read = read_springs<SpringSlider{&Spring::stiffness, Weight::InverseLength}>,
               .write = write_springs<SpringSlider{&Spring::stiffness, Weight::InverseLength}>},
     Parameter{.name = "sheet_stiffness", .field = "", .group = "Springs", .label = "Stretch E t", .unit = "N/m",
-              .description = "Young's modulus times thickness of the cloth; springs that bend it, over the next point but one, keep their own k.",
+              .description = "Young's modulus times thickness of the cloth; bend springs keep their own k.",
               .min = 0.01, .max = 1e6, .default_value = 1000, .logarithmic = true, .scope = Scope::SpringStiffness,
               .weight = Weight::SheetWeight, .applies = is_sheet_material,
               .read = read_springs<SpringSlider{&Spring::stiffness, Weight::SheetWeight}>,
               .write = write_springs<SpringSlider{&Spring::stiffness, Weight::SheetWeight}>},
     Parameter{.name = "sheet_density", .field = "", .group = "Springs", .label = "Density", .unit = "kg/m^2",
-              .description = "Mass of an area of the cloth.",
+              .description = "Mass per area of the cloth.",
               .min = 0.001, .max = 100, .default_value = 0.2, .logarithmic = true, .scope = Scope::PointMass, .applies = is_sheet_material,
               .read = read_density, .write = write_density},
     Parameter{.name = "structural_springs", .field = "structural_springs", .group = "Springs", .label = "Structural springs", .unit = "",
@@ -211,11 +211,11 @@ const std::array rows{
               .read = read_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Shear}>,
               .write = write_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Shear}>},
     Parameter{.name = "bend_springs", .field = "bend_springs", .group = "Springs", .label = "Bend springs", .unit = "",
-              .description = "Whether the springs over the next point but one of cloths act.",
+              .description = "Whether the springs to the second next point of cloths act.",
               .kind = Kind::Switch, .default_value = 1, .family = SpringFamily::Bend, .applies = has_family<SpringFamily::Bend>,
               .read = read_family_switch<SpringFamily::Bend>, .write = write_family_switch<SpringFamily::Bend>},
     Parameter{.name = "bend_stiffness", .field = "", .group = "Springs", .label = "Bend k", .unit = "N/m",
-              .description = "Stiffness of every spring over the next point but one of cloths.",
+              .description = "Stiffness of every spring to the second next point of cloths.",
               .min = 0.01, .max = 1e6, .default_value = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
               .family = SpringFamily::Bend, .applies = has_bend_stiffness,
               .read = read_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Bend}>,
@@ -226,37 +226,37 @@ const std::array rows{
               .read = [](const Scene& s) { return s.system.dashpots_on ? 1.0 : 0.0; },
               .write = [](Scene& s, double value) { s.system.dashpots_on = value != 0.0; }},
     Parameter{.name = "damping", .field = "", .group = "Springs", .label = "Damping d", .unit = "N s/m",
-              .description = "Force along the spring per speed at which its ends part, of every spring.",
+              .description = "Force of every spring per speed of elongation.",
               .min = 0, .max = 1e4, .default_value = 0, .logarithmic = true, .scope = Scope::SpringDamping, .applies = has_plain_damping,
               .read = read_springs<SpringSlider{&Spring::damping}>, .write = write_springs<SpringSlider{&Spring::damping}>},
     Parameter{.name = "damping_per_length", .field = "", .group = "Springs", .label = "Damping per length", .unit = "N s/m^2",
-              .description = "Dashpot of every spring, by its length: d = this times the rest length.",
+              .description = "Dashpot of every spring by its length: d = c times the rest length.",
               .min = 0, .max = 1e5, .default_value = 0, .logarithmic = true, .scope = Scope::SpringDamping,
               .weight = Weight::Length, .applies = is_by_size,
               .read = read_springs<SpringSlider{&Spring::damping, Weight::Length}>,
               .write = write_springs<SpringSlider{&Spring::damping, Weight::Length}>},
     Parameter{.name = "sheet_damping", .field = "", .group = "Springs", .label = "Damping \u03b7", .unit = "N s/m",
-              .description = "Viscosity of the cloth times its thickness: what E t is for stiffness.",
+              .description = "Viscosity times thickness of the cloth: for the dashpots what E t is for the springs.",
               .min = 0, .max = 1e4, .default_value = 0, .logarithmic = true, .scope = Scope::SpringDamping,
               .weight = Weight::SheetWeight, .applies = is_sheet_material,
               .read = read_springs<SpringSlider{&Spring::damping, Weight::SheetWeight}>,
               .write = write_springs<SpringSlider{&Spring::damping, Weight::SheetWeight}>},
     Parameter{.name = "break_strain", .field = "break_strain", .group = "Springs", .label = "Breaks at strain", .unit = "",
-              .description = "Strain at which every spring breaks, and the faces along it go; 0: only those that have a strain of their own.",
+              .description = "Strain at which every spring breaks, with the faces along it, unless its own break strain is smaller; 0: only its own counts.",
               .min = 0, .max = 10, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
               .read = [](const Scene& s) { return s.system.break_strain; },
               .write = [](Scene& s, double value) { s.system.break_strain = value; }},
     Parameter{.name = "strain_limit_percent", .field = "strain_limit_percent", .group = "Springs", .label = "Limit on strain", .unit = "%",
-              .description = "Springs are held to this strain by force, which takes energy from the scene; 0: none.",
+              .description = "Strain that no spring exceeds; the limit keeps linear momentum but dissipates energy; 0: none.",
               .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
               .read = [](const Scene& s) { return 100.0 * s.system.strain_limit; },
               .write = [](Scene& s, double value) { s.system.strain_limit = value / 100.0; }},
     Parameter{.name = "radius", .field = "", .group = "Points", .label = "Radius r", .unit = "m",
-              .description = "What is drawn of every point, and the distance at which it touches.",
+              .description = "Radius that is drawn for every point, and its distance of contact.",
               .min = 0.001, .max = 1, .default_value = 0.02, .logarithmic = true, .scope = Scope::PointSize,
               .read = read_radius, .write = write_radius},
-    Parameter{.name = "mass_follows_radius", .field = "defaults.mass_follows_radius", .group = "Points", .label = "Mass goes with r\u00b2", .unit = "",
-              .description = "Whether a point whose radius is set gets mass in proportion to the radius squared.",
+    Parameter{.name = "mass_follows_radius", .field = "defaults.mass_follows_radius", .group = "Points", .label = "Mass follows r\u00b2", .unit = "",
+              .description = "Whether setting the radius of a point scales its mass by the radius squared.",
               .kind = Kind::Switch, .default_value = 0, .omit_if_default = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.mass_follows_radius ? 1.0 : 0.0; },
               .write = [](Scene& s, double value) { s.defaults.mass_follows_radius = value != 0.0; }},
@@ -266,17 +266,17 @@ const std::array rows{
               .read = [](const Scene& s) { return s.system.drag_on ? 1.0 : 0.0; },
               .write = [](Scene& s, double value) { s.system.drag_on = value != 0.0; }},
     Parameter{.name = "drag", .field = "drag", .group = "Surroundings", .label = "Drag c", .unit = "1/s",
-              .description = "Rate at which the air takes speed from every point.",
+              .description = "Rate at which the velocity of every point relative to the air decays.",
               .min = 0, .max = 100, .default_value = 0, .physical = not_negative, .logarithmic = true,
               .read = [](const Scene& s) { return s.system.drag; },
               .write = [](Scene& s, double value) { s.system.drag = value; }},
     Parameter{.name = "gravity", .field = "", .group = "Surroundings", .label = "Gravity", .unit = "m/s^2",
-              .description = "Size of the gravity; its direction is the scene's.",
+              .description = "Magnitude of gravity; its direction is kept.",
               .min = 0, .max = 30, .default_value = 9.81, .scope = Scope::Gravity,
               .read = [](const Scene& s) { return glm::length(s.system.gravity); },
               .write = set_gravity},
     Parameter{.name = "restitution", .field = "", .group = "Surroundings", .label = "Restitution", .unit = "",
-              .description = "Speed after a bounce against the speed before, on every collider.",
+              .description = "Ratio of the normal speeds after and before an impact, on every collider.",
               .min = 0, .max = 1, .default_value = 0, .scope = Scope::Colliders,
               .read = [](const Scene& s) { return first_of_colliders(s, &Collider::restitution); },
               .write = [](Scene& s, double value) { set_colliders(s, &Collider::restitution, value); }},
@@ -286,39 +286,53 @@ const std::array rows{
               .read = [](const Scene& s) { return first_of_colliders(s, &Collider::friction); },
               .write = [](Scene& s, double value) { set_colliders(s, &Collider::friction, value); }},
     Parameter{.name = "new_stiffness", .field = "defaults.stiffness", .group = "New parts", .label = "New springs' k", .unit = "N/m",
-              .description = "Stiffness of the springs that are attached from now on.",
+              .description = "Stiffness of springs that are added from now on.",
               .min = 0.01, .max = 1e6, .default_value = 100, .physical = not_negative, .logarithmic = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.stiffness; },
               .write = [](Scene& s, double value) { s.defaults.stiffness = value; }},
     Parameter{.name = "new_damping", .field = "defaults.damping", .group = "New parts", .label = "New springs' d", .unit = "N s/m",
-              .description = "Damping of the springs that are attached from now on.",
+              .description = "Damping of springs that are added from now on.",
               .min = 0, .max = 1e4, .default_value = 0, .physical = not_negative, .logarithmic = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.damping; },
               .write = [](Scene& s, double value) { s.defaults.damping = value; }},
     Parameter{.name = "new_mass", .field = "defaults.mass", .group = "New parts", .label = "New points' mass", .unit = "kg",
-              .description = "Mass of the points that are added from now on.",
+              .description = "Mass of points that are added from now on.",
               .min = 1e-6, .max = 1e3, .default_value = 1, .physical = positive, .logarithmic = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.mass; },
               .write = [](Scene& s, double value) { s.defaults.mass = value; }},
-    Parameter{.name = "pull", .field = "", .group = "Hand", .label = "Pull, not hold", .unit = "",
-              .description = "Whether dragging pulls the point with a spring; else the point follows the cursor exactly.",
+    Parameter{.name = "pull", .field = "", .group = "Hand", .label = "Drag with a spring", .unit = "",
+              .description = "Whether a spring pulls the dragged point; otherwise the point follows the cursor exactly.",
               .kind = Kind::Switch, .default_value = 0,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.grab == GrabKind::Pull ? 1.0 : 0.0; },
               .write = [](Scene& s, double value) { s.defaults.grab = value != 0.0 ? GrabKind::Pull : GrabKind::Hold; }},
-    Parameter{.name = "pull_stiffness", .field = "defaults.pull_stiffness", .group = "Hand", .label = "Pull of the hand", .unit = "N/m",
-              .description = "Stiffness of the spring between the cursor and a pulled point; 0 fits it to the point.",
+    Parameter{.name = "pull_stiffness", .field = "defaults.pull_stiffness", .group = "Hand", .label = "Stiffness of the drag", .unit = "N/m",
+              .description = "Stiffness of the spring between the cursor and the dragged point; 0: chosen from the springs of the point.",
               .min = 0, .max = 1e6, .default_value = 0, .physical = not_negative, .logarithmic = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.pull_stiffness; },
               .write = [](Scene& s, double value) { s.defaults.pull_stiffness = value; }},
     Parameter{.name = "hand_speed", .field = "hand_speed", .group = "Hand", .label = "Top speed", .unit = "m/s",
-              .description = "The hand moves no faster than this and lags behind the cursor; 0: as fast as the cursor.",
+              .description = "Maximum speed of the dragged point, which then lags behind the cursor; 0: unlimited.",
               .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.system.hand_speed; },
               .write = [](Scene& s, double value) { s.system.hand_speed = value; }},
 };
 // clang-format on
 
+// Fails to compile if there is no such row.
+consteval const Parameter& row_named(std::string_view name) {
+  for (const Parameter& row : rows)
+    if (row.name == name) return row;
+  throw "no such parameter";
+}
+
 }  // namespace
+
+constinit const Parameter& substeps_parameter = row_named("substeps");
+constinit const Parameter& speed_parameter = row_named("speed");
+constinit const Parameter& stiffness_parameter = row_named("stiffness");
+constinit const Parameter& new_stiffness_parameter = row_named("new_stiffness");
+constinit const Parameter& drag_parameter = row_named("drag");
+constinit const Parameter& friction_parameter = row_named("friction");
 
 std::span<const Parameter> parameters() { return rows; }
 

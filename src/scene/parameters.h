@@ -1,4 +1,5 @@
-// The table of parameters: from a row follow a slider, a scene field, `--set NAME=VALUE` and a line of the manual.
+// The table of parameters: from a row follow a slider, a scene field, `--set NAME=VALUE` and lines of the manual and of
+// docs/scene-format.md.
 #pragma once
 
 #include <optional>
@@ -19,10 +20,10 @@ struct ParameterChoice {
 
 struct Parameter {
   enum class Kind { Number, Integer, Switch, Choice };
-  // What a write changes, and so what its inverse must hold. Number and Setting: the one number that `read` gives; a Setting is not part
-  // of the Plan, it takes effect with the next frame.
+  // What a write changes, and so what its inverse must store. Number and Setting: only the value that `read` returns; a Setting is not part
+  // of the Plan and takes effect with the next frame.
   enum class Scope { Number, Setting, Gravity, Colliders, SpringStiffness, SpringDamping, PointMass, PointSize };
-  // What k or d of each spring is of the value.
+  // The weight by which the k or d of each spring follows from the value.
   enum class Weight { One, InverseLength, Length, SheetWeight };
   std::string_view name;         // on the command line
   std::string_view field;        // in a scene file, dotted: "simulation.substeps"; empty: not a field of its own
@@ -34,12 +35,12 @@ struct Parameter {
   double min = 0.0, max = 1.0, default_value = 0.0;  // the range of the slider and of `--set`
   Bounds physical{};                                 // what a scene file may hold: numbers beyond the slider's range as well
   bool logarithmic = false;                          // the slider's scale
-  bool omit_if_default = false;                      // from a file that would hold the usual value
+  bool omit_if_default = false;                      // from files
   Scope scope = Scope::Number;
   std::optional<SpringFamily> family{};           // the springs that it sets; none: all
   Weight weight = Weight::One;                    // of those springs
-  std::span<const ParameterChoice> choices{};     // the value is the place of one
-  bool (*applies)(const Scene& scene) = nullptr;  // whether the scene has what the row sets; null: every scene has
+  std::span<const ParameterChoice> choices{};     // the value is an index of these
+  bool (*applies)(const Scene& scene) = nullptr;  // whether the scene has what the row sets; null: always
   double (*read)(const Scene& scene) = nullptr;
   void (*write)(Scene& scene, double value) = nullptr;
 };
@@ -49,10 +50,14 @@ std::span<const Parameter> parameters();
 // The row of this name, or null.
 const Parameter* find_parameter(std::string_view name);
 
-// What the spring's k or d is of the value, in the dimension that the row says; 0: the row is not about it. `sheet` may be null.
+// Rows that other modules refer to.
+extern const Parameter &substeps_parameter, &speed_parameter, &stiffness_parameter, &new_stiffness_parameter, &drag_parameter,
+    &friction_parameter;
+
+// The k or d of the spring divided by the value of the parameter; 0: the parameter does not set this spring. `sheet` may be null.
 double weight_of(const Parameter& parameter, const SheetWeights* sheet, const Spring& spring);
 
-// The one value shown for many: theirs, or where they differ by more than rounding, their mean.
+// The one value shown for many: their common value, or their mean if they differ by more than rounding.
 class CommonValue {
  public:
   void include(double value);
@@ -65,7 +70,7 @@ class CommonValue {
   bool is_uniform_ = true;
 };
 
-// Within the row's range; whole where the row says so. NaN becomes the usual value.
+// The value within the parameter's range, rounded for integers. NaN becomes the default.
 double clamp_to(const Parameter& parameter, double value);
 
 }  // namespace hooke

@@ -26,7 +26,7 @@ std::string value_text(double min, double max) { return "k = " + number(min) + (
 
 Tuning tune_stiffness(const Status& status, const Selection& selection, int direction) {
   const System& system = *status.snapshot->system;
-  const Parameter& row = *find_parameter("stiffness");
+  const Parameter& row = stiffness_parameter;
   const std::vector<SpringId> affected = affected_springs(system, selection);
 
   Tuning tuning;
@@ -44,7 +44,7 @@ Tuning tune_stiffness(const Status& status, const Selection& selection, int dire
   } else {
     for (const Spring& spring : system.springs()) include(spring);
     const double new_stiffness = stepped(status.document->defaults.stiffness, direction, status.document->controls, row);
-    tuning.commands.push_back(SetParameter{find_parameter("new_stiffness"), new_stiffness});
+    tuning.commands.push_back(SetParameter{&new_stiffness_parameter, new_stiffness});
     tuning.message =
         set.values.empty() ? value_text(new_stiffness, new_stiffness) + " (new springs)" : value_text(min, max) + " (all springs)";
   }
@@ -53,7 +53,7 @@ Tuning tune_stiffness(const Status& status, const Selection& selection, int dire
 }
 
 Tuning tune_substeps(const Status& status, int direction) {
-  const Parameter& row = *find_parameter("substeps");
+  const Parameter& row = substeps_parameter;
   const int now = status.snapshot->settings.substeps;
   // the next multiple in that direction
   const int steps = direction > 0 ? now / substeps_at_once + 1 : (now + substeps_at_once - 1) / substeps_at_once - 1;
@@ -62,7 +62,7 @@ Tuning tune_substeps(const Status& status, int direction) {
 }
 
 Tuning tune_speed(const Status& status, double times) {
-  const Parameter& row = *find_parameter("speed");
+  const Parameter& row = speed_parameter;
   const double next = clamp_to(row, times * status.snapshot->settings.speed);
   return {{SetParameter{&row, next}}, number(next) + "\u00d7 real time"};
 }

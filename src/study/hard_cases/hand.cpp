@@ -103,7 +103,7 @@ void set_sliders(MonitoredRun& run, const Sliders& to) {
   run.lab().submit(stiffness);
   run.lab().submit(damping);
   run.lab().submit(mass);
-  run.lab().submit(SetParameter{find_parameter("drag"), to.drag});
+  run.lab().submit(SetParameter{&drag_parameter, to.drag});
   run.lab().advance(0.0, [] { return true; });
 }
 
@@ -127,7 +127,7 @@ Verdict judge_slider_jumps(const Integrator& method) {
     const State before = run.state();
     const double energy = compute_energy(run.system(), before).total(), jump = expected_energy_jump(run.system(), before, to);
     set_sliders(run, to);
-    run.lab().submit(RestoreParameter{find_parameter("substeps"), static_cast<double>(settings_of(run.system()).substeps)});
+    run.lab().submit(RestoreParameter{&substeps_parameter, static_cast<double>(settings_of(run.system()).substeps)});
 
     moved = moved || before.position != run.state().position || before.velocity != run.state().velocity;
     const double change = compute_energy(run.system(), run.state()).total() - energy;

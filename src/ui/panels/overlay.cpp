@@ -118,7 +118,7 @@ std::string display_text(const Advice& advice, const Settings& settings) {
 void take_advice(const Advice& advice, const Settings& settings, Requests& requests) {
   const bool changes_method = advice.integrator != settings.integrator;
   if (changes_method) requests.emplace_back(Edit{SetIntegrator{advice.integrator}});
-  requests.emplace_back(Edit{RestoreParameter{find_parameter("substeps"), static_cast<double>(advice.substeps)}, changes_method});
+  requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(advice.substeps)}, changes_method});
   requests.emplace_back(Control(GoToStart{}));
   requests.emplace_back(Control(SetRunning{true}));
 }

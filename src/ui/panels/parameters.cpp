@@ -45,7 +45,7 @@ NumberField field_of(const Parameter& row, const ControlRanges& controls, double
                     .value = value,
                     .integer = row.kind == Parameter::Kind::Integer,
                     .logarithmic = row.logarithmic};
-  const bool is_stiffness = row.name == "stiffness" || row.name == "new_stiffness";
+  const bool is_stiffness = &row == &stiffness_parameter || &row == &new_stiffness_parameter;
   if (is_stiffness && controls.stiffness_max > 0.0) {
     field.min = controls.stiffness_min;
     field.max = controls.stiffness_max;
@@ -132,7 +132,7 @@ void parameter_row(const Parameter& row, double value, const AffectedSprings& af
     NumberField field = field_of(row, input.status.document->controls, value);
     if (row.scope == Parameter::Scope::Colliders) {
       const auto& colliders = input.status.snapshot->system->colliders;
-      const auto property = row.name == "friction" ? &Collider::friction : &Collider::restitution;
+      const auto property = &row == &friction_parameter ? &Collider::friction : &Collider::restitution;
       field.enabled = std::ranges::any_of(colliders, &Collider::solid);
       field.mixed = std::ranges::any_of(colliders, [&](const Collider& each) { return each.*property != value; });
     }
