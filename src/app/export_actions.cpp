@@ -61,23 +61,23 @@ void App::update_export() {
 
 void App::start_export() {
   ExportState& export_state = panels_.export_state;
-  const ExportKind& kind = export_kinds()[export_state.kind];
+  const FileKind& kind = export_kinds()[export_state.kind];
   const std::filesystem::path file = typed_path(export_state.path);
   if (file.extension() != kind.extension)
     return panels_.show_message("Cannot export", "The path must end in " + std::string(kind.extension) + ".");
-  if (kind.extension == ".png") {
+  if (kind.source == ExportSource::Picture) {
     picture_file_ = file;
     export_state.is_shown = false;
     return;
   }
 
   export_file_ = file;
-  if (kind.quantities && !kind.over_time) return export_plots(file);
-  if (!kind.over_time) return export_as_it_stands(file);
+  if (kind.source == ExportSource::Plots) return export_plots(file);
+  if (kind.source == ExportSource::Scene) return export_as_it_stands(file);
   Scene scene = *lab_.copy_scene().get();
 
   FrameExport wanted{.file = file, .seconds = export_state.seconds, .quantities = {}};
-  if (kind.quantities)
+  if (kind.has_quantities)
     if (const std::string error = read_quantities(export_state.quantities, scene.system, wanted.quantities); !error.empty())
       return panels_.show_message("Cannot export", error);
   export_state.fraction = 0.0;

@@ -8,7 +8,7 @@
 #include "base/file_limits.h"
 #include "base/printable.h"
 #include "formats/open_file.h"
-#include "scene/generators.h"
+#include "scene/shape.h"
 
 namespace hooke {
 namespace {

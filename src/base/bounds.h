@@ -1,4 +1,4 @@
-// Numbers that a quantity may be.
+// The values that a quantity may have.
 #pragma once
 
 #include <limits>
@@ -11,10 +11,10 @@ struct Bounds {
   double max = std::numeric_limits<double>::infinity();
   bool min_excluded = false;
   bool contains(double value) const { return (min_excluded ? exceeds_min(value) : value >= min) && value <= max; }
-  std::string text() const;  // "must be at least 0"
+  std::string text() const;  // "must be at least 0", for messages
 
  private:
-  // Denormal numbers count as zero: one over them is no number.
+  // Denormal numbers count as zero: their reciprocal overflows.
   bool exceeds_min(double value) const { return value > min && !(min == 0.0 && value < std::numeric_limits<double>::min()); }
 };
 

@@ -2,33 +2,12 @@
 
 #include <algorithm>
 
-#include "base/json_field.h"
-#include "base/json_text.h"
 #include "base/printable.h"
 #include "base/read_file.h"
 #include "formats/png_picture.h"
 
 namespace hooke {
 namespace {
-
-std::string description_in(const std::filesystem::path& file) {
-  std::string description;
-  const std::string name = printable(file.native());
-  try {
-    const std::string text = read_file(file);
-    JsonParser parser;
-    const auto read_member = [&](std::string_view key, std::string_view value) {
-      if (key == "description") description = JsonField(name, key, parser.parse(value)).text();
-    };
-    walk_json(text, name,
-              {.is_list = [](std::string_view) { return false; },
-               .item = [](std::string_view, std::size_t, std::string_view) {},
-               .member = read_member});
-  } catch (const std::runtime_error&) {  // Refused or FileError: opening it says more
-    description.clear();
-  }
-  return description;
-}
 
 constexpr std::uint8_t placeholder_gray = 0x20;
 
@@ -42,18 +21,32 @@ void blit(const Picture& thumbnail, Picture& atlas, int left, int top) {
 
 }  // namespace
 
+GalleryEntry read_gallery_entry(const JsonField& field) {
+  GalleryEntry entry;
+  bool has_group = false;
+  for (const JsonField member : field.members()) {
+    if (member.is("group")) {
+      entry.group = member.text();
+      has_group = true;
+    } else if (member.is("order"))
+      entry.order = static_cast<int>(member.integer(0, 1'000'000));
+    else if (member.is("thumbnail_seconds"))
+      entry.thumbnail_seconds = member.number({.min = 0.0, .max = 60.0});
+  }
+  if (!has_group) field.refuse_missing("group", "must be a text");
+  return entry;
+}
+
 const std::vector<GalleryCard>& gallery_cards() {
   static const std::vector<GalleryCard> cards = [] {
     std::vector<GalleryCard> result;
-    for (const ShippedScene& scene : shipped_scenes()) result.push_back({&scene, description_in(scene.file)});
+    for (const ShippedScene& scene : shipped_scenes()) result.push_back({&scene, scene.description});
     return result;
   }();
   return cards;
 }
 
-std::filesystem::path thumbnail_file(const ShippedScene& scene) {
-  return scene.file.parent_path().parent_path() / "thumbnails" / (scene.id + ".png");
-}
+std::filesystem::path thumbnail_file(const ShippedScene& scene) { return assets_folder() / "thumbnails" / (scene.id + ".png"); }
 
 Picture read_thumbnails() {
   const auto count = static_cast<int>(shipped_scenes().size()), rows = (count + thumbnail_columns - 1) / thumbnail_columns;
@@ -64,7 +57,7 @@ Picture read_thumbnails() {
     try {
       blit(decode_png(read_file(file), printable(file.native())), atlas, i % thumbnail_columns * thumbnail_width,
            i / thumbnail_columns * thumbnail_height);
-    } catch (const std::runtime_error&) {  // Refused or FileError: a card without a picture is still a card
+    } catch (const std::runtime_error&) {  // InputError or FileError: the card stays without a picture
     }
   }
   return atlas;

@@ -7,6 +7,7 @@
 #include "base/errors.h"
 #include "base/file_limits.h"
 #include "base/printable.h"
+#include "formats/file_kinds.h"
 
 namespace hooke {
 namespace {
@@ -58,5 +59,11 @@ Picture decode_png(std::string_view bytes, const std::string& name) {
   while (picture.width > max_decoded_side || picture.height > max_decoded_side) picture = halved(picture);
   return picture;
 }
+
+constinit const FileKind png_file{.extension = ".png",
+                                  .title = "Picture",
+                                  .source = ExportSource::Picture,
+                                  .label = "Picture",
+                                  .description = "The current view of the scene, without the panels."};
 
 }  // namespace hooke

@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "base/printable.h"
 #include "base/text_lines.h"
+#include "formats/file_kinds.h"
 
 namespace hooke {
 namespace {
@@ -56,5 +57,29 @@ void PointCacheWriter::close() {
   file_.overwrite(0, bytes_of(header));
   file_.commit();
 }
+
+namespace {
+
+class CacheSink : public FrameSink {
+ public:
+  CacheSink(const std::filesystem::path& file, Index points) : writer_(file, points) {}
+  void add(const System&, const State& state) override { writer_.add(state.position); }
+  void finish() override { writer_.close(); }
+
+ private:
+  PointCacheWriter writer_;
+};
+
+}  // namespace
+
+constinit const FileKind pc2_file{
+    .extension = ".pc2",
+    .title = "Point cache",
+    .open_frames = [](const std::filesystem::path& file, const System& system, const std::vector<Quantity>&) -> std::unique_ptr<FrameSink> {
+      return std::make_unique<CacheSink>(file, system.point_count());
+    },
+    .source = ExportSource::Frames,
+    .label = "Point cache",
+    .description = "The position of each point in each frame from now on, for Blender's Mesh Cache modifier on the .obj."};
 
 }  // namespace hooke

@@ -34,19 +34,24 @@ std::string format_scene(const Scene& scene, const Progress& progress = {});
 // is as it was. So it is when `progress` ends it, which is a FileError too.
 void save_scene(const Scene& scene, const std::filesystem::path& file, const Progress& progress = {});
 
-// The file of a shipped scene by its name ("cloth"), in the installed place or the source tree; none if unknown.
+// A scene that ships with Hooke: a file in assets/scenes with a "gallery" entry.
 struct ShippedScene {
-  std::string id;     // "cloth"
-  std::string title;  // "Cloth"
+  std::string id;           // "cloth", the name of the file
+  std::string title;        // "Cloth"
+  std::string description;  // what to try, and what to see
   std::filesystem::path file;
-  std::string_view group;    // "Lessons": those of a group follow each other
-  double thumbnail_seconds;  // [s] after its start
+  std::string group;  // "Lessons"
+  int order = 0;
+  double thumbnail_seconds = 0.0;  // [s], when its thumbnail is taken
 };
 
-// In the order of the menu and the gallery.
+// In the order of the menu and the gallery, group by group. Read once.
 const std::vector<ShippedScene>& shipped_scenes();
 
-// What SCENE on a command line means: a path if there is such a file, else a shipped scene's id. Throws FileError.
+// The folder of scenes, textures and thumbnails, of the installation or the source tree.
+const std::filesystem::path& assets_folder();
+
+// The file that SCENE on a command line stands for: a path to an existing file, or the id of a shipped scene. Throws FileError.
 std::filesystem::path find_scene(const std::string& name);
 
 }  // namespace hooke

@@ -54,6 +54,7 @@ struct PreservedJson {
   using Members = std::string;                    // "\"a\": 1, \"b\": [2]": members without the braces
   std::string generators;                         // the list as it stood; empty: none
   std::string check;                              // the object as it stood (scene_check.h); empty: none
+  std::string gallery;                            // the object as it stood (gallery.h); empty: none
   Members unknown;                                // at the top
   std::map<std::string, Members> unknown_inside;  // in an object: "simulation", "view.camera", "colliders[0]"
   std::map<PointId, Members> unknown_of_points;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
-#include "scene/generators.h"
 #include "scene/shapes/rows.h"
 
 namespace hooke {
@@ -23,22 +23,38 @@ Vec3 rotated(const Shape& shape, const Vec3& v) {
 
 }  // namespace
 
-std::span<const ShapeKind> shape_kinds() {
-  static const std::array rows{hanging_rope_shape, chain_shape, sheet_shape,  curtain_shape,
-                               flag_shape,         net_shape,   bridge_shape, jelly_shape};
-  return rows;
+Table<ShapeKind> shape_kinds() {
+#define ROW(name) &name##_shape,
+  static constexpr const ShapeKind* rows[] = {
+#include "scene/shapes/list.inc"
+  };
+#undef ROW
+  return Table<ShapeKind>(rows, {});
+}
+
+Table<ShapeKind> placeable_shapes() {
+  static const std::vector<const ShapeKind*> rows = [] {
+    std::vector<const ShapeKind*> placeable;
+    for (const ShapeKind& kind : shape_kinds())
+      if (kind.is_placeable()) placeable.push_back(&kind);
+    return placeable;
+  }();
+  return Table<ShapeKind>(rows, {});
 }
 
 const ShapeKind* find_shape_kind(std::string_view id) {
-  const auto rows = shape_kinds();
-  const auto row = std::ranges::find(rows, id, &ShapeKind::id);
-  return row == rows.end() ? nullptr : &*row;
+  for (const ShapeKind& kind : shape_kinds())
+    if (kind.id == id) return &kind;
+  return nullptr;
 }
 
 double Shape::operator[](std::string_view name) const {
   const auto row = std::ranges::find(kind->numbers, name, &ShapeNumber::name);
+  assert(row != kind->numbers.end());
   return values[static_cast<std::size_t>(row - kind->numbers.begin())];
 }
+
+bool Shape::has(std::string_view name) const { return !std::isnan((*this)[name]); }
 
 Shape default_shape(const ShapeKind& kind) {
   Shape shape{.kind = &kind};
@@ -52,7 +68,7 @@ void generate(const Shape& shape, Network& network) {
   const std::size_t first = network.points.size();
   shape.kind->make(shape, network);
   for (std::size_t i = first; i < network.points.size(); ++i) {
-    network.position[i] = shape.at + rotated(shape, network.position[i]);
+    if (shape.kind->vectors.empty()) network.position[i] = shape.at + rotated(shape, network.position[i]);
     if (shape.color) network.points[i].color = shape.color;
   }
 }

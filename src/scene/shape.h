@@ -1,69 +1,111 @@
-// Shapes that a scene file and the window's menu make from a few numbers: sheets, curtains, bridges and others. From a row of
-// the table follow the type in scene files, its fields there and in the panel, and its lines in the manual.
+// Shapes: cloths, ropes, sheets, bridges and others that are made from a few numbers. The generators of a scene file and the
+// window's Add menu come from this table: a row defines the type in files, its fields there and on the panel, and its entry in
+// docs/scene-format.md.
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
-#include "sim/system.h"
+#include "base/table.h"
+#include "scene/network.h"
 
 namespace hooke {
 
-struct Network;
-struct ElementCount;
 struct Shape;
 
-// A number by which a shape is set.
+inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+
+// A number that a shape is made from.
 struct ShapeNumber {
   std::string_view name;   // in files
   std::string_view label;  // on the slider
   std::string_view unit;
-  double min, max, default_value;  // of the slider; a file may go beyond `most`
+  double min, max, default_value;  // range of the slider; a file may exceed `max`. `not_given`: has no default
   bool integer = false;
-  bool is_3d_only = false;  // 0 in a 2-D scene
+  bool is_3d_only = false;             // 0 in a 2-D scene
+  bool is_required = false;            // in a file
+  std::int64_t max_integer = 100'000;  // in a file; keeps the product of three counts within 64 bits
+  std::span<const std::string_view> choices = {} /* the value is the index of one of these words */;
 };
 
-inline constexpr std::size_t max_shape_numbers = 9;
+// A position or edge that a file must give, or a list of counts.
+struct ShapeVector {
+  std::string_view name;
+  std::string_view format = "[x, y, z]";  // in messages
+  std::size_t counts = 0;                 // 0: coordinates [m]; else this many integers of at least 2
+};
+
+// A word that stands for points of the shape in its list of nails.
+struct NailKeyword {
+  std::string_view word;
+  std::vector<Index> (*points)(const Shape& shape);  // indices within the shape
+};
+
+// A field whose value contradicts another, or is missing; an empty field: the shape as a whole.
+struct ShapeError {
+  std::string_view field;
+  std::string text;
+};
+
+inline constexpr std::size_t max_shape_numbers = 13, max_shape_vectors = 4;
 
 struct ShapeKind {
   std::string_view id;           // in files
-  std::string_view label;        // in the menu
+  std::string_view label;        // in the menu; empty: only in files
   std::string_view description;  // one sentence
+  std::string_view details;      // for the documentation: formulas and limits
   std::span<const ShapeNumber> numbers;
-  std::span<const std::string_view> supports;  // what it can be nailed by; the first is usual
-  bool is_3d_only;                             // has no place in a 2-D scene
-  ElementCount (*element_count)(const Shape& shape);
-  // Appends it with its middle at the origin, upright: y is up.
-  void (*make)(const Shape& shape, Network& network);
+  std::span<const std::string_view> supports = {};  // how it can be nailed; the first is the default
+  std::span<const ShapeVector> vectors = {};        // place the shape instead of `at`, `turn` and `tilt`
+  std::span<const NailKeyword> nail_keywords = {};  // a list of nails instead of a support; empty: takes no list
+  bool is_3d_only = false;                          // not available in a 2-D scene
+  std::optional<ShapeError> (*check)(const Shape& shape) = nullptr;
+  ElementCount (*element_count)(const Shape& shape) = nullptr;
+  // Appends the shape. Without vectors it is centred at the origin and upright (y is up).
+  void (*make)(const Shape& shape, Network& network) = nullptr;
+
+  bool is_placeable() const { return !label.empty(); }
 };
 
-std::span<const ShapeKind> shape_kinds();
+// All rows, and those that the window offers.
+Table<ShapeKind> shape_kinds();
+Table<ShapeKind> placeable_shapes();
 
 // The row with this id, or null.
 const ShapeKind* find_shape_kind(std::string_view id);
 
-// One as a scene has it.
+// A shape of a scene.
 struct Shape {
   const ShapeKind* kind = nullptr;
-  Vec3 at{0.0};                   // [m], of its middle
+  Vec3 at{0.0};                   // [m], its centre
   double turn = 0.0, tilt = 0.0;  // [degrees], about the vertical axis after about the x axis
   std::optional<Color> color;
-  std::size_t support = 0;                         // one of the kind's holds
-  std::array<double, max_shape_numbers> values{};  // as many as the row has, in its order
+  std::size_t support = 0;                         // index into the kind's supports
+  std::array<double, max_shape_numbers> values{};  // in the order of the kind's numbers
+  std::array<Vec3, max_shape_vectors> vectors{};   // in the order of the kind's vectors
+  std::vector<Index> nails;                        // indices within the shape
 
-  // By its name; the kind must have it.
+  // A number by its name, which the kind must have; NaN if it was not given.
   double operator[](std::string_view name) const;
+  bool has(std::string_view name) const;
+  std::optional<double> find(std::string_view name) const { return has(name) ? std::optional((*this)[name]) : std::nullopt; }
+  double value_or(std::string_view name, double otherwise) const { return find(name).value_or(otherwise); }
   std::int64_t count(std::string_view name) const { return static_cast<std::int64_t>((*this)[name]); }
   std::string_view support_name() const { return kind->supports[support]; }
 };
 
-// With the usual numbers.
+// With the default numbers.
 Shape default_shape(const ShapeKind& kind);
 
+// The number of elements, without making them.
 ElementCount element_count_of(const Shape& shape);
-// Appends it, turned and put in its place.
+
+// Appends the shape, rotated and moved to its place. Masses and stiffnesses may overflow: the caller checks them.
 void generate(const Shape& shape, Network& network);
 
 }  // namespace hooke

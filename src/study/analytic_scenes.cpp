@@ -5,7 +5,8 @@
 #include <numeric>
 #include <utility>
 
-#include "scene/generators.h"
+#include "scene/shapes/cloth.h"
+#include "scene/shapes/rope.h"
 
 namespace hooke {
 namespace {

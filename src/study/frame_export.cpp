@@ -2,58 +2,17 @@
 
 #include <cmath>
 
-#include "base/atomic_write.h"
 #include "base/errors.h"
-#include "base/file_limits.h"
 #include "base/printable.h"
-#include "formats/point_cache.h"
+#include "formats/file_kind.h"
 #include "lab/lab.h"
 
 namespace hooke {
-namespace {
-
-// Receives the frames; `finish` puts the file in its place.
-class FrameSink {
- public:
-  virtual ~FrameSink() = default;
-  virtual void add(const System& system, const State& state) = 0;
-  virtual void finish() = 0;
-};
-
-class TableSink : public FrameSink {
- public:
-  explicit TableSink(const FrameExport& request) : request_(request), text_(csv_heading(request.quantities)) {}
-  void add(const System& system, const State& state) override {
-    text_ += csv_row(request_.quantities, system, state);
-    if (text_.size() > max_file_bytes)
-      throw InputError(printable(request_.file.native()) + ": more than 256 MiB: fewer quantities or seconds");
-  }
-  void finish() override { write_atomically(request_.file, text_); }
-
- private:
-  const FrameExport& request_;
-  std::string text_;
-};
-
-class CacheSink : public FrameSink {
- public:
-  CacheSink(const FrameExport& request, Index points) : writer_(request.file, points) {}
-  void add(const System&, const State& state) override { writer_.add(state.position); }
-  void finish() override { writer_.close(); }
-
- private:
-  PointCacheWriter writer_;
-};
-
-}  // namespace
-
 void write_frames(Scene scene, const FrameExport& request, const Progress& progress) {
-  const bool is_table = request.file.extension() == ".csv";
-  std::unique_ptr<FrameSink> sink;
-  if (is_table)
-    sink = std::make_unique<TableSink>(request);
-  else
-    sink = std::make_unique<CacheSink>(request, scene.system.point_count());
+  const FileKind* kind = find_file_kind(request.file);
+  if (kind == nullptr || kind->open_frames == nullptr)
+    throw InputError(printable(request.file.native()) + ": file format: is not written over time");
+  const std::unique_ptr<FrameSink> sink = kind->open_frames(request.file, scene.system, request.quantities);
 
   constexpr double round_off = 1e-9;
   const double exact_frames = request.seconds * scene.settings.frame_rate;

@@ -1,4 +1,4 @@
-// What a scene does from here on, frame by frame into a file: quantities as a table, or all points as a point cache.
+// Runs a scene from its current state and writes each frame to a file: a table of quantities, or a point cache.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,13 @@
 namespace hooke {
 
 struct FrameExport {
-  std::filesystem::path file;        // .csv or .pc2
+  std::filesystem::path file;        // of a kind that is written over time
   double seconds = 2.0;              // [s], from the scene's state on
   std::vector<Quantity> quantities;  // of a .csv
 };
 
-// Steps the scene and writes its start and the end of every frame. `progress` is told the share that is done, and may stop
-// it: then there is no file. Throws InputError or FileError; a run that diverges leaves what came before and throws InputError with the
-// reason.
+// Writes the start and the end of each frame. `progress` receives the fraction done and may stop the run: then no file is
+// written. Throws InputError or FileError; a run that diverges writes the frames before and throws InputError with the reason.
 void write_frames(Scene scene, const FrameExport& request, const Progress& progress);
 
 }  // namespace hooke

@@ -46,7 +46,7 @@ TEST(Export, TheBoxOffersEveryKindAndFollowsItWithTheEnding) {
   GuiTrial gui(load_scene(find_scene("two_masses")).scene);
   gui.key(letter('E'), {.control = true});
   const std::string words = gui.words();
-  for (const ExportKind& kind : export_kinds()) EXPECT_NE(words.find(kind.label), std::string::npos) << kind.label;
+  for (const FileKind& kind : export_kinds()) EXPECT_NE(words.find(kind.label), std::string::npos) << kind.label;
   EXPECT_TRUE(gui.app().panels().export_state.path.ends_with("untitled.obj")) << gui.app().panels().export_state.path;
   gui.click(gui.find("export", {"Table (.csv)"}));
   EXPECT_TRUE(gui.app().panels().export_state.path.ends_with("untitled.csv")) << gui.app().panels().export_state.path;

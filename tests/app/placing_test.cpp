@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "scene/generators.h"
+#include "scene/shape.h"
 #include "support/gui_trial.h"
 #include "support/scratch_folder.h"
 
@@ -27,12 +27,12 @@ TEST(Placement, TheMenuOffersEveryShapeOfTheTable) {
   gui.click(gui.find("menu", {"Add"}));
   gui.frames(3);
   const std::string words = gui.words();
-  for (const ShapeKind& kind : shape_kinds()) EXPECT_NE(words.find(kind.label), std::string::npos) << kind.label;
+  for (const ShapeKind& kind : placeable_shapes()) EXPECT_NE(words.find(kind.label), std::string::npos) << kind.label;
   EXPECT_NE(words.find("From a mesh"), std::string::npos);
 }
 
 TEST(Placement, ThePanelHasAFieldForEveryNumber) {
-  for (const ShapeKind& kind : shape_kinds()) {
+  for (const ShapeKind& kind : placeable_shapes()) {
     GuiTrial gui(is_3d_only());
     choose(gui, kind.id);
     const std::string words = gui.words();
@@ -76,7 +76,7 @@ TEST(Placement, EnterPlacesItAsOneStepOfUndo) {
 }
 
 TEST(Placement, EveryShapeComesIntoTheSceneAsItIsMade) {
-  for (const ShapeKind& kind : shape_kinds()) {
+  for (const ShapeKind& kind : placeable_shapes()) {
     GuiTrial gui(is_3d_only());
     const ElementCount element_count = element_count_of(choose(gui, kind.id).shape);
     gui.key(Key::Enter);

@@ -81,7 +81,7 @@ TEST(OpenFile, EachEndingHasItsReader) {
   EXPECT_EQ(load_file(folder.file("scene", "{\"hooke\": 1}")).scene.system.point_count(), 0);
 
   const std::string ply = folder.file("a.ply", "ply").string();
-  EXPECT_EQ(refusal([&] { load_file(ply); }), ply + ": kind of file: .ply: is only written: must be .json, .xsp or .obj to be read");
+  EXPECT_EQ(refusal([&] { load_file(ply); }), ply + ": file format: .ply: can only be written: must be .json, .obj or .xsp");
   EXPECT_THROW(load_file(folder.folder / "none.obj"), FileError);
   EXPECT_EQ(refusal([&] { load_file(folder.file("bad\n.xsp", "")); }),
             folder.folder.string() + "/bad\\n.xsp: line 1: \"\": must begin with #1.0");
@@ -104,7 +104,7 @@ TEST(OpenFile, EachEndingHasItsWriter) {
             folder.folder.string() + "/b.xsp: dimensions: 3: must be 2 to be written as .xsp");
   EXPECT_EQ(read_file(folder.folder / "b.xsp"), "old");
   EXPECT_EQ(refusal([&] { write_scene_as(scene, folder.folder / "b.stl"); }),
-            folder.folder.string() + "/b.stl: kind of file: \".stl\": must be .json, .xsp, .obj or .ply");
+            folder.folder.string() + "/b.stl: file format: \".stl\": must be .json, .obj, .ply or .xsp");
 
   Scene flat = load_file(folder.file("c.xsp", "#1.0\nmass 1 100 0 0 0 1 1\nmass 2 50 0 0 0 1 1\nspng 1 1 2 5 1 50\n")).scene;
   flat.system.spring(0).break_strain = 0.5;

@@ -6,9 +6,9 @@
 #include <functional>
 #include <glm/geometric.hpp>
 
-#include "formats/mesh_cloth.h"
-#include "formats/mesh_file.h"
-#include "formats/weld_vertices.h"
+#include "formats/mesh/mesh_cloth.h"
+#include "formats/mesh/mesh_file.h"
+#include "formats/mesh/weld_vertices.h"
 #include "sim/divergence.h"
 #include "sim/energy.h"
 #include "sim/integrator.h"

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "formats/xsp_file.h"
+#include "formats/xsp/xsp_file.h"
 #include "sim/divergence.h"
 #include "sim/integrator.h"
 #include "sim/step.h"

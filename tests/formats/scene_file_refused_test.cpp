@@ -289,7 +289,7 @@ TEST(BadScenes, GeneratorsAreCheckedBeforeTheyMakeAnything) {
       {rope_with(R"("points": 2, "stiffness": 1, "mass_model": "lumped")"),
        "generators[0].mass_model: \"lumped\": must be \"equal\" or \"tributary\""},
       {rope_with(R"("points": 2, "stiffness": 1, "nail": ["top"])"),
-       "generators[0].nail[0]: \"top\": must be a point number or one of from to here"},
+       "generators[0].nail[0]: \"top\": must be a point number or one of from, to"},
       {rope_with(R"("points": 2, "stiffness": 1, "nail": [2])"), "generators[0].nail[0]: 2: must be a whole number from 0 to 1"},
       {cloth_with(R"("stiffness": 1, "points": [2])"), "generators[0].points: [2]: must have 2 items"},
       {cloth_with(R"("stiffness": 1, "points": [2, 2], "density": 1, "mass": 1)"),
@@ -368,7 +368,7 @@ TEST(BadSceneFiles, WhatCannotBeOpenedIsAFileError) {
     find_scene("no_such_scene");
     FAIL();
   } catch (const FileError& error) {
-    EXPECT_EQ(std::string(error.what()).find("no_such_scene: no such file, and none of the scenes that ship: cloth, "), 0u);
+    EXPECT_EQ(std::string(error.what()).find("no_such_scene: no such file or shipped scene: the shipped scenes are cloth, "), 0u);
   }
 }
 

@@ -8,7 +8,6 @@
 
 #include "formats/scene_file.h"
 #include "lab/lab.h"
-#include "scene/parameters.h"
 #include "sim/integrator.h"
 #include "support/contents.h"
 
@@ -45,11 +44,6 @@ TEST(ShippedScenes, TheListNamesEveryFileAndNoOther) {
   for (const auto& entry : std::filesystem::directory_iterator(shipped_scenes().front().file.parent_path()))
     there.insert(entry.path().filename());
   EXPECT_EQ(listed, there);
-}
-
-TEST(ShippedScenes, AreAllNamedInTheReadme) {
-  const std::string readme = contents(DOCS_FOLDER "/../README.md");
-  for (const ShippedScene& scene : shipped_scenes()) EXPECT_NE(readme.find("`" + scene.id + "`"), std::string::npos) << scene.id;
 }
 
 TEST(ShippedScenes, SayInTwoSentencesWhatToTryAndWhatToSee) {
@@ -266,14 +260,6 @@ TEST(SceneFormatPage, ItsExampleLoadsWithoutWarnings) {
   const LoadedScene loaded = parse_scene(page.substr(begin, end - begin), "example");
   EXPECT_EQ(loaded.warnings, std::vector<std::string>{});
   EXPECT_EQ(loaded.scene.system.point_count(), 22);
-}
-
-TEST(SceneFormatPage, NamesEveryParameterThatIsAField) {
-  const std::string page = scene_format_page();
-  for (const Parameter& row : parameters()) {
-    const std::string_view field = row.field.substr(row.field.rfind('.') + 1);
-    EXPECT_TRUE(field.empty() || page.find("`" + std::string(field) + "`") != std::string::npos) << row.field;
-  }
 }
 
 TEST(SceneFormatPage, DescribesEveryForce) {

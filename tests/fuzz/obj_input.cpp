@@ -1,6 +1,6 @@
 #include "fuzz/obj_input.h"
 
-#include "formats/mesh_file.h"
+#include "formats/mesh/mesh_file.h"
 #include "fuzz/sound.h"
 
 namespace hooke {

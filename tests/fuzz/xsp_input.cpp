@@ -1,6 +1,6 @@
 #include "fuzz/xsp_input.h"
 
-#include "formats/xsp_file.h"
+#include "formats/xsp/xsp_file.h"
 #include "fuzz/sound.h"
 
 namespace hooke {

@@ -10,7 +10,7 @@
 #include "edit/field_names.h"
 #include "formats/scene_file.h"
 #include "lab/lab.h"
-#include "scene/generators.h"
+#include "scene/shape.h"
 #include "scene/parameters.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"

@@ -7,8 +7,7 @@
 
 #include "formats/scene_file.h"
 #include "lab/lab.h"
-#include "scene/generators.h"
-#include "support/contents.h"
+#include "scene/shape.h"
 
 namespace hooke {
 namespace {
@@ -36,7 +35,7 @@ double mass_of(const Network& network, bool nails_too = true) {
 // All that can be held in every way, at the usual numbers, and at the least and at some odd ones.
 std::vector<Shape> all_shapes() {
   std::vector<Shape> shapes;
-  for (const ShapeKind& kind : shape_kinds())
+  for (const ShapeKind& kind : placeable_shapes())
     for (std::size_t support = 0; support < kind.supports.size(); ++support) {
       shapes.push_back(default_shape(kind));
       shapes.back().support = support;
@@ -172,7 +171,7 @@ std::string scene_with(const std::string& generator, int dimensions = 3) {
 }
 
 TEST(Shapes, InAFileComeBackAsTheyWere) {
-  for (const ShapeKind& kind : shape_kinds()) {
+  for (const ShapeKind& kind : placeable_shapes()) {
     const std::string text =
         scene_with(R"({"type": ")" + std::string(kind.id) + R"(", "at": [0.1, 0.2, 0.3], "turn": 30, "tilt": 10, "color": "#102030"})");
     const LoadedScene first = parse_scene(text, "first");
@@ -185,7 +184,7 @@ TEST(Shapes, InAFileComeBackAsTheyWere) {
 }
 
 TEST(Shapes, RunForASecondAtTheirUsualNumbers) {
-  for (const ShapeKind& kind : shape_kinds()) {
+  for (const ShapeKind& kind : placeable_shapes()) {
     Scene scene = parse_scene(scene_with(R"({"type": ")" + std::string(kind.id) + R"("})"), kind.id.data()).scene;
     scene.settings.substeps = 60;
     Lab lab(std::move(scene));
@@ -217,19 +216,6 @@ TEST(Shapes, AreRefusedWhereTheyCannotBe) {
             "x.json: generators[0].held: \"tightly\": must be one of top_corners, corners, edge, ring, nothing");
   EXPECT_NE(refusal(scene_with(R"({"type": "net", "mass": -1})")).find("mass"), std::string::npos);
   EXPECT_NE(refusal(scene_with(R"({"type": "bridge", "span": 1e400})")), "accepted");
-}
-
-TEST(SceneFormatPage, DescribesEveryShape) {
-  const std::string page = contents(DOCS_FOLDER "/scene-format.md");
-  for (const ShapeKind& kind : shape_kinds()) {
-    const std::size_t row = page.find("| `" + std::string(kind.id) + "` |", page.find("### Shapes"));
-    ASSERT_NE(row, std::string::npos) << kind.id;
-    const std::string line = page.substr(row, page.find('\n', row) - row);
-    for (const ShapeNumber& number : kind.numbers)
-      EXPECT_NE(line.find("`" + std::string(number.name) + "`"), std::string::npos) << kind.id << ' ' << number.name;
-    for (const std::string_view support_name : kind.supports)
-      EXPECT_NE(line.find(support_name), std::string::npos) << kind.id << ' ' << support_name;
-  }
 }
 
 }  // namespace

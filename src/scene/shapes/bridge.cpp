@@ -18,7 +18,7 @@ constexpr ShapeNumber numbers[] = {
 
 bool is_flat(const Shape& shape) { return !(shape["width"] > 0.0); }
 
-// One truss of n panels; its points are told apart by their numbers from the first:
+// One truss of n panels; points are numbered from the first:
 //        n+1 --- n+2 --- ...        the top, n points
 //       /   \   /   \   /
 //      0 --- 1 --- 2 --- ... n      the deck, n + 1 points
@@ -56,7 +56,7 @@ void make(const Shape& shape, Network& network) {
   make_truss(shape, builder, half, mass);
   make_truss(shape, builder, -half, mass);
 
-  // beams across, and crosses in the deck, at the top and between them, without which it would fold
+  // cross beams, and diagonals in the deck, at the top and between them, without which it would collapse sideways
   const double k = shape["stiffness"], d = shape["damping"];
   const std::size_t near = builder.first(), far = near + 2 * n + 1;
   for (std::size_t i = 0; i < 2 * n + 1; ++i) builder.add_spring(near + i, far + i, k, d);
@@ -75,7 +75,8 @@ void make(const Shape& shape, Network& network) {
 
 constinit const ShapeKind bridge_shape{.id = "bridge",
                                        .label = "Bridge",
-                                       .description = "A truss of beams that rests on both its ends; without a width it is flat.",
+                                       .description = "A truss of beams on two supports; with a width of 0 it is flat.",
+                                       .details = "`stiffness` and `damping` are those of each beam",
                                        .numbers = numbers,
                                        .supports = supports,
                                        .is_3d_only = false,

@@ -1,9 +1,9 @@
-// What shapes are built with: points and springs by their place in the network, springs at rest as they are drawn.
+// Appends points and springs to a network. Springs are at rest as drawn.
 #pragma once
 
 #include <glm/geometric.hpp>
 
-#include "scene/generators.h"
+#include "scene/network.h"
 
 namespace hooke {
 

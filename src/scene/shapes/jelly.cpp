@@ -1,7 +1,7 @@
 // A jelly: points in a cubic lattice of spacing a, springs along its edges and across the diagonals of its squares, all of
 // the same stiffness k. For small strains that is an isotropic solid: C11 = 3 k / a, C12 = C44 = k / a (Born and Huang 1954,
 // section 11, central forces between the nearest and next nearest), so that Poisson's ratio is 1/4 and E = 5/2 k / a. A
-// spring on the surface belongs to fewer cubes than one inside and has that share of k; points have their share of the mass.
+// spring on the surface belongs to fewer cubes than one inside and has that fraction of k; points likewise of the mass.
 #include "scene/shapes/builder.h"
 #include "scene/shapes/rows.h"
 
@@ -16,7 +16,7 @@ constexpr ShapeNumber numbers[] = {
     {"damping", "Dashpots to springs", "s", 0.0, 0.1, 0.004},
 };
 
-// From a point to those that it is joined to: each pair once.
+// From a point to its neighbours, each pair once.
 struct Direction {
   int x, y, z;
 };
@@ -29,7 +29,7 @@ class Lattice {
   std::size_t number(std::int64_t x, std::int64_t y, std::int64_t z) const { return static_cast<std::size_t>((z * n_[1] + y) * n_[0] + x); }
   std::int64_t side(int axis) const { return n_[axis]; }
   bool contains(int axis, std::int64_t at) const { return at >= 0 && at < n_[axis]; }
-  // The share of what lies at this place along an axis: a half on the surface.
+  // The weight of a place along an axis: a half on the surface.
   double fraction(int axis, std::int64_t at) const { return at == 0 || at == n_[axis] - 1 ? 0.5 : 1.0; }
   template <class Visit>
   void for_each(Visit visit) const {
@@ -45,11 +45,11 @@ class Lattice {
 ElementCount element_count(const Shape& shape) {
   const auto x = static_cast<std::uint64_t>(shape.count("columns")), y = static_cast<std::uint64_t>(shape.count("rows")),
              z = static_cast<std::uint64_t>(shape.count("layers"));
-  ElementCount element_count{.points = x * y * z};
-  element_count.springs = (x - 1) * y * z + x * (y - 1) * z + x * y * (z - 1);
-  element_count.springs += 2 * ((x - 1) * (y - 1) * z + (x - 1) * y * (z - 1) + x * (y - 1) * (z - 1));
-  element_count.faces = 4 * ((x - 1) * (y - 1) + (x - 1) * (z - 1) + (y - 1) * (z - 1));
-  return element_count;
+  ElementCount count{.points = x * y * z};
+  count.springs = (x - 1) * y * z + x * (y - 1) * z + x * y * (z - 1);
+  count.springs += 2 * ((x - 1) * (y - 1) * z + (x - 1) * y * (z - 1) + x * (y - 1) * (z - 1));
+  count.faces = 4 * ((x - 1) * (y - 1) + (x - 1) * (z - 1) + (y - 1) * (z - 1));
+  return count;
 }
 
 void make_points(const Shape& shape, const Lattice& lattice, ShapeBuilder& builder) {
@@ -81,7 +81,7 @@ void make_springs(const Shape& shape, const Lattice& lattice, ShapeBuilder& buil
   });
 }
 
-// Two triangles a square of the surface, seen from outside the corners go round to the left.
+// Two triangles for each square of the surface, counter-clockwise as seen from outside.
 void make_faces(const Lattice& lattice, ShapeBuilder& builder) {
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -114,7 +114,10 @@ void make(const Shape& shape, Network& network) {
 
 constinit const ShapeKind jelly_shape{.id = "jelly",
                                       .label = "Jelly cube",
-                                      .description = "A soft solid: points in a lattice, the same stuff at every spacing.",
+                                      .description = "A soft solid: points in a lattice, the same material at every spacing.",
+                                      .details =
+                                          "An isotropic solid of Poisson's ratio 1/4: k = 2/5 E a along the edges and diagonals of its "
+                                          "cubes with E = `young` and a = `spacing`, and d = `damping` k",
                                       .numbers = numbers,
                                       .supports = supports,
                                       .is_3d_only = true,

@@ -1,13 +1,12 @@
-// The rows of the table of shapes, each in the file of its family.
+// Declarations of the shapes of list.inc. Each file of this folder defines one of them.
 #pragma once
 
 #include "scene/shape.h"
 
 namespace hooke {
 
-extern const ShapeKind hanging_rope_shape, chain_shape;                    // lines.cpp
-extern const ShapeKind sheet_shape, curtain_shape, flag_shape, net_shape;  // sheets.cpp
-extern const ShapeKind bridge_shape;                                       // bridge.cpp
-extern const ShapeKind jelly_shape;                                        // jelly.cpp
+#define ROW(name) extern const ShapeKind name##_shape;
+#include "scene/shapes/list.inc"
+#undef ROW
 
 }  // namespace hooke

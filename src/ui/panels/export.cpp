@@ -2,8 +2,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
-#include <array>
-
+#include "formats/file_kind.h"
 #include "scene/quantity.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
@@ -12,30 +11,20 @@
 namespace hooke {
 namespace {
 
-constexpr std::array rows{
-    ExportKind{".obj", "Mesh", "Points, faces and loose springs as they stand now, in the Wavefront format.", false, false, false},
-    ExportKind{".ply", "Mesh with strain", "The same in the Stanford format, with the strain at every vertex.", false, false, false},
-    ExportKind{".pc2", "Point cache", "Where every point is in every frame from now on: Blender's Mesh Cache plays it on the .obj.", true,
-               false, false},
-    ExportKind{".csv", "Table", "Quantities in every frame from now on.", true, true, false},
-    ExportKind{".csv", "Plots", "What the plots show, as far back as the frames of the run go.", false, true, false},
-    ExportKind{".xsp", "XSpringies", "A flat scene for XSpringies, as it stands now.", false, false, true},
-    ExportKind{".png", "Picture", "The scene as it is seen now, without the panels.", false, false, false},
-};
-
 // The ending that the kind has, in place of another kind's.
 void follow_kind(ExportState& export_state) {
-  const std::string_view extension = rows[export_state.kind].extension;
-  for (const ExportKind& row : rows)
+  const std::string_view extension = export_kinds()[export_state.kind].extension;
+  for (const FileKind& row : export_kinds())
     if (export_state.path.ends_with(row.extension)) export_state.path.resize(export_state.path.size() - row.extension.size());
   export_state.path += extension;
 }
 
 void kinds(ExportState& export_state, bool is_flat) {
   ImGui::PushStyleColor(ImGuiCol_FrameBg, palette::pressed);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    ImGui::BeginDisabled(rows[i].flat_only && !is_flat);
-    if (ImGui::RadioButton((std::string(rows[i].label) + " (" + std::string(rows[i].extension) + ")").c_str(), export_state.kind == i)) {
+  for (std::size_t i = 0; i < export_kinds().size(); ++i) {
+    const FileKind& kind = export_kinds()[i];
+    ImGui::BeginDisabled(kind.is_flat_only && !is_flat);
+    if (ImGui::RadioButton((std::string(kind.label) + " (" + std::string(kind.extension) + ")").c_str(), export_state.kind == i)) {
       export_state.kind = i;
       follow_kind(export_state);
     }
@@ -45,8 +34,8 @@ void kinds(ExportState& export_state, bool is_flat) {
 }
 
 void over_time(ExportState& export_state, Panels& panels) {
-  const ExportKind& kind = rows[export_state.kind];
-  if (!kind.over_time) return;
+  const FileKind& kind = export_kinds()[export_state.kind];
+  if (kind.source != ExportSource::Frames) return;
   const NumberField field{.label = "From now on",
                           .unit = "s",
                           .description = "The scene is run on from where it stands; what is on the screen stays.",
@@ -56,7 +45,7 @@ void over_time(ExportState& export_state, Panels& panels) {
                           .value = export_state.seconds,
                           .logarithmic = true};
   if (const auto value = number_row(field, panels)) export_state.seconds = *value;
-  if (!kind.quantities) return;
+  if (!kind.has_quantities) return;
   dim_text("Quantities, with commas between");
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputText("##quantities", &export_state.quantities);
@@ -83,8 +72,6 @@ void buttons(ExportState& export_state) {
 
 }  // namespace
 
-std::span<const ExportKind> export_kinds() { return rows; }
-
 void build_export(const PanelInput& input, Panels& panels) {
   ExportState& export_state = panels.export_state;
   if (!export_state.is_shown) return;
@@ -107,7 +94,7 @@ void build_export(const PanelInput& input, Panels& panels) {
   kinds(export_state, input.status.snapshot->system->dimensions == 2);
   ImGui::Dummy({0.0f, units(2.0)});
   ImGui::PushTextWrapPos(0.0f);
-  dim_text(std::string(rows[export_state.kind].description));
+  dim_text(std::string(export_kinds()[export_state.kind].description));
   ImGui::PopTextWrapPos();
   over_time(export_state, panels);
   dim_text("Path");

@@ -74,7 +74,7 @@ void scenes_menu(const PanelInput& input, Panels&, Requests& requests) {
 // Shapes to be placed, from their table.
 void add_menu(const PanelInput& input, Panels& panels, Requests&) {
   const bool is_flat = input.status.snapshot->system->dimensions == 2;
-  for (const ShapeKind& kind : shape_kinds()) {
+  for (const ShapeKind& kind : placeable_shapes()) {
     if (ImGui::MenuItem((std::string(kind.label) + "...").c_str(), nullptr, false, !kind.is_3d_only || !is_flat))
       panels.placement = {.shape = default_shape(kind), .is_new = true};
     tooltip(std::string(kind.description) + (kind.is_3d_only && is_flat ? " Not in a flat scene." : ""));

@@ -1,0 +1,13 @@
+// The parts of the documentation that are generated from tables: parameters, shapes, file formats and shipped scenes.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace hooke {
+
+// The page with its generated blocks up to date. A block lies between the lines "<!-- table NAME -->" and "<!-- end -->", NAME
+// being one of parameters, shapes, formats and scenes. `make_manual docs FILE...` writes pages, and a test compares them.
+std::string with_doc_tables(std::string_view page);
+
+}  // namespace hooke

@@ -1,0 +1,69 @@
+// The table of file formats: what Hooke reads, writes and exports. From a row follow the files that the open dialog lists, the
+// formats of `hooke convert`, the export dialog and the table in docs/file-formats.md.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/table.h"
+#include "formats/scene_file.h"
+#include "scene/quantity.h"
+
+namespace hooke {
+
+// A file that grows frame by frame. All members throw InputError or FileError.
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+  virtual void add(const System& system, const State& state) = 0;
+  // Puts the file in its place. Without it no file is left.
+  virtual void finish() = 0;
+};
+
+// What an export needs.
+enum class ExportSource {
+  None,     // not offered as an export
+  Scene,    // the current state: `format`
+  Frames,   // each frame from now on: `open_frames`
+  Plots,    // the plotted quantities, which the window has
+  Picture,  // the current view, which the window draws
+};
+
+struct FileKind {
+  std::string_view extension;  // ".json"
+  std::string_view title;      // "Wavefront mesh"
+  bool is_native = false;      // keeps everything; saving as another kind is an export
+  // From memory; `file` stands for the file in messages. Null: not readable.
+  LoadedScene (*parse)(std::string_view text, const std::string& file) = nullptr;
+  // Appends to `losses` what the format cannot represent, one sentence each. Throws InputError. Null: not written from a scene.
+  std::string (*format)(const Scene& scene, const std::string& file, std::vector<std::string>& losses) = nullptr;
+  // Null: not written over time.
+  std::unique_ptr<FrameSink> (*open_frames)(const std::filesystem::path& file, const System& system,
+                                            const std::vector<Quantity>& quantities) = nullptr;
+
+  ExportSource source = ExportSource::None;
+  std::string_view label = {};        // in the export dialog
+  std::string_view description = {};  // one sentence
+  bool has_quantities = false;        // the dialog asks for quantities
+  bool is_flat_only = false;          // only for 2-D scenes
+};
+
+Table<FileKind> file_kinds();
+
+// Those of the export dialog.
+Table<FileKind> export_kinds();
+
+// By the extension in any case; null if the table has none such.
+const FileKind* find_file_kind(const std::filesystem::path& file);
+
+// ".json, .obj or .xsp": the extensions that can be read, or to which a scene can be written.
+std::string readable_extensions();
+std::string writable_extensions();
+
+// A file of the native kind.
+bool is_scene_file(const std::filesystem::path& file);
+
+}  // namespace hooke

@@ -1,0 +1,167 @@
+#include "formats/mesh/mesh_cloth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <tuple>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/file_limits.h"
+#include "base/text_lines.h"
+
+namespace hooke {
+namespace {
+
+// What one cell gives to the spring between two points.
+struct SpringWeight {
+  Index first = 0, second = 0;  // points, first < second
+  double weight = 0.0;          // [m^2]: k = E t sum(weight) / l^2
+  bool is_side = false;         // not a diagonal
+};
+
+class ClothMaker {
+ public:
+  ClothMaker(CleanMesh mesh, const std::string& file, std::vector<std::string>& notes)
+      : mesh_(std::move(mesh)), file_(file), notes_(notes), material_(cloth_of_size(mesh_.size())) {}
+
+  Scene make() {
+    make_points();
+    make_springs();
+    make_faces();
+    add_floor();
+    scene_.sheet = std::make_shared<const SheetWeights>(std::move(sheet_));
+    return std::move(scene_);
+  }
+
+ private:
+  void make_points();
+  std::vector<SpringWeight> spring_weights() const;
+  void make_springs();
+  void make_faces();
+  void add_floor();
+
+  const CleanMesh mesh_;
+  const std::string& file_;
+  std::vector<std::string>& notes_;
+  const SheetMaterial material_;
+  SheetWeights sheet_;  // ids are places
+  Scene scene_;
+};
+
+void ClothMaker::make_points() {
+  std::vector<Point> points(mesh_.points.size());
+  for (Point& point : points) {
+    point.id = scene_.system.new_point_id();
+    point.mass = 0.0;
+  }
+  sheet_.area.assign(points.size(), 0.0);
+  for (const Cell& cell : mesh_.cells)
+    for (int c = 0; c < cell.size(); ++c) {
+      const auto corner = static_cast<std::size_t>(cell.corners[c]);
+      points[corner].mass += material_.density * cell.area / cell.size();
+      sheet_.area[corner] += cell.area / cell.size();
+    }
+  scene_.state.position = mesh_.points;
+  scene_.state.velocity.assign(points.size(), Vec3(0.0));
+  scene_.system.set_points(std::move(points));
+}
+
+std::vector<SpringWeight> ClothMaker::spring_weights() const {
+  std::vector<SpringWeight> spring_weights;
+  const auto add = [&](Index a, Index b, double weight, bool is_side) {
+    spring_weights.push_back({std::min(a, b), std::max(a, b), weight, is_side});
+  };
+  for (const Cell& cell : mesh_.cells) {
+    const auto& [a, b, c, d] = cell.corners;
+    const double side = cell.size() == 3 ? cell.area : 0.375 * cell.area;
+    for (int i = 0; i < cell.size(); ++i) add(cell.corners[i], cell.corners[(i + 1) % cell.size()], side, true);
+    if (cell.size() == 4) {
+      add(a, c, 0.75 * cell.area, false);
+      add(b, d, 0.75 * cell.area, false);
+    }
+  }
+  // the weights too, so that sums do not depend on how the sorting goes about it
+  std::sort(spring_weights.begin(), spring_weights.end(), [](const SpringWeight& s, const SpringWeight& t) {
+    return std::tie(s.first, s.second, s.weight, s.is_side) < std::tie(t.first, t.second, t.weight, t.is_side);
+  });
+  return spring_weights;
+}
+
+void ClothMaker::make_springs() {
+  System& system = scene_.system;
+  const auto& x = scene_.state.position;
+  const std::vector<SpringWeight> all = spring_weights();
+  std::vector<Spring> springs;
+  double sum_of_lengths = 0.0;
+  std::size_t non_manifold = 0;
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+    double weight = 0.0;
+    int sides = 0;
+    for (; end < all.size() && all[end].first == all[begin].first && all[end].second == all[begin].second; ++end) {
+      weight += all[end].weight;
+      sides += all[end].is_side ? 1 : 0;
+    }
+    non_manifold += sides > 2 ? 1 : 0;
+    if (springs.size() == max_springs)
+      throw InputError(file_ + ": springs: more than " + std::to_string(max_springs) + ": must be at most so many");
+
+    const Index first = all[begin].first, second = all[begin].second;
+    const double length = glm::distance(x[static_cast<std::size_t>(first)], x[static_cast<std::size_t>(second)]);
+    springs.push_back({.id = system.new_spring_id(),
+                       .first = system.points()[static_cast<std::size_t>(first)].id,
+                       .second = system.points()[static_cast<std::size_t>(second)].id,
+                       .family = sides > 0 ? SpringFamily::Structural : SpringFamily::Shear,
+                       .stiffness = material_.stiffness * weight / (length * length),
+                       .damping = material_.damping * weight / (length * length),
+                       .rest_length = length});
+    sheet_.spring_weight.push_back(weight / (length * length));
+    sum_of_lengths += length;
+  }
+
+  const double radius = 0.25 * sum_of_lengths / static_cast<double>(springs.size());
+  for (Index i = 0; i < system.point_count(); ++i) system.point(i).radius = radius;
+  system.set_springs(std::move(springs));
+  if (non_manifold > 0)
+    notes_.push_back(file_ + ": " + pluralize(non_manifold, "edge has", "edges have") + " more than two faces: one spring all the same");
+}
+
+void ClothMaker::make_faces() {
+  const auto id = [&](Index i) { return scene_.system.points()[static_cast<std::size_t>(i)].id; };
+  for (const Cell& cell : mesh_.cells) {
+    const auto& [a, b, c, d] = cell.corners;
+    scene_.system.faces.push_back({{id(a), id(b), id(c)}});
+    if (cell.size() == 4) scene_.system.faces.push_back({{id(a), id(c), id(d)}});
+  }
+}
+
+// Nothing is nailed: without a floor it would fall out of sight.
+void ClothMaker::add_floor() {
+  const Vec3 center = 0.5 * (mesh_.min + mesh_.max);
+  const double drop = 0.25 * mesh_.size();
+  const Plane floor{Vec3(center.x, mesh_.min.y - drop, center.z), Vec3(0.0, 1.0, 0.0)};
+  scene_.system.colliders.push_back({.shape = floor, .friction = 0.5});
+}
+
+}  // namespace
+
+SheetMaterial cloth_of_size(double size) {
+  constexpr double gravity = 9.81;  // [m/s^2]
+  SheetMaterial material;
+
+  // hung up, its weight a metre of width, density g size, stretches it by that over E t at the top
+  material.stiffness = 100.0 * material.density * gravity * size;
+
+  // d / k = 2 zeta / omega, for the slowest wave across it, omega = pi c / size, c = sqrt(E t / density)
+  constexpr double zeta = 0.02;
+  const double omega = std::numbers::pi / size * std::sqrt(material.stiffness / material.density);
+  material.damping = 2.0 * zeta / omega * material.stiffness;
+  return material;
+}
+
+Scene make_cloth(CleanMesh mesh, const std::string& file, std::vector<std::string>& notes) {
+  return ClothMaker(std::move(mesh), file, notes).make();
+}
+
+}  // namespace hooke

@@ -1,0 +1,127 @@
+#include "formats/mesh/mesh_file.h"
+
+#include <array>
+#include <bit>
+#include <cstring>
+#include <utility>
+
+#include "base/bounds.h"
+#include "base/printable.h"
+#include "formats/file_kinds.h"
+#include "formats/mesh/clean_mesh.h"
+#include "formats/mesh/mesh_cloth.h"
+#include "formats/mesh/obj_text.h"
+#include "formats/stable_stepping.h"
+#include "sim/energy.h"
+
+namespace hooke {
+namespace {
+
+// Springs that no face shows: at least one end belongs to none.
+std::vector<std::array<Index, 2>> springs_without_face(const System& system) {
+  std::vector<bool> is_on_face(system.points().size(), false);
+  for (const Face& face : system.faces)
+    for (const PointId id : face.points) is_on_face[static_cast<std::size_t>(system.index_of(id))] = true;
+  std::vector<std::array<Index, 2>> result;
+  for (const Spring& spring : system.springs()) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    if (!is_on_face[static_cast<std::size_t>(i)] || !is_on_face[static_cast<std::size_t>(j)]) result.push_back({i, j});
+  }
+  return result;
+}
+
+template <class Number>
+void append(std::string& bytes, Number number) {
+  static_assert(std::endian::native == std::endian::little);
+  char raw[sizeof number];
+  std::memcpy(raw, &number, sizeof number);
+  bytes.append(raw, sizeof raw);
+}
+
+}  // namespace
+
+LoadedScene parse_obj(std::string_view text, const std::string& file) {
+  LoadedScene loaded;
+  CleanMesh mesh = clean_mesh(parse_obj_text(text, file, loaded.warnings), file, loaded.warnings);
+  loaded.scene = make_cloth(std::move(mesh), file, loaded.warnings);
+  loaded.scene.name = std::filesystem::path(file).stem().string();
+  if (const auto warning = choose_stable_stepping(loaded.scene, Settings().substeps)) loaded.warnings.push_back(file + ": " + *warning);
+  return loaded;
+}
+
+// vertices count from 1
+std::string format_obj(const Scene& scene) {
+  std::string text = "# written by Hooke; metres\no " + printable(scene.name) + "\n";
+  for (const Vec3& x : scene.state.position) text += "v " + format_exact(x.x) + " " + format_exact(x.y) + " " + format_exact(x.z) + "\n";
+  const auto number = [&](PointId id) { return " " + std::to_string(scene.system.index_of(id) + 1); };
+  for (const Face& face : scene.system.faces) text += "f" + number(face.points[0]) + number(face.points[1]) + number(face.points[2]) + "\n";
+  for (const auto& [i, j] : springs_without_face(scene.system)) text += "l " + std::to_string(i + 1) + " " + std::to_string(j + 1) + "\n";
+  return text;
+}
+
+// The Stanford format, binary: a header in text, then the values, little end first.
+std::string format_ply(const Scene& scene) {
+  const System& system = scene.system;
+  const auto lines = springs_without_face(system);
+  std::string bytes =
+      "ply\nformat binary_little_endian 1.0\ncomment written by Hooke; metres; strain: mean l / l0 - 1 of the springs at the vertex\n"
+      "element vertex " +
+      std::to_string(system.points().size()) +
+      "\nproperty double x\nproperty double y\nproperty double z\nproperty float strain\n"
+      "element face " +
+      std::to_string(system.faces.size()) + "\nproperty list uchar int vertex_indices\n";
+  if (!lines.empty()) bytes += "element edge " + std::to_string(lines.size()) + "\nproperty int vertex1\nproperty int vertex2\n";
+  bytes += "end_header\n";
+
+  const std::vector<double> strains = strain_of_points(scene);
+  for (std::size_t i = 0; i < strains.size(); ++i) {
+    for (int c = 0; c < 3; ++c) append(bytes, scene.state.position[i][c]);
+    append(bytes, static_cast<float>(strains[i]));
+  }
+  for (const Face& face : system.faces) {
+    append(bytes, std::uint8_t{3});
+    for (const PointId id : face.points) append(bytes, std::int32_t{system.index_of(id)});
+  }
+  for (const auto& [i, j] : lines) {
+    append(bytes, std::int32_t{i});
+    append(bytes, std::int32_t{j});
+  }
+  return bytes;
+}
+
+std::vector<double> strain_of_points(const Scene& scene) {
+  const System& system = scene.system;
+  std::vector<double> sums(system.points().size(), 0.0);
+  std::vector<int> counts(system.points().size(), 0);
+  for (const Spring& spring : system.springs()) {
+    if (spring.rest_length == 0.0) continue;
+    const double spring_strain = strain(system, scene.state, spring);
+    for (const PointId id : {spring.first, spring.second}) {
+      const auto i = static_cast<std::size_t>(system.index_of(id));
+      sums[i] += spring_strain;
+      ++counts[i];
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    if (counts[i] > 0) sums[i] /= counts[i];
+  return sums;
+}
+
+constinit const FileKind obj_file{
+    .extension = ".obj",
+    .title = "Wavefront mesh",
+    .parse = parse_obj,
+    .format = [](const Scene& scene, const std::string&, std::vector<std::string>&) { return format_obj(scene); },
+    .source = ExportSource::Scene,
+    .label = "Mesh",
+    .description = "Points, faces and loose springs in their current state, in the Wavefront format."};
+
+constinit const FileKind ply_file{
+    .extension = ".ply",
+    .title = "Stanford mesh with strain",
+    .format = [](const Scene& scene, const std::string&, std::vector<std::string>&) { return format_ply(scene); },
+    .source = ExportSource::Scene,
+    .label = "Mesh with strain",
+    .description = "The same in the Stanford format, with the strain at each vertex."};
+
+}  // namespace hooke

@@ -1,0 +1,364 @@
+#include "formats/scene_json/scene_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "base/file_limits.h"
+#include "formats/texture.h"
+#include "scene/parameters.h"
+#include "sim/integrator.h"
+
+namespace hooke {
+namespace {
+
+// A direction as a unit vector; as it is when it is one already, so that what was saved comes back bit for bit.
+Vec3 to_unit(const JsonField& field, const Vec3& direction) {
+  constexpr double round_off = 1e-15;
+  const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+  if (largest == 0.0) field.refuse("must not be zero");
+  if (std::abs(glm::length(direction) - 1.0) < round_off) return direction;
+  const Vec3 scaled = direction / largest;
+  return scaled / glm::length(scaled);
+}
+
+// Reads how a collider moves; false: not one of those fields.
+bool read_path(const JsonField& field, SceneFields& fields, ColliderPath& path) {
+  if (field.is("oscillate"))
+    path.amplitude = fields.vector(field);
+  else if (field.is("frequency"))
+    path.frequency = field.number(not_negative);
+  else if (field.is("phase"))
+    path.phase = field.number();
+  else if (field.is("spin"))
+    path.spin = fields.vector(field);
+  else if (field.is("belt"))
+    path.belt = fields.vector(field);
+  else
+    return false;
+  return true;
+}
+
+// A box that turns, or a plane that tilts, would be another shape at every time.
+void check_spin(const JsonField& field, const Collider& collider) {
+  const Vec3& spin = collider.path.spin;
+  if (spin == Vec3(0.0)) return;
+  const auto* plane = std::get_if<Plane>(&collider.shape);
+  for (const JsonField member : field.members()) {
+    if (!member.is("spin")) continue;
+    if (std::holds_alternative<Box>(collider.shape)) member.refuse("must not be given to a box, which cannot turn");
+    if (plane != nullptr && glm::length(glm::cross(spin, plane->normal)) > 1e-9 * glm::length(spin))
+      member.refuse("must be along the normal of the plane");
+  }
+}
+
+// Reads what all colliders share; false: not one of those fields.
+bool read_surface(const JsonField& field, SceneFields& fields, Collider& collider) {
+  if (field.is("type") || read_path(field, fields, collider.path)) return true;
+  if (field.is("restitution"))
+    collider.restitution = field.number({.min = 0.0, .max = 1.0});
+  else if (field.is("friction"))
+    collider.friction = field.number(not_negative);
+  else if (field.is("solid"))
+    collider.solid = field.boolean();
+  else
+    return false;
+  return true;
+}
+
+// What a shape says of itself by two fields, each of which it must have.
+template <class First, class Second>
+void read_shape(const JsonField& field, SceneFields& fields, Scene& scene, Collider& collider, std::string_view first_key, First read_first,
+                std::string_view second_key, Second read_second) {
+  bool has_first = false, has_second = false;
+  for (const JsonField member : field.members()) {
+    if (read_surface(member, fields, collider)) continue;
+    if (member.is(first_key)) {
+      read_first(member);
+      has_first = true;
+    } else if (member.is(second_key)) {
+      read_second(member);
+      has_second = true;
+    } else
+      fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
+  }
+  if (!has_first) field.refuse_missing(first_key, "must be given");
+  if (!has_second) field.refuse_missing(second_key, "must be given");
+}
+
+void read_plane(const JsonField& field, SceneFields& fields, Scene& scene, Collider& collider) {
+  Plane plane;
+  read_shape(
+      field, fields, scene, collider, "point", [&](const JsonField& point) { plane.point = fields.vector(point); }, "normal",
+      [&](const JsonField& normal) { plane.normal = to_unit(normal, fields.vector(normal)); });
+  collider.shape = plane;
+}
+
+void read_sphere(const JsonField& field, SceneFields& fields, Scene& scene, Collider& collider) {
+  Sphere sphere;
+  read_shape(
+      field, fields, scene, collider, "center", [&](const JsonField& center) { sphere.center = fields.vector(center); }, "radius",
+      [&](const JsonField& radius) { sphere.radius = radius.number(positive); });
+  collider.shape = sphere;
+}
+
+void read_box(const JsonField& field, SceneFields& fields, Scene& scene, Collider& collider) {
+  Box box;
+  bool flat = true;
+  const auto read_corner = [&](Vec3& corner) {
+    return [&](const JsonField& member) {
+      corner = fields.vector(member);
+      flat = flat && member.value().Size() == 2;
+    };
+  };
+  read_shape(field, fields, scene, collider, "min", read_corner(box.min), "max", read_corner(box.max));
+
+  // a rectangle of a 2-D scene: so deep that the way out is never along z
+  if (flat) {
+    const double depth = std::min(box.max.x - box.min.x, box.max.y - box.min.y);
+    box.min.z = -depth;
+    box.max.z = depth;
+  }
+  for (int c = 0; c < 3; ++c)
+    if (!(box.min[c] < box.max[c])) field.refuse("must have a min below max in each direction");
+  collider.shape = box;
+}
+
+CameraPose read_camera(const JsonField& field, SceneFields& fields, Scene& scene) {
+  CameraPose pose;
+  for (const JsonField member : field.members()) {
+    if (member.is("eye"))
+      pose.eye = fields.vector(member);
+    else if (member.is("target"))
+      pose.target = fields.vector(member);
+    else if (member.is("up")) {
+      pose.up = fields.vector(member);
+      if (*pose.up == Vec3(0.0)) member.refuse("must not be zero");
+    } else if (member.is("orthographic"))
+      pose.orthographic = member.boolean();
+    else if (member.is("follow"))
+      pose.follows = member.boolean();
+    else
+      fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
+  }
+  if (pose.eye == pose.target) field.refuse("must have eye and target in two places");
+  return pose;
+}
+
+// The switch of this name; null: there is none.
+bool* view_flag_of(const JsonField& field, ViewSettings& view) {
+  if (field.is("surface")) return &view.surface;
+  if (field.is("springs")) return &view.springs;
+  if (field.is("points")) return &view.points;
+  if (field.is("strain_colors")) return &view.strain_colors;
+  if (field.is("shadows")) return &view.shadows;
+  return nullptr;
+}
+
+std::string ids_of_forces() {
+  std::string ids;
+  for (const ForceTerm& term : force_terms()) ids += (ids.empty() ? "" : ", ") + std::string(term.id);
+  return ids;
+}
+
+// Sets the number of this name, beyond the slider's range as well; false: the force has none such.
+bool read_force_number(const JsonField& member, Force& force) {
+  for (std::size_t i = 0; i < force.term->numbers.size(); ++i) {
+    const ForceParameter& number = force.term->numbers[i];
+    if (!member.is(number.name)) continue;
+    force.values[i] = member.number(number.min >= 0.0 ? Bounds{.min = number.min} : any_number);
+    return true;
+  }
+  return false;
+}
+
+// A circle that is none would be gone round without end in no time.
+constexpr double min_circle_radius = 1e-6;  // [m]
+
+void read_circle(const JsonField& field, SceneFields& fields, Scene& scene, ScriptedHand& hand) {
+  bool has_from = false, has_center = false;
+  for (const JsonField member : field.members()) {
+    if (member.is("from")) {
+      hand.from = fields.position(member);
+      has_from = true;
+    } else if (member.is("center")) {
+      hand.center = fields.position(member);
+      has_center = true;
+    } else if (member.is("axis"))
+      hand.axis = to_unit(member, fields.vector(member));
+    else
+      fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
+  }
+  if (!has_from) field.refuse_missing("from", "must be [x, y, z]");
+  if (!has_center) field.refuse_missing("center", "must be [x, y, z]");
+  const double radius = glm::length(glm::cross(hand.axis, hand.from - hand.center));
+  if (!(radius >= min_circle_radius) || !std::isfinite(radius))
+    field.refuse("must have from at least 1e-06 m beside the axis through center");
+}
+
+std::size_t read_choice(const Parameter& row, const JsonField& field) {
+  std::string ids;
+  for (std::size_t i = 0; i < row.choices.size(); ++i) {
+    if (field.text() == row.choices[i].id) return i;
+    ids += (ids.empty() ? "\"" : ", \"") + std::string(row.choices[i].id) + "\"";
+  }
+  field.refuse("must be one of " + ids);
+}
+
+std::string ids_of_integrators() {
+  std::string ids;
+  for (const Integrator& integrator : integrators()) ids += (ids.empty() ? "" : ", ") + std::string(integrator.id);
+  return ids;
+}
+
+}  // namespace
+
+bool read_parameter(const JsonField& field, Scene& scene) {
+  for (const Parameter& row : parameters()) {
+    if (row.field.empty() || row.field != field.path()) continue;
+    const auto min = static_cast<std::int64_t>(row.physical.min), max = static_cast<std::int64_t>(row.physical.max);
+    switch (row.kind) {
+      case Parameter::Kind::Switch:
+        row.write(scene, field.boolean() ? 1.0 : 0.0);
+        break;
+      case Parameter::Kind::Integer:
+        row.write(scene, static_cast<double>(field.integer(min, max)));
+        break;
+      case Parameter::Kind::Choice:
+        row.write(scene, static_cast<double>(read_choice(row, field)));
+        break;
+      case Parameter::Kind::Number:
+        row.write(scene, field.number(row.physical));
+        break;
+    }
+    return true;
+  }
+  return false;
+}
+
+void read_collider(const JsonField& field, SceneFields& fields, Scene& scene) {
+  Collider collider;
+  bool known = false;
+  for (const JsonField member : field.members()) {
+    if (!member.is("type")) continue;
+    known = true;
+    if (member.text() == "plane")
+      read_plane(field, fields, scene, collider);
+    else if (member.text() == "sphere")
+      read_sphere(field, fields, scene, collider);
+    else if (member.text() == "box")
+      read_box(field, fields, scene, collider);
+    else
+      member.refuse("must be \"plane\", \"sphere\" or \"box\"");
+  }
+  if (!known) field.refuse_missing("type", "must be \"plane\", \"sphere\" or \"box\"");
+  check_spin(field, collider);
+  scene.system.colliders.push_back(collider);
+}
+
+void read_force(const JsonField& field, SceneFields& fields, Scene& scene) {
+  Force force;
+  for (const JsonField member : field.members()) {
+    if (!member.is("type")) continue;
+    force.term = find_force_term(member.text());
+    if (force.term == nullptr) member.refuse("must be one of " + ids_of_forces());
+  }
+  if (force.term == nullptr) field.refuse_missing("type", "must be one of " + ids_of_forces());
+
+  force.values = default_values(*force.term);
+  for (const JsonField member : field.members()) {
+    if (member.is("type")) continue;
+    if (member.is("on"))
+      force.on = member.boolean();
+    else if (!read_force_number(member, force))
+      fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
+  }
+  scene.system.forces.push_back(force);
+}
+
+void read_hand(const JsonField& field, SceneFields& fields, Scene& scene) {
+  ScriptedHand hand;
+  bool has_point = false, has_circle = false, has_speed = false, has_seconds = false;
+  for (const JsonField member : field.members()) {
+    if (member.is("point")) {
+      hand.point = PointId{static_cast<std::uint32_t>(member.integer(0, static_cast<std::int64_t>(max_points) - 1))};
+      has_point = true;
+    } else if (member.is("circle")) {
+      read_circle(member, fields, scene, hand);
+      has_circle = true;
+    } else if (member.is("speed")) {
+      hand.speed = member.number({.min = 0.0, .max = 1e6});
+      has_speed = true;
+    } else if (member.is("begin"))
+      hand.begin = member.number();
+    else if (member.is("seconds")) {
+      hand.seconds = member.number(positive);
+      has_seconds = true;
+    } else
+      fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
+  }
+  if (!has_point) field.refuse_missing("point", "must be a point number");
+  if (!has_circle) field.refuse_missing("circle", "must be {\"from\": [x, y, z], \"center\": [x, y, z]}");
+  if (!has_speed) field.refuse_missing("speed", "must be from 0 to 1000000");
+  if (!has_seconds) field.refuse_missing("seconds", "must be more than 0");
+  scene.system.scripted_hand = hand;
+}
+
+void read_simulation(const JsonField& field, SceneFields& fields, Scene& scene) {
+  for (const JsonField member : field.members()) {
+    if (member.is("integrator")) {
+      scene.settings.integrator = find_integrator(member.text());
+      if (scene.settings.integrator == nullptr) member.refuse("must be one of " + ids_of_integrators());
+    } else if (member.is("tolerance")) {
+      if (!member.is_null()) scene.settings.tolerance = member.number(positive);
+    } else if (!read_parameter(member, scene))
+      fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
+  }
+}
+
+void read_view(const JsonField& field, SceneFields& fields, Scene& scene) {
+  for (const JsonField member : field.members()) {
+    if (member.is("camera"))
+      scene.view.camera = read_camera(member, fields, scene);
+    else if (member.is("background"))
+      scene.view.background = fields.color(member);
+    else if (bool* is_shown = view_flag_of(member, scene.view))
+      *is_shown = member.boolean();
+    else if (member.is("texture")) {
+      scene.view.texture = member.text();
+      if (const std::string limit = texture_limit(scene.view.texture); !limit.empty()) member.refuse(limit);
+    } else if (member.is("texture_size"))
+      scene.view.texture_size = member.number(positive);
+    else
+      fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
+  }
+}
+
+void read_defaults(const JsonField& field, SceneFields& fields, Scene& scene) {
+  for (const JsonField member : field.members()) {
+    if (member.is("radius"))
+      scene.defaults.radius = member.number(not_negative);
+    else if (member.is("grab")) {
+      if (member.text() != "hold" && member.text() != "pull") member.refuse("must be \"hold\" or \"pull\"");
+      scene.defaults.grab = member.text() == "hold" ? GrabKind::Hold : GrabKind::Pull;
+    } else if (!read_parameter(member, scene))
+      fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
+  }
+}
+
+void read_controls(const JsonField& field, SceneFields& fields, Scene& scene) {
+  for (const JsonField member : field.members()) {
+    if (!member.is("stiffness")) {
+      fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
+      continue;
+    }
+    const auto items = member.items(3, 3);
+    ControlRanges& controls = scene.controls;
+    controls.stiffness_min = items[0].number(not_negative);
+    controls.stiffness_max = items[1].number(positive);
+    controls.stiffness_step = items[2].number(positive);
+    if (!(controls.stiffness_min < controls.stiffness_max)) member.refuse("must be [least, most, step] with least below most");
+  }
+}
+
+}  // namespace hooke

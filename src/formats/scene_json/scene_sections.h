@@ -1,0 +1,21 @@
+// The parts of a scene file that are single objects, and colliders.
+#pragma once
+
+#include "formats/scene_json/scene_fields.h"
+#include "scene/scene.h"
+
+namespace hooke {
+
+// A field that is a row of the table of parameters; false: it is none.
+bool read_parameter(const JsonField& field, Scene& scene);
+
+// Each throws InputError, and keeps keys that are not ours in scene.kept.
+void read_collider(const JsonField& field, SceneFields& fields, Scene& scene);
+void read_force(const JsonField& field, SceneFields& fields, Scene& scene);
+void read_hand(const JsonField& field, SceneFields& fields, Scene& scene);
+void read_simulation(const JsonField& field, SceneFields& fields, Scene& scene);
+void read_view(const JsonField& field, SceneFields& fields, Scene& scene);
+void read_defaults(const JsonField& field, SceneFields& fields, Scene& scene);
+void read_controls(const JsonField& field, SceneFields& fields, Scene& scene);
+
+}  // namespace hooke

@@ -1,0 +1,398 @@
+// Writes a scene, one point and one spring a line.
+
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+#include "base/atomic_write.h"
+#include "base/file_limits.h"
+#include "base/json_writer.h"
+#include "base/overloaded.h"
+#include "base/printable.h"
+#include "formats/scene_file.h"
+#include "formats/scene_json/shape_fields.h"
+#include "scene/parameters.h"
+#include "scene/spring_family.h"
+#include "sim/integrator.h"
+
+namespace hooke {
+namespace {
+
+using Layout = JsonWriter::Layout;
+
+bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+bool same_bits(const Vec3& a, const Vec3& b) { return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z); }
+bool is_positive_zero(double value) { return same_bits(value, 0.0); }
+bool is_positive_zero(const Vec3& value) { return same_bits(value, Vec3(0.0)); }
+
+std::string to_text(const Color& color) {
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", color.red, color.green, color.blue);
+  return text;
+}
+
+// How many points, springs and faces are written one by one; the others are the last, and made by generators.
+struct ListedCounts {
+  Index points, springs;
+  std::size_t faces;
+};
+
+class SceneWriter {
+ public:
+  SceneWriter(const Scene& scene, const Progress& progress)
+      : scene_(scene), system_(scene.system), state_(scene.state), progress_(progress) {}
+  std::string write();
+
+ private:
+  ListedCounts find_listed() const;
+  bool matches_generated(const Network& generated, const ListedCounts& listed) const;
+  void write_parameters(std::string_view section);
+  void write_point(Index i);
+  void write_spring(Index s);
+  void write_collider(std::size_t c);
+  void write_path(const ColliderPath& path);
+  void write_force(std::size_t f);
+  void write_hand();
+  void write_simulation();
+  void write_defaults();
+  void write_view();
+  void write_unknown_inside(const std::string& path);
+  bool has_unknown_inside(const std::string& path) const { return scene_.preserved_json.unknown_inside.contains(path); }
+  void check_size() const;
+
+  // `count` items, each on a line of its own; nothing when there are none
+  template <class Write>
+  void write_list(std::string_view key, std::size_t count, Write write_item);
+
+  const Scene& scene_;
+  const System& system_;
+  const State& state_;
+  const Progress& progress_;
+  std::size_t items_ = 0, written_items_ = 0;  // of all lists
+  JsonWriter out_;
+};
+
+std::string SceneWriter::write() {
+  const ListedCounts listed = find_listed();
+  items_ = static_cast<std::size_t>(listed.points) + static_cast<std::size_t>(listed.springs) + listed.faces;
+  out_.begin_object(Layout::Lines);
+  out_.integer("hooke", newest_scene_version);
+  out_.text("name", scene_.name);
+  if (!scene_.description.empty()) out_.text("description", scene_.description);
+  if (!scene_.preserved_json.gallery.empty()) {
+    out_.key("gallery");
+    out_.raw(scene_.preserved_json.gallery);
+  }
+  out_.integer("dimensions", system_.dimensions);
+  if (!is_positive_zero(state_.time)) out_.number("time", state_.time);
+  out_.vector("gravity", system_.gravity);
+  if (!is_positive_zero(system_.wind)) out_.vector("wind", system_.wind);
+  write_parameters("");
+
+  write_list("points", static_cast<std::size_t>(listed.points), [&](std::size_t i) { write_point(static_cast<Index>(i)); });
+  write_list("springs", static_cast<std::size_t>(listed.springs), [&](std::size_t s) { write_spring(static_cast<Index>(s)); });
+  write_list("faces", listed.faces, [&](std::size_t f) {
+    out_.begin_list(Layout::Line);
+    for (const PointId id : system_.faces[f].points) out_.integer(system_.index_of(id));
+    out_.end();
+  });
+  if (listed.points < system_.point_count()) {
+    out_.key("generators");
+    out_.raw(scene_.preserved_json.generators);
+  }
+  write_list("colliders", system_.colliders.size(), [&](std::size_t c) { write_collider(c); });
+  write_list("forces", system_.forces.size(), [&](std::size_t f) { write_force(f); });
+
+  write_hand();
+  write_simulation();
+  write_defaults();
+  if (scene_.controls != ControlRanges{} || has_unknown_inside("controls")) {
+    const ControlRanges& controls = scene_.controls;
+    out_.key("controls");
+    out_.begin_object(Layout::Line);
+    if (controls != ControlRanges{}) {
+      out_.key("stiffness");
+      out_.vector({controls.stiffness_min, controls.stiffness_max, controls.stiffness_step});
+    }
+    write_unknown_inside("controls");
+    out_.end();
+  }
+  write_view();
+  if (!scene_.preserved_json.check.empty()) {
+    out_.key("check");
+    out_.raw(scene_.preserved_json.check);
+  }
+  out_.members(scene_.preserved_json.unknown);
+  out_.end();
+  check_size();
+  return out_.take() + "\n";
+}
+
+// The generators are run again: what they make must be what stands last in the scene, bit for bit.
+ListedCounts SceneWriter::find_listed() const {
+  const ListedCounts all{system_.point_count(), system_.spring_count(), system_.faces.size()};
+  if (scene_.preserved_json.generators.empty()) return all;
+
+  const std::vector<Shape> shapes = parse_shapes(scene_.preserved_json.generators);
+  ElementCount count;
+  for (const Shape& shape : shapes) {
+    const ElementCount one = element_count_of(shape);
+    count.points += one.points;
+    count.springs += one.springs;
+    count.faces += one.faces;
+  }
+  if (count.points == 0 || count.points > system_.points().size() || count.springs > system_.springs().size() ||
+      count.faces > system_.faces.size())
+    return all;
+
+  Network generated;
+  for (const Shape& shape : shapes) generate(shape, generated);
+  const ListedCounts listed{all.points - static_cast<Index>(count.points), all.springs - static_cast<Index>(count.springs),
+                            all.faces - count.faces};
+  return matches_generated(generated, listed) ? listed : all;
+}
+
+bool SceneWriter::matches_generated(const Network& generated, const ListedCounts& listed) const {
+  const auto id_of = [&](PointId generated_id) { return system_.points()[listed.points + static_cast<Index>(generated_id)].id; };
+  for (std::size_t i = 0; i < generated.points.size(); ++i) {
+    const Index at = listed.points + static_cast<Index>(i);
+    Point point = generated.points[i];
+    point.id = system_.points()[at].id;
+    if (point != system_.points()[at] || !same_bits(generated.position[i], state_.position[at]) ||
+        !same_bits(generated.velocity[i], state_.velocity[at]) || scene_.preserved_json.unknown_of_points.contains(point.id))
+      return false;
+  }
+  for (std::size_t s = 0; s < generated.springs.size(); ++s) {
+    Spring spring = generated.springs[s];
+    const Spring& current = system_.springs()[static_cast<std::size_t>(listed.springs) + s];
+    spring.id = current.id;
+    spring.first = id_of(spring.first);
+    spring.second = id_of(spring.second);
+    if (spring != current || scene_.preserved_json.unknown_of_springs.contains(spring.id)) return false;
+  }
+  for (std::size_t f = 0; f < generated.faces.size(); ++f)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (id_of(generated.faces[f].points[c]) != system_.faces[listed.faces + f].points[c]) return false;
+  return true;
+}
+
+// The rows of the table of parameters whose field lies in the section ("" at the top, "simulation").
+void SceneWriter::write_parameters(std::string_view section) {
+  for (const Parameter& row : parameters()) {
+    const std::size_t dot = row.field.rfind('.');
+    const std::string_view parent = dot == std::string_view::npos ? "" : row.field.substr(0, dot);
+    if (row.field.empty() || parent != section) continue;
+    const double value = row.read(scene_);
+    if ((row.applies != nullptr || row.omit_if_default) && value == row.default_value) continue;
+    out_.key(row.field.substr(dot == std::string_view::npos ? 0 : dot + 1));
+    switch (row.kind) {
+      case Parameter::Kind::Switch:
+        out_.boolean(value != 0.0);
+        break;
+      case Parameter::Kind::Integer:
+        out_.integer(static_cast<std::int64_t>(value));
+        break;
+      case Parameter::Kind::Choice:
+        out_.text(row.choices[static_cast<std::size_t>(value)].id);
+        break;
+      case Parameter::Kind::Number:
+        out_.number(value);
+        break;
+    }
+  }
+}
+
+template <class Write>
+void SceneWriter::write_list(std::string_view key, std::size_t count, Write write_item) {
+  if (count == 0) return;
+  out_.key(key);
+  out_.begin_list(Layout::Lines);
+  for (std::size_t i = 0; i < count; ++i) {
+    write_item(i);
+    check_size();
+    if (progress_ && is_progress_step(written_items_++) && !progress_(static_cast<double>(written_items_) / static_cast<double>(items_)))
+      throw FileError(printable(scene_.name) + ": writing was stopped");
+  }
+  out_.end();
+}
+
+void SceneWriter::write_point(Index i) {
+  const Point& point = system_.points()[i];
+  out_.begin_object(Layout::Line);
+  out_.vector("position", state_.position[i]);
+  if (!is_positive_zero(state_.velocity[i])) out_.vector("velocity", state_.velocity[i]);
+  if (point.nailed) out_.boolean("nailed", true);
+  out_.number("mass", point.mass);
+  out_.number("radius", point.radius);
+  if (point.color) out_.text("color", to_text(*point.color));
+  if (const glm::dvec2 place = cloth_coordinates_of(scene_.cloth_texture, point.id); std::isfinite(place.x)) {
+    out_.key("uv");
+    out_.begin_list(Layout::Line);
+    out_.number(place.x);
+    out_.number(place.y);
+    out_.end();
+  }
+  if (const double area = area_of(scene_.sheet.get(), point.id); area > 0.0) out_.number("area", area);
+  const auto unknown = scene_.preserved_json.unknown_of_points.find(point.id);
+  if (unknown != scene_.preserved_json.unknown_of_points.end()) out_.members(unknown->second);
+  out_.end();
+}
+
+void SceneWriter::write_spring(Index s) {
+  const Spring& spring = system_.springs()[s];
+  out_.begin_object(Layout::Line);
+  out_.key("points");
+  out_.begin_list(Layout::Line);
+  out_.integer(system_.index_of(spring.first));
+  out_.integer(system_.index_of(spring.second));
+  out_.end();
+  if (spring.family != SpringFamily::None) out_.text("family", name_of(spring.family));
+  out_.number("stiffness", spring.stiffness);
+  if (!is_positive_zero(spring.damping)) out_.number("damping", spring.damping);
+  out_.number("rest_length", spring.rest_length);
+  if (spring.break_strain != never_breaks) out_.number("break_strain", spring.break_strain);
+  if (const double sheet_weight = sheet_weight_of(scene_.sheet.get(), spring.id); sheet_weight > 0.0) out_.number("share", sheet_weight);
+  const auto unknown = scene_.preserved_json.unknown_of_springs.find(spring.id);
+  if (unknown != scene_.preserved_json.unknown_of_springs.end()) out_.members(unknown->second);
+  out_.end();
+}
+
+void SceneWriter::write_collider(std::size_t c) {
+  const Collider& collider = system_.colliders[c];
+  out_.begin_object(Layout::Line);
+  std::visit(Overloaded{
+                 [&](const Plane& plane) {
+                   out_.text("type", "plane");
+                   out_.vector("point", plane.point);
+                   out_.vector("normal", plane.normal);
+                 },
+                 [&](const Sphere& sphere) {
+                   out_.text("type", "sphere");
+                   out_.vector("center", sphere.center);
+                   out_.number("radius", sphere.radius);
+                 },
+                 [&](const Box& box) {
+                   out_.text("type", "box");
+                   out_.vector("min", box.min);
+                   out_.vector("max", box.max);
+                 },
+             },
+             collider.shape);
+  out_.number("restitution", collider.restitution);
+  out_.number("friction", collider.friction);
+  if (!collider.solid) out_.boolean("solid", false);
+  write_path(collider.path);
+  write_unknown_inside("colliders[" + std::to_string(c) + "]");
+  out_.end();
+}
+
+void SceneWriter::write_path(const ColliderPath& path) {
+  const ColliderPath default_path;
+  if (!is_positive_zero(path.amplitude)) out_.vector("oscillate", path.amplitude);
+  if (path.frequency != default_path.frequency) out_.number("frequency", path.frequency);
+  if (!is_positive_zero(path.phase)) out_.number("phase", path.phase);
+  if (!is_positive_zero(path.spin)) out_.vector("spin", path.spin);
+  if (!is_positive_zero(path.belt)) out_.vector("belt", path.belt);
+}
+
+void SceneWriter::write_force(std::size_t f) {
+  const Force& force = system_.forces[f];
+  out_.begin_object(Layout::Line);
+  out_.text("type", force.term->id);
+  if (!force.on) out_.boolean("on", false);
+  for (std::size_t i = 0; i < force.term->numbers.size(); ++i) out_.number(force.term->numbers[i].name, force.values[i]);
+  write_unknown_inside("forces[" + std::to_string(f) + "]");
+  out_.end();
+}
+
+void SceneWriter::write_hand() {
+  const std::optional<ScriptedHand>& hand = system_.scripted_hand;
+  if (!hand || system_.index_of(hand->point) == no_index) return;
+  out_.key("hand");
+  out_.begin_object(Layout::Line);
+  out_.integer("point", system_.index_of(hand->point));
+  out_.key("circle");
+  out_.begin_object(Layout::Line);
+  out_.vector("from", hand->from);
+  out_.vector("center", hand->center);
+  out_.vector("axis", hand->axis);
+  write_unknown_inside("hand.circle");
+  out_.end();
+  out_.number("speed", hand->speed);
+  out_.number("begin", hand->begin);
+  out_.number("seconds", hand->seconds);
+  write_unknown_inside("hand");
+  out_.end();
+}
+
+void SceneWriter::write_simulation() {
+  out_.key("simulation");
+  out_.begin_object(Layout::Line);
+  out_.text("integrator", scene_.settings.integrator->id);
+  write_parameters("simulation");
+  if (scene_.settings.tolerance) out_.number("tolerance", *scene_.settings.tolerance);
+  write_unknown_inside("simulation");
+  out_.end();
+}
+
+void SceneWriter::write_defaults() {
+  if (scene_.defaults == Defaults{} && !has_unknown_inside("defaults")) return;
+  out_.key("defaults");
+  out_.begin_object(Layout::Line);
+  write_parameters("defaults");
+  out_.number("radius", scene_.defaults.radius);
+  out_.text("grab", scene_.defaults.grab == GrabKind::Hold ? "hold" : "pull");
+  write_unknown_inside("defaults");
+  out_.end();
+}
+
+void SceneWriter::write_view() {
+  const ViewSettings& view = scene_.view;
+  if (view == ViewSettings{} && !has_unknown_inside("view")) return;
+  out_.key("view");
+  out_.begin_object(Layout::Line);
+  if (view.camera) {
+    out_.key("camera");
+    out_.begin_object(Layout::Line);
+    out_.vector("eye", view.camera->eye);
+    out_.vector("target", view.camera->target);
+    if (view.camera->up) out_.vector("up", *view.camera->up);
+    if (view.camera->orthographic) out_.boolean("orthographic", true);
+    if (view.camera->follows) out_.boolean("follow", true);
+    write_unknown_inside("view.camera");
+    out_.end();
+  }
+  if (view.background) out_.text("background", to_text(*view.background));
+  for (const auto& [key, is_shown] : {std::pair{"surface", view.surface},
+                                      {"springs", view.springs},
+                                      {"points", view.points},
+                                      {"strain_colors", view.strain_colors},
+                                      {"shadows", view.shadows}})
+    if (!is_shown) out_.boolean(key, false);
+  if (!view.texture.empty()) out_.text("texture", view.texture);
+  if (view.texture_size) out_.number("texture_size", *view.texture_size);
+  write_unknown_inside("view");
+  out_.end();
+}
+
+void SceneWriter::write_unknown_inside(const std::string& path) {
+  const auto unknown = scene_.preserved_json.unknown_inside.find(path);
+  if (unknown != scene_.preserved_json.unknown_inside.end()) out_.members(unknown->second);
+}
+
+// A file that could not be read again would be lost work.
+void SceneWriter::check_size() const {
+  if (out_.written().size() > max_file_bytes)
+    throw FileError(printable(scene_.name) + ": as a file more than 256 MiB, which could not be read again");
+}
+
+}  // namespace
+
+std::string format_scene(const Scene& scene, const Progress& progress) { return SceneWriter(scene, progress).write(); }
+
+void save_scene(const Scene& scene, const std::filesystem::path& file, const Progress& progress) {
+  write_atomically(file, format_scene(scene, progress));
+}
+
+}  // namespace hooke

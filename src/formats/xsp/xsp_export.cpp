@@ -1,0 +1,272 @@
+// The other way of xsp_file.h: a scene as an .xsp file.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "base/text_lines.h"
+#include "formats/file_kinds.h"
+#include "formats/xsp/xsp_file.h"
+#include "formats/xsp/xsp_text.h"
+
+namespace hooke {
+namespace {
+
+// The simplest number of pixels that reads back as these metres, bit for bit where there is one.
+double pixels(double metres) {
+  for (const int digits : {15, 16, 17}) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*g", digits, metres * xsp_pixels_per_metre);
+    const double value = std::strtod(text, nullptr);
+    if (value / xsp_pixels_per_metre == metres) return value;
+  }
+  return metres * xsp_pixels_per_metre;
+}
+
+// The solid planes that stand as the sides of a window do.
+struct Wall {
+  XspSide side;
+  double place = 0.0;  // [m], where a point's centre turns round: its x or y
+  const Collider* collider = nullptr;
+};
+
+std::optional<XspSide> side_of(const Vec3& normal) {
+  if (normal == Vec3(0.0, -1.0, 0.0)) return XspSide::Top;
+  if (normal == Vec3(1.0, 0.0, 0.0)) return XspSide::Left;
+  if (normal == Vec3(-1.0, 0.0, 0.0)) return XspSide::Right;
+  if (normal == Vec3(0.0, 1.0, 0.0)) return XspSide::Bottom;
+  return std::nullopt;
+}
+
+class Exporter {
+ public:
+  Exporter(const Scene& scene, const std::string& file, std::vector<std::string>& losses)
+      : scene_(scene), system_(scene.system), file_(file), losses_(losses) {}
+
+  std::string text() {
+    if (system_.dimensions != 2)
+      throw InputError(file_ + ": dimensions: " + std::to_string(system_.dimensions) + ": must be 2 to be written as .xsp");
+    find_walls();
+    choose_window_shift();
+    export_gravity();
+    export_forces();
+    export_walls();
+    export_masses();
+    export_springs();
+    export_editor_settings();
+    report_remaining_losses();
+    return format_xsp_text(document_);
+  }
+
+ private:
+  void find_walls() {
+    std::size_t unsupported = 0, moving = 0;
+    for (const Collider& collider : system_.colliders) {
+      if (!collider.solid) continue;
+      if (collider.path.moves()) ++moving;
+      const Plane* plane = std::get_if<Plane>(&collider.shape);
+      const auto side = plane ? side_of(plane->normal) : std::nullopt;
+      const double radius = system_.points().empty() ? 0.0 : system_.points()[0].radius;
+      const bool is_known = side && std::any_of(walls_.begin(), walls_.end(), [&](const Wall& wall) { return wall.side == *side; });
+      if (!side || is_known)
+        ++unsupported;
+      else
+        walls_.push_back({*side, glm::dot(plane->point + radius * plane->normal, glm::abs(plane->normal)), &collider});
+    }
+    if (unsupported > 0) report_loss(pluralize(unsupported, "collider", "colliders"));
+    if (moving > 0) report_loss("the motion of " + pluralize(moving, "collider", "colliders"));
+  }
+
+  const Wall* wall_at(XspSide side) const {
+    const auto wall = std::find_if(walls_.begin(), walls_.end(), [&](const Wall& one) { return one.side == side; });
+    return wall == walls_.end() ? nullptr : &*wall;
+  }
+
+  // The place [m] that the first pull to a centre draws to.
+  std::optional<Vec3> center() const {
+    for (const Force& force : system_.forces)
+      if (force.on && (force.term->id == "center" || force.term->id == "mass_center")) return Vec3(force.values[0], force.values[1], 0.0);
+    return std::nullopt;
+  }
+
+  // Moves the scene so that its walls are the window's sides; or, where it has none, so that what draws is the window's
+  // middle; or so that it is in the window.
+  void choose_window_shift() {
+    Vec3 min(0.0), max(0.0);
+    for (std::size_t i = 0; i < scene_.state.position.size(); ++i) {
+      min = i == 0 ? scene_.state.position[i] : glm::min(min, scene_.state.position[i]);
+      max = i == 0 ? scene_.state.position[i] : glm::max(max, scene_.state.position[i]);
+    }
+    auto center_of_forces = center();
+    if (center_of_forces && nailed_at(*center_of_forces) != no_index) center_of_forces.reset();  // that mass can be named
+    const auto shift = [&](XspSide low, XspSide high, double width, int c) {
+      const double size = width / xsp_pixels_per_metre;
+      if (const Wall* wall = wall_at(low)) return -wall->place;
+      if (const Wall* wall = wall_at(high)) return size - wall->place;
+      if (center_of_forces) return 0.5 * size - (*center_of_forces)[c];
+      return min[c] >= 0.0 && max[c] <= size ? 0.0 : 0.5 * size - 0.5 * (min[c] + max[c]);
+    };
+    shift_.x = shift(XspSide::Left, XspSide::Right, xsp_window_width, 0);
+    shift_.y = shift(XspSide::Bottom, XspSide::Top, xsp_window_height, 1);
+    if (shift_ != Vec3(0.0))
+      report_loss("the origin: everything is moved by (" + format_rounded(shift_.x) + ", " + format_rounded(shift_.y) +
+                  ") m, into the window");
+  }
+
+  // With drag relative to a wind, a = g - c (v - w) = (g + c w) - c v; a lift of b is a weight of 1 - b.
+  void export_gravity() {
+    double gravity_factor = 1.0;
+    for (const Force& force : system_.forces)
+      if (force.on && force.term->id == "buoyancy") gravity_factor -= force.values[0];
+    document_.viscosity = system_.drag_rate();
+    const Vec3 acceleration = gravity_factor * system_.gravity + system_.drag_rate() * system_.wind;
+    const double size = std::hypot(acceleration.x, acceleration.y);
+    const double angle = size > 0.0 ? glm::degrees(std::atan2(acceleration.x, -acceleration.y)) : 0.0;
+    document_.forces = {{0, {size > 0.0, pixels(size), angle}}, {1, {}}, {2, {}}, {3, {}}};
+  }
+
+  void export_forces() {
+    for (const Force& force : system_.forces) {
+      if (!force.on || force.term->id == "buoyancy") continue;
+      const ForceValues& values = force.values;
+      const auto scaled = [](double strength, double power) { return strength * std::pow(xsp_pixels_per_metre, 1.0 + power); };
+      if (force.term->id == "mass_center")
+        export_force(1, values[3], values[4], force);
+      else if (force.term->id == "center")
+        export_force(2, scaled(values[3], values[4]), values[4], force);
+      else if (force.term->id == "wall")
+        export_force(3, scaled(values[0], values[1]), values[1], force);
+      else if (force.term->id == "sticky" && document_.stickiness == 0.0)
+        document_.stickiness = pixels(values[0]);
+      else
+        report_loss("the force \"" + std::string(force.term->label) + "\"");
+    }
+  }
+
+  // Each can be there once, and the centre is one place for all.
+  void export_force(int id, double p1, double p2, const Force& force) {
+    XspForce& place = document_.forces[id];
+    const Vec3 force_center(force.values[0], force.values[1], 0.0);
+    if (place.active || !std::isfinite(p1) || (id != 3 && force_center != *center())) {
+      report_loss("a further force \"" + std::string(force.term->label) + "\"");
+      return;
+    }
+    place = {true, p1, p2};
+    if (id != 3 && document_.center == -1) find_center_mass(force_center);
+  }
+
+  // A nailed mass where the centre is, if that is not the window's middle.
+  void find_center_mass(const Vec3& place) {
+    const Vec3 middle = 0.5 / xsp_pixels_per_metre * Vec3(xsp_window_width, xsp_window_height, 0.0);
+    if (glm::distance(place + shift_, middle) < 1e-9) return;
+    const Index mass = nailed_at(place);
+    if (mass == no_index)
+      report_loss("the place of the centre of forces: it is the middle of the window");
+    else
+      document_.center = mass + 1;
+  }
+
+  Index nailed_at(const Vec3& place) const {
+    for (Index i = 0; i < system_.point_count(); ++i)
+      if (system_.points()[i].nailed && scene_.state.position[i] == place) return i;
+    return no_index;
+  }
+
+  void export_walls() {
+    double window[] = {xsp_window_height, 0.0, xsp_window_width, 0.0};
+    double friction = 0.0, restitution = walls_.empty() ? 1.0 : walls_[0].collider->restitution;
+    bool moved = false, restitutions_differ = false;
+    for (const Wall& wall : walls_) {
+      const auto side = static_cast<std::size_t>(wall.side);
+      const bool is_vertical = wall.side == XspSide::Left || wall.side == XspSide::Right;
+      const double place = (wall.place + (is_vertical ? shift_.x : shift_.y)) * xsp_pixels_per_metre;
+      document_.walls[side] = true;
+      moved = moved || std::abs(place - window[side]) > 0.01;
+      restitutions_differ = restitutions_differ || wall.collider->restitution != restitution;
+      friction = std::max(friction, wall.collider->friction);
+    }
+    document_.new_elasticity = restitution;
+    if (moved) report_loss("the places of the walls: they are the sides of the window");
+    if (restitutions_differ) report_loss("the walls' own restitutions: all have the first one's");
+    if (friction > 0.0) report_loss("the walls' friction");
+  }
+
+  void export_masses() {
+    int id = 0;
+    for (Index i = 0; i < system_.point_count(); ++i) {
+      const Point& point = system_.points()[i];
+      const Vec3 x = scene_.state.position[i] + shift_, v = scene_.state.velocity[i];
+      document_.masses.push_back({.id = ++id,
+                                  .x = pixels(x.x),
+                                  .y = pixels(x.y),
+                                  .vx = pixels(v.x),
+                                  .vy = pixels(v.y),
+                                  .mass = point.nailed ? -point.mass : point.mass,
+                                  .elasticity = document_.new_elasticity});
+      const XspMass& mass = document_.masses.back();
+      for (const double value : {mass.x, mass.y, mass.vx, mass.vy})
+        if (!std::isfinite(value)) throw InputError(file_ + ": points[" + std::to_string(i) + "]: too large a number for .xsp");
+    }
+  }
+
+  void export_springs() {
+    int id = 0;
+    for (const Spring& spring : system_.springs())
+      document_.springs.push_back({.id = ++id,
+                                   .first = system_.index_of(spring.first) + 1,
+                                   .second = system_.index_of(spring.second) + 1,
+                                   .stiffness = spring.stiffness,
+                                   .damping = system_.damping_of(spring),
+                                   .rest_length = pixels(spring.rest_length)});
+  }
+
+  void export_editor_settings() {
+    document_.new_mass = scene_.defaults.mass;
+    document_.new_stiffness = scene_.defaults.stiffness;
+    document_.new_damping = scene_.defaults.damping;
+    document_.step = scene_.settings.substep();
+    if (scene_.settings.tolerance) {
+      document_.adaptive = true;
+      document_.precision = pixels(*scene_.settings.tolerance);
+    }
+  }
+
+  void report_remaining_losses() {
+    const auto& springs = system_.springs();
+    const auto breaking =
+        std::count_if(springs.begin(), springs.end(), [](const Spring& spring) { return spring.break_strain != never_breaks; });
+    if (breaking > 0) report_loss("the break strains of " + pluralize(static_cast<std::size_t>(breaking), "spring", "springs"));
+    if (system_.scripted_hand) report_loss("the hand that takes a point along");
+    if (system_.strain_limit > 0.0) report_loss("the limit of strain");
+    if (!system_.faces.empty()) report_loss(pluralize(system_.faces.size(), "face", "faces"));
+  }
+
+  void report_loss(const std::string& what) { losses_.push_back(file_ + ": .xsp has no place for " + what); }
+
+  const Scene& scene_;
+  const System& system_;
+  const std::string& file_;
+  std::vector<std::string>& losses_;
+  std::vector<Wall> walls_;
+  Vec3 shift_{0.0};  // [m]
+  XspDocument document_;
+};
+
+}  // namespace
+
+std::string format_xsp(const Scene& scene, const std::string& file, std::vector<std::string>& losses) {
+  return Exporter(scene, file, losses).text();
+}
+
+constinit const FileKind xsp_file{.extension = ".xsp",
+                                  .title = "XSpringies scene",
+                                  .parse = parse_xsp,
+                                  .format = format_xsp,
+                                  .source = ExportSource::Scene,
+                                  .label = "XSpringies",
+                                  .description = "A flat scene for XSpringies, in its current state.",
+                                  .is_flat_only = true};
+
+}  // namespace hooke

@@ -1,0 +1,262 @@
+#include "formats/xsp/xsp_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+
+#include "base/text_lines.h"
+#include "formats/stable_stepping.h"
+#include "formats/xsp/xsp_text.h"
+
+namespace hooke {
+namespace {
+
+constexpr double point_radius = 0.03;  // [m], of every mass
+constexpr double xsp_core = 0.01;      // [m]: forces grow no further than one pixel from where they come from
+enum ForceId { gravity_force = 0, mass_center_pull = 1, center_pull = 2, wall_push = 3 };
+
+struct Rectangle {
+  double left = 0.0, right = xsp_window_width, bottom = 0.0, top = xsp_window_height;  // [pixels]
+};
+
+// The window, made larger where masses lie beyond it.
+Rectangle window_around(const std::vector<XspMass>& masses) {
+  constexpr double margin = 1.0;
+  Rectangle window;
+  for (const XspMass& mass : masses) {
+    if (mass.x < 0.0) window.left = std::min(window.left, mass.x - margin);
+    if (mass.x > xsp_window_width) window.right = std::max(window.right, mass.x + margin);
+    if (mass.y < 0.0) window.bottom = std::min(window.bottom, mass.y - margin);
+    if (mass.y > xsp_window_height) window.top = std::max(window.top, mass.y + margin);
+  }
+  return window;
+}
+
+// The commonest elasticity of the masses that can hit a wall; how many have another.
+struct Elasticity {
+  double value = 1.0;
+  std::size_t others = 0;
+};
+Elasticity common_elasticity(const XspDocument& document) {
+  std::map<double, std::size_t> counts;
+  std::size_t free = 0;
+  for (const XspMass& mass : document.masses)
+    if (mass.mass > 0.0) {
+      ++counts[mass.elasticity];
+      ++free;
+    }
+  if (counts.empty()) return {document.new_elasticity, 0};
+  const auto most_common = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return {most_common->first, free - most_common->second};
+}
+
+class Importer {
+ public:
+  Importer(const XspDocument& document, const std::string& file) : document_(document), file_(file) {}
+
+  LoadedScene import() {
+    Scene& scene = loaded_.scene;
+    scene.name = std::filesystem::path(file_).stem().string();
+    scene.system.dimensions = 2;
+    import_masses();
+    import_springs();
+    find_center();
+    import_forces();
+    import_walls();
+    import_editor_settings();
+    import_stepping();
+    for (const std::string& place : document_.repeated) warn(place + ": set before already; the last one counts");
+    return std::move(loaded_);
+  }
+
+ private:
+  void warn(const std::string& sentence) { loaded_.warnings.push_back(file_ + ": " + sentence); }
+
+  void import_masses() {
+    System& system = loaded_.scene.system;
+    std::vector<Point> points;
+    for (const XspMass& mass : document_.masses) {
+      const PointId id = system.new_point_id();
+      point_of_.emplace_back(mass.id, id);
+      points.push_back({.id = id, .nailed = mass.mass < 0.0, .mass = std::abs(mass.mass), .radius = point_radius});
+      loaded_.scene.state.position.push_back(Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_metre);
+      loaded_.scene.state.velocity.push_back(Vec3(mass.vx, mass.vy, 0.0) / xsp_pixels_per_metre);
+    }
+    system.set_points(std::move(points));
+    std::sort(point_of_.begin(), point_of_.end());
+  }
+
+  PointId point_of(int mass) const { return std::lower_bound(point_of_.begin(), point_of_.end(), std::pair(mass, PointId{}))->second; }
+
+  void import_springs() {
+    System& system = loaded_.scene.system;
+    std::vector<Spring> springs;
+    for (const XspSpring& spring : document_.springs)
+      springs.push_back({.id = system.new_spring_id(),
+                         .first = point_of(spring.first),
+                         .second = point_of(spring.second),
+                         .stiffness = spring.stiffness,
+                         .damping = spring.damping,
+                         .rest_length = spring.rest_length / xsp_pixels_per_metre});
+    const auto has_coincident_ends = [&](const Spring& spring) {
+      const auto& position = loaded_.scene.state.position;
+      return position[system.index_of(spring.first)] == position[system.index_of(spring.second)];
+    };
+    const auto count = static_cast<std::size_t>(std::count_if(springs.begin(), springs.end(), has_coincident_ends));
+    if (count > 0)
+      warn(pluralize(count, "spring joins", "springs join") + " masses at the same place: no force between them until they part");
+    system.set_springs(std::move(springs));
+  }
+
+  void import_forces() {
+    System& system = loaded_.scene.system;
+    system.gravity = Vec3(0.0);
+    system.drag = document_.viscosity;
+    bool uses_center = false;
+    for (const auto& [id, force] : document_.forces) {
+      if (!force.active) continue;
+      if (id == gravity_force) {
+        // p2 turns "down" towards +x
+        const double angle = glm::radians(force.p2);
+        system.gravity = force.p1 / xsp_pixels_per_metre * Vec3(std::sin(angle), -std::cos(angle), 0.0);
+      } else if (id == mass_center_pull) {
+        add_force("mass_center", {center_.x, center_.y, 0.0, force.p1, force.p2});
+        uses_center = true;
+      } else if (id == center_pull) {
+        add_force("center", {center_.x, center_.y, 0.0, scaled(force), force.p2, xsp_core});
+        uses_center = true;
+      } else if (id == wall_push) {
+        add_force("wall", {scaled(force), force.p2, xsp_core});
+      } else {
+        warn("force " + std::to_string(id) + " is unknown and left out");
+      }
+    }
+    if (document_.stickiness != 0.0) add_force("sticky", {document_.stickiness / xsp_pixels_per_metre});
+    if (uses_center) warn_of_center();
+  }
+
+  // p1 of an acceleration p1 / distance^p2, in metres
+  static double scaled(const XspForce& force) { return force.p1 / std::pow(xsp_pixels_per_metre, 1.0 + force.p2); }
+
+  void add_force(std::string_view id, const ForceValues& values) {
+    const ForceTerm& term = *find_force_term(id);
+    for (std::size_t i = 0; i < term.numbers.size(); ++i) {
+      const ForceParameter& number = term.numbers[i];
+      if (std::isfinite(values[i]) && (number.min < 0.0 || values[i] >= number.min)) continue;
+      warn("\"" + std::string(term.label) + "\" is left out: " + std::string(number.label) + " would be " + format_rounded(values[i]));
+      return;
+    }
+    loaded_.scene.system.forces.push_back({.term = &term, .values = values});
+  }
+
+  // The middle of the window, or a mass.
+  void find_center() {
+    center_ = 0.5 / xsp_pixels_per_metre * Vec3(xsp_window_width, xsp_window_height, 0.0);
+    for (const XspMass& mass : document_.masses)
+      if (mass.id == document_.center) {
+        center_ = Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_metre;
+        center_moves_ = mass.mass > 0.0;
+        center_is_mass_ = true;
+      }
+  }
+
+  void warn_of_center() {
+    if (center_moves_)
+      warn("the centre of forces stays where mass " + std::to_string(document_.center) + " starts, though that mass is free");
+    else if (!center_is_mass_)
+      warn("the file does not tell the window's size: the centre of forces is at x = " + format_rounded(xsp_window_width / 2.0) +
+           ", y = " + format_rounded(xsp_window_height / 2.0) + " pixels");
+  }
+
+  // The highest frequency [rad/s] that the listed forces bring, as if they were springs: the root of the steepest slope of
+  // their acceleration. Above the core of s / r^p it is s max(1, |p|) / r^(p + 1), steepest at one end.
+  double frequency_bound_of_forces() const {
+    constexpr double max_distance = 10.0;  // [m]
+    double mass = 0.0, squares = 0.0;
+    for (const XspMass& one : document_.masses) mass += std::abs(one.mass);
+    const auto slope = [&](double strength, double power) {
+      const double at_core = std::pow(xsp_core, -1.0 - power), at_far = std::pow(max_distance, -1.0 - power);
+      return std::abs(strength) * std::max(1.0, std::abs(power)) * std::max(at_core, at_far);
+    };
+    for (const Force& force : loaded_.scene.system.forces) {
+      const ForceValues& values = force.values;
+      if (force.term->id == "center") squares += slope(values[3], values[4]);
+      if (force.term->id == "wall") squares += 4.0 * slope(values[0], values[1]);
+      if (force.term->id == "mass_center" && mass > 0.0) squares += values[3] / mass + values[4] / mass * (values[4] / mass);
+    }
+    return std::sqrt(squares);
+  }
+
+  void import_walls() {
+    const auto& walls = document_.walls;
+    if (std::none_of(walls.begin(), walls.end(), [](bool is_on) { return is_on; })) return;
+    const Rectangle window = window_around(document_.masses);
+    const Elasticity elasticity = common_elasticity(document_);
+    const double restitution = std::clamp(elasticity.value, 0.0, 1.0);
+
+    // a mass turns round when its centre is at the window's edge: the wall stands a radius further out
+    const auto add = [&](XspSide side, double x, double y, const Vec3& normal) {
+      if (!walls[static_cast<std::size_t>(side)]) return;
+      const Plane plane{Vec3(x, y, 0.0) / xsp_pixels_per_metre - point_radius * normal, normal};
+      loaded_.scene.system.colliders.push_back({.shape = plane, .restitution = restitution});
+    };
+    add(XspSide::Top, 0.0, window.top, Vec3(0.0, -1.0, 0.0));
+    add(XspSide::Left, window.left, 0.0, Vec3(1.0, 0.0, 0.0));
+    add(XspSide::Right, window.right, 0.0, Vec3(-1.0, 0.0, 0.0));
+    add(XspSide::Bottom, 0.0, window.bottom, Vec3(0.0, 1.0, 0.0));
+
+    warn("the file does not tell the window's size: the walls stand at x = " + format_rounded(window.left) + " and " +
+         format_rounded(window.right) + ", y = " + format_rounded(window.bottom) + " and " + format_rounded(window.top) + " pixels");
+    if (elasticity.others > 0)
+      warn(pluralize(elasticity.others, "mass", "masses") + " of another elasticity than " + format_rounded(elasticity.value) +
+           ", with which all of them bounce off the walls");
+    if (restitution != elasticity.value)
+      warn("elasticity " + format_rounded(elasticity.value) + " is taken as " + format_rounded(restitution));
+  }
+
+  // What new masses and springs get.
+  void import_editor_settings() {
+    Defaults& defaults = loaded_.scene.defaults;
+    defaults.radius = point_radius;
+    const auto import_default = [&](double& target, double file_value, bool allowed, const std::string& name) {
+      if (allowed)
+        target = file_value;
+      else
+        warn(name + " " + format_rounded(file_value) + " of new masses and springs is taken as " + format_rounded(target));
+    };
+    import_default(defaults.mass, std::abs(document_.new_mass), document_.new_mass != 0.0, "cmas");
+    import_default(defaults.stiffness, document_.new_stiffness, document_.new_stiffness >= 0.0, "kspr");
+    import_default(defaults.damping, document_.new_damping, document_.new_damping >= 0.0, "kdmp");
+    if (document_.new_masses_fixed) warn("new masses are not fixed by themselves here (fixm)");
+    if (!document_.springs_shown) warn("the springs are shown, though the file hides them (shws)");
+    if (document_.snap_to_grid) warn("points do not snap to the grid (gsnp)");
+  }
+
+  void import_stepping() {
+    Scene& scene = loaded_.scene;
+    if (document_.adaptive && document_.precision > 0.0) scene.settings.tolerance = document_.precision / xsp_pixels_per_metre;
+
+    // at least as fine as the file's own step, within reason
+    constexpr double max_requested_substeps = 1000.0;
+    const double requested_substeps = std::min(max_requested_substeps, std::ceil(1.0 / (scene.settings.frame_rate * document_.step)));
+    if (const auto warning =
+            choose_stable_stepping(scene, std::max(Settings().substeps, static_cast<int>(requested_substeps)), frequency_bound_of_forces()))
+      warn(*warning);
+  }
+
+  const XspDocument& document_;
+  const std::string& file_;
+  std::vector<std::pair<int, PointId>> point_of_;  // by the mass's id
+  Vec3 center_{0.0};                               // [m], of the forces
+  bool center_is_mass_ = false, center_moves_ = false;
+  LoadedScene loaded_;
+};
+
+}  // namespace
+
+LoadedScene parse_xsp(std::string_view text, const std::string& file) {
+  const XspDocument document = parse_xsp_text(text, file);
+  return Importer(document, file).import();
+}
+
+}  // namespace hooke
