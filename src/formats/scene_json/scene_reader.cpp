@@ -132,7 +132,9 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
 
   const JsonField field(name_, key, parser_.parse(text));
   if (field.is("hooke")) {
-    if (field.number() > newest_scene_version) field.refuse("must be at most 1: the file is for a newer program");
+    if (field.number() > newest_scene_version)
+      field.refuse("must be at most " + std::to_string(newest_scene_version) + ": scenes of version " + format_exact(field.number()) +
+                   " need a newer Hooke");
     field.integer(1, newest_scene_version);
     has_version_ = true;
   } else if (field.is("name"))

@@ -1,0 +1,35 @@
+// Scene files of every version stay readable, and a file of a later version is refused with that version.
+#include <gtest/gtest.h>
+
+#include "base/file_limits.h"
+#include "formats/scene_file.h"
+
+namespace hooke {
+namespace {
+
+std::filesystem::path scene_of_version(int version) {
+  return std::filesystem::path(DOCS_FOLDER) / "../tests/formats/versions" / ("scene_" + std::to_string(version) + ".json");
+}
+
+// The files are kept as they were written: none is ever changed, and a new version adds one.
+TEST(SceneVersions, AFileOfEachIsReadWithoutWarnings) {
+  for (int version = 1; version <= newest_scene_version; ++version) {
+    const LoadedScene loaded = load_scene(scene_of_version(version));
+    EXPECT_EQ(loaded.warnings, std::vector<std::string>{}) << version;
+    EXPECT_EQ(loaded.scene.name, "Version " + std::to_string(version));
+    EXPECT_GT(loaded.scene.system.point_count(), 0);
+    EXPECT_TRUE(parse_scene(format_scene(loaded.scene), "again").scene.system == loaded.scene.system) << version;
+  }
+}
+
+TEST(SceneVersions, ALaterOneIsNamed) {
+  try {
+    parse_scene(R"({"hooke": 7})", "later.json");
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()), "later.json: hooke: 7: must be at most 1: scenes of version 7 need a newer Hooke");
+  }
+}
+
+}  // namespace
+}  // namespace hooke
