@@ -1,11 +1,11 @@
-// What can go wrong with what a person gave us; our own mistakes are assertions.
+// Errors in the input of a user. Errors in the program are assertions.
 #pragma once
 
 #include <stdexcept>
 
 namespace hooke {
 
-// Input that was refused (exit code 3): what() is one line, "FILE: FIELD: VALUE: LIMIT".
+// Invalid input (exit code 3): what() is one line, "FILE: FIELD: VALUE: LIMIT".
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,4 +1,4 @@
-// How large a file, and what it declares, may be. What is beyond is refused before memory is spent on it.
+// Limits on files and on what they declare, checked before memory is allocated.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ inline constexpr std::uint32_t max_picture_side = 8192;  // [px]
 inline constexpr int max_substeps = 1'000'000;
 inline constexpr int newest_scene_version = 1;
 
-// The table that `hooke --limits` prints and the documentation repeats.
+// The table that `hooke --limits` prints.
 struct FileLimit {
   std::string_view what;
   std::string_view limit;

@@ -1,4 +1,4 @@
-// What lies in a folder, for a dialog that asks for a file; and what a typed path means there.
+// Lists folders for file dialogs, and resolves typed paths.
 #pragma once
 
 #include <filesystem>
@@ -17,18 +17,18 @@ struct FolderItem {
 struct FolderListing {
   std::filesystem::path folder;
   std::vector<FolderItem> items;  // folders first, each part by name
-  std::string error;              // why it cannot be looked into
-  bool truncated = false;         // it holds more
+  std::string error;              // why it cannot be read
+  bool truncated = false;         // there are more items
 };
 
-// Without hidden items, and of files only the wanted ones; at most `most` items.
+// Without hidden items, and only the wanted files; at most `max` items.
 FolderListing list_folder(const std::filesystem::path& folder, const std::function<bool(const std::filesystem::path& file)>& is_wanted,
                           std::size_t max_items = 5000);
 
-// "~/" is the home folder, a missing ending is .json unless there is such a file or folder, the rest starts from `folder`.
+// "~/" is the home folder; a missing extension is .json unless the file or folder exists; relative paths start at `folder`.
 std::filesystem::path resolve_typed_path(const std::filesystem::path& typed, const std::filesystem::path& folder);
 
-// The folder of the person, or the root.
+// The home folder, or the root.
 std::filesystem::path home_folder();
 
 }  // namespace hooke

@@ -1,5 +1,5 @@
-// One value of a JSON file and the way to it. Reading through it checks kind and limits, and refuses with a line that
-// names the file, the field, the value and the limit.
+// A value of a JSON file and its path. Reading it checks type and limits; an error is one line that names the file, the
+// field, the value and the limit.
 #pragma once
 
 #include <rapidjson/document.h>
@@ -35,7 +35,7 @@ class JsonField {
   bool boolean() const;
   std::string_view text() const;
 
-  // Items of an array of `least` to `most` items, members of an object. Parents must outlive their parts.
+  // Items of an array of `min` to `max` items, members of an object. Parents must outlive their parts.
   template <bool of_object>
   class Parts;
   Parts<false> items(std::size_t min, std::size_t max) const;
@@ -45,7 +45,7 @@ class JsonField {
   // "FILE: FIELD: VALUE: LIMIT", and the same thrown as InputError.
   std::string error_text(std::string_view limit) const;
   [[noreturn]] void refuse(std::string_view limit) const;
-  // The same about a member that is not there.
+  // The same for a missing member.
   [[noreturn]] void refuse_missing(std::string_view key, std::string_view limit) const;
 
  private:
@@ -95,7 +95,7 @@ class JsonField::Parts {
   const JsonField* container_;
 };
 
-// Parses a text that walk_json has found to be sound; the value lives in the document until the next parse.
+// Parses a text that walk_json has accepted; the value is valid until the next parse.
 class JsonParser {
  public:
   const rapidjson::Value& parse(std::string_view text);

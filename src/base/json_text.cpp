@@ -91,7 +91,7 @@ class Walker {
   std::uint64_t values_ = 0;      // in it, so far
 };
 
-// "points[3].mass": the way to the value noted last, or with next = 1 to the one that is to be noted.
+// "points[3].mass": the path of the value noted last, or with next = 1 of the next one.
 std::string Walker::path(std::size_t levels, std::size_t next) const {
   std::string path_text;
   for (std::size_t i = 0; i < levels; ++i) {

@@ -1,5 +1,5 @@
-// A JSON text looked through once, from the outside: is it JSON within our limits, and where do its top-level members
-// and the items of its lists stand? Nothing is built from it here.
+// Scans a JSON text once: checks that it is valid within our limits, and reports where its top-level members and the items
+// of its lists are. Builds no values.
 #pragma once
 
 #include <functional>
@@ -9,17 +9,17 @@
 namespace hooke {
 
 struct JsonVisitor {
-  // Whether the items of the top-level list `key` are wanted one by one.
+  // Whether to report the items of the top-level list `key` one by one.
   std::function<bool(std::string_view key)> is_list;
-  // Item `index` of such a list, as it stands in the text.
+  // Item `index` of such a list, as text.
   std::function<void(std::string_view key, std::size_t index, std::string_view text)> item;
-  // A top-level member as a whole; such a list after its items.
+  // A top-level member as a whole; such a list follows its items.
   std::function<void(std::string_view key, std::string_view text)> member;
-  // The text is a line of a file, and the name tells which: no line is told besides.
+  // The text is a line of a file, which `name` identifies: messages give no line number.
   bool is_one_line = false;
 };
 
-// Throws InputError ("FILE: line N: ...") for what is no JSON object in UTF-8, and ("FILE: FIELD: ...") for the same key
+// Throws InputError ("FILE: line N: ...") for text that is not a JSON object in UTF-8, and ("FILE: FIELD: ...") for the same key
 // twice, nesting, strings and items beyond file_limits.h. Uses no recursion. `name` stands for the file.
 void walk_json(const std::string& text, const std::string& name, const JsonVisitor& visitor);
 

@@ -1,4 +1,4 @@
-// Writes JSON text that people can read: some objects and lists with an item a line, the others on one line.
+// Writes readable JSON: some objects and lists with one item per line, the others on a single line.
 #pragma once
 
 #include <rapidjson/document.h>
@@ -13,7 +13,7 @@
 
 namespace hooke {
 
-// A value, or a text in quotes, as JSON on one line. Bytes that are no UTF-8 are escaped visibly.
+// A value, or a text in quotes, as JSON on one line. Bytes that are not valid UTF-8 are escaped.
 std::string to_json(const rapidjson::Value& value);
 std::string to_json(std::string_view text);
 
@@ -26,7 +26,7 @@ class JsonWriter {
   void end();
   void key(std::string_view key);
 
-  // Every number comes back bit for bit, -0.0 too. It must be finite.
+  // Every number is read back bit for bit, -0.0 included. It must be finite.
   void number(double value);
   void integer(std::int64_t value) { raw(std::to_string(value)); }
   void boolean(bool value) { raw(value ? "true" : "false"); }
@@ -34,7 +34,7 @@ class JsonWriter {
   void text(std::string_view value) { raw(to_json(value)); }
   void vector(const Vec3& value);
 
-  // JSON that is there already: a value, or members ("\"a\": 1, \"b\": 2").
+  // Existing JSON: a value, or members ("\"a\": 1, \"b\": 2").
   void raw(std::string_view json);
   void members(std::string_view json) {
     if (!json.empty()) raw(json);
@@ -48,7 +48,7 @@ class JsonWriter {
   void vector(std::string_view name, const Vec3& value) { key(name), vector(value); }
 
   const std::string& written() const { return written_; }
-  // What was written since the last call: for texts too long to be kept.
+  // The text since the last call, for texts too long to keep in memory.
   std::string take() { return std::exchange(written_, {}); }
 
  private:

@@ -1,4 +1,4 @@
-// Text of unknown origin, made fit for a line on a terminal or a label.
+// Makes untrusted text safe for one line of a terminal or a label.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace hooke {
 
-// Control characters as "\n", "\t" or "\u001b", bytes that are no UTF-8 as "\xff"; everything else as it is.
+// Control characters as "\n", "\t" or "\u001b", bytes that are not valid UTF-8 as "\xff"; everything else unchanged.
 std::string printable(std::string_view text);
 
-// The same, cut to about `most` bytes, with "..." where it was cut.
+// The same, truncated to about `max` bytes with "...".
 std::string printable(std::string_view text, std::size_t max);
 
 // RFC 3629: no overlong forms, no surrogates, nothing past U+10FFFF.

@@ -1,4 +1,4 @@
-// What a long reading or writing tells the one who waits for it.
+// Progress of long reads and writes.
 #pragma once
 
 #include <cstddef>
@@ -6,10 +6,10 @@
 
 namespace hooke {
 
-// Told the share of the work that is done, from 0 to 1, now and then; false: it is not wanted any more. Empty: nobody asks.
-using Progress = std::function<bool(double share)>;
+// Receives the fraction of the work that is done, 0 to 1; returns false to cancel. Empty: no progress is reported.
+using Progress = std::function<bool(double fraction)>;
 
-// Whether work at this item of many should tell how far it is: a call for each would take longer than the item.
+// Whether to report progress at this item: a call for each would take longer than the item itself.
 constexpr bool is_progress_step(std::size_t item) { return item % 1024 == 1023; }
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// Text formats of old: one statement a line, words between blanks.
+// Line-based text formats: one statement per line, words separated by blanks.
 #pragma once
 
 #include <optional>
@@ -7,16 +7,16 @@
 
 namespace hooke {
 
-// The lines of a text in turn, whatever ends them ("\n", "\r\n" or "\r").
+// The lines of a text, terminated by any of ("\n", "\r\n" or "\r").
 class TextLines {
  public:
-  // The text must outlive this.
+  // The text must outlive this object.
   explicit TextLines(std::string_view text) : rest_(text) {}
 
-  // The next line without its end; false when there is none.
+  // The next line without its terminator; false at the end.
   bool next(std::string_view& line);
 
-  // Of the line last given, from 1.
+  // Of the last line returned, from 1.
   int number() const { return number_; }
 
  private:
@@ -24,22 +24,22 @@ class TextLines {
   int number_ = 0;
 };
 
-// Takes the next word off the front of `line`; empty when only blanks and tabs are left.
+// Removes the next word from the front of `line`; empty if only blanks and tabs are left.
 std::string_view next_token(std::string_view& line);
 
-// A decimal number of the size of a double ("1", "+.5", "-3e-7"); none for anything else, "nan", "inf" and "1e400" included.
+// A decimal number within the range of a double ("1", "+.5", "-3e-7"); none for anything else, "nan", "inf" and "1e400" included.
 std::optional<double> parse_number(std::string_view word);
 
-// A whole number that an int holds; none for anything else.
+// An integer within the range of int; none for anything else.
 std::optional<int> parse_integer(std::string_view word);
 
-// A number in six digits, for messages.
+// A number with six digits, for messages.
 std::string format_rounded(double value);
 
 // "1 mass", "2 masses".
 std::string pluralize(std::size_t count, const std::string& singular, const std::string& plural);
 
-// "FILE: line 12" to begin a message with.
+// "FILE: line 12", the start of a message.
 std::string line_location(const std::string& file, int line);
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// The words that every part of Hooke shares: vectors, indices and identities. SI units throughout.
+// Basic types: vectors, indices and ids. SI units throughout.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@ namespace hooke {
 
 using Vec3 = glm::dvec3;
 
-// Place of a point or spring in a System's list. Changes when something before it is removed.
+// Index of a point or spring in a System's list. Changes when an element before it is removed.
 using Index = std::int32_t;
 
-// Identity of a point or a spring: given once, never reused within a document.
+// Id of a point or a spring: assigned once, never reused within a document.
 enum class PointId : std::uint32_t {};
 enum class SpringId : std::uint32_t {};
 

@@ -40,7 +40,7 @@ Criterion read_criterion(const JsonField& field) {
       member.refuse("must be law, of, value, within, least, most or from");
   }
   if (criterion.kind == nullptr) field.refuse_missing("law", "must be given");
-  // whatever there may be: numbers of points and springs are not known yet
+  // any point or spring: their numbers are not known yet
   constexpr Index many = std::numeric_limits<Index>::max();
   if (!find_quantity(criterion.of, many, many)) field.refuse("must have \"of\", one of " + quantity_names());
   if (criterion.kind->has_limits ? !criterion.min && !criterion.max : !criterion.within)

@@ -1,4 +1,4 @@
-// A scene's own check: the laws that its motion keeps, written in its file (docs/scene-format.md), and the methods that it lists.
+// The check of a scene: criteria for its motion and the methods to test, given in its file (docs/scene-format.md).
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace hooke {
 
-// A method that the laws are tried under, with substeps of its own or as many as the scene has.
+// A method to test, with its own substeps or those of the scene.
 struct CheckedMethod {
   const Integrator* method = nullptr;
   std::optional<int> substeps;
@@ -18,15 +18,15 @@ struct CheckedMethod {
 
 struct SceneCheck {
   double seconds = 2.0;                // [s]
-  std::vector<CheckedMethod> methods;  // none: the scene's own
-  std::vector<Criterion> criteria;     // besides that every state is finite
-  bool expects_divergence = false;     // it is there to be seen fail: the watch must stop it within `seconds`
+  std::vector<CheckedMethod> methods;  // none: that of the scene
+  std::vector<Criterion> criteria;     // in addition, every state must be finite
+  bool expects_divergence = false;     // the run must be stopped as divergent within `seconds`
 };
 
 // Throws InputError.
 SceneCheck read_scene_check(const JsonField& field);
 
-// What the scene's file asks for; without it two seconds of finite states.
+// The check in the scene's file; by default two seconds of finite states.
 SceneCheck check_of(const Scene& scene);
 
 }  // namespace hooke

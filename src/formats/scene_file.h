@@ -16,22 +16,22 @@ struct LoadedScene {
   std::vector<std::string> warnings;  // one line each: unknown keys, coincident points, an explicit step past its limit
 };
 
-// Reads a scene. Throws InputError or FileError; never anything else, whatever the bytes. Refused too when `progress` ends it.
+// Reads a scene. Throws InputError or FileError, nothing else, whatever the bytes; InputError if `progress` cancels it.
 LoadedScene load_scene(const std::filesystem::path& file, const Progress& progress = {});
 
-// A copy of `original` that was kept in another folder: its pictures lie beside the original.
+// Reads a copy of `original` in another folder: textures are found beside the original.
 LoadedScene load_scene_from_copy(const std::filesystem::path& copy, const std::filesystem::path& original, const Progress& progress = {});
 
 // The same from memory; `name` stands for the file in messages.
 LoadedScene parse_scene(std::string_view text, const std::string& name, const Progress& progress);
 LoadedScene parse_scene(std::string_view text, const std::string& name);
 
-// The scene as JSON. What is read back is the same scene, bit for bit. Generators stay generators where their points and
-// springs are as they were made.
+// The scene as JSON, which reads back as the same scene, bit for bit. Generators are kept if their points and springs are
+// unchanged.
 std::string format_scene(const Scene& scene, const Progress& progress = {});
 
-// Writes atomically: a temporary file beside it, fsync, rename, fsync of the folder. Throws FileError; then the old file
-// is as it was. So it is when `progress` ends it, which is a FileError too.
+// Writes atomically (base/atomic_write.h). Throws FileError, also if `progress` cancels it, and leaves the old file
+// unchanged.
 void save_scene(const Scene& scene, const std::filesystem::path& file, const Progress& progress = {});
 
 // A scene that ships with Hooke: a file in assets/scenes with a "gallery" entry.

@@ -24,7 +24,7 @@ extern char** environ;
 namespace hooke {
 namespace {
 
-// What ffmpeg is told. H.264 with 4:2:0 colours needs even sides: an odd one gets a black line more.
+// The arguments of ffmpeg. H.264 with 4:2:0 subsampling requires even sides: odd ones are padded with a black line.
 std::vector<std::string> arguments_for(const std::filesystem::path& file, int width, int height, double video_frame_rate) {
   return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
           std::to_string(width) + "x" + std::to_string(height), "-framerate", format_exact(video_frame_rate), "-i", "pipe:0", "-vf",
@@ -106,7 +106,7 @@ void VideoEncoder::add(const Picture& picture) {
     const ssize_t sent = ::send(ffmpeg_socket_, at, left, MSG_NOSIGNAL);
     if (sent < 0 && errno == EINTR) continue;
     if (sent < 0) {
-      // it need not read to its end what nobody wants
+      // the rest of its input is not needed
       if (aborted_) ::kill(ffmpeg_, SIGKILL);
       finish();
       fail("ffmpeg ended early");
@@ -123,7 +123,7 @@ void VideoEncoder::close() {
   if (error) fail(error.message());
 }
 
-// With the first line of what ffmpeg said. Called in the making too, which no destructor follows.
+// With the first line of the output of ffmpeg. The constructor calls it too, where no destructor follows.
 void VideoEncoder::fail(const std::string& why) const {
   std::string first_line;
   std::getline(std::ifstream(stderr_file_), first_line);

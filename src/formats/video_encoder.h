@@ -19,7 +19,7 @@ class VideoEncoder {
   VideoEncoder(const VideoEncoder&) = delete;
   VideoEncoder& operator=(const VideoEncoder&) = delete;
 
-  // Throws FileError when ffmpeg has ended, with what it said.
+  // Throws FileError with the output of ffmpeg if it has ended.
   void add(const Picture& picture);
   // Waits for ffmpeg and puts the film in its place. Throws FileError.
   void close();

@@ -1,4 +1,4 @@
-// Laws that the motion of a scene keeps, as a scene's check asserts them: a quantity over time, and what must hold of it.
+// Criteria of a scene's check: conditions on a quantity over time.
 #pragma once
 
 #include <optional>
@@ -9,27 +9,27 @@
 
 namespace hooke {
 
-// A quantity at the ends of frames, from the law's `from` on; never empty.
+// The values of a quantity at the ends of frames, from `from` on; never empty.
 struct TimeSeries {
   std::vector<double> time, value;
 };
 
-// What a law of this kind asks for. The figure is compared with `value`, or with the limits.
+// A kind of criterion. Its result is compared with `value`, or with the limits.
 struct CriterionKind {
   std::string_view id;         // in files
-  bool has_value, has_limits;  // must give value and within; least or most
+  bool has_value, has_limits;  // requires value and within; requires a minimum or a maximum
   double (*evaluate)(const TimeSeries& series);
   std::string_view description;  // "the total FIGURE"
 };
 std::span<const CriterionKind> law_kinds();
 
-// One law about one quantity over the run.
+// A criterion for one quantity of the run.
 struct Criterion {
   const CriterionKind* kind = nullptr;
   std::string of;                       // the quantity's name (quantity.h)
   std::optional<double> value, within;  // in the quantity's unit; of a period [s]
   std::optional<double> min, max;
-  double from = 0.0;  // [s] after the start: what was before does not count
+  double from = 0.0;  // [s] after the start: earlier values are ignored
 };
 
 struct CriterionResult {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The part of a segment in front of the viewer is where the clip coordinate w is above this share of its larger end.
+// The part of a segment in front of the viewer is where the clip coordinate w is above this fraction of its larger end.
 constexpr double min_w = 1e-9;
 
 glm::dvec2 clip_to_screen(const glm::dvec4& clip, const glm::dvec2& size) {
@@ -36,7 +36,7 @@ std::optional<ScreenSegment> project_segment(const ViewTransform& view_transform
   return ScreenSegment{clip_to_screen(a, view_transform.size), clip_to_screen(b, view_transform.size)};
 }
 
-// Place on the segment nearest to p, as a share of its length, and the distance to it.
+// The point of the segment nearest to p, as a fraction of its length, and its distance.
 struct Nearest {
   double fraction, distance;
 };

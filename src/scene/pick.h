@@ -1,4 +1,4 @@
-// What is under the cursor. Works from a Snapshot and a ViewTransform; what is picked is what is seen.
+// Finds what is visible under the cursor.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -10,7 +10,7 @@
 
 namespace hooke {
 
-// How the world becomes a picture. Cursors are in the unit of `size`, from the picture's top left.
+// The projection of the world to the picture. Cursors are in the unit of `size`, from the top left of the picture.
 struct ViewTransform {
   glm::dmat4 clip{1.0};        // world to clip coordinates: projection * view
   glm::dvec2 size{1.0};        // [px]
@@ -22,31 +22,31 @@ struct PickRay {
   Vec3 at(double distance) const { return origin + distance * direction; }
 };
 
-// Everything that is seen at this place of the picture. Starts at the near plane.
+// The line of sight through this place of the picture. Starts at the near plane.
 PickRay pick_ray(const ViewTransform& view_transform, const glm::dvec2& cursor);
 
-// Where a place of the world is seen; none when it is behind the viewer.
+// The position of a point of the world in the picture; none if it is behind the viewer.
 std::optional<glm::dvec2> project_to_screen(const ViewTransform& view_transform, const Vec3& place);
 
-// Where the line first meets a solid collider from outside, as they are at `time` [s].
+// The first intersection of the line with a solid collider from outside, at `time` [s].
 struct ColliderHit {
   double distance;  // [m], along the line
   Vec3 position, normal;
-  bool bounded;  // a sphere or a box, not an endless plane
+  bool bounded;  // a sphere or a box, not an infinite plane
   Index collider = no_index;
 };
 std::optional<ColliderHit> hit_collider(const System& system, const State& state, const PickRay& ray);
 
-// The solid collider that is seen at the cursor, not behind the surface if it is shown. In a 2-D scene, that of which the
-// inside lies under it in the scene's plane.
+// The visible solid collider at the cursor, not behind the surface if that is shown. In a 2-D scene the collider that
+// contains the cursor in the plane of the scene.
 std::optional<ColliderHit> pick_collider(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& cursor);
 
-// The point whose ball is seen under the cursor, else the nearest within `reach` [px] of it. Points behind a collider, or
-// behind the surface if it is shown, are passed over.
+// The point whose sphere is under the cursor, or else the nearest within `reach` [px]. Points behind a collider, or behind
+// the surface if that is shown, are ignored.
 std::optional<PointId> pick_point(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& cursor,
                                   double pick_radius);
 
-// Where on a face the line of sight through the cursor first meets one, in front of every collider.
+// The first intersection of the line of sight with a face, in front of every collider.
 struct SurfaceHit {
   Patch patch;
   Vec3 position{0.0};
@@ -61,7 +61,7 @@ std::optional<SpringId> pick_spring(const Snapshot& snapshot, const ViewTransfor
 std::vector<PointId> points_in_box(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& corner,
                                    const glm::dvec2& opposite);
 
-// Springs whose picture the cursor's way from `from` to `to` crosses.
+// Springs that the cursor's path from `from` to `to` crosses in the picture.
 std::vector<SpringId> springs_across(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& from,
                                      const glm::dvec2& to);
 

@@ -1,4 +1,4 @@
-// What can be measured of a scene at a moment, by name: the columns of CSV files, and what scenes' checks speak of.
+// Quantities of a scene by name: the columns of CSV files, and the quantities of scenes' checks.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace hooke {
 
-// What several quantities are read from, computed once a moment.
+// Values that several quantities are read from, computed once per state.
 struct Measurement {
   const System& system;
   const State& state;
@@ -23,7 +23,7 @@ Measurement measure(const System& system, const State& state);
 
 struct QuantityRow {
   enum class Of { Scene, Point, Spring };
-  std::string_view name;  // of a point or spring followed by its number: "y5"
+  std::string_view name;  // for a point or spring followed by its number: "y5"
   std::string_view unit;
   Of of;
   std::string_view description;
@@ -33,21 +33,21 @@ std::span<const QuantityRow> quantity_rows();
 
 struct Quantity {
   const QuantityRow* row = nullptr;
-  Index at = 0;  // the point or spring, by its place in the scene
+  Index at = 0;  // index of the point or spring
 
   std::string name() const;
   std::string heading() const;  // "y5 [m]"
-  // The scene must still have that many points and springs.
+  // The point or spring must exist.
   double of(const Measurement& measurement) const { return row->read(measurement, at); }
 };
 
-// The quantity of this name in a scene of so many points and springs; none: there is no such.
+// The quantity of this name in a scene with these numbers of points and springs; none if it does not exist.
 std::optional<Quantity> find_quantity(std::string_view name, Index points, Index springs);
 
-// Appends those of a list with commas between, "time, y5"; returns the first name that is none, empty where all are.
+// Appends the quantities of a comma-separated list, "time, y5"; returns the first unknown name, or an empty string.
 std::string parse_quantities(std::string_view list, Index points, Index springs, std::vector<Quantity>& quantities);
 
-// "time [s],y5 [m]" and the values at a moment, each a line.
+// "time [s],y5 [m]" and the values of a state, one line each.
 std::string csv_heading(std::span<const Quantity> quantities);
 std::string csv_row(std::span<const Quantity> quantities, const System& system, const State& state);
 

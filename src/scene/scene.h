@@ -1,4 +1,4 @@
-// A document: everything that a scene file holds, ready to run.
+// The document: everything that a scene file contains, ready to run.
 #pragma once
 
 #include <map>
@@ -15,24 +15,24 @@
 
 namespace hooke {
 
-// Values that a new point or spring gets from the tools.
+// Properties of new points and springs.
 struct Defaults {
   double mass = 1.0;            // [kg]
   double radius = 0.02;         // [m]
   double stiffness = 100.0;     // [N/m]
   double damping = 0.0;         // [N s/m]
-  double pull_stiffness = 0.0;  // [N/m], of the pulling hand; 0: chosen from the grabbed point's springs
+  double pull_stiffness = 0.0;  // [N/m], of the drag spring; 0: chosen from the springs of the point
   GrabKind grab = GrabKind::Hold;
-  bool mass_follows_radius = false;  // whether a point whose radius is set gets mass in proportion to its square
+  bool mass_follows_radius = false;  // whether setting the radius of a point scales its mass by its square
   bool operator==(const Defaults&) const = default;
 };
 
-// In which numbers the sliders speak of the springs. Whatever is chosen, each spring has its own k and d, which they set.
+// The quantities by which the sliders set the springs. Each spring keeps its own k and d.
 enum class SpringParameterization : std::uint8_t {
   Plain,      // k and d of each spring
   PerStrain,  // k = Y / l0; d of each spring
-  BySize,     // k of each spring; d = c l0: in quads half as wide, half of it
-  Material,   // of the sheet, however many points it has: k = E t share, d = eta share, mass = density area
+  BySize,     // k of each spring; d = c l0: half as much in quads half as wide
+  Material,   // of the sheet, for any number of points: k = E t weight, d = eta weight, mass = density area
 };
 
 // What broke in one frame of a run, and what broke before it: from the whole scene, tears branch where somebody went back and
@@ -43,13 +43,13 @@ struct Tear {
   std::vector<PlacedFace> faces;
 };
 
-// What the arrow keys and sliders of a scene step by, where the scene says so.
+// Range and step of the stiffness keys and sliders, if the scene gives them.
 struct ControlRanges {
-  double stiffness_min = 0.0, stiffness_max = 0.0, stiffness_step = 0.0;  // [N/m]; most = 0: the parameter's own
+  double stiffness_min = 0.0, stiffness_max = 0.0, stiffness_step = 0.0;  // [N/m]; max = 0: those of the parameter
   bool operator==(const ControlRanges&) const = default;
 };
 
-// The parts of a file that are kept as text: what made the last points, springs and faces, and keys that are not ours.
+// The parts of a file that are kept as text: generators of the last points, springs and faces, and unknown keys.
 struct PreservedJson {
   using Members = std::string;                    // "\"a\": 1, \"b\": [2]": members without the braces
   std::string generators;                         // the list as it stood; empty: none
@@ -79,13 +79,13 @@ struct Scene {
   std::uint64_t revision = 0;  // of everything but the state; apply alone increments it, and what is derived from a scene is cached by it
 };
 
-// What the point weighs with another radius, its mass going with the square of it; as before without any.
+// The mass of the point with another radius, proportional to its square; unchanged if either radius is 0.
 inline double mass_at_radius(const Point& point, double radius) {
   const double ratio = radius / point.radius;
   return point.radius > 0.0 && radius > 0.0 ? point.mass * ratio * ratio : point.mass;
 }
 
-// A flat stage with a floor, to build on.
+// An empty 2-D scene with a floor.
 Scene empty_scene();
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// What the person has selected. Ids in ascending order, each once.
+// The selection of the user. Ids in ascending order, each once.
 #pragma once
 
 #include <vector>
@@ -22,19 +22,19 @@ struct Selection {
 
 Selection select_all(const System& system);
 
-// What is not selected.
+// Everything that is not selected.
 Selection invert_selection(const System& system, const Selection& selection);
 
-// The selection and all that hangs together with it, through springs and faces.
+// The selection and everything connected to it through springs and faces.
 Selection select_connected(const System& system, const Selection& selection);
 
 // These points, and the springs between them.
 Selection select_with_springs_between(const System& system, std::vector<PointId> points);
 
-// Without what is gone from the system.
+// The part of the selection that still exists in the system.
 Selection existing_part_of(const System& system, const Selection& selection);
 
-// The springs that an edit of the selection means: those selected, and those between selected points.
+// The springs that an edit of the selection affects: selected springs, and those between selected points.
 std::vector<SpringId> affected_springs(const System& system, const Selection& selection);
 
 }  // namespace hooke

@@ -1,5 +1,5 @@
-// What the points and springs of cloths are of the sheets that they make up: what material sliders turn numbers of a sheet into
-// those of each point and spring with.
+// The weights of points and springs in the sheets that they form: material sliders use them to set each point and spring from
+// the properties of the sheet.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace hooke {
 
-// By id. 0, as beyond the end: no part of one.
+// By id. 0, also beyond the end: part of no sheet.
 struct SheetWeights {
   std::vector<double> area;           // [m^2], of each point
   std::vector<double> spring_weight;  // [1], of each spring
@@ -23,12 +23,12 @@ struct SheetWeights {
   static double at(const std::vector<double>& list, std::size_t id) { return id < list.size() ? list[id] : 0.0; }
 };
 
-// The same where there may be no cloth.
+// The same; `sheet` may be null.
 inline double area_of(const SheetWeights* sheet, PointId id) { return sheet != nullptr ? sheet->area_of(id) : 0.0; }
 inline double sheet_weight_of(const SheetWeights* sheet, SpringId id) { return sheet != nullptr ? sheet->sheet_weight_of(id) : 0.0; }
 
-// Changes what a scene holds of its sheets; copies it only when something changes. In the end there is none where nothing is of
-// a sheet.
+// Edits the weights of a scene; copies them only if something changes. The destructor removes them if no point or spring is
+// part of a sheet.
 class SheetEdit {
  public:
   explicit SheetEdit(std::shared_ptr<const SheetWeights>& sheet) : sheet_(sheet) {}

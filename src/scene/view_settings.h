@@ -1,4 +1,4 @@
-// How a scene asks to be looked at: kept by lab with the document, read by draw.
+// The view settings of a scene: stored with the document, read by draw.
 #pragma once
 
 #include <cstdint>
@@ -18,18 +18,18 @@ struct CameraPose {
   Vec3 target{0.0};
   std::optional<Vec3> up;  // none: opposite to gravity (y without gravity)
   bool orthographic = false;
-  bool follows = false;  // goes along with what leaves the middle of the picture
+  bool follows = false;  // follows the centre of all points when it leaves the middle of the picture
   bool operator==(const CameraPose&) const = default;
 };
 
 struct ViewSettings {
   std::optional<CameraPose> camera;  // none: frames the scene
   std::optional<Color> background;   // none: the program's own
-  // what of the network is shown; colours of strain go on the springs, or on the surface where no springs are shown
+  // visible parts of the network; strain colours the springs, or the surface if no springs are shown
   bool surface = true, springs = true, points = true, strain_colors = true;
-  bool shadows = true;                 // of what is near the ground, a ball or a box
-  std::string texture;                 // on the faces: the name of one that ships, or a PNG beside the scene; empty: none
-  std::optional<double> texture_size;  // [m] of cloth that the image is wide, > 0; none: the texture's own
+  bool shadows = true;                 // near the ground, a sphere or a box
+  std::string texture;                 // on the faces: a shipped texture, or a PNG in the folder of the scene; empty: none
+  std::optional<double> texture_size;  // [m], width of the image on the cloth, > 0; none: the default of the texture
   bool operator==(const ViewSettings&) const = default;
 };
 
@@ -39,19 +39,19 @@ struct Picture {
   std::vector<std::uint8_t> pixels;
 };
 
-// [m] on the flat cloth, right and down from its first corner, of each point by its id; no number: a point of no cloth, as
+// [m] on the flat cloth, right and down from its first corner, of each point by its id; NaN: a point of no cloth, as
 // are all ids beyond the end.
 using ClothCoordinates = std::vector<glm::dvec2>;
 inline constexpr glm::dvec2 no_cloth_coordinates{std::numeric_limits<double>::quiet_NaN()};
 
-// What is printed on the faces, ready to be drawn.
+// The texture of the faces, ready to be drawn.
 struct ClothTexture {
-  std::shared_ptr<const Picture> picture;                     // null: nothing
+  std::shared_ptr<const Picture> picture;                     // null: none
   std::shared_ptr<const ClothCoordinates> cloth_coordinates;  // null: no point has one
-  double width = 1.0;                                         // [m] of cloth that the picture is wide; it repeats
+  double width = 1.0;                                         // [m], width of the picture on the cloth; it repeats
 };
 
-// [m], no numbers where the point has none.
+// [m], NaN if the point has none.
 inline glm::dvec2 cloth_coordinates_of(const ClothTexture& cloth_texture, PointId id) {
   const auto at = static_cast<std::size_t>(id);
   return cloth_texture.cloth_coordinates && at < cloth_texture.cloth_coordinates->size() ? (*cloth_texture.cloth_coordinates)[at]

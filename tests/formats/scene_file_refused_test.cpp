@@ -186,7 +186,7 @@ TEST(BadScenes, WhatIsNotPhysicalIsRefused) {
       {scene_with(R"("defaults": {"radius": -1})"), "defaults.radius: -1: must be at least 0"},
       {scene_with(R"("defaults": {"grab": "push"})"), "defaults.grab: \"push\": must be \"hold\" or \"pull\""},
       {scene_with(R"("controls": {"stiffness": [5, 1, 0.1]})"),
-       "controls.stiffness: [5, 1, 0.1]: must be [least, most, step] with least below most"},
+       "controls.stiffness: [5, 1, 0.1]: must be [min, max, step] with min below max"},
       {scene_with(R"("controls": {"stiffness": [0, 1, 0]})"), "controls.stiffness[2]: 0: must be more than 0"},
   });
 }

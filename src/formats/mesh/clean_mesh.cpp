@@ -109,7 +109,7 @@ void MeshCleaner::add_cell(std::span<const Index> corners) {
     clean_mesh_.cells.push_back(cell);
 }
 
-// So that the cut leaves both halves facing the same way, and is the shorter one if both do.
+// Chooses the diagonal for which both halves have the same orientation, or the shorter one if both do.
 void MeshCleaner::choose_quad_diagonal(Cell& cell) const {
   if (cell.size() != 4) return;
   const auto& [a, b, c, d] = cell.corners;
@@ -126,7 +126,7 @@ double MeshCleaner::longest_side_of(const Cell& cell) const {
   return longest;
 }
 
-// The same corners, whatever the order: the second time it would be twice as stiff and heavy there.
+// The same corners in any order: a duplicate would double stiffness and mass.
 void MeshCleaner::remove_duplicate_cells() {
   struct Key {
     std::array<Index, 4> corners;

@@ -82,7 +82,7 @@ std::vector<SpringWeight> ClothMaker::spring_weights() const {
       add(b, d, 0.75 * cell.area, false);
     }
   }
-  // the weights too, so that sums do not depend on how the sorting goes about it
+  // by weight too, so that sums do not depend on the sorting algorithm
   std::sort(spring_weights.begin(), spring_weights.end(), [](const SpringWeight& s, const SpringWeight& t) {
     return std::tie(s.first, s.second, s.weight, s.is_side) < std::tie(t.first, t.second, t.weight, t.is_side);
   });

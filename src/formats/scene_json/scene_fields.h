@@ -1,4 +1,4 @@
-// What the fields of a scene file have in common, and what is noted while they are read.
+// Reads values of scene files, and collects warnings.
 #pragma once
 
 #include <map>
@@ -22,12 +22,12 @@ class SceneFields {
   // "#rrggbb"
   Color color(const JsonField& field) const;
 
-  // Warns of a key that is not ours and adds it to the members kept, with its value as it stands in the text if that is
-  // known.
+  // Warns of an unknown key and adds it to the members kept, with its original text if that is
+  // given.
   void preserve_unknown(const JsonField& field, std::string& members, std::string_view text = {});
 
   void warn(const std::string& line) { warnings_.push_back(line); }
-  // All of them: repeated ones once, with their number.
+  // Repeated warnings are listed once, with their number.
   std::vector<std::string> warnings(const std::string& file) const;
 
  private:
@@ -37,7 +37,7 @@ class SceneFields {
     std::string first;  // path of the first
     std::size_t count = 0;
   };
-  std::string vector_2d_error_, nonzero_z_error_;  // complaints about the first vector of two numbers, with z != 0
+  std::string vector_2d_error_, nonzero_z_error_;  // errors for the first vector of two numbers, with z != 0
   std::map<std::string, Unknown> unknown_keys_;    // by their name
   std::vector<std::string> warnings_;
 };

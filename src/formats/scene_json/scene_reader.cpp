@@ -360,7 +360,7 @@ void SceneReader::warn_about_coincident_points() {
                ": joins two points at the same place: no force between them until they part");
 }
 
-// A picture that is gone takes nothing from the scene but its looks.
+// A scene whose texture is missing is drawn without it.
 void add_picture(LoadedScene& loaded, const std::filesystem::path& folder, const std::string& name) {
   const std::string& texture = loaded.scene.view.texture;
   if (texture.empty()) return;

@@ -52,7 +52,7 @@ void check_spin(const JsonField& field, const Collider& collider) {
   }
 }
 
-// Reads what all colliders share; false: not one of those fields.
+// Reads a field that all colliders have; false: it is none.
 bool read_surface(const JsonField& field, SceneFields& fields, Collider& collider) {
   if (field.is("type") || read_path(field, fields, collider.path)) return true;
   if (field.is("restitution"))
@@ -113,7 +113,7 @@ void read_box(const JsonField& field, SceneFields& fields, Scene& scene, Collide
   };
   read_shape(field, fields, scene, collider, "min", read_corner(box.min), "max", read_corner(box.max));
 
-  // a rectangle of a 2-D scene: so deep that the way out is never along z
+  // a rectangle of a 2-D scene: deep enough that the nearest surface is never along z
   if (flat) {
     const double depth = std::min(box.max.x - box.min.x, box.max.y - box.min.y);
     box.min.z = -depth;
@@ -172,7 +172,7 @@ bool read_force_number(const JsonField& member, Force& force) {
   return false;
 }
 
-// A circle that is none would be gone round without end in no time.
+// A smaller radius would make the angular velocity overflow.
 constexpr double min_circle_radius = 1e-6;  // [m]
 
 void read_circle(const JsonField& field, SceneFields& fields, Scene& scene, ScriptedHand& hand) {
@@ -357,7 +357,7 @@ void read_controls(const JsonField& field, SceneFields& fields, Scene& scene) {
     controls.stiffness_min = items[0].number(not_negative);
     controls.stiffness_max = items[1].number(positive);
     controls.stiffness_step = items[2].number(positive);
-    if (!(controls.stiffness_min < controls.stiffness_max)) member.refuse("must be [least, most, step] with least below most");
+    if (!(controls.stiffness_min < controls.stiffness_max)) member.refuse("must be [min, max, step] with min below max");
   }
 }
 

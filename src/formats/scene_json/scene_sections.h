@@ -1,4 +1,4 @@
-// The parts of a scene file that are single objects, and colliders.
+// The objects of a scene file, its colliders and forces.
 #pragma once
 
 #include "formats/scene_json/scene_fields.h"
@@ -6,10 +6,10 @@
 
 namespace hooke {
 
-// A field that is a row of the table of parameters; false: it is none.
+// A field of the table of parameters; false: it is none.
 bool read_parameter(const JsonField& field, Scene& scene);
 
-// Each throws InputError, and keeps keys that are not ours in scene.kept.
+// Each throws InputError, and keeps unknown keys in the scene.
 void read_collider(const JsonField& field, SceneFields& fields, Scene& scene);
 void read_force(const JsonField& field, SceneFields& fields, Scene& scene);
 void read_hand(const JsonField& field, SceneFields& fields, Scene& scene);

@@ -1,4 +1,4 @@
-// The other way of xsp_file.h: a scene as an .xsp file.
+// Writes a scene as an .xsp file.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
