@@ -1,4 +1,4 @@
-// Signs on buttons, drawn as strokes so that they are crisp at every scale.
+// Icons of buttons, drawn as strokes so that they are crisp at any scale.
 #pragma once
 
 #include <imgui.h>

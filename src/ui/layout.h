@@ -1,4 +1,4 @@
-// Where the panels and the scene lie in the window. The scene has the place that the panels leave.
+// Positions of the panels and the scene in the window. The scene gets the space that the panels leave.
 #pragma once
 
 #include <algorithm>
@@ -14,20 +14,20 @@ struct Rect {
 
 struct Layout {
   Rect menu, tools, side, plots, timeline, status, scene;
-  Rect page;  // all between the menu and the line at the bottom
+  Rect page;  // everything between the menu bar and the status bar
 };
 
-// What is shown besides the menu and the line at the bottom.
+// What is shown besides the menu bar and the status bar.
 struct Shown {
   bool panels = true, plots = false;
 };
 
-// `scale`: window units per unit of design (1 on a plain screen).
+// `scale`: window units per design unit (1 on a screen without scaling).
 inline Layout lay_out(double width, double height, double scale, Shown shown = {}) {
   const double menu = 38.0 * scale, tools = shown.panels ? 74.0 * scale : 0.0, status = 28.0 * scale;
   const double side = shown.panels ? std::min(336.0 * scale, 0.45 * width) : 0.0;
   const double middle = std::max(1.0, height - menu - status);
-  // only where there is room for them
+  // only if there is room
   const double timeline = shown.panels && middle > 200.0 * scale ? 30.0 * scale : 0.0;
   const double plots = shown.panels && shown.plots && middle > 280.0 * scale ? std::clamp(0.3 * middle, 120.0 * scale, 260.0 * scale) : 0.0;
   const double scene_width = std::max(1.0, width - tools - side), scene_height = middle - timeline - plots;

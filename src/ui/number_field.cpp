@@ -9,12 +9,12 @@
 namespace hooke {
 namespace {
 
-// Digits that a drag sets, and that a typed number starts with.
+// Digits of a dragged value, and of a value to be edited as text.
 constexpr const char *dragged_digits = "%.3g", *typed_digits = "%.8g";
-// Below this a logarithmic slider that reaches zero is at zero: ImGui's 10^-digits for the format of a drag.
+// Where a logarithmic slider that includes zero snaps to it: ImGui's 10^-digits for the format of a drag.
 constexpr double min_of_logarithm = 1e-3;
 
-// "m/s^2" as it is written by hand.
+// "m/s^2" with a superscript.
 std::string pretty(std::string_view unit) {
   std::string text(unit);
   if (const auto at = text.find("^2"); at != std::string::npos) text.replace(at, 2, "\u00b2");
@@ -38,23 +38,23 @@ double fitted(const NumberField& field, double value) {
   return field.integer ? std::round(value) : value;
 }
 
-// What it is, and what a hand can do with it.
+// The tooltip: the description, and how to use the slider.
 std::string hint_of(const NumberField& field) {
   std::string text(field.description);
-  if (field.mixed) text += " They differ: this is their mean, and setting it makes them equal.";
+  if (field.mixed) text += " Varies between parts: this is the mean, and setting it makes all equal.";
   const std::string unit = field.unit.empty() ? "" : " " + pretty(field.unit);
-  return text + (text.empty() ? "" : "\n") + "Ctrl+click types it, a right click gives " + number(field.default_value) + unit + ".";
+  return text + (text.empty() ? "" : "\n") + "Ctrl+click to type; right-click resets to " + number(field.default_value) + unit + ".";
 }
 
-// Where the value stands between least and most, as ImGui's slider has it.
-double share_of(const NumberField& field) {
+// Position of the value between min and max, as ImGui's slider computes it.
+double fraction_of(const NumberField& field) {
   const double value = std::clamp(field.value, field.min, field.max);
   if (!field.logarithmic) return (value - field.min) / (field.max - field.min);
   const double min = std::max(field.min, min_of_logarithm);
   return value <= min ? 0.0 : std::log(value / min) / std::log(field.max / min);
 }
 
-// ImGui's slider without its looks: what is under the mouse, and what is typed.
+// ImGui's slider for the input by mouse and keyboard; draw_slider draws it.
 bool invisible_slider(const NumberField& field, double& value, bool typing) {
   const char* format = typing || ImGui::GetIO().KeyCtrl ? typed_digits : dragged_digits;
   const ImGuiSliderFlags flags = field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
@@ -65,7 +65,7 @@ bool invisible_slider(const NumberField& field, double& value, bool typing) {
   return changed;
 }
 
-// A line where the value is: only its ends where the words are.
+// A line at the value; only its ends where it would cross the text.
 void draw_mark(ImDrawList& list, float x, ImVec2 min, ImVec2 max, bool below_text) {
   const float half = units(1.0), top = min.y + units(2.0), bottom = max.y - units(2.0), end = units(3.0);
   if (!below_text) return list.AddRectFilled({x - half, top}, {x + half, bottom}, palette::accent, half);
@@ -73,7 +73,7 @@ void draw_mark(ImDrawList& list, float x, ImVec2 min, ImVec2 max, bool below_tex
   list.AddRectFilled({x - half, max.y - end}, {x + half, max.y}, palette::accent);
 }
 
-// A bar that is filled up to the value, the value on it.
+// A bar filled up to the value, with the value as text.
 void draw_slider(const NumberField& field) {
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -84,7 +84,7 @@ void draw_slider(const NumberField& field) {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at{max.x - size.x - units(8.0), 0.5f * (min.y + max.y - size.y)};
   if (field.enabled) {
-    const float end = min.x + static_cast<float>(share_of(field)) * (max.x - min.x);
+    const float end = min.x + static_cast<float>(fraction_of(field)) * (max.x - min.x);
     list.PushClipRect(min, {end, max.y}, true);
     list.AddRectFilled(min, max, palette::tinted, rounding);
     list.PopClipRect();
@@ -127,7 +127,7 @@ std::optional<double> number_row(const NumberField& field, Panels& panels) {
     panels.typing = 0;
   if (!typing) draw_slider(field);
 
-  // half of a typed number is not meant
+  // an unfinished number does not count
   if (changed && typing) panels.typed_number = value;
   if (typing) changed = false;
   if (ImGui::IsItemDeactivatedAfterEdit() && panels.typed_number) {
@@ -135,9 +135,9 @@ std::optional<double> number_row(const NumberField& field, Panels& panels) {
     panels.typed_number.reset();
     changed = !std::isnan(value);
     if (!changed)
-      panels.show_toast("That is no number: " + std::string(field.label) + " stays as it was");
+      panels.show_toast("Not a number; " + std::string(field.label) + " is unchanged");
     else if (value < field.min || value > field.max)
-      panels.show_toast(std::string(field.label) + " goes from " + number(field.min) + " to " + number(field.max) + " " +
+      panels.show_toast(std::string(field.label) + " must be between " + number(field.min) + " and " + number(field.max) + " " +
                         pretty(field.unit));
   }
 

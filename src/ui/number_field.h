@@ -1,4 +1,4 @@
-// A number with a name, a unit and a slider.
+// A labelled number with a unit and a slider.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@ namespace hooke {
 struct NumberField {
   std::string_view label, unit, description;
   double min = 0.0, max = 1.0, default_value = 0.0, value = 0.0;
-  double step = 0.0;  // values are multiples of it; 0: any
+  double step = 0.0;  // values are multiples of it; 0 for any value
   bool integer = false, logarithmic = false, enabled = true;
-  bool mixed = false;  // stands for several that differ
+  bool mixed = false;  // the mean of several different values
 };
 
-// The field of a row of a table of numbers that has a label, a unit, a range and a usual value.
+// The field for a row of a table that has a label, a unit, a range and a default.
 template <class Row>
 NumberField field_of_row(const Row& row, double value, bool integer) {
   const bool spans_decades = row.min > 0.0 && row.max >= 100.0 * row.min && !integer;
@@ -32,11 +32,11 @@ NumberField field_of_row(const Row& row, double value, bool integer) {
           .logarithmic = spans_decades};
 }
 
-// The name of a row at the left; what follows is at the right of it.
+// The label on the left of a row; the next item is placed to its right.
 void begin_row(const std::string& label);
 
-// Drag to change, Ctrl+click to type, right click for the usual value. Returns the new value when it changed, within the
-// range. A typed number counts when it is finished.
+// Drag to change, Ctrl+click to type, right-click for the default. Returns the new value if it changed, clamped to the range. A
+// typed number counts when typing is finished.
 std::optional<double> number_row(const NumberField& field, Panels& panels);
 
 }  // namespace hooke

@@ -23,13 +23,17 @@ void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
     build_timeline(input, panels, requests);
     build_overlays(input, panels, requests);
     build_axes(input, panels, requests);
-    build_placement(input, panels);
+    build_placement(input, panels, requests);
   }
-  build_export(input, panels);
+  build_export(input, panels, requests);
   build_keys(input, panels);
   build_search(input, panels, requests);
   build_dialogs(input, panels, requests);
   panels.text_in_progress = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+}
+
+int PanelInput::presses(PanelKey::Target target, Key key) const {
+  return static_cast<int>(std::ranges::count_if(keys, [&](const PanelKey& each) { return each.target == target && each.key == key; }));
 }
 
 bool panels_cover(const Panels& panels, const Layout& layout, double x, double y) {

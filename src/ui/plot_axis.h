@@ -1,4 +1,4 @@
-// The scale of a plot: round numbers between the ends of what is shown.
+// The axis of a plot, with ticks at round numbers.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@ struct PlotAxis {
   double min = 0.0, max = 1.0;
   double step = 1.0;  // between ticks: 1, 2 or 5 x 10^n
 
-  // The first tick and all after it within the ends.
+  // All ticks between min and max.
   std::vector<double> ticks() const;
-  // With as many decimals as the step needs: "0.25"; powers of ten for what is very large or small.
+  // With as many decimals as the step needs: "0.25"; in scientific notation for very large or small values.
   std::string label(double tick) const;
-  // Where a value lies, from 0 to 1.
+  // The relative position of a value, from 0 to 1.
   double fraction(double value) const { return (value - min) / (max - min); }
 };
 
-// Around values from `least` to `most`, with about `ticks` ticks and a little room. What is flat gets a scale all the same.
+// An axis for values from `min` to `max`, with about `ticks` ticks and a margin. Equal values get a range around them.
 PlotAxis fit_axis(double min, double max, int ticks);
 
 }  // namespace hooke

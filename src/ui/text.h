@@ -1,4 +1,4 @@
-// Words and numbers as the panels write them.
+// Formatting of numbers and counts for the panels.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace hooke {
 
-// Four digits: "1000", "0.1667", "2.5e+04".
+// Four significant digits: "1000", "0.1667", "2.5e+04".
 std::string number(double value);
 // "3 points", "1 point"
 std::string count(long n, std::string_view noun);

@@ -7,11 +7,11 @@
 namespace hooke {
 namespace {
 
-// Of the current context; ImGui keeps its own state the same way.
+// Belong to the current context, like ImGui's own global state.
 Fonts current_fonts;
 double current_scale = 1.0;
 
-// Latin, Greek and Cyrillic for names; punctuation, arrows and signs for the panels' own words.
+// Latin, Greek and Cyrillic for names; punctuation, arrows and symbols for the panels.
 constexpr ImWchar glyphs[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x0400, 0x04ff, 0x2010, 0x2027, 0x2070,
                               0x209f, 0x2190, 0x2193, 0x2200, 0x2265, 0x25cf, 0x25cf, 0};
 
@@ -26,7 +26,7 @@ ImFont* load_font(const char* name, double size, double density) {
   return io.Fonts->AddFontDefault(&config);
 }
 
-// A look: the colours by what they are for, light enough or dark enough against the panel to be read (WCAG AA for words).
+// The colours of both looks by their use; text has the contrast of WCAG AA against the panel.
 struct Row {
   ImU32& color;
   ImU32 dark, light;

@@ -1,4 +1,4 @@
-// The one style of the panels: colours, spacing, fonts. Made anew when the content scale changes.
+// The style of the panels: colours, spacing, fonts. It is loaded again when the content scale changes.
 #pragma once
 
 #include <imgui.h>
@@ -7,17 +7,17 @@
 
 namespace hooke {
 
-// Of the look in use.
+// Colours of the current look.
 namespace palette {
 inline ImU32 panel, raised, hovered, pressed, line, box, text, dim, accent, tinted, good, warning, bad, edge, shade, alarm, notice;
-inline ImU32 axis_x, axis_y, axis_z;  // palette::panel is read on them
+inline ImU32 axis_x, axis_y, axis_z;  // their labels are drawn in palette::panel
 }  // namespace palette
 
 enum class Look { Dark, Light };
 
 // Sets the palette, and the style of the current context.
 void use_look(Look look);
-// What the scene stands before where it does not say so itself.
+// Background of a scene that does not define one.
 Color background_of(Look look);
 
 struct Fonts {
@@ -26,12 +26,12 @@ struct Fonts {
   ImFont* strong = nullptr;
 };
 
-// Style and fonts for the current context: DejaVu Sans where it is installed, ImGui's own font elsewhere.
-// `scale`: window units per unit of design; `density`: framebuffer pixels per window unit.
+// Loads style and fonts into the current context: DejaVu Sans if it is installed, else ImGui's built-in font.
+// `scale`: window units per design unit; `density`: framebuffer pixels per window unit.
 void load_theme(double scale, double density);
 
 const Fonts& fonts();
-// Window units for a length of the design.
+// Converts design units to window units.
 float units(double length);
 
 ImU32 to_imgui(Color color, int alpha = 255);

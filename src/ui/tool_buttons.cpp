@@ -6,10 +6,9 @@ namespace hooke {
 namespace {
 
 constexpr std::array rows{
-    ToolButton{Action::SelectTool, Icon::Select, "Select"}, ToolButton{Action::AddTool, Icon::Add, "Add"},
-    ToolButton{Action::AttachTool, Icon::Attach, "Attach"}, ToolButton{Action::NailTool, Icon::Nail, "Nail"},
-    ToolButton{Action::DragTool, Icon::Drag, "Drag"},       ToolButton{Action::CutTool, Icon::Cut, "Cut"},
-    ToolButton{Action::DeleteTool, Icon::Delete, "Delete"},
+#define TOOL(id, keys, icon, name, text, make) ToolButton{Action::id, Icon::icon, name},
+#define ACTION(...)
+#include "ui/actions.inc"
 };
 
 }  // namespace

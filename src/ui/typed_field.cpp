@@ -28,18 +28,18 @@ std::string_view trimmed(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
 
-// What was typed, as the field can take it; what it cannot is said.
+// Parses and clamps what was typed; reports what is invalid.
 std::optional<double> taken(const TypedField& field, const std::string& text, Panels& panels) {
   if (trimmed(text).empty()) return std::nullopt;
   const auto number = number_typed(text, field.infinity_text);
   if (!number) {
-    panels.show_toast("\"" + printable(text, 30) + "\" is no number: " + std::string(field.label) + " stays as it was");
+    panels.show_toast("\"" + printable(text, 30) + "\" is not a number; " + std::string(field.label) + " is unchanged");
     return std::nullopt;
   }
   if (std::isinf(*number) && !field.infinity_text.empty()) return number;
   const double value = std::clamp(*number, field.min, field.max);
   if (value != *number)
-    panels.show_toast(std::string(field.label) + " goes from " + hooke::number(field.min) + " to " + hooke::number(field.max) + " " +
+    panels.show_toast(std::string(field.label) + " must be between " + hooke::number(field.min) + " and " + hooke::number(field.max) + " " +
                       std::string(field.unit));
   return value;
 }
@@ -52,7 +52,7 @@ std::optional<double> number_typed(std::string_view text, std::string_view infin
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  // out of range: too large or too small for any field, and clamped as such
+  // beyond the range of double: clamped like any value out of range
   if (error == std::errc::result_out_of_range)
     return text.find("e-") != text.npos || text.find("E-") != text.npos ? 0.0 : text.starts_with('-') ? -INFINITY : INFINITY;
   if (error != std::errc() || end != text.data() + text.size() || std::isnan(value)) return std::nullopt;
@@ -66,7 +66,7 @@ std::optional<double> typed_row(const TypedField& field, Panels& panels) {
       field.unit.empty() ? 0.0f : ImGui::CalcTextSize(field.unit.data(), field.unit.data() + field.unit.size()).x + units(10.0);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit_width);
   std::string text = panels.typing == id ? panels.typed_text : shown(field);
-  const bool edited = ImGui::InputTextWithHint("##typed", field.mixed ? "mixed" : "", &text, ImGuiInputTextFlags_AutoSelectAll);
+  const bool edited = ImGui::InputTextWithHint("##typed", field.mixed ? "varies" : "", &text, ImGuiInputTextFlags_AutoSelectAll);
   if (ImGui::IsItemActive() || edited) {
     panels.typing = id;
     panels.typed_text = text;

@@ -1,4 +1,4 @@
-// A number to be typed, of one thing or of several that may differ.
+// A text field for a number that belongs to one object, or to several with possibly different values.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@ struct TypedField {
   std::string_view label, unit, description;
   double min = 0.0, max = 1.0;
   double value = 0.0;
-  bool mixed = false;              // stands for several that differ: shown as such
-  std::string_view infinity_text;  // a word that stands for infinity: "never"; empty: there is no such value
+  bool mixed = false;              // several different values; shown as such
+  std::string_view infinity_text;  // the word for infinity, as "never"; empty if infinity is not allowed
 };
 
-// The number that a text means; the word of an endless field is infinity. None: it means none.
+// Parses a number, or the word for infinity. Nothing if it is neither.
 std::optional<double> number_typed(std::string_view text, std::string_view infinity_text = {});
 
-// Returns the new value once it is finished by Enter, Tab or a click elsewhere, within the range; Esc takes the typing back.
+// Returns the new value, clamped to the range, once it is confirmed by Enter, Tab or a click elsewhere; Esc discards it.
 std::optional<double> typed_row(const TypedField& field, Panels& panels);
 
 }  // namespace hooke

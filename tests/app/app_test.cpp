@@ -119,7 +119,7 @@ TEST(Recordings, AreMadeByAKeyAndPlayedToTheSameBits) {
   EXPECT_EQ(gui.status().recording.file, "");
   ASSERT_TRUE(std::filesystem::exists(scratch.folder / "net.hookelog"));
 
-  gui.app().play(std::make_shared<const Recording>(read_recording(scratch.folder / "net.hookelog")));
+  gui.app().document().play(std::make_shared<const Recording>(read_recording(scratch.folder / "net.hookelog")));
   EXPECT_EQ(gui.status().snapshot->state.position, scene.state.position);
   // in real time, ten frames take a sixth of a second
   for (int i = 0; i < 2000 && (gui.status().run.running || gui.status().run.frames == 0); ++i) {
@@ -377,7 +377,7 @@ TEST(Camera, IsCopiedAndPastedAsText) {
   EXPECT_TRUE(pasted.orthographic);
   gui.app().use({.put = nullptr, .take = [] { return std::string("1,2,3"); }});
   gui.key(letter('V'), control_shift);
-  EXPECT_EQ(gui.app().panels().toast, "The clipboard holds no camera");
+  EXPECT_EQ(gui.app().panels().toast, "The clipboard contains no camera");
   EXPECT_LT(glm::distance(gui.app().camera().eye(), camera.eye()), 1e-12);
 }
 

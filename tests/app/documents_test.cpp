@@ -91,7 +91,7 @@ TEST(Recovery, OffersWhatAKilledRunHadKeptBitForBit) {
   GuiTrial gui({}, {}, desk.home);
   ASSERT_EQ(asked(gui), Dialog::Kind::Recovery);
   const std::string words = gui.words();
-  EXPECT_NE(words.find("net, kept at "), std::string::npos) << words;
+  EXPECT_NE(words.find("net, autosaved at "), std::string::npos) << words;
   push(gui, "Unsaved work was found", "Later");
   EXPECT_EQ(copies_in(desk.home), 1);
 
@@ -171,7 +171,7 @@ TEST(Recovery, ACopyThatCannotBeReadIsSaidAndKept) {
   GuiTrial gui({}, {}, desk.home);
   gui.key(Key::Enter);
   EXPECT_EQ(asked(gui), Dialog::Kind::Message);
-  EXPECT_NE(gui.words().find("Cannot recover"), std::string::npos);
+  EXPECT_NE(gui.words().find("Cannot restore"), std::string::npos);
   EXPECT_EQ(copies_in(desk.home), 1);
 }
 
@@ -265,12 +265,12 @@ TEST(ChangedFile, ThatVanishedIsToldAndWrittenAgain) {
   GuiTrial gui = desk.open();
   fs::remove(desk.file);
   ASSERT_TRUE(wait_for(gui, [&] { return !gui.app().panels().file_notice.empty(); }));
-  EXPECT_NE(gui.words().find("net.json is no longer there"), std::string::npos);
+  EXPECT_NE(gui.words().find("net.json no longer exists"), std::string::npos);
   gui.key(letter('S'), control);
   EXPECT_EQ(asked(gui), Dialog::Kind::None);
   EXPECT_TRUE(fs::exists(desk.file));
   gui.frames(2);
-  EXPECT_EQ(gui.words().find("no longer there"), std::string::npos);
+  EXPECT_EQ(gui.words().find("no longer exists"), std::string::npos);
 }
 
 // A limit on the size of files stands for a disk that is full.
@@ -327,7 +327,7 @@ Scene dust() {
 // On a window whose frames go on meanwhile.
 void drop_large(GuiTrial& gui, const fs::path& large) {
   save_scene(dust(), large);
-  gui.app().set_work_patience(std::chrono::milliseconds(0));
+  gui.app().set_task_patience(std::chrono::milliseconds(0));
   gui.waits_for_work = false;
   gui.app().handle(FileDrop{large});
 }
@@ -375,7 +375,7 @@ TEST(BackgroundTask, OfSavingStopsBeforeTheOldFileIsTouched) {
   gui.key(Key::Delete);
   gui.key(letter('Z'), control);
   ASSERT_EQ(gui.app().title(), "Hooke - dust*");
-  gui.app().set_work_patience(std::chrono::milliseconds(0));
+  gui.app().set_task_patience(std::chrono::milliseconds(0));
   gui.waits_for_work = false;
   gui.app().handle(KeyPress{letter('S'), control});
   gui.frame();
@@ -413,7 +413,7 @@ TEST(Preferences, ComeBackAndACorruptFileIsSetAsideWithOneMessage) {
       GuiTrial gui(two_points(), {}, desk.home);
       ASSERT_EQ(asked(gui), Dialog::Kind::Message) << bad;
       const std::string words = gui.words();
-      EXPECT_NE(words.find("The settings were set aside"), std::string::npos);
+      EXPECT_NE(words.find("Invalid settings ignored; using defaults"), std::string::npos);
       EXPECT_NE(words.find("settings.json.bad"), std::string::npos);
       EXPECT_EQ(gui.app().interface_scale(), 1.0);
     }

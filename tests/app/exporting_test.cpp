@@ -26,6 +26,7 @@ class Export {
   ExportState& box() { return gui_.app().panels().export_state; }
   GuiTrial& gui() { return gui_; }
   Dialog& dialog() { return gui_.app().panels().dialog; }
+  bool is_running() { return gui_.app().exporter().is_running(); }
   // Nobody types, so that what a test sets stays.
   void leave_field() {
     ImGui::ClearActiveID();
@@ -33,8 +34,8 @@ class Export {
   }
   void run() {
     gui_.key(Key::Enter);
-    for (int i = 0; i < 2000 && box().is_running(); ++i) gui_.frame();
-    EXPECT_FALSE(box().is_running());
+    for (int i = 0; i < 2000 && is_running(); ++i) gui_.frame();
+    EXPECT_FALSE(is_running());
   }
 
  private:
@@ -125,15 +126,15 @@ TEST(Export, ASceneInSpaceDoesNotAndSaysSo) {
 TEST(Export, APictureIsAskedOfTheWindow) {
   Export png("two_masses", ".png");
   png.run();
-  EXPECT_EQ(png.gui().app().take_picture_file(), png.file(".png"));
-  EXPECT_EQ(png.gui().app().take_picture_file(), std::nullopt);
+  EXPECT_EQ(png.gui().app().captures().take_picture_file(), png.file(".png"));
+  EXPECT_EQ(png.gui().app().captures().take_picture_file(), std::nullopt);
 }
 
 TEST(Export, AnUnknownQuantityIsNamed) {
   Export csv("two_masses", ".csv");
   csv.box().quantities = "time, y7";
   csv.run();
-  EXPECT_NE(csv.dialog().text.find("\"y7\" is no quantity"), std::string::npos) << csv.dialog().text;
+  EXPECT_NE(csv.dialog().text.find("\"y7\" is not a quantity"), std::string::npos) << csv.dialog().text;
   EXPECT_FALSE(std::filesystem::exists(csv.file(".csv")));
 }
 
@@ -151,10 +152,10 @@ TEST(Export, CanBeStoppedAndThenWritesNothing) {
   Export csv("cloth", ".csv");
   csv.box().seconds = 600.0;
   csv.gui().key(Key::Enter);
-  ASSERT_TRUE(csv.box().is_running());
+  ASSERT_TRUE(csv.is_running());
   csv.gui().key(Key::Escape);
-  for (int i = 0; i < 2000 && csv.box().is_running(); ++i) csv.gui().frame();
-  EXPECT_FALSE(csv.box().is_running());
+  for (int i = 0; i < 2000 && csv.is_running(); ++i) csv.gui().frame();
+  EXPECT_FALSE(csv.is_running());
   EXPECT_FALSE(std::filesystem::exists(csv.file(".csv")));
 }
 

@@ -54,7 +54,7 @@ class OpenDocument {
   // Says that it does not want to save, closes the message that then comes, and tells whether there was one.
   bool is_told() {
     for (int i = 0; i < 4 && gui_.app().panels().dialog.kind == Dialog::Kind::Unsaved; ++i) {
-      gui_.click(gui_.find("Save the changes?", {"Discard"}));
+      gui_.click(gui_.find("Save changes?", {"Discard"}));
       gui_.frames(2);
     }
     const bool told = gui_.app().panels().dialog.kind == Dialog::Kind::Message;

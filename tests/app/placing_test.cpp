@@ -17,7 +17,7 @@ Scene is_3d_only() {
 }
 
 Placement& choose(GuiTrial& gui, std::string_view id) {
-  gui.app().panels().placement = {.shape = default_shape(*find_shape_kind(id)), .is_new = true};
+  gui.app().handle(Request(StartPlacement{find_shape_kind(id)}));
   gui.frames(2);
   return gui.app().panels().placement;
 }
@@ -155,10 +155,10 @@ TEST(Placement, AMeshIsPlacedAtTheSizeThatIsAskedFor) {
   std::ofstream(scratch.folder / "square.obj") << "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nf 1 2 3 4\n";
   GuiTrial gui(is_3d_only());
   Placement& placement = gui.app().panels().placement;
-  placement = {.is_mesh = true, .is_new = true};
+  gui.app().handle(Request(StartPlacement{nullptr}));
   placement.mesh_size = 3.0;
   placement.mesh_path = (scratch.folder / "square.obj").string();
-  placement.wants_mesh = true;
+  gui.app().handle(Request(LoadMesh{placement.mesh_path}));
   gui.frames(2);
   EXPECT_EQ(gui.app().marks().ghost_lines.size(), 6u);
   gui.key(Key::Enter);
@@ -178,7 +178,8 @@ TEST(Placement, ABrokenMeshIsToldOfAndNothingElseHappens) {
   ScratchFolder scratch;
   std::ofstream(scratch.folder / "broken.obj") << "v 0 0 zero\n";
   GuiTrial gui(is_3d_only());
-  gui.app().panels().placement = {.is_mesh = true, .mesh_path = (scratch.folder / "broken.obj").string(), .wants_mesh = true};
+  gui.app().handle(Request(StartPlacement{nullptr}));
+  gui.app().handle(Request(LoadMesh{scratch.folder / "broken.obj"}));
   gui.frames(2);
   EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
   EXPECT_NE(gui.app().panels().dialog.text.find("line 1"), std::string::npos) << gui.app().panels().dialog.text;

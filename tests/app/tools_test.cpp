@@ -527,7 +527,7 @@ TEST(Tune, SubstepsGoByFivesFromOneToAThousand) {
   const Tuning tuning = tune_substeps(*trial.context.status, +1);
   submit_all(trial, tuning);
   EXPECT_EQ(substeps(), 1000);
-  EXPECT_EQ(tuning.message, "1000 substeps a frame");
+  EXPECT_EQ(tuning.message, "1000 substeps per frame");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
-// The program of the window with its panels, without a window and without OpenGL: a mouse, keys and frames.
+// App with its panels, without a window and without OpenGL: tests move the mouse, press keys and build frames.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -18,7 +19,7 @@ namespace hooke {
 class GuiTrial {
  public:
   explicit GuiTrial(Scene scene = {}, std::filesystem::path file = {}, const Home& home = {}) {
-    // what a key writes without a document goes to the home folder, and to where the program was started: not to a person's
+    // without a document, keys write to the home folder and the working folder: not to the user's
     ::setenv("HOME", scratch_.folder.c_str(), 1);
     std::filesystem::current_path(scratch_.folder);
     ImGui::CreateContext();
@@ -29,6 +30,7 @@ class GuiTrial {
     for (int i = 0; i < ImGuiKey_COUNT; ++i) io.KeyMap[i] = i;
     load_fonts(1.0);
     app_ = std::make_unique<App>(std::make_shared<const Scene>(std::move(scene)), std::move(file), home);
+    app_->set_event_patience(patience);
     app_->resize({1280.0, 800.0}, 1.0);
     frames(3);
   }
@@ -39,7 +41,7 @@ class GuiTrial {
 
   App& app() { return *app_; }
 
-  // To another size, and another scale of the screen, as the window's loop does it every frame.
+  // Changes the size and the content scale of the window.
   void resize(const glm::dvec2& size, double scale) {
     if (scale != scale_) load_fonts(scale);
     ImGui::GetIO().DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
@@ -48,8 +50,7 @@ class GuiTrial {
   }
 
   const Status& status() {
-    if (waits_for_work) app_->wait_for_work();
-    app_->settle();
+    settle();
     return app_->status();
   }
   const System& system() { return *status().snapshot->system; }
@@ -58,16 +59,15 @@ class GuiTrial {
     ImGui::NewFrame();
     app_->build_frame({});
     ImGui::Render();
-    if (waits_for_work) app_->wait_for_work();
-    app_->settle();
+    settle();
   }
   void frames(int many) {
     for (int i = 0; i < many; ++i) frame();
   }
-  // For files that are read and written; false: frames go on meanwhile, as in the window.
+  // Whether frames wait for file operations; if not, they are built meanwhile, as in the window.
   bool waits_for_work = true;
 
-  // Every word that a frame shows.
+  // All text of a frame.
   std::string words() {
     frame();
     return read_text(*ImGui::GetDrawData());
@@ -118,7 +118,7 @@ class GuiTrial {
     frames(2);
   }
 
-  // The middle of an item by the names that lead to it, found by looking under the mouse all over its window.
+  // The centre of an item, given the path of its ids, found by moving the mouse over its whole window.
   glm::dvec2 find(const char* window, std::initializer_list<const char*> names) {
     const ImGuiWindow* found = ImGui::FindWindowByName(window);
     if (found == nullptr) return {-1.0, -1.0};
@@ -135,6 +135,14 @@ class GuiTrial {
   }
 
  private:
+  // Far longer than any machine needs, so that a slow one does not fail.
+  static constexpr auto patience = std::chrono::seconds(60);
+
+  // Waits until everything submitted has taken effect.
+  void settle() {
+    if (waits_for_work) app_->wait_for_file_task();
+    if (!app_->settle()) ADD_FAILURE() << "the laboratory did not settle within a minute";
+  }
   void load_fonts(double scale) {
     scale_ = scale;
     load_theme(scale, 1.0);

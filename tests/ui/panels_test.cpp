@@ -132,7 +132,7 @@ TEST(Sliders, ATypedNumberCountsWhenItIsFinishedAndIsClampedOpenly) {
   gui.click({500.0, 600.0});
   gui.frames(2);
   EXPECT_EQ(value_of(gui, "substeps"), 1000.0);
-  EXPECT_EQ(gui.app().panels().toast, "Substeps goes from 1 to 1000 ");
+  EXPECT_EQ(gui.app().panels().toast, "Substeps must be between 1 and 1000 ");
 }
 
 TEST(Sliders, StiffnessIsOfTheSelectionWhereThereIsOne) {
@@ -227,7 +227,7 @@ TEST(Methods, EachCanBeChosenFromTheList) {
 
 TEST(Stability, IsSaidUnderTheSubstepsWithWhatWouldHold) {
   Scene scene = two_springs();
-  EXPECT_NE(GuiTrial(scene).words().find("holds up to 2"), std::string::npos);
+  EXPECT_NE(GuiTrial(scene).words().find("(limit 2)"), std::string::npos);
   scene.settings.substeps = 1;
   for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 1e5;
   const double h = largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system));

@@ -1,5 +1,4 @@
-// Keeps a copy of unsaved work in the session's folder, written on a thread of its own, so that a killed Hooke costs no
-// more than the last changes.
+// Saves a copy of unsaved work in the session's folder, in a background thread, so that a crash loses only the last changes.
 #pragma once
 
 #include <functional>
@@ -20,13 +19,13 @@ class Autosave {
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  // How long a change may wait [s].
+  // The longest time that a change remains without an autosave [s].
   void set_interval(double seconds) { interval_ = seconds; }
-  // Once a frame, at `now` [s]. `dress` adds to a scene what the window knows of it.
+  // Once per frame, at `now` [s]. `add_view_settings` adds the view of the window to a copy of the scene.
   void follow(const Status& status, LabThread& lab, double now, const std::function<void(Scene&)>& add_view_settings);
-  // What was unsaved is saved, given up or replaced: nothing is to be kept of it.
+  // Deletes the copy: the changes were saved or discarded.
   void forget();
-  // Why nothing could be kept, once.
+  // The last error, once.
   std::string take_error() { return std::exchange(error_, {}); }
 
  private:
@@ -39,11 +38,11 @@ class Autosave {
 
   const Session& session_;
   double interval_ = 30.0;
-  Version saved_;                        // what the copy holds
+  Version saved_;                        // version in the copy
   std::optional<double> changed_since_;  // [s]
-  Version asked_;                        // what is being copied
+  Version asked_;                        // version being written
   std::future<std::shared_ptr<const Scene>> copying_;
-  std::future<std::string> writing_;  // an error, or empty
+  std::future<std::string> writing_;  // an error text, or empty
   std::string error_;
 };
 

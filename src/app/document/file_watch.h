@@ -1,4 +1,4 @@
-// Whether the file of the document is still what was read or written last.
+// Detects changes of the document's file by other programs.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ class FileWatch {
  public:
   enum class Change { None, Gone, Other };
 
-  // From now on this file as it is now; an empty path: none.
+  // Watches this file from its current state on; no file if the path is empty.
   void take(const std::filesystem::path& file);
   Change check() const;
 
@@ -18,7 +18,7 @@ class FileWatch {
   struct FileStamp {
     bool exists = false;
     std::uint64_t device = 0, number = 0, size = 0;
-    std::int64_t seconds = 0, nanoseconds = 0;  // of its last change
+    std::int64_t seconds = 0, nanoseconds = 0;  // of the last modification
     bool operator==(const FileStamp&) const = default;
   };
   static FileStamp stamp_of(const std::filesystem::path& file);

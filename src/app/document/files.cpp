@@ -45,9 +45,9 @@ ChosenTexture try_texture(const std::string& typed, const std::filesystem::path&
   if (typed.empty()) return {};
   const bool ships = std::ranges::any_of(shipped_textures(), [&](const ShippedTexture& row) { return row.id == typed; });
   if (!ships && (document.empty() || is_shipped(document)))
-    return {{}, "A picture lies in the folder of its scene: save the scene there first."};
+    return {{}, "A texture must be in the folder of its scene: save the scene there first."};
 
-  // where the picture is, seen from the document
+  // the path relative to the document
   const std::filesystem::path folder = document.parent_path();
   std::string texture = typed;
   if (!ships) {

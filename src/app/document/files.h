@@ -1,4 +1,4 @@
-// Opening and saving the document, with errors as text.
+// Opening and saving scenes, with errors as text.
 #pragma once
 
 #include <filesystem>
@@ -11,26 +11,26 @@
 
 namespace hooke {
 
-// One under the other.
+// The lines, separated by newlines.
 std::string joined(const std::vector<std::string>& lines);
 
 struct Opened {
-  std::shared_ptr<const Scene> scene;  // null: refused
+  std::shared_ptr<const Scene> scene;  // null on error
   std::string error, warnings;         // lines
 };
 Opened try_open(const std::filesystem::path& file, const Progress& progress);
 
-// An error text, empty when it is saved.
+// Returns an error text, empty on success.
 std::string try_save(const Scene& scene, const std::filesystem::path& file, const Progress& progress);
 
-// A texture as a person names it: one that ships, or a PNG by its path, which must lie in the folder of the document.
+// A texture by name, if it is shipped, or by the path of a PNG file, which must be in the folder of the document.
 struct ChosenTexture {
   SetTexture set;
-  std::string error;  // empty: fine
+  std::string error;  // empty on success
 };
 ChosenTexture try_texture(const std::string& typed, const std::filesystem::path& document);
 
-// A path as a person types it: "~/" is the home folder, a missing ending is .json, the rest starts from the working folder.
+// Resolves a typed path: "~/" is the home folder, the default extension is .json, and relative paths start at the working folder.
 std::filesystem::path typed_path(const std::filesystem::path& typed);
 
 bool is_shipped(const std::filesystem::path& file);

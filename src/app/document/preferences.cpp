@@ -68,8 +68,8 @@ LoadedPreferences load_preferences(const fs::path& folder) {
     const fs::path aside = file.string() + ".bad";
     fs::rename(file, aside, error);
     loaded.message =
-        std::string(refusal.what()) + "\n\nHooke goes on with its usual settings. " +
-        (error ? "The file could not be set aside: " + error.message() + "." : "The file is kept as " + printable(aside.native()) + ".");
+        std::string(refusal.what()) + "\n\nHooke uses the default settings. " +
+        (error ? "The file could not be renamed: " + error.message() + "." : "The file was renamed to " + printable(aside.native()) + ".");
   }
   return loaded;
 }
@@ -115,7 +115,7 @@ void RecentFiles::save() const {
   writer.begin_object(JsonWriter::Layout::Lines);
   writer.key("files");
   writer.begin_list(JsonWriter::Layout::Lines);
-  // a name that is no UTF-8 cannot stand in JSON
+  // JSON requires UTF-8
   for (const fs::path& file : files_)
     if (is_utf8(file.native())) writer.text(file.native());
   writer.end();

@@ -1,4 +1,4 @@
-// What a person has set once for all, and the files used last: two small JSON files.
+// The user's preferences and the list of recent files: two small JSON files.
 #pragma once
 
 #include <filesystem>
@@ -10,14 +10,14 @@
 namespace hooke {
 
 struct Preferences {
-  double interface_scale = 1.0;    // [1], of all panels and their text
-  double autosave_seconds = 30.0;  // [s] of changes until they are kept
-  bool light = false;              // panels dark on light
-  bool system_dialogs = false;     // ask for files with the desktop's own dialog, where there is one
+  double interface_scale = 1.0;    // [1], scale of panels and text
+  double autosave_seconds = 30.0;  // [s], time from a change to the autosave
+  bool light = false;              // light theme
+  bool system_dialogs = false;     // use the desktop's file dialog if there is one
   bool operator==(const Preferences&) const = default;
 };
 
-// The numbers among them, and the switches. Adding one: a field and a row here.
+// The numbers and the switches. Adding one: a field, and a row in preferences.cpp.
 struct PreferenceRow {
   std::string_view name;
   double Preferences::*field;
@@ -30,15 +30,15 @@ struct PreferenceSwitch {
 };
 std::span<const PreferenceSwitch> preference_switches();
 
-// From the text of such a file; `name` stands for it in messages. Throws InputError.
+// Parses such a file; `name` is used in error messages. Throws InputError.
 Preferences parse_preferences(const std::string& text, const std::string& name);
 
 struct LoadedPreferences {
   Preferences preferences;
-  std::string message;  // empty, or that the file was set aside, and why
+  std::string message;  // empty, or why the file was not used
 };
 
-// From `folder`/settings.json. What cannot be read is set aside as settings.json.bad, and the usual settings hold.
+// From `folder`/settings.json. An invalid file is renamed to settings.json.bad, and the defaults are returned.
 LoadedPreferences load_preferences(const std::filesystem::path& folder);
 
 // Throws FileError.
@@ -47,10 +47,10 @@ void save_preferences(const Preferences& preferences, const std::filesystem::pat
 // Newest first, each once.
 class RecentFiles {
  public:
-  // Kept in `folder`/recent.json; a list that cannot be read is an empty one. An empty folder: in memory alone.
+  // Kept in `folder`/recent.json, or only in memory if the folder is empty. A file that cannot be read counts as an empty list.
   explicit RecentFiles(std::filesystem::path folder);
 
-  // A file that cannot be written is no reason to stop.
+  // Errors of writing the file are ignored.
   void add(const std::filesystem::path& file);
   void forget(const std::filesystem::path& file);
   const std::vector<std::filesystem::path>& files() const { return files_; }

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr const char *lock_name = "lock", *run_info_name = "about.json", *scene_name = "scene.json";
 
-// A lock on a file that is made where it is missing, held as long as this lives.
+// A lock on a file, which is created if missing. Released by the destructor.
 class FileLock {
  public:
   FileLock(const fs::path& file, int operation) : number_(::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0600)) {
@@ -45,7 +45,7 @@ class FileLock {
   int number_;
 };
 
-// Whether the run whose folder this is has ended, however.
+// Whether the run that owns this folder has ended, normally or not.
 bool has_ended(const fs::path& folder) {
   std::error_code error;
   return !fs::exists(folder / lock_name, error) || FileLock(folder / lock_name, LOCK_EX | LOCK_NB).is_held();
@@ -64,7 +64,7 @@ struct RunInfo {
   std::string name;
 };
 
-// What cannot be read says nothing.
+// Empty if the file cannot be read.
 RunInfo read_run_info(const fs::path& folder) {
   RunInfo run_info;
   try {
@@ -107,7 +107,7 @@ fs::path RecoverableScene::copy() const { return folder / scene_name; }
 
 Session::Session(const fs::path& sessions) : sessions_(sessions) {
   if (sessions.empty() || !make_private_folder(sessions)) return;
-  // nobody sweeps between the folder and its lock
+  // other runs must not delete the folder before it is locked
   const FileLock all(sessions / "lock", LOCK_EX);
   std::string pattern = (sessions / "run-XXXXXX").string();
   if (::mkdtemp(pattern.data()) == nullptr) return;
@@ -130,7 +130,7 @@ void Session::set_document(const fs::path& file, const std::string& name) {
   writer.end();
   try {
     write_atomically(folder_ / run_info_name, writer.take() + "\n");
-  } catch (const FileError&) {  // then others do not know
+  } catch (const FileError&) {  // other runs are not informed
   }
 }
 

@@ -1,5 +1,5 @@
-// What a run of Hooke tells the others, in a folder of its own that is locked as long as the run lives: the file that it
-// has open, and a copy of what is not saved. A folder without its lock was left by a run that was killed.
+// The folder of a run of Hooke: it names the open file and holds the autosave. The folder is locked while the program runs; one
+// without a lock was left by a crashed run.
 #pragma once
 
 #include <filesystem>
@@ -10,39 +10,39 @@
 
 namespace hooke {
 
-// Unsaved work of a run that did not end by itself.
+// An autosave left by a crashed run.
 struct RecoverableScene {
   std::filesystem::path folder;
-  std::filesystem::path file;  // of the document; empty: it had none
+  std::filesystem::path file;  // of the document; empty if it had none
   std::string name;            // of the document
-  std::string saved_at;        // "15:20", or with the date when it was another day
+  std::string saved_at;        // "15:20", with the date if that is not today
 
   std::filesystem::path copy() const;  // the scene
 };
 
 class Session {
  public:
-  // `sessions`: the folder that all runs share, made where it is missing. Empty, or when it cannot be made: keeps nothing.
+  // `sessions`: the folder of all runs, created if missing. If it is empty or cannot be created, nothing is kept.
   explicit Session(const std::filesystem::path& sessions);
-  // Lets go of the lock; what is kept stays, to be offered by the next run.
+  // Releases the lock. The autosave stays, and the next run offers it.
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
   bool is_enabled() const { return !folder_.empty(); }
-  // The document that is open from now on.
+  // Names the open document.
   void set_document(const std::filesystem::path& file, const std::string& name);
-  // Keeps a copy, whole or not at all. Throws FileError.
+  // Writes the autosave atomically. Throws FileError.
   void keep(std::string_view scene) const;
-  // There is nothing unsaved any more.
+  // Deletes the autosave.
   void forget() const;
-  // The run ends as it should: nothing is left behind.
+  // The run ends normally: deletes the folder.
   void end();
 
-  // Whether another living run has this file open.
+  // Whether another running Hooke has this file open.
   bool is_open_elsewhere(const std::filesystem::path& file) const;
 
-  // Of runs that were killed, newest first; empty folders of such runs are swept away.
+  // Autosaves of crashed runs, newest first. Folders of such runs without an autosave are deleted.
   std::vector<RecoverableScene> recoverable_scenes() const;
   void discard(const RecoverableScene& left) const;
 

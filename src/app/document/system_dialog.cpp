@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A path longer than this is none.
+// Longer answers are not paths.
 constexpr std::size_t longest_answer = 1 << 16;
 
 fs::path find_program(const char* name) {
@@ -41,7 +41,7 @@ fs::path SystemDialog::find() {
 }
 
 std::vector<std::string> SystemDialog::command_line(const fs::path& program, Kind kind, const fs::path& start) {
-  const std::string title = kind == Kind::Open ? "Open a scene" : "Save the scene as";
+  const std::string title = kind == Kind::Open ? "Open scene" : "Save scene as";
   if (program.filename() == "kdialog")
     return {program.string(), "--title", title, kind == Kind::Open ? "--getopenfilename" : "--getsavefilename", start.string()};
   std::vector<std::string> command_line = {program.string(), "--file-selection", "--title=" + title, "--filename=" + start.string()};
@@ -86,7 +86,7 @@ std::optional<fs::path> SystemDialog::take_answer() {
     answer_.append(bytes, static_cast<std::size_t>(count));
   if (count != 0) return std::nullopt;  // it is still open
 
-  // its end of the pipe is closed: it ends now
+  // it closed its end of the pipe, so it is exiting
   int status = 0;
   ::waitpid(std::exchange(process_, 0), &status, 0);
   ::close(std::exchange(answers_, -1));

@@ -1,4 +1,4 @@
-// The desktop's own dialog for files, as a program beside ours: zenity or kdialog, started without a shell.
+// The file dialog of the desktop, as a separate program: zenity or kdialog, started without a shell.
 #pragma once
 
 #include <filesystem>
@@ -17,16 +17,16 @@ class SystemDialog {
   SystemDialog(const SystemDialog&) = delete;
   SystemDialog& operator=(const SystemDialog&) = delete;
 
-  // The program there is, or an empty path.
+  // The installed program, or an empty path.
   static std::filesystem::path find();
-  // How `program` is called; the first word is its path.
+  // The arguments for `program`; the first one is its path.
   static std::vector<std::string> command_line(const std::filesystem::path& program, Kind kind, const std::filesystem::path& start);
 
-  // Whether it came up.
+  // False if it cannot be started.
   bool start(Kind kind, const std::filesystem::path& start);
   bool is_open() const { return process_ > 0; }
   Kind kind() const { return kind_; }
-  // Once it is closed: the file that was chosen, or an empty path.
+  // Once the user closed it: the chosen file, or an empty path if it was cancelled.
   std::optional<std::filesystem::path> take_answer();
 
  private:

@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-// A window that stood still for longer is not made up for in the film.
+// The longest that one picture stands in the film [pictures], however long the window was not drawn.
 constexpr long max_repeats = 60;
 
 Picture cut(const Picture& whole, const Viewport& place) {
@@ -52,8 +52,8 @@ void FilmRecorder::take(const View& view, const Viewport& place, double now) {
   }
 }
 
-// As many times as the film's clock asks for: it runs as fast as the person's. Where ffmpeg is slower, the next picture that
-// it has room for stands for those that it had none for.
+// A picture is repeated as often as real time requires. If ffmpeg is slower, the next picture that it accepts stands for those
+// that it did not.
 void FilmRecorder::take_for_film(Picture picture, double now) {
   if (picture.width != width_ || picture.height != height_) return end_film();
   const long due = static_cast<long>((now - started_) * video_frame_rate) + 1;
@@ -69,7 +69,7 @@ void FilmRecorder::end_film() {
 
 std::string FilmRecorder::take_message() {
   if (const auto result = film_ ? film_->result() : std::nullopt) {
-    message_ = result->empty() ? "Film " + printable(film_->file().native()) : *result;
+    message_ = result->empty() ? "Film saved to " + printable(film_->file().native()) : *result;
     film_.reset();
     is_ending_ = false;
   }

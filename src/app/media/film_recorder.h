@@ -1,4 +1,4 @@
-// Films of the scene as the window shows it, without the panels.
+// Films of the scene as shown in the window, without the panels.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +12,18 @@ namespace hooke {
 
 class FilmRecorder {
  public:
-  // From the next frame on, until it is ended or the scene's place changes its size.
+  // Starts with the next frame; ends with end_film or when the view changes its size.
   void start_film(std::filesystem::path file) { film_wanted_ = std::move(file); }
   void end_film();
   bool is_filming() const { return film_wanted_ || (film_ && !is_ending_); }
-  // The film before is not in its place yet.
+  // A film that has ended is still being written.
   bool is_writing() const { return film_.has_value(); }
 
-  // After a frame was drawn, with the view's framebuffer as it is; `now` [s] on any clock.
+  // After a frame was drawn, from the view's framebuffer. `now` [s] is from any clock.
   void take(const View& view, const Viewport& place, double now);
-  // What there is to tell, once: "Film /home/a/cloth.mp4"; empty: nothing.
+  // A message, once: "Film saved to /home/a/cloth.mp4". Empty if there is none.
   std::string take_message();
-  // Of the film so far [s].
+  // Length of the film so far [s].
   double seconds() const { return static_cast<double>(pictures_) / video_frame_rate; }
 
   static constexpr double video_frame_rate = 30.0;
@@ -40,7 +40,7 @@ class FilmRecorder {
   std::string message_;
 };
 
-// A file in the folder that is not there yet: "cloth.png", "cloth 2.png", ...
+// A file name that is not in use in the folder: "cloth.png", "cloth 2.png", ...
 std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem, const std::string& extension);
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// A film that is written on a thread of its own: whoever adds pictures never waits for ffmpeg.
+// A film that is written in a background thread: adding pictures never waits for ffmpeg.
 #pragma once
 
 #include <atomic>
@@ -17,15 +17,15 @@ class FilmWriter {
  public:
   // Throws FileError when ffmpeg cannot be started.
   FilmWriter(std::filesystem::path file, int width, int height, double video_frame_rate);
-  ~FilmWriter();  // a film that was not ended is thrown away, one that was is waited for
+  ~FilmWriter();  // discards a film that was not ended; waits for one that was
   FilmWriter(const FilmWriter&) = delete;
   FilmWriter& operator=(const FilmWriter&) = delete;
 
-  // The picture so many times; false: too many wait to be written, and it was not taken.
+  // Adds the picture `times` times. False if too many are waiting to be written: it was not added.
   bool add(Picture picture, long times);
   // There are no more pictures.
   void end();
-  // Once the film is in its place or given up: empty, or why it was given up.
+  // Once the film is written: empty, or an error text.
   std::optional<std::string> result() const;
   const std::filesystem::path& file() const { return film_.file(); }
 
@@ -38,7 +38,7 @@ class FilmWriter {
   std::string write_all();
   std::optional<QueuedFrame> next();
 
-  // Of all that waits [bytes]: some pictures of a large screen.
+  // Limit of the pictures waiting [bytes]: some pictures of a large screen.
   static constexpr std::size_t max_waiting = std::size_t{96} << 20;
 
   VideoEncoder film_;

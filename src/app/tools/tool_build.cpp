@@ -1,4 +1,4 @@
-// The tools that build: add a point, attach two points, nail one, delete.
+// The building tools: add a point, attach two points, nail a point, delete.
 #include <glm/geometric.hpp>
 
 #include "app/tools/tools.h"
@@ -17,8 +17,8 @@ class AddTool : public Tool {
   }
 
   std::string next_step(const ToolContext& context) const override {
-    return context.system().dimensions == 2 ? "click where the point shall be"
-                                            : "click where the point shall be: facing you, or on a body under the cursor";
+    return context.system().dimensions == 2 ? "click to add a point"
+                                            : "click to add a point, in the view plane or on the body under the cursor";
   }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
@@ -26,7 +26,7 @@ class AddTool : public Tool {
   }
 };
 
-// Two clicks, or a drag from one point to the other. With Shift the second point is the next spring's first.
+// Two clicks, or a drag from one point to the other. With Shift the second point is the first one of the next spring.
 class AttachTool : public Tool {
  public:
   void press(const Pointer& pointer, ToolContext& context) override {
@@ -54,7 +54,8 @@ class AttachTool : public Tool {
   bool cancel(ToolContext&) override { return std::exchange(first_, std::nullopt).has_value(); }
 
   std::string next_step(const ToolContext&) const override {
-    return first_ ? "click the second point, Shift goes on from there, Esc cancels" : "click the first point, or drag from point to point";
+    return first_ ? "click the second point; Shift+click continues from it, Esc cancels"
+                  : "click the first point, or drag from point to point";
   }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
@@ -66,7 +67,7 @@ class AttachTool : public Tool {
   }
 
  private:
-  // Rest length as drawn. The same point again, or a first point that is gone: nothing.
+  // The rest length is the current distance. Does nothing for the same point, or if the first point no longer exists.
   void finish(PointId second, const Pointer& pointer, ToolContext& context) {
     const PointId first = *first_;
     first_ = pointer.modifiers.shift ? std::optional(second) : std::nullopt;
@@ -96,7 +97,7 @@ class NailTool : public Tool {
     context.lab.submit(SetNailed{{{*point, !nailed}}});
   }
 
-  std::string next_step(const ToolContext&) const override { return "click a point to nail it, a nailed one to free it; R frees all"; }
+  std::string next_step(const ToolContext&) const override { return "click a point to nail or release it; R releases all"; }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
     marks.hovered_point = context.point_at(pointer.at);
@@ -112,7 +113,7 @@ class DeleteTool : public Tool {
       context.lab.submit(Remove{.springs = {*spring}});
   }
 
-  std::string next_step(const ToolContext&) const override { return "click a point or a spring; Del deletes what is selected"; }
+  std::string next_step(const ToolContext&) const override { return "click a point or a spring; Del deletes the selection"; }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
     marks.hovered_point = context.point_at(pointer.at);

@@ -7,12 +7,23 @@
 namespace hooke {
 namespace {
 
-// [units of design]
+// [design units]
 constexpr double reach = 10.0, spring_reach = 8.0, drag_threshold = 4.0;
-// [px], however small the panels are
+// [px], at any interface scale
 constexpr double min_reach = 8.0;
 
 }  // namespace
+
+void ToolContext::take_status() {
+  const auto before = std::exchange(status, lab.status());
+  if (before->snapshot->system != status->snapshot->system) selection = existing_part_of(system(), selection);
+}
+
+bool ToolContext::settle() {
+  const bool settled = lab.settle(patience);
+  take_status();
+  return settled;
+}
 
 std::optional<PointId> ToolContext::point_at(const glm::dvec2& cursor) const {
   return pick_point(snapshot(), view_transform(), cursor, std::max(min_reach, reach * scale));
@@ -33,7 +44,7 @@ std::optional<ColliderHit> ToolContext::collider_at(const glm::dvec2& cursor) co
 Vec3 ToolContext::point_in_view_plane(const glm::dvec2& cursor, const Vec3& through) const {
   if (system().dimensions == 3) return camera.unproject(cursor, size, through);
   const PickRay line = pick_ray(view_transform(), cursor);
-  // seen edge-on the plane has no place under the cursor
+  // seen edge-on, the plane has no point under the cursor
   if (std::abs(line.direction.z) < 1e-6) return through;
   return line.at(-line.origin.z / line.direction.z);
 }
@@ -44,7 +55,7 @@ Vec3 ToolContext::place_for_point(const glm::dvec2& cursor, double radius) const
   const PickRay line = pick_ray(view_transform(), cursor);
   const std::optional<ColliderHit> hit = hit_collider(system(), snapshot().state, line);
   if (!hit) return beside;
-  // an endless ground lies under nearly every cursor: it counts where it is before the plane of the target
+  // an infinite ground plane is under nearly every cursor: it counts only in front of the plane of the target
   const bool nearer = hit->distance < glm::dot(beside - line.origin, line.direction);
   return hit->bounded || nearer ? hit->position + radius * hit->normal : beside;
 }

@@ -1,6 +1,7 @@
-// What a tool works on: the laboratory, the selection, and the scene as it is seen.
+// What the tools and the other parts of the window share: the laboratory, its newest status, the selection, the camera.
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 
@@ -17,28 +18,34 @@ struct ToolContext {
   Gesture& last_gesture;
   std::shared_ptr<const Status> status;
   Camera camera;
-  glm::dvec2 size{1.0};  // [px], of the scene's picture
+  glm::dvec2 size{1.0};  // [px], size of the scene's view
   double scale = 1.0;    // pixels per unit of design
   bool shows_surface = true;
+  std::chrono::milliseconds patience{50};  // the longest that an event waits for the one before it to take effect
 
   const Snapshot& snapshot() const { return *status->snapshot; }
   const System& system() const { return *snapshot().system; }
   ViewTransform view_transform() const { return {camera.projection_matrix(size.x / size.y) * camera.view_matrix(), size, shows_surface}; }
 
-  // Under the cursor or within reach of it.
+  // Takes the newest status; what is no longer there is deselected.
+  void take_status();
+  // Waits, for a moment at most, until the laboratory has handled what was submitted, and takes its status. False: it is not done.
+  bool settle();
+
+  // Under the cursor or within picking distance.
   std::optional<PointId> point_at(const glm::dvec2& cursor) const;
   std::optional<SpringId> spring_at(const glm::dvec2& cursor) const;
-  // On the surface, if it is shown.
+  // On the surface, if surfaces are shown.
   std::optional<SurfaceHit> surface_at(const glm::dvec2& cursor) const;
   std::optional<ColliderHit> collider_at(const glm::dvec2& cursor) const;
 
-  // Under the cursor: in the plane through `through` that faces the viewer, or in the plane of a 2-D scene.
+  // The cursor projected into the plane through `through` that faces the viewer, or into the plane of a 2-D scene.
   Vec3 point_in_view_plane(const glm::dvec2& cursor, const Vec3& through) const;
-  // Where a new point of this radius goes: onto the ball or box under the cursor, or onto a plane that is nearer than the
-  // camera's target; else beside the target.
+  // Position of a new point of this radius: on the sphere or box under the cursor, or on a plane that is nearer than the camera's
+  // target; else in the view plane of the target.
   Vec3 place_for_point(const glm::dvec2& cursor, double radius) const;
 
-  // A way of the cursor that is more than a click with an unsteady hand.
+  // Whether the cursor moved too far for a click.
   bool is_drag(const glm::dvec2& from, const glm::dvec2& to) const;
 
   Gesture begin_gesture() { return ++last_gesture; }

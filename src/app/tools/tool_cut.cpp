@@ -1,5 +1,5 @@
-// Cut: springs that the cursor is dragged across go, and the faces along them, at once and whether the scene runs or not. A
-// drag is one step of undo.
+// Cut: removes springs that the cursor is dragged across, and the faces along them, at once and whether or not the scene runs.
+// A drag is one undo step.
 #include "app/tools/tools.h"
 #include "edit/tears.h"
 
@@ -10,31 +10,31 @@ class CutTool : public Tool {
  public:
   void press(const Pointer& pointer, ToolContext& context) override {
     gesture_ = context.begin_gesture();
-    displacement_ = {pointer.at};
+    path_ = {pointer.at};
   }
 
   void follow(const Pointer& pointer, ToolContext& context) override {
-    if (displacement_.empty() || pointer.at == displacement_.back()) return;
-    const auto crossed = springs_across(context.snapshot(), context.view_transform(), displacement_.back(), pointer.at);
-    displacement_.push_back(pointer.at);
+    if (path_.empty() || pointer.at == path_.back()) return;
+    const auto crossed = springs_across(context.snapshot(), context.view_transform(), path_.back(), pointer.at);
+    path_.push_back(pointer.at);
     if (!crossed.empty()) context.lab.submit(removal_of_broken(context.system(), crossed), gesture_);
   }
 
   void release(const Pointer& pointer, ToolContext& context) override {
     follow(pointer, context);
-    displacement_.clear();
+    path_.clear();
   }
 
-  bool cancel(ToolContext&) override { return !std::exchange(displacement_, {}).empty(); }
+  bool cancel(ToolContext&) override { return !std::exchange(path_, {}).empty(); }
 
   std::string next_step(const ToolContext&) const override {
-    return displacement_.empty() ? "drag across springs or the cloth" : "let go; Ctrl+Z mends it";
+    return path_.empty() ? "drag across springs or the cloth" : "release to finish; Ctrl+Z undoes the cut";
   }
 
-  std::vector<glm::dvec2> stroke() const override { return displacement_; }
+  std::vector<glm::dvec2> stroke() const override { return path_; }
 
  private:
-  std::vector<glm::dvec2> displacement_;  // [px], since the press
+  std::vector<glm::dvec2> path_;  // [px], since the press
   Gesture gesture_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// Drag: while the scene runs, the hand holds or pulls a point, or pulls a cloth by a place between its points, and letting go
-// throws it; in a pause the point, the nearest one on a cloth, goes with the cursor. One step of undo either way.
+// Drag: while the scene runs, the hand holds or pulls a point, or pulls a cloth between its points, and releasing throws it.
+// While it is paused, the point (on a cloth, the nearest one) follows the cursor. Either way a drag is one undo step.
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -10,8 +10,8 @@
 namespace hooke {
 namespace {
 
-// A quarter of what its springs hold it with: firm, and hardly faster than the scene itself. A loose point swings about the
-// cursor twice a second: k = m (2 pi f)^2.
+// A quarter of the stiffness of the attached springs: firm, but hardly faster than the scene itself. A free point oscillates
+// about the cursor at 2 Hz: k = m (2 pi f)^2.
 double fitting_pull(const System& system, const Patch& patch) {
   double stiffness = 0.0, mass = 0.0;
   for (const Spring& spring : system.springs())
@@ -27,7 +27,7 @@ PointId nearest_corner(const Patch& patch) {
   return patch.points[static_cast<std::size_t>(std::ranges::max_element(patch.weights) - patch.weights.begin())];
 }
 
-// What a press would take: a point, or a place on a cloth.
+// What a press would grab: a point, or a place on a cloth.
 struct GrabTarget {
   PointId point;
   std::optional<Patch> patch;
@@ -50,7 +50,7 @@ class DragTool : public Tool {
     has_hand_ = has_moved_ = false;
     target_ = grab_target_->place;
     start_ = context.snapshot().position(grab_target_->point);
-    // the point does not jump to the cursor: it keeps its place beside it
+    // the point does not jump to the cursor: it keeps its offset
     offset_ = target_ - context.point_in_view_plane(pointer.at, target_);
     follow(pointer, context);
   }
@@ -94,11 +94,10 @@ class DragTool : public Tool {
   }
 
   std::string next_step(const ToolContext& context) const override {
-    if (collider_.is_dragging()) return "move it, and let go; Esc takes it back";
-    if (!grab_target_ && !context.system().colliders.empty()) return "press on a point, the cloth or what they lie on, and move it";
-    if (!grab_target_)
-      return context.system().faces.empty() ? "press on a point and move it" : "press on a point or on the cloth and move it";
-    return context.status->run.running ? "move, and let go to throw; Esc takes it back" : "move, and let go; Esc takes it back";
+    if (collider_.is_dragging()) return "move and release; Esc undoes";
+    if (!grab_target_ && !context.system().colliders.empty()) return "drag a point, the cloth or a body";
+    if (!grab_target_) return context.system().faces.empty() ? "drag a point" : "drag a point or the cloth";
+    return context.status->run.running ? "move, and release to throw; Esc undoes" : "move and release; Esc undoes";
   }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
@@ -123,7 +122,7 @@ class DragTool : public Tool {
            !(grab_target_->patch && std::ranges::any_of(grab_target_->patch->points, is_gone));
   }
 
-  // A nailed point cannot be pulled: it is held. A place between points cannot be held: it is pulled.
+  // A nailed point cannot be pulled, so it is held; a place between points cannot be held, so it is pulled.
   void take_hold(ToolContext& context) {
     const Defaults& defaults = context.status->document->defaults;
     const bool nailed = context.system().points()[context.system().index_of(grab_target_->point)].nailed;
@@ -141,7 +140,7 @@ class DragTool : public Tool {
   }
 
   std::optional<GrabTarget> grab_target_;
-  ColliderDrag collider_;  // instead, where there is no point
+  ColliderDrag collider_;  // used where there is no point
   Gesture gesture_ = 0;
   bool has_hand_ = false, has_moved_ = false;
   Vec3 start_{0.0};                 // of the point

@@ -1,4 +1,4 @@
-// Select and move: a click selects, a drag of a point moves what is selected, a drag from empty space selects a box.
+// Select and move: a click selects, dragging a point moves the selection, dragging from empty space selects a box.
 #include <algorithm>
 
 #include "app/tools/collider_drag.h"
@@ -55,10 +55,10 @@ class SelectTool : public Tool {
   }
 
   std::string next_step(const ToolContext& context) const override {
-    if (interaction_ == Interaction::Moving) return "let go to place it, Esc takes it back";
-    if (interaction_ == Interaction::Collider) return "move it, and let go; Esc takes it back";
-    if (interaction_ == Interaction::Box) return "drag over what is to be selected";
-    if (!context.selection.empty()) return "drag a selected point to move all, Shift+click adds, double click takes all connected";
+    if (interaction_ == Interaction::Moving) return "release to finish, Esc undoes";
+    if (interaction_ == Interaction::Collider) return "move and release; Esc undoes";
+    if (interaction_ == Interaction::Box) return "drag a box around what to select";
+    if (!context.selection.empty()) return "drag a selected point to move all; Shift+click adds; double-click selects connected";
     return "click a point or a spring, or drag a box from empty space";
   }
 
@@ -85,7 +85,7 @@ class SelectTool : public Tool {
     selection.toggle(id);
   }
 
-  // A selected point stays so until it is clear that it is not dragged.
+  // A selected point stays selected until it is clear that it is not being dragged.
   void press_point(PointId point, bool add, ToolContext& context) {
     point_ = point;
     if (add || !context.selection.contains(point)) select(point, add, context.selection);
@@ -102,7 +102,7 @@ class SelectTool : public Tool {
       if (context.system().index_of(id) != no_index) start_.emplace_back(id, context.snapshot().position(id));
   }
 
-  // While it runs, a moved point is at rest under the hand; in a pause it keeps its velocity.
+  // In a running scene a moved point is at rest under the hand; in a paused one it keeps its velocity.
   void move(ToolContext& context) {
     const Vec3 displacement = context.point_in_view_plane(current_, anchor_) - from_;
     if (displacement == displacement_ && !context.status->run.running) return;

@@ -6,9 +6,9 @@ namespace hooke {
 namespace {
 
 constexpr std::array rows{
-    ToolRow{Action::SelectTool, make_select_tool}, ToolRow{Action::AddTool, make_add_tool},   ToolRow{Action::AttachTool, make_attach_tool},
-    ToolRow{Action::NailTool, make_nail_tool},     ToolRow{Action::DragTool, make_drag_tool}, ToolRow{Action::CutTool, make_cut_tool},
-    ToolRow{Action::DeleteTool, make_delete_tool},
+#define TOOL(id, keys, icon, name, text, make) ToolRow{Action::id, make},
+#define ACTION(...)
+#include "ui/actions.inc"
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The tools on the left button: each a small machine that turns presses and moves of the mouse into commands.
+// The tools of the left mouse button: each is a small state machine that turns mouse events into commands.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 namespace hooke {
 
 struct Pointer {
-  glm::dvec2 at{0.0};  // [px], in the scene's picture
+  glm::dvec2 at{0.0};  // [px], in the scene's view
   Modifiers modifiers;
   bool twice = false;  // the second press of a double click
 };
@@ -22,19 +22,19 @@ class Tool {
  public:
   virtual ~Tool() = default;
   virtual void press(const Pointer&, ToolContext&) {}
-  // Once a frame while the button is down, wherever the cursor is.
+  // Once per frame while the button is down, wherever the cursor is.
   virtual void follow(const Pointer&, ToolContext&) {}
   virtual void release(const Pointer&, ToolContext&) {}
-  // Drops what is half done. False: there was nothing.
+  // Abandons an unfinished interaction. False: there was none.
   virtual bool cancel(ToolContext&) { return false; }
 
   // For the status bar: "click the second point, Esc cancels".
   virtual std::string next_step(const ToolContext&) const = 0;
-  // What lights up under the cursor, and what is about to be.
+  // Highlights what is under the cursor, and previews what a press would do.
   virtual void mark(const Pointer&, const ToolContext&, Marks&) const {}
-  // Two corners of a selection in progress [px].
+  // Opposite corners of a box selection in progress [px].
   virtual std::optional<std::pair<glm::dvec2, glm::dvec2>> rubber_band() const { return std::nullopt; }
-  // The way of a cut in progress [px].
+  // The path of a cut in progress [px].
   virtual std::vector<glm::dvec2> stroke() const { return {}; }
 };
 
@@ -43,15 +43,11 @@ struct ToolRow {
   std::unique_ptr<Tool> (*make)();
 };
 
-// What does the work of each button (ui/tool_buttons.h).
+// The tools of ui/actions.inc, in the same order. Adding one: a file with its class and its make function, and a row there.
 std::span<const ToolRow> tools();
 
-std::unique_ptr<Tool> make_select_tool();
-std::unique_ptr<Tool> make_add_tool();
-std::unique_ptr<Tool> make_attach_tool();
-std::unique_ptr<Tool> make_nail_tool();
-std::unique_ptr<Tool> make_drag_tool();
-std::unique_ptr<Tool> make_cut_tool();
-std::unique_ptr<Tool> make_delete_tool();
+#define TOOL(id, keys, icon, name, text, make) std::unique_ptr<Tool> make();
+#define ACTION(...)
+#include "ui/actions.inc"
 
 }  // namespace hooke

@@ -58,7 +58,7 @@ Tuning tune_substeps(const Status& status, int direction) {
   // the next multiple in that direction
   const int steps = direction > 0 ? now / substeps_at_once + 1 : (now + substeps_at_once - 1) / substeps_at_once - 1;
   const double next = clamp_to(row, steps * substeps_at_once);
-  return {{SetParameter{&row, next}}, count(static_cast<long>(next), "substep") + " a frame"};
+  return {{SetParameter{&row, next}}, count(static_cast<long>(next), "substep") + " per frame"};
 }
 
 Tuning tune_speed(const Status& status, double times) {

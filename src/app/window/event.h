@@ -1,11 +1,11 @@
-// What reaches the program from the window, in the order it happened. Places are in window coordinates.
+// The events of the window, in the order in which they happened. Positions are in window coordinates.
 #pragma once
 
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <variant>
 
-#include "ui/shortcuts.h"
+#include "ui/keys.h"
 
 namespace hooke {
 
@@ -19,7 +19,7 @@ struct ButtonPress {
   Button button;
   glm::dvec2 at;
   Modifiers modifiers;
-  bool twice = false;  // soon after a press at the same place
+  bool twice = false;  // the second press of a double click
 };
 struct ButtonRelease {
   Button button;
@@ -31,7 +31,7 @@ struct CursorMove {
   Modifiers modifiers;
 };
 struct Scroll {
-  double steps;  // > 0: away from the person
+  double steps;  // positive away from the user
   glm::dvec2 at;
 };
 struct FileDrop {

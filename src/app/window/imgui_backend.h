@@ -1,4 +1,4 @@
-// ImGui's place in the window: what GLFW tells it, and its frames. The only file of app that knows ImGui.
+// Connects ImGui to the window: its input from GLFW, and its frames. The only part of app that includes ImGui.
 #pragma once
 
 struct GLFWwindow;
@@ -13,7 +13,7 @@ class ImGuiBackend {
   ImGuiBackend(const ImGuiBackend&) = delete;
   ImGuiBackend& operator=(const ImGuiBackend&) = delete;
 
-  // As GLFW's callbacks of the same meaning.
+  // Forward GLFW's callbacks.
   void key(int key, int scancode, int action, int mods);
   void character(unsigned code);
   void button(int button, int action, int mods);
@@ -21,7 +21,7 @@ class ImGuiBackend {
   void focus(int focused);
   void enter(int entered);
 
-  // A text is being typed: keys are letters.
+  // Whether a text field has the keyboard.
   bool wants_text() const;
 
   void begin_frame();

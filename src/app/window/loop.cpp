@@ -16,16 +16,16 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// How long a frame waits for events when nothing moves [s], and for how long after the last one it does not.
+// How long a frame waits for events when nothing moves, and how long after the last event it does not wait yet [s].
 constexpr double idle_wait = 0.25, settle_time = 0.4;
-// A hidden window looks this seldom for events [s].
+// The interval at which a hidden window polls events [s].
 constexpr double hidden_wait = 0.1;
 // Weight of the newest value in the displayed timings.
 constexpr double smoothing = 0.08;
 
 void smooth(double& shown, double value) { shown = shown == 0.0 ? value : shown + smoothing * (value - shown); }
 
-// When the next frame is due, and how fast frames come.
+// Decides when the next frame is due, and measures the frame rate.
 class LoopPacer {
  public:
   // Sleeps until the next picture is due, or longer when nothing moves.
@@ -39,7 +39,7 @@ class LoopPacer {
   }
   void record_event() { last_event_ = Clock::now(); }
 
-  // The first frame, which compiles the shaders, and the rare ones of a still scene say nothing of the speed.
+  // The first frame compiles the shaders, and frames of a still scene are rare: neither counts.
   void record_drawn_frame(double seconds) {
     const bool counts = !first_ && !is_idle_;
     first_ = false;
@@ -57,7 +57,7 @@ class LoopPacer {
   FrameStatistics statistics_;
 };
 
-// Reloads style and fonts when the window comes to a screen of another scale, or the person wishes another.
+// Reloads style and fonts when the scale of the screen or of the interface changes.
 class Scale {
  public:
   void follow(const Window& window, double wished, View& view) {
@@ -84,10 +84,10 @@ void draw(View& view, App& app, const Window& window, const Scale& scale, const 
   const glm::ivec2 size = window.framebuffer_size();
   view.draw(*app.status().snapshot, app.marks(), app.camera(), options, size.x, size.y, panels);
   view.show();
-  app.film_recorder().take(view, options.place, seconds_since({}));
+  app.captures().film_recorder().take(view, options.place, seconds_since({}));
 }
 
-// The scene alone, as large as it is on the screen.
+// The scene without panels, at its size on screen.
 void take_picture(View& view, App& app, const Scale& scale, const std::filesystem::path& file) {
   ViewOptions options = app.view_options();
   options.scale = scale.scale() * scale.density();
@@ -96,9 +96,9 @@ void take_picture(View& view, App& app, const Scale& scale, const std::filesyste
   view.draw(*app.status().snapshot, {}, app.camera(), options, pixels(scene.width), pixels(scene.height), nullptr);
   try {
     write_png(view.read(), file);
-    app.report_picture(file, {});
+    app.captures().report_picture(file, {});
   } catch (const FileError& error) {
-    app.report_picture(file, error.what());
+    app.captures().report_picture(file, error.what());
   }
 }
 
@@ -113,7 +113,7 @@ void run_loop(Window& window, App& app) {
   while (!app.is_finished()) {
     pacer.wait(window, app.is_idle());
 
-    // events mean places in the window as it is now
+    // the layout must match the window before its events are handled
     if (!window.is_hidden()) {
       scale.follow(window, app.interface_scale(), view);
       app.resize(window.size(), scale.scale());
@@ -134,7 +134,7 @@ void run_loop(Window& window, App& app) {
     const ImDrawData* panels = window.gui().end_frame();
     window.set_title(app.title());
 
-    if (const auto file = app.take_picture_file()) take_picture(view, app, scale, *file);
+    if (const auto file = app.captures().take_picture_file()) take_picture(view, app, scale, *file);
 
     // picture
     const auto start = Clock::now();

@@ -1,4 +1,4 @@
-// The life of the window: events in, frames out, until the person quits.
+// The main loop of the window: events in, frames out, until the user quits.
 #pragma once
 
 #include "app/app.h"

@@ -1,4 +1,4 @@
-// hooke: the window. Commands that need none are handed to hooke-headless beside it.
+// hooke: the window. Commands without a window are passed to hooke-headless in the same folder.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -27,7 +27,7 @@ int print_error(int code, const std::string& line) {
   return code;
 }
 
-// Becomes hooke-headless, with the same arguments. Returns only when that fails.
+// Replaces this process by hooke-headless with the same arguments. Returns only on failure.
 int exec_hooke_cli(char** arguments) {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / "hooke-headless";
@@ -47,13 +47,13 @@ int open_window(const std::string& name) {
   } else {
     loaded = load_file(file);
   }
-  // a file of another kind is taken over, not edited
+  // a file of another format is imported: the document has no file
   const bool imported = recording || (find_file_kind(file) != nullptr && !is_scene_file(file));
   App app(std::make_shared<const Scene>(std::move(loaded.scene)), imported ? std::filesystem::path() : file, xdg_home());
   app.panels().file_warnings = joined(loaded.warnings);
   Window window(app.title(), {1280, 800});
   app.use(window.clipboard());
-  if (recording) app.play(recording);
+  if (recording) app.document().play(recording);
   run_loop(window, app);
   return 0;
 }
@@ -63,9 +63,9 @@ int start(int count, char** arguments) {
 
   CLI::App line("A laboratory for networks of point masses and springs.", "hooke");
   std::string scene = start_scene;
-  line.add_option("SCENE", scene, "Scene to open: a file, or the name of one that comes with Hooke.");
+  line.add_option("SCENE", scene, "Scene to open: a file, or the name of a shipped scene.");
   bool reset_settings = false;
-  line.add_flag("--reset-settings", reset_settings, "Start with the usual settings; those that were set are forgotten.");
+  line.add_flag("--reset-settings", reset_settings, "Delete the saved settings and start with the defaults.");
   line.set_version_flag("--version", "hooke " HOOKE_VERSION);
   line.footer("Without a window: hooke run|capture|convert ... (hooke run --help).");
   try {

@@ -19,7 +19,7 @@ static_assert(static_cast<int>(Key::Down) == GLFW_KEY_DOWN && static_cast<int>(K
 static_assert(static_cast<int>(Key::F1) == GLFW_KEY_F1 && static_cast<int>(Key::F12) == GLFW_KEY_F12);
 static_assert(static_cast<int>(Key::Tab) == GLFW_KEY_TAB && static_cast<int>(Key::Backspace) == GLFW_KEY_BACKSPACE);
 
-// A key by what it prints in the person's layout, where that is one ASCII character; else by its place.
+// A key by the character that it types in the user's layout, if that is ASCII; else by its position.
 Key key_of(int key, int scancode) {
   if (key == GLFW_KEY_KP_ENTER) return Key::Enter;
   const char* name = glfwGetKeyName(key, scancode);
@@ -47,7 +47,7 @@ std::string last_error() {
   return text != nullptr ? text : "unknown error";
 }
 
-// No larger than the screen, where that is smaller or its scale makes the window larger.
+// Limits the window to the size of the screen.
 void fit_to_screen(GLFWwindow* window) {
   GLFWmonitor* screen = glfwGetPrimaryMonitor();
   if (screen == nullptr) return;
@@ -65,7 +65,7 @@ GLFWwindow* open_window(const std::string& title, const glm::ivec2& size) {
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  // the picture comes from a framebuffer object of its own
+  // the scene is drawn to a framebuffer object
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "hooke");
@@ -83,7 +83,7 @@ GLFWwindow* open_window(const std::string& title, const glm::ivec2& size) {
 
 }  // namespace
 
-// Every callback tells ImGui first; keys that are typed into a text are not ours.
+// Each callback forwards to ImGui first; keys typed into a text field are not passed on.
 struct Window::Callbacks {
   static Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
@@ -112,7 +112,7 @@ struct Window::Callbacks {
   static void cursor(GLFWwindow* window, double x, double y) {
     Window& self = of(window);
     self.cursor_ = {x, y};
-    // a fast mouse moves many times a frame: the last place counts
+    // of many moves in a frame only the last one counts
     const CursorMove move{self.cursor_, modifiers_now(window)};
     if (!self.events_.empty() && std::holds_alternative<CursorMove>(self.events_.back()))
       self.events_.back() = move;
@@ -156,13 +156,13 @@ Window::Window(const std::string& title, const glm::ivec2& size) : window_(open_
   glfwSetWindowCloseCallback(window_, Callbacks::close);
 }
 
-// Within the time and place that a person means as one.
+// Whether this press makes a double click.
 bool Window::is_second_press(Button button) {
   constexpr double time = 0.4, max_distance = 5.0;  // [s], [window units]
   const double now = glfwGetTime();
   const bool second =
       button == last_press_.button && now - last_press_.time < time && glm::distance(cursor_, last_press_.at) < max_distance;
-  // a third press begins anew
+  // a third press is a first one again
   last_press_ = {button, second ? -1.0 : now, cursor_};
   return second;
 }
@@ -203,7 +203,7 @@ glm::ivec2 Window::framebuffer_size() const {
   return {width, height};
 }
 
-// The content scale is of framebuffer pixels; where a window unit is several of them already, it says so.
+// GLFW's scale is in framebuffer pixels; a window unit may already be several of them.
 double Window::content_scale() const {
   float x = 1.0f, y = 1.0f;
   glfwGetWindowContentScale(window_, &x, &y);

@@ -1,4 +1,4 @@
-// The one window: GLFW, its events in order, and ImGui's ears. Nothing else knows of GLFW.
+// The window: GLFW, its events in order, and the input of ImGui. Nothing else includes GLFW.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/clipboard.h"
+#include "app/edit/clipboard.h"
 #include "app/window/event.h"
 #include "app/window/imgui_backend.h"
 
@@ -15,7 +15,7 @@ struct GLFWwindow;
 
 namespace hooke {
 
-// No display, or no OpenGL 3.3: what() is one line.
+// There is no display or no OpenGL 3.3; what() is one line.
 struct WindowError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -28,21 +28,21 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  // Sleeps until something happens, at most so long [s].
+  // Waits for an event, at most this long [s].
   void wait(double seconds);
-  // What happened since the last call, oldest first.
+  // The events since the last call, oldest first.
   std::vector<Event> take_events();
 
-  glm::dvec2 size() const;              // in the unit of cursors
+  glm::dvec2 size() const;              // in window coordinates
   glm::ivec2 framebuffer_size() const;  // [px]
-  double content_scale() const;         // window units per unit of design
-  bool is_hidden() const;               // iconified, or of no size
+  double content_scale() const;         // window units per design unit
+  bool is_hidden() const;               // iconified, or without area
   double refresh_period() const;        // [s], of the monitor
 
   void set_title(const std::string& title);
   void swap();
   ImGuiBackend& gui() { return *gui_; }
-  // As long as the window lives.
+  // Valid during the lifetime of the window.
   Clipboard clipboard();
 
  private:

@@ -1,4 +1,4 @@
-// The axes of the world in a corner of the scene, as the camera sees them; a click on an end looks from there.
+// The world axes in a corner of the scene, as the camera sees them; clicking an end looks from that side.
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
@@ -13,7 +13,7 @@ constexpr double side = 88.0, reach = 31.0, ball = 8.5;  // [units of design]
 
 struct End {
   Vec3 direction;
-  const char* name;  // null: the end without a letter
+  const char* name;  // null for the negative ends
   ImU32 color;
 };
 
@@ -71,7 +71,7 @@ void build_axes(const PanelInput& input, Panels& panels, Requests& requests) {
   const ImVec2 center{static_cast<float>(place.x + 0.5 * place.width), static_cast<float>(place.y + 0.5 * place.height)};
   ImGui::PushFont(fonts().small);
   const auto ends = seen_ends(input.camera, center);
-  // the nearest to the viewer is the one that is meant
+  // overlapping ends: the one nearest to the viewer
   const bool hovered = ImGui::IsWindowHovered();
   const auto under = std::ranges::find_if(ends.rbegin(), ends.rend(), is_over);
   for (const ProjectedEnd& end : ends) draw(list, end, center, hovered && under != ends.rend() && &end == &*under);

@@ -1,4 +1,4 @@
-// The browser of files: places at the left, what lies there at the right.
+// The file browser: places on the left, their content on the right.
 #include <algorithm>
 
 #include "base/printable.h"
@@ -14,11 +14,11 @@ namespace fs = std::filesystem;
 
 constexpr double places_width = 168.0;  // [units of design]
 
-// As large as is pleasant, where the window has room for it and for what stands around it. [units of design]
+// The preferred size, or what fits into the window with its surroundings. [design units]
 double width() { return std::clamp(ImGui::GetIO().DisplaySize.x / units(1.0) - 64.0, 300.0, 640.0); }
 double height() { return std::clamp(ImGui::GetIO().DisplaySize.y / units(1.0) - 220.0, 80.0, 300.0); }
 
-// A folder is looked at again after so many seconds.
+// Age after which a folder is listed again [s].
 constexpr double stale_after = 2.0;
 
 bool is_readable(const fs::path& file) {
@@ -26,7 +26,7 @@ bool is_readable(const fs::path& file) {
   return kind != nullptr && kind->parse != nullptr;
 }
 
-void look_again(Browser& browser, FileDialogMode mode) {
+void refresh(Browser& browser, FileDialogMode mode) {
   const double now = ImGui::GetTime();
   if (browser.listing.folder == browser.folder && now < browser.listed_at + stale_after) return;
   browser.listing = list_folder(
@@ -34,7 +34,7 @@ void look_again(Browser& browser, FileDialogMode mode) {
   browser.listed_at = now;
 }
 
-// A name at the left, a remark at the right; ids may repeat names.
+// A name on the left, a remark on the right; names need not be unique, ids must.
 bool row(const char* id, const std::string& name, const std::string& remark, bool chosen, Icon icon, bool* twice = nullptr) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float end = at.x + ImGui::GetContentRegionAvail().x;
@@ -71,7 +71,7 @@ void places(const PanelInput& input, Dialog& dialog, FileDialogMode mode) {
   if (mode == FileDialogMode::Open) {
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
     place_row(dialog, "Recent", Browser::Place::Recent);
-    place_row(dialog, "Comes with Hooke", Browser::Place::Shipped);
+    place_row(dialog, "Shipped with Hooke", Browser::Place::Shipped);
     ImGui::PopStyleColor();
     ImGui::Dummy({0.0f, units(4.0)});
   }
@@ -87,10 +87,10 @@ void places(const PanelInput& input, Dialog& dialog, FileDialogMode mode) {
   ImGui::EndChild();
 }
 
-// The way to the folder, each part of which leads there.
+// The path of the folder; clicking a part goes there.
 void breadcrumbs(Dialog& dialog, FileDialogMode mode) {
   const fs::path folder = dialog.browser.folder;
-  // the last parts, where all do not fit
+  // only the last parts
   std::vector<fs::path> parts;
   for (fs::path part = folder; parts.size() < 4; part = part.parent_path()) {
     parts.push_back(part);
@@ -112,13 +112,13 @@ void breadcrumbs(Dialog& dialog, FileDialogMode mode) {
 
 bool folder_list(Dialog& dialog, FileDialogMode mode) {
   Browser& browser = dialog.browser;
-  look_again(browser, mode);
-  if (!browser.listing.error.empty()) text_in(palette::warning, "Cannot look into this folder: " + browser.listing.error);
-  if (browser.listing.items.empty() && browser.listing.error.empty()) dim_text("No folders and no scenes here.");
+  refresh(browser, mode);
+  if (!browser.listing.error.empty()) text_in(palette::warning, "Cannot read this folder: " + browser.listing.error);
+  if (browser.listing.items.empty() && browser.listing.error.empty()) dim_text("No folders or scenes here.");
 
   const fs::path folder = browser.folder, chosen_path = resolved_path(dialog);
   fs::path next;
-  bool for_good = false;
+  bool confirmed = false;
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(browser.listing.items.size()));
   while (clipper.Step()) {
@@ -130,29 +130,29 @@ bool folder_list(Dialog& dialog, FileDialogMode mode) {
                                item.is_folder ? Icon::Folder : Icon::Scene, &twice);
       if (clicked && item.is_folder) next = path;
       if (clicked && !item.is_folder) dialog.typed = path.string();
-      for_good = for_good || (twice && !item.is_folder);
+      confirmed = confirmed || (twice && !item.is_folder);
     }
   }
   clipper.End();
-  if (browser.listing.truncated) dim_text("There is more than is shown: type the name.");
+  if (browser.listing.truncated) dim_text("Not all files are shown; type a name to open others.");
   if (!next.empty()) go_to_folder(dialog, next, mode);
-  return for_good;
+  return confirmed;
 }
 
 bool recent_list(const PanelInput& input, Dialog& dialog) {
-  if (input.recent.empty()) dim_text("Nothing was opened or saved yet.");
-  bool for_good = false;
+  if (input.recent.empty()) dim_text("No files opened or saved yet.");
+  bool confirmed = false;
   for (const fs::path& file : input.recent) {
     bool twice = false;
     if (row(("##" + file.string()).c_str(), printable(file.stem().native()), printable(file.parent_path().native(), 36),
             dialog.typed == file.string(), Icon::Scene, &twice))
       dialog.typed = file.string();
-    for_good = for_good || twice;
+    confirmed = confirmed || twice;
   }
-  return for_good;
+  return confirmed;
 }
 
-// A click on one of these opens it: there is nothing to look for.
+// A click opens the scene at once.
 bool shipped_list(Dialog& dialog) {
   bool chosen = false;
   for (const ShippedScene& scene : shipped_scenes()) {

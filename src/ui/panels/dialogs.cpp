@@ -1,4 +1,4 @@
-// Boxes that ask or tell: open, save as, unsaved changes, what a file was refused for.
+// Modal dialogs: open, save as, unsaved changes, recovery, progress, messages.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -18,16 +18,20 @@ bool push_button(const char* label) {
   return ImGui::Button(label, {std::max(units(96.0), text + units(24.0)), units(30.0)});
 }
 
-// The first button, and Enter; the last one, and Esc.
-bool accepted(Panels& panels, const char* label) {
+bool enter_pressed(const PanelInput& input) { return input.presses(PanelKey::Target::Dialog, Key::Enter) > 0; }
+bool escape_pressed(const PanelInput& input) { return input.presses(PanelKey::Target::Dialog, Key::Escape) > 0; }
+
+// The first button, which Enter presses too.
+bool accepted(const PanelInput& input, const char* label) {
   ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);
   const bool pressed = push_button(label);
   ImGui::PopStyleColor();
-  return pressed || panels.dialog.accepted;
+  return pressed || enter_pressed(input);
 }
-bool cancelled(Panels& panels) {
+// The last button, which Esc presses too.
+bool cancelled(const PanelInput& input) {
   ImGui::SameLine();
-  return push_button("Cancel") || panels.dialog.cancelled;
+  return push_button("Cancel") || escape_pressed(input);
 }
 
 void close(Panels& panels) {
@@ -45,28 +49,28 @@ void path_line(Panels& panels) {
   ImGui::PopID();
 }
 
-void message_box(const PanelInput&, Panels& panels, Requests& requests) {
+void message_box(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PushTextWrapPos(box_width(480.0));
   ImGui::TextUnformatted(panels.dialog.text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
   std::vector<Choice>& choices = panels.dialog.choices;
   if (choices.empty()) {
-    if (accepted(panels, "OK") || panels.dialog.cancelled) close(panels);
+    if (accepted(input, "OK") || escape_pressed(input)) close(panels);
     return;
   }
   std::optional<Request> chosen;
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (i > 0) ImGui::SameLine();
-    if (i == 0 ? accepted(panels, choices[i].label.c_str()) : push_button(choices[i].label.c_str())) chosen = choices[i].request;
+    if (i == 0 ? accepted(input, choices[i].label.c_str()) : push_button(choices[i].label.c_str())) chosen = choices[i].request;
   }
-  if (panels.dialog.cancelled) chosen = choices.back().request;
+  if (escape_pressed(input)) chosen = choices.back().request;
   if (!chosen) return;
   close(panels);
   requests.push_back(std::move(*chosen));
 }
 
-// Whether a folder was typed, which is then shown.
+// Shows a typed folder. False: what was typed is no folder.
 bool goes_to_folder(Panels& panels, FileDialogMode mode) {
   std::error_code error;
   const std::filesystem::path chosen_path = resolved_path(panels.dialog);
@@ -79,7 +83,7 @@ bool goes_to_folder(Panels& panels, FileDialogMode mode) {
 void desktop_button(const PanelInput& input, Panels& panels, Requests& requests, bool to_save) {
   if (!input.has_desktop_dialog) return;
   ImGui::SameLine(0.0f, units(24.0));
-  if (!ImGui::Button("Desktop's dialog", {0.0f, units(30.0)})) return;
+  if (!ImGui::Button("System dialog", {0.0f, units(30.0)})) return;
   requests.emplace_back(OpenSystemDialog{to_save});
   close(panels);
 }
@@ -88,8 +92,8 @@ void open_box(const PanelInput& input, Panels& panels, Requests& requests) {
   bool chosen = build_browser(input, panels.dialog, FileDialogMode::Open);
   path_line(panels);
   ImGui::Spacing();
-  chosen = accepted(panels, "Open") || chosen;
-  if (cancelled(panels)) return close(panels);
+  chosen = accepted(input, "Open") || chosen;
+  if (cancelled(input)) return close(panels);
   desktop_button(input, panels, requests, false);
   if (!chosen || panels.dialog.typed.empty() || goes_to_folder(panels, FileDialogMode::Open)) return;
   requests.emplace_back(OpenFile{resolved_path(panels.dialog)});
@@ -102,9 +106,9 @@ void save_box(const PanelInput& input, Panels& panels, Requests& requests) {
   std::error_code error;
   const std::filesystem::path chosen_path = resolved_path(panels.dialog);
   const bool replaces = chosen_path != input.file && std::filesystem::is_regular_file(chosen_path, error);
-  text_in(palette::warning, replaces ? "There is such a file: it will be replaced." : " ");
-  chosen = accepted(panels, replaces ? "Replace" : "Save") || chosen;
-  if (cancelled(panels)) {
+  text_in(palette::warning, replaces ? "A file with this name exists and will be replaced" : " ");
+  chosen = accepted(input, replaces ? "Replace" : "Save") || chosen;
+  if (cancelled(input)) {
     requests.emplace_back(Answer::Cancel);
     return close(panels);
   }
@@ -114,7 +118,7 @@ void save_box(const PanelInput& input, Panels& panels, Requests& requests) {
   close(panels);
 }
 
-void unsaved_box(const PanelInput&, Panels& panels, Requests& requests) {
+void unsaved_box(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::TextUnformatted("The scene has changes that are not saved.");
   ImGui::Spacing();
   struct Button {
@@ -122,22 +126,22 @@ void unsaved_box(const PanelInput&, Panels& panels, Requests& requests) {
     Answer answer;
   };
   std::optional<Answer> answer;
-  if (accepted(panels, "Save")) answer = Answer::Save;
+  if (accepted(input, "Save")) answer = Answer::Save;
   ImGui::SameLine();
   if (push_button("Discard")) answer = Answer::Discard;
-  if (cancelled(panels)) answer = Answer::Cancel;
+  if (cancelled(input)) answer = Answer::Cancel;
   if (!answer) return;
   close(panels);
   requests.emplace_back(*answer);
 }
 
-void texture_box(const PanelInput&, Panels& panels, Requests& requests) {
-  dim_text("Path of a PNG in the folder of the scene");
+void texture_box(const PanelInput& input, Panels& panels, Requests& requests) {
+  dim_text("Path of a PNG file in the folder of the scene");
   ImGui::Dummy({units(460.0), 0.0f});
   path_line(panels);
   ImGui::Spacing();
-  const bool chosen = accepted(panels, "Choose");
-  if (cancelled(panels)) return close(panels);
+  const bool chosen = accepted(input, "Choose");
+  if (cancelled(input)) return close(panels);
   if (!chosen || panels.dialog.typed.empty()) return;
   requests.emplace_back(ChooseTexture{panels.dialog.typed});
   close(panels);
@@ -145,58 +149,54 @@ void texture_box(const PanelInput&, Panels& panels, Requests& requests) {
 
 void recovery_box(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PushTextWrapPos(box_width(520.0));
-  ImGui::TextUnformatted(input.left.size() == 1
-                             ? "Hooke ended before this scene was saved. What it had kept of it can be opened again."
-                             : "Hooke ended before these scenes were saved. What it had kept of them can be opened again.");
+  ImGui::TextUnformatted(input.recovered.size() == 1 ? "Hooke ended before this scene was saved. You can restore the last autosave."
+                                                     : "Hooke ended before these scenes were saved. You can restore the last autosaves.");
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
   std::optional<Request> request;
-  for (std::size_t i = 0; i < input.left.size(); ++i) {
+  for (std::size_t i = 0; i < input.recovered.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     ImGui::PushTextWrapPos(box_width(520.0));
-    ImGui::TextUnformatted(input.left[i].title.c_str());
-    dim_text(input.left[i].detail);
+    ImGui::TextUnformatted(input.recovered[i].title.c_str());
+    dim_text(input.recovered[i].detail);
     ImGui::PopTextWrapPos();
-    if (push_button("Recover") || (i == 0 && panels.dialog.accepted)) request = Recover{i};
+    if (push_button("Restore") || (i == 0 && enter_pressed(input))) request = Recover{i};
     ImGui::SameLine();
-    if (push_button("Throw away")) requests.emplace_back(DiscardRecovery{i});
+    if (push_button("Delete")) requests.emplace_back(DiscardRecovery{i});
     ImGui::PopID();
     ImGui::Dummy({0.0f, units(4.0)});
   }
-  if (push_button("Later") || panels.dialog.cancelled || input.left.empty()) return close(panels);
+  if (push_button("Later") || escape_pressed(input) || input.recovered.empty()) return close(panels);
   ImGui::SameLine();
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + units(6.0));
-  dim_text("What is left is offered again at the next start.");
+  dim_text("The remaining ones are offered again at the next start.");
   if (!request) return;
   close(panels);
   requests.push_back(*request);
 }
 
-void working_box(const PanelInput&, Panels& panels, Requests&) {
-  FileWork& work = panels.work;
+void working_box(const PanelInput& input, Panels& panels, Requests& requests) {
+  const FileWork& work = input.work;
   if (!work.is_running) return close(panels);
   ImGui::TextUnformatted(printable(work.what, 60).c_str());
   ImGui::Spacing();
   progress_bar(work.fraction, work.seconds, units(420.0));
   ImGui::Spacing();
-  if (work.wants_stop)
+  if (work.is_stopping)
     dim_text("Stopping...");
-  else if (push_button("Cancel") || panels.dialog.cancelled)
-    work.wants_stop = true;
+  else if (push_button("Cancel") || escape_pressed(input))
+    requests.emplace_back(CancelWork{});
 }
 
-struct Question {
+struct DialogRow {
   const char* title;
   void (*build)(const PanelInput& input, Panels& panels, Requests& requests);
 };
 // In the order of Dialog::Kind, after None.
-constexpr Question questions[] = {{"Message", message_box},
-                                  {"Open a scene", open_box},
-                                  {"Save the scene as", save_box},
-                                  {"Save the changes?", unsaved_box},
-                                  {"Put a picture on the cloth", texture_box},
-                                  {"Unsaved work was found", recovery_box},
-                                  {"One moment", working_box}};
+constexpr DialogRow dialog_rows[] = {{"Message", message_box},          {"Open scene", open_box},
+                                     {"Save scene as", save_box},       {"Save changes?", unsaved_box},
+                                     {"Choose a texture", texture_box}, {"Unsaved work found", recovery_box},
+                                     {"Please wait", working_box}};
 
 }  // namespace
 
@@ -206,23 +206,22 @@ void build_dialogs(const PanelInput& input, Panels& panels, Requests& requests) 
     panels.waiting.pop_front();
   }
   if (panels.dialog.kind == Dialog::Kind::None) return;
-  const Question& question = questions[static_cast<int>(panels.dialog.kind) - 1];
-  const std::string heading = panels.dialog.title.empty() ? question.title : printable(panels.dialog.title);
-  if (panels.dialog.is_new) ImGui::OpenPopup(question.title);
+  const DialogRow& row = dialog_rows[static_cast<int>(panels.dialog.kind) - 1];
+  const std::string heading = panels.dialog.title.empty() ? row.title : printable(panels.dialog.title);
+  if (panels.dialog.is_new) ImGui::OpenPopup(row.title);
   panels.dialog.is_new = false;
 
   ImGui::SetNextWindowPos({0.5f * ImGui::GetIO().DisplaySize.x, 0.42f * ImGui::GetIO().DisplaySize.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(20.0), units(16.0)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
   if (ImGui::BeginPopupModal(
-          question.title, nullptr,
+          row.title, nullptr,
           ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
     ImGui::PushFont(fonts().strong);
     ImGui::TextUnformatted(heading.c_str());
     ImGui::PopFont();
     ImGui::Dummy({0.0f, units(4.0)});
-    question.build(input, panels, requests);
-    panels.dialog.accepted = panels.dialog.cancelled = false;
+    row.build(input, panels, requests);
     ImGui::EndPopup();
   } else {
     panels.dialog = {};

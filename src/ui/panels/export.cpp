@@ -1,4 +1,4 @@
-// The box of Ctrl+E: what for, where to, and for what happens in time how long and which quantities.
+// The export dialog: format, path, and for formats over time the duration and the quantities.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-// The ending that the kind has, in place of another kind's.
+// Replaces the extension of another format.
 void follow_kind(ExportState& export_state) {
   const std::string_view extension = export_kinds()[export_state.kind].extension;
   for (const FileKind& row : export_kinds())
@@ -36,9 +36,9 @@ void kinds(ExportState& export_state, bool is_flat) {
 void over_time(ExportState& export_state, Panels& panels) {
   const FileKind& kind = export_kinds()[export_state.kind];
   if (kind.source != ExportSource::Frames) return;
-  const NumberField field{.label = "From now on",
+  const NumberField field{.label = "Duration",
                           .unit = "s",
-                          .description = "The scene is run on from where it stands; what is on the screen stays.",
+                          .description = "A copy of the scene runs from its current state; the scene on screen does not change.",
                           .min = 0.01,
                           .max = 600.0,
                           .default_value = 2.0,
@@ -46,7 +46,7 @@ void over_time(ExportState& export_state, Panels& panels) {
                           .logarithmic = true};
   if (const auto value = number_row(field, panels)) export_state.seconds = *value;
   if (!kind.has_quantities) return;
-  dim_text("Quantities, with commas between");
+  dim_text("Quantities, separated by commas");
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputText("##quantities", &export_state.quantities);
   ImGui::PushTextWrapPos(0.0f);
@@ -56,23 +56,25 @@ void over_time(ExportState& export_state, Panels& panels) {
   ImGui::PopTextWrapPos();
 }
 
-void buttons(ExportState& export_state) {
-  if (export_state.is_running()) {
-    progress_bar(export_state.fraction, export_state.running_seconds, -units(110.0));
+void buttons(const PanelInput& input, ExportState& export_state, Requests& requests) {
+  const ExportWork& work = input.export_work;
+  if (work.is_running) {
+    progress_bar(work.fraction, work.seconds, -units(110.0));
     ImGui::SameLine();
-    if (ImGui::Button("Stop", {units(96.0), units(30.0)})) export_state.wants_stop = true;
+    if (ImGui::Button("Stop", {units(96.0), units(30.0)})) requests.emplace_back(StopExport{});
     return;
   }
   ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);
-  if (ImGui::Button("Export", {units(96.0), units(30.0)})) export_state.wants_export = true;
+  const bool clicked = ImGui::Button("Export", {units(96.0), units(30.0)});
   ImGui::PopStyleColor();
+  if (clicked || input.presses(PanelKey::Target::Export, Key::Enter) > 0) requests.emplace_back(StartExport{});
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {units(96.0), units(30.0)})) export_state.is_shown = false;
 }
 
 }  // namespace
 
-void build_export(const PanelInput& input, Panels& panels) {
+void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   ExportState& export_state = panels.export_state;
   if (!export_state.is_shown) return;
   if (export_state.is_new) follow_kind(export_state);
@@ -90,7 +92,7 @@ void build_export(const PanelInput& input, Panels& panels) {
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Export");
   ImGui::PopFont();
-  ImGui::BeginDisabled(export_state.is_running());
+  ImGui::BeginDisabled(input.export_work.is_running);
   kinds(export_state, input.status.snapshot->system->dimensions == 2);
   ImGui::Dummy({0.0f, units(2.0)});
   ImGui::PushTextWrapPos(0.0f);
@@ -104,7 +106,7 @@ void build_export(const PanelInput& input, Panels& panels) {
   ImGui::EndDisabled();
   export_state.is_new = false;
   ImGui::Dummy({0.0f, units(4.0)});
-  buttons(export_state);
+  buttons(input, export_state, requests);
   ImGui::End();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(3);

@@ -1,4 +1,4 @@
-// The listed forces of the scene, made from the rows of their table: switch, numbers, remove; and a menu that adds one.
+// The forces of the scene, made from the rows of their table: a switch, parameters and a remove button each, and a list to add one.
 #include "sim/forces/force_term.h"
 #include "sim/system.h"
 #include "ui/number_field.h"
@@ -8,7 +8,7 @@
 namespace hooke {
 namespace {
 
-// Its switch, its name and the sign that takes it away. Returns whether it stays.
+// The switch, the name and the remove button. False: removed.
 bool heading(Force& force) {
   const float end = ImGui::GetContentRegionMax().x, side = ImGui::GetFrameHeight();
   ImGui::Checkbox("##on", &force.on);
@@ -45,7 +45,7 @@ void build_forces(const PanelInput& input, Panels& panels, Requests& requests) {
   }
 
   ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::BeginCombo("##add", "Add a force ...", ImGuiComboFlags_HeightLarge)) {
+  if (ImGui::BeginCombo("##add", "Add a force...", ImGuiComboFlags_HeightLarge)) {
     for (const ForceTerm& term : force_terms()) {
       if (ImGui::Selectable(term.label.data())) wanted.push_back({&term, true, default_values(term)});
       tooltip(std::string(term.description));

@@ -1,4 +1,4 @@
-// The gallery: a page over the scene with a card for every scene that ships, group by group. A click or Enter opens one.
+// The gallery: a page over the scene with a card for each shipped scene, by group. A click or Enter opens it.
 #include "formats/gallery.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Grid grid_for(float width) {
   return {columns, card, card * thumbnail_height / thumbnail_width};
 }
 
-// As much of a text as fits into so many lines.
+// Shortened to a number of lines.
 std::string shortened(const std::string& text, float width, int lines) {
   const ImFont& font = *ImGui::GetFont();
   const float scale = ImGui::GetFontSize() / font.FontSize;
@@ -49,7 +49,7 @@ void picture(const Panels& panels, std::size_t number, const ImVec2& min, const 
   const auto count = static_cast<int>(gallery_cards().size()), rows = (count + thumbnail_columns - 1) / thumbnail_columns;
   const auto column = static_cast<float>(static_cast<int>(number) % thumbnail_columns),
              row = static_cast<float>(static_cast<int>(number) / thumbnail_columns);
-  // half a pixel within, or the neighbours would shine through
+  // half a pixel inset, against bleeding from neighbouring pictures
   const ImVec2 half{0.5f / (thumbnail_columns * thumbnail_width), 0.5f / static_cast<float>(rows * thumbnail_height)};
   const ImVec2 uv_min{column / thumbnail_columns + half.x, row / static_cast<float>(rows) + half.y};
   const ImVec2 uv_max{(column + 1.0f) / thumbnail_columns - half.x, (row + 1.0f) / static_cast<float>(rows) - half.y};
@@ -103,7 +103,7 @@ void heading(const std::string& title) {
   ImGui::Dummy({0.0f, units(2.0)});
 }
 
-// The cards of a group, rows as high as their highest card. Returns the end of the group.
+// The cards of a group; the highest card sets the height of its row. Returns the end of the group.
 std::size_t group(const PanelInput& input, Panels& panels, std::size_t first, const Grid& grid, Requests& requests) {
   const std::vector<GalleryCard>& cards = gallery_cards();
   std::size_t end = first;
@@ -147,7 +147,7 @@ void build_gallery(const PanelInput& input, Panels& panels, Requests& requests) 
   ImGui::TextUnformatted("Gallery");
   ImGui::PopFont();
   ImGui::PushTextWrapPos(0.0f);
-  dim_text("Every scene can be run, pulled about, changed and saved under a name of its own. Arrows and Enter choose, Esc goes back.");
+  dim_text("Open a scene to run, change and save it under another name. Arrow keys and Enter select one, Esc returns.");
   ImGui::PopTextWrapPos();
   const Grid grid = grid_for(static_cast<float>(page.width) - 2.0f * units(margin));
   for (std::size_t first = 0; first < gallery_cards().size();) first = group(input, panels, first, grid, requests);

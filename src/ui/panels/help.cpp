@@ -1,4 +1,4 @@
-// The F1 overlay: every shortcut of the table, by group, and what the mouse does, in as many columns as fit.
+// The F1 overlay: all shortcuts by group, and the mouse gestures, in as many columns as fit.
 #include <algorithm>
 
 #include "ui/panels.h"
@@ -18,7 +18,7 @@ struct Line {
 struct Group {
   std::string_view title;
   std::vector<Line> lines;
-  double indent;  // of what stands at the right [units of design]
+  double indent;  // of the right column [design units]
   double height() const { return heading_lines + static_cast<double>(lines.size()); }
 };
 
@@ -45,7 +45,7 @@ void build_group(const Group& group) {
   }
 }
 
-// Groups stay whole and in their order; each column takes its share.
+// Groups are not split and keep their order; columns are balanced.
 void build_columns(int columns) {
   const std::vector<Group> groups = all_groups();
   double rest = 0.0;

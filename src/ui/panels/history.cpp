@@ -1,4 +1,4 @@
-// The steps of undo by their names: a click goes to where that step is the last in effect.
+// The undo steps by name: clicking one undoes or redoes up to it.
 #include "edit/history_list.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -14,9 +14,7 @@ std::string sentence(std::string text) {
 }
 
 // Row 0 is the state before every step.
-std::string name_of(const HistoryList& history, std::size_t row) {
-  return row == 0 ? "As it was opened" : sentence(history.names[row - 1]);
-}
+std::string name_of(const HistoryList& history, std::size_t row) { return row == 0 ? "As opened" : sentence(history.names[row - 1]); }
 
 }  // namespace
 
@@ -40,7 +38,7 @@ void build_history(const PanelInput& input, Requests& requests) {
     }
   }
   clipper.End();
-  // the newest is in sight when it comes
+  // scroll to a new step
   int& seen = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("seen"), 0);
   if (const int now = static_cast<int>(history.done); seen != now) {
     seen = now;

@@ -1,4 +1,4 @@
-// What is selected, and its properties to be typed: of one thing, or of all at once.
+// The selection and its properties, to be edited one by one or all at once.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -12,7 +12,7 @@
 namespace hooke {
 namespace {
 
-// What can be typed. Far beyond the sliders, within what stays computable. [kg], [m], [N/m], [N s/m]
+// The range of typed values: far beyond the sliders, but still computable. [kg], [m], [N/m], [N s/m]
 constexpr double min_mass = 1e-9, max_mass = 1e9, max_length = 1e6, max_stiffness = 1e12, max_damping = 1e9, max_strain = 1e6;
 
 template <class Value>
@@ -49,7 +49,7 @@ Inspected inspect(const PanelInput& input) {
   return inspected;
 }
 
-// The rest of a field whose value all share, or not.
+// Completes a field with the value that all have in common, or as mixed.
 TypedField field_of(TypedField field, const Common<double>& now) {
   field.value = now.value;
   field.mixed = now.mixed;
@@ -69,11 +69,8 @@ void point_row(const TypedField& field, PointProperty property, double Point::*m
 void place_row(const char* label, int axis, const Inspected& inspected, Panels& panels, Requests& requests) {
   const State& state = inspected.snapshot.state;
   const auto now = common(inspected.points, [&](Index i) { return state.position[i][axis]; });
-  const TypedField field{.label = label,
-                         .unit = "m",
-                         .description = "Where it is; a point that is moved keeps its velocity.",
-                         .min = -max_length,
-                         .max = max_length};
+  const TypedField field{
+      .label = label, .unit = "m", .description = "A point that is moved keeps its velocity.", .min = -max_length, .max = max_length};
   if (const auto value = typed_row(field_of(field, now), panels)) {
     Move move;
     for (const Index i : inspected.points) {
@@ -88,7 +85,7 @@ void place_row(const char* label, int axis, const Inspected& inspected, Panels& 
 void nailed_row(const Inspected& inspected, Panels& panels, Requests& requests) {
   const auto now = common(inspected.points, [&](Index i) { return inspected.point(i).nailed; });
   begin_row("Nailed");
-  // two bits of which one is set are drawn as neither on nor off
+  // one of two bits set shows the checkbox as neither on nor off
   int bits = now.mixed ? 1 : now.value ? 3 : 0;
   if (!ImGui::CheckboxFlags("##nailed", &bits, 3)) return;
   SetNailed set;
@@ -114,7 +111,7 @@ void color_row(const Inspected& inspected, Panels& panels, Requests& requests) {
   }
   ImGui::SameLine();
   if (now.mixed) {
-    dim_text("mixed");
+    dim_text("varies");
     ImGui::SameLine();
   } else if (!now.value) {
     return dim_text("by state");
@@ -131,13 +128,13 @@ void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) 
     ImGui::PopID();
   }
   ImGui::PushID("mass");
-  point_row({.label = "Mass", .unit = "kg", .description = "Of each selected point.", .min = min_mass, .max = max_mass},
+  point_row({.label = "Mass", .unit = "kg", .description = "Mass of each selected point.", .min = min_mass, .max = max_mass},
             PointProperty::Mass, &Point::mass, inspected, panels, requests);
   ImGui::PopID();
   ImGui::PushID("radius");
   point_row({.label = "Radius",
              .unit = "m",
-             .description = "Of the ball that is drawn, and the distance at which it touches.",
+             .description = "Radius of the drawn ball; also its contact distance.",
              .min = 0.0,
              .max = max_length},
             PointProperty::Radius, &Point::radius, inspected, panels, requests);
@@ -147,11 +144,11 @@ void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) 
   ImGui::PopID();
 }
 
-// How long it is now, of a single one.
+// The current length of a single spring.
 void length_line(const Inspected& inspected) {
   const Spring& spring = inspected.spring(inspected.springs[0]);
   const double length = glm::distance(inspected.snapshot.position(spring.first), inspected.snapshot.position(spring.second));
-  begin_row("Length now");
+  begin_row("Current length");
   std::string text = number(length) + " m";
   if (spring.rest_length > 0.0) text += ", strain " + number(100.0 * (length / spring.rest_length - 1.0)) + " %";
   ImGui::TextUnformatted(text.c_str());
@@ -163,17 +160,20 @@ struct SpringRow {
   double Spring::*member;
 };
 constexpr SpringRow spring_table[] = {
-    {{.label = "Stiffness k", .unit = "N/m", .description = "Force per stretched metre.", .max = max_stiffness},
+    {{.label = "Stiffness k", .unit = "N/m", .description = "Force per unit of elongation.", .max = max_stiffness},
      SpringProperty::Stiffness,
      &Spring::stiffness},
-    {{.label = "Damping d", .unit = "N s/m", .description = "Force along the spring per speed at which its ends part.", .max = max_damping},
+    {{.label = "Damping d",
+      .unit = "N s/m",
+      .description = "Force along the spring per unit of the relative velocity of its ends.",
+      .max = max_damping},
      SpringProperty::Damping,
      &Spring::damping},
-    {{.label = "Rest length", .unit = "m", .description = "At which it neither pulls nor pushes.", .max = max_length},
+    {{.label = "Rest length", .unit = "m", .description = "Length at which the spring exerts no force.", .max = max_length},
      SpringProperty::RestLength,
      &Spring::rest_length},
     {{.label = "Breaks at",
-      .description = "Strain at which it tears: 0.5 is half as long again as at rest; \"never\" is never.",
+      .description = "Strain at which the spring breaks: 0.5 means 50 % longer than its rest length. \"never\" disables breaking.",
       .min = 1e-6,
       .max = max_strain,
       .infinity_text = "never"},

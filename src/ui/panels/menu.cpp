@@ -1,4 +1,4 @@
-// The bar at the top: menus, the run's buttons, undo and redo, the clock.
+// The bar at the top: menus, the buttons of the run, undo and redo, the clock.
 #include <algorithm>
 
 #include "base/printable.h"
@@ -11,12 +11,47 @@
 namespace hooke {
 namespace {
 
-// A line of a menu for an action of the table.
-void item(Action action, Requests& requests, bool enabled = true, const std::string& detail = {}) {
-  const Shortcut& row = shortcut_of(action);
-  const std::string label = std::string(row.text) + (detail.empty() ? "" : ": " + detail);
-  if (ImGui::MenuItem(label.c_str(), key_text(row).c_str(), false, enabled)) requests.emplace_back(action);
+std::string detail_of(Needs needs, const Status& status) {
+  return needs == Needs::UndoStep ? status.history.undo_name : needs == Needs::RedoStep ? status.history.redo_name : std::string();
 }
+
+bool is_met(Needs needs, const PanelInput& input) {
+  switch (needs) {
+    case Needs::Nothing:
+    case Needs::Scene:
+      return true;
+    case Needs::Selection:
+      return !input.selection.empty();
+    case Needs::Space:
+      return input.status.snapshot->system->dimensions == 3;
+    case Needs::UndoStep:
+    case Needs::RedoStep:
+      return !detail_of(needs, input.status).empty();
+  }
+  return true;
+}
+
+void item(const ActionRow& row, const PanelInput& input, Requests& requests) {
+  const std::string detail = detail_of(row.needs, input.status);
+  const std::string label = std::string(row.text) + (detail.empty() ? "" : ": " + detail);
+  const std::string keys = key_text(row.keys.chords[0]);
+  if (ImGui::MenuItem(label.c_str(), keys.c_str(), false, is_met(row.needs, input))) requests.emplace_back(row.action);
+}
+
+// The items of some sections of a menu, with lines between the sections. False: there are none.
+bool sections(Menu menu, int first, int last, const PanelInput& input, Requests& requests) {
+  bool any = false;
+  for (int section = first; section <= last; ++section) {
+    bool is_first = true;
+    for (const ActionRow& row : actions()) {
+      if (row.position.menu != menu || row.position.section != section) continue;
+      if (std::exchange(is_first, false) && std::exchange(any, true)) ImGui::Separator();
+      item(row, input, requests);
+    }
+  }
+  return any;
+}
+constexpr int last_section = 9;
 
 void recent_menu(const PanelInput& input, Requests& requests) {
   if (!ImGui::BeginMenu("Open recent", !input.recent.empty())) return;
@@ -30,22 +65,13 @@ void recent_menu(const PanelInput& input, Requests& requests) {
 }
 
 void file_menu(const PanelInput& input, Panels&, Requests& requests) {
-  item(Action::NewScene, requests);
-  item(Action::OpenScene, requests);
+  sections(Menu::File, 1, 1, input, requests);
   recent_menu(input, requests);
   ImGui::Separator();
-  item(Action::Save, requests);
-  item(Action::SaveAs, requests);
-  item(Action::Export, requests);
-  ImGui::Separator();
-  item(Action::TakePicture, requests);
-  item(Action::FilmOnOff, requests);
-  item(Action::RecordOnOff, requests);
-  ImGui::Separator();
-  item(Action::Quit, requests);
+  sections(Menu::File, 2, last_section, input, requests);
 }
 
-// Two columns: the lessons, and everything else, group by group.
+// Two columns: the lessons, and all other scenes, group by group.
 void scenes_column(const PanelInput& input, bool lessons, Requests& requests) {
   ImGui::BeginGroup();
   std::string_view group;
@@ -64,49 +90,30 @@ void scenes_column(const PanelInput& input, bool lessons, Requests& requests) {
 }
 
 void scenes_menu(const PanelInput& input, Panels&, Requests& requests) {
-  item(Action::ShowGallery, requests);
+  sections(Menu::Scenes, 1, last_section, input, requests);
   ImGui::Separator();
   scenes_column(input, false, requests);
   ImGui::SameLine(0.0f, units(24.0));
   scenes_column(input, true, requests);
 }
 
-// Shapes to be placed, from their table.
-void add_menu(const PanelInput& input, Panels& panels, Requests&) {
+void add_menu(const PanelInput& input, Panels&, Requests& requests) {
+  if (sections(Menu::Add, 1, last_section, input, requests)) ImGui::Separator();
   const bool is_flat = input.status.snapshot->system->dimensions == 2;
   for (const ShapeKind& kind : placeable_shapes()) {
     if (ImGui::MenuItem((std::string(kind.label) + "...").c_str(), nullptr, false, !kind.is_3d_only || !is_flat))
-      panels.placement = {.shape = default_shape(kind), .is_new = true};
+      requests.emplace_back(StartPlacement{&kind});
     tooltip(std::string(kind.description) + (kind.is_3d_only && is_flat ? " Not in a flat scene." : ""));
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("From a mesh...", nullptr, false, !is_flat)) panels.placement = {.is_mesh = true, .is_new = true};
+  if (ImGui::MenuItem("From a mesh...", nullptr, false, !is_flat)) requests.emplace_back(StartPlacement{nullptr});
   tooltip(is_flat ? "An .obj file as cloth. Not in a flat scene." : "An .obj file as cloth.");
 }
 
-void edit_menu(const PanelInput& input, Panels&, Requests& requests) {
-  item(Action::Undo, requests, !input.status.history.undo_name.empty(), input.status.history.undo_name);
-  item(Action::Redo, requests, !input.status.history.redo_name.empty(), input.status.history.redo_name);
-  ImGui::Separator();
-  const bool any = !input.selection.empty();
-  for (const Action action : {Action::Cut, Action::Copy}) item(action, requests, any);
-  item(Action::Paste, requests);
-  for (const Action action : {Action::Duplicate, Action::DeleteSelection}) item(action, requests, any);
-  ImGui::Separator();
-  for (const Action action : {Action::SelectAll, Action::SelectInverted}) item(action, requests);
-  item(Action::SelectConnected, requests, any);
-  ImGui::Separator();
-  item(Action::ReleaseNails, requests);
-}
+void edit_menu(const PanelInput& input, Panels&, Requests& requests) { sections(Menu::Edit, 1, last_section, input, requests); }
+void run_menu(const PanelInput& input, Panels&, Requests& requests) { sections(Menu::Run, 1, last_section, input, requests); }
 
-void run_menu(const PanelInput&, Panels&, Requests& requests) {
-  for (const Action action : {Action::RunOrPause, Action::StepOnce, Action::StepBack, Action::GoToStart, Action::Slower, Action::Faster})
-    item(action, requests);
-  ImGui::Separator();
-  for (const Action action : {Action::StiffnessUp, Action::StiffnessDown, Action::SubstepsUp, Action::SubstepsDown}) item(action, requests);
-}
-
-// A line for each texture that ships, and for a picture of one's own.
+// An item for each shipped texture, and one for another picture.
 void texture_menu(const PanelInput& input, Panels& panels, Requests& requests) {
   const std::string& now = input.status.document->view.texture;
   if (ImGui::MenuItem("None", nullptr, now.empty())) requests.emplace_back(ChooseTexture{});
@@ -121,41 +128,33 @@ void texture_menu(const PanelInput& input, Panels& panels, Requests& requests) {
 }
 
 void view_menu(const PanelInput& input, Panels& panels, Requests& requests) {
-  item(Action::FrameAll, requests);
-  item(Action::FrameSelection, requests, !input.selection.empty());
-  ImGui::Separator();
-  const bool turns = input.status.snapshot->system->dimensions == 3;
-  for (const Action action : {Action::ViewFront, Action::ViewSide, Action::ViewTop}) item(action, requests, turns);
-  for (const Action action : {Action::Orthographic, Action::FollowScene, Action::CopyCamera, Action::PasteCamera}) item(action, requests);
-  ImGui::Separator();
-  for (const Action action : {Action::ShowPlots, Action::HidePanels, Action::LightOrDark}) item(action, requests);
+  sections(Menu::View, 1, 3, input, requests);
   ImGui::Separator();
   ImGui::MenuItem("Points", nullptr, &panels.view.points);
   ImGui::MenuItem("Springs", nullptr, &panels.view.springs);
   ImGui::MenuItem("Surface", nullptr, &panels.view.surface);
-  ImGui::MenuItem("Colours of strain", nullptr, &panels.view.strain_colors);
+  ImGui::MenuItem("Strain colours", nullptr, &panels.view.strain_colors);
   ImGui::MenuItem("Shadows", nullptr, &panels.view.shadows);
   ImGui::Separator();
   ImGui::MenuItem("Colliders", nullptr, &panels.view.colliders);
   ImGui::MenuItem("Grid", nullptr, &panels.view.grid);
   ImGui::Separator();
-  for (const Action action : {Action::LargerPanels, Action::SmallerPanels, Action::SearchCommands, Action::ShowKeys})
-    item(action, requests);
+  sections(Menu::View, 4, last_section, input, requests);
   if (input.status.snapshot->system->faces.empty()) return;
   ImGui::Separator();
   dim_text("Texture");
   texture_menu(input, panels, requests);
 }
 
-struct Menu {
+struct MenuRow {
   const char* name;
   void (*build)(const PanelInput& input, Panels& panels, Requests& requests);
 };
-constexpr Menu menus[] = {{"File", file_menu}, {"Scenes", scenes_menu}, {"Edit", edit_menu},
-                          {"Add", add_menu},   {"Run", run_menu},       {"View", view_menu}};
+constexpr MenuRow menus[] = {{"File", file_menu}, {"Scenes", scenes_menu}, {"Edit", edit_menu},
+                             {"Add", add_menu},   {"Run", run_menu},       {"View", view_menu}};
 
-// A flat button at x that opens the list under it. Returns its width.
-float build_one(const Menu& menu, float x, const PanelInput& input, Panels& panels, Requests& requests) {
+// A flat button at x that opens the menu under it. Returns its width.
+float build_one(const MenuRow& menu, float x, const PanelInput& input, Panels& panels, Requests& requests) {
   const Rect& bar = input.layout.menu;
   const float width = ImGui::CalcTextSize(menu.name).x + units(18.0);
   ImGui::SetCursorScreenPos({x, static_cast<float>(bar.y) + units(5.0)});
@@ -164,7 +163,7 @@ float build_one(const Menu& menu, float x, const PanelInput& input, Panels& pane
   const bool clicked = ImGui::Button(menu.name, {width, units(28.0)});
   ImGui::PopStyleColor();
 
-  // sliding along the bar opens the next list, as in every menu bar
+  // sliding along the bar opens the next menu, as in other menu bars
   const bool sliding = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId) && panels.dialog.kind == Dialog::Kind::None &&
                        ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
   if (clicked || (sliding && !is_open)) ImGui::OpenPopup(menu.name);
@@ -173,15 +172,15 @@ float build_one(const Menu& menu, float x, const PanelInput& input, Panels& pane
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(10.0), units(7.0)});
   if (ImGui::BeginPopup(menu.name, ImGuiWindowFlags_NoMove)) {
     menu.build(input, panels, requests);
-    panels.menu_is_open = !panels.menu_closes;
-    if (panels.menu_closes) ImGui::CloseCurrentPopup();
+    panels.menu_is_open = input.presses(PanelKey::Target::Menu, Key::Escape) == 0;
+    if (!panels.menu_is_open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();
   return width;
 }
 
-// In the middle above the scene, where the menus leave room for them. Returns where they end.
+// Centred above the scene if the menus leave room. Returns their right end.
 float run_buttons(const PanelInput& input, float menus_end, Requests& requests) {
   struct Button {
     Action action;
@@ -234,8 +233,7 @@ void build_menu(const PanelInput& input, Panels& panels, Requests& requests) {
 
   panels.menu_is_open = false;
   float x = units(8.0);
-  for (const Menu& menu : menus) x += build_one(menu, x, input, panels, requests) + units(2.0);
-  panels.menu_closes = false;
+  for (const MenuRow& menu : menus) x += build_one(menu, x, input, panels, requests) + units(2.0);
   clock(input, run_buttons(input, x, requests));
   ImGui::End();
 }

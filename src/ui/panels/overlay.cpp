@@ -1,5 +1,5 @@
-// What lies over the scene: the legend of strain, the hint of an empty scene, the rubber band, a passing line, and the
-// banner that says why a run stopped.
+// Drawn over the scene: the strain legend, the hint for an empty scene, the selection box, short messages, and banners, such as
+// the one that explains why a run stopped.
 #include <algorithm>
 
 #include "scene/parameters.h"
@@ -17,7 +17,7 @@ ImVec2 place(const Rect& scene, double x, double y) { return {static_cast<float>
 
 ImU32 strain_rgba(double relative) { return to_imgui(View::strain_color(relative)); }
 
-// A strain in per cent: "+2 %".
+// A strain in percent: "+2 %".
 std::string percent(double strain) {
   std::string text = strain > 0.0 ? "+" : "";
   return text.append(number(100.0 * strain)).append(" %");
@@ -27,13 +27,13 @@ void legend(const PanelInput& input, const Panels& panels, ImDrawList& list) {
   const Snapshot& snapshot = *input.status.snapshot;
   const bool is_coloured = panels.view.springs || (panels.view.surface && !snapshot.system->faces.empty());
   if (snapshot.system->springs().empty() || !is_coloured || !panels.view.strain_colors) return;
-  // not where it would cover the scene
+  // not in a window so small that it would cover the scene
   const Rect& scene = input.layout.scene;
   if (scene.width < units(240.0) || scene.height < units(200.0)) return;
   const ImVec2 at = place(scene, units(18.0), scene.height - units(44.0));
   const float width = units(180.0), height = units(8.0);
 
-  // to be read on whatever hangs there
+  // legible over any scene
   const float left = units(10.0), top = units(24.0), bottom = units(28.0);
   list.AddRectFilled({at.x - left, at.y - top}, {at.x + width + left, at.y + bottom}, palette::shade, units(6.0));
 
@@ -61,7 +61,7 @@ void legend(const PanelInput& input, const Panels& panels, ImDrawList& list) {
 void hint_of_empty_scene(const PanelInput& input, ImDrawList& list) {
   if (input.status.snapshot->system->point_count() > 0) return;
   const Rect& scene = input.layout.scene;
-  const std::string text = "Press A and click to add points; T attaches springs; Space runs.";
+  const std::string text = "Press A and click to add points, T to attach springs, Space to run.";
   const float room = std::max(1.0f, static_cast<float>(scene.width) - units(32.0));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
   list.AddText(nullptr, 0.0f, place(scene, 0.5 * (scene.width - size.x), 0.36 * scene.height), palette::dim, text.c_str(), nullptr, room);
@@ -75,7 +75,7 @@ void rubber_band(const PanelInput& input, ImDrawList& list) {
   list.AddRect(min, max, palette::accent);
 }
 
-// Where the scissors went, a light line on a dark one, to be seen on any cloth.
+// The path of a cut: a light line on a dark one, visible on any cloth.
 void stroke(const PanelInput& input, ImDrawList& list) {
   if (input.stroke.size() < 2) return;
   std::vector<ImVec2> stroke_points;
@@ -101,7 +101,7 @@ void toast(const PanelInput& input, Panels& panels, ImDrawList& list) {
   list.AddText(nullptr, 0.0f, at, palette::text, panels.toast.c_str(), nullptr, room);
 }
 
-// What the advice comes to here: another method does not need fewer substeps than there are.
+// The advice, except that another method keeps at least the current number of substeps.
 Advice fitted(const Advice& advice, const Settings& settings) {
   if (advice.integrator == settings.integrator) return advice;
   return {advice.integrator, std::max(advice.substeps, settings.substeps)};
@@ -114,7 +114,7 @@ std::string display_text(const Advice& advice, const Settings& settings) {
   return advice.substeps == settings.substeps ? text : text.append(count(advice.substeps, "substep"));
 }
 
-// Sets what the advice says, past the slider's end where that is what it takes, and starts over with it.
+// Applies the advice, beyond the slider's range if needed, and runs from the start.
 void take_advice(const Advice& advice, const Settings& settings, Requests& requests) {
   const bool changes_method = advice.integrator != settings.integrator;
   if (changes_method) requests.emplace_back(Edit{SetIntegrator{advice.integrator}});
@@ -123,7 +123,7 @@ void take_advice(const Advice& advice, const Settings& settings, Requests& reque
   requests.emplace_back(Control(SetRunning{true}));
 }
 
-// A notice at the top of the scene, `down` from it; the rest of it is built between begin and end. end returns its height.
+// A banner `down` below the top of the scene; its content is built between begin and end. end returns its height.
 void begin_banner(const char* name, const Rect& scene, double down, const std::string& text, ImU32 ground, ImU32 edge, Panels& panels) {
   const float width = std::min(static_cast<float>(scene.width) - units(32.0), units(620.0));
   ImGui::SetNextWindowPos(place(scene, 0.5 * (scene.width - width), units(14.0) + down));
@@ -175,20 +175,20 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
     down += end_banner() + units(8.0);
   }
 
-  // the open file is not what it was
+  // the open file changed on disk
   if (!panels.file_notice.empty()) {
     begin_banner("file", scene, down, panels.file_notice, palette::notice, palette::warning, panels);
     std::optional<Answer> answer;
     if (!panels.file_is_gone) {
-      if (ImGui::Button("Load it")) answer = Answer::Reload;
+      if (ImGui::Button("Reload")) answer = Answer::Reload;
       same_line_for("Keep mine");
     }
-    if (ImGui::Button(panels.file_is_gone ? "Go on" : "Keep mine")) answer = Answer::KeepMine;
+    if (ImGui::Button(panels.file_is_gone ? "OK" : "Keep mine")) answer = Answer::KeepMine;
     down += end_banner() + units(8.0);
     if (answer) requests.emplace_back(*answer);
   }
 
-  // what the file that was opened is remarkable for
+  // warnings about the opened file
   if (!panels.file_warnings.empty() && down == 0.0) {
     begin_banner("remarks", scene, down, panels.file_warnings, palette::notice, palette::warning, panels);
     if (ImGui::Button("Dismiss")) panels.file_warnings.clear();

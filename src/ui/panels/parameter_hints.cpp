@@ -10,7 +10,7 @@
 namespace hooke {
 namespace {
 
-// Two digits: of what is not known better, or not needed better.
+// Two digits, for estimates.
 std::string two_digits(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", value);
@@ -29,13 +29,13 @@ std::string length_text(double length) {
   return length < 1.0 ? "~ " + two_digits(1e3 * length) + " mm" : "~ " + two_digits(length) + " m";
 }
 
-// Stands where nothing can be said, so that no slider moves under the mouse when it can.
+// Shown where there is no value, so that no slider moves when there is one.
 constexpr const char* nothing = "\u2013";
 
-// Too little to notice is none.
+// Negligible values are shown as 0.
 std::string ratio_text(double ratio) { return ratio < 5e-5 ? "0" : two_digits(ratio); }
 
-// Small, the name on the left under the slider's; a dot before what is good or bad.
+// A small line under a slider: a name and a value, with a coloured dot if it is good or bad.
 void remark(const std::string& name, const std::string& text, const std::string& description, ImU32 dot = 0,
             ImU32 text_color = palette::dim) {
   ImGui::PushFont(fonts().small);
@@ -63,43 +63,43 @@ void step_remark(const Snapshot& snapshot) {
 
   std::string text = "\u03c9h = " + three_digits(snapshot.omega * h);
   if (!anything)
-    text = "\u03c9h = 0, nothing swings";
+    text = "\u03c9h = 0 (no oscillation)";
   else if (limit == 0.0)
-    text += ", no step holds";
+    text += " (always unstable)";
   else if (std::isinf(limit))
-    text += ", any step holds";
+    text += " (no limit)";
   else if (fraction > 1.0)
     text += ", needs " + number(std::ceil(1.0 / (snapshot.settings.frame_rate * limit))) + " substeps";
   else
-    text += ", holds up to " + three_digits(snapshot.omega * limit);
+    text += " (limit " + three_digits(snapshot.omega * limit) + ")";
   char step[32];
   std::snprintf(step, sizeof step, "step %.3g ms", 1000.0 * h);
-  remark(step, text,
-         "The fastest swing of the scene turns by at most this many radians in a step. Beyond the method's limit the scene can blow up.",
+  remark(step, text, "Highest angular frequency of the scene times the step. Beyond the method's limit the simulation can blow up.",
          text_color, anything && fraction > 0.8 ? text_color : palette::dim);
 }
 
 void sag_remark(const Forecast& forecast) {
   remark("sag", forecast.sag ? length_text(*forecast.sag) : nothing,
-         "How far the weight stretches the scene at rest: the point that hangs lowest for it, against where it would be without weight. "
-         "Not told where nothing carries the weight, where colliders or other forces decide too, and of more than 1,700 points.");
+         "Largest displacement that gravity causes at rest, compared with the unloaded shape. Not available if nothing carries the "
+         "weight, if colliders or other forces act, or for more than 1,700 points.");
 }
 
 void ratio_remark(double (*ratio)(const Forecast&, const Mode&), const std::string& of, const Forecast& forecast) {
   const auto of_mode = [&](const std::optional<Mode>& mode, const std::string& which) -> std::string {
     if (!mode) return "";
     const double value = ratio(forecast, *mode);
-    return std::isnan(value) ? which + " differs" : ratio_text(value) + " " + which;
+    return std::isnan(value) ? which + " varies" : ratio_text(value) + " " + which;
   };
   const std::string slowest = of_mode(forecast.slowest, "slowest"), fastest = of_mode(forecast.fastest, "fastest");
   std::string text = slowest.empty() ? fastest : slowest + ", " + fastest;
   if (fastest.empty()) text = nothing;
+  if (slowest == "slowest varies" && fastest == "fastest varies") text = "varies between parts";
   if (fastest == "0 fastest" && (slowest.empty() || slowest == "0 slowest")) text = "0";
   const auto period = [](const Mode& mode) { return number(2.0 * 3.14159265358979323846 / mode.omega) + " s"; };
   std::string description =
-      "What the " + of + " alone makes of the scene's swings: at 1 they die out as soon as they can, beyond it they creep. ";
+      "Damping ratio of the scene's oscillations due to " + of + " alone: 1 is critical damping; above it they decay without oscillating. ";
   if (forecast.slowest && forecast.fastest)
-    description += "The slowest swing takes " + period(*forecast.slowest) + ", the fastest " + period(*forecast.fastest) + ".";
+    description += "Longest period " + period(*forecast.slowest) + ", shortest " + period(*forecast.fastest) + ".";
   remark("damping ratio \u03b6", text, description);
 }
 

@@ -1,4 +1,4 @@
-// The panel of a shape that is about to be placed, made from its row: how it is held, its numbers, how it is turned.
+// The panel of a shape that is being placed, made from its row: supports, dimensions, rotation.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -16,9 +16,9 @@ std::string display_text(std::string_view support_name) {
   return text;
 }
 
-void hold_row(Shape& shape) {
+void support_row(Shape& shape) {
   if (shape.kind->supports.size() < 2) return;
-  begin_row("Held by");
+  begin_row("Supports");
   ImGui::SetNextItemWidth(-1.0f);
   if (!ImGui::BeginCombo("##held", display_text(shape.support_name()).c_str())) return;
   for (std::size_t i = 0; i < shape.kind->supports.size(); ++i)
@@ -41,7 +41,7 @@ void angle_rows(Shape& shape, Panels& panels) {
     const char* label;
     double& value;
   };
-  for (const Angle& angle : {Angle{"Turned", shape.turn}, Angle{"Tilted", shape.tilt}}) {
+  for (const Angle& angle : {Angle{"Turn", shape.turn}, Angle{"Tilt", shape.tilt}}) {
     ImGui::PushID(angle.label);
     const NumberField field{.label = angle.label,
                             .unit = "degrees",
@@ -55,12 +55,11 @@ void angle_rows(Shape& shape, Panels& panels) {
   }
 }
 
-void mesh_rows(Placement& placement, Panels& panels) {
+void mesh_rows(Placement& placement, Panels& panels, Requests& requests) {
   dim_text("Path of an .obj file");
   ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::InputText("##mesh", &placement.mesh_path, ImGuiInputTextFlags_EnterReturnsTrue)) placement.wants_mesh = true;
-  placement.types_path = ImGui::IsItemActive();
-  if (ImGui::Button("Load")) placement.wants_mesh = true;
+  const bool entered = ImGui::InputText("##mesh", &placement.mesh_path, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::Button("Load") || entered) requests.emplace_back(LoadMesh{placement.mesh_path});
   ImGui::SameLine();
   dim_text(placement.mesh_info);
   const NumberField field{.label = "Size",
@@ -76,7 +75,7 @@ void mesh_rows(Placement& placement, Panels& panels) {
 
 }  // namespace
 
-void build_placement(const PanelInput& input, Panels& panels) {
+void build_placement(const PanelInput& input, Panels& panels, Requests& requests) {
   Placement& placement = panels.placement;
   if (!placement.is_on()) return;
   const Rect& scene = input.layout.scene;
@@ -95,24 +94,24 @@ void build_placement(const PanelInput& input, Panels& panels) {
   ImGui::TextUnformatted(placement.is_mesh ? "From a mesh" : placement.shape.kind->label.data());
   ImGui::PopFont();
   ImGui::PushTextWrapPos(0.0f);
-  dim_text(placement.is_mesh ? "Triangles and quads become cloth, lying as they are drawn."
+  dim_text(placement.is_mesh ? "Triangles and quads become cloth, in the orientation of the file."
                              : std::string(placement.shape.kind->description));
   ImGui::PopTextWrapPos();
   ImGui::Dummy({0.0f, units(3.0)});
   if (placement.is_mesh) {
-    mesh_rows(placement, panels);
+    mesh_rows(placement, panels, requests);
   } else {
-    hold_row(placement.shape);
+    support_row(placement.shape);
     number_rows(placement.shape, is_flat, panels);
   }
   if (!is_flat) angle_rows(placement.shape, panels);
 
   ImGui::Dummy({0.0f, units(4.0)});
   ImGui::PushTextWrapPos(0.0f);
-  dim_text("Click or drag in the scene to move it there.");
+  dim_text("Click or drag in the scene to move it.");
   ImGui::PopTextWrapPos();
   ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);
-  if (ImGui::Button("Place", {units(96.0), units(30.0)})) placement.wants_place = true;
+  if (ImGui::Button("Place", {units(96.0), units(30.0)})) requests.emplace_back(Place{});
   ImGui::PopStyleColor();
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {units(96.0), units(30.0)})) placement.stop();

@@ -1,4 +1,4 @@
-// The plots under the scene: quantities over time, those of one unit in one plot.
+// The plots under the scene: quantities over time, one plot per unit.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,11 +11,11 @@
 namespace hooke {
 namespace {
 
-// Told apart by the colour-blind too (Okabe and Ito), light enough for a dark ground and dark enough for a light one.
+// Colour-blind safe (Okabe and Ito), with contrast on dark and on light backgrounds.
 constexpr ImU32 inks[] = {IM_COL32(0x56, 0xb4, 0xe9, 255), IM_COL32(0xe6, 0x9f, 0x00, 255), IM_COL32(0x00, 0x9e, 0x73, 255),
                           IM_COL32(0xd5, 0x5e, 0x00, 255), IM_COL32(0xcc, 0x79, 0xa7, 255), IM_COL32(0x80, 0x80, 0x80, 255)};
 
-// What can be chosen without selecting anything, in the order of the list.
+// The quantities of the whole scene, in the order of the list.
 constexpr std::string_view of_the_scene[] = {"kinetic",    "elastic",    "gravitational", "total",          "dissipated", "momentum_x",
                                              "momentum_y", "momentum_z", "angular_x",     "angular_y",      "angular_z",  "center_x",
                                              "center_y",   "center_z",   "least_strain",  "largest_strain", "fastest"};
@@ -36,10 +36,10 @@ std::vector<Plot> plots_of(const TraceTable& table) {
   return plots;
 }
 
-// The part of the time that is shown.
+// The visible time span.
 struct Span {
   double first, last;      // [s]
-  std::size_t begin, end;  // of the moments in it, one more at either side
+  std::size_t begin, end;  // samples within it and one more on either side
 };
 
 Span shown_span(const TraceTable& table, const Panels& panels) {
@@ -62,7 +62,7 @@ PlotAxis axis_of_values(const Plot& plot, const Span& span) {
   return fit_axis(min, max, 4);
 }
 
-// At most one extreme pair of points a pixel: a line of thousands of moments is drawn with hundreds.
+// At most one pair of extremes per pixel, so that thousands of samples are drawn with hundreds of points.
 void draw_line(ImDrawList& list, const TraceTable& table, const Trace& trace, const Span& span, const PlotAxis& x_axis,
                const PlotAxis& y_axis, ImVec2 min, ImVec2 max, ImU32 text_color) {
   std::vector<ImVec2> points;
@@ -81,7 +81,7 @@ void draw_line(ImDrawList& list, const TraceTable& table, const Trace& trace, co
   list.AddPolyline(points.data(), static_cast<int>(points.size()), text_color, 0, units(1.6));
 }
 
-// The moment under the mouse: a line, and what every trace is there.
+// The time under the mouse: a line, and the values of all traces.
 void draw_readout(ImDrawList& list, const TraceTable& table, const Plot& plot, const PlotAxis& x_axis, ImVec2 min, ImVec2 max) {
   const float mouse = ImGui::GetIO().MousePos.x;
   const double time = x_axis.min + (mouse - min.x) / (max.x - min.x) * (x_axis.max - x_axis.min);
@@ -94,7 +94,7 @@ void draw_readout(ImDrawList& list, const TraceTable& table, const Plot& plot, c
   ImGui::SetTooltip("%s", text.c_str());
 }
 
-// Wheel: more or less of the time; drag: along it.
+// The wheel zooms the time axis, a drag moves it.
 void move_span(const TraceTable& table, const Span& span, float width, Panels& panels) {
   const ImGuiIO& io = ImGui::GetIO();
   const double length = span.last - span.first;
@@ -133,7 +133,7 @@ void draw_plot(const TraceTable& table, const Plot& plot, const Rect& place, int
   for (const auto& [trace, text_color] : plot.lines) draw_line(list, table, *trace, span, x_axis, y_axis, min, max, text_color);
   list.PopClipRect();
 
-  // the names over it, each in its colour; the unit over the scale
+  // names above the plot, each with its colour; the unit above the axis
   const float names_y = static_cast<float>(place.y) + units(6.0);
   list.AddText({static_cast<float>(place.x) + units(10.0), names_y}, palette::dim, ("[" + std::string(plot.unit) + "]").c_str());
   float x = min.x;
@@ -152,7 +152,7 @@ void draw_plot(const TraceTable& table, const Plot& plot, const Rect& place, int
   if (ImGui::IsItemHovered()) draw_readout(list, table, plot, x_axis, min, max);
 }
 
-// A line of the list of what can be plotted.
+// An entry of the list of quantities.
 void choice(const std::string& name, const PanelInput& input, Requests& requests) {
   const System& system = *input.status.snapshot->system;
   const auto quantity = find_quantity(name, system.point_count(), system.spring_count());
@@ -170,7 +170,7 @@ void choice(const std::string& name, const PanelInput& input, Requests& requests
     requests.emplace_back(Control(Watch{std::move(watched)}));
 }
 
-// Of the scene, and of the first point and spring of the selection.
+// Quantities of the scene, and of the first selected point and spring.
 void choices(const PanelInput& input, Requests& requests) {
   for (const std::string_view name : of_the_scene) choice(std::string(name), input, requests);
   const System& system = *input.status.snapshot->system;
@@ -184,7 +184,7 @@ void choices(const PanelInput& input, Requests& requests) {
   };
   of_each(input.selection.points, QuantityRow::Of::Point);
   of_each(input.selection.springs, QuantityRow::Of::Spring);
-  if (input.selection.empty()) dim_text("Select a point or a spring for more");
+  if (input.selection.empty()) dim_text("Select a point or a spring for more quantities");
 }
 
 void buttons(const PanelInput& input, const Rect& place, Panels& panels, Requests& requests) {
@@ -197,15 +197,15 @@ void buttons(const PanelInput& input, const Rect& place, Panels& panels, Request
     y += units(29.0);
     return clicked;
   };
-  if (button("Choose", "What is plotted")) ImGui::OpenPopup("choose");
+  if (button("Choose", "Choose what to plot")) ImGui::OpenPopup("choose");
   const bool held = panels.plot_end.has_value();
-  if (button(held ? "Follow" : "Hold", held ? "Show the newest again" : "Keep showing this part of the time")) {
+  if (button(held ? "Follow" : "Hold", held ? "Follow the newest time" : "Keep the visible time span")) {
     if (held || input.status.timeline.traces->times.empty())
       panels.plot_end.reset();
     else
       panels.plot_end = input.status.timeline.traces->times.back();
   }
-  if (button("All", "The whole time; the wheel shows less of it")) {
+  if (button("All", "Show the whole time span; the mouse wheel zooms")) {
     panels.plot_seconds = 1e9;
     panels.plot_end.reset();
   }
@@ -240,7 +240,7 @@ void build_plots(const PanelInput& input, Panels& panels, Requests& requests) {
   if (table.times.empty() || plots.empty()) {
     ImGui::SetCursorScreenPos({static_cast<float>(left) + units(12.0), static_cast<float>(dock.y) + units(12.0)});
     ImGui::PushTextWrapPos(0.0f);
-    dim_text(plots.empty() ? "Choose what to plot" : "Space runs the scene, and the plots begin");
+    dim_text(plots.empty() ? "Choose what to plot" : "Press Space to run the scene");
     ImGui::PopTextWrapPos();
   }
   for (std::size_t i = 0; i < plots.size() && !table.times.empty(); ++i) {

@@ -1,4 +1,4 @@
-// The search through all commands: type some of its letters, Enter does it. Made from the table of shortcuts.
+// The command palette: type part of a command's name, Enter runs it. Made from the table of commands.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -21,7 +21,7 @@ std::string lower(std::string_view text) {
   return low;
 }
 
-// 0: no match; the more, the better. Each word typed must be somewhere in the command or its group.
+// The quality of a match; 0 is none. Each typed word must occur in the command or its group.
 int match(const Shortcut& row, const std::string& typed) {
   const std::string text = lower(row.text), all = text + " " + lower(row.group);
   std::istringstream words(lower(typed));
@@ -41,7 +41,7 @@ std::vector<const Shortcut*> find_commands(const std::string& typed) {
   std::vector<std::pair<int, const Shortcut*>> scored;
   for (const Shortcut& row : shortcuts()) {
     const int score = match(row, typed);
-    // an action once, by its first key
+    // each action once, with its first key
     if (score > 0 && &shortcut_of(row.action) == &row) scored.emplace_back(score, &row);
   }
   std::ranges::stable_sort(scored, std::ranges::greater(), &std::pair<int, const Shortcut*>::first);
@@ -66,13 +66,14 @@ void build_search(const PanelInput& input, Panels& panels, Requests& requests) {
 
   if (std::exchange(search.is_new, false)) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::InputTextWithHint("##typed", "Search all commands", &search.typed)) search.highlighted = 0;
+  if (ImGui::InputTextWithHint("##typed", "Search commands", &search.typed)) search.highlighted = 0;
 
   const std::vector<const Shortcut*> found = find_commands(search.typed);
+  search.highlighted += input.presses(PanelKey::Target::Search, Key::Down) - input.presses(PanelKey::Target::Search, Key::Up);
   search.highlighted = std::clamp(search.highlighted, 0, std::max(0, static_cast<int>(found.size()) - 1));
-  const Shortcut* chosen = search.accepted && !found.empty() ? found[static_cast<std::size_t>(search.highlighted)] : nullptr;
-  search.accepted = false;
-  if (found.empty()) dim_text("No command has these letters.");
+  const bool accepted = input.presses(PanelKey::Target::Search, Key::Enter) > 0;
+  const Shortcut* chosen = accepted && !found.empty() ? found[static_cast<std::size_t>(search.highlighted)] : nullptr;
+  if (found.empty()) dim_text("No matching command");
 
   const double room =
       (input.layout.page.y + input.layout.page.height) / units(row_height) - ImGui::GetCursorScreenPos().y / units(row_height) - 0.7;
@@ -98,7 +99,7 @@ void build_search(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PopStyleColor();
   ImGui::EndChild();
 
-  // a click elsewhere leaves it
+  // a click elsewhere closes it
   if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_RootAndChildWindows)) search.shown = false;
   ImGui::End();
   ImGui::PopStyleColor();

@@ -1,4 +1,4 @@
-// The panel at the right: the scene, the parameters, the selection, the energy.
+// The panel on the right: the scene, the selection, the parameters, the forces, the energy, the history.
 #include <glm/geometric.hpp>
 
 #include "base/printable.h"
@@ -34,9 +34,9 @@ void energy_section(const Status& status) {
   energy_row("Gravitational", number(snapshot.energy.gravitational) + " J");
   energy_row("Total", number(snapshot.energy.total()) + " J");
   if (snapshot.system->strain_limit > 0.0) {
-    // what it takes is no physics of the scene: said where the energy stands
+    // the limit is not physics: the energy that it removes is shown beside the scene's
     const ImU32 text_color = status.run.limit_power != 0.0 ? palette::warning : palette::text;
-    energy_row("Limit on strain", number(status.run.limit_power) + " W, " + number(status.run.limit_work) + " J in all", text_color);
+    energy_row("Strain limit", number(status.run.limit_power) + " W, " + number(status.run.limit_work) + " J in total", text_color);
   }
   energy_row("Momentum", number(glm::length(snapshot.momentum.linear)) + " kg m/s");
 }

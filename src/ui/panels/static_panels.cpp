@@ -8,7 +8,7 @@
 namespace hooke {
 namespace {
 
-// Windows of ImGui take the size of what is in them a frame later.
+// ImGui windows adapt to their content with a delay of some frames.
 constexpr int frames_to_settle = 3;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The window's panels around a picture that nobody touches: the same as in the window, without one.
+// The panels of the window, without a window or input, around a picture that is written to a file.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,14 @@ namespace hooke {
 // Owns ImGui's context; one at a time.
 class StaticPanels {
  public:
-  // For a picture of so many pixels, with these switches of the view and at its scale. The fonts are ready to be uploaded.
+  // For a picture of this size [px], with these view options. Afterwards the fonts are ready for upload.
   StaticPanels(int width, int height, const ViewOptions& view);
   ~StaticPanels();
   StaticPanels(const StaticPanels&) = delete;
   StaticPanels& operator=(const StaticPanels&) = delete;
 
   const Layout& layout() const { return layout_; }
-  // As they look at this status, the scene being seen by this camera. Valid until the next call.
+  // The panels for this status and camera. Valid until the next call.
   const ImDrawData* build(const Status& status, const Camera& camera, const std::filesystem::path& file);
 
  private:

@@ -1,4 +1,4 @@
-// The bar at the bottom: the tool and its next step; what the scene costs and how fast it runs.
+// The status bar: the tool and its next step; the cost of the scene and its speed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-// From the fullest to the shortest.
+// From the most detailed to the shortest.
 std::array<std::string, 3> figures(const PanelInput& input) {
   const Status& status = input.status;
   char text[160];
@@ -19,14 +19,14 @@ std::array<std::string, 3> figures(const PanelInput& input) {
   std::snprintf(text, sizeof text, "simulate %.*f ms    ", status.run.simulate_ms < 1.0 ? 2 : 1, status.run.simulate_ms);
   const std::string simulate = text;
   std::snprintf(text, sizeof text, "draw %.1f ms    %.0f frames/s    ", input.draw_ms, input.frames_per_second);
-  // a picture that nobody looked at has none
+  // a picture without a window has none
   const std::string draw = input.frames_per_second > 0.0 ? text : "";
   return {simulate + draw + speed, simulate + speed, speed};
 }
 
 float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
 
-// As much of it as fits, by whole letters.
+// Shortened to the width, by whole characters.
 std::string shortened(std::string text, float width) {
   if (width_of(text) <= width) return text;
   constexpr const char* rest = "\u2026";
@@ -37,20 +37,19 @@ std::string shortened(std::string text, float width) {
   return text + rest;
 }
 
-// What goes to a file all the while is said in red.
+// What is being written to a file, shown in red.
 std::string recording_text(const PanelInput& input) {
   std::string taken;
   if (input.film_seconds >= 0.0) taken = "\u25cf film " + number(std::floor(input.film_seconds)) + " s    ";
   if (!input.status.recording.file.empty()) taken += "\u25cf recording    ";
-  if (input.status.recording.playback_progress > 0.0)
-    taken += "playing " + number(std::round(100.0 * input.status.recording.playback_progress)) + " %    ";
+  if (input.status.recording.playback_progress > 0.0) taken += "replay " + number(std::round(100.0 * input.status.recording.playback_progress)) + " %    ";
   return taken;
 }
 
-// What is acting against the hand, beside the tool's next step.
+// Shown while the hand cannot keep up with the cursor.
 std::string hand_text(const PanelInput& input) {
   constexpr double noticed = 1e-6;  // [m]
-  return input.status.run.hand_lag > noticed ? "hand " + number(input.status.run.hand_lag) + " m behind, at its top speed" : "";
+  return input.status.run.hand_lag > noticed ? "hand " + number(input.status.run.hand_lag) + " m behind the cursor: speed limit reached" : "";
 }
 
 }  // namespace
@@ -65,7 +64,7 @@ void build_status_bar(const PanelInput& input) {
   ImGui::SetCursorPosY(units(7.0));
   const std::string tool(shortcut_of(input.tool).text), hand = hand_text(input), taken = recording_text(input);
 
-  // what is left of the line for figures, the fullest that fit, and the rest for words
+  // the most detailed figures that leave room for the text, which is shortened otherwise
   const float edge = units(14.0), gap = units(16.0), line = static_cast<float>(bar.width) - 2.0f * edge;
   const float left = width_of(tool) + units(8.0),
               wished = left + width_of(input.next_step) + gap + (hand.empty() ? 0.0f : width_of(hand) + gap);
@@ -85,9 +84,8 @@ void build_status_bar(const PanelInput& input) {
   ImGui::SetCursorPosX(static_cast<float>(bar.width) - right - edge);
   text_in(palette::bad, taken);
   ImGui::SameLine(0.0f, 0.0f);
-  // slower than the scene asks for: said openly
-  const bool slow =
-      input.status.run.running && input.status.run.speed > 0.0 && input.status.run.speed < 0.9 * input.status.snapshot->settings.speed;
+  // highlighted if slower than requested
+  const bool slow = input.status.run.running && input.status.run.speed > 0.0 && input.status.run.speed < 0.9 * input.status.snapshot->settings.speed;
   text_in(slow ? palette::warning : palette::dim, *text);
   ImGui::PopFont();
   ImGui::End();

@@ -1,4 +1,4 @@
-// The strip under the scene: one frame back, the frames that can be gone back to, and a run to a time.
+// The strip under the scene: step back, the scrubber over the recorded frames, and a run to a given time.
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +34,7 @@ void draw_track(const Track& track, double now, bool is_hovered) {
   list.AddCircleFilled({here, middle}, units(is_hovered ? 7.0 : 5.5), palette::text);
 }
 
-// The past, to be dragged through.
+// The recorded frames.
 void scrubber(const PanelInput& input, const Track& track, Panels& panels, Requests& requests) {
   const Status& status = input.status;
   ImGui::SetCursorScreenPos(track.at);
@@ -42,18 +42,18 @@ void scrubber(const PanelInput& input, const Track& track, Panels& panels, Reque
   const bool has_past = track.last > track.first;
   if (has_past && ImGui::IsItemActive()) {
     const double time = track.time_at(ImGui::GetIO().MousePos.x);
-    // a little after it, so that rounding does not fall short of a frame
+    // slightly later, so that rounding does not select the frame before
     const double asked = time + 1e-3 / status.snapshot->settings.frame_rate;
     requests.emplace_back(Scrub{asked, std::exchange(panels.scrub_in_progress, true)});
   } else {
     panels.scrub_in_progress = false;
-    if (has_past && ImGui::IsItemHovered()) tooltip("To " + seconds(track.time_at(ImGui::GetIO().MousePos.x)));
-    if (!has_past) tooltip("The frames of a run stand here, to be gone back to");
+    if (has_past && ImGui::IsItemHovered()) tooltip("Go to " + seconds(track.time_at(ImGui::GetIO().MousePos.x)));
+    if (!has_past) tooltip("Frames of the run appear here; drag to go back to one");
   }
   draw_track(track, status.snapshot->state.time, has_past && (ImGui::IsItemHovered() || ImGui::IsItemActive()));
 }
 
-// "run to [10] s", or how far it has come.
+// "Run to [10 s]", or the progress of such a run.
 void run_to(const PanelInput& input, float x, float width, Panels& panels, Requests& requests) {
   const Status& status = input.status;
   const float y = static_cast<float>(input.layout.timeline.y) + units(3.0);
@@ -76,12 +76,12 @@ void run_to(const PanelInput& input, float x, float width, Panels& panels, Reque
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {units(6.0), units(2.0)});
   const bool entered = ImGui::InputDouble("##run_to", &panels.run_to, 0.0, 0.0, "%.6g s", ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::PopStyleVar();
-  tooltip("A time of the scene: Enter runs to it, as fast as it goes");
+  tooltip("Simulation time: Enter runs to it as fast as possible");
   if (!entered) return;
   if (std::isfinite(panels.run_to) && panels.run_to > status.snapshot->state.time)
     requests.emplace_back(Control(RunTo{panels.run_to}));
   else
-    panels.show_toast("The scene is at " + seconds(status.snapshot->state.time) + " already");
+    panels.show_toast("The scene is already at " + seconds(status.snapshot->state.time));
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ void build_timeline(const PanelInput& input, Panels& panels, Requests& requests)
   const Status& status = input.status;
   const float left = static_cast<float>(strip.x) + units(8.0), top = static_cast<float>(strip.y);
   const float right = static_cast<float>(strip.x + strip.width) - units(8.0);
-  // where it is short, the track has it
+  // a short strip shows only the track
   const bool is_long = strip.width > units(440.0);
   const float run_width = units(is_long ? 128.0 : 0.0), label = units(is_long ? 64.0 : 10.0);
   const ImVec2 button{units(26.0), units(24.0)};
@@ -108,7 +108,7 @@ void build_timeline(const PanelInput& input, Panels& panels, Requests& requests)
     requests.emplace_back(Action::StepBack);
   tooltip(Action::StepBack);
 
-  // the track stands between the times of its ends
+  // the track, between the times of its ends
   const float text_y = top + units(8.0);
   const Track track{{left + button.x + label, top},
                     {right - run_width - units(16.0) - label - (left + button.x + label), units(30.0)},

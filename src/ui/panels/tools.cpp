@@ -1,4 +1,4 @@
-// The tool bar at the left.
+// The toolbar on the left.
 #include <algorithm>
 #include <cmath>
 
@@ -10,13 +10,13 @@ namespace {
 
 constexpr double full_height = 54.0, named_height = 46.0, min_height = 22.0, gap = 4.0, margin = 8.0;  // [units of design]
 
-// Of each button [units of design], so that all of them are in sight.
+// Height of a button [design units] so that all fit.
 double height_for(const Rect& bar, std::size_t tools) {
   const double room = bar.height / units(1.0) - 2.0 * margin - 2.0 * (2.0 + gap) - (1.0 + gap);
   return std::clamp(std::floor(room / static_cast<double>(tools + 1)) - gap, min_height, full_height);
 }
 
-// Sign, name under it where there is room, key in the corner.
+// Icon, name below it if there is room, key in the corner.
 bool tool_button(const ToolButton& tool, bool active, double height) {
   const ImVec2 size{units(62.0), units(height)};
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -52,7 +52,7 @@ void build_toolbar(const PanelInput& input, Requests& requests) {
     ImGui::PopID();
   }
 
-  // not a tool: acts at once
+  // not a tool: acts immediately
   ImGui::Dummy({0.0f, units(2.0)});
   ImGui::Separator();
   ImGui::Dummy({0.0f, units(2.0)});

@@ -1,4 +1,4 @@
-// Reading and writing of files on a thread of its own, so that the window never waits for a disk or a large scene.
+// An operation in a background thread, such as reading or writing a file, so that the window never waits for it.
 #pragma once
 
 #include <atomic>
@@ -14,28 +14,28 @@ namespace hooke {
 
 class BackgroundTask {
  public:
-  // What is left to do with the result, in the window's thread.
+  // Runs in the window's thread when the work is done.
   using Completion = std::function<void()>;
-  // Runs on the other thread; it must throw nothing, and ends early when `progress` says so.
+  // Runs in the background thread. It must not throw, and ends early when `progress` returns false.
   using Work = std::function<Completion(const Progress& progress)>;
 
   BackgroundTask() = default;
-  ~BackgroundTask();  // stops, and waits
+  ~BackgroundTask();  // stops the work and waits for it
   BackgroundTask(const BackgroundTask&) = delete;
   BackgroundTask& operator=(const BackgroundTask&) = delete;
 
-  // `what` goes on: "Opening sheet.json". Nothing may be going on yet.
+  // `what`: "Opening sheet.json". No work may be in progress.
   void start(std::string what, Work work);
-  // Waits for its end, at most so long, and then does what is left to do. Whether nothing goes on any more.
+  // Waits at most this long for the end of the work, and then runs its completion. True if no work is in progress afterwards.
   bool follow(std::chrono::milliseconds at_most = std::chrono::milliseconds(0));
   void stop() { progress_->stop = true; }
 
   bool is_running() const { return run_.valid(); }
-  // Asked for in the Completion: whether the work had been told to stop.
+  // For completions: whether stop() was called.
   bool was_stopped() const { return progress_->stop; }
   const std::string& what() const { return what_; }
   double fraction() const { return progress_->fraction; }
-  double seconds() const;  // [s] since its start
+  double seconds() const;  // [s] since the start
 
  private:
   struct Progress {

@@ -1,4 +1,4 @@
-// Text that other programs see too.
+// The text clipboard, shared with other programs once the window provides it.
 #pragma once
 
 #include <functional>

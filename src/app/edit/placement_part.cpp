@@ -1,4 +1,4 @@
-#include "app/placement_part.h"
+#include "app/edit/placement_part.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,12 +25,12 @@ Box box_around(const std::vector<Vec3>& places) {
   return box;
 }
 
-// x about the unit axis n by an angle [rad] (Rodrigues 1840).
+// x rotated about the unit axis n by an angle [rad] (Rodrigues 1840).
 Vec3 rotated(const Vec3& x, const Vec3& n, double angle) {
   return std::cos(angle) * x + std::sin(angle) * glm::cross(n, x) + (1.0 - std::cos(angle)) * glm::dot(n, x) * n;
 }
 
-// From a world in which y is up into one in which `up` is.
+// Rotates from a world where y is up into one where `up` is.
 Vec3 uprighted(const Vec3& x, const Vec3& up) {
   const Vec3 y(0.0, 1.0, 0.0), axis = glm::cross(y, up);
   const double sine = glm::length(axis), cosine = glm::dot(y, up);
@@ -49,7 +49,7 @@ Scene from_network(Network network) {
   return scene;
 }
 
-// Lengths grow with the size, masses with the area; the stiffness of a sheet is the same at every size.
+// Lengths scale with the size, masses with the area; the stiffness of a sheet does not depend on its size.
 Scene scaled(Scene scene, double size) {
   for (Vec3& place : scene.state.position) place *= size;
   for (Index i = 0; i < scene.system.point_count(); ++i) {
@@ -112,7 +112,7 @@ Scene part_of(const Placement& placement, const Scene* mesh, const Vec3& up, boo
 }
 
 void mark_part(const Scene& part, Marks& marks) {
-  // what is beyond can be told from what is there
+  // more lines would not add to the picture
   constexpr std::size_t max_lines = 20'000;
   const System& system = part.system;
   const std::size_t every = 1 + system.springs().size() / max_lines;

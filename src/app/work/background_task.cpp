@@ -1,4 +1,4 @@
-#include "app/background_task.h"
+#include "app/work/background_task.h"
 
 namespace hooke {
 
@@ -22,7 +22,7 @@ void BackgroundTask::start(std::string what, Work work) {
 bool BackgroundTask::follow(std::chrono::milliseconds at_most) {
   if (!run_.valid()) return true;
   if (run_.wait_for(at_most) != std::future_status::ready) return false;
-  // what is left to do may start the next work
+  // the completion may start the next work
   const Completion finish = run_.get();
   finish();
   return !run_.valid();

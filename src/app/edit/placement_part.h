@@ -1,4 +1,4 @@
-// What is shown and placed of a shape or a mesh.
+// The part of a scene that a shape or a mesh becomes when it is placed.
 #pragma once
 
 #include <filesystem>
@@ -12,18 +12,18 @@
 
 namespace hooke {
 
-// A mesh as cloth, its middle at the origin and its longest side 1 m; an error text instead where it is refused.
+// A mesh as cloth, centred at the origin, with its longest side 1 m; or an error text.
 struct MeshPart {
-  std::shared_ptr<const Scene> scene;  // null: refused
+  std::shared_ptr<const Scene> scene;  // null on error
   std::string error;
 };
 MeshPart load_mesh_part(const std::filesystem::path& file, const Progress& progress);
 
-// The points, springs and faces that would be placed, in their places. `up` is the scene's; `mesh` may be null where no mesh is
-// placed. Nothing where there is nothing to place yet.
+// The points, springs and faces to be placed, at their positions. `up` is the scene's up direction; `mesh` may be null if no mesh
+// is being placed. Empty if there is nothing to place yet.
 Scene part_of(const Placement& placement, const Scene* mesh, const Vec3& up, bool is_flat);
 
-// The part as it is seen through.
+// Marks the part as a preview.
 void mark_part(const Scene& part, Marks& marks);
 
 }  // namespace hooke

@@ -1,0 +1,191 @@
+#include "app/document/document.h"
+
+#include <chrono>
+
+#include "app/document/files.h"
+#include "app/media/film_recorder.h"
+#include "base/folder_listing.h"
+#include "base/printable.h"
+
+namespace hooke {
+namespace {
+
+// How often the file is checked for changes [s].
+constexpr double watch_period = 1.0;
+
+double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+}  // namespace
+
+Document::Document(ToolContext& context, Panels& panels, FileTask& task, const UserSettings& settings, const Home& home,
+                   std::filesystem::path file, Show show)
+    : context_(context),
+      panels_(panels),
+      task_(task),
+      settings_(settings),
+      show_(std::move(show)),
+      file_(std::move(file)),
+      recent_(home.state),
+      session_(home.state.empty() ? home.state : home.state / "runs"),
+      autosave_(session_),
+      has_system_dialog_(!SystemDialog::find().empty()) {
+  autosave_.set_interval(settings.values().autosave_seconds);
+  list_recoverable();
+  if (!recoverable_.empty()) panels_.waiting.push_back({.kind = Dialog::Kind::Recovery, .is_new = true});
+  begin();
+}
+
+void Document::create() {
+  confirm_unsaved_then([this] { replace(std::make_shared<const Scene>(empty_scene()), {}); });
+}
+
+void Document::open(const std::filesystem::path& file) {
+  confirm_unsaved_then([this, file] { read(file); });
+}
+
+void Document::close(std::function<void()> finish) { confirm_unsaved_then(std::move(finish)); }
+
+void Document::confirm_unsaved_then(std::function<void()> next) {
+  context_.settle();
+  pending_ = std::move(next);
+  if (!status().history.unsaved) return continue_after_saving();
+  const std::string name = status().document->name.empty() ? "Untitled" : printable(status().document->name, 60);
+  panels_.open_dialog(Dialog::Kind::Unsaved);
+  panels_.dialog.title = "Save changes to \"" + (has_own_file() ? file_.stem().string() : name) + "\"?";
+}
+
+void Document::continue_after_saving() {
+  if (const auto next = std::exchange(pending_, nullptr)) next();
+}
+
+void Document::answer(Answer given) {
+  switch (given) {
+    case Answer::Save:
+      return save();
+    case Answer::Discard:
+      return continue_after_saving();
+    case Answer::Cancel:
+      pending_ = nullptr;
+      return;
+    case Answer::Overwrite:
+      return write_to(saving_to_);
+    case Answer::SaveAs:
+      return ask_where_to_save();
+    case Answer::MakeCopy:
+      file_.clear();
+      return begin();
+    case Answer::Reload:
+      return open(file_);
+    case Answer::KeepMine:
+      panels_.file_notice.clear();
+      watch_.take(file_);
+      return;
+  }
+}
+
+void Document::replace(std::shared_ptr<const Scene> scene, std::filesystem::path file, bool unsaved) {
+  panels_.file_warnings.clear();
+  file_ = std::move(file);
+  show_(*scene);
+  context_.lab.submit(Open{std::move(scene), unsaved});
+  autosave_.forget();
+  context_.settle();
+  begin();
+}
+
+// Announces the document to other runs of Hooke, and asks if one of them has the same file open.
+void Document::begin() {
+  panels_.file_notice.clear();
+  const bool own = has_own_file();
+  watch_.take(own ? file_ : std::filesystem::path());
+  session_.set_document(own ? file_ : std::filesystem::path(), status().document->name);
+  if (!own) return;
+  recent_.add(file_);
+  if (session_.is_open_elsewhere(file_))
+    panels_.queue_message("Open in another window",
+                          printable(file_.filename().native(), 60) +
+                              " is open in another Hooke window. Saving in one window replaces what the other one saved.",
+                          {{"Open here too", Answer::KeepMine}, {"Make a copy", Answer::MakeCopy}});
+}
+
+void Document::poll() {
+  report_replay_difference();
+  const double now = seconds_now();
+  autosave_.follow(status(), context_.lab, now, add_view_settings());
+  if (const std::string error_text = autosave_.take_error(); !error_text.empty()) panels_.file_warnings = "Autosave failed: " + error_text;
+  if (now >= watched_at_ + watch_period) {
+    watched_at_ = now;
+    check_file();
+  }
+  poll_system_dialog();
+}
+
+void Document::report_replay_difference() {
+  const std::string& difference = status().recording.difference;
+  if (!difference.empty() && difference != reported_difference_)
+    panels_.file_warnings = "The replay differs from the recording: " + difference;
+  reported_difference_ = difference;
+}
+
+// The notice stays until it is answered.
+void Document::check_file() {
+  const FileWatch::Change change = watch_.check();
+  panels_.file_is_gone = change == FileWatch::Change::Gone;
+  if (change == FileWatch::Change::None)
+    panels_.file_notice.clear();
+  else
+    panels_.file_notice = printable(file_.filename().native(), 60) +
+                          (panels_.file_is_gone ? " no longer exists. Saving creates it again." : " was changed by another program.");
+}
+
+void Document::poll_system_dialog() {
+  const auto kind = system_dialog_.kind();
+  const auto chosen = system_dialog_.take_answer();
+  if (!chosen) return;
+  if (chosen->empty())
+    pending_ = nullptr;
+  else if (kind == SystemDialog::Kind::Open)
+    open(typed_path(*chosen));
+  else
+    save_to(typed_path(*chosen));
+}
+
+void Document::end() {
+  autosave_.forget();
+  session_.end();
+}
+
+bool Document::has_own_file() const { return !file_.empty() && !is_shipped(file_); }
+
+std::string Document::title() const {
+  const std::string& name = status().document->name;
+  const std::string shown = has_own_file() ? file_.stem().string() : name.empty() ? "Untitled" : name;
+  return "Hooke - " + shown + (status().history.unsaved ? "*" : "");
+}
+
+std::filesystem::path Document::new_file_beside(const std::string& extension) const {
+  const std::string stem = !file_.empty() ? file_.stem().string() : "untitled";
+  return free_name(has_own_file() ? file_.parent_path() : start_folder(), stem, extension);
+}
+
+// The folder of the document, else the folder of the most recent file.
+std::filesystem::path Document::start_folder() const {
+  if (has_own_file()) return file_.parent_path();
+  std::error_code error;
+  for (const std::filesystem::path& file : recent_.files())
+    if (std::filesystem::is_directory(file.parent_path(), error)) return file.parent_path();
+  return home_folder();
+}
+
+// The view of the window is saved with the scene. The result runs on another thread, so it holds a copy.
+std::function<void(Scene&)> Document::add_view_settings() const {
+  return [view = panels_.view](Scene& scene) {
+    scene.view.surface = view.surface;
+    scene.view.springs = view.springs;
+    scene.view.points = view.points;
+    scene.view.strain_colors = view.strain_colors;
+    scene.view.shadows = view.shadows;
+  };
+}
+
+}  // namespace hooke

@@ -1,0 +1,107 @@
+// The open document: its file, saving and opening, unsaved changes, recent files, autosave and recovery, and changes of the file
+// by other programs.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/document/autosave.h"
+#include "app/document/file_watch.h"
+#include "app/document/session.h"
+#include "app/document/system_dialog.h"
+#include "app/document/user_settings.h"
+#include "app/tools/tool_context.h"
+#include "app/work/file_task.h"
+#include "lab/recording.h"
+
+namespace hooke {
+
+class Document {
+ public:
+  // Called with a scene just before it replaces the one on screen.
+  using Show = std::function<void(const Scene&)>;
+
+  // Without a home nothing is kept between runs. An empty file: the scene has none.
+  Document(ToolContext& context, Panels& panels, FileTask& task, const UserSettings& settings, const Home& home, std::filesystem::path file,
+           Show show);
+
+  // Each of these asks about unsaved changes first.
+  void create();
+  void open(const std::filesystem::path& file);
+  void close(std::function<void()> finish);
+  // The user's answer to a question of this class.
+  void answer(Answer given);
+
+  void ask_what_to_open();
+  void ask_where_to_save();
+  void open_system_dialog(bool to_save);
+  void save();
+  // Asks first if that would replace changes made elsewhere.
+  void save_to(const std::filesystem::path& file);
+  // Plays a recording from its start.
+  void play(std::shared_ptr<const Recording> recording);
+
+  // Opens or deletes an autosave, by its index in recovery_entries().
+  void recover(std::size_t which);
+  void discard_recovery(std::size_t which);
+
+  // Once per frame, visible or not: autosave, file watch, the system's file dialog.
+  void poll();
+  // The run ends: nothing is left to recover.
+  void end();
+
+  const std::filesystem::path& file() const { return file_; }
+  // Whether the file is the user's own, not a shipped scene.
+  bool has_own_file() const;
+  std::string title() const;
+  // A new file beside the document, named like it.
+  std::filesystem::path new_file_beside(const std::string& extension) const;
+  const std::vector<std::filesystem::path>& recent_files() const { return recent_.files(); }
+  const std::vector<RecoveryEntry>& recovery_entries() const { return recovery_entries_; }
+  bool has_system_dialog() const { return has_system_dialog_; }
+
+ private:
+  const Status& status() const { return *context_.status; }
+  void confirm_unsaved_then(std::function<void()> next);
+  void continue_after_saving();
+  void replace(std::shared_ptr<const Scene> scene, std::filesystem::path file, bool unsaved = false);
+  void begin();
+  void start_task(std::string what, BackgroundTask::Work work);
+  void read(const std::filesystem::path& file);
+  void read_scene(const std::filesystem::path& file);
+  void read_recording_file(const std::filesystem::path& file);
+  void write_to(const std::filesystem::path& file);
+  void finish_saving(const std::filesystem::path& file, const std::string& error);
+  std::filesystem::path start_folder() const;
+  std::function<void(Scene&)> add_view_settings() const;
+  void report_replay_difference();
+  void check_file();
+  void poll_system_dialog();
+  void list_recoverable();
+
+  ToolContext& context_;
+  Panels& panels_;
+  FileTask& task_;
+  const UserSettings& settings_;
+  Show show_;
+
+  std::filesystem::path file_;       // empty if there is none
+  std::filesystem::path saving_to_;  // waits for the answer about changes made elsewhere
+  std::function<void()> pending_;    // waits for the answer about unsaved changes
+
+  RecentFiles recent_;
+  Session session_;
+  Autosave autosave_;
+  FileWatch watch_;
+  double watched_at_ = 0.0;  // [s]
+  SystemDialog system_dialog_;
+  bool has_system_dialog_ = false;
+  std::string reported_difference_;
+  std::vector<RecoverableScene> recoverable_;
+  std::vector<RecoveryEntry> recovery_entries_;  // the same, as the panels show them
+};
+
+}  // namespace hooke

@@ -1,0 +1,100 @@
+#include "app/edit/selection_editor.h"
+
+#include "edit/copy_selection.h"
+#include "formats/scene_file.h"
+#include "ui/text.h"
+
+namespace hooke {
+namespace {
+
+// The text of a larger part would take too long to write and parse.
+constexpr Index max_points = 50000;
+// Offset of a duplicate from the original [design units].
+constexpr double duplicate_offset = 28.0;
+
+std::string count_of(const Scene& part) {
+  return count(part.system.point_count(), "point") + " and " + count(part.system.spring_count(), "spring");
+}
+
+}  // namespace
+
+Scene SelectionEditor::selected_part() const { return copy_selection(context_.snapshot(), context_.status->document->sheet, context_.selection); }
+
+void SelectionEditor::copy(AfterCopy after_copy) {
+  auto part = std::make_shared<const Scene>(selected_part());
+  if (part->system.points().empty()) return panels_.show_toast("Nothing is selected");
+  if (part->system.point_count() > max_points)
+    return panels_.show_toast("Too large for the clipboard: " + count(part->system.point_count(), "point") + ", the limit is " +
+                              std::to_string(max_points));
+  task_.start("Copying " + count_of(*part), [this, part, after_copy](const Progress& progress) -> BackgroundTask::Completion {
+    try {
+      return [this, part, after_copy, text = format_scene(*part, progress)] {
+        clipboard_.put(text);
+        panels_.show_toast("Copied " + count_of(*part));
+        if (after_copy == AfterCopy::Delete) delete_selection();
+      };
+    } catch (const FileError&) {
+      return [this] { panels_.show_toast("Cancelled: nothing was copied"); };
+    }
+  });
+}
+
+void SelectionEditor::paste(const std::optional<glm::dvec2>& place) {
+  std::string text = clipboard_.take();
+  if (text.empty()) return panels_.show_toast("The clipboard is empty");
+  task_.start(
+      "Pasting",
+      [this, text = std::move(text), at = place.value_or(0.5 * context_.size)](const Progress& progress) -> BackgroundTask::Completion {
+        try {
+          auto part = std::make_shared<const Scene>(parse_scene(text, "clipboard", progress).scene);
+          return [this, part, at] { paste(*part, at); };
+        } catch (const InputError&) {
+          return [this] {
+            panels_.show_toast(task_.was_stopped() ? "Cancelled: nothing was pasted" : "The clipboard does not contain part of a scene");
+          };
+        }
+      });
+}
+
+void SelectionEditor::paste(const Scene& part, const glm::dvec2& place) {
+  if (part.system.points().empty()) return panels_.show_toast("The clipboard contains no points");
+  const Vec3 middle = bounding_box_center(part);
+  insert(part, context_.point_in_view_plane(place, middle) - middle);
+  panels_.show_toast("Pasted " + count_of(part));
+}
+
+void SelectionEditor::duplicate() {
+  const Scene part = selected_part();
+  if (part.system.points().empty()) return panels_.show_toast("Nothing is selected");
+  const Vec3 middle = bounding_box_center(part);
+  const auto seen = project_to_screen(context_.view_transform(), middle);
+  const glm::dvec2 offset(duplicate_offset * context_.scale);
+  insert(part, seen ? context_.point_in_view_plane(*seen + offset, middle) - middle : Vec3(0.0));
+}
+
+// What is inserted becomes the selection.
+void SelectionEditor::insert(const Scene& part, const Vec3& displacement) {
+  LabThread& lab = context_.lab;
+  Insert insert = make_insert(part, displacement, {[&lab] { return lab.new_point_id(); }, [&lab] { return lab.new_spring_id(); }});
+  Selection inserted;
+  for (const PlacedPoint& placed : insert.points) inserted.points.push_back(placed.point.id);
+  for (const PlacedSpring& placed : insert.springs) inserted.springs.push_back(placed.spring.id);
+  lab.submit(std::move(insert));
+  context_.settle();
+  context_.selection = std::move(inserted);
+}
+
+void SelectionEditor::delete_selection() {
+  if (context_.selection.empty()) return;
+  context_.lab.submit(Remove{context_.selection.points, context_.selection.springs});
+  context_.selection = {};
+}
+
+void SelectionEditor::release_nails() {
+  SetNailed release;
+  for (const Point& point : context_.system().points())
+    if (point.nailed) release.items.push_back({point.id, false});
+  if (!release.items.empty()) context_.lab.submit(release);
+}
+
+}  // namespace hooke

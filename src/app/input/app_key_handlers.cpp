@@ -1,0 +1,86 @@
+// The key handlers of the window, from the topmost panel down.
+#include "app/app.h"
+#include "formats/gallery.h"
+#include "formats/scene_file.h"
+
+namespace hooke {
+
+KeyHandlers App::make_key_handlers() {
+  using Target = PanelKey::Target;
+  const auto pass_on = [this](Target target, const KeyPress& press) { panel_keys_.push_back({target, press.key}); };
+  // Esc closes an overlay
+  const auto close = [this](bool& shown, const KeyPress& press) {
+    if (!shown || press.key != Key::Escape) return false;
+    shown = false;
+    panels_.toast.clear();
+    return true;
+  };
+
+  return {
+      // a modal dialog takes all keys
+      {"dialog",
+       [this, pass_on](const KeyPress& press) {
+         if (panels_.dialog.kind == Dialog::Kind::None) return false;
+         pass_on(Target::Dialog, press);
+         return true;
+       }},
+      // so does the command palette, where letters are typed
+      {"search",
+       [this, pass_on, close](const KeyPress& press) {
+         if (!panels_.search.shown) return false;
+         if (!close(panels_.search.shown, press)) pass_on(Target::Search, press);
+         return true;
+       }},
+      {"menu",
+       [this, pass_on](const KeyPress& press) {
+         if (!panels_.menu_is_open || (press.key != Key::Escape && press.key != Key::Enter)) return false;
+         panels_.toast.clear();
+         pass_on(Target::Menu, press);
+         return true;
+       }},
+      // Enter and Esc, unless a number is being typed
+      {"export",
+       [this, pass_on, close](const KeyPress& press) {
+         if (!panels_.export_state.is_shown || panels_.typing != 0) return false;
+         if (press.key == Key::Escape && exporter_.is_running()) {
+           exporter_.stop();
+           return true;
+         }
+         if (close(panels_.export_state.is_shown, press)) return true;
+         if (press.key == Key::Enter) pass_on(Target::Export, press);
+         return press.key == Key::Enter;
+       }},
+      // a text field leaves only F1 and combinations with Ctrl to the others
+      {"text field",
+       [this](const KeyPress& press) { return panels_.text_in_progress && press.key != Key::F1 && !press.modifiers.control; }},
+      {"placement",
+       [this](const KeyPress& press) {
+         if (!placer_.is_on() || (press.key != Key::Enter && press.key != Key::Escape)) return false;
+         if (press.key == Key::Enter)
+           placer_.place();
+         else
+           placer_.stop();
+         return true;
+       }},
+      {"shortcut overlay", [this, close](const KeyPress& press) { return close(panels_.keys_shown, press); }},
+      {"gallery",
+       [this, close](const KeyPress& press) {
+         if (!panels_.gallery.is_shown || press.modifiers != Modifiers{}) return false;
+         if (close(panels_.gallery.is_shown, press) || move_in_gallery(panels_, layout_, press.key)) return true;
+         if (press.key == Key::Enter) document_.open(shipped_scenes()[panels_.gallery.chosen].file);
+         return press.key == Key::Enter;
+       }},
+      {"shortcuts",
+       [this](const KeyPress& press) {
+         const Shortcut* shortcut = find_shortcut(press.key, press.modifiers);
+         if (shortcut == nullptr || (press.repeated && !shortcut->repeats)) return false;
+         // the gallery hides the scene: nothing may happen to it unseen
+         if (panels_.gallery.is_shown && row_of(shortcut->action).needs != Needs::Nothing) return false;
+         settle();
+         perform(shortcut->action, press.repeated);
+         return true;
+       }},
+  };
+}
+
+}  // namespace hooke

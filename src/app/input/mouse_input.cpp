@@ -1,0 +1,43 @@
+#include "app/input/mouse_input.h"
+
+namespace hooke {
+
+Pointer MouseInput::pointer() const { return {cursor_ - glm::dvec2(layout_.scene.x, layout_.scene.y), modifiers_}; }
+
+bool MouseInput::is_over_scene() const { return !panels_cover(panels_, layout_, cursor_.x, cursor_.y); }
+
+std::optional<glm::dvec2> MouseInput::place_in_scene() const { return is_over_scene() ? std::optional(pointer().at) : std::nullopt; }
+
+void MouseInput::handle(const ButtonPress& press) {
+  cursor_ = press.at;
+  modifiers_ = press.modifiers;
+  if (!is_over_scene()) return;
+  context_.settle();
+  if (press.button != Button::Left) return camera_.press(press.button);
+  if (placer_.is_on()) return placer_.press();
+  Pointer pressed = pointer();
+  pressed.twice = press.twice;
+  tool_.press(pressed);
+}
+
+void MouseInput::handle(const ButtonRelease& release) {
+  cursor_ = release.at;
+  modifiers_ = release.modifiers;
+  camera_.release(release.button);
+  if (release.button != Button::Left) return;
+  placer_.release();
+  tool_.release(pointer());
+}
+
+void MouseInput::handle(const CursorMove& move) {
+  const glm::dvec2 from = pointer().at;
+  cursor_ = move.at;
+  modifiers_ = move.modifiers;
+  camera_.move(from, pointer());
+}
+
+void MouseInput::handle(const Scroll& scroll) {
+  if (!panels_cover(panels_, layout_, scroll.at.x, scroll.at.y)) camera_.zoom(scroll.steps, pointer().at);
+}
+
+}  // namespace hooke

@@ -1,0 +1,39 @@
+// The mouse over the scene: the left button goes to what is being placed or to the tool, the others and the wheel to the camera.
+#pragma once
+
+#include <optional>
+
+#include "app/edit/placer.h"
+#include "app/tools/active_tool.h"
+#include "app/view/camera_control.h"
+
+namespace hooke {
+
+class MouseInput {
+ public:
+  MouseInput(ToolContext& context, const Panels& panels, const Layout& layout, ActiveTool& tool, CameraControl& camera, Placer& placer)
+      : context_(context), panels_(panels), layout_(layout), tool_(tool), camera_(camera), placer_(placer) {}
+
+  void handle(const ButtonPress& press);
+  void handle(const ButtonRelease& release);
+  void handle(const CursorMove& move);
+  void handle(const Scroll& scroll);
+
+  Pointer pointer() const;
+  // Whether the cursor is over the scene and not over a panel.
+  bool is_over_scene() const;
+  // The cursor in the scene's view [px], if it is there.
+  std::optional<glm::dvec2> place_in_scene() const;
+
+ private:
+  ToolContext& context_;
+  const Panels& panels_;
+  const Layout& layout_;
+  ActiveTool& tool_;
+  CameraControl& camera_;
+  Placer& placer_;
+  glm::dvec2 cursor_{0.0};  // in window coordinates
+  Modifiers modifiers_;
+};
+
+}  // namespace hooke

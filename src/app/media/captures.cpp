@@ -1,0 +1,46 @@
+#include "app/media/captures.h"
+
+#include "base/printable.h"
+#include "lab/recording.h"
+
+namespace hooke {
+
+void Captures::report_picture(const std::filesystem::path& file, const std::string& error) {
+  if (error.empty())
+    panels_.show_toast("Picture saved to " + printable(file.native()));
+  else
+    panels_.show_message("Cannot write the picture", error);
+}
+
+void Captures::start_or_stop_film() {
+  if (film_recorder_.is_filming())
+    film_recorder_.end_film();
+  else if (film_recorder_.is_writing())
+    panels_.show_toast("The previous film is still being written");
+  else
+    film_recorder_.start_film(document_.new_file_beside(".mp4"));
+}
+
+void Captures::start_or_stop_recording() {
+  if (recording_.empty()) {
+    recording_ = document_.new_file_beside(recording_extension);
+    context_.lab.submit(Record{std::make_shared<const std::filesystem::path>(recording_)});
+  } else {
+    context_.lab.submit(Record{});
+    panels_.show_toast("Recording saved to " + printable(recording_.native()));
+    recording_.clear();
+  }
+}
+
+void Captures::poll() {
+  if (const std::string message = film_recorder_.take_message(); !message.empty()) panels_.show_toast(message);
+  const std::string& error = context_.status->recording.error;
+  if (!error.empty() && !std::exchange(recording_, {}).empty()) panels_.show_toast(error);
+}
+
+void Captures::end() {
+  film_recorder_.end_film();
+  context_.lab.submit(Record{});
+}
+
+}  // namespace hooke

@@ -1,0 +1,44 @@
+// Pictures, films and recordings of the scene, written beside the document.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/document/document.h"
+#include "app/media/film_recorder.h"
+
+namespace hooke {
+
+class Captures {
+ public:
+  Captures(ToolContext& context, Panels& panels, const Document& document) : context_(context), panels_(panels), document_(document) {}
+
+  // The window's loop draws the picture and reports back.
+  void take_picture() { take_picture(document_.new_file_beside(".png")); }
+  void take_picture(std::filesystem::path file) { picture_file_ = std::move(file); }
+  // The picture to be written, once.
+  std::optional<std::filesystem::path> take_picture_file() { return std::exchange(picture_file_, std::nullopt); }
+  void report_picture(const std::filesystem::path& file, const std::string& error);
+
+  void start_or_stop_film();
+  void start_or_stop_recording();
+  // Once per frame: reports what has been written, and errors.
+  void poll();
+  // The run ends: finishes the film and the recording.
+  void end();
+
+  FilmRecorder& film_recorder() { return film_recorder_; }
+  double film_seconds() const { return film_recorder_.is_filming() ? film_recorder_.seconds() : -1.0; }
+  bool is_busy() const { return picture_file_ || film_recorder_.is_filming() || film_recorder_.is_writing(); }
+
+ private:
+  ToolContext& context_;
+  Panels& panels_;
+  const Document& document_;
+  std::optional<std::filesystem::path> picture_file_;
+  FilmRecorder film_recorder_;
+  std::filesystem::path recording_;  // empty if none is in progress
+};
+
+}  // namespace hooke

@@ -1,0 +1,117 @@
+#include "app/media/exporter.h"
+
+#include "app/document/files.h"
+#include "base/atomic_write.h"
+#include "base/printable.h"
+#include "formats/open_file.h"
+#include "study/frame_export.h"
+
+namespace hooke {
+namespace {
+
+std::string without_extension(const std::filesystem::path& file) { return (file.parent_path() / file.stem()).string(); }
+
+// Parses a list separated by commas. Returns an error text if one is unknown.
+std::string read_quantities(const std::string& list, const System& system, std::vector<Quantity>& quantities) {
+  const auto unknown = parse_quantities(list, system.point_count(), system.spring_count(), quantities);
+  return unknown.empty() ? "" : "\"" + unknown + "\" is not a quantity of this scene; it must be one of " + quantity_names() + ".";
+}
+
+}  // namespace
+
+void Exporter::show() {
+  ExportState& state = panels_.export_state;
+  state.is_shown = true;
+  if (is_running()) return;
+  state.is_new = true;
+  const std::filesystem::path& file = document_.file();
+  state.path = without_extension(document_.has_own_file() ? file : typed_path(file.empty() ? "untitled" : file.stem()));
+}
+
+void Exporter::start() {
+  if (is_running()) return;
+  ExportState& state = panels_.export_state;
+  const FileKind& kind = export_kinds()[state.kind];
+  file_ = typed_path(state.path);
+  if (file_.extension() != kind.extension)
+    return panels_.show_message("Cannot export", "The path must end in " + std::string(kind.extension) + ".");
+  if (kind.source == ExportSource::Picture) {
+    captures_.take_picture(file_);
+    state.is_shown = false;
+    return;
+  }
+  if (kind.source == ExportSource::Frames) return export_frames(kind);
+  if (kind.source == ExportSource::Plots) return export_plots();
+  export_state();
+}
+
+void Exporter::export_frames(const FileKind& kind) {
+  const ExportState& state = panels_.export_state;
+  Scene scene = *context_.lab.copy_scene().get();
+  FrameExport wanted{.file = file_, .seconds = state.seconds, .quantities = {}};
+  if (kind.has_quantities)
+    if (const std::string error = read_quantities(state.quantities, scene.system, wanted.quantities); !error.empty())
+      return panels_.show_message("Cannot export", error);
+  started_ = std::chrono::steady_clock::now();
+  shared_ = std::make_shared<Shared>();
+  run_ = std::async(std::launch::async, [scene = std::move(scene), wanted, shared = shared_]() mutable -> std::string {
+    try {
+      write_frames(std::move(scene), wanted, [&](double fraction) {
+        shared->fraction = fraction;
+        return !shared->stop;
+      });
+      return {};
+    } catch (const std::runtime_error& refusal) {  // Refused or FileError
+      return refusal.what();
+    }
+  });
+}
+
+void Exporter::export_state() {
+  auto copy = std::make_shared<std::future<std::shared_ptr<const Scene>>>(context_.lab.copy_scene());
+  task_.start("Exporting " + printable(file_.filename().native(), 60),
+              [this, file = file_, copy](const Progress&) -> BackgroundTask::Completion {
+                try {
+                  return [this, losses = write_scene_as(*copy->get(), file)] {
+                    finish({}, false);
+                    if (!losses.empty()) panels_.show_message("Exported with losses", joined(losses));
+                  };
+                } catch (const std::runtime_error& refusal) {  // Refused or FileError
+                  return [this, message = std::string(refusal.what())] { finish(message, false); };
+                }
+              });
+}
+
+void Exporter::export_plots() {
+  const TraceTable& traces = *context_.status->timeline.traces;
+  if (traces.traces.empty()) return panels_.show_message("Cannot export", "There are no plots: press P to show some first.");
+  try {
+    write_atomically(file_, to_csv(traces));
+    finish({}, false);
+  } catch (const FileError& error) {
+    finish(error.what(), false);
+  }
+}
+
+void Exporter::stop() {
+  if (is_running()) shared_->stop = true;
+}
+
+void Exporter::poll() {
+  if (is_running() && run_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) finish(run_.get(), shared_->stop);
+}
+
+ExportWork Exporter::progress() const {
+  if (!is_running()) return {};
+  return {.fraction = shared_->fraction,
+          .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(),
+          .is_running = true};
+}
+
+void Exporter::finish(const std::string& error, bool stopped) {
+  if (!error.empty()) return panels_.show_message("Export failed", error);
+  panels_.export_state.is_shown = false;
+  panels_.show_toast(stopped ? "Export stopped: nothing was written" : "Exported " + file_.string());
+}
+
+}  // namespace hooke

@@ -1,0 +1,79 @@
+#include "app/view/camera_control.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "draw/camera_text.h"
+#include "edit/copy_selection.h"
+
+namespace hooke {
+namespace {
+
+constexpr double zoom_per_step = 0.88;
+constexpr double turn_per_height = 3.14159265358979323846;  // [rad], for a drag over the height of the view
+
+constexpr const char* flat_only_from_front = "A flat scene is always viewed from the front";
+
+}  // namespace
+
+void CameraControl::show(const Scene& scene) { context_.camera = make_camera(scene.view, scene.system, scene.state, aspect_ratio()); }
+
+void CameraControl::frame_all() { frame_scene(context_.camera, context_.system(), context_.snapshot().state, aspect_ratio()); }
+
+void CameraControl::frame_selection() {
+  const Scene part = copy_selection(context_.snapshot(), context_.status->document->sheet, context_.selection);
+  if (part.system.points().empty()) return panels_.show_toast("Nothing is selected");
+  frame_scene(context_.camera, part.system, part.state, aspect_ratio());
+}
+
+void CameraControl::look_from(const Vec3& direction) {
+  if (is_flat()) return panels_.show_toast(flat_only_from_front);
+  const bool is_there = glm::dot(context_.camera.back, glm::normalize(direction)) > 1.0 - 1e-9;
+  context_.camera.look_from(is_there ? -direction : direction);
+}
+
+void CameraControl::switch_projection() {
+  context_.camera.orthographic = !context_.camera.orthographic;
+  panels_.show_toast(context_.camera.orthographic ? "Orthographic" : "Perspective");
+}
+
+void CameraControl::switch_following() {
+  context_.camera.follows = !context_.camera.follows;
+  panels_.show_toast(context_.camera.follows ? "Following moving objects" : "Not following");
+}
+
+void CameraControl::copy() {
+  const std::string text = camera_text(pose_of(context_.camera));
+  clipboard_.put(text);
+  panels_.show_toast("Copied camera: " + text);
+}
+
+void CameraControl::paste() {
+  const auto pose = camera_from_text(clipboard_.take());
+  if (!pose) return panels_.show_toast("The clipboard contains no camera");
+  ViewSettings view;
+  view.camera = pose;
+  view.camera->follows = context_.camera.follows;
+  const Camera pasted = make_camera(view, context_.system(), context_.snapshot().state, aspect_ratio());
+  if (is_flat() && pasted.back != context_.camera.back) return panels_.show_toast(flat_only_from_front);
+  context_.camera = pasted;
+  panels_.show_toast("Pasted camera");
+}
+
+void CameraControl::move(const glm::dvec2& from, const Pointer& to) {
+  if (!button_) return;
+  const bool pan = is_flat() || (*button_ == Button::Middle && to.modifiers.shift);
+  if (pan) return context_.camera.pan(from, to.at, context_.size);
+  const glm::dvec2 angle = (to.at - from) * turn_per_height / context_.size.y;
+  context_.camera.orbit(-angle.x, angle.y);
+}
+
+void CameraControl::release(Button button) {
+  if (button_ == button) button_.reset();
+}
+
+void CameraControl::zoom(double steps, const glm::dvec2& at) { context_.camera.zoom(std::pow(zoom_per_step, steps), at, context_.size); }
+
+void CameraControl::follow() { follow_scene(context_.camera, context_.snapshot().state); }
+
+}  // namespace hooke

@@ -1,0 +1,48 @@
+// The camera as the user controls it, with keys, menus and the mouse.
+#pragma once
+
+#include <optional>
+
+#include "app/edit/clipboard.h"
+#include "app/tools/tools.h"
+#include "app/window/event.h"
+#include "ui/panels.h"
+
+namespace hooke {
+
+class CameraControl {
+ public:
+  CameraControl(ToolContext& context, Panels& panels, Clipboard& clipboard) : context_(context), panels_(panels), clipboard_(clipboard) {}
+
+  // The camera that a scene asks for, or one that frames it.
+  void show(const Scene& scene);
+  void frame_all();
+  void frame_selection();
+  // From this direction; from the opposite one if it looks from there already.
+  void look_from(const Vec3& direction);
+  void switch_projection();
+  void switch_following();
+  // As text in the form of `hooke capture --camera`.
+  void copy();
+  void paste();
+
+  // A drag with this button orbits or pans.
+  void press(Button button) { button_ = button; }
+  void move(const glm::dvec2& from, const Pointer& to);
+  void release(Button button);
+  bool is_dragging() const { return button_.has_value(); }
+  void zoom(double steps, const glm::dvec2& at);
+  // Once per frame: follows moving objects, if it is set to.
+  void follow();
+
+ private:
+  double aspect_ratio() const { return context_.size.x / context_.size.y; }
+  bool is_flat() const { return context_.system().dimensions == 2; }
+
+  ToolContext& context_;
+  Panels& panels_;
+  Clipboard& clipboard_;
+  std::optional<Button> button_;
+};
+
+}  // namespace hooke

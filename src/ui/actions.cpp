@@ -1,0 +1,21 @@
+#include "ui/actions.h"
+
+#include <array>
+
+namespace hooke {
+namespace {
+
+constexpr std::array rows{
+#define TOOL(id, keys, icon, name, text, make) ActionRow{Action::id, keys, no_menu, Needs::Scene, "Tools", text},
+#define ACTION(id, keys, position, needs, group, text, ...) ActionRow{Action::id, keys, position, needs, group, text},
+#include "ui/actions.inc"
+};
+
+}  // namespace
+
+std::span<const ActionRow> actions() { return rows; }
+
+// Rows are in the order of the enumeration: both are made from the same file.
+const ActionRow& row_of(Action action) { return rows[static_cast<std::size_t>(action)]; }
+
+}  // namespace hooke

@@ -1,0 +1,99 @@
+// Who receives a key: the topmost panel first, the shortcuts last.
+#include "app/input/key_handlers.h"
+
+#include "formats/open_file.h"
+#include "support/gui_trial.h"
+
+namespace hooke {
+namespace {
+
+Scene two_masses() { return load_scene(find_scene("two_masses")).scene; }
+
+std::string_view press(GuiTrial& gui, Key key, Modifiers modifiers = {}) {
+  const std::string_view taken_by = dispatch(gui.app().key_handlers(), {key, modifiers});
+  gui.frames(2);
+  return taken_by;
+}
+
+TEST(KeyHandlers, AreAskedFromTheTopmostPanelDownToTheShortcuts) {
+  GuiTrial gui;
+  std::vector<std::string_view> names;
+  for (const KeyHandler& handler : gui.app().key_handlers()) names.push_back(handler.name);
+  EXPECT_EQ(names, (std::vector<std::string_view>{"dialog", "search", "menu", "export", "text field", "placement", "shortcut overlay",
+                                                  "gallery", "shortcuts"}));
+}
+
+TEST(KeyHandlers, TheFirstThatTakesAKeyKeepsItFromTheOthers) {
+  int asked = 0;
+  const KeyHandlers handlers = {{"deaf", [&](const KeyPress&) { return ++asked, false; }},
+                                {"first", [&](const KeyPress& press) { return ++asked, press.key == Key::Enter; }},
+                                {"second", [&](const KeyPress&) { return ++asked, true; }}};
+  EXPECT_EQ(dispatch(handlers, {Key::Enter, {}}), "first");
+  EXPECT_EQ(asked, 2);
+  EXPECT_EQ(dispatch(handlers, {Key::Space, {}}), "second");
+  EXPECT_EQ(dispatch({handlers[0]}, {Key::Space, {}}), "");
+}
+
+TEST(KeyHandlers, EscapeClosesOnePanelAfterAnother) {
+  GuiTrial gui(two_masses());
+  gui.app().handle(Request(Action::SelectAll));
+  gui.app().handle(Request(StartPlacement{find_shape_kind("net")}));
+  gui.app().handle(Request(Action::ShowKeys));
+  gui.app().handle(Request(Action::Export));
+  gui.app().panels().gallery.is_shown = true;
+  gui.app().panels().search = {.shown = true, .is_new = true};
+  gui.app().panels().show_message("Title", "Text");
+  gui.frames(2);
+  for (const char* name : {"dialog", "search", "export", "placement", "shortcut overlay", "gallery"}) {
+    EXPECT_FALSE(gui.app().selection().empty()) << name;
+    EXPECT_EQ(press(gui, Key::Escape), name);
+  }
+  EXPECT_EQ(press(gui, Key::Escape), "shortcuts");
+  EXPECT_TRUE(gui.app().selection().empty());
+}
+
+TEST(KeyHandlers, ADialogAndTheSearchTakeEveryKey) {
+  GuiTrial gui(two_masses());
+  gui.app().panels().search = {.shown = true, .is_new = true};
+  gui.frames(2);
+  for (const Shortcut& row : shortcuts())
+    if (row.action != Action::Cancel) EXPECT_EQ(press(gui, row.key, row.modifiers), "search") << key_text(row);
+  gui.app().panels().show_message("Title", "Text");
+  gui.frames(2);
+  for (const Shortcut& row : shortcuts())
+    if (row.action != Action::Cancel) EXPECT_EQ(press(gui, row.key, row.modifiers), "dialog") << key_text(row);
+}
+
+TEST(KeyHandlers, AMenuTakesEscapeBeforeTheSelectionDoes) {
+  GuiTrial gui(two_masses());
+  gui.key(letter('A'), {.control = true});
+  gui.click(gui.find("menu", {"Edit"}));
+  ASSERT_TRUE(gui.app().panels().menu_is_open);
+  EXPECT_EQ(press(gui, Key::Escape), "menu");
+  EXPECT_FALSE(gui.app().panels().menu_is_open);
+  EXPECT_FALSE(gui.app().selection().empty());
+}
+
+TEST(KeyHandlers, ATextFieldLeavesOnlyF1AndCombinationsWithControl) {
+  GuiTrial gui(two_masses());
+  gui.app().handle(Request(StartPlacement{nullptr}));
+  gui.app().panels().text_in_progress = true;
+  const KeyHandlers& handlers = gui.app().key_handlers();
+  for (const Key key : {Key::Escape, Key::Enter, Key::Space, letter('V'), Key::Up})
+    EXPECT_EQ(dispatch(handlers, {key, {}}), "text field") << static_cast<int>(key);
+  EXPECT_EQ(dispatch(handlers, {Key::F1, {}}), "shortcuts");
+  EXPECT_EQ(dispatch(handlers, {letter('A'), {.control = true}}), "shortcuts");
+}
+
+TEST(KeyHandlers, InTheGalleryNothingHappensToTheSceneUnseen) {
+  GuiTrial gui(two_masses());
+  gui.app().panels().gallery.is_shown = true;
+  for (const Key key : {Key::Right, Key::Down, Key::Left, Key::Up}) EXPECT_EQ(press(gui, key), "gallery");
+  for (const Shortcut& row : shortcuts())
+    if (row_of(row.action).needs != Needs::Nothing && row.group != "Tune")
+      EXPECT_EQ(press(gui, row.key, row.modifiers), "") << key_text(row);
+  EXPECT_FALSE(gui.status().unsaved);
+}
+
+}  // namespace
+}  // namespace hooke
