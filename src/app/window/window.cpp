@@ -81,59 +81,86 @@ GLFWwindow* open_window(const std::string& title, const glm::ivec2& size) {
   return window;
 }
 
+// How a text field takes the key; shortcuts are editing keys too, as Ctrl+A is.
+QueuedInput::Kind kind_of(int key, int action, int mods) {
+  if (action == GLFW_RELEASE) return QueuedInput::Kind::Release;
+  if (action == GLFW_REPEAT) return QueuedInput::Kind::Other;
+  const bool is_modifier = key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+  const bool types = key < GLFW_KEY_ESCAPE || (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_ADD) || key == GLFW_KEY_KP_EQUAL;
+  return is_modifier || (types && (mods & GLFW_MOD_CONTROL) == 0) ? QueuedInput::Kind::Press : QueuedInput::Kind::Edit;
+}
+
 }  // namespace
 
-// Each callback forwards to ImGui first; keys typed into a text field are not passed on.
+// Callbacks queue the input; it is passed on to ImGui and to the program frame by frame.
 struct Window::Callbacks {
   static Window& of(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
 
   static void key(GLFWwindow* window, int key, int scancode, int action, int mods) {
     Window& self = of(window);
-    self.gui_->key(key, scancode, action, mods);
-    if (action == GLFW_RELEASE) return;
-    const Key mapped_key = key_of(key, scancode);
-    const bool leaves_text =
-        mapped_key == Key::Escape || mapped_key == Key::Enter || mapped_key == Key::F1 || mapped_key == Key::Up || mapped_key == Key::Down;
-    if (self.gui_->wants_text() && !leaves_text) return;
-    self.events_.push_back(KeyPress{mapped_key, modifiers_of(mods), action == GLFW_REPEAT});
+    self.inputs_.add({kind_of(key, action, mods), key, [&self, key, scancode, action, mods] {
+                        self.gui_->key(key, scancode, action, mods);
+                        if (action != GLFW_RELEASE) self.press_key({key_of(key, scancode), modifiers_of(mods), action == GLFW_REPEAT});
+                      }});
   }
-  static void character(GLFWwindow* window, unsigned code) { of(window).gui_->character(code); }
+  static void character(GLFWwindow* window, unsigned code) {
+    Window& self = of(window);
+    self.inputs_.add({QueuedInput::Kind::Text, 0, [&self, code] { self.gui_->character(code); }});
+  }
 
   static void button(GLFWwindow* window, int button, int action, int mods) {
     Window& self = of(window);
-    self.gui_->button(button, action, mods);
-    if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    if (button > GLFW_MOUSE_BUTTON_MIDDLE) return queue(window, [&self, button, action, mods] { self.gui_->button(button, action, mods); });
     const auto which = static_cast<Button>(button);
-    if (action == GLFW_PRESS)
-      self.events_.push_back(ButtonPress{which, self.cursor_, modifiers_of(mods), self.is_second_press(which)});
-    else
-      self.events_.push_back(ButtonRelease{which, self.cursor_, modifiers_of(mods)});
+    const bool pressed = action == GLFW_PRESS, twice = pressed && self.is_second_press(which);
+    queue(window, [&self, which, action, mods, pressed, twice, at = self.cursor_] {
+      self.gui_->button(static_cast<int>(which), action, mods);
+      if (pressed)
+        self.events_.push_back(ButtonPress{which, at, modifiers_of(mods), twice});
+      else
+        self.events_.push_back(ButtonRelease{which, at, modifiers_of(mods)});
+    });
   }
   static void cursor(GLFWwindow* window, double x, double y) {
     Window& self = of(window);
     self.cursor_ = {x, y};
-    // of many moves in a frame only the last one counts
-    const CursorMove move{self.cursor_, modifiers_now(window)};
-    if (!self.events_.empty() && std::holds_alternative<CursorMove>(self.events_.back()))
-      self.events_.back() = move;
-    else
-      self.events_.push_back(move);
+    queue(window, [&self, move = CursorMove{self.cursor_, modifiers_now(window)}] {
+      // of several moves in a row only the last one counts
+      if (!self.events_.empty() && std::holds_alternative<CursorMove>(self.events_.back()))
+        self.events_.back() = move;
+      else
+        self.events_.push_back(move);
+    });
   }
   static void scroll(GLFWwindow* window, double x, double y) {
     Window& self = of(window);
-    self.gui_->scroll(x, y);
-    self.events_.push_back(Scroll{y, self.cursor_});
+    queue(window, [&self, x, y, at = self.cursor_] {
+      self.gui_->scroll(x, y);
+      self.events_.push_back(Scroll{y, at});
+    });
   }
   static void focus(GLFWwindow* window, int focused) { of(window).gui_->focus(focused); }
   static void enter(GLFWwindow* window, int entered) { of(window).gui_->enter(entered); }
   static void drop(GLFWwindow* window, int count, const char** paths) {
-    if (count > 0) of(window).events_.push_back(FileDrop{paths[0]});
+    if (count > 0) queue(window, [&self = of(window), file = std::filesystem::path(paths[0])] { self.events_.push_back(FileDrop{file}); });
   }
   static void close(GLFWwindow* window) {
     glfwSetWindowShouldClose(window, GLFW_FALSE);
-    of(window).events_.push_back(CloseRequest{});
+    queue(window, [&self = of(window)] { self.events_.push_back(CloseRequest{}); });
+  }
+
+ private:
+  static void queue(GLFWwindow* window, std::function<void()> apply) {
+    of(window).inputs_.add({QueuedInput::Kind::Other, 0, std::move(apply)});
   }
 };
+
+// Keys typed into a text field are not passed on, except those that end it.
+void Window::press_key(const KeyPress& press) {
+  const bool leaves_text =
+      press.key == Key::Escape || press.key == Key::Enter || press.key == Key::F1 || press.key == Key::Up || press.key == Key::Down;
+  if (!gui_->wants_text() || leaves_text) events_.push_back(press);
+}
 
 static_assert(static_cast<int>(Button::Left) == GLFW_MOUSE_BUTTON_LEFT && static_cast<int>(Button::Right) == GLFW_MOUSE_BUTTON_RIGHT &&
               static_cast<int>(Button::Middle) == GLFW_MOUSE_BUTTON_MIDDLE);
@@ -189,7 +216,10 @@ void Window::wait(double seconds) {
     glfwPollEvents();
 }
 
-std::vector<Event> Window::take_events() { return std::exchange(events_, {}); }
+std::vector<Event> Window::take_events() {
+  inputs_.apply_frame();
+  return std::exchange(events_, {});
+}
 
 glm::dvec2 Window::size() const {
   int width = 0, height = 0;

@@ -10,6 +10,7 @@
 #include "app/edit/clipboard.h"
 #include "app/window/event.h"
 #include "app/window/imgui_backend.h"
+#include "app/window/input_queue.h"
 
 struct GLFWwindow;
 
@@ -30,7 +31,7 @@ class Window {
 
   // Waits for an event, at most this long [s].
   void wait(double seconds);
-  // The events since the last call, oldest first.
+  // The events for the next frame, oldest first.
   std::vector<Event> take_events();
 
   glm::dvec2 size() const;              // in window coordinates
@@ -53,8 +54,10 @@ class Window {
     glm::dvec2 at{0.0};
   };
   bool is_second_press(Button button);
+  void press_key(const KeyPress& press);
   GLFWwindow* window_ = nullptr;
   std::unique_ptr<ImGuiBackend> gui_;
+  InputQueue inputs_;
   std::vector<Event> events_;
   glm::dvec2 cursor_{0.0};
   Press last_press_;
