@@ -92,7 +92,7 @@ TEST(KeyHandlers, InTheGalleryNothingHappensToTheSceneUnseen) {
   for (const Shortcut& row : shortcuts())
     if (row_of(row.action).needs != Needs::Nothing && row.group != "Tune")
       EXPECT_EQ(press(gui, row.key, row.modifiers), "") << key_text(row);
-  EXPECT_FALSE(gui.status().unsaved);
+  EXPECT_FALSE(gui.status().history.unsaved);
 }
 
 }  // namespace
