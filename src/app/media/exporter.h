@@ -11,6 +11,7 @@
 #include "app/document/document.h"
 #include "app/media/captures.h"
 #include "app/work/file_task.h"
+#include "formats/file_kind.h"
 
 namespace hooke {
 
