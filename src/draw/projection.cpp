@@ -22,11 +22,11 @@ glm::dvec4 Projection::clip_from_view(const Vec3& view_position) const {
 
 ProjectedPoint Projection::project(const glm::dvec4& clip) const {
   // nor is what single precision cannot hold
-  if (!(std::abs(clip.x) + std::abs(clip.y) + std::abs(clip.z) < 1e30)) return {.outside = not_finite};
+  if (!(std::abs(clip.x) + std::abs(clip.y) + std::abs(clip.z) < 1e30)) return {.outside = NotFinite};
   ProjectedPoint projected;
   projected.outside =
-      static_cast<std::uint8_t>((clip.x < -clip.w ? left_of : 0) | (clip.x > clip.w ? right_of : 0) | (clip.y < -clip.w ? below : 0) |
-                                (clip.y > clip.w ? above : 0) | (clip.z < -clip.w ? before : 0) | (clip.z > clip.w ? beyond : 0));
+      static_cast<std::uint8_t>((clip.x < -clip.w ? LeftOf : 0) | (clip.x > clip.w ? RightOf : 0) | (clip.y < -clip.w ? Below : 0) |
+                                (clip.y > clip.w ? Above : 0) | (clip.z < -clip.w ? Before : 0) | (clip.z > clip.w ? Beyond : 0));
   if (!(clip.w > 0.0)) return projected;
   projected.x = static_cast<float>((clip.x / clip.w + 1.0) * 0.5 * width_);
   projected.y = static_cast<float>((clip.y / clip.w + 1.0) * 0.5 * height_);

@@ -19,7 +19,7 @@ struct ProjectedPoint {
   std::uint8_t outside = 0;
 };
 
-enum Outside : std::uint8_t { left_of = 1, right_of = 2, below = 4, above = 8, before = 16, beyond = 32, not_finite = 64 };
+enum Outside : std::uint8_t { LeftOf = 1, RightOf = 2, Below = 4, Above = 8, Before = 16, Beyond = 32, NotFinite = 64 };
 
 class Projection {
  public:

@@ -41,7 +41,7 @@ void ClothSurface::find_normals(const std::vector<Vec3>& position, const Network
   indices_.reserve(corners.size());
   for (std::size_t f = 0; f < corners.size(); f += 3) {
     const GLuint a = corners[f], b = corners[f + 1], c = corners[f + 2];
-    if ((projected[a].outside | projected[b].outside | projected[c].outside) & not_finite) continue;
+    if ((projected[a].outside | projected[b].outside | projected[c].outside) & NotFinite) continue;
     indices_.insert(indices_.end(), {a, b, c});
 
     // twice a face's area is the length of its normal

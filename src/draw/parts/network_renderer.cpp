@@ -153,7 +153,7 @@ void NetworkRenderer::add_points(const DrawContext& context, Subset subset, Poin
   if (subset == Subset::All) impostors.reserve(projected_.size());
   constexpr std::uint8_t min_opacity = 16;
   for (Index i = 0; i < static_cast<Index>(projected_.size()); ++i) {
-    if (projected_[i].outside & (before | beyond | not_finite)) continue;
+    if (projected_[i].outside & (Before | Beyond | NotFinite)) continue;
     if (subset == Subset::OutsideCloth && !context.snapshot.system->points()[i].nailed && !is_outside_cloth(i)) continue;
     const PointImpostor impostor = impostor_of(context, i);
     if (impostor.body.opacity >= min_opacity) impostors.add(context.projection, clip_[i], projected_[i], impostor);

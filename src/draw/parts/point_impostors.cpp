@@ -18,7 +18,7 @@ PointImpostors::PointImpostors()
 void PointImpostors::add(const Projection& projection, const glm::dvec4& clip, const ProjectedPoint& projected,
                          const PointImpostor& impostor) {
   // not before, behind or beyond the clip planes, nor further to the side than its own size
-  if (projected.outside & (before | beyond | not_finite)) return;
+  if (projected.outside & (Before | Beyond | NotFinite)) return;
   const float reach = std::max(impostor.radius, impostor.ring) + 1.0f;
   if (projected.x < -reach || projected.x > static_cast<float>(projection.width()) + reach) return;
   if (projected.y < -reach || projected.y > static_cast<float>(projection.height()) + reach) return;

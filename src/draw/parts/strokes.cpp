@@ -43,7 +43,7 @@ void Strokes::add(const Projection& projection, const glm::dvec4& a, const Proje
                   const ProjectedPoint& projected_b, Rgba rgba, float width) {
   if ((projected_a.outside | projected_b.outside) == 0)
     return add_projected(projected_a.x, projected_a.y, projected_a.depth, projected_b.x, projected_b.y, projected_b.depth, rgba, width);
-  if ((projected_a.outside & projected_b.outside) != 0 || ((projected_a.outside | projected_b.outside) & not_finite)) return;
+  if ((projected_a.outside & projected_b.outside) != 0 || ((projected_a.outside | projected_b.outside) & NotFinite)) return;
   glm::dvec4 start = a, end = b;
   if (!cut_to_picture(start, end)) return;
   const ProjectedPoint from = projection.project(start), to = projection.project(end);
@@ -58,7 +58,7 @@ void Strokes::add(const Projection& projection, const Vec3& a, const Vec3& b, Rg
 
 void Strokes::add_dashed(const Projection& projection, const Vec3& a, const Vec3& b, Rgba rgba, float width, float dash, float gap) {
   glm::dvec4 start = projection.clip(a), end = projection.clip(b);
-  if ((projection.project(start).outside | projection.project(end).outside) & not_finite) return;
+  if ((projection.project(start).outside | projection.project(end).outside) & NotFinite) return;
   if (!cut_to_picture(start, end)) return;
   const ProjectedPoint from = projection.project(start), to = projection.project(end);
   const float length = std::hypot(to.x - from.x, to.y - from.y);
