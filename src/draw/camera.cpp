@@ -12,7 +12,7 @@
 namespace hooke {
 namespace {
 
-// Clip planes, in distances to the target. A depth buffer of 24 bits tells 6e-6 distances apart at the target.
+// Clip planes, relative to the distance of the target. A 24-bit depth buffer resolves 6e-6 of that distance at the target.
 constexpr double perspective_near = 0.01, perspective_far = 1000.0;
 constexpr double orthographic_reach = 50.0;  // to both sides of the target
 
@@ -20,14 +20,14 @@ constexpr double min_distance = 1e-6, max_distance = 1e9;  // [m]
 
 double half_height(const Camera& camera) { return camera.distance * std::tan(0.5 * camera.field_of_view); }
 
-// The part of v at right angles to the unit vector n, made a unit; `otherwise` when there is none.
+// The component of v perpendicular to the unit vector n, normalized; `otherwise` if it vanishes.
 Vec3 flatten(const Vec3& v, const Vec3& n, const Vec3& otherwise) {
   const Vec3 flat = v - glm::dot(v, n) * n;
   const double length = glm::length(flat);
   return length > 1e-9 * glm::length(v) && std::isfinite(length) ? flat / length : otherwise;
 }
 
-// A unit vector at right angles to the unit vector n: x where possible.
+// A unit vector perpendicular to the unit vector n, close to x if possible.
 Vec3 any_normal_to(const Vec3& n) { return flatten({1.0, 0.0, 0.0}, n, {0.0, 0.0, -1.0}); }
 
 // From -1 at the left and bottom to 1 at the right and top.
@@ -117,7 +117,7 @@ void Camera::pan(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2&
   target += unproject(from, size, target) - unproject(to, size, target);
 }
 
-// The eye and the target are scaled about what is under the cursor: all of that ray stays where it is seen.
+// Scales the eye and the target about the point under the cursor, so that points on that ray stay where they are in the picture.
 void Camera::zoom(double factor, const glm::dvec2& cursor, const glm::dvec2& size) {
   const double nearer = std::clamp(distance * factor, min_distance, max_distance) / distance;
   const Vec3 fixed = unproject(cursor, size, target);

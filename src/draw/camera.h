@@ -17,8 +17,8 @@ struct Ray {
 struct Camera {
   Vec3 target{0.0};
   Vec3 back{0.0, 0.0, 1.0};    // unit, from the target to the eye
-  Vec3 up{0.0, 1.0, 0.0};      // unit, normal to back: of the picture
-  Vec3 pole{0.0, 1.0, 0.0};    // unit: the world's up, about which an orbit turns
+  Vec3 up{0.0, 1.0, 0.0};      // unit, normal to back: up in the picture
+  Vec3 pole{0.0, 1.0, 0.0};    // unit: up in the world, the axis of an orbit
   double distance = 3.0;       // [m]
   double field_of_view = 0.7;  // [rad], vertical
   bool orthographic = false;
@@ -28,33 +28,33 @@ struct Camera {
   glm::dmat4 view_matrix() const;
   glm::dmat4 projection_matrix(double aspect) const;
 
-  // Through a place of the picture; cursor and size in the same unit, origin at the top left.
+  // The ray through a position in the picture; cursor and size in the same unit, origin at the top left.
   Ray ray_through(const glm::dvec2& cursor, const glm::dvec2& size) const;
-  // Where a point of the world is seen; z is the depth in [0, 1] within the clip planes, outside them when behind.
+  // Projects a point of the world to the picture; z is the depth, in [0, 1] between the clip planes and outside that range elsewhere.
   Vec3 project(const Vec3& world, const glm::dvec2& size) const;
   // Where the ray through the cursor meets the plane through `through` that faces the viewer.
   Vec3 unproject(const glm::dvec2& cursor, const glm::dvec2& size, const Vec3& through) const;
-  // [m] per pixel at a place of the world.
+  // [m] per pixel at a point of the world.
   double metres_per_pixel(const Vec3& at, const glm::dvec2& size) const;
 
   void orbit(double yaw, double pitch);  // [rad]
-  // Level, towards the person who sees the scene from its front.
+  // Horizontal, from the scene towards a viewer in front of it.
   Vec3 front() const;
-  // Sees the target from this direction, upright; from above and below the front is at the bottom of the picture.
+  // Views the target from this direction, upright. From above and below, the front is at the bottom of the picture.
   void look_from(const Vec3& direction);
   void pan(const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& size);
-  // factor < 1 comes nearer; what is under the cursor stays under it.
+  // factor < 1 zooms in. The point under the cursor stays under it.
   void zoom(double factor, const glm::dvec2& cursor, const glm::dvec2& size);
 };
 
-// As a scene asks for it; without a pose, so that all of it is seen: 2-D scenes from the front, 3-D a little from above.
+// The camera pose of the view settings, or one that shows the whole scene: 2-D scenes from the front, 3-D scenes slightly from above.
 Camera make_camera(const ViewSettings& view, const System& system, const State& state, double aspect);
 CameraPose pose_of(const Camera& camera);
 
-// Keeps the direction and moves so that the whole scene (or these points) is seen.
+// Moves the camera, without turning it, so that the whole scene is visible.
 void frame_scene(Camera& camera, const System& system, const State& state, double aspect);
 
-// Moves a camera that follows, as little as it takes to have the middle of all points near the middle of the picture.
+// Moves a following camera just enough to keep the mean of all points near the center of the picture.
 void follow_scene(Camera& camera, const State& state);
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// A camera as a line of text, to be copied from the window and given to `hooke capture --camera`.
+// A camera as one line of text, to copy from the window into `hooke capture --camera`.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@
 
 namespace hooke {
 
-// "x,y,z,x,y,z": the eye and its target [m], and ",orthographic" where it is. Reads back as the same numbers.
+// "x,y,z,x,y,z": the eye and its target [m], followed by ",orthographic" for an orthographic camera. Round-trips exactly.
 std::string camera_text(const CameraPose& pose);
 
-// None when it is not such a text, or the eye is at its target.
+// Nothing if the text is not in this form or the eye is at the target.
 std::optional<CameraPose> camera_from_text(std::string_view text);
 
 }  // namespace hooke

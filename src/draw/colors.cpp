@@ -28,7 +28,7 @@ constexpr Palette on_light{.point = {70, 82, 94},
                            .hover = {20, 24, 28},
                            .shadow = {52, 58, 70, 105}};
 
-// Blue over grey to orange: told apart with every common colour blindness, and by lightness from the middle outwards.
+// Blue through grey to orange: distinct with every common colour vision deficiency, and lightness changes from the middle outwards.
 constexpr std::array<Color, 5> strain_stops{{{64, 156, 255}, {108, 156, 206}, {134, 142, 150}, {214, 152, 92}, {255, 140, 26}}};
 
 }  // namespace
@@ -44,7 +44,7 @@ Color mix(const Color& a, const Color& b, double t) {
 }
 
 double View::strain_scale(const Snapshot& snapshot) {
-  constexpr double min = 1e-4;  // below it the colours would show rounding
+  constexpr double min = 1e-4;  // below this, colours would show rounding errors
   const double max = std::max(std::abs(snapshot.min_strain), std::abs(snapshot.max_strain));
   if (!std::isfinite(max)) return 1.0;
   if (max <= min) return min;
@@ -55,7 +55,7 @@ double View::strain_scale(const Snapshot& snapshot) {
 }
 
 Color View::strain_color(double relative) {
-  // steeper around rest: where one corner is torn at, the rest of a cloth still shows what it bears
+  // Steeper around zero, so that small strains stay visible next to a large one.
   const double strength = std::isnan(relative) ? 0.0 : std::pow(std::min(std::abs(relative), 1.0), 0.6);
   const double last = strain_stops.size() - 1;
   const double place = 0.5 * (std::copysign(strength, relative) + 1.0) * last;

@@ -1,4 +1,4 @@
-// Colours as they are drawn, and the few that Hooke uses.
+// Colours for drawing, and the palette of Hooke.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace hooke {
 
-// sRGB with opacity, as a vertex holds it.
+// sRGB with opacity, as stored in vertices.
 struct Rgba {
   std::uint8_t red = 0, green = 0, blue = 0, opacity = 255;
 };
@@ -17,10 +17,10 @@ inline Rgba rgba(const Color& color, double opacity = 1.0) {
   return {color.red, color.green, color.blue, static_cast<std::uint8_t>(std::lround(255.0 * opacity))};
 }
 
-// What stands out against a background, dark or light.
+// Colours with enough contrast on a dark or light background.
 struct Palette {
   Color point, nailed, selected, spring, face, collider, line, hover;
-  Rgba shadow;  // where all light from above is kept away
+  Rgba shadow;  // full shadow
 };
 Palette palette_for(const Color& background);
 

@@ -1,4 +1,4 @@
-// Where to put a camera so that a scene is seen.
+// Places a camera so that a scene is visible.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -14,11 +14,11 @@ namespace hooke {
 namespace {
 
 constexpr double margin = 1.12;          // of the picture, around the scene
-constexpr double smallest_radius = 0.2;  // [m], of what is framed: an empty scene is an empty stage of this size
+constexpr double smallest_radius = 0.2;  // [m], of the framed region, also of an empty scene
 constexpr double plane_reach = 6.0;      // a plane this many scene radii away is part of the scene
-constexpr double follow_fraction = 0.6;  // of half the picture's height: what is followed goes no further from its middle
+constexpr double follow_fraction = 0.6;  // of half the picture's height: how far the followed center may be from the middle
 
-// A ball that is to be seen.
+// A sphere that must be visible.
 struct VisibleSphere {
   Vec3 place;
   double radius = 0.0;
@@ -42,7 +42,7 @@ void include_points(Extent& extent, const System& system, const State& state) {
   for (Index i = 0; i < system.point_count(); ++i) extent.include(state.position[i], system.points()[i].radius);
 }
 
-// How far the freest of the free points is from the nail nearest to it [m], of a few hundred of each; 0 without nails.
+// The largest distance of a free point from its nearest nail [m], sampled from a few hundred of each; 0 without nails.
 double longest_distance_to_nail(const System& system, const State& state) {
   std::vector<Vec3> nailed, free;
   for (Index i = 0; i < system.point_count(); ++i) {
@@ -61,7 +61,7 @@ double longest_distance_to_nail(const System& system, const State& state) {
   return longest;
 }
 
-// What hangs from nails falls that far below them: room for it, down to the floor.
+// Leaves room below the nails for hanging points to fall, down to the floor.
 void include_hanging_extent(Extent& extent, const System& system, const State& state) {
   const double strength = glm::length(system.gravity), displacement = longest_distance_to_nail(system, state);
   if (!(strength > 0.0) || !(displacement > 0.0)) return;
@@ -78,7 +78,7 @@ void include_hanging_extent(Extent& extent, const System& system, const State& s
   if (std::none_of(system.colliders.begin(), system.colliders.end(), is_closed)) extent.include(below);
 }
 
-// Where colliders come on their paths: at the ends of each way to and fro.
+// Positions of colliders at the ends of their paths.
 std::vector<Collider> include_collider_paths(const System& system, const State& state) {
   std::vector<Collider> all;
   for (const Collider& collider : carried_colliders(system, state)) {
@@ -93,7 +93,7 @@ std::vector<Collider> include_collider_paths(const System& system, const State& 
   return all;
 }
 
-// Bounded colliders; then the nearest place of each plane that is not far off.
+// Bounded colliders, and the nearest point of each plane within reach.
 void include_colliders(Extent& extent, const System& system, const State& state) {
   const std::vector<Collider> colliders = include_collider_paths(system, state);
   for (const Collider& collider : colliders) {
@@ -115,11 +115,11 @@ void include_colliders(Extent& extent, const System& system, const State& state)
   }
 }
 
-// What the sights ask of one axis of the picture, coordinates along it being s and towards the viewer z. With the
-// picture reaching +-slope per metre of depth, they are all within it from an eye at (s, z) when
+// Constraints of the sights along one axis of the picture, with coordinate s along it and z towards the viewer. The picture
+// extends +-slope per metre of depth, so all sights are visible from an eye at (s, z) if
 //   max(s_i + r_i + slope z_i) - slope z <= s <= min(s_i - r_i - slope z_i) + slope z
 struct Axis {
-  double slope;  // 0: the picture is as wide everywhere
+  double slope;  // 0: orthographic
   double max = -std::numeric_limits<double>::infinity(), min = std::numeric_limits<double>::infinity();
 
   void include(double s, double z, double radius) {
@@ -130,7 +130,7 @@ struct Axis {
   double reach() const { return 0.5 * (max - min); }
 };
 
-// Moves the camera, without turning it, to where the sights just fit.
+// Moves the camera, without turning it, so that the sights just fit.
 void fit(Camera& camera, const Extent& extent, double aspect) {
   const Vec3 right = glm::cross(camera.up, camera.back), middle = extent.center();
   const double slope = std::tan(0.5 * camera.field_of_view) / margin;
@@ -146,7 +146,7 @@ void fit(Camera& camera, const Extent& extent, double aspect) {
     farthest = std::min(farthest, z - visible_sphere.radius);
   }
 
-  // the eye is as far away as the more demanding axis says; the target in the middle of the depths
+  // The axis that needs more distance decides; the target is in the middle of the depth range.
   const double eye = std::max(across.reach() / (slope * aspect), upward.reach() / slope);
   const double target = camera.orthographic ? 0.0 : 0.5 * (nearest + farthest);
   camera.target = middle + across.middle() * right + upward.middle() * camera.up + target * camera.back;
@@ -159,7 +159,7 @@ Vec3 upward(const ViewSettings& view, const System& system) {
   return length > 0.0 && std::isfinite(length) ? wanted / length : Vec3(0.0, 1.0, 0.0);
 }
 
-// Looks along -back with the pole as upright as it can be.
+// Looks along -back, with the pole as upright as possible.
 void look(Camera& camera, const Vec3& back) {
   camera.back = back;
   Vec3 right = glm::cross(camera.pole, back);
@@ -168,7 +168,7 @@ void look(Camera& camera, const Vec3& back) {
   camera.up = glm::cross(back, right);
 }
 
-// A little from above and from the side: x mostly to the right.
+// Slightly from above and from the side, with x mostly to the right.
 Vec3 default_back(const Vec3& pole) {
   const double azimuth = glm::radians(25.0), elevation = glm::radians(20.0);
   Vec3 right = Vec3(1.0, 0.0, 0.0) - pole.x * pole;
@@ -215,7 +215,7 @@ void follow_scene(Camera& camera, const State& state) {
   }
   if (counted == 0) return;
 
-  // how far it is beyond that share of the picture; towards the viewer and away it is followed all the way
+  // The distance beyond that fraction of the picture. Motion in depth is followed completely.
   const Vec3 displacement = sum / static_cast<double>(counted) - camera.target;
   const double max = follow_fraction * std::tan(0.5 * camera.field_of_view) * camera.distance;
   for (const Vec3& axis : {glm::cross(camera.up, camera.back), camera.up}) {

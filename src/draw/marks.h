@@ -1,4 +1,4 @@
-// What the person is doing, to be drawn over the scene. Plain data.
+// Selection, hover and previews, drawn over the scene. Plain data.
 #pragma once
 
 #include <optional>
@@ -15,10 +15,10 @@ struct Marks {
   std::optional<PointId> hovered_point;
   std::optional<SpringId> hovered_spring;
   std::optional<Index> hovered_collider;
-  std::optional<Vec3> ghost_point;                    // where a click would put one
-  std::optional<std::pair<Vec3, Vec3>> ghost_spring;  // the rubber line of an attachment or a pull
-  std::vector<std::pair<Vec3, Vec3>> ghost_lines;     // springs of what is about to be placed
-  std::vector<Vec3> ghost_nails;                      // and its nails
+  std::optional<Vec3> ghost_point;                    // where a click would add a point
+  std::optional<std::pair<Vec3, Vec3>> ghost_spring;  // the line of an attachment or of a drag with a spring
+  std::vector<std::pair<Vec3, Vec3>> ghost_lines;     // springs of a placement preview
+  std::vector<Vec3> ghost_nails;                      // nails of a placement preview
 };
 
 }  // namespace hooke

@@ -21,7 +21,7 @@ glm::dvec4 Projection::clip_from_view(const Vec3& view_position) const {
 }
 
 ProjectedPoint Projection::project(const glm::dvec4& clip) const {
-  // nor is what single precision cannot hold
+  // Positions beyond the range of single precision are not finite either.
   if (!(std::abs(clip.x) + std::abs(clip.y) + std::abs(clip.z) < 1e30)) return {.outside = NotFinite};
   ProjectedPoint projected;
   projected.outside =

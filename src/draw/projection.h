@@ -1,4 +1,4 @@
-// A camera's picture of places: worked out on the CPU in double, relative to the camera's target, so that scenes far
+// Projects positions with a camera. Computed on the CPU in double precision, relative to the camera's target, so that scenes far
 // from the origin look like scenes at it and every driver draws the same widths.
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace hooke {
 
-// Where a place is seen. Pixels count from the lower left corner of the picture.
+// A projected position. Pixels count from the lower left corner of the picture.
 struct ProjectedPoint {
   float x = 0.0f, y = 0.0f;  // [px]
   float depth = 0.0f;        // in -1..1 between the clip planes
   float scale = 0.0f;        // [px/m] at this depth
-  // Where it lies outside of: bits of `Outside`; 0 within.
+  // Bits of `Outside`: the sides of the view volume that the position lies beyond; 0: inside.
   std::uint8_t outside = 0;
 };
 
@@ -25,21 +25,21 @@ class Projection {
  public:
   Projection(const Camera& camera, int width, int height);
 
-  // Homogeneous clip coordinates of a place; not finite when the place is not.
+  // Homogeneous clip coordinates; not finite if the position is not.
   glm::dvec4 clip(const Vec3& place) const { return clip_from_view(view_position(place)); }
   glm::dvec4 clip_from_view(const Vec3& view_position) const;
   ProjectedPoint project(const glm::dvec4& clip) const;
   ProjectedPoint project(const Vec3& place) const { return project(clip(place)); }
 
-  // Depth of a place that lies `nearer` [m] to the viewer than the clip coordinates say.
+  // Depth of a position `nearer` [m] closer to the viewer than these clip coordinates.
   float depth(const glm::dvec4& clip, double nearer) const;
-  // The same place of the picture, `nearer` [m] to the viewer.
+  // The same position in the picture, `nearer` [m] closer to the viewer.
   glm::dvec4 moved_nearer(const glm::dvec4& clip, double nearer) const;
   // [px/m] at clip coordinates.
   double scale(const glm::dvec4& clip) const { return pixels_ / clip.w; }
-  // A direction of the world as the viewer sees it: x right, y up, z towards the viewer.
+  // A direction in view coordinates: x right, y up, z towards the viewer.
   Vec3 view_direction(const Vec3& direction) const { return rotation_ * direction; }
-  // A place of the world for the viewer: the eye in the origin, z towards the viewer [m].
+  // A position in view coordinates [m]: the eye at the origin, z towards the viewer.
   Vec3 view_position(const Vec3& place) const { return rotation_ * (place - target_) - Vec3(0.0, 0.0, distance_); }
 
   const glm::dmat4& matrix() const { return projection_; }
@@ -51,7 +51,7 @@ class Projection {
   Vec3 target_;
   double distance_;
   glm::dmat3 rotation_;
-  glm::dmat4 projection_;  // of viewed places
+  glm::dmat4 projection_;  // from view to clip coordinates
   double pixels_;          // [px] per metre at w = 1
   bool orthographic_;
   int width_, height_;

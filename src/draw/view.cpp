@@ -20,7 +20,7 @@ void clear(const Color& background) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-// In a flat scene all lies in one plane: what is drawn later is on top.
+// In a 2-D scene everything lies in one plane: later objects are drawn on top.
 void set_state(bool is_spatial) {
   is_spatial ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
@@ -40,7 +40,7 @@ void add_ghosts(const DrawContext& context, Strokes& strokes, PointImpostors& im
     impostors.add(context.projection, clip, context.projection.project(clip), ghost);
   }
 
-  // many lines one over the other must stay faint
+  // Many overlapping lines must stay faint.
   const double faint = context.marks.ghost_lines.size() > 500 ? 0.28 : 0.5;
   for (const auto& [from, to] : context.marks.ghost_lines)
     strokes.add(context.projection, from, to, rgba(context.palette.hover, faint), 1.25f * scale);
@@ -84,7 +84,7 @@ void View::Parts::gather(const DrawContext& context) {
   shadows.add(context, network_renderer);
   environment.add(context, shadows);
   if (context.options.surface) cloth.add(context, network_renderer);
-  // a bare cloth still shows what it hangs by, and what hangs on it
+  // A cloth without visible springs still shows what it hangs from and what hangs on it.
   if (context.options.springs || !cloth.is_empty())
     network_renderer.add_springs(context, context.options.springs ? NetworkRenderer::Subset::All : NetworkRenderer::Subset::OutsideCloth,
                                  springs);
@@ -98,7 +98,7 @@ void View::Parts::gather(const DrawContext& context) {
 void View::Parts::draw_scene(const DrawContext& context, const Viewport& place, int width, int height) {
   gather(context);
 
-  // only polygons have edges that need several samples a pixel
+  // Only polygon edges need multisampling.
   const bool has_polygons = !cloth.is_empty() || !environment.solids.is_empty();
   target.begin(width, height, has_polygons ? context.options.samples : 0);
   clear(context.options.background);
@@ -110,7 +110,7 @@ void View::Parts::draw_scene(const DrawContext& context, const Viewport& place, 
   draw_over(context);
 }
 
-// What stands behind the network and can hide it.
+// Opaque objects, which can hide the network.
 void View::Parts::draw_environment(const DrawContext& context) {
   glDepthMask(GL_FALSE);
   environment.backdrop.draw(ground_shader);
@@ -119,12 +119,12 @@ void View::Parts::draw_environment(const DrawContext& context) {
   shadows.bind();
   environment.balls.draw(ball_shader, context.projection, context.camera.pole, context.palette.shadow);
 
-  // surfaces give way a little to the lines that lie on them
+  // Offset surfaces so that lines on them are visible.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.0f, 2.0f);
   environment.solids.draw(surface_shader);
 
-  // and shadows lie on them
+  // Shadows lie on the surfaces.
   glDepthMask(GL_FALSE);
   glPolygonOffset(-1.0f, -2.0f);
   shadows.draw(shadow_shader, context.palette.shadow);
@@ -140,14 +140,14 @@ void View::Parts::draw_network(const DrawContext& context) {
   environment.outlines.draw(stroke_shader, width, height);
   marked_springs.draw(stroke_shader, width, height);
 
-  // where lines hide one another, half-covered pixels would hide what is behind them, and a dense net would shimmer
+  // If lines wrote depth, their half-covered pixels would hide what is behind them, and a dense net would shimmer.
   glDepthMask(network_renderer.is_dense(context.options) ? GL_FALSE : GL_TRUE);
   springs.draw(stroke_shader, width, height);
   glDepthMask(GL_TRUE);
   points.draw(impostor_shader, width, height, context.options.scale);
 }
 
-// What can be seen through, and what the person is doing.
+// Transparent objects and marks.
 void View::Parts::draw_over(const DrawContext& context) {
   const int width = context.projection.width(), height = context.projection.height();
   glDepthMask(GL_FALSE);
@@ -157,7 +157,7 @@ void View::Parts::draw_over(const DrawContext& context) {
   environment.transparent_balls.draw(ball_shader, context.projection, context.camera.pole, context.palette.shadow);
   environment.transparent_floors.draw(ground_shader);
 
-  // rings and ghosts are seen through everything
+  // Rings and previews are visible through everything.
   glDisable(GL_DEPTH_TEST);
   marked_points.draw(impostor_shader, width, height, context.options.scale);
   ghost_springs.draw(stroke_shader, width, height);

@@ -13,28 +13,28 @@ struct ImDrawData;
 
 namespace hooke {
 
-// A part of the framebuffer [px], origin at the top left; of no width: all of it.
+// A part of the framebuffer [px], origin at the top left. Width 0: the whole framebuffer.
 struct Viewport {
   int x = 0, y = 0, width = 0, height = 0;
 };
 
 struct ViewOptions {
   bool points = true, springs = true, surface = true, colliders = true, grid = true;
-  bool shadows = true;         // of what is near the ground, a ball or a box
-  bool strain_colors = true;   // on the springs, or on the surface where no springs are shown
+  bool shadows = true;         // of objects near the ground, a ball or a box
+  bool strain_colors = true;   // on springs, or on the surface if springs are hidden
   ClothTexture cloth_texture;  // on the surface
-  int samples = 4;             // of MSAA; 0: none
-  double scale = 1.0;          // framebuffer pixels per point of the screen: widths of lines follow it
+  int samples = 4;             // MSAA samples per pixel; 0: off
+  double scale = 1.0;          // framebuffer pixels per screen point; scales line widths
   Color background{32, 36, 40};
-  Viewport place;  // of the scene; the panels have the whole framebuffer
+  Viewport place;  // of the scene; panels use the whole framebuffer
 };
 
-// As a scene asks to be looked at.
+// The options for the view settings of a scene.
 ViewOptions options_for(const ViewSettings& settings, const ClothTexture& cloth_texture);
 
 using Image = Picture;
 
-// Owns GL objects: made and destroyed with its context current, after load_gl().
+// Owns OpenGL objects. Create and destroy it with its context current, after load_gl().
 class View {
  public:
   View();
@@ -45,11 +45,11 @@ class View {
   // Draws the scene, then (if given) the panels, into the view's framebuffer of width x height pixels.
   void draw(const Snapshot& snapshot, const Marks& marks, const Camera& camera, const ViewOptions& options, int width, int height,
             const ImDrawData* panels);
-  // The font atlas of the current ImGui context as a texture; again after the fonts change.
+  // Uploads the font atlas of the current ImGui context as a texture. Call again when the fonts change.
   void upload_fonts();
-  // A picture for the panels, as what ImGui calls a texture; the one before it is gone.
+  // Uploads a picture for the panels and returns its ImGui texture id. Replaces the previous picture.
   void* upload_picture(const Picture& picture);
-  // Onto the window's own framebuffer; waits until it is there, so that the time it takes can be told.
+  // Copies the picture to the framebuffer of the window, and waits until it is done so that it can be timed.
   void show() const;
   Image read() const;
 
@@ -63,7 +63,7 @@ class View {
   std::unique_ptr<Parts> parts_;
 };
 
-// Loads the entry points of the current context and checks for OpenGL 3.3. Returns an error text, empty when fine.
+// Loads the OpenGL functions of the current context and checks for version 3.3. Returns an error message, empty on success.
 std::string load_gl();
 
 // PNG, 8-bit RGB. Throws FileError.

@@ -7,8 +7,8 @@
 namespace hooke {
 namespace {
 
-// A software renderer (llvmpipe) gives the memory of a picture back after each. Unless it stays in the process the next
-// one waits for the kernel's pages: 26 ms instead of 16 for a cloth of 64 x 64.
+// The software renderer (llvmpipe) frees the memory of each picture. Unless malloc keeps it, the next picture waits for
+// pages from the kernel: 26 ms instead of 16 for a cloth of 64 x 64.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   mallopt(M_TRIM_THRESHOLD, 256 << 20);
@@ -70,7 +70,7 @@ std::string load_gl() {
   glewExperimental = GL_TRUE;
   const GLenum status = glewInit();
 
-  // 4 is GLEW_ERROR_NO_GLX_DISPLAY (Wayland, EGL, OSMesa), 3 its like: the entry points are loaded nevertheless
+  // 4 is GLEW_ERROR_NO_GLX_DISPLAY (Wayland, EGL, OSMesa), 3 a similar error: the functions are loaded nevertheless.
   if (status != GLEW_OK && status != 3 && status != 4)
     return "OpenGL: " + std::string(reinterpret_cast<const char*>(glewGetErrorString(status)));
   keep_freed_memory();

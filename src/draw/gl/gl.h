@@ -1,4 +1,4 @@
-// OpenGL names that are given back when their owner goes. The only door to GLEW for the rest of draw.
+// RAII for OpenGL objects. The rest of draw uses GLEW through this header only.
 #pragma once
 
 #include <GL/glew.h>
@@ -10,7 +10,7 @@ namespace hooke {
 
 enum class GlKind { Buffer, VertexArray, Texture, Renderbuffer, Framebuffer, Program };
 
-// Owns one name; its context must be current when it is made and when it goes.
+// Owns one object. Its context must be current at construction and destruction.
 class GlName {
  public:
   GlName() = default;

@@ -14,7 +14,7 @@ void set_attribute(GLuint location, GLint components, GLenum type, GLboolean nor
   glVertexAttribPointer(location, components, type, normalized, sizeof(ImDrawVert), reinterpret_cast<const void*>(offset));
 }
 
-// ImGui counts rows from the top, OpenGL from the bottom. False when nothing of the rectangle is left.
+// ImGui counts rows from the top, OpenGL from the bottom. Returns false if the rectangle is empty.
 bool set_scissor(const ImDrawData& data, const ImVec4& clip, int width, int height) {
   const auto place = [](float at, float origin, float scale, int max) {
     return static_cast<int>(std::clamp((at - origin) * scale, 0.0f, static_cast<float>(max)));

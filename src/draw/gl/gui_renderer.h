@@ -1,4 +1,4 @@
-// Draws the panels: ImGui's triangle lists, through GLEW like the rest of the picture.
+// Draws the panels: the triangle lists of ImGui.
 #pragma once
 
 #include "draw/gl/gl.h"
@@ -12,11 +12,11 @@ namespace hooke {
 class GuiRenderer {
  public:
   GuiRenderer();
-  // Of the current ImGui context; again after its fonts change.
+  // Uploads the fonts of the current ImGui context. Call again when they change.
   void upload_fonts();
-  // A picture for ImGui::Image and the like; the one before it is gone.
+  // Uploads a picture for ImGui::Image and returns its texture id. Replaces the previous picture.
   void* upload_picture(const Picture& picture);
-  // Onto the framebuffer that is bound; leaves blending on, scissor and depth test off.
+  // Draws to the bound framebuffer. Leaves blending on, scissor and depth test off.
   void draw(const ImDrawData& data);
 
  private:

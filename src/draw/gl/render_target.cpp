@@ -46,7 +46,7 @@ void RenderTarget::allocate_sampled(int samples) {
   for (int tried = std::min(samples, max); tried > 1; tried /= 2)
     if (sampled_.allocate(picture_.width, picture_.height, tried)) return;
 
-  // nothing to be had: the picture does without
+  // No multisampling is available.
   sampled_ = {};
   sampled_.width = picture_.width;
   sampled_.height = picture_.height;
@@ -77,7 +77,7 @@ Image RenderTarget::read() const {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
 
-  // OpenGL's rows start at the bottom
+  // Rows in OpenGL start at the bottom.
   const std::size_t row = 3 * static_cast<std::size_t>(width);
   for (int top = 0, bottom = height - 1; top < bottom; ++top, --bottom)
     std::swap_ranges(&image.pixels[top * row], &image.pixels[top * row] + row, &image.pixels[bottom * row]);

@@ -1,5 +1,4 @@
-// Where the picture comes into being: framebuffers of our own, the same in a window and off screen, so that both give
-// the same pixels.
+// The framebuffers that a picture is drawn to. They are the same in a window and off screen, so that both give the same pixels.
 #pragma once
 
 #include "draw/gl/gl.h"
@@ -9,11 +8,11 @@ namespace hooke {
 
 class RenderTarget {
  public:
-  // Makes the framebuffers fit and binds the one to begin with: of several samples a pixel, if asked for; fewer where
-  // the driver has no more. Throws std::runtime_error when it can give no framebuffer of this size.
+  // Resizes the framebuffers and binds the first one, multisampled on request, with fewer samples if the driver supports fewer.
+  // Throws std::runtime_error if no framebuffer of this size can be created.
   void begin(int width, int height, int samples);
-  // Polygons are done: their samples become the picture's colours and depths, and what follows is drawn onto the
-  // picture itself. Lines, points and panels are smooth by themselves; sampling them would cost three times as much.
+  // Call after the polygons: resolves their samples to colours and depths, and binds the picture itself. Lines, points and panels
+  // are antialiased in their shaders; multisampling them would cost three times as much.
   void resolve() const;
   void show() const;
   Image read() const;
@@ -29,8 +28,8 @@ class RenderTarget {
   void allocate_sampled(int samples);
 
   Layer picture_, sampled_;
-  int asked_ = 0;          // samples that sampled_ was made for
-  bool sampling_ = false;  // this picture began in sampled_
+  int asked_ = 0;          // samples requested when sampled_ was allocated
+  bool sampling_ = false;  // this picture is drawn to sampled_ first
 };
 
 }  // namespace hooke

@@ -26,7 +26,7 @@ void attach(GLuint program, GLenum kind, std::string_view text, std::string_view
   glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
   std::string log(compiled ? 0 : 4096, '\0');
   if (!compiled) glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-  glDeleteShader(shader);  // lives on until the program goes
+  glDeleteShader(shader);  // deleted with the program
   if (!compiled) throw std::logic_error("shader " + std::string(name) + ": " + log.c_str());
 }
 

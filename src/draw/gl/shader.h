@@ -1,4 +1,4 @@
-// Shader programs, built from the sources under shaders/ that the build embeds.
+// Shader programs, from the sources in shaders/, which the build embeds.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ std::span<const ShaderSource> shader_sources();
 
 class Shader {
  public:
-  // Compiles and links the pair of this name. A mistake in a shader is ours: it throws std::logic_error with the log.
+  // Compiles and links the pair of this name. Throws std::logic_error with the log if that fails.
   explicit Shader(std::string_view name);
   void use() const { glUseProgram(program_); }
   GLint uniform(const char* name) const { return glGetUniformLocation(program_, name); }

@@ -21,7 +21,7 @@ VertexStream::VertexStream(std::initializer_list<Attribute> attributes, std::siz
 void VertexStream::upload(const void* vertices, std::size_t count) {
   glBindVertexArray(array_);
   glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-  // a new store each frame: the GPU may still be reading the old one
+  // Reallocate in each frame: the GPU may still be reading the old buffer.
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(count * stride_), vertices, GL_STREAM_DRAW);
 }
 

@@ -1,4 +1,4 @@
-// Many small shapes drawn by one call: vertices are written anew each frame and streamed to the GPU once.
+// Draws many small shapes in one call. Vertices are rewritten in each frame and uploaded once.
 #pragma once
 
 #include <cstddef>

@@ -27,7 +27,7 @@ void Balls::add(const Projection& projection, const Vec3& center, double radius,
   const bool is_flat = projection.is_orthographic();
   if (!std::isfinite(distance) || (!is_flat && distance <= 1.001 * radius)) return;
 
-  // across the line of sight; in perspective the cone that touches the sphere is wider than it at its center
+  // Perpendicular to the line of sight. In perspective, the cone tangent to the sphere is wider than the sphere at its center.
   const Vec3 towards = is_flat ? Vec3(0.0, 0.0, 1.0) : -c / distance;
   const double cone = is_flat ? radius : radius * distance / std::sqrt(distance * distance - radius * radius);
   const double reach = 1.02 * cone + 2.0 / projection.scale(projection.clip(center));

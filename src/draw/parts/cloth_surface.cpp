@@ -10,7 +10,7 @@
 namespace hooke {
 namespace {
 
-// Without springs on it a cloth is as light as cloth is.
+// A cloth without visible springs is drawn lighter.
 constexpr double lightening = 0.55;
 constexpr Color white{255, 255, 255};
 
@@ -44,7 +44,7 @@ void ClothSurface::find_normals(const std::vector<Vec3>& position, const Network
     if ((projected[a].outside | projected[b].outside | projected[c].outside) & NotFinite) continue;
     indices_.insert(indices_.end(), {a, b, c});
 
-    // twice a face's area is the length of its normal
+    // The length of the cross product is twice the area of the face.
     const Vec3 normal = glm::cross(position[b] - position[a], position[c] - position[a]);
     normals_[a] += normal;
     normals_[b] += normal;
@@ -97,7 +97,7 @@ void ClothSurface::add_vertices(const DrawContext& context, const NetworkRendere
   }
 }
 
-// Once a picture, with smaller and smaller copies for cloth that is far away.
+// Uploads each texture once, with mipmaps for distant cloth.
 void ClothSurface::upload_picture() {
   if (texture_ == 0) texture_ = GlName(GlKind::Texture);
   glBindTexture(GL_TEXTURE_2D, texture_);

@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-constexpr double transparent_opacity = 0.35;  // opacity of colliders that only look like ones, against solid ones
+constexpr double transparent_opacity = 0.35;  // opacity of colliders that are not solid
 constexpr double outline = 1.5;               // [px of the screen]
 constexpr double hatching = 9.0;              // [px of the screen], between hatches and their depth
 
@@ -25,7 +25,7 @@ void add_box(const DrawContext& context, const Box& box, Rgba fill, Rgba line, S
     return Vec3(which & 1 ? box.max.x : box.min.x, which & 2 ? box.max.y : box.min.y, which & 4 ? box.max.z : box.min.z);
   };
 
-  // anticlockwise from outside
+  // Counterclockwise, seen from outside.
   constexpr int sides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   for (int side = 0; side < 6; ++side) {
     Vec3 normal(0.0);
@@ -38,7 +38,7 @@ void add_box(const DrawContext& context, const Box& box, Rgba fill, Rgba line, S
       if (!(a & bit)) strokes.add(context.projection, corner(a), corner(a | bit), line, static_cast<float>(context.options.scale), 4.0);
 }
 
-// A closed shape in the plane z = 0, filled from its middle.
+// A convex shape in the plane z = 0, filled from its center.
 void add_shape(const DrawContext& context, const Vec3& middle, const std::vector<Vec3>& border, Rgba fill, Rgba line,
                Environment& environment) {
   const Projection& projection = context.projection;
@@ -52,7 +52,7 @@ void add_shape(const DrawContext& context, const Vec3& middle, const std::vector
   }
 }
 
-// The edge of a half-plane, hatched on the side that is closed; a dashed line where nothing is solid.
+// The edge of a half-plane, hatched on the solid side; a dashed line if the collider is not solid.
 void add_edge(const DrawContext& context, const Plane& plane, const ColliderPath& path, bool solid, Rgba line, Strokes& strokes) {
   Vec3 normal(plane.normal.x, plane.normal.y, 0.0);
   if (!(glm::length(normal) > 1e-9)) return;
@@ -107,7 +107,7 @@ void Environment::add(const DrawContext& context, const Shadows& shadows) {
   }
 }
 
-// In flat scenes squared paper behind everything; in spatial ones a level grid through the origin, where no floor is.
+// In 2-D scenes a grid behind everything; in 3-D scenes a horizontal grid through the origin, unless there is a floor.
 void Environment::add_grid(const DrawContext& context) {
   const System& system = *context.snapshot.system;
   const bool is_flat = system.dimensions == 2;

@@ -31,7 +31,7 @@ void Ground::add(const Projection& projection, const Camera& camera, const Plane
   span(plane.normal, across, along);
   const Vec3 middle = camera.target - glm::dot(camera.target - plane.point, plane.normal) * plane.normal;
 
-  // coarse lines run through multiples of ten spacings of the world's coordinates: count from the nearest one
+  // Coarse lines are at multiples of ten spacings in world coordinates. Count from the nearest one.
   const double coarse = 10.0 * style.spacing;
   const auto in_plane = [&](const Vec3& place) { return glm::dvec2(glm::dot(place, across), glm::dot(place, along)); };
   const double c = std::cos(style.turn), s = std::sin(style.turn);

@@ -12,10 +12,10 @@ namespace {
 
 constexpr double spring_width = 1.75;  // [px of the screen]
 constexpr double min_radius = 2.5;     // [px of the screen], of a point in an open network
-constexpr double mark_radius = 4.0;    // [px of the screen], of a marked or nailed point
+constexpr double mark_radius = 4.0;    // [px of the screen], minimum for a marked or nailed point
 constexpr double dense = 12.0;         // [px of the screen]: springs shorter than this are drawn thinner
 
-// Colours of a strain from -1 to 1 of the scale, looked up.
+// Table of colours for strains from -1 to 1 of the scale.
 constexpr int strain_steps = 256;
 using StrainColors = std::array<Rgba, strain_steps + 1>;
 
@@ -47,7 +47,7 @@ void NetworkRenderer::project(const DrawContext& context) {
   }
 }
 
-// A System does not change while somebody holds it.
+// A shared System never changes, so the same pointer means the same springs.
 void NetworkRenderer::find_ends(const std::shared_ptr<const System>& system) {
   if (system == ends_system_) return;
   ends_system_ = system;
@@ -63,7 +63,7 @@ void NetworkRenderer::find_ends(const std::shared_ptr<const System>& system) {
       corners_.push_back(static_cast<GLuint>(system->index_of(id)));
       in_cloth_[corners_.back()] = 1;
     }
-  // what is inside a solid belongs to it, by springs of its families
+  // Points inside a solid are found by the families of their springs.
   for (std::size_t s = 0; s < ends_.size(); ++s)
     if (system->springs()[s].family != SpringFamily::None) in_cloth_[ends_[s][0]] = in_cloth_[ends_[s][1]] = 1;
 }
@@ -91,8 +91,8 @@ void NetworkRenderer::measure_springs(const DrawContext& context) {
 
 bool NetworkRenderer::is_dense(const ViewOptions& options) const { return spacing_ > 0.0 && spacing_ < options.scale * dense; }
 
-// The order in which to draw springs. In an open net in space the far ones come first, so that the soft edge of a near one
-// lies on what is behind it and does not cut it out.
+// The order in which springs are drawn. In an open 3-D net distant springs come first, so that the soft edges of near ones
+// blend with what is behind them.
 std::vector<std::size_t> NetworkRenderer::far_to_near(const DrawContext& context) const {
   std::vector<std::size_t> order(ends_.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -132,7 +132,7 @@ PointImpostor NetworkRenderer::impostor_of(const DrawContext& context, Index i) 
   const Point& point = context.snapshot.system->points()[i];
   const double scale = context.options.scale;
 
-  // in a dense net points shrink with the spacing, so that the springs stay in sight
+  // In a dense net points shrink with the spacing, so that springs stay visible.
   const double sparse = spacing_ > 0.0 ? spacing_ / scale : 1e3;
   const double wider = sparse / (3.0 * dense);
   const double max = scale * 0.16 * sparse * (1.0 + wider * wider);
@@ -172,7 +172,7 @@ void NetworkRenderer::add_marks(const DrawContext& context, Strokes& strokes, Po
   for (const SpringId id : context.marks.selected_springs) add_spring(id, rgba(context.palette.selected, 0.7));
   if (context.marks.hovered_spring) add_spring(*context.marks.hovered_spring, rgba(context.palette.hover, 0.35));
 
-  // rings alone: the points themselves are drawn already
+  // Only rings: the points themselves are already drawn.
   const auto add_ring = [&](Index i, double distance, Rgba color) {
     PointImpostor ring = impostor_of(context, i);
     ring.body.opacity = 0;

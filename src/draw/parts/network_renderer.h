@@ -1,4 +1,4 @@
-// The network itself: where its points are seen, and its springs and points as strokes and beads.
+// Projects the points of the network, and draws its springs as strokes and its points as impostors.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace hooke {
 
-// All that one picture is made from.
+// The inputs of one picture.
 struct DrawContext {
   const Snapshot& snapshot;
   const Marks& marks;
@@ -24,30 +24,30 @@ struct DrawContext {
 
 class NetworkRenderer {
  public:
-  // Looks at every point once; the rest uses what was seen.
+  // Projects every point once, for the functions below.
   void project(const DrawContext& context);
 
-  // Springs so close that they cover much of each other: they blend, whichever is in front.
+  // Springs are so close together that they overlap: they blend in any order.
   bool is_dense(const ViewOptions& options) const;
 
-  // OutsideCloth: what a bare cloth hangs by and what hangs on it: nails, points of no face, and springs to such points.
+  // OutsideCloth: nails, points of no face, and springs to such points: what a cloth hangs from, and what hangs on it.
   enum class Subset { All, OutsideCloth };
   void add_springs(const DrawContext& context, Subset subset, Strokes& strokes) const;
   void add_points(const DrawContext& context, Subset subset, PointImpostors& impostors) const;
   // Lines under selected and hovered springs, rings around such points.
   void add_marks(const DrawContext& context, Strokes& strokes, PointImpostors& impostors) const;
 
-  // Springs cut corners where points rest on something round: all is drawn this much nearer [m] than it is, so that
-  // neither colliders nor faces come through.
+  // Springs between points on a round collider are chords below its surface. Everything is drawn this much [m] closer to
+  // the viewer, so that neither colliders nor faces show through.
   double depth_offset() const { return depth_offset_; }
-  // Of each spring: its ends, and its strain as it is drawn.
+  // The end points of each spring.
   const std::vector<std::array<Index, 2>>& ends() const { return ends_; }
-  // Of each face: its three points, one after the other.
+  // The three points of each face.
   const std::vector<GLuint>& corners() const { return corners_; }
-  // In a scene with faces: a point of none of them, nor of what they wrap.
+  // In a scene with faces: whether the point belongs to no face and to nothing that faces enclose.
   bool is_outside_cloth(Index i) const { return !in_cloth_.empty() && !in_cloth_[i]; }
   const std::vector<float>& strain() const { return strain_; }
-  // Of each point.
+  // Per point.
   const std::vector<glm::dvec4>& clip() const { return clip_; }
   const std::vector<ProjectedPoint>& projected() const { return projected_; }
 
@@ -57,14 +57,14 @@ class NetworkRenderer {
   std::vector<std::size_t> far_to_near(const DrawContext& context) const;
   PointImpostor impostor_of(const DrawContext& context, Index i) const;
 
-  std::vector<glm::dvec4> clip_;               // a point
-  std::vector<ProjectedPoint> projected_;      // a point
-  std::vector<std::uint8_t> selected_;         // a point
-  std::shared_ptr<const System> ends_system_;  // whose springs' ends are known
-  std::vector<std::array<Index, 2>> ends_;     // a spring
-  std::vector<GLuint> corners_;                // three a face
-  std::vector<std::uint8_t> in_cloth_;         // a point: of a face, or within what faces wrap; empty without faces
-  std::vector<float> strain_;                  // a spring
+  std::vector<glm::dvec4> clip_;               // per point
+  std::vector<ProjectedPoint> projected_;      // per point
+  std::vector<std::uint8_t> selected_;         // per point
+  std::shared_ptr<const System> ends_system_;  // the System of ends_
+  std::vector<std::array<Index, 2>> ends_;     // per spring
+  std::vector<GLuint> corners_;                // three per face
+  std::vector<std::uint8_t> in_cloth_;         // per point: of a face, or enclosed by faces; empty without faces
+  std::vector<float> strain_;                  // per spring
   double spacing_ = 0.0;                       // [px], mean length of a spring at the camera's target; 0 without springs
   double depth_offset_ = 0.0;                  // [m]
 };

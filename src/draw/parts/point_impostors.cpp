@@ -17,7 +17,7 @@ PointImpostors::PointImpostors()
 
 void PointImpostors::add(const Projection& projection, const glm::dvec4& clip, const ProjectedPoint& projected,
                          const PointImpostor& impostor) {
-  // not before, behind or beyond the clip planes, nor further to the side than its own size
+  // Skip points outside the clip planes, or farther outside the picture than their own size.
   if (projected.outside & (Before | Beyond | NotFinite)) return;
   const float reach = std::max(impostor.radius, impostor.ring) + 1.0f;
   if (projected.x < -reach || projected.x > static_cast<float>(projection.width()) + reach) return;

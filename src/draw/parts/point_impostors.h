@@ -1,5 +1,5 @@
-// Points as impostors: a quad each, on which the fragment shader draws a lit sphere, or a square for a nailed point,
-// with a ring around it when it is marked.
+// Points as impostors: one quad each, on which the fragment shader draws a lit sphere, or a square for a nailed point,
+// and a ring around marked points.
 #pragma once
 
 #include <vector>
@@ -26,13 +26,13 @@ class PointImpostors {
   void clear() { vertices_.clear(); }
   void reserve(std::size_t impostors) { vertices_.reserve(4 * impostors); }
   void add(const Projection& projection, const glm::dvec4& clip, const ProjectedPoint& projected, const PointImpostor& impostor);
-  // Rings are 1.75 of the screen's pixels wide, a pixel of the screen being `scale` of the picture's.
+  // Rings are 1.75 screen pixels wide; a screen pixel is `scale` pixels of the picture.
   void draw(const Shader& shader, int width, int height, double scale);
 
  private:
   struct Vertex {
     float x, y;            // [px]
-    float depth, front;    // of the center and of the place nearest to the viewer
+    float depth, front;    // at the center and at the closest point to the viewer
     float across, upward;  // [px], from the center
     float radius, ring;    // [px]
     Rgba body, ring_color;

@@ -12,10 +12,10 @@ namespace {
 
 constexpr float not_over = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinite = std::numeric_limits<float>::infinity();
-// What is higher than things are wide, by this factor, casts no shadow that one would see.
+// Objects higher above the receiver than this multiple of their width cast no visible shadow.
 constexpr float highest = 4.0f;
 
-// The solid colliders that are shown, but for the receiver itself, where they are now.
+// The visible solid colliders, except the receiver itself, at their current positions.
 template <class Use>
 void each_collider(const DrawContext& context, const ShadowReceiver& receiver, Use use) {
   const System& system = *context.snapshot.system;
@@ -33,7 +33,7 @@ int steps_across(float length, const SoftShadowMap& map) {
   return static_cast<int>(std::clamp(std::ceil(length / map.texel()), 1.0f, max_steps));
 }
 
-// The lower half of a ball, in columns; where a column goes into the receiver, the ball stands upon it.
+// The lower half of a ball, in columns. A column that reaches into the receiver counts as resting on it.
 void add_ball(const glm::vec3& center, float radius, const ShadowReceiver& receiver, SoftShadowMap& map) {
   if (2.0f * radius < map.texel()) {
     const float height = receiver.height_of(center, radius);
@@ -52,7 +52,7 @@ void add_ball(const glm::vec3& center, float radius, const ShadowReceiver& recei
     }
 }
 
-// The sides that do not look up, in small pieces.
+// The sides that do not face upwards, in small pieces.
 void add_box(const Box& box, const ShadowReceiver& receiver, SoftShadowMap& map) {
   constexpr int sides[6][3] = {{0, 2, 4}, {1, 2, 4}, {0, 1, 4}, {2, 1, 4}, {0, 1, 2}, {4, 1, 2}};
   const auto height = static_cast<float>(glm::dot(box.max - box.min, glm::abs(receiver.above)));
@@ -86,7 +86,7 @@ glm::vec3 ShadowReceiver::place_of(const Vec3& world) const {
 float ShadowReceiver::height_of(const glm::vec3& place, float depth_tolerance) const {
   float surface = 0.0f;
   if (radius > 0.0f) {
-    // beside the ball its middle counts, so that what reaches beyond it on all sides is over it
+    // Beside the ball the height of its center counts, so that objects that extend beyond it on all sides are over it.
     surface = std::sqrt(std::max(radius * radius - place.x * place.x - place.y * place.y, 0.0f));
   }
   const float height = place.z - surface;
@@ -110,7 +110,7 @@ void ShadowCasters::find_places(const DrawContext& context, const ShadowReceiver
   const bool is_shown = options.points || options.springs || options.surface;
   places_.resize(is_shown ? points.size() : 0);
   widest_ = 0.0f;
-  // a chord of something round lies a little beneath it, and what lies on a floor by rounding
+  // Chords of round colliders lie slightly below the surface, and so do points on a floor because of rounding.
   const float depth_tolerance = receiver.radius > 0.0f ? 0.1f * receiver.radius : 1e-3f * static_cast<float>(context.camera.distance);
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const glm::vec3 place = receiver.place_of(context.snapshot.state.position[i]);
@@ -120,7 +120,7 @@ void ShadowCasters::find_places(const DrawContext& context, const ShadowReceiver
   }
 }
 
-// As far as shadows fall, within what the receiver wants: things as wide as they are, and around them as their heights blur them.
+// The bounds of the shadows within the region of the receiver: the objects, extended by the blur at their height.
 bool ShadowCasters::find_sides(const DrawContext& context, const ShadowReceiver& receiver, glm::vec2& min, glm::vec2& max) const {
   const std::vector<Caster> casters = colliders_over(context, receiver);
   const glm::vec2 margin = 0.2f * (receiver.max - receiver.min);
@@ -184,7 +184,7 @@ void ShadowCasters::add_net(const DrawContext& context, const NetworkRenderer& n
       map.add_triangle(places_[network_renderer.corners()[f]], places_[network_renderer.corners()[f + 1]],
                        places_[network_renderer.corners()[f + 2]]);
 
-  // what lies in the cloth is in its shadow
+  // Springs within the cloth are in its shadow anyway.
   const auto is_seen = [&](Index i) { return !has_cloth || network_renderer.is_outside_cloth(i); };
   if (options.springs || has_cloth)
     for (std::size_t s = 0; s < network_renderer.ends().size(); ++s) {

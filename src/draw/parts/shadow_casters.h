@@ -1,4 +1,4 @@
-// What of a scene keeps light from a place that shadows fall on: as much of the network as is shown, and solid colliders.
+// The objects that cast shadows on a receiver: the visible network and solid colliders.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -10,27 +10,27 @@
 
 namespace hooke {
 
-// A flat place, or the upper half of a ball, with coordinates of its own: across, along and above it.
+// A flat surface or the upper half of a ball, with local coordinates: across, along and above.
 struct ShadowReceiver {
   Index collider = no_index;
   Vec3 origin{0.0}, across{1.0, 0.0, 0.0}, along{0.0, 1.0, 0.0}, above{0.0, 0.0, 1.0};
-  glm::vec2 min{0.0f}, max{0.0f};  // [m], across and along, that light is wanted on
-  float radius = 0.0f;             // [m], of the ball; 0: flat
+  glm::vec2 min{0.0f}, max{0.0f};  // [m], across and along: the region that receives shadows
+  float radius = 0.0f;             // [m]; 0: flat
 
   glm::vec3 place_of(const Vec3& world) const;
-  // [m] above its surface, not negative; no number where a place is not over it. What lies up to `sunk` [m] beneath
-  // counts as upon it.
+  // The height above the surface [m], not negative; NaN if the position is not over the receiver. Positions up to
+  // `depth_tolerance` [m] below the surface count as on it.
   float height_of(const glm::vec3& place, float depth_tolerance) const;
 };
 
 class ShadowCasters {
  public:
-  // False when nothing is near, else the map is that of the shade on the receiver. Returns the map's sides in `least` and `most`.
+  // Fills the map with the shadow on the receiver and sets its bounds. Returns false if nothing casts a shadow there.
   bool shade(const DrawContext& context, const NetworkRenderer& network_renderer, const ShadowReceiver& receiver, int texels,
              SoftShadowMap& map, glm::vec2& min, glm::vec2& max);
 
  private:
-  // Between these sides of the receiver, this high over it [m].
+  // Bounds on the receiver and height above it [m].
   struct Caster {
     glm::vec2 min, max;
     float height;
@@ -42,7 +42,7 @@ class ShadowCasters {
                SoftShadowMap& map) const;
   void add_colliders(const DrawContext& context, const ShadowReceiver& receiver, SoftShadowMap& map) const;
 
-  std::vector<glm::vec3> places_;  // a point, with its height; no number where it is not over the receiver
+  std::vector<glm::vec3> places_;  // per point, z is the height; NaN if not over the receiver
   float widest_ = 0.0f;            // [m], the largest radius of a point
 };
 

@@ -14,10 +14,10 @@ namespace hooke {
 namespace {
 
 constexpr int tile_size = 128;        // [texels]
-constexpr int tiles_across = 4;       // of the picture of all maps: as many receivers have shadows, those that come first
-constexpr int map_texels = 126;       // a side: no map touches its neighbour
-constexpr int ball_texels = 62;       // a side
-constexpr double wanted_reach = 2.5;  // in distances of the camera from its target
+constexpr int tiles_across = 4;       // of the atlas, whose size limits the number of receivers: the first ones have shadows
+constexpr int map_texels = 126;       // per side; leaves a gap between maps
+constexpr int ball_texels = 62;       // per side
+constexpr double wanted_reach = 2.5;  // in units of the camera distance
 
 ShadowReceiver plane_receiver(const DrawContext& context, const Plane& plane) {
   ShadowReceiver receiver{.above = plane.normal};
@@ -38,7 +38,7 @@ ShadowReceiver ball_receiver(const DrawContext& context, const Sphere& sphere) {
   return receiver;
 }
 
-// The side of a box that looks up most.
+// The side of a box that faces upwards most.
 ShadowReceiver top_receiver(const DrawContext& context, const Box& box) {
   const Vec3 pole = context.camera.pole;
   int axis = 0;
@@ -92,7 +92,7 @@ void Shadows::add(const DrawContext& context, const NetworkRenderer& network_ren
 
 bool Shadows::is_full() const { return tiles_.size() == tiles_across * tiles_across; }
 
-// Null where there is no shade.
+// Null if there is no shadow.
 const Shadows::Tile* Shadows::shade(const DrawContext& context, const NetworkRenderer& network_renderer, const ShadowReceiver& receiver) {
   Tile tile{.collider = receiver.collider};
   if (!shadow_casters_.shade(context, network_renderer, receiver, receiver.radius > 0.0f ? ball_texels : map_texels, map_, tile.min,
@@ -108,7 +108,7 @@ const Shadows::Tile* Shadows::shade(const DrawContext& context, const NetworkRen
   return &tiles_.emplace_back(std::move(tile));
 }
 
-// A quad over as much of the map as lies on the receiver, half a texel inside, where the map still is nothing.
+// A quad over the part of the map on the receiver, inset by half a texel, where the map is still zero.
 void Shadows::add_flat(const DrawContext& context, const NetworkRenderer& network_renderer, const ShadowReceiver& receiver, double reach) {
   const Tile* tile = shade(context, network_renderer, receiver);
   if (!tile) return;

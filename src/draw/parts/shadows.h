@@ -1,4 +1,4 @@
-// Soft shadows of what is near the ground, a ball or the top of a box, so that one sees how far it is above them.
+// Soft shadows on the ground, on balls and on the tops of boxes, which show how high objects are above them.
 #pragma once
 
 #include <vector>
@@ -16,16 +16,16 @@ class Shadows {
  public:
   Shadows();
   void clear();
-  // Works out what is shaded; needs what the net has seen.
+  // Computes the shadows. Needs the projected points of the network.
   void add(const DrawContext& context, const NetworkRenderer& network_renderer);
   BallShadow on_ball(Index collider) const;
-  // The maps as the texture that is bound; does nothing without shadows.
+  // Binds the texture of all maps; does nothing without shadows.
   void bind();
-  // Those on flat things, over them.
+  // Draws the shadows on flat receivers.
   void draw(const Shader& shader, Rgba rgba);
 
  private:
-  // A map and where it is in the picture of all maps.
+  // A map and its position in the atlas of all maps.
   struct Tile {
     Index collider = no_index;
     int x = 0, y = 0, width = 0, height = 0;  // [texels]
@@ -34,8 +34,8 @@ class Shadows {
   };
   struct Vertex {
     float clip[4];
-    float place[2];  // in the picture of all maps
-    float fade[2];   // as the ground under it has
+    float place[2];  // in the atlas
+    float fade[2];   // like the ground below it
   };
   bool is_full() const;
   const Tile* shade(const DrawContext& context, const NetworkRenderer& network_renderer, const ShadowReceiver& receiver);

@@ -9,11 +9,11 @@
 namespace hooke {
 namespace {
 
-// [texels], standard deviation that a level's own blur comes to.
+// [texels], standard deviation of the blur of one level.
 constexpr float blur = 1.1f;
 constexpr int max_steps = 64;
 
-// Each of a row or column over itself and its neighbours, in parts of 1 4 6 4 1.
+// Blurs a row or column with the binomial kernel 1 4 6 4 1.
 void spread(const std::vector<float>& from, std::vector<float>& to, int count, int stride, int rows, int row_stride) {
   for (int row = 0; row < rows; ++row) {
     const float* in = &from[static_cast<std::size_t>(row) * row_stride];
@@ -23,7 +23,7 @@ void spread(const std::vector<float>& from, std::vector<float>& to, int count, i
   }
 }
 
-// From 0 at the side of the map to 1 a twelfth of it inside.
+// From 0 at the border of the map to 1 at a twelfth of its size inside.
 float within(int i, int count) {
   const float inside = static_cast<float>(std::min(i, count - 1 - i)) / (static_cast<float>(count) / 12.0f);
   const float t = std::min(inside, 1.0f);
@@ -48,7 +48,7 @@ void SoftShadowMap::begin(const glm::vec2& min, const glm::vec2& max, int texels
   }
 }
 
-// A shadow is as wide as texels are on the level 2^below; by `above` [0..1] it is on its way to the next.
+// The width of a shadow lies between the texels of level `below` and the next; `above` in [0, 1] interpolates.
 struct SoftShadowMap::Width {
   int below = 0;
   float above = 0.0f;
@@ -57,7 +57,7 @@ struct SoftShadowMap::Width {
 SoftShadowMap::Width SoftShadowMap::width_at(float height) const {
   const float wide = height * softness / (blur * texel_);
   if (!(wide > 1.0f)) return {};
-  // the exponent of a number is the whole part of its logarithm
+  // The exponent of a floating-point number is the integer part of its binary logarithm.
   const int below = static_cast<int>(std::bit_cast<std::uint32_t>(wide) >> 23) - 127;
   return {below, below < level_count ? wide / static_cast<float>(1 << below) - 1.0f : 0.0f};
 }
@@ -87,7 +87,7 @@ void SoftShadowMap::add(const glm::vec3& place, float area) {
   if (below + 1 < level_count && above > 0.0f) add_to(below + 1, at, coverage * above);
 }
 
-// Samples a texel apart, of the level that the lowest of it is in.
+// Samples one texel apart, on the level of the lowest point.
 int SoftShadowMap::steps_for(float length, float lowest) const {
   if (!(length > texel_)) return 1;
   const float apart = texel_ * static_cast<float>(1 << std::min(width_at(lowest).below, level_count - 1));
@@ -110,7 +110,7 @@ void SoftShadowMap::add_triangle(const glm::vec3& a, const glm::vec3& b, const g
   const int steps = steps_for(std::max({far(a, b), far(b, c), far(c, a)}), std::min({a.z, b.z, c.z}));
   if (steps == 1) return add((a + b + c) / 3.0f, area);
 
-  // the middles of the smaller triangles that it is cut into, those that stand like itself and those on their heads
+  // The centers of the small triangles that it is divided into, both upright and inverted.
   const float each = area / static_cast<float>(steps * steps), whole = static_cast<float>(3 * steps);
   for (int i = 0; i < steps; ++i)
     for (int j = 0; i + j < steps; ++j)
@@ -122,7 +122,7 @@ void SoftShadowMap::add_triangle(const glm::vec3& a, const glm::vec3& b, const g
 }
 
 const std::vector<std::uint8_t>& SoftShadowMap::finish() {
-  // from the highest down: what is blurred within a level, and the next one's, twice as large
+  // From the highest level down: the blurred level plus the next one, upsampled by two.
   for (int l = level_count - 1; l >= 0; --l) {
     Level& level = levels_[l];
     blurred_.resize(level.coverage.size());
@@ -140,7 +140,7 @@ const std::vector<std::uint8_t>& SoftShadowMap::finish() {
       }
   }
 
-  // things over one another keep away all the light there is, and no more
+  // Overlapping objects block at most all of the light.
   occlusion_.resize(static_cast<std::size_t>(width_) * height_);
   const Level& sharpest = levels_.front();
   for (int j = 0; j < height_; ++j)

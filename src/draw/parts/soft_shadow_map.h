@@ -1,5 +1,5 @@
-// How much light from above each place of a flat map is kept from by what is over it: a picture of the shadows there, soft
-// by as much as their things are high. Plain arithmetic, the same on every driver: no OpenGL.
+// The fraction of light from above that objects block at each position of a flat map; higher objects have softer shadows.
+// Computed on the CPU, the same for every driver: no OpenGL.
 #pragma once
 
 #include <array>
@@ -12,32 +12,32 @@ namespace hooke {
 
 class SoftShadowMap {
  public:
-  // The light comes from a wide window above: a shadow is blurred by this much [m] per metre of height.
+  // The light source is wide: a shadow is blurred by this much [m] per metre of height.
   static constexpr float softness = 0.4f;
-  // Of the light from the side, what a sheet or stick on edge keeps away.
+  // The occlusion of a sheet or line seen edge-on.
   static constexpr float edge_on_occlusion = 0.35f;
 
-  // Forgets all. The map lies between `least` and `most` [m]; its longer side has this many texels, of equal sides.
+  // Clears the map. It lies between `min` and `max` [m]; its longer side has this many square texels.
   void begin(const glm::vec2& min, const glm::vec2& max, int texels);
   int width() const { return width_; }
   int height() const { return height_; }
   float texel() const { return texel_; }  // [m]
 
-  // A small thing of this area [m^2] seen from below, its place being where it is on the map and its height [m]. What lies
-  // outside the map's sides or beneath it is left out.
+  // Adds a small object of this area [m^2], seen from below, at a position on the map and a height [m]. Objects outside or below the
+  // map are ignored.
   void add(const glm::vec3& place, float area);
-  // A stick of this width [m], and a sheet: seen on edge it still keeps some light away.
+  // Adds a line of this width [m], or a triangle. A triangle seen edge-on still blocks some light.
   void add_line(const glm::vec3& a, const glm::vec3& b, float width);
   void add_triangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
 
-  // The shares kept away, from 0 to 255, row by row; none at the sides of the map, so that it has no edge.
+  // The occlusion from 0 to 255, row by row; 0 at the border of the map, so that no edge is visible.
   const std::vector<std::uint8_t>& finish();
 
  private:
-  // What is about as high: the higher, the larger the texels, by twos; with some around the map that take what is blurred.
+  // Objects of similar height. Texels double in size from level to level; padding around the map receives the blur.
   struct Level {
     int width = 0, height = 0;
-    std::vector<float> coverage;  // things' area by the texel's
+    std::vector<float> coverage;  // area of the objects relative to that of the texel
   };
   static constexpr int level_count = 6;
   static constexpr int padding = 2;

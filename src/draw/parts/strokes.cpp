@@ -9,14 +9,14 @@
 namespace hooke {
 namespace {
 
-// Cuts the segment from a to b to where `distance` is not negative; it is at one end at least.
+// Clips the segment from a to b to where `distance` is not negative, which holds for at least one end.
 void cut(glm::dvec4& a, glm::dvec4& b, double at_a, double at_b) {
   if (at_a < 0.0) a += at_a / (at_a - at_b) * (b - a);
   if (at_b < 0.0) b += at_b / (at_b - at_a) * (a - b);
 }
 
-// Keeps what lies within the clip planes and a little to the sides of the picture, so that no cut end is seen. False
-// when nothing does.
+// Clips to the clip planes and slightly outside the sides of the picture, so that no cut end is visible. Returns false if
+// nothing is left.
 bool cut_to_picture(glm::dvec4& a, glm::dvec4& b) {
   constexpr double side = 1.1;
   const auto distance = [](const glm::dvec4& p, int border) {
@@ -74,7 +74,7 @@ void Strokes::add_projected(float ax, float ay, float a_depth, float bx, float b
   const float length = std::sqrt(dx * dx + dy * dy);
   if (!(length > 1e-3f)) return;
 
-  // half a pixel more to each side for the soft edge
+  // Half a pixel more on each side for antialiasing.
   const float reach = 0.5f * width + 0.5f;
   const float nx = -dy / length * reach, ny = dx / length * reach;
   const auto across = static_cast<std::int16_t>(256.0f * reach), half = static_cast<std::int16_t>(128.0f * width);

@@ -1,4 +1,4 @@
-// Straight lines of a width in pixels: springs, outlines, rubber lines. Soft at both edges without multisampling.
+// Straight lines with a width in pixels: springs, outlines, previews. Antialiased without multisampling.
 #pragma once
 
 #include <vector>
@@ -17,13 +17,12 @@ class Strokes {
   void clear() { vertices_.clear(); }
   void reserve(std::size_t strokes) { vertices_.reserve(4 * strokes); }
 
-  // From clip coordinates to clip coordinates, with where they are seen; cut at the borders of the picture. Nothing
-  // when an end is no place.
+  // Between two clip coordinates and their projections, clipped to the picture. Draws nothing if an end is not finite.
   void add(const Projection& projection, const glm::dvec4& a, const ProjectedPoint& projected_a, const glm::dvec4& b,
            const ProjectedPoint& projected_b, Rgba rgba, float width);
-  // The same between places; drawn `lift` pixels nearer than it is, so that it shows on a surface that it lies on.
+  // The same between two positions, drawn `depth_offset` [m] closer to the viewer, so that it is visible on a surface.
   void add(const Projection& projection, const Vec3& a, const Vec3& b, Rgba rgba, float width, double depth_offset = 0.0);
-  // Dashes and gaps of these lengths [px].
+  // A dashed line; lengths of dashes and gaps in [px].
   void add_dashed(const Projection& projection, const Vec3& a, const Vec3& b, Rgba rgba, float width, float dash, float gap);
 
   void draw(const Shader& shader, int width, int height);

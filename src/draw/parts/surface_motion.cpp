@@ -11,7 +11,7 @@ namespace {
 
 double turned_by(double speed, double time) { return std::fmod(speed * time, 2.0 * std::numbers::pi); }
 
-// How far a line of this direction may go from a place before a coordinate leaves -half..half; least > most: it never enters.
+// The parameter range of a line inside the box -half..half; min > max: the line misses the box.
 struct Span {
   double min, max;
 };

@@ -1,4 +1,4 @@
-// What shows that the surface of a collider moves while its shape stays: it turns, or runs like a belt.
+// Marks that show the motion of the surface of a collider whose shape stays in place: rotation, or a conveyor belt.
 #pragma once
 
 #include "draw/parts/balls.h"
@@ -8,10 +8,10 @@
 
 namespace hooke {
 
-// Meridians on a ball that turns.
+// Meridians on a rotating ball.
 BallMeridians meridians_of(const DrawContext& context, const ColliderPath& path);
 
-// The grid of a plane goes along.
+// Moves the grid of a plane with its surface.
 void move_grid(GroundStyle& style, const DrawContext& context, const Plane& plane, const ColliderPath& path);
 
 // Lines across the sides of a box, and diameters of a disc.

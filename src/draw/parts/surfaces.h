@@ -1,4 +1,4 @@
-// Lit triangles: boxes, the filled shapes of flat scenes.
+// Lit triangles: boxes, and filled shapes of 2-D scenes.
 #pragma once
 
 #include <vector>
@@ -15,10 +15,10 @@ class Surfaces {
  public:
   Surfaces();
   void clear();
-  // A corner; a zero normal means that it is not lit. Returns its number, for add_triangle.
+  // Adds a corner and returns its index for add_triangle. A zero normal disables lighting.
   GLuint add_corner(const glm::dvec4& clip, const Vec3& view_normal, Rgba rgba);
   void add_triangle(GLuint a, GLuint b, GLuint c);
-  // A flat four-cornered shape, its corners in order around it.
+  // A flat quadrilateral, with its corners in order.
   void add_quad(const Projection& projection, const Vec3 (&corners)[4], const Vec3& normal, Rgba rgba);
 
   GLuint corner_count() const { return static_cast<GLuint>(vertices_.size()); }
