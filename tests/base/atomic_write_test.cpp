@@ -75,7 +75,7 @@ TEST(AtomicWrite, ADanglingLinkStaysAndItsTargetIsCreated) {
   write_atomically(scratch.folder / "second.json", "new");
   EXPECT_TRUE(fs::is_symlink(scratch.folder / "link.json"));
   EXPECT_TRUE(fs::is_symlink(scratch.folder / "second.json"));
-  EXPECT_EQ(content_of(scratch.folder / "there" / "new.json"), "new");
+  EXPECT_EQ(contents(scratch.folder / "there" / "new.json"), "new");
 }
 
 std::string error_of(const fs::path& file) {
