@@ -335,6 +335,10 @@ void restore_ids(const ResumeState& rest, Scene& scene) {
 
 void write_command(JsonWriter& out, const Command& command) { write(out, command); }
 
+bool is_command(const JsonField& member) {
+  return std::ranges::any_of(alternative_names<Command>, [&](std::string_view name) { return member.is(name); });
+}
+
 Command read_command(const JsonField& member) { return Text<Command>::read_alternative(member); }
 
 ResumeState resume_state_of(const Scene& scene) {

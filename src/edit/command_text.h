@@ -10,7 +10,10 @@ namespace hooke {
 // An object with one member, named like the command. A Replace has none: a whole scene is a text of its own.
 void write_command(JsonWriter& out, const Command& command);
 
-// The command of such a member. Throws InputError for what is none.
+// Whether a member is named like a command.
+bool is_command(const JsonField& member);
+
+// The command of such a member. Throws InputError for anything else.
 Command read_command(const JsonField& member);
 
 // What a run needs to resume from a scene and the scene's file does not hold: ids, the hand, the energy ledger, the memory of an adaptive

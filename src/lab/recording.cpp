@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <limits>
 
 #include "base/build_info.h"
 #include "base/errors.h"
@@ -19,12 +20,10 @@
 namespace hooke {
 namespace {
 
-constexpr int newest_recording_version = 1;
-
-// The longest text of a command; a longer one is recorded by the scene that it leads to.
+// The longest text of a command; instead of a longer one, the resulting scene is recorded.
 constexpr std::size_t max_command_bytes = std::size_t{1} << 20;
 
-// Lines that reach the disk at once: a second or so of frames.
+// Frames between two flushes of the file: about a second.
 constexpr long frames_per_flush = 60;
 
 std::size_t group_of(std::size_t point, std::size_t points) {
@@ -59,7 +58,7 @@ Fingerprint read_fingerprint(const JsonField& field) {
   return fingerprint;
 }
 
-// Without line ends and the indents after them: both stand between values alone, those in texts are escaped.
+// Removes line ends and the indents after them. Both occur only between values: those inside strings are escaped.
 std::string to_single_line(std::string_view text) {
   std::string line;
   bool in_indent = false;
@@ -73,7 +72,7 @@ std::string to_single_line(std::string_view text) {
 std::string scene_line(const Scene& scene) {
   Scene plain = scene;
   plain.system.colliders = carried_colliders(scene.system, scene.state);
-  plain.view.texture.clear();  // looks alone, and a file of its own
+  plain.view.texture.clear();  // appearance only, and in a file of its own
   plain.view.texture_size.reset();
   return to_single_line(format_scene(plain));
 }
@@ -95,7 +94,7 @@ class RecordingReader {
     while (next_line()) read_line();
     if (number_ == 0 && recording_.is_truncated) refuse("ends within its first line: must begin with \"hooke_recording\"");
     if (number_ == 0) refuse("empty: must begin with \"hooke_recording\"");
-    if (pending_scene_) refuse("must go on with the rest of the scene: {\"rest\": ...}");
+    if (pending_scene_) refuse("must continue with the rest of the scene: {\"rest\": ...}");
     if (!recording_.start) refuse("no scene: must be on the second line");
     return std::move(recording_);
   }
@@ -104,7 +103,7 @@ class RecordingReader {
   bool next_line() {
     if (at_ >= text_.size()) return false;
     const std::size_t end = text_.find('\n', at_);
-    // a line that its writer did not finish is left out
+    // a line that its writer did not finish is ignored
     if (end == std::string::npos) {
       recording_.is_truncated = true;
       return false;
@@ -122,31 +121,66 @@ class RecordingReader {
       pending_scene_ = parse_scene(line_, name_).scene;
       return;
     }
+    unknown_.clear();
+    has_known_member_ = false;
     walk_json(line_, name_,
               {.is_list = [](std::string_view) { return false; },
                .item = {},
                .member = [this](std::string_view key, std::string_view text) { read_member(JsonField(name_, key, parser_.parse(text))); },
                .is_one_line = true});
-    if (number_ == 1 && !has_version_) refuse("must be a recording: {\"hooke_recording\": 1, ...}");
+    if (number_ == 1)
+      check_version();
+    else if (!has_known_member_)
+      refuse_unknown_line();
   }
 
+  // A line consists of one known member; members that a newer program adds to it are optional and ignored.
   void read_member(const JsonField& field) {
-    if (number_ == 1) {
-      if (!field.is("hooke_recording")) return;
-      field.integer(1, newest_recording_version);
-      has_version_ = true;
-    } else if (pending_scene_) {
-      if (!field.is("rest")) field.refuse("must be the rest of the scene: {\"rest\": ...}");
+    if (number_ == 1) return read_header(field);
+    const bool is_frame = field.is("frame"), is_rest = field.is("rest");
+    if (!is_frame && !is_rest && !is_command(field)) {
+      if (unknown_.empty()) unknown_ = field.key();
+      return;
+    }
+    has_known_member_ = true;
+    if (is_rest != pending_scene_.has_value())
+      field.refuse(is_rest ? "must come after a scene" : "must be the rest of the scene: {\"rest\": ...}");
+    if (is_rest) {
       restore_resume_state(field, *pending_scene_);
       add_pending_scene();
     } else if (!recording_.start) {
       field.refuse("must be a scene first");
-    } else if (field.is("frame")) {
+    } else if (is_frame) {
       recording_.items.emplace_back(read_fingerprint(field));
       ++recording_.frames;
     } else {
       recording_.items.emplace_back(read_command(field));
     }
+  }
+
+  void read_header(const JsonField& field) {
+    if (field.is("hooke_recording")) version_ = field.integer(1, std::numeric_limits<int>::max());
+    if (field.is("program") && field.value().IsString()) program_ = field.text();
+  }
+
+  void check_version() const {
+    if (version_ == 0) refuse("must be a recording: {\"hooke_recording\": 1, ...}");
+    if (version_ > newest_recording_version)
+      refuse("version " + std::to_string(version_) + " of the format: this is Hooke " + program_version + ", which reads up to version " +
+             std::to_string(newest_recording_version) + "; " + needed_program());
+  }
+
+  // A line without a known member may hold an edit, so it cannot be ignored.
+  [[noreturn]] void refuse_unknown_line() const {
+    if (pending_scene_) refuse("must be the rest of the scene: {\"rest\": ...}");
+    if (unknown_.empty()) refuse("no member: must be an edit or a frame");
+    const bool is_other_program = !program_.empty() && program_ != program_version;
+    refuse(printable(unknown_) + ": is not known here" + (is_other_program ? "; " + needed_program() : ""));
+  }
+
+  std::string needed_program() const {
+    return program_.empty() ? "a newer program is needed"
+                            : "Hooke " + printable(program_) + " wrote it: that version or a newer one is needed";
   }
 
   void add_pending_scene() {
@@ -163,7 +197,10 @@ class RecordingReader {
   const std::string& text_;
   std::string file_, name_, line_;
   std::size_t at_ = 0, number_ = 0;
-  bool has_version_ = false;
+  std::int64_t version_ = 0;            // of the format; 0: not read yet
+  std::string program_;                 // version of the program that wrote the file; empty: not stated
+  std::string unknown_;                 // first unknown member of the line
+  bool has_known_member_ = false;       // in the line
   std::optional<Scene> pending_scene_;  // its rest is still to come
   JsonParser parser_;
   Recording recording_;
@@ -232,7 +269,7 @@ void RecordingWriter::record_frame(const State& state) {
 void RecordingWriter::write_line(const std::string& line) {
   bytes_ += line.size() + 1;
   if (bytes_ > max_file_bytes)
-    throw FileError(printable(file_.native()) + ": the recording is full: more than 256 MiB could not be read again");
+    throw FileError(printable(file_.native()) + ": the recording is full: files of more than 256 MiB are not read");
   errno = 0;
   out_ << line << '\n';
   if (!out_) throw FileError(printable(file_.native()) + ": cannot be written: " + std::strerror(errno != 0 ? errno : EIO));

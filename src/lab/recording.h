@@ -15,6 +15,7 @@
 
 namespace hooke {
 
+inline constexpr int newest_recording_version = 1;
 inline constexpr const char* recording_extension = ".hookelog";
 
 // Of a state: hash_state of all of it, and a byte a group of neighbouring points, so that a difference can be placed. A group
