@@ -47,14 +47,14 @@ struct Describe {
   std::string operator()(const GrabPoint& grab) const { return grab.grab.patch ? "drag the cloth" : "drag a point"; }
   std::string operator()(const GrabCollider&) const { return "drag a collider"; }
   std::string operator()(const MoveHand&) const { return "move the hand"; }
-  std::string operator()(const ReleaseHand&) const { return "let go"; }
+  std::string operator()(const ReleaseHand&) const { return "release"; }
   std::string operator()(const SetGravity&) const { return "change gravity"; }
   std::string operator()(const SetColliders&) const { return "change the colliders"; }
   std::string operator()(const SetForces&) const { return "change the forces"; }
-  std::string operator()(const SetTexture& set) const { return set.texture.empty() ? "take the texture off" : "put a texture on"; }
+  std::string operator()(const SetTexture& set) const { return set.texture.empty() ? "remove the texture" : "set the texture"; }
   std::string operator()(const GoToState& go) const { return "go to " + format_exact(std::round(1000.0 * go.state->time) / 1000.0) + " s"; }
-  std::string operator()(const SetTorn& set) const { return set.torn == 0 ? "mend" : "tear"; }
-  std::string operator()(const Replace&) const { return "go back to the start"; }
+  std::string operator()(const SetTorn& set) const { return set.torn == 0 ? "undo tears" : "tear"; }
+  std::string operator()(const Replace&) const { return "return to the start"; }
 };
 
 template <class Item>
@@ -62,7 +62,7 @@ std::size_t bytes_in(const std::vector<Item>& list) {
   return list.capacity() * sizeof(Item);
 }
 
-// Pictures are shared with the scene and count as nothing; a whole scene is a copy.
+// Pictures are shared with the scene and not counted; a whole scene is a copy.
 struct Bytes {
   std::size_t operator()(const Insert& insert) const { return bytes_in(insert.points) + bytes_in(insert.springs) + bytes_in(insert.faces); }
   std::size_t operator()(const Remove& remove) const { return bytes_in(remove.points) + bytes_in(remove.springs) + bytes_in(remove.faces); }

@@ -1,5 +1,4 @@
-// Every edit, one small struct each. Commands speak in ids; `apply` (apply.h) is the only place where they act, and it
-// returns the inverse.
+// Every edit is one small struct. Commands refer to points and springs by id. `apply` (apply.h) performs them and returns the inverse.
 #pragma once
 
 #include <memory>
@@ -16,22 +15,22 @@ namespace hooke {
 
 struct Parameter;
 
-// Adds points, springs and faces, in this order; each list in ascending places. Ids must be new or those of removed things.
+// Adds points, springs and faces, in this order, each list in ascending order of index. Ids must be new or those of removed items.
 struct Insert {
   std::vector<PlacedPoint> points;
   std::vector<PlacedSpring> springs;
   std::vector<PlacedFace> faces;
 };
 
-// Removes points with the springs and faces on them, springs, and faces. What is gone is passed over. A grab on a
-// removed point is let go.
+// Removes points with the springs and faces attached to them, springs, and faces. Ids that no longer exist are ignored. A grab of a
+// removed point ends.
 struct Remove {
   std::vector<PointId> points;
   std::vector<SpringId> springs;
   std::vector<Face> faces{};
 };
 
-// Nails or frees points; a nailed point stops. `velocity`, when given (by an inverse), is what a freed point gets.
+// Nails or releases points. A nailed point stops; a released one gets `velocity`, which an inverse sets to restore it.
 struct SetNailed {
   struct Item {
     PointId point;
@@ -41,7 +40,7 @@ struct SetNailed {
   std::vector<Item> items;
 };
 
-// Puts points somewhere, with a velocity of their own.
+// Sets positions and velocities of points.
 struct Move {
   struct Item {
     PointId point;
@@ -51,7 +50,7 @@ struct Move {
   std::vector<Item> items;
 };
 
-// Gives points a colour of their own, or takes it away.
+// Sets the colour of points, or removes it.
 struct SetPointColor {
   std::vector<std::pair<PointId, std::optional<Color>>> values;
 };
@@ -68,13 +67,13 @@ struct SetSpringProperty {
   std::vector<std::pair<SpringId, double>> values;
 };
 
-// Sets a parameter of the table (parameters.h), clamped to its range.
+// Sets a parameter (parameters.h), clamped to its range.
 struct SetParameter {
   const Parameter* parameter;
   double value;
 };
 
-// The same without the clamp: gives back a value that a file or an earlier edit held, whatever the slider's range.
+// The same without clamping: restores a value that a file or an earlier edit set outside the range of the slider.
 struct RestoreParameter {
   const Parameter* parameter;
   double value;
@@ -112,7 +111,7 @@ struct MoveHand {
 };
 struct ReleaseHand {};
 
-// Gravity, and the colliders as a list: what an inverse needs when a parameter changed their sizes.
+// Set gravity and the whole list of colliders: the inverses of parameters that change several values at once.
 struct SetGravity {
   Vec3 gravity;
 };
@@ -120,29 +119,29 @@ struct SetColliders {
   std::vector<Collider> colliders;
 };
 
-// The listed forces as a whole: switched, set, added or taken away.
+// Replaces the list of forces: to switch, change, add or remove any of them.
 struct SetForces {
   std::vector<Force> forces;
 };
 
-// Another texture on the faces; `picture` is what it names (texture.h).
+// Sets the texture of the faces; `picture` is the image that it names (texture.h).
 struct SetTexture {
   std::string texture;
   std::optional<double> size;  // [m]
   std::shared_ptr<const Picture> picture;
 };
 
-// Puts everything where it was at another moment of the same run, its time too, and as torn as it was then.
+// Returns to another state of the same run: time, positions, velocities and tears.
 struct GoToState {
   std::shared_ptr<const State> state;
 };
 
-// Makes the scene as torn as it was after this one of its tears (Scene::tears); 0: whole.
+// Sets the index of the latest tear (State::torn); 0 means intact.
 struct SetTorn {
   std::uint32_t torn;
 };
 
-// Replaces the whole scene: back to the start, or what was there before that.
+// Replaces the whole scene: to return to the start, and to undo that.
 struct Replace {
   std::shared_ptr<const Scene> scene;
 };
@@ -151,10 +150,10 @@ using Command = std::variant<Insert, Remove, SetNailed, Move, SetPointColor, Set
                              RestoreParameter, SetIntegrator, GrabPoint, GrabCollider, MoveHand, ReleaseHand, SetGravity, SetColliders,
                              SetForces, SetTexture, GoToState, SetTorn, Replace>;
 
-// What a person calls it: "nail 3 points".
+// The name in the history: "nail 3 points".
 std::string describe(const Command& command);
 
-// What it takes of memory, about.
+// Approximate memory use.
 std::size_t bytes_of(const Command& command);
 
 }  // namespace hooke

@@ -17,10 +17,10 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-// An id sizes the table that finds things by it.
+// The largest id sizes a lookup table.
 constexpr std::int64_t max_id = max_springs;
 
-// How a type stands in the text. Aggregates follow from their field names; the others are below.
+// Serialization of one type. Aggregates follow from their field names; the other types are below.
 template <class T>
 struct Text;
 
@@ -39,7 +39,7 @@ struct Text<bool> {
   static bool read(const JsonField& field) { return field.boolean(); }
 };
 
-// JSON has no numbers beyond the finite ones: those are words.
+// JSON has only finite numbers; the others are strings.
 template <>
 struct Text<double> {
   static void write(JsonWriter& out, double value) {
@@ -238,14 +238,14 @@ struct Text<const ForceTerm*> : RowText<ForceTerm, find_force_term, ById> {};
 template <>
 struct Text<const Parameter*> : RowText<Parameter, find_parameter, ByName> {};
 
-// Of the hand only its position: no grab survives a jump to another state.
+// Only the position of the hand: a grab ends with a jump to another state.
 template <>
 struct Text<Hand> {
   static void write(JsonWriter& out, const Hand& hand) { hooke::write(out, hand.position); }
   static Hand read(const JsonField& field) { return {.position = hooke::read<Vec3>(field)}; }
 };
 
-// A picture is looks alone.
+// A picture is not recorded: it does not affect motion.
 template <>
 struct Text<std::shared_ptr<const Picture>> {
   static void write(JsonWriter& out, const std::shared_ptr<const Picture>&) { out.null(); }
@@ -258,14 +258,14 @@ struct Text<std::shared_ptr<const T>> {
   static std::shared_ptr<const T> read(const JsonField& field) { return std::make_shared<const T>(hooke::read<T>(field)); }
 };
 
-// A whole scene is no part of a command's text.
+// A whole scene is not part of the text of a command.
 template <>
 struct Text<std::shared_ptr<const Scene>> {
   static void write(JsonWriter& out, const std::shared_ptr<const Scene>&) { out.null(); }
   static std::shared_ptr<const Scene> read(const JsonField& field) { field.refuse("must be a scene on a line of its own"); }
 };
 
-// The ids in a list's order, where they are not the places in it.
+// The ids in the order of the list; nothing when they equal the indices.
 template <class Item, class Id = decltype(Item::id)>
 std::optional<std::vector<Id>> ids_of(const std::vector<Item>& items) {
   std::vector<Id> ids;
@@ -284,10 +284,10 @@ void check_ids(const JsonField& field, const std::optional<std::vector<Id>>& ids
   std::vector<Id> sorted = *ids;
   std::ranges::sort(sorted);
   if (sorted.size() != count || std::ranges::adjacent_find(sorted) != sorted.end())
-    field.refuse("ids: must be as many as the scene has, each another");
+    field.refuse("ids: must be as many as the scene has, all different");
 }
 
-// What is listed by number, by the ids in the numbers' order.
+// Values by index, rearranged to be found by id.
 template <class Value, class Id>
 std::vector<Value> by_id(const std::vector<Value>& listed, const std::vector<Id>& ids, const Value& none) {
   std::vector<Value> list;
@@ -299,7 +299,7 @@ std::vector<Value> by_id(const std::vector<Value>& listed, const std::vector<Id>
   return list;
 }
 
-// Gives points and springs, which a file numbers from 0, the ids that they had.
+// Restores the ids of points and springs, which a file numbers from 0.
 void restore_ids(const ResumeState& rest, Scene& scene) {
   System& system = scene.system;
   const auto id_of = [&](PointId number) { return rest.point_ids ? (*rest.point_ids)[static_cast<std::size_t>(number)] : number; };
@@ -366,7 +366,7 @@ void restore_resume_state(const JsonField& field, Scene& scene) {
   const auto rest = read<ResumeState>(field);
   check_ids(field, rest.point_ids, scene.system.points().size());
   check_ids(field, rest.spring_ids, scene.system.springs().size());
-  // ids size the tables that find things by them
+  // the largest id sizes a lookup table
   if (std::max(rest.next_point_id, rest.next_spring_id) > max_id) field.refuse("next ids: must be at most " + std::to_string(max_id));
   for (std::size_t i = 0; i < rest.tears.size(); ++i)
     if (rest.tears[i]->before > i) field.refuse("tears: each must come after an earlier one");

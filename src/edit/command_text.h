@@ -1,4 +1,4 @@
-// Commands as JSON, and back bit for bit; and what a scene holds beside its file.
+// Serialization of commands to JSON and back, bit for bit, and of the parts of a scene that its file does not hold.
 #pragma once
 
 #include "base/json_field.h"
@@ -7,7 +7,7 @@
 
 namespace hooke {
 
-// An object with one member, named like the command. A Replace has none: a whole scene is a text of its own.
+// An object with one member, named like the command. A Replace cannot be written: a whole scene is a text of its own.
 void write_command(JsonWriter& out, const Command& command);
 
 // Whether a member is named like a command.
@@ -32,7 +32,7 @@ struct ResumeState {
 };
 ResumeState resume_state_of(const Scene& scene);
 
-// As an object, and back. Throws InputError for what does not fit the scene.
+// Writes an object and reads it. Throws InputError if it does not match the scene.
 void write_resume_state(JsonWriter& out, const ResumeState& rest);
 void restore_resume_state(const JsonField& field, Scene& scene);
 

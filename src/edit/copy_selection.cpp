@@ -18,18 +18,18 @@ Scene copy_selection(const Snapshot& snapshot, const std::shared_ptr<const Sheet
   }
   const auto is_point_selected = [&](PointId id) { return is_selected[system.index_of(id)]; };
 
-  // in the order of the scene, so that what is put in again is computed in the same order
+  // in the order of the scene, so that a copy is computed in the same order
   Scene part;
   part.name = "Part of a scene";
   part.system.dimensions = system.dimensions;
-  part.sheet = sheet;  // by id: the same
+  part.sheet = sheet;  // by id, so it applies unchanged
   for (Index i = 0; i < system.point_count(); ++i) {
     if (!is_selected[i]) continue;
     part.system.append_point(system.points()[i]);
     part.state.position.push_back(snapshot.state.position[i]);
     part.state.velocity.push_back(snapshot.state.velocity[i]);
   }
-  // a spring between two selected points comes along, whether it was selected or not
+  // a spring between two selected points is included, selected or not
   for (const Spring& spring : system.springs()) {
     const bool is_included = existing.contains(spring.id) || (existing.contains(spring.first) && existing.contains(spring.second));
     if (is_included) part.system.append_spring(spring);

@@ -1,4 +1,4 @@
-// Parts of a scene to be put in again: duplicated, or carried as text through the clipboard.
+// Copies parts of a scene, to duplicate them or to pass them through the clipboard as text.
 #pragma once
 
 #include <functional>
@@ -10,20 +10,20 @@
 
 namespace hooke {
 
-// The selected points, the ends of the selected springs, the springs between selected points and the faces on all these;
-// as a scene of its own. `sheet` is what the scene's cloths are made of; null: it has none.
+// The selected points, the ends of the selected springs, the springs between selected points and the faces between all these, as a
+// scene of its own. `sheet` describes the cloths of the scene; null: there are none.
 Scene copy_selection(const Snapshot& snapshot, const std::shared_ptr<const SheetWeights>& sheet, const Selection& selection);
 
-// Where new things get their ids from.
+// The source of new ids.
 struct IdSource {
   std::function<PointId()> point;
   std::function<SpringId()> spring;
 };
 
-// Puts points, springs and faces of `part` in, moved by `way` [m], all with new ids.
+// Inserts the points, springs and faces of `part`, moved by `displacement` [m], all with new ids.
 Insert make_insert(const Scene& part, const Vec3& displacement, const IdSource& ids);
 
-// The middle of the box around its points [m]; it must have some.
+// The center of the bounding box of its points [m]; there must be at least one.
 Vec3 bounding_box_center(const Scene& part);
 
 }  // namespace hooke

@@ -1,5 +1,5 @@
-// The members of everything that a command is made of, by name, in the order of their declaration: from a row follows how
-// it stands in a recording. A member without a name does not compile.
+// The names of all members of the types that commands consist of, in the order of declaration. Serialization in recordings follows
+// from these rows. A member without a name does not compile.
 #pragma once
 
 #include <array>
@@ -63,7 +63,7 @@ template <> inline constexpr std::array<std::string_view, 1> field_names<GoToSta
 template <> inline constexpr std::array<std::string_view, 1> field_names<SetTorn> = {"torn"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<Replace> = {"scene"};
 
-// The alternatives of a variant.
+// Names of the alternatives of a variant.
 template <class T> inline constexpr std::nullptr_t alternative_names = nullptr;
 template <> inline constexpr std::array<std::string_view, 21> alternative_names<Command> = {
     "insert", "remove", "set_nailed", "move", "set_point_color", "set_point_property", "set_spring_property", "set_parameter",
@@ -71,7 +71,7 @@ template <> inline constexpr std::array<std::string_view, 21> alternative_names<
     "set_texture", "go_to_state", "set_torn", "replace"};
 template <> inline constexpr std::array<std::string_view, 3> alternative_names<decltype(Collider::shape)> = {"plane", "sphere", "box"};
 
-// The values of an enumeration, from 0.
+// Names of the values of an enumeration, from 0.
 template <class T> inline constexpr std::nullptr_t value_names = nullptr;
 template <> inline constexpr std::array<std::string_view, 2> value_names<PointProperty> = {"mass", "radius"};
 template <> inline constexpr std::array<std::string_view, 4> value_names<SpringProperty> = {"stiffness", "damping", "rest_length", "break_strain"};

@@ -11,7 +11,7 @@ bool same_ids(const std::vector<std::pair<Item, double>>& a, const std::vector<s
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) { return x.first == y.first; });
 }
 
-// Whether taking back `earlier` also takes back `later`: both set the same things.
+// Whether undoing `earlier` also undoes `later`: both set the same values.
 struct Supersedes {
   bool operator()(const RestoreParameter& earlier, const RestoreParameter& later) const { return earlier.parameter == later.parameter; }
   bool operator()(const SetIntegrator&, const SetIntegrator&) const { return true; }
@@ -40,14 +40,14 @@ struct Supersedes {
   }
 };
 
-// One by one: radii and the masses that went along with them are two commands.
+// Compared one by one: radii and the masses that follow them are two commands.
 bool supersedes(const std::vector<Command>& earlier, const std::vector<Command>& later) {
   return std::ranges::equal(earlier, later, [](const Command& a, const Command& b) { return std::visit(Supersedes{}, a, b); });
 }
 
 }  // namespace
 
-// Its place in the sum of all bytes.
+// Updates the memory use of the step and of the whole history.
 void History::update_bytes(Step& step) {
   bytes_ -= step.bytes;
   step.bytes = sizeof(Step) + step.name.size();
@@ -72,7 +72,7 @@ void History::record(const std::string& name, std::vector<Command> inverse, Gest
   drop(undone_);
   if (inverse.empty()) return;
 
-  // a gesture's later parts are taken back before its earlier ones
+  // the later parts of a gesture are undone first
   if (gesture != 0 && !done_.empty() && done_.back().gesture == gesture) {
     auto& commands = done_.back().commands;
     if (supersedes(commands, inverse)) return;
@@ -85,7 +85,7 @@ void History::record(const std::string& name, std::vector<Command> inverse, Gest
   drop_oldest();
 }
 
-// Taking a step back yields the commands that do it again, in the opposite order.
+// Undoing a step yields the commands that redo it, in reverse order.
 void History::move_step(Steps& from, Steps& to, Scene& scene, Effect& effect) {
   Step step = std::move(from.back());
   from.pop_back();

@@ -1,4 +1,4 @@
-// Undo and redo: a list of named steps, each the commands that take it back. Used by Lab alone.
+// Undo and redo: a list of named steps, each with the commands that undo it. Used only by Lab.
 #pragma once
 
 #include <deque>
@@ -16,23 +16,23 @@ using Gesture = std::uint64_t;
 
 class History {
  public:
-  // Notes an edit that was just applied and how to take it back. Forgets what was undone.
+  // Records an edit that was just applied, by its inverse. Discards the steps that were undone.
   void record(const std::string& name, std::vector<Command> inverse, Gesture gesture);
 
-  // Takes steps back, or does them again, until `steps` of them are in effect; as far as there are.
+  // Undoes or redoes steps until `steps` of them are in effect, or none are left.
   Effect go_to(std::size_t steps, Scene& scene);
 
   void clear();
-  // What undo and redo would take, or an empty string.
+  // The name of the step that undo or redo would apply to, or an empty string.
   std::string undo_name() const { return done_.empty() ? std::string() : done_.back().name; }
   std::string redo_name() const { return undone_.empty() ? std::string() : undone_.back().name; }
   std::size_t done() const { return done_.size(); }
   std::size_t undone() const { return undone_.size(); }
   std::size_t bytes() const { return bytes_; }
-  // All steps by name; the same object until they change.
+  // The names of all steps; the same object until they change.
   std::shared_ptr<const HistoryList> list() const;
 
-  // Beyond this many steps, or bytes of them, the oldest are forgotten; the newest never.
+  // Beyond this many steps or bytes the oldest steps are discarded, but never the newest.
   static constexpr std::size_t max_steps = 10000, max_bytes = std::size_t{256} << 20;
 
  private:

@@ -1,4 +1,4 @@
-// The steps of undo by their names, for a panel that shows them.
+// The names of the history's steps, for the panel that shows them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace hooke {
 
 struct HistoryList {
   std::vector<std::string> names;  // oldest first
-  std::size_t done = 0;            // so many of them are in effect, the others were taken back
+  std::size_t done = 0;            // number of steps in effect; the others were undone
 };
 
 }  // namespace hooke

@@ -25,7 +25,7 @@ Remove removal_of_broken(const System& system, std::span<const SpringId> broken)
   return torn;
 }
 
-// A tear's number is above that of every tear before it: the higher of the two is left first, until both ways meet.
+// The index of a tear is higher than those of all tears before it: walk back from the higher index until both paths meet.
 TearPath path_between(const Scene& scene, std::uint32_t from, std::uint32_t to) {
   TearPath path;
   while (from != to) {

@@ -1,4 +1,4 @@
-// What tore in a run: how it is taken away, put back, and how one gets from as torn as it was at one moment to another.
+// Tears of a run: how broken springs are removed and restored, and the tears between two states.
 #pragma once
 
 #include <span>
@@ -8,11 +8,11 @@
 
 namespace hooke {
 
-// What goes when springs of the System break: they, and the faces that have one of them for an edge.
+// Removes broken springs of the System and the faces that have one of them as an edge.
 Remove removal_of_broken(const System& system, std::span<const SpringId> broken);
 
-// The tears between two of them (State::torn): those to be mended, the latest first, and then those to be torn again, the
-// earliest first. Both must be of the scene, or 0.
+// The tears between two indices (State::torn): those to undo, latest first, then those to repeat, earliest first. Both indices must be
+// valid or 0.
 struct TearPath {
   std::vector<std::uint32_t> undone, torn;
   bool empty() const { return undone.empty() && torn.empty(); }

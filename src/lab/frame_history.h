@@ -1,5 +1,4 @@
-// The past of a run: the moments that can be gone back to, and what was measured of them for the plots. It is that of the
-// points that it was computed with: it ends where some are added or taken away.
+// The past of a run: states that can be returned to, and the values that the plots show. It is cleared when points are added or removed.
 #pragma once
 
 #include <vector>
@@ -12,13 +11,13 @@ namespace hooke {
 class FrameHistory {
  public:
   void clear();
-  // Forgets all of it unless the points are still the same.
+  // Clears it unless the points are the same as before.
   void clear_if_points_changed(const System& system);
   void record(const System& system, const State& state);
-  // What is measured from here on, and of the moments that are known, with the System as it is now.
+  // Sets the quantities to be measured; those of recorded states are computed with the current System.
   void watch(const std::vector<Quantity>& quantities, const System& system) { traces_.watch(quantities, timeline_, system); }
 
-  // The moment before `time`: the one at it or before it where there is none at that time. There must be one.
+  // Index of the last recorded state before `time`; 0 if there is none. The timeline must not be empty.
   std::size_t step_back_from(double time) const;
 
   const Timeline& timeline() const { return timeline_; }

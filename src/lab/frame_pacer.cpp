@@ -6,7 +6,7 @@
 namespace hooke {
 namespace {
 
-// Real seconds that one call may ask for: what is beyond is dropped, or a hidden window would come back with a jump.
+// The most real time that one call counts [s]. Without it, a window that was hidden would resume with a jump.
 constexpr double max_real_seconds = 0.25;
 
 // [s] over which the displayed speed is measured.

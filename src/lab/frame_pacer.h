@@ -1,4 +1,4 @@
-// How simulated time keeps up with real time: what is owed to it, and how fast it has gone of late.
+// Paces simulated time by real time: the backlog, and the measured speed.
 #pragma once
 
 namespace hooke {
@@ -7,17 +7,17 @@ class FramePacer {
  public:
   void reset() { *this = {}; }
 
-  // Real time has passed, which asks for `speed` times as much simulated time.
+  // Adds `speed` times the elapsed real time to the backlog.
   void accumulate(double real_seconds, double speed);
   bool has_frame_due(double frame) const { return backlog_ >= frame; }
   void consume(double frame) { backlog_ -= frame; }
-  // What is owed beyond a frame is not made up for: the scene runs slower, and says so.
+  // Limits the backlog to one frame, so that a slow scene runs slower instead of catching up, and measures the speed.
   void update_speed(double real_seconds, double simulated_seconds, double frame);
   void clear_backlog() { backlog_ = 0.0; }
 
   // [s] of simulated time until the next frame is due.
   double time_to_next(double frame) const { return frame - backlog_; }
-  // [1], simulated per real second, of late; 0: nothing has passed.
+  // [1], simulated per real second, over the last second or so; 0: not measured.
   double speed() const { return recent_real_ > 0.0 ? recent_simulated_ / recent_real_ : 0.0; }
 
  private:

@@ -17,7 +17,7 @@ double milliseconds_since(Clock::time_point start) { return std::chrono::duratio
 // Weight of the newest value in the displayed time per frame.
 constexpr double smoothing = 0.1;
 
-// What tears without a hand in it, one frame after another: a step of undo, until something else is done.
+// Tears in consecutive frames without a grab are one step of the history.
 constexpr Gesture tearing_gesture = std::numeric_limits<Gesture>::max();
 
 void smooth(double& shown, double value) { shown = shown == 0.0 ? value : shown + smoothing * (value - shown); }
@@ -50,7 +50,7 @@ void Lab::update_plan(Effect effect) {
   energy_ = compute_energy(scene_.system, scene_.state);
 }
 
-// Discards the frame in progress. The springs that it broke are intact.
+// Discards the frame in progress, and restores the springs that it broke.
 void Lab::drop_frame() {
   if (frame_in_progress_ && !frame_.broken().empty()) refresh_values(plan_, scene_.system);
   frame_in_progress_ = false;
@@ -116,7 +116,7 @@ void Lab::apply_queue() {
   }
 }
 
-// What was done before the next frame of the recording, or after its last one.
+// Applies the edits recorded before the next frame, or after the last one.
 void Lab::play_edits() {
   while (const Recording::Item* item = playback_.next_edit()) {
     if (const auto* command = std::get_if<Command>(item)) {
@@ -129,7 +129,7 @@ void Lab::play_edits() {
   }
 }
 
-// Compares the frame just taken over with the recorded one.
+// Compares the frame just computed with the recorded one.
 void Lab::check_played_frame() {
   playback_.compare(scene_.state, scene_.system.point_count());
   if (playback_.is_on() && !playback_.is_after_last_frame()) return;
@@ -137,7 +137,7 @@ void Lab::check_played_frame() {
   running_ = false;
 }
 
-// A frame that can be gone back to; kept for people, not for runs without a start to go back to.
+// States are kept only for interactive use: not for runs without a start.
 void Lab::add_to_timeline() {
   if (!start_) return;
   frame_history_.record(scene_.system, scene_.state);
@@ -152,7 +152,7 @@ void Lab::begin_frame() {
   frame_ms_ = 0.0;
 }
 
-// Takes away what broke in the frame just computed; what puts it back is returned.
+// Removes the springs that broke in the frame just computed, and returns the command that restores them.
 std::optional<Insert> Lab::tear() {
   if (frame_.broken().empty()) return std::nullopt;
   std::vector<SpringId> broken;
@@ -163,7 +163,7 @@ std::optional<Insert> Lab::tear() {
   return std::get<Insert>(inverse.front());
 }
 
-// Keeps what was taken away, so that the moments before it can be gone back to.
+// Keeps what a tear removed, so that earlier states can be returned to.
 void Lab::record_tear(Insert pieces) {
   const std::uint32_t before = scene_.state.torn;
   scene_.tears.push_back(std::make_shared<const Tear>(Tear{before, std::move(pieces.springs), std::move(pieces.faces)}));
@@ -171,14 +171,14 @@ void Lab::record_tear(Insert pieces) {
   history_.record("tear", {SetTorn{before}}, scene_.system.grab || scene_.state.hand.collider ? grab_gesture_ : tearing_gesture);
 }
 
-// How far the hand is behind its target [m].
+// Distance from the hand to its target [m].
 double Lab::hand_lag() const {
   const Hand& hand = scene_.state.hand;
   if (hand.collider) return glm::distance(hand.collider->target, anchor_of(hand.collider->shape));
   return scene_.system.grab ? glm::distance(hand.target, hand.position) : 0.0;
 }
 
-// Judges the frame just computed and takes it over, or keeps the one before and stops.
+// Checks the frame just computed and adopts it; if it diverged, keeps the previous state and stops.
 bool Lab::finish_frame() {
   next_ = scene_.state;
   frame_.end(plan_, next_);
@@ -207,7 +207,7 @@ bool Lab::finish_frame() {
   last_limit_work_ = frame_.motion().limit_work;
   limit_work_ += last_limit_work_;
   add_to_timeline();
-  // the clock is a sum of frames: half a frame decides
+  // the clock is a sum of frame durations: compare with a tolerance of half a frame
   if (run_to_ && scene_.state.time + 0.5 / scene_.settings.frame_rate > *run_to_) {
     running_ = false;
     run_to_.reset();

@@ -1,5 +1,5 @@
-// The laboratory without a screen: a scene, its clock, its history. Takes commands into a queue, applies them between
-// steps, steps in real time, watches for divergence and publishes a Status with a Snapshot.
+// The laboratory without a screen: a scene, its clock and its history. It queues commands, applies them between substeps, steps in real
+// time, detects divergence and publishes a Status with a Snapshot.
 #pragma once
 
 #include <chrono>
@@ -21,81 +21,81 @@
 
 namespace hooke {
 
-// What is asked of the laboratory itself; queued like commands, in the same order.
+// Requests to the laboratory itself; queued with the commands, in order.
 struct Undo {};
 struct Redo {};
-struct GoToHistoryStep {  // takes back, or does again, until so many steps are in effect
+struct GoToHistoryStep {  // undoes or redoes until `done` steps are in effect
   std::size_t done;
 };
 struct SetRunning {
   bool running;
 };
 struct StepOnce {};  // one frame, while paused
-struct RunTo {       // as fast as it goes, until the scene's clock says so
+struct RunTo {       // as fast as possible, until the scene's clock reaches `time`
   double time;
 };
-struct StepBack {};  // to the frame before, where it is still known; pauses
-struct GoToTime {    // to the last known frame at this time or before; pauses
+struct StepBack {};  // to the previous recorded state; pauses
+struct GoToTime {    // to the last recorded state at this time or before; pauses
   double time;
 };
-struct Watch {  // what is measured of every frame, for the plots
+struct Watch {  // sets the quantities measured in every frame, for the plots
   std::vector<Quantity> quantities;
 };
-struct GoToStart {};  // the scene as it was before it first ran; method, substeps and clock stay as they are set
-struct Open {         // another document; the history ends
+struct GoToStart {};  // the scene as it was before it first ran; the settings stay
+struct Open {         // another document, with an empty history
   std::shared_ptr<const Scene> scene;
-  bool unsaved = false;  // it holds changes that no file has
+  bool unsaved = false;  // it contains unsaved changes
 };
 struct MarkSaved {};
-struct Record {                                       // what is done from here on; an earlier recording ends
-  std::shared_ptr<const std::filesystem::path> file;  // null: none
+struct Record {                                       // starts a recording; an earlier one ends
+  std::shared_ptr<const std::filesystem::path> file;  // null: only ends it
 };
-struct Play {  // another document: what was recorded, done again frame by frame, until it ends or somebody lends a hand
+struct Play {  // opens the start of a recording and replays it, until its end or the next edit
   std::shared_ptr<const Recording> recording;
 };
 using Control = std::variant<Undo, Redo, GoToHistoryStep, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, GoToStart, Open,
                              MarkSaved, Record, Play>;
 
-// Whether the scene is kept as it was opened, to go back to: a copy, which a long run of a large scene can do without.
+// Whether a copy of the opened scene is kept for GoToStart. A long run of a large scene can do without.
 enum class KeepStart { Yes, No };
 
 class Lab {
  public:
-  // Without a start there is nothing to go back to, and no status before the first `publish`.
+  // Without a start there is no GoToStart, no timeline, and no status before the first `publish`.
   explicit Lab(Scene scene, KeepStart keep = KeepStart::Yes);
 
   void submit(Command command, Gesture gesture = 0);
   void submit(Control control, Gesture gesture = 0);
 
-  // Applies what is queued, then steps as many frames as `real_seconds` at the scene's speed ask for, until
-  // `should_continue` says no (asked between substeps; a frame cut short is taken up by the next call). What cannot be
-  // computed in time is dropped, so that the scene slows down instead of piling up.
+  // Applies the queue, then computes as many frames as `real_seconds` at the scene's speed require, until `should_continue` returns
+  // false (asked between substeps; the next call continues an unfinished frame). Frames that cannot be computed in time are dropped, so
+  // that a slow scene runs slower.
   void advance(double real_seconds, const std::function<bool()>& should_continue);
 
   // Real time until the next frame is due while running; zero for a frame in progress.
   std::chrono::duration<double> time_to_next_frame() const;
 
-  // Steps exactly one frame, applying what is queued before. False when it diverged: the state is the frame before.
+  // Applies the queue and computes exactly one frame. False if it diverged: the state is that of the previous frame.
   bool step();
 
-  // Whether submitted commands wait for the frame in progress, and a way to apply them without waiting.
+  // Whether submitted commands wait for the frame in progress; applies them without waiting.
   bool has_pending() const { return !queue_.empty(); }
   void apply_pending() { apply_queue(); }
 
-  // The last published status; `advance` publishes, after `step` it is the caller's choice.
+  // The last published status. `advance` publishes; after `step`, the caller may.
   const std::shared_ptr<const Status>& status() const { return status_; }
   void publish();
   const Scene& scene() const { return scene_; }
 
-  // Ids for the points and springs of a coming Insert.
+  // Ids for the points and springs of an Insert.
   PointId new_point_id() { return scene_.system.new_point_id(); }
   SpringId new_spring_id() { return scene_.system.new_spring_id(); }
 
-  // Whether a recording is being played, and where it came out otherwise: "frame 12, at 0.2 s: point 5 is not where recorded".
+  // Whether a recording is being played, and where the playback departs from it: "frame 12, at 0.2 s: point 5 is not where recorded".
   bool is_playing() const { return playback_.is_on(); }
   const std::string& difference() const { return playback_.difference(); }
 
-  // Of the last frame, for `run --json`.
+  // The last frame, for `run --json`.
   const Frame& last_frame() const { return frame_; }
 
  private:
@@ -139,17 +139,17 @@ class Lab {
   bool frame_in_progress_ = false;
   bool must_finish_frame_ = false;   // an edit discarded the frame before it
   std::vector<Command> held_edits_;  // applied while a frame that they do not affect is in progress; recorded after it
-  State next_;                       // what the frame in progress will lead to
-  Energy energy_;                    // of the last sound frame
+  State next_;                       // result of the frame in progress
+  Energy energy_;                    // of the last frame that did not diverge
   std::optional<Divergence> divergence_;
   bool running_ = false;
   std::optional<double> run_to_;  // [s]
   double run_from_ = 0.0;         // [s]
   bool unsaved_ = false;
   bool edited_ = false;           // since the start was kept
-  Gesture grab_gesture_ = 0;      // of the hand's last grab: what tears under it is taken back with it
+  Gesture grab_gesture_ = 0;      // of the last grab: tears during it are undone with it
   double hand_lag_ = 0.0;         // [m], behind its target
-  double limit_work_ = 0.0;       // [J], of the strain limit since the document was opened or started over
+  double limit_work_ = 0.0;       // [J], of the strain limit since the start
   double last_limit_work_ = 0.0;  // [J], in the last frame
   long edits_ = 0;
   double frame_ms_ = 0.0, simulate_ms_ = 0.0;

@@ -1,4 +1,4 @@
-// What a Lab does when it is asked for something else than an edit: documents, undo, going back in time, recordings.
+// Handling of controls: documents, undo, the timeline, recordings.
 #include "base/overloaded.h"
 #include "lab/lab.h"
 
@@ -8,12 +8,12 @@ void Lab::open(std::shared_ptr<const Scene> scene) {
   start_ = std::move(scene);
   scene_ = *start_;
   reset_session();
-  // until the first edit the start is what is shown: a large scene is not copied once more
+  // until the first edit readers share the System of the start, which saves a copy
   published_system_ = std::shared_ptr<const System>(start_, &start_->system);
   published_system_revision_ = scene_.revision;
 }
 
-// With the scene that was just put in place.
+// Resets everything for the scene that was just opened.
 void Lab::reset_session() {
   scene_.state.ledger = {};
   held_edits_.clear();
@@ -35,7 +35,7 @@ void Lab::reset_session() {
   initialize_ledger(scene_.system, scene_.state);
 }
 
-// The start is what was built before it ran: edits until then belong to it.
+// Edits made before the first frame belong to the start.
 void Lab::keep_start() {
   if (start_ && edited_ && scene_.state.time == start_->state.time) start_ = std::make_shared<const Scene>(scene_);
   edited_ = false;

@@ -27,7 +27,7 @@ DocumentStatus document_of(const Scene& scene) {
 
 }  // namespace
 
-// The copies for readers are made once a revision: a System is large, and its parameters are read from all springs.
+// Copies for readers are made once per revision: a System is large, and reading the parameters visits all springs.
 const std::shared_ptr<const System>& Lab::published_system() {
   if (!published_system_ || published_system_revision_ != scene_.revision)
     published_system_ = std::make_shared<const System>(scene_.system);

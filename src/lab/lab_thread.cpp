@@ -9,7 +9,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// How long a frame in progress may keep its results to itself.
+// The longest time between two publications while a frame is in progress.
 constexpr auto max_publish_interval = std::chrono::milliseconds(50);
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The laboratory on a thread of its own: commands go in through a queue, a Status with a Snapshot comes out, and the one
-// who asks never waits for a step, however long it takes. The states are the same bits as without the thread.
+// The laboratory on a thread of its own: it takes commands through a queue and publishes a Status with a Snapshot. Callers never wait for a
+// step. The states have the same bits as without the thread.
 #pragma once
 
 #include <atomic>
@@ -27,16 +27,16 @@ class LabThread {
   void submit(Command command, Gesture gesture = 0);
   void submit(Control control, Gesture gesture = 0);
 
-  // The newest; never null.
+  // The latest status; never null.
   std::shared_ptr<const Status> status() const;
 
-  // A copy of the scene after all that was submitted before, between two frames: to be saved. Ready when the thread gets to it.
+  // A copy of the scene between two frames, after all that was submitted before, to be saved.
   std::future<std::shared_ptr<const Scene>> copy_scene();
 
   // Waits at most `at_most` until the status reflects all that was submitted before; returns whether it does.
   bool settle(std::chrono::milliseconds at_most);
 
-  // Ids for the points and springs of a coming Insert.
+  // Ids for the points and springs of an Insert.
   PointId new_point_id();
   SpringId new_spring_id();
 
@@ -53,8 +53,8 @@ class LabThread {
   std::condition_variable published_;
   long posted_count_ = 0, published_count_ = 0;  // tasks; guarded by mutex_
   std::atomic<bool> stopping_ = false;
-  std::atomic<bool> urgent_ = false;                      // something waits that a frame in progress should make way for
-  std::uint32_t next_point_id_ = 0, next_spring_id_ = 0;  // of the asking thread
+  std::atomic<bool> urgent_ = false;                      // a submitted request interrupts the frame in progress
+  std::uint32_t next_point_id_ = 0, next_spring_id_ = 0;  // of the calling thread
   std::thread thread_;
 };
 

@@ -38,7 +38,7 @@ void Playback::compare(const State& state, Index points) {
 }
 
 void Playback::record_divergence() {
-  if (is_on()) difference_ = "frame " + std::to_string(frames_ + 1) + " diverges, and did not when it was recorded";
+  if (is_on()) difference_ = "frame " + std::to_string(frames_ + 1) + " diverges; it did not when it was recorded";
   stop();
 }
 

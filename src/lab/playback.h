@@ -1,4 +1,4 @@
-// A recording that is done again, frame by frame: what comes next in it, and whether it comes out the same.
+// Playback of a recording, frame by frame: the next recorded edit, and the comparison with the recorded frames.
 #pragma once
 
 #include <memory>
@@ -11,24 +11,23 @@ namespace hooke {
 class Playback {
  public:
   void start(std::shared_ptr<const Recording> recording);
-  // What it found out is still known, until the next one starts or it is forgotten.
+  // Keeps the difference found until the next start or clear_difference.
   void stop() { recording_.reset(); }
   void clear_difference() { difference_.clear(); }
   bool is_on() const { return recording_ != nullptr; }
 
-  // What was done next, before the next frame: a Command or a scene; null where a frame comes first. It is over when nothing
-  // comes any more.
+  // The next edit before the next frame: a Command or a scene; null if a frame comes first. Playback ends with the last item.
   const Recording::Item* next_edit();
 
-  // Compares the frame just computed with the recorded one, or says that it diverged; where they are not the same it is over.
+  // Compares the frame just computed with the recorded one, or records that it diverged. Playback ends at the first difference.
   void compare(const State& state, Index points);
   void record_divergence();
-  // Whether the last frame has been done; edits may follow.
+  // Whether the last frame has been computed; edits may follow.
   bool is_after_last_frame() const { return is_on() && frames_ == recording_->frames; }
 
-  // Where it came out otherwise: "frame 12, at 0.2 s: point 5 is not where recorded"; empty: nowhere so far.
+  // Where the playback departs from the recording: "frame 12, at 0.2 s: point 5 is not where recorded"; empty: nowhere so far.
   const std::string& difference() const { return difference_; }
-  // The share of the frames that has been done [1].
+  // Fraction of the frames that has been computed [1].
   double progress() const { return static_cast<double>(frames_) / static_cast<double>(recording_->frames); }
 
  private:

@@ -1,5 +1,4 @@
-// The recording that is being written, if there is one. One that cannot be written ends, and what it recorded of is not
-// disturbed.
+// The recording that is being written, if any. A write error ends the recording without disturbing the session.
 #pragma once
 
 #include <functional>
@@ -12,18 +11,18 @@ namespace hooke {
 
 class Recorder {
  public:
-  // From this scene on; an earlier one ends.
+  // Starts a recording with this scene; an earlier one ends.
   void start(const std::filesystem::path& file, const Scene& scene);
   void stop();
 
-  // As RecordingWriter's; nothing without a recording.
+  // Like those of RecordingWriter; no effect without a recording.
   void record(const Command& command, const Scene& now);
   void record_scene(const Scene& scene);
   void record_frame(const State& state);
 
-  // What is written; null: nothing.
+  // The file being written; null: none.
   const std::filesystem::path* file() const { return writer_ ? &writer_->file() : nullptr; }
-  // Why the last one ended before it was stopped; empty: it did not.
+  // The error that ended the last recording; empty: none.
   const std::string& error() const { return error_; }
 
  private:

@@ -1,5 +1,5 @@
-// What was done in the laboratory, frame by frame, with a fingerprint of every frame: enough to do it again and to see where
-// it came out otherwise. A text, a line an item (docs/recording-format.md).
+// A recording: the edits of a session and a fingerprint of every frame, enough to replay it and to find where a replay departs from it.
+// A text file with one item per line (docs/recording-format.md).
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ namespace hooke {
 inline constexpr int newest_recording_version = 1;
 inline constexpr const char* recording_extension = ".hookelog";
 
-// Of a state: hash_state of all of it, and a byte a group of neighbouring points, so that a difference can be placed. A group
-// is one point in scenes of up to max_groups of them.
+// Of a state: its hash_state, and one byte for each group of neighbouring points, to locate a difference. In scenes of up to max_groups
+// points each group is a single point.
 struct Fingerprint {
   static constexpr std::size_t max_groups = 1024;
   std::uint64_t hash = 0;
@@ -28,24 +28,24 @@ struct Fingerprint {
 };
 Fingerprint fingerprint_of(const State& state);
 
-// The first point by its number, and the last one of its group, where two fingerprints of `points` points differ; nothing
-// when only the hash or the time does.
+// Indices of the first and the last point of the first group in which two fingerprints of `points` points differ; nothing if only the
+// hash differs.
 std::optional<std::pair<Index, Index>> first_difference(const Fingerprint& a, const Fingerprint& b, Index points);
 
 struct Recording {
-  // In the order in which it happened: an edit, a scene that took the place of the one before, the end of a frame.
+  // In order: an edit, a scene that replaces the one before, the end of a frame.
   using Item = std::variant<Command, std::shared_ptr<const Scene>, Fingerprint>;
   std::shared_ptr<const Scene> start;
   std::vector<Item> items;
   long frames = 0;
-  bool is_truncated = false;  // the last line was not finished: who wrote it was stopped
+  bool is_truncated = false;  // the last line is incomplete: its writer was stopped
 };
 
 // Throws InputError ("FILE: line N: ...") or FileError.
 Recording read_recording(const std::filesystem::path& file);
 Recording parse_recording(const std::string& text, const std::string& name);
 
-// Writes as it goes, so that a program that is killed leaves what it recorded. Every function throws FileError.
+// Writes each item at once, so that the recording of a killed program is usable. Every function throws FileError.
 class RecordingWriter {
  public:
   RecordingWriter(const std::filesystem::path& file, const Scene& start);
@@ -54,7 +54,7 @@ class RecordingWriter {
   void record(const Command& command, const Scene& now);
   void record_scene(const Scene& scene);
   void record_frame(const State& state);
-  // All of it is in the file.
+  // Ensures that everything is in the file.
   void close();
 
   const std::filesystem::path& file() const { return file_; }

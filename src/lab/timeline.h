@@ -1,5 +1,5 @@
-// The last frames as they were, to be gone back to. Only what moves is kept, and as a number what had torn (Scene::tears): going
-// back mends that, and changes no edit; the past ends where points were added or taken away.
+// The states of the latest frames. Only State is kept, with tears as an index (Scene::tears): returning to a state undoes later tears but
+// no edits. The timeline is cleared when points are added or removed.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,10 @@ namespace hooke {
 
 class Timeline {
  public:
-  // Beyond this many moments, or bytes of them, the oldest are forgotten; the newest never.
+  // Beyond this many states or bytes the oldest are discarded, but never the newest.
   static constexpr std::size_t max_states = 2000, max_bytes = std::size_t{100} << 20;
 
-  // The newest moment. Moments at its time or later are gone: from there it went on otherwise.
+  // Appends a state. States at its time or later are discarded: the run took another course from there.
   void record(const State& state);
   void clear();
 
@@ -25,13 +25,13 @@ class Timeline {
   double first_time() const { return states_.front()->time; }
   double last_time() const { return states_.back()->time; }
   std::shared_ptr<const State> at(std::size_t moment) const { return states_[moment]; }
-  // The moment at this time or the last before it; the first when all are later. There must be one.
+  // Index of the last state at or before this time; 0 if all are later. The timeline must not be empty.
   std::size_t find(double time) const;
 
  private:
   void drop(bool newest);
 
-  std::deque<std::shared_ptr<const State>> states_;  // in the order of time
+  std::deque<std::shared_ptr<const State>> states_;  // in ascending order of time
   std::size_t bytes_ = 0;
 };
 

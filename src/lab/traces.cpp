@@ -14,7 +14,7 @@ void drop_front(std::vector<T>& list, std::size_t count) {
   list.erase(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
-// Dropping from the front of a list moves the rest of it: some hundreds at a time.
+// Erasing from the front of a vector moves the rest of it, so this many values are erased at once.
 constexpr std::size_t drop_batch = 256;
 
 }  // namespace

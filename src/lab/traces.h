@@ -1,4 +1,4 @@
-// Quantities over time, for the plots: as many moments as the timeline holds.
+// Quantities over time, for the plots: one value for each state of the timeline.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace hooke {
 
 struct Trace {
   Quantity quantity;
-  std::vector<double> values;  // one a moment; not a number where the scene had no such point or spring
+  std::vector<double> values;  // one for each time; NaN where the scene had no such point or spring
 };
 
 // What the plots show.
@@ -22,9 +22,9 @@ struct TraceTable {
 
 class Traces {
  public:
-  // What is measured from here on, and of the moments that are known, with the System as it is now.
+  // Sets the quantities to be measured; those of recorded states are computed with the given System.
   void watch(const std::vector<Quantity>& quantities, const Timeline& timeline, const System& system);
-  // The newest moment, which the timeline has just noted.
+  // Measures the state that the timeline has just recorded.
   void record(const Timeline& timeline, const System& system, const State& state);
   void clear();
 
@@ -38,7 +38,7 @@ class Traces {
   mutable std::shared_ptr<const TraceTable> published_;  // null: stale
 };
 
-// CSV: a heading with units, then a row a moment.
+// CSV: a heading with units, then one row for each time.
 std::string to_csv(const TraceTable& table);
 
 }  // namespace hooke

@@ -467,7 +467,7 @@ TEST(Textures, AreChosenSavedAndTakenBack) {
   EXPECT_EQ(gui.status().document->view.texture, "mine.png");
   ASSERT_TRUE(gui.app().view_options().cloth_texture.picture);
   EXPECT_FALSE(gui.app().view_options().strain_colors);  // they would hide it
-  EXPECT_EQ(gui.status().history.undo_name, "put a texture on");
+  EXPECT_EQ(gui.status().history.undo_name, "set the texture");
 
   gui.app().panels().view.points = false;
   gui.key(letter('S'), control);

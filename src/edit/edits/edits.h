@@ -1,4 +1,4 @@
-// How each command acts on a scene; `apply` (lab/apply.h) picks one. A file a group of them.
+// The effect of each command on a scene, called by `apply` (edit/apply.h). One file for each group of commands.
 #pragma once
 
 #include <cmath>
@@ -14,18 +14,18 @@ struct Apply {
   Scene& scene;
   Effect& effect;
 
-  // network.cpp: points, springs and faces come and go
+  // network.cpp: points, springs and faces are added and removed
   Inverse operator()(const Insert& insert);
   Inverse operator()(const Remove& remove);
 
-  // properties.cpp: what points and springs are
+  // properties.cpp: properties of points and springs
   Inverse operator()(const SetNailed& set);
   Inverse operator()(const Move& move);
   Inverse operator()(const SetPointColor& set);
   Inverse operator()(const SetPointProperty& set);
   Inverse operator()(const SetSpringProperty& set);
 
-  // settings.cpp: parameters, and what is around
+  // settings.cpp: parameters, method, surroundings, appearance
   Inverse operator()(const SetParameter& set);
   Inverse operator()(const RestoreParameter& restore);
   Inverse operator()(const SetIntegrator& set);
@@ -34,13 +34,13 @@ struct Apply {
   Inverse operator()(const SetForces& set);
   Inverse operator()(const SetTexture& set);
 
-  // hand.cpp
+  // hand.cpp: grab, move, release
   Inverse operator()(const GrabPoint& grab);
   Inverse operator()(const GrabCollider& grab);
   Inverse operator()(const MoveHand& move);
   Inverse operator()(const ReleaseHand&);
 
-  // moments.cpp: other states of the run, other scenes
+  // states.cpp: other states of the run, other scenes
   Inverse operator()(const GoToState& go);
   Inverse operator()(const SetTorn& set);
   Inverse operator()(const Replace& replace);
@@ -51,15 +51,15 @@ struct Apply {
   void release_collider();
 };
 
-// What may come into a scene.
+// Whether a value may be part of a scene.
 inline bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 bool is_valid(const Point& point);
 bool is_valid(const Spring& spring);
 
-// What the hand has hold of.
+// The points that a grab acts on.
 std::vector<PointId> points_of(const Grab& grab);
 
-// In a flat scene everything stays in its plane.
+// Projects to the plane of a two-dimensional scene.
 inline Vec3 in_plane(const System& system, Vec3 v) {
   if (system.dimensions == 2) v.z = 0.0;
   return v;

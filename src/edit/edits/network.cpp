@@ -9,7 +9,7 @@ namespace {
 
 bool is_sheet_weight(double sheet_weight) { return sheet_weight >= 0.0 && std::isfinite(sheet_weight); }
 
-// Puts each (place, item), places ascending, where it was before it was taken out; no_index and beyond: at the end.
+// Inserts each item at its index, indices ascending; no_index and indices beyond the end append.
 template <class Item>
 std::vector<Item> merged(const std::vector<Item>& list, const std::vector<std::pair<Index, Item>>& inserted) {
   std::vector<Item> result;
@@ -103,7 +103,7 @@ Inverse Apply::operator()(const Remove& remove) {
     inverse.springs.push_back({s, spring, sheet_weight_of(before.get(), spring.id)});
     sheet.set(spring.id, 0.0);
   }
-  // of equal faces the last ones go, as many as are named
+  // of equal faces, remove as many as are named, last ones first
   std::map<std::array<PointId, 3>, long> named;
   for (const Face& face : remove.faces) ++named[face.points];
   std::vector<bool> is_face_removed(system.faces.size(), false);

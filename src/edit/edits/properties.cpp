@@ -56,7 +56,7 @@ Inverse Apply::operator()(const SetPointColor& set) {
 Inverse Apply::operator()(const SetPointProperty& set) {
   double Point::*const property = set.property == PointProperty::Mass ? &Point::mass : &Point::radius;
   SetPointProperty inverse{set.property, {}};
-  // where mass goes along with the radius, it is put back after the radius is
+  // where mass follows the radius, restore it after the radius
   SetPointProperty masses{PointProperty::Mass, {}};
   const bool follows = set.property == PointProperty::Radius && scene.defaults.mass_follows_radius;
   for (const auto& [id, value] : set.values) {

@@ -5,7 +5,7 @@
 
 namespace hooke {
 
-// The time moves with the points: it is another moment of the same run.
+// The time changes with the points: it is another state of the same run.
 Inverse Apply::operator()(const GoToState& go) {
   const State& target = *go.state;
   const auto fits = [&](const std::vector<Vec3>& list) {
@@ -32,7 +32,7 @@ Inverse Apply::operator()(const SetTorn& set) {
   return {inverse};
 }
 
-// Mends and tears what lies between.
+// Undoes and repeats the tears between the current index and `torn`.
 void Apply::apply_tears_until(std::uint32_t torn) {
   const TearPath path = path_between(scene, scene.state.torn, torn);
   for (const std::uint32_t tear : path.undone) (*this)(restored_by_undo(*scene.tears[tear - 1]));
@@ -42,7 +42,7 @@ void Apply::apply_tears_until(std::uint32_t torn) {
 
 Inverse Apply::operator()(const Replace& replace) {
   const Replace inverse{std::make_shared<const Scene>(scene)};
-  // tears of the same run stay known: what came of them may be gone back to
+  // keep the tears of the same run: later states of it can still be returned to
   auto tears = std::move(scene.tears);
   scene = *replace.scene;
   const bool is_same_run = tears.size() > scene.tears.size() && std::equal(scene.tears.begin(), scene.tears.end(), tears.begin());
