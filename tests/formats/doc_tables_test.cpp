@@ -17,8 +17,8 @@ TEST(DocTables, AreUpToDate) {
 }
 
 TEST(DocTables, ReplaceWhatIsBetweenTheirMarks) {
-  const std::string text = with_doc_tables("before\n<!-- table shapes -->\nold\n<!-- end -->\nafter\n");
-  EXPECT_EQ(text.find("old"), std::string::npos);
+  const std::string text = with_doc_tables("before\n<!-- table shapes -->\nstale text\n<!-- end -->\nafter\n");
+  EXPECT_EQ(text.find("stale text"), std::string::npos);
   EXPECT_NE(text.find("| `jelly` |"), std::string::npos);
   EXPECT_TRUE(text.starts_with("before\n") && text.ends_with("<!-- end -->\nafter\n"));
 }
