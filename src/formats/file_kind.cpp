@@ -25,7 +25,7 @@ Table<FileKind> file_kinds() {
 #include "formats/list.inc"
   };
 #undef ROW
-  return Table<FileKind>(rows, {});
+  return Table<FileKind>(rows);
 }
 
 Table<FileKind> export_kinds() {
@@ -35,7 +35,7 @@ Table<FileKind> export_kinds() {
       if (kind.source != ExportSource::None) exports.push_back(&kind);
     return exports;
   }();
-  return Table<FileKind>(rows, {});
+  return Table<FileKind>(rows);
 }
 
 const FileKind* find_file_kind(const std::filesystem::path& file) {

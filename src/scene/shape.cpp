@@ -29,7 +29,7 @@ Table<ShapeKind> shape_kinds() {
 #include "scene/shapes/list.inc"
   };
 #undef ROW
-  return Table<ShapeKind>(rows, {});
+  return Table<ShapeKind>(rows);
 }
 
 Table<ShapeKind> placeable_shapes() {
@@ -39,7 +39,7 @@ Table<ShapeKind> placeable_shapes() {
       if (kind.is_placeable()) placeable.push_back(&kind);
     return placeable;
   }();
-  return Table<ShapeKind>(rows, {});
+  return Table<ShapeKind>(rows);
 }
 
 const ShapeKind* find_shape_kind(std::string_view id) {

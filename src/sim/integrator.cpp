@@ -15,7 +15,7 @@ Table<Integrator> integrators() {
 #include "sim/integrators/list.inc"
   };
 #undef ROW
-  return Table<Integrator>(rows, {});
+  return Table<Integrator>(rows);
 }
 
 const Integrator* find_integrator(std::string_view id) {

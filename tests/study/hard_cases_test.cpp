@@ -2,7 +2,9 @@
 // `hooke check --hard` itself.
 
 #include <gtest/gtest.h>
+
 #include <rapidjson/document.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>

@@ -10,7 +10,7 @@ Table<ForceTerm> force_terms() {
 #include "sim/forces/terms/list.inc"
   };
 #undef ROW
-  return Table<ForceTerm>(rows, {});
+  return Table<ForceTerm>(rows);
 }
 
 const ForceTerm* find_force_term(std::string_view id) {
