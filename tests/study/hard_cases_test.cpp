@@ -2,13 +2,12 @@
 // `hooke check --hard` itself.
 
 #include <gtest/gtest.h>
-
 #include <rapidjson/document.h>
-#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <glm/geometric.hpp>
 #include <set>
 #include <sstream>
 
