@@ -10,6 +10,13 @@
 namespace hooke {
 namespace {
 
+// Whether the edit concerns the points that diverged, not only parameters.
+bool moves_points(const Command& command) {
+  return std::holds_alternative<Insert>(command) || std::holds_alternative<Remove>(command) || std::holds_alternative<Move>(command) ||
+         std::holds_alternative<GoToState>(command) || std::holds_alternative<Replace>(command) ||
+         std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command);
+}
+
 using Clock = std::chrono::steady_clock;
 
 double milliseconds_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
@@ -89,12 +96,21 @@ void Lab::edit(const Command& command, Gesture gesture) {
   else
     record_edit_energy(scene_.system, before, scene_.state);
   record_edit(command);
-  divergence_.reset();
+  if (moves_points(command)) divergence_.reset();
+  check_divergence();
   if (std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command)) grab_gesture_ = gesture;
   if (inverse.empty()) return;
   history_.record(describe(command), std::move(inverse), gesture);
   unsaved_ = edited_ = true;
   ++edits_;
+}
+
+// A change of parameters does not hide why a run stopped, unless it resolves it: the step was beyond the method's limit and no
+// longer is.
+void Lab::check_divergence() {
+  if (!divergence_) return;
+  const bool is_stable = scene_.settings.substep() <= largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
+  if (is_stable && was_unstable_) divergence_.reset();
 }
 
 // Edits that discard every frame in progress would stop the clock: after one discarded frame, edits wait until the next is finished.
@@ -189,6 +205,8 @@ bool Lab::finish_frame() {
   const Energy energy = compute_energy(scene_.system, next_);
   divergence_ = find_divergence(scene_.system, next_, energy);
   if (divergence_) {
+    diverged_with_ = scene_.settings;
+    was_unstable_ = scene_.settings.substep() > largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
     Effect effect;
     if (torn) apply(scene_, *torn, effect);
     if (effect.structure) update_plan(effect);

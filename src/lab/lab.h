@@ -101,6 +101,7 @@ class Lab {
  private:
   void apply_queue();
   bool must_wait_for_frame() const;
+  void check_divergence();
   void handle(const Control& control, Gesture gesture);
   void edit(const Command& command, Gesture gesture);
   void update_plan(Effect effect);
@@ -137,11 +138,13 @@ class Lab {
   Plan plan_;
   Frame frame_;
   bool frame_in_progress_ = false;
-  bool must_finish_frame_ = false;   // an edit discarded the frame before it
-  std::vector<Command> held_edits_;  // applied while a frame that they do not affect is in progress; recorded after it
-  State next_;                       // result of the frame in progress
-  Energy energy_;                    // of the last frame that did not diverge
-  std::optional<Divergence> divergence_;
+  bool must_finish_frame_ = false;        // an edit discarded the frame before it
+  std::vector<Command> held_edits_;       // applied while a frame that they do not affect is in progress; recorded after it
+  State next_;                            // result of the frame in progress
+  Energy energy_;                         // of the last frame that did not diverge
+  std::optional<Divergence> divergence_;  // of the last frame, until it is resolved
+  Settings diverged_with_;                // the settings at the time
+  bool was_unstable_ = false;             // its step was beyond the limit of the method
   bool running_ = false;
   std::optional<double> run_to_;  // [s]
   double run_from_ = 0.0;         // [s]

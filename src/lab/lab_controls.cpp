@@ -58,7 +58,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
     update_plan(history_.go_to(done, scene_));
     record_edit_energy(scene_.system, before, scene_.state);
     recorder_.record_scene(scene_);
-    divergence_.reset();
+    check_divergence();
     unsaved_ = edited_ = true;
     ++edits_;
   };

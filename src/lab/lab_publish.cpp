@@ -96,7 +96,7 @@ void Lab::publish() {
   status->recording.difference = playback_.difference();
   if (divergence_) {
     status->diagnosis.advice = advise(plan_.spectrum, scene_.settings);
-    status->diagnosis.message = explain(*divergence_, scene_.system, scene_.settings, *status->diagnosis.advice);
+    status->diagnosis.message = explain(*divergence_, scene_.system, diverged_with_, *status->diagnosis.advice);
   }
   status->next_point_id = scene_.system.next_point_id();
   status->next_spring_id = scene_.system.next_spring_id();

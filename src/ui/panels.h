@@ -127,11 +127,11 @@ struct Panels {
   Placement placement;
   ExportState export_state;
   bool menu_is_open = false;
-  std::string toast;          // a message that disappears by itself
-  double toast_until = 0.0;   // [s], ImGui's clock
-  std::string dismissed;      // the message whose banner was closed
-  std::string file_warnings;  // about the opened file
-  std::string file_notice;    // the file changed on disk
+  std::string toast;                // a message that disappears by itself
+  double toast_until = 0.0;         // [s], ImGui's clock
+  std::optional<double> dismissed;  // time of the divergence whose banner was closed [s]
+  std::string file_warnings;        // about the opened file
+  std::string file_notice;          // the file changed on disk
   bool file_is_gone = false;
   bool text_in_progress = false;  // a text field has the keyboard
   bool edit_in_progress = false;  // the active slider has already made an edit

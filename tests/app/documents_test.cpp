@@ -92,7 +92,7 @@ TEST(Recovery, OffersWhatAKilledRunHadKeptBitForBit) {
   ASSERT_EQ(asked(gui), Dialog::Kind::Recovery);
   const std::string words = gui.words();
   EXPECT_NE(words.find("net, autosaved at "), std::string::npos) << words;
-  push(gui, "Unsaved work was found", "Later");
+  push(gui, "Unsaved work found", "Later");
   EXPECT_EQ(copies_in(desk.home), 1);
 
   // the next start offers it again
@@ -122,7 +122,7 @@ TEST(Recovery, ThrownAwayWorkIsNotOfferedAgain) {
   GuiTrial gui({}, {}, desk.home);
   gui.frames(2);
   ASSERT_EQ(asked(gui), Dialog::Kind::Recovery);
-  const ImGuiWindow* box = ImGui::FindWindowByName("Unsaved work was found");
+  const ImGuiWindow* box = ImGui::FindWindowByName("Unsaved work found");
   ASSERT_NE(box, nullptr);
   const int row = 0;
   const ImGuiID button = ImHashStr("Throw away", 0, ImHashData(&row, sizeof row, box->ID));
@@ -154,7 +154,7 @@ TEST(Recovery, NothingIsKeptOfWhatIsSavedOrDiscarded) {
   ASSERT_TRUE(wait_for(gui, [&] { return copies_in(desk.home) == 1; }));
   gui.key(letter('Q'), control);
   gui.frames(2);
-  push(gui, "Save the changes?", "Discard");
+  push(gui, "Save changes?", "Discard");
   EXPECT_TRUE(gui.app().is_finished());
   EXPECT_TRUE(fs::is_empty(desk.home.state / "runs") || copies_in(desk.home) == 0);
 }
@@ -548,7 +548,7 @@ TEST(DesktopDialog, AnswersWithAFile) {
   const FakeDialog fake("zenity", desk.file.string(), 0);
   GuiTrial gui({}, {}, desk.home);
   gui.key(letter('O'), control);
-  push(gui, "Open a scene", "Desktop's dialog");
+  push(gui, "Open scene", "System dialog");
   EXPECT_EQ(asked(gui), Dialog::Kind::None);
   EXPECT_TRUE(wait_for(gui, [&] { return gui.app().title() == "Hooke - net"; }));
   EXPECT_NE(fake.called().find("--file-selection\n"), std::string::npos);

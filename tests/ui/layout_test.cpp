@@ -207,8 +207,8 @@ TEST_P(Layouts, BoxesStandWithinTheWindow) {
   gui.key(letter('E'), {.control = true});
   expect_in_order(gui, "export", "Wavefront");
   gui.key(Key::Escape);
-  for (const ShapeKind& kind : placeable_shapes()) {
-    panels.placement = {.shape = default_shape(kind), .is_new = true};
+  for (const ShapeKind& kind : shape_kinds()) {
+    gui.app().handle(Request(StartPlacement{&kind}));
     expect_in_order(gui, kind.label.data(), kind.label.data());
     gui.key(Key::Escape);
   }
@@ -217,23 +217,23 @@ TEST_P(Layouts, BoxesStandWithinTheWindow) {
   gui.key(Key::Escape);
 
   gui.key(letter('O'), {.control = true});
-  expect_in_order(gui, "open", "Open a scene");
+  expect_in_order(gui, "open", "Open scene");
   gui.key(Key::Escape);
   gui.key(letter('S'), {.control = true, .shift = true});
-  expect_in_order(gui, "save", "Save the scene as");
+  expect_in_order(gui, "save", "Save scene as");
   gui.key(Key::Escape);
   panels.open_dialog(Dialog::Kind::Unsaved);
   expect_in_order(gui, "unsaved", "Discard");
   gui.key(Key::Escape);
   panels.show_message(
-      "A file was refused",
-      "scene.json: points[17].mass: -1: must be more than 0. The scene that was open stays as it was, and nothing is lost.");
+      "Cannot open the scene",
+      "scene.json: points[17].mass: -1: must be more than 0. The scene that was open before is still open, and nothing is lost.");
   expect_in_order(gui, "message", "points[17]");
   gui.key(Key::Escape);
-  panels.show_toast("Stiffness of the springs between the flag and its pole goes from 0.01 to 1000000 N/m, and this line is a long one");
-  expect_in_order(gui, "a passing line", "Stiffness of the springs");
+  panels.show_toast("Stiffness of the springs between the flag and its pole must be between 0.01 and 1000000 N/m, which makes this a long line");
+  expect_in_order(gui, "toast", "Stiffness of the springs");
   panels.file_warnings =
-      "flag.json: points[3].colour: unknown, and kept as it stands; the scene takes so many substeps that it will run slowly";
+      "flag.json: points[3].colour: unknown, kept unchanged; the scene needs so many substeps that it will run slowly";
   expect_in_order(gui, "banner", "Dismiss");
 }
 
@@ -242,7 +242,7 @@ TEST_P(Layouts, EveryMenuIsReadable) {
   resize(gui);
   const std::pair<const char*, const char*> menus[] = {
       {"File", "Save as"},       {"Scenes", "Flag in the wind"}, {"Edit", "Paste"},
-      {"Add", "Chain of links"}, {"Run", "Back to the start"},   {"View", "See the whole scene"}};
+      {"Add", "Chain of links"}, {"Run", "Back to start"},   {"View", "Frame all"}};
   for (const auto& [menu, line] : menus) {
     const Rect& bar = gui.app().layout().menu;
     const ImGuiID id = ImHashStr(menu, 0, ImGui::FindWindowByName("menu")->ID);

@@ -329,6 +329,44 @@ TEST(Banner, SaysWhyTheRunStoppedAndStartsOverWithTheAdvice) {
   EXPECT_EQ(gui.status().snapshot->settings.substeps, std::max(2, advice.substeps));
 }
 
+// Two springs far beyond the limit of the method.
+Scene unstable_springs() {
+  Scene scene = two_springs();
+  scene.settings.integrator = find_integrator("velocity_verlet");
+  scene.settings.substeps = 1;
+  for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 1e5;
+  scene.state.position[2].x = 0.6;
+  return scene;
+}
+
+void run_until_it_stops(GuiTrial& gui) {
+  gui.key(Key::Space);
+  for (int i = 0; i < 2000 && gui.status().diagnosis.message.empty(); ++i) gui.frame();
+  ASSERT_FALSE(gui.status().diagnosis.message.empty());
+  gui.frames(3);
+}
+
+TEST(Banner, StaysWhileParametersAreTunedUntilTheyResolveIt) {
+  GuiTrial gui(unstable_springs());
+  run_until_it_stops(gui);
+  gui.key(Key::Up);
+  EXPECT_NE(gui.words().find("Start over with "), std::string::npos);
+  gui.key(letter('Z'), {.control = true});
+  EXPECT_NE(gui.words().find("Start over with "), std::string::npos);
+  const int needed = gui.status().diagnosis.advice->substeps;
+  gui.app().handle(Request(Edit{SetParameter{find_parameter("substeps"), static_cast<double>(needed)}}));
+  EXPECT_EQ(gui.words().find("Start over with "), std::string::npos);
+}
+
+TEST(Banner, OnceDismissedStaysAwayWhileParametersAreTuned) {
+  GuiTrial gui(unstable_springs());
+  run_until_it_stops(gui);
+  gui.click(gui.find("stopped", {"Dismiss"}));
+  EXPECT_EQ(gui.words().find("Start over with "), std::string::npos);
+  gui.key(Key::Up);
+  EXPECT_EQ(gui.words().find("Start over with "), std::string::npos);
+}
+
 TEST(Legend, SaysTheStrainsOfItsColours) {
   GuiTrial gui(two_springs());
   EXPECT_NE(gui.words().find("Strain"), std::string::npos);

@@ -157,10 +157,11 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
   const Status& status = input.status;
   const Rect& scene = input.layout.scene;
   double down = 0.0;
-  if (status.diagnosis.message.empty()) panels.dismissed.clear();
+  const auto& divergence = status.snapshot->divergence;
+  if (!divergence) panels.dismissed.reset();
 
   // why the run stopped
-  if (!status.diagnosis.message.empty() && status.diagnosis.message != panels.dismissed) {
+  if (divergence && !status.diagnosis.message.empty() && panels.dismissed != divergence->time) {
     begin_banner("stopped", scene, down, status.diagnosis.message, palette::alarm, palette::bad, panels);
     if (status.diagnosis.advice) {
       const Settings& settings = status.snapshot->settings;
@@ -171,7 +172,7 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
       }
       same_line_for("Dismiss");
     }
-    if (ImGui::Button("Dismiss")) panels.dismissed = status.diagnosis.message;
+    if (ImGui::Button("Dismiss")) panels.dismissed = divergence->time;
     down += end_banner() + units(8.0);
   }
 
