@@ -125,7 +125,7 @@ TEST(Recovery, ThrownAwayWorkIsNotOfferedAgain) {
   const ImGuiWindow* box = ImGui::FindWindowByName("Unsaved work found");
   ASSERT_NE(box, nullptr);
   const int row = 0;
-  const ImGuiID button = ImHashStr("Throw away", 0, ImHashData(&row, sizeof row, box->ID));
+  const ImGuiID button = ImHashStr("Delete", 0, ImHashData(&row, sizeof row, box->ID));
   bool gone = false;
   for (float y = 0.0f; y < box->Size.y && !gone; y += 8.0f)
     for (float x = 0.0f; x < box->Size.x && !gone; x += 24.0f) {
@@ -211,14 +211,14 @@ TEST(SecondInstance, OnTheSameFileIsToldAndAsked) {
   {
     GuiTrial gui = desk.open();
     ASSERT_EQ(asked(gui), Dialog::Kind::Message);
-    EXPECT_NE(gui.words().find("net.json is open in another Hooke"), std::string::npos);
+    EXPECT_NE(gui.words().find("net.json is open in another Hooke window"), std::string::npos);
     gui.key(Key::Escape);
     // a copy: saving asks for a name
     gui.key(letter('S'), control);
     EXPECT_EQ(asked(gui), Dialog::Kind::Save);
   }
   GuiTrial gui = desk.open();
-  push(gui, "Message", "Open it here too");
+  push(gui, "Message", "Open here too");
   gui.key(letter('R'));
   gui.key(letter('S'), control);
   EXPECT_EQ(asked(gui), Dialog::Kind::None);
@@ -237,7 +237,7 @@ TEST(ChangedFile, IsToldAndLoadedOrKept) {
   ASSERT_TRUE(wait_for(gui, [&] { return !gui.app().panels().file_notice.empty(); }));
   EXPECT_NE(gui.words().find("net.json was changed by another program."), std::string::npos);
   EXPECT_EQ(gui.system().point_count(), 2);
-  push(gui, "file", "Load it");
+  push(gui, "file", "Reload");
   EXPECT_EQ(gui.system().point_count(), 3);
   EXPECT_TRUE(gui.app().panels().file_notice.empty());
 }
@@ -255,7 +255,7 @@ TEST(ChangedFile, IsNotReplacedUnasked) {
   std::getline(std::ifstream(desk.file), text);
   EXPECT_EQ(text, "somebody else's");
   gui.key(letter('S'), control);
-  push(gui, "Message", "Replace it");
+  push(gui, "Message", "Replace");
   EXPECT_EQ(gui.app().title(), "Hooke - net");
   EXPECT_EQ(load_scene(desk.file).scene.system.point_count(), 2);
 }

@@ -207,7 +207,7 @@ TEST_P(Layouts, BoxesStandWithinTheWindow) {
   gui.key(letter('E'), {.control = true});
   expect_in_order(gui, "export", "Wavefront");
   gui.key(Key::Escape);
-  for (const ShapeKind& kind : shape_kinds()) {
+  for (const ShapeKind& kind : placeable_shapes()) {
     gui.app().handle(Request(StartPlacement{&kind}));
     expect_in_order(gui, kind.label.data(), kind.label.data());
     gui.key(Key::Escape);

@@ -119,7 +119,7 @@ void save_box(const PanelInput& input, Panels& panels, Requests& requests) {
 }
 
 void unsaved_box(const PanelInput& input, Panels& panels, Requests& requests) {
-  ImGui::TextUnformatted("The scene has changes that are not saved.");
+  ImGui::TextUnformatted("Unsaved changes will be lost otherwise.");
   ImGui::Spacing();
   struct Button {
     const char* label;
