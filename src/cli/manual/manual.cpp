@@ -125,7 +125,7 @@ std::string manual_page() {
 
   section(page, "OPTIONS");
   write_options(page, app, true);
-  entry(page, "--reset-settings", "Of the window: start with the usual settings; those that were set are forgotten.");
+  entry(page, "--reset-settings", "Of the window: delete the saved settings and start with the defaults.");
   for (const auto& [command, work] : commands) {
     page << ".SS hooke " << command->get_name() << "\n" << roff(command->get_description()) << ".\n";
     write_options(page, *command, false);
