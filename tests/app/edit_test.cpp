@@ -141,7 +141,7 @@ TEST(HistoryPanel, NamesEveryStepAndGoesToIt) {
   gui.click(gui.find("side", {"History"}));
   gui.frames(3);
   const std::string words = gui.words();
-  for (const char* step : {"As it was opened", "Release 1 point", "Add 3 points and 1 spring", "Delete 3 points and 1 spring", "3 of 3"})
+  for (const char* step : {"As opened", "Release 1 point", "Add 3 points and 1 spring", "Delete 3 points and 1 spring", "3 of 3"})
     EXPECT_NE(words.find(step), std::string::npos) << step << " in\n" << words;
 
   // the second line: after the first step

@@ -57,11 +57,15 @@ TEST(KeyHandlers, ADialogAndTheSearchTakeEveryKey) {
   gui.app().panels().search = {.shown = true, .is_new = true};
   gui.frames(2);
   for (const Shortcut& row : shortcuts())
-    if (row.action != Action::Cancel) EXPECT_EQ(press(gui, row.key, row.modifiers), "search") << key_text(row);
+    if (row.action != Action::Cancel) {
+      EXPECT_EQ(press(gui, row.key, row.modifiers), "search") << key_text(row);
+    }
   gui.app().panels().show_message("Title", "Text");
   gui.frames(2);
   for (const Shortcut& row : shortcuts())
-    if (row.action != Action::Cancel) EXPECT_EQ(press(gui, row.key, row.modifiers), "dialog") << key_text(row);
+    if (row.action != Action::Cancel) {
+      EXPECT_EQ(press(gui, row.key, row.modifiers), "dialog") << key_text(row);
+    }
 }
 
 TEST(KeyHandlers, AMenuTakesEscapeBeforeTheSelectionDoes) {
@@ -90,8 +94,9 @@ TEST(KeyHandlers, InTheGalleryNothingHappensToTheSceneUnseen) {
   gui.app().panels().gallery.is_shown = true;
   for (const Key key : {Key::Right, Key::Down, Key::Left, Key::Up}) EXPECT_EQ(press(gui, key), "gallery");
   for (const Shortcut& row : shortcuts())
-    if (row_of(row.action).needs != Needs::Nothing && row.group != "Tune")
+    if (row_of(row.action).needs != Needs::Nothing && row.group != "Tune") {
       EXPECT_EQ(press(gui, row.key, row.modifiers), "") << key_text(row);
+    }
   EXPECT_FALSE(gui.status().history.unsaved);
 }
 

@@ -355,6 +355,7 @@ TEST(Banner, StaysWhileParametersAreTunedUntilTheyResolveIt) {
   EXPECT_NE(gui.words().find("Start over with "), std::string::npos);
   const int needed = gui.status().diagnosis.advice->substeps;
   gui.app().handle(Request(Edit{SetParameter{find_parameter("substeps"), static_cast<double>(needed)}}));
+  gui.frames(2);
   EXPECT_EQ(gui.words().find("Start over with "), std::string::npos);
 }
 
