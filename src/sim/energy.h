@@ -1,4 +1,4 @@
-// Energy and momentum of a state: exact sums, for the display, the watch and the tests.
+// Energy and momentum of a state, for display, divergence checks and tests.
 #pragma once
 
 #include "sim/state.h"
@@ -6,7 +6,7 @@
 
 namespace hooke {
 
-// [J]. Gravity's zero is at the origin; a pulling hand's spring counts as elastic.
+// [J]. Gravitational energy is zero at the origin; the spring of a pulling hand counts as elastic.
 struct Energy {
   double kinetic = 0.0, elastic = 0.0, gravitational = 0.0;
   double total() const { return kinetic + elastic + gravitational; }
@@ -24,11 +24,11 @@ Momentum compute_momentum(const System& system, const State& state);
 // l / l0 - 1 of a spring [1]; for l0 = 0 the length [m] itself.
 double strain(const System& system, const State& state, const Spring& spring);
 
-// Where the grabbed point, or place between points, is [m]. There must be a grab.
+// Position of the grabbed point, or patch [m]. There must be a grab.
 Vec3 grabbed_position(const System& system, const State& state);
 
-// M g L [J]: mass of the free points times gravity times the size of the scene, the least that counts as "put in". A
-// scene without extent, as a single point, counts as 1 m.
+// M g L [J]: mass of the free points times gravity times the size of the scene: the minimum of the supplied energy.
+// A scene without extent, such as a single point, counts as 1 m.
 double reference_energy(const System& system, const State& state);
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// How wrong a frame is, by doing it again with half the step.
+// Error estimate of a frame, by repeating it with half the step.
 #pragma once
 
 #include "sim/settings.h"

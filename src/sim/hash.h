@@ -1,5 +1,4 @@
-// Hashes of bits (FNV-1a: Fowler, Noll, Vo), for determinism tests, replays, `run --json`, and to tell whether something
-// is still the same.
+// Hashes of bits (FNV-1a: Fowler, Noll, Vo), for determinism tests, replays, `run --json`, and to detect changes.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// How a scene is stepped: the method, the frame, its substeps and the clock.
+// How a scene is stepped: method, frame rate, substeps and speed.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// What was just computed, published once a frame, to be read and never written. Drawing and panels see nothing else of
-// the simulation.
+// The result of a frame, published once per frame and never changed. Drawing and panels see nothing else of the
+// simulation.
 #pragma once
 
 #include <memory>
@@ -21,8 +21,8 @@ struct Snapshot {
   Momentum momentum;
   double min_strain = 0.0, max_strain = 0.0;  // [1], over all springs
   double omega = 0.0;                         // [rad/s], bound on the highest frequency
-  double largest_stable_step = 0.0;           // [s], of this method on this scene; 0: none, infinity: any
-  std::optional<Divergence> divergence;       // the last frame was refused; state is the one before it
+  double largest_stable_step = 0.0;           // [s], linear limit of this method on this scene; 0: none, infinity: any step
+  std::optional<Divergence> divergence;       // the last frame was rejected; state is the one before it
 
   const Vec3& position(PointId id) const { return state.position[system->index_of(id)]; }
 };

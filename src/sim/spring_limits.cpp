@@ -67,7 +67,7 @@ void limit_spring(const Plan& plan, Motion& motion, Index first, Index second, d
   }
 }
 
-// Once over all springs. Returns whether any was too long.
+// One round over all springs. Returns whether any was too long.
 bool limit_all_springs(const Plan& plan, Motion& motion) {
   constexpr double tolerance = 1e-9;  // of the length
   bool any = false;
@@ -93,7 +93,7 @@ bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
     for (Index e = 0; e < run.count; ++e) {
       const Index s = run.begin + e;
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
-      // one that is switched off bears nothing that could break it
+      // a spring that is switched off carries no force and cannot break
       if (!(length >= plan.break_length[s]) || (plan.stiffness[s] == 0.0 && !(plan.has_dashpots() && plan.damping[s] > 0.0))) continue;
       const double stretch = length - plan.rest_length[s];
       motion.break_work -= 0.5 * plan.stiffness[s] * stretch * stretch;

@@ -26,13 +26,13 @@ struct Point {
   bool nailed = false;
   std::optional<Color> color;  // none: by state (nailed yellow, selected red)
   double mass = 1.0;           // [kg], > 0
-  double radius = 0.02;        // [m], >= 0: what is drawn, and the distance at which it touches a collider
+  double radius = 0.02;        // [m], >= 0: for drawing, and the distance at which it touches a collider
   bool operator==(const Point&) const = default;
 };
 
 inline constexpr double never_breaks = std::numeric_limits<double>::infinity();
 
-// What a spring does in a cloth: those of a family are switched and tuned together.
+// The role of a spring in a cloth: a family is switched and tuned together.
 enum class SpringFamily : std::uint8_t {
   None,
   Structural,  // along the threads
@@ -52,7 +52,7 @@ struct Spring {
   bool operator==(const Spring&) const = default;
 };
 
-// A triangle of three points: drawn, and carried along; it exerts no force.
+// A triangle of three points, for drawing and wind; it has no elastic force.
 struct Face {
   std::array<PointId, 3> points{};
   bool operator==(const Face&) const = default;
@@ -77,14 +77,14 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
-// How a collider moves by itself: the whole of it to and fro about where it stands; or only its surface, while the shape
-// stays, as that of a turning ball or of a conveyor.
+// The motion of a collider: the shape oscillates about its rest position, or only its surface moves, like that of a spinning
+// ball or of a conveyor belt.
 struct ColliderPath {
-  Vec3 amplitude{0.0};               // [m]: it is off its place by swing sin(2 pi frequency t + phase)
+  Vec3 amplitude{0.0};               // [m]: the displacement is amplitude sin(2 pi frequency t + phase)
   double frequency = 1.0;            // [1/s], >= 0
   double phase = 0.0;                // [rad]
-  Vec3 spin{0.0};                    // [rad/s], about the middle of a ball; about the point of a plane, along its normal; not of a box
-  Vec3 belt{0.0};                    // [m/s], at which the surface runs, as far as it goes along it
+  Vec3 spin{0.0};                    // [rad/s], about the center of a sphere, or the point of a plane, along its normal; not for boxes
+  Vec3 belt{0.0};                    // [m/s], of the surface; only its tangential part counts
   Vec3 offset(double time) const;    // [m]
   Vec3 velocity(double time) const;  // [m/s], of the shape
   bool moves() const { return *this != ColliderPath{.frequency = frequency, .phase = phase}; }
@@ -127,20 +127,20 @@ struct Grab {
   PointId point{};
   std::optional<Patch> patch{};  // pulled instead of the point, which is one of its three
   GrabKind kind = GrabKind::Pull;
-  double stiffness = 100.0;  // [N/m], of a pull
+  double stiffness = 100.0;  // [N/m], if it pulls
   bool operator==(const Grab&) const = default;
 };
 
-// A hand that is listed in the scene: it holds a point and takes it round a circle, then lets go. Where it is follows from the
-// time alone, so that a scene may be saved, gone back in and replayed while it acts (hand.h).
+// A hand of the scene file: it holds a point, moves it along a circle, and releases it. Its position is a function of time, so
+// that a scene can be saved, rewound and replayed while it is active (hand.h).
 struct ScriptedHand {
   PointId point{};
-  Vec3 from{0.0};            // [m], where it is at `begin`
+  Vec3 from{0.0};            // [m], position at `begin`
   Vec3 center{0.0};          // [m]
-  Vec3 axis{0.0, 0.0, 1.0};  // unit; it goes round counter-clockwise as seen from where this points
+  Vec3 axis{0.0, 0.0, 1.0};  // unit; the motion is counter-clockwise about it
   double speed = 0.0;        // [m/s]
-  double begin = 0.0;        // [s], of the scene's clock
-  double seconds = 0.0;      // [s], for which it holds
+  double begin = 0.0;        // [s], of the scene time
+  double seconds = 0.0;      // [s], duration of the grab
   bool operator==(const ScriptedHand&) const = default;
 };
 
@@ -160,54 +160,54 @@ class System {
   Vec3 gravity{0.0, -9.81, 0.0};  // [m/s^2]
   double drag = 0.0;              // [1/s]: point damping, acceleration -drag (v - wind)
   bool drag_on = true;
-  bool dashpots_on = true;                                              // false: every spring's damping is taken as zero
-  std::array<bool, spring_families> family_on{true, true, true, true};  // false: its springs are as if they were not
-  Vec3 wind{0.0};                                                       // [m/s], of the air that drag is relative to
+  bool dashpots_on = true;                                              // false: the damping of every spring counts as zero
+  std::array<bool, spring_families> family_on{true, true, true, true};  // false: its springs are ignored
+  Vec3 wind{0.0};                                                       // [m/s], velocity of the air for the drag
   std::vector<Face> faces;
   std::vector<Collider> colliders;
   std::vector<Force> forces;  // besides gravity, springs, dashpots and drag
   std::optional<Grab> grab;
-  double hand_speed = 0.0;                    // [m/s], the most that the hand moves at; 0: as the cursor does
-  double break_strain = 0.0;                  // [1], at which every spring breaks that does not break before; 0: each only at its own
-  double strain_limit = 0.0;                  // [1], that no spring is stretched beyond, by force; 0: none
-  std::optional<ScriptedHand> scripted_hand;  // waits while there is a grab
+  double hand_speed = 0.0;                    // [m/s], speed limit of the hand; 0: none
+  double break_strain = 0.0;                  // [1], of all springs, in addition to their own; 0: none
+  double strain_limit = 0.0;                  // [1], maximum strain of every spring, enforced after each step; 0: none
+  std::optional<ScriptedHand> scripted_hand;  // inactive while there is a grab
 
   const std::vector<Point>& points() const { return points_; }
   const std::vector<Spring>& springs() const { return springs_; }
   Index point_count() const { return static_cast<Index>(points_.size()); }
   Index spring_count() const { return static_cast<Index>(springs_.size()); }
 
-  // Index of a point or spring by its id; no_index when it is gone or never was.
+  // Index of a point or spring by its id; no_index if it does not exist.
   Index index_of(PointId id) const;
   Index index_of(SpringId id) const;
 
-  // For changing properties (not ids, nor a spring's ends or family). The index must be valid.
+  // For changing properties, except ids and a spring's ends and family. The index must be valid.
   Point& point(Index index) { return points_[index]; }
   Spring& spring(Index index) { return springs_[index]; }
 
-  // The next ids to give away, and the same without giving them.
+  // The next ids, and the same with taking them.
   std::uint32_t next_point_id() const { return point_ids_.next_id; }
   std::uint32_t next_spring_id() const { return spring_ids_.next_id; }
   PointId new_point_id() { return PointId{point_ids_.next_id++}; }
   SpringId new_spring_id() { return SpringId{spring_ids_.next_id++}; }
-  // Ids that were given elsewhere (an undo brings removed things back) are fine; new ids stay beyond every id ever seen.
+  // Ids assigned before (undo restores removed points) are accepted; new ids are greater than all ids seen so far.
   void append_point(const Point& point);
   void append_spring(const Spring& spring);
-  // The whole new list at once, to insert and remove. Ids must be unique; a spring's ends must be among the points.
+  // Replaces the whole list. Ids must be unique; the ends of a spring must exist.
   void set_points(std::vector<Point> points);
   void set_springs(std::vector<Spring> springs);
   void reserve(Index points, Index springs);
 
   bool operator==(const System& other) const = default;
 
-  // Springs that are in the family.
+  // Number of springs of the family.
   Index count_of(SpringFamily family) const { return family_count_[static_cast<std::size_t>(family)]; }
 
-  // The drag, stiffness and damping in force, switches applied.
+  // Effective drag, stiffness and damping, with the switches applied.
   double drag_rate() const { return drag_on ? drag : 0.0; }
   bool is_on(const Spring& spring) const { return family_on[static_cast<std::size_t>(spring.family)]; }
   double stiffness_of(const Spring& spring) const { return is_on(spring) ? spring.stiffness : 0.0; }
-  // [m], the length at which it breaks. One without a rest length breaks at as many metres as its strain says.
+  // [m], the length at which it breaks. Without a rest length, break_strain is that length.
   double break_length_of(const Spring& spring) const {
     const double strain = break_strain > 0.0 ? std::min(break_strain, spring.break_strain) : spring.break_strain;
     return spring.rest_length > 0.0 ? spring.rest_length * (1.0 + strain) : strain;

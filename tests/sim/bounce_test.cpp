@@ -155,7 +155,7 @@ TEST(Bounce, AtHighSpeedRisesByTheSquareOfRestitution) {
   EXPECT_NEAR(highest + 0.95, 0.49 * (1e4 + 2.0 * g * 3.0) / (2.0 * g), 1e-9);
 }
 
-// Coulomb: the tangential velocity falls by mu (1 + e) |v_n|, to zero at the most
+// Coulomb: the tangential velocity falls by mu (1 + e) |v_n|, at most to zero
 TEST(Bounce, LosesTangentialSpeedToFriction) {
   for (const double friction : {0.1, 5.0}) {
     Trial trial = falling_ball(0.0, 0.5);
@@ -169,7 +169,7 @@ TEST(Bounce, LosesTangentialSpeedToFriction) {
   }
 }
 
-// A shot at 100 m/s past a ball at distance b from its centre reflects where it meets it, however close it grazes.
+// A shot at 100 m/s past a sphere at distance b from its center is reflected at the point of impact, however grazing.
 TEST_P(Bounce, OffABallReflectsAtEveryObliquity) {
   const double combined_radius = 0.3;
   for (const double radius : {0.0, 0.1})

@@ -167,7 +167,7 @@ TEST_P(SpringOnANail, FollowsTheClosedFormWithDrag) {
   }
 }
 
-// the distance follows the damped spring of the reduced mass m1 m2 / (m1 + m2), the centre of mass moves uniformly
+// the distance follows the damped spring of the reduced mass m1 m2 / (m1 + m2), the center of mass moves uniformly
 TEST_P(SpringOnANail, OfTwoFreeMassesFollowsTheReducedMass) {
   const double m1 = 0.4, m2 = 1.6, reduced = m1 * m2 / (m1 + m2), k = 32.0, seconds = 0.83;
   const Vec3 drift(0.3, -0.2, 0.5);

@@ -1,4 +1,4 @@
-// The watch for divergence: what it takes for one, and what it does not.
+// Detection of divergence: what is reported, and what is not.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -13,7 +13,7 @@ namespace {
 
 class Watch : public EveryMethod {
  protected:
-  // Frames until the watch speaks, `most` if it stays silent.
+  // Frames until a divergence is found, `max` if there is none.
   int frames_until_divergence(Trial& trial, int substeps, int max) {
     initialize_ledger(trial.system, trial.state);
     for (int frame = 0; frame < max; ++frame) {
@@ -25,7 +25,7 @@ class Watch : public EveryMethod {
 };
 INSTANTIATE_TEST_SUITE_P(Methods, Watch, testing::ValuesIn(every_method()), method_name);
 
-// a point has no extent, and nothing was put in but its height
+// a point has no extent, and the only energy supplied is its height
 TEST_P(Watch, LetsASinglePointFallAndBounce) {
   Trial trial;
   trial.add({0.0, 1.0, 0.0});
@@ -94,7 +94,7 @@ TEST_P(Watch, StopsTheNetThatOnlyExplicitEulerBlowsUp) {
   }
 }
 
-// Sound scenes under a hand that jumps a metre a frame, taking hold and letting go, and under sliders that jump.
+// Valid scenes under a hand that jumps a meter per frame, grabbing and releasing, and under sliders that jump.
 TEST_P(Watch, LetsAWildHandAndWildSlidersBe) {
   if (method().stability == Stability::None) return;
   Random random(9);
@@ -121,7 +121,7 @@ TEST_P(Watch, LetsAWildHandAndWildSlidersBe) {
 }
 
 // 12 x 12 points, 1 kg, free, k = 1e6 N/m: a corner is swung round a circle of 1 m at 50 m/s for 10 frames and let go. Ends after
-// 30 frames, or where the watch speaks: in that frame.
+// 30 frames, or fewer up to a divergence.
 struct Swing {
   int frames = 0;
   double max_energy = 0.0, max_gain = 0.0;  // [J], what it holds, and what came from nowhere

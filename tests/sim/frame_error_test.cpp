@@ -11,7 +11,7 @@ namespace {
 class FrameError : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, FrameError, testing::ValuesIn(every_method()), method_name);
 
-// A net on its way: within a factor of three, as an order of magnitude should be
+// A moving net: within a factor of three
 TEST_P(FrameError, IsTheDistanceToTheConvergedFrame) {
   Trial trial = net(8, 1e2, 0.0);
   trial.run(*find_integrator("runge_kutta4"), 0.2, 2000);

@@ -156,7 +156,7 @@ TEST_P(Grabbed, AScriptedHandHoldsBitForBitAsAPersonsDoes) {
   by_hand.trial.system.grab.reset();
   initialize_ledger(by_hand.trial.system, by_hand.trial.state);
 
-  Plan plan = make_plan(scripted.trial.system);  // one for all frames: it takes and lets go without an edit
+  Plan plan = make_plan(scripted.trial.system);  // one for all frames: it grabs and releases without an edit
   Frame frame;
   State& state = scripted.trial.state;
   for (int i = 0; i < 10; ++i) {

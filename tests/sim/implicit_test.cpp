@@ -302,7 +302,7 @@ TEST(NewtonSolver, IsMadeAnewOnlyWhenPointsOrSpringsComeOrGo) {
   EXPECT_FALSE(made->fits(make_plan(trial.system)));
 }
 
-// half as Verlet, half as any other: the motion goes on
+// half as Verlet, half as any other: the motion continues
 TEST(Methods, MayChangeMidway) {
   for (const Integrator& row : integrators()) {
     Trial trial = net(8, 1e2, 0.05), exact = trial;

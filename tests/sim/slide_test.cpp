@@ -16,7 +16,7 @@ constexpr double g = 9.81, frame = 1.0 / 60.0;
 
 const Integrator& verlet() { return *find_integrator("velocity_verlet"); }
 
-// A point on a plane through the origin that falls towards +x at `angle`; `down` is the way it slides.
+// A point on a plane through the origin that falls towards +x at `angle`; `down` is the direction of sliding.
 struct Incline {
   Trial trial;
   Vec3 down;
@@ -331,7 +331,7 @@ TEST_P(Rest, InAGrooveIsFoundFromAbove) {
     }
 }
 
-// without friction what moves along the groove goes on
+// without friction motion along the groove continues
 TEST_P(Slide, AlongAGrooveIsFree) {
   Trial trial = groove(0.7, 0.5, 0.0);
   trial.add({0.0, 0.05 / std::sin(0.7), 0.0}, 1.0, {0.0, 0.0, 1.5});
@@ -350,7 +350,7 @@ TEST(Slide, AlongAGrooveIsSlowedByBothSides) {
   EXPECT_NEAR(trial.state.position[0].z, 1.5 * 0.5 - 0.5 * slowing * 0.25, 1e-12);
 }
 
-// a wall stops what slides on the floor, even when the whole way lies in one step
+// a wall stops what slides on the floor, even if the whole path is within one step
 TEST_P(Slide, IntoAWallStopsThere) {
   for (const double restitution : {0.0, 0.5}) {
     Trial trial;

@@ -113,7 +113,7 @@ TEST(StiffnessMatrix, ClampedIsTheNearestWithoutNegativeCurvature) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(tried[2 * c + point], expected[3 * point + c], 1e-12);
 }
 
-// k I, with or without a rest length: there is no direction to tell along from across
+// k I, with or without a rest length: there is no direction along the spring
 TEST(StiffnessMatrix, OfCoincidentPointsIsIsotropic) {
   for (const double l0 : {0.0, 1.0}) {
     Trial trial;

@@ -60,8 +60,8 @@ struct Lattice {
   double along_diagonal() const { return a * std::sqrt((0.5 * k1 + 2.0 * k2) / m); }  // (C11 + C12 + 2 C44) / 2
   double across_diagonal() const { return a * std::sqrt(0.5 * k1 / m); }              // (C11 - C12) / 2
 
-  // The speed [m/s] of a plane wave `cells` spacings long that runs at `angle` to the rows and shakes along its way or across
-  // it. A standing wave u cos(w t) is let go everywhere; after what should be a quarter of its period the middle tells w.
+  // The speed [m/s] of a plane wave `cells` spacings long propagating at `angle` to the rows, longitudinal or transverse.
+  // A standing wave u cos(w t) is released; after the expected quarter of its period the displacement in the middle gives w.
   // What the edges of the piece send has then not come that far.
   double measured_speed(double angle, bool shakes_along, int cells, double expected) const {
     const double q = 2.0 * pi / (cells * a), amplitude = 1e-6 * a, quarter = 0.25 * cells * a / expected;

@@ -8,7 +8,7 @@
 namespace hooke {
 namespace {
 
-// of point i, whose components stand `n` apart
+// of point i, whose components are `n` apart
 Vec3 vector_at(const Field& field, std::size_t n, std::size_t i, int dimensions) {
   return {field[i], field[n + i], dimensions == 3 ? field[2 * n + i] : 0.0};
 }
@@ -32,7 +32,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     if (!solver.advance(a, velocity_correction, h)) continue;
 
     touched = true;
-    // what comes on top of the forces' work
+    // in addition to the work of the forces
     if (plan.colliders_move)
       motion.collider_work += plan.mass[i] * (0.5 * (glm::dot(solver.v, solver.v) - glm::dot(v1, v1)) - glm::dot(a, solver.x - x1));
     for (int c = 0; c < plan.dimensions; ++c) {

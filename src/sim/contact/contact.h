@@ -7,7 +7,7 @@
 
 namespace hooke {
 
-// Where each point was and how fast before a substep, and how the colliders move in it; sized once a frame.
+// Positions and velocities before a substep, and the motion of the colliders during it; sized once per frame.
 struct ContactWorkspace {
   double time = 0.0;  // [s]
   Field x, v;
@@ -16,12 +16,12 @@ struct ContactWorkspace {
 
 // Corrects the step of h that led from (before.x, before.v) to (motion.x, motion.v). A point's path within the step is
 // the parabola through both positions under the step's mean acceleration; its impacts are solved for on it. Where it
-// touches without bouncing it slides or sticks: its supports bear what presses into them, friction takes mu times that.
+// touches without bouncing it slides or sticks: its supports exert the normal force, friction up to mu times that.
 // Flights, impacts and slides on planes are exact under constant acceleration, slides on balls second order. Nothing
-// passes through, whatever its speed; what starts inside is put on the surface; when all bounces to come fall within the
-// step, they are over; what rests keeps its bits. All of it relative to colliders that move, which take their places at
-// both ends of the step exactly and go between them as the points do; what they do to the points is added to
-// motion.collider_work. A point that rubs on several that move differently is carried by their mean, weighed by friction.
+// passes through at any speed; a point that starts inside is moved to the surface; if all remaining bounces fall within the
+// step, it comes to rest; resting points keep their bits. All of this is relative to moving colliders, whose positions at
+// both ends of the step are exact, with parabolas between them; their work on the points is added to
+// motion.collider_work. A point sliding on several surfaces is carried by their mean velocity, weighted by friction.
 // Returns whether anything touched.
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h);
 

@@ -67,13 +67,13 @@ std::optional<double> first_zero_crossing(double c, double v, double a) {
   return c == 0.0 ? 0.0 : 2.0 * c / (root - v);
 }
 
-// How long the path surely stays outside a convex body whose nearest point is at `gap`: until it meets the tangent plane
-// there. None: for ever.
+// How long the path certainly stays outside a convex body whose nearest point is at `gap`: until it reaches the tangent plane
+// there. None: forever.
 std::optional<double> min_time_outside(const Gap& gap, const Parabola& path) {
   return first_zero_crossing(std::max(0.0, gap.distance), glm::dot(gap.normal, path.v), glm::dot(gap.normal, path.a));
 }
 
-// The same for `within`, minding that a ball bends away: with d from its centre, d.d grows by
+// The same up to `time_limit`, with the curvature of a sphere: with d from its center, d.d grows by
 //   2 d.v t + (v.v + d.a) t^2 + v.a t^3 + a.a t^4 / 4  >=  2 d.v t + (v.v + d.a - |v.a| within) t^2.
 std::optional<double> min_time_outside(const Sphere& sphere, double radius, const Gap& gap, const Parabola& path, double time_limit) {
   const Vec3 d = path.x - sphere.center;
@@ -99,7 +99,7 @@ bool may_touch(const Collider& collider, double radius, const Vec3& from, const 
 std::optional<double> first_impact(const Collider& collider, double radius, const Parabola& path, double time_limit) {
   const auto* sphere = std::get_if<Sphere>(&collider.shape);
 
-  // go on for as long as the path surely stays outside, until it touches: Newton's method, in effect, quadratic where
+  // advance by the time that the path certainly stays outside, until it touches: in effect Newton's method, quadratic where
   // the path crosses the surface, halving where it grazes
   constexpr int max_steps = 128;
   const double min_step = 1e-9 * time_limit;

@@ -1,4 +1,4 @@
-// Distances of points from colliders, and when a path meets one. All colliders are convex: they lie wholly behind the
+// Detection: distances of points from colliders, and times of impact. All colliders are convex: they lie entirely behind the
 // tangent plane at their nearest point.
 #pragma once
 
@@ -22,17 +22,17 @@ struct Parabola {
   Vec3 velocity(double t) const { return v + t * a; }
 };
 
-// Of a point of `radius` [m] at x. At the centre of a sphere the way out is up.
+// Of a point of `radius` [m] at x. At the center of a sphere the normal is up.
 Gap gap_to(const Collider& collider, double radius, const Vec3& x);
 
-// Gaps up to this [m] are touch: what round-off leaves of a point put on a surface.
+// Gaps up to this [m] count as contact: round-off of a point placed on a surface.
 double contact_tolerance(const Vec3& x);
 
 // False when a point that goes from `from` to `to`, off the straight line by no more than `bulge` [m], is sure to miss
 // the collider. Cheap, for the many points that are far from everything.
 bool may_touch(const Collider& collider, double radius, const Vec3& from, const Vec3& to, double bulge);
 
-// The first time [s] within `within` at which a point outside the collider touches it and goes on inwards; none if it
+// The first time [s] up to `time_limit` at which a point outside the collider touches it while moving inwards; none if it
 // does not.
 std::optional<double> first_impact(const Collider& collider, double radius, const Parabola& path, double time_limit);
 

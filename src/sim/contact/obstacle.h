@@ -8,8 +8,8 @@
 
 namespace hooke {
 
-// A collider during a step, and how its shape is off its place: on the parabola through both ends under its mean
-// acceleration, which starts ahead of its velocity by `lead`. All zero where it stands still.
+// A collider during a step, and the displacement of its shape: on the parabola through both ends with its mean acceleration, whose
+// initial velocity differs from the true one by `velocity_correction`. All zero for a collider at rest.
 struct Obstacle {
   const Collider* collider = nullptr;
   Vec3 offset{0.0}, velocity{0.0}, acceleration{0.0}, velocity_correction{0.0};

@@ -44,7 +44,7 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
   return touched;
 }
 
-// Out of what it is in, by the shortest way.
+// Moves the point out of obstacles that it is in, along the normal.
 bool PointContactSolver::resolve_penetration() {
   constexpr int max_rounds = 8;
   bool was_penetrating = false;
@@ -79,9 +79,9 @@ Supports PointContactSolver::find_supports(const Vec3& a, double duration) const
   return supports;
 }
 
-// A flight starts as the method's own path does, but never into what the point touches; so does a slide without
-// friction. What rests, or rubs, starts with its own velocity: the lead comes from forces that the supports bear.
-// What bears it may have a lead of its own, which it goes along with. Returns whether anything was left out.
+// A flight, and a slide without friction, start with the velocity of the method's path, but never into what the point touches.
+// A point at rest, or under friction, starts with its own velocity: the correction comes from forces that the supports balance.
+// It follows the correction of its support. Returns whether any part was left out.
 bool PointContactSolver::apply_velocity_correction(const Vec3& velocity_correction, const Supports& supports) {
   applies_correction_ = true;
   for (const Support& s : supports.all()) {
@@ -99,7 +99,7 @@ bool PointContactSolver::apply_velocity_correction(const Vec3& velocity_correcti
   return velocity_correction_ != velocity_correction;
 }
 
-// Friction takes mu N against the motion past the surface or, where there is none, against the drive as far as it reaches.
+// Friction of mu N opposes the motion relative to the surface or, without such motion, the driving force up to its magnitude.
 PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports, const Vec3& a, double remaining) const {
   const Vec3 constrained = constrain(supports.all(), a, v);
   Segment segment{constrained, remaining, false, false, {}};
@@ -130,7 +130,7 @@ PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports,
     if (segment.stops) segment.time = speed / deceleration;
   }
 
-  // no further on a curved surface than an eighth of its radius
+  // on a curved surface at most an eighth of its radius
   const double arc_angle =
       carrier.curvature * segment.time * (glm::length(v - carrier.velocity) + remaining * glm::length(segment.acceleration));
   if (arc_angle > 0.125) {
@@ -141,7 +141,7 @@ PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports,
   return segment;
 }
 
-// Goes the leg, or as far as the first hit on anything but its supports: then the leg ends there.
+// Advances by the segment, or up to the first impact on anything but its supports: then the segment ends there.
 const Obstacle* PointContactSolver::advance_segment(Segment& segment, const Supports& supports) {
   const Obstacle* hit = nullptr;
   for (const Obstacle& obstacle : obstacles_) {
@@ -187,8 +187,8 @@ void PointContactSolver::follow_surface(const Segment& segment, const Vec3& star
   if (speed > 0.0) v = shape_velocity + surface_velocity + std::max(0.0, 1.0 - speed_loss / speed) * slip_velocity;
 }
 
-// Clears away what round-off, or a bent surface, left of motion out of the supports. One that the point has slid off
-// the edge of, where the nearest surface is another one, does not hold it back.
+// Removes the motion out of the supports that round-off, or a curved surface, leaves. A support whose edge the point has
+// passed, so that another surface is nearest, is ignored.
 void PointContactSolver::project_onto_supports(const Supports& supports) {
   for (const Support& s : supports.all()) {
     if (s.normal_acceleration == 0.0) continue;
@@ -213,7 +213,7 @@ void PointContactSolver::bounce(const Obstacle& obstacle, const Vec3& a, double 
   const double speed = glm::length(tangential_velocity);
   if (speed > 0.0) tangential_velocity *= std::max(0.0, 1.0 - collider.friction * (rebound - approach) / speed);
 
-  // all bounces to come take 2 v / (N (1 - e)): if that is within the step, they are over
+  // all further bounces take 2 v / (N (1 - e)): if that is within the step, the point comes to rest
   const Vec3 relative_velocity = tangential_velocity + tangential(gap.normal, surface - shape_velocity);
   const double normal_acceleration =
       -glm::dot(a - obstacle.acceleration, gap.normal) - gap.curvature * glm::dot(relative_velocity, relative_velocity);

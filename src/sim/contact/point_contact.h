@@ -8,7 +8,7 @@
 
 namespace hooke {
 
-// One point on its way through a step.
+// The motion of one point through a step.
 class PointContactSolver {
  public:
   Vec3 x, v;
@@ -16,18 +16,18 @@ class PointContactSolver {
   PointContactSolver(std::span<const Obstacle> obstacles, double radius, const Vec3& x0, const Vec3& v0)
       : x(x0), v(v0), obstacles_(obstacles), radius_(radius) {}
 
-  // Goes on for `duration` under the acceleration `a`. `lead` [m/s]: what the method's path starts faster than v. Returns
-  // whether anything was touched.
+  // Advances by `duration` with the acceleration `a`. `velocity_correction` [m/s]: of the method's path, relative to v at its start.
+  // Returns whether anything was touched.
   bool advance(const Vec3& a, const Vec3& velocity_correction, double duration);
 
  private:
-  // A stretch of the way on which the acceleration is constant: the supports, and friction, stay as they are.
+  // A part of the path with constant acceleration: supports and friction do not change.
   struct Segment {
     Vec3 acceleration;
     double time;      // [s]
     bool stops;       // at the end, under friction
-    bool sticks;      // to what it rests on, wherever that goes
-    Support support;  // what it rests on or rubs on, the mean of several; of none: no obstacle
+    bool sticks;      // to its support, and moves with it
+    Support support;  // that it rests on or slides on, the mean of several; none: no obstacle
   };
 
   bool resolve_penetration();
@@ -50,9 +50,9 @@ class PointContactSolver {
 
   std::span<const Obstacle> obstacles_;
   double radius_;
-  double time_ = 0.0;                // [s], since the step began
-  Vec3 velocity_correction_{0.0};    // [m/s], that v is ahead by
-  bool applies_correction_ = false;  // whether v and the velocities of obstacles are to be taken with their leads
+  double time_ = 0.0;                // [s], since the start of the step
+  Vec3 velocity_correction_{0.0};    // [m/s], contained in v
+  bool applies_correction_ = false;  // whether v and the velocities of obstacles contain their corrections
 };
 
 }  // namespace hooke

@@ -8,14 +8,14 @@
 
 namespace hooke {
 
-// A collider that the point touches, neither moving into it nor away from it.
+// A collider that the point touches without moving into it or away from it.
 struct Support {
   const Obstacle* obstacle = nullptr;
   Vec3 normal{0.0};
   double curvature = 0.0;
   Vec3 velocity{0.0};                // [m/s], of the shape
-  Vec3 surface{0.0};                 // [m/s], of what is touched: of the shape, and along it
-  Vec3 surface_acceleration{0.0};    // [m/s^2], of what is touched, besides the shape's: as it turns
+  Vec3 surface{0.0};                 // [m/s], of the surface: of the shape, and along it
+  Vec3 surface_acceleration{0.0};    // [m/s^2], of the surface in addition to the shape's: by its spin
   double normal_acceleration = 0.0;  // [m/s^2], normal force over mass
   double friction() const { return obstacle->collider->friction; }
 };

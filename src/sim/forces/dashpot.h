@@ -8,7 +8,7 @@
 
 namespace hooke {
 
-// One spring after another in an order that the Plan fixes, or exactly the other way round.
+// One spring after another in the order of the Plan, or in exactly the reverse order.
 enum class Sweep { Forward, Backward };
 
 // Changes v. `decay` comes from plan_dashpot_decay. Springs between coincident points do nothing.
@@ -16,7 +16,7 @@ void decay_dashpots(const Plan& plan, const std::vector<double>& decay, Sweep sw
 
 // The impulse per relative speed of each packed spring over `duration` [s]:
 // (1 - exp(-d duration (1/mi + 1/mj))) / (1/mi + 1/mj) [kg]; 0 between two nails. One more at the end, so that the
-// springs can be read in pairs.
+// springs can be loaded in pairs.
 void plan_dashpot_decay(const Plan& plan, double duration, std::vector<double>& decay);
 
 }  // namespace hooke

@@ -6,22 +6,22 @@
 
 namespace hooke {
 
-// f [N] of gravity, springs, the hand's pull and the scene's listed forces: all but dashpots and drag. A wind's share of
-// drag (drag * wind, a constant acceleration) counts here too. Only listed forces look at the velocities.
+// f [N] of gravity, springs, the hand's pull and the listed forces: everything but dashpots and drag. The constant part of drag,
+// drag * wind, is included. Only listed forces depend on the velocities.
 void compute_position_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
-// f [N] of gravity, wind's share of drag and the listed forces: what comes from outside the network, for methods that
-// treat springs and the hand's pull as constraints.
+// f [N] of gravity, drag * wind and the listed forces: external to the network, for methods that treat springs and the hand's
+// pull as constraints.
 void compute_external_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
-// f [N] of gravity, wind's share of drag, springs with their dashpots and the hand's pull: all but drag and the listed
+// f [N] of gravity, drag * wind, springs with their dashpots and the hand's pull: everything but drag and the listed
 // forces.
 void compute_network_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
-// Adds the forces of the scene's list (force_term.h) alone.
+// Adds the listed forces (force_term.h) only.
 void add_force_terms(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
-// The listed forces and those of the network: all but drag, for methods that integrate drag exactly.
+// The network forces and the listed ones: everything but drag, for methods that integrate drag exactly.
 void compute_explicit_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
 // f(t, x, v) [N] of everything: the above and drag (-drag m v).

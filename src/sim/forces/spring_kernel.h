@@ -1,4 +1,4 @@
-// The springs' forces, for the widest vector unit of the machine at hand; the same bits on every machine.
+// Spring forces, for the widest vector unit of the machine; the same bits on every machine.
 #pragma once
 
 #include "sim/plan.h"

@@ -1,4 +1,4 @@
-// The stiffness of each spring where it is: along it and across it.
+// The tangent stiffness of each spring, along it and across it.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@ struct SpringTangent {
   double axial = 0.0, transverse = 0.0;  // [N/m]
 };
 
-// For every spring with an end that is free: its ends, its place among the packed ones, its stiffness at x. `use` may take the
-// ends as free; what it gives to one that is not must not count.
+// For every spring with a free end: use(first, second, packed index, tangent at x). `use` may treat both ends as free if what it
+// assigns to an end that is not free is ignored.
 template <class Use>
 void for_each_spring_tangent(const Plan& plan, const Field& x, const Use& use) {
   for (const SpringRun& run : plan.runs)

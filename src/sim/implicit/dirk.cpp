@@ -38,7 +38,7 @@ void step_dirk(const DirkTable& table, const Plan& plan, Motion& motion, Workspa
     Field &V = fields.velocity(i), &a = fields.acceleration(i);
     const double implicit = h * table.a[i][i];
 
-    // explicit, and known if the step before ended there
+    // explicit, and known if the previous step ended there
     if (implicit == 0.0) {
       if (!motion.acceleration_is_current) {
         compute_forces(plan, motion.time, motion.x, motion.v, motion.a);
@@ -50,7 +50,7 @@ void step_dirk(const DirkTable& table, const Plan& plan, Motion& motion, Workspa
       continue;
     }
 
-    // what the stages before it make of x and v
+    // x and v from the previous stages
     Field &x = fields.base_x(), &v = fields.base_v();
     copy(motion.x, x);
     copy(motion.v, v);
@@ -59,7 +59,7 @@ void step_dirk(const DirkTable& table, const Plan& plan, Motion& motion, Workspa
       add_scaled(v.data(), h * table.a[i][j], fields.acceleration(j).data(), size);
     }
 
-    // from the velocity of the stage before
+    // initial guess: the velocity of the previous stage
     copy(i == 0 ? motion.v : fields.velocity(i - 1), V);
     newton.solve(plan, {motion.time + h * table.node(i), implicit, x, v}, {.tolerance = table.tolerance}, V, motion);
     set_scaled(a.data(), 1.0 / implicit, V.data(), size);

@@ -1,5 +1,5 @@
-// Diagonally implicit Runge-Kutta methods from their tables: what tr_bdf2, esdirk4, implicit_midpoint and implicit_euler
-// share.
+// Diagonally implicit Runge-Kutta methods from their tableaux, common to tr_bdf2, esdirk4, implicit_midpoint and
+// implicit_euler.
 #pragma once
 
 #include <array>
@@ -18,15 +18,15 @@ struct DirkTable {
   int stages;
   std::array<Row, max_dirk_stages> a;
   Row b;
-  Row b_embedded;    // of another order, or no_embedded
-  double tolerance;  // [1], of the solution of a stage: far below what the method itself is off by
+  Row b_embedded;    // of the embedded method, or no_embedded
+  double tolerance;  // [1], of the solution of a stage: far below the error of the method
 
   constexpr double node(int stage) const {
     double c = 0.0;
     for (int j = 0; j <= stage; ++j) c += a[stage][j];
     return c;
   }
-  // The last stage is the result: the slopes there are the next step's first.
+  // The last stage is the result: its slopes are the first ones of the next step.
   constexpr bool stiffly_accurate() const { return b == a[stages - 1]; }
 };
 

@@ -1,5 +1,5 @@
-// Sparse symmetric positive definite systems A x = b, one small block of unknowns a point, of which only the values
-// change: ordering, symbolic factorisation and all memory are made once.
+// Sparse symmetric positive definite systems A x = b with a small block of unknowns per point, of which only the values
+// change: ordering, symbolic factorization and memory are set up once.
 #pragma once
 
 #include <memory>
@@ -13,13 +13,13 @@ namespace hooke {
 
 class LinearSolver {
  public:
-  // `dimensions` unknowns a point, coupled between the given pairs of points (repeated pairs are fine, at least one
-  // point). Throws InputError when the factor would not fit into memory worth having.
+  // `dimensions` unknowns per point, coupled between the given pairs of points (pairs may repeat; at least one
+  // point). Throws InputError if the factor would need too much memory.
   LinearSolver(Index points, int dimensions, std::span<const std::pair<Index, Index>> couplings);
   ~LinearSolver();
 
-  // Where a block of A stands: its entry (row, column) is value(column)[row], for a diagonal block with row <= column only.
-  // Blocks are symmetric, so it does not matter which way round a pair is coupled.
+  // A block of A: its entry (row, column) is column(column)[row], in a diagonal block for row <= column only.
+  // Blocks are symmetric, so the order of a pair does not matter.
   class Block {
    public:
     double* column(int c) const { return start_ + c * stride_ + c * (c + 1) / 2; }
@@ -33,7 +33,7 @@ class LinearSolver {
   Block coupling(Index first, Index second) const;
   void set_zero();
 
-  // Factors the values as they stand. False when A is not positive definite; then there is nothing to solve with.
+  // Factors the current values. False if A is not positive definite; then it cannot solve.
   bool factorize();
 
   // b becomes A^-1 b; in the Plan's layout.
