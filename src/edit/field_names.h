@@ -28,7 +28,7 @@ template <> inline constexpr std::array<std::string_view, 3> field_names<Force> 
 template <> inline constexpr std::array<std::string_view, 2> field_names<Patch> = {"points", "shares"};
 template <> inline constexpr std::array<std::string_view, 5> field_names<GrabPoint::Item> = {"point", "patch", "kind", "target", "stiffness"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<GrabCollider::Item> = {"collider", "target"};
-template <> inline constexpr std::array<std::string_view, 3> field_names<EnergyLedger> = {"given", "scale", "hand_stretch"};
+template <> inline constexpr std::array<std::string_view, 5> field_names<EnergyLedger> = {"given", "scale", "hand_stretch", "extent", "speed"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<MethodMemory> = {"step", "error"};
 template <> inline constexpr std::array<std::string_view, 11> field_names<ResumeState> =
     {"point_ids", "spring_ids", "next_point_id", "next_spring_id", "grab", "collider_grab", "hand", "ledger", "memory", "torn", "tears"};

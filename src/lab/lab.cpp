@@ -198,7 +198,6 @@ double Lab::hand_lag() const {
 bool Lab::finish_frame() {
   next_ = scene_.state;
   frame_.end(plan_, next_);
-  record_force_work(plan_, scene_.state, next_);
   frame_in_progress_ = must_finish_frame_ = false;
   std::optional<Insert> torn = tear();
 

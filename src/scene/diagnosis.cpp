@@ -80,10 +80,20 @@ std::optional<std::string> step_warning(const System& system, const Settings& se
 
 std::string explain(const Divergence& divergence, const System& system, const Settings& settings, const Advice& advice) {
   const std::string when = "Stopped at t = " + format("%.4g", divergence.time) + " s: ";
-  const std::string what = divergence.kind == Divergence::Kind::NotFinite
-                               ? describe_location(divergence, system) + " went beyond all numbers."
-                               : "energy came from nowhere (" + ratio(divergence.energy / divergence.scale) +
-                                     " times what was put in), first at " + describe_location(divergence, system) + ".";
+  std::string what;
+  switch (divergence.kind) {
+    case Divergence::Kind::NotFinite:
+      what = describe_location(divergence, system) + " went beyond all numbers.";
+      break;
+    case Divergence::Kind::EnergyGain:
+      what = "energy came from nowhere (" + ratio(divergence.energy / divergence.scale) + " times what was put in), first at " +
+             describe_location(divergence, system) + ".";
+      break;
+    case Divergence::Kind::Implausible:
+      what = describe_location(divergence, system) + " is " + ratio(divergence.distance) +
+             " m away, farther than any motion can have taken it.";
+      break;
+  }
 
   const std::string now = std::string(settings.integrator->label) + " with " + std::to_string(settings.substeps) +
                           (settings.substeps == 1 ? " substep" : " substeps");

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/plan.h"
+
 namespace hooke {
 namespace {
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-// The first point without a number; else the fastest free one.
+// The first point that is not finite, else the fastest free one.
 Index worst_point(const System& system, const State& state) {
   Index worst = no_index;
   double highest = -1.0;
@@ -24,7 +26,7 @@ Index worst_point(const System& system, const State& state) {
   return worst;
 }
 
-// The spring furthest from its rest length, by energy; those on the worst point first.
+// The spring with the highest elastic energy, among those on the worst point if there are any.
 Index worst_spring(const System& system, const State& state, Index point) {
   Index worst = no_index;
   bool worst_is_on_point = false;
@@ -47,7 +49,7 @@ Index worst_spring(const System& system, const State& state, Index point) {
 }  // namespace
 
 bool is_finite(const State& state) {
-  // 0 x is zero for a number and NaN for anything else: one branchless sum
+  // 0 x is zero for finite x and NaN otherwise: one sum without branches
   double sum = 0.0;
   for (const Vec3& x : state.position) sum += 0.0 * x.x + 0.0 * x.y + 0.0 * x.z;
   for (const Vec3& v : state.velocity) sum += 0.0 * v.x + 0.0 * v.y + 0.0 * v.z;
@@ -56,11 +58,29 @@ bool is_finite(const State& state) {
 
 namespace {
 
-// The least that counts as put in [J]: M g L, and in scenes without weight a billionth of what the springs could hold.
+// The minimum of the supplied energy [J]: M g L, and in scenes without weight a billionth of sum k l0^2.
 double min_scale(const System& system, const State& state) {
   double springs = 0.0;
   for (const Spring& spring : system.springs()) springs += system.stiffness_of(spring) * spring.rest_length * spring.rest_length;
   return std::max({reference_energy(system, state), 1e-9 * springs, 1e-300});
+}
+
+double max_length(const std::vector<Vec3>& vectors) {
+  double max = 0.0;
+  for (const Vec3& v : vectors) max = std::max(max, glm::dot(v, v));
+  return std::sqrt(max);
+}
+
+void record_extent(State& state) {
+  state.ledger.extent = std::max(state.ledger.extent.value_or(0.0), max_length(state.position));
+  state.ledger.speed = std::max(state.ledger.speed.value_or(0.0), max_length(state.velocity));
+}
+
+// Whether a point is farther away than motion can have taken it.
+bool is_implausible(const System& system, const State& state, double distance) {
+  const EnergyLedger& ledger = state.ledger;
+  if (!ledger.extent || !ledger.speed || distance <= 1000.0 * *ledger.extent) return false;
+  return distance > plausible_reach(system, bound_spectrum(system), *ledger.extent, *ledger.speed, std::abs(state.time));
 }
 
 }  // namespace
@@ -69,18 +89,20 @@ void initialize_ledger(const System& system, State& state) {
   const Energy energy = compute_energy(system, state);
   state.ledger = {.net_input = energy.total()};
   state.ledger.scale = std::max(energy.kinetic + energy.elastic, min_scale(system, state));
+  record_extent(state);
 }
 
 void record_edit_energy(const System& system, double before, State& state) {
   const double change = compute_energy(system, state).total() - before;
   state.ledger.net_input += change;
   state.ledger.scale = std::max(state.ledger.scale + std::abs(change), min_scale(system, state));
+  record_extent(state);
 }
 
 std::optional<Divergence> find_divergence(const System& system, const State& state, const Energy& energy) {
   Divergence divergence{.time = state.time, .scale = state.ledger.scale};
 
-  // air that moves brings points up to its speed
+  // moving air accelerates points up to its speed
   double mass = 0.0;
   for (const Point& point : system.points()) mass += point.mass;
   if (system.drag_rate() > 0.0) divergence.scale += mass * glm::dot(system.wind, system.wind);
@@ -92,6 +114,8 @@ std::optional<Divergence> find_divergence(const System& system, const State& sta
   else if (divergence.energy > divergence_factor * divergence.scale + state.ledger.hand_stretch &&
            divergence.energy > divergence_fraction * present)
     divergence.kind = Divergence::Kind::EnergyGain;
+  else if (divergence.distance = max_length(state.position); is_implausible(system, state, divergence.distance))
+    divergence.kind = Divergence::Kind::Implausible;
   else
     return std::nullopt;
 

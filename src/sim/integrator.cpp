@@ -27,7 +27,7 @@ const Integrator* find_integrator(std::string_view id) {
 std::string_view describe(Stability stability) {
   switch (stability) {
     case Stability::None:
-      return "grows at every step";
+      return "unstable at every step";
     case Stability::Conditional:
       return "stable up to a largest step";
     case Stability::Adaptive:
@@ -61,7 +61,7 @@ const Integrator& default_integrator() { return velocity_verlet; }
 const Integrator& stiff_integrator() { return tr_bdf2; }
 
 Amplification amplification_from(std::complex<double> (*r)(std::complex<double>), const Oscillator& oscillator) {
-  const double damping = oscillator.h_lambda + oscillator.h_drag;
+  const double damping = oscillator.h_lambda + oscillator.h_drag + oscillator.h_rate;
   const std::complex<double> root = std::sqrt(std::complex<double>(0.25 * damping * damping - oscillator.h_omega_squared, 0.0));
   const std::complex<double> r1 = r(-0.5 * damping + root), r2 = r(-0.5 * damping - root);
   return {(r1 + r2).real(), (r1 * r2).real()};
@@ -76,9 +76,10 @@ bool is_stable(const Amplification& amplification) {
 }
 
 // of the one mode with these rates [1/s]
-double largest_stable_step(const Integrator& integrator, double omega, double lambda, double drag) {
+double largest_stable_step(const Integrator& integrator, double omega, double lambda, double drag, double force_rate) {
   const auto amplification_at = [&](double h) {
-    return integrator.amplification({.h_omega_squared = h * h * omega * omega, .h_lambda = h * lambda, .h_drag = h * drag});
+    return integrator.amplification(
+        {.h_omega_squared = h * h * omega * omega, .h_lambda = h * lambda, .h_drag = h * drag, .h_rate = h * force_rate});
   };
   const auto is_stable_at = [&](double h) { return is_stable(amplification_at(h)); };
   // where an eigenvalue comes near -1 the higher splitting methods lose a band of steps not a hundredth wide
@@ -86,7 +87,7 @@ double largest_stable_step(const Integrator& integrator, double omega, double la
     const Amplification step = amplification_at(h);
     return 1.0 + step.determinant + step.trace < 0.02;
   };
-  const double rate = std::max({omega, lambda, drag});
+  const double rate = std::max({omega, lambda, drag, force_rate});
   if (rate == 0.0) return std::numeric_limits<double>::infinity();
 
   // walk up from a thousandth of the fastest rate until a step fails, then bisect
@@ -107,20 +108,39 @@ double largest_stable_step(const Integrator& integrator, double omega, double la
 
 }  // namespace
 
-double largest_stable_step(const Integrator& integrator, const Spectrum& spectrum) {
-  // omega h up to which contacts let no energy grow, of a cloth on a ball under methods for any step: some let it from 4 on
-  constexpr double contact_limit = 3.0;
-  if (integrator.stability != Stability::None && integrator.stability != Stability::Conditional)
-    return spectrum.contact && spectrum.omega > 0.0 ? contact_limit / spectrum.omega : std::numeric_limits<double>::infinity();
+namespace {
 
-  // the corners of the region (omega, lambda) in which the scene's modes lie
+// over the corners of the region (omega, lambda) in which the scene's modes lie
+double conditional_step(const Integrator& integrator, const Spectrum& spectrum, double force_rate) {
   const double omega = spectrum.omega, drag = spectrum.drag_rate;
   const double min = std::min(spectrum.min_dashpot_ratio * omega * omega, spectrum.dashpot_rate);
-  const double along_spring =
-      std::min({largest_stable_step(integrator, omega, min, drag), largest_stable_step(integrator, omega, spectrum.dashpot_rate, drag),
-                largest_stable_step(integrator, 0.0, spectrum.dashpot_rate, drag)});
-  // across a stretched spring its dashpot does nothing; where no step holds without dashpots, what they can hold counts
-  return integrator.stability == Stability::None ? along_spring : std::min(along_spring, largest_stable_step(integrator, omega, 0.0, drag));
+  const double along_spring = std::min({largest_stable_step(integrator, omega, min, drag, force_rate),
+                                        largest_stable_step(integrator, omega, spectrum.dashpot_rate, drag, force_rate),
+                                        largest_stable_step(integrator, 0.0, spectrum.dashpot_rate, drag, force_rate)});
+  // across a stretched spring its dashpot does nothing; where no step is stable without dashpots, what they stabilize counts
+  return integrator.stability == Stability::None ? along_spring
+                                                 : std::min(along_spring, largest_stable_step(integrator, omega, 0.0, drag, force_rate));
+}
+
+}  // namespace
+
+double largest_stable_step(const Integrator& integrator, const Spectrum& spectrum) {
+  if (integrator.stability == Stability::None || integrator.stability == Stability::Conditional)
+    return spectrum.force_rate > 0.0
+               ? std::min(conditional_step(integrator, spectrum, 0.0), conditional_step(integrator, spectrum, spectrum.force_rate))
+               : conditional_step(integrator, spectrum, 0.0);
+
+  // omega h up to which contacts cause no growth, measured on a cloth on a ball with methods stable at any step: some grow from 4
+  constexpr double contact_limit = 3.0;
+  double step = spectrum.contact && spectrum.omega > 0.0 ? contact_limit / spectrum.omega : std::numeric_limits<double>::infinity();
+  // the other methods add these forces once a step, as symplectic Euler does
+  if (!integrator.implicit_force_terms && integrator.stability != Stability::Adaptive &&
+      (spectrum.force_omega > 0.0 || spectrum.force_rate > 0.0))
+    step =
+        std::min(step, conditional_step(symplectic_euler,
+                                        {.omega = spectrum.force_omega, .force_rate = spectrum.force_rate, .drag_rate = spectrum.drag_rate},
+                                        spectrum.force_rate));
+  return step;
 }
 
 }  // namespace hooke

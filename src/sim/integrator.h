@@ -10,11 +10,12 @@
 
 namespace hooke {
 
-// The damped oscillator x'' = -omega^2 x - lambda x' - c x' (a dashpot and drag), seen by a step h: all dimensionless.
+// The damped oscillator x'' = -omega^2 x - (lambda + c + q) x' (a dashpot, drag and a listed force) and a step h: all dimensionless.
 struct Oscillator {
   double h_omega_squared = 0.0;  // (h omega)^2
   double h_lambda = 0.0;
   double h_drag = 0.0;  // h c
+  double h_rate = 0.0;  // h q, of a listed force -q m v
 };
 
 // One step on it is a 2x2 matrix; its eigenvalues follow from these two.
@@ -22,17 +23,17 @@ struct Amplification {
   double trace = 2.0, determinant = 1.0;
 };
 
-// What a linear mode does under a method, undamped or not.
+// Stability of a linear mode, undamped or damped.
 enum class Stability {
-  None,         // an undamped mode grows at every step
+  None,         // an undamped mode grows at any step size
   Conditional,  // none grows up to a largest step, which follows from the amplification
   Adaptive,     // the method picks its own steps within the one asked for
-  EachSpring,   // a spring alone never grows and, when too fast for the step, dies out; many together promise nothing
+  EachSpring,   // a single spring never grows and decays if too fast for the step; nothing is guaranteed for coupled springs
   AStable,      // none grows at any step (A-stable)
-  LStable,      // and modes far too fast for the step die out at once (L-stable)
+  LStable,      // and modes far too fast for the step decay at once (L-stable)
 };
 
-// What becomes of the energy of an undamped scene over many steps.
+// The energy of an undamped scene over many steps.
 enum class EnergyTrend { Grows, Drifts, Bounded, Falls };
 
 // In words, for menus and documents.
@@ -42,21 +43,26 @@ std::string_view describe(EnergyTrend energy);
 struct Integrator {
   std::string_view id;       // on the command line and in files
   std::string_view label;    // in the menu
-  std::string_view summary;  // one sentence: what it is for
+  std::string_view summary;  // one sentence: when to use it
   std::string_view cost;     // what a step costs, in force evaluations or factorisations
   std::string_view formula;  // one step of h, lines
-  std::string_view source;   // who found or described it
+  std::string_view source;   // the publication
   int order;                 // of positions and velocities, undamped
   int order_drag;            // with drag alone
   int order_damped;          // with dashpots
   int order_contact;         // undamped, through an impact
+  int order_friction;        // through an impact without restitution, and sliding under friction
+  int order_force_terms;     // with listed forces, those that depend on velocity included
   Stability stability;
   EnergyTrend energy;
   bool symplectic;  // undamped
+  // Whether listed forces are part of the implicit system. If not, they limit the step also of a method that is otherwise stable at
+  // any step.
+  bool implicit_force_terms;
   // Robust enough to be left alone with a scene: the hard cases require that it succeeds at the smallest step tried. The others
   // are for teaching and comparison.
   bool for_production;
-  // Once a frame, before its first step of h: sizes the workspace, computes what all steps of the frame share. May be null.
+  // Called once per frame, before its first step of h: sizes the workspace and computes what is common to all steps. May be null.
   void (*prepare)(const Plan& plan, double h, const Motion& motion, Workspace& work);
   void (*step)(const Plan& plan, Motion& motion, Workspace& work, double h);
   Amplification (*amplification)(const Oscillator& oscillator);  // closed form of one step
@@ -74,9 +80,13 @@ const Integrator& stiff_integrator();
 // roots s of s^2 + (lambda + c) s + omega^2.
 Amplification amplification_from(std::complex<double> (*r)(std::complex<double>), const Oscillator& oscillator);
 
-// Largest step [s] at which no mode within the spectrum grows: 0 when every step lets one grow (undamped explicit
-// Euler), infinity when none does, or the method adapts its step. Where there is something to touch, no method's is infinite:
-// a contact stops a point after the step, and springs too fast for the step make energy of the way that their ends went on.
+// The linear limit: the largest step [s] at which no linear mode within the spectrum grows. 0 if one grows at every step (undamped
+// explicit Euler), infinity if none does or the method adapts its step. In scenes with contact it is finite for every method: contact
+// stops a point after the step, and springs too fast for the step turn that correction into energy.
 double largest_stable_step(const Integrator& integrator, const Spectrum& spectrum);
+
+// The linear limit holds for small oscillations. Nets that rotate and stretch can gain energy at steps below it; of 120 random nets
+// started far from equilibrium none did with steps shorter by this factor (docs/methods.md).
+inline constexpr int recommended_margin = 4;
 
 }  // namespace hooke

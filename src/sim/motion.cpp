@@ -30,7 +30,7 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
   motion.acceleration_is_current = false;
   motion.memory = state.memory;
   motion.force_evaluations = motion.factorizations = motion.solves = motion.sweeps = motion.unconverged_solves = 0;
-  motion.collider_work = motion.break_work = motion.limit_work = motion.hand_work = motion.abs_hand_work = 0.0;
+  motion.collider_work = motion.break_work = motion.limit_work = motion.hand_work = motion.abs_hand_work = motion.force_work = 0.0;
   motion.local_error = 0.0;
 }
 
@@ -47,18 +47,29 @@ void unpack(const Plan& plan, const Motion& motion, State& state) {
   }
 }
 
-void kick(const Plan& plan, Motion& motion, double h) {
-  double* v = motion.v.data();
+namespace {
+
+void kick(const Plan& plan, const Field& a, double h, Field& velocity) {
+  double* v = velocity.data();
   if (plan.drag == 0.0) {
-    add_scaled(v, h, motion.a.data(), motion.v.size());
+    add_scaled(v, h, a.data(), velocity.size());
     return;
   }
 
   Vec3 held{0.0};
   for (int c = 0; plan.held && c < plan.dimensions; ++c) held[c] = v[static_cast<std::size_t>(c) * plan.points + *plan.held];
   const double decay = std::exp(-plan.drag * h), weight = -std::expm1(-plan.drag * h) / plan.drag;
-  scale_and_add_scaled(v, decay, weight, motion.a.data(), motion.v.size());
+  scale_and_add_scaled(v, decay, weight, a.data(), velocity.size());
   for (int c = 0; plan.held && c < plan.dimensions; ++c) v[static_cast<std::size_t>(c) * plan.points + *plan.held] = held[c];
+}
+
+}  // namespace
+
+void kick(const Plan& plan, Motion& motion, double h) { kick(plan, motion.a, h, motion.v); }
+
+void predict_velocity(const Plan& plan, const Motion& motion, double h, Field& v) {
+  v = motion.v;
+  kick(plan, motion.a, h, v);
 }
 
 void drift(Motion& motion, double h) { add_scaled(motion.x.data(), h, motion.v.data(), motion.x.size()); }

@@ -1,4 +1,4 @@
-// The State packed for stepping, in the Plan's layout. Lives for one frame; integrators read and write it.
+// The State packed for stepping, in the layout of the Plan. It lives for one frame; integrators read and write it.
 #pragma once
 
 #include <memory>
@@ -15,20 +15,21 @@ struct Motion {
   Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
   bool acceleration_is_current = false;
   MethodMemory memory;
-  // since the frame began
+  // since the start of the frame
   long force_evaluations = 0;
   long factorizations = 0;
   long solves = 0;              // linear systems solved with a factorisation
   long sweeps = 0;              // over all springs as constraints
-  long unconverged_solves = 0;  // nonlinear systems left at the limit of iterations
-  // [J], of what is no force of the scene: colliders that move, springs that break, springs that are held to a length
+  long unconverged_solves = 0;  // nonlinear systems that reached the iteration limit
+  // [J], of what is not a force: moving colliders, springs that break, the strain limit
   double collider_work = 0.0, break_work = 0.0, limit_work = 0.0;
-  double hand_work = 0.0, abs_hand_work = 0.0;  // [J], what the hand put in, and the sum of the sizes of what it put in and took
+  double hand_work = 0.0, abs_hand_work = 0.0;  // [J], of the hand, and the sum of the magnitudes over the substeps
+  double force_work = 0.0;                      // [J], of the listed forces
   double local_error = 0.0;                     // [m], sum over the steps of the method's own estimate, RMS over the points; 0: it has none
 };
 
-// What a method builds from the Plan's structure alone (an order of springs, a symbolic factor). It outlives the frame
-// and serves until the structure is another.
+// What a method derives from the Plan's structure alone (an order of springs, a symbolic factorization). It outlives the frame
+// and remains valid until the structure changes.
 class Structure {
  public:
   explicit Structure(const Plan& plan) : points_(plan.points), dimensions_(plan.dimensions), runs_(plan.runs) {}
@@ -41,17 +42,17 @@ class Structure {
   std::vector<SpringRun> runs_;
 };
 
-// An integrator's own scratch: sized and filled by its `prepare`; a step never allocates.
+// Scratch memory of an integrator: sized and filled by its `prepare`; a step never allocates.
 struct Workspace {
   std::vector<Field> fields;
   std::optional<double> tolerance;  // [m], from the settings
   std::unique_ptr<Structure> structure;
 
-  // `count` fields of the motion's size, whatever they hold; allocates only when there were fewer or smaller ones.
+  // Provides `count` fields of the motion's size with unspecified contents; allocates only if there were fewer or smaller ones.
   void size_fields(std::size_t count, const Motion& motion);
 };
 
-// The workspace's structure of this kind, made anew if there is none or it is of another topology. For `prepare`.
+// The workspace's structure of this kind, created if there is none or its topology differs. For `prepare`.
 template <class Kind>
 Kind& make_structure(const Plan& plan, Workspace& work) {
   auto* known = dynamic_cast<Kind*>(work.structure.get());
@@ -62,7 +63,7 @@ Kind& make_structure(const Plan& plan, Workspace& work) {
   return kind;
 }
 
-// The one that `prepare` made. For `step`.
+// The one that `prepare` created. For `step`.
 template <class Kind>
 Kind& structure_of(Workspace& work) {
   return static_cast<Kind&>(*work.structure);
@@ -72,13 +73,16 @@ Kind& structure_of(Workspace& work) {
 // point keeps the hand's velocity.
 void kick(const Plan& plan, Motion& motion, double h);
 
+// The velocity that kick would give.
+void predict_velocity(const Plan& plan, const Motion& motion, double h, Field& v);
+
 // x = x + h v.
 void drift(Motion& motion, double h);
 
-// RMS over the points that move freely, of a field that is zero at the others: by the length of each point's vector.
+// RMS of the vector lengths over the free points, of a field that is zero at the others.
 double root_mean_square(const Plan& plan, const Field& field);
 
-// [m], [m/s] of every point into the packed layout and back. What is nailed or held starts without velocity.
+// [m], [m/s] of every point to the packed layout and back. Nailed and held points start with velocity zero.
 void pack(const Plan& plan, const State& state, Motion& motion);
 void unpack(const Plan& plan, const Motion& motion, State& state);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Index max_run_length = 512;
 
-// Springs between the same two offsets, one after another, make a run.
+// Consecutive springs with consecutive ends form a run.
 void find_runs(Plan& plan, const System& system) {
   struct Ends {
     Index first, second, spring;
@@ -56,8 +56,8 @@ void find_runs(Plan& plan, const System& system) {
   }
 }
 
-// What a collider is to points that stay in the plane z = 0: a ball about its points, a wall or block that crosses it
-// upright, and moves along it. False: a plane that lies along it is none.
+// Restricts a collider to points in the plane z = 0: spheres move into the plane, planes and boxes become perpendicular to it, and
+// all motion is within it. False if a plane is parallel to it: it is not a collider there.
 bool flatten(Collider& collider) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   ColliderPath& path = collider.path;
@@ -105,7 +105,7 @@ void plan_carried_collider(Plan& plan, const System& system, const State& state,
   plan.grabbed_collider = {.collider = c, .start = state.time, .velocity = velocity};
 }
 
-// The lengths at which springs break and to which they are held; empty where there are none.
+// The lengths at which springs break and those of the strain limit; empty if there are none.
 void plan_length_limits(Plan& plan, const System& system) {
   const auto breaks = [&](const Spring& spring) { return system.break_strain > 0.0 || spring.break_strain != never_breaks; };
   const bool any = std::ranges::any_of(system.springs(), breaks);
@@ -113,7 +113,7 @@ void plan_length_limits(Plan& plan, const System& system) {
   plan.max_length.resize(system.strain_limit > 0.0 ? plan.springs : 0);
   for (Index s = 0; s < static_cast<Index>(plan.break_length.size()); ++s)
     plan.break_length[s] = system.break_length_of(system.springs()[plan.spring_index[s]]);
-  // one that is switched off, or has no rest length, holds nothing
+  // a spring that is switched off, or has no rest length, has no limit
   for (Index s = 0; s < static_cast<Index>(plan.max_length.size()); ++s) {
     const Spring& spring = system.springs()[plan.spring_index[s]];
     const bool holds = system.is_on(spring) && spring.rest_length > 0.0;
@@ -121,12 +121,13 @@ void plan_length_limits(Plan& plan, const System& system) {
   }
 }
 
-// The forces that are on, and the faces if there is any.
+// The forces that are on, and the faces if there are any such forces.
 void plan_forces(Plan& plan, const System& system) {
   plan.forces.clear();
   for (const ForceTerm& term : force_terms())
     for (const Force& force : system.forces)
       if (force.on && force.term == &term) plan.forces.push_back(force);
+  plan.forces_depend_on_velocity = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->depends_on_velocity; });
 
   plan.faces.clear();
   if (plan.forces.empty()) return;
@@ -143,7 +144,7 @@ PlannedPull plan_pull(const System& system, const Grab& grab) {
   return pull;
 }
 
-// Lets go of what is held, and holds this.
+// Releases the held point, and holds this one.
 void set_held_point(Plan& plan, const System& system, std::optional<Index> point) {
   if (plan.held) plan.inverse_mass[*plan.held] = system.points()[*plan.held].nailed ? 0.0 : 1.0 / system.points()[*plan.held].mass;
   plan.held = point;
@@ -156,7 +157,7 @@ void set_held_point(Plan& plan, const System& system, std::optional<Index> point
       if (const Index e = *plan.held - held_end; e >= 0 && e < run.count) plan.held_springs.push_back({run.begin + e, other_end + e});
 }
 
-// What the pull adds to the rows of the points that move: K_ij = k w_i w_j I, w the weights.
+// Contribution of the pull to the rows of the free points: K_ij = k w_i w_j I, w the weights.
 void add_pull_rows(const System& system, std::vector<double>& row) {
   const PlannedPull pull = plan_pull(system, *system.grab);
   for (const auto& [i, weight] : pull.points())
@@ -230,7 +231,7 @@ Vec3 clamp_hand_target(const System& system, const Vec3& from, const Vec3& targe
 }
 
 void prepare_hand(Plan& plan, const System& system, const State& state, double duration) {
-  // a listed hand takes its point and leaves it between frames
+  // a scripted hand grabs and releases its point between frames
   const std::optional<ActiveGrab> grab = active_grab(system, state, duration);
   std::optional<Index> held;
   if (grab && grab->kind == GrabKind::Hold) held = system.index_of(grab->point);
@@ -244,6 +245,46 @@ void prepare_hand(Plan& plan, const System& system, const State& state, double d
   }
   plan.grabbed_collider.reset();
   if (state.hand.collider) plan_carried_collider(plan, system, state, duration);
+}
+
+namespace {
+
+// How far a collider's surface reaches from the origin [m], and how fast it moves what touches it [m/s].
+struct ColliderReach {
+  double distance = 0.0, speed = 0.0;
+};
+ColliderReach reach_of(const Collider& collider) {
+  ColliderReach reach{.distance = glm::length(anchor_of(collider)) + glm::length(collider.path.amplitude)};
+  double radius = 1.0;
+  if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) radius = sphere->radius;
+  if (const auto* box = std::get_if<Box>(&collider.shape)) radius = 0.5 * glm::length(box->max - box->min);
+  reach.distance += radius;
+  constexpr double two_pi = 6.283185307179586;
+  reach.speed = two_pi * collider.path.frequency * glm::length(collider.path.amplitude) + glm::length(collider.path.belt) +
+                radius * glm::length(collider.path.spin);
+  return reach;
+}
+
+}  // namespace
+
+double plausible_reach(const System& system, const Spectrum& spectrum, double extent, double speed, double time) {
+  constexpr double margin = 1000.0;
+  double acceleration = glm::length(system.gravity);
+  for (const Spring& spring : system.springs()) extent = std::max(extent, spring.rest_length);
+  for (const Collider& collider : system.colliders) {
+    if (!collider.solid) continue;
+    const ColliderReach reach = reach_of(collider);
+    extent = std::max(extent, reach.distance);
+    speed += reach.speed;
+  }
+  for (const Force& force : system.forces) {
+    if (!force.on) continue;
+    const ForceBound bound = force.term->bound(system, force.values);
+    acceleration += bound.acceleration;
+    speed += bound.speed;
+  }
+  speed += glm::length(system.wind) + system.hand_speed + spectrum.omega * extent;
+  return margin * (extent + time * (speed + time * acceleration));
 }
 
 Spectrum bound_spectrum(const System& system) {
@@ -270,7 +311,17 @@ Spectrum bound_spectrum(const System& system) {
     spectrum.omega = std::max(spectrum.omega, stiffness_row[i]);
     spectrum.dashpot_rate = std::max(spectrum.dashpot_rate, dashpot_row[i]);
   }
-  spectrum.omega = std::sqrt(spectrum.omega);
+  // eigenvalues of a sum of symmetric matrices are at most the sum of theirs
+  double force_stiffness = 0.0;
+  for (const Force& force : system.forces) {
+    if (!force.on) continue;
+    const ForceBound bound = force.term->bound(system, force.values);
+    spectrum.is_bounded = spectrum.is_bounded && std::isfinite(bound.stiffness) && std::isfinite(bound.rate);
+    if (std::isfinite(bound.stiffness)) force_stiffness += bound.stiffness;
+    if (std::isfinite(bound.rate)) spectrum.force_rate += bound.rate;
+  }
+  spectrum.force_omega = std::sqrt(force_stiffness);
+  spectrum.omega = std::sqrt(spectrum.omega + force_stiffness);
   spectrum.drag_rate = system.drag_rate();
   spectrum.contact = std::any_of(system.colliders.begin(), system.colliders.end(), [](const Collider& collider) { return collider.solid; });
   spectrum.min_dashpot_ratio = std::isfinite(min_ratio) ? min_ratio : 0.0;

@@ -1,5 +1,5 @@
 // The System compiled for stepping: only what this scene needs, packed for the vector units. Its structure (which
-// springs join which points) is rebuilt on edits, its values are refreshed in place; neither happens inside a step.
+// springs join which points) is rebuilt on edits, its values are updated in place; neither happens inside a step.
 #pragma once
 
 #include <array>
@@ -14,18 +14,18 @@ namespace hooke {
 
 struct State;
 
-// One vector a point, component by component: component c of point i stands at [c * points + i].
+// One vector per point, component by component: component c of point i is at [c * points + i].
 using Field = std::vector<double>;
 
 // `count` consecutive springs that join point first + e to point second + e, e = 0 .. count-1. A grid falls into a few
 // long runs (one a row and direction), so their ends are read and written as whole vectors; any other graph is runs of
-// one. Spring e of the run stands at packed index begin + e.
+// one. Spring e of the run has the packed index begin + e.
 struct SpringRun {
   Index begin = 0, first = 0, second = 0, count = 0;
   bool operator==(const SpringRun&) const = default;
 };
 
-// The hand's spring, on a point or, by their shares, on three: the force on each is its share of the whole. Its far end moves
+// The hand's spring, attached to a point or to the weighted mean of three; each takes its weight of the force. The other end moves
 // from `from` with `velocity` during the frame that starts at `start`.
 struct PlannedPull {
   struct Part {
@@ -39,7 +39,7 @@ struct PlannedPull {
   Vec3 from{0.0}, velocity{0.0};
   Vec3 target_at(double time) const { return from + (time - start) * velocity; }
   std::span<const Part> points() const { return {parts.data(), static_cast<std::size_t>(count)}; }
-  // The sum of share times x over the points, of the component of a field that starts at x.
+  // The weighted mean over the points of the component of a field that starts at x.
   double interpolate(const double* x) const {
     double sum = 0.0;
     for (const Part& part : points()) sum += part.weight * x[part.point];
@@ -53,20 +53,23 @@ struct HeldSpring {
   Index other = 0;   // point at its other end
 };
 
-// A collider in the hand during the frame that starts at `start`: besides its path it moves with `velocity`.
+// The collider that the hand holds during the frame that starts at `start`: it moves with `velocity` in addition to its path.
 struct GrabbedCollider {
   std::size_t collider = 0;  // of the plan's
   double start = 0.0;        // [s]
   Vec3 velocity{0.0};        // [m/s]
 };
 
-// Bounds on the fastest rates of the scene, never below the true ones, however the scene is deformed.
+// Upper bounds on the fastest rates of the scene, however it is deformed.
 struct Spectrum {
-  double omega = 0.0;              // [rad/s], highest undamped frequency
+  double omega = 0.0;              // [rad/s], highest undamped frequency, of springs, the hand's pull and listed forces
   double dashpot_rate = 0.0;       // [1/s], highest rate of the dashpots
+  double force_omega = 0.0;        // [rad/s], highest frequency of the listed forces alone
+  double force_rate = 0.0;         // [1/s], highest rate of the listed forces that depend on velocity
+  bool is_bounded = true;          // false: there is a listed force without a bound, which is not counted
   double drag_rate = 0.0;          // [1/s]
-  double min_dashpot_ratio = 0.0;  // [s], least damping / stiffness over the springs
-  bool contact = false;            // whether there is anything solid to touch
+  double min_dashpot_ratio = 0.0;  // [s], minimum of damping / stiffness over the springs
+  bool contact = false;            // whether there are solid colliders
 };
 
 struct Plan {
@@ -74,38 +77,39 @@ struct Plan {
   Index springs = 0;
   int dimensions = 3;
 
-  std::vector<double> mass;          // [kg], a point
-  std::vector<double> inverse_mass;  // [1/kg], a point; 0 when nailed or held
+  std::vector<double> mass;          // [kg], per point
+  std::vector<double> inverse_mass;  // [1/kg], per point; 0 if nailed or held
   Vec3 gravity{0.0};                 // [m/s^2]
-  Vec3 acceleration{0.0};            // [m/s^2], the same for all: gravity, and drag times wind
+  Vec3 acceleration{0.0};            // [m/s^2], of every point: gravity, and drag times wind
   double drag = 0.0;                 // [1/s]
 
   // Springs in the order of the runs.
   std::vector<SpringRun> runs;
   std::vector<double> stiffness, rest_length;
-  std::vector<double> damping;      // empty: no dashpot anywhere
+  std::vector<double> damping;      // empty: no dashpots
   std::vector<Index> spring_index;  // of the packed spring, in the System
 
-  std::vector<double> break_length;  // [m], of the packed spring, at which it breaks; empty: none does
-  std::vector<double> max_length;    // [m], that it is held to; empty: none is
+  std::vector<double> break_length;  // [m], of the packed spring, at which it breaks; empty: none breaks
+  std::vector<double> max_length;    // [m], of the strain limit; empty: no limit
 
-  std::vector<double> radius;         // [m], a point; empty: nothing to collide with, nor a force that asks
-  std::vector<Collider> colliders;    // the solid ones, as their paths start
+  std::vector<double> radius;         // [m], per point; empty: no colliders and no listed forces
+  std::vector<Collider> colliders;    // the solid ones, at the start of their paths
   std::vector<Index> collider_index;  // of the planned collider, in the System
-  bool colliders_move = false;        // by their paths or by the hand
+  bool colliders_move = false;        // along their paths or with the hand
   std::optional<GrabbedCollider> grabbed_collider;
-  std::vector<Force> forces;                // those that are on, in the table's order
-  std::vector<std::array<Index, 3>> faces;  // of points; empty when no force asks
+  std::vector<Force> forces;                // those switched on, in the order of the table
+  bool forces_depend_on_velocity = false;   // whether any of them does
+  std::vector<std::array<Index, 3>> faces;  // of points; empty without listed forces
   std::optional<PlannedPull> pull;
-  std::optional<Index> held;             // the point under a holding hand
-  double held_mass = 0.0;                // [kg], of it; 0 of a nail, which has no energy of its own
+  std::optional<Index> held;             // the point that the hand holds
+  double held_mass = 0.0;                // [kg], of it; 0 if it is a nail, which has no energy
   std::vector<HeldSpring> held_springs;  // on it; empty without one
 
   Spectrum spectrum;
 
   bool has_dashpots() const { return !damping.empty(); }
 
-  // How far a collider is off its place at a time, and its velocity.
+  // Displacement of a collider from its rest position at a time, and its velocity.
   Vec3 offset_of(std::size_t collider, double time) const {
     const Vec3 offset = colliders[collider].path.offset(time);
     return grabbed_collider && grabbed_collider->collider == collider
@@ -132,6 +136,11 @@ Vec3 clamp_hand_target(const System& system, const Vec3& from, const Vec3& targe
 // Sets what the hand holds or carries and how it moves during the coming frame of `duration` [s]: in a straight line from
 // state.hand.position, or from the anchor of the carried collider, towards the target of the grab that acts (hand.h).
 void prepare_hand(Plan& plan, const System& system, const State& state, double duration);
+
+// How far from the origin a point can be [m] after `time` [s], if the scene started within `extent` [m] of it at a maximum speed of
+// `speed` [m/s]: moving at the speed of the start, of the fastest oscillation, of the air and of the hand, and falling all the
+// time. Infinity where a force drives points away without limit. A generous bound that only an unstable run exceeds.
+double plausible_reach(const System& system, const Spectrum& spectrum, double extent, double speed, double time);
 
 // Gershgorin bounds on M^-1/2 K M^-1/2 by 3x3 blocks: omega^2 <= max_i sum_j k_ij (1/m_i + 1/sqrt(m_i m_j)), the second
 // term absent for a nailed j; the dashpots likewise.

@@ -1,4 +1,4 @@
-// What changes from step to step, and all of it: nothing hidden survives a step outside this list.
+// Everything that changes from step to step: nothing survives a step outside this list.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,18 @@
 
 namespace hooke {
 
-// Where the energy came from; the watch for divergence compares the energy of the scene against it. [J]
+// Where the energy came from; divergence.h compares the energy of the scene with it. [J]
 struct EnergyLedger {
-  double net_input = 0.0;     // net energy at the start, plus what the hand and edits added
-  double scale = 0.0;         // sum of the sizes of those contributions
-  double hand_stretch = 0.0;  // what the springs would hold, stretched each by the hand's longest way in a step so far
+  double net_input = 0.0;     // energy at the start, plus the work of the hand, of forces and of edits
+  double scale = 0.0;         // sum of the magnitudes of these contributions
+  double hand_stretch = 0.0;  // elastic energy if each spring were stretched by the hand's longest displacement in a step so far
+  // What the motion may have come from, to tell how far it can have led: the maximum distance from the origin [m] and the maximum
+  // speed [m/s] at the start, after edits and of the hand. None: not recorded.
+  std::optional<double> extent{}, speed{};
   bool operator==(const EnergyLedger&) const = default;
 };
 
-// What an adaptive method remembers from step to step. Zero: nothing yet.
+// Step size control of adaptive methods. Zero: not yet set.
 struct MethodMemory {
   double step = 0.0;   // [s], the one it would take next
   double error = 0.0;  // [1], of its last step, relative to the tolerance
@@ -42,7 +45,7 @@ struct Hand {
 
 struct State {
   double time = 0.0;           // [s]
-  std::vector<Vec3> position;  // [m], one a point, in the System's order
+  std::vector<Vec3> position;  // [m], one per point, in the order of the System
   std::vector<Vec3> velocity;  // [m/s]
   Hand hand;
   EnergyLedger ledger;

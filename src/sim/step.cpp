@@ -1,7 +1,6 @@
 #include "sim/step.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -13,8 +12,8 @@ namespace hooke {
 
 namespace {
 
-// A step moves points straight on. A method that takes the springs as linear over it brings out those that turn as long as
-// the hypotenuse: by up to the hand's way too long, energy that no force gave, and that the next steps take back.
+// A method that linearizes the springs over a step leaves those that rotate too long, as a hypotenuse, by up to the displacement of
+// the hand: energy that comes from no force and that the next steps remove.
 double stretch_energy(const System& system, double displacement) {
   double stiffness = 0.0;
   for (const Spring& spring : system.springs()) stiffness += system.stiffness_of(spring);
@@ -32,12 +31,14 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   start_ = state.time;
   prepare_hand(plan, system, state, duration_);
   pack(plan, state, motion_);
+  collider_displacement_ = plan.grabbed_collider ? duration_ * plan.grabbed_collider->velocity : Vec3(0.0);
 
-  // a held point moves straight to the target: as a massive point with that velocity, which every method does exactly
+  // a held point moves in a straight line to the target, as a point of infinite mass with that velocity: exact for every method
   const std::optional<ActiveGrab> grab = active_grab(system, state, duration_);
   const Vec3 from = grab && !system.grab ? state.position[system.index_of(grab->point)] : state.hand.position;
   target_ = grab ? clamp_hand_target(system, from, grab->target, duration_) : Vec3(0.0);
   const Vec3 displacement = !grab ? Vec3(0.0) : target_ - (plan.held ? state.position[*plan.held] : from);
+  hand_speed_ = (glm::length(displacement) + glm::length(collider_displacement_)) / duration_;
   hand_stretch_ = grab ? stretch_energy(system, glm::length(displacement) / substeps_) : 0.0;
   if (plan.held) {
     const Vec3 velocity = displacement / duration_, before = state.velocity[*plan.held];
@@ -46,10 +47,10 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
     motion_.abs_hand_work = std::abs(motion_.hand_work);
   }
 
-  collider_displacement_ = plan.grabbed_collider ? duration_ * plan.grabbed_collider->velocity : Vec3(0.0);
   broken_.clear();
   broken_.reserve(plan.break_length.size());
   work_.tolerance = settings.tolerance;
+  force_work_.begin_frame(plan, motion_);
   if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
 }
 
@@ -60,66 +61,52 @@ void Frame::substep(Plan& plan) {
     before_.v = motion_.v;
   }
 
+  force_work_.begin_substep(plan, motion_);
   const bool has_hand = plan.held || plan.pull;
   const double power = hand_power(plan, motion_);
   integrator_->step(plan, motion_, work_, h_);
   ++substeps_done_;
   motion_.time = start_ + substeps_done_ * h_;
 
-  // trapezium of the hand's power
+  // trapezoidal rule of the hand's power
   if (has_hand) {
     const double work = 0.5 * h_ * (power + hand_power(plan, motion_));
     motion_.hand_work += work;
     motion_.abs_hand_work += std::abs(work);
   }
 
-  // held to their length, clear of the colliders, and only then perhaps broken
+  // strain limit first, then contact, and only then do springs break
   if (!plan.max_length.empty() && limit_strain(plan, motion_)) motion_.acceleration_is_current = false;
   if (!plan.colliders.empty() && resolve_contacts(plan, before_, motion_, h_)) motion_.acceleration_is_current = false;
   if (!plan.break_length.empty() && break_springs(plan, motion_, broken_)) {
     motion_.acceleration_is_current = false;
     if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
   }
+  motion_.force_work += force_work_.end_substep(plan, motion_, h_);
 }
 
 void Frame::end(const Plan& plan, State& state) const {
   unpack(plan, motion_, state);
-  // whole frames stay whole: rounding does not add up over a long run
+  // a multiple of the frame stays one: rounding errors do not accumulate over a long run
   const double frames = (start_ + duration_) / duration_;
   state.time = std::abs(frames - std::round(frames)) < 1e-6 ? std::round(frames) * duration_ : start_ + duration_;
   state.hand.position = target_;
   if (auto& carried = state.hand.collider) carried->shape = translated(carried->shape, collider_displacement_);
-  // what they take was there before; counted as put in, it would excuse an explosion that they feed on
-  for (const double work : {motion_.collider_work, motion_.break_work, motion_.limit_work}) {
+  // energy that they take out was there before: counted as supplied, it would hide an explosion that feeds on it
+  for (const double work : {motion_.collider_work, motion_.break_work, motion_.limit_work, motion_.force_work}) {
     state.ledger.net_input += work;
     state.ledger.scale += std::max(0.0, work);
   }
   state.ledger.net_input += motion_.hand_work;
   state.ledger.scale += motion_.abs_hand_work;
   state.ledger.hand_stretch = std::max(state.ledger.hand_stretch, hand_stretch_);
+  if (state.ledger.extent && (plan.held || plan.pull || plan.grabbed_collider)) {
+    const double distance = state.hand.collider ? glm::length(anchor_of(state.hand.collider->shape)) : 0.0;
+    state.ledger.extent = std::max({*state.ledger.extent, glm::length(target_), distance});
+    state.ledger.speed = std::max(state.ledger.speed.value_or(0.0), hand_speed_);
+  }
   if (plan.held)
     for (int c = 0; c < plan.dimensions; ++c) state.position[*plan.held][c] = target_[c];
-}
-
-void record_force_work(const Plan& plan, const State& before, State& after) {
-  if (plan.forces.empty()) return;
-  // trapezium of the forces along each point's way
-  double work = 0.0;
-  Motion motion;
-  std::array<Field, 2> force;
-  for (const State* state : {&before, static_cast<const State*>(&after)}) {
-    pack(plan, *state, motion);
-    Field& f = force[state == &after];
-    f.assign(motion.x.size(), 0.0);
-    add_force_terms(plan, state->time, motion.x, motion.v, f);
-  }
-  for (int c = 0; c < plan.dimensions; ++c)
-    for (Index i = 0; i < plan.points; ++i) {
-      const std::size_t at = static_cast<std::size_t>(c) * plan.points + i;
-      if (plan.inverse_mass[i] != 0.0) work += 0.5 * (force[0][at] + force[1][at]) * (after.position[i][c] - before.position[i][c]);
-    }
-  after.ledger.net_input += work;
-  after.ledger.scale += std::max(0.0, work);
 }
 
 }  // namespace hooke

@@ -8,7 +8,7 @@
 #include "sim/forces/force_term.h"
 #include "sim/forces/forces.h"
 #include "sim/forces/terms/rows.h"
-#include "sim/integrator.h"
+#include "sim/integrators/rows.h"
 #include "support/trial.h"
 
 namespace hooke {
@@ -168,21 +168,76 @@ TEST(ForceTerms, ActInEveryMethod) {
 }
 
 TEST(ForceTerms, TheirWorkIsInTheLedger) {
-  // a point drawn from rest to near a centre gains far more than M g L, and is no divergence
+  // a point pulled from rest towards a center gains far more than M g L, and is no divergence
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   trial.add({1.0, 0.0, 0.0}, 1.0);
   trial.system.forces = {force("center", {0.0, 0.0, 0.0, 1000.0, 2.0, 0.01})};
   initialize_ledger(trial.system, trial.state);
-  const Plan plan = make_plan(trial.system);
-  for (int frame = 0; frame < 20; ++frame) {
-    const State before = trial.state;
-    trial.run(*find_integrator("velocity_verlet"), 1.0 / 600.0, 200);
-    record_force_work(plan, before, trial.state);
-  }
+  trial.run(velocity_verlet, 1.0 / 30.0, 4000);
   const double kinetic = compute_energy(trial.system, trial.state).kinetic;
   ASSERT_GT(kinetic, 100.0);
-  EXPECT_NEAR(trial.state.ledger.net_input, kinetic, 0.1 * kinetic);  // a trapezium a frame is coarse, and enough for the watch
+  EXPECT_NEAR(trial.state.ledger.net_input, kinetic, 1e-5 * kinetic);
+}
+
+// Forces that are smooth over a step of 1/60 s.
+std::vector<Force> smooth_forces() {
+  return {force("buoyancy", {0.7}), force("center", {0.0, 0.0, 0.0, 4.0, 1.0, 0.5}), force("mass_center", {0.2, 0.0, 0.0, 10.0, 2.0}),
+          force("wall", {2.0, 1.0, 0.1}), force("wind", {2.0, 0.0, 1.0, 0.6, 0.1, 0.0, 1.0, 1.0})};
+}
+
+// one frame a step, as an adaptive method takes it
+TEST(ForceTerms, TheWorkOfEachExplainsTheEnergyOfAnExactRun) {
+  for (const Force& each : smooth_forces()) {
+    Trial trial = triangle();
+    const auto id = [&](Index i) { return trial.system.points()[i].id; };
+    for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {2, 0}}) trial.join(id(i), id(j), 50.0, 1.0);
+    for (Vec3& v : trial.state.velocity) v = {0.5, 2.0, -1.0};
+    for (Index i = 0; i < 3; ++i) trial.system.point(i).radius = 0.1;
+    trial.system.colliders = {{.shape = Plane{.point = {0.0, -3.0, 0.0}}}};
+    trial.system.forces = {each};
+    initialize_ledger(trial.system, trial.state);
+    double supplied = 0.0;
+    for (int frame = 0; frame < 30; ++frame) {
+      const double before = trial.state.ledger.net_input;
+      trial.run(dop853, 1.0 / 60.0, 1, 1e-12);
+      supplied += std::abs(trial.state.ledger.net_input - before);
+    }
+    ASSERT_GT(supplied, 0.1) << each.term->id;
+    EXPECT_NEAR(compute_energy(trial.system, trial.state).total(), trial.state.ledger.net_input, 1e-4 * supplied) << each.term->id;
+  }
+}
+
+TEST(ForceTerms, ThePullToACentreIsContinuousWithItsSlope) {
+  for (const double power : {-3.0, -1.0, 0.0, 1.0, 2.0, 3.7}) {
+    const double core = 0.1;
+    const auto pull_at = [&](double r) {
+      Trial trial;
+      trial.add({r, 0.0, 0.0}, 1.0);
+      trial.system.forces = {force("center", {0.0, 0.0, 0.0, 1.0, power, core})};
+      return -listed_forces(trial)[0].x;
+    };
+    const double h = 1e-7, at_core = std::pow(core, -power);
+    EXPECT_NEAR(pull_at(core * (1.0 - 1e-12)), at_core, 1e-9 * at_core) << power;
+    EXPECT_NEAR((pull_at(core) - pull_at(core - h)) / h, -power * at_core / core, 1e-4 * at_core / core) << power;
+    EXPECT_EQ(pull_at(0.0), 0.0) << power;
+    EXPECT_NEAR(pull_at(1e-9), -pull_at(-1e-9), 1e-12 * at_core) << power;
+    EXPECT_NEAR(pull_at(2.0), std::pow(2.0, -power), 1e-12) << power;
+  }
+}
+
+// A point in a law that falls with the square of the distance, through its center and back.
+TEST(ForceTerms, AFallThroughTheCentreKeepsItsEnergy) {
+  Trial trial;
+  trial.system.gravity = Vec3(0.0);
+  const PointId point = trial.add({1.0, 0.0, 0.0});
+  trial.system.forces = {force("center", {0.0, 0.0, 0.0, 1.0, 2.0, 0.05})};
+  double max = 0.0;
+  for (int frame = 0; frame < 460; ++frame) {
+    trial.run(velocity_verlet, 0.01, 200);
+    max = frame > 400 ? std::max(max, std::abs(trial.position(point).x)) : max;
+  }
+  EXPECT_NEAR(max, 1.0, 1e-3);
 }
 
 }  // namespace

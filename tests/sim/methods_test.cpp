@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <string>
 
+#include "sim/forces/terms/rows.h"
 #include "sim/integrators/rows.h"
 #include "support/convergence.h"
 #include "support/nets.h"
@@ -33,6 +34,9 @@ Amplification stepped(const Integrator& row, const Oscillator& oscillator, doubl
     trial.system.dimensions = 2;
     trial.system.gravity = Vec3(0.0);
     trial.system.drag = oscillator.h_drag / h;
+    // a nail adds to the mass of the scene, but not to that which is damped
+    if (oscillator.h_rate > 0.0)
+      trial.system.forces = {{.term = &mass_center_force, .values = {0.0, 0.0, 0.0, 0.0, oscillator.h_rate / h * 3.0 * 3.0 / 2.0}}};
     const PointId point = trial.add({i == 0 ? s : 0.0, 0.0, 0.0}, 2.0, {i == 1 ? s / h : 0.0, 0.0, 0.0});
     trial.join(point, trial.nail({-0.5, 0.0, 0.0}), 2.0 * oscillator.h_omega_squared / (h * h), 0.5, 2.0 * oscillator.h_lambda / h);
     trial.run(row, h, 1);
@@ -40,6 +44,19 @@ Amplification stepped(const Integrator& row, const Oscillator& oscillator, doubl
     column[i][1] = h * trial.velocity(point).x / s;
   }
   return {column[0][0] + column[1][1], column[0][0] * column[1][1] - column[0][1] * column[1][0]};
+}
+
+TEST_P(Method, AmplifiesADampedModeOfAListedForceAsItsClosedForm) {
+  for (const double omega : {0.0, 0.7, 1.9})
+    for (const double lambda : {0.0, 0.3})
+      for (const double drag : {0.0, 0.4})
+        for (const double rate : {0.2, 1.7}) {
+          const Oscillator oscillator{omega * omega, lambda, drag, rate};
+          const Amplification closed = method().amplification(oscillator), simulated = stepped(method(), oscillator, 0.125);
+          EXPECT_NEAR(closed.trace, simulated.trace, 1e-11) << "h w = " << omega << ", h lambda = " << lambda << ", h q = " << rate;
+          EXPECT_NEAR(closed.determinant, simulated.determinant, 1e-11)
+              << "h w = " << omega << ", h lambda = " << lambda << ", h q = " << rate;
+        }
 }
 
 TEST_P(Method, AmplifiesAModeAsItsClosedForm) {

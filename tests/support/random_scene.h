@@ -1,6 +1,7 @@
 // Random networks for tests of identities that hold in any scene; the same numbers on every machine.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "support/trial.h"
@@ -48,6 +49,41 @@ inline Trial random_trial(std::uint64_t seed, Index points, Index springs, int d
     const Index second = other < first ? other : other + 1;
     const double stiffness = random.uniform(1.0, 200.0), rest_length = random.one_in(8) ? 0.0 : random.uniform(0.1, 2.0);
     trial.join(trial.system.points()[first].id, trial.system.points()[second].id, stiffness, rest_length, random.uniform(0.0, max_damping));
+  }
+  return trial;
+}
+
+// A connected net of 3 to 22 points between 0.1 and 10 kg with springs of 100 to 1e5 N/m, stretched or compressed by up to 30 %,
+// rotating at up to 5 rad/s about each axis; every eighth point nailed on average.
+inline Trial rotating_net(std::uint64_t seed) {
+  Random random(seed * 7919 + 3);
+  Trial trial;
+  const Index points = 3 + random.below(20);
+  const bool is_flat = random.one_in(4);
+  trial.system.dimensions = is_flat ? 2 : 3;
+  if (random.one_in(2)) trial.system.gravity = Vec3(0.0);
+  const auto vector = [&](double size) {
+    const double x = random.uniform(-size, size), y = random.uniform(-size, size), z = random.uniform(-size, size);
+    return Vec3(x, y, z);
+  };
+  Vec3 spin = vector(5.0);
+  if (is_flat) spin.x = spin.y = 0.0;
+  for (Index i = 0; i < points; ++i) {
+    Vec3 x = vector(1.0);
+    if (is_flat) x.z = 0.0;
+    const Vec3 v(spin.y * x.z - spin.z * x.y, spin.z * x.x - spin.x * x.z, spin.x * x.y - spin.y * x.x);
+    trial.add(x, std::pow(10.0, random.uniform(-1.0, 1.0)), v);
+    trial.system.point(i).nailed = random.one_in(8);
+  }
+  const auto join = [&](Index i, Index j) {
+    const Vec3 d = trial.state.position[i] - trial.state.position[j];
+    const double length = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z), stiffness = std::pow(10.0, random.uniform(2.0, 5.0));
+    trial.join(trial.system.points()[i].id, trial.system.points()[j].id, stiffness, length * random.uniform(0.7, 1.3));
+  };
+  for (Index i = 1; i < points; ++i) join(i, random.below(i));
+  for (Index s = 0; s < 2 * points; ++s) {
+    const Index i = random.below(points), j = random.below(points);
+    if (i != j) join(i, j);
   }
   return trial;
 }

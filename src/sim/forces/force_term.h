@@ -1,8 +1,9 @@
-// The table of forces that a scene may have besides gravity, springs, dashpots, drag and the hand. Adding one is one file
-// under force_terms/ and one row in force_term.cpp: its scene field, its panel and its manual follow from the row.
+// The table of optional forces of a scene, besides gravity, springs, dashpots, drag and the hand. Adding one is a file in terms/
+// and a line in terms/list.inc: its scene field, its panel and its manual follow from the row.
 #pragma once
 
 #include <array>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -10,9 +11,11 @@
 
 namespace hooke {
 
+class ForceTangent;
+class System;
 struct Plan;
 
-// A number by which a force is set.
+// A number that sets a force.
 struct ForceParameter {
   std::string_view name;   // in files
   std::string_view label;  // on the slider
@@ -23,14 +26,32 @@ struct ForceParameter {
 inline constexpr std::size_t max_force_parameters = 8;
 using ForceValues = std::array<double, max_force_parameters>;  // as many as the row has, in its order
 
+// Upper bounds over all positions and velocities; infinity where there is none.
+struct ForceBound {
+  static constexpr double none = std::numeric_limits<double>::infinity();
+  double stiffness = 0.0;     // [1/s^2], on the eigenvalues of M^-1/2 (df/dx) M^-1/2, in magnitude
+  double rate = 0.0;          // [1/s], on those of M^-1/2 (df/dv) M^-1/2
+  double acceleration = 0.0;  // [m/s^2], that can drive points away; an attraction that grows with the distance does not count
+  double speed = 0.0;         // [m/s], that points are driven towards, as by moving air
+};
+
 struct ForceTerm {
   std::string_view id;           // in files
   std::string_view label;        // in the panel
   std::string_view description;  // one sentence
   std::span<const ForceParameter> numbers;
-  // Adds the force [N] to f at `time` [s], positions x [m] and velocities v [m/s], all in the Plan's layout. `f` already
-  // holds all forces that do not stand in this table, and those of the rows above.
+  bool depends_on_velocity;
+  bool is_continuous;  // in x and v; false: Newton iterations freeze it after a few
+  // Adds the force [N] to f at `time` [s], positions x [m] and velocities v [m/s], all in the Plan's layout. `f` already holds
+  // gravity, springs, dashpots and the hand's pull, and the rows above.
   void (*add)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f);
+  ForceBound (*bound)(const System& system, const ForceValues& values);
+  // Adds the derivatives of the force for implicit methods. Null: zero, or not continuous.
+  void (*add_tangent)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, ForceTangent& tangent);
+  // [J], of the conservative part of the force, the whole of it unless there is a `power`. Null: not conservative, or does no work.
+  double (*potential)(const Plan& plan, const ForceValues& values, double time, const double* x);
+  // [W], of the other part. Null: zero.
+  double (*power)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v);
 };
 
 Table<ForceTerm> force_terms();
@@ -38,10 +59,10 @@ Table<ForceTerm> force_terms();
 // The row with this id, or null.
 const ForceTerm* find_force_term(std::string_view id);
 
-// The usual value of every number.
+// The default of every number.
 ForceValues default_values(const ForceTerm& term);
 
-// A force as a scene has it.
+// A force of a scene.
 struct Force {
   const ForceTerm* term = nullptr;
   bool on = true;

@@ -4,12 +4,12 @@
 // E the springs' energy, gravity's and the pull's. Dashpots add b/2 sum d (u.(V1 - V2))^2 with the directions u of the
 // iterate, and the listed forces (force_term.h) -f.x with their value there, so that the gradient is right although there is
 // no potential for all iterates. Every step p = -A^-1 grad Phi with A positive definite leads downhill, and a line search
-// makes sure that it arrives there. A knows nothing of the listed forces: they converge as far as the masses dominate
-// them, and are held after some iterations.
+// makes sure that it arrives there. A contains the derivatives of the listed forces as far as they are positive semidefinite
+// (force_tangent.h). Forces that are not continuous are frozen after some iterations.
 //
-// Economy: a factored matrix serves on, for later stages and for later steps of the frame, until its steps contract by less
-// than a factor of four or one is too long. Curvature: exact where the masses dominate, clamped (stiffness.h) where they do
-// not, and wherever an exact matrix turns out not to be positive definite; near the solution exact again, for speed.
+// Economy: a factorization is reused for later stages and steps of the frame, until its steps contract by less than a factor of
+// four or one is too long. Curvature: exact where the masses dominate, clamped (stiffness.h) where they do not, and wherever the
+// exact matrix is not positive definite; near the solution exact again, for speed.
 #include "sim/implicit/newton.h"
 
 #include <algorithm>
@@ -21,12 +21,12 @@
 namespace hooke {
 namespace {
 
-// Contraction beyond which a new factor is cheaper than more iterations.
+// Contraction above which a new factorization is cheaper than more iterations.
 constexpr double max_contraction = 0.25;
-// b omega beyond which exact curvature is not tried far from the solution.
+// b omega above which exact curvature is not tried far from the solution.
 constexpr double max_exact_stiffness = 10.0;
-// Iterations that take the listed forces with them.
-constexpr int force_term_iterations = 10;
+// Iterations that update the listed forces, if some are not continuous.
+constexpr int max_force_updates = 10;
 
 // x + b V
 void set_positions(const Stage& stage, const Field& V, Field& x) {
@@ -137,7 +137,9 @@ void NewtonSolver::evaluate(const Plan& plan, const Stage& stage, const Field& V
     }
 }
 
-void NewtonSolver::factorize(const Plan& plan, const Stage& stage, Curvature curvature, const Field& V, Motion& motion) {
+void NewtonSolver::factorize(const Plan& plan, const Stage& stage, Curvature curvature, const Field& V, const Field& term_velocity,
+                             Motion& motion) {
+  matrix_->linearize_forces(plan, stage.time, x_, term_velocity);
   matrix_->assemble(plan, stage.b, x_, V, curvature);
   ++motion.factorizations;
   if (!matrix_->factorize() && curvature == Curvature::Exact) {
@@ -155,8 +157,8 @@ void NewtonSolver::compute_step(Motion& motion) {
   ++motion.solves;
 }
 
-// Halves the step until Phi falls as Armijo's rule asks; a fall that is lost in the rounding of Phi is taken on trust. The
-// point found is in trial_v_. Returns the share of the step, 0 when there is none that leads down.
+// Halves the step until Phi decreases as required by Armijo's rule; a decrease below the rounding error of Phi is accepted. The
+// result is in trial_v_. Returns the fraction of the step, 0 if none leads downhill.
 double NewtonSolver::line_search(const Plan& plan, const Stage& stage, const Field& V, const Potential& current, Potential& trial) {
   constexpr double armijo = 1e-4, rounding = 1e-14, min = 1e-9;
   const double slope = dot(residual_, step_);
@@ -171,8 +173,8 @@ double NewtonSolver::line_search(const Plan& plan, const Stage& stage, const Fie
   return 0.0;
 }
 
-// Rather from rest than from where the first step led, if that is lower: in a scene torn far from its rest lengths the guess
-// may be wild. Phi there bounds the result: no more elastic energy than there was energy before.
+// Restarts from rest if Phi is lower there than after the first step: in a scene far from its rest lengths the guess may be
+// useless. Phi at rest bounds the result: no more elastic energy than there was energy before.
 void NewtonSolver::restart_from_rest_if_lower(const Plan& plan, const Stage& stage, Field& V, Potential& current) {
   set_to_rest(plan, V, trial_v_);
   set_positions(stage, trial_v_, trial_x_);
@@ -202,14 +204,15 @@ void NewtonSolver::solve(const Plan& plan, const Stage& stage, const NewtonLimit
   Curvature curvature = stage.b * plan.spectrum.omega > max_exact_stiffness ? Curvature::Clamped : Curvature::Exact;
   bool matrix_is_stale = factored_b_ != stage.b;
   double previous_size = 0.0;  // of the last step, if it was taken whole
+  const bool can_freeze = std::ranges::any_of(plan.forces, [](const Force& force) { return !force.term->is_continuous; });
 
   evaluate(plan, stage, V, &V, motion);
   Potential current = potential(plan, stage, x_, V), trial;
   for (int iteration = 0; iteration < limits.iterations; ++iteration) {
-    if (matrix_is_stale && motion.factorizations < max_factorizations) factorize(plan, stage, curvature, V, motion);
+    if (matrix_is_stale && motion.factorizations < max_factorizations) factorize(plan, stage, curvature, V, V, motion);
     compute_step(motion);
 
-    // what is left after this step, from how much steps contract; where they no longer do, it is round-off
+    // remaining error after this step, from the contraction of the steps; where they no longer contract, it is round-off
     const double size = root_mean_square(plan, step_), round_off_level = round_off(plan, stage, V);
     const double contraction = previous_size > 0.0 ? size / previous_size : 1.0;
     const double remaining_error = contraction < 0.5 ? size * contraction / (1.0 - contraction) : size;
@@ -224,11 +227,11 @@ void NewtonSolver::solve(const Plan& plan, const Stage& stage, const NewtonLimit
     std::swap(V, trial_v_);
     if (iteration == 0) restart_from_rest_if_lower(plan, stage, V, trial);
 
-    // a step too long for the matrix asks for safe curvature, whole steps that contract too little for the true one
+    // a step too long for the matrix requires clamped curvature, full steps that contract too little require the exact one
     matrix_is_stale = step_fraction < 1.0 || (previous_size > 0.0 && contraction > max_contraction);
     curvature = step_fraction < 1.0 ? Curvature::Clamped : Curvature::Exact;
     previous_size = step_fraction < 1.0 ? 0.0 : size;
-    evaluate(plan, stage, V, iteration < force_term_iterations ? &V : nullptr, motion);
+    evaluate(plan, stage, V, !can_freeze || iteration < max_force_updates ? &V : nullptr, motion);
     current = plan.has_dashpots() || !plan.forces.empty() ? potential(plan, stage, x_, V) : trial;
   }
   ++motion.unconverged_solves;
@@ -238,7 +241,9 @@ void NewtonSolver::solve_once(const Plan& plan, const Stage& stage, Field& V, Mo
   if (free_points_ == 0) return;
   set_to_rest(plan, V, V);
   evaluate(plan, stage, V, &stage.v, motion);
-  factorize(plan, stage, Curvature::Clamped, V, motion);
+  factorize(plan, stage, Curvature::Clamped, V, stage.v, motion);
+  // f(x, V) = f(x, v) - D (V - v) of the listed forces
+  matrix_->add_force_damping(plan, -stage.b, stage.v, residual_);
   compute_step(motion);
   add_scaled(V.data(), 1.0, step_.data(), V.size());
 }

@@ -60,7 +60,8 @@ SpringContribution<Dimensions> spring_contribution(const Plan& plan, double b, I
 
 }  // namespace
 
-StiffnessMatrix::StiffnessMatrix(const Plan& plan) : solver_(plan.points, plan.dimensions, couplings_of(plan)) {
+StiffnessMatrix::StiffnessMatrix(const Plan& plan)
+    : solver_(plan.points, plan.dimensions, couplings_of(plan)), dimensions_(plan.dimensions) {
   for (Index i = 0; i < plan.points; ++i) diagonal_.push_back(solver_.diagonal(i));
   coupling_.resize(plan.springs);
   for_each_spring(plan, [&](Index i, Index j, Index s) { coupling_[s] = solver_.coupling(i, j); });
@@ -86,8 +87,39 @@ void StiffnessMatrix::add_springs(const Plan& plan, double b, const double* x, c
 }
 
 void StiffnessMatrix::allocate(const Plan& plan) {
-  if (!plan.pull || plan.pull->count == 1) return;
-  for (int c = 0; c < plan.dimensions; ++c) response_[c].resize(static_cast<std::size_t>(plan.points) * plan.dimensions);
+  has_pull_update_ = plan.pull && plan.pull->count > 1;
+  has_forces_ = !plan.forces.empty();
+  is_linearized_ = false;
+  updates_.resize((has_pull_update_ ? 1 : 0) + (has_forces_ ? 1 : 0));
+  for (Update& update : updates_) {
+    update.parts.reserve(plan.points);
+    for (int c = 0; c < plan.dimensions; ++c) update.response[c].resize(static_cast<std::size_t>(plan.points) * plan.dimensions);
+  }
+  if (has_forces_) tangent_.reset(plan.points);
+}
+
+void StiffnessMatrix::linearize_forces(const Plan& plan, double time, const Field& x, const Field& v) {
+  if (!has_forces_) return;
+  tangent_.reset(plan.points);
+  is_linearized_ = true;
+  for (const Force& force : plan.forces)
+    if (force.term->add_tangent != nullptr) force.term->add_tangent(plan, force.values, time, x.data(), v.data(), tangent_);
+}
+
+void StiffnessMatrix::add_force_damping(const Plan& plan, double scale, const Field& v, Field& result) const {
+  if (!is_linearized_) return;
+  const std::size_t n = plan.points;
+  Vec3 momentum(0.0);
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (std::size_t i = 0; i < n; ++i)
+      if (plan.inverse_mass[i] != 0.0) momentum[c] += plan.mass[i] * v[c * n + i];
+  for (std::size_t i = 0; i < n; ++i) {
+    if (plan.inverse_mass[i] == 0.0) continue;
+    Vec3 velocity(0.0);
+    for (int c = 0; c < plan.dimensions; ++c) velocity[c] = v[c * n + i];
+    const Vec3 force = tangent_.damping(static_cast<Index>(i)) * velocity + plan.mass[i] * tangent_.mean_damping() * momentum;
+    for (int c = 0; c < plan.dimensions; ++c) result[c * n + i] += scale * force[c];
+  }
 }
 
 void StiffnessMatrix::assemble(const Plan& plan, double b, const Field& x, const Field& v, Curvature curvature) {
@@ -96,44 +128,72 @@ void StiffnessMatrix::assemble(const Plan& plan, double b, const Field& x, const
     const bool pulled = plan.pull && plan.pull->count == 1 && plan.pull->parts[0].point == i && plan.inverse_mass[i] != 0.0;
     const double diagonal = plan.mass[i] * (1.0 + b * plan.drag) + (pulled ? b * b * plan.pull->stiffness : 0.0);
     for (int c = 0; c < plan.dimensions; ++c) diagonal_[i].column(c)[c] += diagonal;
+    if (!is_linearized_ || plan.inverse_mass[i] == 0.0) continue;
+    const glm::dmat3 block = tangent_.block(i, b);
+    for (int c = 0; c < plan.dimensions; ++c)
+      for (int r = 0; r <= c; ++r) diagonal_[i].column(c)[r] += block[c][r];
   }
-  pull_.reset();
-  if (plan.pull && plan.pull->count > 1) {
-    pull_ = plan.pull;
-    weight_ = b * b * pull_->stiffness;
-    for (PlannedPull::Part& part : pull_->parts)
-      if (plan.inverse_mass[part.point] == 0.0) part.weight = 0.0;
+
+  if (has_pull_update_) {
+    Update& update = updates_.front();
+    update.weight = b * b * plan.pull->stiffness;
+    update.parts.clear();
+    for (const auto& [point, weight] : plan.pull->points()) update.parts.push_back({point, plan.inverse_mass[point] == 0.0 ? 0.0 : weight});
   }
+  if (has_forces_) {
+    Update& update = updates_.back();
+    update.weight = is_linearized_ ? tangent_.mean(b) : 0.0;
+    update.parts.clear();
+    for (Index i = 0; i < plan.points; ++i)
+      if (plan.inverse_mass[i] != 0.0) update.parts.push_back({i, plan.mass[i]});
+  }
+
   if (plan.dimensions == 2)
     add_springs<2>(plan, b, x.data(), v.data(), curvature);
   else
     add_springs<3>(plan, b, x.data(), v.data(), curvature);
 }
 
+// S^T x
+glm::dvec3 StiffnessMatrix::Update::project(const double* field, std::size_t points, int dimensions) const {
+  glm::dvec3 sum(0.0);
+  for (int c = 0; c < dimensions; ++c)
+    for (const auto& [point, weight_of_point] : parts) sum[c] += weight_of_point * field[c * points + point];
+  return sum;
+}
+
+// b = b - Z G S^T b
+void StiffnessMatrix::apply(const Update& update, Field& b) const {
+  const glm::dvec3 correction = update.gain * update.project(b.data(), diagonal_.size(), dimensions_);
+  for (int c = 0; c < dimensions_; ++c) add_scaled(b.data(), -correction[c], update.response[c].data(), b.size());
+}
+
 bool StiffnessMatrix::factorize() {
   if (!solver_.factorize()) return false;
-  if (!pull_) return true;
-  const int dimensions = static_cast<int>(response_[0].size() / diagonal_.size());
-  glm::dmat3 unit(1.0);
-  for (int c = 0; c < dimensions; ++c) {
-    Field& z = response_[c];
-    std::fill(z.begin(), z.end(), 0.0);
-    for (const auto& [point, weight] : pull_->points()) z[c * diagonal_.size() + point] += weight;
-    solver_.solve(z);
-    for (int r = 0; r < dimensions; ++r) unit[c][r] += weight_ * pull_->interpolate(&z[r * diagonal_.size()]);
+  const std::size_t n = diagonal_.size();
+  for (std::size_t u = 0; u < updates_.size(); ++u) {
+    Update& update = updates_[u];
+    if (update.weight == 0.0) continue;
+    glm::dmat3 unit(1.0);
+    for (int c = 0; c < dimensions_; ++c) {
+      Field& z = update.response[c];
+      std::fill(z.begin(), z.end(), 0.0);
+      for (const auto& [point, weight] : update.parts) z[c * n + point] += weight;
+      solver_.solve(z);
+      for (std::size_t earlier = 0; earlier < u; ++earlier)
+        if (updates_[earlier].weight != 0.0) apply(updates_[earlier], z);
+      const glm::dvec3 projection = update.project(z.data(), n, dimensions_);
+      for (int r = 0; r < dimensions_; ++r) unit[c][r] += update.weight * projection[r];
+    }
+    update.gain = update.weight * glm::inverse(unit);
   }
-  gain_ = weight_ * glm::inverse(unit);
   return true;
 }
 
 void StiffnessMatrix::solve(Field& b) {
   solver_.solve(b);
-  if (!pull_) return;
-  const std::size_t n = diagonal_.size(), dimensions = b.size() / n;
-  glm::dvec3 projection(0.0);
-  for (std::size_t c = 0; c < dimensions; ++c) projection[static_cast<int>(c)] = pull_->interpolate(&b[c * n]);
-  const glm::dvec3 correction = gain_ * projection;
-  for (std::size_t c = 0; c < dimensions; ++c) add_scaled(b.data(), -correction[static_cast<int>(c)], response_[c].data(), b.size());
+  for (const Update& update : updates_)
+    if (update.weight != 0.0) apply(update, b);
 }
 
 }  // namespace hooke

@@ -3,7 +3,7 @@
 // Fourth order, symplectic, stable to h omega = 3.163; beyond a resonance that ends at 3.169 it is stable again, to 5.02,
 // but the modes of a large scene lie everywhere. Drag is part of the kicks and exact there; being symmetric, the
 // composition keeps its fourth order with it, although the paper's conditions are for forces without velocities. Dashpots
-// are split off as in velocity_verlet, which makes it second order with them.
+// are split off as in velocity_verlet, which makes it second order with them. So do forces that depend on velocity.
 #include <array>
 #include <cmath>
 
@@ -26,13 +26,17 @@ constexpr std::array<double, drifts> drift_weight = [] {
   return std::array{a1, a2, 0.5 - (a1 + a2), 0.5 - (a1 + a2), a2, a1};
 }();
 
+// Forces that depend on velocity are evaluated at the start of the first kick, at the middle of the others, and at the end of the
+// last: symmetric.
+constexpr double prediction_weight(int kick) { return kick == drifts ? kick_weight[kick] : 0.5 * kick_weight[kick]; }
+
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
-  work.size_fields(1, motion);
+  work.size_fields(2, motion);
   if (plan.has_dashpots()) plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
 }
 
-void accelerate(const Plan& plan, double time, Motion& motion) {
-  compute_position_forces(plan, time, motion.x, motion.v, motion.a);
+void accelerate(const Plan& plan, double time, const Field& v, Motion& motion) {
+  compute_position_forces(plan, time, motion.x, v, motion.a);
   divide_by_mass(plan, motion.a);
   ++motion.force_evaluations;
 }
@@ -41,34 +45,41 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
 
   // the last kick's acceleration is the next step's first
-  if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion);
+  if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
   kick(plan, motion, kick_weight[0] * h);
   double time = motion.time;
+  Field& velocity = work.fields[1];
   for (int i = 0; i < drifts; ++i) {
     drift(motion, drift_weight[i] * h);
     time += drift_weight[i] * h;
-    accelerate(plan, time, motion);
+    if (plan.forces_depend_on_velocity) predict_velocity(plan, motion, prediction_weight(i + 1) * h, velocity);
+    accelerate(plan, time, plan.forces_depend_on_velocity ? velocity : motion.v, motion);
     kick(plan, motion, kick_weight[i + 1] * h);
   }
-  motion.acceleration_is_current = true;
+  motion.acceleration_is_current = !plan.forces_depend_on_velocity;
 
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
 }
 
-// The columns of the step's matrix on (x, h v): kicks v' = E v - phi omega^2 x, E = e^(-c b h), phi = (1 - E) / c.
+// The columns of the step's matrix on (x, h v): kicks v' = E v + phi a, E = e^(-c b h), phi = (1 - E) / c.
 Amplification amplification(const Oscillator& oscillator) {
   const double drag = oscillator.h_drag, dashpot = std::exp(-0.5 * oscillator.h_lambda);
+  const auto decay = [&](double weight) { return std::exp(-drag * weight); };
+  const auto phi = [&](double weight) { return drag == 0.0 ? weight : -std::expm1(-drag * weight) / drag; };
   double x[] = {1.0, 0.0}, v[] = {0.0, dashpot};
-  for (int i = 0; i <= drifts; ++i) {
-    const double decay = std::exp(-drag * kick_weight[i]);
-    const double phi = drag == 0.0 ? kick_weight[i] : -std::expm1(-drag * kick_weight[i]) / drag;
-    for (int column = 0; column < 2; ++column) {
-      v[column] = decay * v[column] - phi * oscillator.h_omega_squared * x[column];
+  for (int column = 0; column < 2; ++column) {
+    double a = 0.0;
+    for (int i = 0; i <= drifts; ++i) {
+      const double weight = i == 0 ? 0.0 : prediction_weight(i);
+      const double velocity = decay(weight) * v[column] + phi(weight) * a;
+      a = -oscillator.h_omega_squared * x[column] - oscillator.h_rate * velocity;
+      v[column] = decay(kick_weight[i]) * v[column] + phi(kick_weight[i]) * a;
       if (i < drifts) x[column] += drift_weight[i] * v[column];
     }
   }
-  // kicks and drifts keep areas, but for drag and dashpots
-  return {.trace = x[0] + dashpot * v[1], .determinant = dashpot * dashpot * std::exp(-drag)};
+  // kicks and drifts preserve areas, but for drag, dashpots and forces that depend on velocity
+  const double determinant = oscillator.h_rate == 0.0 ? dashpot * dashpot * std::exp(-drag) : dashpot * (x[0] * v[1] - x[1] * v[0]);
+  return {.trace = x[0] + dashpot * v[1], .determinant = determinant};
 }
 
 }  // namespace
@@ -86,9 +97,12 @@ constinit const Integrator blanes_moan4{
     .order_drag = 4,
     .order_damped = 2,
     .order_contact = 2,
+    .order_friction = 1,
+    .order_force_terms = 2,
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
+    .implicit_force_terms = false,
     .for_production = true,
     .prepare = prepare,
     .step = step,

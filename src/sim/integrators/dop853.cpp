@@ -119,14 +119,14 @@ LocalError estimate_error(const Plan& plan, Motion& motion, Workspace& work, dou
   return {combine_errors(size(h * h, error5_times_a), size(h * h, error3_times_a)), combine_errors(size(h, error5), size(h, error3))};
 }
 
-// The first step, when none is remembered: a radian of the fastest mode there can be, or all of it.
+// The first step, without a previous one: a radian of the fastest mode, at most the whole interval.
 double first_step(const Plan& plan, double interval) {
   const double rate = std::max({plan.spectrum.omega, plan.spectrum.dashpot_rate, plan.spectrum.drag_rate});
   return rate * interval > 1.0 ? 1.0 / rate : interval;
 }
 
-// What counts as no error [m], [m/s]: the tolerance, a velocity being judged by where it leads within a second; and never
-// less than the rounding of coordinates and of forces.
+// Unit of the error [m], [m/s]: the tolerance, a velocity error counting by its effect within a second; at least the rounding
+// error of coordinates and of forces.
 struct ErrorScale {
   double position, velocity;
   ErrorScale(const Plan& plan, const Motion& motion, double tolerance) {
@@ -188,7 +188,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double interval) {
     remaining = last || step_too_small ? 0.0 : remaining - h;
     time += h;
 
-    // a step cut short by the end of the span says little of how long it might have been
+    // a step truncated by the end of the interval says little about the next one
     const double factor = step_factor(error, memory.error);
     memory.step = factor == greatest_factor ? std::max(memory.step, factor * h) : factor * h;
     if (rejected) memory.step = std::min(memory.step, h);
@@ -227,9 +227,12 @@ constinit const Integrator dop853{
     .order_drag = 8,
     .order_damped = 8,
     .order_contact = 2,
+    .order_friction = 1,
+    .order_force_terms = 8,
     .stability = Stability::Adaptive,
     .energy = EnergyTrend::Drifts,
     .symplectic = false,
+    .implicit_force_terms = false,
     .for_production = true,
     .prepare = prepare,
     .step = step,

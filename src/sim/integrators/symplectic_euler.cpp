@@ -18,11 +18,11 @@ void step(const Plan& plan, Motion& motion, Workspace&, double h) {
   drift(motion, h);
 }
 
-// v' = E v - phi h (omega^2 x + lambda v), x' = x + h v', with E = e^(-h c), phi = (1 - E) / (h c)
+// v' = E v - phi h (omega^2 x + (lambda + q) v), x' = x + h v', with E = e^(-h c), phi = (1 - E) / (h c)
 Amplification amplification(const Oscillator& oscillator) {
   const double decay = std::exp(-oscillator.h_drag);
   const double phi = oscillator.h_drag == 0.0 ? 1.0 : -std::expm1(-oscillator.h_drag) / oscillator.h_drag;
-  const double determinant = decay - phi * oscillator.h_lambda;
+  const double determinant = decay - phi * (oscillator.h_lambda + oscillator.h_rate);
   return {.trace = 1.0 + determinant - phi * oscillator.h_omega_squared, .determinant = determinant};
 }
 
@@ -41,9 +41,12 @@ constinit const Integrator symplectic_euler{
     .order_drag = 1,
     .order_damped = 1,
     .order_contact = 1,
+    .order_friction = 1,
+    .order_force_terms = 1,
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
+    .implicit_force_terms = false,
     .for_production = false,
     .prepare = nullptr,
     .step = step,

@@ -1,7 +1,8 @@
 // Kick h/2, drift h, kick h/2:  v = v E + a(x) phi,  x = x + h v,  v = v E + a(x) phi     (Stoermer-Verlet)
 // with E = e^(-c h/2), phi = (1 - E) / c (h/2 when c = 0). Dashpots are split off: each is solved exactly, in a forward
 // sweep of h/2 before and a backward sweep of h/2 after (dashpot.h). Second order, symplectic when undamped,
-// stable for h omega < 2 whatever the dashpots.
+// stable for h omega < 2 whatever the dashpots. Forces that depend on velocity are evaluated at v for the first kick and at
+// E v + phi a for the last one, which keeps the second order and costs a second evaluation a step.
 #include <cmath>
 
 #include "sim/forces/dashpot.h"
@@ -12,7 +13,7 @@ namespace hooke {
 namespace {
 
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
-  work.size_fields(1, motion);
+  work.size_fields(2, motion);
   if (plan.has_dashpots()) plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
 }
 
@@ -27,22 +28,32 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   kick(plan, motion, 0.5 * h);
   drift(motion, h);
 
-  compute_position_forces(plan, motion.time + h, motion.x, motion.v, motion.a);
+  // the velocity at the end of the step, as far as forces depend on it
+  Field& velocity = work.fields[1];
+  if (plan.forces_depend_on_velocity) predict_velocity(plan, motion, 0.5 * h, velocity);
+  compute_position_forces(plan, motion.time + h, motion.x, plan.forces_depend_on_velocity ? velocity : motion.v, motion.a);
   divide_by_mass(plan, motion.a);
   ++motion.force_evaluations;
   kick(plan, motion, 0.5 * h);
-  motion.acceleration_is_current = true;
+  motion.acceleration_is_current = !plan.forces_depend_on_velocity;
 
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
 }
 
-// D V D, D = diag(1, e^(-h lambda / 2)) and V the kick-drift-kick matrix, with E and phi per step of h/2
+// The columns of the step's matrix on (x, h v), with E and phi per half step.
 Amplification amplification(const Oscillator& oscillator) {
-  const double decay = std::exp(-0.5 * oscillator.h_drag);
+  const double decay = std::exp(-0.5 * oscillator.h_drag), dashpot = std::exp(-0.5 * oscillator.h_lambda);
   const double phi = oscillator.h_drag == 0.0 ? 0.5 : -std::expm1(-0.5 * oscillator.h_drag) / oscillator.h_drag;
-  const double kick = phi * oscillator.h_omega_squared;
-  const double dashpot = std::exp(-oscillator.h_lambda);
-  return {.trace = 1.0 - kick + dashpot * decay * (decay - kick), .determinant = dashpot * decay * decay};
+  double x[] = {1.0, 0.0}, v[] = {0.0, dashpot};
+  for (int column = 0; column < 2; ++column) {
+    const double start = -oscillator.h_omega_squared * x[column] - oscillator.h_rate * v[column];
+    const double half = decay * v[column] + phi * start;
+    x[column] += half;
+    const double end = -oscillator.h_omega_squared * x[column] - oscillator.h_rate * (decay * half + phi * start);
+    v[column] = decay * half + phi * end;
+  }
+  const double determinant = oscillator.h_rate == 0.0 ? dashpot * decay * dashpot * decay : dashpot * (x[0] * v[1] - x[1] * v[0]);
+  return {.trace = x[0] + dashpot * v[1], .determinant = determinant};
 }
 
 }  // namespace
@@ -65,9 +76,12 @@ constinit const Integrator velocity_verlet{
     .order_drag = 2,
     .order_damped = 2,
     .order_contact = 2,
+    .order_friction = 1,
+    .order_force_terms = 2,
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
+    .implicit_force_terms = false,
     .for_production = true,
     .prepare = prepare,
     .step = step,

@@ -6,8 +6,8 @@
 // lambda = (-C - gamma grad C.(x - x_n)) / ((1 + gamma) w + alpha / h^2), alpha = 1 / k, gamma = d / (k h), times k h. Departures:
 // corrections go to the velocity, so that (x' - x) / h leaves no floor at small steps; phi in place of h gives drag its
 // exact decay and keeps equilibria where they are.
-// Each spring alone is damped as by implicit Euler; many together settle as far as one sweep takes them, and so, on long
-// or unevenly heavy chains, far too softly. Their order decides whether that stays bounded: springs of one colour share
+// Each spring alone is damped as by implicit Euler; coupled springs converge only as far as one sweep goes, so that long
+// or unevenly heavy chains are far too soft. Their order decides whether that stays bounded: springs of one color share
 // no point and go along one direction of a grid after another.
 #include <algorithm>
 #include <bit>
@@ -26,7 +26,7 @@ struct Constraint {
   double stiffness, damping;  // phi k and phi d over the denominator [N s/m], [kg]
 };
 
-// The order of the springs. Colours are given first come, first served, to the springs sorted by the distance of their
+// The order of the springs. Colors are assigned greedily to the springs sorted by the distance of their
 // ends in the list of points, which on a grid is by direction.
 class ColoredSprings : public Structure {
  public:
@@ -36,7 +36,7 @@ class ColoredSprings : public Structure {
     std::stable_sort(constraints.begin(), constraints.end(),
                      [](const Constraint& a, const Constraint& b) { return a.second - a.first < b.second - b.first; });
 
-    std::vector<std::vector<std::uint64_t>> used_colors(plan.points);  // 64 colours a word
+    std::vector<std::vector<std::uint64_t>> used_colors(plan.points);  // 64 colors per word
     std::vector<std::vector<Constraint>> colors;
     for (const Constraint& constraint : constraints) {
       const std::size_t color = assign_color(used_colors[constraint.first], used_colors[constraint.second]);
@@ -117,7 +117,7 @@ void pull(const Plan& plan, Motion& motion, double h) {
 }
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
-  // gravity alone never changes
+  // gravity alone is constant
   if (!motion.acceleration_is_current || !plan.forces.empty()) {
     compute_external_forces(plan, motion.time, motion.x, motion.v, motion.a);
     divide_by_mass(plan, motion.a);
@@ -137,9 +137,9 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   drift(motion, h);
 }
 
-// x' = x + h v',  v' = (E v - phi omega^2 x) / (1 + phi (h omega^2 + lambda))
+// x' = x + h v',  v' = ((E - phi q) v - phi omega^2 x) / (1 + phi (h omega^2 + lambda))
 Amplification amplification(const Oscillator& oscillator) {
-  const double phi = drag_weight(oscillator.h_drag, 1.0), decay = std::exp(-oscillator.h_drag);
+  const double phi = drag_weight(oscillator.h_drag, 1.0), decay = std::exp(-oscillator.h_drag) - phi * oscillator.h_rate;
   const double denominator = 1.0 + phi * (oscillator.h_omega_squared + oscillator.h_lambda);
   return {.trace = 1.0 + (decay - phi * oscillator.h_omega_squared) / denominator, .determinant = decay / denominator};
 }
@@ -161,9 +161,12 @@ constinit const Integrator xpbd{
     .order_drag = 1,
     .order_damped = 1,
     .order_contact = 1,
+    .order_friction = 1,
+    .order_force_terms = 1,
     .stability = Stability::EachSpring,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
+    .implicit_force_terms = false,
     .for_production = true,
     .prepare = prepare,
     .step = step,

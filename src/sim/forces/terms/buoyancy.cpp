@@ -1,4 +1,7 @@
 // f = -b m g: a constant lift, the fraction b of the weight.
+#include <cmath>
+#include <glm/geometric.hpp>
+
 #include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
@@ -15,6 +18,20 @@ void add(const Plan& plan, const ForceValues& values, double, const double*, con
   }
 }
 
+ForceBound bound(const System& system, const ForceValues& values) {
+  return {.acceleration = std::abs(values[0]) * glm::length(system.gravity)};
+}
+
+// U = b m g.x
+double potential(const Plan& plan, const ForceValues& values, double, const double* x) {
+  double energy = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (Index i = 0; i < plan.points; ++i)
+      if (plan.inverse_mass[i] != 0.0)
+        energy += values[0] * plan.mass[i] * plan.gravity[c] * x[static_cast<std::size_t>(c) * plan.points + i];
+  return energy;
+}
+
 }  // namespace
 
 constinit const ForceTerm buoyancy_force{
@@ -22,7 +39,13 @@ constinit const ForceTerm buoyancy_force{
     .label = "Buoyancy",
     .description = "A constant lift, as a fraction of the weight.",
     .numbers = numbers,
+    .depends_on_velocity = false,
+    .is_continuous = true,
     .add = add,
+    .bound = bound,
+    .add_tangent = nullptr,
+    .potential = potential,
+    .power = nullptr,
 };
 
 }  // namespace hooke

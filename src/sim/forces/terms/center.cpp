@@ -1,7 +1,11 @@
-// a = s / r^p towards a place, r the distance from it, not below r0: p = 2 is gravity's law, p = -1 a spring's.
+// a = s / r^p towards a place, r the distance from it: p = 2 is gravity's law, p = -1 a spring's. Inside the core, r < r0,
+//   a = s / r0^p (alpha u + beta u^3),  u = r / r0,  alpha = (p + 3) / 2,  beta = -(p + 1) / 2,
+// which continues value and slope at r0 and is smooth at the place itself. For p = -1 and p = -3 both laws are the same.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
+#include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
@@ -14,19 +18,82 @@ constexpr ForceParameter numbers[] = {
     {"power", "Falls with power", "", -3.0, 4.0, 2.0}, {"core", "Core radius", "m", 1e-6, 10.0, 0.01},
 };
 
-void add(const Plan& plan, const ForceValues& values, double, const double* x, const double*, double* f) {
-  const std::size_t n = plan.points;
-  for (std::size_t i = 0; i < n; ++i) {
-    double towards[3] = {}, squared = 0.0;
-    for (int c = 0; c < plan.dimensions; ++c) {
-      towards[c] = values[c] - x[c * n + i];
-      squared += towards[c] * towards[c];
-    }
-    if (squared == 0.0) continue;
-    const double distance = std::sqrt(squared);
-    const double force = plan.mass[i] * values[3] / (std::pow(std::max(distance, values[5]), values[4]) * distance);
-    for (int c = 0; c < plan.dimensions; ++c) f[c * n + i] += force * towards[c];
+// The law in units of its strength: acceleration a(r), its slope a'(r), and a(r) / r, which is the stiffness across.
+struct Law {
+  double power, core;
+
+  double alpha() const { return 0.5 * (power + 3.0); }
+  double beta() const { return -0.5 * (power + 1.0); }
+  double over_distance(double r) const {
+    if (r >= core) return std::pow(r, -power - 1.0);
+    const double u = r / core;
+    return std::pow(core, -power - 1.0) * (alpha() + beta() * u * u);
   }
+  double slope(double r) const {
+    if (r >= core) return -power * std::pow(r, -power - 1.0);
+    const double u = r / core;
+    return std::pow(core, -power - 1.0) * (alpha() + 3.0 * beta() * u * u);
+  }
+  // the integral of a from the core radius to r
+  double potential(double r) const {
+    if (r < core) {
+      const double u = r / core;
+      return std::pow(core, 1.0 - power) * (0.5 * alpha() * (u * u - 1.0) + 0.25 * beta() * (u * u * u * u - 1.0));
+    }
+    return power == 1.0 ? std::log(r / core) : (std::pow(r, 1.0 - power) - std::pow(core, 1.0 - power)) / (1.0 - power);
+  }
+};
+
+Law law_of(const ForceValues& values) { return {values[4], values[5]}; }
+
+// Of point i from the place.
+Vec3 offset_from(const Plan& plan, const ForceValues& values, const double* x, Index i) {
+  Vec3 offset(0.0);
+  for (int c = 0; c < plan.dimensions; ++c) offset[c] = x[static_cast<std::size_t>(c) * plan.points + i] - values[c];
+  return offset;
+}
+
+void add(const Plan& plan, const ForceValues& values, double, const double* x, const double*, double* f) {
+  const Law law = law_of(values);
+  for (Index i = 0; i < plan.points; ++i) {
+    const Vec3 offset = offset_from(plan, values, x, i);
+    const double stiffness = plan.mass[i] * values[3] * law.over_distance(glm::length(offset));
+    for (int c = 0; c < plan.dimensions; ++c) f[static_cast<std::size_t>(c) * plan.points + i] -= stiffness * offset[c];
+  }
+}
+
+// |a'| and |a / r| fall with r outside the core if p >= -1, and without limit rise if not; inside they lie between their values at
+// r = 0 and at r = r0.
+ForceBound bound(const System&, const ForceValues& values) {
+  const Law law = law_of(values);
+  const double strength = std::abs(values[3]), at_core = strength * std::pow(law.core, -law.power - 1.0);
+  ForceBound bound{.stiffness = at_core * std::max({law.alpha(), std::abs(law.power), 1.0})};
+  // the highest value of alpha u + beta u^3 on [0, 1] is below alpha, or 1
+  const double max_acceleration = at_core * law.core * std::max(law.alpha(), 1.0);
+  if (law.power >= 0.0)
+    bound.acceleration = max_acceleration;
+  else if (values[3] < 0.0)
+    bound.acceleration = ForceBound::none;
+  if (law.power < -1.0 && strength > 0.0) bound.stiffness = ForceBound::none;
+  return bound;
+}
+
+void add_tangent(const Plan& plan, const ForceValues& values, double, const double* x, const double*, ForceTangent& tangent) {
+  const Law law = law_of(values);
+  for (Index i = 0; i < plan.points; ++i) {
+    const Vec3 offset = offset_from(plan, values, x, i);
+    const double distance = glm::length(offset), strength = plan.mass[i] * values[3];
+    const Vec3 u = distance > 0.0 ? offset / distance : Vec3(1.0, 0.0, 0.0);
+    tangent.add_stiffness(i, u, strength * law.slope(distance), strength * law.over_distance(distance));
+  }
+}
+
+double potential(const Plan& plan, const ForceValues& values, double, const double* x) {
+  const Law law = law_of(values);
+  double energy = 0.0;
+  for (Index i = 0; i < plan.points; ++i)
+    if (plan.inverse_mass[i] != 0.0) energy += plan.mass[i] * values[3] * law.potential(glm::length(offset_from(plan, values, x, i)));
+  return energy;
 }
 
 }  // namespace
@@ -36,7 +103,13 @@ constinit const ForceTerm center_force{
     .label = "Pull to a centre",
     .description = "Draws every point to a place, with an acceleration that falls with a power of the distance.",
     .numbers = numbers,
+    .depends_on_velocity = false,
+    .is_continuous = true,
     .add = add,
+    .bound = bound,
+    .add_tangent = add_tangent,
+    .potential = potential,
+    .power = nullptr,
 };
 
 }  // namespace hooke

@@ -1,4 +1,5 @@
-// a = -(p X + q V) / M, the same for every point: X the centre of mass from a place, V its velocity, M the mass of all.
+// a = -(p X + q V) / M, the same for every point: X the center of mass relative to a place, V its velocity, M the total mass.
+#include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
@@ -11,20 +12,69 @@ constexpr ForceParameter numbers[] = {
     {"damping", "Damping", "N s/m", 0.0, 1000.0, 2.0},
 };
 
-void add(const Plan& plan, const ForceValues& values, double, const double* x, const double* v, double* f) {
-  const std::size_t n = plan.points;
+double total_mass(const Plan& plan) {
   double mass = 0.0;
-  for (std::size_t i = 0; i < n; ++i) mass += plan.mass[i];
+  for (const double m : plan.mass) mass += m;
+  return mass;
+}
+
+// Mean of one component of a field, weighted by mass.
+double mean(const Plan& plan, const double* component, double mass) {
+  double sum = 0.0;
+  for (Index i = 0; i < plan.points; ++i) sum += plan.mass[i] * component[i];
+  return sum / mass;
+}
+
+void add(const Plan& plan, const ForceValues& values, double, const double* x, const double* v, double* f) {
+  const double mass = total_mass(plan);
   if (mass == 0.0) return;
   for (int c = 0; c < plan.dimensions; ++c) {
-    double place = 0.0, speed = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      place += plan.mass[i] * x[c * n + i];
-      speed += plan.mass[i] * v[c * n + i];
-    }
-    const double acceleration = -(values[3] * (place / mass - values[c]) + values[4] * speed / mass) / mass;
-    for (std::size_t i = 0; i < n; ++i) f[c * n + i] += plan.mass[i] * acceleration;
+    const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
+    const double place = mean(plan, x + begin, mass), speed = mean(plan, v + begin, mass);
+    const double acceleration = -(values[3] * (place - values[c]) + values[4] * speed) / mass;
+    for (Index i = 0; i < plan.points; ++i) f[begin + i] += plan.mass[i] * acceleration;
   }
+}
+
+// M^-1/2 (df/dx) M^-1/2 = -p / M^2 w w^T, w_i = sqrt(m_i) for the free points and 0 for others
+ForceBound bound(const System& system, const ForceValues& values) {
+  double mass = 0.0, free_mass = 0.0;
+  for (const Point& point : system.points()) {
+    mass += point.mass;
+    if (!point.nailed) free_mass += point.mass;
+  }
+  if (mass == 0.0) return {};
+  return {.stiffness = values[3] * free_mass / (mass * mass), .rate = values[4] * free_mass / (mass * mass)};
+}
+
+void add_tangent(const Plan& plan, const ForceValues& values, double, const double*, const double*, ForceTangent& tangent) {
+  const double mass = total_mass(plan);
+  if (mass > 0.0) tangent.add_mean(values[3] / (mass * mass), values[4] / (mass * mass));
+}
+
+double potential(const Plan& plan, const ForceValues& values, double, const double* x) {
+  const double mass = total_mass(plan);
+  if (mass == 0.0) return 0.0;
+  double energy = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const double offset = mean(plan, x + static_cast<std::size_t>(c) * plan.points, mass) - values[c];
+    energy += 0.5 * values[3] * offset * offset;
+  }
+  return energy;
+}
+
+double power(const Plan& plan, const ForceValues& values, double, const double*, const double* v) {
+  const double mass = total_mass(plan);
+  if (mass == 0.0) return 0.0;
+  double sum = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const double* component = v + static_cast<std::size_t>(c) * plan.points;
+    double free_momentum = 0.0;
+    for (Index i = 0; i < plan.points; ++i)
+      if (plan.inverse_mass[i] != 0.0) free_momentum += plan.mass[i] * component[i];
+    sum += mean(plan, component, mass) * free_momentum / mass;
+  }
+  return -values[4] * sum;
 }
 
 }  // namespace
@@ -34,7 +84,13 @@ constinit const ForceTerm mass_center_force{
     .label = "Pull of the centre of mass",
     .description = "Draws all points alike so that their centre of mass goes to a place.",
     .numbers = numbers,
+    .depends_on_velocity = true,
+    .is_continuous = true,
     .add = add,
+    .bound = bound,
+    .add_tangent = add_tangent,
+    .potential = potential,
+    .power = power,
 };
 
 }  // namespace hooke

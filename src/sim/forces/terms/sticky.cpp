@@ -1,4 +1,4 @@
-// A point that touches a plane is held there until the other forces pull it off harder than s [N].
+// A point that touches a plane stays there until the sum of the other forces pulls it off with more than s [N].
 #include <glm/geometric.hpp>
 
 #include "sim/forces/terms/rows.h"
@@ -30,6 +30,9 @@ void add(const Plan& plan, const ForceValues& values, double time, const double*
   }
 }
 
+// It projects the derivative of the other forces, whose eigenvalues do not grow by that; itself it has none, and does no work.
+ForceBound bound(const System&, const ForceValues&) { return {}; }
+
 }  // namespace
 
 constinit const ForceTerm sticky_force{
@@ -37,7 +40,13 @@ constinit const ForceTerm sticky_force{
     .label = "Sticky walls",
     .description = "Holds a point on a plane that it touches until it is pulled off harder than this.",
     .numbers = numbers,
+    .depends_on_velocity = false,
+    .is_continuous = false,
     .add = add,
+    .bound = bound,
+    .add_tangent = nullptr,
+    .potential = nullptr,
+    .power = nullptr,
 };
 
 }  // namespace hooke

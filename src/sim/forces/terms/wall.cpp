@@ -1,8 +1,9 @@
-// a = s / r^p away from every plane, r the distance of the point's rim from it, not below r0.
+// a = s / r^p away from every plane, r the distance of the point's rim from it, but at least r0.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
@@ -12,10 +13,12 @@ namespace {
 constexpr ForceParameter numbers[] = {
     {"strength", "Strength at 1 m", "m/s^2", -1000.0, 1000.0, 1.0},
     {"power", "Falls with power", "", 0.0, 4.0, 1.0},
-    {"core", "Least distance", "m", 1e-6, 10.0, 0.01},
+    {"core", "Minimum distance", "m", 1e-6, 10.0, 0.01},
 };
 
-void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, double* f) {
+// For every plane and point: use(normal, i, distance of the point's rim).
+template <class Use>
+void for_each_distance(const Plan& plan, double time, const double* x, const Use& use) {
   const std::size_t n = plan.points;
   for (std::size_t k = 0; k < plan.colliders.size(); ++k) {
     const auto* plane = std::get_if<Plane>(&plan.colliders[k].shape);
@@ -24,10 +27,53 @@ void add(const Plan& plan, const ForceValues& values, double time, const double*
     for (std::size_t i = 0; i < n; ++i) {
       double distance = -height - plan.radius[i];
       for (int c = 0; c < plan.dimensions; ++c) distance += plane->normal[c] * x[c * n + i];
-      const double push = plan.mass[i] * values[0] / std::pow(std::max(distance, values[2]), values[1]);
-      for (int c = 0; c < plan.dimensions; ++c) f[c * n + i] += push * plane->normal[c];
+      use(plane->normal, static_cast<Index>(i), distance);
     }
   }
+}
+
+void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, double* f) {
+  for_each_distance(plan, time, x, [&](const Vec3& normal, Index i, double distance) {
+    const double push = plan.mass[i] * values[0] / std::pow(std::max(distance, values[2]), values[1]);
+    for (int c = 0; c < plan.dimensions; ++c) f[static_cast<std::size_t>(c) * plan.points + i] += push * normal[c];
+  });
+}
+
+// |da/dr| <= |s| p / r0^(p+1) along each normal; of several planes, times the largest eigenvalue of sum n n^T, which is at most the
+// largest row of the matrix |n_i . n_j|
+ForceBound bound(const System& system, const ForceValues& values) {
+  std::vector<Vec3> normals;
+  for (const Collider& collider : system.colliders)
+    if (const auto* plane = std::get_if<Plane>(&collider.shape); plane != nullptr && collider.solid) normals.push_back(plane->normal);
+  double gain = 0.0;
+  for (const Vec3& a : normals) {
+    double row = 0.0;
+    for (const Vec3& b : normals) row += std::abs(glm::dot(a, b));
+    gain = std::max(gain, row);
+  }
+  const double at_core = std::abs(values[0]) * std::pow(values[2], -values[1]);
+  return {.stiffness = gain * at_core * values[1] / values[2], .acceleration = static_cast<double>(normals.size()) * at_core};
+}
+
+void add_tangent(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, ForceTangent& tangent) {
+  for_each_distance(plan, time, x, [&](const Vec3& normal, Index i, double distance) {
+    if (distance > values[2])
+      tangent.add_stiffness(i, normal, plan.mass[i] * values[0] * values[1] * std::pow(distance, -values[1] - 1.0), 0.0);
+  });
+}
+
+// minus the integral of a from the core radius to the distance
+double potential(const Plan& plan, const ForceValues& values, double time, const double* x) {
+  const double power = values[1], core = values[2];
+  double energy = 0.0;
+  for_each_distance(plan, time, x, [&](const Vec3&, Index i, double distance) {
+    if (plan.inverse_mass[i] == 0.0) return;
+    const double integral = distance <= core ? (distance - core) * std::pow(core, -power)
+                            : power == 1.0   ? std::log(distance / core)
+                                             : (std::pow(distance, 1.0 - power) - std::pow(core, 1.0 - power)) / (1.0 - power);
+    energy -= plan.mass[i] * values[0] * integral;
+  });
+  return energy;
 }
 
 }  // namespace
@@ -37,7 +83,13 @@ constinit const ForceTerm wall_force{
     .label = "Push off walls",
     .description = "Pushes every point off every plane, with an acceleration that falls with a power of the distance.",
     .numbers = numbers,
+    .depends_on_velocity = false,
+    .is_continuous = true,
     .add = add,
+    .bound = bound,
+    .add_tangent = add_tangent,
+    .potential = potential,
+    .power = nullptr,
 };
 
 }  // namespace hooke

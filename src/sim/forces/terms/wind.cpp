@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 
+#include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
@@ -22,7 +23,7 @@ constexpr ForceParameter numbers[] = {
     {"seed", "Seed", "", 0.0, 1e6, 1.0},
 };
 
-// In [-1, 1], the same for the same two numbers: the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+// In [-1, 1], the same for the same two numbers: the finalizer of SplitMix64 (Steele, Lea, Flood 2014).
 double random_at(std::int64_t place, double seed) {
   auto z = static_cast<std::uint64_t>(place) * 0x9e3779b97f4a7c15ull + static_cast<std::uint64_t>(seed) * 0xd1b54a32d192ed03ull;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
@@ -48,28 +49,91 @@ void add_to(const Plan& plan, double* f, std::size_t i, const Vec3& force) {
   for (int c = 0; c < plan.dimensions; ++c) f[static_cast<std::size_t>(c) * plan.points + i] += force[c];
 }
 
-void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f) {
+Vec3 wind_at(const Plan& plan, const ForceValues& values, double time) {
   const double gust = 1.0 + values[5] * smooth_noise(time / values[6], values[7]);
-  const Vec3 wind = gust * Vec3(values[0], values[1], plan.dimensions == 3 ? values[2] : 0.0);
+  return gust * Vec3(values[0], values[1], plan.dimensions == 3 ? values[2] : 0.0);
+}
 
-  for (const auto& [i, j, k] : plan.faces) {
+// Air past a face: its speed along the normal, and the rest.
+struct Flow {
+  double area;  // [m^2]
+  Vec3 normal;
+  double across;  // [m/s]
+  Vec3 along;     // [m/s]
+};
+
+// For every face that is not degenerate: use(its corners, flow).
+template <class Use>
+void for_each_face(const Plan& plan, const Vec3& wind, const double* x, const double* v, const Use& use) {
+  for (const auto& face : plan.faces) {
+    const auto& [i, j, k] = face;
     const Vec3 a = vector_at(plan, x, i), twice_area = glm::cross(vector_at(plan, x, j) - a, vector_at(plan, x, k) - a);
     const double length = glm::length(twice_area);
     if (length == 0.0) continue;
     const Vec3 normal = twice_area / length;
     const Vec3 past = wind - (vector_at(plan, v, i) + vector_at(plan, v, j) + vector_at(plan, v, k)) / 3.0;
     const double across = glm::dot(past, normal);
-    const Vec3 along = past - across * normal;
-    const Vec3 force = 0.5 * length * (values[3] * std::abs(across) * across * normal + values[4] * glm::length(along) * along);
-    for (const Index corner : {i, j, k}) add_to(plan, f, corner, force / 3.0);
+    use(face, Flow{0.5 * length, normal, across, past - across * normal});
   }
+}
+
+constexpr double pi = 3.14159265358979323846;
+
+// Per point, where there are no faces: a pi r^2.
+double point_coefficient(const Plan& plan, const ForceValues& values, Index i) { return values[3] * pi * plan.radius[i] * plan.radius[i]; }
+
+// For every force on a point, in a fixed order: use(point, force).
+template <class Use>
+void for_each_force(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, const Use& use) {
+  const Vec3 wind = wind_at(plan, values, time);
+  for_each_face(plan, wind, x, v, [&](const auto& corners, const Flow& flow) {
+    const Vec3 force =
+        flow.area * (values[3] * std::abs(flow.across) * flow.across * flow.normal + values[4] * glm::length(flow.along) * flow.along);
+    for (const Index corner : corners) use(corner, force / 3.0);
+  });
   if (!plan.faces.empty()) return;
 
-  constexpr double pi = 3.14159265358979323846;
   for (Index i = 0; i < plan.points; ++i) {
     const Vec3 past = wind - vector_at(plan, v, i);
-    add_to(plan, f, i, values[3] * pi * plan.radius[i] * plan.radius[i] * glm::length(past) * past);
+    use(i, point_coefficient(plan, values, i) * glm::length(past) * past);
   }
+}
+
+void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f) {
+  for_each_force(plan, values, time, x, v, [&](Index i, const Vec3& force) { add_to(plan, f, i, force); });
+}
+
+// Quadratic in the speed, and proportional to areas that grow as faces stretch: no bound exists.
+ForceBound bound(const System&, const ForceValues& values) {
+  return {.stiffness = ForceBound::none,
+          .rate = ForceBound::none,
+          .speed = (1.0 + values[5]) * glm::length(Vec3(values[0], values[1], values[2]))};
+}
+
+// A face couples its corners: -df_i/dv_j = D / 9. Half the sum of a row on the diagonal, D / 6, lies in the middle between the
+// eigenvalues 0 and D / 3 of the whole, so that iterations contract whatever the step.
+void add_tangent(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, ForceTangent& tangent) {
+  const Vec3 wind = wind_at(plan, values, time);
+  for_each_face(plan, wind, x, v, [&](const auto& corners, const Flow& flow) {
+    const double axial = 2.0 * values[3] * flow.area * std::abs(flow.across),
+                 transverse = 2.0 * values[4] * flow.area * glm::length(flow.along);
+    for (const Index corner : corners) tangent.add_damping(corner, flow.normal, axial / 6.0, transverse / 6.0);
+  });
+  if (!plan.faces.empty()) return;
+
+  for (Index i = 0; i < plan.points; ++i) {
+    const Vec3 past = wind - vector_at(plan, v, i);
+    const double speed = glm::length(past), coefficient = point_coefficient(plan, values, i) * speed;
+    tangent.add_damping(i, speed > 0.0 ? past / speed : Vec3(1.0, 0.0, 0.0), 2.0 * coefficient, coefficient);
+  }
+}
+
+double power(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v) {
+  double sum = 0.0;
+  for_each_force(plan, values, time, x, v, [&](Index i, const Vec3& force) {
+    if (plan.inverse_mass[i] != 0.0) sum += glm::dot(force, vector_at(plan, v, i));
+  });
+  return sum;
 }
 
 }  // namespace
@@ -79,7 +143,13 @@ constinit const ForceTerm wind_force{
     .label = "Wind",
     .description = "Air that moves past the faces and pushes them, across and along, with gusts.",
     .numbers = numbers,
+    .depends_on_velocity = true,
+    .is_continuous = true,
     .add = add,
+    .bound = bound,
+    .add_tangent = add_tangent,
+    .potential = nullptr,
+    .power = power,
 };
 
 }  // namespace hooke

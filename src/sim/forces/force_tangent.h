@@ -1,0 +1,49 @@
+// Derivatives of the scene's optional forces, as the matrix of an implicit step takes them: symmetric and positive semidefinite,
+// parts that are not being left out.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <vector>
+
+#include "base/types.h"
+
+namespace hooke {
+
+class ForceTangent {
+ public:
+  // Zero, for `points` points.
+  void reset(Index points) {
+    stiffness_.assign(points, glm::dmat3(0.0));
+    damping_.assign(points, glm::dmat3(0.0));
+    mean_stiffness_ = mean_damping_ = 0.0;
+  }
+
+  // -df/dx [N/m] or -df/dv [N s/m] of one point: `axial` along the unit vector u, `transverse` across it.
+  void add_stiffness(Index point, const Vec3& u, double axial, double transverse) { add(stiffness_[point], u, axial, transverse); }
+  void add_damping(Index point, const Vec3& u, double axial, double transverse) { add(damping_[point], u, axial, transverse); }
+  // Of a force that depends on the center of mass alone and is distributed by mass: block (i, j) is m_i m_j k I [N/m], k in
+  // [N/(m kg^2)], and likewise for the damping.
+  void add_mean(double stiffness, double damping) {
+    mean_stiffness_ += stiffness;
+    mean_damping_ += damping;
+  }
+
+  // b D + b^2 K of a point, and of the mean the factor of m_i m_j.
+  glm::dmat3 block(Index point, double b) const { return b * damping_[point] + b * b * stiffness_[point]; }
+  double mean(double b) const { return b * mean_damping_ + b * b * mean_stiffness_; }
+  const glm::dmat3& damping(Index point) const { return damping_[point]; }
+  double mean_damping() const { return mean_damping_; }
+
+ private:
+  static void add(glm::dmat3& block, const Vec3& u, double axial, double transverse) {
+    axial = axial > 0.0 ? axial : 0.0;
+    transverse = transverse > 0.0 ? transverse : 0.0;
+    block += (axial - transverse) * glm::outerProduct(u, u) + glm::dmat3(transverse);
+  }
+
+  std::vector<glm::dmat3> stiffness_, damping_;
+  double mean_stiffness_ = 0.0, mean_damping_ = 0.0;
+};
+
+}  // namespace hooke

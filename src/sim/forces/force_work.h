@@ -1,0 +1,24 @@
+// The work of the listed forces over a substep, for the energy balance.
+#pragma once
+
+#include "sim/motion.h"
+
+namespace hooke {
+
+// What derives from a potential is exact, but for planes that move meanwhile; the rest is Simpson's rule of the power along the cubic
+// through both ends of the substep. Power, not force times displacement: a damping force that makes a step unstable still takes
+// energy out at every point of the step, so that the gain stays unexplained.
+class ForceWork {
+ public:
+  // Once a frame; a step never allocates.
+  void begin_frame(const Plan& plan, const Motion& motion);
+  void begin_substep(const Plan& plan, const Motion& motion);
+  // [J], since begin_substep.
+  double end_substep(const Plan& plan, const Motion& motion, double h);
+
+ private:
+  Field x_, v_, middle_x_, middle_v_;
+  double time_ = 0.0, power_ = 0.0;
+};
+
+}  // namespace hooke

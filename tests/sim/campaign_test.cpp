@@ -1,0 +1,45 @@
+// Random scenes with every kind of force, hand and wall under all methods: a run either stays within reach or is reported.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/divergence.h"
+#include "support/convergence.h"
+#include "support/random_force_scene.h"
+
+namespace hooke {
+namespace {
+
+class Campaign : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, Campaign, testing::ValuesIn(every_method()), method_name);
+
+// one second at 300 steps a second, far too few for some scenes
+TEST_P(Campaign, NoRunFailsSilently) {
+  constexpr double far = 1e4;  // [m], for scenes of 2 m whose forces do not drive points away without limit
+  constexpr std::uint64_t scenes = 200;
+  int reported = 0;
+  for (std::uint64_t seed = 0; seed < scenes; ++seed) {
+    Trial trial = random_force_scene(seed, ForceSceneKind::Any);
+    initialize_ledger(trial.system, trial.state);
+    Plan plan = make_plan(trial.system);
+    const Settings settings{.integrator = &method(), .substeps = 5};
+    Frame frame;
+    bool is_reported = false;
+    for (int i = 0; i < 60 && !is_reported; ++i) {
+      frame.begin(plan, trial.system, settings, trial.state);
+      while (!frame.done()) frame.substep(plan);
+      frame.end(plan, trial.state);
+      is_reported = find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state)).has_value();
+    }
+    reported += is_reported ? 1 : 0;
+    if (is_reported || !std::isfinite(plausible_reach(trial.system, plan.spectrum, 1.0, 1.0, 1.0))) continue;
+    for (const Vec3& x : trial.state.position) ASSERT_LT(glm::length(x), far) << "scene " << seed;
+  }
+  if (method().implicit_force_terms) {
+    EXPECT_LT(reported, static_cast<int>(scenes) / 50);
+  }
+}
+
+}  // namespace
+}  // namespace hooke

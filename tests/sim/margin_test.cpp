@@ -1,0 +1,53 @@
+// How far below the linear limit a step must be for nets far from equilibrium.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/divergence.h"
+#include "sim/integrators/rows.h"
+#include "support/random_scene.h"
+
+namespace hooke {
+namespace {
+
+// Whether the mean energy of the last of three seconds exceeds that of the first by 20 % of what the scene had, or the run diverges.
+bool gains_energy(const Integrator& method, std::uint64_t seed, double margin) {
+  Trial trial = rotating_net(seed);
+  initialize_ledger(trial.system, trial.state);
+  Plan plan = make_plan(trial.system);
+  const double step = largest_stable_step(method, plan.spectrum) / margin;
+  // exactly this step, in frames of about 1/60 s
+  const int substeps = std::max(1, static_cast<int>(std::ceil(1.0 / (60.0 * step))));
+  const Settings settings{.integrator = &method, .frame_rate = 1.0 / (step * substeps), .substeps = substeps};
+  double first = 0.0, last = 0.0;
+  Frame frame;
+  constexpr int seconds = 3, frames = 60;
+  for (int i = 0; i < seconds * frames; ++i) {
+    frame.begin(plan, trial.system, settings, trial.state);
+    while (!frame.done()) frame.substep(plan);
+    frame.end(plan, trial.state);
+    const Energy energy = compute_energy(trial.system, trial.state);
+    if (find_divergence(trial.system, trial.state, energy)) return true;
+    if (i < frames) first += energy.total() / frames;
+    if (i >= (seconds - 1) * frames) last += energy.total() / frames;
+  }
+  return last - first > 0.2 * trial.state.ledger.scale;
+}
+
+int count_gains(const Integrator& method, int nets, double margin) {
+  int count = 0;
+  for (int seed = 0; seed < nets; ++seed) count += gains_energy(method, static_cast<std::uint64_t>(seed), margin) ? 1 : 0;
+  return count;
+}
+
+TEST(Margin, NoRandomNetGainsEnergyAtTheRecommendedStep) {
+  for (const Integrator* method : {&symplectic_euler, &velocity_verlet, &blanes_moan4})
+    EXPECT_EQ(count_gains(*method, 120, recommended_margin), 0) << method->id;
+}
+
+TEST(Margin, ManyRandomNetsGainEnergyAtTheLinearLimitItself) {
+  for (const Integrator* method : {&symplectic_euler, &velocity_verlet}) EXPECT_GT(count_gains(*method, 120, 1.0), 30) << method->id;
+}
+
+}  // namespace
+}  // namespace hooke
