@@ -54,6 +54,7 @@ struct Describe {
   std::string operator()(const SetTexture& set) const { return set.texture.empty() ? "remove the texture" : "set the texture"; }
   std::string operator()(const GoToState& go) const { return "go to " + format_exact(std::round(1000.0 * go.state->time) / 1000.0) + " s"; }
   std::string operator()(const SetTorn& set) const { return set.torn == 0 ? "undo tears" : "tear"; }
+  std::string operator()(const MarkTorn&) const { return "tear"; }
   std::string operator()(const Replace&) const { return "return to the start"; }
 };
 

@@ -30,7 +30,7 @@ struct Remove {
   std::vector<Face> faces{};
 };
 
-// Nails or releases points. A nailed point stops; a released one gets `velocity`, which an inverse sets to restore it.
+// Nails or releases points and sets their velocity: 0 in an edit, which stops a nailed point; the previous one in its inverse.
 struct SetNailed {
   struct Item {
     PointId point;
@@ -124,11 +124,18 @@ struct SetForces {
   std::vector<Force> forces;
 };
 
-// Sets the texture of the faces; `picture` is the image that it names (texture.h).
+// The image that a texture names (texture.h). An inverse restores the previous print as a whole instead, because setting a texture
+// gives cloth coordinates to points that have none.
+struct TextureImage {
+  std::shared_ptr<const Picture> picture;
+  std::optional<ClothTexture> restored{};
+};
+
+// Sets the texture of the faces.
 struct SetTexture {
   std::string texture;
   std::optional<double> size;  // [m]
-  std::shared_ptr<const Picture> picture;
+  TextureImage image;
 };
 
 // Returns to another state of the same run: time, positions, velocities and tears.
@@ -141,6 +148,11 @@ struct SetTorn {
   std::uint32_t torn;
 };
 
+// Sets the index of the tear after an inverse of SetTorn or GoToState has restored the springs and faces.
+struct MarkTorn {
+  std::uint32_t torn;
+};
+
 // Replaces the whole scene: to return to the start, and to undo that.
 struct Replace {
   std::shared_ptr<const Scene> scene;
@@ -148,7 +160,7 @@ struct Replace {
 
 using Command = std::variant<Insert, Remove, SetNailed, Move, SetPointColor, SetPointProperty, SetSpringProperty, SetParameter,
                              RestoreParameter, SetIntegrator, GrabPoint, GrabCollider, MoveHand, ReleaseHand, SetGravity, SetColliders,
-                             SetForces, SetTexture, GoToState, SetTorn, Replace>;
+                             SetForces, SetTexture, GoToState, SetTorn, MarkTorn, Replace>;
 
 // The name in the history: "nail 3 points".
 std::string describe(const Command& command);

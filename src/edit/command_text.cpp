@@ -246,11 +246,11 @@ struct Text<Hand> {
   static Hand read(const JsonField& field) { return {.position = hooke::read<Vec3>(field)}; }
 };
 
-// A picture is not recorded: it does not affect motion.
+// The image of a texture is not recorded: it does not affect motion.
 template <>
-struct Text<std::shared_ptr<const Picture>> {
-  static void write(JsonWriter& out, const std::shared_ptr<const Picture>&) { out.null(); }
-  static std::shared_ptr<const Picture> read(const JsonField&) { return nullptr; }
+struct Text<TextureImage> {
+  static void write(JsonWriter& out, const TextureImage&) { out.null(); }
+  static TextureImage read(const JsonField&) { return {}; }
 };
 
 template <HasFields T>

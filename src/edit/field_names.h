@@ -61,14 +61,15 @@ template <> inline constexpr std::array<std::string_view, 7> field_names<State> 
     {"time", "position", "velocity", "hand", "ledger", "memory", "torn"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<GoToState> = {"state"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<SetTorn> = {"torn"};
+template <> inline constexpr std::array<std::string_view, 1> field_names<MarkTorn> = {"torn"};
 template <> inline constexpr std::array<std::string_view, 1> field_names<Replace> = {"scene"};
 
 // Names of the alternatives of a variant.
 template <class T> inline constexpr std::nullptr_t alternative_names = nullptr;
-template <> inline constexpr std::array<std::string_view, 21> alternative_names<Command> = {
+template <> inline constexpr std::array<std::string_view, 22> alternative_names<Command> = {
     "insert", "remove", "set_nailed", "move", "set_point_color", "set_point_property", "set_spring_property", "set_parameter",
     "restore_parameter", "set_integrator", "grab", "grab_collider", "move_hand", "release_hand", "set_gravity", "set_colliders", "set_forces",
-    "set_texture", "go_to_state", "set_torn", "replace"};
+    "set_texture", "go_to_state", "set_torn", "mark_torn", "replace"};
 template <> inline constexpr std::array<std::string_view, 3> alternative_names<decltype(Collider::shape)> = {"plane", "sphere", "box"};
 
 // Names of the values of an enumeration, from 0.

@@ -99,7 +99,8 @@ void Lab::edit(const Command& command, Gesture gesture) {
   if (moves_points(command)) divergence_.reset();
   check_divergence();
   if (std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command)) grab_gesture_ = gesture;
-  if (inverse.empty()) return;
+  // a drag is one step, its end none of its own
+  if (inverse.empty() || std::holds_alternative<ReleaseHand>(command)) return;
   history_.record(describe(command), std::move(inverse), gesture);
   unsaved_ = edited_ = true;
   ++edits_;

@@ -143,6 +143,14 @@ double first_of_colliders(const Scene& scene, double Collider::*property) {
   return scene.system.colliders.empty() ? 0.0 : scene.system.colliders.front().*property;
 }
 
+// The percentage that, divided by 100, is this fraction bit for bit, where there is one.
+double percent_of(double fraction) {
+  const double percent = 100.0 * fraction;
+  for (const double near : {percent, std::nextafter(percent, 0.0), std::nextafter(percent, INFINITY)})
+    if (near / 100.0 == fraction) return near;
+  return percent;
+}
+
 void set_colliders(Scene& scene, double Collider::*property, double value) {
   for (Collider& collider : scene.system.colliders) collider.*property = value;
 }
@@ -249,7 +257,7 @@ constexpr std::array rows{
     Parameter{.name = "strain_limit_percent", .field = "strain_limit_percent", .group = "Springs", .label = "Limit on strain", .unit = "%",
               .description = "Strain that no spring exceeds; the limit keeps linear momentum but dissipates energy; 0: none.",
               .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
-              .read = [](const Scene& s) { return 100.0 * s.system.strain_limit; },
+              .read = [](const Scene& s) { return percent_of(s.system.strain_limit); },
               .write = [](Scene& s, double value) { s.system.strain_limit = value / 100.0; }},
     Parameter{.name = "radius", .field = "", .group = "Points", .label = "Radius r", .unit = "m",
               .description = "Radius that is drawn for every point, and its distance of contact.",

@@ -197,7 +197,7 @@ TEST(SetTexture, IsTakenBackWhole) {
   const ViewSettings before = scene.view;
   const auto picture = std::make_shared<const Picture>(Picture{1, 1, {1, 2, 3}});
   Effect effect;
-  const auto inverse = apply(scene, SetTexture{.texture = "checker", .picture = picture}, effect);
+  const auto inverse = apply(scene, SetTexture{.texture = "checker", .image = {picture}}, effect);
   EXPECT_EQ(scene.view.texture, "checker");
   EXPECT_EQ(scene.cloth_texture.picture, picture);
   EXPECT_EQ(scene.cloth_texture.width, 0.25);

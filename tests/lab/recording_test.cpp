@@ -64,10 +64,11 @@ std::vector<Command> one_of_each() {
                     {Plane{}, 0, 0, true},
                     {Box{}, 1, 1, true}}},
       SetForces{{{&force_terms()[0], false, default_values(force_terms()[0])}}},
-      SetTexture{"linen", 0.5, nullptr},
+      SetTexture{"linen", 0.5, {}},
       GoToState{std::make_shared<const State>(
           State{.time = 0.1, .position = {{1, 2, 3}}, .velocity = {{4, 5, 6}}, .memory = {0.1, 0.2}, .torn = 4})},
       SetTorn{3},
+      MarkTorn{3},
   };
 }
 

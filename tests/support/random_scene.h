@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 #include "support/trial.h"
 
@@ -21,6 +22,11 @@ class Random {
   double uniform(double min, double max) { return min + (max - min) * static_cast<double>(next_bits() >> 11) * 0x1p-53; }
   Index below(Index count) { return static_cast<Index>(next_bits() % static_cast<std::uint64_t>(count)); }
   bool one_in(Index count) { return below(count) == 0; }
+  // An element of a list that is not empty.
+  template <class List>
+  const auto& one_of(const List& list) {
+    return *(std::begin(list) + static_cast<std::ptrdiff_t>(next_bits() % std::size(list)));
+  }
 
  private:
   std::uint64_t state_;

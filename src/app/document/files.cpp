@@ -58,7 +58,7 @@ ChosenTexture try_texture(const std::string& typed, const std::filesystem::path&
   const std::string name = "texture: \"" + printable(texture) + "\"";
   if (const std::string limit = texture_limit(texture); !limit.empty()) return {{}, name + ": " + limit + ", " + folder.string()};
   try {
-    return {{.texture = texture, .picture = read_texture(texture, folder, name)}, {}};
+    return {{.texture = texture, .image = {read_texture(texture, folder, name)}}, {}};
   } catch (const std::runtime_error& refusal) {  // Refused or FileError
     return {{}, refusal.what()};
   }

@@ -43,11 +43,12 @@ struct Apply {
   // states.cpp: other states of the run, other scenes
   Inverse operator()(const GoToState& go);
   Inverse operator()(const SetTorn& set);
+  Inverse operator()(const MarkTorn& mark);
   Inverse operator()(const Replace& replace);
 
  private:
   Inverse inverse_of(const Parameter& parameter) const;
-  void apply_tears_until(std::uint32_t torn);
+  Inverse apply_tears_until(std::uint32_t torn);
   void release_collider();
 };
 

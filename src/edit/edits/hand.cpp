@@ -61,10 +61,15 @@ Inverse Apply::operator()(const ReleaseHand&) {
   release_collider();
   if (!scene.system.grab) return {};
   const Index i = scene.system.index_of(scene.system.grab->point);
-  if (scene.system.points()[i].nailed) scene.state.velocity[i] = Vec3(0.0);
+  // a nailed point stops where it is released
+  Inverse inverse;
+  if (scene.system.points()[i].nailed && scene.state.velocity[i] != Vec3(0.0)) {
+    inverse = {Move{{{scene.system.grab->point, scene.state.position[i], scene.state.velocity[i]}}}};
+    scene.state.velocity[i] = Vec3(0.0);
+  }
   scene.system.grab.reset();
   effect.values = true;
-  return {};
+  return inverse;
 }
 
 // Leaves the carried collider where the hand has moved it.

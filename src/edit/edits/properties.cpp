@@ -20,7 +20,7 @@ Inverse Apply::operator()(const SetNailed& set) {
     if (i == no_index || scene.system.points()[i].nailed == item.nailed) continue;
     inverse.items.push_back({item.point, !item.nailed, scene.state.velocity[i]});
     scene.system.point(i).nailed = item.nailed;
-    scene.state.velocity[i] = item.nailed || !is_finite(item.velocity) ? Vec3(0.0) : in_plane(scene.system, item.velocity);
+    scene.state.velocity[i] = is_finite(item.velocity) ? in_plane(scene.system, item.velocity) : Vec3(0.0);
   }
   std::reverse(inverse.items.begin(), inverse.items.end());
   effect.values = true;

@@ -53,10 +53,10 @@ Inverse Apply::inverse_of(const Parameter& parameter) const {
 }
 
 Inverse Apply::operator()(const RestoreParameter& restore) {
-  const RestoreParameter inverse{restore.parameter, restore.parameter->read(scene)};
+  const Inverse inverse = inverse_of(*restore.parameter);
   restore.parameter->write(scene, restore.value);
   effect.values = effect.values || restore.parameter->scope != Parameter::Scope::Setting;
-  return {inverse};
+  return inverse;
 }
 
 Inverse Apply::operator()(const SetIntegrator& set) {
@@ -96,11 +96,15 @@ Inverse Apply::operator()(const SetForces& set) {
 }
 
 Inverse Apply::operator()(const SetTexture& set) {
-  const SetTexture inverse{scene.view.texture, scene.view.texture_size, scene.cloth_texture.picture};
+  const SetTexture inverse{scene.view.texture, scene.view.texture_size, {.picture = nullptr, .restored = scene.cloth_texture}};
   scene.view.texture = set.texture;
   scene.view.texture_size = set.size;
-  scene.cloth_texture.picture = set.picture;
-  set_print_layout(scene);
+  if (set.image.restored) {
+    scene.cloth_texture = *set.image.restored;
+  } else {
+    scene.cloth_texture.picture = set.image.picture;
+    set_print_layout(scene);
+  }
   return {inverse};
 }
 

@@ -1,0 +1,81 @@
+// Whatever the parameters, no state is published that is not made of numbers: the run stops, keeps the last state, names what
+// failed first and says what to do.
+
+#include <algorithm>
+#include <cmath>
+
+#include "campaign/check.h"
+#include "campaign/random_document.h"
+#include "lab/lab.h"
+#include "sim/integrator.h"
+#include "sim/plan.h"
+#include "support/valid_scene.h"
+
+namespace hooke {
+namespace {
+
+constexpr int frames = 4;
+constexpr double max_adaptive_steps = 1e3;
+
+// Over twenty orders of magnitude both ways.
+double extreme(Random& random) { return std::pow(10.0, random.uniform(-20.0, 20.0)); }
+
+Scene extreme_scene(Random& random) {
+  Scene scene = random_document(random, Numbers::Ordinary);
+  for (Index i = 0; i < scene.system.point_count(); ++i) {
+    if (random.one_in(3)) scene.system.point(i).mass = extreme(random);
+    if (random.one_in(6)) scene.state.position[i] *= extreme(random);
+    if (random.one_in(6)) scene.state.velocity[i] *= extreme(random);
+  }
+  for (Index s = 0; s < scene.system.spring_count(); ++s) {
+    Spring& spring = scene.system.spring(s);
+    if (random.one_in(3)) spring.stiffness = extreme(random);
+    if (random.one_in(3)) spring.damping = extreme(random);
+    if (random.one_in(3)) spring.rest_length = extreme(random);
+  }
+  for (Force& force : scene.system.forces)
+    for (double& value : force.values)
+      if (random.one_in(4)) value *= extreme(random);
+  if (random.one_in(3)) scene.system.drag = extreme(random);
+  if (random.one_in(3)) scene.system.gravity *= extreme(random);
+  scene.settings.substeps = 1 + static_cast<int>(random.below(6));
+  scene.settings.frame_rate = random.one_in(2) ? 60.0 : extreme(random);
+  // an adaptive method takes as many steps as the fastest change asks for, which may be more than there is time for
+  const Spectrum spectrum = bound_spectrum(scene.system);
+  const double steps = std::max({spectrum.omega, spectrum.dashpot_rate, spectrum.drag_rate}) * scene.settings.substep();
+  const bool takes_long = steps > max_adaptive_steps || !scene.system.forces.empty();
+  if (scene.settings.integrator->stability == Stability::Adaptive && takes_long) scene.settings.integrator = &default_integrator();
+  return scene;
+}
+
+// One that was refused says so: the run is paused, and a point or a spring is named.
+void expect_named(const Status& status) {
+  const std::optional<Divergence>& divergence = status.snapshot->divergence;
+  expect(divergence.has_value(), "a frame was refused without a reason");
+  expect(!status.running, "the run goes on after a frame was refused");
+  expect(!status.message.empty(), "a frame was refused without a word");
+  expect(divergence->point || divergence->spring, "a frame was refused and nothing is named: " + status.message);
+}
+
+long run(std::uint64_t number) {
+  Random random(number);
+  Lab lab(extreme_scene(random), KeepStart::No);
+  for (int frame = 0; frame < frames; ++frame) {
+    const State before = lab.scene().state;
+    const bool is_sound = lab.step();
+    lab.publish();
+    const Status& status = *lab.status();
+    expect(is_valid(status), "a state is published that is not made of numbers");
+    if (is_sound) continue;
+    expect(lab.scene().state.position == before.position && lab.scene().state.velocity == before.velocity, "the last good state is lost");
+    expect_named(status);
+    break;
+  }
+  return 1;
+}
+
+}  // namespace
+
+const Check extremes{"extremes", "sets of parameters", 20, run};
+
+}  // namespace hooke
