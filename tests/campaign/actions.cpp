@@ -85,7 +85,7 @@ class Session {
 
   // Some edits without a frame between them, taken back and made again one by one or at once.
   void edit_and_undo() {
-    const std::size_t done = lab_.status()->history->done;
+    const std::size_t done = lab_.status()->history.list->done;
     const std::string before = text_of(lab_.scene());
     std::string names;
     for (Index i = random_.below(5); i >= 0; --i) {
@@ -96,7 +96,7 @@ class Session {
       apply();
     }
     const std::string after = text_of(lab_.scene());
-    const std::size_t made = lab_.status()->history->done;
+    const std::size_t made = lab_.status()->history.list->done;
     expect(made >= done, "the history lost steps after " + names);
     const bool at_once = random_.one_in(2);
     go_to_step(made, done, at_once);

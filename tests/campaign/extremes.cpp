@@ -52,9 +52,9 @@ Scene extreme_scene(Random& random) {
 void expect_named(const Status& status) {
   const std::optional<Divergence>& divergence = status.snapshot->divergence;
   expect(divergence.has_value(), "a frame was refused without a reason");
-  expect(!status.running, "the run goes on after a frame was refused");
-  expect(!status.message.empty(), "a frame was refused without a word");
-  expect(divergence->point || divergence->spring, "a frame was refused and nothing is named: " + status.message);
+  expect(!status.run.running, "the run goes on after a frame was refused");
+  expect(!status.diagnosis.message.empty(), "a frame was refused without a word");
+  expect(divergence->point || divergence->spring, "a frame was refused and nothing is named: " + status.diagnosis.message);
 }
 
 long run(std::uint64_t number) {

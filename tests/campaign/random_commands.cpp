@@ -90,7 +90,8 @@ Remove RandomCommands::remove(const Scene& scene) {
 }
 
 GrabPoint RandomCommands::grab(const Scene& scene) {
-  Grab grab{.point = point(scene), .kind = random_.one_in(2) ? GrabKind::Hold : GrabKind::Pull, .target = vector(), .stiffness = number()};
+  GrabPoint::Item grab{
+      .point = point(scene), .kind = random_.one_in(2) ? GrabKind::Hold : GrabKind::Pull, .target = vector(), .stiffness = number()};
   if (random_.one_in(4) && !scene.system.faces.empty()) {
     const Face& face = random_.one_of(scene.system.faces);
     grab.point = face.points[0];

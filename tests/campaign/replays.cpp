@@ -30,7 +30,7 @@ std::uint64_t record(std::uint64_t number, const std::filesystem::path& file) {
   }
   lab.submit(Record{});
   lab.advance(0.0, [] { return true; });
-  expect(lab.status()->recording_error.empty(), lab.status()->recording_error);
+  expect(lab.status()->recording.error.empty(), lab.status()->recording.error);
   return hash_state(lab.scene().state);
 }
 

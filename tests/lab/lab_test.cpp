@@ -122,13 +122,15 @@ class RandomEdits {
     const ForceTerm& term = force_terms()[static_cast<std::size_t>(pick(static_cast<int>(force_terms().size())))];
     return {{{&term, pick(2) == 0, default_values(term)}}};
   }
-  SetTexture draw(Kind<SetTexture>, Lab&) { return {pick(2) == 0 ? "linen" : "", number(), nullptr}; }
+  SetTexture draw(Kind<SetTexture>, Lab&) { return {pick(2) == 0 ? "linen" : "", number(), {}}; }
   GoToState draw(Kind<GoToState>, Lab& lab) {
     State state = lab.scene().state;
     for (Vec3& position : state.position) position += 0.01 * place();
     return {std::make_shared<const State>(std::move(state))};
   }
   SetTorn draw(Kind<SetTorn>, Lab&) { return {static_cast<std::uint32_t>(pick(2))}; }
+  // part of an inverse only
+  MarkTorn draw(Kind<MarkTorn>, Lab& lab) { return {lab.scene().state.torn}; }
   Replace draw(Kind<Replace>, Lab& lab) {
     Scene scene = lab.scene();
     scene.system.drag = number();
