@@ -16,16 +16,16 @@ namespace {
 
 // Every subcommand, in the order of the help.
 constexpr std::array subcommands{
-    Subcommand{"run", "Step a scene and report what became of it", declare_run},
-    Subcommand{"bench", "Measure the speed and the error of every method", declare_bench},
-    Subcommand{"capture", "Draw a scene as it moves, with no display", declare_capture},
-    Subcommand{"check", "Check the scenes; or every method on the hard cases", declare_check},
-    Subcommand{"convert", "Write a scene file as another", declare_convert},
-    Subcommand{"replay", "Do again what was recorded in the window", declare_replay},
+    Subcommand{"run", "Simulate a scene and report the result", declare_run},
+    Subcommand{"bench", "Measure speed and error of every method", declare_bench},
+    Subcommand{"capture", "Render a scene to pictures or video, without a display", declare_capture},
+    Subcommand{"check", "Run the checks of scenes, or every method on the hard cases", declare_check},
+    Subcommand{"convert", "Convert a scene file to another format", declare_convert},
+    Subcommand{"replay", "Replay a recording made in the window", declare_replay},
 };
 
 std::string limits() {
-  std::string text = "What a scene file may be; anything else is refused with exit code 3:\n";
+  std::string text = "Limits of scene files; files beyond them are refused with exit code 3:\n";
   for (const FileLimit& row : file_limits()) text += "  " + std::string(row.what) + ": " + std::string(row.limit) + "\n";
   text.pop_back();
   return text;
@@ -34,7 +34,7 @@ std::string limits() {
 void add_general_options(CLI::App& app) {
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.set_version_flag("--version", "hooke-headless " + std::string(program_version), "Print the version and exit");
-  // thrown like the version: before anything else that is wrong with the command line
+  // thrown like the version, so that it takes precedence over other errors of the command line
   app.add_flag_callback(
       "--limits", [] { throw CLI::CallForVersion(limits(), 0); }, "Print the limits of scene files and exit");
 }
@@ -46,7 +46,7 @@ DeclaredCommands declare_command_line(CLI::App& app) {
   app.description("Hooke without a window: networks of point masses and springs.");
   app.footer(
       "Results go to stdout or the named file, everything else to stderr.\n"
-      "Exit codes: 0 fine, 1 a check failed, 2 wrong usage, 3 input refused, 4 diverged, 5 a file could not be read or written.");
+      "Exit codes: 0 success, 1 a check failed, 2 wrong usage, 3 input refused, 4 diverged, 5 a file could not be read or written.");
   add_general_options(app);
   app.require_subcommand(1);
 

@@ -1,4 +1,4 @@
-// The command line of hooke-headless as it is declared: what main obeys, and the manual and the completion are made from.
+// The declaration of the command line of hooke-headless, which main executes and the manual and the completion are generated from.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace hooke {
 
-// Each subcommand with what does its work, in the order of the help.
+// Each subcommand with the function that runs it, in help order.
 using DeclaredCommands = std::vector<std::pair<CLI::App*, std::function<int()>>>;
 
 // Declares all subcommands and their options.

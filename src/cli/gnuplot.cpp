@@ -12,7 +12,7 @@
 namespace hooke {
 
 std::optional<std::string> run_gnuplot(const std::string& script, const std::filesystem::path& folder) {
-  // the script goes through a nameless file, not a pipe, so that neither side can wait for the other
+  // the script is passed in an unnamed file, not a pipe, which rules out a deadlock
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> input(std::tmpfile(), &std::fclose);
   if (!input || std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() || std::fflush(input.get()) != 0)
     return std::string("no chart: the script for gnuplot could not be written: ") + std::strerror(errno);
@@ -22,7 +22,7 @@ std::optional<std::string> run_gnuplot(const std::string& script, const std::fil
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, fileno(input.get()), STDIN_FILENO);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  // -d: without the person's own start-up files, which may change the terminal
+  // -d: without the user's start-up files, which may change the terminal
   char name[] = "gnuplot", defaults[] = "-d";
   char* arguments[] = {name, defaults, nullptr};
   pid_t child = 0;

@@ -1,4 +1,4 @@
-// gnuplot as a process of its own, without a shell.
+// Runs gnuplot as a process, without a shell.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace hooke {
 
-// Runs a script with `folder` as the working folder. None when it worked, else why not, in one line.
+// Runs a script with `folder` as working directory. Returns none on success, else the reason in one line.
 std::optional<std::string> run_gnuplot(const std::string& script, const std::filesystem::path& folder);
 
 }  // namespace hooke

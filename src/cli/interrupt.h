@@ -1,11 +1,11 @@
-// Ctrl+C in commands that take long and keep what is done.
+// Ctrl+C in long commands that save their results.
 #pragma once
 
 namespace hooke {
 
 inline constexpr int exit_interrupted = 130;  // as a shell reports Ctrl+C
 
-// From now on Ctrl+C asks to stop; a second one ends the program as it stands.
+// From now on the first Ctrl+C requests a stop; a second one terminates the program.
 void catch_interrupts();
 bool was_interrupted();
 

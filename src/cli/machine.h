@@ -1,14 +1,14 @@
-// What measured figures were measured on, and when.
+// The machine and the time of a measurement.
 #pragma once
 
 #include <string>
 
 namespace hooke {
 
-// The processor, by its own name.
+// The name of the processor.
 std::string machine();
 
-// The time now at Greenwich, in the format of strftime.
+// The current time in UTC, in a format of strftime.
 std::string time_text(const char* format);
 
 }  // namespace hooke

@@ -9,8 +9,8 @@
 
 #include "draw/view.h"
 
-// GLEW, built for GLX, asks this for every entry point; a program that links OSMesa instead of libGL answers from
-// there. OSMesa hands out stubs for glX names that must not be called: there are none.
+// GLEW, built for GLX, looks up every entry point with this function; a program that links OSMesa instead of libGL looks it up there.
+// OSMesa returns stubs for glX names, which must not be called: they are reported as missing.
 extern "C" void (*glXGetProcAddressARB(const GLubyte* name))() {
   const auto* text = reinterpret_cast<const char*>(name);
   return std::strncmp(text, "glX", 3) == 0 ? nullptr : OSMesaGetProcAddress(text);
@@ -18,7 +18,7 @@ extern "C" void (*glXGetProcAddressARB(const GLubyte* name))() {
 
 namespace hooke {
 
-// The context's own picture is one pixel: everything is drawn into framebuffer objects (draw/target.h).
+// The context's own image is one pixel: everything is drawn into framebuffer objects (draw/target.h).
 struct Offscreen::Context {
   OSMesaContext name = nullptr;
   std::array<std::uint8_t, 4> pixel{};

@@ -6,10 +6,10 @@
 
 namespace hooke {
 
-// Current from its making to its end; one at a time.
+// The current context as long as it exists; one at a time.
 class Offscreen {
  public:
-  // Makes a context and loads its entry points. Throws std::runtime_error with one line that says what is missing.
+  // Creates a context and loads its entry points. Throws std::runtime_error with one line that names what is missing.
   Offscreen();
   ~Offscreen();
   Offscreen(const Offscreen&) = delete;

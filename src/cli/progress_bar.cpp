@@ -9,7 +9,7 @@ namespace hooke {
 
 ProgressBar::ProgressBar(long total, bool enabled) : total_(total), enabled_(enabled && total > 0 && isatty(STDERR_FILENO) == 1) {}
 
-// the bar makes room for what comes next
+// clears its line
 ProgressBar::~ProgressBar() {
   if (was_shown_) std::fprintf(stderr, "\r%60s\r", "");
 }

@@ -1,4 +1,4 @@
-// A bar on stderr for work that takes long: on a terminal only.
+// A progress bar on stderr, on terminals only.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@ namespace hooke {
 
 class ProgressBar {
  public:
-  // Of work in `total` parts. Nothing is shown when not `wanted` or stderr is no terminal.
+  // For work in `total` parts. Shows nothing unless `enabled` and stderr is a terminal.
   ProgressBar(long total, bool enabled);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;

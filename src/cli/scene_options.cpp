@@ -9,9 +9,10 @@
 #include "edit/apply.h"
 #include "formats/open_file.h"
 #include "formats/scene_file.h"
-#include "scene/diagnosis.h"
 #include "scene/parameters.h"
+#include "scene/step_limits.h"
 #include "sim/integrator.h"
+#include "study/remedy.h"
 
 namespace hooke {
 namespace {
@@ -37,7 +38,7 @@ std::string ids_of_adaptive_integrators() {
 
 void set_tolerance(Settings& settings, double tolerance) {
   if (settings.integrator->stability != Stability::Adaptive)
-    throw UsageError("--tolerance " + format_exact(tolerance) + ": must go with a method that adapts its steps: --integrator " +
+    throw UsageError("--tolerance " + format_exact(tolerance) + ": requires an adaptive method: --integrator " +
                      ids_of_adaptive_integrators());
   settings.tolerance = tolerance;
 }
@@ -66,7 +67,7 @@ std::optional<double> parse_value(const Parameter& parameter, std::string_view t
   return value;
 }
 
-// NAME=VALUE. Beyond the range is an error here, not clamped: nobody is there to see it.
+// NAME=VALUE. A value out of range is an error here, not clamped.
 SetParameter parse_setting(const std::string& setting) {
   const std::string shown = "--set " + printable(setting, 80);
   const std::size_t equals = setting.find('=');
@@ -97,22 +98,22 @@ CLI::Validator within(const Bounds& bounds) {
 
 std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene) {
   auto options = std::make_shared<SceneOptions>();
-  app.add_option("SCENE", options->scene, "A file (" + readable_extensions() + "), or the name of a scene that ships")
+  app.add_option("SCENE", options->scene, "A file (" + readable_extensions() + "), or the name of a shipped scene")
       ->required(scene == SceneIs::Required);
   app.add_option("--integrator", options->integrator, "Method: " + ids_of_integrators())->type_name("ID");
-  app.add_option("--substeps", options->substeps, "Steps of the method in each frame")
+  app.add_option("--substeps", options->substeps, "Integration steps per frame")
       ->type_name("N")
       ->check(within({.min = 1, .max = max_substeps}));
   app.add_option("--frame-rate", options->frame_rate, "Frames per simulated second [1/s]")->type_name("RATE")->check(within(positive));
   app.add_option("--tolerance", options->tolerance,
-                 "Local error allowed a step of an adaptive method (" + ids_of_adaptive_integrators() + ") [m]")
+                 "Local error tolerance per step of an adaptive method (" + ids_of_adaptive_integrators() + ") [m]")
       ->type_name("METRES")
       ->check(within(positive));
-  app.add_option("--set", options->settings, "Sets a parameter, may be given more than once: " + names_of_parameters())
+  app.add_option("--set", options->settings, "Set a parameter; may be repeated: " + names_of_parameters())
       ->type_name("NAME=VALUE")
       ->expected(1)
       ->take_all();
-  app.add_flag("-q,--quiet", options->quiet, "No warnings, progress or summary");
+  app.add_flag("-q,--quiet", options->quiet, "Print no warnings, progress or summary");
   return options;
 }
 
@@ -123,7 +124,7 @@ std::optional<std::string> first_stepping_option(const CLI::App& app) {
 }
 
 Scene open_scene(const SceneOptions& options) {
-  // what the command line says is checked before a large file is read
+  // check the command line before reading a large file
   const Integrator* integrator = options.integrator ? find_integrator(*options.integrator) : nullptr;
   if (options.integrator && integrator == nullptr)
     throw UsageError("--integrator " + printable(*options.integrator, 80) + ": must be one of " + ids_of_integrators());
@@ -132,7 +133,7 @@ Scene open_scene(const SceneOptions& options) {
 
   LoadedScene loaded = load_file(find_scene(options.scene));
   Scene& scene = loaded.scene;
-  // what the file says of the step does not hold once the options say something else
+  // the warning about the step in the file does not apply once options change it
   if (const auto warning = step_warning(scene.system, scene.settings))
     std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
   Effect effect;
@@ -147,6 +148,17 @@ Scene open_scene(const SceneOptions& options) {
     if (const auto warning = step_warning(scene.system, scene.settings)) std::cerr << "warning: " << *warning << "\n";
   }
   return std::move(loaded.scene);
+}
+
+std::string explain_divergence(Lab& lab, const SceneOptions& options, double seconds) {
+  lab.publish();
+  std::string message = lab.status()->diagnosis.message;
+  if (options.quiet) return message;
+  SceneOptions again = options;
+  again.quiet = true;
+  const std::atomic<bool> never = false;
+  const Scene start = open_scene(again);
+  return message + " " + describe(find_remedy(start, seconds, never), start.settings);
 }
 
 }  // namespace hooke

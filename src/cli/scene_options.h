@@ -1,4 +1,4 @@
-// The options that every subcommand with a scene has in common.
+// The options common to all subcommands that run a scene.
 #pragma once
 
 #include <memory>
@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "cli/subcommand.h"
+#include "lab/lab.h"
 #include "scene/scene.h"
 
 namespace hooke {
 
 struct SceneOptions {
-  std::string scene;  // a file, or the id of a scene that ships
+  std::string scene;  // a file, or the id of a shipped scene
   std::optional<std::string> integrator;
   std::optional<int> substeps;
   std::optional<double> frame_rate;   // [1/s]
@@ -25,10 +26,14 @@ struct SceneOptions {
 enum class SceneIs { Required, Optional };
 std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene = SceneIs::Required);
 
-// The first of the options that say how a scene is stepped, if any is given: "--substeps"; none for nothing but SCENE and --quiet.
+// The first option given that changes how a scene is stepped, such as "--substeps"; none if only SCENE and --quiet are given.
 std::optional<std::string> first_stepping_option(const CLI::App& app);
 
-// Loads the scene and sets what the options say; warnings go to stderr. Throws UsageError, InputError, FileError.
+// Loads the scene and applies the options; warnings go to stderr. Throws UsageError, InputError, FileError.
 Scene open_scene(const SceneOptions& options);
+
+// Why the run of a scene opened with `options` stopped. Unless quiet also the cause and a remedy tested on copies for up to `seconds`
+// [s]: takes a second or two. One line.
+std::string explain_divergence(Lab& lab, const SceneOptions& options, double seconds);
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// What a subcommand of hooke-headless is. Adding one is one file and one row in main.cpp.
+// A subcommand of hooke-headless. Adding one is one file and one row in command_line.cpp.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,7 +13,7 @@ namespace hooke {
 struct Subcommand {
   const char* name;
   const char* summary;
-  // Declares its options; what it returns does the work once they are parsed, and gives the exit code.
+  // Declares its options; the returned function runs it after parsing and returns the exit code.
   std::function<int()> (*declare)(CLI::App& app);
 };
 
@@ -23,15 +23,15 @@ inline constexpr int check_failed = 1;
 inline constexpr int wrong_usage = 2;
 inline constexpr int refused = 3;     // Refused: the input
 inline constexpr int diverged = 4;    // or the tolerance was not met
-inline constexpr int file_error = 5;  // FileError, or the system would not do something else
+inline constexpr int file_error = 5;  // FileError, or another failure of the system
 }  // namespace exit_code
 
-// A command line that cannot be followed, found after it was parsed: what() is one line.
+// An invalid command line, detected after parsing: what() is one line.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// For options that are numbers: finite and within the bounds.
+// Validates a number: finite and within the bounds.
 CLI::Validator within(const Bounds& bounds);
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// The pictures of the gallery, as scripts/thumbnails makes them and a test takes them again.
+// The thumbnails of the gallery, for scripts/thumbnails and a test.
 #pragma once
 
 #include "draw/view.h"
@@ -6,7 +6,7 @@
 
 namespace hooke {
 
-// The scene so long after its start as its row says, a little nearer than it is opened. A context must be current.
+// The scene at the time given in its row, slightly closer than its default view. A context must be current.
 Image render_thumbnail(View& view, const ShippedScene& shipped);
 
 }  // namespace hooke

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/file_limits.h"
-#include "scene/diagnosis.h"
+#include "scene/step_limits.h"
 #include "sim/integrator.h"
 #include "sim/plan.h"
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/printable.h"
+#include "lab/divergence_message.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
 
@@ -95,8 +96,8 @@ void Lab::publish() {
   if (playback_.is_on()) status->recording.playback_progress = playback_.progress();
   status->recording.difference = playback_.difference();
   if (divergence_) {
-    status->diagnosis.advice = advise(plan_.spectrum, scene_.settings);
-    status->diagnosis.message = explain(*divergence_, scene_.system, diverged_with_, *status->diagnosis.advice);
+    status->diagnosis.advice = suggest_stepping(plan_.spectrum, scene_.settings);
+    status->diagnosis.message = describe(*divergence_, scene_.system);
   }
   status->next_point_id = scene_.system.next_point_id();
   status->next_spring_id = scene_.system.next_spring_id();

@@ -8,8 +8,8 @@
 
 #include "edit/history_list.h"
 #include "lab/traces.h"
-#include "scene/diagnosis.h"
 #include "scene/scene.h"
+#include "scene/step_limits.h"
 #include "sim/snapshot.h"
 
 namespace hooke {

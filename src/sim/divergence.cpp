@@ -11,17 +11,33 @@ namespace {
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-// The first point that is not finite, else the fastest free one.
+// Bound on the fastest rate of each point [1/s^2]: the stiffness of its springs over its mass (as in bound_spectrum).
+std::vector<double> stiffness_rates(const System& system) {
+  std::vector<double> rate(system.points().size(), 0.0);
+  for (const Spring& spring : system.springs())
+    for (const PointId id : {spring.first, spring.second}) {
+      const Index i = system.index_of(id);
+      rate[i] += system.stiffness_of(spring) / system.points()[i].mass;
+    }
+  return rate;
+}
+
+// The fastest free point. Where positions or velocities are not finite, they have spread along the springs within the frame, and the
+// order of the points says nothing: it is the one among them that its springs can accelerate most.
 Index worst_point(const System& system, const State& state) {
+  const auto is_lost = [&](Index i) { return !is_finite(state.position[i]) || !is_finite(state.velocity[i]); };
+  bool any_lost = false;
+  for (Index i = 0; i < system.point_count(); ++i) any_lost = any_lost || is_lost(i);
+  const std::vector<double> rate = any_lost ? stiffness_rates(system) : std::vector<double>();
+
   Index worst = no_index;
   double highest = -1.0;
   for (Index i = 0; i < system.point_count(); ++i) {
-    if (!is_finite(state.position[i]) || !is_finite(state.velocity[i])) return i;
-    const double speed = system.points()[i].nailed ? -1.0 : glm::length(state.velocity[i]);
-    if (speed > highest) {
-      highest = speed;
-      worst = i;
-    }
+    if (any_lost && !is_lost(i)) continue;
+    const double badness = system.points()[i].nailed ? (any_lost ? -0.5 : -1.0) : any_lost ? rate[i] : glm::length(state.velocity[i]);
+    if (!(badness > highest)) continue;
+    highest = badness;
+    worst = i;
   }
   return worst;
 }

@@ -16,7 +16,7 @@ struct Divergence {
   double energy = 0.0;             // [J], beyond what was supplied; not finite for NotFinite
   double scale = 0.0;              // [J], of what start, hand, edits and forces supplied
   double distance = 0.0;           // [m], of the farthest point from the origin
-  std::optional<PointId> point;    // the fastest, or the first that is not finite
+  std::optional<PointId> point;    // the fastest; of points that are not finite, the one with the stiffest springs for its mass
   std::optional<SpringId> spring;  // the one under the highest strain, on that point if it has any
 };
 

@@ -1,5 +1,5 @@
-// Nets, curtains and chains made by formula: scenes that methods are measured on and that start in motion or in an
-// equilibrium of their own, which a scene file's generators cannot say. Exact, so that figures can be compared.
+// Nets, curtains and chains by formula: benchmark scenes that start in motion or in their own equilibrium, which the generators of scene
+// files cannot express.
 #pragma once
 
 #include "sim/state.h"
@@ -7,7 +7,7 @@
 
 namespace hooke {
 
-// A scene as it starts, without the settings and views of a document.
+// An initial state, without the settings and views of a document.
 struct InitialState {
   System system;
   State state;
@@ -16,7 +16,7 @@ struct InitialState {
 // n x n points of equal mass on 1 m x 1 m, upright, 1 kg, the top row nailed; springs right and down, all of stiffness k
 // [N/m] and damping d [N s/m]. Starts in its own hanging equilibrium, row r below row r-1 by 1/(n-1) + (n-r) m g / k,
 // with the velocity v_z = s (1 + cos(pi u)) / 4 [m/s], s below the top row and u from the left [m] of the undeformed
-// net. It swings in tension: smooth, and predictable for as long as one likes.
+// net. It swings in tension: smooth and predictable.
 InitialState make_net(int n, double k, double d);
 
 // The same sheet with both diagonals (k and d too), started undeformed with v_z = s (1 + cos(pi u)) / 2: it falls and

@@ -1,5 +1,4 @@
-// A problem as a course that methods are sent over: from the start through four snapshots, at one setting, with the CPU
-// time and the work counted.
+// Runs methods on a problem: from the start through four snapshots at one setting, counting CPU time and work.
 #pragma once
 
 #include <functional>
@@ -14,20 +13,21 @@
 
 namespace hooke {
 
-// Snapshots are taken at the end of each of so many equal parts of a problem's duration.
+// A problem's duration is divided into this many equal parts, with a snapshot at the end of each.
 inline constexpr int snapshot_count = 4;
 
-// Whether the method chooses its steps itself, within a tolerance, instead of taking the one given.
+// Whether the method chooses its own steps by a tolerance.
 bool is_adaptive(const Integrator& method);
 
-// Steps between two snapshots, or the tolerance [m] of an adaptive method.
+// Steps between two snapshots, and the tolerance [m] of an adaptive method. An adaptive method takes more than one such step only
+// where there are contacts: they are resolved once a step, whatever the tolerance.
 struct Setting {
   int steps = 1;
   std::optional<double> tolerance;
   bool operator==(const Setting&) const = default;
 };
 
-// What a run has cost besides time.
+// The work of a run, independent of the machine.
 struct WorkCounts {
   long force_evaluations = 0, factorizations = 0, solves = 0, sweeps = 0;
   bool operator==(const WorkCounts&) const = default;
@@ -36,38 +36,42 @@ struct WorkCounts {
 struct RunResult {
   enum class End { Finished, Diverged, Stopped };
   End end = End::Finished;
-  std::vector<State> snapshots;  // as many as were reached
-  double cpu_seconds = 0.0;      // of the steps alone
+  std::vector<State> snapshots;  // those that were reached
+  double cpu_seconds = 0.0;      // of stepping alone
   WorkCounts work;
   long unconverged_solves = 0;
 };
 
 class Benchmark {
  public:
-  explicit Benchmark(const Problem& problem);  // which must outlive it
+  explicit Benchmark(const Problem& problem);  // `problem` must outlive it
 
-  // Sends a method over the course. `should_continue` is asked some hundred times between two snapshots at most.
+  // Runs a method. `should_continue` is called at most a few hundred times between two snapshots.
   RunResult run(const Integrator& method, const Setting& setting, const std::function<bool()>& should_continue);
-  // The same from another start.
+  // The same from another initial state.
   RunResult run(const Integrator& method, const Setting& setting, const State& start, const std::function<bool()>& should_continue);
 
   const Problem& problem() const { return problem_; }
   const Spectrum& spectrum() const { return plan_.spectrum; }
-  // [s]; of a method that chooses its steps, the longest it may take.
+  // [s]; for an adaptive method the longest step it may take.
   double step(const Setting& setting) const { return problem_.seconds / snapshot_count / setting.steps; }
-  // "64 steps/s", "tolerance 1e-06".
+  // The setting with `tolerance` [m] of an adaptive method, in steps that resolve contacts if there are any.
+  Setting adaptive_setting(const Integrator& method, double tolerance) const;
+  // Half the steps; a tenth of the tolerance, and half the steps where there are contacts.
+  Setting finer(const Setting& setting) const;
+  // "64 steps/s", "tolerance 1e-06", "tolerance 1e-06, 64 steps/s".
   std::string name(const Setting& setting) const;
 
  private:
   const Problem& problem_;
   Plan plan_;
-  Frame frame_;  // kept, so that what a method builds once for a topology is not counted as stepping
+  Frame frame_;  // reused, so that what a method builds once per topology is not counted as stepping
 };
 
 // RMS over the points of the distance between two states [m].
 double rms_distance(const State& first, const State& second);
 
-// CPU time that this process has used [s].
+// CPU time used by this process [s].
 double cpu_seconds();
 
 }  // namespace hooke

@@ -11,16 +11,16 @@
 namespace hooke {
 namespace {
 
-// What is known of how far the run may be trusted.
+// The estimated error and the warnings of the run.
 std::string describe_accuracy(const RunMonitor& monitor, const System& system) {
   char text[80];
-  std::snprintf(text, sizeof text, "; errors of %.1g m in all, as estimated", monitor.estimated_error());
+  std::snprintf(text, sizeof text, "; estimated error %.1g m in total", monitor.estimated_error());
   std::string accuracy = text;
-  for (const std::string& doubt : monitor.warnings(system, {})) accuracy += "; " + doubt;
+  for (const std::string& warning : monitor.warnings(system, {})) accuracy += "; " + warning;
   return accuracy;
 }
 
-// The quantities of the laws, frame by frame.
+// The quantities of the criteria, frame by frame.
 class QuantityHistory {
  public:
   QuantityHistory(const SceneCheck& check, const Scene& scene) : check_(check), start_(scene.state.time), series_(check.criteria.size()) {
@@ -42,7 +42,7 @@ class QuantityHistory {
       const CriterionResult one = series_[i].value.empty() ? CriterionResult{false, check_.criteria[i].of + ": nothing to measure"}
                                                            : evaluate_criterion(check_.criteria[i], series_[i]);
       all.holds = all.holds && one.holds;
-      all.description += (all.description.empty() ? "" : "; ") + std::string(one.holds ? "" : "NOT SO: ") + one.description;
+      all.description += (all.description.empty() ? "" : "; ") + std::string(one.holds ? "" : "FAILED: ") + one.description;
     }
     return all;
   }
@@ -78,10 +78,10 @@ CheckResult run(const SceneCheck& check, Scene scene, const CheckedMethod& check
         status.snapshot->divergence && !status.diagnosis.message.empty() && status.diagnosis.advice && is_finite(lab.scene().state);
     return {&method, is_reported && check.expects_divergence, status.diagnosis.message};
   }
-  if (check.expects_divergence) return {&method, false, "it was to be stopped by the watch, and ran on"};
+  if (check.expects_divergence) return {&method, false, "expected to diverge, but ran to the end"};
   const CriterionResult verdict = history.evaluate_all();
   return {&method, verdict.holds && is_finite(lab.scene().state),
-          (verdict.description.empty() ? "runs to its end" : verdict.description) + describe_accuracy(monitor, lab.scene().system)};
+          (verdict.description.empty() ? "runs to the end" : verdict.description) + describe_accuracy(monitor, lab.scene().system)};
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Runs a scene's own check (formats/scene_check.h) under every method that it lists.
+// Runs the check of a scene (formats/scene_check.h) with every method that it lists.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ namespace hooke {
 struct CheckResult {
   const Integrator* method = nullptr;
   bool passed = false;
-  std::string measured;  // one line: each law with its figure
+  std::string measured;  // one line: each criterion with its figure
 };
 
-// Runs the scene from its state under every method. A law that speaks of what the scene has not, fails.
+// Runs the scene from its state with every method. A criterion about something that the scene lacks fails.
 std::vector<CheckResult> check_scene(const Scene& scene);
 
 }  // namespace hooke

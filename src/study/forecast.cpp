@@ -13,19 +13,19 @@
 namespace hooke {
 namespace {
 
-// A cloth of so many points is found at rest in a second or two, a larger one often not at all in ten times as long.
+// The equilibrium of a cloth of this size takes a second or two; of a larger one often ten times as long.
 constexpr Index max_points = 1700;
-// A product with so many springs takes tens of milliseconds.
+// A matrix product with this many springs takes tens of milliseconds.
 constexpr Index max_springs = 1'000'000;
-// What may be left of the forces, of what they usually are. A flat cloth's middle rises with the cube root of its load: little
-// must be left. But folds are found slowly, and a sheet without weight has many ways to lie: then a hundredth is near enough.
+// Residual force accepted as equilibrium, relative to the typical force. The displacement of a flat cloth grows with the cube root of its
+// load, so the residual must be small. Folds converge slowly, and a sheet without weight has many equilibria: there 1e-2 is enough.
 constexpr double target_residual = 1e-6, acceptable_residual = 1e-2, equilibrium_residual = 1e-4;
-// Without weight a chain is taut by the square of how crooked it is, and the forces by its third power: hardly anything may be
-// left, and still it swings across at the rate that its crookedness is of its length.
+// Without weight the tension of a chain is second order in its deviation from a straight line, and the forces are third order: the residual
+// must be tiny.
 constexpr double weightless_residual = 1e-12, weightless_floppy_threshold = 1e-3, floppy_threshold = 5e-7;
 constexpr int max_steps = 200, max_unloading_steps = 60;
 
-// The springs and the weight of a scene; its dashpots apart.
+// The springs and the weight of a scene; its dashpots separately.
 struct Statics {
   Plan plan;
   std::vector<double> damping;
@@ -46,7 +46,7 @@ Statics make_statics(const System& system) {
   return statics;
 }
 
-// Whether a nail, or what hangs on one, carries each free point; how many are carried so.
+// The number of free points connected to a nail.
 Index count_supported(const Plan& plan) {
   std::vector<Index> root(plan.points);
   std::iota(root.begin(), root.end(), 0);
@@ -69,7 +69,7 @@ Index count_free(const Plan& plan) {
   return static_cast<Index>(std::ranges::count_if(plan.inverse_mass, [](double w) { return w != 0.0; }));
 }
 
-// RMS of the weights [N]; without any, of what the springs would bear at double their length.
+// RMS of the weights [N]; without weight, of the spring forces at twice the rest length.
 double compute_force_scale(const Plan& plan) {
   const double pull = glm::length(plan.acceleration);
   double sum = 0.0;
@@ -86,7 +86,7 @@ Vec3 position_in(const Plan& plan, const Field& x, Index i) {
   return position;
 }
 
-// Where more than springs and weight would decide.
+// Whether a collider affects the equilibrium.
 bool touches(const Plan& plan, const System& system, double time, const Field& x) {
   for (const Collider& still : plan.colliders) {
     const Collider collider = collider_at_time(still, time);
@@ -114,7 +114,7 @@ double sag_between(const Plan& plan, const Field& above, const Field& below) {
   return max;
 }
 
-// Free points from where they were at rest before, where they are still the same ones.
+// Free points start from their previous equilibrium if they are still the same.
 Field initial_guess(const Plan& plan, const System& system, const State& state, const Forecast& before) {
   Motion motion;
   pack(plan, state, motion);
@@ -126,7 +126,7 @@ Field initial_guess(const Plan& plan, const System& system, const State& state, 
   return motion.x;
 }
 
-// Springs at their rest length but for round-off, which would swing across as if they were taut, get the length that they have.
+// Springs at their rest length except for round-off, which would seem taut, get their current length as rest length.
 void snap_rest_lengths(Plan& plan, const Field& x) {
   constexpr double round_off = 1e-4;
   for (const SpringRun& run : plan.runs)
@@ -137,8 +137,8 @@ void snap_rest_lengths(Plan& plan, const Field& x) {
     }
 }
 
-// Rest under the weight, and without it. Leaves x where the scene is at rest; returns what counts as loose there, none where it
-// is not found.
+// Equilibrium with and without the weight. Leaves it in x; returns the threshold below which modes count as floppy, none if it is not
+// found.
 std::optional<double> find_equilibrium(Plan& plan, const System& system, double time, Field& x, Forecast& forecast, StiffnessMatrix& matrix,
                                        const std::atomic<bool>& stop) {
   const double force_scale = compute_force_scale(plan);
@@ -159,7 +159,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
     if (left <= acceptable_residual * force_scale) forecast.sag = sag_between(plan, unloaded, x);
     return floppy_threshold;
   }
-  // what floats, or falls freely, swings as if there were no weight
+  // a floating or freely falling scene vibrates as without weight
   if (has_weight && !plan.colliders.empty()) return std::nullopt;
   plan.acceleration = Vec3(0.0);
   if (!finds_equilibrium(weightless_residual, weightless_residual)) return std::nullopt;
@@ -181,7 +181,7 @@ Forecast make_forecast(std::shared_ptr<const System> system, const State& state,
   try {
     if (!has_external_forces && system->point_count() <= max_points) matrix = std::make_unique<StiffnessMatrix>(statics.plan);
   } catch (const InputError&) {
-    // a factor too large for the memory
+    // the factor does not fit into memory
   }
   if (matrix)
     if (const auto floppy_threshold = find_equilibrium(statics.plan, *system, state.time, x, forecast, *matrix, stop);

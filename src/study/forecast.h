@@ -1,4 +1,4 @@
-// What the numbers of a scene lead to: how far its weight makes it sag, how fast it swings and how fast that dies out.
+// Predictions from the parameters of a scene: its sag under its weight, its vibration frequencies and their damping.
 #pragma once
 
 #include <atomic>
@@ -11,23 +11,23 @@
 namespace hooke {
 
 struct Forecast {
-  // [m], along gravity, of the point that sags most: where it hangs at rest, below where it would hang if the weight were taken
-  // away. None where nothing carries the weight, or where more than springs and weight decide.
+  // [m], along gravity, of the point that sags most: from equilibrium without weight to equilibrium with it. None where the weight is not
+  // supported, or where more than springs and weight determine the equilibrium.
   std::optional<double> sag;
-  std::optional<Mode> slowest, fastest;  // about where it is at rest
+  std::optional<Mode> slowest, fastest;  // about the equilibrium
   double drag = 0.0;                     // [1/s]
 
-  // Where it was found at rest, to begin the next one from.
+  // The equilibrium, as initial guess for the next forecast.
   std::shared_ptr<const System> system;
   std::vector<Vec3> rest;
 };
 
-// zeta of x'' + 2 zeta omega x' + omega^2 x = 0, by the dashpots and by the drag; they add up. 1 is critical.
+// Damping ratio zeta of x'' + 2 zeta omega x' + omega^2 x = 0 by the dashpots and by the drag; they add. 1 is critical.
 inline double dashpot_ratio(const Mode& mode) { return 0.5 * mode.dashpot_rate / mode.omega; }
 inline double drag_ratio(const Mode& mode, double drag) { return 0.5 * drag / mode.omega; }
 
-// Takes a second or two for a cloth of 40 x 40; beyond 1,700 points only the fastest mode is looked for. The hand does not count.
-// `before`: an earlier forecast, of this scene with other numbers perhaps, or none.
+// Takes a second or two for a cloth of 40 x 40; beyond 1,700 points only the fastest mode is computed. The hand is ignored.
+// `before`: an earlier forecast, perhaps of this scene with other parameters, or none.
 Forecast make_forecast(std::shared_ptr<const System> system, const State& state, const Forecast& before, const std::atomic<bool>& stop);
 
 }  // namespace hooke

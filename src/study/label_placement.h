@@ -1,4 +1,4 @@
-// Finds places for the labels of a chart where they cover neither each other nor the lines.
+// Places the labels of a chart so that they cover neither each other nor the lines.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace hooke {
 
-// Pixels; y grows upwards.
+// Pixels; y points upwards.
 struct ChartPoint {
   double x = 0.0, y = 0.0;
 };
@@ -24,12 +24,12 @@ struct ChartLabel {
 enum class Justify { Left, Right };
 
 struct PlacedLabel {
-  ChartPoint at;  // the middle of the edge that the text starts from (Left) or ends at (Right)
+  ChartPoint at;  // midpoint of the edge where the text starts (Left) or ends (Right)
   Justify justify = Justify::Left;
 };
 
-// Greedy, in the order given: each takes the place near its anchor that covers least of `inked` (points of the lines) and
-// of the labels before it, within the frame.
+// Greedy, in the given order: each label takes the position near its anchor, within the frame, that overlaps least with `occupied`
+// (points of the lines) and with the labels placed before.
 std::vector<PlacedLabel> place_labels(const std::vector<ChartLabel>& labels, const std::vector<ChartPoint>& occupied,
                                       const ChartBox& frame);
 

@@ -75,7 +75,7 @@ Problem make_problem(const std::string& id, const Scene& scene) {
 }
 
 std::uint64_t fingerprint(const Problem& problem) {
-  // a scene's file holds everything that its motion hangs on, to the bit
+  // a scene file contains everything that determines the motion, exactly
   Scene scene;
   scene.system = problem.system;
   scene.state = problem.start;

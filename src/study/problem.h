@@ -1,4 +1,4 @@
-// What the benchmark measures methods on: a scene, a duration, and what counts as its error.
+// A benchmark problem: a scene, a duration, and the measure of error.
 #pragma once
 
 #include <cstdint>
@@ -11,24 +11,24 @@
 namespace hooke {
 
 enum class Measure {
-  Trajectory,   // where every point is
-  Observables,  // centre of mass, largest strain, energy balance: the trajectory is not predictable
+  Trajectory,   // positions of all points
+  Observables,  // centre of mass, largest strain, energy: for trajectories that are not reproducible
 };
 
 struct Problem {
   std::string id;     // on the command line and in the files
-  std::string title;  // what it is, in a line
+  std::string title;  // one line
   System system;
   State start;
   double seconds = 1.0;
-  double size = 1.0;  // [m], what errors are relative to
+  double size = 1.0;  // [m], to which errors are relative
   Measure measure = Measure::Trajectory;
 };
 
-// The built-in set, in the order of the report. Some are shipped scenes: `make` throws what load_scene throws.
+// The built-in problems, in the order of the report. Some are shipped scenes: `make` throws what load_scene throws.
 struct BuiltInProblem {
   std::string_view id;
-  bool quick;  // has its reference within a second
+  bool quick;  // its reference takes at most a second
   Problem (*make)();
 };
 std::span<const BuiltInProblem> built_in_problems();
@@ -39,7 +39,7 @@ const BuiltInProblem* find_problem(std::string_view id);
 // One second of a scene, relative to its largest extent at the start.
 Problem make_problem(const std::string& id, const Scene& scene);
 
-// A hash of all that decides the motion, to tell whether earlier results still hold.
+// A hash of everything that determines the motion, to tell whether earlier results are still valid.
 std::uint64_t fingerprint(const Problem& problem);
 
 }  // namespace hooke

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <random>
@@ -12,9 +13,8 @@
 namespace hooke {
 namespace {
 
-constexpr double round_off = 1e-14;     // relative: nothing is gained below
+constexpr double round_off = 1e-14;     // relative: refining further gains nothing
 constexpr double perturbation = 1e-10;  // relative to the problem's size
-constexpr double predictable = 1e-3;    // relative gap above which a trajectory means nothing
 
 Vec3 center_of_mass(const System& system, const State& state) {
   Vec3 sum(0.0);
@@ -32,15 +32,15 @@ double largest_strain(const System& system, const State& state) {
   return largest;
 }
 
-// The greatest kinetic energy [J] that the reference shows, to measure energies against.
+// The largest kinetic energy [J] of the reference, which energies are measured against.
 double energy_scale(const Problem& problem, const std::vector<State>& reference) {
   double scale = compute_energy(problem.system, problem.start).kinetic;
   for (const State& state : reference) scale = std::max(scale, compute_energy(problem.system, state).kinetic);
   return scale > 0.0 ? scale : 1.0;
 }
 
-// The order that a method declares for what the problem has: with its contacts, and, to choose among equals, without
-// them, since they may never come about.
+// The order that a method declares on this problem: with its contacts and, to choose among equals, without them, since they may never
+// occur.
 std::pair<int, int> convergence_orders(const Integrator& method, const Problem& problem) {
   const System& system = problem.system;
   int order = method.order;
@@ -53,27 +53,23 @@ std::pair<int, int> convergence_orders(const Integrator& method, const Problem& 
 }
 
 Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
-  if (is_adaptive(method)) return {.tolerance = 1e-8 * benchmark.problem().size};
+  if (is_adaptive(method)) return benchmark.adaptive_setting(method, 1e-8 * benchmark.problem().size);
   const double limit = largest_stable_step(method, benchmark.spectrum());
   const double part = benchmark.problem().seconds / snapshot_count;
   if (!(limit > 0.0) || !std::isfinite(limit)) return {.steps = 64};
   return {.steps = std::max(4, static_cast<int>(std::ceil(2.0 * part / limit)))};
 }
 
-Setting finer(const Setting& setting) {
-  if (setting.tolerance) return {.tolerance = 0.1 * *setting.tolerance};
-  return {.steps = 2 * setting.steps};
-}
-
-// Halves the step until the solution stands still, round-off has the upper hand or time is up.
+// Refines until the solution no longer changes, round-off dominates or the time is up.
 std::optional<Refinement> refine(Benchmark& benchmark, const Integrator& method, double seconds,
                                  const std::function<bool()>& should_continue) {
   const Problem& problem = benchmark.problem();
   Setting setting = first_setting(benchmark, method);
   RunResult coarse = benchmark.run(method, setting, should_continue);
   std::optional<Refinement> best;
-  for (double spent = 0.0, next = 0.0; spent + next < seconds; setting = finer(setting)) {
-    RunResult fine = benchmark.run(method, finer(setting), should_continue);
+  for (double spent = 0.0, next = 0.0; spent + next < seconds; setting = benchmark.finer(setting)) {
+    const Setting finer = benchmark.finer(setting);
+    RunResult fine = benchmark.run(method, finer, should_continue);
     if (fine.end == RunResult::End::Stopped) return std::nullopt;
     spent += fine.cpu_seconds;
     next = 2.0 * fine.cpu_seconds;
@@ -83,20 +79,22 @@ std::optional<Refinement> refine(Benchmark& benchmark, const Integrator& method,
       const bool has_stalled = best && gap > 0.5 * best->gap && gap < 1e-8;
       if (improves)
         best = Refinement{.method = &method,
-                          .setting = finer(setting),
-                          .setting_name = benchmark.name(finer(setting)),
+                          .setting = finer,
+                          .setting_name = benchmark.name(finer),
                           .gap = gap,
                           .snapshots = fine.snapshots,
                           .coarser = coarse.snapshots};
       if (gap < round_off || has_stalled) break;
     }
-    if (setting.tolerance && *setting.tolerance < round_off * problem.size) break;
+    // with contacts the steps still matter when the tolerance no longer does
+    const bool has_contact = benchmark.spectrum().contact;
+    if (setting.tolerance && !has_contact && *setting.tolerance < round_off * problem.size) break;
     coarse = std::move(fine);
   }
   return best;
 }
 
-// Free points moved at random by 1e-10 of the size [RMS]; the same on every machine.
+// Free points displaced at random by 1e-10 of the size [RMS]; the same on every machine.
 State perturb(const Problem& problem) {
   State state = problem.start;
   std::mt19937_64 random(1);
@@ -155,27 +153,57 @@ std::vector<const Integrator*> most_accurate_methods(const Problem& problem) {
   return methods;
 }
 
-std::optional<Reference> compute_reference(Benchmark& benchmark, double seconds, const std::function<bool()>& should_continue) {
+namespace {
+
+std::string number(double value) {
+  char text[24];
+  std::snprintf(text, sizeof text, "%.0e", value);
+  return text;
+}
+
+std::string describe_disagreement(const Reference& reference) {
+  const auto refinement = [](const Refinement& one) {
+    return std::string(one.method->id) + " at " + one.setting_name + " (half the precision changes it by " + number(one.gap) + ")";
+  };
+  return refinement(reference.own) + " and " + refinement(reference.other) + " differ by " + number(reference.other_gap) +
+         ", relative to the scene; at most " + number(max_observables_gap) + " is accepted";
+}
+
+// Judges the two solutions by the observables instead of the trajectory.
+void use_observables(const Problem& problem, Reference& reference) {
+  reference.measure = Measure::Observables;
+  reference.other_gap = judge(problem, reference.measure, reference.own.snapshots, reference.other.snapshots).relative_error;
+  for (Refinement* refinement : {&reference.own, &reference.other})
+    refinement->gap = judge(problem, reference.measure, refinement->snapshots, refinement->coarser).relative_error;
+}
+
+// The largest of the gaps: between the methods, and within each.
+double largest_gap(const Reference& reference) { return std::max({reference.own.gap, reference.other.gap, reference.other_gap}); }
+
+}  // namespace
+
+ReferenceResult compute_reference(Benchmark& benchmark, double seconds, const std::function<bool()>& should_continue) {
+  using enum ReferenceResult::Failure;
   const Problem& problem = benchmark.problem();
   const std::vector<const Integrator*> methods = most_accurate_methods(problem);
-  std::optional<Refinement> own = refine(benchmark, *methods[0], seconds, should_continue);
-  if (!own) return std::nullopt;
-  std::optional<Refinement> other = refine(benchmark, *methods[1], seconds, should_continue);
-  if (!other) return std::nullopt;
-
-  Reference reference{.own = std::move(*own), .other = std::move(*other), .measure = problem.measure};
-  reference.amplification = measure_amplification(benchmark, reference.own, should_continue);
-  const auto gap_between = [&](Measure measure) {
-    return judge(problem, measure, reference.own.snapshots, reference.other.snapshots).relative_error;
-  };
-  reference.other_gap = gap_between(reference.measure);
-  if (reference.measure == Measure::Trajectory && reference.uncertainty() > predictable) {
-    reference.measure = Measure::Observables;
-    reference.other_gap = gap_between(reference.measure);
-    for (Refinement* refinement : {&reference.own, &reference.other})
-      refinement->gap = judge(problem, reference.measure, refinement->snapshots, refinement->coarser).relative_error;
+  std::vector<Refinement> refinements;
+  for (int i = 0; i < 2; ++i) {
+    std::optional<Refinement> refinement = refine(benchmark, *methods[i], seconds, should_continue);
+    if (!should_continue()) return {.failure = Interrupted};
+    if (!refinement)
+      return {.failure = NotFinished, .reason = std::string(methods[i]->id) + " reached the end at no two successive settings"};
+    refinements.push_back(*std::move(refinement));
   }
-  return reference;
+
+  Reference reference{.own = std::move(refinements[0]), .other = std::move(refinements[1]), .measure = problem.measure};
+  reference.other_gap = judge(problem, reference.measure, reference.own.snapshots, reference.other.snapshots).relative_error;
+  if (reference.measure == Measure::Trajectory && !(largest_gap(reference) <= max_trajectory_gap)) use_observables(problem, reference);
+  const double max_gap = reference.measure == Measure::Trajectory ? max_trajectory_gap : max_observables_gap;
+  if (!(largest_gap(reference) <= max_gap)) return {.failure = Disagreement, .reason = describe_disagreement(reference)};
+
+  reference.amplification = measure_amplification(benchmark, reference.own, should_continue);
+  if (!should_continue()) return {.failure = Interrupted};
+  return {.reference = std::move(reference)};
 }
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// The converged solution of a problem, and how far it can be trusted.
+// The converged solution of a problem, and how far two different methods agree on it.
 #pragma once
 
 #include <functional>
@@ -18,35 +18,46 @@ struct Score {
   std::optional<double> strain_error{};  // [1], of the largest strain, where observables are judged
 };
 
-// One method, refined until it changes no more.
+// One method, refined until its solution no longer changes.
 struct Refinement {
   const Integrator* method = nullptr;
   Setting setting;  // of the finest run
   std::string setting_name;
-  double gap = 0.0;              // [1], relative error of the run before against it (half the steps, ten times the tolerance)
+  double gap = 0.0;              // [1], relative error of the previous, coarser run against it
   std::vector<State> snapshots;  // of the finest run
-  std::vector<State> coarser;    // of the run before
+  std::vector<State> coarser;    // of the previous run
 };
 
 struct Reference {
-  Refinement own, other;       // the reference itself, and another method's
+  Refinement own, other;       // the reference itself, and the check by another method
   double other_gap = 0.0;      // [1], relative error of the other against it
-  double amplification = 0.0;  // [1], by how much a perturbation of 1e-10 of the size has grown, at most, at a snapshot
+  double amplification = 0.0;  // [1], largest growth of a perturbation of 1e-10 of the size, over the snapshots
   Measure measure = Measure::Trajectory;
 
   const std::vector<State>& snapshots() const { return own.snapshots; }
-  // Relative errors below this are the reference's own.
+  // Relative errors below this cannot be told from the reference's own.
   double uncertainty() const { return own.gap > other_gap ? own.gap : other_gap; }
 };
 
 Score judge(const Problem& problem, Measure measure, const std::vector<State>& reference, const std::vector<State>& measured);
 
-// The methods of highest order on this problem, best first, those with a limit on their step before those that solve
-// equations: the first makes the reference, the second checks it.
+// The methods of highest order on this problem, best first, explicit ones before implicit ones: the first computes the reference, the
+// second checks it.
 std::vector<const Integrator*> most_accurate_methods(const Problem& problem);
 
-// Refines two methods, each for about `seconds` of CPU time at most, and perturbs the start. A trajectory that the two
-// do not agree on to a thousandth is judged by observables. None when `should_continue` said no.
-std::optional<Reference> compute_reference(Benchmark& benchmark, double seconds, const std::function<bool()>& should_continue);
+// Gaps between the two methods, and between the last two refinements of each, up to which a solution is accepted [1]: by where every
+// point is, or else by the observables.
+inline constexpr double max_trajectory_gap = 1e-3, max_observables_gap = 1e-2;
+
+struct ReferenceResult {
+  enum class Failure { None, Interrupted, NotFinished, Disagreement };
+  std::optional<Reference> reference;  // none with a failure
+  Failure failure = Failure::None;
+  std::string reason;  // of the failure, in one line
+};
+
+// Refines two methods, each for about `seconds` of CPU time at most, and perturbs the start. Where the two do not agree on the
+// trajectory they must agree on the observables; otherwise there is no reference.
+ReferenceResult compute_reference(Benchmark& benchmark, double seconds, const std::function<bool()>& should_continue);
 
 }  // namespace hooke

@@ -14,7 +14,7 @@ double unexplained_energy(const System& system, const State& state) {
   return compute_energy(system, state).total() - state.ledger.net_input;
 }
 
-// Whether anything but the method takes energy out of the scene.
+// Whether the scene itself dissipates energy.
 bool loses_energy(const System& system) {
   return system.drag_rate() > 0.0 || !system.colliders.empty() ||
          std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; });
@@ -53,10 +53,10 @@ std::vector<std::string> RunMonitor::warnings(const System& system, const Tolera
   if (unconverged_solves_ > 0)
     warnings.push_back(std::to_string(unconverged_solves_) + (unconverged_solves_ == 1 ? " solve" : " solves") + " did not converge");
   if (energy_rise() > tolerance.energy)
-    warnings.push_back(clause("its energy balance: %.2g of what was put in came from nowhere", energy_rise()));
+    warnings.push_back(clause("energy balance off by %.2g %% of the energy supplied (gain)", 100.0 * energy_rise()));
   else if (!loses_energy(system) && energy_change() < -tolerance.energy)
-    warnings.push_back(clause("its energy balance: %.2g of what was put in is lost", -energy_change()));
-  if (!(estimated_error_ <= tolerance.position)) warnings.push_back(clause("its own estimate: errors of %.1g m in all", estimated_error_));
+    warnings.push_back(clause("energy balance off by %.2g %% of the energy supplied (loss)", -100.0 * energy_change()));
+  if (!(estimated_error_ <= tolerance.position)) warnings.push_back(clause("estimated error: %.1g m in total", estimated_error_));
   return warnings;
 }
 

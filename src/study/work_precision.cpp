@@ -24,17 +24,12 @@ void sort_rows(std::vector<Row>& rows) {
   });
 }
 
-// Where a sweep begins: at the limit of stability if there is one, else at four steps a snapshot.
+// Where a sweep begins: at the stability limit if there is one, else at four steps per snapshot.
 Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
-  if (is_adaptive(method)) return {.tolerance = 1e-2 * benchmark.problem().size};
+  if (is_adaptive(method)) return benchmark.adaptive_setting(method, 1e-2 * benchmark.problem().size);
   const double limit = largest_stable_step(method, benchmark.spectrum());
   if (!(limit > 0.0) || !std::isfinite(limit)) return {.steps = 4};
   return {.steps = std::max(1, static_cast<int>(std::ceil(benchmark.problem().seconds / snapshot_count / limit)))};
-}
-
-Setting refined(const Setting& setting) {
-  if (setting.tolerance) return {.tolerance = 0.1 * *setting.tolerance};
-  return {.steps = 2 * setting.steps};
 }
 
 }  // namespace
@@ -63,8 +58,8 @@ bool PrecisionSweep::run(const Integrator& method) {
 
 void PrecisionSweep::sweep_coarser(const Integrator& method, Setting setting) {
   if (setting.tolerance) {
-    // one looser tolerance: beyond the size of the scene it means nothing
-    measure(method, {.tolerance = 10.0 * *setting.tolerance});
+    // one looser tolerance: it makes no sense beyond the size of the scene
+    measure(method, {.steps = setting.steps, .tolerance = 10.0 * *setting.tolerance});
     return;
   }
   int held = setting.steps;
@@ -77,7 +72,7 @@ void PrecisionSweep::sweep_coarser(const Integrator& method, Setting setting) {
       continue;
     }
 
-    // find where it fails within a fifth: at the limit the cheapest run of an explicit method is often its best
+    // find the limit to 20 %: an explicit method is often cheapest there
     for (int failed = coarser; 1.2 * failed < held;) {
       const int middle = static_cast<int>(std::lround(std::sqrt(static_cast<double>(failed) * held)));
       if (middle == failed || middle == held) return;
@@ -91,7 +86,7 @@ void PrecisionSweep::sweep_coarser(const Integrator& method, Setting setting) {
 
 void PrecisionSweep::sweep_finer(const Integrator& method, Setting setting) {
   double last_error = INFINITY, last_cost = 0.0;
-  for (;; setting = refined(setting)) {
+  for (;; setting = benchmark_.finer(setting)) {
     const Row* row = measure(method, setting);
     if (row == nullptr || row->status == status::too_slow || row->status == status::below_reference) return;
     if (setting.tolerance && *setting.tolerance < 1e-13 * problem_.size) return;
@@ -131,7 +126,7 @@ std::optional<Row> PrecisionSweep::measure_row(const Integrator& method, const S
   Row row{.method = std::string(method.id), .setting = benchmark_.name(setting), .tolerance = setting.tolerance};
   if (!setting.tolerance) row.step = benchmark_.step(setting);
 
-  // a run that takes far longer than any sweep would is given up
+  // abandon a run that takes far longer than the sweep allows
   double begin = cpu_seconds();
   const auto within_time = [&] { return should_continue() && cpu_seconds() - begin < 5.0 * effort_.run_seconds; };
   RunResult result = benchmark_.run(method, setting, within_time);
@@ -143,7 +138,7 @@ std::optional<Row> PrecisionSweep::measure_row(const Integrator& method, const S
     return row;
   }
 
-  // the least time of several, of as many as fit in the time of one long run
+  // the lowest time of several runs, of as many as fit in the time of one long run
   double min = result.cpu_seconds, spent = min;
   while (row.runs < effort_.repeats && spent + min < effort_.run_seconds) {
     begin = cpu_seconds();
@@ -173,11 +168,11 @@ std::optional<Row> PrecisionSweep::measure_row(const Integrator& method, const S
 
 bool PrecisionSweep::ensure_reference() {
   if (reference_) return true;
-  reference_ = compute_reference(benchmark_, effort_.reference_seconds, should_continue);
-  if (!reference_) {
-    reference_failed_ = should_continue();
-    return false;
-  }
+  ReferenceResult result = compute_reference(benchmark_, effort_.reference_seconds, should_continue);
+  reference_failure_ = result.failure;
+  reference_failure_reason_ = result.reason;
+  if (!result.reference) return false;
+  reference_ = std::move(result.reference);
   record_.reference = ReferenceRecord{.method = std::string(reference_->own.method->id),
                                       .setting = reference_->own.setting_name,
                                       .other_method = std::string(reference_->other.method->id),

@@ -1,5 +1,5 @@
-// What accuracy costs: every method over every problem, from the coarsest setting that it survives to the finest that
-// pays, each against a converged reference.
+// Work-precision data: the cost and the error of every method on every problem, from the coarsest stable setting to the finest that
+// still improves, measured against a converged reference.
 #pragma once
 
 #include <cstdint>
@@ -16,34 +16,34 @@ namespace hooke {
 // One method at one setting on one problem.
 struct Row {
   std::string method, setting;
-  std::optional<double> step;       // [s]; none where the method chooses it
+  std::optional<double> step;       // [s]; none for an adaptive method
   std::optional<double> tolerance;  // [m], of such a method
-  // none of a run that did not reach its end
+  // none where the run did not finish
   std::optional<double> error;           // [m]
   std::optional<double> relative_error;  // [1]
   std::optional<double> energy_drift;    // [1]
   std::optional<double> strain_error;    // [1], where observables are judged
-  std::optional<double> cpu_ms_per_s;    // CPU milliseconds per simulated second, the least of `runs`
+  std::optional<double> cpu_ms_per_s;    // CPU milliseconds per simulated second, the lowest of `runs`
   int runs = 0;
   WorkCounts work;
   std::string status;
   bool operator==(const Row&) const = default;
 };
 
-// What can become of a run.
+// The outcome of a run.
 namespace status {
 inline constexpr const char* ok = "ok";
-inline constexpr const char* below_reference = "below_reference";  // as good as the reference can tell
-inline constexpr const char* unconverged = "unconverged";          // finished, with solves left at their limit of iterations
-inline constexpr const char* lost = "lost";                        // finished, further from the truth than the scene is large
+inline constexpr const char* below_reference = "below_reference";  // error below the uncertainty of the reference
+inline constexpr const char* unconverged = "unconverged";          // finished, but solves stopped at their limit of iterations
+inline constexpr const char* lost = "lost";                        // finished with an error larger than the scene
 inline constexpr const char* diverged = "diverged";
-inline constexpr const char* too_slow = "too_slow";  // given up
+inline constexpr const char* too_slow = "too_slow";  // abandoned
 }  // namespace status
 
-// The reference in numbers.
+// The reference in figures.
 struct ReferenceRecord {
   std::string method, setting, other_method, other_setting;
-  double own_gap = 0.0, other_own_gap = 0.0;  // [1], relative: what half the precision changes in each
+  double own_gap = 0.0, other_own_gap = 0.0;  // [1], relative: change with half the precision
   double other_gap = 0.0;                     // [1], relative: between the two
   double amplification = 0.0;                 // [1]
   Measure measure = Measure::Trajectory;
@@ -62,26 +62,27 @@ struct ProblemRecord {
 
 ProblemRecord make_record(const Problem& problem);
 
-// How much trouble to take.
+// Limits on the work.
 struct Effort {
-  int repeats = 5;                  // of a run, to take the least time
+  int repeats = 5;                  // of a run, of which the lowest time counts
   double run_seconds = 4.0;         // CPU time beyond which no finer setting is tried
   double reference_seconds = 60.0;  // CPU time for each of the two solutions of a reference
   double finest_error = 1e-11;      // relative: no finer setting is tried below
 };
 
-// Fills the record of one problem, method by method. Rows that are there already are taken as they are, and the
-// reference is not computed unless a row needs it.
+// Fills the record of one problem, method by method. Existing rows are kept, and the reference is computed only when a new row needs
+// it.
 class PrecisionSweep {
  public:
-  // All three must outlive it. `should_continue` is asked often; `row_done` is told after every new row.
+  // All three must outlive it. `should_continue` is called often, `row_done` after every new row.
   PrecisionSweep(const Problem& problem, const Effort& effort, ProblemRecord& record);
   std::function<bool()> should_continue = [] { return true; };
   std::function<void()> row_done = [] {};
 
-  // False when `should_continue` said no, or the problem has no reference.
+  // False when interrupted, or when the problem has no reference.
   bool run(const Integrator& method);
-  bool has_reference() const { return !reference_failed_; }
+  ReferenceResult::Failure reference_failure() const { return reference_failure_; }
+  const std::string& reference_failure_reason() const { return reference_failure_reason_; }
 
  private:
   const Row* measure(const Integrator& method, const Setting& setting);
@@ -95,16 +96,18 @@ class PrecisionSweep {
   ProblemRecord& record_;
   Benchmark benchmark_;
   std::optional<Reference> reference_;
-  bool reference_failed_ = false, stopped_ = false;
+  ReferenceResult::Failure reference_failure_ = ReferenceResult::Failure::None;
+  std::string reference_failure_reason_;
+  bool stopped_ = false;
 };
 
-// Its error as far as the reference can tell [1]; none of a run that did not reach its end.
+// Its error, at least the uncertainty of the reference [1]; none where the run did not finish.
 std::optional<double> error_with_uncertainty(const ProblemRecord& record, const Row& row);
 
 // The cheapest row whose error is at most this, or null.
 const Row* cheapest(const ProblemRecord& record, double relative_error);
 
-// The rows that no other beats in both error and cost, cheapest first.
+// The rows that no other row beats in both error and cost, cheapest first.
 std::vector<const Row*> pareto_front(const ProblemRecord& record);
 
 }  // namespace hooke

@@ -94,8 +94,8 @@ TEST(SceneFile, WarnsOfAStepBeyondTheStableLimitAndSaysWhatIsStable) {
   const std::string scene = R"({"hooke": 1, "points": [{"position": [0, 0, 0], "nailed": true}, {"position": [0, 1, 0]}],
                                 "springs": [{"points": [0, 1], "stiffness": 1e6}], "simulation": {"integrator": ")";
   EXPECT_EQ(warnings_of(scene + R"(velocity_verlet", "substeps": 8}})"),
-            std::vector<std::string>{
-                "test.json: simulation.substeps: 8: may be too few for velocity_verlet here: 9 substeps a frame hold for certain"});
+            std::vector<std::string>{"test.json: simulation.substeps: 8: may be too few for velocity_verlet here: its linear stability "
+                                     "limit is 9 substeps per frame; 18 are recommended"});
   EXPECT_EQ(warnings_of(scene + R"(velocity_verlet", "substeps": 9}})"), std::vector<std::string>{});
   EXPECT_EQ(warnings_of(scene + R"(explicit_euler", "substeps": 1000}})"),
             std::vector<std::string>{

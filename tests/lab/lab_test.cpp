@@ -402,10 +402,10 @@ TEST(Start, IsWhatWasBuiltBeforeItRanHoweverOftenItIsSaved) {
 
 TEST(Divergence, AdvisesAMethodThatHoldsWhereNoNumberOfSubstepsDoes) {
   const Settings settings;
-  const Advice advice = advise({.omega = 1e12}, settings);
+  const Advice advice = suggest_stepping({.omega = 1e12}, settings);
   EXPECT_EQ(advice.integrator, find_integrator("tr_bdf2"));
   EXPECT_EQ(advice.substeps, settings.substeps);
-  EXPECT_EQ(advise({.omega = 1e4}, settings).integrator, settings.integrator);
+  EXPECT_EQ(suggest_stepping({.omega = 1e4}, settings).integrator, settings.integrator);
 }
 
 TEST(Divergence, PausesKeepsTheFrameBeforeAndNamesWhatWouldHold) {

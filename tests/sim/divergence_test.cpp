@@ -199,6 +199,23 @@ TEST(Watch, NamesThePointWithoutANumberAndItsSpring) {
     }
 }
 
+// an unstable point can carry the others beyond the largest number within a frame
+TEST(Watch, NamesTheLightPointOfAChainThatIsLostInOneFrame) {
+  Trial trial;
+  PointId last = trial.add(Vec3(0.0));
+  for (int i = 1; i < 12; ++i) {
+    const PointId next = trial.add({0.1 * i, 0.01 * (i % 2), 0.0}, i == 7 ? 1e-6 : 1.0);
+    trial.join(last, next, 1e4, 0.1);
+    last = next;
+  }
+  initialize_ledger(trial.system, trial.state);
+  trial.run(*find_integrator("blanes_moan4"), 1.0 / 60.0, 40);
+  ASSERT_FALSE(is_finite(trial.state));
+  const auto found = find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(trial.system.index_of(*found->point), 7);
+}
+
 TEST(Watch, NamesTheFastestPointAndTheSpringThatDidIt) {
   Trial trial = net(4, 1e2, 0.0);
   initialize_ledger(trial.system, trial.state);

@@ -1,5 +1,5 @@
-// The hard cases as a machine for judging: that it finds what is planted. What becomes of the methods in them is
-// `hooke check --hard` itself.
+// The hard cases as an instrument: planted failures are found. The results of the methods themselves are checked by
+// `hooke check --hard`.
 
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>
@@ -61,30 +61,30 @@ TestNetwork oscillator(double omega) {
 }
 
 TEST(Verdict, OnAMissedCriterionDependsOnWhetherTheRunSaysSo) {
-  // accurate, so that nothing speaks against it
+  // accurate: no warning
   MonitoredRun sound(oscillator(2.0), {.substeps = 20}, {.position = 1e-3});
   sound.run(1.0);
   EXPECT_EQ(judge(sound, true, "").outcome, Outcome::Held);
   EXPECT_EQ(judge(sound, false, "").outcome, Outcome::FailedSilently);
 
-  // it loses energy, which nothing takes
+  // it loses energy without dissipation
   MonitoredRun damped(oscillator(2.0), {.integrator = &method("implicit_euler"), .substeps = 1});
   damped.run(1.0);
   const Verdict verdict = judge(damped, false, "");
   EXPECT_EQ(verdict.outcome, Outcome::FailedOpenly);
   EXPECT_NE(verdict.reason.find("energy balance"), std::string::npos) << verdict.reason;
 
-  // stopped by the watch: no figure of its own can make that a success
+  // diverged: no figure of its own makes that a success
   MonitoredRun wild(oscillator(1e4), {.substeps = 1});
   EXPECT_FALSE(wild.run(1.0));
   const Verdict stopped = judge(wild, true, "fine");
   EXPECT_EQ(stopped.outcome, Outcome::FailedOpenly);
   EXPECT_EQ(stopped.expected, Expectation::HoldOrReport);
-  EXPECT_NE(stopped.reason.find("stopped by the watch"), std::string::npos) << stopped.reason;
+  EXPECT_NE(stopped.reason.find("diverged at"), std::string::npos) << stopped.reason;
   EXPECT_NE(stopped.reason.find("spring 0"), std::string::npos) << stopped.reason;
 }
 
-TEST(RunMonitor, EstimateTheErrorOfARunWithinAFactorOfFour) {
+TEST(RunMonitor, EstimatesTheErrorOfARunWithinAFactorOfFour) {
   const InitialState net = make_net(8, 1e2, 0.0);
   const auto run = [&](const char* id, int substeps) {
     MonitoredRun watched({net.system, net.state}, {.integrator = &method(id), .substeps = substeps}, {.position = 1.0});
@@ -105,7 +105,7 @@ TEST(RunMonitor, EstimateTheErrorOfARunWithinAFactorOfFour) {
   }
 }
 
-TEST(RunMonitor, TellEnergyFromNowhereFromEnergyThatIsLost) {
+TEST(RunMonitor, TellsAGainOfEnergyFromALoss) {
   const auto doubts_of = [](const char* id, double drag) {
     TestNetwork network = oscillator(2.0);
     network.system.drag = drag;
@@ -114,14 +114,14 @@ TEST(RunMonitor, TellEnergyFromNowhereFromEnergyThatIsLost) {
     const std::vector<std::string> warnings = run.monitor().warnings(run.system(), {});
     return warnings.empty() ? "" : warnings.front();
   };
-  EXPECT_NE(doubts_of("explicit_euler", 0.0).find("came from nowhere"), std::string::npos);
-  EXPECT_NE(doubts_of("implicit_euler", 0.0).find("is lost"), std::string::npos);
+  EXPECT_NE(doubts_of("explicit_euler", 0.0).find("(gain)"), std::string::npos);
+  EXPECT_NE(doubts_of("implicit_euler", 0.0).find("(loss)"), std::string::npos);
   EXPECT_EQ(doubts_of("velocity_verlet", 0.0), "");
-  // drag takes it, and rightly
+  // drag dissipates it
   EXPECT_EQ(doubts_of("velocity_verlet", 5.0), "");
 }
 
-// Cases as they should not be: one held, one that fails in silence, one that throws, one for no method.
+// Planted cases: one holds, one fails silently, one throws, one concerns no method.
 Verdict judge_held(const Integrator&) { return {.measured = "fine"}; }
 Verdict judge_silent(const Integrator& row) {
   if (row.id != "xpbd") return {};
@@ -147,7 +147,7 @@ constexpr HardCase thrown{.number = 3,
                           .remark = "r",
                           .concerns = Concerns::NoMethod,
                           .judge = judge_thrown};
-constexpr HardCase infinity_text{
+constexpr HardCase endless{
     .number = 4, .name = "Endless", .parameters = "p", .criterion = "c", .concerns = Concerns::NoMethod, .judge = judge_endless};
 
 std::vector<CaseResult> run_planted(int threads) {
@@ -180,7 +180,7 @@ TEST(HardCases, OfTheQuickSubsetAreThoseThatAreCheap) {
 }
 
 TEST(HardCases, ThatAreInterruptedStayUnfinished) {
-  const std::array cases{&infinity_text};
+  const std::array cases{&endless};
   std::vector<CaseResult> results = list_cases(cases, {}, false);
   run_cases(results, 1, [](long, long) { return false; });
   ASSERT_EQ(results.size(), 1u);
@@ -201,7 +201,7 @@ TEST(HardCases, AreAllThere) {
     std::istringstream ids{std::string(row.not_quick)};
     for (std::string id; ids >> id;) EXPECT_TRUE(id == "*" || find_integrator(id) != nullptr) << row.name << ": " << id;
   }
-  EXPECT_EQ(number, 27);
+  EXPECT_GE(number, 27);
 }
 
 TEST(CaseReport, FitsATerminalAndTellsWhatBroke) {

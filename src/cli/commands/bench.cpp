@@ -25,18 +25,18 @@ namespace hooke {
 namespace {
 
 struct BenchOptions {
-  std::vector<std::string> scenes;   // built-in problems, scenes that ship, or files; empty: the built-in problems
+  std::vector<std::string> scenes;   // built-in problems, shipped scenes or files; empty: the built-in problems
   std::vector<std::string> methods;  // ids; empty: all
   std::filesystem::path folder = ".";
-  std::filesystem::path report_of;  // results whose report alone is written
+  std::filesystem::path report_of;  // results to write a report of, without measuring
   bool quick = false, quiet = false;
 };
 
-// A quick benchmark ends within a minute on any machine: coarser, and cut short if need be.
+// A quick benchmark ends within a minute on any machine: it is coarser, and cut short if necessary.
 constexpr Effort quick_effort{.repeats = 3, .run_seconds = 0.04, .reference_seconds = 0.5, .finest_error = 1e-10};
 constexpr std::chrono::seconds quick_limit{50};
 
-// Of the program's own file: figures of another build are another matter.
+// Hash of the program file: figures of different builds are not mixed.
 std::string build() {
   std::ifstream program("/proc/self/exe", std::ios::binary);
   const std::string bytes(std::istreambuf_iterator<char>(program), {});
@@ -120,18 +120,18 @@ class Bench {
     if (!options_.quiet)
       for (const ProblemRecord& record : results_.problems) std::cout << report(record);
     if (was_interrupted()) {
-      std::cerr << "Stopped: what is done is kept, and the same command goes on from there.\n";
+      std::cerr << "Interrupted. Results so far are saved; the same command resumes from them.\n";
       return exit_interrupted;
     }
-    if (!should_continue()) std::cerr << "The minute is over: what is done is kept, and the same command goes on from there.\n";
-    return has_every_reference_ ? exit_code::success : exit_code::diverged;
+    if (!should_continue()) std::cerr << "Time limit of --quick reached. Results so far are saved; the same command resumes from them.\n";
+    return exit_code_;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
   bool should_continue() const { return !was_interrupted() && !(options_.quick && Clock::now() - start_ > quick_limit); }
 
-  // Rows made under the same conditions are not made again.
+  // Rows measured under the same conditions are not measured again.
   void load_earlier_results() {
     results_.conditions = {program_version, build(), machine(), options_.quick ? "quick" : "full"};
     const std::filesystem::path file = options_.folder / "bench.json";
@@ -140,7 +140,7 @@ class Bench {
     if (earlier.conditions == results_.conditions)
       results_ = std::move(earlier);
     else if (!options_.quiet)
-      std::cerr << printable(file.native()) << ": by another build, machine or effort: measured anew\n";
+      std::cerr << printable(file.native()) << ": from another build, machine or effort; measuring again\n";
   }
 
   ProblemRecord& find_or_add_record(const Problem& problem) {
@@ -166,10 +166,12 @@ class Bench {
       if (is_new) save();
       if (!finished) break;
     }
-    if (sweep.has_reference()) return;
-    has_every_reference_ = false;
+    using enum ReferenceResult::Failure;
+    if (sweep.reference_failure() != NotFinished && sweep.reference_failure() != Disagreement) return;
     progress_.clear();
-    std::cerr << problem.id << ": no method came to its end at two steps in a row, so there is nothing to measure against\n";
+    std::cerr << problem.id << ": no reference, nothing measured: " << sweep.reference_failure_reason() << "\n";
+    if (exit_code_ == exit_code::success)
+      exit_code_ = sweep.reference_failure() == NotFinished ? exit_code::diverged : exit_code::check_failed;
   }
 
   void save() {
@@ -185,7 +187,7 @@ class Bench {
   const std::vector<const Integrator*> methods_;
   BenchProgress progress_;
   Results results_;
-  bool has_every_reference_ = true;
+  int exit_code_ = exit_code::success;
   const Clock::time_point start_ = Clock::now();
 };
 
@@ -195,16 +197,15 @@ std::function<int()> declare_bench(CLI::App& app) {
   auto options = std::make_shared<BenchOptions>();
   std::string built_in;
   for (const BuiltInProblem& row : built_in_problems()) built_in += (built_in.empty() ? "" : " ") + std::string(row.id);
-  app.add_option("SCENE", options->scenes, "Built-in problems, scenes that ship, or scene files, one second of each; none: " + built_in);
-  app.add_option("--methods", options->methods, "Only these, with commas between")->delimiter(',')->type_name("ID,...");
-  app.add_option("--out", options->folder,
-                 "Where bench.json, .csv, .md, .svg, .png and methods.md go; results found there are gone on from")
+  app.add_option("SCENE", options->scenes, "Built-in problems, shipped scenes or scene files, one second of each; default: " + built_in);
+  app.add_option("--methods", options->methods, "Only these methods, comma-separated")->delimiter(',')->type_name("ID,...");
+  app.add_option("--out", options->folder, "Folder for bench.json, .csv, .md, .svg, .png and methods.md; resumes from existing results")
       ->type_name("DIR")
       ->capture_default_str();
-  app.add_option("--report", options->report_of, "Writes the tables and charts of these results into DIR again, measures nothing")
+  app.add_option("--report", options->report_of, "Write the tables and charts of these results to DIR again, without measuring")
       ->type_name("bench.json");
-  app.add_flag("--quick", options->quick, "Within a minute: fewer problems, coarser");
-  app.add_flag("-q,--quiet", options->quiet, "No report and no progress");
+  app.add_flag("--quick", options->quick, "Fewer problems, coarser, in at most a minute");
+  app.add_flag("-q,--quiet", options->quiet, "Print neither report nor progress");
   return [options] { return options->report_of.empty() ? Bench(*options).run() : rewrite_report(*options); };
 }
 

@@ -29,7 +29,7 @@ void BenchProgress::clear() const {
   if (enabled_) std::fputs("\r\033[K", stderr);
 }
 
-// from the mean of the parts measured so far
+// from the mean time of the parts measured so far
 std::string BenchProgress::time_left() const {
   if (measured_ == 0) return "";
   const double each = std::chrono::duration<double>(spent_).count() / static_cast<double>(measured_);

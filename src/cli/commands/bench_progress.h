@@ -1,4 +1,4 @@
-// How far a benchmark is, on one line of a terminal.
+// Progress of a benchmark, on one line of a terminal.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@ namespace hooke {
 // A part is one method on one problem.
 class BenchProgress {
  public:
-  // Nothing is shown when not `wanted` or stderr is no terminal.
+  // Shows nothing unless `enabled` and stderr is a terminal.
   BenchProgress(std::size_t parts, bool enabled);
   ~BenchProgress() { clear(); }
   BenchProgress(const BenchProgress&) = delete;
@@ -18,9 +18,9 @@ class BenchProgress {
 
   void begin_part(const std::string& label);
   void show(const std::string& detail) const;
-  // A part that earlier results held already says nothing about the time that is left.
+  // A part found in earlier results is excluded from the estimate of the time left.
   void end_part(bool was_measured);
-  // Makes room for what comes next.
+  // Clears its line.
   void clear() const;
 
  private:

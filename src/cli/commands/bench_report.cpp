@@ -42,12 +42,12 @@ std::vector<CheapestRow> cheapest_rows(const ProblemRecord& record) {
 std::string describe(const ReferenceRecord& reference) {
   std::string text;
   if (reference.measure == Measure::Observables)
-    text += "Not predictable: judged by centre of mass, largest strain and energy instead of by where every point is. ";
+    text += "Errors are those of the centre of mass, the largest strain and the energy: the trajectory is not reproducible. ";
   print(text, "Reference: %s at %s; half the precision changes it by %.0e%s. ", reference.method.c_str(), reference.setting.c_str(),
-        reference.own_gap, reference.own_gap == 0.0 ? " (stability holds its steps, not the tolerance)" : "");
-  print(text, "%s at %s is %.0e away, and half its steps change that by %.0e. ", reference.other_method.c_str(),
+        reference.own_gap, reference.own_gap == 0.0 ? " (stability limits its steps, not the tolerance)" : "");
+  print(text, "%s at %s differs by %.0e; half its precision changes it by %.0e. ", reference.other_method.c_str(),
         reference.other_setting.c_str(), reference.other_gap, reference.other_own_gap);
-  print(text, "A perturbation of 1e-10 grows %.2g-fold.", reference.amplification);
+  print(text, "A perturbation of 1e-10 is amplified %.2g times.", reference.amplification);
   return text;
 }
 
@@ -70,7 +70,7 @@ std::string report(const ProblemRecord& record) {
   std::string text;
   print(text, "%s: %s (%d points, %d springs, %g s)\n", record.id.c_str(), record.title.c_str(), record.points, record.springs,
         record.seconds);
-  if (!record.reference) return text + "  no reference: nothing measured\n";
+  if (!record.reference) return text + "  no reference, nothing measured\n";
   text += "  " + describe(*record.reference) + "\n";
   for (const CheapestRow& cheapest_row : cheapest_rows(record))
     if (cheapest_row.row == nullptr)
@@ -86,7 +86,7 @@ std::string markdown_report(const Results& results) {
   std::string text;
   print(text, "Measured %s with hooke %s, %s effort, one thread of: %s. ", results.date.c_str(), conditions.version.c_str(),
         conditions.effort.c_str(), conditions.machine.c_str());
-  text += "Error is relative to the scene's size; cost is CPU milliseconds per simulated second, the least of several runs.\n";
+  text += "Error is relative to the scene's size; cost is CPU milliseconds per simulated second, the lowest of several runs.\n";
   for (const ProblemRecord& record : results.problems) {
     print(text, "\n### %s: %s\n\n%d points, %d springs, %g s. ", record.id.c_str(), record.title.c_str(), record.points, record.springs,
           record.seconds);

@@ -1,4 +1,4 @@
-// The benchmark's results in words.
+// Reports of benchmark results.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace hooke {
 
-// For a terminal: the reference and the cheapest method for each decade of error from 1e-1 to 1e-10; decades with the
-// same answer share a line.
+// For a terminal: the reference, and the cheapest method for each decade of error from 1e-1 to 1e-10; decades with the same method and
+// setting share a line.
 std::string report(const ProblemRecord& record);
 
-// The same for all problems as tables in Markdown, with the conditions of the measurement.
+// The same for all problems as Markdown tables, with the conditions of the measurement.
 std::string markdown_report(const Results& results);
 
 }  // namespace hooke

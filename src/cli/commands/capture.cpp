@@ -15,7 +15,7 @@
 namespace hooke {
 namespace {
 
-// Takes pictures of the laboratory to where they go.
+// Draws frames of the laboratory and writes them to the destination.
 class FrameCapture {
  public:
   FrameCapture(const Destination& destination, const PictureSize& size, const CaptureSchedule& schedule, const Scene& scene,
@@ -65,7 +65,7 @@ class FrameCapture {
   std::optional<VideoEncoder> film_;
 };
 
-// The scene of the command line, or the start of a recording, which is then played.
+// Opens the scene, or a recording to be played.
 Lab open_lab(const CaptureOptions& options, std::shared_ptr<const Recording>& recording) {
   if (!options.replay) return Lab(open_scene(*options.scene), KeepStart::No);
   recording = std::make_shared<const Recording>(read_recording(*options.replay));
@@ -94,11 +94,11 @@ int capture(const CaptureOptions& options) {
   for (long picture = 0; picture <= last && is_running; ++picture) {
     for (; frame < schedule.frame_of(picture) && is_running; ++frame) {
       diverged = !lab.step();
-      // a recording goes as far as it is as recorded
+      // stop a replay where it differs from the recording
       is_running = !diverged && lab.difference().empty();
       progress.show(frame + 1);
     }
-    // one file shows the end, and a run that ended early ends at its last sound frame
+    // a single picture shows the end, or the last good frame of a run that stopped early
     const bool is_shown = frame_capture.takes_every_picture() ? is_running : picture == last || !is_running;
     if (is_shown) frame_capture.take(lab, picture);
   }
@@ -106,8 +106,12 @@ int capture(const CaptureOptions& options) {
 
   if (!lab.difference().empty()) std::cerr << printable(*options.replay) << ": " << lab.difference() << "\n";
   if (!diverged) return lab.difference().empty() ? exit_code::success : exit_code::check_failed;
-  lab.publish();
-  std::cerr << lab.status()->diagnosis.message << "\n";
+  if (options.replay) {
+    lab.publish();
+    std::cerr << lab.status()->diagnosis.message << "\n";
+  } else {
+    std::cerr << explain_divergence(lab, *options.scene, static_cast<double>(schedule.frame_of(last)) / frame_rate) << "\n";
+  }
   return exit_code::diverged;
 }
 
@@ -117,37 +121,34 @@ std::function<int()> declare_capture(CLI::App& app) {
   auto options = std::make_shared<CaptureOptions>();
   options->scene = add_scene_options(app, SceneIs::Optional);
   app.add_option("--replay", options->replay,
-                 "A recording (" + std::string(recording_extension) + ") instead of SCENE; without --seconds, all of it")
+                 "A recording (" + std::string(recording_extension) + ") to replay instead of SCENE, by default to its end")
       ->type_name("LOG");
-  app.add_option("--out", options->out,
-                 "A .png, for the last picture alone; a folder, for all: frame_00000.png and so on; or a .mp4, by ffmpeg")
+  app.add_option("--out", options->out, "A .png for the last picture only, a folder for all (frame_00000.png, ...), or a .mp4 (by ffmpeg)")
       ->required()
       ->type_name("FILE.png|DIR|FILE.mp4");
-  CLI::Option* seconds =
-      app.add_option("--seconds", options->seconds, "Simulated time from the first picture to the last [s]; without it 0")
-          ->type_name("S")
-          ->check(within(not_negative));
-  app.add_option("--frames", options->frames, "How many pictures, instead of --seconds")
+  CLI::Option* seconds = app.add_option("--seconds", options->seconds, "Simulated time from the first picture to the last [s]; default: 0")
+                             ->type_name("S")
+                             ->check(within(not_negative));
+  app.add_option("--frames", options->frames, "Number of pictures, instead of --seconds")
       ->type_name("N")
       ->check(within({.min = 1, .max = 1e9}))
       ->excludes(seconds);
-  app.add_option("--fps", options->fps, "Pictures per simulated second [1/s]; without it 60, or the scene's frame rate where that is less")
+  app.add_option("--fps", options->fps, "Pictures per simulated second [1/s]; default: 60, or the scene's frame rate if lower")
       ->type_name("RATE")
       ->check(within(positive));
   app.add_option("--size", options->size, "Width and height [px]")->type_name("WxH")->capture_default_str();
-  app.add_option("--scale", options->scale, "Magnifies points, lines and panels, for a finer screen")
+  app.add_option("--scale", options->scale, "Scale of points, lines and panels, for high-resolution pictures")
       ->type_name("S")
       ->check(within({.min = 0.5, .max = 4.0}))
       ->capture_default_str();
-  app.add_flag("--ui", options->panels, "With the window's panels around it");
-  app.add_option("--camera", options->camera,
-                 "Where the eye is and what it looks at [m]; without it as the scene says, or so that all of it is seen")
+  app.add_flag("--ui", options->panels, "Include the panels of the window");
+  app.add_option("--camera", options->camera, "Position of the eye and its target [m]; default: as in the scene, or showing all of it")
       ->type_name("X,Y,Z,X,Y,Z");
   return [options, &app] {
     const bool has_scene = app.count("SCENE") > 0;
-    if (has_scene == options->replay.has_value()) throw UsageError("must have either SCENE or --replay (--help tells more)");
+    if (has_scene == options->replay.has_value()) throw UsageError("either SCENE or --replay is required (see --help)");
     if (const auto name = first_stepping_option(app); options->replay && name)
-      throw UsageError(*name + ": must not go with --replay, which steps as it was recorded");
+      throw UsageError(*name + ": not allowed with --replay, which steps as recorded");
     return capture(*options);
   };
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double frame_tolerance = 1e-9;  // relative rounding error of a number of frames
 
-// A number at the start of the text, which it takes away.
+// Parses a number at the start of the text and removes it.
 template <class Number>
 bool take(std::string_view& text, Number& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -43,7 +43,7 @@ PictureSize parse_size(const std::string& text) {
 
 CameraPose parse_camera(const std::string& text) {
   if (const auto pose = camera_from_text(text)) return *pose;
-  throw UsageError("--camera " + printable(text, 80) + ": must be six numbers with commas between, of the eye and its target [m]");
+  throw UsageError("--camera " + printable(text, 80) + ": must be six comma-separated numbers: eye and target [m]");
 }
 
 std::filesystem::path Destination::file(long number) const {
@@ -60,7 +60,7 @@ Destination parse_destination(const std::string& out) {
   if (path.extension() == ".png") return {path, Destination::Kind::Picture};
   if (path.extension() == ".mp4") return {path, Destination::Kind::VideoEncoder};
   throw UsageError("--out " + printable(out, 200) +
-                   ": must end in .png or .mp4, or be a folder (a new one with a dot in its name ends in /)");
+                   ": must end in .png or .mp4, or be a folder (a new one with a dot in its name must end in /)");
 }
 
 void prepare(const Destination& destination) {

@@ -1,4 +1,4 @@
-// What the command line of a capture says, in the types that the work needs.
+// The options of a capture, and their parsed forms.
 #pragma once
 
 #include <filesystem>
@@ -33,27 +33,27 @@ struct PictureSize {
 PictureSize parse_size(const std::string& text);
 CameraPose parse_camera(const std::string& text);
 
-// Where pictures go: one file, a folder of numbered ones, or a film.
+// The destination of pictures: one file, a folder of numbered files, or a video.
 struct Destination {
   enum class Kind { Picture, Folder, VideoEncoder };
   std::filesystem::path path;
   Kind kind;
   std::filesystem::path file(long number) const;
 };
-// By the ending: .png is a file, .mp4 a film; a folder has none, or a / at its end, or is there. Throws UsageError.
+// By extension: .png is a file, .mp4 a video; a folder has none, ends in / or exists. Throws UsageError.
 Destination parse_destination(const std::string& out);
-// Makes the folder, or sees that the picture can be written, before any work is done for it. Throws FileError.
+// Creates the folder, or checks that the picture can be written, before any work is done. Throws FileError.
 void prepare(const Destination& destination);
 
-// Which pictures are taken: the first at the start, then `fps` a simulated second, each of the first frame that ends at
-// its time or after it; nothing is interpolated.
+// Decides which frames become pictures: the start, then `fps` per simulated second, each the first frame that ends at or after its time,
+// without interpolation.
 class CaptureSchedule {
  public:
   // `length`: simulated time [s] without --seconds or --frames. Throws UsageError when pictures would be closer than frames.
   CaptureSchedule(const CaptureOptions& options, double frame_rate, double length);
   double video_frame_rate() const { return pictures_per_second_; }
   long pictures() const { return pictures_; }
-  long frame_of(long picture) const;  // how many frames are stepped before it
+  long frame_of(long picture) const;  // number of frames stepped before it
 
  private:
   double pictures_per_second_, frames_per_picture_;

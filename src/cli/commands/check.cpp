@@ -18,11 +18,11 @@ namespace hooke {
 namespace {
 
 struct CheckOptions {
-  std::vector<std::string> scenes;   // none: those that ship
+  std::vector<std::string> scenes;   // none: all shipped scenes
   std::vector<std::string> methods;  // ids; none: all
   std::vector<int> cases;            // numbers; none: all
   std::optional<std::string> json, markdown;
-  int threads = 0;  // 0: as many as the machine has
+  int threads = 0;  // 0: one per core
   bool hard = false, quick = false, strict = false, quiet = false;
 };
 
@@ -52,7 +52,7 @@ void write(const std::optional<std::string>& file, const std::string& text) {
   output.close();
 }
 
-// As it would be typed to get the same document.
+// The command line that produces the same document.
 std::string command_of(const CheckOptions& options) {
   const auto list = [](const char* option, const auto& items, const auto& word) {
     std::string words;
@@ -71,7 +71,7 @@ int check_hard_cases(const CheckOptions& options) {
   const auto cases = chosen_cases(options);
   const auto methods = chosen_methods(options);
   std::vector<CaseResult> results = list_cases(cases, methods, options.quick);
-  if (results.empty()) throw UsageError("--quick leaves none of these cases");
+  if (results.empty()) throw UsageError("--quick excludes all of these cases");
 
   const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   catch_interrupts();
@@ -85,7 +85,7 @@ int check_hard_cases(const CheckOptions& options) {
   if (options.strict)
     for (CaseResult& result : results) result.verdict.expected = Expectation::Hold;
 
-  if (was_interrupted()) std::cerr << "Stopped: this is what is known.\n";
+  if (was_interrupted()) std::cerr << "Interrupted. Results so far:\n";
   write(options.json, format_json(results));
   if (options.markdown && !was_interrupted())
     write(options.markdown,
@@ -115,8 +115,8 @@ int check(const CheckOptions& options) {
   const bool of_hard_cases = options.quick || options.strict || options.json || options.markdown || !options.methods.empty() ||
                              !options.cases.empty() || options.threads > 0;
   if (of_hard_cases && !options.hard)
-    throw UsageError("--quick, --strict, --cases, --methods, --threads, --json and --markdown go with --hard");
-  if (options.hard && !options.scenes.empty()) throw UsageError("--hard brings its own scenes: no SCENE goes with it");
+    throw UsageError("--quick, --strict, --cases, --methods, --threads, --json and --markdown require --hard");
+  if (options.hard && !options.scenes.empty()) throw UsageError("--hard has its own scenes: it takes no SCENE");
   return options.hard ? check_hard_cases(options) : check_scenes(options);
 }
 
@@ -124,18 +124,18 @@ int check(const CheckOptions& options) {
 
 std::function<int()> declare_check(CLI::App& app) {
   auto options = std::make_shared<CheckOptions>();
-  app.add_option("SCENE", options->scenes, "Scenes, by file or by the id of one that ships; none: all that ship")->type_name("");
-  app.add_flag("--hard", options->hard, "The hard cases instead, for every method");
-  app.add_flag("--quick", options->quick, "Only what is cheap: some ten seconds in all");
-  app.add_flag("--strict", options->strict, "A failure counts, even if it was reported and no more was promised");
-  app.add_option("--cases", options->cases, "Only these, by number")->type_name("1,20")->delimiter(',');
-  app.add_option("--methods", options->methods, "Only these, by id")->type_name("a,b")->delimiter(',');
-  app.add_option("--threads", options->threads, "How many cases at a time; without it, as many as the machine has cores")
+  app.add_option("SCENE", options->scenes, "Files or names of shipped scenes; default: all shipped scenes")->type_name("");
+  app.add_flag("--hard", options->hard, "Run the hard cases with every method instead");
+  app.add_flag("--quick", options->quick, "Only the fast cases: about ten seconds in total");
+  app.add_flag("--strict", options->strict, "Count every failure, even a reported one that is allowed");
+  app.add_option("--cases", options->cases, "Only these cases, by number")->type_name("1,20")->delimiter(',');
+  app.add_option("--methods", options->methods, "Only these methods, by id")->type_name("a,b")->delimiter(',');
+  app.add_option("--threads", options->threads, "Number of cases to run in parallel; default: one per core")
       ->type_name("N")
       ->check(CLI::Range(1, 256));
-  app.add_option("--json", options->json, "Write the results as JSON; - is stdout")->type_name("FILE");
-  app.add_option("--markdown", options->markdown, "Write the results as docs/stability.md; - is stdout")->type_name("FILE");
-  app.add_flag("-q,--quiet", options->quiet, "Print nothing but errors");
+  app.add_option("--json", options->json, "Write the results as JSON; - for stdout")->type_name("FILE");
+  app.add_option("--markdown", options->markdown, "Write the results in the form of docs/stability.md; - for stdout")->type_name("FILE");
+  app.add_flag("-q,--quiet", options->quiet, "Print only errors");
   return [options] { return check(*options); };
 }
 

@@ -1,4 +1,4 @@
-// hooke-headless check: the scenes' own checks, and the hard cases.
+// hooke-headless check: the checks of scenes, and the hard cases.
 #pragma once
 
 #include "cli/subcommand.h"

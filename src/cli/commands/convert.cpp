@@ -29,9 +29,9 @@ int convert(const ConvertOptions& options) {
 
 std::function<int()> declare_convert(CLI::App& app) {
   auto options = std::make_shared<ConvertOptions>();
-  app.add_option("IN", options->in, "A file (" + readable_extensions() + "), or the name of a scene that ships")->required();
-  app.add_option("OUT", options->out, "The file to write (" + writable_extensions() + "): whole or not at all")->required();
-  app.add_flag("-q,--quiet", options->quiet, "No warnings");
+  app.add_option("IN", options->in, "A file (" + readable_extensions() + "), or the name of a shipped scene")->required();
+  app.add_option("OUT", options->out, "The file to write (" + writable_extensions() + "); replaced only when complete")->required();
+  app.add_flag("-q,--quiet", options->quiet, "Print no warnings");
   return [options] { return convert(*options); };
 }
 

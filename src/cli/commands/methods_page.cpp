@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-// Relative errors at which methods are compared: one that the eye forgives, one for measuring, a tight one.
+// Relative errors at which methods are compared: visually acceptable, for measurements, tight.
 constexpr std::array decades{2, 4, 8};
 
 std::string rounded(double value, const char* format = "%.3g") {
@@ -20,7 +20,7 @@ std::string rounded(double value, const char* format = "%.3g") {
   return text;
 }
 
-// The method's own cheapest row, or null.
+// The cheapest row of a method, or null.
 const Row* cheapest_of(const ProblemRecord& record, std::string_view method, double error) {
   const Row* best = nullptr;
   for (const Row& row : record.rows) {

@@ -20,7 +20,7 @@ struct ReplayOptions {
 int replay(const ReplayOptions& options) {
   const auto recording = std::make_shared<const Recording>(read_recording(options.log));
   if (recording->is_truncated && !options.quiet)
-    std::cerr << "warning: " << printable(options.log) << ": its last line is not finished: replayed up to there\n";
+    std::cerr << "warning: " << printable(options.log) << ": its last line is incomplete; replaying up to there\n";
 
   Lab lab(*recording->start, KeepStart::No);
   lab.submit(Play{recording});
@@ -51,8 +51,8 @@ int replay(const ReplayOptions& options) {
 std::function<int()> declare_replay(CLI::App& app) {
   auto options = std::make_shared<ReplayOptions>();
   app.add_option("LOG", options->log, "A recording (" + std::string(recording_extension) + ")")->required();
-  app.add_flag("--verify", options->verify, "Exit code 1 where a frame is not the same, bit for bit, as it was recorded");
-  app.add_flag("-q,--quiet", options->quiet, "No warnings, progress or summary");
+  app.add_flag("--verify", options->verify, "Exit with code 1 if a frame differs from the recorded one in any bit");
+  app.add_flag("-q,--quiet", options->quiet, "Print no warnings, progress or summary");
   return [options] { return replay(*options); };
 }
 

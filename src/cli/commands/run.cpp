@@ -38,7 +38,7 @@ double cpu_now() {
 
 double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// Frames that cover `seconds`: none more for a rounding error.
+// Frames that cover `seconds`, tolerating rounding errors.
 long count_frames(double seconds, double frame_rate) {
   constexpr double max = 1e15, round_off = 1e-9;
   const double frames = seconds * frame_rate;
@@ -46,7 +46,7 @@ long count_frames(double seconds, double frame_rate) {
   return static_cast<long>(std::ceil(frames * (1.0 - round_off) - round_off));
 }
 
-// Which frames are sampled: those in which a multiple of the spacing is reached, or the last alone.
+// Decides which frames are sampled: those that reach a multiple of the spacing, or only the last.
 class SampleClock {
  public:
   SampleClock(std::optional<double> spacing, double frame_rate, long frames)
@@ -55,7 +55,7 @@ class SampleClock {
     if (frames_per_sample_ == 0.0) return frame == last_;
     constexpr double round_off = 1e-9;
     if (static_cast<double>(frame) < next_ * frames_per_sample_ * (1.0 - round_off)) return false;
-    // one sample a frame at most: multiples that fall into the same frame share it
+    // at most one sample per frame: multiples within the same frame share it
     next_ = std::floor(static_cast<double>(frame) / frames_per_sample_ * (1.0 + round_off)) + 1.0;
     return true;
   }
@@ -81,7 +81,7 @@ std::vector<Index> parse_points(const std::optional<std::string>& list, Index co
     const bool is_number = error == std::errc() && point >= 0 && point < count && (after == end || *after == ',');
     if (!is_number)
       throw UsageError("--points " + printable(*list, 80) + ": must be numbers from 0 to " + std::to_string(count - 1) +
-                       " with commas between");
+                       ", separated by commas");
     points.push_back(point);
     if (after == end) return points;
     at = after + 1;
@@ -107,7 +107,7 @@ void print_summary(const RunOptions& options, const Scene& scene, const RunTotal
   const auto count = [](Index number, const char* one, const char* many) { return pluralize(static_cast<std::size_t>(number), one, many); };
   std::cout << printable(options.scene->scene) << ": " << count(scene.system.point_count(), "point", "points") << ", "
             << count(scene.system.spring_count(), "spring", "springs") << "; " << settings.integrator->id << ", "
-            << count(settings.substeps, "substep", "substeps") << " a frame, " << settings.frame_rate << " frames a second\n"
+            << count(settings.substeps, "substep", "substeps") << " per frame, " << settings.frame_rate << " frames per second\n"
             << "simulated " << totals.seconds << " s in " << totals.wall_seconds << " s (" << totals.cpu_seconds << " s of CPU), "
             << totals.force_evaluations << " force evaluations\n"
             << "hash " << to_hexadecimal(totals.hash) << "\n";
@@ -120,7 +120,7 @@ int run(const RunOptions& options) {
   const long frames = count_frames(options.seconds, scene.settings.frame_rate);
   const std::vector<Index> points = parse_points(options.points, scene.system.point_count());
 
-  // files are opened before the work, so that a bad path does not cost it
+  // open the files first, so that an invalid path is reported before the work
   std::optional<JsonReport> json;
   std::optional<CsvReport> csv;
   if (options.json) json.emplace(*options.json, options.scene->scene, scene);
@@ -149,7 +149,7 @@ int run(const RunOptions& options) {
       totals.force_evaluations += lab.last_frame().force_evaluations();
       totals.factorizations += lab.last_frame().factorizations();
       if (totals.diverged) {
-        // the last good state, where it was not sampled anyway
+        // the last good state, unless it was sampled already
         if (json && !is_sampled) json->add_sample(scene.system, scene.state, points);
         if (csv && !is_sampled) csv->add_sample(scene.system, scene.state);
         break;
@@ -166,10 +166,9 @@ int run(const RunOptions& options) {
   if (pc2) pc2->close();
   if (!options.json && !options.csv && !options.scene->quiet) print_summary(options, scene, totals);
   if (!options.scene->quiet)
-    for (const std::string& doubt : monitor.warnings(scene.system, {})) std::cerr << "warning: " << doubt << "\n";
+    for (const std::string& warning : monitor.warnings(scene.system, {})) std::cerr << "warning: " << warning << "\n";
   if (!totals.diverged) return exit_code::success;
-  lab.publish();
-  std::cerr << lab.status()->diagnosis.message << "\n";
+  std::cerr << explain_divergence(lab, *options.scene, options.seconds) << "\n";
   return exit_code::diverged;
 }
 
@@ -178,19 +177,19 @@ int run(const RunOptions& options) {
 std::function<int()> declare_run(CLI::App& app) {
   auto options = std::make_shared<RunOptions>();
   options->scene = add_scene_options(app);
-  app.add_option("--seconds", options->seconds, "Simulated time, in whole frames [s]")
+  app.add_option("--seconds", options->seconds, "Simulated time, rounded up to whole frames [s]")
       ->required()
       ->type_name("S")
       ->check(within(not_negative));
   app.add_option("--sample", options->sample,
-                 "Sample at the start and at the first end of a frame at or after each multiple of DT, nothing interpolated [s]; "
-                 "without it, the last state alone")
+                 "Sample at the start and at the end of the first frame at or after each multiple of DT, without interpolation [s]; "
+                 "default: only the last state")
       ->type_name("DT")
       ->check(within(positive));
-  app.add_option("--points", options->points, "Points to sample, by number from 0; without it, all")->type_name("0,5,9");
-  app.add_option("--json", options->json, "Write the run and its samples as JSON; - is stdout")->type_name("FILE");
-  app.add_option("--csv", options->csv, "Write one row a sample: time, energies, positions; - is stdout")->type_name("FILE");
-  app.add_option("--quantities", options->quantities, "What --csv writes instead: " + quantity_names())->type_name("time,total,y5");
+  app.add_option("--points", options->points, "Points to sample, numbered from 0; default: all")->type_name("0,5,9");
+  app.add_option("--json", options->json, "Write the run and its samples as JSON; - for stdout")->type_name("FILE");
+  app.add_option("--csv", options->csv, "Write one row per sample: time, energies, positions; - for stdout")->type_name("FILE");
+  app.add_option("--quantities", options->quantities, "Columns of --csv instead: " + quantity_names())->type_name("time,total,y5");
   app.add_option("--pc2", options->pc2, "Write the positions of all points in every frame as a point cache")->type_name("FILE");
   return [options] { return run(*options); };
 }

@@ -1,4 +1,4 @@
-// hooke-headless run: steps a scene and reports what became of it.
+// hooke-headless run: simulates a scene and reports the result.
 #pragma once
 
 #include "cli/subcommand.h"

@@ -9,7 +9,7 @@ namespace hooke {
 
 using JsonLayout = JsonWriter::Layout;
 
-// [bytes] of a sample that are kept before they are written: samples of large scenes are longer than the scenes.
+// Size of the output buffer [bytes]: samples of large scenes are too large to keep in memory.
 constexpr std::size_t max_buffered_bytes = 1 << 16;
 
 std::string to_hexadecimal(std::uint64_t hash) {
@@ -54,7 +54,7 @@ void JsonReport::add_sample(const System& system, const State& state, const std:
   json_.number("total", energy.total());
   json_.end();
 
-  // nothing estimates the error of a fixed step
+  // the error of a fixed step is not estimated
   json_.key("error");
   json_.begin_object(JsonLayout::Line);
   for (const char* key : {"frame", "accumulated", "amplification"}) {

@@ -1,4 +1,4 @@
-// What `run` writes while it goes: samples as JSON and as CSV, sample by sample, so that none is kept.
+// The output of `run`: samples as JSON and as CSV, written one by one and not kept in memory.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace hooke {
 
-// Of a run that has ended.
+// Totals of a finished run.
 struct RunTotals {
   double seconds = 0.0;  // simulated
   double cpu_seconds = 0.0, wall_seconds = 0.0;
@@ -22,7 +22,7 @@ struct RunTotals {
   std::uint64_t hash = 0;  // of the last state
 };
 
-// The JSON object of `run --json`. Members that cannot be known are null.
+// The JSON object of `run --json`. Unknown members are null.
 class JsonReport {
  public:
   JsonReport(const std::string& file, const std::string& scene_name, const Scene& scene);
@@ -34,7 +34,7 @@ class JsonReport {
   JsonWriter json_;
 };
 
-// One row a sample: the quantities.
+// One row of quantities per sample.
 class CsvReport {
  public:
   CsvReport(const std::string& file, std::vector<Quantity> quantities);

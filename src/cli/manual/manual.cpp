@@ -13,7 +13,7 @@
 namespace hooke {
 namespace {
 
-// Text as roff prints it: no escapes, a minus that can be copied, no line that begins like a request.
+// Escapes text for roff: backslashes, minus signs that can be copied, lines that look like requests.
 std::string roff(std::string_view text) {
   std::string safe;
   for (const char c : text) {
@@ -31,7 +31,7 @@ std::string roff(std::string_view text) {
 
 void section(std::ostream& page, std::string_view title) { page << ".SH " << title << "\n"; }
 
-// A term, and what it means, indented.
+// A term with its indented description.
 void entry(std::ostream& page, std::string_view term, std::string_view description) {
   page << ".TP\n.B " << roff(term) << "\n" << roff(description) << "\n";
 }
@@ -55,7 +55,7 @@ void write_options(std::ostream& page, const CLI::App& app, bool general) {
     if (is_general(*option) == general) entry(page, term_of(*option), option->get_description());
 }
 
-// What follows a command on its line, shortened.
+// The arguments of a command, abbreviated.
 std::string synopsis_of(const CLI::App& app) {
   std::string line;
   for (const CLI::Option* option : app.get_options()) {
@@ -89,7 +89,7 @@ std::string joined(const std::vector<std::string>& words) {
   return line;
 }
 
-// The names of an app's options as they are typed.
+// The names of the options of an app.
 std::string names_of_options(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -117,11 +117,11 @@ std::string manual_page() {
   }
 
   section(page, "DESCRIPTION");
-  page << "Hooke is a desktop laboratory for networks of point masses and springs. It says how wrong it is, and what being less\n"
-          "wrong would cost. Without a command a window opens on SCENE: a file ("
+  page << "Hooke is a desktop laboratory for networks of point masses and springs. It estimates its errors, and what\n"
+          "higher accuracy would cost. Without a command it opens a window with SCENE: a file ("
        << roff(readable_extensions())
-       << "), or the name of one that comes with Hooke.\n"
-          "The commands need no window and no display; they are done by\n.BR hooke\\-headless ,\nwhich takes the same ones.\n";
+       << "), or the name of a shipped scene.\n"
+          "The commands need no window and no display; they are executed by\n.BR hooke\\-headless ,\nwhich accepts the same ones.\n";
 
   section(page, "OPTIONS");
   write_options(page, app, true);
@@ -139,15 +139,15 @@ std::string manual_page() {
   for (const Integrator& integrator : integrators()) entry(page, integrator.id, integrator.summary);
 
   section(page, "PARAMETERS");
-  page << "Of a scene, set by a slider, in its file, or with\n.BR \\-\\-set :\n";
+  page << "Parameters of a scene, set by a slider, in its file, or with\n.BR \\-\\-set :\n";
   write_parameters(page);
 
   section(page, "SCENES");
-  page << "Those that come with Hooke:\n";
+  page << "Shipped with Hooke:\n";
   for (const ShippedScene& scene : shipped_scenes()) entry(page, scene.id, scene.title);
 
   section(page, "EXIT STATUS");
-  for (const auto& [code, description] : {std::pair{"0", "Fine."},
+  for (const auto& [code, description] : {std::pair{"0", "Success."},
                                           {"1", "A check failed."},
                                           {"2", "Wrong usage."},
                                           {"3", "The input was refused: one line names file, field, value and limit."},

@@ -1,5 +1,4 @@
-// What the package installs for the terminal, made from the tables that the programs themselves use: the man page and the
-// completion of bash.
+// The man page and the bash completion, generated from the tables that the programs use.
 #pragma once
 
 #include <string>

@@ -16,8 +16,8 @@
 #include "formats/scene_json/scene_sections.h"
 #include "formats/scene_json/shape_fields.h"
 #include "formats/texture.h"
-#include "scene/diagnosis.h"
 #include "scene/spring_family.h"
+#include "scene/step_limits.h"
 
 namespace hooke {
 namespace {

@@ -1,4 +1,4 @@
-// Where the laboratory meets the world: its scenes, its files, its clock, its threads.
+// Boundaries of the laboratory: shipped scenes, input files, the clock, threads.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,13 +8,14 @@
 #include "sim/divergence.h"
 #include "sim/hash.h"
 #include "study/analytic_scenes.h"
-#include "study/hard_cases/case_functions.h"
 #include "study/hard_cases/monitored_run.h"
+#include "study/hard_cases/rows.h"
 
 namespace hooke {
+namespace {
 
 Verdict judge_one_substep(const Integrator& method) {
-  // every scene that ships, for a second: it runs through or is stopped openly
+  // every shipped scene for a second: it finishes or is stopped with a report
   int held = 0, all = 0;
   std::vector<Verdict> parts;
   for (const ShippedScene& shipped : shipped_scenes()) {
@@ -27,11 +28,9 @@ Verdict judge_one_substep(const Integrator& method) {
     ++all;
   }
   Verdict verdict = worst_of(parts);
-  verdict.measured = text("%d of %d scenes run through", held, all);
+  verdict.measured = text("%d of %d scenes finish", held, all);
   return verdict;
 }
-
-namespace {
 
 constexpr std::string_view invalid_scenes[] = {
     R"({"hooke": 1, "points": [{"position": [0, NaN, 0]}]})",
@@ -68,7 +67,7 @@ int count_accepted() {
   return accepted;
 }
 
-// Six points and ten springs with any values that a file may hold, from the smallest numbers to the largest.
+// Six points and ten springs with any values that a file may contain, from the smallest numbers to the largest.
 TestNetwork make_extreme(Random& random, double decades) {
   const auto size = [&] { return std::pow(10.0, random.uniform(-decades, decades)); };
   TestNetwork network;
@@ -85,8 +84,6 @@ TestNetwork make_extreme(Random& random, double decades) {
   }
   return network;
 }
-
-}  // namespace
 
 Verdict judge_bad_input(const Integrator& method) {
   const int accepted = count_accepted();
@@ -121,7 +118,7 @@ Verdict judge_hidden_window(const Integrator& method) {
     return lab.status()->run.frames - before;
   };
   const long jump = frames_after(10.0, true), next = frames_after(1.0 / 60.0, true);
-  // too slow for real time: one substep an answer, so that a frame takes twenty
+  // too slow for real time: one substep per call, so that a frame takes twenty calls
   long slow = 0;
   for (int i = 0; i < 40; ++i) slow += frames_after(0.1, false);
   const double shown = lab.status()->run.speed;
@@ -145,5 +142,45 @@ Verdict judge_determinism(const Integrator& method) {
   return {.outcome = same ? Outcome::Held : Outcome::FailedSilently,
           .measured = text("hash %016llx", static_cast<unsigned long long>(hashes[0]))};
 }
+
+}  // namespace
+
+constinit const HardCase one_substep_case{
+    .number = 10,
+    .name = "One substep a frame",
+    .parameters = "every shipped scene, one step of 1/60 s per frame, 1 s",
+    .criterion = "finite to the end where the method declares that step stable; otherwise the divergence check may stop it",
+    .not_quick = "dop853 implicit_euler baraff_witkin implicit_midpoint tr_bdf2 esdirk4",
+    .judge = judge_one_substep,
+};
+
+constinit const HardCase bad_input_case{
+    .number = 15,
+    .name = "Bad input",
+    .parameters =
+        "NaN, Inf, 1e400, denormal and negative masses, k, d, l0 < 0, rates of 0 in files; 300 small scenes with accepted values from "
+        "1e-100 to 1e100",
+    .criterion = "refused with a message; accepted scenes stay finite or are stopped by the divergence check",
+    .remark = "dop853 would resolve every oscillation of the fastest of these springs, so it gets values from 1e-2 to 1e2",
+    .not_quick = "esdirk4",
+    .judge = judge_bad_input,
+};
+
+constinit const HardCase hidden_window_case{
+    .number = 24,
+    .name = "Hidden window",
+    .parameters = "10 s without a frame, and a machine too slow for the scene",
+    .criterion = "one short jump, no catching up, the lower speed is shown",
+    .judge = judge_hidden_window,
+};
+
+constinit const HardCase determinism_case{
+    .number = 27,
+    .name = "Determinism",
+    .parameters = "curtain of 8 x 8, 0.5 s, alone and twice at the same time on two threads",
+    .criterion = "identical bits",
+    .remark = "a scene is stepped on one thread; parallel stepping of one scene does not exist yet",
+    .judge = judge_determinism,
+};
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// Results of hard cases by their cases and methods, as all reports show them.
+// Results of hard cases grouped by case and method, for the reports.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace hooke {
 
-// The results of one case stand one after another.
+// Groups results; those of one case must be adjacent.
 std::vector<std::span<const CaseResult>> by_case(std::span<const CaseResult> results);
 
-// Those that there are results of, in the order of their table.
+// The methods that have results, in table order.
 std::vector<const Integrator*> methods_of(std::span<const CaseResult> results);
 
-// In the results of one case; that of no method's own is every method's. Null: none.
+// The result of a method within one case; a result independent of the method counts for all. Null: none.
 const CaseResult* find_result(std::span<const CaseResult> group, const Integrator& method);
 
-// Of its method; "any".
+// The id of its method, or "any".
 std::string_view id_of(const CaseResult& result);
 
 // "27 results: 20 held, ..."

@@ -45,7 +45,7 @@ std::string summarize_counts(std::span<const CaseResult> results) {
 
 namespace {
 
-// Results up to which each is told in full.
+// Up to this number of results each is reported in full.
 constexpr std::size_t full_listing_limit = 30;
 
 char mark_of(const CaseResult* result) {
@@ -69,7 +69,7 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-// In lines of the terminal's width, broken between words, the later ones set in.
+// Wrapped to the width of a terminal; continuation lines are indented.
 std::string wrapped(std::string_view text, std::size_t indent) {
   std::string lines, line;
   const auto end_line = [&] {
@@ -116,7 +116,7 @@ std::string format_table(std::span<const CaseResult> results) {
     const std::string number = (hard_case.number < 10 ? " " : "") + std::to_string(hard_case.number);
     std::string line = padded(number + " " + std::string(hard_case.name), name_width);
     if (group[0].method == nullptr)
-      line += std::string(1, mark_of(&group[0])) + " (no method's own)";
+      line += std::string(1, mark_of(&group[0])) + " (independent of the method)";
     else
       for (const Integrator* method : methods) line += std::string(1, mark_of(find_result(group, *method))) + " ";
     line.erase(line.find_last_not_of(' ') + 1);

@@ -4,15 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "study/hard_cases/case_functions.h"
 #include "study/hard_cases/monitored_run.h"
+#include "study/hard_cases/rows.h"
 
 namespace hooke {
 namespace {
 
 constexpr double g = 9.81;  // [m/s^2]
-
-}  // namespace
 
 // A sheet of 1 m and 1 kg falls on a ball on the ground.
 Verdict judge_cloth_on_ball(const Integrator& method) {
@@ -84,5 +82,36 @@ Verdict judge_endless_bounces(const Integrator& method) {
   }
   return worst_of(parts);
 }
+
+}  // namespace
+
+constinit const HardCase cloth_on_ball_case{
+    .number = 19,
+    .name = "Stiff cloth on a ball",
+    .parameters =
+        "32 x 32 points, 1 kg, k = 1e6 N/m, dropped from 2 m on a ball of 0.3 m on the ground, mu = 0.5, e = 0; 20 s with velocity_verlet",
+    .criterion = "penetration < 1e-3 m, no energy gained (1e-3), finite",
+    .remark =
+        "the other methods run for 1 s, past the impact at 0.53 s, to bound the time of the check; first-order methods may fail openly at "
+        "their stability limit",
+    .not_quick = "*",
+    .judge = judge_cloth_on_ball,
+};
+
+constinit const HardCase fast_impact_case{
+    .number = 20,
+    .name = "High-speed impact",
+    .parameters = "100 m/s onto a slab 0.1 m thick, e = 0.5, one step per frame",
+    .criterion = "no tunnelling, rebound height within 1 %",
+    .judge = judge_fast_impact,
+};
+
+constinit const HardCase endless_bounces_case{
+    .number = 21,
+    .name = "Endless bounces",
+    .parameters = "dropped from 1 m, e = 0.9, 1 and 20 substeps",
+    .criterion = "at rest at t1 (1 + e) / (1 - e) within a frame, then moving by less than 1e-6 m",
+    .judge = judge_endless_bounces,
+};
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// Scenes without lengths, directions, freedom or measure.
+// Degenerate scenes: zero lengths, undefined directions, no free points, many springs on one point.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "formats/scene_file.h"
-#include "study/hard_cases/case_functions.h"
 #include "study/hard_cases/monitored_run.h"
+#include "study/hard_cases/rows.h"
 
 namespace hooke {
 namespace {
@@ -19,8 +19,6 @@ constexpr Vec3 no_gravity{0.0};
 double allowed_error(const Integrator& method, double amplitude, double omega, double t, double h) {
   return amplitude * omega * t * std::pow(h * omega, method.order) + 1e-5 * amplitude;
 }
-
-}  // namespace
 
 // x(t) = x0 cos w t + v0 / w sin w t, w = sqrt(k / m): on an ellipse, and on a line through the length zero.
 Verdict judge_zero_length_spring(const Integrator& method) {
@@ -56,7 +54,7 @@ Verdict judge_coincident_points(const Integrator& method) {
       const double angle = 1.5 * i;
       network.join(center, network.add(network.state.position[0] + apart * Vec3(std::cos(angle), std::sin(angle), 0.3)), 100.0, 0.1);
     }
-    // a drag keeps the methods that need it within their limit
+    // drag keeps the methods that need it within their limit
     network.system.drag = 1.0;
     MonitoredRun run(network, {.integrator = &method, .substeps = 20});
     double longest = 0.0;
@@ -70,8 +68,6 @@ Verdict judge_coincident_points(const Integrator& method) {
   return worst_of(parts);
 }
 
-namespace {
-
 Verdict judge_flight(const Integrator& method, const TestNetwork& network, const char* name) {
   constexpr double seconds = 0.5;
   MonitoredRun run(network, {.integrator = &method, .substeps = 20});
@@ -84,13 +80,11 @@ Verdict judge_flight(const Integrator& method, const TestNetwork& network, const
   }
   // Euler methods are g h t / 2 off
   const double allowed = method.order == 1 ? 9.81 * run.settings().substep() * seconds : 1e-9;
-  // what has nothing to solve for is not factored
+  // nothing is factorised without unknowns
   const bool moves = std::ranges::any_of(network.system.points(), [](const Point& point) { return !point.nailed; });
   const long empty = moves ? 0 : run.lab().last_frame().factorizations();
   return judge(run, error <= allowed && empty == 0, std::string(name) + text(" %.1g m off", error));
 }
-
-}  // namespace
 
 Verdict judge_nothing_to_move(const Integrator& method) {
   TestNetwork nailed;
@@ -104,9 +98,7 @@ Verdict judge_nothing_to_move(const Integrator& method) {
   return worst_of(parts);
 }
 
-namespace {
-
-// Two springs between the same points pull as one of twice the stiffness.
+// Two springs between the same points act as one of twice the stiffness.
 Verdict judge_duplicates(const Integrator& method) {
   const auto swing = [&](int springs, double k) {
     TestNetwork network;
@@ -118,7 +110,7 @@ Verdict judge_duplicates(const Integrator& method) {
   };
   const MonitoredRun two = swing(2, 50.0), one = swing(1, 100.0);
   const double apart = glm::distance(two.state().position[1], one.state().position[1]);
-  // one that sweeps over the springs one by one takes them for two
+  // a method that processes the springs one by one treats them as two
   const double allowed = method.stability == Stability::EachSpring ? 0.1 : 1e-6;
   return judge(two, apart <= allowed, text("two springs %.1g m from one twice as stiff", apart));
 }
@@ -132,18 +124,18 @@ Verdict judge_hub(const Integrator& method) {
     const double angle = 2.0 * std::numbers::pi * i / spokes;
     network.join(network.nail({std::cos(angle), std::sin(angle), 0.0}), hub, 10.0, 0.5);
   }
-  // more than half of what lets the hub creep back without swinging, 2 sqrt(k spokes 0.75 / m)
+  // more than half of the critical damping of the hub, 2 sqrt(k spokes 0.75 / m)
   network.system.drag = 100.0;
   MonitoredRun run(network, settings_for(method, network.system, {.min = 8, .free = 8, .fraction = 0.5}), {.position = 1e-5});
   run.run(0.5);
 
-  // at rest: k spokes (1 - l0 / (2 l)) x = m g for a small way x from the middle, l = 1
+  // at rest: k spokes (1 - l0 / (2 l)) x = m g for a small displacement x from the middle, l = 1
   const double exact = -9.81 / (10.0 * spokes * 0.75);
   const double off = glm::distance(run.state().position[0], {0.0, exact, 0.0});
   return judge(run, off < 1e-5, text("hub of %d springs rests %.1g m off", spokes, off));
 }
 
-// A spring from a point to itself, by the file and by the hand.
+// A spring from a point to itself, in a file and as an edit.
 Verdict judge_self_spring() {
   bool refused = false;
   try {
@@ -158,13 +150,46 @@ Verdict judge_self_spring() {
   run.frame();
   const bool rejected = refused && run.system().spring_count() == 0;
   return {.outcome = rejected ? Outcome::Held : Outcome::FailedSilently,
-          .measured = rejected ? "self-spring refused" : "self-spring let in"};
+          .measured = rejected ? "self-spring refused" : "self-spring accepted"};
 }
-
-}  // namespace
 
 Verdict judge_springs_on_one_point(const Integrator& method) {
   return worst_of(std::array{judge_self_spring(), judge_duplicates(method), judge_hub(method)});
 }
+
+}  // namespace
+
+constinit const HardCase zero_length_spring_case{
+    .number = 5,
+    .name = "Zero-length spring",
+    .parameters = "l0 = 0, omega = 10 /s, 40 substeps, 2 s: on an ellipse, through the nail, and starting at the nail",
+    .criterion = "harmonic motion to the order of the method: A omega t (h omega)^p",
+    .judge = judge_zero_length_spring,
+};
+
+constinit const HardCase coincident_points_case{
+    .number = 6,
+    .name = "Coincident points",
+    .parameters = "five points at one position, four springs of 0.1 m",
+    .criterion = "positions stay finite and momentum is conserved; points 1e-12 m apart separate",
+    .judge = judge_coincident_points,
+};
+
+constinit const HardCase nothing_to_move_case{
+    .number = 14,
+    .name = "Nothing to move",
+    .parameters = "an empty scene, one with nails only, a single point, isolated points",
+    .criterion = "no crash and no factorisation of an empty matrix; free points fall",
+    .judge = judge_nothing_to_move,
+};
+
+constinit const HardCase springs_on_one_point_case{
+    .number = 25,
+    .name = "Springs on one point",
+    .parameters = "a spring from a point to itself, two between the same points, 1000 on one point",
+    .criterion = "refused; equal to one spring of twice the stiffness to 1e-6 m; at rest at the exact position to 1e-5 m",
+    .remark = "xpbd, which processes two springs one after the other, may be 0.1 m from one of twice the stiffness",
+    .judge = judge_springs_on_one_point,
+};
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// What a hand does to a scene: shakes it in time, jerks the sliders.
+// Interaction: driving at resonance, and sudden parameter changes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include "scene/parameters.h"
 #include "study/analytic_scenes.h"
-#include "study/hard_cases/case_functions.h"
 #include "study/hard_cases/monitored_run.h"
+#include "study/hard_cases/rows.h"
 
 namespace hooke {
 namespace {
@@ -37,7 +37,7 @@ Verdict resonate(const Integrator& method, double zeta) {
                    {.position = 0.02 * std::abs(largest)});
   run.lab().submit(GrabPoint{{.point = hand, .kind = GrabKind::Hold, .target = Vec3(0.0)}});
 
-  // the largest of the last period
+  // the largest displacement in the last period
   double reached = 0.0, exact = 0.0;
   for (int i = 1; i <= 20 * 60; ++i) {
     run.lab().submit(MoveHand{{amplitude * std::sin(omega * i / 60.0), 0.0, 0.0}});
@@ -47,24 +47,20 @@ Verdict resonate(const Integrator& method, double zeta) {
     exact = std::max(exact, std::abs(driven_position(amplitude, omega, zeta, run.state().time)));
   }
   const double error = reached / exact - 1.0;
-  // methods of first order that damp at one step a frame cannot, and must say so
+  // dissipative first-order methods cannot at one step per frame, and must report it
   const bool damps = method.order == 1 && method.energy == EnergyTrend::Falls;
   const Expectation baseline = method.order == 1 ? Expectation::HoldOrReport : expectation_of(run);
   return judge(run, damps ? Expectation::Report : baseline, std::abs(error) < 0.02,
                text("zeta %g: amplitude %+.1f %% off", zeta, 100.0 * error));
 }
 
-}  // namespace
-
 Verdict judge_resonance(const Integrator& method) { return worst_of(std::array{resonate(method, 0.0), resonate(method, 0.01)}); }
-
-namespace {
 
 struct Sliders {
   double stiffness, damping, mass, drag;
 };
 
-// The energy that the scene as it stands would gain by other values: sum of dk (l - l0)^2 / 2 and dm (v^2 / 2 - g x).
+// The change of energy of the current state by other values: sum of dk (l - l0)^2 / 2 and dm (v^2 / 2 - g x).
 double expected_energy_jump(const System& system, const State& state, const Sliders& to) {
   double jump = 0.0;
   for (const Spring& spring : system.springs()) {
@@ -79,8 +75,7 @@ double expected_energy_jump(const System& system, const State& state, const Slid
   return jump;
 }
 
-// An adaptive method: the step that it would take next after two more frames, against that after the same two frames
-// of a run without a past.
+// For an adaptive method: its next step size after two more frames, relative to that of a fresh run after the same two frames.
 double step_ratio_to_fresh_start(MonitoredRun& run) {
   TestNetwork fresh{run.system(), run.state()};
   fresh.state.memory = {};
@@ -107,8 +102,6 @@ void set_sliders(MonitoredRun& run, const Sliders& to) {
   run.lab().advance(0.0, [] { return true; });
 }
 
-}  // namespace
-
 Verdict judge_slider_jumps(const Integrator& method) {
   constexpr double m = 1.0 / 64.0;
   constexpr Sliders baseline{1e2, 0.0, m, 0.0};
@@ -118,7 +111,7 @@ Verdict judge_slider_jumps(const Integrator& method) {
   const auto settings_of = [&](const System& system) { return settings_for(method, system, {.min = 4, .free = 4}); };
   MonitoredRun run({net.system, net.state}, settings_of(net.system));
 
-  // every 0.1 s to another setting and back, with the substeps that it needs
+  // every 0.1 s to another setting and back, with the substeps it requires
   double worst = 0.0, max_step_ratio = 1.0;
   bool moved = false;
   Expectation expected = Expectation::Hold;
@@ -139,9 +132,35 @@ Verdict judge_slider_jumps(const Integrator& method) {
     run.run(adapts(method) ? 0.1 - 2.0 / 60.0 : 0.1);
     if (expectation_of(run) != Expectation::Hold) expected = Expectation::HoldOrReport;
   }
-  std::string measured = text("energy jumps as it should to %.1g", worst);
-  if (adapts(method)) measured += text(", steps after two frames within %.2g times a fresh start's", max_step_ratio);
+  std::string measured = text("energy changes as expected to %.1g", worst);
+  if (adapts(method)) measured += text(", step sizes after two frames within %.2g times those of a fresh run", max_step_ratio);
   return judge(run, expected, !moved && worst < 1e-9 && max_step_ratio < 2.0, std::move(measured));
 }
+
+}  // namespace
+
+constinit const HardCase resonance_case{
+    .number = 9,
+    .name = "Resonance",
+    .parameters =
+        "a mass on a spring whose end is driven at omega0 = 2 pi /s for 20 s, zeta = 0 and 0.01; one substep for methods stable at any "
+        "step, else 20",
+    .criterion =
+        "amplitude within 2 % of the exact one; first-order methods whose energy falls must fail openly, other first-order methods may",
+    .judge = judge_resonance,
+};
+
+constinit const HardCase slider_jumps_case{
+    .number = 12,
+    .name = "Sliders jump",
+    .parameters =
+        "net of 8 x 8: k x 1e4 and / 1e4, d to 1e3, m x 1e3, drag to 50, one at a time and all at once, together with the substeps, every "
+        "0.1 s",
+    .criterion =
+        "finite; the edit itself moves nothing, and the energy changes exactly by what the new values imply; an adaptive method recovers "
+        "its step size within two frames",
+    .not_quick = "dop853 esdirk4",
+    .judge = judge_slider_jumps,
+};
 
 }  // namespace hooke

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "study/hard_cases/rows.h"
+
 namespace hooke {
 
 bool is_broken(const Verdict& verdict) {
@@ -19,7 +21,7 @@ bool is_broken(const Verdict& verdict) {
 }
 
 Verdict worst_of(std::span<const Verdict> parts) {
-  // a broken part first, then a failure, then what held; out of scope only where all parts are
+  // a broken part first, then a failure, then success; out of scope only if all parts are
   const auto badness = [](const Verdict& part) {
     const int outcome = part.outcome == Outcome::FailedSilently ? 3
                         : part.outcome == Outcome::FailedOpenly ? 2
@@ -61,9 +63,18 @@ std::string_view describe(Expectation expectation) {
   return {};
 }
 
+Table<HardCase> hard_cases() {
+  static constexpr const HardCase* rows[] = {
+#define ROW(name) &name,
+#include "study/hard_cases/list.inc"
+#undef ROW
+  };
+  return Table<HardCase>(rows, {});
+}
+
 bool is_quick(const HardCase& hard_case, const Integrator& method) {
   if (hard_case.not_quick == "*") return false;
-  // ids are words with spaces between
+  // ids are separated by spaces
   const std::string words = " " + std::string(hard_case.not_quick) + " ";
   return words.find(" " + std::string(method.id) + " ") == std::string::npos;
 }

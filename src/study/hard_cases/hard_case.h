@@ -1,5 +1,5 @@
-// The hard cases: scenes on which methods are known to fail, each with its parameters and its criterion. A method may
-// fail one, but never in silence: what it cannot do has to be reported by the run itself.
+// The hard cases: scenes on which methods are known to fail, each with its parameters and its criterion. A method may fail one, but never
+// silently: the run itself has to report the failure. Adding a case is its row, in a file of this folder, and one line in list.inc.
 #pragma once
 
 #include <span>
@@ -7,26 +7,27 @@
 #include <string_view>
 #include <vector>
 
+#include "base/table.h"
 #include "sim/integrator.h"
 
 namespace hooke {
 
 enum class Outcome {
   Held,            // the criterion was met
-  FailedOpenly,    // it was not, and the run said so
-  FailedSilently,  // it was not, and nothing said so
-  OutOfScope,      // not a question to this method, or in need of something that does not exist
+  FailedOpenly,    // it was not, and the run reported it
+  FailedSilently,  // it was not, and nothing reported it
+  OutOfScope,      // does not apply to this method, or needs a feature that does not exist
 };
 
-// What has to come out.
+// The outcome required.
 enum class Expectation { Hold, Report, HoldOrReport };
 
 struct Verdict {
   Outcome outcome = Outcome::Held;
   Expectation expected = Expectation::Hold;
-  std::string measured;                        // the figures that the criterion is about
+  std::string measured;                        // the figures of the criterion
   std::string reason;                          // how a failure was reported, or why it is out of scope
-  std::vector<std::vector<std::string>> rows;  // of the case's own table, if it has one: a row a step
+  std::vector<std::vector<std::string>> rows;  // of the case's own table, if it has one: one per step
 };
 
 bool is_broken(const Verdict& verdict);
@@ -45,17 +46,17 @@ struct HardCase {
   std::string_view name;
   std::string_view parameters;
   std::string_view criterion;
-  std::string_view remark;  // what may be looser than it sounds, for whom and why, and what is not checked; may be empty
+  std::string_view remark;  // exceptions with their reasons, and what is not checked; may be empty
   Concerns concerns = Concerns::EveryMethod;
-  std::string_view not_quick;                  // ids of the methods that it costs seconds: left out of the quick subset; "*": all
-  std::string_view columns;                    // of its own table, with bars between; empty: it has none
-  Verdict (*judge)(const Integrator& method);  // runs it; the default method where no method is concerned
+  std::string_view not_quick;                  // ids of methods that take seconds, excluded from the quick subset; "*": all
+  std::string_view columns;                    // of its own table, separated by bars; empty: none
+  Verdict (*judge)(const Integrator& method);  // runs it; with the default method if it concerns no method
 };
 
-// Whether the quick subset has it.
+// Whether the quick subset includes it.
 bool is_quick(const HardCase& hard_case, const Integrator& method);
 
-// In the order of their numbers, 1 to 27.
-std::span<const HardCase> hard_cases();
+// In the order of their numbers, which start at 1.
+Table<HardCase> hard_cases();
 
 }  // namespace hooke

@@ -6,7 +6,7 @@
 #include <cstdarg>
 #include <cstdio>
 
-#include "scene/diagnosis.h"
+#include "scene/step_limits.h"
 #include "sim/divergence.h"
 
 namespace hooke {
@@ -26,8 +26,8 @@ Scene make_scene(const TestNetwork& network, const Settings& settings) {
   return scene;
 }
 
-// "stopped by the watch at 0.3 s: ...", if the last good state was kept and the status names what broke, where, and
-// what would hold; else nothing.
+// "diverged at 0.3 s: ...", if the last good state was kept and the status reports what diverged, where, and which setting to try; else
+// nothing.
 std::string describe_stop(Lab& lab, const State& before) {
   lab.publish();
   const Status& status = *lab.status();
@@ -38,7 +38,7 @@ std::string describe_stop(Lab& lab, const State& before) {
   if (!named || !kept || status.diagnosis.message.empty() || !status.diagnosis.advice) return {};
 
   const bool numbers = divergence->kind == Divergence::Kind::NotFinite;
-  std::string name = text("stopped by the watch at %.3g s: %s", divergence->time, numbers ? "beyond all numbers" : "energy from nowhere");
+  std::string name = text("diverged at %.3g s: %s", divergence->time, numbers ? "infinite or NaN" : "energy gain");
   if (divergence->point) name += ", point " + std::to_string(system.index_of(*divergence->point));
   if (divergence->spring) name += ", spring " + std::to_string(system.index_of(*divergence->spring));
   return name;
@@ -61,7 +61,7 @@ bool MonitoredRun::frame() {
   if (interrupted) throw Interrupted{};
   if (stopped_) return false;
 
-  // what is queued belongs to the frame that is estimated
+  // apply queued edits before the estimate: they belong to its frame
   if (monitor_->estimate_is_due()) lab_.advance(0.0, [] { return true; });
   monitor_->begin_frame(system(), settings(), state());
   const State before = state();
@@ -84,9 +84,9 @@ bool MonitoredRun::run(double seconds) {
 std::string MonitoredRun::report() const {
   if (stopped_) return stop_reason_;
   const double largest = largest_step(*this);
-  if (largest == 0.0) return "its status: no step is stable";
+  if (largest == 0.0) return "status: no step is stable";
   if (exceeds_stable_step(*this, largest))
-    return text("its status: the step is %.2g times the largest stable one", settings().substep() / largest);
+    return text("status: the step is %.2g times the largest stable one", settings().substep() / largest);
   const std::vector<std::string> warnings = monitor_->warnings(system(), tolerance_);
   return warnings.empty() ? "" : warnings.front();
 }

@@ -1,5 +1,4 @@
-// A scene under a method in a Lab of its own, frame by frame, as a person would see it: with the watch for divergence,
-// and with books on what speaks against it.
+// Runs a scene under a method in its own Lab, as the window does: with the divergence check, and with a RunMonitor.
 #pragma once
 
 #include <optional>
@@ -12,18 +11,18 @@
 
 namespace hooke {
 
-// Whether all runs, on whatever thread, are to stop: then the next frame of each throws Interrupted.
+// Stops all runs on all threads: the next frame of each throws Interrupted.
 void set_interrupted(bool stop);
 struct Interrupted {};
 
 class MonitoredRun {
  public:
-  // With a tolerance for positions the frames' errors are estimated.
+  // With a tolerance for positions the errors of the frames are estimated.
   MonitoredRun(const TestNetwork& network, const Settings& settings, const Tolerance& tolerance = {});
 
-  // One frame; false when the watch stops the run, and from then on.
+  // Steps one frame; false when the run has diverged, and from then on.
   bool frame();
-  // As many whole frames as `seconds` hold.
+  // Steps the whole frames in `seconds`.
   bool run(double seconds);
 
   Lab& lab() { return lab_; }
@@ -33,8 +32,8 @@ class MonitoredRun {
   const RunMonitor& monitor() const { return *monitor_; }
   bool stopped() const { return stopped_; }
 
-  // How the run itself says that it is not to be trusted: the watch stopped it; its step is beyond the method's limit; or
-  // its books do. Empty: in no way.
+  // How the run itself reports that it is wrong: it diverged, its step is beyond the method's limit, or the monitor warns. Empty: it does
+  // not.
   std::string report() const;
 
  private:
@@ -42,28 +41,28 @@ class MonitoredRun {
   const Tolerance tolerance_;
   std::optional<RunMonitor> monitor_;
   bool stopped_ = false;
-  std::string stop_reason_;  // how the watch named it; empty: not openly, or not at all
+  std::string stop_reason_;  // as reported; empty: it did not stop, or without a complete report
 };
 
-// How a method is set on a scene: at 60 frames a second, with the fewest substeps at which it holds.
+// How a method is set on a scene: at 60 frames per second, with the fewest stable substeps.
 struct Stepping {
   int min = 1;            // substeps, at least
-  int free = 1;           // substeps of the methods that hold at any step
-  double fraction = 1.0;  // of the largest stable step, that may be taken
-  int max = 1000000;      // substeps: where it takes more, these are too dear, and it is left at `least`
+  int free = 1;           // substeps of the methods stable at any step
+  double fraction = 1.0;  // step as a fraction of the largest stable one
+  int max = 1000000;      // substeps: if more are needed, the run is too expensive and gets `min`
 };
 Settings settings_for(const Integrator& method, const System& system, const Stepping& stepping = {});
 
-// Whether a step of any size may be asked of the method, if only for a spring alone.
+// Whether the method is stable at any step, at least for a single spring.
 bool is_stable_at_any_step(const Integrator& method);
-// Whether it picks its steps itself.
+// Whether it chooses its own steps.
 bool adapts(const Integrator& method);
 
-// A run must hold, unless its step is beyond the limit of its method, or the method promises nothing: many springs at a
-// time under XPBD; springs that turn, and are too fast for the step, under the midpoint rule, which damps nothing.
+// A run must succeed, unless its step is beyond the limit of its method, or the method guarantees nothing: XPBD with many springs; the
+// implicit midpoint rule, which damps nothing, with rotating springs that are too fast for the step.
 Expectation expectation_of(const MonitoredRun& run);
 
-// The verdict on a run that was to meet a criterion, and did (`met`) or not.
+// The verdict on a run whose criterion was `met` or not.
 Verdict judge(const MonitoredRun& run, bool met, std::string measured);
 Verdict judge(const MonitoredRun& run, Expectation expected, bool met, std::string measured);
 

@@ -1,4 +1,4 @@
-// The same thing at another place, in other company, or in more pieces.
+// Invariance: refinement of the mesh, distance from the origin, independent parts in one scene.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -6,8 +6,8 @@
 
 #include "formats/scene_file.h"
 #include "study/analytic_scenes.h"
-#include "study/hard_cases/case_functions.h"
 #include "study/hard_cases/monitored_run.h"
+#include "study/hard_cases/rows.h"
 
 namespace hooke {
 namespace {
@@ -18,24 +18,20 @@ State after(const TestNetwork& network, const Settings& settings, double seconds
   return run.state();
 }
 
-}  // namespace
-
-namespace {
-
-// A sheet of 1 m and 1 kg/m^2, k = 200 N/m and half along the diagonals, d = 0.2 N s/m, hung from its top row: how far it
-// sags, and how its slowest vibration goes on about that.
+// A sheet of 1 m and 1 kg/m^2, k = 200 N/m and half along the diagonals, d = 0.2 N s/m, hung from its top row: its
+// sag and the slowest vibration about it.
 struct Sheet {
   double sag = 0.0, period = 0.0, decay = 0.0;  // [m], [s], [1/s]
 };
 
-// How far row r of n is below its place in the undeformed sheet [m], a mean over its points.
+// Mean displacement of row r of n below its position in the undeformed sheet [m].
 double drop_of_row(const State& state, int n, int row) {
   double sum = 0.0;
   for (int i = n * row; i < n * (row + 1); ++i) sum += state.position[i].y;
   return -sum / n - static_cast<double>(row) / (n - 1);
 }
 
-// The share of the slowest mode: with sin(pi s / 2), s from the top row, all others weigh little.
+// Amplitude of the slowest mode: the weight sin(pi s / 2), s from the top row, suppresses the others.
 double slowest_mode(const State& state, int n) {
   double sum = 0.0;
   for (int row = 1; row < n; ++row) {
@@ -52,7 +48,7 @@ Sheet measure_sheet(const Integrator& method, int n) {
       R"(], "density": 1, "stiffness": 200, "shear_stiffness": 100, "damping": 0.2, "nail": ["top"]}]})";
   const Scene scene = parse_scene(json, "sheet").scene;
   TestNetwork network{scene.system, scene.state};
-  // at its limit the sweeps over the finest sheet's dashpots, d h / m = 0.8, take 6 % too little
+  // at its limit the sweeps over the dashpots of the finest sheet, d h / m = 0.8, damp 6 % too little
   Settings settings = settings_for(method, network.system, {.free = 4, .fraction = 0.2});
 
   // at rest under drag, near the critical one of the slowest mode
@@ -88,8 +84,6 @@ Sheet measure_sheet(const Integrator& method, int n) {
   sheet.decay = std::log(heights[0] / heights[8]) / (times[8] - times[0]);
   return sheet;
 }
-
-}  // namespace
 
 // The mesh is what it is about: one method for all.
 Verdict judge_refinement(const Integrator& method) {
@@ -167,5 +161,40 @@ Verdict judge_islands(const Integrator& method) {
   const Expectation expected = run.monitor().unconverged_solves() > 0 ? Expectation::HoldOrReport : expectation_of(run);
   return judge(run, expected, max < 1e-6, text("together %.1g m from alone, %d substeps", max, settings.substeps));
 }
+
+}  // namespace
+
+constinit const HardCase refinement_case{
+    .number = 22,
+    .name = "Refinement",
+    .parameters = "sheet of the same material with 9, 17, 33, 65 and 129 points per side, hung by its top",
+    .criterion = "sag and period within 1 %, decay rate within 5 % of the finest",
+    .concerns = Concerns::NoMethod,
+    .not_quick = "*",
+    .judge = judge_refinement,
+};
+
+constinit const HardCase large_coordinates_case{
+    .number = 23,
+    .name = "Large coordinates",
+    .parameters = "net of 8 x 8, 1e3 m and 1e5 m from the origin, 0.5 s",
+    .criterion = "trajectories equal to 1e-9 m",
+    .remark =
+        "dop853, whose tolerance cannot be below the rounding error of such coordinates (1e-14 of them), may be 1e-8 m off; drawing "
+        "relative to the camera is covered by the tests of drawing",
+    .judge = judge_large_coordinates,
+};
+
+constinit const HardCase islands_case{
+    .number = 26,
+    .name = "Stiff and soft islands",
+    .parameters = "a rope of k = 1e8 N/m and a cloth of k = 1 N/m in one scene, 0.5 s",
+    .criterion = "each moves as it does alone, to 1e-6 m",
+    .remark =
+        "not checked: a cost of at most 1.5 times that of the two alone, which needs a method chosen per island; there is no `auto` method "
+        "yet",
+    .not_quick = "dop853",
+    .judge = judge_islands,
+};
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// A scene being put together in code, point by point.
+// Builds a scene in code, point by point.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,13 @@ struct TestNetwork {
   PointId add(const Vec3& position, double mass = 1.0, const Vec3& velocity = Vec3(0.0));
   PointId nail(const Vec3& position);
   SpringId join(PointId first, PointId second, double stiffness, double rest_length, double damping = 0.0);
-  // The same as long as it is drawn.
+  // With its current length as rest length.
   SpringId join(PointId first, PointId second, double stiffness);
 
   Index index(PointId id) const { return system.index_of(id); }
 };
 
-// rows x columns points with springs right and down, and along both diagonals if k_diagonal > 0 [N/m], as long as drawn:
+// rows x columns points with springs right and down, and along both diagonals if diagonal_stiffness > 0, all at rest length:
 // point (row, column) at corner + column across + row down, with the index row * columns + column. `mass` [kg] each.
 struct SheetShape {
   int rows, columns;
@@ -29,7 +29,7 @@ struct SheetShape {
 };
 TestNetwork make_sheet(const SheetShape& shape);
 
-// Numbers that look random, the same on every machine (SplitMix64: Steele, Lea, Flood 2014).
+// Pseudo-random numbers, the same on every machine (SplitMix64: Steele, Lea, Flood 2014).
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}

@@ -1,0 +1,41 @@
+#include "lab/divergence_message.h"
+
+#include <cstdio>
+
+namespace hooke {
+namespace {
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+std::string describe_spring(const System& system, SpringId id) {
+  const Spring& spring = system.springs()[system.index_of(id)];
+  return "spring " + std::to_string(system.index_of(id)) + " (points " + std::to_string(system.index_of(spring.first)) + " and " +
+         std::to_string(system.index_of(spring.second)) + ")";
+}
+
+std::string describe_location(const Divergence& divergence, const System& system) {
+  std::string location;
+  if (divergence.point && system.index_of(*divergence.point) != no_index)
+    location = "point " + std::to_string(system.index_of(*divergence.point));
+  if (divergence.spring && system.index_of(*divergence.spring) != no_index)
+    location += (location.empty() ? "" : " on ") + describe_spring(system, *divergence.spring);
+  return location.empty() ? "the scene" : location;
+}
+
+}  // namespace
+
+std::string describe(const Divergence& divergence, const System& system) {
+  const std::string location = describe_location(divergence, system);
+  const double ratio = divergence.energy / divergence.scale;
+  const std::string what =
+      divergence.kind == Divergence::Kind::NotFinite
+          ? location + " became infinite or NaN."
+          : "the energy grew by " + format(ratio < 1e4 ? "%.0f" : "%.2g", ratio) + " times the energy supplied, first at " + location + ".";
+  return "Stopped at t = " + format("%.4g", divergence.time) + " s: " + what;
+}
+
+}  // namespace hooke

@@ -1,0 +1,13 @@
+// The message about a run that stopped.
+#pragma once
+
+#include <string>
+
+#include "sim/divergence.h"
+
+namespace hooke {
+
+// When it stopped, why, and at which point and spring (by their numbers in the lists, from 0). One line.
+std::string describe(const Divergence& divergence, const System& system);
+
+}  // namespace hooke

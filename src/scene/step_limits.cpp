@@ -1,0 +1,60 @@
+#include "scene/step_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/file_limits.h"
+
+namespace hooke {
+namespace {
+
+std::string count_substeps(int substeps) { return std::to_string(substeps) + (substeps == 1 ? " substep" : " substeps"); }
+
+int with_margin(int substeps) { return std::min(max_substeps, substep_margin * substeps); }
+
+}  // namespace
+
+std::optional<int> min_stable_substeps(const Integrator& integrator, const Spectrum& spectrum, double frame_rate) {
+  const double step = largest_stable_step(integrator, spectrum);
+  if (step == 0.0) return std::nullopt;
+  const double substeps = std::ceil(1.0 / (frame_rate * step) * (1.0 + 1e-9));
+  if (!(substeps <= max_substeps)) return std::nullopt;
+  return std::max(1, static_cast<int>(substeps));
+}
+
+Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings) {
+  const Integrator& method = *settings.integrator;
+  if (const auto substeps = min_stable_substeps(method, spectrum, settings.frame_rate)) {
+    if (settings.substeps < with_margin(*substeps)) return {&method, with_margin(*substeps)};
+    // with the margin already: a smaller step all the same. A method that amplifies every undamped mode amplifies the motion across
+    // the springs, which dashpots do not damp
+    if (method.stability != Stability::None) return {&method, std::min(max_substeps, 4 * settings.substeps)};
+  }
+  const Integrator& fallback = default_integrator();
+  if (const auto substeps = min_stable_substeps(fallback, spectrum, settings.frame_rate)) return {&fallback, with_margin(*substeps)};
+  return {&stiff_integrator(), settings.substeps};
+}
+
+std::optional<std::string> step_warning(const System& system, const Settings& settings) {
+  const Spectrum spectrum = bound_spectrum(system);
+  const Integrator& method = *settings.integrator;
+  if (settings.substep() <= largest_stable_step(method, spectrum)) return std::nullopt;
+
+  const std::string id(method.id);
+  const Advice advice = suggest_stepping(spectrum, settings);
+  if (const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate); limit && advice.integrator == &method)
+    return "simulation.substeps: " + std::to_string(settings.substeps) + ": may be too few for " + id +
+           " here: its linear stability limit is " + count_substeps(*limit) + " per frame; " + std::to_string(advice.substeps) +
+           " are recommended";
+  const std::string reason = method.stability == Stability::None
+                                 ? "is stable at no step"
+                                 : "needs more than " + std::to_string(max_substeps) + " substeps per frame";
+  return "simulation.integrator: " + id + ": " + reason + " here; " + std::string(advice.integrator->id) + " with " +
+         count_substeps(advice.substeps) + " per frame is recommended";
+}
+
+std::string describe(const Advice& advice) {
+  return std::string(advice.integrator->label) + " with " + count_substeps(advice.substeps) + " per frame";
+}
+
+}  // namespace hooke

@@ -1,0 +1,189 @@
+#include "study/remedy.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+#include "base/file_limits.h"
+#include "lab/lab.h"
+
+namespace hooke {
+namespace {
+
+constexpr double any_gain = std::numeric_limits<double>::infinity();
+
+// What a copy may cost, shared by all copies.
+struct Budget {
+  double left;
+  const std::atomic<bool>& stop;
+  bool is_spent() const { return left <= 0.0 || stop; }
+};
+
+// Rough cost of a substep in force evaluations.
+double relative_cost(const Integrator& method) {
+  switch (method.stability) {
+    case Stability::AStable:
+    case Stability::LStable:
+      return 300.0;
+    case Stability::EachSpring:
+      return 4.0;
+    case Stability::Adaptive:
+      return 100.0;
+    default:
+      return method.order > 2 ? 6.0 : 1.0;
+  }
+}
+
+struct Trial {
+  enum class End { Finished, Diverged, GainedEnergy, OutOfBudget };
+  End end = End::Finished;
+  double seconds = 0.0;  // [s], simulated
+};
+
+// [J], beyond what was supplied
+double unexplained_energy(const Scene& scene) { return compute_energy(scene.system, scene.state).total() - scene.state.ledger.net_input; }
+
+// Ends early at a gain of more than `max_energy_gain` of the energy supplied [1].
+Trial run_copy(Scene scene, double seconds, double max_energy_gain, Budget& budget) {
+  constexpr int checks = 32;
+  const double start = scene.state.time;
+  const double cost = relative_cost(*scene.settings.integrator) * (scene.system.spring_count() + scene.system.point_count() + 10.0);
+  const auto spend = [&] {
+    budget.left -= cost;
+    return !budget.is_spent();
+  };
+
+  Lab lab(std::move(scene), KeepStart::No);
+  double lowest = unexplained_energy(lab.scene());
+  for (int check = 1; check <= checks; ++check) {
+    lab.submit(RunTo{start + seconds * check / checks});
+    lab.advance(0.0, spend);
+    const double simulated = lab.scene().state.time - start;
+    if (lab.status()->snapshot->divergence) return {Trial::End::Diverged, simulated};
+    const double energy = unexplained_energy(lab.scene());
+    if (energy - lowest > max_energy_gain * lab.scene().state.ledger.scale) return {Trial::End::GainedEnergy, simulated};
+    lowest = std::min(lowest, energy);
+    if (budget.is_spent()) return {Trial::End::OutOfBudget, simulated};
+  }
+  return {Trial::End::Finished, seconds};
+}
+
+// Whether the scene no longer diverges when a part of it is missing.
+template <class Remove>
+bool is_cured_without(const Scene& start, double seconds, Budget& budget, const Remove& remove) {
+  Scene scene = start;
+  remove(scene.system);
+  return run_copy(std::move(scene), seconds, any_gain, budget).end == Trial::End::Finished;
+}
+
+Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
+  using enum Remedy::Cause;
+  const Settings& settings = start.settings;
+  if (settings.substep() > largest_stable_step(*settings.integrator, bound_spectrum(start.system))) return StepTooLong;
+
+  const System& system = start.system;
+  const bool has_forces = std::ranges::any_of(system.forces, &Force::on);
+  const bool has_hand = system.grab || system.collider_grab || system.scripted_hand;
+  if (has_forces && is_cured_without(start, seconds, budget, [](System& copy) { copy.forces.clear(); })) return Force;
+  if (has_hand && is_cured_without(start, seconds, budget, [](System& copy) {
+        copy.grab.reset();
+        copy.collider_grab.reset();
+        copy.scripted_hand.reset();
+      }))
+    return Hand;
+  if (!system.colliders.empty() && is_cured_without(start, seconds, budget, [](System& copy) { copy.colliders.clear(); })) return Contact;
+  return Springs;
+}
+
+// Settings to try, the likeliest and cheapest first: the method as set and then the default one, each in ever smaller steps, then
+// the methods that are stable at any step.
+std::vector<Advice> candidates(const Scene& start) {
+  const Settings& settings = start.settings;
+  const Spectrum spectrum = bound_spectrum(start.system);
+  std::vector<Advice> list;
+  const auto add_refinements = [&](const Integrator& method, int min_substeps) {
+    const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate);
+    if (!limit || method.stability == Stability::None) return;
+    constexpr int refinements = 5;
+    double substeps = std::max<double>(min_substeps, static_cast<double>(substep_margin) * *limit);
+    for (int i = 0; i < refinements && substeps <= max_substeps; ++i, substeps *= 2.0)
+      list.push_back({&method, static_cast<int>(substeps)});
+  };
+  add_refinements(*settings.integrator, 2 * std::min(settings.substeps, max_substeps / 2));
+  if (settings.integrator != &default_integrator()) add_refinements(default_integrator(), settings.substeps);
+  for (const Integrator& method : integrators()) {
+    const bool is_implicit = method.stability == Stability::LStable || method.stability == Stability::AStable;
+    if (!is_implicit || !method.for_production || &method == settings.integrator) continue;
+    for (const int substeps : {settings.substeps, 4 * settings.substeps})
+      if (substeps <= max_substeps) list.push_back({&method, substeps});
+  }
+  return list;
+}
+
+}  // namespace
+
+Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work) {
+  // a quarter of the work goes to the cause, and no setting takes more than half of what is left
+  Remedy remedy;
+  Budget diagnosis{0.25 * max_work, stop};
+  const Trial original = run_copy(start, seconds, any_gain, diagnosis);
+  if (original.end != Trial::End::Diverged) return remedy;
+  const double frame = 1.0 / start.settings.frame_rate, diverged_after = original.seconds + frame;
+  remedy.cause = find_cause(start, diverged_after, diagnosis);
+
+  double left = max_work - (0.25 * max_work - std::max(0.0, diagnosis.left));
+  std::optional<Advice> partly_tested;
+  for (const Advice& advice : candidates(start)) {
+    if (stop || left <= 0.0) break;
+    Scene scene = start;
+    scene.settings.integrator = advice.integrator;
+    scene.settings.substeps = advice.substeps;
+    if (advice.integrator->stability != Stability::Adaptive) scene.settings.tolerance.reset();
+    Budget budget{0.5 * left, stop};
+    const double given = budget.left;
+    constexpr double max_energy_gain = 0.02;
+    const Trial trial = run_copy(std::move(scene), seconds, max_energy_gain, budget);
+    left -= given - std::max(0.0, budget.left);
+    ++remedy.settings_tried;
+    if (trial.end == Trial::End::Finished) {
+      remedy.advice = advice;
+      remedy.tested_seconds = trial.seconds;
+      return remedy;
+    }
+    const bool is_tested = trial.end == Trial::End::OutOfBudget && trial.seconds >= 2.0 * diverged_after;
+    if (is_tested && !partly_tested) {
+      partly_tested = advice;
+      remedy.tested_seconds = trial.seconds;
+    }
+  }
+  remedy.advice = partly_tested;
+  return remedy;
+}
+
+std::string describe(const Remedy& remedy, const Settings& settings) {
+  const auto cause = [&]() -> std::string {
+    switch (remedy.cause) {
+      case Remedy::Cause::NotReproduced:
+        return "The divergence could not be reproduced from the start.";
+      case Remedy::Cause::StepTooLong:
+        return "Cause: the step is beyond the linear stability limit of " + std::string(settings.integrator->label) + ".";
+      case Remedy::Cause::Force:
+        return "Cause: the listed forces; without them it does not diverge.";
+      case Remedy::Cause::Contact:
+        return "Cause: contact; without the colliders it does not diverge.";
+      case Remedy::Cause::Hand:
+        return "Cause: the hand; without it the scene does not diverge.";
+      case Remedy::Cause::Springs:
+        return "Cause: springs that rotate far within a step; the linear stability limit does not cover them.";
+    }
+    return {};
+  };
+  if (remedy.cause == Remedy::Cause::NotReproduced) return cause();
+  if (!remedy.advice) return cause() + " No remedy found: " + std::to_string(remedy.settings_tried) + " other settings were tried.";
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, "%.3g", remedy.tested_seconds);
+  return cause() + " " + describe(*remedy.advice) + " does not diverge (tested for " + seconds + " s).";
+}
+
+}  // namespace hooke

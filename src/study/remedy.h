@@ -1,0 +1,41 @@
+// Finds out why a run diverged, and a setting that does not diverge: by running copies of the scene.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+#include "scene/scene.h"
+#include "scene/step_limits.h"
+
+namespace hooke {
+
+struct Remedy {
+  enum class Cause {
+    NotReproduced,  // the run from this state did not diverge again, or not within the work allowed
+    StepTooLong,    // beyond the linear stability limit
+    Force,          // stable without the listed forces
+    Contact,        // stable without the colliders
+    Hand,           // stable without the hand
+    Springs,        // within the linear limit, which does not cover springs that rotate far
+  };
+  Cause cause = Cause::NotReproduced;
+  std::optional<Advice> advice;  // a setting that was run and did not diverge; none: none was found
+  double tested_seconds = 0.0;   // [s], simulated with it
+  int settings_tried = 0;
+};
+
+// A bound on the work: about the number of springs and points times the force evaluations of all copies together. The default takes a
+// second or two.
+inline constexpr double default_remedy_work = 4e8;
+
+// Runs copies of `start` (a state before the divergence, best the start of the run) with its own settings, without its forces, colliders
+// and hand, and with other settings: each for `seconds` or until the divergence. A setting is accepted when it neither diverges nor gains
+// energy for `seconds` or, where the work allows less, for at least twice the time that the divergence took. Deterministic. Can run on
+// any thread; `stop` ends it early.
+Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work = default_remedy_work);
+
+// "Cause: ... Tested for 2 s: Velocity Verlet with 80 substeps per frame runs through." One line.
+std::string describe(const Remedy& remedy, const Settings& settings);
+
+}  // namespace hooke

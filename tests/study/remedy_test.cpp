@@ -1,0 +1,163 @@
+// Remedies for runs that diverge: each that is recommended holds.
+#include "study/remedy.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "lab/lab.h"
+#include "sim/forces/force_term.h"
+#include "study/hard_cases/test_network.h"
+
+namespace hooke {
+namespace {
+
+constexpr double seconds = 2.0;
+const std::atomic<bool> never = false;
+
+struct Explosion {
+  std::string name;
+  Scene scene;
+};
+
+Scene scene_of(TestNetwork network, const char* method, int substeps) {
+  Scene scene;
+  scene.system = std::move(network.system);
+  scene.state = std::move(network.state);
+  scene.settings.integrator = find_integrator(method);
+  scene.settings.substeps = substeps;
+  return scene;
+}
+
+// A sheet of 5 x 5 points, 1 m, 1 kg, free, each point displaced at random by up to `shake` [m].
+TestNetwork shaken_sheet(double stiffness, double shake, std::uint64_t seed) {
+  TestNetwork sheet = make_sheet({.rows = 5,
+                                  .columns = 5,
+                                  .across = {0.25, 0.0, 0.0},
+                                  .down = {0.0, -0.25, 0.0},
+                                  .mass = 0.04,
+                                  .stiffness = stiffness,
+                                  .diagonal_stiffness = stiffness});
+  sheet.system.gravity = Vec3(0.0);
+  Random random(seed);
+  for (Vec3& x : sheet.state.position) x += random.vector(shake);
+  return sheet;
+}
+
+Force force(const char* id, std::initializer_list<std::pair<const char*, double>> values) {
+  const ForceTerm& term = *find_force_term(id);
+  Force force{.term = &term, .values = default_values(term)};
+  for (const auto& [name, value] : values)
+    for (std::size_t i = 0; i < term.numbers.size(); ++i)
+      if (term.numbers[i].name == name) force.values[i] = value;
+  return force;
+}
+
+bool runs_through(const Scene& scene, double duration) {
+  Lab lab(scene, KeepStart::No);
+  for (long frame = std::lround(duration * scene.settings.frame_rate); frame > 0; --frame)
+    if (!lab.step()) return false;
+  return true;
+}
+
+// Scenes that diverge, of several kinds.
+std::vector<Explosion> explosions() {
+  std::vector<Explosion> list;
+  const auto add = [&](std::string name, Scene scene) { list.push_back({std::move(name), std::move(scene)}); };
+  std::uint64_t seed = 1;
+
+  // a step beyond the stability limit
+  for (const char* method : {"symplectic_euler", "velocity_verlet", "blanes_moan4", "runge_kutta4"})
+    for (const double stiffness : {3e4, 1e5, 3e5, 1e6})
+      add(std::string("step ") + method, scene_of(shaken_sheet(stiffness, 0.02, seed++), method, 2));
+
+  // a method that amplifies every undamped mode
+  for (const double stiffness : {1e2, 1e3, 1e4})
+    add("explicit_euler", scene_of(shaken_sheet(stiffness, 0.05, seed++), "explicit_euler", 20));
+
+  // listed forces that are too strong for the step
+  for (const char* method : {"velocity_verlet", "runge_kutta4", "symplectic_euler", "blanes_moan4", "implicit_euler"}) {
+    Scene scene = scene_of(shaken_sheet(1e2, 0.05, seed++), method, 4);
+    for (Vec3& v : scene.state.velocity) v.x = 1.0;
+    scene.system.forces.push_back(force("mass_center", {{"stiffness", 100.0}, {"damping", 900.0}}));
+    add(std::string("mass_center ") + method, std::move(scene));
+  }
+  for (const char* method : {"velocity_verlet", "runge_kutta4", "symplectic_euler"}) {
+    Scene scene = scene_of(shaken_sheet(1e2, 0.05, seed++), method, 1);
+    scene.system.forces.push_back(force("center", {{"strength", 1000.0}, {"power", -3.0}}));
+    add(std::string("center ") + method, std::move(scene));
+  }
+
+  // springs that rotate far, at the linear limit itself
+  for (int i = 0; i < 12; ++i) {
+    Scene scene = scene_of(shaken_sheet(2e3, 0.2, 100 + seed++), i % 2 == 0 ? "velocity_verlet" : "symplectic_euler", 1);
+    scene.settings.substeps = *min_stable_substeps(*scene.settings.integrator, bound_spectrum(scene.system), 60.0);
+    add("rotation", std::move(scene));
+  }
+
+  // contact under a step far too long for the springs
+  for (const char* method : {"velocity_verlet", "implicit_midpoint", "xpbd"}) {
+    Scene scene = scene_of(shaken_sheet(1e5, 0.02, seed++), method, method[0] == 'v' ? 8 : 1);
+    scene.system.gravity = {0.0, -9.8, 0.0};
+    scene.system.colliders.push_back({.shape = Plane{{0.0, -1.5, 0.0}, {0.0, 1.0, 0.0}}, .restitution = 0.5, .friction = 0.5});
+    add(std::string("contact ") + method, std::move(scene));
+  }
+
+  // a hand whose spring is too stiff for the step
+  for (const char* method : {"velocity_verlet", "symplectic_euler", "runge_kutta4", "blanes_moan4"}) {
+    Scene scene = scene_of(shaken_sheet(1e2, 0.02, seed++), method, 4);
+    scene.system.grab = Grab{.point = scene.system.points()[12].id, .kind = GrabKind::Pull, .target = {3.0, 0.0, 0.0}, .stiffness = 1e5};
+    scene.state.hand = scene.state.position[12];
+    add(std::string("hand ") + method, std::move(scene));
+  }
+  return list;
+}
+
+// What `find_remedy` may name as the cause of an explosion of each kind.
+bool is_named_rightly(const std::string& kind, Remedy::Cause cause) {
+  using enum Remedy::Cause;
+  if (kind.starts_with("step") || kind.starts_with("explicit_euler")) return cause == StepTooLong;
+  if (kind.starts_with("rotation")) return cause == Springs;
+  if (kind.starts_with("mass_center") || kind.starts_with("center")) return cause == Force || cause == StepTooLong;
+  if (kind.starts_with("hand")) return cause == Hand || cause == StepTooLong;
+  return cause != NotReproduced;
+}
+
+TEST(Remedy, EveryRecommendedSettingHolds) {
+  int diverged = 0, cured = 0;
+  std::map<std::string, int> sound;
+  for (const Explosion& explosion : explosions()) {
+    if (runs_through(explosion.scene, seconds)) {
+      ++sound[explosion.name];
+      continue;
+    }
+    ++diverged;
+    const Remedy remedy = find_remedy(explosion.scene, seconds, never);
+    const std::string description = explosion.name + ": " + describe(remedy, explosion.scene.settings);
+    EXPECT_TRUE(is_named_rightly(explosion.name, remedy.cause)) << description;
+    if (!remedy.advice) continue;
+    ++cured;
+    Scene scene = explosion.scene;
+    scene.settings.integrator = remedy.advice->integrator;
+    scene.settings.substeps = remedy.advice->substeps;
+    EXPECT_TRUE(runs_through(scene, 2.0 * seconds)) << description;
+  }
+  std::string names;
+  for (const auto& [name, count] : sound) names += name + " ";
+  EXPECT_GE(diverged, 30) << "sound: " << names;
+  EXPECT_GE(cured, 9 * diverged / 10);
+}
+
+TEST(Remedy, OfASoundRunIsNone) {
+  const Remedy remedy = find_remedy(scene_of(shaken_sheet(1e2, 0.02, 1), "velocity_verlet", 20), 0.5, never);
+  EXPECT_EQ(remedy.cause, Remedy::Cause::NotReproduced);
+  EXPECT_FALSE(remedy.advice);
+}
+
+TEST(Remedy, StopsWhenTheWorkIsSpent) {
+  const Remedy remedy = find_remedy(scene_of(shaken_sheet(1e6, 0.02, 1), "velocity_verlet", 2), seconds, never, 2000.0);
+  EXPECT_FALSE(remedy.advice);
+}
+
+}  // namespace
+}  // namespace hooke
