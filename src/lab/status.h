@@ -55,8 +55,8 @@ struct RecordingStatus {
 };
 
 struct DiagnosisStatus {
-  std::string message;           // why the run stopped and which setting would hold; empty: nothing to report
-  std::optional<Advice> advice;  // that setting, to be applied by a click
+  std::string message;           // why the run stopped; empty: nothing to report
+  std::optional<Advice> advice;  // a setting to try, applied by a click; not tested on the scene
 };
 
 struct Status {

@@ -73,7 +73,7 @@ Trial run_copy(Scene scene, double seconds, double max_energy_gain, Budget& budg
 template <class Remove>
 bool is_cured_without(const Scene& start, double seconds, Budget& budget, const Remove& remove) {
   Scene scene = start;
-  remove(scene.system);
+  remove(scene);
   return run_copy(std::move(scene), seconds, any_gain, budget).end == Trial::End::Finished;
 }
 
@@ -84,15 +84,19 @@ Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
 
   const System& system = start.system;
   const bool has_forces = std::ranges::any_of(system.forces, &Force::on);
-  const bool has_hand = system.grab || system.collider_grab || system.scripted_hand;
-  if (has_forces && is_cured_without(start, seconds, budget, [](System& copy) { copy.forces.clear(); })) return Force;
-  if (has_hand && is_cured_without(start, seconds, budget, [](System& copy) {
-        copy.grab.reset();
-        copy.collider_grab.reset();
-        copy.scripted_hand.reset();
+  const bool has_hand = system.grab || start.state.hand.collider || system.scripted_hand;
+  if (has_forces && is_cured_without(start, seconds, budget, [](Scene& copy) { copy.system.forces.clear(); })) return Force;
+  if (has_hand && is_cured_without(start, seconds, budget, [](Scene& copy) {
+        copy.system.grab.reset();
+        copy.state.hand.collider.reset();
+        copy.system.scripted_hand.reset();
       }))
     return Hand;
-  if (!system.colliders.empty() && is_cured_without(start, seconds, budget, [](System& copy) { copy.colliders.clear(); })) return Contact;
+  if (!system.colliders.empty() && is_cured_without(start, seconds, budget, [](Scene& copy) {
+        copy.system.colliders.clear();
+        copy.state.hand.collider.reset();
+      }))
+    return Contact;
   return Springs;
 }
 

@@ -95,11 +95,11 @@ TEST(SceneFile, WarnsOfAStepBeyondTheStableLimitAndSaysWhatIsStable) {
                                 "springs": [{"points": [0, 1], "stiffness": 1e6}], "simulation": {"integrator": ")";
   EXPECT_EQ(warnings_of(scene + R"(velocity_verlet", "substeps": 8}})"),
             std::vector<std::string>{"test.json: simulation.substeps: 8: may be too few for velocity_verlet here: its linear stability "
-                                     "limit is 9 substeps per frame; 18 are recommended"});
+                                     "limit is 9 substeps per frame; 36 are recommended"});
   EXPECT_EQ(warnings_of(scene + R"(velocity_verlet", "substeps": 9}})"), std::vector<std::string>{});
   EXPECT_EQ(warnings_of(scene + R"(explicit_euler", "substeps": 1000}})"),
             std::vector<std::string>{
-                "test.json: simulation.integrator: explicit_euler: holds at no step here: velocity_verlet with 9 substeps a frame does"});
+                "test.json: simulation.integrator: explicit_euler: is stable at no step here; velocity_verlet with 36 substeps per frame is recommended"});
 }
 
 TEST(SceneFile, UnknownKeysAreWarnedOfAndKept) {

@@ -439,7 +439,7 @@ TEST(Divergence, OfUndampedExplicitEulerNamesAMethodThatHolds) {
   for (int i = 0; i < 6000 && held; ++i) held = lab.step();
   ASSERT_FALSE(held);
   lab.publish();
-  EXPECT_NE(lab.status()->diagnosis.message.find("holds at no step"), std::string::npos) << lab.status()->diagnosis.message;
+  EXPECT_NE(lab.status()->diagnosis.message.find("the energy grew by"), std::string::npos) << lab.status()->diagnosis.message;
   ASSERT_TRUE(lab.status()->diagnosis.advice.has_value());
   EXPECT_NE(lab.status()->diagnosis.advice->integrator, find_integrator("explicit_euler"));
 }
@@ -457,7 +457,7 @@ TEST(Divergence, OfDampedExplicitEulerWithinItsLimitNamesAMethodThatHolds) {
   for (int i = 0; i < 6000 && held; ++i) held = lab.step();
   ASSERT_FALSE(held);
   lab.publish();
-  EXPECT_NE(lab.status()->diagnosis.message.find("holds at no step"), std::string::npos) << lab.status()->diagnosis.message;
+  EXPECT_NE(lab.status()->diagnosis.message.find("the energy grew by"), std::string::npos) << lab.status()->diagnosis.message;
   EXPECT_NE(lab.status()->diagnosis.advice->integrator, find_integrator("explicit_euler"));
 }
 

@@ -106,8 +106,8 @@ std::vector<Explosion> explosions() {
   // a hand whose spring is too stiff for the step
   for (const char* method : {"velocity_verlet", "symplectic_euler", "runge_kutta4", "blanes_moan4"}) {
     Scene scene = scene_of(shaken_sheet(1e2, 0.02, seed++), method, 4);
-    scene.system.grab = Grab{.point = scene.system.points()[12].id, .kind = GrabKind::Pull, .target = {3.0, 0.0, 0.0}, .stiffness = 1e5};
-    scene.state.hand = scene.state.position[12];
+    scene.system.grab = Grab{.point = scene.system.points()[12].id, .kind = GrabKind::Pull, .stiffness = 1e5};
+    scene.state.hand = {.position = scene.state.position[12], .target = {3.0, 0.0, 0.0}};
     add(std::string("hand ") + method, std::move(scene));
   }
   return list;
