@@ -24,11 +24,11 @@ std::optional<int> min_stable_substeps(const Integrator& integrator, const Spect
 
 Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings) {
   const Integrator& method = *settings.integrator;
-  if (const auto substeps = min_stable_substeps(method, spectrum, settings.frame_rate)) {
-    if (settings.substeps < with_margin(*substeps)) return {&method, with_margin(*substeps)};
-    // with the margin already: a smaller step all the same. A method that amplifies every undamped mode amplifies the motion across
-    // the springs, which dashpots do not damp
-    if (method.stability != Stability::None) return {&method, std::min(max_substeps, 4 * settings.substeps)};
+  // a method that amplifies every undamped mode amplifies the motion across the springs even where dashpots damp that along them
+  const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate);
+  if (limit && method.stability != Stability::None) {
+    if (settings.substeps < with_margin(*limit)) return {&method, with_margin(*limit)};
+    return {&method, std::min(max_substeps, 4 * settings.substeps)};
   }
   const Integrator& fallback = default_integrator();
   if (const auto substeps = min_stable_substeps(fallback, spectrum, settings.frame_rate)) return {&fallback, with_margin(*substeps)};
@@ -47,7 +47,7 @@ std::optional<std::string> step_warning(const System& system, const Settings& se
            " here: its linear stability limit is " + count_substeps(*limit) + " per frame; " + std::to_string(advice.substeps) +
            " are recommended";
   const std::string reason = method.stability == Stability::None
-                                 ? "is stable at no step"
+                                 ? "amplifies undamped motion at every step"
                                  : "needs more than " + std::to_string(max_substeps) + " substeps per frame";
   return "simulation.integrator: " + id + ": " + reason + " here; " + std::string(advice.integrator->id) + " with " +
          count_substeps(advice.substeps) + " per frame is recommended";

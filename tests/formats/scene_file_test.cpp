@@ -99,7 +99,7 @@ TEST(SceneFile, WarnsOfAStepBeyondTheStableLimitAndSaysWhatIsStable) {
   EXPECT_EQ(warnings_of(scene + R"(velocity_verlet", "substeps": 9}})"), std::vector<std::string>{});
   EXPECT_EQ(warnings_of(scene + R"(explicit_euler", "substeps": 1000}})"),
             std::vector<std::string>{
-                "test.json: simulation.integrator: explicit_euler: is stable at no step here; velocity_verlet with 36 substeps per frame is recommended"});
+                "test.json: simulation.integrator: explicit_euler: amplifies undamped motion at every step here; velocity_verlet with 36 substeps per frame is recommended"});
 }
 
 TEST(SceneFile, UnknownKeysAreWarnedOfAndKept) {
