@@ -205,7 +205,6 @@ bool Lab::finish_frame() {
   const Energy energy = compute_energy(scene_.system, next_);
   divergence_ = find_divergence(scene_.system, next_, energy);
   if (divergence_) {
-    diverged_with_ = scene_.settings;
     was_unstable_ = scene_.settings.substep() > largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
     Effect effect;
     if (torn) apply(scene_, *torn, effect);

@@ -143,7 +143,6 @@ class Lab {
   State next_;                            // result of the frame in progress
   Energy energy_;                         // of the last frame that did not diverge
   std::optional<Divergence> divergence_;  // of the last frame, until it is resolved
-  Settings diverged_with_;                // the settings at the time
   bool was_unstable_ = false;             // its step was beyond the limit of the method
   bool running_ = false;
   std::optional<double> run_to_;  // [s]

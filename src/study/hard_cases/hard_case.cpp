@@ -69,7 +69,7 @@ Table<HardCase> hard_cases() {
 #include "study/hard_cases/list.inc"
 #undef ROW
   };
-  return Table<HardCase>(rows, {});
+  return Table<HardCase>(rows);
 }
 
 bool is_quick(const HardCase& hard_case, const Integrator& method) {
