@@ -29,13 +29,18 @@ std::string describe_location(const Divergence& divergence, const System& system
 }  // namespace
 
 std::string describe(const Divergence& divergence, const System& system) {
-  const std::string location = describe_location(divergence, system);
-  const double ratio = divergence.energy / divergence.scale;
-  const std::string what =
-      divergence.kind == Divergence::Kind::NotFinite
-          ? location + " became infinite or NaN."
-          : "the energy grew by " + format(ratio < 1e4 ? "%.0f" : "%.2g", ratio) + " times the energy supplied, first at " + location + ".";
-  return "Stopped at t = " + format("%.4g", divergence.time) + " s: " + what;
+  const std::string location = describe_location(divergence, system), when = "Stopped at t = " + format("%.4g", divergence.time) + " s: ";
+  const auto rounded = [](double value) { return format(value < 1e4 ? "%.0f" : "%.2g", value); };
+  switch (divergence.kind) {
+    case Divergence::Kind::NotFinite:
+      return when + location + " became infinite or NaN.";
+    case Divergence::Kind::EnergyGain:
+      return when + "the energy grew by " + rounded(divergence.energy / divergence.scale) + " times the energy supplied, first at " +
+             location + ".";
+    case Divergence::Kind::Implausible:
+      return when + location + " is " + rounded(divergence.distance) + " m away, farther than any motion can have taken it.";
+  }
+  return when + location + ".";
 }
 
 }  // namespace hooke

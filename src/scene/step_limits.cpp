@@ -10,7 +10,7 @@ namespace {
 
 std::string count_substeps(int substeps) { return std::to_string(substeps) + (substeps == 1 ? " substep" : " substeps"); }
 
-int with_margin(int substeps) { return std::min(max_substeps, substep_margin * substeps); }
+int with_margin(int substeps) { return std::min(max_substeps, recommended_margin * substeps); }
 
 }  // namespace
 

@@ -17,10 +17,6 @@ struct Advice {
   bool operator==(const Advice&) const = default;
 };
 
-// Recommended substeps over the fewest within the linear limit. The limit holds for small vibrations; a net far from equilibrium can gain
-// energy at the limit itself, and needs this margin (docs/accuracy.md).
-inline constexpr int substep_margin = 4;
-
 // Fewest substeps per frame within the method's linear stability limit on this scene; none where no step is stable.
 std::optional<int> min_stable_substeps(const Integrator& integrator, const Spectrum& spectrum, double frame_rate);
 

@@ -110,7 +110,7 @@ std::vector<Advice> candidates(const Scene& start) {
     const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate);
     if (!limit || method.stability == Stability::None) return;
     constexpr int refinements = 5;
-    double substeps = std::max<double>(min_substeps, static_cast<double>(substep_margin) * *limit);
+    double substeps = std::max<double>(min_substeps, static_cast<double>(recommended_margin) * *limit);
     for (int i = 0; i < refinements && substeps <= max_substeps; ++i, substeps *= 2.0)
       list.push_back({&method, static_cast<int>(substeps)});
   };
