@@ -70,6 +70,8 @@ void assign_missing_places(Scene& scene) {
       if (has_place(place)) continue;
       const Vec3 at = scene.state.position[system.index_of(id)] - origin;
       place = {glm::dot(at, axes.right), glm::dot(at, axes.down)};
+      // positions near the largest number have no difference
+      if (!has_place(place)) place = no_cloth_coordinates;
     }
   scene.cloth_texture.cloth_coordinates = std::move(cloth_coordinates);
 }

@@ -192,6 +192,18 @@ TEST(ViewSwitches, AndTheTextureComeBackFromAFile) {
   EXPECT_EQ(parse_scene(format_scene(scene), "again").scene.view, scene.view);
 }
 
+TEST(SetTexture, GivesNoPlaceToPointsTooFarAway) {
+  const std::string far =
+      R"({"hooke": 1, "points": [{"position": [0, 1.7e308, 0]}, {"position": [0, -1.7e308, 0]}, {"position": [1, 0, 0]}],
+                              "faces": [[0, 1, 2]], "view": {"texture": "linen"}})";
+  const Scene scene = parse_scene(far, "far").scene;
+  for (const Point& point : scene.system.points()) {
+    const glm::dvec2 place = cloth_coordinates_of(scene.cloth_texture, point.id);
+    EXPECT_EQ(std::isfinite(place.x), std::isfinite(place.y));
+  }
+  EXPECT_EQ(format_scene(parse_scene(format_scene(scene), "again").scene), format_scene(scene));
+}
+
 TEST(SetTexture, IsTakenBackWhole) {
   Scene scene = parse_scene(scene_with(R"("texture": "linen", "texture_size": 0.3)"), "test").scene;
   const ViewSettings before = scene.view;

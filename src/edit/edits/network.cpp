@@ -72,7 +72,8 @@ Inverse Apply::operator()(const Insert& insert) {
   std::vector<std::pair<Index, Face>> faces;
   for (const PlacedFace& placed : insert.faces) {
     const auto& corners = placed.face.points;
-    if (std::all_of(corners.begin(), corners.end(), [&](PointId id) { return system.index_of(id) != no_index; }))
+    const bool is_triangle = corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
+    if (is_triangle && std::all_of(corners.begin(), corners.end(), [&](PointId id) { return system.index_of(id) != no_index; }))
       faces.emplace_back(placed.at, placed.face);
   }
   for (const auto& [at, face] : faces) inverse.faces.push_back(face);

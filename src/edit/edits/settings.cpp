@@ -67,7 +67,7 @@ Inverse Apply::operator()(const SetIntegrator& set) {
 
 Inverse Apply::operator()(const SetGravity& set) {
   const SetGravity inverse{scene.system.gravity};
-  if (is_finite(set.gravity)) scene.system.gravity = set.gravity;
+  if (is_finite(set.gravity)) scene.system.gravity = in_plane(scene.system, set.gravity);
   effect.values = true;
   return {inverse};
 }
