@@ -1,0 +1,74 @@
+// The run monitor does not accuse runs that are correct.
+#include "study/run_monitor.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/divergence.h"
+#include "sim/forces/force_term.h"
+#include "study/benchmark.h"
+#include "study/hard_cases/monitored_run.h"
+
+namespace hooke {
+namespace {
+
+// Six points and nine springs under some of the listed forces, with values of moderate size.
+TestNetwork random_scene(std::uint64_t seed) {
+  Random random(seed);
+  const auto one_in = [&](std::uint64_t count) { return random.next_bits() % count == 0; };
+  TestNetwork network;
+  const double max_damping = one_in(2) ? 0.5 : 0.0;
+  std::vector<PointId> points;
+  for (int i = 0; i < 6; ++i) {
+    const Vec3 position = random.vector(1.0), velocity = random.vector(2.0);
+    points.push_back(i == 0 ? network.nail(position) : network.add(position, random.uniform(0.1, 2.0), velocity));
+  }
+  for (int s = 0; s < 9; ++s) {
+    const std::uint64_t first = random.next_bits() % 6, second = (first + 1 + random.next_bits() % 5) % 6;
+    const double stiffness = random.uniform(1.0, 200.0), rest_length = random.uniform(0.1, 2.0);
+    network.join(points[first], points[second], stiffness, rest_length, random.uniform(0.0, max_damping));
+  }
+  if (one_in(3)) network.system.gravity = Vec3(0.0);
+  network.system.drag = one_in(2) ? 0.0 : random.uniform(0.0, 2.0);
+  for (const ForceTerm& term : force_terms()) {
+    if (!one_in(3)) continue;
+    Force force{.term = &term, .values = default_values(term)};
+    for (std::size_t i = 0; i < term.numbers.size(); ++i) force.values[i] *= random.uniform(0.5, 3.0);
+    network.system.forces.push_back(force);
+  }
+  initialize_ledger(network.system, network.state);
+  return network;
+}
+
+// The state after `seconds`, by a method of high order at a fine tolerance.
+State exact_end(const TestNetwork& network, double seconds) {
+  MonitoredRun run(network, {.integrator = find_integrator("dop853"), .substeps = 1, .tolerance = 1e-6});
+  run.run(seconds);
+  return run.state();
+}
+
+TEST(RunMonitor, DoesNotWarnAboutCorrectRuns) {
+  constexpr double seconds = 1.0, correct = 2e-2;  // [s], [m]
+  constexpr int scenes = 300;
+  int stable = 0, warned = 0;
+  std::string accusations;
+  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
+    const TestNetwork network = random_scene(seed);
+    MonitoredRun run(network, settings_for(default_integrator(), network.system, {.min = 20, .fraction = 0.25, .max = 2000}));
+    // a step beyond the limit is not expected to be correct
+    if (run.settings().substep() > largest_stable_step(default_integrator(), bound_spectrum(network.system))) continue;
+    ++stable;
+    run.run(seconds);
+    const std::vector<std::string> warnings = run.monitor().warnings(run.system(), {});
+    if (warnings.empty() && !run.stopped()) continue;
+    ++warned;
+    // only a warning about a run that is correct is an accusation
+    const double error = run.stopped() ? 0.0 : rms_distance(run.state(), exact_end(network, seconds));
+    if (error <= correct) accusations += "\nscene " + std::to_string(seed) + ": " + (run.stopped() ? "stopped" : warnings.front());
+  }
+  EXPECT_GE(stable, 250);
+  EXPECT_LT(warned, scenes / 10);
+  EXPECT_EQ(accusations, "");
+}
+
+}  // namespace
+}  // namespace hooke
