@@ -1,4 +1,4 @@
-// Somebody who hits every key and clicks everywhere: nothing breaks. HOOKE_MONKEY makes it longer: scripts/soak.
+// Somebody who hits every key and clicks everywhere: nothing breaks. HOOKE_MONKEY makes it longer: scripts/campaign.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -53,7 +53,7 @@ class Hand {
 };
 
 // Run after run adds points, is killed without warning, and the next one recovers what was kept. What is lost is never older
-// than it may be. HOOKE_KILLS and HOOKE_AUTOSAVE make it longer: scripts/soak.
+// than it may be. HOOKE_KILLS and HOOKE_AUTOSAVE make it longer: scripts/campaign.
 TEST(KilledWindow, LosesOnlyTheLastMomentsAndOffersTheRest) {
   const int kills = static_cast<int>(number_from_environment("HOOKE_KILLS", 3.0));
   const double autosave = number_from_environment("HOOKE_AUTOSAVE", 1.0);

@@ -163,7 +163,7 @@ TEST(Window, AsksWhenItsClosingButtonIsPressedBeforeItIsSaved) {
   EXPECT_FALSE(load_scene(file).scene.system.points()[1].nailed);
 }
 
-// HOOKE_EVENTS makes it longer: scripts/soak.
+// HOOKE_EVENTS makes it longer: scripts/campaign.
 TEST(Window, OutlivesSomebodyWhoHitsKeysAndMouseAtRandom) {
   const char* asked = std::getenv("HOOKE_EVENTS");
   const int events = asked != nullptr ? std::atoi(asked) : 1000;
