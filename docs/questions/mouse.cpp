@@ -50,13 +50,13 @@ double max_strain_falling(const char* method, double stiffness, int substeps) {
 double max_strain_pulled(GrabKind kind, double speed, double top_speed) {
   Trial trial = net(8, 1e4);
   const Vec3 start = trial.state.position[0];
-  trial.system.grab = Grab{.point = trial.system.points()[0].id, .kind = kind, .target = start, .stiffness = 200.0};
-  trial.state.hand = start;
+  trial.system.grab = Grab{.point = trial.system.points()[0].id, .kind = kind, .stiffness = 200.0};
+  trial.state.hand = {.position = start, .target = start};
   double max = 0.0;
   constexpr double frame_time = 1.0 / 60.0;
   for (int frame = 0; frame < 60; ++frame) {
     const double mouse = std::min(speed * (frame + 1) * frame_time, 0.5);
-    Vec3& target = trial.system.grab->target;
+    Vec3& target = trial.state.hand.target;
     target = start + Vec3(-std::min(mouse, start.x - target.x + top_speed * frame_time), 0.0, 0.0);
     trial.run(*find_integrator("velocity_verlet"), frame_time, 80);
     max = std::max(max, largest_strain(trial));
