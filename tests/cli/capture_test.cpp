@@ -150,8 +150,8 @@ TEST(Capture, KeepsTheLastSoundPictureOfARunThatDiverges) {
 TEST(Capture, RefusesInOneLine) {
   const ScratchFolder scratch;
   const std::string size = " must be WIDTHxHEIGHT, each from 1 to 8192\n";
-  const std::string camera = " must be six numbers with commas between, of the eye and its target [m]\n";
-  const std::string out = " must end in .png or .mp4, or be a folder (a new one with a dot in its name ends in /)\n";
+  const std::string camera = " must be six comma-separated numbers: eye and target [m]\n";
+  const std::string out = " must end in .png or .mp4, or be a folder (a new one with a dot in its name must end in /)\n";
   const std::vector<std::tuple<std::string, int, std::string>> refusals{
       {"two_masses --out a.png --size 0x9", 2, "--size 0x9:" + size},
       {"two_masses --out a.png --size 640", 2, "--size 640:" + size},
