@@ -18,7 +18,9 @@ std::string count_of(const Scene& part) {
 
 }  // namespace
 
-Scene SelectionEditor::selected_part() const { return copy_selection(context_.snapshot(), context_.status->document->sheet, context_.selection); }
+Scene SelectionEditor::selected_part() const {
+  return copy_selection(context_.snapshot(), context_.status->document->sheet, context_.selection);
+}
 
 void SelectionEditor::copy(AfterCopy after_copy) {
   auto part = std::make_shared<const Scene>(selected_part());
