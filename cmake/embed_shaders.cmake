@@ -1,4 +1,4 @@
-# Writes OUT, a C++ file that holds the text of every NAME.vert and NAME.frag of FOLDER, NAMES being a list.
+# Writes OUT, a C++ file with the text of NAME.vert and NAME.frag in FOLDER for each NAME of the list NAMES.
 # cmake -DOUT=... -DFOLDER=... -DNAMES=a,b -P embed_shaders.cmake
 string(REPLACE "," ";" names "${NAMES}")
 set(rows "")

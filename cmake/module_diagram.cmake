@@ -1,13 +1,13 @@
 # Writes the module diagram of docs/architecture.md from src/modules.cmake:
 #   cmake -P cmake/module_diagram.cmake
-# With -DCHECK=ON before -P it changes nothing, and fails when the page is out of date. A test does that.
+# With -DCHECK=ON before -P it changes nothing and fails if the page is out of date; a test uses this.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/../src/modules.cmake)
 if(NOT PAGE)
   set(PAGE ${CMAKE_CURRENT_LIST_DIR}/../docs/architecture.md)
 endif()
 
-# An arrow from each module to those that it uses, without the ones that follow from other arrows.
+# An arrow from each module to those that it uses, except arrows that are implied by others.
 set(diagram "```mermaid\nflowchart TD\n")
 foreach(module IN LISTS hooke_modules)
   set(direct ${${module}_uses})
@@ -28,7 +28,7 @@ file(READ "${PAGE}" page)
 string(FIND "${page}" "${begin}" first)
 string(FIND "${page}" "${end}" last)
 if(first EQUAL -1 OR last LESS first)
-  message(FATAL_ERROR "${PAGE} has no place for the module diagram")
+  message(FATAL_ERROR "${PAGE} lacks the marks of the module diagram")
 endif()
 string(SUBSTRING "${page}" 0 ${first} before)
 string(SUBSTRING "${page}" ${last} -1 after)

@@ -1,4 +1,4 @@
-# What a desktop wants besides the programs, and the Debian package of it all: cpack --config build/release/CPackConfig.cmake.
+# Desktop integration files and the Debian package: cpack --config build/release/CPackConfig.cmake.
 
 find_program(GZIP gzip REQUIRED)
 set(id org.hooke.Hooke)
@@ -7,7 +7,7 @@ set(made ${PROJECT_BINARY_DIR}/package)
 configure_file(${packaging}/${id}.metainfo.xml.in ${made}/${id}.metainfo.xml @ONLY)
 configure_file(${packaging}/changelog.in ${made}/changelog @ONLY)
 
-# Compressed without a time, so that the same source gives the same package.
+# Compressed without timestamps, so that the same sources give the same package.
 add_custom_command(
   OUTPUT ${made}/hooke.1.gz ${made}/hooke.bash ${made}/changelog.gz
   COMMAND make_manual man > ${made}/hooke.1

@@ -7,7 +7,7 @@ option(HOOKE_PRECOMPILED_HEADERS "Build faster: precompile common headers, join 
 set(common_headers <algorithm> <array> <atomic> <chrono> <cmath> <filesystem> <functional> <glm/geometric.hpp> <memory> <optional> <span>
     <string> <string_view> <variant> <vector>)
 
-# precompile(NAME HEADERS header... [LIBS target...] [OPTIONS option...]): a library NAME that holds nothing but precompiled headers.
+# precompile(NAME HEADERS header... [LIBS target...] [OPTIONS option...]): a library NAME that contains only precompiled headers.
 function(precompile name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LIBS;OPTIONS")
   if(NOT HOOKE_PRECOMPILED_HEADERS)
@@ -20,7 +20,7 @@ function(precompile name)
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
 endfunction()
 
-# use_precompiled(NAME target...): the targets are compiled with the headers of NAME, which has the same compiler options.
+# use_precompiled(NAME target...): compiles the targets with the headers of NAME, which must have the same compiler options.
 function(use_precompiled name)
   if(NOT HOOKE_PRECOMPILED_HEADERS)
     return()

@@ -1,4 +1,4 @@
-// Makes the textures that ship: make_textures FOLDER (scripts/textures calls it). Each repeats without a seam, and is the same on
+// Draws the shipped textures: make_textures FOLDER (called by scripts/textures). Each tiles without a seam and is the same on
 // every machine.
 #include <array>
 #include <cmath>
@@ -20,7 +20,7 @@ Tone mixed(const Tone& a, const Tone& b, double t) {
   return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green), a.blue + t * (b.blue - a.blue)};
 }
 
-// A number in 0..1 that looks random, the same for the same three.
+// A pseudo-random number in 0..1, the same for the same arguments.
 double grain(int a, int b, int salt) {
   auto bits = static_cast<std::uint32_t>(a) * 0x9e3779b1u ^ static_cast<std::uint32_t>(b) * 0x85ebca77u ^
               static_cast<std::uint32_t>(salt) * 0xc2b2ae3du;
@@ -29,17 +29,17 @@ double grain(int a, int b, int salt) {
   return static_cast<double>(bits ^ (bits >> 15)) / 4294967295.0;
 }
 
-// Two by two squares.
+// Two by two squares of alternating color.
 Tone checker(int x, int y) {
   constexpr Tone light{0.94, 0.91, 0.85}, dark{0.18, 0.38, 0.47};
   return (2 * x / side + 2 * y / side) % 2 == 0 ? light : dark;
 }
 
-// Where threads cross: which one is on top, and how a thread is shaded, round across and dipping where it goes under.
+// A crossing of threads: which one is on top, and its shading, round across the thread and darker where it passes under.
 struct Weave {
   bool warp_on_top;
-  int thread;    // number of the one on top, along x for the warp
-  double light;  // 1 on its ridge
+  int thread;    // index of the thread on top, counted along x for the warp
+  double light;  // 1 at its center line
 };
 
 // `over`: whether the warp thread passes over the weft thread.
@@ -47,7 +47,7 @@ template <class Over>
 Weave weave(int x, int y, int threads, const Over& over) {
   const double pitch = static_cast<double>(side) / threads;  // [px]
   const int column = static_cast<int>(x / pitch), row = static_cast<int>(y / pitch);
-  const double u = (x + 0.5) / pitch - column - 0.5, v = (y + 0.5) / pitch - row - 0.5;  // from the crossing, -0.5..0.5
+  const double u = (x + 0.5) / pitch - column - 0.5, v = (y + 0.5) / pitch - row - 0.5;  // relative to the crossing, -0.5..0.5
   Weave found;
   found.warp_on_top = over(column, row);
   found.thread = found.warp_on_top ? column : row;
@@ -56,17 +56,17 @@ Weave weave(int x, int y, int threads, const Over& over) {
   return found;
 }
 
-// Plain weave of uneven threads.
+// Plain weave of irregular threads.
 Tone linen(int x, int y) {
   constexpr int threads = 32;
   constexpr Tone flax{0.95, 0.91, 0.83}, dark{0.44, 0.38, 0.30};
   const Weave at = weave(x, y, threads, [](int column, int row) { return (column + row) % 2 == 0; });
-  const double slub = grain(at.thread, at.warp_on_top ? 1 : 2, 7) - 0.5;                      // a thread is paler than its neighbour
-  const double speck = grain(at.thread, (at.warp_on_top ? y : x) / 8, at.warp_on_top) - 0.5;  // and spun unevenly
+  const double slub = grain(at.thread, at.warp_on_top ? 1 : 2, 7) - 0.5;                      // brightness varies between threads
+  const double speck = grain(at.thread, (at.warp_on_top ? y : x) / 8, at.warp_on_top) - 0.5;  // and along a thread
   return mixed(dark, flax, std::clamp(0.30 + 0.62 * at.light + 0.16 * slub + 0.10 * speck, 0.0, 1.0));
 }
 
-// Twill in a sett that is the same both ways.
+// Twill with the same sett in warp and weft.
 Tone tartan(int x, int y) {
   constexpr int threads = 64;
   constexpr Tone red{0.70, 0.13, 0.15}, navy{0.11, 0.16, 0.32}, green{0.10, 0.33, 0.24}, cream{0.95, 0.89, 0.72};

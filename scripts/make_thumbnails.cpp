@@ -1,4 +1,4 @@
-// Makes the gallery's thumbnails: make_thumbnails FOLDER [SCENE...] (scripts/thumbnails calls it).
+// Draws the thumbnails of the gallery: make_thumbnails FOLDER [SCENE...] (called by scripts/thumbnails).
 #include <algorithm>
 #include <cstdio>
 

@@ -1,5 +1,5 @@
-# The modules of Hooke, from the bottom up, and the modules that each may use. One table: src/CMakeLists.txt makes a library of
-# each module and links it with those it uses, tests/layers.cmake checks the includes, and docs/architecture.md shows it as a diagram.
+# The modules of Hooke from the bottom up, and the modules that each may use. src/CMakeLists.txt builds a library for each module and
+# links it with those it uses, tests/layers.cmake checks the includes, and docs/architecture.md shows the table as a diagram.
 
 set(hooke_modules base sim scene formats edit lab study draw ui app cli)
 

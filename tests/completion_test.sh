@@ -1,9 +1,9 @@
 #!/bin/bash
-# Asks the completion in file $1 what it offers after some beginnings of a line.
+# Tests the completions that file $1 offers for some incomplete command lines.
 . /usr/share/bash-completion/bash_completion
 . "$1"
 
-# expect OFFERED WORDS...: the last word is the one being typed
+# expect COMPLETIONS WORDS...: the last word is being typed
 expect() {
   offered=$1
   shift

@@ -1,5 +1,5 @@
-# Installs Hooke, moves what was installed, and runs it there: cmake -DBUILD=FOLDER -P installed_test.cmake
-# The scenes must be those that moved with the program.
+# Installs Hooke, moves the installation, and runs it there: cmake -DBUILD=FOLDER -P installed_test.cmake
+# The program must use the scenes of the moved installation.
 cmake_minimum_required(VERSION 3.25)
 
 string(RANDOM LENGTH 12 name)
@@ -23,7 +23,7 @@ if(code)
   fail("the moved program does not find its scenes: exit code ${code}")
 endif()
 
-# without that file there must be no other that it takes instead
+# without that file, the program must not use another one instead
 file(REMOVE ${moved}/share/hooke/scenes/two_masses.json)
 execute_process(COMMAND ${run} WORKING_DIRECTORY / RESULT_VARIABLE code ERROR_VARIABLE error)
 if(NOT code EQUAL 5 OR NOT error MATCHES "two_masses: no such file or shipped scene")

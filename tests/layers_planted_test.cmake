@@ -1,10 +1,10 @@
-# Plants violations, one at a time. layers.cmake must report each of them, and nothing in a valid tree:
+# Creates violations one at a time. layers.cmake must report each of them, and nothing in a valid tree:
 # cmake -DLAYERS=layers.cmake -DFOLDER=SCRATCH -P layers_planted_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
 set(missed 0)
 
-# Checks a tree of one file, `path`, and of the files that a caller has planted; `expected` is TRUE when the check must report `path`.
+# Checks a tree of one file, `path`, and the files that the caller has created; `expected` is TRUE if the check must report `path`.
 function(try path text expected)
   set(reported ${ARGN})
   if(NOT reported)
@@ -108,5 +108,5 @@ plant_files(sim/forces 40)
 refuses(sim/forces/spring.cpp "" sim/forces)
 
 if(missed)
-  message(FATAL_ERROR "${missed} plants judged wrongly")
+  message(FATAL_ERROR "${missed} cases judged incorrectly")
 endif()

@@ -1,18 +1,18 @@
-# Makes the Debian package, has it judged, and runs what is in it: cmake -DBUILD=FOLDER -P package_test.cmake
+# Builds the Debian package, checks it with lintian, and runs its programs: cmake -DBUILD=FOLDER -P package_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
 string(RANDOM LENGTH 12 name)
 set(place /tmp/hooke-package-${name})
 set(share ${place}/root/usr/share)
 
-# Runs a command; what it says when it fails ends the test.
+# Runs a command; if it fails, the test ends with its output.
 function(need what)
-  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY / RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE complained)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY / RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE errors)
   if(NOT code EQUAL 0)
     file(REMOVE_RECURSE ${place})
-    message(FATAL_ERROR "${what}: ${code}\n${said}${complained}")
+    message(FATAL_ERROR "${what}: ${code}\n${output}${errors}")
   endif()
-  set(said "${said}" PARENT_SCOPE)
+  set(output "${output}" PARENT_SCOPE)
 endfunction()
 
 need("cpack" ${CMAKE_CPACK_COMMAND} --config ${BUILD}/CPackConfig.cmake -B ${place})
@@ -23,12 +23,12 @@ need("desktop-file-validate" desktop-file-validate ${share}/applications/org.hoo
 need("appstreamcli" appstreamcli validate --no-net ${share}/metainfo/org.hooke.Hooke.metainfo.xml)
 need("man" man --warnings --local-file ${share}/man/man1/hooke.1.gz)
 foreach(expected "hooke run SCENE" "--integrator ID" "velocity_verlet" "Ctrl.Shift.Z")
-  if(NOT said MATCHES "${expected}")
+  if(NOT output MATCHES "${expected}")
     message(FATAL_ERROR "the man page lacks: ${expected}")
   endif()
 endforeach()
 
-# what bash offers
+# bash completion
 need("completion" bash ${CMAKE_CURRENT_LIST_DIR}/completion_test.sh ${share}/bash-completion/completions/hooke)
 need("the installed program" ${place}/root/usr/bin/hooke-headless run two_masses --seconds 0.1 --quiet)
 need("the installed program" ${place}/root/usr/bin/hooke check two_masses --quiet)

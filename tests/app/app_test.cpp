@@ -1,4 +1,4 @@
-// The program of the window: keys, camera, documents. Without a window.
+// The window program without a window: keys, camera, documents.
 #include "app/app.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ Scene hanging(int dimensions = 2) {
   return scene;
 }
 
-TEST(Keys, TakeTheTools) {
+TEST(Keys, SelectTheTools) {
   GuiTrial gui(hanging());
   for (const ToolRow& row : tools()) {
     const Shortcut& shortcut = shortcut_of(row.action);
@@ -44,7 +44,7 @@ TEST(Keys, TakeTheTools) {
   }
 }
 
-TEST(Keys, RunPauseStepAndGoBack) {
+TEST(Keys, RunPauseStepAndGoBackToStart) {
   GuiTrial gui(hanging());
   gui.key(Key::Period);
   EXPECT_EQ(gui.status().run.frames, 1);
@@ -71,7 +71,7 @@ TEST(Keys, StepBackAndSetTheSpeed) {
   EXPECT_EQ(gui.status().snapshot->settings.speed, 1.0);
 }
 
-TEST(TimelineStrip, IsDraggedToAFrameAndBackInOneStepOfUndo) {
+TEST(TimelineStrip, IsDraggedToAFrameAndBackInOneUndoStep) {
   GuiTrial gui(hanging());
   for (int frame = 0; frame < 20; ++frame) gui.key(Key::Period);
   const double last = gui.status().snapshot->state.time;
@@ -86,7 +86,7 @@ TEST(TimelineStrip, IsDraggedToAFrameAndBackInOneStepOfUndo) {
   EXPECT_EQ(gui.status().snapshot->state.time, last);
 }
 
-TEST(TimelineStrip, RunsToATimeThatIsTyped) {
+TEST(TimelineStrip, RunsToATypedTime) {
   GuiTrial gui(hanging());
   gui.click(gui.find("timeline", {"##run_to"}));
   ASSERT_TRUE(ImGui::GetIO().WantTextInput);
@@ -104,7 +104,7 @@ TEST(TimelineStrip, RunsToATimeThatIsTyped) {
   EXPECT_FALSE(gui.status().run.running);
 }
 
-TEST(Recordings, AreMadeByAKeyAndPlayedToTheSameBits) {
+TEST(Recordings, AreStartedByAKeyAndReplayWithTheSameBits) {
   const ScratchFolder scratch;
   Scene scene = hanging();
   save_scene(scene, scratch.folder / "net.json");
@@ -131,14 +131,14 @@ TEST(Recordings, AreMadeByAKeyAndPlayedToTheSameBits) {
   EXPECT_EQ(gui.status().snapshot->state.velocity, end.velocity);
 }
 
-TEST(FreeNames, AreLikeTheDocumentAndReplaceNothing) {
+TEST(FreeNames, ComeFromTheDocumentAndReplaceNoFile) {
   const ScratchFolder scratch;
   EXPECT_EQ(free_name(scratch.folder, "net", ".png"), scratch.folder / "net.png");
   std::ofstream(scratch.folder / "net.png") << "mine";
   EXPECT_EQ(free_name(scratch.folder, "net", ".png"), scratch.folder / "net 2.png");
 }
 
-TEST(Plots, ShowTheEnergiesAndWhatIsChosen) {
+TEST(Plots, ShowTheEnergiesAndTheChosenQuantities) {
   GuiTrial gui(hanging());
   gui.key(letter('P'));
   gui.app().resize({1280.0, 800.0}, 1.0);
@@ -147,7 +147,7 @@ TEST(Plots, ShowTheEnergiesAndWhatIsChosen) {
   ASSERT_EQ(table.traces.size(), 4u);
   EXPECT_EQ(table.times.size(), 6u);
   for (const char* word : {"kinetic", "gravitational", "[J]"}) EXPECT_NE(gui.words().find(word), std::string::npos) << word;
-  // what is under the mouse is read off
+  // the values at the mouse are shown
   const Rect& plots = gui.app().layout().plots;
   ASSERT_GT(plots.height, 100.0);
   gui.move({plots.x + 0.6 * plots.width, plots.y + 0.5 * plots.height});
@@ -157,7 +157,7 @@ TEST(Plots, ShowTheEnergiesAndWhatIsChosen) {
   EXPECT_EQ(gui.app().layout().plots.height, 0.0);
 }
 
-TEST(Keys, TabLeavesTheWindowToTheScene) {
+TEST(Keys, TabHidesThePanels) {
   GuiTrial gui(hanging());
   const Rect before = gui.app().layout().scene;
   gui.key(Key::Tab);
@@ -170,7 +170,7 @@ TEST(Keys, TabLeavesTheWindowToTheScene) {
   EXPECT_EQ(gui.app().layout().scene, before);
 }
 
-// The contrast of two colours by the formula of WCAG 2.
+// The contrast ratio of two colors (WCAG 2).
 double contrast(ImU32 a, ImU32 b) {
   const auto luminance = [](ImU32 color) {
     double sum = 0.0;
@@ -183,7 +183,7 @@ double contrast(ImU32 a, ImU32 b) {
   return std::max(luminance(a), luminance(b)) / std::min(luminance(a), luminance(b));
 }
 
-TEST(Looks, AreReadableDarkAndLight) {
+TEST(Themes, AreReadableDarkAndLight) {
   GuiTrial gui(hanging());
   const ImU32 dark = palette::panel;
   for (int look = 0; look < 2; ++look) {
@@ -208,7 +208,7 @@ TEST(Keys, ReleaseEveryNailAndUndoNailsThemAgain) {
   EXPECT_FALSE(gui.system().points()[1].nailed);
 }
 
-TEST(Keys, AHeldArrowIsOneStepOfUndoAndShowsTheValue) {
+TEST(Keys, AHeldArrowIsOneUndoStepAndShowsTheValue) {
   GuiTrial gui(hanging());
   gui.key(Key::Up);
   gui.key(Key::Up, {}, true);
@@ -219,7 +219,7 @@ TEST(Keys, AHeldArrowIsOneStepOfUndoAndShowsTheValue) {
   EXPECT_EQ(gui.system().springs()[0].stiffness, 100.0);
 }
 
-TEST(Keys, AHeldKeyActsOnceWhereOnceIsMeant) {
+TEST(Keys, AHeldKeyDoesNotRepeatOneShotActions) {
   GuiTrial gui(hanging());
   gui.key(Key::Space);
   gui.key(Key::Space, {}, true);
@@ -240,7 +240,7 @@ TEST(Keys, SelectAllAndDelete) {
   EXPECT_EQ(gui.system().spring_count(), 2);
 }
 
-TEST(Keys, EscLeavesTheNearestThingAndNeverQuits) {
+TEST(Keys, EscLeavesTheInnermostModeAndNeverQuits) {
   GuiTrial gui(hanging());
   gui.key(letter('A'), control);
   gui.key(letter('N'));
@@ -257,7 +257,7 @@ TEST(Keys, EscLeavesTheNearestThingAndNeverQuits) {
   EXPECT_FALSE(gui.app().is_finished());
 }
 
-TEST(Mouse, BuildsWhileItRuns) {
+TEST(Mouse, BuildsDuringARun) {
   GuiTrial gui(hanging());
   gui.key(Key::Space);
   gui.key(letter('A'));
@@ -283,7 +283,7 @@ TEST(Mouse, TwoClicksWithinOneFrameBothCount) {
   EXPECT_EQ(gui.system().spring_count(), 3);
 }
 
-TEST(Mouse, APressOnAPanelIsNotForTheScene) {
+TEST(Mouse, APressOnAPanelDoesNotReachTheScene) {
   GuiTrial gui(hanging());
   gui.key(letter('A'));
   const Rect& side = gui.app().layout().side;
@@ -311,7 +311,7 @@ TEST(Camera, OrbitsPansAndZoomsToTheCursor) {
   EXPECT_TRUE(gui.app().layout().scene.contains(home.x, home.y));
 }
 
-TEST(Camera, KeepsFacingAFlatScene) {
+TEST(Camera, StaysPerpendicularToAFlatScene) {
   GuiTrial gui(hanging());
   const Vec3 back = gui.app().camera().back, target = gui.app().camera().target;
   gui.drag({400.0, 400.0}, {480.0, 420.0}, Button::Right);
@@ -319,7 +319,7 @@ TEST(Camera, KeepsFacingAFlatScene) {
   EXPECT_NE(gui.app().camera().target, target);
 }
 
-TEST(Camera, LooksAlongTheAxesAndFromTheOtherSideWhenAskedAgain) {
+TEST(Camera, LooksAlongTheAxesAndFromTheOppositeSideOnRepetition) {
   GuiTrial gui(hanging(3));
   const auto from = [&](char key) {
     gui.key(letter(key));
@@ -330,7 +330,7 @@ TEST(Camera, LooksAlongTheAxesAndFromTheOtherSideWhenAskedAgain) {
   EXPECT_LT(glm::distance(gui.app().camera().up, {0.0, 1.0, 0.0}), 1e-12);
   EXPECT_LT(glm::distance(from('3'), {1.0, 0.0, 0.0}), 1e-12);
   EXPECT_LT(glm::distance(from('7'), {0.0, 1.0, 0.0}), 1e-12);
-  // from above the front is below
+  // seen from above, the front is at the bottom
   EXPECT_LT(glm::distance(gui.app().camera().up, {0.0, 0.0, -1.0}), 1e-12);
   EXPECT_LT(glm::distance(from('7'), {0.0, -1.0, 0.0}), 1e-12);
   EXPECT_LT(glm::distance(gui.app().camera().up, {0.0, 0.0, 1.0}), 1e-12);
@@ -338,13 +338,13 @@ TEST(Camera, LooksAlongTheAxesAndFromTheOtherSideWhenAskedAgain) {
   EXPECT_TRUE(gui.app().camera().orthographic);
   gui.key(letter('5'));
   EXPECT_FALSE(gui.app().camera().orthographic);
-  // it goes on turning as before
+  // then it orbits as before
   gui.drag({400.0, 400.0}, {480.0, 420.0}, Button::Right);
   EXPECT_NEAR(glm::length(gui.app().camera().up), 1.0, 1e-12);
   EXPECT_NEAR(glm::dot(gui.app().camera().up, gui.app().camera().back), 0.0, 1e-12);
 }
 
-TEST(Camera, AClickOnAnAxisLooksFromIt) {
+TEST(Camera, AClickOnAnAxisLooksAlongIt) {
   {
     GuiTrial flat(hanging(2));
     flat.frames(2);
@@ -381,7 +381,7 @@ TEST(Camera, IsCopiedAndPastedAsText) {
   EXPECT_LT(glm::distance(gui.app().camera().eye(), camera.eye()), 1e-12);
 }
 
-TEST(Documents, SaveAsByTypingAPathAndOpenAgain) {
+TEST(Documents, CanBeSavedAtATypedPathAndReopened) {
   const ScratchFolder scratch;
   GuiTrial gui(hanging());
   EXPECT_EQ(gui.app().title(), "Hooke - Hanging");
@@ -404,7 +404,7 @@ TEST(Documents, SaveAsByTypingAPathAndOpenAgain) {
   gui.key(Key::Enter);
   EXPECT_EQ(gui.system().point_count(), 3);
   EXPECT_EQ(gui.app().title(), "Hooke - mine");
-  // and from now on Save asks no more
+  // from now on Save asks for no name
   gui.key(letter('R'));
   gui.key(letter('A'), control);
   gui.key(Key::Delete);
@@ -421,7 +421,7 @@ TEST(Documents, AShippedSceneIsNeverOverwritten) {
   EXPECT_NE(gui.app().panels().dialog.typed, shipped.file.string());
 }
 
-TEST(Documents, ARefusedFileIsNamedAndTheOpenOneStaysAsItWas) {
+TEST(Documents, ARefusedFileIsNamedAndTheOpenDocumentIsUnchanged) {
   const ScratchFolder scratch;
   std::ofstream(scratch.folder / "bad.json") << R"({"hooke": 1, "points": [{"position": [0, 0, 0], "mass": -1}]})";
   GuiTrial gui(hanging());
@@ -437,7 +437,7 @@ TEST(Documents, ARefusedFileIsNamedAndTheOpenOneStaysAsItWas) {
   EXPECT_EQ(gui.status().document->name, "Hanging");
 }
 
-TEST(Documents, AFailedSaveIsSaidAndLeavesTheStar) {
+TEST(Documents, AFailedSaveIsReportedAndTheDocumentStaysModified) {
   GuiTrial gui(hanging());
   gui.key(letter('R'));
   gui.key(letter('S'), control_shift);
@@ -448,7 +448,7 @@ TEST(Documents, AFailedSaveIsSaidAndLeavesTheStar) {
   EXPECT_EQ(gui.app().title(), "Hooke - Hanging*");
 }
 
-// A sheet of two faces, and a picture beside it.
+// A sheet of two faces, and a picture in the same folder.
 struct Draped {
   ScratchFolder scratch;
   std::filesystem::path file = scratch.folder / "draped.json";
@@ -459,14 +459,14 @@ struct Draped {
   }
 };
 
-TEST(Textures, AreChosenSavedAndTakenBack) {
+TEST(Textures, AreChosenSavedAndUndone) {
   const Draped draped;
   GuiTrial gui(load_scene(draped.file).scene, draped.file);
   EXPECT_FALSE(gui.app().view_options().springs);
   gui.app().handle(FileDrop{draped.scratch.folder / "mine.png"});
   EXPECT_EQ(gui.status().document->view.texture, "mine.png");
   ASSERT_TRUE(gui.app().view_options().cloth_texture.picture);
-  EXPECT_FALSE(gui.app().view_options().strain_colors);  // they would hide it
+  EXPECT_FALSE(gui.app().view_options().strain_colors);  // they would hide the texture
   EXPECT_EQ(gui.status().history.undo_name, "set the texture");
 
   gui.app().panels().view.points = false;
@@ -480,7 +480,7 @@ TEST(Textures, AreChosenSavedAndTakenBack) {
   EXPECT_FALSE(gui.app().view_options().cloth_texture.picture);
 }
 
-TEST(Textures, FromElsewhereAreRefusedWithTheReason) {
+TEST(Textures, OutsideTheFolderAreRefusedWithTheReason) {
   const Draped draped;
   GuiTrial gui(load_scene(draped.file).scene, draped.file);
   gui.app().handle(FileDrop{draped.scratch.folder.parent_path() / "other.png"});
@@ -491,14 +491,14 @@ TEST(Textures, FromElsewhereAreRefusedWithTheReason) {
   EXPECT_EQ(gui.status().document->view.texture, "");
 }
 
-TEST(Textures, OfADocumentThatIsInNoFolderAskForOne) {
+TEST(Textures, OfAnUnsavedDocumentRequireSavingItFirst) {
   const Draped draped;
   GuiTrial gui(hanging());
   gui.app().handle(FileDrop{draped.scratch.folder / "mine.png"});
   EXPECT_NE(gui.app().panels().dialog.text.find("save the scene there first"), std::string::npos);
 }
 
-TEST(Documents, AsksBeforeChangesAreLost) {
+TEST(Documents, AskBeforeChangesAreLost) {
   const ScratchFolder scratch;
   GuiTrial gui(hanging());
   gui.key(letter('R'));
@@ -510,24 +510,24 @@ TEST(Documents, AsksBeforeChangesAreLost) {
   EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
   EXPECT_FALSE(gui.app().is_finished());
 
-  // saving first, by a path that has to be typed, then quits
+  // saves first, to a path that must be typed, then quits
   gui.key(letter('Q'), control);
   gui.key(Key::Enter);
   ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Save);
-  gui.frames(2);  // the box comes up
+  gui.frames(2);  // the dialog appears
   gui.type((scratch.folder / "kept.json").string());
   gui.key(Key::Enter);
   EXPECT_TRUE(gui.app().is_finished());
   EXPECT_TRUE(std::filesystem::exists(scratch.folder / "kept.json"));
 }
 
-TEST(Documents, QuitAtOnceWithNothingToLose) {
+TEST(Documents, QuitAtOnceWithoutUnsavedChanges) {
   GuiTrial gui(hanging());
   gui.key(letter('Q'), control);
   EXPECT_TRUE(gui.app().is_finished());
 }
 
-TEST(Dialogs, KeysAreTheirsWhileTheyAreOpen) {
+TEST(Dialogs, ReceiveAllKeysWhileOpen) {
   GuiTrial gui(hanging());
   gui.key(letter('O'), control);
   gui.key(letter('R'));
@@ -540,7 +540,7 @@ TEST(Dialogs, KeysAreTheirsWhileTheyAreOpen) {
   EXPECT_FALSE(gui.system().points()[0].nailed);
 }
 
-TEST(Dialogs, APathCanBeTyped) {
+TEST(Dialogs, AcceptATypedPath) {
   GuiTrial gui(hanging());
   gui.key(letter('O'), control);
   gui.frames(2);
@@ -548,7 +548,7 @@ TEST(Dialogs, APathCanBeTyped) {
   EXPECT_EQ(gui.app().panels().dialog.typed, "some/path.json");
 }
 
-TEST(Paths, AreReadAsTheyAreTyped) {
+TEST(Paths, AreInterpretedAsTyped) {
   ::setenv("HOME", "/home/somebody", 1);
   EXPECT_EQ(typed_path("~/net"), "/home/somebody/net.json");
   EXPECT_EQ(typed_path("/a/../b/net.xsp"), "/b/net.xsp");

@@ -1,4 +1,4 @@
-// Documents in the window: kept against a kill, shared with other runs, changed by other programs, chosen in dialogs.
+// Documents in the window: recovery after a kill, files open in other windows or changed by other programs, file dialogs.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -32,7 +32,7 @@ Scene two_points() {
   return flat_scene("Two points", trial);
 }
 
-// A person's folders, with unsaved work kept after a second.
+// The folders of a user; unsaved work is autosaved after one second.
 struct OwnDesk {
   ScratchFolder scratch;
   fs::path folder = scratch.folder;
@@ -47,7 +47,7 @@ struct OwnDesk {
   GuiTrial open() const { return GuiTrial(load_scene(file).scene, file, home); }
 };
 
-// Frames until it is so, for at most some seconds.
+// Builds frames until the condition holds, for at most some seconds.
 template <class Condition>
 bool wait_for(GuiTrial& gui, Condition condition) {
   for (int i = 0; i < 1000; ++i) {
@@ -68,8 +68,8 @@ int copies_in(const Home& home) {
 
 Dialog::Kind asked(GuiTrial& gui) { return gui.app().panels().dialog.kind; }
 
-// Presses a button of a box by its words.
-void push(GuiTrial& gui, const char* box, const char* label) {
+// Presses a button of a dialog by its label.
+void press_button(GuiTrial& gui, const char* box, const char* label) {
   gui.frames(2);
   const glm::dvec2 at = gui.find(box, {label});
   ASSERT_GT(at.x, 0.0) << label << " in\n" << gui.words();
@@ -77,7 +77,7 @@ void push(GuiTrial& gui, const char* box, const char* label) {
   gui.frames(2);
 }
 
-TEST(Recovery, OffersWhatAKilledRunHadKeptBitForBit) {
+TEST(Recovery, OffersTheAutosaveOfAKilledRunBitForBit) {
   const OwnDesk desk;
   State state;
   {
@@ -85,14 +85,14 @@ TEST(Recovery, OffersWhatAKilledRunHadKeptBitForBit) {
     gui.key(letter('R'));
     gui.key(Key::Period);
     ASSERT_TRUE(wait_for(gui, [&] { return copies_in(desk.home) == 1; }));
-    // without an end: as if it were killed
+    // without a regular exit, as if it were killed
     state = gui.status().snapshot->state;
   }
   GuiTrial gui({}, {}, desk.home);
   ASSERT_EQ(asked(gui), Dialog::Kind::Recovery);
   const std::string words = gui.words();
   EXPECT_NE(words.find("net, autosaved at "), std::string::npos) << words;
-  push(gui, "Unsaved work found", "Later");
+  press_button(gui, "Unsaved work found", "Later");
   EXPECT_EQ(copies_in(desk.home), 1);
 
   // the next start offers it again
@@ -105,14 +105,14 @@ TEST(Recovery, OffersWhatAKilledRunHadKeptBitForBit) {
   EXPECT_EQ(gui.status().snapshot->state.position, state.position);
   EXPECT_EQ(gui.status().snapshot->state.velocity, state.velocity);
   EXPECT_EQ(gui.status().snapshot->state.time, state.time);
-  // kept by this run now, until it is saved
+  // this run autosaves it now, until it is saved
   EXPECT_EQ(copies_in(desk.home), 1);
   gui.key(letter('S'), control);
   EXPECT_EQ(copies_in(desk.home), 0);
   EXPECT_FALSE(load_scene(desk.file).scene.system.points()[0].nailed);
 }
 
-TEST(Recovery, ThrownAwayWorkIsNotOfferedAgain) {
+TEST(Recovery, DiscardedWorkIsNotOfferedAgain) {
   const OwnDesk desk;
   {
     GuiTrial gui = desk.open();
@@ -141,7 +141,7 @@ TEST(Recovery, ThrownAwayWorkIsNotOfferedAgain) {
   EXPECT_EQ(copies_in(desk.home), 0);
 }
 
-TEST(Recovery, NothingIsKeptOfWhatIsSavedOrDiscarded) {
+TEST(Recovery, NoAutosaveIsKeptOfSavedOrDiscardedWork) {
   const OwnDesk desk;
   GuiTrial gui = desk.open();
   gui.frames(5);
@@ -154,12 +154,12 @@ TEST(Recovery, NothingIsKeptOfWhatIsSavedOrDiscarded) {
   ASSERT_TRUE(wait_for(gui, [&] { return copies_in(desk.home) == 1; }));
   gui.key(letter('Q'), control);
   gui.frames(2);
-  push(gui, "Save changes?", "Discard");
+  press_button(gui, "Save changes?", "Discard");
   EXPECT_TRUE(gui.app().is_finished());
   EXPECT_TRUE(fs::is_empty(desk.home.state / "runs") || copies_in(desk.home) == 0);
 }
 
-TEST(Recovery, ACopyThatCannotBeReadIsSaidAndKept) {
+TEST(Recovery, AnUnreadableAutosaveIsReportedAndKept) {
   const OwnDesk desk;
   {
     GuiTrial gui = desk.open();
@@ -175,7 +175,7 @@ TEST(Recovery, ACopyThatCannotBeReadIsSaidAndKept) {
   EXPECT_EQ(copies_in(desk.home), 1);
 }
 
-TEST(Sessions, OfLivingRunsAreSeenAndNotOffered) {
+TEST(Sessions, OfRunningWindowsAreNotOfferedForRecovery) {
   const OwnDesk desk;
   Session other(desk.home.state / "runs");
   other.set_document(desk.file, "Net");
@@ -192,7 +192,7 @@ TEST(Sessions, OfLivingRunsAreSeenAndNotOffered) {
   EXPECT_FALSE(session.is_open_elsewhere(desk.file));
 }
 
-TEST(Sessions, WithoutAFolderKeepNothingAndGoOn) {
+TEST(Sessions, WithoutAFolderKeepNothingAndContinue) {
   for (const fs::path& folder : {fs::path(), fs::path("/proc/nowhere")}) {
     Session session(folder);
     EXPECT_FALSE(session.is_enabled());
@@ -204,7 +204,7 @@ TEST(Sessions, WithoutAFolderKeepNothingAndGoOn) {
   }
 }
 
-TEST(SecondInstance, OnTheSameFileIsToldAndAsked) {
+TEST(SecondInstance, OnTheSameFileIsReportedAndAsks) {
   const OwnDesk desk;
   Session other(desk.home.state / "runs");
   other.set_document(desk.file, "Net");
@@ -218,14 +218,14 @@ TEST(SecondInstance, OnTheSameFileIsToldAndAsked) {
     EXPECT_EQ(asked(gui), Dialog::Kind::Save);
   }
   GuiTrial gui = desk.open();
-  push(gui, "Message", "Open here too");
+  press_button(gui, "Message", "Open here too");
   gui.key(letter('R'));
   gui.key(letter('S'), control);
   EXPECT_EQ(asked(gui), Dialog::Kind::None);
   EXPECT_FALSE(load_scene(desk.file).scene.system.points()[0].nailed);
 }
 
-TEST(ChangedFile, IsToldAndLoadedOrKept) {
+TEST(ChangedFile, IsReportedAndReloadedOrKept) {
   const OwnDesk desk;
   GuiTrial gui = desk.open();
   Scene larger = two_points();
@@ -237,12 +237,12 @@ TEST(ChangedFile, IsToldAndLoadedOrKept) {
   ASSERT_TRUE(wait_for(gui, [&] { return !gui.app().panels().file_notice.empty(); }));
   EXPECT_NE(gui.words().find("net.json was changed by another program."), std::string::npos);
   EXPECT_EQ(gui.system().point_count(), 2);
-  push(gui, "file", "Reload");
+  press_button(gui, "file", "Reload");
   EXPECT_EQ(gui.system().point_count(), 3);
   EXPECT_TRUE(gui.app().panels().file_notice.empty());
 }
 
-TEST(ChangedFile, IsNotReplacedUnasked) {
+TEST(ChangedFile, IsNotReplacedWithoutAsking) {
   const OwnDesk desk;
   GuiTrial gui = desk.open();
   OwnDesk::write(desk.file, "somebody else's");
@@ -255,12 +255,12 @@ TEST(ChangedFile, IsNotReplacedUnasked) {
   std::getline(std::ifstream(desk.file), text);
   EXPECT_EQ(text, "somebody else's");
   gui.key(letter('S'), control);
-  push(gui, "Message", "Replace");
+  press_button(gui, "Message", "Replace");
   EXPECT_EQ(gui.app().title(), "Hooke - net");
   EXPECT_EQ(load_scene(desk.file).scene.system.point_count(), 2);
 }
 
-TEST(ChangedFile, ThatVanishedIsToldAndWrittenAgain) {
+TEST(ChangedFile, ThatWasDeletedIsReportedAndCanBeWrittenAgain) {
   const OwnDesk desk;
   GuiTrial gui = desk.open();
   fs::remove(desk.file);
@@ -273,8 +273,8 @@ TEST(ChangedFile, ThatVanishedIsToldAndWrittenAgain) {
   EXPECT_EQ(gui.words().find("no longer exists"), std::string::npos);
 }
 
-// A limit on the size of files stands for a disk that is full.
-TEST(Saving, OnAFullDiskLosesNothingAndSaysSo) {
+// A file size limit has the same effect as a full disk.
+TEST(Saving, OnAFullDiskLosesNothingAndReportsIt) {
   const OwnDesk desk;
   GuiTrial gui = desk.open();
   gui.key(letter('R'));
@@ -294,13 +294,13 @@ TEST(Saving, OnAFullDiskLosesNothingAndSaysSo) {
   EXPECT_EQ(gui.app().title(), "Hooke - net*");
   EXPECT_EQ(fs::file_size(desk.file), size);
   EXPECT_TRUE(load_scene(desk.file).scene.system.points()[0].nailed);
-  // and once there is room it works
+  // once there is space again, saving succeeds
   gui.key(Key::Escape);
   gui.key(letter('S'), control);
   EXPECT_EQ(gui.app().title(), "Hooke - net");
 }
 
-TEST(Saving, UnderAnotherEndingIsRefusedInWords) {
+TEST(Saving, WithAnUnknownExtensionIsRefusedWithAMessage) {
   const OwnDesk desk;
   GuiTrial gui = desk.open();
   gui.key(letter('S'), control_shift);
@@ -310,8 +310,8 @@ TEST(Saving, UnderAnotherEndingIsRefusedInWords) {
   EXPECT_FALSE(fs::exists(desk.folder / "net.xsp"));
 }
 
-// Loose points, so many that reading and writing them takes many frames.
-Scene dust() {
+// Unconnected points, so many that reading and writing them takes many frames.
+Scene many_points() {
   Scene scene;
   scene.name = "Dust";
   std::vector<Point> points(100'000);
@@ -324,15 +324,15 @@ Scene dust() {
   return scene;
 }
 
-// On a window whose frames go on meanwhile.
+// In a window that keeps drawing frames meanwhile.
 void drop_large(GuiTrial& gui, const fs::path& large) {
-  save_scene(dust(), large);
+  save_scene(many_points(), large);
   gui.app().set_task_patience(std::chrono::milliseconds(0));
   gui.waits_for_work = false;
   gui.app().handle(FileDrop{large});
 }
 
-TEST(BackgroundTask, OpensALargeFileWhileTheWindowGoesOn) {
+TEST(BackgroundTask, OpensALargeFileWhileTheWindowKeepsDrawing) {
   const OwnDesk desk;
   const fs::path large = desk.folder / "dust.json";
   GuiTrial gui = desk.open();
@@ -340,14 +340,14 @@ TEST(BackgroundTask, OpensALargeFileWhileTheWindowGoesOn) {
   std::string words;
   for (int i = 0; i < 5; ++i) words = gui.words();
   EXPECT_NE(words.find("Opening dust.json"), std::string::npos) << words;
-  EXPECT_EQ(gui.status().snapshot->system->point_count(), 2) << "the document stays until the other is read";
+  EXPECT_EQ(gui.status().snapshot->system->point_count(), 2) << "the document stays until the new one is read";
   ASSERT_TRUE(wait_for(gui, [&] { return gui.status().snapshot->system->point_count() == 100'000; }));
   gui.frames(2);
   EXPECT_EQ(asked(gui), Dialog::Kind::None);
   EXPECT_EQ(gui.app().title(), "Hooke - dust");
 }
 
-TEST(BackgroundTask, StopsWhenItIsNotWantedAndLeavesTheDocument) {
+TEST(BackgroundTask, CanBeCancelledAndLeavesTheDocumentUnchanged) {
   const OwnDesk desk;
   const fs::path large = desk.folder / "dust.json";
   GuiTrial gui = desk.open();
@@ -358,17 +358,17 @@ TEST(BackgroundTask, StopsWhenItIsNotWantedAndLeavesTheDocument) {
   ASSERT_TRUE(wait_for(gui, [&] { return asked(gui) == Dialog::Kind::None; }));
   EXPECT_EQ(gui.status().snapshot->system->point_count(), 2);
   EXPECT_EQ(gui.app().title(), "Hooke - net");
-  // and the next one opens
+  // the next file opens
   gui.waits_for_work = true;
   gui.app().handle(FileDrop{large});
   gui.frames(2);
   EXPECT_EQ(gui.system().point_count(), 100'000);
 }
 
-TEST(BackgroundTask, OfSavingStopsBeforeTheOldFileIsTouched) {
+TEST(BackgroundTask, OfSavingCanBeCancelledBeforeTheOldFileIsTouched) {
   const OwnDesk desk;
   const fs::path large = desk.folder / "dust.json";
-  save_scene(dust(), large);
+  save_scene(many_points(), large);
   const auto written = fs::last_write_time(large);
   GuiTrial gui(load_scene(large).scene, large, desk.home);
   gui.key(letter('A'), control);
@@ -383,14 +383,14 @@ TEST(BackgroundTask, OfSavingStopsBeforeTheOldFileIsTouched) {
   ASSERT_TRUE(wait_for(gui, [&] { return asked(gui) == Dialog::Kind::None; }));
   EXPECT_EQ(gui.app().title(), "Hooke - dust*");
   EXPECT_EQ(fs::last_write_time(large), written);
-  EXPECT_EQ(std::distance(fs::directory_iterator(desk.folder), {}), 4) << "net, dust, config, state: nothing half written";
-  // wanted, it is saved, and the box goes by itself
+  EXPECT_EQ(std::distance(fs::directory_iterator(desk.folder), {}), 4) << "net, dust, config, state: no partial file";
+  // if it is not cancelled, the file is saved and the dialog closes itself
   gui.app().handle(KeyPress{letter('S'), control});
   ASSERT_TRUE(wait_for(gui, [&] { return gui.app().title() == "Hooke - dust"; }));
   EXPECT_EQ(load_scene(large).scene.system.point_count(), 100'000);
 }
 
-TEST(Opening, AnotherKindOfFileMakesADocumentWithoutAFile) {
+TEST(Opening, OfAnImportFormatMakesAnUntitledDocument) {
   const OwnDesk desk;
   OwnDesk::write(desk.folder / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   GuiTrial gui = desk.open();
@@ -401,7 +401,7 @@ TEST(Opening, AnotherKindOfFileMakesADocumentWithoutAFile) {
   EXPECT_EQ(asked(gui), Dialog::Kind::Save);
 }
 
-TEST(Preferences, ComeBackAndACorruptFileIsSetAsideWithOneMessage) {
+TEST(Preferences, ArePersistentAndACorruptFileIsIgnoredWithOneMessage) {
   const OwnDesk desk;
   const Preferences mine{1.5, 20.0, true, true};
   save_preferences(mine, desk.home.config);
@@ -425,7 +425,7 @@ TEST(Preferences, ComeBackAndACorruptFileIsSetAsideWithOneMessage) {
   }
 }
 
-TEST(Preferences, ThatAreAFolderOrCannotBeWrittenAreNoReasonToStop) {
+TEST(Preferences, ThatAreAFolderOrCannotBeWrittenDoNotStopTheProgram) {
   const OwnDesk desk;
   fs::remove(desk.home.config / "settings.json");
   fs::create_directories(desk.home.config / "settings.json");
@@ -436,13 +436,13 @@ TEST(Preferences, ThatAreAFolderOrCannotBeWrittenAreNoReasonToStop) {
   EXPECT_FALSE(gui.app().is_finished());
 }
 
-TEST(Preferences, TheLookStays) {
+TEST(Preferences, TheThemeIsPersistent) {
   const OwnDesk desk;
   { GuiTrial(two_points(), {}, desk.home).key(letter('L'), control_shift); }
   EXPECT_EQ(GuiTrial(two_points(), {}, desk.home).app().panels().look, Look::Light);
 }
 
-TEST(Preferences, PanelsGrowAndShrinkWithinTheirRange) {
+TEST(Preferences, PanelWidthsAreLimitedToTheirRange) {
   const OwnDesk desk;
   {
     GuiTrial gui(two_points(), {}, desk.home);
@@ -454,7 +454,7 @@ TEST(Preferences, PanelsGrowAndShrinkWithinTheirRange) {
   EXPECT_EQ(GuiTrial(two_points(), {}, desk.home).app().interface_scale(), 0.75);
 }
 
-TEST(RecentFiles, AreTheNewestEachOnce) {
+TEST(RecentFiles, AreTheNewestWithoutDuplicates) {
   const OwnDesk desk;
   {
     RecentFiles recent(desk.home.state);
@@ -470,7 +470,7 @@ TEST(RecentFiles, AreTheNewestEachOnce) {
   EXPECT_TRUE(RecentFiles(desk.home.state).files().empty());
 }
 
-TEST(RecentFiles, StandInTheMenuAndOpen) {
+TEST(RecentFiles, AreListedInTheMenuAndOpen) {
   const OwnDesk desk;
   { const GuiTrial gui = desk.open(); }
   GuiTrial gui({}, {}, desk.home);
@@ -484,7 +484,7 @@ TEST(RecentFiles, StandInTheMenuAndOpen) {
   EXPECT_NE(gui.words().find("net.json"), std::string::npos);
 }
 
-TEST(Browser, ShowsFoldersFirstAndOnlyWhatCanBeRead) {
+TEST(Browser, ListsFoldersFirstAndOnlyReadableFormats) {
   const ScratchFolder scratch;
   for (const char* name : {"b.json", "A.xsp", "c.txt", "d.ply", ".hidden.json"}) OwnDesk::write(scratch.folder / name, "");
   fs::create_directories(scratch.folder / "zoo");
@@ -497,7 +497,7 @@ TEST(Browser, ShowsFoldersFirstAndOnlyWhatCanBeRead) {
   EXPECT_FALSE(list_folder(scratch.folder / "none", wanted).error.empty());
 }
 
-TEST(Browser, GoesIntoFoldersAndOpensByDoubleClick) {
+TEST(Browser, EntersFoldersAndOpensByDoubleClick) {
   const OwnDesk desk;
   fs::create_directories(desk.folder / "inner");
   save_scene(two_points(), desk.folder / "inner" / "deep.json");
@@ -510,14 +510,14 @@ TEST(Browser, GoesIntoFoldersAndOpensByDoubleClick) {
   ASSERT_EQ(asked(gui), Dialog::Kind::Open);
   EXPECT_EQ(gui.app().panels().dialog.browser.folder, desk.folder / "inner");
   EXPECT_NE(gui.words().find("deep.json"), std::string::npos);
-  // a name is meant within it
+  // a name is relative to it
   gui.frames(2);
   gui.type("deep");
   gui.key(Key::Enter);
   EXPECT_EQ(gui.app().title(), "Hooke - deep");
 }
 
-TEST(Paths, AreMeantFromTheFolderThatIsShown) {
+TEST(Paths, AreRelativeToTheFolderShown) {
   const ScratchFolder scratch;
   fs::create_directories(scratch.folder / "some.folder");
   OwnDesk::write(scratch.folder / "bare", "");
@@ -528,7 +528,7 @@ TEST(Paths, AreMeantFromTheFolderThatIsShown) {
   EXPECT_EQ(resolve_typed_path("~", "/b"), home_folder());
 }
 
-// A program that writes down how it was called, and answers.
+// A program that records its arguments and prints a prepared answer.
 struct FakeDialog {
   ScratchFolder scratch;
   std::string path = std::getenv("PATH");
@@ -543,18 +543,18 @@ struct FakeDialog {
   std::string called() const { return contents(scratch.folder / "called"); }
 };
 
-TEST(DesktopDialog, AnswersWithAFile) {
+TEST(DesktopDialog, ReturnsAFile) {
   const OwnDesk desk;
   const FakeDialog fake("zenity", desk.file.string(), 0);
   GuiTrial gui({}, {}, desk.home);
   gui.key(letter('O'), control);
-  push(gui, "Open scene", "System dialog");
+  press_button(gui, "Open scene", "System dialog");
   EXPECT_EQ(asked(gui), Dialog::Kind::None);
   EXPECT_TRUE(wait_for(gui, [&] { return gui.app().title() == "Hooke - net"; }));
   EXPECT_NE(fake.called().find("--file-selection\n"), std::string::npos);
 }
 
-TEST(DesktopDialog, ThatIsCancelledChangesNothing) {
+TEST(DesktopDialog, IfCancelledChangesNothing) {
   const OwnDesk desk;
   const FakeDialog fake("zenity", "/somewhere.json", 1);
   SystemDialog dialog;
@@ -567,11 +567,11 @@ TEST(DesktopDialog, ThatIsCancelledChangesNothing) {
   ASSERT_TRUE(answer);
   EXPECT_TRUE(answer->empty());
   EXPECT_FALSE(dialog.is_open());
-  // a name is a name: no shell looks at it
+  // the name is passed on as it is, not through a shell
   EXPECT_NE(fake.called().find("--filename=/a; rm -rf $HOME.json\n"), std::string::npos);
 }
 
-TEST(DesktopDialog, IsClosedWithItsOwner) {
+TEST(DesktopDialog, IsClosedTogetherWithItsOwner) {
   ScratchFolder scratch;
   const FakeDialog fake("zenity", "/x.json", 0);
   OwnDesk::write(fake.scratch.folder / "zenity", "#!/bin/sh\nexec sleep 1000\n");
@@ -580,7 +580,7 @@ TEST(DesktopDialog, IsClosedWithItsOwner) {
   EXPECT_FALSE(dialog.take_answer());
 }
 
-TEST(Homes, FollowTheSpecification) {
+TEST(Homes, FollowTheXdgSpecification) {
   const std::string home = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
   ::setenv("HOME", "/home/somebody", 1);
   ::setenv("XDG_CONFIG_HOME", "/c", 1);

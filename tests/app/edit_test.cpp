@@ -1,4 +1,4 @@
-// Editing in the window: selecting, copies, the history and the search through all commands.
+// Editing in the window: selection, copies, history and the command palette.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr Modifiers control{.control = true}, control_shift{.control = true, .shift = true};
 
-// A pair joined by a spring, and a point on its own.
+// A pair of points connected by a spring, and a separate point.
 Scene pair_and_one(int dimensions = 2) {
   Trial trial;
   const PointId nail = trial.nail({-0.3, 0.4, 0.0}), bob = trial.add({0.1, 0.0, 0.0}, 2.0, {0.5, 0.0, 0.0});
@@ -26,7 +26,7 @@ Scene pair_and_one(int dimensions = 2) {
   return scene;
 }
 
-TEST(Selecting, ADoubleClickTakesAllThatIsConnected) {
+TEST(Selecting, ADoubleClickSelectsEverythingConnected) {
   GuiTrial gui(pair_and_one());
   const glm::dvec2 at = gui.seen({0.1, 0.0, 0.0});
   gui.click(at);
@@ -37,7 +37,7 @@ TEST(Selecting, ADoubleClickTakesAllThatIsConnected) {
   EXPECT_EQ(gui.app().selection().springs.size(), 1u);
 }
 
-TEST(Selecting, InvertsAndGrowsByKeys) {
+TEST(Selecting, IsInvertedAndExtendedByKeys) {
   GuiTrial gui(pair_and_one());
   gui.click(gui.seen({-0.3, 0.4, 0.0}));
   gui.key(letter('L'), control);
@@ -57,7 +57,7 @@ TEST(Selecting, ReachesEightPixelsAtEveryScale) {
     gui.app().resize({1280.0, 800.0}, scale);
     gui.frames(2);
     gui.key(Key::Home);
-    // a point that is seen small, missed by nearly 8 pixels
+    // a small point, missed by almost 8 pixels
     const glm::dvec2 at = gui.seen({0.5, 0.3, 0.0});
     gui.move(at + glm::dvec2(7.5, 0.0));
     EXPECT_TRUE(gui.app().marks().hovered_point) << scale;
@@ -66,7 +66,7 @@ TEST(Selecting, ReachesEightPixelsAtEveryScale) {
   }
 }
 
-TEST(Copies, DuplicateLiesBesideAndIsSelected) {
+TEST(Copies, DuplicatesAreDisplacedAndSelected) {
   for (const int dimensions : {2, 3}) {
     GuiTrial gui(pair_and_one(dimensions));
     gui.click(gui.seen({0.1, 0.0, 0.0}));
@@ -90,7 +90,7 @@ TEST(Copies, DuplicateLiesBesideAndIsSelected) {
   }
 }
 
-TEST(Copies, GoFromOneHookeToAnotherThroughText) {
+TEST(Copies, PassBetweenTwoInstancesAsText) {
   std::string board;
   const Clipboard shared{.put = [&](const std::string& text) { board = text; }, .take = [&] { return board; }};
   {
@@ -103,7 +103,7 @@ TEST(Copies, GoFromOneHookeToAnotherThroughText) {
     EXPECT_EQ(gui.system().point_count(), 0);
     EXPECT_EQ(gui.status().history.undo_name, "delete 3 points and 1 spring");
   }
-  // what is on the board is a scene like any other
+  // the text on the clipboard is a regular scene
   EXPECT_EQ(parse_scene(board, "board").scene.system.point_count(), 3);
   GuiTrial gui(pair_and_one(3));
   gui.app().use(shared);
@@ -113,12 +113,12 @@ TEST(Copies, GoFromOneHookeToAnotherThroughText) {
   ASSERT_EQ(gui.system().point_count(), 6);
   EXPECT_EQ(gui.system().spring_count(), 2);
   EXPECT_EQ(gui.app().selection().points.size(), 3u);
-  // its middle is under the cursor
+  // its center is under the cursor
   const auto& position = gui.status().snapshot->state.position;
   EXPECT_LT(glm::distance(gui.seen(0.5 * (position[3] + position[5]) + Vec3(0.0, -0.15, 0.0)), cursor), 25.0);
 }
 
-TEST(Copies, OfAnythingElseAreRefusedInWords) {
+TEST(Copies, OfOtherClipboardContentAreRefusedWithAMessage) {
   GuiTrial gui(pair_and_one());
   std::string board;
   gui.app().use({.put = [&](const std::string& text) { board = text; }, .take = [&] { return board; }});
@@ -144,7 +144,7 @@ TEST(HistoryPanel, NamesEveryStepAndGoesToIt) {
   for (const char* step : {"As opened", "Release 1 point", "Add 3 points and 1 spring", "Delete 3 points and 1 spring", "3 of 3"})
     EXPECT_NE(words.find(step), std::string::npos) << step << " in\n" << words;
 
-  // the second line: after the first step
+  // the second row: after the first step
   const ImGuiWindow* list = nullptr;
   for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
     if (std::string(window->Name).find("steps") != std::string::npos) list = window;
@@ -172,7 +172,7 @@ TEST(Search, FindsEveryActionByItsWords) {
   }());
 }
 
-TEST(Search, DoesWhatIsTypedAndChosen) {
+TEST(Search, RunsTheChosenCommand) {
   GuiTrial gui(pair_and_one());
   gui.key(letter('P'), control_shift);
   gui.frames(2);
@@ -184,7 +184,7 @@ TEST(Search, DoesWhatIsTypedAndChosen) {
   EXPECT_FALSE(gui.system().points()[0].nailed);
   EXPECT_FALSE(gui.app().panels().search.shown);
 
-  // a way out, and the second of what is found
+  // Esc closes it; the second result can be chosen
   gui.key(letter('P'), control_shift);
   gui.frames(2);
   gui.type("undo");

@@ -1,4 +1,4 @@
-// Ctrl+E: every kind of file is written as it should be, and what fails is told and harms nothing.
+// Ctrl+E: every format is written correctly, and failures are reported and do no damage.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-// The box opened by its keys, on a scene that ships; a kind chosen and a path given.
+// The export dialog opened by its keys on a shipped scene, with a format and a path.
 class Export {
  public:
   Export(const std::string& scene, std::string_view extension) : gui_(load_scene(find_scene(scene)).scene) {
@@ -27,7 +27,7 @@ class Export {
   GuiTrial& gui() { return gui_; }
   Dialog& dialog() { return gui_.app().panels().dialog; }
   bool is_running() { return gui_.app().exporter().is_running(); }
-  // Nobody types, so that what a test sets stays.
+  // No text field is active, so that values set by a test stay.
   void leave_field() {
     ImGui::ClearActiveID();
     gui_.frame();
@@ -43,7 +43,7 @@ class Export {
   GuiTrial gui_;
 };
 
-TEST(Export, TheBoxOffersEveryKindAndFollowsItWithTheEnding) {
+TEST(Export, TheDialogOffersEveryFormatAndSetsTheExtension) {
   GuiTrial gui(load_scene(find_scene("two_masses")).scene);
   gui.key(letter('E'), {.control = true});
   const std::string words = gui.words();
@@ -55,20 +55,20 @@ TEST(Export, TheBoxOffersEveryKindAndFollowsItWithTheEnding) {
   EXPECT_FALSE(gui.app().panels().export_state.is_shown);
 }
 
-TEST(Export, MeshesHoldTheSurface) {
+TEST(Export, MeshesContainTheSurface) {
   Export obj("trampoline", ".obj");
   obj.run();
   EXPECT_EQ(load_file(obj.file(".obj")).scene.system.faces.size(), std::size_t{2 * 30 * 30});
   EXPECT_FALSE(obj.box().is_shown);
 }
 
-TEST(Export, APolygonFileHasTheStrain) {
+TEST(Export, APolygonFileContainsTheStrain) {
   Export ply("trampoline", ".ply");
   ply.run();
   EXPECT_NE(contents(ply.file(".ply")).find("strain"), std::string::npos);
 }
 
-TEST(Export, ATableHasARowAFrameOfWhatIsAskedFor) {
+TEST(Export, ATableHasOneRowPerFrameWithTheChosenQuantities) {
   Export csv("damping_ratios", ".csv");
   csv.box().seconds = 0.5;
   csv.box().quantities = "time, y1,largest_strain";
@@ -82,10 +82,10 @@ TEST(Export, ATableHasARowAFrameOfWhatIsAskedFor) {
   int rows = 1;
   while (std::getline(lines, line)) ++rows;
   EXPECT_EQ(rows, 31);
-  EXPECT_EQ(csv.gui().status().snapshot->state.time, 0.0) << "what is on the screen stays";
+  EXPECT_EQ(csv.gui().status().snapshot->state.time, 0.0) << "the run on the screen is unchanged";
 }
 
-TEST(Export, PlotsAreWrittenAsTheyAreShown) {
+TEST(Export, PlotsAreWrittenAsShown) {
   Export csv("two_masses", ".csv");
   ++csv.box().kind;
   ASSERT_EQ(export_kinds()[csv.box().kind].label, "Plots");
@@ -102,7 +102,7 @@ TEST(Export, PlotsAreWrittenAsTheyAreShown) {
   EXPECT_NE(contents(csv.file(".csv")).find("kinetic"), std::string::npos);
 }
 
-TEST(Export, APointCacheHasEveryFrame) {
+TEST(Export, APointCacheContainsEveryFrame) {
   Export pc2("damping_ratios", ".pc2");
   pc2.box().seconds = 0.5;
   pc2.run();
@@ -110,27 +110,27 @@ TEST(Export, APointCacheHasEveryFrame) {
   EXPECT_FALSE(std::filesystem::exists(pc2.file(".pc2.part")));
 }
 
-TEST(Export, AFlatSceneGoesToXspringies) {
+TEST(Export, AFlatSceneIsWrittenAsXspringies) {
   Export xsp("two_masses_bouncy", ".xsp");
   xsp.run();
   EXPECT_EQ(load_file(xsp.file(".xsp")).scene.system.point_count(), 2);
 }
 
-TEST(Export, ASceneInSpaceDoesNotAndSaysSo) {
+TEST(Export, A3DSceneIsRefusedByXspringiesWithTheReason) {
   Export xsp("rope", ".xsp");
   xsp.run();
   EXPECT_EQ(xsp.dialog().kind, Dialog::Kind::Message);
   EXPECT_FALSE(std::filesystem::exists(xsp.file(".xsp")));
 }
 
-TEST(Export, APictureIsAskedOfTheWindow) {
+TEST(Export, APictureIsRequestedFromTheWindow) {
   Export png("two_masses", ".png");
   png.run();
   EXPECT_EQ(png.gui().app().captures().take_picture_file(), png.file(".png"));
   EXPECT_EQ(png.gui().app().captures().take_picture_file(), std::nullopt);
 }
 
-TEST(Export, AnUnknownQuantityIsNamed) {
+TEST(Export, AnUnknownQuantityIsReported) {
   Export csv("two_masses", ".csv");
   csv.box().quantities = "time, y7";
   csv.run();
@@ -138,7 +138,7 @@ TEST(Export, AnUnknownQuantityIsNamed) {
   EXPECT_FALSE(std::filesystem::exists(csv.file(".csv")));
 }
 
-TEST(Export, IntoAFolderThatIsNotThereIsToldOf) {
+TEST(Export, ToAMissingFolderIsReported) {
   for (const char* extension : {".obj", ".csv", ".pc2"}) {
     Export box("two_masses", extension);
     box.box().path = (box.file("").parent_path() / "nowhere" / ("out" + std::string(extension))).string();
@@ -148,7 +148,7 @@ TEST(Export, IntoAFolderThatIsNotThereIsToldOf) {
   }
 }
 
-TEST(Export, CanBeStoppedAndThenWritesNothing) {
+TEST(Export, WritesNothingIfCancelled) {
   Export csv("cloth", ".csv");
   csv.box().seconds = 600.0;
   csv.gui().key(Key::Enter);

@@ -1,4 +1,4 @@
-// A file that cannot be taken in leaves the open document as it was: scene, clock, history, name and star.
+// A file that cannot be imported leaves the open document unchanged: scene, clock, history, name and modified mark.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -31,7 +31,7 @@ std::vector<BadFile> bad_files() {
   };
 }
 
-// A document with a past: a point was added, nothing was saved.
+// A document with history: a point was added, nothing was saved.
 class OpenDocument {
  public:
   OpenDocument() : gui_(load_scene(find_scene("three_masses")).scene) {
@@ -51,7 +51,7 @@ class OpenDocument {
     EXPECT_FALSE(status.history.undo_name.empty()) << what;
     EXPECT_EQ(gui_.app().title(), title_) << what;
   }
-  // Says that it does not want to save, closes the message that then comes, and tells whether there was one.
+  // Declines to save, closes the message that appears, and returns whether there was one.
   bool is_told() {
     for (int i = 0; i < 4 && gui_.app().panels().dialog.kind == Dialog::Kind::Unsaved; ++i) {
       gui_.click(gui_.find("Save changes?", {"Discard"}));
@@ -68,7 +68,7 @@ class OpenDocument {
   std::string title_;
 };
 
-TEST(FailedImport, LeavesTheOpenDocumentAsItWas) {
+TEST(FailedImport, LeavesTheOpenDocumentUnchanged) {
   const ScratchFolder scratch;
   OpenDocument document;
   for (const BadFile& bad : bad_files()) {
@@ -81,7 +81,7 @@ TEST(FailedImport, LeavesTheOpenDocumentAsItWas) {
   }
 }
 
-TEST(FailedImport, OfWhatIsNoFileDoesSoToo) {
+TEST(FailedImport, OfADirectoryOrMissingFileLeavesItUnchangedToo) {
   const ScratchFolder scratch;
   OpenDocument document;
   std::filesystem::create_directory(scratch.folder / "folder.json");
@@ -93,7 +93,7 @@ TEST(FailedImport, OfWhatIsNoFileDoesSoToo) {
   }
 }
 
-TEST(FailedImport, OfAPictureLeavesTheTextureAsItWas) {
+TEST(FailedImport, OfAPictureLeavesTheTextureUnchanged) {
   const ScratchFolder scratch;
   std::ofstream(scratch.folder / "scene.json") << format_scene(load_scene(find_scene("cloth")).scene);
   GuiTrial gui(load_scene(scratch.folder / "scene.json").scene, scratch.folder / "scene.json");

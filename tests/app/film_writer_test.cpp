@@ -1,4 +1,4 @@
-// Films of the window, with a stand-in for ffmpeg.
+// Films of the window, with a fake ffmpeg.
 #include "app/media/film_writer.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An ffmpeg that reads nothing before there is a file `go`.
+// A fake ffmpeg that reads nothing until a file `go` exists.
 struct LateFfmpeg {
   ScratchFolder scratch;
   std::string path = std::getenv("PATH");
@@ -30,15 +30,15 @@ struct LateFfmpeg {
   fs::path film() const { return scratch.folder / "a.mp4"; }
 };
 
-Picture grey(int width, int height) {
+Picture gray(int width, int height) {
   return {.width = width, .height = height, .pixels = std::vector<std::uint8_t>(static_cast<std::size_t>(3 * width * height), 100)};
 }
 
-TEST(FilmWriter, TakesPicturesWithoutWaitingUntilTooManyWait) {
+TEST(FilmWriter, AcceptsPicturesWithoutWaitingUntilTheQueueIsFull) {
   const LateFfmpeg ffmpeg;
   FilmWriter writer(ffmpeg.film(), 1280, 720, 30.0);
   std::uintmax_t taken = 0;
-  while (writer.add(grey(1280, 720), 1)) ++taken;
+  while (writer.add(gray(1280, 720), 1)) ++taken;
   EXPECT_GT(taken, 10u);
   EXPECT_LT(taken, 50u);
   EXPECT_FALSE(writer.result());
@@ -50,26 +50,26 @@ TEST(FilmWriter, TakesPicturesWithoutWaitingUntilTooManyWait) {
   EXPECT_EQ(fs::file_size(ffmpeg.film()), taken * 3 * 1280 * 720);
 }
 
-TEST(FilmWriter, WritesAPictureAsOftenAsItStandsFor) {
+TEST(FilmWriter, RepeatsAPictureForEveryFrameItCovers) {
   const LateFfmpeg ffmpeg;
   std::ofstream(ffmpeg.scratch.folder / "go") << "go";
   {
     FilmWriter writer(ffmpeg.film(), 64, 36, 30.0);
-    EXPECT_TRUE(writer.add(grey(64, 36), 3));
-    EXPECT_TRUE(writer.add(grey(64, 36), 1));
+    EXPECT_TRUE(writer.add(gray(64, 36), 3));
+    EXPECT_TRUE(writer.add(gray(64, 36), 1));
     writer.end();
-  }  // waits
+  }  // the destructor waits
   EXPECT_EQ(fs::file_size(ffmpeg.film()), 4u * 3 * 64 * 36);
 }
 
-TEST(FilmWriter, ThrowsAwayWhatWasNotEndedThoughFfmpegReadsNothing) {
+TEST(FilmWriter, RemovesAnUnfinishedFilmEvenIfFfmpegReadsNothing) {
   const LateFfmpeg ffmpeg;
   {
     FilmWriter writer(ffmpeg.film(), 1280, 720, 30.0);
-    EXPECT_TRUE(writer.add(grey(1280, 720), 1));
+    EXPECT_TRUE(writer.add(gray(1280, 720), 1));
   }
   EXPECT_FALSE(fs::exists(ffmpeg.film()));
-  EXPECT_EQ(std::distance(fs::directory_iterator(ffmpeg.scratch.folder), {}), 1) << "the stand-in alone";
+  EXPECT_EQ(std::distance(fs::directory_iterator(ffmpeg.scratch.folder), {}), 1) << "only the fake ffmpeg";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The gallery: its thumbnails are what Hooke draws, and its page opens what it shows.
+// The gallery: its thumbnails are what Hooke draws, and its cards open their scenes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 const ShippedScene& shipped(std::string_view id) { return *std::ranges::find(shipped_scenes(), id, &ShippedScene::id); }
 
-TEST(Thumbnails, EverySceneHasOneAndAllTogetherAreSmall) {
+TEST(Thumbnails, EverySceneHasOneAndTheirTotalSizeIsSmall) {
   std::uintmax_t bytes = 0;
   for (const ShippedScene& scene : shipped_scenes()) {
     const Image image = read_png(thumbnail_file(scene));
@@ -25,13 +25,13 @@ TEST(Thumbnails, EverySceneHasOneAndAllTogetherAreSmall) {
   EXPECT_LT(bytes, 1'000'000u);
 }
 
-TEST(Thumbnails, NoneIsLeftOverFromASceneThatIsGone) {
+TEST(Thumbnails, NoneIsLeftFromADeletedScene) {
   for (const auto& file : std::filesystem::directory_iterator(thumbnail_file(shipped_scenes().front()).parent_path()))
     EXPECT_TRUE(std::ranges::any_of(shipped_scenes(), [&](const ShippedScene& scene) { return thumbnail_file(scene) == file.path(); }))
         << file.path();
 }
 
-// Of each group, and of surfaces, lines, textures and solids. Other vector widths and drivers move a pixel here and there.
+// Scenes of each group, with surfaces, lines, textures and solids. Other vector widths and drivers change single pixels.
 TEST(Thumbnails, AreWhatHookeDraws) {
   const Offscreen offscreen;
   View view;
@@ -39,11 +39,11 @@ TEST(Thumbnails, AreWhatHookeDraws) {
     EXPECT_LT(difference(render_thumbnail(view, shipped(id)), read_png(thumbnail_file(shipped(id)))), 0.02) << id;
 }
 
-TEST(Thumbnails, TwoScenesAreToldApart) {
+TEST(Thumbnails, OfTwoScenesDiffer) {
   EXPECT_GT(difference(read_png(thumbnail_file(shipped("cloth"))), read_png(thumbnail_file(shipped("curtain")))), 0.2);
 }
 
-TEST(Thumbnails, TheSheetHoldsThemAllInOrder) {
+TEST(Thumbnails, TheContactSheetContainsAllInOrder) {
   const Picture sheet = read_thumbnails();
   const std::size_t number = 7;
   const Image one = read_png(thumbnail_file(shipped_scenes()[number]));
@@ -52,7 +52,7 @@ TEST(Thumbnails, TheSheetHoldsThemAllInOrder) {
     EXPECT_EQ(at(sheet, left + x, top + y), at(one, x, y));
 }
 
-TEST(GalleryPage, ShowsEveryGroupAndSaysWhatToTry) {
+TEST(GalleryPage, ShowsEveryGroupAndTheInstructionsOfItsScenes) {
   GuiTrial gui;
   EXPECT_EQ(gui.words().find("Gallery"), std::string::npos);
   gui.key(letter('G'));
@@ -63,7 +63,7 @@ TEST(GalleryPage, ShowsEveryGroupAndSaysWhatToTry) {
   for (const GalleryCard& card : gallery_cards()) {
     EXPECT_NE(words.find(card.scene->group), std::string::npos) << card.scene->group;
     EXPECT_NE(words.find(card.scene->title), std::string::npos) << card.scene->title;
-    // its first word that is long enough to be told from others
+    // its first word that is long enough to be distinctive
     const std::string begin = card.description.substr(0, card.description.find(' ', 3));
     EXPECT_GT(card.description.size(), 40u) << card.scene->id;
     EXPECT_NE(words.find(begin), std::string::npos) << begin;
@@ -80,7 +80,7 @@ TEST(GalleryPage, AClickOnACardOpensItsSceneAndClosesThePage) {
   EXPECT_FALSE(gui.app().panels().gallery.is_shown);
 }
 
-TEST(GalleryPage, ArrowsAndEnterDoSoToo) {
+TEST(GalleryPage, ArrowKeysAndEnterOpenAScene) {
   GuiTrial gui;
   gui.key(letter('G'));
   gui.key(Key::Right);
@@ -104,7 +104,7 @@ TEST(GalleryPage, AsksBeforeChangesAreLost) {
   EXPECT_EQ(gui.system().point_count(), 1);
 }
 
-TEST(GalleryPage, HidesTheSceneFromKeysAndClicks) {
+TEST(GalleryPage, KeepsKeysAndClicksFromTheScene) {
   GuiTrial gui;
   gui.key(letter('A'));
   gui.key(letter('G'));

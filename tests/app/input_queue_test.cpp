@@ -1,4 +1,4 @@
-// Fast input is divided into frames so that a text field misses none of it.
+// Fast input is distributed over frames so that text fields do not miss any of it.
 #include "app/window/input_queue.h"
 
 #include <gtest/gtest.h>
@@ -15,12 +15,12 @@ class Typist {
   void add(Kind kind, int key, std::string name) {
     queue_.add({kind, key, [this, name] { seen_ += name + " "; }});
   }
-  // A key that edits text, down and up again.
+  // An editing key, pressed and released.
   void edit(int key) {
     add(Kind::Edit, key, "press" + std::to_string(key));
     add(Kind::Release, key, "release" + std::to_string(key));
   }
-  // A letter, with the character that it types.
+  // A letter key with the character that it types.
   void type(char letter) {
     add(Kind::Press, letter, std::string("press ") + letter);
     add(Kind::Text, 0, std::string(1, letter));
@@ -37,7 +37,7 @@ class Typist {
   std::string seen_;
 };
 
-TEST(InputQueue, AKeyPressedAndReleasedWithinAFrameStaysDownForOne) {
+TEST(InputQueue, AKeyPressedAndReleasedWithinAFrameStaysDownForOneFrame) {
   Typist typist;
   typist.edit(1);
   EXPECT_EQ(typist.frame(), "press1 ");
@@ -45,7 +45,7 @@ TEST(InputQueue, AKeyPressedAndReleasedWithinAFrameStaysDownForOne) {
   EXPECT_EQ(typist.frame(), "");
 }
 
-TEST(InputQueue, TheSameKeyTwiceIsSeenTwice) {
+TEST(InputQueue, TheSameKeyTwiceIsReportedTwice) {
   Typist typist;
   typist.edit(1);
   typist.edit(1);
@@ -54,7 +54,7 @@ TEST(InputQueue, TheSameKeyTwiceIsSeenTwice) {
   EXPECT_EQ(presses, 2);
 }
 
-TEST(InputQueue, TwoEditingKeysComeInTwoFramesInTheirOrder) {
+TEST(InputQueue, TwoEditingKeysAreReportedInTwoFramesInOrder) {
   Typist typist;
   typist.add(Kind::Edit, 1, "left");
   typist.add(Kind::Edit, 2, "backspace");
@@ -62,7 +62,7 @@ TEST(InputQueue, TwoEditingKeysComeInTwoFramesInTheirOrder) {
   EXPECT_EQ(typist.frame(), "backspace ");
 }
 
-TEST(InputQueue, ACharacterAfterAnEditingKeyComesAFrameLater) {
+TEST(InputQueue, ACharacterAfterAnEditingKeyIsReportedOneFrameLater) {
   Typist typist;
   typist.add(Kind::Text, 0, "a");
   typist.add(Kind::Edit, 1, "backspace");
@@ -71,7 +71,7 @@ TEST(InputQueue, ACharacterAfterAnEditingKeyComesAFrameLater) {
   EXPECT_EQ(typist.frame(), "b ");
 }
 
-TEST(InputQueue, OtherInputKeepsItsPlace) {
+TEST(InputQueue, OtherInputKeepsItsOrder) {
   Typist typist;
   typist.edit(1);
   typist.add(Kind::Other, 0, "click");
@@ -79,7 +79,7 @@ TEST(InputQueue, OtherInputKeepsItsPlace) {
   EXPECT_EQ(typist.frame(), "release1 click ");
 }
 
-TEST(InputQueue, LettersTypedWithinAFrameComeTogether) {
+TEST(InputQueue, LettersTypedWithinAFrameAreReportedTogether) {
   Typist typist;
   typist.type('a');
   typist.type('a');

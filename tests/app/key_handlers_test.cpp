@@ -1,4 +1,4 @@
-// Who receives a key: the topmost panel first, the shortcuts last.
+// Which handler receives a key: the topmost panel first, the shortcuts last.
 #include "app/input/key_handlers.h"
 
 #include "formats/open_file.h"
@@ -15,7 +15,7 @@ std::string_view press(GuiTrial& gui, Key key, Modifiers modifiers = {}) {
   return taken_by;
 }
 
-TEST(KeyHandlers, AreAskedFromTheTopmostPanelDownToTheShortcuts) {
+TEST(KeyHandlers, AreCalledFromTheTopmostPanelDownToTheShortcuts) {
   GuiTrial gui;
   std::vector<std::string_view> names;
   for (const KeyHandler& handler : gui.app().key_handlers()) names.push_back(handler.name);
@@ -23,7 +23,7 @@ TEST(KeyHandlers, AreAskedFromTheTopmostPanelDownToTheShortcuts) {
                                                   "gallery", "shortcuts"}));
 }
 
-TEST(KeyHandlers, TheFirstThatTakesAKeyKeepsItFromTheOthers) {
+TEST(KeyHandlers, TheFirstToHandleAKeyKeepsItFromTheOthers) {
   int asked = 0;
   const KeyHandlers handlers = {{"deaf", [&](const KeyPress&) { return ++asked, false; }},
                                 {"first", [&](const KeyPress& press) { return ++asked, press.key == Key::Enter; }},
@@ -52,7 +52,7 @@ TEST(KeyHandlers, EscapeClosesOnePanelAfterAnother) {
   EXPECT_TRUE(gui.app().selection().empty());
 }
 
-TEST(KeyHandlers, ADialogAndTheSearchTakeEveryKey) {
+TEST(KeyHandlers, ADialogAndTheCommandPaletteTakeEveryKey) {
   GuiTrial gui(two_masses());
   gui.app().panels().search = {.shown = true, .is_new = true};
   gui.frames(2);
@@ -68,7 +68,7 @@ TEST(KeyHandlers, ADialogAndTheSearchTakeEveryKey) {
     }
 }
 
-TEST(KeyHandlers, AMenuTakesEscapeBeforeTheSelectionDoes) {
+TEST(KeyHandlers, AMenuTakesEscapeBeforeTheSelection) {
   GuiTrial gui(two_masses());
   gui.key(letter('A'), {.control = true});
   gui.click(gui.find("menu", {"Edit"}));
@@ -78,7 +78,7 @@ TEST(KeyHandlers, AMenuTakesEscapeBeforeTheSelectionDoes) {
   EXPECT_FALSE(gui.app().selection().empty());
 }
 
-TEST(KeyHandlers, ATextFieldLeavesOnlyF1AndCombinationsWithControl) {
+TEST(KeyHandlers, ATextFieldPassesOnOnlyF1AndControlCombinations) {
   GuiTrial gui(two_masses());
   gui.app().handle(Request(StartPlacement{nullptr}));
   gui.app().panels().text_in_progress = true;
@@ -89,7 +89,7 @@ TEST(KeyHandlers, ATextFieldLeavesOnlyF1AndCombinationsWithControl) {
   EXPECT_EQ(dispatch(handlers, {letter('A'), {.control = true}}), "shortcuts");
 }
 
-TEST(KeyHandlers, InTheGalleryNothingHappensToTheSceneUnseen) {
+TEST(KeyHandlers, TheGalleryKeepsKeysFromTheHiddenScene) {
   GuiTrial gui(two_masses());
   gui.app().panels().gallery.is_shown = true;
   for (const Key key : {Key::Right, Key::Down, Key::Left, Key::Up}) EXPECT_EQ(press(gui, key), "gallery");

@@ -1,4 +1,4 @@
-// Somebody who hits every key and clicks everywhere: nothing breaks. HOOKE_MONKEY makes it longer: scripts/campaign.
+// Random keys and clicks never break anything. HOOKE_MONKEY sets the number of actions, for scripts/campaign.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -17,7 +17,7 @@ class Monkey {
   Monkey(GuiTrial& gui, unsigned seed) : gui_(gui), random_(seed) {}
 
   void act() {
-    // what it builds is never written over somebody's files
+    // must not overwrite files of the user
     const Dialog::Kind asked = gui_.app().panels().dialog.kind;
     if (asked == Dialog::Kind::Save || asked == Dialog::Kind::Unsaved) return gui_.key(Key::Escape);
     switch (below(12)) {
@@ -66,7 +66,7 @@ class Monkey {
     gui_.app().handle(ButtonPress{Button::Left, at, {}, true});
     gui_.app().handle(ButtonRelease{Button::Left, at, {}});
   }
-  // Any of the table but the end of the program, and saving, which would write where it is told to.
+  // Any action of the table except quitting and saving, which would write to an arbitrary file.
   void press_a_key() {
     const Shortcut& row = shortcuts()[below(shortcuts().size())];
     if (row.action != Action::Quit && row.action != Action::Save && row.action != Action::SaveAs)
@@ -87,7 +87,7 @@ TEST(Monkey, BreaksNothing) {
     GuiTrial gui(load_scene(find_scene(scene)).scene, {}, {scratch.folder / "config", scratch.folder / "state"});
     Monkey monkey(gui, ++seed);
     for (int i = 0; i < actions; ++i) {
-      // a copy of a copy of a copy is more than a test has time for
+      // repeated copying doubles the scene until it takes longer than a test should
       if (gui.status().snapshot->system->point_count() > 3000) {
         gui.key(letter('A'), {.control = true});
         gui.key(Key::Delete);
@@ -96,14 +96,14 @@ TEST(Monkey, BreaksNothing) {
       ASSERT_TRUE(is_valid(gui.status())) << scene << ", action " << i;
       ASSERT_FALSE(gui.app().is_finished());
     }
-    // back to how it was opened, step by step, and still sound
+    // undone step by step to the opened scene, which must be valid
     while (gui.app().panels().dialog.kind != Dialog::Kind::None) gui.key(Key::Escape);
     for (int i = 0; i < 50; ++i) gui.key(letter('Z'), {.control = true});
     EXPECT_TRUE(is_valid(gui.status()));
   }
 }
 
-TEST(Keys, EveryOneOfTheTableActsInEveryTool) {
+TEST(Keys, EveryKeyOfTheTableActsWithEveryTool) {
   for (const Shortcut& tool : shortcuts()) {
     if (tool.group != "Tools") continue;
     GuiTrial gui(load_scene(find_scene("three_masses")).scene);

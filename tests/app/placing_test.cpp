@@ -1,4 +1,4 @@
-// Shapes and meshes are seen before they are placed; placing is one step of undo.
+// Shapes and meshes have a preview before they are placed; placing is one undo step.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -31,7 +31,7 @@ TEST(Placement, TheMenuOffersEveryShapeOfTheTable) {
   EXPECT_NE(words.find("From a mesh"), std::string::npos);
 }
 
-TEST(Placement, ThePanelHasAFieldForEveryNumber) {
+TEST(Placement, ThePanelHasAFieldForEveryParameter) {
   for (const ShapeKind& kind : placeable_shapes()) {
     GuiTrial gui(is_3d_only());
     choose(gui, kind.id);
@@ -40,7 +40,7 @@ TEST(Placement, ThePanelHasAFieldForEveryNumber) {
   }
 }
 
-TEST(Placement, ShowsWhatWillBeThereAndChangesNothing) {
+TEST(Placement, ThePreviewShowsTheResultAndChangesNothing) {
   GuiTrial gui(is_3d_only());
   Placement& placement = choose(gui, "sheet");
   EXPECT_EQ(gui.app().marks().ghost_lines.size(), element_count_of(placement.shape).springs);
@@ -50,7 +50,7 @@ TEST(Placement, ShowsWhatWillBeThereAndChangesNothing) {
   EXPECT_EQ(placement.shape.at, gui.app().camera().target);
 }
 
-TEST(Placement, ASliderIsSeenAtOnce) {
+TEST(Placement, ThePreviewFollowsASliderAtOnce) {
   GuiTrial gui(is_3d_only());
   Placement& placement = choose(gui, "hanging_rope");
   const glm::dvec2 slider = gui.find("placing", {"points", "##value"});
@@ -61,7 +61,7 @@ TEST(Placement, ASliderIsSeenAtOnce) {
   EXPECT_EQ(gui.app().marks().ghost_lines.size(), element_count_of(placement.shape).springs);
 }
 
-TEST(Placement, EnterPlacesItAsOneStepOfUndo) {
+TEST(Placement, EnterPlacesItAsOneUndoStep) {
   GuiTrial gui(is_3d_only());
   const ElementCount element_count = element_count_of(choose(gui, "jelly").shape);
   gui.key(Key::Enter);
@@ -75,7 +75,7 @@ TEST(Placement, EnterPlacesItAsOneStepOfUndo) {
   EXPECT_EQ(gui.system().points().size(), element_count.points);
 }
 
-TEST(Placement, EveryShapeComesIntoTheSceneAsItIsMade) {
+TEST(Placement, EveryShapeIsInsertedAsGenerated) {
   for (const ShapeKind& kind : placeable_shapes()) {
     GuiTrial gui(is_3d_only());
     const ElementCount element_count = element_count_of(choose(gui, kind.id).shape);
@@ -85,7 +85,7 @@ TEST(Placement, EveryShapeComesIntoTheSceneAsItIsMade) {
   }
 }
 
-TEST(Placement, AClothHasTheMaterialThatItHasInAFile) {
+TEST(Placement, AClothHasTheSameMaterialAsInAFile) {
   for (const char* id : {"sheet", "curtain", "flag", "net"}) {
     GuiTrial gui(is_3d_only());
     const Shape shape = choose(gui, id).shape;
@@ -107,7 +107,7 @@ TEST(Placement, AClothHasTheMaterialThatItHasInAFile) {
   EXPECT_EQ(gui.status().document->sheet, nullptr);
 }
 
-TEST(Placement, EscLeavesTheSceneAsItWas) {
+TEST(Placement, EscLeavesTheSceneUnchanged) {
   GuiTrial gui(is_3d_only());
   choose(gui, "net");
   gui.key(Key::Escape);
@@ -116,30 +116,30 @@ TEST(Placement, EscLeavesTheSceneAsItWas) {
   EXPECT_EQ(gui.system().point_count(), 0);
 }
 
-TEST(Placement, AClickInTheSceneMovesItThereAndToolsRest) {
+TEST(Placement, AClickInTheSceneMovesItThereInsteadOfUsingTheTool) {
   GuiTrial gui(is_3d_only());
   gui.key(letter('A'));
   Placement& placement = choose(gui, "net");
   const Layout& layout = gui.app().layout();
   const glm::dvec2 to(layout.scene.x + 0.7 * layout.scene.width, layout.scene.y + 0.6 * layout.scene.height);
   gui.click(to);
-  EXPECT_EQ(gui.system().point_count(), 0) << "the tool for points is in hand";
+  EXPECT_EQ(gui.system().point_count(), 0) << "the Add tool is active";
   const Vec3 seen = gui.app().camera().project(placement.shape.at, {layout.scene.width, layout.scene.height});
   EXPECT_NEAR(seen.x, 0.7 * layout.scene.width, 1.0);
   EXPECT_NEAR(seen.y, 0.6 * layout.scene.height, 1.0);
 }
 
-TEST(Placement, InAFlatSceneStaysFlat) {
+TEST(Placement, InAFlatSceneIsFlat) {
   Scene flat = empty_scene();
   flat.system.dimensions = 2;
   GuiTrial gui(flat);
   choose(gui, "bridge").shape.tilt = 30.0;
   gui.key(Key::Enter);
-  EXPECT_EQ(gui.system().points().size(), 21u) << "a truss without a width";
+  EXPECT_EQ(gui.system().points().size(), 21u) << "a truss without width";
   for (const Vec3& place : gui.status().snapshot->state.position) EXPECT_EQ(place.z, 0.0);
 }
 
-TEST(Placement, IsUprightWhereUpIsAnotherWay) {
+TEST(Placement, IsUprightForAnyUpDirection) {
   Scene scene = is_3d_only();
   scene.system.gravity = {0.0, 0.0, -9.81};
   GuiTrial gui(scene);
@@ -150,7 +150,7 @@ TEST(Placement, IsUprightWhereUpIsAnotherWay) {
   EXPECT_FALSE(placement.is_on());
 }
 
-TEST(Placement, AMeshIsPlacedAtTheSizeThatIsAskedFor) {
+TEST(Placement, AMeshIsPlacedAtTheRequestedSize) {
   ScratchFolder scratch;
   std::ofstream(scratch.folder / "square.obj") << "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nf 1 2 3 4\n";
   GuiTrial gui(is_3d_only());
@@ -174,7 +174,7 @@ TEST(Placement, AMeshIsPlacedAtTheSizeThatIsAskedFor) {
   }
 }
 
-TEST(Placement, ABrokenMeshIsToldOfAndNothingElseHappens) {
+TEST(Placement, ABrokenMeshIsReportedAndNothingIsInserted) {
   ScratchFolder scratch;
   std::ofstream(scratch.folder / "broken.obj") << "v 0 0 zero\n";
   GuiTrial gui(is_3d_only());

@@ -1,4 +1,4 @@
-// The tools: what presses, moves and releases of the mouse come to, running and paused.
+// The tools: the effect of mouse presses, moves and releases, while running and paused.
 #include "app/tools/tools.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ double distance(const Vec3& from, const Vec3& to) { return glm::distance(from, t
 
 TEST(AddTool, PutsAPointUnderTheCursorInThePlaneOfAFlatScene) {
   ToolTrial trial(flat_scene({}));
-  trial.context.camera.orbit(0.5, 0.3);  // even when seen askew
+  trial.context.camera.orbit(0.5, 0.3);  // even in an oblique view
   const auto tool = make_add_tool();
   trial.click(*tool, b);
   ASSERT_EQ(trial.system().point_count(), 1);
@@ -36,7 +36,7 @@ Scene deep_scene() {
   return scene;
 }
 
-TEST(AddTool, InSpaceUsesThePlaneThroughTheTargetThatFacesTheViewer) {
+TEST(AddTool, In3DUsesThePlaneThroughTheTargetThatFacesTheViewer) {
   ToolTrial trial(deep_scene());
   trial.context.camera.orbit(0.6, 0.2);
   const auto tool = make_add_tool();
@@ -48,14 +48,14 @@ TEST(AddTool, InSpaceUsesThePlaneThroughTheTargetThatFacesTheViewer) {
   EXPECT_NEAR(glm::dot(place - trial.context.camera.target, trial.context.camera.back), 0.0, 1e-9);
 }
 
-TEST(AddTool, LandsOnTheBallUnderTheCursor) {
+TEST(AddTool, PlacesOnTheBallUnderTheCursor) {
   ToolTrial trial(deep_scene());
   const auto tool = make_add_tool();
-  trial.click(*tool, {0.1, 0.1, -2.0});  // behind the plane of the target
+  trial.click(*tool, {0.1, 0.1, -2.0});  // behind the target plane
   EXPECT_NEAR(distance(trial.position(0), {0.0, 0.0, -2.0}), 0.5 + 0.03, 1e-9);
 }
 
-TEST(AddTool, LandsOnTheGroundOnlyBeforeThePlaneOfTheTarget) {
+TEST(AddTool, PlacesOnTheGroundOnlyInFrontOfTheTargetPlane) {
   ToolTrial trial(deep_scene());
   trial.context.camera.orbit(0.0, 0.5);
   const auto tool = make_add_tool();
@@ -73,7 +73,7 @@ TEST(AddTool, ShowsWhereThePointWillBe) {
   EXPECT_NEAR(distance(*marks.ghost_point, c), 0.0, 1e-9);
 }
 
-TEST(AttachTool, TwoClicksMakeASpringAsLongAsDrawn) {
+TEST(AttachTool, TwoClicksMakeASpringAtItsDrawnLength) {
   Scene scene = flat_scene({a, b});
   scene.defaults.stiffness = 7.0;
   scene.defaults.damping = 0.5;
@@ -90,17 +90,17 @@ TEST(AttachTool, TwoClicksMakeASpringAsLongAsDrawn) {
   EXPECT_NE(tool->next_step(trial.context).find("first point"), std::string::npos);
 }
 
-TEST(AttachTool, ADragFromPointToPointDoesTheSame) {
+TEST(AttachTool, ADragFromPointToPointMakesASpring) {
   ToolTrial trial(flat_scene({a, b}));
   const auto tool = make_attach_tool();
   trial.drag(*tool, a, b);
   EXPECT_EQ(trial.system().spring_count(), 1);
-  trial.drag(*tool, a, nowhere);  // let go over nothing
+  trial.drag(*tool, a, nowhere);  // released over nothing
   trial.click(*tool, b);          // is a first point again
   EXPECT_EQ(trial.system().spring_count(), 1);
 }
 
-TEST(AttachTool, WithShiftTheSecondPointIsTheNextFirst) {
+TEST(AttachTool, WithShiftTheSecondPointStartsTheNextSpring) {
   ToolTrial trial(flat_scene({a, b, c}));
   const auto tool = make_attach_tool();
   trial.click(*tool, a, true);
@@ -110,11 +110,11 @@ TEST(AttachTool, WithShiftTheSecondPointIsTheNextFirst) {
   EXPECT_EQ(trial.system().springs()[1].first, trial.system().springs()[0].second);
 }
 
-TEST(AttachTool, TheSamePointTwiceNothingUnderTheCursorAndEscMakeNoSpring) {
+TEST(AttachTool, TheSamePointTwiceEmptySpaceAndEscMakeNoSpring) {
   ToolTrial trial(flat_scene({a, b}));
   const auto tool = make_attach_tool();
   trial.click(*tool, a);
-  trial.click(*tool, nowhere);  // keeps waiting
+  trial.click(*tool, nowhere);  // still waiting for the second point
   trial.click(*tool, a);
   EXPECT_FALSE(tool->cancel(trial.context));
   trial.click(*tool, a);
@@ -123,7 +123,7 @@ TEST(AttachTool, TheSamePointTwiceNothingUnderTheCursorAndEscMakeNoSpring) {
   EXPECT_EQ(trial.system().spring_count(), 0);
 }
 
-TEST(AttachTool, OutlivesItsFirstPoint) {
+TEST(AttachTool, SurvivesDeletionOfItsFirstPoint) {
   ToolTrial trial(flat_scene({a, b}));
   const auto tool = make_attach_tool();
   trial.click(*tool, a);
@@ -135,7 +135,7 @@ TEST(AttachTool, OutlivesItsFirstPoint) {
   EXPECT_EQ(trial.system().spring_count(), 0);
 }
 
-TEST(NailTool, NailsAndFreesThePointUnderTheCursorWhileItRuns) {
+TEST(NailTool, NailsAndReleasesThePointUnderTheCursorDuringARun) {
   ToolTrial trial(flat_scene({a, b}));
   trial.submit(SetRunning{true});
   const auto tool = make_nail_tool();
@@ -146,10 +146,10 @@ TEST(NailTool, NailsAndFreesThePointUnderTheCursorWhileItRuns) {
   EXPECT_FALSE(trial.system().points()[1].nailed);
 }
 
-TEST(DragTool, PutsThePointThereInAPauseAsOneStepOfUndo) {
+TEST(DragTool, MovesAPointWhilePausedAsOneUndoStep) {
   ToolTrial trial(flat_scene({a, b}));
   const auto tool = make_drag_tool();
-  // beside the middle of the point: it does not jump
+  // grabbed beside the center of the point, which does not jump
   const Vec3 beside(0.01, 0.0, 0.0);
   trial.drag(*tool, a + beside, c + beside);
   EXPECT_NEAR(distance(trial.position(0), c), 0.0, 1e-9);
@@ -159,7 +159,7 @@ TEST(DragTool, PutsThePointThereInAPauseAsOneStepOfUndo) {
   EXPECT_EQ(trial.context.status->history.undo_name, "");
 }
 
-TEST(DragTool, HoldsThePointExactlyWhileItRunsAndThrowsIt) {
+TEST(DragTool, HoldsThePointExactlyDuringARunAndReleasesItWithTheVelocityOfTheHand) {
   Scene scene = flat_scene({a, b});
   scene.system.drag_on = false;
   ToolTrial trial(scene);
@@ -170,7 +170,7 @@ TEST(DragTool, HoldsThePointExactlyWhileItRunsAndThrowsIt) {
   ASSERT_TRUE(wait_for([&] { return distance(trial.lab.status()->snapshot->state.position[0], c) < 1e-9; }));
   trial.settle();
   EXPECT_TRUE(trial.system().grab);
-  // a hand that goes on moving until it lets go
+  // a hand that keeps moving until it releases
   Vec3 hand = c;
   for (int i = 0; i < 60; ++i) {
     hand.x += 0.02;
@@ -182,7 +182,7 @@ TEST(DragTool, HoldsThePointExactlyWhileItRunsAndThrowsIt) {
   EXPECT_GT(trial.velocity(0).x, 0.1);
 }
 
-TEST(DragTool, EscTakesTheDragBack) {
+TEST(DragTool, EscUndoesTheDrag) {
   ToolTrial trial(flat_scene({a, b}));
   const auto tool = make_drag_tool();
   trial.press(*tool, a);
@@ -195,7 +195,7 @@ TEST(DragTool, EscTakesTheDragBack) {
   EXPECT_FALSE(tool->cancel(trial.context));
 }
 
-TEST(DragTool, PullsWhereTheSceneSaysSoButNotANailedPoint) {
+TEST(DragTool, PullsIfTheSceneSaysSoExceptForANailedPoint) {
   Scene scene = flat_scene({a, b});
   scene.defaults.grab = GrabKind::Pull;
   scene.defaults.pull_stiffness = 3.0;
@@ -213,7 +213,7 @@ TEST(DragTool, PullsWhereTheSceneSaysSoButNotANailedPoint) {
   EXPECT_EQ(trial.system().grab->kind, GrabKind::Hold);
 }
 
-// One face in space, its corners far from each other in the picture.
+// One face in 3-D, its corners far apart in the picture.
 Scene face() {
   Scene scene = flat_scene({a, b, c});
   scene.system.dimensions = 3;
@@ -221,7 +221,7 @@ Scene face() {
   return scene;
 }
 
-TEST(DragTool, PullsAClothByThePlaceUnderTheCursor) {
+TEST(DragTool, PullsAClothAtThePositionUnderTheCursor) {
   ToolTrial trial(face());
   trial.submit(SetRunning{true});
   const auto tool = make_drag_tool();
@@ -236,7 +236,7 @@ TEST(DragTool, PullsAClothByThePlaceUnderTheCursor) {
   EXPECT_EQ(taken.point, PointId{2});
   EXPECT_LT(distance(trial.context.snapshot().state.hand.target, place), 1e-9);
 
-  // the target goes with the cursor in the plane that faces the viewer
+  // the target moves with the cursor in the plane that faces the viewer
   trial.follow(*tool, target);
   EXPECT_LT(distance(trial.context.snapshot().state.hand.target, target), 1e-9);
   Marks marks;
@@ -253,7 +253,7 @@ TEST(DragTool, PullsAClothByThePlaceUnderTheCursor) {
   for (Index i = 0; i < 3; ++i) EXPECT_EQ(trial.position(i), (std::array{a, b, c})[i]);
 }
 
-TEST(DragTool, TakesAPointOfAClothThatIsNearTheCursor) {
+TEST(DragTool, PrefersAPointOfAClothNearTheCursor) {
   ToolTrial trial(face());
   trial.submit(SetRunning{true});
   const auto tool = make_drag_tool();
@@ -263,7 +263,7 @@ TEST(DragTool, TakesAPointOfAClothThatIsNearTheCursor) {
   EXPECT_FALSE(trial.system().grab->patch);
 }
 
-TEST(DragTool, MovesTheNearestCornerOfAClothInAPause) {
+TEST(DragTool, MovesTheNearestCornerOfAClothWhilePaused) {
   ToolTrial trial(face());
   const auto tool = make_drag_tool();
   const Vec3 place = 0.2 * a + 0.3 * b + 0.5 * c, way(0.2, 0.1, 0.0);
@@ -273,7 +273,7 @@ TEST(DragTool, MovesTheNearestCornerOfAClothInAPause) {
   EXPECT_EQ(trial.position(1), b);
 }
 
-TEST(DragTool, DoesNotTakeASurfaceThatIsNotShown) {
+TEST(DragTool, DoesNotGrabAHiddenSurface) {
   ToolTrial trial(face());
   trial.context.shows_surface = false;
   trial.submit(SetRunning{true});
@@ -281,7 +281,7 @@ TEST(DragTool, DoesNotTakeASurfaceThatIsNotShown) {
   EXPECT_FALSE(trial.system().grab);
 }
 
-TEST(DragTool, LetsGoOfAClothThatLosesACorner) {
+TEST(DragTool, ReleasesAClothThatLosesACorner) {
   ToolTrial trial(face());
   trial.submit(SetRunning{true});
   const auto tool = make_drag_tool();
@@ -295,7 +295,7 @@ TEST(DragTool, LetsGoOfAClothThatLosesACorner) {
   EXPECT_EQ(trial.system().point_count(), 2);
 }
 
-TEST(DeleteTool, TakesAPointWithItsSpringsOrASpringAlone) {
+TEST(DeleteTool, DeletesAPointWithItsSpringsOrASingleSpring) {
   ToolTrial trial(flat_scene({a, b, c}));
   const auto attach = make_attach_tool(), tool = make_delete_tool();
   trial.drag(*attach, a, b);
@@ -320,7 +320,7 @@ TEST(CutTool, CutsTheSpringsItIsDraggedAcrossAsOneStep) {
   EXPECT_EQ(trial.system().spring_count(), 3);
 }
 
-TEST(CutTool, TakesTheFacesAlongTheSpringsItCutsWhileTheSceneRuns) {
+TEST(CutTool, RemovesTheFacesAlongCutSpringsDuringARun) {
   Scene scene = parse_scene(R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [-0.4, 0.4, 0], "across": [0.8, 0, 0],
     "down": [0, -0.8, 0], "points": [5, 5], "stiffness": 100, "nail": ["border"]}]})",
                             "test")
@@ -333,7 +333,7 @@ TEST(CutTool, TakesTheFacesAlongTheSpringsItCutsWhileTheSceneRuns) {
   EXPECT_EQ(tool->stroke().size(), 2u);
   trial.release(*tool, {-0.12, -0.05, 0.0});
   EXPECT_TRUE(tool->stroke().empty());
-  // down through the second column of cells, to the middle: three rows of springs across, the diagonals of the cells between
+  // down through the second column of cells to the center: three rows of springs across, and the diagonals of the cells between
   EXPECT_EQ(scene.system.spring_count() - trial.system().spring_count(), 3 + 4);
   EXPECT_EQ(trial.system().faces.size(), scene.system.faces.size() - 5);
   trial.submit(Undo{});
@@ -347,7 +347,7 @@ Scene ball_scene(int dimensions) {
   return scene;
 }
 
-TEST(DragTool, TakesAColliderWhereThereIsNoPoint) {
+TEST(DragTool, GrabsAColliderWhereThereIsNoPoint) {
   const Vec3 ball(0.4, -0.3, 0.0), way(-0.5, 0.2, 0.0);
   for (const int dimensions : {2, 3})
     for (const bool running : {false, true}) {
@@ -357,7 +357,7 @@ TEST(DragTool, TakesAColliderWhereThereIsNoPoint) {
       trial.press(*tool, ball);
       trial.follow(*tool, ball + way);
       EXPECT_EQ(trial.context.snapshot().state.hand.collider.has_value(), running);
-      // in space it is taken by its front, which is nearer: it goes a little less far
+      // in 3-D it is grabbed at its front, which is nearer, so it moves slightly less
       if (!running) {
         EXPECT_LT(distance(anchor_of(trial.system().colliders[0]), ball + way), dimensions == 2 ? 1e-6 : 0.06 * glm::length(way));
       }
@@ -368,7 +368,7 @@ TEST(DragTool, TakesAColliderWhereThereIsNoPoint) {
     }
 }
 
-TEST(SelectTool, MovesABallButSelectsABoxOnTheGround) {
+TEST(SelectTool, MovesABallButStartsABoxSelectionOnTheGround) {
   const Vec3 ball(0.4, -0.3, 0.0), way(-0.5, 0.2, 0.0);
   ToolTrial trial(ball_scene(2));
   const auto tool = make_select_tool();
@@ -380,7 +380,7 @@ TEST(SelectTool, MovesABallButSelectsABoxOnTheGround) {
   tool->cancel(trial.context);
 }
 
-TEST(SelectTool, ClicksSelectAndShiftAddsAndTakesAway) {
+TEST(SelectTool, ClicksSelectAndShiftAddsAndRemoves) {
   ToolTrial trial(flat_scene({a, b}));
   const PointId first = trial.system().points()[0].id, second = trial.system().points()[1].id;
   trial.drag(*make_attach_tool(), a, b);
@@ -409,7 +409,7 @@ TEST(SelectTool, ADragFromEmptySpaceSelectsABox) {
   EXPECT_EQ(trial.selection.points.size(), 3u);
 }
 
-TEST(SelectTool, DraggingASelectedPointMovesAllOfThemAsOneStep) {
+TEST(SelectTool, DraggingASelectedPointMovesTheSelectionAsOneStep) {
   ToolTrial trial(flat_scene({a, b, c}));
   const auto tool = make_select_tool();
   trial.click(*tool, a);
@@ -432,7 +432,7 @@ TEST(SelectTool, AnUnsteadyClickMovesNothing) {
   EXPECT_EQ(trial.context.status->history.undo_name, "");
 }
 
-TEST(SelectTool, EscTakesAMoveBack) {
+TEST(SelectTool, EscUndoesAMove) {
   ToolTrial trial(flat_scene({a}));
   const auto tool = make_select_tool();
   trial.press(*tool, a);
@@ -443,7 +443,7 @@ TEST(SelectTool, EscTakesAMoveBack) {
   EXPECT_EQ(trial.position(0), a);
 }
 
-TEST(Tools, EachSaysItsNextStepAndStandsInTheTableOnce) {
+TEST(Tools, EachDescribesItsNextStepAndIsInTheTableOnce) {
   ToolTrial trial(flat_scene({a}));
   for (const ToolRow& row : tools()) {
     EXPECT_FALSE(row.make()->next_step(trial.context).empty()) << shortcut_of(row.action).text;
@@ -451,7 +451,7 @@ TEST(Tools, EachSaysItsNextStepAndStandsInTheTableOnce) {
   }
 }
 
-// What the arrow keys do.
+// The effect of the arrow keys.
 
 Scene sprung_scene(std::initializer_list<double> stiffnesses) {
   Trial trial;
@@ -472,7 +472,7 @@ void submit_all(ToolTrial& trial, const Tuning& tuning) {
   trial.settle();
 }
 
-TEST(Tune, StiffnessScalesEverySpringAndNewOnesByATenthAsOneStep) {
+TEST(Tune, StiffnessScalesEverySpringAndTheDefaultByATenthAsOneStep) {
   ToolTrial trial(sprung_scene({100.0, 40.0}));
   const Tuning tuning = tune_stiffness(*trial.context.status, {}, +1);
   EXPECT_EQ(tuning.message, "k = 44 to 110 N/m (all springs)");
@@ -485,7 +485,7 @@ TEST(Tune, StiffnessScalesEverySpringAndNewOnesByATenthAsOneStep) {
   EXPECT_EQ(trial.context.status->document->defaults.stiffness, 100.0);
 }
 
-TEST(Tune, StiffnessOfASelectionLeavesTheRest) {
+TEST(Tune, StiffnessOfASelectionLeavesOtherSpringsUnchanged) {
   ToolTrial trial(sprung_scene({100.0, 40.0}));
   submit_all(trial, tune_stiffness(*trial.context.status, {{}, {trial.system().springs()[1].id}}, -1));
   EXPECT_EQ(trial.system().springs()[0].stiffness, 100.0);
@@ -493,7 +493,7 @@ TEST(Tune, StiffnessOfASelectionLeavesTheRest) {
   EXPECT_EQ(trial.context.status->document->defaults.stiffness, 100.0);
 }
 
-TEST(Tune, StiffnessKeepsToTheSceneStepsAndEnds) {
+TEST(Tune, StiffnessFollowsTheStepsAndLimitsOfTheScene) {
   Scene scene = sprung_scene({});
   scene.controls = {0.1, 10.0, 0.1};
   scene.defaults.stiffness = 9.9;
@@ -506,7 +506,7 @@ TEST(Tune, StiffnessKeepsToTheSceneStepsAndEnds) {
   EXPECT_DOUBLE_EQ(trial.context.status->document->defaults.stiffness, 0.1);
 }
 
-TEST(Tune, SubstepsGoByFivesFromOneToAThousand) {
+TEST(Tune, SubstepsChangeByFivesFromOneToAThousand) {
   ToolTrial trial(sprung_scene({}));
   const auto substeps = [&] { return trial.context.snapshot().settings.substeps; };
   const auto set = [&](double value) {

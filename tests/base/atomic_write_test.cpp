@@ -1,4 +1,4 @@
-// Saves: the old file or the new one, never less.
+// Saving leaves either the complete old file or the complete new one.
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ mode_t mode_of(const fs::path& file) {
   return stat(file.c_str(), &status) == 0 ? status.st_mode & 07777 : 0;
 }
 
-TEST(AtomicWrite, LeavesTheFileAndNothingElse) {
+TEST(AtomicWrite, LeavesTheFileAndNoTemporaryFile) {
   const ScratchFolder scratch;
   const fs::path file = scratch.folder / "scene.json";
   write_atomically(file, "first");
@@ -39,7 +39,7 @@ TEST(AtomicWrite, LeavesTheFileAndNothingElse) {
   EXPECT_EQ(files_in(scratch.folder), 1u);
 }
 
-TEST(AtomicWrite, ANewFileGetsThePermissionsThatTheUmaskLeaves) {
+TEST(AtomicWrite, ANewFileGetsThePermissionsAllowedByTheUmask) {
   const ScratchFolder scratch;
   const mode_t old = umask(027);
   write_atomically(scratch.folder / "new.json", "x");
@@ -87,7 +87,7 @@ std::string error_of(const fs::path& file) {
   }
 }
 
-TEST(AtomicWrite, ALinkThatLeadsNowhereIsRefusedWithTheReason) {
+TEST(AtomicWrite, ALinkWithoutATargetFolderIsRefusedWithTheReason) {
   const ScratchFolder scratch;
   fs::create_symlink("none/new.json", scratch.folder / "link.json");
   EXPECT_NE(error_of(scratch.folder / "link.json").find("cannot be written: No such file or directory"), std::string::npos);
@@ -95,7 +95,7 @@ TEST(AtomicWrite, ALinkThatLeadsNowhereIsRefusedWithTheReason) {
   EXPECT_NE(error_of(scratch.folder / "circle.json").find("Too many levels of symbolic links"), std::string::npos);
 }
 
-TEST(AtomicWrite, AFolderOrAPipeIsNotReplaced) {
+TEST(AtomicWrite, ADirectoryOrPipeIsNotReplaced) {
   const ScratchFolder scratch;
   fs::create_directory(scratch.folder / "sub");
   ASSERT_EQ(mkfifo((scratch.folder / "pipe").c_str(), 0600), 0);
@@ -105,12 +105,12 @@ TEST(AtomicWrite, AFolderOrAPipeIsNotReplaced) {
   EXPECT_EQ(files_in(scratch.folder), 2u);
 }
 
-TEST(AtomicWrite, AWriteThatFailsHalfwayLeavesTheOldFileAndNoOther) {
+TEST(AtomicWrite, AFailedWriteLeavesTheOldFileAndNoTemporaryFile) {
   const ScratchFolder scratch;
   const fs::path file = scratch.folder / "scene.json";
   put(file, "old");
 
-  // no file may grow beyond 1000 bytes: what a full disk looks like
+  // a file size limit of 1000 bytes has the same effect as a full disk
   rlimit before;
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   const rlimit tight{1000, before.rlim_max};
@@ -124,7 +124,7 @@ TEST(AtomicWrite, AWriteThatFailsHalfwayLeavesTheOldFileAndNoOther) {
   EXPECT_EQ(files_in(scratch.folder), 1u);
 }
 
-TEST(AtomicWrite, SweepsWhatKilledWritersLeftButNotWhatAWriterHolds) {
+TEST(AtomicWrite, RemovesFilesLeftByKilledWritersButNotThoseInUse) {
   const ScratchFolder scratch;
   const fs::path left = scratch.folder / ".hooke-0123456789abcdef", held = scratch.folder / ".hooke-fedcba9876543210";
   const fs::path foreign = scratch.folder / ".hooke-notes";
@@ -138,9 +138,9 @@ TEST(AtomicWrite, SweepsWhatKilledWritersLeftButNotWhatAWriterHolds) {
   EXPECT_TRUE(fs::exists(foreign));
 }
 
-TEST(AtomicWrite, AFileThatMayNotBeWrittenStays) {
+TEST(AtomicWrite, AReadOnlyFileIsNotReplaced) {
   if (geteuid() == 0) {
-    // nothing is forbidden to root
+    // root may write anything
     SUCCEED();
     return;
   }

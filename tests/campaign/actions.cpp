@@ -1,4 +1,4 @@
-// No sequence of actions corrupts the scene, and undo and redo are exact.
+// Sequences of actions never corrupt the scene, and undo and redo are exact.
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int actions_per_session = 200;
 
-// All that an undo brings back: what a file holds and the ids. Where the hand is and what it put in are not edits.
+// Everything that undo restores: the content of a scene file and the ids. The position of the hand and its work are not edits.
 std::string text_of(const Scene& scene) {
   ResumeState rest = resume_state_of(scene);
   rest.ledger = {};
@@ -29,7 +29,7 @@ std::string text_of(const Scene& scene) {
   return format_scene(scene) + out.take();
 }
 
-// Both texts from shortly before they differ.
+// Excerpts of both texts from shortly before the first difference.
 std::string difference(const std::string& expected, const std::string& found) {
   const auto at = static_cast<std::size_t>(std::ranges::mismatch(expected, found).in1 - expected.begin());
   const std::size_t from = at < 60 ? 0 : at - 60;
@@ -68,7 +68,7 @@ class Session {
     if (random.one_in(2)) return random.one_of(shipped);
     Scene scene = random_document(random, Numbers::Ordinary);
     scene.settings.substeps = 1 + static_cast<int>(random.below(8));
-    // no edit nails a moving point without stopping it
+    // an edit that nails a moving point also stops it
     for (Index i = 0; i < scene.system.point_count(); ++i)
       if (scene.system.points()[i].nailed) scene.state.velocity[i] = Vec3(0.0);
     return scene;
@@ -83,7 +83,7 @@ class Session {
     apply();
   }
 
-  // Some edits without a frame between them, taken back and made again one by one or at once.
+  // Several edits without a frame between them, undone and redone one by one or all at once.
   void edit_and_undo() {
     const std::size_t done = lab_.status()->history.list->done;
     const std::string before = text_of(lab_.scene());
@@ -100,9 +100,9 @@ class Session {
     expect(made >= done, "the history lost steps after " + names);
     const bool at_once = random_.one_in(2);
     go_to_step(made, done, at_once);
-    expect_text(before, "undo does not bring back the scene before " + names);
+    expect_text(before, "undo does not restore the scene before " + names);
     go_to_step(done, made, at_once);
-    expect_text(after, "redo does not bring back the scene after " + names);
+    expect_text(after, "redo does not restore the scene after " + names);
     if (random_.one_in(2)) go_to_step(made, done, at_once);
   }
 
@@ -143,7 +143,7 @@ class Session {
 
   void frames() {
     last_ = "frames";
-    // a scene of random numbers may be one that takes long
+    // a random scene may take too long to simulate
     if (lab_.scene().settings.substeps > 20) lab_.submit(SetParameter{find_parameter("substeps"), 5.0});
     for (Index i = random_.below(4); i >= 0; --i, ++actions_) lab_.step();
     apply();

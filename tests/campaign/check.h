@@ -1,5 +1,5 @@
-// The checks of the reliability campaign (docs/reliability.md): each tries one case, which follows from its number alone, so that
-// a campaign continues where the one before ended and a failure can be repeated.
+// The checks of the reliability campaign (docs/reliability.md). Each check tries one case, which is determined by its number, so that a
+// campaign can continue where the previous one ended and a failure can be reproduced.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace hooke {
 
-// A promise that does not hold in a case: what() says what happened.
+// A claim that is false in a case; what() describes the failure.
 struct Finding : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -21,13 +21,13 @@ inline void expect(bool holds, const std::string& what) {
 
 struct Check {
   std::string_view name;
-  std::string_view unit;  // what it counts
-  unsigned max_seconds;   // that a case may take; 0: as long as it takes
-  // Tries a case and returns how many units it covered. Throws Finding. A crash is a finding too.
+  std::string_view unit;  // what `run` counts
+  unsigned max_seconds;   // time limit of a case [s]; 0: none
+  // Runs a case and returns how many units it covered. Throws Finding. A crash is a finding too.
   long (*run)(std::uint64_t number);
 };
 
-// A row each, in the file of the same name.
+// One row for each, in the file of the same name.
 extern const Check round_trips, saves_killed, saves_failing, actions, replays, extremes, long_run, hostile_paths;
 std::span<const Check* const> checks();
 

@@ -1,5 +1,5 @@
-// Whatever the parameters, no state is published that is not made of numbers: the run stops, keeps the last state, names what
-// failed first and says what to do.
+// For any parameters, no state with non-finite numbers is published: the run stops, keeps the last valid state, names the item that failed
+// first and recommends a remedy.
 
 #include <cmath>
 
@@ -14,13 +14,13 @@ namespace {
 
 constexpr int frames = 4;
 
-// Over twenty orders of magnitude both ways.
+// Over twenty orders of magnitude in both directions.
 double extreme(Random& random) { return std::pow(10.0, random.uniform(-20.0, 20.0)); }
 
 Scene extreme_scene(Random& random) {
   Scene scene = random_document(random, Numbers::Ordinary);
   scene.settings.substeps = 1 + static_cast<int>(random.below(6));
-  // an adaptive method takes as many steps as the scene asks for, and there may be no time for them: no extremes for it
+  // an adaptive method takes as many steps as it needs, which may take too long, so it gets no extreme parameters
   if (scene.settings.integrator->stability == Stability::Adaptive) return scene;
   for (Index i = 0; i < scene.system.point_count(); ++i) {
     if (random.one_in(3)) scene.system.point(i).mass = extreme(random);
@@ -42,13 +42,13 @@ Scene extreme_scene(Random& random) {
   return scene;
 }
 
-// One that was refused says so: the run is paused, and a point or a spring is named.
+// A rejected frame is reported: the run is paused, and a point or spring is named.
 void expect_named(const Status& status) {
   const std::optional<Divergence>& divergence = status.snapshot->divergence;
-  expect(divergence.has_value(), "a frame was refused without a reason");
-  expect(!status.run.running, "the run goes on after a frame was refused");
-  expect(!status.diagnosis.message.empty(), "a frame was refused without a word");
-  expect(divergence->point || divergence->spring, "a frame was refused and nothing is named: " + status.diagnosis.message);
+  expect(divergence.has_value(), "a frame was rejected without a reason");
+  expect(!status.run.running, "the run continues after a frame was rejected");
+  expect(!status.diagnosis.message.empty(), "a frame was rejected without a message");
+  expect(divergence->point || divergence->spring, "a frame was rejected and no item is named: " + status.diagnosis.message);
 }
 
 long run(std::uint64_t number) {
@@ -59,7 +59,7 @@ long run(std::uint64_t number) {
     const bool is_sound = lab.step();
     lab.publish();
     const Status& status = *lab.status();
-    expect(is_valid(status), "a state is published that is not made of numbers");
+    expect(is_valid(status), "a state with non-finite numbers is published");
     if (is_sound) continue;
     expect(lab.scene().state.position == before.position && lab.scene().state.velocity == before.velocity, "the last good state is lost");
     expect_named(status);

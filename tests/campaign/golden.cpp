@@ -1,8 +1,8 @@
-// The bits of every scene under every method, to compare between compilers, optimizations, vector units and processors:
+// The hashes of every scene under every method, for comparison between compilers, optimization levels, vector units and processors:
 //   golden FILE            compares with the file; prints "hashes differences", and exits with 1 when there are differences
-//   golden FILE --part N   the same for every N-th hash
+// golden FILE --part N   the same for every N-th hash
 //   golden FILE --write    writes the file
-// HOOKE_VECTORS names the vector unit to use at most, as Highway calls it (SSE4, AVX2, ...; SCALAR: none).
+// HOOKE_VECTORS limits the vector unit, by its name in Highway (SSE4, AVX2, ...; SCALAR: none).
 
 #include <hwy/targets.h>
 
@@ -25,10 +25,10 @@ namespace hooke {
 namespace {
 
 constexpr double seconds = 0.25;                        // of each run
-constexpr Index small_points = 300, max_points = 1300;  // beyond the first a run is one frame; beyond the second it takes too long
+constexpr Index small_points = 300, max_points = 1300;  // scenes above the first run for one frame; those above the second take too long
 constexpr const char* header = "scene,method,substeps,seconds,hash";
 
-// Runs the scene until its time is over or a state is not finite, and describes the last state.
+// Runs the scene to its end or until the state is not finite, and describes the last state.
 std::string run(const Scene& scene, const Integrator& method, long frames) {
   Settings settings = scene.settings;
   settings.integrator = &method;
@@ -95,7 +95,7 @@ int compare(const char* file, const std::vector<Row>& rows) {
   return differences > 0 ? 1 : 0;
 }
 
-// Leaves the vector units up to the named one, the weakest of which have the highest bits; false: this processor lacks it.
+// Allows only vector units up to the named one (weaker units have higher bits). Returns false if this processor lacks it.
 bool limit_vectors(const std::string& name) {
   const std::int64_t supported = hwy::SupportedTargets();
   for (int bit = 0; bit < 62; ++bit) {

@@ -1,5 +1,5 @@
-// A hostile file is harmless: whatever path it names, no file outside its own folder is opened. The calls of the system are
-// watched by strace; what a harmless file makes the program open is allowed.
+// Hostile files are harmless: whatever path a file contains, no file outside its own folder is opened. System calls are traced with strace;
+// files that are also opened for a harmless input are allowed.
 
 #include <sys/stat.h>
 
@@ -47,7 +47,7 @@ constexpr HostileFile recorded_edit{
     "\", \"size\": null, \"picture\": null}}\n"};
 constexpr std::array files{&scene_file, &material_file, &material_name, &recorded_scene, &recorded_edit};
 
-// OUTSIDE stands for a folder that is not the file's. The names lead to files that exist, so that opening them would succeed.
+// OUTSIDE stands for a folder other than that of the file. The names lead to existing files, so that opening them would succeed.
 constexpr std::array<std::string_view, 32> paths{
     "../outside/secret.png",
     "OUTSIDE/secret.png",
@@ -83,7 +83,7 @@ constexpr std::array<std::string_view, 32> paths{
     "inside.png/../../outside/secret.png",
 };
 
-// A folder with what the paths lead to.
+// A folder with the files that the paths lead to.
 struct Trap {
   ScratchFolder scratch;
   fs::path outside = scratch.folder / "outside", inside = scratch.folder / "inside";
@@ -93,7 +93,7 @@ struct Trap {
     fs::create_directories(inside / "sub");
     fs::create_directory(inside / "folder.png");
     for (const fs::path& file : {outside / "secret.png", outside / "secret.mtl", inside / "inside.png"})
-      std::ofstream(file) << "no picture";
+      std::ofstream(file) << "not a picture";
     fs::create_symlink(outside / "secret.png", inside / "link.png");
     fs::create_symlink("link.png", inside / "chain.png");
     fs::create_directory_symlink(outside, inside / "inner");
@@ -105,7 +105,7 @@ struct Trap {
     mkfifo((inside / "pipe.png").c_str(), 0600);
   }
 
-  // The files that the program opens when it is given one with this path in it.
+  // The files that the program opens when it reads a file that contains this path.
   std::set<std::string> opened(const HostileFile& format, std::string path) const {
     for (std::size_t at = path.find("OUTSIDE"); at != std::string::npos; at = path.find("OUTSIDE", at))
       path.replace(at, 7, outside.string());
@@ -129,11 +129,11 @@ struct Trap {
     else
       words.insert(words.end(), {"run", file.string(), "--seconds", "0.05", "--json", "-"});
     const Outcome outcome = run_process(words);
-    expect(outcome.code >= 0 && outcome.code < 124, "the program does not end by itself on " + path + ": " + outcome.err);
+    expect(outcome.code >= 0 && outcome.code < 124, "the program does not end on " + path + ": " + outcome.err);
     return opened_in(log);
   }
 
-  // The results of calls that succeeded: "... = 5</a/file>".
+  // The results of successful calls: "... = 5</a/file>".
   static std::set<std::string> opened_in(const fs::path& log) {
     std::set<std::string> names;
     std::ifstream lines(log);

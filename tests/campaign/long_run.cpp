@@ -1,4 +1,4 @@
-// A run over days of simulated time takes no more and more memory, and an undamped scene keeps its energy.
+// A run over days of simulated time does not use more and more memory, and an undamped scene conserves energy.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace hooke {
 namespace {
 
-// A case takes as long as one day at 60 frames a second.
+// A case covers one day at 60 frames per second.
 constexpr long frames = 5'184'000, frames_per_sample = 20'000;
 constexpr double max_growth = 1 << 20;  // [bytes], over the second half
 

@@ -1,7 +1,7 @@
 // Runs one check of the reliability campaign:
 //   campaign CHECK [--from NUMBER] [--cases COUNT] [--units COUNT] [--seconds SECONDS]
-// It ends when one of the counts, or the time, is reached. Cases run in a process of their own, which is replaced when a case ends it.
-// Prints "cases units findings" and exits with 1 when there are findings; each finding is a line on stderr with the number of its case.
+// It ends when one of the counts or the time limit is reached. Cases run in a child process, which is restarted when a case ends it.
+// Prints "cases units findings" and exits with 1 if there are findings; each finding is a line on stderr with the number of its case.
 
 #include <signal.h>
 #include <sys/mman.h>
@@ -36,7 +36,7 @@ struct Options {
   double seconds = 1e9;
 };
 
-// What the process of the cases has done, seen by the one that watches it.
+// The progress of the child process, in memory shared with its parent.
 struct Progress {
   std::atomic<std::uint64_t> cases{0}, findings{0};
   std::atomic<long> units{0};
@@ -77,7 +77,7 @@ int run(const Check& check, const Options& options) {
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) continue;
     const bool is_late = WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM;
     std::fprintf(stderr, "%s: case %llu: %s %d\n", check.name.data(), static_cast<unsigned long long>(options.from + progress.cases),
-                 is_late ? "took more than the seconds allowed:" : "ended the process with status",
+                 is_late ? "exceeded the time limit, in seconds:" : "ended the process with status",
                  is_late ? static_cast<int>(check.max_seconds) : status);
     ++progress.findings;
     ++progress.cases;

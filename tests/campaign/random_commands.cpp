@@ -31,7 +31,7 @@ Vec3 RandomCommands::vector() {
   return {random_.one_in(100) ? number() : x, y, z};
 }
 
-// One of the scene's, seldom one that is not there.
+// A point of the scene or, rarely, one that does not exist.
 PointId RandomCommands::point(const Scene& scene) {
   if (scene.system.point_count() == 0 || random_.one_in(50)) return PointId{static_cast<std::uint32_t>(random_.below(200))};
   return scene.system.points()[random_.below(scene.system.point_count())].id;
@@ -126,7 +126,7 @@ SetForces RandomCommands::forces() {
   return set;
 }
 
-// A little aside of where everything is now; seldom a state that does not fit the scene.
+// A state in which everything is slightly displaced or, rarely, one that does not fit the scene.
 GoToState RandomCommands::go_to(const Scene& scene) {
   State state = scene.state;
   state.time += random_.uniform(-1.0, 1.0);
@@ -171,7 +171,7 @@ Command RandomCommands::next(Lab& lab) {
     }
     case 7:
     case 8:
-      // a frame of a thousand substeps is more than a campaign has time for
+      // a frame of a thousand substeps would take too long
       return SetParameter{&parameter, parameter.name == "substeps" ? 1.0 + static_cast<double>(random_.below(10)) : number()};
     case 9:
       return RestoreParameter{&parameter, parameter.read(scene)};

@@ -1,4 +1,4 @@
-// Random edits of every kind for whatever scene there is, of plausible and of impossible values.
+// Random edits of every kind for any scene, with plausible and invalid values.
 #pragma once
 
 #include <vector>
@@ -12,12 +12,12 @@ namespace hooke {
 class RandomCommands {
  public:
   explicit RandomCommands(std::uint64_t seed) : random_(seed) {}
-  // Any command but Replace, which follows from a control (GoToStart). New points and springs take their ids from the lab.
+  // Any command except Replace, which follows from a control (GoToStart). New points and springs take their ids from the lab.
   Command next(Lab& lab);
   Random& random() { return random_; }
 
  private:
-  double number();  // a plausible one, seldom one that no property may have
+  double number();  // a plausible one or, rarely, one that no property may have
   Vec3 vector();
   PointId point(const Scene& scene);
   SpringId spring(const Scene& scene);

@@ -55,7 +55,7 @@ Color DocumentBuilder::color() {
   return {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8), static_cast<std::uint8_t>(bits >> 16)};
 }
 
-// Members that no version of the format has, written as the program writes them.
+// Members that no version of the format has, formatted as the program formats them.
 std::string DocumentBuilder::unknown() {
   static constexpr std::string_view values[] = {"null", "true", "-12", "0.125", "\"text\"", "[1, [2, 3], \"a\"]", "{\"b\": {}, \"c\": []}"};
   std::string members;
@@ -94,7 +94,7 @@ void DocumentBuilder::add_network(Scene& scene) {
   }
 }
 
-// Places on a cloth, and shares of a sheet, of some points and springs.
+// Texture coordinates of some points, and sheet weights of some springs.
 void DocumentBuilder::add_cloth(Scene& scene) {
   if (random_.one_in(3)) {
     ClothCoordinates places;

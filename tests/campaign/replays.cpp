@@ -1,4 +1,4 @@
-// A recording of a random session replays to the same bits, frame by frame.
+// A recording of a random session replays with the same bits, frame by frame.
 
 #include <filesystem>
 
@@ -43,11 +43,11 @@ long run(std::uint64_t number) {
   Lab lab(*recording->start, KeepStart::No);
   lab.submit(Play{recording});
   lab.advance(0.0, [] { return true; });
-  // a frame that diverged is not recorded, and stops the one that is played as well
+  // a frame that diverged is not recorded, and it also stops the replay
   for (long step = 0; lab.is_playing() && step < 10 * recording->frames + 10; ++step) lab.step();
   expect(lab.difference().empty(), lab.difference());
   expect(!lab.is_playing(), "the recording does not end");
-  expect(hash_state(lab.scene().state) == hash, "the last state is another one");
+  expect(hash_state(lab.scene().state) == hash, "the last state differs");
   return 1;
 }
 

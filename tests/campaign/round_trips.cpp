@@ -27,18 +27,19 @@ bool same_cloth(const Scene& a, const Scene& b) {
 }
 
 void expect_same(const Scene& a, const Scene& b) {
-  expect(a.name == b.name && a.description == b.description, "another name or description");
-  expect(a.system == b.system, "another system");
-  expect(same_bits(a.state.position, b.state.position) && same_bits(a.state.velocity, b.state.velocity), "other positions or velocities");
-  expect(std::bit_cast<std::uint64_t>(a.state.time) == std::bit_cast<std::uint64_t>(b.state.time), "another time");
-  expect(a.settings == b.settings, "other settings");
-  expect(a.view == b.view, "another view");
-  expect(same_cloth(a, b), "another cloth");
-  expect(a.defaults == b.defaults && a.parameterization == b.parameterization && a.controls == b.controls, "other defaults");
-  expect(a.preserved_json == b.preserved_json, "other keys preserved");
+  expect(a.name == b.name && a.description == b.description, "different name or description");
+  expect(a.system == b.system, "different system");
+  expect(same_bits(a.state.position, b.state.position) && same_bits(a.state.velocity, b.state.velocity),
+         "different positions or velocities");
+  expect(std::bit_cast<std::uint64_t>(a.state.time) == std::bit_cast<std::uint64_t>(b.state.time), "different time");
+  expect(a.settings == b.settings, "different settings");
+  expect(a.view == b.view, "different view");
+  expect(same_cloth(a, b), "different cloth");
+  expect(a.defaults == b.defaults && a.parameterization == b.parameterization && a.controls == b.controls, "different defaults");
+  expect(a.preserved_json == b.preserved_json, "different preserved keys");
 }
 
-// With a list of generators before the simulation's settings.
+// Inserts a list of generators before the settings of the simulation.
 std::string with_generators(std::string text, const std::string& generators) {
   const std::size_t at = text.find("\n  \"simulation\": ");
   expect(at != std::string::npos, "no simulation in the file");
@@ -52,11 +53,11 @@ long run(std::uint64_t number) {
   if (random.one_in(4)) {
     scene = parse_scene(with_generators(std::move(text), random_generators(random)), "random.json").scene;
     text = format_scene(scene);
-    expect(text.find("\n  \"generators\": ") != std::string::npos, "the generators are gone");
+    expect(text.find("\n  \"generators\": ") != std::string::npos, "the generators are missing");
   }
   const Scene again = parse_scene(text, "random.json").scene;
   expect_same(scene, again);
-  expect(format_scene(again) == text, "another text:\n" + text + "\n" + format_scene(again));
+  expect(format_scene(again) == text, "different text:\n" + text + "\n" + format_scene(again));
   return 1;
 }
 

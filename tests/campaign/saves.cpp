@@ -1,5 +1,5 @@
-// A save never loses work: whenever the program is killed, and whichever call of the system fails, the file holds the old
-// version or the new one, whole.
+// Saving never loses work: whenever the program is killed and whichever system call fails, the file contains the complete old version or
+// the complete new one.
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Which of the calls below fails, counted from 1, and how; 0: none.
+// Which of the calls below fails, counted from 1, and with which error; 0: none.
 struct Failure {
   long call = 0;
   int error = 0;
@@ -35,7 +35,7 @@ struct Failure {
 };
 Failure failure;
 
-// Whether this call is the one that fails; then errno is set.
+// Whether this call must fail; sets errno if so.
 bool fails() {
   if (failure.call == 0 || ++failure.calls != failure.call) return false;
   errno = failure.error;
@@ -50,13 +50,13 @@ Function* system_call(const char* name) {
 }  // namespace
 }  // namespace hooke
 
-// Defined here, these take the place of the system's for the whole program.
+// Definitions in the program take precedence over those of the C library.
 extern "C" {
 
 ssize_t write(int file, const void* bytes, size_t size) {
   static auto* const real = hooke::system_call<ssize_t(int, const void*, size_t)>("write");
   if (!hooke::fails()) return real(file, bytes, size);
-  // a disk that fills up takes a part first; the rest then fails
+  // a disk that fills up accepts a part first; the rest then fails
   if (hooke::failure.error != ENOSPC || size < 2) return -1;
   hooke::failure.call = hooke::failure.calls + 1;
   return real(file, bytes, size / 2);
@@ -94,7 +94,7 @@ int open(const char* name, int flags, ...) {
 namespace hooke {
 namespace {
 
-// A scene that says which version it is, and how many points it must have: some lie within a page, some are 300 KiB.
+// A scene that contains its version number and the corresponding number of points: some versions fit in a page, some have 300 KiB.
 Scene version_of(long version) {
   Scene scene = empty_scene();
   scene.name = std::to_string(version);
@@ -108,7 +108,7 @@ Scene version_of(long version) {
   return scene;
 }
 
-// The version that the file holds, whole.
+// The version that the file contains completely.
 long version_in(const fs::path& file) {
   const Scene scene = load_scene(file).scene;
   const long version = std::stol(scene.name);
@@ -120,7 +120,7 @@ long version_in(const fs::path& file) {
 
 std::size_t files_in(const fs::path& folder) { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {})); }
 
-// Saves version after version until it is killed, and says which ones are saved.
+// Saves version after version until it is killed, and reports which are saved.
 void save_without_end(const fs::path& file, std::atomic<long>& saved) {
   for (;;) {
     save_scene(version_of(saved + 1), file);
@@ -145,17 +145,17 @@ long kill_during_save(std::uint64_t number) {
   const long last = saved, found = version_in(file);
   munmap(shared, sizeof(std::atomic<long>));
   expect(found == last || found == last + 1, "version " + std::to_string(last) + " was saved, the file holds " + std::to_string(found));
-  // the next save removes what the killed one left
+  // the next save removes temporary files of the killed one
   save_scene(version_of(last + 2), file);
-  expect(version_in(file) == last + 2 && files_in(scratch.folder) == 1, "the next save leaves more than its file");
+  expect(version_in(file) == last + 2 && files_in(scratch.folder) == 1, "the next save leaves temporary files");
   return 1;
 }
 
-// Where a save goes to.
+// The target of a save.
 enum class Target { NewFile, OldFile, Link, FolderWithLeftovers };
 constexpr Target targets[] = {Target::NewFile, Target::OldFile, Target::Link, Target::FolderWithLeftovers};
 
-// Saves with the `call`-th call failing; false: there are fewer calls.
+// Saves with call number `call` failing; returns false if there are fewer calls.
 bool save_with_failure(Target target, long call, int error) {
   const ScratchFolder scratch;
   const fs::path real = scratch.folder / (target == Target::Link ? "real.json" : "scene.json"), file = scratch.folder / "scene.json";
@@ -176,12 +176,12 @@ bool save_with_failure(Target target, long call, int error) {
 
   const std::string what = "call " + std::to_string(call) + " fails with " + std::strerror(error) + ": ";
   const bool exists = fs::exists(file);
-  expect(exists || !is_old, what + "the old file is gone");
+  expect(exists || !is_old, what + "the old file is missing");
   const long found = exists ? version_in(file) : 0;
   expect(found == (is_old ? 1 : 0) || found == 2, what + "the file holds neither version");
-  expect(!message.empty() || found == 2, what + "the save failed and did not say so");
-  expect(target != Target::Link || fs::is_symlink(file), what + "the link is gone");
-  // a leftover may stay where it could not be examined; nothing new may
+  expect(!message.empty() || found == 2, what + "the save failed without a message");
+  expect(target != Target::Link || fs::is_symlink(file), what + "the link is missing");
+  // an existing temporary file may stay if it could not be examined; no new one may
   for (const fs::directory_entry& entry : fs::directory_iterator(scratch.folder)) {
     const std::string name = entry.path().filename();
     expect(name == "scene.json" || name == "real.json" || name == ".hooke-0123456789abcdef", what + "it leaves " + name);
@@ -189,7 +189,7 @@ bool save_with_failure(Target target, long call, int error) {
   return has_failed;
 }
 
-// A case is a target and an error, with every call failing in turn.
+// A case is a target and an error, with each call failing in turn.
 long fail_each_call(std::uint64_t number) {
   constexpr int errors[] = {ENOSPC, EIO, EINTR, EDQUOT, EROFS, EACCES, EMFILE, ENOMEM};
   const Target target = targets[number % std::size(targets)];

@@ -1,4 +1,4 @@
-// hooke-headless bench, as a process of its own.
+// hooke-headless bench, run as a separate process.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A running benchmark; what it says on stderr goes to a file in its folder.
+// A running benchmark; its stderr goes to a file in its folder.
 class Process {
  public:
   Process(const fs::path& folder, std::vector<std::string> arguments, bool with_path = true) : errors_(folder / "errors") {
@@ -58,7 +58,7 @@ int run(const fs::path& folder, const std::vector<std::string>& arguments) { ret
 
 Results results_in(const fs::path& folder) { return parse_results(contents(folder / "bench.json"), "bench.json"); }
 
-TEST(Bench, WritesItsFilesAndKeepsTheirRows) {
+TEST(Bench, WritesItsFilesAndKeepsExistingRows) {
   const ScratchFolder scratch;
   const std::vector<std::string> arguments{"net_w2", "--quick", "--methods", "velocity_verlet,xpbd"};
   ASSERT_EQ(run(scratch.folder, arguments), 0);
@@ -66,7 +66,7 @@ TEST(Bench, WritesItsFilesAndKeepsTheirRows) {
     EXPECT_GT(fs::file_size(scratch.folder / file), 100u) << file;
   EXPECT_NE(contents(scratch.folder / "report").find("1e-1"), std::string::npos);
 
-  // times differ from run to run: rows that are equal were not made again
+  // times differ from run to run, so equal rows were not computed again
   const Results first = results_in(scratch.folder);
   ASSERT_EQ(run(scratch.folder, arguments), 0);
   const Results second = results_in(scratch.folder);
@@ -74,10 +74,10 @@ TEST(Bench, WritesItsFilesAndKeepsTheirRows) {
   EXPECT_EQ(first.date, second.date);
 }
 
-TEST(Bench, CtrlCKeepsWhatIsDone) {
+TEST(Bench, CtrlCKeepsFinishedResults) {
   const ScratchFolder scratch;
   const Process process(scratch.folder, {"net_w4", "--quick"});
-  // the first method is written when it is done
+  // each method is written as soon as it is finished
   for (int i = 0; i < 3000 && !fs::exists(scratch.folder / "bench.json"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   process.interrupt();
   EXPECT_EQ(process.wait(), 130);
@@ -85,7 +85,7 @@ TEST(Bench, CtrlCKeepsWhatIsDone) {
   EXPECT_NE(process.errors().find("resumes from them"), std::string::npos);
 }
 
-TEST(Bench, WithoutGnuplotItSaysSoInALineAndWritesTheRest) {
+TEST(Bench, WithoutGnuplotReportsItInOneLineAndWritesTheRest) {
   const ScratchFolder scratch;
   const Process process(scratch.folder, {"net_w2", "--quick", "--methods", "velocity_verlet"}, false);
   EXPECT_EQ(process.wait(), 0);
@@ -94,7 +94,7 @@ TEST(Bench, WithoutGnuplotItSaysSoInALineAndWritesTheRest) {
   EXPECT_FALSE(fs::exists(scratch.folder / "bench.svg"));
 }
 
-TEST(Bench, RefusesWhatItCannotDo) {
+TEST(Bench, RefusesInvalidRequests) {
   const ScratchFolder scratch;
   EXPECT_EQ(run(scratch.folder, {"--methods", "no_such_method"}), 2);
   EXPECT_EQ(run(scratch.folder, {"no_such_scene"}), 5);
@@ -103,7 +103,7 @@ TEST(Bench, RefusesWhatItCannotDo) {
   EXPECT_EQ(contents(scratch.folder / "bench.json"), "{}");
 }
 
-// The page of methods is the table's and the results', word for word: scripts/accuracy --report makes it again.
+// The page on methods equals the table and the results word for word; scripts/accuracy --report regenerates it.
 TEST(Bench, TheDocumentedMethodsAreThoseOfTheTable) {
   const ScratchFolder scratch;
   ASSERT_EQ(Process(scratch.folder, {"--report", DOCS_FOLDER "/accuracy.json", "--quiet"}).wait(), 0);

@@ -1,4 +1,4 @@
-// hooke-headless capture, run as a program.
+// hooke-headless capture, run as a separate process.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace hooke {
 namespace {
 
-// In this folder, with no display. The words stand between spaces; '' is an empty one.
+// Runs in this folder without a display. Arguments are separated by spaces; '' is an empty one.
 Outcome capture(const std::string& arguments, const std::filesystem::path& folder) {
   std::vector<std::string> words{"/usr/bin/env", "-C", folder.string(), "-u", "DISPLAY", HOOKE_HEADLESS, "capture"};
   std::istringstream text(arguments);
@@ -30,12 +30,12 @@ std::vector<std::string> files_in(const std::filesystem::path& folder) {
   return names;
 }
 
-TEST(Capture, DrawsOnePictureOfTheSizeAskedForAndSaysNothing) {
+TEST(Capture, DrawsOnePictureOfTheGivenSizeAndPrintsNothing) {
   const ScratchFolder scratch;
-  const Outcome said = capture("two_masses --out a.png --size 200x120", scratch.folder);
-  EXPECT_EQ(said.code, 0);
-  EXPECT_EQ(said.out, "");
-  EXPECT_EQ(said.err, "");
+  const Outcome outcome = capture("two_masses --out a.png --size 200x120", scratch.folder);
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err, "");
   const Image image = read_png(scratch.folder / "a.png");
   EXPECT_EQ(image.width, 200);
   EXPECT_EQ(image.height, 120);
@@ -43,13 +43,13 @@ TEST(Capture, DrawsOnePictureOfTheSizeAskedForAndSaysNothing) {
 
 TEST(Capture, DrawsAFolderOfNumberedPicturesFromStartToEnd) {
   const ScratchFolder scratch;
-  const Outcome said = capture("two_masses --out pictures --seconds 0.1 --fps 30 --size 160x90", scratch.folder);
-  EXPECT_EQ(said.code, 0);
+  const Outcome outcome = capture("two_masses --out pictures --seconds 0.1 --fps 30 --size 160x90", scratch.folder);
+  EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(files_in(scratch.folder / "pictures"),
             (std::vector<std::string>{"frame_00000.png", "frame_00001.png", "frame_00002.png", "frame_00003.png"}));
 }
 
-TEST(Capture, DrawsThePanelsOfTheWindowWhenAskedTo) {
+TEST(Capture, DrawsThePanelsOnRequest) {
   const ScratchFolder scratch;
   EXPECT_EQ(capture("cloth --ui --out a.png --size 1280x720", scratch.folder).code, 0);
   EXPECT_EQ(capture("cloth --out b.png --size 1280x720", scratch.folder).code, 0);
@@ -58,7 +58,7 @@ TEST(Capture, DrawsThePanelsOfTheWindowWhenAskedTo) {
     const std::uint8_t* pixel = &image.pixels[3u * static_cast<std::size_t>(y * image.width + x)];
     return std::tuple(pixel[0], pixel[1], pixel[2]);
   };
-  // the ground of the panels at the left and at the right, and words on it: pixels that stand out
+  // the backgrounds of the left and right panels with text on them, which gives pixels of high contrast
   EXPECT_EQ(color_at(with, 4, 600), std::tuple(0x1a, 0x1d, 0x22));
   EXPECT_NE(color_at(without, 4, 600), std::tuple(0x1a, 0x1d, 0x22));
   int bright = 0;
@@ -67,7 +67,7 @@ TEST(Capture, DrawsThePanelsOfTheWindowWhenAskedTo) {
   EXPECT_GT(bright, 200);
 }
 
-// The mean of each tile of so many pixels a side, channel by channel.
+// The mean of each tile of `side` pixels, channel by channel.
 std::vector<double> means(const Image& image, int side) {
   const int across = image.width / side;
   std::vector<double> sums(static_cast<std::size_t>(3 * across * (image.height / side)));
@@ -80,8 +80,8 @@ std::vector<double> means(const Image& image, int side) {
   return sums;
 }
 
-// What stands on a finer screen stands at the same place in the same size: letters alone fall on its pixels otherwise.
-TEST(Capture, ShowsTheSameOnAScreenTwiceAsFineAtEverySize) {
+// At twice the scale, everything has the same position and size; only the rasterization of letters differs.
+TEST(Capture, AtTwiceTheScaleShowsTheSameAtEverySize) {
   struct Size {
     int width, height;
   };
@@ -101,13 +101,13 @@ TEST(Capture, ShowsTheSameOnAScreenTwiceAsFineAtEverySize) {
   }
 }
 
-TEST(Capture, TakesAsManyPicturesAsAskedFor) {
+TEST(Capture, WritesTheRequestedNumberOfPictures) {
   const ScratchFolder scratch;
   EXPECT_EQ(capture("two_masses --out pictures --frames 2 --size 32x32", scratch.folder).code, 0);
   EXPECT_EQ(files_in(scratch.folder / "pictures").size(), 2u);
 }
 
-TEST(Capture, OneFileIsTheLastOfTheFolder) {
+TEST(Capture, ASingleFileIsTheLastOfAFolder) {
   const ScratchFolder scratch;
   EXPECT_EQ(capture("two_masses --out pictures --seconds 0.5 --fps 4 --size 320x180", scratch.folder).code, 0);
   EXPECT_EQ(capture("two_masses --out last.png --seconds 0.5 --size 320x180", scratch.folder).code, 0);
@@ -116,7 +116,7 @@ TEST(Capture, OneFileIsTheLastOfTheFolder) {
   EXPECT_GT(difference(last, read_png(scratch.folder / "pictures/frame_00000.png")), 0.001);
 }
 
-TEST(Capture, DrawsWhatTheViewDraws) {
+TEST(Capture, DrawsTheSamePictureAsTheView) {
   const ScratchFolder scratch;
   EXPECT_EQ(capture("cloth --out a.png --seconds 0.2 --size 320x180 --quiet", scratch.folder).code, 0);
   Lab lab(load_scene(find_scene("cloth")).scene);
@@ -131,22 +131,22 @@ TEST(Capture, DrawsWhatTheViewDraws) {
   EXPECT_EQ(read_png(scratch.folder / "a.png").pixels, view.read().pixels);
 }
 
-TEST(Capture, LooksFromWhereItIsTold) {
+TEST(Capture, UsesTheGivenCamera) {
   const ScratchFolder scratch;
   EXPECT_EQ(capture("cloth --out a.png --size 160x90", scratch.folder).code, 0);
   EXPECT_EQ(capture("cloth --out b.png --size 160x90 --camera 5,1,0,0,0,0", scratch.folder).code, 0);
   EXPECT_GT(difference(read_png(scratch.folder / "a.png"), read_png(scratch.folder / "b.png")), 0.01);
 }
 
-TEST(Capture, KeepsTheLastSoundPictureOfARunThatDiverges) {
+TEST(Capture, KeepsTheLastValidPictureOfADivergedRun) {
   const ScratchFolder scratch;
-  const Outcome said = capture("unstable --out a.png --seconds 60 --size 160x90 --quiet", scratch.folder);
-  EXPECT_EQ(said.code, 4);
-  EXPECT_NE(said.err.find("spring"), std::string::npos) << said.err;
+  const Outcome outcome = capture("unstable --out a.png --seconds 60 --size 160x90 --quiet", scratch.folder);
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_NE(outcome.err.find("spring"), std::string::npos) << outcome.err;
   EXPECT_EQ(read_png(scratch.folder / "a.png").width, 160);
 }
 
-// Command line, exit code, and how the one line on stderr goes on after "hooke-headless: ".
+// Arguments, exit code, and the rest of the line on stderr after "hooke-headless: ".
 TEST(Capture, RefusesInOneLine) {
   const ScratchFolder scratch;
   const std::string size = " must be WIDTHxHEIGHT, each from 1 to 8192\n";
@@ -169,15 +169,15 @@ TEST(Capture, RefusesInOneLine) {
       {"two_masses --out /dev/null/pictures", 5, "/dev/null/pictures: cannot be created: Not a directory\n"},
   };
   for (const auto& [arguments, code, line] : refusals) {
-    const Outcome said = capture(arguments, scratch.folder);
-    EXPECT_EQ(said.code, code) << arguments;
-    EXPECT_EQ(said.err, "hooke-headless: " + line);
-    EXPECT_EQ(said.out, "");
+    const Outcome outcome = capture(arguments, scratch.folder);
+    EXPECT_EQ(outcome.code, code) << arguments;
+    EXPECT_EQ(outcome.err, "hooke-headless: " + line);
+    EXPECT_EQ(outcome.out, "");
   }
   EXPECT_TRUE(files_in(scratch.folder).empty());
 }
 
-TEST(Capture, RefusesWhatItDoesNotKnow) {
+TEST(Capture, RefusesUnknownOrConflictingOptions) {
   const ScratchFolder scratch;
   for (const char* arguments : {"two_masses", "--out a.png", "two_masses --out a.png --uii", "two_masses --out a.png --frames 0",
                                 "two_masses --out a.png --frames 2 --seconds 1", "two_masses --out a.png --fps 0"})

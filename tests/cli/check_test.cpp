@@ -1,4 +1,4 @@
-// `hooke check` as scripts see it.
+// `hooke check` as used by scripts.
 
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>
@@ -18,7 +18,7 @@ Outcome check(std::vector<std::string> words) {
   return run_process(words);
 }
 
-TEST(Check, TheQuickHardCasesComeOutAsExpected) {
+TEST(Check, TheQuickHardCasesGiveTheExpectedResults) {
   const Outcome outcome = check({"--hard", "--quick"});
   EXPECT_EQ(outcome.code, 0) << outcome.out;
   EXPECT_EQ(outcome.err, "");
@@ -29,12 +29,12 @@ TEST(Check, TheQuickHardCasesComeOutAsExpected) {
     EXPECT_LE(line.size(), 100u) << line;
     cases += line.size() > 32 && (line[1] >= '0' && line[1] <= '9') ? 1 : 0;
   }
-  // all but those of more than a few seconds for every method
+  // all but the methods that take more than a few seconds per case
   EXPECT_GE(cases, 24);
 }
 
-TEST(Check, AFailureThatWasToHoldIsCodeOne) {
-  // it may fail, if it says so; strictly it may not
+TEST(Check, AnUnexpectedFailureIsCodeOne) {
+  // a reported failure is accepted, except with --strict
   EXPECT_EQ(check({"--hard", "--cases", "9", "--methods", "implicit_euler", "--quiet"}).code, 0);
   const Outcome outcome = check({"--hard", "--cases", "9", "--methods", "implicit_euler", "--strict"});
   EXPECT_EQ(outcome.code, 1);
@@ -54,8 +54,8 @@ TEST(Check, CasesAndMethodsCanBeChosenAndWrittenAsJson) {
   EXPECT_STREQ(document["cases"][1]["results"][0]["method"].GetString(), "velocity_verlet");
 }
 
-// A mouse at 50 m/s: peak strain within a factor of two of the converged one, no energy gained, nothing through the slab.
-TEST(Check, TheDefaultMethodHoldsWhatAFastMouseDrags) {
+// A mouse at 50 m/s: peak strain within a factor of two of the converged one, no energy gained, no point through the slab.
+TEST(Check, TheDefaultMethodIsAccurateUnderAFastMouse) {
   const Outcome outcome = check({"--hard", "--cases", "8", "--methods", "velocity_verlet", "--strict"});
   EXPECT_EQ(outcome.code, 0) << outcome.out;
   EXPECT_NE(outcome.out.find("1 held"), std::string::npos) << outcome.out;
@@ -76,12 +76,12 @@ TEST(Check, WrongUsageIsCodeTwo) {
   }
 }
 
-TEST(Check, CtrlCPrintsWhatIsKnown) {
+TEST(Check, CtrlCPrintsFinishedResults) {
   int out[2];
   ASSERT_EQ(pipe(out), 0);
   const pid_t child = start_process({HOOKE_HEADLESS, "check", "--hard", "--cases", "14,22", "--threads", "2"}, out[1], STDERR_FILENO);
   close(out[1]);
-  // case 22 takes half a minute, the others no time
+  // case 22 takes half a minute, the others almost no time
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   kill(child, SIGINT);
   std::string text(1 << 16, '\0');
@@ -94,8 +94,8 @@ TEST(Check, CtrlCPrintsWhatIsKnown) {
   EXPECT_NE(text.find("1 not run"), std::string::npos) << text;
 }
 
-// All of them are tried by the test scene_checks.
-TEST(Check, AScenePassesItsOwnUnderEveryMethodThatItLists) {
+// The test scene_checks runs all of them.
+TEST(Check, ASceneMeetsItsOwnChecksUnderEveryMethodItLists) {
   const Outcome outcome = check({"two_masses"});
   EXPECT_EQ(outcome.code, 0) << outcome.out;
   EXPECT_EQ(outcome.out.find("FAILED"), std::string::npos) << outcome.out;

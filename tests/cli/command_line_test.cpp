@@ -1,4 +1,4 @@
-// hooke-headless as seen by scripts: exit codes, stdout and stderr, the fields of its JSON.
+// hooke-headless as used by scripts: exit codes, stdout and stderr, the fields of its JSON.
 
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>
@@ -47,12 +47,12 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-// One free point with a speed of 1 m/s: results can be computed by hand.
+// One free point with a speed of 1 m/s, so that results can be computed by hand.
 constexpr const char* free_point =
     R"({"hooke": 1, "gravity": [0, 0, 0], "points": [{"position": [0, 0, 0], "velocity": [1, 0, 0], "mass": 2}],
   "simulation": {"frame_rate": 10, "substeps": 1}})";
 
-TEST(Headless, HelpVersionAndLimitsGoToStdoutEverywhere) {
+TEST(Headless, HelpVersionAndLimitsGoToStdoutForEveryCommand) {
   for (const std::vector<std::string>& subcommand : {std::vector<std::string>{}, {"run"}, {"convert"}}) {
     const auto ask = [&](const char* option) {
       std::vector<std::string> words = subcommand;
@@ -151,13 +151,13 @@ TEST(Headless, ADivergedRunIsCodeFourAndNamesTheSpringTheCauseAndATestedRemedy) 
   ASSERT_EQ(lines_of(outcome.err).size(), 1u) << outcome.err;
   for (const char* part : {"Stopped at t = ", "point ", "spring "}) EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
 
-  // the search for a remedy takes a second, which a quiet run does not
+  // a quiet run skips the search for a remedy, which takes a second
   const Outcome loud = headless({"run", "unstable", "--seconds", "60"});
   EXPECT_EQ(loud.code, 4);
   for (const char* part : {"Cause: ", " does not diverge (tested for "}) EXPECT_NE(loud.err.find(part), std::string::npos) << loud.err;
 }
 
-TEST(Headless, OutputLostOnAFullStdoutIsCodeFive) {
+TEST(Headless, OutputThatDoesNotFitOnStdoutIsCodeFive) {
   const int full = open("/dev/full", O_WRONLY | O_CLOEXEC), null = open("/dev/null", O_WRONLY | O_CLOEXEC);
   for (const std::vector<std::string>& words : {std::vector<std::string>{"run", "two_masses", "--seconds", "0.1"},
                                                 {"run", "two_masses", "--seconds", "0.1", "--json", "-"},
@@ -179,7 +179,7 @@ TEST(Headless, OutputLostOnAFullStdoutIsCodeFive) {
 
 TEST(Headless, AFileThatDoesNotFitLeavesTheOldOneAndIsCodeFive) {
   const ScratchFolder scratch;
-  // a limit on the size of files stands for a full disk
+  // a file size limit has the same effect as a full disk
   signal(SIGXFSZ, SIG_IGN);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
@@ -239,7 +239,7 @@ TEST(Headless, RunWritesEveryFieldOfItsJson) {
   }
 }
 
-TEST(Headless, WithoutASpacingOnlyTheLastStateIsSampled) {
+TEST(Headless, WithoutASamplingIntervalOnlyTheLastStateIsSampled) {
   const rapidjson::Document json = parse(headless({"run", "two_masses", "--seconds", "0.5", "--points", "1", "--json", "-"}).out);
   ASSERT_EQ(json["samples"].Size(), 1u);
   EXPECT_NEAR(json["samples"][0]["time"].GetDouble(), 0.5, 1e-12);
@@ -255,7 +255,7 @@ TEST(Headless, RunStepsWholeFramesUntilTheSecondsAreCovered) {
   EXPECT_NEAR(seconds_of("0.31"), 0.4, 1e-12);
 }
 
-TEST(Headless, ReportsTheBitsThatALaboratoryComputes) {
+TEST(Headless, ReportsTheHashThatALaboratoryComputes) {
   Lab lab(load_scene(find_scene("two_masses_bouncy")).scene);
   for (int frame = 0; frame < 60; ++frame) ASSERT_TRUE(lab.step());
   const rapidjson::Document json = parse(headless({"run", "two_masses_bouncy", "--seconds", "1", "--json", "-"}).out);
@@ -266,7 +266,7 @@ TEST(Headless, ReportsTheBitsThatALaboratoryComputes) {
   EXPECT_EQ(std::stoull(json["hash"].GetString(), nullptr, 16), hash_state(lab.scene().state));
 }
 
-TEST(Headless, TheSameRunHasTheSameHashAndAnotherRunAnother) {
+TEST(Headless, EqualRunsHaveEqualHashesAndDifferentRunsDifferentOnes) {
   const auto hash_of = [](const char* substeps) {
     return std::string(
         parse(headless({"run", "rope", "--seconds", "0.1", "--substeps", substeps, "--points", "0", "--json", "-"}).out)["hash"]
@@ -276,7 +276,7 @@ TEST(Headless, TheSameRunHasTheSameHashAndAnotherRunAnother) {
   EXPECT_NE(hash_of("40"), hash_of("41"));
 }
 
-TEST(Headless, OptionsChangeWhatIsRun) {
+TEST(Headless, OptionsOverrideTheScene) {
   const rapidjson::Document json =
       parse(headless({"run", "rope", "--seconds", "0.1", "--integrator", "runge_kutta4", "--substeps", "7", "--frame-rate", "120", "--set",
                       "gravity=0", "--set", "damped_springs=off", "--points", "47", "--json", "-", "-q"})
@@ -289,7 +289,7 @@ TEST(Headless, OptionsChangeWhatIsRun) {
   EXPECT_EQ(json["force_evaluations"].GetInt(), 12 * 7 * 4);
 }
 
-TEST(Headless, CsvHasARowASample) {
+TEST(Headless, CsvHasOneRowPerSample) {
   const ScratchFolder scratch;
   const std::string file = (scratch.folder / "out.csv").string();
   const Outcome outcome = headless({"run", "two_masses", "--seconds", "0.1", "--sample", "0.05", "--points", "1,0", "--csv", file});
@@ -301,7 +301,7 @@ TEST(Headless, CsvHasARowASample) {
   EXPECT_EQ(lines[1], "0,0,0,4.9,4.9,0.5,0.5,0,0,0.5,0");
 }
 
-TEST(Headless, CsvHasTheQuantitiesThatAreAskedFor) {
+TEST(Headless, CsvContainsTheRequestedQuantities) {
   const ScratchFolder scratch;
   const std::string file = (scratch.folder / "out.csv").string();
   EXPECT_EQ(headless({"run", "two_masses", "--seconds", "0", "--csv", file, "--quantities", "time,length0, y1"}).code, 0);
@@ -330,11 +330,11 @@ TEST(Headless, WarningsGoToStderrUnlessQuiet) {
   EXPECT_EQ(headless(quiet).err, "");
 }
 
-TEST(Headless, OnlyTheStepAsSetIsWarnedAbout) {
+TEST(Headless, OnlyTheSelectedMethodAndStepAreWarnedAbout) {
   EXPECT_EQ(headless({"run", "unstable", "--seconds", "0", "--integrator", "symplectic_euler", "--json", "-"}).err, "");
 }
 
-TEST(Headless, NeedsNoDisplayAndNoWorkingDirectory) {
+TEST(Headless, RequiresNeitherADisplayNorAWorkingDirectory) {
   unsetenv("DISPLAY");
   const fs::path before = fs::current_path();
   fs::current_path("/");
@@ -355,7 +355,7 @@ TEST(Headless, ASaveKilledAtAnyMomentLeavesTheOldFileOrTheNewOne) {
   const ScratchFolder scratch;
   const fs::path file = scratch.folder / "scene.json";
 
-  // a net whose points are listed, so that the save is long enough to be hit
+  // a net whose points are listed, so that saving takes long enough to be interrupted
   Scene large =
       parse_scene(
           R"({"hooke": 1, "name": "new", "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0],
@@ -386,7 +386,7 @@ TEST(Headless, ASaveKilledAtAnyMomentLeavesTheOldFileOrTheNewOne) {
     return content == old || content == next;
   };
 
-  // how long it takes when it is let live, then kills spread over that time and a little more
+  // measures the duration of a complete save, then kills at times spread over that duration and slightly more
   const auto start = std::chrono::steady_clock::now();
   ASSERT_TRUE(run(-1));
   const long whole = std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - start).count();
@@ -395,7 +395,7 @@ TEST(Headless, ASaveKilledAtAnyMomentLeavesTheOldFileOrTheNewOne) {
   EXPECT_GT(seen_old, 0);
   close(null);
 
-  // and the next save sweeps up
+  // the next save removes temporary files
   ASSERT_TRUE(run(-1));
   EXPECT_EQ(std::distance(fs::directory_iterator(scratch.folder), {}), 2);
 }

@@ -1,4 +1,4 @@
-// The camera's arithmetic.
+// The geometry of the camera.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -13,7 +13,7 @@ namespace {
 
 const glm::dvec2 size(1280, 720);
 
-// Cameras all around, near and far, of both kinds.
+// Cameras in all directions, near and far, in both projections.
 std::vector<Camera> cameras() {
   std::vector<Camera> all;
   std::mt19937 random(7);
@@ -30,7 +30,7 @@ std::vector<Camera> cameras() {
 
 void expect_near(const Vec3& a, const Vec3& b, double tolerance) { EXPECT_LT(glm::length(a - b), tolerance); }
 
-TEST(Camera, UnprojectTakesProjectBack) {
+TEST(Camera, UnprojectInvertsProject) {
   for (const Camera& camera : cameras()) {
     const Vec3 place = camera.target + 0.3 * camera.distance * Vec3(0.3, -0.5, 0.4);
     const Vec3 seen = camera.project(place, size);
@@ -40,7 +40,7 @@ TEST(Camera, UnprojectTakesProjectBack) {
   }
 }
 
-TEST(Camera, ARayThroughWhereAPlaceIsSeenMeetsIt) {
+TEST(Camera, RayThroughAPixelPassesThroughThePositionShownThere) {
   for (const Camera& camera : cameras()) {
     const Vec3 place = camera.target + 0.3 * camera.distance * Vec3(-0.2, 0.4, 0.6);
     const Vec3 seen = camera.project(place, size);
@@ -51,7 +51,7 @@ TEST(Camera, ARayThroughWhereAPlaceIsSeenMeetsIt) {
   }
 }
 
-TEST(Camera, ProjectsAsItsMatricesDo) {
+TEST(Camera, ProjectsLikeItsMatrices) {
   for (const Camera& camera : cameras()) {
     const Vec3 place = camera.target + 0.3 * camera.distance * Vec3(0.1, 0.2, -0.6);
     const glm::dvec4 clip = camera.projection_matrix(size.x / size.y) * camera.view_matrix() * glm::dvec4(place, 1.0);
@@ -62,7 +62,7 @@ TEST(Camera, ProjectsAsItsMatricesDo) {
   }
 }
 
-TEST(Camera, SeesItsTargetInTheMiddleAndUpwardsUpwards) {
+TEST(Camera, ShowsItsTargetAtTheCenterWithUpUpwards) {
   for (const Camera& camera : cameras()) {
     const Vec3 middle = camera.project(camera.target, size);
     EXPECT_NEAR(middle.x, 640.0, 1e-9);
@@ -71,14 +71,14 @@ TEST(Camera, SeesItsTargetInTheMiddleAndUpwardsUpwards) {
   }
 }
 
-TEST(Camera, WhatIsBehindTheEyeIsNowhere) {
+TEST(Camera, DoesNotProjectPositionsBehindTheEye) {
   const Camera camera;
   const Vec3 seen = camera.project(camera.eye() + camera.back, size);
   EXPECT_FALSE(std::isfinite(seen.x));
   EXPECT_GT(seen.z, 1.0);
 }
 
-TEST(Camera, ZoomKeepsWhatIsUnderTheCursor) {
+TEST(Camera, ZoomKeepsThePositionUnderTheCursor) {
   const glm::dvec2 cursor(1000, 150);
   for (Camera camera : cameras()) {
     const Ray ray = camera.ray_through(cursor, size);
@@ -89,14 +89,14 @@ TEST(Camera, ZoomKeepsWhatIsUnderTheCursor) {
     const Vec3 seen = camera.project(under, size);
     EXPECT_NEAR(seen.x, cursor.x, 1e-6);
     EXPECT_NEAR(seen.y, cursor.y, 1e-6);
-    // and so does whatever lies on the same ray, in front of the camera's plane or behind it
+    // this also holds for any position on the same ray, in front of or behind the target plane
     const Vec3 beyond = camera.project(under + 0.2 * distance * ray.direction, size);
     EXPECT_NEAR(beyond.x, cursor.x, 1e-6);
     EXPECT_NEAR(beyond.y, cursor.y, 1e-6);
   }
 }
 
-TEST(Camera, ZoomHasEnds) {
+TEST(Camera, ZoomIsLimited) {
   Camera camera;
   for (int i = 0; i < 1000; ++i) camera.zoom(0.5, {0, 0}, size);
   EXPECT_GT(camera.distance, 0.0);
@@ -105,7 +105,7 @@ TEST(Camera, ZoomHasEnds) {
   EXPECT_TRUE(std::isfinite(glm::length(camera.target)));
 }
 
-TEST(Camera, PanTakesThePlaneOfTheTargetAlong) {
+TEST(Camera, PanMovesTheTargetPlaneWithTheCursor) {
   for (Camera camera : cameras()) {
     const glm::dvec2 from(200, 500), to(700, 300);
     const Vec3 held = camera.unproject(from, size, camera.target);
@@ -134,7 +134,7 @@ TEST(Camera, OrbitNeverFlips) {
   }
 }
 
-TEST(Camera, OrbitGoesOnFromStraightAbove) {
+TEST(Camera, OrbitContinuesFromStraightAbove) {
   Camera camera;
   camera.orbit(0.0, 10.0);
   expect_near(camera.back, camera.pole, 1e-12);
@@ -142,7 +142,7 @@ TEST(Camera, OrbitGoesOnFromStraightAbove) {
   EXPECT_NEAR(std::acos(glm::dot(camera.back, camera.pole)), 0.3, 1e-12);
 }
 
-TEST(Camera, OrbitTurnsAboutThePoleByTheAngle) {
+TEST(Camera, OrbitRotatesAboutThePoleByTheAngle) {
   Camera camera;
   camera.orbit(0.5, 0.0);
   expect_near(camera.back, {std::sin(0.5), 0.0, std::cos(0.5)}, 1e-12);
@@ -150,7 +150,7 @@ TEST(Camera, OrbitTurnsAboutThePoleByTheAngle) {
   EXPECT_NEAR(camera.back.y, std::sin(0.25), 1e-12);
 }
 
-TEST(Camera, BothKindsShowTheTargetAtTheSameSize) {
+TEST(Camera, BothProjectionsShowTheTargetAtTheSameSize) {
   for (Camera camera : cameras()) {
     const Vec3 beside = camera.target + 0.1 * camera.distance * camera.up;
     const Vec3 seen = camera.project(beside, size);
@@ -159,7 +159,7 @@ TEST(Camera, BothKindsShowTheTargetAtTheSameSize) {
   }
 }
 
-TEST(Camera, KnowsTheMetresOfAPixel) {
+TEST(Camera, KnowsTheMetersPerPixel) {
   for (const Camera& camera : cameras()) {
     const Vec3 place = camera.target - 0.4 * camera.distance * camera.back;
     const double metres = camera.metres_per_pixel(place, size);
@@ -203,7 +203,7 @@ TEST(Camera, FramesTheWholeScene) {
     }
 }
 
-TEST(Camera, FramesWithoutTurning) {
+TEST(Camera, FramesWithoutRotating) {
   const Trial trial = scattered(3);
   for (Camera camera : cameras()) {
     const Vec3 back = camera.back;
@@ -213,7 +213,7 @@ TEST(Camera, FramesWithoutTurning) {
   }
 }
 
-TEST(Camera, FramesNothingAndASinglePointAndWhatIsNoNumber) {
+TEST(Camera, FramesEmptySinglePointAndNonFiniteScenes) {
   Trial trial;
   for (int i = 0; i < 3; ++i) {
     const Camera camera = make_camera({}, trial.system, trial.state, 1.0);
@@ -224,7 +224,7 @@ TEST(Camera, FramesNothingAndASinglePointAndWhatIsNoNumber) {
   }
 }
 
-TEST(Camera, FramesAColliderWhereverItsPathTakesIt) {
+TEST(Camera, FramesTheWholePathOfACollider) {
   Trial trial;
   trial.add(Vec3(0.0));
   trial.system.colliders = {{.shape = Sphere{{0.0, 0.0, 0.0}, 0.2}, .path = {.amplitude = {3.0, 0.0, 0.0}, .frequency = 0.5}}};
@@ -238,13 +238,13 @@ TEST(Camera, FramesAColliderWhereverItsPathTakesIt) {
     frame_scene(home, trial.system, trial.state, size.x / size.y);
   }
 
-  // one that stays off its place is seen there
+  // a collider displaced from its initial position is shown there
   trial.system.colliders[0].path = {.amplitude = {0.0, 5.0, 0.0}, .frequency = 0.0, .phase = 1.5707963267948966};
   const Camera still = make_camera({}, trial.system, trial.state, size.x / size.y);
   EXPECT_GT(still.project({0.0, 5.2, 0.0}, size).y, 0.0);
 }
 
-TEST(Camera, ThatFollowsMovesNoFurtherThanItMust) {
+TEST(Camera, FollowsByTheSmallestNecessaryMove) {
   Trial trial = scattered(3);
   Camera camera = make_camera({}, trial.system, trial.state, size.x / size.y);
   const auto move_all = [&](const Vec3& way) {
@@ -253,17 +253,17 @@ TEST(Camera, ThatFollowsMovesNoFurtherThanItMust) {
   const Vec3 before = camera.target;
   move_all({1e3, 0.0, 0.0});
   follow_scene(camera, trial.state);
-  EXPECT_EQ(camera.target, before);  // it was not asked to
+  EXPECT_EQ(camera.target, before);  // following is off
 
   camera.follows = true;
   follow_scene(camera, trial.state);
   const auto middle = [&] { return (trial.state.position[0] + trial.state.position[1] + trial.state.position[2]) / 3.0; };
   const Vec3 seen = camera.project(middle(), size), there = camera.target;
-  EXPECT_NEAR(seen.x, 0.5 * size.x + 0.3 * size.y, 1.0);  // it went to the right: there it is
+  EXPECT_NEAR(seen.x, 0.5 * size.x + 0.3 * size.y, 1.0);  // the point moved to the right, and is shown there
   EXPECT_GT(seen.y, 0.19 * size.y);
   EXPECT_LT(seen.y, 0.81 * size.y);
 
-  // within the middle of the picture it stays
+  // the camera does not move while the point is in the middle of the picture
   move_all(0.5 * (camera.target - middle()));
   follow_scene(camera, trial.state);
   EXPECT_NEAR(glm::distance(camera.target, there), 0.0, 1e-9);
@@ -273,7 +273,7 @@ TEST(Camera, ThatFollowsMovesNoFurtherThanItMust) {
   EXPECT_TRUE(std::isfinite(glm::length(camera.target)));
 }
 
-TEST(Camera, LeavesRoomForWhatWillHang) {
+TEST(Camera, LeavesSpaceForTheExpectedSag) {
   Trial rope;
   rope.nail({0.0, 0.0, 0.0});
   rope.add({1.0, 0.0, 0.0});
@@ -282,7 +282,7 @@ TEST(Camera, LeavesRoomForWhatWillHang) {
   EXPECT_LT(hanging.y, size.y);
 }
 
-TEST(Camera, LooksFromWhereTheSceneSays) {
+TEST(Camera, StartsAtTheViewpointOfTheScene) {
   const Trial trial = scattered(3);
   const CameraPose pose{.eye = {1.0, 2.0, 5.0}, .target = {1.0, 0.0, 1.0}, .up = Vec3(0.0, 0.0, 1.0), .orthographic = true};
   const Camera camera = make_camera({.camera = pose}, trial.system, trial.state, 1.5);
@@ -313,7 +313,7 @@ TEST(CameraText, ReadsBackAsTheSameNumbers) {
   EXPECT_EQ(camera_text({.eye = {0.0, 0.0, 3.0}}), "0,0,3,0,0,0");
 }
 
-TEST(CameraText, OfAnythingElseIsNone) {
+TEST(CameraText, RejectsAnythingElse) {
   for (const char* text : {"", "1,2,3", "1,2,3,4,5,6,7", "1,2,3,1,2,3", "nan,0,0,0,0,0", "1e999,0,0,0,0,0", "1,2,3,4,5,6,ortho", "a"})
     EXPECT_FALSE(camera_from_text(text)) << text;
   EXPECT_TRUE(camera_from_text("1,2,3,0,0,0\n"));

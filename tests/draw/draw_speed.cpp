@@ -1,6 +1,5 @@
-// How long a picture of a scene takes without a display: draw_speed SCENE SAMPLES. Prints milliseconds: least and median
-// of 30 pictures of 1280 x 720, drawn and finished, the first one with the making of the context, and least and median of
-// the processor's time, all threads together.
+// Time to draw a scene without a display: draw_speed SCENE SAMPLES. Prints milliseconds: minimum and median of 30 pictures of 1280 x 720,
+// each drawn to completion; the first picture, including creation of the context; minimum and median of the CPU time of all threads.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Soft shadows: the map of the shade, and how it looks on ground, ball and box.
+// Soft shadows: the shadow map, and its appearance on the ground, a ball and a box.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace hooke {
 namespace {
 
-// The shade of a level square sheet of side 1 m, this high over the middle of a map of 4 m; by rows of 80 texels.
+// The shadow of a horizontal square sheet of side 1 m at `height` above the center of a map of 4 m; rows of 80 texels.
 std::vector<std::uint8_t> shade_of_sheet(float height) {
   SoftShadowMap map;
   map.begin({-2.0f, -2.0f}, {2.0f, 2.0f}, 80);
@@ -20,26 +20,26 @@ std::vector<std::uint8_t> shade_of_sheet(float height) {
   return map.finish();
 }
 
-int at_column(const std::vector<std::uint8_t>& shares, int column) { return shares[40 * 80 + column]; }
+int at_column(const std::vector<std::uint8_t>& values, int column) { return values[40 * 80 + column]; }
 
-// Texels of the middle row over which the shade falls from nine tenths to one tenth of what it is in the middle.
-int edge(const std::vector<std::uint8_t>& shares) {
+// The number of texels of the middle row over which the shadow falls from 90 % to 10 % of its value at the center.
+int edge(const std::vector<std::uint8_t>& values) {
   int count = 0;
   for (int i = 40; i < 80; ++i) {
-    const double share = double(at_column(shares, i)) / at_column(shares, 40);
-    count += share < 0.9 && share > 0.1;
+    const double fraction = double(at_column(values, i)) / at_column(values, 40);
+    count += fraction < 0.9 && fraction > 0.1;
   }
   return count;
 }
 
-TEST(SoftShadowMap, IsSofterAndPalerTheHigherAThingIs) {
+TEST(SoftShadowMap, IsSofterAndPalerTheHigherTheObject) {
   int darkest = 256, softest = -1;
   for (const float height : {0.0f, 0.3f, 0.8f, 1.4f}) {
-    const auto shares = shade_of_sheet(height);
-    EXPECT_LE(at_column(shares, 40), darkest) << height;
-    EXPECT_GE(edge(shares), softest) << height;
-    darkest = at_column(shares, 40);
-    softest = edge(shares);
+    const auto values = shade_of_sheet(height);
+    EXPECT_LE(at_column(values, 40), darkest) << height;
+    EXPECT_GE(edge(values), softest) << height;
+    darkest = at_column(values, 40);
+    softest = edge(values);
   }
   EXPECT_GT(at_column(shade_of_sheet(0.0f), 40), 190);
   EXPECT_LE(edge(shade_of_sheet(0.0f)), 4);
@@ -47,13 +47,13 @@ TEST(SoftShadowMap, IsSofterAndPalerTheHigherAThingIs) {
   EXPECT_LT(at_column(shade_of_sheet(4.0f), 40), 40);
 }
 
-TEST(SoftShadowMap, OfAThingUponItKeepsItsPlace) {
-  const auto shares = shade_of_sheet(0.0f);  // from the 30th texel to the 50th
-  for (const int inside : {33, 40, 46}) EXPECT_GT(at_column(shares, inside), 190) << inside;
-  for (const int outside : {0, 20, 26, 53, 60, 79}) EXPECT_EQ(at_column(shares, outside), 0) << outside;
+TEST(SoftShadowMap, OfAnObjectOnTheGroundHasItsOutline) {
+  const auto values = shade_of_sheet(0.0f);  // from the 30th texel to the 50th
+  for (const int inside : {33, 40, 46}) EXPECT_GT(at_column(values, inside), 190) << inside;
+  for (const int outside : {0, 20, 26, 53, 60, 79}) EXPECT_EQ(at_column(values, outside), 0) << outside;
 }
 
-TEST(SoftShadowMap, IsTheSameHoweverASheetIsCut) {
+TEST(SoftShadowMap, DoesNotDependOnTheTriangulationOfASheet) {
   SoftShadowMap whole, cut;
   for (SoftShadowMap* map : {&whole, &cut}) map->begin({-1.0f, -1.0f}, {1.0f, 1.0f}, 100);
   const auto add = [](SoftShadowMap& map, float x, float size) {
@@ -69,7 +69,7 @@ TEST(SoftShadowMap, IsTheSameHoweverASheetIsCut) {
   for (std::size_t i = 0; i < one.size(); ++i) ASSERT_NEAR(one[i], other[i], 12) << i;
 }
 
-TEST(SoftShadowMap, LeavesOutWhatIsNoPlaceOrElsewhere) {
+TEST(SoftShadowMap, IgnoresNonFiniteAndDistantTriangles) {
   SoftShadowMap map;
   const float nowhere = std::nanf(""), infinite = std::numeric_limits<float>::infinity();
   map.begin({-1.0f, -1.0f}, {1.0f, 1.0f}, 32);
@@ -79,11 +79,11 @@ TEST(SoftShadowMap, LeavesOutWhatIsNoPlaceOrElsewhere) {
     map.add_line(place, place + glm::vec3(0.1f, 0.0f, 0.0f), 0.1f);
     map.add_triangle(place, place + glm::vec3(0.1f, 0.0f, 0.0f), place + glm::vec3(0.0f, 0.1f, 0.0f));
   }
-  const auto& shares = map.finish();
-  EXPECT_TRUE(std::ranges::all_of(shares, [](std::uint8_t share) { return share == 0; }));
+  const auto& values = map.finish();
+  EXPECT_TRUE(std::ranges::all_of(values, [](std::uint8_t value) { return value == 0; }));
 }
 
-// A level sheet of side 1 m at this height over the plane y = 0.
+// A horizontal sheet of side 1 m at `height` above the plane y = 0.
 Trial sheet_over_floor(double height) {
   Trial scene;
   for (const Vec3& corner : {Vec3(-0.5, 0.0, -0.5), Vec3(-0.5, 0.0, 0.5), Vec3(0.5, 0.0, 0.5), Vec3(0.5, 0.0, -0.5)})
@@ -95,13 +95,13 @@ Trial sheet_over_floor(double height) {
 
 Camera camera_from(const Vec3& eye) { return make_camera({.camera = CameraPose{.eye = eye, .target = Vec3(0.0)}}, System{}, State{}, 1.6); }
 
-// From the side and a little above: the floor under the sheet is seen.
+// From the side and slightly above, so that the floor under the sheet is visible.
 const Vec3 aside(0.0, 0.9, 4.0);
 constexpr int width = 480, height = 300;
 
 int brightness(const Color& color) { return color.red + color.green + color.blue; }
 
-// By how much the shadows take light away at a place, of a hundred.
+// The reduction in brightness by shadows at a position, in percent.
 int shade_at(const Trial& scene, const Vec3& place, ViewOptions options = {}, const Vec3& eye = aside) {
   options.grid = false;
   const Camera camera = camera_from(eye);
@@ -111,7 +111,7 @@ int shade_at(const Trial& scene, const Vec3& place, ViewOptions options = {}, co
   return 100 - 100 * with / without;
 }
 
-TEST(Shadow, LiesUnderASheetAndIsPalerTheHigherItIs) {
+TEST(Shadow, IsUnderASheetAndPalerTheHigherTheSheet) {
   const Vec3 under(0.3, 0.0, 0.2);
   const int low = shade_at(sheet_over_floor(0.4), under), high = shade_at(sheet_over_floor(1.2), under);
   EXPECT_GT(low, 20);
@@ -120,17 +120,17 @@ TEST(Shadow, LiesUnderASheetAndIsPalerTheHigherItIs) {
   EXPECT_LT(shade_at(sheet_over_floor(0.4), {1.9, 0.0, 0.0}), 2);
 }
 
-TEST(Shadow, IsSeenInTheLightLookToo) {
+TEST(Shadow, IsDrawnInTheLightThemeToo) {
   const int shade = shade_at(sheet_over_floor(0.4), {0.3, 0.0, 0.2}, {.background = {246, 247, 249}});
   EXPECT_GT(shade, 15);
   EXPECT_LT(shade, 50);
 }
 
-TEST(Shadow, IsThereWithAndWithoutManySamples) {
+TEST(Shadow, IsDrawnWithAndWithoutMultisampling) {
   for (const int samples : {0, 4}) EXPECT_GT(shade_at(sheet_over_floor(0.4), {0.3, 0.0, 0.2}, {.samples = samples}), 20) << samples;
 }
 
-TEST(Shadow, IsCastByWhatIsShown) {
+TEST(Shadow, IsCastOnlyByVisibleItems) {
   Trial net = sheet_over_floor(0.15);
   net.join(PointId{1}, PointId{2}, 100.0, 1.0);
   for (Index i = 0; i < 4; ++i) net.system.point(i).radius = 0.06;
@@ -145,7 +145,7 @@ TEST(Shadow, IsCastByWhatIsShown) {
   EXPECT_EQ(shade(under_sheet, false, false, false), 0);
 }
 
-TEST(Shadow, OfABallIsOnTheFloorAndOfASheetOnTheBall) {
+TEST(Shadow, OfABallFallsOnTheFloorAndOfASheetOnTheBall) {
   Trial scene = sheet_over_floor(1.1);
   scene.system.colliders.push_back({.shape = Sphere{{0.0, 0.5, 0.0}, 0.4}});
   const Vec3 on_ball = Vec3(0.0, 0.5, 0.0) + 0.4 * glm::normalize(Vec3(0.0, 0.8, 1.0));
@@ -155,14 +155,14 @@ TEST(Shadow, OfABallIsOnTheFloorAndOfASheetOnTheBall) {
   EXPECT_GT(shade_at(scene, {0.0, 0.0, 0.3}), 15);
 }
 
-TEST(Shadow, FallsOnTheTopOfABoxAndEndsThere) {
+TEST(Shadow, FallsOnTheTopOfABoxAndEndsAtItsEdge) {
   Trial scene = sheet_over_floor(0.5);
   scene.system.colliders = {{.shape = Box{{-0.5, -1.0, -1.0}, {0.1, 0.0, 1.0}}}};
   EXPECT_GT(shade_at(scene, {-0.2, 0.0, 0.3}), 15);
   EXPECT_EQ(shade_at(scene, {0.3, 0.0, 0.3}), 0);  // in the air
 }
 
-TEST(Shadow, IsNoneWhereNothingIsNear) {
+TEST(Shadow, IsAbsentWhereNothingIsNear) {
   const Camera camera = camera_from(aside);
   const auto both = [&](const Trial& scene) {
     return std::pair(draw(scene, {}, camera, {}, width, height).pixels, draw(scene, {}, camera, {.shadows = false}, width, height).pixels);
@@ -181,7 +181,7 @@ TEST(Shadow, IsNoneWhereNothingIsNear) {
   EXPECT_TRUE(bare.first == bare.second);
 }
 
-TEST(Shadow, StaysOneThroughPlacesThatAreNone) {
+TEST(Shadow, IsUnaffectedByPointsAtNonFinitePositions) {
   Trial scene = sheet_over_floor(0.4);
   const Camera camera = camera_from(aside);
   const Image sound = draw(scene, {}, camera, {}, width, height);

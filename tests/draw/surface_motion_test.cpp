@@ -1,4 +1,4 @@
-// What is seen of a collider whose surface moves while its shape stays.
+// How colliders are drawn whose surface moves while their shape does not.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -8,7 +8,7 @@
 namespace hooke {
 namespace {
 
-constexpr double quarter = 0.25;  // [s] of one turn a second
+constexpr double quarter = 0.25;  // [s], a quarter of a period at one revolution per second
 
 Collider spinning(const Vec3& axis) { return {.shape = Sphere{Vec3(0.0), 0.8}, .path = {.spin = 2.0 * std::numbers::pi * axis}}; }
 
@@ -22,26 +22,26 @@ Image picture_at(const Collider& collider, double time, int dimensions = 3) {
   return draw(scene, {}, dimensions == 2 ? make_camera({}, scene.system, scene.state, 1.0) : camera, {}, 200, 200);
 }
 
-// Whether it looks otherwise at another time.
+// The difference between the pictures at time 0 and at `time`.
 double change(const Collider& collider, double time, int dimensions = 3) {
   return difference(picture_at(collider, 0.0, dimensions), picture_at(collider, time, dimensions));
 }
 
-TEST(SurfaceMotion, ABallThatSpinsIsSeenToTurn) {
+TEST(SurfaceMotion, ASpinningBallChangesInThePicture) {
   EXPECT_GT(change(spinning({0.0, 1.0, 0.0}), 0.4 * quarter), 0.02);
-  EXPECT_LT(change(spinning({0.0, 1.0, 0.0}), 4.0 * quarter), 1e-4);  // a whole turn
+  EXPECT_LT(change(spinning({0.0, 1.0, 0.0}), 4.0 * quarter), 1e-4);  // a full revolution
   EXPECT_EQ(change({.shape = Sphere{Vec3(0.0), 0.8}}, quarter), 0.0);
 }
 
-// What is drawn at an angle about the axis is drawn further on by the angle that the ball has turned, and that way round.
-TEST(SurfaceMotion, ABallTurnsTheWayItSpins) {
+// Features drawn at an angle about the axis move by the rotation angle of the ball, in the direction of rotation.
+TEST(SurfaceMotion, ABallRotatesInTheDirectionOfItsSpin) {
   const auto shade_at = [](double time, double angle) {
     Trial scene;
     scene.system.colliders = {spinning({0.0, 1.0, 0.0})};
     scene.state.time = time;
     const Camera camera = make_camera({.camera = CameraPose{.eye = {0.0, 3.0, 0.01}, .target = Vec3(0.0), .up = Vec3(0.0, 0.0, -1.0)}},
                                       scene.system, scene.state, 1.0);
-    // from above: counter-clockwise from x is towards -z
+    // seen from above, counter-clockwise from x is towards -z
     const Vec3 place = 0.5 * Vec3(std::cos(angle), 0.0, -std::sin(angle)) + Vec3(0.0, 0.6, 0.0);
     const Color seen = at(draw(scene, {}, camera, {}, 300, 300), camera, place);
     return seen.red + seen.green + seen.blue;
@@ -55,7 +55,7 @@ TEST(SurfaceMotion, ABallTurnsTheWayItSpins) {
   EXPECT_LT(3 * forward, backward);
 }
 
-TEST(SurfaceMotion, TheGridOfATurntableTurnsAndThatOfABeltRuns) {
+TEST(SurfaceMotion, TheGridOfATurntableRotatesAndThatOfABeltTranslates) {
   const Collider still{.shape = Plane{}};
   Collider turning = still, running = still, swinging = still;
   turning.path.spin = {0.0, 1.0, 0.0};
@@ -63,20 +63,20 @@ TEST(SurfaceMotion, TheGridOfATurntableTurnsAndThatOfABeltRuns) {
   swinging.path.amplitude = {0.07, 0.0, 0.0};
   EXPECT_EQ(change(still, quarter), 0.0);
   for (const Collider& collider : {turning, running, swinging}) EXPECT_GT(change(collider, quarter), 0.005);
-  EXPECT_LT(change(running, 100.0), 0.002);  // ten of its wider cells further
+  EXPECT_LT(change(running, 100.0), 0.002);  // shifted by ten of the wider cells
 }
 
-TEST(SurfaceMotion, LinesRunAlongABoxThatIsABelt) {
+TEST(SurfaceMotion, LinesMoveAlongABoxWithABelt) {
   const Collider still{.shape = Box{{-0.8, -0.3, -0.4}, {0.8, 0.0, 0.4}}};
   Collider belt = still;
-  belt.path.belt = {0.4, 0.0, 0.0};  // half of the way between two lines in a quarter of a second
+  belt.path.belt = {0.4, 0.0, 0.0};  // half the distance between two lines in a quarter of a second
   EXPECT_EQ(change(still, quarter), 0.0);
   EXPECT_GT(change(belt, quarter), 0.005);
   EXPECT_LT(change(belt, 2.0 * quarter), 1e-4);
   EXPECT_GT(change(belt, quarter, 2), 0.005);
 }
 
-TEST(SurfaceMotion, ADiscOfAFlatSceneIsSeenToTurn) {
+TEST(SurfaceMotion, ADiscOfAFlatSceneVisiblyRotates) {
   EXPECT_GT(change(spinning({0.0, 0.0, 1.0}), 0.4 * quarter, 2), 0.005);
   EXPECT_LT(change(spinning({0.0, 0.0, 1.0}), 4.0 * quarter, 2), 1e-4);
 }

@@ -1,4 +1,4 @@
-// Pictures, drawn without a display.
+// Pictures drawn without a display.
 #include <gtest/gtest.h>
 #include <imgui.h>
 
@@ -15,7 +15,7 @@ namespace {
 constexpr Color background{32, 36, 40};
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-// A net of 6 x 6 points in waves, nailed at two corners, with faces.
+// A wavy net of 6 x 6 points, nailed at two corners, with faces.
 Trial wavy_net(const Vec3& origin = Vec3(0.0)) {
   Trial net;
   std::vector<PointId> ids;
@@ -38,7 +38,7 @@ Trial wavy_net(const Vec3& origin = Vec3(0.0)) {
   return net;
 }
 
-// Every kind of thing that is drawn, in space.
+// Every kind of item that is drawn, in 3-D.
 Trial spatial_scene() {
   Trial scene = wavy_net();
   scene.system.colliders = {{Plane{{0.0, -0.8, 0.0}, {0.0, 1.0, 0.0}}},
@@ -78,24 +78,24 @@ Marks marks_on(const Trial& scene) {
 
 Camera camera_on(const Trial& scene, double aspect) { return make_camera({}, scene.system, scene.state, aspect); }
 
-// What is drawn must be what was approved. A picture that is not stands beside the test's program afterwards.
+// A picture must equal the golden picture. One that does not is written to the working folder of the test.
 void expect_golden(const Image& image, const std::string& name) {
   const double different = difference(image, read_png(std::filesystem::path(HOOKE_GOLDEN_PICTURES) / name));
   if (different > 0.001) write_png(image, "not_" + name);
   EXPECT_LE(different, 0.001) << "see not_" << name;
 }
 
-TEST(Picture, OfASpatialSceneIsAsApproved) {
+TEST(Picture, OfA3DSceneMatchesTheGoldenPicture) {
   const Trial scene = spatial_scene();
   expect_golden(draw(scene, marks_on(scene), camera_on(scene, 1.6), {}, 480, 300), "spatial.png");
 }
 
-TEST(Picture, OfAFlatSceneIsAsApproved) {
+TEST(Picture, OfAFlatSceneMatchesTheGoldenPicture) {
   const Trial scene = flat_scene();
   expect_golden(draw(scene, marks_on(scene), camera_on(scene, 1.6), {}, 480, 300), "flat.png");
 }
 
-TEST(Picture, OnALightBackgroundIsAsApproved) {
+TEST(Picture, OnALightBackgroundMatchesTheGoldenPicture) {
   const Trial scene = flat_scene();
   expect_golden(draw(scene, marks_on(scene), camera_on(scene, 1.6), {.background = {250, 250, 250}}, 480, 300), "light.png");
 }
@@ -108,7 +108,7 @@ TEST(Picture, OfAnEmptySceneIsTheBackground) {
     for (int x = 0; x < 16; ++x) EXPECT_EQ(at(image, x, y), background);
 }
 
-TEST(Picture, HasEverySizeFromOnePixelTo4096) {
+TEST(Picture, CanHaveAnySizeFromOnePixelTo4096) {
   const Trial scene = spatial_scene();
   for (const auto& [width, height] : {std::pair(1, 1), std::pair(4096, 1), std::pair(3, 700), std::pair(4096, 4096)}) {
     const Image image = draw(scene, marks_on(scene), camera_on(scene, double(width) / height), {}, width, height);
@@ -125,12 +125,12 @@ TEST(Picture, IsTheSameFarFromTheOrigin) {
   Camera far_camera = near_camera;
   far_camera.target += far;
   ViewOptions options;
-  options.grid = false;  // it runs through the origin
+  options.grid = false;  // the grid passes through the origin
   const Image expected = draw(here, {}, near_camera, options, 480, 300);
   EXPECT_LE(difference(draw(there, {}, far_camera, options, 480, 300), expected), 0.0005);
 }
 
-TEST(Picture, KeepsItsGroundFarFromTheOrigin) {
+TEST(Picture, KeepsTheGroundFarFromTheOrigin) {
   const Vec3 far(1e5, 0.0, -2e5);
   Trial here = wavy_net(), there = wavy_net(far);
   here.system.colliders = {{Plane{{0.0, -0.8, 0.0}, {0.0, 1.0, 0.0}}}};
@@ -141,8 +141,8 @@ TEST(Picture, KeepsItsGroundFarFromTheOrigin) {
   EXPECT_LE(difference(draw(there, {}, far_camera, {}, 480, 300), draw(here, {}, near_camera, {}, 480, 300)), 0.0005);
 }
 
-// The same scene with and without points at places that are none, tied to the rest.
-TEST(Picture, LeavesOutWhatIsNoPlace) {
+// The same scene with and without points at non-finite positions that are connected to the rest.
+TEST(Picture, IgnoresPointsAtNonFinitePositions) {
   const double places[] = {not_a_number, std::numeric_limits<double>::infinity(), -1e300, 1e40};
   for (const double nowhere : places) {
     const Trial sound = wavy_net();
@@ -161,7 +161,7 @@ TEST(Picture, LeavesOutWhatIsNoPlace) {
   }
 }
 
-TEST(Picture, GoesThroughTheCameraUnharmed) {
+TEST(Picture, IsUnaffectedByAViewFromInside) {
   const Trial scene = spatial_scene();
   for (const double distance : {0.01, 0.3, 1.0}) {
     Camera camera = camera_on(scene, 1.6);
@@ -183,17 +183,17 @@ Trial two_points() {
   return scene;
 }
 
-TEST(Picture, ShowsNailsYellowAndSquare) {
+TEST(Picture, ShowsNailsAsYellowSquares) {
   const Trial scene = two_points();
   const Camera camera = camera_on(scene, 1.6);
   const Image image = draw(scene, {}, camera, {.grid = false}, 480, 300);
   EXPECT_TRUE(is_yellow(at(image, camera, {-0.5, 0.0, 0.0})));
-  EXPECT_TRUE(is_yellow(at(image, camera, {-0.42, 0.08, 0.0})));  // the corner of a square, outside of a disc
+  EXPECT_TRUE(is_yellow(at(image, camera, {-0.42, 0.08, 0.0})));  // the corner of a square, outside a disc
   EXPECT_FALSE(is_yellow(at(image, camera, {0.5, 0.0, 0.0})));
   EXPECT_EQ(at(image, camera, {0.58, 0.08, 0.0}), background);
 }
 
-TEST(Picture, ShowsTheColorOfAPointOverTheYellowOfItsNail) {
+TEST(Picture, ShowsTheColorOfANailedPointInsideTheYellowSquare) {
   Trial scene = two_points();
   scene.system.point(0).color = Color{0, 0, 255};
   const Camera camera = camera_on(scene, 1.6);
@@ -202,20 +202,20 @@ TEST(Picture, ShowsTheColorOfAPointOverTheYellowOfItsNail) {
   EXPECT_LT(seen.red, 60);
 }
 
-TEST(Picture, ShowsSelectedPointsRed) {
+TEST(Picture, ShowsSelectedPointsInRed) {
   const Trial scene = two_points();
   const Camera camera = camera_on(scene, 1.6);
   const Image image = draw(scene, {.selected_points = {PointId{0}, PointId{1}}}, camera, {}, 480, 300);
   EXPECT_TRUE(is_red(at(image, camera, {0.5, 0.0, 0.0})));
 
-  // a nail stays yellow within a red ring
+  // a nail stays yellow inside a red ring
   EXPECT_TRUE(is_yellow(at(image, camera, {-0.5, 0.0, 0.0})));
   const Vec3 middle = camera.project({-0.5, 0.0, 0.0}, {480, 300});
   const double radius = 0.1 / camera.metres_per_pixel({-0.5, 0.0, 0.0}, {480, 300});
   EXPECT_TRUE(is_red(at(image, static_cast<int>(middle.x), static_cast<int>(middle.y + radius + 2.0))));
 }
 
-TEST(Picture, ShowsStrainAsBlueAndOrange) {
+TEST(Picture, ShowsStrainInBlueAndOrange) {
   for (const double rest : {0.5, 2.0}) {
     Trial scene = two_points();
     scene.join(PointId{0}, PointId{1}, 100.0, rest);
@@ -226,19 +226,19 @@ TEST(Picture, ShowsStrainAsBlueAndOrange) {
   }
 }
 
-TEST(Picture, DrawsASpringAsWideAsTheScreenAsksFor) {
+TEST(Picture, DrawsSpringsAtTheLineWidthOfTheScreenScale) {
   Trial scene = two_points();
   scene.join(PointId{0}, PointId{1}, 100.0, 1.0);
   const Camera camera = camera_on(scene, 1.6);
   for (const double scale : {1.0, 2.0, 4.0}) {
     const Image image = draw(scene, {}, camera, {.grid = false, .scale = scale}, 480, 300);
-    double covered = 0.0;  // [px] of the column through the middle
+    double covered = 0.0;  // [px], in the column through the center
     for (int y = 0; y < 300; ++y) covered += (at(image, 240, y).blue - 40.0) / (150.0 - 40.0);
     EXPECT_NEAR(covered, 1.75 * scale, 0.1 * scale);
   }
 }
 
-TEST(Picture, DrawsASpringAsWideAtEverySlopeWithManySamplesOrOne) {
+TEST(Picture, DrawsSpringsEquallyWideAtAnySlopeWithAndWithoutMultisampling) {
   for (const int samples : {0, 4})
     for (const double scale : {1.0, 2.0})
       for (const double degrees : {0.0, 9.0, 30.0, 45.0, 77.0, 90.0}) {
@@ -260,12 +260,12 @@ TEST(Picture, DrawsASpringAsWideAtEverySlopeWithManySamplesOrOne) {
         const double length = 0.8 / camera.metres_per_pixel(Vec3(0.0), {480, 300});
         EXPECT_NEAR(covered / length, 1.75 * scale, 0.12 * scale) << degrees << ", " << samples << " samples";
         const bool is_slanted = degrees > 0.0 && degrees < 90.0 && degrees != 45.0;
-        EXPECT_GT(shades.size(), is_slanted ? 12u : 1u) << degrees;  // its edges are soft
+        EXPECT_GT(shades.size(), is_slanted ? 12u : 1u) << degrees;  // its edges are antialiased
       }
 }
 
-// A near spring over a far one along nearly the same line, in both orders: no gap of background between them.
-TEST(Picture, LaysTheSoftEdgeOfANearSpringOnTheFarOne) {
+// A near spring over a far one along almost the same line, in both orders: no gap of background between them.
+TEST(Picture, BlendsTheEdgeOfANearSpringWithTheFarOne) {
   const auto picture = [](bool near_first) {
     Trial scene;
     const auto add = [&](double z, double rise) {
@@ -280,7 +280,7 @@ TEST(Picture, LaysTheSoftEdgeOfANearSpringOnTheFarOne) {
   EXPECT_TRUE(picture(true).pixels == picture(false).pixels);
 }
 
-TEST(Picture, SmoothsTheEdgesOfPolygonsBySampling) {
+TEST(Picture, AntialiasesPolygonsByMultisampling) {
   Trial scene;
   for (const Vec3& corner : {Vec3(-0.5, -0.4, 0.0), Vec3(0.6, -0.2, 0.0), Vec3(0.0, 0.5, 0.0)}) scene.add(corner);
   scene.system.faces = {{{PointId{0}, PointId{1}, PointId{2}}}};
@@ -289,11 +289,11 @@ TEST(Picture, SmoothsTheEdgesOfPolygonsBySampling) {
     const Image image = draw(scene, {}, camera_on(scene, 1.6), options, 160, 100);
     return std::set<std::uint8_t>(image.pixels.begin(), image.pixels.end()).size();
   };
-  EXPECT_LE(count_shades(0), 6u);   // a background, a face
-  EXPECT_GE(count_shades(4), 12u);  // and what lies between
+  EXPECT_LE(count_shades(0), 6u);   // the background and one face
+  EXPECT_GE(count_shades(4), 12u);  // and intermediate colors
 }
 
-TEST(Picture, LeavesOutWhatIsSwitchedOff) {
+TEST(Picture, OmitsWhatIsSwitchedOff) {
   const Trial scene = spatial_scene();
   const ViewOptions nothing{.points = false, .springs = false, .surface = false, .colliders = false, .grid = false};
   const Image image = draw(scene, {}, camera_on(scene, 1.6), nothing, 160, 100);
@@ -301,7 +301,7 @@ TEST(Picture, LeavesOutWhatIsSwitchedOff) {
     for (int x = 0; x < 160; ++x) ASSERT_EQ(at(image, x, y), background);
 }
 
-TEST(Picture, StandsInItsPlaceOfTheFramebuffer) {
+TEST(Picture, IsDrawnIntoItsRectangleOfTheFramebuffer) {
   const Trial scene = two_points();
   const Camera camera = camera_on(scene, 1.6);
   ViewOptions options{.grid = false};
@@ -332,7 +332,7 @@ TEST(Picture, HasThePanelsOnTop) {
   EXPECT_EQ(at(image, 12, 25), background);
 }
 
-TEST(Picture, IsWrittenAsPngAndReadBack) {
+TEST(Picture, CanBeWrittenAsPngAndReadBack) {
   const Trial scene = flat_scene();
   const Image image = draw(scene, {}, camera_on(scene, 1.6), {}, 160, 100);
   write_png(image, "written.png");
@@ -342,7 +342,7 @@ TEST(Picture, IsWrittenAsPngAndReadBack) {
   std::filesystem::remove("written.png");
 }
 
-TEST(Picture, ThatCannotBeWrittenSaysWhy) {
+TEST(Picture, ReportsWhyItCannotBeWritten) {
   const Image image{1, 1, {1, 2, 3}};
   try {
     write_png(image, "/nowhere/at/all.png");
@@ -353,7 +353,7 @@ TEST(Picture, ThatCannotBeWrittenSaysWhy) {
   EXPECT_THROW(write_png(Image{2, 2, std::vector<std::uint8_t>(12)}, "/dev/full"), FileError);
 }
 
-TEST(StrainScale, IsTheNextOneTwoOrFive) {
+TEST(StrainScale, IsRoundedUpToOneTwoOrFive) {
   const auto scale = [](double min, double max) { return View::strain_scale({.min_strain = min, .max_strain = max}); };
   EXPECT_DOUBLE_EQ(scale(0.0, 0.011), 0.02);
   EXPECT_DOUBLE_EQ(scale(-0.3, 0.1), 0.5);
@@ -361,19 +361,19 @@ TEST(StrainScale, IsTheNextOneTwoOrFive) {
   EXPECT_DOUBLE_EQ(scale(0.0, 37.0), 50.0);
 }
 
-TEST(StrainScale, DoesNotShowRounding) {
+TEST(StrainScale, IgnoresRoundOff) {
   EXPECT_DOUBLE_EQ(View::strain_scale({.min_strain = -1e-15, .max_strain = 1e-16}), 1e-4);
   EXPECT_DOUBLE_EQ(View::strain_scale({}), 1e-4);
 }
 
-TEST(StrainScale, OfWhatIsNoNumberIsOne) {
+TEST(StrainScale, OfNonFiniteStrainIsOne) {
   EXPECT_DOUBLE_EQ(View::strain_scale({.max_strain = std::numeric_limits<double>::infinity()}), 1.0);
   EXPECT_DOUBLE_EQ(View::strain_scale({.min_strain = not_a_number}), 1.0);
 }
 
 int lightness(const Color& color) { return color.red + color.green + color.blue; }
 
-TEST(StrainColor, GoesFromBlueOverGreyToOrange) {
+TEST(StrainColor, GoesFromBlueThroughGrayToOrange) {
   const Color pressed = View::strain_color(-1.0), rest = View::strain_color(0.0), pulled = View::strain_color(1.0);
   EXPECT_GT(pressed.blue, pressed.red + 100);
   EXPECT_GT(pulled.red, pulled.blue + 100);
@@ -384,7 +384,7 @@ TEST(StrainColor, GoesFromBlueOverGreyToOrange) {
   EXPECT_EQ(View::strain_color(not_a_number), rest);
 }
 
-TEST(StrainColor, ChangesSteadily) {
+TEST(StrainColor, ChangesContinuously) {
   for (int i = -100; i < 100; ++i) {
     const Color here = View::strain_color(i / 100.0), next = View::strain_color((i + 1) / 100.0);
     EXPECT_GE(next.red, here.red - 1);

@@ -1,4 +1,4 @@
-// Undo as a list: its names, going to any step of it, and what it takes of memory.
+// Undo history: the names of steps, going to any step, and memory limits.
 #include "edit/history.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ double mass_after(Lab& lab, std::size_t steps) {
   return lab.scene().system.points()[0].mass;
 }
 
-TEST(History, GoesToAnyOfAThousandNamedSteps) {
+TEST(History, CanGoToAnyOfAThousandNamedSteps) {
   Lab lab(row_of(2));
   const PointId point = lab.scene().system.points()[0].id;
   for (int i = 1; i <= 1000; ++i) lab.submit(Command(SetPointProperty{PointProperty::Mass, {{point, 1.0 + i}}}));
@@ -39,17 +39,17 @@ TEST(History, GoesToAnyOfAThousandNamedSteps) {
   EXPECT_EQ(mass_after(lab, 417), 418.0);
   EXPECT_EQ(lab.status()->history.list->names.size(), 1000u);
   EXPECT_EQ(lab.status()->history.list->done, 417u);
-  // there is no such step
+  // this step does not exist
   EXPECT_EQ(mass_after(lab, 1001), 418.0);
 
-  // an edit ends what was taken back
+  // an edit discards the undone steps
   lab.submit(Command(SetParameter{find_parameter("drag"), 1.0}));
   apply_now(lab);
   EXPECT_EQ(lab.status()->history.list->names.size(), 418u);
   EXPECT_EQ(lab.status()->history.list->names.back(), "set " + std::string(find_parameter("drag")->label));
 }
 
-TEST(History, NothingToTakeBackIsNoChange) {
+TEST(History, UndoAndRedoWithNothingToUndoChangeNothing) {
   Lab lab(row_of(2));
   lab.submit(Undo{});
   lab.submit(Redo{});
@@ -67,7 +67,7 @@ TEST(History, CountsEveryEditAndUndo) {
   EXPECT_EQ(lab.status()->history.edits, 3);
 }
 
-TEST(History, IsTheSameListUntilItChanges) {
+TEST(History, SharesTheListUntilItChanges) {
   Lab lab(row_of(2));
   const Parameter* drag = find_parameter("drag");
   lab.submit(Command(SetParameter{drag, 1.0}), 3);
@@ -82,8 +82,8 @@ TEST(History, IsTheSameListUntilItChanges) {
   EXPECT_EQ(lab.status()->history.list->done, 0u);
 }
 
-// Moves of a thousand points take 60 kB each: the budget holds some thousands of them, and the oldest go first.
-TEST(History, ForgetsTheOldestBeyondItsBytes) {
+// Moves of a thousand points take 60 kB each: the memory limit allows some thousands of them, and the oldest are discarded first.
+TEST(History, DiscardsTheOldestStepsBeyondItsMemoryLimit) {
   Scene scene = row_of(1000);
   History history;
   Effect effect;

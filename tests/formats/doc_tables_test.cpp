@@ -1,4 +1,4 @@
-// Pages with tables that are generated from those of the program.
+// Documentation pages with tables that are generated from those of the program.
 #include "formats/doc_tables.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ TEST(DocTables, AreUpToDate) {
   }
 }
 
-TEST(DocTables, ReplaceWhatIsBetweenTheirMarks) {
+TEST(DocTables, ReplaceTheTextBetweenTheirMarks) {
   const std::string text = with_doc_tables("before\n<!-- table shapes -->\nstale text\n<!-- end -->\nafter\n");
   EXPECT_EQ(text.find("stale text"), std::string::npos);
   EXPECT_NE(text.find("| `jelly` |"), std::string::npos);

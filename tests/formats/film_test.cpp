@@ -1,5 +1,4 @@
-// Films and replays of hooke-headless, run as a program. A stand-in for ffmpeg takes what a film is made of, so that its
-// bytes can be counted and its failures chosen.
+// Films and replays of hooke-headless, run as a separate process. A fake ffmpeg records its input and fails on request.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -20,14 +19,14 @@ namespace {
 
 class Films : public testing::Test {
  protected:
-  // In the scratch folder, with its own programs first.
+  // Runs in the scratch folder, with the programs in it first in the path.
   Outcome run(const std::string& arguments, const std::string& path = "bin:/usr/bin:/bin") const {
     std::vector<std::string> words{"/usr/bin/env", "-C", scratch.folder.string(), "-u", "DISPLAY", "PATH=" + path, HOOKE_HEADLESS};
     std::istringstream text(arguments);
     for (std::string word; text >> word;) words.push_back(word);
     return run_process(words);
   }
-  // An ffmpeg that does this.
+  // Installs an ffmpeg with this script.
   void install_ffmpeg(const std::string& script) const {
     std::filesystem::create_directory(scratch.folder / "bin");
     const std::filesystem::path program = scratch.folder / "bin" / "ffmpeg";
@@ -42,13 +41,13 @@ class Films : public testing::Test {
   const ScratchFolder scratch;
 };
 
-// Its last argument is where the film goes.
+// The last argument is the output file.
 constexpr const char* honest_ffmpeg = "echo \"$@\" >arguments\nfor last; do :; done\nexec cat >\"${last#file:}\"\n";
 
-TEST_F(Films, AreTheSamePicturesThatAFolderHolds) {
+TEST_F(Films, ContainTheSamePicturesAsAFolder) {
   install_ffmpeg(honest_ffmpeg);
-  const Outcome said = run("capture cloth --seconds 0.1 --fps 30 --size 64x36 --out a.mp4");
-  EXPECT_EQ(said.code, 0) << said.err;
+  const Outcome outcome = run("capture cloth --seconds 0.1 --fps 30 --size 64x36 --out a.mp4");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
   const std::string film = contents("a.mp4");
   ASSERT_EQ(film.size(), 4u * 64 * 36 * 3);
   EXPECT_NE(contents("arguments").find("-video_size 64x36 -framerate 30 "), std::string::npos) << contents("arguments");
@@ -58,24 +57,24 @@ TEST_F(Films, AreTheSamePicturesThatAFolderHolds) {
   EXPECT_EQ(film.substr(3u * 64 * 36 * 3), std::string(last.pixels.begin(), last.pixels.end()));
 }
 
-TEST_F(Films, AreNotLeftHalfMade) {
+TEST_F(Films, AreNotLeftIncomplete) {
   install_ffmpeg("echo 'no space' >&2\nexit 7\n");
-  const Outcome said = run("capture cloth --seconds 0.5 --size 640x360 --out a.mp4");
-  EXPECT_EQ(said.code, 5);
-  EXPECT_EQ(said.err.rfind("hooke-headless: a.mp4: ffmpeg ended ", 0), 0u) << said.err;
-  EXPECT_NE(said.err.find("no space"), std::string::npos) << said.err;
-  EXPECT_EQ(files(), 1u);  // its ffmpeg
+  const Outcome outcome = run("capture cloth --seconds 0.5 --size 640x360 --out a.mp4");
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_EQ(outcome.err.rfind("hooke-headless: a.mp4: ffmpeg ended ", 0), 0u) << outcome.err;
+  EXPECT_NE(outcome.err.find("no space"), std::string::npos) << outcome.err;
+  EXPECT_EQ(files(), 1u);  // only the fake ffmpeg
 }
 
-TEST_F(Films, SayHowToGetWhatTheyNeed) {
-  const Outcome said = run("capture cloth --out a.mp4", "/nowhere");
-  EXPECT_EQ(said.code, 5);
-  EXPECT_EQ(said.err,
+TEST_F(Films, ReportAMissingFfmpegAndHowToInstallIt) {
+  const Outcome outcome = run("capture cloth --out a.mp4", "/nowhere");
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_EQ(outcome.err,
             "hooke-headless: a.mp4: ffmpeg, which makes films, cannot be started: No such file or directory (apt-get install ffmpeg)\n");
   EXPECT_EQ(files(), 0u);
 }
 
-// A recording of half a second of a cloth that is let go of.
+// A recording of half a second of a cloth after its nails are released.
 class Replays : public Films {
  protected:
   Replays() {
@@ -91,13 +90,13 @@ class Replays : public Films {
 };
 
 TEST_F(Replays, AreVerified) {
-  const Outcome said = run("replay a.hookelog --verify");
-  EXPECT_EQ(said.code, 0) << said.err;
-  EXPECT_EQ(said.out.rfind("30 frames to 0.5 s, hash ", 0), 0u) << said.out;
-  EXPECT_NE(said.out.find(": every frame as recorded"), std::string::npos) << said.out;
+  const Outcome outcome = run("replay a.hookelog --verify");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("30 frames to 0.5 s, hash ", 0), 0u) << outcome.out;
+  EXPECT_NE(outcome.out.find(": every frame as recorded"), std::string::npos) << outcome.out;
 }
 
-TEST_F(Replays, FailWhereAFrameIsNotAsRecorded) {
+TEST_F(Replays, FailWhereAFrameDiffersFromTheRecording) {
   std::string text = contents("a.hookelog");
   const std::size_t at = text.find("\"set_parameter\"");
   ASSERT_NE(at, std::string::npos);
@@ -111,21 +110,21 @@ TEST_F(Replays, FailWhereAFrameIsNotAsRecorded) {
   EXPECT_EQ(shown.err.rfind("warning: a.hookelog: frame 11, at ", 0), 0u) << shown.err;
 }
 
-TEST_F(Replays, AreRefusedWhenTheyAreNone) {
+TEST_F(Replays, RefuseOtherFiles) {
   std::ofstream(scratch.folder / "a.hookelog") << "{\"hooke\": 1}\n";
-  const Outcome said = run("replay a.hookelog");
-  EXPECT_EQ(said.code, 3);
-  EXPECT_EQ(said.err, "hooke-headless: a.hookelog: line 1: a scene: must be a recording, {\"hooke_recording\": 1, ...}\n");
+  const Outcome outcome = run("replay a.hookelog");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.err, "hooke-headless: a.hookelog: line 1: a scene: must be a recording, {\"hooke_recording\": 1, ...}\n");
   EXPECT_EQ(run("replay none.hookelog").code, 5);
 }
 
-TEST_F(Replays, AreDrawnFromTheirStartToTheirEnd) {
+TEST_F(Replays, AreDrawnFromStartToEnd) {
   install_ffmpeg(honest_ffmpeg);
   EXPECT_EQ(run("capture --replay a.hookelog --size 64x36 --out a.mp4").code, 0);
   EXPECT_EQ(contents("a.mp4").size(), 31u * 64 * 36 * 3);
 }
 
-TEST_F(Replays, AreNotSteppedOtherwise) {
+TEST_F(Replays, RejectOptionsThatWouldChangeTheRun) {
   EXPECT_EQ(run("capture --replay a.hookelog --out a.png --substeps 3").code, 2);
   EXPECT_EQ(run("capture cloth --replay a.hookelog --out a.png").code, 2);
   EXPECT_EQ(run("capture --out a.png").code, 2);

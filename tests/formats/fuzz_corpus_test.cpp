@@ -1,4 +1,4 @@
-// Every input that ever taught the fuzzers something, replayed.
+// Replays every input in the corpora of the fuzzers.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace hooke {
 namespace {
 
-// Tries every file of a folder; how many there were.
+// Tries every file of a folder and returns their number.
 int replay(const std::string& format, void (*try_as)(std::string_view bytes)) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(FUZZ_CORPUS "/" + format)) {

@@ -1,5 +1,5 @@
-// Every reader of files under fire: what is committed in the corpus, changed at random, for some seconds a format. The changes
-// are the same in every run as far as it gets. scripts/fuzz goes deeper, with a compiler that measures what was reached.
+// Every file reader under random mutations of its corpus, for some seconds per format. The sequence of mutations is the same in every run.
+// scripts/fuzz goes deeper, with coverage feedback from the compiler.
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -21,7 +21,7 @@
 namespace hooke {
 namespace {
 
-// [s] a format: five of them take a minute. HOOKE_FUZZ_SECONDS sets another.
+// [s] per format: five formats take a minute in total. HOOKE_FUZZ_SECONDS overrides it.
 double budget() {
   const char* given = std::getenv("HOOKE_FUZZ_SECONDS");
   return given != nullptr ? std::atof(given) : 12.0;
@@ -39,10 +39,10 @@ std::vector<std::string> read_all(const std::filesystem::path& folder, std::uint
   return texts;
 }
 
-// Where an input ends the process, it lies in the working folder as it was tried.
-void fire(const std::string& format, std::vector<std::string> seeds, void (*try_as)(std::string_view bytes)) {
+// If an input ends the process, that input is in the working folder.
+void fuzz(const std::string& format, std::vector<std::string> seeds, void (*try_as)(std::string_view bytes)) {
 #if !defined(__SANITIZE_ADDRESS__)
-  // an input that wants more, or more time, is a find
+  // an input that takes more memory or time is a finding
   const rlimit memory{6ull << 30, 6ull << 30};
   ASSERT_EQ(::setrlimit(RLIMIT_AS, &memory), 0);
 #endif
@@ -66,14 +66,14 @@ TEST(Fuzzed, Scenes) {
   auto seeds = read_all(FUZZ_FOLDER "/corpus/scene", 20'000);
   const auto shipped = read_all(SCENES_FOLDER, 4'000);
   seeds.insert(seeds.end(), shipped.begin(), shipped.end());
-  fire("scene", seeds, try_as_scene);
+  fuzz("scene", seeds, try_as_scene);
 }
-TEST(Fuzzed, Recordings) { fire("recording", read_all(FUZZ_FOLDER "/corpus/recording", 20'000), try_as_recording); }
-TEST(Fuzzed, Xsp) { fire("xsp", read_all(FUZZ_FOLDER "/corpus/xsp", 20'000), try_as_xsp); }
-TEST(Fuzzed, Obj) { fire("obj", read_all(FUZZ_FOLDER "/corpus/obj", 20'000), try_as_obj); }
-TEST(Fuzzed, Png) { fire("png", read_all(FUZZ_FOLDER "/corpus/png", 20'000), try_as_png); }
+TEST(Fuzzed, Recordings) { fuzz("recording", read_all(FUZZ_FOLDER "/corpus/recording", 20'000), try_as_recording); }
+TEST(Fuzzed, Xsp) { fuzz("xsp", read_all(FUZZ_FOLDER "/corpus/xsp", 20'000), try_as_xsp); }
+TEST(Fuzzed, Obj) { fuzz("obj", read_all(FUZZ_FOLDER "/corpus/obj", 20'000), try_as_obj); }
+TEST(Fuzzed, Png) { fuzz("png", read_all(FUZZ_FOLDER "/corpus/png", 20'000), try_as_png); }
 
-TEST(Mutations, AreTheSameEveryTimeAndAreChanges) {
+TEST(Mutations, AreReproducibleAndChangeTheInput) {
   const std::vector<std::string> seeds{"{\"a\": 12.5}"}, words{"true"};
   Mutator one(seeds, words), other(seeds, words);
   int changed = 0;
@@ -85,7 +85,7 @@ TEST(Mutations, AreTheSameEveryTimeAndAreChanges) {
   EXPECT_GT(changed, 900);
 }
 
-TEST(Mutations, ADictionaryIsReadAsLibFuzzerReadsIt) {
+TEST(Mutations, ReadDictionariesLikeLibFuzzer) {
   const auto words = read_dictionary(FUZZ_FOLDER "/png.dict");
   EXPECT_NE(std::find(words.begin(), words.end(), "\x89PNG\r\n\x1a\n"), words.end());
   EXPECT_NE(std::find(words.begin(), words.end(), "IHDR"), words.end());

@@ -1,4 +1,4 @@
-// Point caches byte for byte, and files told by their endings.
+// Point caches byte for byte, and formats chosen by file extension.
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
@@ -45,7 +45,7 @@ std::string bytes_of(Values... values) {
   return bytes;
 }
 
-TEST(PointCache, IsByteForByteWhatTheFormatSays) {
+TEST(PointCache, IsByteForByteAsSpecified) {
   const Folder folder;
   const fs::path file = folder.folder / "run.pc2";
   PointCacheWriter cache(file, 2);
@@ -56,14 +56,14 @@ TEST(PointCache, IsByteForByteWhatTheFormatSays) {
                                  bytes_of(1.0f, 2.0f, 3.0f, -1.0f, 0.5f, 0.1f, 4.0f, 5.0f, 6.0f, 0.0f, 0.0f, 0.0f));
 }
 
-TEST(PointCache, LeftUnfinishedItLeavesTheOldFile) {
+TEST(PointCache, IfUnfinishedLeavesTheOldFile) {
   const Folder folder;
   const fs::path file = folder.file("run.pc2", "old");
   { PointCacheWriter(file, 1).add(std::vector{Vec3(1.0)}); }
   EXPECT_EQ(read_file(file), "old");
 }
 
-TEST(PointCache, ReportsWhatCannotBeWritten) {
+TEST(PointCache, ReportsWriteErrors) {
   const Folder folder;
   EXPECT_THROW(PointCacheWriter(folder.folder / "none" / "run.pc2", 1), FileError);
   PointCacheWriter cache(folder.folder / "run.pc2", 1);
@@ -71,7 +71,7 @@ TEST(PointCache, ReportsWhatCannotBeWritten) {
   EXPECT_THROW(PointCacheWriter("/dev/full", 1), FileError);
 }
 
-TEST(OpenFile, EachEndingHasItsReader) {
+TEST(OpenFile, ReadsEachExtensionWithItsReader) {
   const Folder folder;
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", mass = "#1.0\nmass 1 100 0 0 0 1 1\n";
   EXPECT_EQ(load_file(folder.file("a.obj", triangle)).scene.system.point_count(), 3);
@@ -89,7 +89,7 @@ TEST(OpenFile, EachEndingHasItsReader) {
   EXPECT_THROW(load_file(folder.folder / "folder.obj"), InputError);
 }
 
-TEST(OpenFile, EachEndingHasItsWriter) {
+TEST(OpenFile, WritesEachExtensionWithItsWriter) {
   const Folder folder;
   const Scene scene = load_file(folder.file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).scene;
   for (const char* name : {"b.json", "b.obj", "b.PLY"}) {
@@ -98,7 +98,7 @@ TEST(OpenFile, EachEndingHasItsWriter) {
   }
   EXPECT_EQ(load_file(folder.folder / "b.json").scene.system, scene.system);
 
-  // refused, and the old file stays
+  // refused, and the old file is unchanged
   folder.file("b.xsp", "old");
   EXPECT_EQ(refusal([&] { write_scene_as(scene, folder.folder / "b.xsp"); }),
             folder.folder.string() + "/b.xsp: dimensions: 3: must be 2 to be written as .xsp");
@@ -112,8 +112,8 @@ TEST(OpenFile, EachEndingHasItsWriter) {
   EXPECT_EQ(load_file(folder.folder / "d.xsp").scene.state, flat.state);
 }
 
-TEST(OpenFile, NothingThatAMeshNamesIsOpened) {
-  // a pipe: opening it would wait for ever
+TEST(OpenFile, OpensNoFileThatAMeshRefersTo) {
+  // a pipe: opening it would block
   const Folder folder;
   ASSERT_EQ(mkfifo((folder.folder / "cloth.mtl").c_str(), 0600), 0);
   const fs::path file = folder.file("a.obj", "mtllib cloth.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl x\nf 1 2 3\ncall cloth.mtl\n");

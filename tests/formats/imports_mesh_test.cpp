@@ -1,4 +1,4 @@
-// Meshes from files: what becomes of them as cloth, what is mended, what is refused; and scenes written as meshes.
+// Meshes from files: conversion to cloth, repairs, refusals; and scenes written as meshes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ std::string refusal(const std::string& text) {
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-// columns x rows quads with sides of `a` [m], in the plane z = 0.
+// columns x rows quads of side `a` [m], in the plane z = 0.
 std::string grid(int columns, int rows, double a) {
   std::string text;
   for (int row = 0; row <= rows; ++row)
@@ -45,7 +45,7 @@ std::string grid(int columns, int rows, double a) {
   return text;
 }
 
-// Rows of equilateral triangles with sides of 1 m.
+// Rows of equilateral triangles of side 1 m.
 std::string equilateral(int columns, int rows) {
   std::string text;
   for (int row = 0; row <= rows; ++row)
@@ -72,7 +72,7 @@ const Spring& spring_between(const System& system, Index i, Index j) {
   throw std::logic_error("no such spring");
 }
 
-TEST(Mesh, AQuadIsFourSidesTwoDiagonalsAndTwoFaces) {
+TEST(Mesh, AQuadBecomesFourSidesTwoDiagonalsAndTwoFaces) {
   const LoadedScene loaded = load(grid(1, 1, 0.5));
   EXPECT_TRUE(loaded.warnings.empty());
   const System& system = loaded.scene.system;
@@ -84,22 +84,22 @@ TEST(Mesh, AQuadIsFourSidesTwoDiagonalsAndTwoFaces) {
   for (const Spring& spring : system.springs()) EXPECT_NEAR(strain(system, loaded.scene.state, spring), 0.0, 1e-15);
 }
 
-TEST(Mesh, AGridOfQuadsIsTheIsotropicSheet) {
+TEST(Mesh, AGridOfQuadsEqualsTheIsotropicSheet) {
   const LoadedScene loaded = load(grid(2, 2, 0.5));
   const System& system = loaded.scene.system;
   const SheetMaterial material = cloth_of_size(std::sqrt(2.0));
   EXPECT_NEAR(spring_between(system, 0, 1).stiffness, 0.375 * material.stiffness, 1e-9);  // on the border
   EXPECT_NEAR(spring_between(system, 1, 4).stiffness, 0.75 * material.stiffness, 1e-9);   // inside
-  EXPECT_NEAR(spring_between(system, 0, 4).stiffness, 0.375 * material.stiffness, 1e-9);  // across
+  EXPECT_NEAR(spring_between(system, 0, 4).stiffness, 0.375 * material.stiffness, 1e-9);  // diagonal
   EXPECT_NEAR(spring_between(system, 1, 4).damping, 0.75 * material.damping, 1e-9);
   EXPECT_NEAR(system.points()[0].mass, 0.25 * 0.25 * material.density, 1e-12);
   EXPECT_NEAR(system.points()[1].mass, 0.50 * 0.25 * material.density, 1e-12);
   EXPECT_NEAR(system.points()[4].mass, 1.00 * 0.25 * material.density, 1e-12);
 }
 
-// Stretched by s in one direction and held in the other, a sheet of Poisson's ratio 1/3 holds E t / (1 - 1/9) s^2 / 2 of
-// energy a square metre, however it is cut and in whatever direction.
-TEST(Mesh, StretchedItHoldsTheEnergyOfTheMaterial) {
+// Stretched by s in one direction and fixed in the other, a sheet of Poisson's ratio 1/3 stores E t / (1 - 1/9) s^2 / 2 of energy per
+// square meter, for any triangulation and direction.
+TEST(Mesh, StretchedStoresTheEnergyOfTheMaterial) {
   for (const auto& [text, area] : {std::pair(grid(5, 4, 0.5), 5.0), std::pair(equilateral(6, 5), 60 * std::sqrt(0.1875))})
     for (const double angle : {0.0, 0.3, 1.1}) {
       Scene scene = load(text).scene;
@@ -116,7 +116,7 @@ TEST(Mesh, StretchedItHoldsTheEnergyOfTheMaterial) {
     }
 }
 
-TEST(Mesh, AsItIsGivenItFallsAndLiesOnTheFloor) {
+TEST(Mesh, WithDefaultSettingsFallsAndLiesOnTheFloor) {
   Scene scene = load(grid(8, 8, 0.1)).scene;
   EXPECT_LT(scene.settings.substep(), largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system)));
   initialize_ledger(scene.system, scene.state);
@@ -132,30 +132,30 @@ TEST(Mesh, AsItIsGivenItFallsAndLiesOnTheFloor) {
   for (const Vec3& x : scene.state.position) EXPECT_GE(x.y, floor);
 }
 
-TEST(Mesh, TheSameShapeAtAnySizeMovesAlike) {
+TEST(Mesh, TheSameShapeAtAnySizeMovesSimilarly) {
   for (const double size : {1e-3, 1.0, 1e3}) {
     const Scene scene = load(grid(4, 4, size / 4)).scene;
-    // periods grow with the root of the size
+    // periods scale with the square root of the size
     EXPECT_NEAR(bound_spectrum(scene.system).omega * std::sqrt(size), bound_spectrum(load(grid(4, 4, 0.25)).scene.system).omega, 1e-6)
         << size;
   }
 }
 
-TEST(Mesh, VerticesAtOnePlaceAreWelded) {
-  // two triangles with an edge in common, written with vertices of their own; one is off by the last printed digit
+TEST(Mesh, CoincidentVerticesAreWelded) {
+  // two triangles with a common edge but separate vertices; one vertex differs in the last printed digit
   const LoadedScene loaded = load("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1.000001 0\nf 1 2 3\nf 4 5 6\n");
   EXPECT_EQ(loaded.warnings, std::vector<std::string>{"test.obj: 2 vertices stand where another one does: welded"});
   EXPECT_EQ(loaded.scene.system.point_count(), 4);
   EXPECT_EQ(loaded.scene.system.spring_count(), 5);
 }
 
-TEST(Mesh, WeldingDoesNotDependOnTheWholeAndMakesNoChains) {
+TEST(Mesh, WeldingIsLocalAndDoesNotMergeChains) {
   const double d = 1.0;
   EXPECT_EQ(weld(std::vector<Vec3>{}, d), std::vector<Index>{});
-  // a row of steps below d: each goes to the first that stands, not along the row
+  // a row of vertices spaced by less than d: each is merged with the first one kept, not along the row
   const std::vector<Vec3> row{Vec3(0.0), Vec3(0.9, 0, 0), Vec3(1.8, 0, 0), Vec3(2.7, 0, 0)};
   EXPECT_EQ(weld(row, d), (std::vector<Index>{0, 0, 2, 2}));
-  // at the faces of the cubes that space is cut into, and all in one place
+  // at the faces of the cells of the search grid, and all at one position
   for (const double at : {-4.0, 0.0, 3.9999999, 4.0, 123456.0}) {
     const std::vector<Vec3> pair{Vec3(at - 0.49, at, at), Vec3(at + 0.49, at, at), Vec3(at + 1.5, at, at)};
     EXPECT_EQ(weld(pair, d), (std::vector<Index>{0, 0, 2})) << at;
@@ -164,7 +164,7 @@ TEST(Mesh, WeldingDoesNotDependOnTheWholeAndMakesNoChains) {
   EXPECT_EQ(weld(std::vector<Vec3>(3, Vec3(7.0)), 0.0), std::vector<Index>(3, 0));
 }
 
-TEST(Mesh, FacesWithoutAnAreaAreLeftOutAndReported) {
+TEST(Mesh, FacesWithoutAreaAreIgnoredAndReported) {
   const LoadedScene loaded = load(triangle + "v 2 0 0\nf 1 2 4\nf 1 1 2\nf 1 2\nf 3 2 1 3\nf 1 2 1 3\n");
   EXPECT_EQ(loaded.warnings, (std::vector<std::string>{
                                  "test.obj: 4 faces have no area: left out",
@@ -182,8 +182,8 @@ TEST(Mesh, AnEdgeOfThreeFacesIsOneSpringAndReported) {
   EXPECT_EQ(loaded.scene.system.faces.size(), 3u);
 }
 
-TEST(Mesh, ABentQuadIsCutWhereBothHalvesFaceTheSameWay) {
-  // an arrow head, from two of its corners on: the shorter diagonal, between its wings, lies outside
+TEST(Mesh, ABentQuadIsSplitWhereBothTrianglesHaveTheSameOrientation) {
+  // an arrow head, starting at two of its corners: the shorter diagonal, between its wings, is outside
   for (const char* corners : {"1 2 3 4", "2 3 4 1"}) {
     const LoadedScene arrow = load(std::string("v 0 0 0\nv 1 -1 0\nv 0 3 0\nv -1 -1 0\nf ") + corners);
     EXPECT_NEAR(total_mass(arrow.scene.system), SheetMaterial().density * 3.0, 1e-12);
@@ -192,11 +192,11 @@ TEST(Mesh, ABentQuadIsCutWhereBothHalvesFaceTheSameWay) {
       EXPECT_GT(glm::cross(x(1) - x(0), x(2) - x(0)).z, 0.0);
     }
   }
-  // closed like a book: both pages weigh
+  // folded like a book: both triangles have mass
   EXPECT_NEAR(total_mass(load("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 0.001 0\nf 1 2 3 4\n").scene.system), 0.2 * (0.5 + 0.4995), 0.2 * 0.002);
 }
 
-TEST(Mesh, APolygonOfManyCornersIsAFanOfTriangles) {
+TEST(Mesh, APolygonWithManyCornersBecomesAFanOfTriangles) {
   const LoadedScene loaded = load("v 0 0 0\nv 2 0 0\nv 3 1 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4 5\n");
   EXPECT_EQ(loaded.warnings,
             std::vector<std::string>{"test.obj: 1 face has more than four corners: cut into triangles from the first corner"});
@@ -204,7 +204,7 @@ TEST(Mesh, APolygonOfManyCornersIsAFanOfTriangles) {
   EXPECT_NEAR(total_mass(loaded.scene.system), SheetMaterial().density * 5.0, 1e-12);
 }
 
-TEST(Mesh, TheFormatIsReadInAllItsSpellings) {
+TEST(Mesh, AllVariantsOfTheSyntaxAreRead) {
   const LoadedScene loaded = load(
       "# a comment\r\nmtllib /etc/passwd\r\no thing\r\n  v\t+0 0.0 0e0 1.0\r\nv 1. 0 0 0.5 0.5 0.5\nv 0 1 \\\n0\rv .5 .5 -1e-3\nvt 0 0\nvn "
       "0 0 1\n"
@@ -217,14 +217,14 @@ TEST(Mesh, NegativeNumbersCountBackwardsAndFacesMayComeFirst) {
   EXPECT_EQ(load("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").scene.system.point_count(), 3);
 }
 
-TEST(Mesh, WhatIsNeitherVertexNorFaceIsReported) {
+TEST(Mesh, OtherStatementsAreReported) {
   EXPECT_EQ(load(triangle + "l 1 2 3\n").warnings,
             std::vector<std::string>{"test.obj: line 5: \"l\": is left out: only vertices and faces are read"});
   EXPECT_EQ(load("call other.obj\n" + triangle + "t x 8192/8192/8192\ncurv 1 2\n").warnings,
             std::vector<std::string>{"test.obj: line 1: \"call\": and 2 more statements are left out: only vertices and faces are read"});
 }
 
-TEST(Mesh, BrokenFilesAreRefusedWithTheLine) {
+TEST(Mesh, InvalidFilesAreRefusedWithTheLine) {
   EXPECT_EQ(refusal(""), "test.obj: faces: none: there must be at least one");
   EXPECT_EQ(refusal("\x7f"
                     "ELF\x01\x02"),
@@ -251,7 +251,7 @@ TEST(Mesh, BrokenFilesAreRefusedWithTheLine) {
   EXPECT_EQ(refusal("v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n"), "test.obj: size: 0 m: must be at least 1e-06");
 }
 
-TEST(Mesh, WrittenAsObjItReadsBack) {
+TEST(Mesh, CanBeWrittenAsObjAndReadBack) {
   const Scene scene = load(grid(3, 2, 0.3)).scene;
   const Scene again = load(format_obj(scene)).scene;
   ASSERT_EQ(again.system.point_count(), scene.system.point_count());
@@ -260,7 +260,7 @@ TEST(Mesh, WrittenAsObjItReadsBack) {
   EXPECT_EQ(again.system.faces, scene.system.faces);
 }
 
-TEST(Mesh, ObjSaysFacesAndTheSpringsThatHangFromThem) {
+TEST(Mesh, ObjContainsFacesAndSpringsOutsideThem) {
   Scene scene = load(triangle).scene;
   const PointId end = scene.system.new_point_id();
   scene.system.append_point({.id = end});
@@ -271,7 +271,7 @@ TEST(Mesh, ObjSaysFacesAndTheSpringsThatHangFromThem) {
             "# written by Hooke; metres\no test\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.1 -2 0.3333333333333333\nf 1 2 3\nl 1 4\n");
 }
 
-TEST(Mesh, PlyHoldsTheStrainOfEachVertexByteForByte) {
+TEST(Mesh, PlyContainsTheStrainOfEachVertexByteForByte) {
   Scene scene = load(triangle).scene;
   for (Vec3& x : scene.state.position) x *= 1.25;
   const std::string bytes = format_ply(scene);
@@ -297,7 +297,7 @@ TEST(Mesh, PlyHoldsTheStrainOfEachVertexByteForByte) {
   EXPECT_EQ(bytes.substr(begin), expected);
 }
 
-TEST(Mesh, StrainOfAPointIsTheMeanOverItsSprings) {
+TEST(Mesh, StrainAtAPointIsTheMeanOverItsSprings) {
   Scene scene;
   for (const double x : {0.0, 1.0, 3.0, 3.0}) {
     scene.system.append_point({.id = scene.system.new_point_id()});
@@ -312,7 +312,7 @@ TEST(Mesh, StrainOfAPointIsTheMeanOverItsSprings) {
   };
   join(0, 1, 0.5);  // +1
   join(1, 2, 4.0);  // -0.5
-  join(0, 2, 0.0);  // has no strain
+  join(0, 2, 0.0);  // no strain is defined
   EXPECT_EQ(strain_of_points(scene), (std::vector<double>{1.0, 0.25, -0.5, 0.0}));
 }
 

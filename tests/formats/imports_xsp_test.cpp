@@ -1,5 +1,5 @@
-// Files of XSpringies: what they say is kept in motion, and what is no such file is refused with its line. In the
-// files lengths are pixels; one pixel is a centimetre.
+// Files of XSpringies: their dynamics are preserved, and invalid files are refused with the line. In these files lengths are in pixels; one
+// pixel is a centimeter.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ std::string file_of(const std::string& lines) { return "#1.0 a file of this test
 
 LoadedScene load(const std::string& lines) { return parse_xsp(file_of(lines), "test.xsp"); }
 
-// Steps the scene as it asks to be stepped.
+// Runs the scene with its own settings.
 void run(Scene& scene, double seconds) {
   Plan plan = make_plan(scene.system);
   Frame frame;
@@ -53,7 +53,7 @@ double damped_oscillation(double x0, double k, double d, double m, double t) {
   return x0 * std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t));
 }
 
-TEST(Xsp, AMassOnASpringSwingsAsTheFormulaSays) {
+TEST(Xsp, AMassOnASpringFollowsTheClosedForm) {
   const double k = 30.0, m = 2.0, seconds = 3.0;
   for (const double d : {0.0, 1.5}) {
     LoadedScene loaded = load("mass 7 100 300 0 0 -1 1\nmass 3 240 300 0 0 2 1\nspng 1 7 3 30 " + std::to_string(d) + " 100\n");
@@ -62,14 +62,14 @@ TEST(Xsp, AMassOnASpringSwingsAsTheFormulaSays) {
     run(scene, seconds);
     const double stretch = scene.state.position[1].x - scene.state.position[0].x - 100 * pixel;
 
-    // the phase of Verlet is ahead by (h omega)^2 / 24 of the angle; that of the split dashpot is no further off
+    // the phase error of Verlet is (h omega)^2 / 24 of the angle; that of the split dashpot is not larger
     const double omega = std::sqrt(k / m), h = scene.settings.substep();
     const double tolerance = 2.0 * 40 * pixel * std::pow(h * omega, 2) / 24.0 * omega * seconds;
     EXPECT_NEAR(stretch, damped_oscillation(40 * pixel, k, d, m, seconds), tolerance) << "d = " << d;
   }
 }
 
-TEST(Xsp, TwoBodiesTurnInsideOutAboutAFallingCentre) {
+TEST(Xsp, TwoBodiesRotateAndPassThroughEachOtherAboutAFallingCenter) {
   const double k = 50.0, m1 = 1.0, m2 = 3.0, seconds = 2.0;
   LoadedScene loaded = load(
       "frce 0 1 20 30\n"
@@ -78,7 +78,7 @@ TEST(Xsp, TwoBodiesTurnInsideOutAboutAFallingCentre) {
   run(scene, seconds);
   const Vec3 first = scene.state.position[0], second = scene.state.position[1];
 
-  // gravity: 20 pixels/s^2, 30 degrees from straight down towards +x
+  // gravity: 20 pixels/s^2, 30 degrees from vertically down towards +x
   const double angle = std::numbers::pi / 6.0;
   const Vec3 gravity = 20 * pixel * Vec3(std::sin(angle), -std::cos(angle), 0.0);
   const Vec3 start = pixel * Vec3(290, 400, 0), velocity = pixel * Vec3(10, 5, 0);
@@ -91,20 +91,20 @@ TEST(Xsp, TwoBodiesTurnInsideOutAboutAFallingCentre) {
   EXPECT_NEAR(second.x - first.x, (100 + 20 * std::cos(omega * seconds)) * pixel, tolerance);
 }
 
-TEST(Xsp, ViscosityIsDragAndAWallGivesBackItsElasticity) {
+TEST(Xsp, ViscosityBecomesDragAndElasticityBecomesRestitution) {
   Scene falling = load("frce 0 1 100 0\nvisc 0.5\nmass 1 50 400 0 0 4 1\n").scene;
   run(falling, 2.0);
   // v = g/c (1 - e^(-c t))
   EXPECT_NEAR(falling.state.velocity[0].y, -100 * pixel / 0.5 * (1.0 - std::exp(-0.5 * 2.0)), 1e-12);
 
-  // from 50 pixels above the bottom of the window: down in 1 s, up again to e^2 of the height in e s
+  // from 50 pixels above the bottom of the window: reaches it after 1 s, rises to e^2 of the height within e s
   Scene bouncing = load("frce 0 1 100 0\nwall 0 0 0 1\nmass 1 50 50 0 0 4 0.5\n").scene;
   run(bouncing, 1.5);
   EXPECT_NEAR(bouncing.state.position[0].y, 0.5 * 0.5 * 50 * pixel, 1e-10);
 }
 
-TEST(Xsp, APullToTheCentreKeepsAMassOnItsCircle) {
-  // p1 / r^2 in pixels, from the middle of the window: speed sqrt(p1 / r), once round in 2 pi r / speed
+TEST(Xsp, APullTowardsTheCenterKeepsAMassOnItsCircle) {
+  // p1 / r^2 in pixels, from the center of the window: speed sqrt(p1 / r), period 2 pi r / speed
   const double r = 100.0, p1 = 9e4, speed = std::sqrt(p1 / r), period = 2.0 * std::numbers::pi * r / speed;
   LoadedScene loaded = load("frce 2 1 9e4 2\nmass 1 420 240 0 30 5 1\n");
   EXPECT_TRUE(warns(loaded, "the centre of forces is at x = 320, y = 240 pixels"));
@@ -117,21 +117,21 @@ TEST(Xsp, APullToTheCentreKeepsAMassOnItsCircle) {
   EXPECT_NEAR(glm::distance(scene.state.position[0], pixel * Vec3(420, 240, 0)), 0.0, 1e-5);
 }
 
-TEST(Xsp, TheCentreOfMassIsPulledToAMass) {
-  // X'' = -(p1 X + p2 V) / M; M = 1 + 3 + 4, the nailed mass that is the centre included
+TEST(Xsp, TheCenterOfMassIsPulledTowardsAMass) {
+  // X'' = -(p1 X + p2 V) / M; M = 1 + 3 + 4, including the nailed mass at the center
   LoadedScene loaded = load("cent 9\nfrce 1 1 40 4\nmass 1 200 100 0 0 1 1\nmass 2 240 100 0 0 3 1\nmass 9 100 100 0 0 -4 1\n");
   EXPECT_TRUE(loaded.warnings.empty());
   Scene& scene = loaded.scene;
   scene.settings.substeps = 200;
   const double M = 8.0, free = 4.0;
   run(scene, 1.0);
-  // the nailed mass does not move: X is 4/8 of what the free ones' centre is from there
+  // the nailed mass does not move: X is 4/8 of the displacement of the center of the free masses from it
   const double x0 = 130 * pixel, x = (scene.state.position[0].x + 3.0 * scene.state.position[1].x) / free - 100 * pixel;
   EXPECT_NEAR(x, damped_oscillation(x0, 40 * free / M, 4 * free / M, M, 1.0), 1e-5);
   EXPECT_NEAR(scene.state.position[1].x - scene.state.position[0].x, 40 * pixel, 1e-12);
 }
 
-TEST(Xsp, WallsThatPushGiveTheEnergyOfTheirPotential) {
+TEST(Xsp, RepellingWallsSupplyTheEnergyOfTheirPotential) {
   // a = p1 / d from the bottom: v^2 / 2 = p1 ln(d / d0)
   Scene scene = load("frce 3 1 1e4 1\nwall 0 0 0 1\nmass 1 100 50 0 0 2 1\n").scene;
   run(scene, 1.0);
@@ -140,7 +140,7 @@ TEST(Xsp, WallsThatPushGiveTheEnergyOfTheirPotential) {
   EXPECT_NEAR(0.5 * v * v / (1e4 * std::log(d / 50.0)), 1.0, 1e-4);
 }
 
-TEST(Xsp, AStickyWallHoldsAMassUntilItIsPulledOffHarder) {
+TEST(Xsp, AStickyWallHoldsAMassUpToItsStrength) {
   for (const auto& [stickiness, leaves] : {std::pair("20", false), std::pair("5", true)}) {
     // gravity of 10 pixels/s^2 upwards on a mass of 1 at the bottom
     Scene scene = load(std::string("frce 0 1 10 180\nwall 0 0 0 1\nmass 1 100 0 0 0 1 1\nstck ") + stickiness + "\n").scene;
@@ -149,7 +149,7 @@ TEST(Xsp, AStickyWallHoldsAMassUntilItIsPulledOffHarder) {
   }
 }
 
-TEST(Xsp, WhatItSaysOfMassesAndTheEditorIsTaken) {
+TEST(Xsp, MassDefaultsAndEditorSettingsAreRead) {
   const LoadedScene loaded = load(
       "cmas 2.5\nelas 0.8\nkspr 7\nkdmp 0.25\nfixm 0\nshws 1\ncent -1\nfrce 0 0 10 0\nfrce 1 0 5 2\nvisc 0\nstck 0\n"
       "step 0.0001\nprec 1\nadpt 1\ngsnp 20 0\nwall 0 0 0 0\n\nmass 2 1e1 +20 -.5 0 -3 0.8\r\nmass 1 0 0 0 0 1 0.8");
@@ -171,13 +171,13 @@ TEST(Xsp, WhatItSaysOfMassesAndTheEditorIsTaken) {
   EXPECT_EQ(scene.settings.tolerance, 0.01);
 }
 
-TEST(Xsp, ANewFileWithNothingInItIsAScene) {
+TEST(Xsp, AnEmptyFileIsAScene) {
   EXPECT_EQ(load("").scene.system.point_count(), 0);
   EXPECT_EQ(parse_xsp("#1.0", "test.xsp").scene.system.point_count(), 0);
 }
 
-TEST(Xsp, StiffSpringsGetAStepThatHolds) {
-  // a chain under gravity, k/m up to 1e7: its own step of 0.025 would blow up at once
+TEST(Xsp, StiffSpringsGetAStableStep) {
+  // a chain under gravity, k/m up to 1e7: the step of the file, 0.025, would diverge at once
   for (const char* k : {"1e3", "1e5", "1e7"}) {
     std::string lines = "frce 0 1 981 0\nstep 0.025\n";
     for (int i = 0; i < 10; ++i)
@@ -192,7 +192,7 @@ TEST(Xsp, StiffSpringsGetAStepThatHolds) {
   }
 }
 
-TEST(Xsp, WallsStandAtTheWindowOrJustOutsideTheMasses) {
+TEST(Xsp, WallsAreAtTheWindowOrJustOutsideTheMasses) {
   const LoadedScene loaded = load("wall 1 1 1 1\nmass 1 -50 100 0 0 1 1\nmass 2 100 700 0 0 1 1\n");
   EXPECT_TRUE(warns(loaded, "x = -51 and 640, y = 0 and 701 pixels"));
   ASSERT_EQ(loaded.scene.system.colliders.size(), 4u);
@@ -207,7 +207,7 @@ TEST(Xsp, WallsStandAtTheWindowOrJustOutsideTheMasses) {
   }
 }
 
-TEST(Xsp, WhatCannotBeMappedIsWarnedOf) {
+TEST(Xsp, StatementsThatCannotBeConvertedGiveWarnings) {
   const std::string masses = "mass 1 10 10 0 0 1 0.5\nmass 2 20 10 0 0 1 0.5\nmass 3 30 10 0 0 1 0.9\nmass 4 40 10 0 0 -1 0.1\n";
   EXPECT_TRUE(warns(load("frce 9 1 5 2\n"), "force 9 is unknown"));
   EXPECT_TRUE(warns(load("cent 1\nfrce 2 1 5 2\n" + masses), "where mass 1 starts, though that mass is free"));
@@ -225,7 +225,7 @@ TEST(Xsp, WhatCannotBeMappedIsWarnedOf) {
   EXPECT_EQ(load("visc 1\nvisc 2\n").scene.system.drag, 2.0);
 }
 
-TEST(Xsp, MalformedFilesAreRefusedWithTheLine) {
+TEST(Xsp, InvalidFilesAreRefusedWithTheLine) {
   EXPECT_EQ(refusal(""), "test.xsp: line 1: \"\": must begin with #1.0");
   EXPECT_EQ(refusal("{\"hooke\": 1}"), "test.xsp: line 1: \"{\"hooke\": 1}\": must begin with #1.0");
   EXPECT_EQ(refusal("#2.0\n"), "test.xsp: line 1: \"#2.0\": must begin with #1.0");
@@ -258,7 +258,7 @@ TEST(Xsp, MalformedFilesAreRefusedWithTheLine) {
   EXPECT_EQ(refusal(file_of("visc \x1b[2J\n")), "test.xsp: line 2: visc: viscosity: \"\\u001b[2J\": must be a number");
 }
 
-TEST(Xsp, WrittenAndReadAgainItIsTheSameScene) {
+TEST(Xsp, CanBeWrittenAndReadBackAsTheSameScene) {
   const LoadedScene loaded = load(
       "cmas 2\nkspr 3\nkdmp 0.5\nfrce 0 1 10 20\nvisc 0.1\nstep 0.001\nprec 1\nadpt 1\nwall 1 1 0 1\n"
       "cent 1\nfrce 1 1 3 4\nfrce 2 1 5 2\nfrce 3 1 100 1\nstck 7\n"
@@ -282,8 +282,8 @@ TEST(Xsp, WrittenAndReadAgainItIsTheSameScene) {
   EXPECT_EQ(loaded.scene.settings, again.scene.settings);
 }
 
-// A scene about the origin with a floor: moved into the window, so that its floor is the window's bottom.
-TEST(Xsp, AWrittenSceneMovesAsItDid) {
+// A scene about the origin with a floor is moved into the window, so that its floor is the bottom of the window.
+TEST(Xsp, AWrittenSceneHasTheSameMotion) {
   Scene scene;
   scene.system.dimensions = 2;
   scene.system.gravity = Vec3(0.0, -9.8, 0.0);
@@ -314,7 +314,7 @@ TEST(Xsp, AWrittenSceneMovesAsItDid) {
   }
 }
 
-TEST(Xsp, AWrittenCentreIsTheMiddleOfTheWindow) {
+TEST(Xsp, AWrittenCenterIsTheMiddleOfTheWindow) {
   Scene scene;
   scene.system.dimensions = 2;
   scene.system.gravity = Vec3(0.0);
@@ -329,14 +329,14 @@ TEST(Xsp, AWrittenCentreIsTheMiddleOfTheWindow) {
   EXPECT_NEAR(values[1], 2.4, 1e-15);
   EXPECT_NEAR(values[3], 0.5, 1e-15);
 
-  // two places for one centre, and wind, are too much
+  // two different centers, and wind, cannot be represented
   scene.system.forces.push_back({.term = find_force_term("mass_center"), .values = {0.0, 0.0, 0.0, 1.0, 1.0}});
   scene.system.forces.push_back({.term = find_force_term("wind"), .values = {}});
   format_xsp(scene, "again.xsp", losses);
   EXPECT_EQ(losses.size(), 1u + 3u);
 }
 
-TEST(Xsp, WhatTheFormatHasNoPlaceForIsSaid) {
+TEST(Xsp, PropertiesThatTheFormatCannotRepresentAreReported) {
   Scene scene;
   std::vector<std::string> losses;
   EXPECT_THROW(format_xsp(scene, "a.xsp", losses), InputError);

@@ -1,4 +1,4 @@
-// Bad input: every kind is refused with one line that names the file, the field or line, the value and the limit.
+// Invalid input: every kind is refused with one line that names the file, the field or line, the value and the limit.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -15,7 +15,7 @@
 namespace hooke {
 namespace {
 
-// What the reader says of the text; empty: it was accepted.
+// The message of the reader for the text; empty if it was accepted.
 std::string refusal_of(const std::string& text) {
   try {
     parse_scene(text, "bad.json");
@@ -25,7 +25,7 @@ std::string refusal_of(const std::string& text) {
   return "";
 }
 
-// A sound scene with these members besides.
+// A valid scene with additional members.
 std::string scene_with(const std::string& members) {
   return R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}])" + (members.empty() ? "" : ", " + members) + "}";
 }
@@ -41,14 +41,14 @@ std::string collider_with(const std::string& members) { return scene_with(R"("co
 
 struct Bad {
   std::string text;
-  std::string message;  // without the file
+  std::string message;  // without the file name
 };
 
 void expect_refused(const std::vector<Bad>& cases) {
   for (const Bad& bad : cases) EXPECT_EQ(refusal_of(bad.text), "bad.json: " + bad.message) << bad.text.substr(0, 200);
 }
 
-TEST(BadScenes, TheTextsThatTheseTestsVaryAreSound) {
+TEST(BadScenes, TheTextsThatTheseTestsModifyAreValid) {
   for (const std::string& text :
        {scene_with(""), point_with(R"("mass": 1)"), spring_with(R"("stiffness": 1)"), cloth_with(R"("points": [2, 2], "stiffness": 1)"),
         rope_with(R"("points": 2, "stiffness": 1)"), collider_with(R"("type": "sphere", "center": [0, 0, 0], "radius": 1)")})
@@ -111,7 +111,7 @@ TEST(BadScenes, SyntaxIsRefusedWithTheLine) {
   });
 }
 
-TEST(BadScenes, TheVersionMustBeOurs) {
+TEST(BadScenes, TheVersionMustBeSupported) {
   expect_refused({
       {"{}", "hooke: missing: must be 1, the version of the format"},
       {R"({"hooke": 2})", "hooke: 2: must be at most 1: scenes of version 2 need a newer Hooke"},
@@ -149,7 +149,7 @@ TEST(BadScenes, SizesBeyondTheLimitsAreRefused) {
   });
 }
 
-TEST(BadScenes, NumbersMustBeNumbers) {
+TEST(BadScenes, NumbersMustBeWithinTheirLimits) {
   expect_refused({
       {point_with(R"("mass": 1e400)"), "points[0].mass: 1e400: must be a number below 1.8e308"},
       {R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [0, -1e999, 0]}]})",
@@ -163,7 +163,7 @@ TEST(BadScenes, NumbersMustBeNumbers) {
   });
 }
 
-TEST(BadScenes, WhatIsNotPhysicalIsRefused) {
+TEST(BadScenes, UnphysicalValuesAreRefused) {
   expect_refused({
       {point_with(R"("mass": 0)"), "points[0].mass: 0: must be more than 0"},
       {point_with(R"("mass": -1)"), "points[0].mass: -1: must be more than 0"},
@@ -228,7 +228,7 @@ TEST(BadScenes, FieldsOfTheWrongKindAreRefused) {
   });
 }
 
-TEST(BadScenes, SpringsAndFacesMustJoinPointsThatExist) {
+TEST(BadScenes, SpringsAndFacesMustReferToExistingPoints) {
   expect_refused({
       {scene_with(R"("springs": [{"stiffness": 1, "points": [0, 2]}])"),
        "springs[0].points[1]: 2: must be the number of one of the 2 points, from 0"},
@@ -245,7 +245,7 @@ TEST(BadScenes, SpringsAndFacesMustJoinPointsThatExist) {
   });
 }
 
-TEST(BadScenes, PlacesMustFitTheDimensions) {
+TEST(BadScenes, PositionsMustFitTheDimensions) {
   expect_refused({
       {R"({"hooke": 1, "points": [{"position": [0, 1]}]})", "points[0].position: [0, 1]: must have 3 numbers in a 3-D scene"},
       {R"({"hooke": 1, "points": [{"position": [0, 1, 2]}], "dimensions": 2})",
@@ -254,7 +254,7 @@ TEST(BadScenes, PlacesMustFitTheDimensions) {
   });
 }
 
-TEST(BadScenes, CollidersMustBeWhole) {
+TEST(BadScenes, CollidersMustBeComplete) {
   expect_refused({
       {collider_with(R"("radius": 1)"), "colliders[0].type: missing: must be \"plane\", \"sphere\" or \"box\""},
       {collider_with(R"("type": "cone")"), "colliders[0].type: \"cone\": must be \"plane\", \"sphere\" or \"box\""},
@@ -274,7 +274,7 @@ TEST(BadScenes, CollidersMustBeWhole) {
   });
 }
 
-TEST(BadScenes, GeneratorsAreCheckedBeforeTheyMakeAnything) {
+TEST(BadScenes, GeneratorsAreCheckedBeforeTheyGenerateAnything) {
   expect_refused({
       {R"({"hooke": 1, "generators": [{}]})",
        "generators[0].type: missing: must be one of cloth, rope, hanging_rope, chain, sheet, curtain, flag, net, bridge, jelly"},
@@ -308,7 +308,7 @@ TEST(BadScenes, GeneratorsAreCheckedBeforeTheyMakeAnything) {
        "generators[0]: {\"type\": \"cloth\", \"corner\": [0, 0, 0], \"across\": [1, 0, 0], ...: must have across and down that span an "
        "area"},
   });
-  // each within the limit, together not
+  // each is within the limit, but not together
   const std::string half = R"({"type": "rope", "from": [0, 0, 0], "to": [1, 0, 0], "points": 2500001, "stiffness": 1})";
   EXPECT_EQ(refusal_of(R"({"hooke": 1, "generators": [)" + half + ", " + half + "]}"),
             "bad.json: points: 5000002 with those of the generators: must be at most 5000000");
@@ -333,7 +333,7 @@ std::string refusal_of_file(const std::filesystem::path& file) {
   return "";
 }
 
-TEST(BadSceneFiles, WhatIsNoRegularFileIsRefusedUnread) {
+TEST(BadSceneFiles, SpecialFilesAreRefusedUnread) {
   const ScratchFolder scratch;
   const std::filesystem::path pipe = scratch.folder / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -352,11 +352,11 @@ TEST(BadSceneFiles, MoreThan256MiBAreRefusedUnread) {
 
 TEST(BadSceneFiles, EveryTruncationIsRefused) {
   const std::string text = format_scene(load_scene(find_scene("two_masses")).scene);
-  // the last two bytes are "}" and a line's end
+  // the last two bytes are "}" and a line break
   for (std::size_t length = 0; length + 1 < text.size(); ++length) EXPECT_NE(refusal_of(text.substr(0, length)), "") << length;
 }
 
-TEST(BadSceneFiles, WhatCannotBeOpenedIsAFileError) {
+TEST(BadSceneFiles, AFileThatCannotBeOpenedIsAFileError) {
   const ScratchFolder scratch;
   try {
     load_scene(scratch.folder / "none.json");

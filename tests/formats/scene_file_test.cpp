@@ -1,4 +1,4 @@
-// Scene files: what a text means, what is kept, and that a scene comes back from its file bit for bit.
+// Scene files: the meaning of a text, what is preserved, and that a saved scene is read back bit for bit.
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -53,12 +53,12 @@ TEST(SceneFile, TwoSpringsBetweenTheSamePointsStayTwo) {
   EXPECT_EQ(parse(format_scene(scene)).system, scene.system);
 }
 
-TEST(SceneFile, PlacesInTheXYPlaneMayHaveTwoNumbers) {
+TEST(SceneFile, PositionsInTheXYPlaneMayHaveTwoNumbers) {
   const Scene scene = parse(R"({"hooke": 1, "points": [{"position": [1, 2], "velocity": [3, 4]}], "dimensions": 2, "gravity": [0, -1],
                                 "colliders": [{"type": "box", "min": [0, 0], "max": [4, 1]}]})");
   EXPECT_EQ(scene.state.position[0], Vec3(1.0, 2.0, 0.0));
   EXPECT_EQ(scene.state.velocity[0], Vec3(3.0, 4.0, 0.0));
-  // so deep that the nearest way out of it is never along z
+  // so deep inside that the nearest point of the surface is never along z
   EXPECT_EQ(std::get<Box>(scene.system.colliders[0].shape), (Box{{0.0, 0.0, -1.0}, {4.0, 1.0, 1.0}}));
 }
 
@@ -82,15 +82,15 @@ TEST(SceneFile, SpringsMayEndAtGeneratedPoints) {
   EXPECT_EQ(scene.system.springs()[0].rest_length, std::sqrt(1.25));
 }
 
-TEST(SceneFile, WarnsOfCoincidentPointsJoinedByASpring) {
+TEST(SceneFile, WarnsAboutCoincidentPointsConnectedByASpring) {
   EXPECT_EQ(warnings_of(R"({"hooke": 1, "points": [{"position": [0, 1, 0]}, {"position": [0, 1, 0]}, {"position": [0, 1, 0]}],
                             "springs": [{"points": [0, 1], "stiffness": 1}, {"points": [1, 2], "stiffness": 1}]})"),
             std::vector<std::string>{
                 "test.json: springs[0] and 1 more: joins two points at the same place: no force between them until they part"});
 }
 
-TEST(SceneFile, WarnsOfAStepBeyondTheStableLimitAndSaysWhatIsStable) {
-  // a mass on a nailed spring: omega = 1000 1/s, so h < 2/1000 s, 8.33 substeps a frame
+TEST(SceneFile, WarnsAboutAStepBeyondTheStabilityLimitAndRecommendsAStableOne) {
+  // a mass on a nailed spring: omega = 1000 1/s, so h < 2/1000 s, 8.33 substeps per frame
   const std::string scene = R"({"hooke": 1, "points": [{"position": [0, 0, 0], "nailed": true}, {"position": [0, 1, 0]}],
                                 "springs": [{"points": [0, 1], "stiffness": 1e6}], "simulation": {"integrator": ")";
   EXPECT_EQ(warnings_of(scene + R"(velocity_verlet", "substeps": 8}})"),
@@ -98,11 +98,11 @@ TEST(SceneFile, WarnsOfAStepBeyondTheStableLimitAndSaysWhatIsStable) {
                                      "limit is 9 substeps per frame; 36 are recommended"});
   EXPECT_EQ(warnings_of(scene + R"(velocity_verlet", "substeps": 9}})"), std::vector<std::string>{});
   EXPECT_EQ(warnings_of(scene + R"(explicit_euler", "substeps": 1000}})"),
-            std::vector<std::string>{
-                "test.json: simulation.integrator: explicit_euler: amplifies undamped motion at every step here; velocity_verlet with 36 substeps per frame is recommended"});
+            std::vector<std::string>{"test.json: simulation.integrator: explicit_euler: amplifies undamped motion at every step here; "
+                                     "velocity_verlet with 36 substeps per frame is recommended"});
 }
 
-TEST(SceneFile, UnknownKeysAreWarnedOfAndKept) {
+TEST(SceneFile, UnknownKeysAreReportedAndKept) {
   const std::string text = R"({"hooke": 1, "mine": {"big": 12345678901234567890123, "list": [1, {"a": null}]},
     "points": [{"position": [0, 0, 0], "label": "A"}, {"position": [1, 0, 0], "label": "B\n"}],
     "springs": [{"points": [0, 1], "stiffness": 1, "material": "steel"}],
@@ -128,7 +128,7 @@ TEST(SceneFile, UnknownKeysAreWarnedOfAndKept) {
   EXPECT_EQ(format_scene(parse(saved)), saved);
 }
 
-TEST(SceneFile, AKeyThatFollowsItsPointSurvivesEditsOfOthers) {
+TEST(SceneFile, AnUnknownKeyFollowsItsPointThroughEditsOfOthers) {
   Scene scene = parse(R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0], "label": "B"}]})");
   scene.system.set_points({scene.system.points()[1]});
   scene.state.position.erase(scene.state.position.begin());
@@ -136,7 +136,7 @@ TEST(SceneFile, AKeyThatFollowsItsPointSurvivesEditsOfOthers) {
   EXPECT_NE(format_scene(scene).find(R"({"position": [1, 0, 0], "mass": 1, "radius": 0.02, "label": "B"})"), std::string::npos);
 }
 
-TEST(SceneFile, AScriptedHandComesBackBitForBitAndGoesWithItsPoint) {
+TEST(SceneFile, AScriptedHandIsReadBackBitForBitAndRemovedWithItsPoint) {
   Scene scene = parse(R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}], "hand": {"point": 1, "circle":
     {"from": [0.1, -0.0, 1e-300], "center": [3, 0.2, 0], "axis": [1, 2, 2], "a": 1}, "speed": 0.3, "begin": -7e-3, "seconds": 1e3, "b": [2]}})");
   const ScriptedHand& hand = *scene.system.scripted_hand;
@@ -156,7 +156,7 @@ TEST(SceneFile, AScriptedHandComesBackBitForBitAndGoesWithItsPoint) {
   EXPECT_EQ(format_scene(scene).find("\"hand\""), std::string::npos);
 }
 
-TEST(SceneFile, ManyUnknownKeysAreWarnedOfInFewLines) {
+TEST(SceneFile, ManyUnknownKeysAreReportedInFewLines) {
   std::string text = R"({"hooke": 1)";
   for (int i = 0; i < 1000; ++i) text += ", \"k" + std::to_string(i) + "\": 0";
   const auto warnings = warnings_of(text + "}");
@@ -164,7 +164,7 @@ TEST(SceneFile, ManyUnknownKeysAreWarnedOfInFewLines) {
   EXPECT_EQ(warnings.back(), "test.json: and 980 more unknown keys, kept");
 }
 
-TEST(Generators, AClothAsAPlainGraphHasEqualMassesAndTheStiffnessGiven) {
+TEST(Generators, AClothAsAPlainGraphHasEqualMassesAndTheGivenStiffness) {
   const Scene scene = parse(generated(R"({"type": "cloth", "corner": [0, 0, 0], "across": [2, 0, 0], "down": [0, -1, 0], "points": [3, 2],
       "mass_model": "equal", "density": 0.3, "stiffness": 1000, "damping": 2, "nail": ["top_left", 4]})"));
   ASSERT_EQ(scene.system.point_count(), 6);
@@ -180,7 +180,7 @@ TEST(Generators, AClothAsAPlainGraphHasEqualMassesAndTheStiffnessGiven) {
   }
 }
 
-TEST(Generators, AClothAsAMaterialHasHalvesOnTheBorderAndKeepsItsMass) {
+TEST(Generators, AClothAsAMaterialHasHalfValuesOnTheBorderAndTheTotalMass) {
   const Scene scene = parse(generated(R"({"type": "cloth", "corner": [0, 0, 0], "across": [3, 0, 0], "down": [0, -3, 0], "points": [4, 4],
       "density": 0.5, "stiffness": 100, "damping": 4})"));
   double total = 0.0;
@@ -222,8 +222,8 @@ TEST(Generators, AMaterialClothStoresTheSameEnergyAtEveryResolution) {
   }
 }
 
-// Without diagonals each column hangs for itself. Its springs, n = N - 1 down, carry (n - r - 1/2) / n^2 of the mass M of the
-// sheet, r = 0 .. n - 1, the two on the border half as much and half as stiff: in all the lowest row sags by M g / (2 k).
+// Without diagonals each column hangs independently. Its springs, n = N - 1 down, carry (n - r - 1/2) / n^2 of the mass M of the sheet, r =
+// 0 .. n - 1; the two border columns carry half as much and are half as stiff. In total the lowest row sags by M g / (2 k).
 TEST(Generators, AMaterialClothSagsByHalfItsWeightOverItsStiffnessAtEveryResolution) {
   for (const int n : {2, 5, 17}) {
     const Scene scene = parse(generated(R"({"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0], "density": 1.3,
@@ -239,7 +239,7 @@ TEST(Generators, AMaterialClothSagsByHalfItsWeightOverItsStiffnessAtEveryResolut
   }
 }
 
-TEST(Generators, RopesTakeMassAndStiffnessAsAGraphOrAsAWhole) {
+TEST(Generators, RopesTakeMassAndStiffnessPerPartOrOfTheWhole) {
   const std::string rope =
       R"({"type": "rope", "from": [0, 0, 0], "to": [2, 0, 0], "points": 5, "mass": 1, "stiffness": 10, "damping": 3, "nail": ["from", "to"])";
   const Scene graph = parse(generated(rope + "}")), whole = parse(generated(rope + R"(, "mass_model": "tributary"})"));
@@ -251,7 +251,7 @@ TEST(Generators, RopesTakeMassAndStiffnessAsAGraphOrAsAWhole) {
   for (Index s = 0; s < 4; ++s) {
     EXPECT_EQ(graph.system.springs()[s].stiffness, 10.0);
     EXPECT_EQ(graph.system.springs()[s].damping, 3.0);
-    // four in a row are as stiff as the whole
+    // four springs in series are as stiff as the whole
     EXPECT_EQ(whole.system.springs()[s].stiffness, 40.0);
     EXPECT_EQ(whole.system.springs()[s].damping, 12.0);
   }
@@ -264,7 +264,7 @@ TEST(Generators, StiffnessPerStrainIsDividedByEachRestLength) {
   for (const Spring& spring : scene.system.springs()) EXPECT_DOUBLE_EQ(spring.stiffness, 60.0 / spring.rest_length);
 }
 
-TEST(Generators, EveryWordForNailsNailsWhatItSays) {
+TEST(Generators, EveryWordForNailsNailsTheCorrectPoints) {
   const auto nails_of = [](const std::string& word) {
     const Scene scene = parse(generated(
         R"({"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0], "points": [3, 3], "stiffness": 1, "nail": [")" +
@@ -285,17 +285,17 @@ TEST(Generators, EveryWordForNailsNailsWhatItSays) {
   EXPECT_EQ(nails_of("bottom_right"), "........x");
 }
 
-TEST(Generators, StayWhatTheyAreWhenSavedUnedited) {
+TEST(Generators, ArePreservedWhenSavedUnedited) {
   const std::string list = R"([{"type": "rope",   "from": [0, 0, 0], "to": [1, 0, 0], "points": 5, "stiffness": 1}])";
   Scene scene = parse(R"({"hooke": 1, "points": [{"position": [0, 1, 0]}], "generators": )" + list + "}");
   EXPECT_NE(format_scene(scene).find("\"generators\": " + list), std::string::npos);
 
-  // a listed point is no part of them
+  // a listed point does not belong to them
   scene.state.position[0] = Vec3(5.0);
   EXPECT_NE(format_scene(scene).find("\"generators\": " + list), std::string::npos);
 }
 
-TEST(Generators, BecomePointsAndSpringsOnceAnythingOfThemIsEdited) {
+TEST(Generators, AreReplacedByPointsAndSpringsOnceAnyOfThoseIsEdited) {
   const Scene scene = parse(
       generated(R"({"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0], "points": [3, 3], "stiffness": 1})"));
   const auto expect_listed = [](const Scene& edited) {
@@ -328,7 +328,7 @@ TEST(Generators, BecomePointsAndSpringsOnceAnythingOfThemIsEdited) {
   expect_listed(edited);
 }
 
-// Numbers that are hard on writers and readers of decimal digits.
+// Numbers that are difficult for writers and readers of decimal digits.
 double hard_number(std::mt19937_64& random) {
   constexpr double special[] = {
       0.0, -0.0, 5e-324, 2.2250738585072011e-308, 1.7976931348623157e308, 9007199254740993.0, 1e22, 1e23, 0.1, 123456789012345680.0, 0.3};
@@ -353,7 +353,7 @@ TEST(SceneFile, DigitsAreReadAsTheNearestNumber) {
     EXPECT_EQ(std::bit_cast<std::uint64_t>(parser.parse(text).GetDouble()), std::bit_cast<std::uint64_t>(value)) << text;
 }
 
-TEST(SceneFile, EveryNumberComesBackBitForBit) {
+TEST(SceneFile, EveryNumberIsReadBackBitForBit) {
   std::mt19937_64 random(1);
   JsonParser parser;
   for (int i = 0; i < 200'000; ++i) {
@@ -363,7 +363,7 @@ TEST(SceneFile, EveryNumberComesBackBitForBit) {
   }
 }
 
-// Scenes of any numbers a file may hold, with gaps in the ids.
+// Random scenes with any numbers a file may contain, with gaps in the ids.
 class RandomScene {
  public:
   explicit RandomScene(std::uint64_t seed) : random_(seed) {}
@@ -484,7 +484,7 @@ class RandomScene {
   bool flat_ = random_() % 2 == 0;
 };
 
-// Equal to the last bit, where == takes -0.0 for 0.0. Ids count only by what they join.
+// Equal to the last bit, unlike ==, which takes -0.0 for 0.0. Ids matter only by the items they refer to.
 std::string bits_of(const Scene& scene) {
   std::ostringstream text;
   const auto add = [&](auto... values) { ((text << std::hex << std::bit_cast<std::uint64_t>(static_cast<double>(values)) << ' '), ...); };
@@ -529,7 +529,7 @@ std::string bits_of(const Scene& scene) {
   return text.str();
 }
 
-TEST(SceneFile, RandomScenesComeBackBitForBit) {
+TEST(SceneFile, RandomScenesAreReadBackBitForBit) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     const Scene scene = RandomScene(seed).make();
     const std::string text = format_scene(scene);

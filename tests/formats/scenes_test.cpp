@@ -1,4 +1,4 @@
-// The scenes that ship: they load, hold what they say, and run.
+// The shipped scenes: they load, contain what their descriptions claim, and run.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 Scene shipped(const std::string& id) { return load_scene(find_scene(id)).scene; }
 
-TEST(ShippedScenes, LoadWithoutWarningsSaveTheUnstableOne) {
+TEST(ShippedScenes, LoadWithoutWarningsExceptTheUnstableOne) {
   for (const ShippedScene& scene : shipped_scenes()) {
     const LoadedScene loaded = load_scene(scene.file);
     EXPECT_EQ(loaded.scene.name, scene.title);
@@ -26,7 +26,7 @@ TEST(ShippedScenes, LoadWithoutWarningsSaveTheUnstableOne) {
   }
 }
 
-TEST(ShippedScenes, ComeBackFromASaveAsTheyWere) {
+TEST(ShippedScenes, AreReadBackUnchangedAfterSaving) {
   for (const ShippedScene& scene : shipped_scenes()) {
     const Scene first = shipped(scene.id);
     const std::string text = format_scene(first);
@@ -46,7 +46,7 @@ TEST(ShippedScenes, TheListNamesEveryFileAndNoOther) {
   EXPECT_EQ(listed, there);
 }
 
-TEST(ShippedScenes, SayInTwoSentencesWhatToTryAndWhatToSee) {
+TEST(ShippedScenes, SayInTwoSentencesWhatToTryAndWhatToExpect) {
   for (const ShippedScene& shipped_scene : shipped_scenes()) {
     const std::string text = shipped(shipped_scene.id).description;
     int sentences = 0;
@@ -55,8 +55,8 @@ TEST(ShippedScenes, SayInTwoSentencesWhatToTryAndWhatToSee) {
   }
 }
 
-// Saved while its hand acts, and opened again: the same motion, bit for bit, while it holds and after.
-TEST(ShippedScenes, TheFastMouseGoesOnFromAFileWhereItWas) {
+// Saved while its hand acts and reopened: the same motion, bit for bit, during the grab and after.
+TEST(ShippedScenes, TheFastMouseContinuesFromASavedFile) {
   const auto go_on = [](Scene scene, int frames) {
     Lab lab(std::move(scene), KeepStart::No);
     for (int i = 0; i < frames; ++i) EXPECT_TRUE(lab.step());
@@ -88,7 +88,7 @@ void expect_plane_scene(const Scene& scene) {
   EXPECT_EQ(scene.system.gravity, Vec3(0.0, -9.8, 0.0));
 }
 
-TEST(ShippedScenes, TwoMassesHaveTheFiguresOfTheLecture) {
+TEST(ShippedScenes, TwoMassesHasTheFiguresOfTheLecture) {
   for (const auto& [id, stiffness, damping] : {std::tuple{"two_masses", 100.0, 100.0}, {"two_masses_bouncy", 50.0, 0.0}}) {
     const Scene scene = shipped(id);
     expect_plane_scene(scene);
@@ -104,7 +104,7 @@ TEST(ShippedScenes, TwoMassesHaveTheFiguresOfTheLecture) {
     ASSERT_EQ(scene.system.spring_count(), 1);
     expect_springs(scene, {stiffness, damping, 0.5});
 
-    // two walls and a floor, drawn only
+    // two walls and a floor that are only drawn
     ASSERT_EQ(scene.system.colliders.size(), 3u);
     const Plane planes[] = {{{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}, {{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}}, {{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}};
     for (std::size_t c = 0; c < 3; ++c) {
@@ -114,7 +114,7 @@ TEST(ShippedScenes, TwoMassesHaveTheFiguresOfTheLecture) {
   }
 }
 
-TEST(ShippedScenes, ThreeMassesHaveTheFiguresOfTheLecture) {
+TEST(ShippedScenes, ThreeMassesHasTheFiguresOfTheLecture) {
   const Scene scene = shipped("three_masses");
   expect_plane_scene(scene);
   EXPECT_EQ(scene.state.position, (std::vector<Vec3>{{0.0, 0.5, 0.0}, {0.5, 0.1, 0.0}, {0.25, -0.4, 0.0}}));
@@ -127,7 +127,7 @@ TEST(ShippedScenes, ThreeMassesHaveTheFiguresOfTheLecture) {
   expect_springs(scene, {70.0, 10.0, 0.5});
 }
 
-TEST(ShippedScenes, TheGridsTieEveryPointToItsUpToEightNeighbours) {
+TEST(ShippedScenes, TheGridsConnectEveryPointToItsUpToEightNeighbors) {
   for (const char* id : {"grid_4x4", "grid_4x4_true"}) {
     const Scene scene = shipped(id);
     expect_plane_scene(scene);
@@ -151,7 +151,7 @@ TEST(ShippedScenes, TheGridsTieEveryPointToItsUpToEightNeighbours) {
   }
 }
 
-TEST(ShippedScenes, TheAssignmentIsAnEmptyStageWithItsOwnControls) {
+TEST(ShippedScenes, TheAssignmentIsAnEmptySceneWithItsOwnControls) {
   const Scene scene = shipped("assignment");
   EXPECT_EQ(scene.system.point_count(), 0);
   ASSERT_EQ(scene.system.colliders.size(), 1u);
@@ -189,7 +189,7 @@ TEST(ShippedScenes, TheClothHangsByTwoCornersAndTheOtherFallsOnABall) {
   for (const Collider& collider : ball.system.colliders) EXPECT_TRUE(collider.solid);
 }
 
-// Points on the sphere's far side or under the ground would say that the cloth went through.
+// Points on the far side of the sphere or below the ground would mean that the cloth passed through.
 TEST(ShippedScenes, TheClothRestsOnTheBallAndSlidesOffWithoutFriction) {
   const auto mean_height_after_two_seconds = [](double friction) {
     Scene scene = shipped("cloth_on_ball");

@@ -1,4 +1,4 @@
-// Textures: what a scene may name, what of it is read, and where on it the points lie.
+// Textures: which files a scene may name, what is read from them, and the texture coordinates of points.
 #include <gtest/gtest.h>
 
 #include "formats/texture.h"
@@ -43,7 +43,7 @@ struct Folder : ScratchFolder {
   }
 };
 
-TEST(Texture, APngBesideTheSceneIsRead) {
+TEST(Texture, APngInTheFolderOfTheSceneIsRead) {
   const Folder folder;
   std::filesystem::create_directory(folder.folder / "pictures");
   write_png(Image{2, 1, {255, 0, 0, 0, 0, 255}}, folder.folder / "pictures/two.PNG");
@@ -67,7 +67,7 @@ TEST(Texture, APathWithDotsThatStaysInTheFolderIsRead) {
   }
 }
 
-TEST(Texture, ThatShipsIsReadByItsName) {
+TEST(Texture, AShippedOneIsReadByItsName) {
   const Folder folder;
   for (const ShippedTexture& texture : shipped_textures()) {
     folder.name(std::string(texture.id));
@@ -78,7 +78,7 @@ TEST(Texture, ThatShipsIsReadByItsName) {
   }
 }
 
-TEST(Texture, MustBeOneThatShipsOrAPngWithinTheFolder) {
+TEST(Texture, MustBeAShippedOneOrAPngWithinTheFolder) {
   const Folder folder;
   EXPECT_EQ(folder.refused("silk"), "view.texture: \"silk\": must be checker, linen, tartan, or a .png in the scene's folder");
   for (const char* outside : {"../a.png", "/etc/a.png", "a/../../b.png", "./../b.png"})
@@ -97,7 +97,7 @@ TEST(Texture, IsNotReachedThroughALink) {
               "view.texture: \"" + std::string(link) + "\": must lie in the scene's folder, not reached through a link");
 }
 
-TEST(Texture, ThatIsNoPngOrTooLargeIsRefused) {
+TEST(Texture, IsRefusedIfItIsNoPngOrTooLarge) {
   const Folder folder;
   write_png(Image{8193, 1, std::vector<std::uint8_t>(3 * 8193)}, folder.folder / "wide.png");
   EXPECT_EQ(folder.refused("wide.png"), "view.texture: \"wide.png\": 8193 x 1 pixels: must be at most 8192 x 8192");
@@ -106,7 +106,7 @@ TEST(Texture, ThatIsNoPngOrTooLargeIsRefused) {
   std::filesystem::create_directory(folder.folder / "folder.png");
   EXPECT_NE(folder.refused("folder.png").find("must be a regular file"), std::string::npos);
 
-  // cut short: after the header, and within the picture
+  // truncated after the header and within the picture
   write_png(Image{64, 64, std::vector<std::uint8_t>(3 * 64 * 64, 77)}, folder.folder / "whole.png");
   const auto size = std::filesystem::file_size(folder.folder / "whole.png");
   for (const auto kept : {std::uintmax_t{40}, size / 2, size - 20}) {
@@ -115,7 +115,7 @@ TEST(Texture, ThatIsNoPngOrTooLargeIsRefused) {
   }
 }
 
-TEST(Texture, ThatIsGoneIsWarnedOf) {
+TEST(Texture, AMissingOneIsReported) {
   const Folder folder;
   folder.name("gone.png");
   const LoadedScene loaded = load_scene(folder.scene);
@@ -139,7 +139,7 @@ TEST(Texture, IsHalvedUntilItIsNoLargerThanAScreen) {
   EXPECT_EQ(picture.pixels, std::vector<std::uint8_t>(3 * 2048, 20));
 }
 
-TEST(ClothCoordinates, OfAGeneratedClothAreMetresFromItsCorner) {
+TEST(ClothCoordinates, OfAGeneratedClothAreMetersFromItsCorner) {
   const Scene scene = parse_scene(scene_with("", R"(, "points": [{"position": [0, 5, 0]}])"), "test").scene;
   EXPECT_TRUE(std::isnan(cloth_coordinates_of(scene.cloth_texture, PointId{0}).x));
   EXPECT_EQ(cloth_coordinates_of(scene.cloth_texture, PointId{1}), glm::dvec2(0.0, 0.0));
@@ -148,7 +148,7 @@ TEST(ClothCoordinates, OfAGeneratedClothAreMetresFromItsCorner) {
   EXPECT_TRUE(std::isnan(cloth_coordinates_of(scene.cloth_texture, PointId{99}).x));
 }
 
-TEST(ClothCoordinates, OfListedPointsComeBackBitForBit) {
+TEST(ClothCoordinates, OfListedPointsAreReadBackBitForBit) {
   const std::string text = R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0], "uv": [0.1, -3e-300]}]})";
   const Scene scene = parse_scene(text, "test").scene;
   EXPECT_EQ(cloth_coordinates_of(scene.cloth_texture, PointId{1}), glm::dvec2(0.1, -3e-300));
@@ -167,8 +167,8 @@ TEST(ClothCoordinates, OfAMovedClothAreListedWithIt) {
     EXPECT_EQ(cloth_coordinates_of(again.cloth_texture, PointId{i}), cloth_coordinates_of(scene.cloth_texture, PointId{i}));
 }
 
-// A leaning triangle that nobody gave places: its sides keep their lengths and its picture stands upright.
-TEST(ClothCoordinates, OfOtherFacesAreTheirPictureInTheirPlane) {
+// An inclined triangle without given texture coordinates: its sides keep their lengths and its texture is upright.
+TEST(ClothCoordinates, OfOtherFacesAreAProjectionInTheirPlane) {
   const std::string text = R"({"hooke": 1, "points": [{"position": [5, 5, 0]}, {"position": [6, 5, 0]}, {"position": [5, 4, 1]}],
     "faces": [[0, 2, 1]], "view": {"texture": "linen"}})";
   const Scene scene = parse_scene(text, "test").scene;
@@ -177,7 +177,7 @@ TEST(ClothCoordinates, OfOtherFacesAreTheirPictureInTheirPlane) {
   EXPECT_NEAR(glm::distance(place(2) - place(0), glm::dvec2(0.0, std::sqrt(2.0))), 0.0, 1e-12);
 }
 
-TEST(ViewSwitches, AndTheTextureComeBackFromAFile) {
+TEST(ViewSwitches, AndTheTextureAreReadBackFromAFile) {
   const std::string view =
       R"("surface": false, "springs": false, "points": false, "strain_colors": false, "shadows": false, "texture": "linen", "texture_size": 0.3)";
   const Scene scene = parse_scene(scene_with(view), "test").scene;
@@ -192,7 +192,7 @@ TEST(ViewSwitches, AndTheTextureComeBackFromAFile) {
   EXPECT_EQ(parse_scene(format_scene(scene), "again").scene.view, scene.view);
 }
 
-TEST(SetTexture, GivesNoPlaceToPointsTooFarAway) {
+TEST(SetTexture, GivesNoCoordinatesToPointsTooFarAway) {
   const std::string far =
       R"({"hooke": 1, "points": [{"position": [0, 1.7e308, 0]}, {"position": [0, -1.7e308, 0]}, {"position": [1, 0, 0]}],
                               "faces": [[0, 1, 2]], "view": {"texture": "linen"}})";
@@ -204,7 +204,7 @@ TEST(SetTexture, GivesNoPlaceToPointsTooFarAway) {
   EXPECT_EQ(format_scene(parse_scene(format_scene(scene), "again").scene), format_scene(scene));
 }
 
-TEST(SetTexture, IsTakenBackWhole) {
+TEST(SetTexture, IsUndoneCompletely) {
   Scene scene = parse_scene(scene_with(R"("texture": "linen", "texture_size": 0.3)"), "test").scene;
   const ViewSettings before = scene.view;
   const auto picture = std::make_shared<const Picture>(Picture{1, 1, {1, 2, 3}});

@@ -11,7 +11,7 @@ std::filesystem::path scene_of_version(int version) {
   return std::filesystem::path(DOCS_FOLDER) / "../tests/formats/versions" / ("scene_" + std::to_string(version) + ".json");
 }
 
-// The files are kept as they were written: none is ever changed, and a new version adds one.
+// These files are never changed, and a new version of the format adds one.
 TEST(SceneVersions, AFileOfEachIsReadWithoutWarnings) {
   for (int version = 1; version <= newest_scene_version; ++version) {
     const LoadedScene loaded = load_scene(scene_of_version(version));
@@ -22,7 +22,7 @@ TEST(SceneVersions, AFileOfEachIsReadWithoutWarnings) {
   }
 }
 
-TEST(SceneVersions, ALaterOneIsNamed) {
+TEST(SceneVersions, ALaterOneIsReported) {
   try {
     parse_scene(R"({"hooke": 7})", "later.json");
     ADD_FAILURE() << "accepted";

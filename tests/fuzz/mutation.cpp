@@ -59,7 +59,7 @@ void Mutator::change(std::string& bytes) {
   }
 }
 
-// The number at or after a random place, if there is one.
+// The number at or after a random position, if there is one.
 void Mutator::replace_number(std::string& bytes) {
   const auto begin = std::find_if(bytes.begin() + static_cast<std::ptrdiff_t>(below(bytes.size() + 1)), bytes.end(), is_digit);
   const auto end = std::find_if_not(begin, bytes.end(), [](char c) { return is_digit(c) || c == '.' || c == 'e' || c == '-'; });

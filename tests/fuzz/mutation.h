@@ -1,4 +1,4 @@
-// Changes bytes at random, as files from elsewhere are wrong: the same changes for the same seed.
+// Random mutations of bytes that resemble corrupt files; the same mutations for the same seed.
 #pragma once
 
 #include <random>
@@ -9,10 +9,10 @@ namespace hooke {
 
 class Mutator {
  public:
-  // `seeds`: files to start from; `words`: what means something in the format. Neither may be empty.
+  // `seeds`: files to start from; `words`: tokens of the format. Neither may be empty.
   Mutator(std::vector<std::string> seeds, std::vector<std::string> words) : seeds_(std::move(seeds)), words_(std::move(words)) {}
 
-  // Another file, at most 20 000 bytes long.
+  // Another file of at most 20 000 bytes.
   std::string next();
 
  private:
@@ -24,7 +24,7 @@ class Mutator {
   std::mt19937_64 random_{20260717};
 };
 
-// The words in quotes of a dictionary of libFuzzer, with \xAB read.
+// The quoted words of a libFuzzer dictionary, with \xAB decoded.
 std::vector<std::string> read_dictionary(const std::string& file);
 
 }  // namespace hooke

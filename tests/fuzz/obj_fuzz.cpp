@@ -1,4 +1,4 @@
-// The entry of libFuzzer: scripts/fuzz builds and runs it.
+// The entry point of libFuzzer; scripts/fuzz builds and runs it.
 
 #include <cstddef>
 #include <cstdint>

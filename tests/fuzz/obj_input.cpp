@@ -1,7 +1,7 @@
 #include "fuzz/obj_input.h"
 
 #include "formats/mesh/mesh_file.h"
-#include "fuzz/sound.h"
+#include "fuzz/invariants.h"
 
 namespace hooke {
 
@@ -12,10 +12,10 @@ void try_as_obj(std::string_view bytes) {
   } catch (const InputError&) {
     return;
   }
-  require_sound(loaded);
+  require_valid(loaded);
   require_stable(loaded);
-  require(loaded.scene.system.point_count() >= 3 && loaded.scene.system.spring_count() >= 3, "there is cloth");
-  require(!format_obj(loaded.scene).empty() && !format_ply(loaded.scene).empty(), "it is written");
+  require(loaded.scene.system.point_count() >= 3 && loaded.scene.system.spring_count() >= 3, "the mesh has become cloth");
+  require(!format_obj(loaded.scene).empty() && !format_ply(loaded.scene).empty(), "the mesh can be written");
 }
 
 }  // namespace hooke

@@ -5,8 +5,8 @@
 
 namespace hooke {
 
-// Loads them or sees them refused. A mesh that is loaded must be sound cloth with a step that holds, and can be written as
-// any mesh. Aborts when any of it is not so.
+// Loads the bytes, or accepts that they are refused. A loaded mesh must be valid cloth with a stable step and must be writable as a mesh.
+// Aborts if any of this is false.
 void try_as_obj(std::string_view bytes);
 
 }  // namespace hooke

@@ -3,7 +3,7 @@
 #include <zlib.h>
 
 #include "formats/png_picture.h"
-#include "fuzz/sound.h"
+#include "fuzz/invariants.h"
 
 namespace hooke {
 namespace {
@@ -18,8 +18,8 @@ void decode(std::string_view bytes) {
   try {
     const Picture picture = decode_png(bytes, "fuzz.png");
     require(picture.width > 0 && picture.height > 0 && picture.width <= 2048 && picture.height <= 2048,
-            "a picture has a size that is kept");
-    require(picture.pixels.size() == std::size_t{3} * picture.width * picture.height, "every pixel is there");
+            "the size of a picture is within its limits");
+    require(picture.pixels.size() == std::size_t{3} * picture.width * picture.height, "every pixel is present");
   } catch (const InputError& refused) {
     for (const char* c = refused.what(); *c != '\0'; ++c)
       require(static_cast<unsigned char>(*c) >= 0x20 && *c != 0x7f, "no control character in a message");

@@ -6,11 +6,11 @@
 
 namespace hooke {
 
-// Decodes them or sees them refused: as they are, and with the checksums of the chunks made right, without which nearly all
-// that is changed would be refused at once. Aborts when a picture is not as large as it says, or larger than it may be.
+// Decodes the bytes, or accepts that they are refused: as given, and with corrected chunk checksums, without which almost all mutations
+// would be refused at once. Aborts if a picture does not have the size in its header or exceeds the limits.
 void try_as_png(std::string_view bytes);
 
-// The same file with right checksums, as far as it consists of chunks.
+// The same file with correct checksums, as far as it consists of chunks.
 std::string with_checksums(std::string bytes);
 
 }  // namespace hooke

@@ -4,7 +4,7 @@
 
 #include "base/json_text.h"
 #include "edit/command_text.h"
-#include "fuzz/sound.h"
+#include "fuzz/invariants.h"
 #include "lab/lab.h"
 #include "support/valid_scene.h"
 
@@ -29,11 +29,11 @@ Command parse_command(const std::string& text) {
              .member = [&](std::string_view key,
                            std::string_view value) { command = read_command(JsonField("again", key, parser.parse(value))); },
              .is_one_line = true});
-  require(command.has_value(), "a command that was written is one");
+  require(command.has_value(), "a command that was written can be read");
   return *command;
 }
 
-// Scenes within every limit may still take too long to wait for.
+// Scenes within all limits may still take too long to simulate.
 bool is_small(const Scene& scene) {
   const System& system = scene.system;
   return system.point_count() < 500 && system.spring_count() < 2000 && scene.settings.substeps <= 50 && system.colliders.size() <= 10;
@@ -68,7 +68,7 @@ void try_as_recording(std::string_view bytes) {
     const auto* command = std::get_if<Command>(&item);
     if (command == nullptr) continue;
     const std::string text = text_of(*command);
-    require(text_of(parse_command(text)) == text, "an edit comes back as it was written");
+    require(text_of(parse_command(text)) == text, "an edit is read back as it was written");
   }
   if (are_small) play(recording);
 }

@@ -5,8 +5,8 @@
 
 namespace hooke {
 
-// Loads them or sees them refused. Each edit of a recording that is loaded must be written and read again as the same text, and
-// playing the recording must leave a scene that is valid after every frame. Aborts when any of it is not so.
+// Loads the bytes, or accepts that they are refused. Each edit of a loaded recording must be read back as written, and the scene must be
+// valid after every frame of a replay. Aborts if any of this is false.
 void try_as_recording(std::string_view bytes);
 
 }  // namespace hooke

@@ -20,14 +20,14 @@ std::optional<Scene> load(std::string_view bytes) {
   try {
     return parse_scene(bytes, "fuzzed.json").scene;
   } catch (const InputError& refused) {
-    // one line, with nothing in it that a terminal would obey
+    // one line, without control characters that a terminal would interpret
     for (const char* c = refused.what(); *c != '\0'; ++c)
-      require(static_cast<unsigned char>(*c) >= 0x20 && *c != 0x7f, "a control character in a message");
+      require(static_cast<unsigned char>(*c) >= 0x20 && *c != 0x7f, "no control character in a message");
     return std::nullopt;
   }
 }
 
-// Scenes within every limit may still be too long to wait for.
+// Scenes within all limits may still take too long to simulate.
 bool is_small(const Scene& scene) {
   return scene.system.point_count() < 2000 && scene.system.spring_count() < 10000 && scene.settings.substeps <= 50 &&
          scene.system.colliders.size() <= 10;
@@ -41,13 +41,13 @@ void try_as_scene(std::string_view bytes) {
 
   const std::string text = format_scene(*scene);
   const std::optional<Scene> again = load(text);
-  require(again.has_value(), "what was saved is refused");
-  require(format_scene(*again) == text, "what was saved comes back as something else");
+  require(again.has_value(), "a saved scene can be loaded");
+  require(format_scene(*again) == text, "a saved scene is read back unchanged");
 
   if (!is_small(*scene)) return;
   Lab lab(std::move(*scene));
   lab.step();
-  require(is_finite(lab.scene().state), "a state that is no numbers");
+  require(is_finite(lab.scene().state), "the state is finite");
 }
 
 }  // namespace hooke

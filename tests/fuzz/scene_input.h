@@ -5,8 +5,8 @@
 
 namespace hooke {
 
-// Loads them or sees them refused. A scene that is loaded must be saved and loaded again as the same text, and stepping
-// a frame of it must not do more harm than to diverge. Aborts when any of it is not so.
+// Loads the bytes, or accepts that they are refused. A loaded scene must be saved and read back as the same text, and a frame of it may
+// diverge but must do no other harm. Aborts if any of this is false.
 void try_as_scene(std::string_view bytes);
 
 }  // namespace hooke

@@ -2,7 +2,7 @@
 
 #include "app/document/preferences.h"
 #include "base/errors.h"
-#include "fuzz/sound.h"
+#include "fuzz/invariants.h"
 
 namespace hooke {
 
@@ -10,9 +10,9 @@ void try_as_settings(std::string_view bytes) {
   try {
     const Preferences read = parse_preferences(std::string(bytes), "fuzzed.json");
     for (const PreferenceRow& row : preference_rows())
-      require(read.*row.field >= row.min && read.*row.field <= row.max, "numbers lie in their ranges");
+      require(read.*row.field >= row.min && read.*row.field <= row.max, "numbers are within their ranges");
   } catch (const InputError& refused) {
-    // one line, with nothing in it that a terminal would obey
+    // one line, without control characters that a terminal would interpret
     for (const char* c = refused.what(); *c != '\0'; ++c)
       require(static_cast<unsigned char>(*c) >= 0x20 && *c != 0x7f, "messages have no control characters");
   }

@@ -5,7 +5,7 @@
 
 namespace hooke {
 
-// Reads them or sees them refused. What is read lies within its ranges. Aborts when it is not so.
+// Reads the bytes, or accepts that they are refused. Aborts if a value is outside its range.
 void try_as_settings(std::string_view bytes);
 
 }  // namespace hooke

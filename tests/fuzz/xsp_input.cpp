@@ -1,7 +1,7 @@
 #include "fuzz/xsp_input.h"
 
 #include "formats/xsp/xsp_file.h"
-#include "fuzz/sound.h"
+#include "fuzz/invariants.h"
 
 namespace hooke {
 
@@ -12,7 +12,7 @@ void try_as_xsp(std::string_view bytes) {
   } catch (const InputError&) {
     return;
   }
-  require_sound(loaded);
+  require_valid(loaded);
   require_stable(loaded);
 
   std::vector<std::string> losses;
@@ -20,12 +20,12 @@ void try_as_xsp(std::string_view bytes) {
   try {
     text = format_xsp(loaded.scene, "again.xsp", losses);
   } catch (const InputError&) {
-    return;  // numbers next to the largest
+    return;  // numbers close to the largest double
   }
   const LoadedScene again = parse_xsp(text, "again.xsp");
-  require_sound(again);
-  require(again.scene.system.points() == loaded.scene.system.points(), "the same points come back");
-  require(again.scene.system.spring_count() == loaded.scene.system.spring_count(), "the same springs come back");
+  require_valid(again);
+  require(again.scene.system.points() == loaded.scene.system.points(), "the same points are read back");
+  require(again.scene.system.spring_count() == loaded.scene.system.spring_count(), "the same springs are read back");
 }
 
 }  // namespace hooke

@@ -5,8 +5,8 @@
 
 namespace hooke {
 
-// Loads them or sees them refused. A scene that is loaded must be sound, have a step that holds, and come back from what is
-// written of it. Aborts when any of it is not so.
+// Loads the bytes, or accepts that they are refused. A loaded scene must be valid, have a stable step, and be read back unchanged after
+// writing. Aborts if any of this is false.
 void try_as_xsp(std::string_view bytes);
 
 }  // namespace hooke

@@ -18,7 +18,7 @@ Scene hanging_sheet() {
   Scene scene;
   scene.system = trial.system;
   scene.state = trial.state;
-  for (Index i = 0; i < scene.system.spring_count(); ++i) scene.system.spring(i).stiffness = 50.0;  // stable with 10 substeps
+  for (Index i = 0; i < scene.system.spring_count(); ++i) scene.system.spring(i).stiffness = 50.0;  // stable at 10 substeps
   scene.system.colliders = {{.shape = Sphere{{0.5, -0.6, -1.0}, 0.2}}};
   scene.settings = {.integrator = find_integrator("velocity_verlet"), .frame_rate = 60.0, .substeps = 10};
   return scene;
@@ -28,7 +28,7 @@ constexpr double frame_time = 1.0 / 60.0;
 const auto one_substep = [] { return false; };
 const auto no_deadline = [] { return true; };
 
-TEST(MovingHand, CopiesNoSystem) {
+TEST(MovingHand, DoesNotCopyTheSystem) {
   for (const bool is_collider : {false, true}) {
     Lab lab(hanging_sheet());
     const PointId point = lab.scene().system.points()[60].id;
@@ -47,14 +47,14 @@ TEST(MovingHand, CopiesNoSystem) {
       EXPECT_EQ(lab.status()->snapshot->system, system) << "move " << i;
     }
     EXPECT_GE(lab.status()->run.frames, frames + 99);
-    // and the hand did move something
+    // check that the hand did move something
     const Snapshot& now = *lab.status()->snapshot;
     const Vec3 end = is_collider ? anchor_of(current_collider(*now.system, now.state, 0)) : now.position(point);
     EXPECT_LT(end.z, start.z - 0.19);
   }
 }
 
-TEST(Status, ReadsTheParametersOnlyAfterAnEdit) {
+TEST(Status, ReadsParametersOnlyAfterAnEdit) {
   Lab lab(hanging_sheet());
   lab.submit(SetRunning{true});
   lab.advance(frame_time, no_deadline);
@@ -81,8 +81,8 @@ TEST(Status, ShowsEveryParameterAsEdited) {
   }
 }
 
-// Each call computes one substep of ten, and each is preceded by an edit.
-TEST(Slider, LetsTheClockAdvanceWhileItMoves) {
+// Each call computes one of ten substeps, and an edit precedes each call.
+TEST(Slider, TheClockAdvancesWhileItMoves) {
   for (const char* name : {"stiffness", "drag", "gravity", "substeps", "speed", "new_mass"}) {
     Lab lab(hanging_sheet());
     lab.submit(SetRunning{true});
@@ -98,7 +98,7 @@ TEST(Slider, LetsTheClockAdvanceWhileItMoves) {
   }
 }
 
-TEST(Slider, OfASettingDiscardsNoFrame) {
+TEST(Slider, ForASettingDiscardsNoFrameInProgress) {
   for (const Parameter& parameter : parameters()) {
     if (parameter.scope != Parameter::Scope::Setting || parameter.name == "frame_rate") continue;
     Lab edited(hanging_sheet()), untouched(hanging_sheet());
@@ -116,8 +116,8 @@ TEST(Slider, OfASettingDiscardsNoFrame) {
   }
 }
 
-// Edits take effect with the frame after the one in progress, and must be replayed there.
-TEST(Recording, OfEditsDuringAFrameReplaysEqual) {
+// Edits take effect in the frame after the one in progress, and must be replayed there.
+TEST(Recording, OfEditsDuringAFrameReplaysIdentically) {
   const ScratchFolder folder;
   const std::filesystem::path file = folder.folder / "slider.hookelog";
   Lab lab(hanging_sheet());

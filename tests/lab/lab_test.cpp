@@ -1,4 +1,4 @@
-// The laboratory: edits and their inverses, the clock, the watch for divergence.
+// The laboratory: edits and their inverses, the clock, detection of divergence.
 #include "lab/lab.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace hooke {
 namespace {
 
-// A 4 x 4 net, 0.1 m wide, the upper corners nailed, above a floor.
+// A 4 x 4 net with a spacing of 0.1 m, its upper corners nailed, above a floor.
 Scene small_net() {
   Scene scene;
   scene.name = "net";
@@ -40,7 +40,7 @@ Scene small_net() {
   return scene;
 }
 
-// What an edit may change and an undo must bring back; time is not in it.
+// What an edit may change and undo must restore; time is not included.
 struct Content {
   System system;
   std::vector<Vec3> position, velocity;
@@ -53,8 +53,8 @@ Content content_of(const Scene& scene) {
   return {scene.system, scene.state.position, scene.state.velocity, scene.settings, scene.defaults};
 }
 
-// Edits of every kind, with random values and on random points and springs, some of which do not exist. A kind without a `draw` does
-// not compile.
+// Edits of every kind, with random values and on random points and springs, some of which do not exist. A kind without a `draw` overload
+// does not compile.
 class RandomEdits {
  public:
   explicit RandomEdits(unsigned seed) : random_(seed) {}
@@ -96,7 +96,7 @@ class RandomEdits {
     return {static_cast<SpringProperty>(pick(4)), {{spring(lab), number()}, {spring(lab), number()}}};
   }
   SetParameter draw(Kind<SetParameter>, Lab&) { return {parameter(), number() * 10.0}; }
-  // of what an inverse gives back: a value that was in force
+  // as an inverse command would contain them: values that were in effect
   RestoreParameter draw(Kind<RestoreParameter>, Lab& lab) {
     const Parameter* drag = find_parameter(pick(2) == 0 ? "drag" : "hand_speed");
     return {drag, drag->read(lab.scene()) + number()};
@@ -104,7 +104,7 @@ class RandomEdits {
   SetIntegrator draw(Kind<SetIntegrator>, Lab&) {
     return {&integrators()[static_cast<std::size_t>(pick(static_cast<int>(integrators().size())))]};
   }
-  // at a point, or at a place between three
+  // at a point, or at a position between three points
   GrabPoint draw(Kind<GrabPoint>, Lab& lab) {
     const PointId first = point(lab);
     if (pick(2) == 0) return {{.point = first, .kind = pick(2) == 0 ? GrabKind::Hold : GrabKind::Pull, .target = place()}};
@@ -129,7 +129,7 @@ class RandomEdits {
     return {std::make_shared<const State>(std::move(state))};
   }
   SetTorn draw(Kind<SetTorn>, Lab&) { return {static_cast<std::uint32_t>(pick(2))}; }
-  // part of an inverse only
+  // only as part of an inverse
   MarkTorn draw(Kind<MarkTorn>, Lab& lab) { return {lab.scene().state.torn}; }
   Replace draw(Kind<Replace>, Lab& lab) {
     Scene scene = lab.scene();
@@ -146,14 +146,14 @@ class RandomEdits {
   std::mt19937 random_;
 };
 
-TEST(Undo, TakesBackEveryEditExactlyWhilePaused) {
+TEST(Undo, RevertsEveryEditExactlyWhilePaused) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     Lab lab(small_net());
     RandomEdits edits(seed);
     std::vector<Content> contents;
     std::vector<std::string> names;
     for (int i = 0; i < 40; ++i) {
-      // letting go is part of the grab's step
+      // releasing belongs to the undo step of the grab
       lab.submit(Command(ReleaseHand{}));
       apply_now(lab);
       Content content = content_of(lab.scene());
@@ -182,7 +182,7 @@ TEST(Undo, TakesBackEveryEditExactlyWhilePaused) {
   }
 }
 
-TEST(Undo, OfADeletedPointBringsItBackAsItWasWhileTheRestMovedOn) {
+TEST(Undo, OfADeletedPointRestoresItWhileTheOthersHaveMoved) {
   Lab lab(small_net());
   for (int i = 0; i < 20; ++i) lab.step();
   const PointId corner = lab.scene().system.points()[15].id;
@@ -203,7 +203,7 @@ TEST(Undo, OfADeletedPointBringsItBackAsItWasWhileTheRestMovedOn) {
   for (int i = 0; i < 15; ++i) EXPECT_EQ(lab.scene().state.position[i], moved.position[i]);
 }
 
-TEST(Undo, OfANailGivesTheVelocityBack) {
+TEST(Undo, OfANailRestoresTheVelocity) {
   Lab lab(small_net());
   for (int i = 0; i < 20; ++i) lab.step();
   const PointId point = lab.scene().system.points()[10].id;
@@ -218,7 +218,7 @@ TEST(Undo, OfANailGivesTheVelocityBack) {
   EXPECT_FALSE(lab.scene().system.points()[10].nailed);
 }
 
-TEST(Undo, TakesADragOfASliderAsOneStep) {
+TEST(Undo, RevertsADragOfASliderInOneStep) {
   Lab lab(small_net());
   const Parameter* drag = find_parameter("drag");
   for (int i = 1; i <= 30; ++i) lab.submit(Command(SetParameter{drag, 0.1 * i}), 7);
@@ -234,7 +234,7 @@ TEST(Undo, TakesADragOfASliderAsOneStep) {
   EXPECT_TRUE(lab.status()->history.undo_name.empty());
 }
 
-TEST(Undo, OfADragPutsThePointBackWhereItWasTaken) {
+TEST(Undo, OfADragRestoresThePositionBeforeTheGrab) {
   Lab lab(small_net());
   const PointId point = lab.scene().system.points()[12].id;
   const Vec3 taken = lab.scene().state.position[12];
@@ -246,13 +246,13 @@ TEST(Undo, OfADragPutsThePointBackWhereItWasTaken) {
   EXPECT_EQ(lab.scene().state.position[12], taken + Vec3(0.0, 0.0, 0.02 * 10));
   lab.submit(Command(ReleaseHand{}));
   apply_now(lab);
-  EXPECT_NEAR(lab.scene().state.velocity[12].z, 1.2, 1e-9);  // thrown with the hand's velocity: 0.02 m a frame of 1/60 s
+  EXPECT_NEAR(lab.scene().state.velocity[12].z, 1.2, 1e-9);  // released at the velocity of the hand: 0.02 m per frame of 1/60 s
   lab.submit(Undo{});
   apply_now(lab);
   EXPECT_EQ(lab.scene().state.position[12], taken);
 }
 
-TEST(Undo, GivesAFileValueBackThatASliderCouldNotReach) {
+TEST(Undo, RestoresAFileValueOutsideTheRangeOfItsSlider) {
   Scene scene = small_net();
   scene.settings.substeps = 5000;
   Lab lab(scene);
@@ -262,7 +262,7 @@ TEST(Undo, GivesAFileValueBackThatASliderCouldNotReach) {
   EXPECT_EQ(lab.scene().settings.substeps, 5000);
 }
 
-TEST(Edits, OfWhatIsGoneOrAbsurdDoNothing) {
+TEST(Edits, OfRemovedItemsOrInvalidValuesDoNothing) {
   Lab lab(small_net());
   const Content before = content_of(lab.scene());
   const PointId gone{99};
@@ -299,8 +299,8 @@ TEST(Edits, OfA2DSceneStayInItsPlane) {
   for (const Vec3& v : lab.scene().state.velocity) EXPECT_EQ(v.z, 0.0);
 }
 
-TEST(Edits, DuringARunChangeNothingButTheirOwn) {
-  // an edit and its undo between two frames leave the run as if they had not been
+TEST(Edits, DuringARunAffectOnlyTheirOwnItems) {
+  // an edit that is undone between two frames leaves the run unchanged
   Lab lab(small_net()), untouched(small_net());
   RandomEdits edits(3);
   for (int frame = 0; frame < 60; ++frame) {
@@ -318,7 +318,7 @@ TEST(Edits, DuringARunChangeNothingButTheirOwn) {
   }
 }
 
-TEST(Clock, StepsAsManyFramesAsTheTimeAsksFor) {
+TEST(Clock, StepsTheFramesThatTheElapsedTimeRequires) {
   Lab lab(small_net());
   lab.submit(SetRunning{true});
   for (int i = 0; i < 100; ++i) lab.advance(0.01, [] { return true; });
@@ -329,27 +329,27 @@ TEST(Clock, StepsAsManyFramesAsTheTimeAsksFor) {
   EXPECT_NEAR(lab.scene().state.time - before, 0.5, 1.0 / 60.0 + 1e-9);
 }
 
-TEST(Clock, ComesBackFromALongSleepWithoutAJump) {
+TEST(Clock, ResumesAfterALongSleepWithoutAJump) {
   Lab lab(small_net());
   lab.submit(SetRunning{true});
   lab.advance(10.0, [] { return true; });
   EXPECT_LE(lab.scene().state.time, 0.26);
 }
 
-TEST(Clock, SlowsDownInsteadOfPilingUp) {
+TEST(Clock, SlowsDownInsteadOfAccumulatingDelay) {
   Lab lab(small_net());
   lab.submit(SetRunning{true});
-  // only one substep is affordable each call, and 20 make a frame
+  // there is time for only one substep per call, and a frame has 20
   for (int i = 0; i < 200; ++i) lab.advance(1.0 / 60.0, [] { return false; });
   EXPECT_NEAR(lab.scene().state.time * 60.0, 10.0, 1.0);
   EXPECT_NEAR(lab.status()->run.speed, 0.05, 0.05);
-  // once there is time again, what was missed is not made up for
+  // once there is enough time again, missed frames are not caught up
   const double before = lab.scene().state.time;
   lab.advance(1.0 / 60.0, [] { return true; });
   EXPECT_LE(lab.scene().state.time - before, 3.0 / 60.0 + 1e-9);
 }
 
-TEST(Clock, AFrameCutShortGivesTheSameBits) {
+TEST(Clock, AnInterruptedFrameGivesTheSameBits) {
   Lab whole(small_net()), cut(small_net());
   for (int i = 0; i < 10; ++i) whole.step();
   cut.submit(SetRunning{true});
@@ -358,7 +358,7 @@ TEST(Clock, AFrameCutShortGivesTheSameBits) {
   EXPECT_EQ(hash_state(cut.scene().state), hash_state(whole.scene().state));
 }
 
-TEST(Clock, StepsOnceWhenPausedAndSaysSo) {
+TEST(Clock, StepsOneFrameWhenPausedAndReportsIt) {
   Lab lab(small_net());
   lab.submit(StepOnce{});
   apply_now(lab);
@@ -366,7 +366,7 @@ TEST(Clock, StepsOnceWhenPausedAndSaysSo) {
   EXPECT_FALSE(lab.status()->run.running);
 }
 
-TEST(Start, ComesBackWithTheMethodAsSet) {
+TEST(Start, KeepsTheCurrentMethodOnRestart) {
   Lab lab(small_net());
   const Content start = content_of(lab.scene());
   lab.step();
@@ -385,7 +385,7 @@ TEST(Start, ComesBackWithTheMethodAsSet) {
   EXPECT_EQ(content_of(lab.scene()), run);
 }
 
-TEST(Start, IsWhatWasBuiltBeforeItRanHoweverOftenItIsSaved) {
+TEST(Start, IsTheStateBeforeTheFirstRunHoweverOftenItIsSaved) {
   Lab lab(small_net());
   lab.submit(Command(Remove{.points = {lab.scene().system.points()[3].id}}));
   apply_now(lab);
@@ -400,7 +400,7 @@ TEST(Start, IsWhatWasBuiltBeforeItRanHoweverOftenItIsSaved) {
   EXPECT_EQ(lab.scene().state.time, 0.0);
 }
 
-TEST(Divergence, AdvisesAMethodThatHoldsWhereNoNumberOfSubstepsDoes) {
+TEST(Divergence, RecommendsAStableMethodWhereNoNumberOfSubstepsIsStable) {
   const Settings settings;
   const Advice advice = suggest_stepping({.omega = 1e12}, settings);
   EXPECT_EQ(advice.integrator, find_integrator("tr_bdf2"));
@@ -408,10 +408,10 @@ TEST(Divergence, AdvisesAMethodThatHoldsWhereNoNumberOfSubstepsDoes) {
   EXPECT_EQ(suggest_stepping({.omega = 1e4}, settings).integrator, settings.integrator);
 }
 
-TEST(Divergence, PausesKeepsTheFrameBeforeAndNamesWhatWouldHold) {
+TEST(Divergence, PausesAtTheLastGoodFrameAndRecommendsSubsteps) {
   Scene scene = small_net();
   scene.settings.integrator = find_integrator("symplectic_euler");
-  scene.settings.substeps = 1;  // omega h is about 3.5 here, past 2
+  scene.settings.substeps = 1;  // omega h is about 3.5 here, above the limit 2
   for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).stiffness = 100.0;
   Lab lab(scene);
   lab.submit(SetRunning{true});
@@ -425,13 +425,13 @@ TEST(Divergence, PausesKeepsTheFrameBeforeAndNamesWhatWouldHold) {
   ASSERT_TRUE(status.diagnosis.advice.has_value());
   EXPECT_EQ(status.diagnosis.advice->integrator, find_integrator("symplectic_euler"));
 
-  // what it advises holds
+  // the recommendation is stable
   scene.settings.substeps = status.diagnosis.advice->substeps;
   Lab advised(scene);
   for (int i = 0; i < 1200; ++i) ASSERT_TRUE(advised.step()) << "frame " << i;
 }
 
-TEST(Divergence, OfUndampedExplicitEulerNamesAMethodThatHolds) {
+TEST(Divergence, OfUndampedExplicitEulerRecommendsAStableMethod) {
   Scene scene = small_net();
   scene.settings.integrator = find_integrator("explicit_euler");
   Lab lab(scene);
@@ -444,8 +444,8 @@ TEST(Divergence, OfUndampedExplicitEulerNamesAMethodThatHolds) {
   EXPECT_NE(lab.status()->diagnosis.advice->integrator, find_integrator("explicit_euler"));
 }
 
-// dashpots hold what moves along the springs; what swings across them grows at every step
-TEST(Divergence, OfDampedExplicitEulerWithinItsLimitNamesAMethodThatHolds) {
+// dashpots damp motion along the springs; transverse motion grows at every step
+TEST(Divergence, OfDampedExplicitEulerWithinItsLimitRecommendsAStableMethod) {
   Scene scene = small_net();
   scene.settings.integrator = find_integrator("explicit_euler");
   for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).damping = 0.2;
@@ -461,7 +461,7 @@ TEST(Divergence, OfDampedExplicitEulerWithinItsLimitNamesAMethodThatHolds) {
   EXPECT_NE(lab.status()->diagnosis.advice->integrator, find_integrator("explicit_euler"));
 }
 
-TEST(Parameters, ReadBackWhatTheyWriteWithinTheirRange) {
+TEST(Parameters, ReadBackWhatWasWrittenWithinTheirRange) {
   Scene scene = small_net();
   // springs of every family
   std::vector<Spring> springs = scene.system.springs();

@@ -1,4 +1,4 @@
-// The laboratory on its own thread: the same bits, and an answer at any time.
+// The laboratory on its own thread: the same bits, and responses at any time.
 #include "lab/lab_thread.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A rope of `count` points, hanging from its first.
+// A rope of `count` points that hangs from its first point.
 Scene rope(int count) {
   Trial trial;
   std::vector<PointId> points;
@@ -36,7 +36,7 @@ bool wait_for(Condition condition) {
   return false;
 }
 
-TEST(LabThread, GivesTheSameBitsAsWithoutOne) {
+TEST(LabThread, GivesTheSameBitsAsWithoutAThread) {
   LabThread threaded(rope(20));
   threaded.submit(SetRunning{true});
   ASSERT_TRUE(wait_for([&] { return threaded.status()->run.frames >= 30; }));
@@ -48,7 +48,7 @@ TEST(LabThread, GivesTheSameBitsAsWithoutOne) {
   EXPECT_EQ(hash_state(lab.scene().state), hash_state(scene->state));
 }
 
-TEST(LabThread, AppliesWhatIsSubmittedInOrder) {
+TEST(LabThread, AppliesCommandsInOrder) {
   LabThread lab(rope(3));
   const PointId point = lab.new_point_id();
   lab.submit(Command(Insert{.points = {{.point = {.id = point}, .position = {0.0, 1.0, 0.0}}}}));
@@ -60,9 +60,9 @@ TEST(LabThread, AppliesWhatIsSubmittedInOrder) {
   EXPECT_NE(lab.new_point_id(), point);
 }
 
-TEST(LabThread, AnswersWhileAFrameTakesLong) {
+TEST(LabThread, RespondsWhileAFrameTakesLong) {
   Scene scene = rope(2000);
-  scene.settings.substeps = 200000;  // seconds a frame
+  scene.settings.substeps = 200000;  // seconds per frame
   LabThread lab(std::move(scene));
   lab.submit(SetRunning{true});
   ASSERT_TRUE(wait_for([&] { return lab.status()->run.running; }));
@@ -72,18 +72,18 @@ TEST(LabThread, AnswersWhileAFrameTakesLong) {
   EXPECT_EQ(lab.status()->run.frames, 0);
 }
 
-TEST(LabThread, RestsWhilePausedAndLosesNoTime) {
+TEST(LabThread, IsIdleWhilePausedWithoutCatchingUpAfterwards) {
   LabThread lab(rope(5));
   const auto status = lab.status();
   std::this_thread::sleep_for(100ms);
-  EXPECT_EQ(lab.status(), status);  // nothing published: nothing ran
+  EXPECT_EQ(lab.status(), status);  // nothing published, because nothing ran
 
   lab.submit(SetRunning{true});
   ASSERT_TRUE(wait_for([&] { return lab.status()->run.running; }));
-  EXPECT_LE(lab.status()->snapshot->state.time, 0.1);  // the pause was not made up for
+  EXPECT_LE(lab.status()->snapshot->state.time, 0.1);  // the pause was not caught up
 }
 
-TEST(LabThread, EndsAtOnceInTheMiddleOfAFrame) {
+TEST(LabThread, StopsAtOnceInTheMiddleOfAFrame) {
   Scene scene = rope(2000);
   scene.settings.substeps = 1000000;
   const auto start = std::chrono::steady_clock::now();

@@ -1,4 +1,4 @@
-// Recordings: what was done comes back from the text, the run is the same bits, and where it is not, it says so.
+// Recordings: commands are read back from text, a replay gives the same bits, and any difference is reported.
 #include "lab/recording.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 #include "edit/field_names.h"
 #include "formats/scene_file.h"
 #include "lab/lab.h"
-#include "scene/shape.h"
 #include "scene/parameters.h"
+#include "scene/shape.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"
 #include "support/apply_now.h"
@@ -28,7 +28,7 @@ std::string text_of(const Command& command) {
   return out.take();
 }
 
-// One of every command, with nothing left at its default that could be lost.
+// One of every command, with a non-default value in every field.
 std::vector<Command> one_of_each() {
   const Point point{.id = PointId{7}, .nailed = true, .color = Color{1, 2, 3}, .mass = 0.1, .radius = 0.3};
   const Spring spring{.id = SpringId{9},
@@ -72,9 +72,9 @@ std::vector<Command> one_of_each() {
   };
 }
 
-TEST(CommandText, EveryCommandComesBackAsItWas) {
+TEST(CommandText, EveryCommandIsReadBackAsWritten) {
   const std::vector<Command> commands = one_of_each();
-  // all but Replace, which is a scene on lines of its own
+  // all except Replace, which contains a scene and is written on several lines
   ASSERT_EQ(commands.size() + 1, std::variant_size_v<Command>);
   const std::string name = "test";
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -92,14 +92,14 @@ struct Session {
   std::string text;
 };
 
-// A person at work on a cloth: everything that a recording may hold.
+// A user session on a cloth that contains everything a recording can hold.
 Session record_session(const std::filesystem::path& file) {
   Lab lab(load_scene(find_scene("cloth_on_ball")).scene);
   const auto step = [&](int frames) {
     for (int i = 0; i < frames; ++i) lab.step();
   };
   step(3);
-  lab.submit(Remove{{lab.scene().system.points()[5].id}, {}});  // ids are no longer places
+  lab.submit(Remove{{lab.scene().system.points()[5].id}, {}});  // from here on, ids differ from indices
   step(1);
   lab.submit(Record{std::make_shared<const std::filesystem::path>(file)});
   step(5);
@@ -133,7 +133,7 @@ Session record_session(const std::filesystem::path& file) {
 
 class Recordings : public testing::Test {
  protected:
-  // Played to its end, or to where it differs.
+  // Played to its end, or to the first difference.
   Lab play(const std::string& text) {
     auto recording = std::make_shared<const Recording>(parse_recording(text, "test"));
     Lab lab(*recording->start, KeepStart::No);
@@ -146,13 +146,13 @@ class Recordings : public testing::Test {
   const Session session = record_session(scratch.folder / "session.hookelog");
 };
 
-TEST_F(Recordings, PlayToTheSameBits) {
+TEST_F(Recordings, ReplayWithTheSameBits) {
   const Lab lab = play(session.text);
   EXPECT_EQ(lab.difference(), "");
   EXPECT_EQ(hash_state(lab.scene().state), session.hash);
 }
 
-TEST_F(Recordings, OfAPlayedOneAreTheSameAgain) {
+TEST_F(Recordings, OfAReplayAreIdenticalToTheOriginal) {
   auto recording = std::make_shared<const Recording>(parse_recording(session.text, "test"));
   Lab lab(*recording->start);
   lab.submit(Play{recording});
@@ -166,7 +166,7 @@ TEST_F(Recordings, OfAPlayedOneAreTheSameAgain) {
   EXPECT_EQ(hash_state(play(session.text).scene().state), session.hash);
 }
 
-TEST_F(Recordings, NameTheFrameAndThePointThatDiffer) {
+TEST_F(Recordings, NameTheFrameAndThePointsThatDiffer) {
   // the fingerprint of the fourth frame, with the byte of the third pair of points changed
   std::size_t at = 0;
   for (int frame = 0; frame < 4; ++frame) at = session.text.find("{\"frame\": \"", at + 1);
@@ -179,7 +179,7 @@ TEST_F(Recordings, NameTheFrameAndThePointThatDiffer) {
   EXPECT_FALSE(lab.is_playing());
 }
 
-TEST_F(Recordings, OfAnotherPhysicsDiffer) {
+TEST_F(Recordings, WithOtherParametersDiffer) {
   std::string text = session.text;
   const std::string gravity = "\"gravity\": [0, -9.8";
   const std::size_t at = text.find(gravity);
@@ -188,7 +188,7 @@ TEST_F(Recordings, OfAnotherPhysicsDiffer) {
   EXPECT_TRUE(play(text).difference().starts_with("frame 1, at ")) << play(text).difference();
 }
 
-TEST_F(Recordings, CutShortPlayAsFarAsTheyGo) {
+TEST_F(Recordings, ThatAreTruncatedPlayUpToTheirEnd) {
   const std::string text = session.text.substr(0, session.text.size() - 7);
   const Recording recording = parse_recording(text, "test");
   EXPECT_TRUE(recording.is_truncated);
@@ -196,7 +196,7 @@ TEST_F(Recordings, CutShortPlayAsFarAsTheyGo) {
   EXPECT_EQ(play(text).difference(), "");
 }
 
-TEST_F(Recordings, EndWhenAHandIsLent) {
+TEST_F(Recordings, EndWhenAGrabIsSetFromOutside) {
   auto recording = std::make_shared<const Recording>(parse_recording(session.text, "test"));
   Lab lab(*recording->start);
   lab.submit(Play{std::move(recording)});
@@ -208,7 +208,7 @@ TEST_F(Recordings, EndWhenAHandIsLent) {
   EXPECT_EQ(lab.scene().system.gravity, Vec3(0.0, 1.0, 0.0));
 }
 
-TEST_F(Recordings, ThatCannotBeWrittenEndAndSayWhy) {
+TEST_F(Recordings, ThatCannotBeWrittenEndWithAnError) {
   Lab lab(load_scene(find_scene("two_masses")).scene);
   lab.submit(Record{std::make_shared<const std::filesystem::path>("/nowhere/session.hookelog")});
   lab.step();
@@ -219,7 +219,7 @@ TEST_F(Recordings, ThatCannotBeWrittenEndAndSayWhy) {
   EXPECT_GT(lab.scene().state.time, 0.0);
 }
 
-TEST_F(Recordings, AreRefusedWithTheLineThatIsWrong) {
+TEST_F(Recordings, AreRefusedWithTheLineOfTheError) {
   const auto refusal = [](const std::string& text) {
     try {
       parse_recording(text, "x.hookelog");
@@ -243,7 +243,7 @@ TEST_F(Recordings, AreRefusedWithTheLineThatIsWrong) {
         << line << ": " << refusal(first_lines + line + "\n");
 }
 
-TEST_F(Recordings, OfANewerFormatNameTheProgramThatTheyNeed) {
+TEST_F(Recordings, OfANewerFormatNameTheRequiredProgram) {
   const auto refusal = [](const std::string& text) {
     try {
       parse_recording(text, "x.hookelog");
@@ -258,14 +258,14 @@ TEST_F(Recordings, OfANewerFormatNameTheProgramThatTheyNeed) {
                 ", which reads up to version 1; Hooke 9.8.7 wrote it: that version or a newer one is needed");
   EXPECT_EQ(refusal("{\"program\": 3, \"hooke_recording\": 2}\n"), "x.hookelog: line 1: version 2 of the format: this is Hooke " + now +
                                                                        ", which reads up to version 1; a newer program is needed");
-  // the same version of the format, but an edit of a later program
+  // the same version of the format, but a command of a later program
   std::string text = session.text.substr(0, session.text.find("{\"frame\"")) + "{\"fly\": {}}\n";
   EXPECT_EQ(refusal(text), "x.hookelog: line 4: fly: is not known here");
   text.replace(text.find("\"program\": \"" + now), 12 + now.size(), "\"program\": \"9.8.7");
   EXPECT_EQ(refusal(text), "x.hookelog: line 4: fly: is not known here; Hooke 9.8.7 wrote it: that version or a newer one is needed");
 }
 
-// A newer program may add optional members everywhere.
+// A newer program may add optional members anywhere.
 TEST_F(Recordings, WithUnknownOptionalMembersPlayTheSame) {
   std::string text;
   std::istringstream lines(session.text);
@@ -283,8 +283,8 @@ TEST_F(Recordings, WithUnknownOptionalMembersPlayTheSame) {
   EXPECT_EQ(hash_state(lab.scene().state), session.hash);
 }
 
-// recordings/version_N.hookelog: one written by the first program that wrote version N, never changed. Each frame must be computed with
-// the same bits, on the machine that computes as the one it was written on does.
+// recordings/version_N.hookelog was written by the first program that wrote version N and is never changed. Each frame must have the same
+// bits on machines with the same arithmetic as the one that wrote it.
 TEST(OldRecordings, OfEveryVersionPlayTheSame) {
   for (int version = 1; version <= newest_recording_version; ++version) {
     const std::filesystem::path file = std::filesystem::path(HOOKE_RECORDINGS) / ("version_" + std::to_string(version) + ".hookelog");

@@ -1,4 +1,4 @@
-// Springs that break, cloth that tears and is cut; the limits of hand and strain.
+// Breaking springs, tearing and cutting of cloth; limits of hand speed and strain.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ constexpr double frame = 1.0 / 60.0;
 
 Scene parse(const std::string& text) { return parse_scene(text, "test").scene; }
 
-// A sheet of 8 x 8 points, hung up by two corners, that its own weight tears.
+// A sheet of 8 x 8 points, hung by two corners, that tears under its own weight.
 Scene weak_sheet(const Integrator& method) {
   Scene scene = parse(R"({"hooke": 1, "break_strain": 0.12, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0],
     "down": [0, -1, 0.3], "points": [8, 8], "mass": 1, "stiffness": 120, "damping": 0.2, "nail": ["top_left", "top_right"]}],
@@ -35,7 +35,7 @@ Scene weak_sheet(const Integrator& method) {
 void run(Lab& lab, int frames) {
   for (int i = 0; i < frames; ++i) ASSERT_TRUE(lab.step()) << "frame " << i;
 }
-void ask(Lab& lab, const Control& control) {
+void submit_and_apply(Lab& lab, const Control& control) {
   lab.submit(control);
   apply_now(lab);
 }
@@ -43,8 +43,8 @@ void ask(Lab& lab, const Control& control) {
 class Tearing : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Tearing, testing::ValuesIn(every_method()), method_name);
 
-// breaks in the first substep at whose end it is long enough, and then its end falls freely
-TEST_P(Tearing, ASpringBreaksAtItsStrainAndHoldsNothingAfter) {
+// the spring breaks in the first substep at whose end it exceeds its strain; then its end falls freely
+TEST_P(Tearing, ASpringBreaksAtItsStrainAndExertsNoForceAfterwards) {
   Trial trial;
   const PointId top = trial.nail(Vec3(0.0)), weight = trial.add({0.0, -1.0, 0.0}, 1.0, {0.0, -3.0, 0.0});
   const SpringId spring = trial.join(top, weight, 50.0, 1.0);
@@ -59,12 +59,12 @@ TEST_P(Tearing, ASpringBreaksAtItsStrainAndHoldsNothingAfter) {
     while (!step.done()) step.substep(plan);
     step.end(plan, trial.state);
     if (step.broken().empty()) continue;
-    EXPECT_EQ(broke, 0.0) << "it breaks once";
+    EXPECT_EQ(broke, 0.0) << "a spring breaks only once";
     EXPECT_EQ(trial.system.springs()[step.broken()[0]].id, spring);
     EXPECT_GE(-trial.state.position[1].y, 1.2);
     broke = trial.state.time;
     v = trial.state.velocity[1];
-    // half k (l - l0)^2, at least
+    // at least 1/2 k (l - l0)^2
     EXPECT_LE(trial.state.ledger.net_input, -0.5 * 50.0 * 0.2 * 0.2);
     EXPECT_GT(trial.state.ledger.net_input, -0.5 * 50.0 * 0.22 * 0.22);
   }
@@ -72,14 +72,14 @@ TEST_P(Tearing, ASpringBreaksAtItsStrainAndHoldsNothingAfter) {
   EXPECT_NEAR(trial.state.velocity[1].y, v.y - 9.81 * (trial.state.time - broke), 1e-9);
 }
 
-TEST_P(Tearing, ASheetTearsWithItsFacesAndUndoMendsItExactly) {
+TEST_P(Tearing, ASheetTearsWithItsFacesAndUndoRestoresItExactly) {
   const Scene start = weak_sheet(method());
   Lab lab(start);
   run(lab, 30);
   const System torn = lab.scene().system;
   ASSERT_LT(torn.spring_count(), start.system.spring_count() - 4);
   ASSERT_LT(torn.faces.size(), start.system.faces.size());
-  // no face is left along a spring that is gone
+  // no face is left along a broken spring
   std::set<std::pair<PointId, PointId>> left;
   for (const Spring& spring : torn.springs()) left.insert(std::minmax(spring.first, spring.second));
   for (const Spring& spring : start.system.springs())
@@ -94,15 +94,15 @@ TEST_P(Tearing, ASheetTearsWithItsFacesAndUndoMendsItExactly) {
   lab.publish();
   EXPECT_EQ(lab.status()->history.undo_name, "tear");
   const State state = lab.scene().state;
-  ask(lab, Undo{});
+  submit_and_apply(lab, Undo{});
   EXPECT_EQ(lab.scene().system, start.system);
   EXPECT_EQ(lab.scene().state.position, state.position);
   EXPECT_EQ(lab.scene().state.velocity, state.velocity);
-  ask(lab, Redo{});
+  submit_and_apply(lab, Redo{});
   EXPECT_EQ(lab.scene().system, torn);
 }
 
-TEST_P(Tearing, HappensAgainToTheBitAndGoesOnFromAFileToTheBit) {
+TEST_P(Tearing, IsReproducibleBitForBitAndContinuesFromAFileBitForBit) {
   Lab first(weak_sheet(method())), second(weak_sheet(method()));
   run(first, 20);
   run(second, 20);
@@ -111,7 +111,7 @@ TEST_P(Tearing, HappensAgainToTheBitAndGoesOnFromAFileToTheBit) {
 
   Lab from_file(parse(format_scene(first.scene())));
   EXPECT_EQ(from_file.scene().system.faces.size(), first.scene().system.faces.size());
-  // what an adaptive method remembers of its steps is in no file
+  // the step memory of an adaptive method is not stored in files
   if (method().stability == Stability::Adaptive) return;
   run(first, 10);
   run(from_file, 10);
@@ -119,7 +119,7 @@ TEST_P(Tearing, HappensAgainToTheBitAndGoesOnFromAFileToTheBit) {
   EXPECT_EQ(first.scene().state.velocity, from_file.scene().state.velocity);
 }
 
-TEST(Tearing, UnderTheHandIsOneStepWithTheDrag) {
+TEST(Tearing, UnderTheHandIsUndoneTogetherWithTheDrag) {
   Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
   scene.system.gravity = Vec3(0.0);
   Lab lab(scene);
@@ -132,21 +132,21 @@ TEST(Tearing, UnderTheHandIsOneStepWithTheDrag) {
   lab.submit(ReleaseHand{}, 7);
   ASSERT_TRUE(lab.step());
   EXPECT_LT(lab.scene().system.spring_count(), scene.system.spring_count());
-  ask(lab, Undo{});
+  submit_and_apply(lab, Undo{});
   EXPECT_EQ(lab.scene().system, scene.system);
   lab.publish();
   EXPECT_EQ(lab.status()->history.undo_name, "");
 }
 
-// nothing of a frame that is taken back, or left unfinished, stays broken
-TEST(Tearing, AFrameThatIsDroppedBreaksNothing) {
+// springs that break in a frame that is discarded or left unfinished are not broken
+TEST(Tearing, ADiscardedFrameBreaksNothing) {
   const Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
   Lab whole(scene), cut_short(scene);
   cut_short.submit(SetRunning{true});
   int substeps = 0;
   for (int i = 0; i < 40; ++i) {
     cut_short.advance(frame, [&] { return ++substeps % 21 != 0; });
-    cut_short.submit(Move{});  // drops the frame in progress, whatever broke in it
+    cut_short.submit(Move{});  // discards the frame in progress with everything that broke in it
   }
   const long frames = [&] {
     cut_short.publish();
@@ -158,14 +158,14 @@ TEST(Tearing, AFrameThatIsDroppedBreaksNothing) {
   EXPECT_EQ(whole.scene().system, cut_short.scene().system);
 }
 
-// A run of a sheet that tears: what was there after each frame.
+// The run of a tearing sheet: its state after each frame.
 struct TornRun {
   Lab lab{weak_sheet(*find_integrator("velocity_verlet"))};
   std::vector<System> systems{lab.scene().system};
   std::vector<std::uint64_t> hashes{hash_state(lab.scene().state)};
   explicit TornRun(int frames) {
     for (int i = 0; i < frames; ++i) go_on();
-    EXPECT_GT(std::set<Index>(counts.begin(), counts.end()).size(), 3u) << "it tears in several frames";
+    EXPECT_GT(std::set<Index>(counts.begin(), counts.end()).size(), 3u) << "the sheet must tear in several frames";
   }
   void go_on() {
     ASSERT_TRUE(lab.step());
@@ -180,31 +180,31 @@ struct TornRun {
   std::vector<Index> counts;
 };
 
-TEST(Tearing, IsMendedByGoingBackInTimeAndIsThereAgainLater) {
+TEST(Tearing, IsRevertedByGoingBackInTimeAndRepeatedLater) {
   TornRun run(40);
   for (std::size_t moment = 40; moment-- > 0;) {
-    ask(run.lab, StepBack{});
+    submit_and_apply(run.lab, StepBack{});
     run.expect_at(moment);
   }
   for (const std::size_t moment : {40, 17, 25, 3, 39, 0, 40}) {
-    ask(run.lab, GoToTime{static_cast<double>(moment) * frame});
+    submit_and_apply(run.lab, GoToTime{static_cast<double>(moment) * frame});
     run.expect_at(moment);
   }
-  // it goes on from the past as it did
-  ask(run.lab, GoToTime{10 * frame});
+  // from there it continues as before
+  submit_and_apply(run.lab, GoToTime{10 * frame});
   for (std::size_t moment = 11; moment <= 40; ++moment) {
     ASSERT_TRUE(run.lab.step());
     run.expect_at(moment);
   }
 }
 
-TEST(Tearing, IsTakenBackStepByStepThroughGoingBackInTime) {
+TEST(Tearing, IsUndoneStepByStepThroughTimeJumps) {
   TornRun run(40);
   const std::size_t whole =
       static_cast<std::size_t>(std::ranges::upper_bound(run.counts, run.counts[0], std::greater()) - run.counts.begin());
-  ask(run.lab, GoToTime{static_cast<double>(whole) * frame});
+  submit_and_apply(run.lab, GoToTime{static_cast<double>(whole) * frame});
   run.expect_at(whole);
-  // and otherwise: it holds, until it is made as weak as before
+  // with other parameters the sheet does not tear, until it is made as weak as before
   run.lab.submit(SetParameter{find_parameter("break_strain"), 10.0});
   for (int i = 0; i < 10; ++i) ASSERT_TRUE(run.lab.step());
   EXPECT_EQ(run.lab.scene().system.spring_count(), run.systems[0].spring_count());
@@ -213,49 +213,49 @@ TEST(Tearing, IsTakenBackStepByStepThroughGoingBackInTime) {
   const System otherwise = run.lab.scene().system;
   ASSERT_LT(otherwise.spring_count(), run.systems[0].spring_count());
 
-  ask(run.lab, Undo{});  // the tear
+  submit_and_apply(run.lab, Undo{});  // the tear
   EXPECT_EQ(run.lab.scene().system.spring_count(), run.systems[0].spring_count());
-  ask(run.lab, Undo{});
-  ask(run.lab, Undo{});  // both settings
-  ask(run.lab, Undo{});  // the way back
+  submit_and_apply(run.lab, Undo{});
+  submit_and_apply(run.lab, Undo{});  // both settings
+  submit_and_apply(run.lab, Undo{});  // the time jump
   run.expect_at(40);
-  ask(run.lab, Undo{});  // the first tear
+  submit_and_apply(run.lab, Undo{});  // the first tear
   EXPECT_TRUE(run.lab.scene().system == run.systems[0]);
-  for (int i = 0; i < 5; ++i) ask(run.lab, Redo{});
+  for (int i = 0; i < 5; ++i) submit_and_apply(run.lab, Redo{});
   EXPECT_TRUE(run.lab.scene().system == otherwise);
 }
 
-TEST(Tearing, LeavesEditsAsTheyAreWhenTimeGoesBack) {
+TEST(Tearing, KeepsEditsWhenTimeGoesBack) {
   TornRun run(40);
   const System& last = run.systems[40];
   const SpringId cut = last.springs()[last.spring_count() / 2].id;
   run.lab.submit(Remove{{}, {cut}});
-  ask(run.lab, GoToTime{0.0});
+  submit_and_apply(run.lab, GoToTime{0.0});
   EXPECT_EQ(run.lab.scene().system.index_of(cut), no_index);
   EXPECT_EQ(run.lab.scene().system.spring_count(), run.systems[0].spring_count() - 1);
-  // a tear that was taken back by hand is there again at the moment at which it was
-  ask(run.lab, Undo{});
-  ask(run.lab, Undo{});
+  // a tear that was undone is present again at the time when it was
+  submit_and_apply(run.lab, Undo{});
+  submit_and_apply(run.lab, Undo{});
   run.expect_at(40);
-  ask(run.lab, Undo{});
+  submit_and_apply(run.lab, Undo{});
   EXPECT_TRUE(run.lab.scene().system == run.systems[0]);
-  ask(run.lab, GoToTime{20 * frame});
+  submit_and_apply(run.lab, GoToTime{20 * frame});
   run.expect_at(20);
 }
 
 TEST(Tearing, IsKnownAfterGoingToTheStart) {
   TornRun run(40);
-  ask(run.lab, GoToStart{});
+  submit_and_apply(run.lab, GoToStart{});
   run.expect_at(0);
-  ask(run.lab, GoToTime{30 * frame});
+  submit_and_apply(run.lab, GoToTime{30 * frame});
   run.expect_at(30);
-  ask(run.lab, Undo{});
+  submit_and_apply(run.lab, Undo{});
   run.expect_at(0);
   for (std::size_t moment = 1; moment <= 25; ++moment) {
     ASSERT_TRUE(run.lab.step());
     run.expect_at(moment);
   }
-  ask(run.lab, StepBack{});
+  submit_and_apply(run.lab, StepBack{});
   run.expect_at(24);
 }
 
@@ -267,10 +267,10 @@ TEST(Tearing, GoesBackInARecordingToo) {
   lab.submit(Record{file});
   for (int i = 0; i < 20; ++i) run.go_on();
   lab.submit(StepBack{});
-  lab.submit(GoToTime{8 * frame});  // before the recording began, and before most of it tore
+  lab.submit(GoToTime{8 * frame});  // before the recording began, and before most springs broke
   for (int i = 0; i < 8; ++i) lab.step();
   lab.submit(Undo{});
-  lab.submit(Undo{});  // recorded as scenes, with their tears
+  lab.submit(Undo{});  // recorded as a scene that includes the tears
   for (int i = 0; i < 8; ++i) lab.step();
   lab.submit(GoToTime{5 * frame});
   for (int i = 0; i < 3; ++i) lab.step();
@@ -288,7 +288,7 @@ TEST(Tearing, GoesBackInARecordingToo) {
   EXPECT_TRUE(again.scene().system == lab.scene().system);
 }
 
-TEST(Tearing, ASpringsOwnStrainCountsWhereItIsLess) {
+TEST(Tearing, TheBreakStrainOfASpringAppliesIfItIsSmaller) {
   System system;
   Spring spring{.rest_length = 2.0};
   EXPECT_EQ(system.break_length_of(spring), never_breaks);
@@ -300,7 +300,7 @@ TEST(Tearing, ASpringsOwnStrainCountsWhereItIsLess) {
   EXPECT_EQ(system.break_length_of(spring), 3.0);
 }
 
-TEST(StrainLimit, HoldsEverySpringAndSaysWhatItTakes) {
+TEST(StrainLimit, LimitsEverySpringAndReportsTheRemovedEnergy) {
   Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
   scene.system.break_strain = 0.0;
   Lab free(scene);
@@ -320,8 +320,8 @@ TEST(StrainLimit, HoldsEverySpringAndSaysWhatItTakes) {
   EXPECT_EQ(free.status()->run.limit_work, 0.0);
 }
 
-// both ends move by their inverse masses: the centre of mass goes on as it did
-TEST(StrainLimit, KeepsMomentum) {
+// both ends move in proportion to their inverse masses: the center of mass moves as before
+TEST(StrainLimit, ConservesMomentum) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   const PointId light = trial.add(Vec3(0.0), 1.0, {-3.0, 1.0, 0.0}), heavy = trial.add({1.0, 0.0, 0.0}, 4.0, {2.0, 0.0, 0.5});
@@ -333,14 +333,15 @@ TEST(StrainLimit, KeepsMomentum) {
   trial.run(*find_integrator("velocity_verlet"), 0.5, 60);
   EXPECT_LT(glm::distance(trial.state.position[0], trial.state.position[1]), 1.05 * (1.0 + 1e-9));
   EXPECT_LT(glm::distance(momentum().linear, before.linear), 1e-12);
-  // what is missing is in the books
+  // the difference is recorded in the ledger
   const double now = compute_energy(trial.system, trial.state).total();
   EXPECT_LT(now, energy);
   EXPECT_NEAR(trial.state.ledger.net_input, now - energy, 0.02 * (energy - now));
 }
 
-// four points whirl about each other, each held to its neighbours: nothing turns the whole, and nothing but the first jerk costs
-TEST(StrainLimit, KeepsAngularMomentum) {
+// four points rotate about each other, each limited by its neighbors: no torque acts on the whole, and only the first jerk dissipates
+// energy
+TEST(StrainLimit, ConservesAngularMomentum) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   const Vec3 spin(0.5, 1.0, 8.0);
@@ -363,7 +364,7 @@ TEST(StrainLimit, KeepsAngularMomentum) {
   EXPECT_NEAR(compute_energy(trial.system, trial.state).kinetic, energy, 0.01 * energy);
 }
 
-TEST(StrainLimit, ExcusesNoExplosion) {
+TEST(StrainLimit, DoesNotHideADivergence) {
   Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
   scene.system.break_strain = 0.0;
   scene.system.strain_limit = 0.1;
@@ -375,7 +376,7 @@ TEST(StrainLimit, ExcusesNoExplosion) {
   EXPECT_LT(frames, 20);
 }
 
-TEST(Hand, WithATopSpeedLagsAndSaysByHowMuch) {
+TEST(Hand, WithAMaximumSpeedLagsAndReportsTheDistance) {
   Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
   scene.system.break_strain = 0.0;
   scene.system.hand_speed = 3.0;
@@ -396,7 +397,7 @@ TEST(Hand, WithATopSpeedLagsAndSaysByHowMuch) {
   }
 }
 
-TEST(MassFollowsRadius, BySquareWhereItIsSwitchedOnAndIsTakenBack) {
+TEST(MassFollowsRadius, ScalesBySquareWhereSwitchedOnAndIsUndone) {
   Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
   const Scene start = scene;
   for (const bool follows : {false, true}) {
@@ -406,21 +407,21 @@ TEST(MassFollowsRadius, BySquareWhereItIsSwitchedOnAndIsTakenBack) {
     lab.submit(SetPointProperty{PointProperty::Radius, {{before.id, 3.0 * before.radius}}});
     apply_now(lab);
     EXPECT_DOUBLE_EQ(lab.scene().system.points()[5].mass, (follows ? 9.0 : 1.0) * before.mass);
-    ask(lab, Undo{});
+    submit_and_apply(lab, Undo{});
     EXPECT_EQ(lab.scene().system, scene.system);
-    ask(lab, Redo{});
+    submit_and_apply(lab, Redo{});
     EXPECT_DOUBLE_EQ(lab.scene().system.points()[5].mass, (follows ? 9.0 : 1.0) * before.mass);
 
     lab.submit(SetParameter{find_parameter("radius"), 0.5});
     apply_now(lab);
     EXPECT_EQ(lab.scene().system.points()[6].radius, 0.5);
-    ask(lab, Undo{});
-    ask(lab, Undo{});
+    submit_and_apply(lab, Undo{});
+    submit_and_apply(lab, Undo{});
     EXPECT_EQ(lab.scene().system, scene.system);
   }
 }
 
-TEST(MassFollowsRadius, ADragOfItsSliderIsOneStepThatTakesTheMemoryOfOne) {
+TEST(MassFollowsRadius, ADragOfItsSliderIsOneStepWithTheMemoryOfOne) {
   Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
   scene.defaults.mass_follows_radius = true;
   History one, drag;
@@ -437,7 +438,7 @@ TEST(MassFollowsRadius, ADragOfItsSliderIsOneStepThatTakesTheMemoryOfOne) {
   EXPECT_EQ(last.system, scene.system);
 }
 
-TEST(GrabbedCollider, GoesWithTheHandInARunAndComesBackByOneUndo) {
+TEST(GrabbedCollider, FollowsTheHandDuringARunAndReturnsByOneUndo) {
   Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
   scene.system.break_strain = 0.0;
   scene.system.colliders = {{.shape = Sphere{{0.5, -0.6, -1.0}, 0.2}}};
@@ -451,11 +452,11 @@ TEST(GrabbedCollider, GoesWithTheHandInARunAndComesBackByOneUndo) {
   lab.submit(ReleaseHand{}, 3);
   ASSERT_TRUE(lab.step());
   EXPECT_FALSE(lab.scene().state.hand.collider);
-  ask(lab, Undo{});
+  submit_and_apply(lab, Undo{});
   EXPECT_EQ(lab.scene().system.colliders, scene.system.colliders);
 }
 
-TEST(GrabbedCollider, GoesWithThePersonWhileAListedHandActs) {
+TEST(GrabbedCollider, FollowsTheMouseWhileAScriptedHandActs) {
   Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
   scene.system.break_strain = 0.0;
   scene.system.colliders = {{.shape = Sphere{{0.5, -0.6, -1.0}, 0.2}}};
@@ -479,14 +480,14 @@ TEST(GrabbedCollider, GoesWithThePersonWhileAListedHandActs) {
   lab.submit(ReleaseHand{}, 3);
   ASSERT_TRUE(lab.step());
   ASSERT_TRUE(without.step());
-  // it was taken away from the sheet, and nothing else was moved by it
+  // the ball moved away from the sheet, so nothing else is affected
   EXPECT_EQ(lab.scene().state.position, without.scene().state.position);
   EXPECT_EQ(lab.scene().state.ledger.net_input, without.scene().state.ledger.net_input);
-  ask(lab, Undo{});
+  submit_and_apply(lab, Undo{});
   EXPECT_EQ(lab.scene().system, scene.system);
 }
 
-TEST(MovingColliders, AreSavedAndBoxesDoNotSpin) {
+TEST(MovingColliders, AreSavedAndBoxesCannotSpin) {
   const Scene scene = parse(R"({"hooke": 1, "hand_speed": 5, "strain_limit_percent": 12.5, "break_strain": 0.5, "colliders": [
     {"type": "sphere", "center": [0, 0, 0], "radius": 1, "spin": [0, 3, 0]},
     {"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "spin": [0, -2, 0], "oscillate": [0, 0.1, 0], "frequency": 3, "phase": 0.5},

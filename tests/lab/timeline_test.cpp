@@ -1,4 +1,4 @@
-// The past of a scene: what can be gone back to, and that it goes on from there as it did.
+// The timeline: the times that can be returned to, and that a run continues from there as before.
 #include "lab/timeline.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ void step(Lab& lab, int frames) {
   for (int frame = 0; frame < frames; ++frame) lab.step();
 }
 
-// Does what is queued, and lets no time pass.
+// Applies queued commands without advancing time.
 void settle(Lab& lab) { apply_now(lab); }
 
 std::uint64_t hash_of(const Lab& lab) { return hash_state(lab.scene().state); }
@@ -40,7 +40,7 @@ TEST(Timeline, StepsBackFrameByFrameToTheStart) {
   EXPECT_EQ(hash_of(lab), hashes[0]);
 }
 
-TEST(Timeline, GoesOnFromThePastToTheSameBits) {
+TEST(Timeline, ContinuesFromThePastWithTheSameBits) {
   Lab lab = lab_on("two_masses");
   step(lab, 20);
   const std::uint64_t end = hash_of(lab);
@@ -52,7 +52,7 @@ TEST(Timeline, GoesOnFromThePastToTheSameBits) {
   EXPECT_EQ(hash_of(lab), end);
 }
 
-TEST(Timeline, KeepsTheFutureUntilItGoesOnOtherwise) {
+TEST(Timeline, KeepsTheFutureUntilTheRunContinuesDifferently) {
   Lab lab = lab_on("two_masses");
   step(lab, 20);
   const double last = lab.scene().state.time;
@@ -99,7 +99,7 @@ TEST(Timeline, EndsWherePointsWereAdded) {
   EXPECT_GT(lab.scene().state.time, 0.1);
 }
 
-TEST(Timeline, ForgetsTheOldestBeyondItsLimits) {
+TEST(Timeline, DiscardsTheOldestFramesBeyondItsLimits) {
   Timeline timeline;
   State small;
   for (int i = 0; i < 3000; ++i) {
@@ -124,7 +124,7 @@ TEST(Timeline, ForgetsTheOldestBeyondItsLimits) {
   EXPECT_EQ(timeline.bytes(), 0u);
 }
 
-TEST(RunTo, EndsAtTheTimeAskedForAsFastAsItGoes) {
+TEST(RunTo, StopsAtTheRequestedTimeRunningAtFullSpeed) {
   Lab lab = lab_on("two_masses");
   lab.submit(RunTo{5.0});
   lab.advance(1e-3, [] { return true; });
@@ -133,7 +133,7 @@ TEST(RunTo, EndsAtTheTimeAskedForAsFastAsItGoes) {
   EXPECT_EQ(lab.status()->run.to, 0.0);
 }
 
-TEST(RunTo, CanBeStoppedOnTheWay) {
+TEST(RunTo, CanBeStoppedMidway) {
   Lab lab = lab_on("two_masses");
   lab.submit(RunTo{1e6});
   int asked = 0;

@@ -1,4 +1,4 @@
-// What the plots show: quantities over the moments that are known.
+// Traces (what the plots show): quantities over the recorded times.
 #include "lab/traces.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Quantity quantity(const Lab& lab, const char* name) {
 
 void settle(Lab& lab) { apply_now(lab); }
 
-TEST(Traces, HoldWhatIsMeasuredOfEveryMoment) {
+TEST(Traces, ContainTheMeasurementOfEveryFrame) {
   Lab lab = lab_on("two_masses");
   lab.submit(Watch{{quantity(lab, "total"), quantity(lab, "y1")}});
   for (int frame = 0; frame < 10; ++frame) {
@@ -35,10 +35,10 @@ TEST(Traces, HoldWhatIsMeasuredOfEveryMoment) {
     EXPECT_EQ(table.traces[0].values.back(), compute_energy(lab.scene().system, lab.scene().state).total());
     EXPECT_EQ(table.traces[1].values.back(), lab.scene().state.position[1].y);
   }
-  EXPECT_EQ(lab.status()->timeline.traces->times.size(), 11u);  // with the start
+  EXPECT_EQ(lab.status()->timeline.traces->times.size(), 11u);  // including the start
 }
 
-TEST(Traces, OfWhatIsLostAddUpToTheEnergyAtTheStart) {
+TEST(Traces, OfDissipatedAndRemainingEnergyAddUpToTheInitialEnergy) {
   Lab lab = lab_on("two_masses");
   lab.submit(SetParameter{find_parameter("drag"), 1.0});
   lab.submit(Watch{{quantity(lab, "dissipated"), quantity(lab, "total")}});
@@ -51,7 +51,7 @@ TEST(Traces, OfWhatIsLostAddUpToTheEnergyAtTheStart) {
   for (std::size_t i = 0; i < lost.size(); ++i) EXPECT_NEAR(lost[i] + total[i], total.front(), 1e-9 * std::abs(total.front()) + 1e-12);
 }
 
-TEST(Traces, KnowThePastOfWhatIsChosenLater) {
+TEST(Traces, IncludeThePastOfQuantitiesChosenLater) {
   Lab lab = lab_on("two_masses");
   for (int frame = 0; frame < 10; ++frame) lab.step();
   lab.submit(Watch{{quantity(lab, "kinetic")}});
@@ -62,7 +62,7 @@ TEST(Traces, KnowThePastOfWhatIsChosenLater) {
   EXPECT_EQ(table.traces[0].values.front(), 0.0);
 }
 
-TEST(Traces, GoOnFromThePastThatWasGoneBackTo) {
+TEST(Traces, ContinueFromThePastAfterGoingBack) {
   Lab lab = lab_on("two_masses");
   lab.submit(Watch{{quantity(lab, "kinetic")}});
   for (int frame = 0; frame < 10; ++frame) lab.step();
@@ -76,7 +76,7 @@ TEST(Traces, GoOnFromThePastThatWasGoneBackTo) {
   EXPECT_EQ(table.times.size(), table.traces[0].values.size());
 }
 
-TEST(Traces, AreCsvWithUnitsAndEmptyWhereThereIsNothing) {
+TEST(Traces, AreExportedAsCsvWithUnitsAndEmptyCellsForMissingValues) {
   TraceTable table;
   table.times = {0.0, 0.5};
   table.traces = {{*find_quantity("total", 2, 1), {1.25, std::nan("")}}, {*find_quantity("y1", 2, 1), {-3.0, 1e-300}}};

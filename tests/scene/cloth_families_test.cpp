@@ -1,4 +1,4 @@
-// Springs by family: which ones a cloth is made of, and how they are tuned and switched.
+// Spring families: which ones a cloth has, and how they are tuned and switched.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -33,15 +33,15 @@ std::array<Index, 3> count(const Scene& scene) {
   return counts;
 }
 
-TEST(Stencil, SaysWhichFamiliesThereAre) {
+TEST(Stencil, DeterminesTheFamilies) {
   constexpr Index structural = 4 * 4 + 5 * 3, shear = 2 * 4 * 3, bend = 3 * 4 + 5 * 2;
   EXPECT_EQ(count(cloth(R"("stiffness": 8, "stencil": 4)")), (std::array{structural, 0, 0}));
   EXPECT_EQ(count(cloth(R"("stiffness": 8, "stencil": 8)")), (std::array{structural, shear, 0}));
   EXPECT_EQ(count(cloth(R"("stiffness": 8, "stencil": 12)")), (std::array{structural, shear, bend}));
-  // without one, those that have a stiffness
+  // without a stencil: the families that have a stiffness
   EXPECT_EQ(count(cloth(R"("stiffness": 8)")), (std::array{structural, shear, 0}));
   EXPECT_EQ(count(cloth(R"("stiffness": 8, "shear_stiffness": 0, "bend_stiffness": 1)")), (std::array{structural, 0, bend}));
-  // with one, those of none as well: to be tuned later
+  // with a stencil: also those of zero stiffness, to be tuned later
   EXPECT_EQ(count(cloth(R"("stiffness": 8, "stencil": 12, "shear_stiffness": 0, "bend_stiffness": 0)")),
             (std::array{structural, shear, bend}));
 }
@@ -62,7 +62,7 @@ TEST(Stencil, GivesEachFamilyItsOwnStiffness) {
   EXPECT_EQ(k_of(own, SpringFamily::Bend), std::set{2.0});
 }
 
-TEST(Stencil, ThatHasNoPlaceForAStiffnessIsRefused) {
+TEST(Stencil, IsRefusedIfItLacksAFamilyThatHasAStiffness) {
   const auto refusal = [](const std::string& members) -> std::string {
     try {
       cloth(members);
@@ -76,9 +76,9 @@ TEST(Stencil, ThatHasNoPlaceForAStiffnessIsRefused) {
   EXPECT_NE(refusal(R"("stiffness": 8, "stencil": 8, "bend_stiffness": 1)").find("must have a stencil of 12"), std::string::npos);
 }
 
-TEST(Families, ComeBackFromAFileWithTheirSwitches) {
+TEST(Families, AreReadBackFromAFileWithTheirSwitches) {
   Scene scene = cloth(R"("stiffness": 8, "stencil": 12)");
-  scene.state.position[0].z = 1.0;  // no longer as it was made: everything is listed
+  scene.state.position[0].z = 1.0;  // no longer as generated, so everything is listed
   scene.system.family_on = {true, true, false, false};
   const std::string text = format_scene(scene);
   EXPECT_EQ(text.find("generators"), std::string::npos);
@@ -88,8 +88,8 @@ TEST(Families, ComeBackFromAFileWithTheirSwitches) {
                InputError);
 }
 
-// A twelve-neighbour cloth pulled out of shape, and the same without the springs of one family.
-TEST(Families, SwitchedOffAreAsIfTheyWereNot) {
+// A cloth with a stencil of twelve, deformed, and the same cloth without the springs of one family.
+TEST(Families, SwitchedOffBehaveAsIfAbsent) {
   for (const SpringFamily family : families) {
     Scene off = cloth(R"("stiffness": 8, "damping": 0.5, "stencil": 12)");
     for (Index i = 0; i < off.system.point_count(); ++i) {
@@ -109,7 +109,7 @@ TEST(Families, SwitchedOffAreAsIfTheyWereNot) {
       a.run(method, 0.02, 4);
       b.run(method, 0.02, 4);
       for (Index i = 0; i < a.system.point_count(); ++i) {
-        // two of them take the springs one after the other, and so in another order
+        // two of the methods process springs one after the other, and therefore in a different order
         const double slack = method.id == "xpbd" ? 1e-3 : 1e-4;
         EXPECT_LT(glm::distance(a.state.position[i], b.state.position[i]), slack) << method.id;
       }
@@ -117,7 +117,7 @@ TEST(Families, SwitchedOffAreAsIfTheyWereNot) {
   }
 }
 
-TEST(Families, AreTunedEachByItsOwnSliderAndTakenBack) {
+TEST(Families, AreTunedBySeparateSlidersAndUndone) {
   Scene scene = cloth(R"("stiffness": 8, "stencil": 12)");
   const System before = scene.system;
   Effect effect;
@@ -137,7 +137,7 @@ TEST(Families, AreTunedEachByItsOwnSliderAndTakenBack) {
   EXPECT_EQ(scene.system, before);
 }
 
-TEST(Families, HaveRowsOnlyWhereThereAreSuchSprings) {
+TEST(Families, HaveRowsOnlyWhereSuchSpringsExist) {
   const auto applies = [](const Scene& scene, const char* name) { return find_parameter(name)->applies(scene); };
   const Scene net = cloth(R"("stiffness": 8, "stencil": 4)"), empty = empty_scene();
   EXPECT_TRUE(applies(net, "structural_stiffness"));

@@ -1,4 +1,4 @@
-// Cloth as a material: its sliders mean the same at every number of points, and the other readings of a spring stay.
+// Cloth as a material: its parameters mean the same at any number of points, and the other spring parameterizations are kept.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,7 +21,7 @@ namespace {
 
 Scene parse(const std::string& text) { return parse_scene(text, "test").scene; }
 
-// A square metre of n x n points, hung up by its first row.
+// A square meter of n x n points, hung by its first row.
 Scene sheet(int n, const std::string& members) {
   const std::string points = "[" + std::to_string(n) + ", " + std::to_string(n) + "]";
   return parse(R"({"hooke": 1, "reading": "material", "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0],
@@ -35,7 +35,7 @@ void set(Scene& scene, const char* name, double value) {
 }
 double read(const Scene& scene, const char* name) { return find_parameter(name)->read(scene); }
 
-// How a sheet hangs and swings up and down, along the mode sin(pi s / 2) of a thread of its length s.
+// How a sheet hangs and how it oscillates vertically in the mode sin(pi s / 2) of a thread of its length s.
 struct Swing {
   double sag = 0.0;     // [m], of the lower edge
   double period = 0.0;  // [s]
@@ -49,7 +49,7 @@ Swing measure(const Scene& scene) {
   const Integrator& verlet = *find_integrator("velocity_verlet");
   const double h = 0.7 / bound_spectrum(trial.system).omega;
 
-  // to rest, by a drag that the mode just does not swing under
+  // to rest, with drag slightly above the critical damping of the mode
   const double drag = trial.system.drag;
   trial.system.drag = 50.0;
   trial.run(verlet, 0.6, static_cast<int>(0.6 / h));
@@ -60,7 +60,7 @@ Swing measure(const Scene& scene) {
     if (flat[i].y == -1.0) swing.sag += flat[i].y - rest[i].y, ++edge;
   swing.sag /= edge;
 
-  // and off
+  // released from there
   trial.system.drag = drag;
   for (Index i = 0; i < n; ++i) trial.state.velocity[i].y = trial.system.points()[i].nailed ? 0.0 : 0.02 * mode(flat[i]);
   constexpr double sample = 1e-3;
@@ -82,8 +82,8 @@ Swing measure(const Scene& scene) {
   return swing;
 }
 
-// sag 1 %, period 0.3 %, decay 5 % of the finest
-void expect_same_thing(const std::string& members) {
+// sag 1 %, period 0.3 %, decay 5 %, relative to the finest
+void expect_mesh_independent(const std::string& members) {
   std::array<Swing, 4> swings;
   constexpr std::array sizes{9, 17, 33, 65};
   for (std::size_t s = 0; s < sizes.size(); ++s) {
@@ -100,26 +100,26 @@ void expect_same_thing(const std::string& members) {
     EXPECT_NEAR(swing.period, finest.period, 0.003 * finest.period);
     EXPECT_NEAR(swing.decay, finest.decay, 0.05 * finest.decay);
   }
-  // what a thread does: sag density g / (2 E t), period 4 sqrt(density / E t), decay c / 2 + eta omega^2 / (2 E t); a sheet
-  // held at the top is a little stiffer, for it cannot narrow there
+  // a thread: sag density g / (2 E t), period 4 sqrt(density / E t), decay c / 2 + eta omega^2 / (2 E t); a sheet held at the top is
+  // slightly stiffer, because it cannot contract there
   const double omega = 2.0 * std::numbers::pi / finest.period;
   EXPECT_NEAR(finest.sag, 9.81 * 3.0 / 1600.0, 0.05 * finest.sag);
   EXPECT_NEAR(finest.period, 4.0 * std::sqrt(3.0 / 800.0), 0.03 * finest.period);
   EXPECT_NEAR(finest.decay, 0.05 + 0.0005 * omega * omega, 0.03 * finest.decay);
 }
 
-TEST(Sheet, IsTheSameThingAtEveryNumberOfPoints) { expect_same_thing(""); }
+TEST(Sheet, BehavesTheSameAtAnyNumberOfPoints) { expect_mesh_independent(""); }
 
-TEST(Sheet, WithoutDiagonalsIsTheSameThingToo) { expect_same_thing(R"("stencil": 4, )"); }
+TEST(Sheet, WithoutDiagonalsBehavesTheSameToo) { expect_mesh_independent(R"("stencil": 4, )"); }
 
-TEST(Sheet, FromAFileIsWhatTheSlidersMakeOfIt) {
+TEST(Sheet, FromAFileEqualsOneSetBySliders) {
   const Scene given = sheet(7, R"("density": 0.3, "sheet_stiffness": 900, "sheet_damping": 0.7, "stencil": 12)");
   EXPECT_NEAR(read(given, "sheet_stiffness"), 900.0, 1e-9);
   EXPECT_NEAR(read(given, "sheet_damping"), 0.7, 1e-12);
   EXPECT_NEAR(read(given, "sheet_density"), 0.3, 1e-12);
   EXPECT_EQ(given.system.springs().front().stiffness, 0.375 * 900.0);  // along the border
 
-  // the springs over the next point but one are no part of it
+  // bend springs are not part of the sheet
   Scene set_by_hand = sheet(7, R"("density": 2, "sheet_stiffness": 1, "stencil": 12)");
   set(set_by_hand, "sheet_stiffness", 900.0);
   set(set_by_hand, "sheet_damping", 0.7);
@@ -129,8 +129,8 @@ TEST(Sheet, FromAFileIsWhatTheSlidersMakeOfIt) {
     EXPECT_NEAR(set_by_hand.system.points()[i].mass, given.system.points()[i].mass, 1e-15);
 }
 
-// whatever the shape of the cells, the strip between two rows of springs bears E t times its width
-TEST(Sheet, OfOblongCellsIsAsStiffAcrossAsDown) {
+// for any cell shape, the strip between two rows of springs carries E t times its width
+TEST(Sheet, WithOblongCellsIsIsotropic) {
   const Scene scene = parse(R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [4, 0, 0], "down": [0, -3, 0],
     "points": [5, 13], "stencil": 4, "sheet_stiffness": 60}]})");
   double across = 0.0, down = 0.0;  // [N], of all springs between two columns, between two rows, by their strain
@@ -144,7 +144,7 @@ TEST(Sheet, OfOblongCellsIsAsStiffAcrossAsDown) {
   EXPECT_NEAR(down, 60.0 * 4.0, 1e-9);
 }
 
-TEST(Readings, SayTheSameSpringsInOtherWords) {
+TEST(Parameterizations, DescribeTheSameSpringsWithDifferentParameters) {
   Scene scene = sheet(5, R"("stiffness": 8, "damping": 0.5, "stencil": 4, "mass_model": "equal")");  // 0.25 m each
   EXPECT_EQ(read(scene, "stiffness"), 8.0);
   EXPECT_EQ(read(scene, "stiffness_per_strain"), 2.0);
@@ -157,7 +157,7 @@ TEST(Readings, SayTheSameSpringsInOtherWords) {
   }
 }
 
-TEST(Readings, HaveTheirOwnRows) {
+TEST(Parameterizations, HaveTheirOwnRows) {
   Scene scene = sheet(5, R"("stiffness": 8)");
   const auto applying = [&](const char* parameterization) {
     std::string names;
@@ -179,8 +179,8 @@ TEST(Readings, HaveTheirOwnRows) {
   EXPECT_EQ(applying("material"), "sheet_stiffness sheet_damping sheet_density ");
 }
 
-// what bends a sheet has no share of it: as a material it has its own slider, and no other touches it
-TEST(Readings, LeaveBendSpringsTheirOwnStiffness) {
+// bend springs contribute nothing to the in-plane stiffness: as a material they have their own slider, and no other affects it
+TEST(Parameterizations, LeaveTheStiffnessOfBendSpringsUnchanged) {
   Scene scene = sheet(5, R"("stiffness": 8, "stencil": 12, "bend_stiffness": 3)");
   ASSERT_TRUE(find_parameter("bend_stiffness")->applies(scene));
   EXPECT_FALSE(find_parameter("shear_stiffness")->applies(scene));
@@ -194,10 +194,10 @@ TEST(Readings, LeaveBendSpringsTheirOwnStiffness) {
   EXPECT_NEAR(read(scene, "sheet_stiffness"), 100.0, 1e-12);
 }
 
-TEST(Readings, AreSavedWithWhatTheyNeed) {
+TEST(Parameterizations, AreSavedWithTheirParameters) {
   Scene scene = sheet(4, R"("stiffness": 8)");
   EXPECT_EQ(parse(format_scene(scene)).parameterization, SpringParameterization::Material);
-  scene.state.position[5].z = 0.1;  // no longer as it was made: everything is listed
+  scene.state.position[5].z = 0.1;  // no longer as generated, so everything is listed
   const std::string text = format_scene(scene);
   ASSERT_EQ(text.find("generators"), std::string::npos);
   const Scene back = parse(text);
@@ -207,7 +207,7 @@ TEST(Readings, AreSavedWithWhatTheyNeed) {
   EXPECT_THROW(parse(R"({"hooke": 1, "reading": "yards"})"), InputError);
 }
 
-TEST(Readings, AreTakenBackExactly) {
+TEST(Parameterizations, AreUndoneExactly) {
   const Scene start = sheet(6, R"("stiffness": 7.3, "damping": 0.11, "shear_stiffness": 1.9)");
   for (const char* name : {"sheet_stiffness", "sheet_damping", "sheet_density", "stiffness_per_strain", "damping_per_length", "reading"}) {
     Scene scene = start;
@@ -225,7 +225,7 @@ Insert insertion_into(Lab& lab, const Scene& part) {
 }
 void settle(Lab& lab) { apply_now(lab); }
 
-TEST(Sheet, PutIntoAnotherSceneHasItsSlidersThere) {
+TEST(Sheet, InsertedIntoAnotherSceneHasItsSlidersThere) {
   const Scene part = sheet(4, R"("sheet_stiffness": 80)");
   Scene other = parse(R"({"hooke": 1, "reading": "material", "points": [{"position": [0, 1, 0], "nailed": true}]})");
   ASSERT_EQ(other.sheet, nullptr);
@@ -258,7 +258,7 @@ TEST(Sheet, PutIntoAnotherSceneHasItsSlidersThere) {
     EXPECT_EQ(spring.stiffness, 40.0 * lab.scene().sheet->sheet_weight_of(spring.id));
 }
 
-TEST(Sheet, KeepsItsMaterialWhereHalfOfItIsDeletedAndPutBack) {
+TEST(Sheet, KeepsItsMaterialWhenHalfOfItIsDeletedAndRestored) {
   const Scene start = sheet(5, R"("sheet_stiffness": 80)");
   Lab lab(start);
   Remove half;
@@ -272,7 +272,7 @@ TEST(Sheet, KeepsItsMaterialWhereHalfOfItIsDeletedAndPutBack) {
   EXPECT_EQ(*lab.scene().sheet, *start.sheet);
 }
 
-TEST(Sheet, HasItsMaterialInACopyOfItAndInARecording) {
+TEST(Sheet, KeepsItsMaterialWhenCopiedAndInARecording) {
   const Scene start = sheet(4, R"("sheet_stiffness": 80)");
   ScratchFolder scratch;
   const auto file = std::make_shared<const std::filesystem::path>(scratch.folder / "copy.hookelog");
@@ -283,7 +283,7 @@ TEST(Sheet, HasItsMaterialInACopyOfItAndInARecording) {
   lab.submit(insertion_into(lab, part));
   lab.submit(SetParameter{find_parameter("sheet_density"), 3.0});
   lab.step();
-  lab.submit(Undo{});  // the scene stands in the recording, with ids
+  lab.submit(Undo{});  // the recording contains the scene, with ids
   lab.step();
   lab.submit(Record{});
   settle(lab);
@@ -300,7 +300,7 @@ TEST(Sheet, HasItsMaterialInACopyOfItAndInARecording) {
   EXPECT_EQ(*again.scene().sheet, *lab.scene().sheet);
 }
 
-TEST(Generators, RefuseAMaterialThatIsSaidTwice) {
+TEST(Generators, RefuseAMaterialThatIsSpecifiedTwice) {
   const auto refusal = [](const std::string& members) -> std::string {
     try {
       sheet(4, members);

@@ -1,4 +1,4 @@
-// Picking: what is seen under the cursor is what is meant, from any side.
+// Picking: the item shown under the cursor is selected, from any direction.
 #include "scene/pick.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ struct Scenery {
   glm::dvec2 seen(const Vec3& place) const { return *project_to_screen(view_transform(), place); }
 };
 
-// An oblique view onto the origin.
+// An oblique view of the origin.
 Camera oblique(bool orthographic = false) {
   Camera camera;
   camera.orbit(0.7, 0.4);
@@ -44,7 +44,7 @@ Camera oblique(bool orthographic = false) {
   return camera;
 }
 
-TEST(Pick, SeesAPlaceWhereTheCameraProjectsIt) {
+TEST(Pick, ProjectsPositionsLikeTheCamera) {
   Scenery scenery;
   for (const bool orthographic : {false, true}) {
     scenery.camera = oblique(orthographic);
@@ -55,7 +55,7 @@ TEST(Pick, SeesAPlaceWhereTheCameraProjectsIt) {
   }
 }
 
-TEST(Pick, ALineOfSightPassesThroughWhatIsSeenThere) {
+TEST(Pick, ARayPassesThroughThePositionShownAtItsPixel) {
   Scenery scenery;
   for (const bool orthographic : {false, true}) {
     scenery.camera = oblique(orthographic);
@@ -68,12 +68,12 @@ TEST(Pick, ALineOfSightPassesThroughWhatIsSeenThere) {
   }
 }
 
-TEST(Pick, NothingBehindTheViewerIsSeen) {
+TEST(Pick, IgnoresEverythingBehindTheViewer) {
   Scenery scenery;
   EXPECT_FALSE(project_to_screen(scenery.view_transform(), scenery.camera.eye() + Vec3(0.0, 0.0, 1.0)));
 }
 
-// Against the definition, over many points, places and views.
+// Against the definition, for many points, positions and views.
 TEST(Pick, FindsTheNearestPointWithinReach) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -97,25 +97,25 @@ TEST(Pick, FindsTheNearestPointWithinReach) {
   EXPECT_GT(hits, 20);
 }
 
-TEST(Pick, TakesTheBallInFrontWhereBallsOverlap) {
+TEST(Pick, TakesTheFrontBallWhereBallsOverlap) {
   Scenery scenery;
   const PointId behind = scenery.ball({0.0, 0.0, -0.5}, 0.1);
   const PointId before = scenery.ball({0.05, 0.0, 0.5}, 0.1);
-  // over both, and nearer to the middle of the one behind
+  // over both, and closer to the center of the one behind
   const glm::dvec2 cursor = scenery.seen({0.0, 0.0, -0.5});
   EXPECT_EQ(pick_point(scenery.snapshot(), scenery.view_transform(), cursor, reach), before);
   scenery.trial.state.position[0].z = 0.9;
   EXPECT_EQ(pick_point(scenery.snapshot(), scenery.view_transform(), cursor, reach), behind);
 }
 
-TEST(Pick, ReachesALargeBallAtItsEdge) {
+TEST(Pick, FindsALargeBallAtItsEdge) {
   Scenery scenery;
   const PointId ball = scenery.ball(Vec3(0.0), 0.4);
   EXPECT_EQ(pick_point(scenery.snapshot(), scenery.view_transform(), scenery.seen({0.38, 0.0, 0.0}), reach), ball);
   EXPECT_FALSE(pick_point(scenery.snapshot(), scenery.view_transform(), scenery.seen({0.5, 0.0, 0.0}), reach));
 }
 
-TEST(Pick, DoesNotReachThroughACollider) {
+TEST(Pick, DoesNotFindPointsBehindACollider) {
   Scenery scenery;
   scenery.camera = oblique();
   const PointId point = scenery.ball(-0.8 * scenery.camera.back, 0.02);
@@ -123,19 +123,19 @@ TEST(Pick, DoesNotReachThroughACollider) {
   EXPECT_EQ(pick(), point);
   scenery.trial.system.colliders = {{.shape = Sphere{Vec3(0.0), 0.5}}};
   EXPECT_FALSE(pick());
-  // what lies on the near side is there to be picked, and so is anything behind what is only drawn
+  // points on the near side can be picked, and so can those behind a collider that is only drawn
   scenery.trial.state.position[0] = 0.52 * scenery.camera.back;
   EXPECT_EQ(pick(), point);
   scenery.trial.state.position[0] = -0.8 * scenery.camera.back;
   scenery.trial.system.colliders[0].solid = false;
   EXPECT_EQ(pick(), point);
-  // in a flat scene a ball's silhouette hides nothing
+  // in a flat scene, the silhouette of a ball hides nothing
   scenery.trial.system.colliders[0].solid = true;
   scenery.trial.system.dimensions = 2;
   EXPECT_EQ(pick(), point);
 }
 
-TEST(Pick, FindsASpringBesideItsMiddleAndNotBeyondItsEnds) {
+TEST(Pick, FindsASpringNearItsMiddleAndNotBeyondItsEnds) {
   Scenery scenery;
   scenery.camera = oblique();
   const Vec3 from(-0.4, 0.1, 0.0), to(0.5, 0.2, 0.3);
@@ -148,7 +148,7 @@ TEST(Pick, FindsASpringBesideItsMiddleAndNotBeyondItsEnds) {
   EXPECT_FALSE(pick(scenery.seen(to) + 1.1 * reach * along));
 }
 
-TEST(Pick, FindsASpringThatPassesTheViewer) {
+TEST(Pick, FindsASpringThatExtendsBehindTheViewer) {
   Scenery scenery;
   const Vec3 from = scenery.camera.eye() + Vec3(0.1, 0.1, 1.0), to(0.0, 0.0, -1.0);
   const SpringId spring = scenery.trial.join(scenery.ball(from, 0.0), scenery.ball(to, 0.0), 1.0, 1.0);
@@ -156,7 +156,7 @@ TEST(Pick, FindsASpringThatPassesTheViewer) {
   EXPECT_EQ(pick_spring(scenery.snapshot(), scenery.view_transform(), cursor, 2.0), spring);
 }
 
-TEST(Pick, MeetsEachKindOfColliderOnItsSurface) {
+TEST(Pick, IntersectsEachKindOfColliderAtItsSurface) {
   const PickRay down{{0.3, 5.0, 0.1}, {0.0, -1.0, 0.0}};
   System system;
   system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}}};
@@ -176,12 +176,12 @@ TEST(Pick, MeetsEachKindOfColliderOnItsSurface) {
   EXPECT_NEAR(glm::distance(sphere->normal, Vec3(0.0, 1.0, 0.0)), 0.0, 1e-12);
   EXPECT_TRUE(sphere->bounded);
 
-  // from inside or from below there is no surface to land on
+  // from inside or from below there is no surface to hit
   EXPECT_FALSE(hit_collider(system, {}, {{0.3, 1.0, 0.1}, {1.0, 0.0, 0.0}}));
   EXPECT_FALSE(hit_collider(system, {}, {{5.0, -3.0, 0.0}, {0.0, 1.0, 0.0}}));
 }
 
-TEST(Pick, ABoxTakesThePointsSeenWithinItAndTheSpringsBetweenThem) {
+TEST(Pick, ABoxSelectsThePointsInsideAndTheSpringsBetweenThem) {
   Scenery scenery;
   const PointId a = scenery.ball({-0.2, 0.1, 0.0}, 0.0), b = scenery.ball({0.2, -0.1, 0.5}, 0.0), c = scenery.ball({0.9, 0.0, 0.0}, 0.0);
   const SpringId inside = scenery.trial.join(a, b, 1.0, 1.0);
@@ -193,7 +193,7 @@ TEST(Pick, ABoxTakesThePointsSeenWithinItAndTheSpringsBetweenThem) {
   EXPECT_EQ(select_with_springs_between(scenery.trial.system, points).springs, std::vector{inside});
 }
 
-TEST(Pick, ACutCrossesTheSpringsBetweenItsEndsOnly) {
+TEST(Pick, ACutCrossesOnlyTheSpringsBetweenItsEnds) {
   Scenery scenery;
   const SpringId crossed = scenery.trial.join(scenery.ball({-0.5, 0.0, 0.0}, 0.0), scenery.ball({0.5, 0.0, 0.0}, 0.0), 1.0, 1.0);
   scenery.trial.join(scenery.ball({-0.5, 0.6, 0.0}, 0.0), scenery.ball({0.5, 0.6, 0.0}, 0.0), 1.0, 1.0);
@@ -202,14 +202,14 @@ TEST(Pick, ACutCrossesTheSpringsBetweenItsEndsOnly) {
   EXPECT_EQ(cut, std::vector{crossed});
 }
 
-// A triangle in the plane z = 0 and one behind it, and a point behind both.
+// A triangle in the plane z = 0, another behind it, and a point behind both.
 struct Layers : Scenery {
   PointId behind;
   Layers() {
     camera = oblique();
     for (const double z : {0.0, -0.6})
       for (const Vec3& corner : {Vec3(-0.8, -0.6, z), Vec3(0.9, -0.7, z), Vec3(0.0, 0.8, z)}) ball(corner, 0.0);
-    // the far one first, and each turned another way: neither counts
+    // the far one first, each with a different orientation: neither matters
     trial.system.faces = {{{PointId{3}, PointId{5}, PointId{4}}}, {{PointId{0}, PointId{1}, PointId{2}}}};
     behind = ball(-0.5 * camera.back, 0.02);
   }
@@ -220,7 +220,7 @@ struct Layers : Scenery {
   }
 };
 
-TEST(Pick, MeetsTheSurfaceWhereItIsSeenAndSaysHowItLiesBetweenThePoints) {
+TEST(Pick, FindsTheVisibleSurfaceWithItsBarycentricWeights) {
   const Layers layers;
   const Vec3 places[] = {{0.1, -0.2, 0.0}, {-0.79, -0.5999, 0.0}, {0.0, 0.0, 0.0}};
   for (const Vec3& place : places) {
@@ -241,21 +241,21 @@ TEST(Pick, MeetsTheSurfaceWhereItIsSeenAndSaysHowItLiesBetweenThePoints) {
   EXPECT_FALSE(pick_surface(layers.snapshot(), layers.view_transform(), layers.seen({0.9, 0.8, 0.0})));
 }
 
-TEST(Pick, ReachesASurfaceFromBehindAndPastTheViewer) {
+TEST(Pick, FindsASurfaceFromBehindAndOneThatExtendsBehindTheViewer) {
   Layers layers;
   layers.camera.back = -layers.camera.back;
   const auto far = pick_surface(layers.snapshot(), layers.view_transform(), layers.seen({0.1, -0.2, -0.6}));
   ASSERT_TRUE(far);
   EXPECT_EQ(far->patch.points, (std::array{PointId{3}, PointId{5}, PointId{4}}));
 
-  // a face that reaches behind the viewer
+  // a face that extends behind the viewer
   Scenery scenery;
   for (const Vec3& corner : {Vec3(-1.0, -0.1, -5.0), Vec3(1.0, -0.1, -5.0), Vec3(0.0, -0.1, 50.0)}) scenery.ball(corner, 0.0);
   scenery.trial.system.faces = {{{PointId{0}, PointId{1}, PointId{2}}}};
   EXPECT_TRUE(pick_surface(scenery.snapshot(), scenery.view_transform(), scenery.seen({0.0, -0.1, 1.0})));
 }
 
-TEST(Pick, ACrackBetweenFacesLetsNothingThrough) {
+TEST(Pick, FindsNoGapBetweenAdjacentFaces) {
   Scenery scenery;
   scenery.camera = oblique();
   const PointId a = scenery.ball({-0.7, -0.6, 0.1}, 0.0), b = scenery.ball({0.8, 0.5, -0.2}, 0.0);
@@ -267,12 +267,12 @@ TEST(Pick, ACrackBetweenFacesLetsNothingThrough) {
   }
 }
 
-TEST(Pick, DoesNotReachThroughASurfaceThatIsShown) {
+TEST(Pick, DoesNotFindPointsBehindAVisibleSurface) {
   const Layers layers;
   const glm::dvec2 cursor = layers.seen(layers.trial.position(layers.behind));
   EXPECT_EQ(pick_point(layers.snapshot(), layers.view_transform(), cursor, reach), layers.behind);
   EXPECT_FALSE(pick_point(layers.snapshot(), layers.lens_with_surface(), cursor, reach));
-  // a surface hides none of its own corners, seen from either side
+  // a surface hides none of its own corners, from either side
   Layers turned = layers;
   for (const double side : {1.0, -1.0}) {
     turned.camera.back = side * layers.camera.back;
@@ -291,7 +291,7 @@ TEST(Pick, AColliderInFrontHidesTheSurface) {
   EXPECT_FALSE(pick_surface(layers.snapshot(), layers.view_transform(), cursor));
 }
 
-TEST(Selection, HoldsEachIdOnceInOrder) {
+TEST(Selection, ContainsEachIdOnceInOrder) {
   Selection selection;
   for (const std::uint32_t id : {5u, 2u, 9u}) selection.toggle(PointId{id});
   EXPECT_EQ(selection.points, (std::vector{PointId{2}, PointId{5}, PointId{9}}));
@@ -302,7 +302,7 @@ TEST(Selection, HoldsEachIdOnceInOrder) {
   EXPECT_EQ(selection.points, (std::vector{PointId{2}, PointId{3}, PointId{9}}));
 }
 
-TEST(Selection, ForgetsWhatIsGone) {
+TEST(Selection, DropsRemovedItems) {
   Trial trial;
   const PointId a = trial.add({0.0, 0.0, 0.0}), b = trial.add({1.0, 0.0, 0.0});
   const SpringId spring = trial.join(a, b, 1.0, 1.0);

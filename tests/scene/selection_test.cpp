@@ -1,4 +1,4 @@
-// What is selected, and parts of a scene as something to put in again.
+// The selection, and excerpts of a scene to be inserted again.
 #include "scene/selection.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace hooke {
 namespace {
 
-// Two chains of three points, and a face from the end of the second to a point on its own.
+// Two chains of three points, and a face from the end of the second to a separate point.
 Scene two_chains() {
   Trial trial;
   std::vector<PointId> points;
@@ -31,7 +31,7 @@ Scene two_chains() {
 PointId point(int i) { return PointId{static_cast<std::uint32_t>(i)}; }
 SpringId spring(int i) { return SpringId{static_cast<std::uint32_t>(i)}; }
 
-TEST(Selection, ConnectedGoesAlongSpringsAndFaces) {
+TEST(Selection, ConnectedFollowsSpringsAndFaces) {
   const Scene scene = two_chains();
   const Selection first{{point(0), point(1), point(2)}, {spring(0), spring(1)}};
   const Selection second{{point(3), point(4), point(5), point(6)}, {spring(2), spring(3)}};
@@ -43,7 +43,7 @@ TEST(Selection, ConnectedGoesAlongSpringsAndFaces) {
   EXPECT_EQ(select_connected(scene.system, {{point(99)}, {spring(99)}}), Selection{});
 }
 
-TEST(Selection, InvertedTwiceIsItself) {
+TEST(Selection, InvertedTwiceIsUnchanged) {
   const Scene scene = two_chains();
   const Selection some{{point(1), point(4)}, {spring(2)}};
   const Selection rest = invert_selection(scene.system, some);
@@ -60,7 +60,7 @@ Snapshot snapshot_of(const Scene& scene) {
   return snapshot;
 }
 
-TEST(Excerpt, TakesSpringsBetweenSelectedPointsAndEndsOfSelectedSprings) {
+TEST(Excerpt, ContainsSpringsBetweenSelectedPointsAndEndsOfSelectedSprings) {
   const Snapshot snapshot = snapshot_of(two_chains());
   const Scene pair = copy_selection(snapshot, nullptr, {{point(0), point(1)}, {}});
   EXPECT_EQ(pair.system.point_count(), 2);
@@ -73,8 +73,8 @@ TEST(Excerpt, TakesSpringsBetweenSelectedPointsAndEndsOfSelectedSprings) {
   EXPECT_EQ(copy_selection(snapshot, nullptr, {{point(4), point(5)}, {}}).system.faces.size(), 0u);
 }
 
-// Carried as text, put in again, undone: everything about the copies is as it was, and nothing is left of them.
-TEST(Excerpt, ComesBackFromItsTextBitForBit) {
+// Written as text, inserted again, undone: the copies have all properties of the originals, and undo removes them completely.
+TEST(Excerpt, IsReadBackFromItsTextBitForBit) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     Scene scene;
     const Trial trial = random_trial(seed, 12, 30, 2 + seed % 2, 1.0);
@@ -112,7 +112,7 @@ TEST(Excerpt, ComesBackFromItsTextBitForBit) {
   }
 }
 
-TEST(Excerpt, IsMovedByItsWayAndKnowsItsMiddle) {
+TEST(Excerpt, IsInsertedAtItsDisplacementAndHasACenter) {
   const Scene part = copy_selection(snapshot_of(two_chains()), nullptr, {{point(0), point(2)}, {}});
   EXPECT_NEAR(bounding_box_center(part).x, 0.1, 1e-15);
   std::uint32_t next = 100;

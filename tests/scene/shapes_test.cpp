@@ -1,4 +1,4 @@
-// Shapes: what each row of their table makes.
+// Shapes: what each row of the table generates.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ double mass_of(const Network& network, bool nails_too = true) {
   return sum;
 }
 
-// All that can be held in every way, at the usual numbers, and at the least and at some odd ones.
+// All shapes with every support, at default, minimum and some unusual parameters.
 std::vector<Shape> all_shapes() {
   std::vector<Shape> shapes;
   for (const ShapeKind& kind : placeable_shapes())
@@ -50,7 +50,7 @@ std::vector<Shape> all_shapes() {
   return shapes;
 }
 
-TEST(Shapes, MakeAsMuchAsTheySay) {
+TEST(Shapes, GenerateAsManyPointsAndSpringsAsAnnounced) {
   for (const Shape& shape : all_shapes()) {
     const Network network = made(shape);
     const ElementCount element_count = element_count_of(shape);
@@ -60,7 +60,7 @@ TEST(Shapes, MakeAsMuchAsTheySay) {
   }
 }
 
-TEST(Shapes, StartUnstrainedAndEverySpringJoinsTwoPlacesOnce) {
+TEST(Shapes, StartUnstrainedAndConnectEveryPairOfPositionsOnce) {
   for (const Shape& shape : all_shapes()) {
     const Network network = made(shape);
     std::set<std::pair<PointId, PointId>> joined;
@@ -69,7 +69,7 @@ TEST(Shapes, StartUnstrainedAndEverySpringJoinsTwoPlacesOnce) {
       const double length = glm::length(network.position[j] - network.position[i]);
       EXPECT_GT(length, 0.0) << shape.kind->id;
       EXPECT_TRUE(joined.insert(std::minmax(spring.first, spring.second)).second) << shape.kind->id;
-      // folds of a curtain are straight across, so only what runs over a fold is shorter than the flat cloth
+      // the folds of a curtain are straight, so only springs across a fold are shorter than in the flat cloth
       if (shape.kind->id == "curtain")
         EXPECT_LT(length, spring.rest_length * (1.0 + 1e-9));
       else
@@ -78,7 +78,7 @@ TEST(Shapes, StartUnstrainedAndEverySpringJoinsTwoPlacesOnce) {
   }
 }
 
-TEST(Shapes, AreHeldAsTheySay) {
+TEST(Shapes, AreNailedByTheirSupport) {
   for (const Shape& shape : all_shapes()) {
     const Network network = made(shape);
     const bool has_nails = std::ranges::any_of(network.points, &Point::nailed);
@@ -96,7 +96,7 @@ TEST(Shapes, AreHeldAsTheySay) {
   EXPECT_EQ(nails("nothing"), 0);
 }
 
-TEST(Shapes, StandWhereTheyArePutAndAsTheyAreTurned) {
+TEST(Shapes, HaveTheirPositionAndOrientation) {
   Shape sheet = default_value("sheet");
   sheet.at = {1.0, 2.0, 3.0};
   sheet.tilt = 90.0;
@@ -108,7 +108,7 @@ TEST(Shapes, StandWhereTheyArePutAndAsTheyAreTurned) {
   for (const Vec3& place : made(sheet).position) EXPECT_NEAR(place.x, 1.0, 1e-12);
 }
 
-TEST(Shapes, WeighWhatTheirNumbersSay) {
+TEST(Shapes, HaveTheMassGivenByTheirParameters) {
   EXPECT_NEAR(mass_of(made(default_value("hanging_rope"))), 0.15, 1e-12);
   EXPECT_NEAR(mass_of(made(default_value("chain"))), 0.4, 1e-12);
   EXPECT_NEAR(mass_of(made(default_value("net"))), 0.4, 1e-12);
@@ -117,7 +117,7 @@ TEST(Shapes, WeighWhatTheirNumbersSay) {
   EXPECT_NEAR(mass_of(made(default_value("jelly"))), 100.0 * 0.4 * 0.4 * 0.4, 1e-12);
 }
 
-TEST(Shapes, AFullCurtainIsAsLongAsItsCloth) {
+TEST(Shapes, ACurtainWithFullnessIsAsLongAsItsCloth) {
   const Shape curtain = default_value("curtain");
   const Network network = made(curtain);
   double length = 0.0;
@@ -128,9 +128,9 @@ TEST(Shapes, AFullCurtainIsAsLongAsItsCloth) {
   EXPECT_NEAR(length, 1.5 * 1.4, 1e-12);
 }
 
-// For small strains: energy per volume of a pull along x is C11 e^2 / 2 with C11 = 3 k / a = 6/5 E, of a shear C44 g^2 / 2 with
-// C44 = k / a = 2/5 E, whatever the number of points.
-TEST(Shapes, JellyIsTheSameIsotropicSolidAtEverySpacing) {
+// For small strains, the energy per volume of an extension along x is C11 e^2 / 2 with C11 = 3 k / a = 6/5 E, and of a shear C44 g^2 / 2
+// with C44 = k / a = 2/5 E, for any number of points.
+TEST(Shapes, JellyIsTheSameIsotropicSolidAtAnySpacing) {
   for (const double points : {2.0, 4.0, 9.0}) {
     Shape jelly = default_value("jelly");
     for (const char* side : {"columns", "rows", "layers"}) set(jelly, side, points);
@@ -156,7 +156,7 @@ TEST(Shapes, JellyIsTheSameIsotropicSolidAtEverySpacing) {
   }
 }
 
-TEST(Shapes, SolidsHaveTheirFacesOutwards) {
+TEST(Shapes, SolidsHaveOutwardFaces) {
   const Network network = made(default_value("jelly"));
   double volume = 0.0;
   for (const Face& face : network.faces) {
@@ -170,7 +170,7 @@ std::string scene_with(const std::string& generator, int dimensions = 3) {
   return R"({"hooke": 1, "dimensions": )" + std::to_string(dimensions) + R"(, "generators": [)" + generator + "]}";
 }
 
-TEST(Shapes, InAFileComeBackAsTheyWere) {
+TEST(Shapes, AreReadBackFromAFileUnchanged) {
   for (const ShapeKind& kind : placeable_shapes()) {
     const std::string text =
         scene_with(R"({"type": ")" + std::string(kind.id) + R"(", "at": [0.1, 0.2, 0.3], "turn": 30, "tilt": 10, "color": "#102030"})");
@@ -183,7 +183,7 @@ TEST(Shapes, InAFileComeBackAsTheyWere) {
   }
 }
 
-TEST(Shapes, RunForASecondAtTheirUsualNumbers) {
+TEST(Shapes, RunForASecondAtTheirDefaults) {
   for (const ShapeKind& kind : placeable_shapes()) {
     Scene scene = parse_scene(scene_with(R"({"type": ")" + std::string(kind.id) + R"("})"), kind.id.data()).scene;
     scene.settings.substeps = 60;
@@ -203,7 +203,7 @@ std::string refusal(const std::string& text) {
   return "accepted";
 }
 
-TEST(Shapes, AreRefusedWhereTheyCannotBe) {
+TEST(Shapes, AreRefusedWhereTheyAreInvalid) {
   EXPECT_EQ(refusal(scene_with(R"({"type": "jelly"})", 2)),
             "x.json: generators[0]: position of a point: z = -0.2: must be 0 in a 2-D scene");
   EXPECT_EQ(refusal(scene_with(R"({"type": "sheet"})", 2)), "accepted");

@@ -1,4 +1,4 @@
-// The surface of a cloth in pictures: lit from both sides, printed on, coloured by strain.
+// Pictures of the surface of a cloth: lit from both sides, textured, colored by strain.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -8,7 +8,7 @@
 namespace hooke {
 namespace {
 
-// A square of 1 m in the plane z = 0, 3 x 3 points, printed with a picture of 2 x 2 pixels once.
+// A square of 1 m in the plane z = 0, 3 x 3 points, textured once with a picture of 2 x 2 pixels.
 struct Sheet {
   Trial trial;
   ViewOptions options{.points = false, .springs = false, .colliders = false, .grid = false, .strain_colors = false, .samples = 0};
@@ -44,7 +44,7 @@ int brightness(const Color& color) { return color.red + color.green + color.blue
 
 const std::vector<std::uint8_t> four_colors{255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
 
-TEST(Surface, ShowsThePictureUprightOnce) {
+TEST(Surface, ShowsTheTextureUprightOnce) {
   Sheet sheet;
   sheet.cloth_texture(four_colors);
   const Image image = sheet.draw();
@@ -57,7 +57,7 @@ TEST(Surface, ShowsThePictureUprightOnce) {
   EXPECT_GT(white.red, 180);
 }
 
-TEST(Surface, RepeatsThePictureByItsWidth) {
+TEST(Surface, RepeatsTheTextureByItsWidth) {
   Sheet sheet;
   sheet.cloth_texture(four_colors, 0.5);
   const Image image = sheet.draw();
@@ -67,7 +67,7 @@ TEST(Surface, RepeatsThePictureByItsWidth) {
   }
 }
 
-TEST(Surface, IsTintedByTheColourOfItsPoints) {
+TEST(Surface, IsTintedByTheColorOfItsPoints) {
   Sheet sheet;
   sheet.cloth_texture({255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255});
   for (Index i = 0; i < 9; ++i) sheet.trial.system.point(i).color = Color{255, 0, 0};
@@ -76,14 +76,14 @@ TEST(Surface, IsTintedByTheColourOfItsPoints) {
   EXPECT_LT(std::max(seen.green, seen.blue), 40);
 }
 
-TEST(Surface, IsLitFromBothSidesAndDullerBehind) {
+TEST(Surface, IsLitFromBothSidesAndDarkerOnTheBack) {
   const Sheet sheet;
   const Color front = at(sheet.draw(), sheet.camera(), Vec3(0.1, 0.1, 0.0));
   const Color back = at(sheet.draw(true), sheet.camera(true), Vec3(0.1, 0.1, 0.0));
   EXPECT_GT(brightness(front), brightness(back) + 40);
   EXPECT_GT(brightness(back), 200);
 
-  // what faces the light from behind is the lighter behind: no side is the one that is lit
+  // a light from behind makes the back brighter: neither side is preferred
   Sheet leaning;
   for (Vec3& place : leaning.trial.state.position) place.z = 0.6 * place.y;
   const Color lower = at(leaning.draw(), leaning.camera(), Vec3(0.0));
@@ -91,7 +91,7 @@ TEST(Surface, IsLitFromBothSidesAndDullerBehind) {
   EXPECT_GT(brightness(upper), brightness(lower));
 }
 
-// A roof of two slopes: across the ridge of smooth normals the light changes little by little.
+// A roof of two slopes: with smooth normals the brightness changes gradually across the ridge.
 TEST(Surface, HasSmoothNormals) {
   Sheet roof;
   for (Vec3& place : roof.trial.state.position) place.z = -0.5 * std::abs(place.x);
@@ -106,7 +106,7 @@ TEST(Surface, HasSmoothNormals) {
   EXPECT_GT(brightness(at(image, roof.camera(), {-0.4, 0.1, -0.2})), brightness(at(image, roof.camera(), {0.4, 0.1, -0.2})) + 60);
 }
 
-TEST(Surface, ShowsStrainWhereNoSpringsAreShown) {
+TEST(Surface, ShowsStrainWhereSpringsAreHidden) {
   Sheet sheet;
   sheet.cloth_texture(four_colors);
   for (std::uint32_t i = 0; i < 8; ++i) sheet.trial.join(PointId{i}, PointId{i + 1}, 1.0, 1e-2);
@@ -115,13 +115,13 @@ TEST(Surface, ShowsStrainWhereNoSpringsAreShown) {
   EXPECT_GT(stretched.red, stretched.blue + 60);
   EXPECT_GT(stretched.green, stretched.blue + 20);
 
-  // on the springs, where they are: then the picture stays
+  // where springs are shown, they show the strain and the texture stays
   sheet.options.springs = true;
   const Color blue = at(sheet.draw(), sheet.camera(), Vec3(-0.25, -0.2, 0.0));
   EXPECT_GT(blue.blue, 3 * std::max(blue.red, blue.green));
 }
 
-TEST(Surface, AloneShowsTheNailsItHangsBy) {
+TEST(Surface, ShowsItsNailsWhenDrawnAlone) {
   Sheet sheet;
   sheet.trial.system.point(4).nailed = true;
   const Color nail = at(sheet.draw(), sheet.camera(), Vec3(0.0));
@@ -129,14 +129,14 @@ TEST(Surface, AloneShowsTheNailsItHangsBy) {
   EXPECT_GT(nail.green, nail.blue + 80);
 }
 
-TEST(Surface, IsNothingWhenItIsSwitchedOff) {
+TEST(Surface, IsAbsentWhenSwitchedOff) {
   Sheet sheet;
   sheet.options.surface = false;
   const Image image = sheet.draw();
   EXPECT_EQ(std::set<std::uint8_t>(image.pixels.begin(), image.pixels.end()), (std::set<std::uint8_t>{32, 36, 40}));
 }
 
-TEST(Surface, TakesAnotherPictureAndNoneAgain) {
+TEST(Surface, CanChangeAndRemoveItsTexture) {
   Sheet sheet;
   const Offscreen offscreen;
   View view;

@@ -1,4 +1,4 @@
-// Stepping takes no memory once it is warm: every allocation of the program is counted here.
+// Stepping allocates no memory after the first frame. This program replaces malloc and counts every allocation.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include "support/convergence.h"
 #include "support/nets.h"
 
-// what glibc's own functions are under
+// glibc's own implementations
 extern "C" {
 void* __libc_malloc(std::size_t);
 void* __libc_calloc(std::size_t, std::size_t);
@@ -40,9 +40,9 @@ namespace {
 class Allocation : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Allocation, testing::ValuesIn(every_method()), method_name);
 
-// all that a step may have to do at once: dashpots, drag, contact with what moves, the listed forces, the hand, springs that
-// are held to a length, and springs that might break and do not
-TEST_P(Allocation, IsNeverNeededOnceAFrameHasRun) {
+// everything that a step can involve at once: dashpots, drag, contact with moving points, listed forces, a grab, length-limited springs,
+// and breakable springs that do not break
+TEST_P(Allocation, DoesNotHappenAfterTheFirstFrame) {
   for (const GrabKind kind : {GrabKind::Hold, GrabKind::Pull}) {
     Trial trial = net(32, 1e4, 0.5);
     trial.system.drag = 0.3;

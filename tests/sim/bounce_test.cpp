@@ -1,4 +1,4 @@
-// Impacts: their times, heights and directions, and what rests afterwards.
+// Impacts: their times, heights and directions, and the state of rest afterwards.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double g = 9.81, frame = 1.0 / 60.0;
 
-// A ball of radius 0.05 m let go `height` above a floor at y = -1.
+// A ball of radius 0.05 m released at `height` above a floor at y = -1.
 Trial falling_ball(double height, double restitution, double radius = 0.05) {
   Trial trial;
   trial.add({0.2, -1.0 + radius + height, 0.1});
@@ -45,7 +45,7 @@ struct Bouncing {
 class Bounce : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Bounce, testing::ValuesIn(every_method()), method_name);
 
-TEST(Bounce, IsExactThroughManyImpactsAtOneSubstepAFrame) {
+TEST(Bounce, IsExactThroughManyImpactsAtOneSubstepPerFrame) {
   const Integrator& verlet = *find_integrator("velocity_verlet");
   for (const double restitution : {0.5, 0.8, 0.95}) {
     Trial trial = falling_ball(1.0, restitution);
@@ -58,7 +58,7 @@ TEST(Bounce, IsExactThroughManyImpactsAtOneSubstepAFrame) {
   }
 }
 
-// in the flight after the third impact, at t1 (1 + 2 e + 2 e^2); the Euler methods are off by g h t / 2, as in any fall
+// during the flight after the third impact, at t1 (1 + 2 e + 2 e^2); the error of the Euler methods is g h t / 2, as in free fall
 TEST_P(Bounce, MeetsTheOrderOfTheMethodAfterTheThirdImpact) {
   const double e = 0.8, t1 = std::sqrt(2.0 / g), t = t1 * (1.0 + 2.0 * e + 2.0 * e * e + 0.6 * e * e * e);
   const auto error = [&](int steps) {
@@ -73,9 +73,10 @@ TEST_P(Bounce, MeetsTheOrderOfTheMethodAfterTheThirdImpact) {
   }
 }
 
-// A mass on a spring from above that hits the floor, where the spring is at rest: y = y_eq + A cos(w t) + B sin(w t) between
-// the impacts, y_eq = -g / w^2. Where in its step an impact lies decides about its error: the mean over many heights.
-TEST_P(Bounce, OnASpringMeetsTheOrderDeclaredForContact) {
+// A mass hanging from a spring hits the floor at the height where the spring has its rest length: y = y_eq + A cos(w t) + B sin(w t)
+// between impacts, y_eq = -g / w^2. The error depends on where in its step an impact falls, so the error is averaged over many drop
+// heights.
+TEST_P(Bounce, WithASpringMeetsTheOrderDeclaredForContact) {
   const double m = 0.5, w = 6.0, e = 0.7, seconds = 0.3, rest = -g / (w * w);
   const auto error = [&](int steps) {
     double sum = 0.0;
@@ -96,8 +97,8 @@ TEST_P(Bounce, OnASpringMeetsTheOrderDeclaredForContact) {
   expect_order(error, method().order_contact == 1 ? 400 : 100, method().order_contact, 0.1);
 }
 
-// t1 (1 + e) / (1 - e): at rest at the end of the frame in which that lies, and not before
-TEST(Bounce, EndsAtTheGeometricTime) {
+// t1 (1 + e) / (1 - e): at rest at the end of the frame that contains this time, and not before
+TEST(Bounce, EndsAtTheSumOfTheGeometricSeries) {
   const Integrator& verlet = *find_integrator("velocity_verlet");
   for (const double e : {0.0, 0.3, 0.5, 0.9, 0.97}) {
     Trial trial = falling_ball(0.5, e);
@@ -112,7 +113,7 @@ TEST(Bounce, EndsAtTheGeometricTime) {
   }
 }
 
-TEST_P(Bounce, EndsAtRestWithEveryMethod) {
+TEST_P(Bounce, EndsAtRestUnderEveryMethod) {
   for (const double e : {0.0, 0.5, 0.9})
     for (const int substeps : {1, 20}) {
       Trial trial = falling_ball(0.1, e);
@@ -123,7 +124,7 @@ TEST_P(Bounce, EndsAtRestWithEveryMethod) {
     }
 }
 
-TEST(Bounce, OfRestitutionOneKeepsItsHeightForAThousandBounces) {
+TEST(Bounce, WithRestitutionOneKeepsItsHeightForAThousandImpacts) {
   Trial trial = falling_ball(0.05, 1.0);
   trial.system.drag = 0.0;
   const int frames = static_cast<int>(2000.0 * std::sqrt(0.1 / g) / frame);
@@ -132,17 +133,17 @@ TEST(Bounce, OfRestitutionOneKeepsItsHeightForAThousandBounces) {
   EXPECT_NEAR(height, 0.05, 1e-9);
 }
 
-// its positions are Verlet's, with velocities half a step off: nothing is lost from bounce to bounce
-TEST(Bounce, OfRestitutionOneNeitherGrowsNorDiesUnderSymplecticEuler) {
+// symplectic Euler's positions are those of Verlet and its velocities are half a step off: nothing is lost from impact to impact
+TEST(Bounce, WithRestitutionOneNeitherGrowsNorDecaysUnderSymplecticEuler) {
   Trial trial = falling_ball(0.05, 1.0);
   const int frames = static_cast<int>(2000.0 * std::sqrt(0.1 / g) / frame);
   for (int i = 0; i < frames; ++i) trial.run(*find_integrator("symplectic_euler"), frame, 4);
   const double height = trial.state.position[0].y + 0.95 + 0.5 * trial.state.velocity[0].y * trial.state.velocity[0].y / g;
-  // v is off by g h / 2
+  // the error of v is g h / 2
   EXPECT_NEAR(height, 0.05, std::sqrt(2.0 * g * 0.05) * frame / 4.0);
 }
 
-TEST(Bounce, AtHighSpeedRisesByTheSquareOfRestitution) {
+TEST(Bounce, AtHighSpeedReboundsToTheSquareOfRestitution) {
   Trial trial = falling_ball(0.0, 0.7);
   trial.state.position[0].y += 3.0;
   trial.state.velocity[0].y = -100.0;
@@ -169,8 +170,8 @@ TEST(Bounce, LosesTangentialSpeedToFriction) {
   }
 }
 
-// A shot at 100 m/s past a sphere at distance b from its center is reflected at the point of impact, however grazing.
-TEST_P(Bounce, OffABallReflectsAtEveryObliquity) {
+// A point moving at 100 m/s past a sphere at distance b from its center is reflected at the point of impact, even at grazing incidence.
+TEST_P(Bounce, OffABallIsAReflectionAtAnyImpactParameter) {
   const double combined_radius = 0.3;
   for (const double radius : {0.0, 0.1})
     for (const double b : {0.0, 0.1, 0.5, 0.9, 0.99, 0.9999}) {
@@ -189,7 +190,7 @@ TEST_P(Bounce, OffABallReflectsAtEveryObliquity) {
     }
 }
 
-TEST(Bounce, NeedsATouch) {
+TEST(Bounce, RequiresContact) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   trial.system.colliders = {{.shape = Sphere{.center = Vec3(0.0), .radius = 0.3}, .restitution = 1.0}};
@@ -198,9 +199,9 @@ TEST(Bounce, NeedsATouch) {
   EXPECT_EQ(trial.state.velocity[0], Vec3(100.0, 0.0, 0.0));
 }
 
-// A room of 2 m with walls of 1 mm, a ball and a block in it: what flies about in it at 100 m/s stays in it, and out of
-// the ball and the block.
-Trial room(double restitution) {
+// A box of 2 m with walls of 1 mm that contains a ball and a block. Points moving at 100 m/s must stay inside the box and outside the ball
+// and the block.
+Trial closed_box(double restitution) {
   Trial trial;
   const auto box = [&](const Vec3& min, const Vec3& max) {
     trial.system.colliders.push_back({.shape = Box{min, max}, .restitution = restitution});
@@ -219,10 +220,10 @@ Trial room(double restitution) {
   return trial;
 }
 
-TEST_P(Bounce, LetsNothingThroughAtAHundredMetresPerSecond) {
+TEST_P(Bounce, NothingPassesThroughWallsAtAHundredMetersPerSecond) {
   Random random(5);
   for (const double restitution : {0.0, 0.6, 1.0}) {
-    Trial trial = room(restitution);
+    Trial trial = closed_box(restitution);
     for (int i = 0; i < 100; ++i) {
       const Vec3 direction = glm::normalize(Vec3(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)));
       trial.add({-0.2, 0.3, random.uniform(-0.3, 0.3)}, 1.0, 100.0 * direction);

@@ -1,4 +1,4 @@
-// Random scenes with every kind of force, hand and wall under all methods: a run either stays within reach or is reported.
+// Random scenes with every kind of force, grab and collider under all methods: a run either stays bounded or is reported.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,9 +14,9 @@ namespace {
 class Campaign : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Campaign, testing::ValuesIn(every_method()), method_name);
 
-// one second at 300 steps a second, far too few for some scenes
+// one second at 300 steps per second, which is far too few for some scenes
 TEST_P(Campaign, NoRunFailsSilently) {
-  constexpr double far = 1e4;  // [m], for scenes of 2 m whose forces do not drive points away without limit
+  constexpr double far = 1e4;  // [m], for scenes of 2 m whose forces do not drive points away indefinitely
   constexpr std::uint64_t scenes = 200;
   int reported = 0;
   for (std::uint64_t seed = 0; seed < scenes; ++seed) {

@@ -1,5 +1,5 @@
-// Every method against closed forms: falls, springs, chains, rotation. Formulas in the comments; m mass, k stiffness,
-// d dashpot, l0 rest length, g gravity, c drag rate.
+// Every method against closed forms: free fall, springs, chains, rotation. Symbols in the formulas: m mass, k stiffness, d damping, l0 rest
+// length, g gravity, c drag rate.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ Trial falling_point(double drag) {
   return trial;
 }
 
-// v = v0 + g t for every method; x = x0 + v0 t + g t^2 / 2 exactly but for the Euler methods, which are g h t / 2 off
+// v = v0 + g t for every method; x = x0 + v0 t + g t^2 / 2 exactly, except for the Euler methods, whose error is g h t / 2
 TEST_P(Fall, OfAFreePointFollowsTheParabola) {
   const double seconds = 0.75;
   const int steps = 48;
@@ -74,7 +74,7 @@ TEST_P(Fall, WithDragReachesTheTerminalVelocity) {
   EXPECT_LT(glm::distance(trial.state.velocity[0], trial.system.wind + trial.system.gravity / 2.5), 1e-12);
 }
 
-TEST(FallWithDrag, HasTheExactVelocityAtAnyStep) {
+TEST(FallWithDrag, HasTheExactVelocityAtAnyStepSize) {
   for (const char* id : {"symplectic_euler", "velocity_verlet"})
     for (const double drag : {0.01, 1.0, 50.0, 1e4})
       for (const int steps : {1, 2, 7}) {
@@ -85,14 +85,14 @@ TEST(FallWithDrag, HasTheExactVelocityAtAnyStep) {
       }
 }
 
-// l = l0 + m g / k, whatever the drag and however coarse the step
-TEST_P(Fall, OnASpringWithDragEndsAtTheRightEquilibrium) {
+// l = l0 + m g / k, for any drag and step size
+TEST_P(Fall, OnASpringWithDragEndsAtEquilibrium) {
   for (const double drag : {0.5, 5.0, 50.0}) {
     Trial trial;
     trial.system.drag = drag;
     const PointId point = trial.add({0.0, -1.3, 0.0}, 0.5);
     trial.join(trial.nail({0.0, 0.0, 0.0}), point, 40.0, 1.0);
-    // explicit Euler holds for h < c / omega^2, and less as drag takes over
+    // explicit Euler is stable for h < c / omega^2, and for less once drag dominates
     const double h = std::min({1.0 / 60.0, 0.4 * drag / 80.0, 0.4 / drag});
     const double seconds = 60.0 * (2.0 / drag + drag / 80.0);
     trial.run(method(), seconds, static_cast<int>(seconds / h));
@@ -100,7 +100,7 @@ TEST_P(Fall, OnASpringWithDragEndsAtTheRightEquilibrium) {
   }
 }
 
-TEST(FallWithDrag, OnASpringEndsAtTheRightEquilibriumInOneSubstepAFrame) {
+TEST(FallWithDrag, OnASpringEndsAtEquilibriumAtOneSubstepPerFrame) {
   for (const char* id : {"symplectic_euler", "velocity_verlet"}) {
     Trial trial;
     trial.system.drag = 50.0;
@@ -111,7 +111,7 @@ TEST(FallWithDrag, OnASpringEndsAtTheRightEquilibriumInOneSubstepAFrame) {
   }
 }
 
-// One mass on a nail, about its rest: x'' = -w0^2 x - 2 zeta w0 x', w0 = sqrt(k / m), zeta = d / (2 sqrt(k m)).
+// One mass attached to a nail, relative to its rest position: x'' = -w0^2 x - 2 zeta w0 x', w0 = sqrt(k / m), zeta = d / (2 sqrt(k m)).
 struct DampedSpring {
   double w0, zeta, x0, v0;
   double position(double t) const {
@@ -130,7 +130,7 @@ struct DampedSpring {
 class SpringOnANail : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, SpringOnANail, testing::ValuesIn(every_method()), method_name);
 
-TEST_P(SpringOnANail, FollowsTheClosedFormUndampedUnderCriticallyAndOverdamped) {
+TEST_P(SpringOnANail, FollowsTheClosedFormUndampedUnderdampedCriticallyDampedAndOverdamped) {
   const double m = 0.5, k = 50.0, w0 = 10.0, seconds = 0.83;
   for (const double zeta : {0.0, 0.2, 1.0, 2.5}) {
     const DampedSpring exact{w0, zeta, 0.1, 0.7};
@@ -148,7 +148,7 @@ TEST_P(SpringOnANail, FollowsTheClosedFormUndampedUnderCriticallyAndOverdamped) 
   }
 }
 
-// drag c in place of the dashpot: d = c m
+// drag c instead of the dashpot: d = c m
 TEST_P(SpringOnANail, FollowsTheClosedFormWithDrag) {
   const double w0 = 10.0, seconds = 0.83;
   for (const double zeta : {0.2, 1.0, 2.5}) {
@@ -167,8 +167,8 @@ TEST_P(SpringOnANail, FollowsTheClosedFormWithDrag) {
   }
 }
 
-// the distance follows the damped spring of the reduced mass m1 m2 / (m1 + m2), the center of mass moves uniformly
-TEST_P(SpringOnANail, OfTwoFreeMassesFollowsTheReducedMass) {
+// the distance behaves as a damped spring with the reduced mass m1 m2 / (m1 + m2); the center of mass moves uniformly
+TEST_P(SpringOnANail, BetweenTwoFreeMassesFollowsTheReducedMass) {
   const double m1 = 0.4, m2 = 1.6, reduced = m1 * m2 / (m1 + m2), k = 32.0, seconds = 0.83;
   const Vec3 drift(0.3, -0.2, 0.5);
   const DampedSpring exact{std::sqrt(k / reduced), 0.15, 0.1, 0.7};
@@ -186,7 +186,7 @@ TEST_P(SpringOnANail, OfTwoFreeMassesFollowsTheReducedMass) {
   expect_order(error, asymptotic_steps(method().order), method().order_damped);
 }
 
-// Mode n of N masses along x, one spacing a apart, between nails or with the far end free, moved by A along `direction`.
+// Mode n of N masses along x with spacing a, between two nails or with one free end, displaced by A along `direction`.
 struct Chain {
   int masses;
   bool free_end;
@@ -211,7 +211,7 @@ struct Chain {
     return trial;
   }
 
-  // how far the points are from mode n with `factor` of its amplitude, relative to that amplitude
+  // RMS distance of the points from mode n with `factor` times its amplitude, relative to that amplitude
   double distance_from_mode(const Trial& trial, int n, const Vec3& displacement, double factor) const {
     double worst = 0.0;
     for (int j = 1; j <= masses; ++j)
@@ -220,8 +220,8 @@ struct Chain {
   }
 };
 
-// Verlet on a mode, from rest: x_s = A cos(s theta) with cos(theta) = 1 - (h w)^2 / 2, exactly
-TEST(Chain, VibratesLengthwiseInItsModesAtAnyAmplitude) {
+// Verlet on a mode released from rest: x_s = A cos(s theta) with cos(theta) = 1 - (h w)^2 / 2, exactly
+TEST(Chain, VibratesLongitudinallyInItsModesAtAnyAmplitude) {
   const Vec3 displacement(0.02, 0.0, 0.0);
   for (const bool free_end : {false, true})
     for (const int masses : {1, 2, 7}) {
@@ -238,8 +238,8 @@ TEST(Chain, VibratesLengthwiseInItsModesAtAnyAmplitude) {
     }
 }
 
-// x = A cos(w t), by a method of fourth order at h w = 1/100: error w t (h w)^4 / 120
-TEST(Chain, VibratesLengthwiseAtItsFrequencies) {
+// x = A cos(w t), with a fourth-order method at h w = 1/100: error w t (h w)^4 / 120
+TEST(Chain, VibratesLongitudinallyAtItsNaturalFrequencies) {
   const Vec3 displacement(0.02, 0.0, 0.0);
   const Chain chain{5, false};
   for (int n = 1; n <= 5; ++n) {
@@ -250,8 +250,8 @@ TEST(Chain, VibratesLengthwiseAtItsFrequencies) {
   }
 }
 
-// pretension T = k (a - l0) gives w = 2 sqrt(T / (m a)) sin(..): the stiffness T / a; for l0 = 0 that is k, at any amplitude
-TEST(Chain, VibratesSidewaysByItsTension) {
+// pretension T = k (a - l0) gives w = 2 sqrt(T / (m a)) sin(..), an effective stiffness T / a; for l0 = 0 this is k, at any amplitude
+TEST(Chain, VibratesTransverselyWithAStiffnessSetByItsTension) {
   for (int n = 1; n <= 5; ++n) {
     Chain chain{5, false};
     chain.l0 = 0.06;
@@ -259,7 +259,7 @@ TEST(Chain, VibratesSidewaysByItsTension) {
     const Vec3 small(0.0, 3e-7, 4e-7);
     Trial trial = chain.in_mode(n, small);
     trial.run(runge_kutta(), 3.3 / w, 330);
-    // the masses are drawn along x by A^2 / a
+    // the masses are displaced along x by A^2 / a
     EXPECT_LT(chain.distance_from_mode(trial, n, small, std::cos(3.3)), glm::length(small) / chain.a) << "mode " << n;
 
     chain.l0 = 0.0;
@@ -271,7 +271,7 @@ TEST(Chain, VibratesSidewaysByItsTension) {
 }
 
 // a dashpot on every spring damps mode n by zeta = d w_n / (2 k)
-TEST(Chain, WithDashpotsDampsEachModeByItsFrequency) {
+TEST(Chain, WithDashpotsDampsEachModeInProportionToItsFrequency) {
   const Vec3 displacement(0.02, 0.0, 0.0);
   Chain chain{5, false};
   chain.d = 1.5;
@@ -287,7 +287,7 @@ TEST(Chain, WithDashpotsDampsEachModeByItsFrequency) {
 class Rotation : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Rotation, testing::ValuesIn(every_method()), method_name);
 
-// two masses on a spring: k (2r - l0) = m r W^2, so 2r = l0 / (1 - m W^2 / (2k))
+// two masses connected by a spring: k (2r - l0) = m r W^2, so 2r = l0 / (1 - m W^2 / (2k))
 TEST_P(Rotation, OfTwoMassesIsUniform) {
   const double m = 0.3, k = 40.0, l0 = 0.5, w = 6.0, r = 0.5 * l0 / (1.0 - m * w * w / (2.0 * k)), seconds = 1.1;
   const auto error = [&](int steps) {
@@ -316,8 +316,8 @@ TEST_P(Rotation, AboutANailIsUniform) {
   expect_order(error, asymptotic_steps(method().order), method().order);
 }
 
-// a spring without rest length is an oscillator in every direction, through its nail and back: an ellipse
-TEST(SpringWithoutRestLength, DrawsAnEllipse) {
+// a spring without rest length is an oscillator in every direction, so the path is an ellipse about the nail
+TEST(SpringWithoutRestLength, MovesItsPointAlongAnEllipse) {
   const double m = 0.5, k = 50.0, w = 10.0;
   Trial trial;
   trial.system.gravity = Vec3(0.0);
@@ -328,7 +328,7 @@ TEST(SpringWithoutRestLength, DrawsAnEllipse) {
   EXPECT_LT(glm::distance(trial.position(point), std::cos(w) * x0 + std::sin(w) / w * v0), 1e-10);
 }
 
-TEST(SpringWithoutRestLength, PassesThroughItsNail) {
+TEST(SpringWithoutRestLength, LetsItsPointPassThroughTheNail) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   const PointId point = trial.add({0.0, 0.0, 0.0}, 1.0, {1.0, 0.0, 0.0});

@@ -1,4 +1,4 @@
-// What a scene keeps, and what it loses to dashpots and drag.
+// Conserved quantities, and the energy lost to dashpots and drag.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace hooke {
 namespace {
 
-// A free network of 20 points: no nails, no weight.
+// A free network of 20 points, without nails or gravity.
 Trial free_network(double max_damping) {
   Trial trial = random_trial(3, 20, 60, 3, max_damping);
   trial.system.gravity = Vec3(0.0);
@@ -43,9 +43,9 @@ TEST_P(Conservation, OfMomentumToRoundOff) {
   }
 }
 
-// The symplectic methods' kicks are along the springs and their drifts along v. The others exert their forces elsewhere than
-// where the points are, XPBD's corrections too: they lose angular momentum as they lose accuracy.
-TEST_P(Conservation, OfAngularMomentumToRoundOffJustIfSymplectic) {
+// Symplectic methods apply kicks along the springs and drifts along v. The other methods evaluate forces at positions other than those of
+// the points, and XPBD does so with its corrections, so their error in angular momentum is of the order of their accuracy.
+TEST_P(Conservation, OfAngularMomentumToRoundOffOnlyIfSymplectic) {
   for (const double damping : {0.0, 2.0}) {
     Trial trial = free_network(damping);
     const Momentum before = compute_momentum(trial.system, trial.state);
@@ -60,18 +60,19 @@ TEST_P(Conservation, OfAngularMomentumToRoundOffJustIfSymplectic) {
   }
 }
 
-// Sixteen seconds of the swinging net, dozens of its swings. If the energy moves steadily, its mean moves from the first
-// half to the second by as much as it has spread in the first, or by half of that if it decays; if it is bounded, hardly.
+// Sixteen seconds of the swinging net, which is dozens of its periods. If the energy drifts steadily, its mean changes from the first half
+// to the second by about its spread within the first half, or by half of that if it decays; if the energy is bounded, its mean hardly
+// changes.
 TEST_P(Conservation, OfEnergyIsAsDeclared) {
   Trial trial = net(8, 1e2, 0.0);
   const double omega = make_plan(trial.system).spectrum.omega;
   const auto steps_per_frame = [&] {
     switch (method().stability) {
       case Stability::None:
-        return static_cast<int>(0.05 * omega * omega);  // modes grow by e^(t h w^2 / 2): e^16 at most
+        return static_cast<int>(0.05 * omega * omega);  // modes grow by e^(t h w^2 / 2): at most e^16
       case Stability::Conditional:
       case Stability::EachSpring:
-        return static_cast<int>(0.1 * omega);  // a radian a step
+        return static_cast<int>(0.1 * omega);  // one radian per step
       case Stability::Adaptive:
         return static_cast<int>(0.025 * omega);
       default:
@@ -106,7 +107,7 @@ TEST_P(Conservation, OfEnergyIsAsDeclared) {
   }
 }
 
-// how far the energy strays within 8 s of the swinging net, in frames of 1/50 s
+// the range of the energy within 8 s of the swinging net, in frames of 1/50 s
 double energy_fluctuation(const Integrator& method, int substeps) {
   Trial trial = net(8, 1e2, 0.0);
   const double start = compute_energy(trial.system, trial.state).total();
@@ -118,7 +119,7 @@ double energy_fluctuation(const Integrator& method, int substeps) {
   return max;
 }
 
-TEST(Energy, StaysWithinABandOfTheOrderUnderTheSymplecticMethods) {
+TEST(Energy, FluctuatesByTheOrderOfTheMethodUnderSymplecticMethods) {
   for (const Integrator& row : integrators()) {
     if (!row.symplectic) continue;
     const int substeps = row.order > 2 ? 2 : 16;
@@ -144,7 +145,7 @@ TEST(Energy, IsTheSumOfItsParts) {
   EXPECT_LT(glm::distance(momentum.angular, Vec3(16.0, 10.0, -12.0)), 1e-14);
 }
 
-// [W] that dashpots and drag take: sum d w^2 + sum c m v^2
+// [W] dissipated by dashpots and drag: sum d w^2 + sum c m v^2
 double dissipation(const System& system, const State& state) {
   double power = 0.0;
   for (const Spring& spring : system.springs()) {
@@ -158,8 +159,8 @@ double dissipation(const System& system, const State& state) {
   return power;
 }
 
-// E(t) - E(0) = - integral of the dissipation, by the trapezium rule: second order at the best
-TEST_P(Conservation, OfEnergySaveWhatDashpotsAndDragTake) {
+// E(t) - E(0) = - integral of the dissipation, by the trapezoidal rule: at best second order
+TEST_P(Conservation, OfEnergyMinusDissipation) {
   const auto missing = [&](int frames) {
     Trial trial = net(6, 1e2, 0.3);
     trial.system.drag = 0.7;

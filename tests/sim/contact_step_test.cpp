@@ -1,4 +1,4 @@
-// Steps that contacts allow: they act when a step is done, each on its own point.
+// Step limits due to contact. Contact acts at the end of a step, on each point separately.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double radius = 0.35;  // [m], of the ball
 
-// A sheet of 16 x 16 points, 1 m, 0.2 kg, that falls on a ball.
+// A sheet of 16 x 16 points, 1 m, 0.2 kg, falling onto a ball.
 Trial falling_sheet(double k) {
   constexpr int n = 16;
   constexpr double a = 1.0 / (n - 1);
@@ -31,7 +31,7 @@ Trial falling_sheet(double k) {
   return trial;
 }
 
-// The furthest that its energy rises above an earlier value in a second, of its weight times its size [1].
+// The largest rise of the energy above an earlier value within one second, relative to the weight times the size of the sheet [1].
 double energy_rise(Trial trial, const Integrator& method, double step) {
   double lowest = compute_energy(trial.system, trial.state).total(), rise = 0.0;
   const double floor = reference_energy(trial.system, trial.state);
@@ -46,7 +46,7 @@ double energy_rise(Trial trial, const Integrator& method, double step) {
 
 const Integrator& method(const char* id) { return *find_integrator(id); }
 
-TEST(ContactStep, IsLimitedForMethodsForAnyStepToo) {
+TEST(ContactStep, IsLimitedEvenForUnconditionallyStableMethods) {
   const Spectrum with_contact = bound_spectrum(falling_sheet(60.0).system);
   Spectrum without_contact = with_contact;
   without_contact.contact = false;
@@ -55,14 +55,14 @@ TEST(ContactStep, IsLimitedForMethodsForAnyStepToo) {
     EXPECT_EQ(largest_stable_step(method(id), with_contact), 3.0 / with_contact.omega) << id;
   }
 
-  // drawn only, or nothing that swings
+  // colliders that are only drawn, or scenes without oscillation
   Trial trial = falling_sheet(60.0);
   trial.system.colliders[0].solid = false;
   EXPECT_TRUE(std::isinf(largest_stable_step(method("tr_bdf2"), bound_spectrum(trial.system))));
   EXPECT_TRUE(std::isinf(largest_stable_step(method("tr_bdf2"), bound_spectrum(falling_sheet(0.0).system))));
 }
 
-TEST(ContactStep, WithinItsLimitLetsNoEnergyGrowAndFarBeyondDoes) {
+TEST(ContactStep, EnergyDoesNotGrowWithinTheLimitAndGrowsFarBeyondIt) {
   const Trial trial = falling_sheet(60.0);
   for (const char* id : {"dop853", "xpbd", "implicit_euler", "baraff_witkin", "tr_bdf2", "esdirk4"}) {
     const double limit = largest_stable_step(method(id), bound_spectrum(trial.system));

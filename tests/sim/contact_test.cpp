@@ -1,4 +1,4 @@
-// Corner cases of contact: insides, corners, two dimensions, crowds of colliders, and a cloth on a ball.
+// Corner cases of contact: points inside colliders, corners, two dimensions, many colliders, and a cloth on a ball.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ Trial point_and(const Shape& shape, const Vec3& x, double radius) {
   return trial;
 }
 
-TEST_P(Contact, PutsWhatStartsInsideOnTheNearestSurface) {
+TEST_P(Contact, PushesPointsThatStartInsideToTheNearestSurface) {
   for (const double radius : {0.0, 0.05}) {
     Trial plane = point_and(Plane{}, {0.3, -0.4, 0.1}, radius);
     Trial ball = point_and(Sphere{.center = {0.0, 1.0, 0.0}, .radius = 0.5}, {0.0, 1.1, 0.0}, radius);
@@ -43,13 +43,13 @@ TEST_P(Contact, PutsWhatStartsInsideOnTheNearestSurface) {
   }
 }
 
-TEST_P(Contact, AtTheCentreOfABallLeadsUp) {
+TEST_P(Contact, AtTheCenterOfABallPushesUp) {
   Trial trial = point_and(Sphere{.center = {0.1, 0.2, 0.3}, .radius = 0.5}, {0.1, 0.2, 0.3}, 0.0);
   trial.run(method(), frame, 1);
   EXPECT_LT(glm::distance(trial.state.position[0], Vec3(0.1, 0.7, 0.3)), 1e-13);
 }
 
-TEST_P(Contact, PassesOverNailsAndTheHeldPoint) {
+TEST_P(Contact, IgnoresNailsAndTheHeldPoint) {
   Trial trial;
   trial.system.colliders = {{.shape = Plane{}}};
   const PointId nailed = trial.nail({0.0, -0.5, 0.0}), held = trial.add({0.0, 0.1, 0.0});
@@ -60,14 +60,14 @@ TEST_P(Contact, PassesOverNailsAndTheHeldPoint) {
   EXPECT_EQ(trial.position(held), Vec3(1.0, -0.4, 0.0));
 }
 
-TEST_P(Contact, IgnoresWhatIsOnlyDrawn) {
+TEST_P(Contact, IgnoresCollidersThatAreOnlyDrawn) {
   Trial trial = point_and(Plane{}, {0.0, 0.001, 0.0}, 0.0);
   trial.system.colliders[0].solid = false;
   trial.run(method(), 0.5, 30);
   EXPECT_LT(trial.state.position[0].y, -1.0);
 }
 
-// in two dimensions a ball behind the plane is a disc in it, and a leaning wall stands upright
+// in two dimensions a ball behind the plane is a disc in the plane, and an inclined wall becomes vertical
 TEST_P(Contact, InTwoDimensionsStaysInThePlane) {
   const std::vector<Shape> shapes = {Sphere{.center = {0.02, 0.0, 0.4}, .radius = 0.5},
                                      Plane{.normal = glm::normalize(Vec3(0.1, 1.0, 1.0))},
@@ -86,7 +86,7 @@ TEST_P(Contact, InTwoDimensionsStaysInThePlane) {
   EXPECT_LT(trial.state.position[0].y, 0.0);
 }
 
-TEST_P(Contact, AmongACrowdOfCollidersIsFinite) {
+TEST_P(Contact, WithManyCollidersStaysFinite) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     Random random(seed);
     const auto vector = [&](double size) {
@@ -115,8 +115,8 @@ TEST_P(Contact, AmongACrowdOfCollidersIsFinite) {
   }
 }
 
-// A cloth dropped on a ball: nothing in the ball, and no energy but what was there.
-TEST(Contact, OfAClothWithABallGainsNoEnergy) {
+// A cloth dropped onto a ball: no point penetrates the ball, and the energy does not increase.
+TEST(Contact, BetweenAClothAndABallAddsNoEnergy) {
   constexpr int n = 12;
   Trial trial;
   for (int i = 0; i < n * n; ++i) trial.add({0.1 * (i % n), 0.4, 0.1 * (i / n)}, 0.01);

@@ -1,4 +1,4 @@
-// Velocity Verlet's dashpots, each solved exactly: right order, any strength.
+// The dashpots of velocity Verlet, each solved exactly: correct order at any strength.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 const Integrator& verlet() { return *find_integrator("velocity_verlet"); }
 
-// w <- w e^(-d t (1/m1 + 1/m2)), whatever the step; the rest of the motion is untouched
+// w <- w e^(-d t (1/m1 + 1/m2)) for any step size; the rest of the motion is unaffected
 TEST(Dashpot, AloneDecaysExactly) {
   for (const double d : {0.1, 10.0, 1e6}) {
     Trial trial;
@@ -41,7 +41,7 @@ TEST(Dashpot, ToANailMovesOnlyTheFreePoint) {
   EXPECT_EQ(trial.position(nail), place);
 }
 
-TEST(Dashpot, OfModerateStrengthLeavesVerletOfSecondOrder) {
+TEST(Dashpot, OfModerateStrengthKeepsVerletSecondOrder) {
   for (const double d : {0.1, 0.9}) {
     const auto after = [&](int steps) {
       Trial trial = net(16, 1e4, d);
@@ -53,7 +53,7 @@ TEST(Dashpot, OfModerateStrengthLeavesVerletOfSecondOrder) {
   }
 }
 
-// at the undamped limit of the step; d h / m = 85 and 5e4
+// at the stability limit of the undamped step; d h / m = 85 and 5e4
 TEST(Dashpot, OfAnyStrengthIsStable) {
   for (const double d : {1e3, 5.9e5}) {
     Trial trial = net(16, 1e4, d);
@@ -69,8 +69,8 @@ TEST(Dashpot, OfAnyStrengthIsStable) {
   }
 }
 
-// the slow drift of so stiff a net is right at that step: a hundred thousandth of its size
-TEST(Dashpot, OfGreatStrengthDriftsAsItShould) {
+// even the slow drift of such a heavily damped net is accurate at that step, to 1e-5 of its size
+TEST(Dashpot, OfGreatStrengthDriftsAccurately) {
   Trial coarse = net(16, 1e4, 1e3), fine = coarse;
   const State start = coarse.state;
   coarse.run(verlet(), 0.25, 750);

@@ -1,5 +1,5 @@
-// Oscillators that drive one another or are driven: the spring pendulum, and a mass on a nail that is shaken. m mass, k
-// stiffness, d dashpot, c drag rate, l0 rest length, g gravity.
+// Coupled and driven oscillators: the spring pendulum, and a mass attached to a shaken support. Symbols: m mass, k stiffness, d damping, c
+// drag rate, l0 rest length, g gravity.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 using std::numbers::pi;
 constexpr double g = 9.81;
 
-// A mass on a spring that hangs from a nail, `x` aside of its rest at l = l0 + m g / k and `z` below it.
+// A mass on a spring that hangs from a nail, displaced horizontally by `x` and downwards by `z` from its rest position at l = l0 + m g / k.
 struct Pendulum {
   Trial trial;
   PointId mass;
@@ -33,7 +33,7 @@ class SpringPendulum : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, SpringPendulum, testing::ValuesIn(every_method()), method_name);
 
 // z cos(sqrt(k / m) t), at any amplitude
-TEST_P(SpringPendulum, BouncesByItsStiffness) {
+TEST_P(SpringPendulum, BouncesAtTheFrequencyOfItsStiffness) {
   const double m = 0.4, k = 90.0, w = std::sqrt(k / m), seconds = 2.3 / w;
   const auto error = [&](int steps) {
     Pendulum pendulum(m, k, 0.5, 0.0, 0.2);
@@ -44,8 +44,8 @@ TEST_P(SpringPendulum, BouncesByItsStiffness) {
   expect_order(error, asymptotic_steps(method().order), method().order);
 }
 
-// x cos(sqrt(g / l) t), as small as it takes: what x^2 / l lifts the mass acts back on x by (x / l)^2, 1e-12 of it
-TEST_P(SpringPendulum, SwingsByItsLength) {
+// x cos(sqrt(g / l) t) for small x: the coupling lifts the mass by x^2 / l, which changes x by (x / l)^2 = 1e-12 of itself
+TEST_P(SpringPendulum, SwingsAtTheFrequencyOfItsLength) {
   const double m = 0.4, k = 90.0, x = 1e-6;
   const auto error = [&](int steps) {
     Pendulum pendulum(m, k, 0.5, x, 0.0);
@@ -53,7 +53,7 @@ TEST_P(SpringPendulum, SwingsByItsLength) {
     pendulum.trial.run(method(), seconds, steps);
     return std::abs(pendulum.horizontal_position() / x - std::cos(w * seconds));
   };
-  // relative to x, positions are known to 1e-10
+  // positions have a resolution of 1e-10 relative to x
   if (method().order <= 2) {
     expect_order(error, asymptotic_steps(method().order), method().order);
   } else {
@@ -61,8 +61,9 @@ TEST_P(SpringPendulum, SwingsByItsLength) {
   }
 }
 
-// sqrt(k / m) = 2 sqrt(g / l): bouncing feeds swinging until all energy has gone over, and back. At three times nothing does.
-TEST(SpringPendulum, ExchangesItsEnergyWhenItBouncesTwiceAsFastAsItSwings) {
+// sqrt(k / m) = 2 sqrt(g / l): bouncing excites swinging until all energy is transferred, and then back. At a ratio of three there is no
+// transfer.
+TEST(SpringPendulum, ExchangesEnergyOnlyAtTheTwoToOneResonance) {
   for (const double ratio : {2.0, 3.0}) {
     // l = l0 + m g / k with k / m = ratio^2 g / l: m g / k = l / ratio^2
     const double m = 0.4, l = 1.0, k = m * ratio * ratio * g / l;
@@ -72,13 +73,13 @@ TEST(SpringPendulum, ExchangesItsEnergyWhenItBouncesTwiceAsFastAsItSwings) {
     for (int i = 0; i < 600; ++i) {
       pendulum.trial.run(*find_integrator("blanes_moan4"), 0.1, 20);
       const Vec3 v = pendulum.trial.velocity(pendulum.mass);
-      // the amplitudes that position and velocity stand for
+      // the amplitudes that correspond to position and velocity
       widest = std::max(widest, std::hypot(pendulum.horizontal_position(), v.x / std::sqrt(g / l)));
       min_bounce = std::min(min_bounce, std::hypot(pendulum.below(), v.y / std::sqrt(k / m)));
     }
     EXPECT_NEAR(compute_energy(pendulum.trial.system, pendulum.trial.state).total(), start, 1e-9) << "ratio " << ratio;
     if (ratio == 2.0) {
-      // m w^2 X^2 / 2 = m (2 w)^2 Z^2 / 2: twice as wide as it was high, as far as small amplitudes go
+      // m w^2 X^2 / 2 = m (2 w)^2 Z^2 / 2: the swing is twice as wide as the bounce was high, to first order in the amplitudes
       EXPECT_NEAR(widest, 2.0 * 0.08, 0.1 * 0.16);
       EXPECT_LT(min_bounce, 0.25 * 0.08);
     } else {
@@ -88,13 +89,13 @@ TEST(SpringPendulum, ExchangesItsEnergyWhenItBouncesTwiceAsFastAsItSwings) {
   }
 }
 
-// A mass on a spring whose other end a hand holds and shakes by A sin(W t), in straight ways of a fortieth of a period each:
-// that is A sin(W t) times (sin(s) / s)^2, s = W dt / 2, and overtones from the 39th, which move the mass by 1e-5 of it.
+// A mass on a spring whose other end is held by a hand that follows A sin(W t) along straight segments of a fortieth of a period: this
+// equals A sin(W t) times (sin(s) / s)^2, s = W dt / 2, plus harmonics from the 39th up, which contribute 1e-5 of the motion of the mass.
 class Shaken : public EveryMethod {
  protected:
   static constexpr double m = 0.5, w0 = 10.0, zeta = 0.2, hand_amplitude = 0.01;
 
-  // the steady amplitude after all else has died out to 1e-12, over A
+  // the steady-state amplitude divided by A, after transients have decayed to 1e-12
   double gain(double r, double d, double c, int substeps) const {
     constexpr int frames = 40;
     const double period = 2.0 * pi / (r * w0), dt = period / frames, s = pi / frames;
@@ -114,8 +115,8 @@ class Shaken : public EveryMethod {
     return std::abs(sum) / hand_amplitude / std::pow(std::sin(s) / s, 2);
   }
 
-  // A method of order p is off by (h w0)^p in frequency or damping, and the gain by at most 1 / (2 zeta) times that, and a
-  // tenth more for what is of the next order.
+  // A method of order p has an error of (h w0)^p in frequency or damping, hence of at most 1 / (2 zeta) times that in the gain, plus a
+  // tenth for terms of the next order.
   void expect_gain(double r, double d, double c, double expected) const {
     const int substeps = method().order == 1 ? 40 : 10;
     const double hw = 2.0 * pi / r / (40.0 * substeps);
@@ -125,12 +126,12 @@ class Shaken : public EveryMethod {
 INSTANTIATE_TEST_SUITE_P(Methods, Shaken, testing::ValuesIn(every_method()), method_name);
 
 // 1 / sqrt((1 - r^2)^2 + (2 zeta r)^2), r = W / w0, drag c = 2 zeta w0
-TEST_P(Shaken, AgainstDragAnswersByTheResonanceCurve) {
+TEST_P(Shaken, WithDragFollowsTheResonanceCurve) {
   for (const double r : {0.5, 1.0, 2.0}) expect_gain(r, 0.0, 2.0 * zeta * w0, 1.0 / std::hypot(1.0 - r * r, 2.0 * zeta * r));
 }
 
-// a dashpot to the shaken end drives, too: sqrt(1 + (2 zeta r)^2) times as much, d = 2 zeta w0 m
-TEST_P(Shaken, ThroughADashpotAnswersByTheResonanceCurve) {
+// a dashpot to the shaken end also drives the mass: sqrt(1 + (2 zeta r)^2) times as much, d = 2 zeta w0 m
+TEST_P(Shaken, ThroughADashpotFollowsTheResonanceCurve) {
   for (const double r : {0.5, 1.0, 2.0})
     expect_gain(r, 2.0 * zeta * w0 * m, 0.0, std::hypot(1.0, 2.0 * zeta * r) / std::hypot(1.0 - r * r, 2.0 * zeta * r));
 }

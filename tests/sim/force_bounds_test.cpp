@@ -1,4 +1,4 @@
-// The bounds on frequencies and rates that largest_stable_step relies on, against derivatives by finite differences.
+// The bounds on frequencies and damping rates that largest_stable_step uses, against finite-difference derivatives.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace hooke {
 namespace {
 
-// The largest |u.A u| / u.u that power iterations find for A = -M^-1/2 (df/dy) M^-1/2, y = x or v, taking its symmetric part.
+// The largest |u.A u| / u.u found by power iteration for the symmetric part of A = -M^-1/2 (df/dy) M^-1/2, y = x or v.
 double largest_eigenvalue(const Plan& plan, const Motion& motion, bool of_velocity, Random& random) {
   const std::size_t size = motion.x.size();
   const auto is_free = [&](std::size_t at) { return plan.inverse_mass[at % plan.points] != 0.0; };
@@ -55,7 +55,7 @@ double largest_eigenvalue(const Plan& plan, const Motion& motion, bool of_veloci
   return quotient;
 }
 
-TEST(ForceBounds, AreNeverBelowTheTrueOnes) {
+TEST(ForceBounds, AreNeverBelowTheTrueValues) {
   constexpr double round_off = 1e-4;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     Random random(seed);
@@ -70,8 +70,8 @@ TEST(ForceBounds, AreNeverBelowTheTrueOnes) {
   }
 }
 
-// the core of the law, where it is steepest
-TEST(ForceBounds, OfTheLawsAreReached) {
+// within the core of the force law, where its slope is largest
+TEST(ForceBounds, OfForceLawsAreTight) {
   for (const double power : {0.0, 1.0, 2.0, 4.0}) {
     Trial trial;
     trial.add({0.5 + 1e-9, 0.0, 0.0});
@@ -87,7 +87,7 @@ TEST(ForceBounds, OfTheLawsAreReached) {
   }
 }
 
-TEST(ForceBounds, AForceWithoutABoundSaysSo) {
+TEST(ForceBounds, AForceWithoutABoundIsReportedAsUnbounded) {
   Trial trial;
   trial.add(Vec3(1.0));
   trial.system.forces = {{.term = &wind_force, .values = default_values(wind_force)}};
@@ -98,7 +98,7 @@ TEST(ForceBounds, AForceWithoutABoundSaysSo) {
   EXPECT_TRUE(bound_spectrum(trial.system).is_bounded);
 }
 
-// One point, damped 1035 /s by a force on the center of mass, at steps of 1/300 s.
+// One point, damped at 1035 /s by a force on the center of mass, at steps of 1/300 s.
 Trial overdamped_point() {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
@@ -111,7 +111,7 @@ Trial overdamped_point() {
 class Overdamped : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Overdamped, testing::ValuesIn(every_method()), method_name);
 
-TEST_P(Overdamped, APointIsEitherStableOrReportedAndWarnedOf) {
+TEST_P(Overdamped, APointIsEitherStableOrReportedWithAWarning) {
   Trial trial = overdamped_point();
   initialize_ledger(trial.system, trial.state);
   bool is_reported = false;
@@ -133,7 +133,7 @@ TEST_P(Overdamped, APointIsEitherStableOrReportedAndWarnedOf) {
 TEST_P(Overdamped, ANetIsStableUnderImplicitMethods) {
   if (!method().implicit_force_terms) return;
   for (const double scale : {1.0, 1e4}) {
-    // what is far too fast for the step dies out under these only
+    // only these methods damp modes that are far too fast for the step
     if (scale > 1.0 && method().stability != Stability::LStable) continue;
     Trial trial = net(8, 1e3, 0.0);
     for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).nailed = false;
@@ -146,7 +146,7 @@ TEST_P(Overdamped, ANetIsStableUnderImplicitMethods) {
   }
 }
 
-// a step of implicit Euler on the center of mass is known: (1 + h q / M + h^2 p / M) V = v - h p X / M
+// a step of implicit Euler on the center of mass has the closed form (1 + h q / M + h^2 p / M) V = v - h p X / M
 TEST(ImplicitForces, ActOnTheCenterOfMassExactly) {
   Trial trial = net(6, 1e2, 0.0);
   for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).nailed = false;
@@ -164,7 +164,7 @@ TEST(ImplicitForces, ActOnTheCenterOfMassExactly) {
   }
 }
 
-// A scene that has no mechanism to take a point so far.
+// A scene in which no mechanism can move a point that far.
 TEST(Reach, StopsPointsThatAreImplausiblyFarAway) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
@@ -180,7 +180,7 @@ TEST(Reach, StopsPointsThatAreImplausiblyFarAway) {
   EXPECT_EQ(found->distance, 1e9);
 }
 
-TEST(Reach, LetsAPointBeDrivenAwayByAForceThatGrows) {
+TEST(Reach, AcceptsAPointDrivenAwayByAGrowingForce) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   trial.add({0.1, 0.0, 0.0}, 1.0);

@@ -37,7 +37,7 @@ TEST(ForceTerms, AreTheConstantsOfTheirFiles) {
   EXPECT_EQ(&sticky_force, &force_terms()[force_terms().size() - 1]);
 }
 
-TEST(ForceTerms, StandOnceEachWithWhatAPanelNeeds) {
+TEST(ForceTerms, AreUniqueAndHaveLabelsRangesAndDefaults) {
   for (const ForceTerm& term : force_terms()) {
     EXPECT_EQ(find_force_term(term.id), &term);
     EXPECT_FALSE(term.label.empty());
@@ -58,7 +58,7 @@ TEST(ForceTerms, DoNothingWhenOff) {
   EXPECT_TRUE(make_plan(trial.system).forces.empty());
 }
 
-TEST(ForceTerms, BuoyancyOfOneFloats) {
+TEST(ForceTerms, NeutralBuoyancyKeepsAPointFloating) {
   Trial trial;
   const PointId point = trial.add({0.0, 0.0, 0.0}, 2.0);
   trial.system.forces = {force("buoyancy", {1.0})};
@@ -66,7 +66,7 @@ TEST(ForceTerms, BuoyancyOfOneFloats) {
   EXPECT_NEAR(glm::length(trial.position(point)), 0.0, 1e-12);
 }
 
-TEST(ForceTerms, ACentreOfPowerTwoCarriesACircularOrbit) {
+TEST(ForceTerms, ACenterOfPowerTwoKeepsACircularOrbit) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   const double r = 2.0, strength = 3.0, speed = std::sqrt(strength / r);  // v^2 / r = s / r^2
@@ -77,7 +77,7 @@ TEST(ForceTerms, ACentreOfPowerTwoCarriesACircularOrbit) {
   EXPECT_NEAR(glm::distance(trial.position(point), Vec3(r, 0.0, 0.0)), 0.0, 1e-8);
 }
 
-TEST(ForceTerms, ThePullOfTheCentreOfMassIsADampedOscillatorOfTheWhole) {
+TEST(ForceTerms, ThePullOnTheCenterOfMassIsADampedOscillatorOfTheWhole) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   const PointId first = trial.add({1.0, 0.0, 0.0}, 1.0), second = trial.add({2.0, 0.0, 0.0}, 3.0);
@@ -89,7 +89,7 @@ TEST(ForceTerms, ThePullOfTheCentreOfMassIsADampedOscillatorOfTheWhole) {
   EXPECT_NEAR(moved, center * std::cos(omega), 1e-9);
 }
 
-TEST(ForceTerms, AWallPushesByThePowerOfTheDistance) {
+TEST(ForceTerms, AWallRepelsByAPowerOfTheDistance) {
   Trial trial;
   trial.add({0.0, 0.5, 0.0}, 2.0);
   trial.system.colliders = {{.shape = Plane{}}};
@@ -127,14 +127,14 @@ TEST(ForceTerms, WindPushesAcrossAndAlongFaces) {
   for (const Vec3& f : listed_forces(trial)) EXPECT_NEAR(glm::distance(f, Vec3(0.5 * 0.1 * 16.0 / 3.0, 0.0, 0.0)), 0.0, 1e-12);
 }
 
-TEST(ForceTerms, WindDoesNothingToWhatMovesWithIt) {
+TEST(ForceTerms, WindExertsNoForceOnPointsThatMoveWithIt) {
   Trial trial = triangle();
   for (Vec3& v : trial.state.velocity) v = {1.0, 2.0, 3.0};
   trial.system.forces = {force("wind", {1.0, 2.0, 3.0, 0.6, 0.1, 0.0, 1.0, 1.0})};
   for (const Vec3& f : listed_forces(trial)) EXPECT_EQ(f, Vec3(0.0));
 }
 
-TEST(ForceTerms, GustsAreSmoothBoundedAndTheSameForTheSameSeed) {
+TEST(ForceTerms, GustsAreSmoothBoundedAndReproducibleFromTheirSeed) {
   Trial trial = triangle();
   trial.system.forces = {force("wind", {0.0, 0.0, 4.0, 0.6, 0.0, 0.5, 1.0, 7.0})};
   const double mean_force = 0.5 * 0.6 * 16.0 / 3.0;
@@ -167,8 +167,8 @@ TEST(ForceTerms, ActInEveryMethod) {
   }
 }
 
-TEST(ForceTerms, TheirWorkIsInTheLedger) {
-  // a point pulled from rest towards a center gains far more than M g L, and is no divergence
+TEST(ForceTerms, WorkIsRecordedInTheLedger) {
+  // a point pulled from rest towards a center gains far more than M g L, which is not a divergence
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   trial.add({1.0, 0.0, 0.0}, 1.0);
@@ -186,8 +186,8 @@ std::vector<Force> smooth_forces() {
           force("wall", {2.0, 1.0, 0.1}), force("wind", {2.0, 0.0, 1.0, 0.6, 0.1, 0.0, 1.0, 1.0})};
 }
 
-// one frame a step, as an adaptive method takes it
-TEST(ForceTerms, TheWorkOfEachExplainsTheEnergyOfAnExactRun) {
+// one step per frame, as an adaptive method takes it
+TEST(ForceTerms, TheWorkOfEachAccountsForTheEnergyOfAnExactRun) {
   for (const Force& each : smooth_forces()) {
     Trial trial = triangle();
     const auto id = [&](Index i) { return trial.system.points()[i].id; };
@@ -208,7 +208,7 @@ TEST(ForceTerms, TheWorkOfEachExplainsTheEnergyOfAnExactRun) {
   }
 }
 
-TEST(ForceTerms, ThePullToACentreIsContinuousWithItsSlope) {
+TEST(ForceTerms, ThePullTowardsACenterIsContinuousWithContinuousSlope) {
   for (const double power : {-3.0, -1.0, 0.0, 1.0, 2.0, 3.7}) {
     const double core = 0.1;
     const auto pull_at = [&](double r) {
@@ -226,8 +226,8 @@ TEST(ForceTerms, ThePullToACentreIsContinuousWithItsSlope) {
   }
 }
 
-// A point in a law that falls with the square of the distance, through its center and back.
-TEST(ForceTerms, AFallThroughTheCentreKeepsItsEnergy) {
+// A point under an inverse-square law that falls through the center and returns.
+TEST(ForceTerms, AFallThroughTheCenterConservesEnergy) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   const PointId point = trial.add({1.0, 0.0, 0.0});

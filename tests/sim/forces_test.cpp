@@ -1,4 +1,5 @@
-// Forces: as the formulas say, opposite in pairs, minus the gradient of the energy, and the same bits in every width.
+// Forces follow their formulas, are opposite in pairs, equal minus the gradient of the energy, and have the same bits at every vector
+// width.
 #include "sim/forces/forces.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,7 @@ struct Packed {
   Vec3 at(const Field& f, Index i) const { return {f[i], f[plan.points + i], plan.dimensions == 3 ? f[2 * plan.points + i] : 0.0}; }
 };
 
-// -(k (l - l0) + d w) u on the first end of every spring, in a plain loop over the System.
+// -(k (l - l0) + d w) u on the first end of every spring, computed by a plain loop over the System.
 std::vector<Vec3> plain_spring_forces(const Trial& trial, std::vector<double>& size) {
   std::vector<Vec3> forces(trial.state.position.size(), Vec3(0.0));
   size.assign(forces.size(), 0.0);
@@ -102,7 +103,7 @@ TEST(SpringForces, EqualAPlainLoop) {
   }
 }
 
-TEST(SpringForces, HaveTheSameBitsForEveryVectorUnit) {
+TEST(SpringForces, HaveTheSameBitsOnEveryVectorTarget) {
   const std::vector<int64_t> targets = hwy::SupportedAndGeneratedTargets();
   std::vector<Field> first;
   for (const int64_t target : targets) {
@@ -117,8 +118,8 @@ TEST(SpringForces, HaveTheSameBitsForEveryVectorUnit) {
   hwy::GetChosenTarget().DeInit();
 }
 
-// Added to `f` spring by spring: in a row each point takes both its springs at once, in any other run of at most a block
-// first the first ends take theirs, then the second ones.
+// Adds to `f` spring by spring. In a run along a row, each point adds both of its springs at once; in any other run, in blocks, the first
+// ends add their forces before the second ends.
 void add_plain_forces(const Packed& packed, Field& f) {
   const Plan& plan = packed.plan;
   const Field &x = packed.motion.x, &v = packed.motion.v;
@@ -149,7 +150,7 @@ void add_plain_forces(const Packed& packed, Field& f) {
     }
 }
 
-// Triangles between n x n points, the diagonal of each cell on either side: runs of every length up to a row's.
+// Triangles between n x n points, with a random diagonal in each cell: runs of every length up to that of a row.
 Trial triangle_mesh(int n, int dimensions, double max_damping, bool shuffled) {
   Random random(n);
   Trial trial;
@@ -159,7 +160,7 @@ Trial triangle_mesh(int n, int dimensions, double max_damping, bool shuffled) {
   for (Index i = n * n; shuffled && i > 1; --i) std::swap(at[i - 1], at[random.below(i)]);
   for (int i = 0; i < n * n; ++i) {
     const Vec3 position(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), dimensions == 3 ? random.uniform(-1.0, 1.0) : 0.0);
-    // some points lie on the one before
+    // some points coincide with the previous one
     trial.add(i > 0 && random.one_in(5) ? trial.state.position.back() : position, 1.0, 2.0 * position);
   }
   const auto join = [&](int from, int to) {
@@ -175,14 +176,14 @@ Trial triangle_mesh(int n, int dimensions, double max_damping, bool shuffled) {
   return trial;
 }
 
-// signs of zero included
+// including the signs of zeros
 std::vector<std::uint64_t> next_bits(const Field& f) {
   std::vector<std::uint64_t> next_bits;
   for (const double component : f) next_bits.push_back(std::bit_cast<std::uint64_t>(component));
   return next_bits;
 }
 
-TEST(SpringForces, EqualAPlainLoopOverAnyGraphToTheLastBitForEveryVectorUnit) {
+TEST(SpringForces, EqualAPlainLoopOverAnyGraphBitForBitOnEveryVectorTarget) {
   std::vector<Trial> trials = assorted_trials();
   for (const int dimensions : {2, 3})
     for (const double damping : {0.0, 5.0}) {
@@ -191,7 +192,7 @@ TEST(SpringForces, EqualAPlainLoopOverAnyGraphToTheLastBitForEveryVectorUnit) {
       for (const int n : {2, 3, 4, 6, 9, 17, 40})
         for (const bool shuffled : {false, true}) trials.push_back(triangle_mesh(n, dimensions, damping, shuffled));
     }
-  // no force at all but zeros, added to zeros below: in a row, and not
+  // forces that are all zero, added to signed zeros below, with and without a run along a row
   Trial& still = trials.emplace_back();
   for (int i = 0; i < 5; ++i) still.add(Vec3(0.0));
   for (const auto& [i, j] : {std::pair{0, 1}, std::pair{2, 4}})
@@ -222,8 +223,8 @@ TEST(SpringForces, AreEqualAndOppositeInAPair) {
   }
 }
 
-// of the whole scene: no net force, no net torque, to round-off
-TEST(SpringForces, BalanceOverTheScene) {
+// over the whole scene: no net force and no net torque, up to round-off
+TEST(SpringForces, SumToZeroForceAndTorqueOverTheScene) {
   for (const Trial& trial : assorted_trials()) {
     const Packed packed(trial);
     const Field f = packed.spring_forces();
@@ -265,7 +266,7 @@ TEST(Forces, AreMinusTheGradientOfTheEnergy) {
   }
 }
 
-TEST(Forces, OfCoincidentPointsAreNone) {
+TEST(Forces, BetweenCoincidentPointsAreZero) {
   for (const double damping : {0.0, 3.0})
     for (const double rest_length : {0.0, 1.0}) {
       Trial trial;
@@ -279,7 +280,7 @@ TEST(Forces, OfCoincidentPointsAreNone) {
     }
 }
 
-TEST(Forces, OfPointsAlmostCoincidentAreFinite) {
+TEST(Forces, BetweenAlmostCoincidentPointsAreFinite) {
   for (const double distance : {1e-12, 1e-100, 1e-160, 1e-300}) {
     Trial trial;
     trial.system.gravity = Vec3(0.0);
@@ -291,7 +292,7 @@ TEST(Forces, OfPointsAlmostCoincidentAreFinite) {
   }
 }
 
-TEST(Forces, OfGravityAndDragGoWithTheMass) {
+TEST(Forces, OfGravityAndDragAreProportionalToMass) {
   Trial trial;
   trial.system.drag = 0.5;
   trial.system.wind = {2.0, 0.0, 0.0};

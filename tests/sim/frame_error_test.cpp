@@ -1,4 +1,4 @@
-// The estimate of a frame's error against what the error is.
+// The estimated error of a frame against its true error.
 #include <gtest/gtest.h>
 
 #include "sim/frame_error.h"
@@ -11,7 +11,7 @@ namespace {
 class FrameError : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, FrameError, testing::ValuesIn(every_method()), method_name);
 
-// A moving net: within a factor of three
+// A moving net: within a factor of three.
 TEST_P(FrameError, IsTheDistanceToTheConvergedFrame) {
   Trial trial = net(8, 1e2, 0.0);
   trial.run(*find_integrator("runge_kutta4"), 0.2, 2000);
@@ -28,7 +28,7 @@ TEST_P(FrameError, IsTheDistanceToTheConvergedFrame) {
   EXPECT_LT(estimate, error * 3.0);
 }
 
-TEST_P(FrameError, IsNothingWhereNothingMoves) {
+TEST_P(FrameError, IsZeroWhereNothingMoves) {
   Trial trial;
   EXPECT_EQ(estimate_frame_error(trial.system, {.integrator = &method()}, trial.state), 0.0);
   trial.join(trial.nail(Vec3(0.0)), trial.nail({1.0, 0.0, 0.0}), 1e6, 0.5);

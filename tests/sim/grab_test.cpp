@@ -1,4 +1,4 @@
-// The hand: what is held follows it, what is pulled feels a spring, and what is let go flies on.
+// Grabs: a held point follows the hand, a pulled point is attached by a spring, and a released point keeps its velocity.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr double frame_time = 1.0 / 60.0;
 class Grabbed : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Grabbed, testing::ValuesIn(every_method()), method_name);
 
-// A mass of 0.5 kg on a point that the hand takes; the hand starts where the point is.
+// A mass of 0.5 kg attached to a point that the hand grabs; the hand starts at the point.
 struct Held {
   Trial trial;
   PointId held, mass;
@@ -51,7 +51,7 @@ TEST_P(Grabbed, HeldPointFollowsTheHandOverTheSubsteps) {
   EXPECT_LT(glm::distance(state.velocity[0], (target - from) / frame_time), 1e-11);
 }
 
-TEST_P(Grabbed, HeldPointStaysWhileTheHandDoes) {
+TEST_P(Grabbed, HeldPointIsAtRestWhileTheHandIs) {
   Held scene;
   const Vec3 place = scene.trial.position(scene.held);
   for (int i = 0; i < 30; ++i) scene.trial.run(method(), frame_time, 5);
@@ -59,7 +59,7 @@ TEST_P(Grabbed, HeldPointStaysWhileTheHandDoes) {
   EXPECT_EQ(scene.trial.velocity(scene.held), Vec3(0.0));
 }
 
-// a mass on a spring whose end moves with V: x = V t + l0 + A cos(w t) - V / w sin(w t)
+// a mass on a spring whose end moves at V: x = V t + l0 + A cos(w t) - V / w sin(w t)
 TEST_P(Grabbed, HeldEndDrivesItsSprings) {
   const double w = 10.0, speed = 1.5, seconds = 1.0;
   const auto error = [&](int steps) {
@@ -76,7 +76,7 @@ TEST_P(Grabbed, HeldEndDrivesItsSprings) {
   expect_order(error, asymptotic_steps(method().order), method().order, 0.2);
 }
 
-TEST_P(Grabbed, LetGoFliesOnAsTheHandThrewIt) {
+TEST_P(Grabbed, ReleasedPointKeepsTheVelocityOfTheHand) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   const PointId point = trial.add(Vec3(0.0));
@@ -93,7 +93,7 @@ TEST_P(Grabbed, LetGoFliesOnAsTheHandThrewIt) {
   EXPECT_LT(glm::distance(trial.velocity(point), displacement / frame_time), 1e-11);
 }
 
-TEST_P(Grabbed, NailStaysWhereItIsLetGo) {
+TEST_P(Grabbed, NailStaysWhereItIsReleased) {
   Trial trial;
   trial.system.drag = 0.3;
   const PointId nail = trial.nail(Vec3(0.0));
@@ -120,8 +120,8 @@ TEST_P(Grabbed, InTwoDimensionsStaysInThePlane) {
   }
 }
 
-// pulled by a hand that moves with V: x = V t - V / w sin(w t), w^2 = k / m
-TEST_P(Grabbed, PulledPointFeelsASpringToTheHand) {
+// pulled by a hand that moves at V: x = V t - V / w sin(w t), w^2 = k / m
+TEST_P(Grabbed, PulledPointFollowsASpringToTheHand) {
   const double w = 10.0, seconds = 0.5;
   const Vec3 speed(1.5, -0.5, 0.8);
   const auto error = [&](int steps) {
@@ -137,7 +137,7 @@ TEST_P(Grabbed, PulledPointFeelsASpringToTheHand) {
   expect_order(error, asymptotic_steps(method().order), method().order, 0.2);
 }
 
-// A hand of the scene's, which takes the held point round a circle from the third frame to the seventh.
+// A scripted hand that moves the held point around a circle from the third frame to the seventh.
 ScriptedHand circling(const Held& scene) {
   return {.point = scene.held,
           .from = {0.3, 0.2, 0.3},
@@ -148,7 +148,7 @@ ScriptedHand circling(const Held& scene) {
           .seconds = 4.6 * frame_time};
 }
 
-TEST_P(Grabbed, AScriptedHandHoldsBitForBitAsAPersonsDoes) {
+TEST_P(Grabbed, AScriptedHandHoldsBitForBitLikeAMouse) {
   Held scripted, by_hand;
   scripted.trial.system.grab.reset();
   scripted.trial.system.scripted_hand = circling(scripted);
@@ -156,7 +156,7 @@ TEST_P(Grabbed, AScriptedHandHoldsBitForBitAsAPersonsDoes) {
   by_hand.trial.system.grab.reset();
   initialize_ledger(by_hand.trial.system, by_hand.trial.state);
 
-  Plan plan = make_plan(scripted.trial.system);  // one for all frames: it grabs and releases without an edit
+  Plan plan = make_plan(scripted.trial.system);  // one for all frames: the scripted hand grabs and releases without an edit
   Frame frame;
   State& state = scripted.trial.state;
   for (int i = 0; i < 10; ++i) {
@@ -178,7 +178,7 @@ TEST_P(Grabbed, AScriptedHandHoldsBitForBitAsAPersonsDoes) {
   EXPECT_GT(state.ledger.scale, 1.0);
 }
 
-TEST(Hand, AScriptedOneWaitsForAPersons) {
+TEST(Hand, TheMouseTakesPrecedenceOverAScript) {
   Held scene;
   scene.trial.system.scripted_hand = circling(scene);
   scene.grab(GrabKind::Hold, {5.0, 0.0, 0.0});
@@ -193,8 +193,8 @@ TEST(Hand, AScriptedOneWaitsForAPersons) {
   EXPECT_FALSE(grab_in_frame(7));
 }
 
-// at an arm of 0.2 m and 0.5 m about y: |p| = sqrt(0.29), counter-clockwise as seen from above
-TEST(Hand, AScriptedOneGoesRoundItsCircleAtItsSpeed) {
+// at a radius of 0.2 m and 0.5 m about y: |p| = sqrt(0.29), counter-clockwise seen from above
+TEST(Hand, AScriptMovesAroundItsCircleAtItsSpeed) {
   const ScriptedHand hand = circling(Held());
   EXPECT_LT(glm::distance(position_at(hand, hand.begin), hand.from), 1e-15);
   const double radius = std::sqrt(0.29), round = 2.0 * 3.14159265358979323846 * radius / hand.speed;
@@ -204,7 +204,7 @@ TEST(Hand, AScriptedOneGoesRoundItsCircleAtItsSpeed) {
   EXPECT_GT(glm::cross(hand.from - hand.center, moved).y, 0.0);
 }
 
-// the hand's force on the scene, at the start of a frame of a second
+// the force of the hand on the scene at the start of a frame of one second
 Vec3 force_in(const Trial& trial) {
   Plan plan = make_plan(trial.system);
   prepare_hand(plan, trial.system, trial.state, 1.0);
@@ -218,7 +218,7 @@ TEST(Hand, ForceIsWhatTheGrabExerts) {
   const Vec3 weight = 2.0 * scene.trial.system.gravity;
   // the spring is stretched by 0.1 m and pulls the held point down
   EXPECT_LT(glm::distance(force_in(scene.trial), -weight + Vec3(0.0, 5.0, 0.0)), 1e-12);
-  // its dashpot too, while the mass goes down
+  // so does its dashpot while the mass moves down
   scene.trial.state.velocity[1] = {3.0, -2.0, 0.0};
   EXPECT_LT(glm::distance(force_in(scene.trial), -weight + Vec3(0.0, 5.6, 0.0)), 1e-12);
   scene.grab(GrabKind::Pull, Vec3(0.0));
@@ -228,8 +228,8 @@ TEST(Hand, ForceIsWhatTheGrabExerts) {
   EXPECT_EQ(force_in(scene.trial), Vec3(0.0));
 }
 
-// energy of the scene = energy at the start + work of the hand, but for the error of the substeps: whatever the frames are
-TEST_P(Grabbed, TheHandsWorkIsBookedToTheOrderOfTheSubsteps) {
+// energy = initial energy + work of the hand, up to the error of the substeps, for any frame rate
+TEST_P(Grabbed, TheWorkOfTheHandIsRecordedToTheOrderOfTheSubsteps) {
   struct Case {
     const char* name;
     GrabKind kind;
@@ -252,7 +252,7 @@ TEST_P(Grabbed, TheHandsWorkIsBookedToTheOrderOfTheSubsteps) {
       EXPECT_GT(scene.trial.state.ledger.scale, 0.1) << which.name;
       return std::abs(compute_energy(scene.trial.system, scene.trial.state).total() - scene.trial.state.ledger.net_input);
     };
-    // the trapezium rule takes no method beyond the second
+    // the trapezoidal rule limits every method to second order
     expect_order(missing, 512, std::min(2, method().order), 0.2);
   }
 }

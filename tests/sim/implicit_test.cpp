@@ -1,4 +1,4 @@
-// The implicit methods where they are needed: stiff, crumpled, strongly damped; and where there is nothing to solve.
+// The implicit methods where they are needed (stiff, crumpled, strongly damped) and where nothing has to be solved.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ std::string name_of(const testing::TestParamInfo<const char*>& info) { return in
 INSTANTIATE_TEST_SUITE_P(Methods, ImplicitMethod,
                          testing::Values("implicit_euler", "baraff_witkin", "implicit_midpoint", "tr_bdf2", "esdirk4"), name_of);
 
-// All that a run counts, step by step in frames of their own.
+// The counters of a run, accumulated step by step with one frame per step.
 struct FramewiseRun {
   State state;
   double local_error = 0.0;
@@ -41,8 +41,8 @@ struct FramewiseRun {
   }
 };
 
-// k h^2 / m = 1e8, ten seconds at one step a frame: what is too fast dies out and never grows
-TEST_P(ImplicitMethod, LetsAStiffSpringComeToRest) {
+// k h^2 / m = 1e8, ten seconds at one step per frame: fast modes decay and never grow
+TEST_P(ImplicitMethod, BringsAStiffSpringToRest) {
   if (row().stability != Stability::LStable) return;
   Trial trial;
   trial.system.gravity = Vec3(0.0);
@@ -58,7 +58,7 @@ TEST_P(ImplicitMethod, LetsAStiffSpringComeToRest) {
   EXPECT_NEAR(trial.position(point).x, 1.0, 1e-6);
 }
 
-TEST(ImplicitMidpoint, NeitherDampsNorFeedsAStiffSpring) {
+TEST(ImplicitMidpoint, NeitherDampsNorAmplifiesAStiffSpring) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   const PointId point = trial.add({1.001, 0.0, 0.0});
@@ -68,8 +68,7 @@ TEST(ImplicitMidpoint, NeitherDampsNorFeedsAStiffSpring) {
   EXPECT_NEAR(compute_energy(trial.system, trial.state).total(), energy, 1e-9 * energy);
 }
 
-// A sheet of 12 x 12 points whose free points are each thrown by up to 5 cm, at rest; k h^2 / m as given at 60 frames a
-// second.
+// A sheet of 12 x 12 points, each free point displaced by up to 5 cm, at rest; `stiffness` is k h^2 / m at 60 frames per second.
 Trial crumpled(double stiffness, std::uint64_t seed) {
   constexpr int n = 12;
   Trial trial = curtain(n, stiffness * 3600.0 / (n * n), 0.0);
@@ -82,7 +81,7 @@ Trial crumpled(double stiffness, std::uint64_t seed) {
   return trial;
 }
 
-TEST(Newton, ConvergesOnCrumpledSheetsHoweverStiff) {
+TEST(Newton, ConvergesOnCrumpledSheetsOfAnyStiffness) {
   for (const double stiffness : {4.0, 4e2, 4e4, 4e6})
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       const Trial trial = crumpled(stiffness, seed);
@@ -98,8 +97,8 @@ TEST(Newton, ConvergesOnCrumpledSheetsHoweverStiff) {
     }
 }
 
-// Phi(V) = 1/2 (V - v) M (V - v) + E(x + h V): a step is never above where it started from, whatever its limits
-TEST(Newton, GoesDownWhenItIsCutShort) {
+// Phi(V) = 1/2 (V - v) M (V - v) + E(x + h V): a step never ends above its starting value, whatever the iteration limit
+TEST(Newton, DescendsEvenWhenIterationsAreLimited) {
   const double h = 1.0 / 60.0;
   for (const double stiffness : {4.0, 4e2, 4e4, 4e6})
     for (const int max : {1, 2, 5, 20}) {
@@ -121,10 +120,10 @@ TEST(Newton, GoesDownWhenItIsCutShort) {
     }
 }
 
-// [J] by which springs have more energy after a step than the quadratic one that stands in for it while the step is solved:
-//   1/2 k (l - l0 + u . dx)^2 + 1/2 k max(0, 1 - l0 / l) |dx - u (u . dx)|^2,  dx what the step changes between the ends.
-// Where a spring turns it comes out longer than that.
-double energy_of_turning(const Trial& trial, const State& before, const State& after) {
+// [J] the excess of the spring energy after a step over the quadratic model that the step minimizes: 1/2 k (l - l0 + u . dx)^2 + 1/2 k
+// max(0, 1 - l0 / l) |dx - u (u . dx)|^2, dx the relative displacement of the ends during the step. A spring that rotates ends up longer
+// than the model assumes.
+double rotation_energy(const Trial& trial, const State& before, const State& after) {
   double sum = 0.0;
   for (const Spring& spring : trial.system.springs()) {
     const Index i = trial.system.index_of(spring.first), j = trial.system.index_of(spring.second);
@@ -136,10 +135,9 @@ double energy_of_turning(const Trial& trial, const State& before, const State& a
   return sum;
 }
 
-// Implicit Euler on a convex quadratic energy loses some in every step, so that all a step can gain is the energy of turning.
-// That is nothing here up to k h^2 / m = 4e4, and where it is something, in three of ten sheets at 4e6, it is 1e-2 J of 4e7 J
-// at most, which steps after it take back.
-TEST(BaraffWitkin, NeverGainsEnergyOnACrumpledSheetSaveByTurning) {
+// Implicit Euler on a convex quadratic energy loses energy in every step, so all that a step can gain is the rotation energy. Here that is
+// zero up to k h^2 / m = 4e4. At 4e6 it occurs in three of ten sheets and is at most 1e-2 J of 4e7 J, which later steps dissipate.
+TEST(BaraffWitkin, GainsEnergyOnACrumpledSheetOnlyByRotation) {
   for (const double stiffness : {4.0, 4e2, 4e4, 4e6})
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       Trial trial = crumpled(stiffness, seed);
@@ -149,7 +147,7 @@ TEST(BaraffWitkin, NeverGainsEnergyOnACrumpledSheetSaveByTurning) {
         const State before = trial.state;
         trial.run(method("baraff_witkin"), 1.0 / 60.0, 1);
         const double current_energy = compute_energy(trial.system, trial.state).total(),
-                     turning = energy_of_turning(trial, before, trial.state);
+                     turning = rotation_energy(trial, before, trial.state);
         SCOPED_TRACE(testing::Message() << "k h^2 / m = " << stiffness << ", seed " << seed << ", frame " << frame);
         ASSERT_LE(current_energy, energy + turning + 1e-15 * start);
         ASSERT_LE(current_energy, energy + (stiffness > 1e6 ? 1e-9 * start : 0.0));
@@ -171,8 +169,8 @@ TEST(ImplicitEuler, NeverGainsEnergyOnACrumpledSheet) {
   }
 }
 
-// errors after a second at 60 steps a second; the explicit limits are 530, 530, 5300 and (without exact dashpots) 3e6 a second
-TEST(TrBdf2, FollowsStiffNetsAtOneStepAFrame) {
+// errors after one second at 60 steps per second; the explicit limits are 530, 530, 5300 and (without exact dashpots) 3e6 steps per second
+TEST(TrBdf2, FollowsStiffNetsAtOneStepPerFrame) {
   struct Case {
     double k, d, max;
   };
@@ -182,13 +180,13 @@ TEST(TrBdf2, FollowsStiffNetsAtOneStepAFrame) {
     const double error = distance(run.state, exact.state);
     EXPECT_LT(error, scene.max) << "k = " << scene.k << ", d = " << scene.d;
     EXPECT_EQ(run.unconverged, 0);
-    // and its own estimate, summed, is the error within a factor of two
+    // the sum of its own error estimates is the error within a factor of two
     EXPECT_GT(run.local_error, 0.5 * error);
     EXPECT_LT(run.local_error, 2.0 * error);
   }
 }
 
-TEST(Esdirk4, IsTightWhereNothingExplicitGoes) {
+TEST(Esdirk4, IsAccurateWhereExplicitMethodsAreUnstable) {
   const Trial trial = net(16, 1e4, 1e3);
   const FramewiseRun exact(trial, method("esdirk4"), 0.5, 1000), run(trial, method("esdirk4"), 0.5, 120),
       twice(trial, method("esdirk4"), 0.5, 240);
@@ -196,8 +194,8 @@ TEST(Esdirk4, IsTightWhereNothingExplicitGoes) {
   EXPECT_LT(distance(twice.state, exact.state), 0.15 * distance(run.state, exact.state));
 }
 
-// a spring of no length is an oscillator in every direction: each component follows the closed form of a step
-TEST_P(ImplicitMethod, TurnsASpringWithoutLengthAsAnOscillator) {
+// a spring without rest length is an oscillator in every direction: each component follows the closed form of a step
+TEST_P(ImplicitMethod, TreatsASpringWithoutRestLengthAsAnOscillator) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   const PointId point = trial.add({0.3, 0.0, 0.0}, 0.5);
@@ -216,8 +214,8 @@ TEST_P(ImplicitMethod, TurnsASpringWithoutLengthAsAnOscillator) {
   }
 }
 
-// no direction to push in, until rounding or a push gives one; then apart, and nowhere else
-TEST_P(ImplicitMethod, PartsCoincidentPointsWithoutChangingTheirMomentum) {
+// there is no direction to push in until rounding or a perturbation gives one; then the points separate, and only along it
+TEST_P(ImplicitMethod, SeparatesCoincidentPointsWithoutChangingTheirMomentum) {
   for (const double separation : {0.0, 1e-12}) {
     Trial trial;
     const PointId first = trial.add({0.5 + separation, 0.5, 0.5}, 1.0, {1.0, 2.0, 0.0}),
@@ -234,7 +232,7 @@ TEST_P(ImplicitMethod, PartsCoincidentPointsWithoutChangingTheirMomentum) {
   }
 }
 
-TEST_P(ImplicitMethod, NeedsNothingThatMoves) {
+TEST_P(ImplicitMethod, AcceptsScenesWithNothingToSolve) {
   Trial empty;
   empty.run(row(), 1.0, 3);
   EXPECT_EQ(empty.state.time, 1.0);
@@ -252,7 +250,7 @@ TEST_P(ImplicitMethod, NeedsNothingThatMoves) {
   EXPECT_NEAR(alone.velocity(alone.system.points()[0].id).y, -9.81, 1e-12);
 }
 
-TEST_P(ImplicitMethod, KeepsIslandsApart) {
+TEST_P(ImplicitMethod, KeepsIslandsIndependent) {
   const auto add_rope = [](Trial& trial, double x, double k) {
     PointId last = trial.nail({x, 0.0, 0.0});
     for (int i = 1; i <= 10; ++i) {
@@ -284,8 +282,8 @@ TEST_P(ImplicitMethod, StaysInThePlaneOfATwoDimensionalScene) {
   }
 }
 
-// what a nail or a hand changes are values; what comes or goes is structure
-TEST(NewtonSolver, IsMadeAnewOnlyWhenPointsOrSpringsComeOrGo) {
+// nails and grabs change values; adding or removing points or springs changes the structure
+TEST(NewtonSolver, IsRebuiltOnlyWhenPointsOrSpringsAreAddedOrRemoved) {
   Trial trial = net(6, 1e4, 0.0);
   Plan plan = make_plan(trial.system);
   Workspace work;
@@ -302,8 +300,8 @@ TEST(NewtonSolver, IsMadeAnewOnlyWhenPointsOrSpringsComeOrGo) {
   EXPECT_FALSE(made->fits(make_plan(trial.system)));
 }
 
-// half as Verlet, half as any other: the motion continues
-TEST(Methods, MayChangeMidway) {
+// half of the run with Verlet, half with another method: the motion continues
+TEST(Methods, CanChangeDuringARun) {
   for (const Integrator& row : integrators()) {
     Trial trial = net(8, 1e2, 0.05), exact = trial;
     exact.run(method("runge_kutta4"), 0.2, 2000);

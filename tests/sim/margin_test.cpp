@@ -1,4 +1,4 @@
-// How far below the linear limit a step must be for nets far from equilibrium.
+// The margin below the linear stability limit that nets far from equilibrium need.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace hooke {
 namespace {
 
-// Whether the mean energy of the last of three seconds exceeds that of the first by 20 % of what the scene had, or the run diverges.
+// Whether the mean energy of the third second exceeds that of the first by 20 % of the initial energy, or the run diverges.
 bool gains_energy(const Integrator& method, std::uint64_t seed, double margin) {
   Trial trial = rotating_net(seed);
   initialize_ledger(trial.system, trial.state);

@@ -1,4 +1,4 @@
-// Every method of the table on what it declares, and where each is strong.
+// Every method of the table against its declared properties and its strengths.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ TEST(Integrators, AreTheConstantsOfTheirFiles) {
 class Method : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Method, testing::ValuesIn(every_method()), method_name);
 
-// One mass on a nail, x'' = -w^2 x - lambda x' - c x', stepped from (x, h v) = (s, 0) and (0, s): the columns of its matrix.
+// One mass attached to a nail, x'' = -w^2 x - lambda x' - c x', stepped from (x, h v) = (s, 0) and (0, s): the columns of its matrix.
 Amplification stepped(const Integrator& row, const Oscillator& oscillator, double h) {
   const double s = 0.01;
   double column[2][2];
@@ -34,7 +34,7 @@ Amplification stepped(const Integrator& row, const Oscillator& oscillator, doubl
     trial.system.dimensions = 2;
     trial.system.gravity = Vec3(0.0);
     trial.system.drag = oscillator.h_drag / h;
-    // a nail adds to the mass of the scene, but not to that which is damped
+    // a nail adds to the mass of the scene but not to the damped mass
     if (oscillator.h_rate > 0.0)
       trial.system.forces = {{.term = &mass_center_force, .values = {0.0, 0.0, 0.0, 0.0, oscillator.h_rate / h * 3.0 * 3.0 / 2.0}}};
     const PointId point = trial.add({i == 0 ? s : 0.0, 0.0, 0.0}, 2.0, {i == 1 ? s / h : 0.0, 0.0, 0.0});
@@ -46,7 +46,7 @@ Amplification stepped(const Integrator& row, const Oscillator& oscillator, doubl
   return {column[0][0] + column[1][1], column[0][0] * column[1][1] - column[0][1] * column[1][0]};
 }
 
-TEST_P(Method, AmplifiesADampedModeOfAListedForceAsItsClosedForm) {
+TEST_P(Method, AmplifiesAModeDampedByAListedForceByItsClosedForm) {
   for (const double omega : {0.0, 0.7, 1.9})
     for (const double lambda : {0.0, 0.3})
       for (const double drag : {0.0, 0.4})
@@ -59,7 +59,7 @@ TEST_P(Method, AmplifiesADampedModeOfAListedForceAsItsClosedForm) {
         }
 }
 
-TEST_P(Method, AmplifiesAModeAsItsClosedForm) {
+TEST_P(Method, AmplifiesAModeByItsClosedForm) {
   for (const double omega : {0.01, 0.7, 1.9, 2.6})
     for (const double lambda : {0.0, 0.3, 1.5})
       for (const double drag : {0.0, 0.4}) {
@@ -71,7 +71,7 @@ TEST_P(Method, AmplifiesAModeAsItsClosedForm) {
       }
 }
 
-// a modulus over 1 for some mode, or none, as the row says
+// a modulus above 1 for some mode or for none, as declared
 TEST_P(Method, IsAsStableAsItDeclares) {
   double peak = 0.0, final_norm = 0.0;
   for (double omega = 1e-3; omega < 1e6; omega *= 1.01) {
@@ -103,8 +103,8 @@ TEST_P(Method, IsAsStableAsItDeclares) {
   }
 }
 
-// a new frame, plan and workspace for every frame, or the same
-TEST_P(Method, HidesNothingOutsideTheState) {
+// a new frame, plan and workspace for every frame gives the same result as reusing them
+TEST_P(Method, KeepsNoHiddenStateOutsideState) {
   Trial trial = net(5, 1e3, 0.2);
   trial.system.drag = 0.5;
   const Settings settings{.integrator = &method(), .frame_rate = 100.0, .substeps = 3};
@@ -125,8 +125,8 @@ TEST_P(Method, HidesNothingOutsideTheState) {
   EXPECT_EQ(reused, fresh);
 }
 
-// what Verlet does with the same number of force evaluations
-TEST(BlanesMoan, BeatsVerletAtTheSameCost) {
+// compared with Verlet at the same number of force evaluations
+TEST(BlanesMoan, IsMoreAccurateThanVerletAtTheSameCost) {
   const auto error = [](const Integrator& row, int steps) {
     Trial trial = net(8, 1e2, 0.0), exact = trial;
     trial.run(row, 0.5, steps);
@@ -168,7 +168,7 @@ TEST(Dop853, MeetsItsTolerance) {
   }
 }
 
-// a thousand ends of substeps cost a step each and change nothing
+// a thousand ends of substeps cost one step each and do not change the result
 TEST(Dop853, EndsExactlyOnEverySubstep) {
   const Trial trial = net(8, 1e2, 0.0);
   const Adapted whole = run_adaptive(trial, 0.5, 1, 1e-9), cut = run_adaptive(trial, 0.5, 1000, 1e-9);
@@ -181,20 +181,20 @@ TEST(Dop853, RemembersItsStepFromFrameToFrame) {
   const Adapted first = run_adaptive(trial, 0.5, 1, 1e-9);
   EXPECT_GT(first.state.memory.step, 1e-3);
   EXPECT_GT(first.state.memory.error, 0.0);
-  trial.system.point(9).mass *= 1e-4;  // a sudden stiffness is found within the frame
+  trial.system.point(9).mass *= 1e-4;  // a sudden increase in stiffness is detected within the frame
   trial.state = first.state;
   const Adapted second = run_adaptive(trial, 0.1, 1, 1e-9);
   EXPECT_LT(second.state.memory.step, 0.1 * first.state.memory.step);
 }
 
-TEST(Dop853, ComesToAnEndWhereNoStepIsShortEnough) {
+TEST(Dop853, TerminatesWhereNoStepIsShortEnough) {
   Trial trial = net(4, 1e2, 0.0);
   trial.state.velocity[9].x = 1e308;
   const Adapted adapted = run_adaptive(trial, 1.0 / 60.0, 1, 1e-6);
   EXPECT_LT(adapted.force_evaluations, 10000);
 }
 
-// One sweep a step is all it takes: the error against the true motion falls with the step.
+// One sweep per step is enough for convergence: the error against the exact motion decreases with the step.
 TEST(Xpbd, IsOfFirstOrderWithDashpotsAndDrag) {
   Trial trial = net(6, 1e2, 0.05);
   trial.system.drag = 0.5;
@@ -209,7 +209,7 @@ TEST(Xpbd, IsOfFirstOrderWithDashpotsAndDrag) {
       25000, 1.0, 0.02);
 }
 
-// points may hang as far as the nails let them, and no further: the cloth is 1 m, its diagonal 1.41 m
+// points may hang only as far from the nails as the cloth allows: it is 1 m wide, its diagonal 1.41 m
 TEST(Xpbd, StaysBoundedOnAFineClothFarBeyondTheExplicitLimit) {
   for (const double hertz : {1000.0, 2000.0, 4000.0}) {
     Trial trial = cloth(128);
@@ -223,7 +223,7 @@ TEST(Xpbd, StaysBoundedOnAFineClothFarBeyondTheExplicitLimit) {
   }
 }
 
-TEST(Xpbd, HangsAsFarAsTheSpringsSayWithDragAndDashpots) {
+TEST(Xpbd, HangsAtTheEquilibriumOfItsSpringsWithDragAndDashpots) {
   Trial trial;
   trial.system.drag = 50.0;
   const PointId point = trial.add({0.0, -1.3, 0.0}, 0.5);

@@ -1,4 +1,4 @@
-// Colliders that move: by their paths, by their surfaces, by the hand; against closed forms.
+// Moving colliders (along paths, by surface velocity, carried by the hand) against closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double g = 9.81, frame = 1.0 / 60.0;
 
-// A point of radius 0.02 m at rest on top of a collider, in the middle.
+// A point of radius 0.02 m at rest at the center of the top of a collider.
 Trial resting_on(const Collider& collider, const Vec3& place) {
   Trial trial;
   trial.system.colliders = {collider};
@@ -30,8 +30,8 @@ Collider floor_with(const ColliderPath& path, double friction) { return {.shape 
 class Moving : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Moving, testing::ValuesIn(every_method()), method_name);
 
-// slides until mu g t = v, and then goes along: x = v t - v^2 / (2 mu g)
-TEST_P(Moving, ABeltTakesAPointAlongAfterSpeedOverFriction) {
+// the point slides until mu g t = v and then moves with the belt: x = v t - v^2 / (2 mu g)
+TEST_P(Moving, ABeltAcceleratesAPointByFrictionUpToItsSpeed) {
   const double mu = 0.4, v = 1.5, reaches = v / (mu * g);
   for (const int substeps : {1, 7}) {
     Trial trial = resting_on(floor_with({.belt = {v, 0.0, 0.0}}, mu), {0.0, 0.02, 0.0});
@@ -45,17 +45,17 @@ TEST_P(Moving, ABeltTakesAPointAlongAfterSpeedOverFriction) {
   }
 }
 
-// The belt of a box is its own, too.
-TEST_P(Moving, ABeltOnABoxGoesAlongItsSides) {
+// The belt of a box has its own velocity too.
+TEST_P(Moving, ABeltOnABoxMovesAlongItsSides) {
   Trial trial =
       resting_on({.shape = Box{{-9.0, -1.0, -9.0}, {9.0, 0.0, 9.0}}, .friction = 1.0, .path = {.belt = {0.0, 3.0, 1.0}}}, {0.0, 0.02, 0.0});
   for (int i = 0; i < 30; ++i) trial.run(method(), frame, 2);
   EXPECT_NEAR(trial.state.velocity[0].z, 1.0, 1e-12);
-  EXPECT_NEAR(trial.state.velocity[0].y, 0.0, 1e-12);  // up is not along the top
+  EXPECT_NEAR(trial.state.velocity[0].y, 0.0, 1e-12);  // the belt has no component along the normal of the top
 }
 
-// a plate that rises and sinks: A omega^2 < g, so that nothing leaves it
-TEST_P(Moving, APointRidesOnAPlateThatGoesUpAndDown) {
+// a plate that oscillates vertically with A omega^2 < g, so that nothing leaves it
+TEST_P(Moving, APointStaysOnAVerticallyOscillatingPlate) {
   const ColliderPath path{.amplitude = {0.0, 0.1, 0.0}, .frequency = 1.3, .phase = 0.7};
   Trial trial = resting_on(floor_with(path, 0.0), path.offset(0.0) + Vec3(0.0, 0.02, 0.0));
   trial.state.velocity[0] = path.velocity(0.0);
@@ -66,10 +66,10 @@ TEST_P(Moving, APointRidesOnAPlateThatGoesUpAndDown) {
   }
 }
 
-// shaken to and fro below the angle of friction it goes along, and beyond it slips
+// on a plate shaken horizontally the point moves along below the friction limit and slips beyond it
 TEST_P(Moving, FrictionHoldsAPointOnAShakenPlateUpToItsLimit) {
   const ColliderPath path{.amplitude = {0.05, 0.0, 0.0}, .frequency = 2.0};
-  const double peak_acceleration = 0.05 * std::pow(2.0 * std::numbers::pi * 2.0, 2.0) / g;  // the greatest acceleration, in g
+  const double peak_acceleration = 0.05 * std::pow(2.0 * std::numbers::pi * 2.0, 2.0) / g;  // the peak acceleration, in g
   for (const bool holds : {true, false}) {
     Trial trial = resting_on(floor_with(path, peak_acceleration * (holds ? 1.01 : 0.9)), {0.0, 0.02, 0.0});
     trial.state.velocity[0] = path.velocity(0.0);
@@ -87,7 +87,7 @@ TEST_P(Moving, FrictionHoldsAPointOnAShakenPlateUpToItsLimit) {
 }
 
 // omega^2 r < mu g
-TEST(Moving, ATurntableCarriesWhatItCanHold) {
+TEST(Moving, ATurntableCarriesPointsUpToTheFrictionLimit) {
   const Integrator& verlet = *find_integrator("velocity_verlet");
   const double omega = 3.0, r = 0.4, mu = omega * omega * r / g;
   const auto error = [&](double friction, int steps) {
@@ -101,9 +101,9 @@ TEST(Moving, ATurntableCarriesWhatItCanHold) {
   EXPECT_GT(error(0.9 * mu, 400), 1e-2);
 }
 
-// A turning ball hands its spin to a point on its top, which it then loses: that part is not looked at. On the equator of a
-// ball that turns about the vertical, held on by a spring to its middle, it goes round with it.
-TEST(Moving, ATurningBallTakesAPointAlong) {
+// A rotating ball drags a point on its top, which then loses contact; that part is not tested. On the equator of a ball that rotates about
+// the vertical, a point held by a spring to the center moves with the surface.
+TEST(Moving, ARotatingBallCarriesAPoint) {
   const Integrator& verlet = *find_integrator("velocity_verlet");
   const double omega = 2.0, contact_radius = 0.52;
   const auto error = [&](int steps) {
@@ -120,8 +120,8 @@ TEST(Moving, ATurningBallTakesAPointAlong) {
   EXPECT_LT(error(400), 1e-4);
 }
 
-// v' = 2 w - v off a wall that comes with w: the wall's speed counts twice
-TEST_P(Moving, ABounceOffAWallThatComesGainsTwiceItsSpeed) {
+// v' = 2 w - v off a wall that approaches at w: the speed of the wall counts twice
+TEST_P(Moving, ABounceOffAnApproachingWallGainsTwiceItsSpeed) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   trial.system.colliders = {
@@ -132,8 +132,8 @@ TEST_P(Moving, ABounceOffAWallThatComesGainsTwiceItsSpeed) {
   EXPECT_NEAR(trial.state.velocity[0].x, 2.0 + 2.0 * w, 1e-6);
 }
 
-// What the hand does to a collider in a frame: it moves at one speed, and nothing is left behind or inside.
-TEST_P(Moving, ACarriedBallPushesWhatItMeets) {
+// A collider carried by the hand moves at constant speed within a frame, and no point is left behind or inside.
+TEST_P(Moving, ACarriedBallPushesPointsInItsPath) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   trial.system.colliders = {{.shape = Sphere{.radius = 0.5}}};
@@ -147,11 +147,11 @@ TEST_P(Moving, ACarriedBallPushesWhatItMeets) {
   EXPECT_NEAR(anchor_of(trial.state.hand.collider->shape).x, 30.0, 1e-12);
   EXPECT_NEAR(trial.state.position[0].x, 30.5, 1e-9);
   EXPECT_NEAR(trial.state.velocity[0].x, 30.0 * 60.0, 1e-6);
-  // all its energy was given by the hand, and is in the books
+  // all its energy was supplied by the hand and is recorded in the ledger
   EXPECT_NEAR(trial.state.ledger.net_input, compute_energy(trial.system, trial.state).total(), 1e-6 * trial.state.ledger.net_input);
 }
 
-TEST(Moving, ACarriedColliderKeepsToTheTopSpeedOfTheHand) {
+TEST(Moving, ACarriedColliderIsLimitedToTheMaximumSpeedOfTheHand) {
   Trial trial;
   trial.system.colliders = {{.shape = Sphere{.radius = 0.5}}};
   trial.system.hand_speed = 6.0;

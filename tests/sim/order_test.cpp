@@ -1,4 +1,4 @@
-// Measured properties that the rows of the methods declare: orders, stability limits, symplecticity.
+// Declared properties of the methods, measured: orders, stability limits, symplecticity.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,10 +18,10 @@ namespace {
 
 class Row : public EveryMethod {
  protected:
-  // Steps for a quarter of a second of the net, of which the longest is a quarter of a radian of the fastest mode for an order
-  // of one, and some radians for eight: few enough for changes far above round-off (1e-14 m), enough for the next term of
-  // the error, a power of h omega smaller, to change the order by less than a tenth. One sweep over the constraints, far
-  // from a solution of them, needs far shorter steps for that.
+  // The number of steps for a quarter of a second of the net. The longest step is a quarter of a radian of the fastest mode for order one,
+  // and some radians for order eight: few enough steps for changes far above round-off (1e-14 m), and enough for the next term of the
+  // error, smaller by a power of h omega, to change the measured order by less than a tenth. A single sweep over the constraints, far from
+  // their solution, needs much shorter steps.
   int steps(int order) const {
     if (method().stability == Stability::EachSpring) return 24000;
     if (method().stability == Stability::AStable || method().stability == Stability::LStable)
@@ -29,7 +29,7 @@ class Row : public EveryMethod {
     return order == 1 ? 1000 : order == 2 ? 250 : order == 4 ? 120 : 28;
   }
 
-  // Forces that start suddenly excite faster modes: implicit methods of first order reach their asymptotic range later.
+  // Forces that start suddenly excite faster modes, so first-order implicit methods need smaller steps to reach their asymptotic range.
   int refinement() const { return method().order == 1 && method().implicit_force_terms ? 2 : 1; }
 
   State after(const Trial& start, int count) const {
@@ -38,8 +38,8 @@ class Row : public EveryMethod {
     return trial.state;
   }
 
-  // Richardson: the changes as the step is halved fall by 2^p. A method is of the lesser of its orders in positions and in
-  // velocities; symplectic Euler's positions are Verlet's.
+  // Richardson: the change when the step is halved falls by 2^p. The order of a method is the minimum of its orders in position and
+  // velocity; the positions of symplectic Euler are those of Verlet.
   void expect_measured(const Trial& start, int order, int refinement = 1) const {
     const int count = refinement * steps(order);
     const State coarse = after(start, count), middle = after(start, 2 * count), fine = after(start, 4 * count);
@@ -59,7 +59,7 @@ class Row : public EveryMethod {
 };
 INSTANTIATE_TEST_SUITE_P(Methods, Row, testing::ValuesIn(every_method()), method_name);
 
-// net W2 of the accuracy tables: 16 x 16 points, k = 100 N/m, swinging in tension
+// net W2 of the accuracy tables: 16 x 16 points, k = 100 N/m, swinging under tension
 TEST_P(Row, MeetsItsOrder) { expect_measured(net(16, 1e2, 0.0), method().order); }
 
 TEST_P(Row, MeetsItsOrderWithDashpots) { expect_measured(net(16, 1e2, 0.03), method().order_damped); }
@@ -76,7 +76,7 @@ TEST_P(Row, MeetsItsOrderWithDashpotsAndDrag) {
   expect_measured(trial, std::min(method().order_damped, method().order_drag));
 }
 
-// The net with wind on its points and a pull of its center of mass.
+// The net with wind on its points and a pull on its center of mass.
 Trial windy_net() {
   Trial trial = net(16, 1e2, 0.0);
   for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).radius = 0.03;
@@ -86,7 +86,7 @@ Trial windy_net() {
 
 TEST_P(Row, MeetsItsOrderWithWind) { expect_measured(windy_net(), method().order_force_terms, refinement()); }
 
-TEST_P(Row, MeetsItsOrderWithAPullOfTheCenterOfMass) {
+TEST_P(Row, MeetsItsOrderWithAPullOnTheCenterOfMass) {
   Trial trial = net(16, 1e2, 0.0);
   Vec3 center(0.0);
   for (const Vec3& x : trial.state.position) center += x / static_cast<double>(trial.system.point_count());
@@ -101,7 +101,7 @@ TEST_P(Row, MeetsItsOrderWithWindAndDashpots) {
   expect_measured(trial, std::min({method().order_force_terms, method().order_damped, method().order_drag}), refinement());
 }
 
-// Two masses on a spring that fall on a floor without restitution, stop falling, and slide on it under friction while the spring
+// Two masses connected by a spring fall onto a floor without restitution, stop falling, and slide on it under friction while the spring
 // oscillates.
 Trial sliding_pair() {
   Trial trial;
@@ -111,7 +111,7 @@ Trial sliding_pair() {
   return trial;
 }
 
-// The place of the impact within a step varies with the number of steps, and the error with it: a fit over many numbers of steps.
+// The error varies with the position of the impact within a step, and so with the number of steps: fit over many numbers of steps.
 TEST_P(Row, MeetsItsOrderUnderFriction) {
   const auto error_at = [&](int count) {
     const auto state_after = [&](int steps) {
@@ -124,7 +124,7 @@ TEST_P(Row, MeetsItsOrderUnderFriction) {
       trial.run(runge_kutta4, 0.5, 1 << 18);
       return trial.state;
     }();
-    // RMS over neighbouring numbers of steps
+    // RMS over neighboring numbers of steps
     double sum = 0.0;
     constexpr int neighbours = 24;
     for (int i = 0; i < neighbours; ++i) sum += std::pow(distance(state_after(count + i * count / neighbours), reference), 2);
@@ -134,14 +134,14 @@ TEST_P(Row, MeetsItsOrderUnderFriction) {
   EXPECT_NEAR(std::log2(coarse / fine) / 3.0, method().order_friction, 0.2) << coarse << " m, " << fine << " m";
 }
 
-// The modulus of the greater eigenvalue of one step: what a mode grows by.
+// The larger modulus of the eigenvalues of one step, which is the growth factor of a mode.
 double growth(const Integrator& method, const Oscillator& oscillator) {
   const auto [trace, determinant] = method.amplification(oscillator);
   const double discriminant = 0.25 * trace * trace - determinant;
   return discriminant < 0.0 ? std::sqrt(determinant) : 0.5 * std::abs(trace) + std::sqrt(discriminant);
 }
 
-// x'' = -w^2 x - lambda x' - c x', a spring without rest length on a nail: how much longer (x, v / w) is after `count` steps.
+// x'' = -w^2 x - lambda x' - c x', a spring without rest length attached to a nail: growth of (x, v / w) over `count` steps.
 double growth_after(const Integrator& method, double omega, double lambda, double drag, double h, int count) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
@@ -152,8 +152,8 @@ double growth_after(const Integrator& method, double omega, double lambda, doubl
   return std::hypot(trial.position(point).x, trial.velocity(point).x / omega);
 }
 
-// just below the limit the motion stays bounded, just above it grows; what is stated for a whole scene is not above it
-TEST_P(Row, HoldsUpToItsLimitAndNotBeyond) {
+// just below the limit the motion stays bounded, just above it grows; the limit reported for a whole scene does not exceed it
+TEST_P(Row, IsStableUpToItsLimitAndNotBeyond) {
   if (method().stability != Stability::Conditional && method().stability != Stability::None) return;
   const double omega = 20.0;
   for (const double lambda : {0.0, 5.0, 30.0, 300.0})
@@ -173,7 +173,7 @@ TEST_P(Row, HoldsUpToItsLimitAndNotBeyond) {
         }
       }
 
-      // some methods are stable again slightly beyond: the fastest growth nearby
+      // some methods are stable again slightly above the limit: use the fastest growth nearby
       double beyond = std::max(limit, 1e-3);
       for (double h = beyond; h < 1.02 * std::max(limit, 1e-3); h *= 1.0001)
         if (growth_at(h) > growth_at(beyond)) beyond = h;
@@ -182,9 +182,9 @@ TEST_P(Row, HoldsUpToItsLimitAndNotBeyond) {
     }
 }
 
-// x = x0 cos(theta t / h) |R|^(t / h) of the textbooks, theta = h w, by the eigenvalues |R| e^(+- i theta') of a step; R(z) of
+// x = x0 cos(theta t / h) |R|^(t / h), the textbook solution, theta = h w, from the eigenvalues |R| e^(+- i theta') of a step; R(z) of
 // Runge-Kutta methods at z = i theta
-TEST(Amplification, OfAnUndampedModeIsTheTextbooks) {
+TEST(Amplification, OfAnUndampedModeMatchesTheTextbook) {
   const auto expect_eigenvalue = [](std::string_view id, double theta, std::complex<double> expected) {
     const auto [trace, determinant] = find_integrator(id)->amplification({.h_omega_squared = theta * theta});
     EXPECT_NEAR(trace, 2.0 * expected.real(), 1e-12 * std::max(1.0, std::abs(trace))) << id << ", h w = " << theta;
@@ -199,13 +199,14 @@ TEST(Amplification, OfAnUndampedModeIsTheTextbooks) {
     for (const char* id : {"implicit_euler", "baraff_witkin", "xpbd"})
       expect_eigenvalue(id, theta, std::polar(1.0 / std::sqrt(1.0 + theta * theta), std::atan(theta)));
     expect_eigenvalue("implicit_midpoint", theta, std::polar(1.0, 2.0 * std::atan(0.5 * theta)));
-    // R. E. Bank et al., Transient simulation of silicon devices and circuits, 1985: a trapezium to g h, then BDF2
+    // R. E. Bank et al., Transient simulation of silicon devices and circuits, 1985: the trapezoidal rule to g h, then BDF2
     const double g = 2.0 - std::numbers::sqrt2;
     expect_eigenvalue(
         "tr_bdf2", theta,
         ((1.0 + (1.0 - g) * (1.0 - g)) * z + 2.0 * (2.0 - g)) / (z * z * (1.0 - g) * g + z * (g * g - 2.0) + 2.0 * (2.0 - g)));
   }
-  // of orders four and eight: what the exponential leaves is z^(p + 1) times a constant, the next powers being theta smaller
+  // of orders four and eight: the difference from the exponential is z^(p + 1) times a constant; further terms are smaller by powers of
+  // theta
   for (const auto& [id, order] : {std::pair("blanes_moan4", 4), {"esdirk4", 4}, {"dop853", 8}}) {
     const auto off = [&](double theta) {
       const auto [trace, determinant] = find_integrator(id)->amplification({.h_omega_squared = theta * theta});
@@ -216,8 +217,8 @@ TEST(Amplification, OfAnUndampedModeIsTheTextbooks) {
   }
 }
 
-// the determinant of an undamped step is 1 just if the method is symplectic
-TEST_P(Row, KeepsAreasJustIfItIsSymplectic) {
+// the determinant of an undamped step is 1 if and only if the method is symplectic
+TEST_P(Row, IsAreaPreservingOnlyIfSymplectic) {
   const double determinant = method().amplification({.h_omega_squared = 1.44}).determinant;
   if (method().symplectic) {
     EXPECT_NEAR(determinant, 1.0, 1e-14);

@@ -1,4 +1,4 @@
-// A pull at a place between three points: one spring from the weighted place to the hand, its force shared by the weights.
+// A pull at a place between three points: one spring from the weighted position to the hand, its force distributed by the weights.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ Grab pull(const Trial& trial, std::array<Index, 3> points) {
   return grab;
 }
 
-// Three points of different masses, no two joined, pulled by a hand that stands still.
+// Three points of different masses without springs between them, pulled by a hand at rest.
 struct ThreePointScene {
   Trial trial;
   std::array<double, 3> mass{0.5, 0.8, 1.5};
@@ -36,7 +36,7 @@ struct ThreePointScene {
     trial.state.hand = {.position = {0.3, -0.2, 0.1}, .target = {0.3, -0.2, 0.1}};
     trial.system.grab = pull(trial, {0, 1, 2});
   }
-  double give() const {  // [1/kg], acceleration of the place per force on it
+  double give() const {  // [1/kg], acceleration of the grabbed place per force on it
     double sum = 0.0;
     for (Index i = 0; i < 3; ++i) sum += trial.system.points()[i].nailed ? 0.0 : weights[i] * weights[i] / mass[i];
     return sum;
@@ -46,8 +46,8 @@ struct ThreePointScene {
 class PulledPatch : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, PulledPatch, testing::ValuesIn(every_method()), method_name);
 
-// the place swings about the hand with w^2 = k sum s_i^2 / m_i; the points follow by s_i / m_i of it
-TEST_P(PulledPatch, SwingsAboutTheHand) {
+// the place oscillates about the hand with w^2 = k sum s_i^2 / m_i; the points follow in proportion to s_i / m_i
+TEST_P(PulledPatch, OscillatesAboutTheHand) {
   for (const bool nailed : {false, true}) {
     const auto error = [&](int steps) {
       ThreePointScene three(nailed);
@@ -106,8 +106,8 @@ TEST(Patch, ForceIsMinusTheGradientOfTheEnergy) {
   }
 }
 
-// Momentum changes by what the hand exerts, at the place where it exerts it.
-TEST(Patch, PassesOnTheHandsForceAndItsTorque) {
+// Momentum changes by the force of the hand, applied at the grabbed place.
+TEST(Patch, TransmitsTheForceAndTorqueOfTheHand) {
   const ThreePointScene three;
   Plan plan = make_plan(three.trial.system);
   prepare_hand(plan, three.trial.system, three.trial.state, 1.0);
@@ -128,9 +128,9 @@ TEST(Patch, PassesOnTheHandsForceAndItsTorque) {
   EXPECT_LT(glm::distance(torque, glm::cross(grabbed_position(three.trial.system, three.trial.state), hand)), 1e-12);
 }
 
-// Springs without rest length and the pull are linear: one step of Newton's method with the true matrix is all that implicit
-// Euler needs, however stiff they are, although no spring joins the three points that the pull couples.
-TEST(Patch, IsWholeInTheMatrixOfImplicitMethods) {
+// Springs without rest length and the pull are linear: implicit Euler needs one Newton iteration with the exact matrix at any stiffness,
+// although no spring connects the three points that the pull couples.
+TEST(Patch, IsFullyRepresentedInTheMatrixOfImplicitMethods) {
   for (const int dimensions : {2, 3})
     for (const double k : {60.0, 1e7}) {
       ThreePointScene three;
@@ -146,7 +146,7 @@ TEST(Patch, IsWholeInTheMatrixOfImplicitMethods) {
       converged.run(*find_integrator("implicit_euler"), 0.2, 1);
       for (Index i = 0; i < 5; ++i) EXPECT_LT(glm::distance(three.trial.state.position[i], converged.state.position[i]), 1e-8) << k;
 
-      // and the place is where k alone would have it: v' = h k (target - p') sum s^2/m, the other springs being soft
+      // the place moves as k alone would move it: v' = h k (target - p') sum s^2/m, since the other springs are soft
       if (k > 1e6) {
         const Vec3 place = grabbed_position(three.trial.system, three.trial.state);
         EXPECT_LT(std::hypot(place.x - 0.3, place.y + 0.2), 1e-4);
@@ -154,7 +154,7 @@ TEST(Patch, IsWholeInTheMatrixOfImplicitMethods) {
     }
 }
 
-TEST(Patch, IsTakenToTheHandInOneStepByAPullWithoutEnd) {
+TEST(Patch, ReachesTheHandInOneStepAtInfiniteStiffness) {
   for (const char* id : {"xpbd", "baraff_witkin", "implicit_euler", "tr_bdf2"})
     for (const bool nailed : {false, true}) {
       ThreePointScene three(nailed);
@@ -172,8 +172,8 @@ TEST(Patch, BoundsTheFrequencyItAdds) {
   EXPECT_LT(bound_spectrum(nailed.trial.system).omega, bound_spectrum(three.trial.system).omega);
 }
 
-// energy = energy at the start + work of a moving hand, but for the error of the substeps
-TEST(Patch, WorkOfTheHandIsBooked) {
+// energy = initial energy + work of a moving hand, up to the error of the substeps
+TEST(Patch, TheWorkOfTheHandIsRecorded) {
   const auto missing = [](int steps) {
     constexpr int frames = 8;
     ThreePointScene three;

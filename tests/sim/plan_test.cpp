@@ -14,7 +14,7 @@
 namespace hooke {
 namespace {
 
-// n x n points in rows, springs to the right, down and both diagonals.
+// n x n points in rows, with springs to the right, down and along both diagonals.
 Trial grid(int n) {
   Trial trial;
   for (int row = 0; row < n; ++row)
@@ -29,7 +29,7 @@ Trial grid(int n) {
   return trial;
 }
 
-// The spring of the System that each packed spring claims to be, with the ends that its run gives it.
+// The spring of the System that each packed spring refers to, with the ends given by its run.
 std::set<std::tuple<Index, Index, Index>> packed_springs(const Plan& plan) {
   std::set<std::tuple<Index, Index, Index>> springs;
   for (const SpringRun& run : plan.runs)
@@ -46,7 +46,7 @@ std::set<std::tuple<Index, Index, Index>> system_springs(const System& system) {
   return springs;
 }
 
-TEST(Plan, HoldsEverySpringOfAnyGraphOnce) {
+TEST(Plan, ContainsEverySpringOfAnyGraphOnce) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Index points = 2 + static_cast<Index>(seed);
     const System system = random_trial(seed, points, 3 * points).system;
@@ -58,7 +58,7 @@ TEST(Plan, HoldsEverySpringOfAnyGraphOnce) {
   EXPECT_EQ(packed_springs(make_plan(cloth)), system_springs(cloth));
 }
 
-TEST(Plan, LaysTheRunsEndToEnd) {
+TEST(Plan, StoresRunsContiguously) {
   const Plan plan = make_plan(grid(9).system);
   Index begin = 0;
   for (const SpringRun& run : plan.runs) {
@@ -71,13 +71,13 @@ TEST(Plan, LaysTheRunsEndToEnd) {
   EXPECT_EQ(begin, plan.springs);
 }
 
-// a row's springs in one direction have consecutive ends
-TEST(Plan, SeesTheRowsOfAGrid) {
+// springs along a row in one direction have consecutive ends
+TEST(Plan, RecognizesTheRowsOfAGrid) {
   const Plan plan = make_plan(grid(32).system);
   EXPECT_LE(plan.runs.size(), 4 * 32);
 }
 
-TEST(Plan, CarriesEverySpringsOwnValues) {
+TEST(Plan, StoresTheValuesOfEachSpring) {
   Trial trial = random_trial(7, 20, 60, 3, 5.0);
   Plan plan = make_plan(trial.system);
   const auto expect_values = [&] {
@@ -103,7 +103,7 @@ TEST(Plan, CarriesEverySpringsOwnValues) {
     EXPECT_EQ(plan.inverse_mass[i], trial.system.points()[i].nailed ? 0.0 : 1.0 / trial.system.points()[i].mass);
 }
 
-TEST(Plan, HoldsOnlyWhatTheSceneNeeds) {
+TEST(Plan, ContainsOnlyWhatTheSceneNeeds) {
   Trial trial = random_trial(8, 10, 20, 3, 5.0);
   trial.system.drag = 2.0;
   trial.system.colliders = {{.shape = Plane{}, .solid = false}};
@@ -122,7 +122,7 @@ TEST(Plan, OfAnEmptySceneIsEmpty) {
   EXPECT_EQ(plan.spectrum.dashpot_rate, 0.0);
 }
 
-// The highest eigenvalue of M^-1/2 A M^-1/2 over the free points, where spring s adds blocks +-block(s) to A.
+// The largest eigenvalue of M^-1/2 A M^-1/2 over the free points, where spring s adds blocks +-block(s) to A.
 template <class Block>
 double highest_eigenvalue(const Trial& trial, Block block) {
   const Index n = trial.system.point_count();
@@ -153,7 +153,7 @@ Eigen::Matrix3d dashpot_block(const Spring& spring, const Eigen::Vector3d& along
   return spring.damping * along * along.transpose() / along.squaredNorm();
 }
 
-TEST(Spectrum, IsNeverBelowTheTrueRatesHoweverTheSceneIsDeformed) {
+TEST(Spectrum, IsNeverBelowTheTrueRatesForAnyDeformation) {
   double tightest = 1e300;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     Trial trial = random_trial(seed, 12, 30, 3, 5.0);
@@ -183,7 +183,7 @@ TEST(Spectrum, IsExactForOneSpring) {
   EXPECT_DOUBLE_EQ(bound_spectrum(trial.system).dashpot_rate, 6.0);
 }
 
-TEST(Spectrum, CountsThePullOfTheHand) {
+TEST(Spectrum, IncludesThePullOfTheHand) {
   Trial trial;
   const PointId point = trial.add(Vec3(0.0), 0.25);
   trial.system.grab = Grab{.point = point, .kind = GrabKind::Pull, .stiffness = 100.0};

@@ -1,5 +1,5 @@
-// Three scenes against converged positions: a drum, a rope and a cloth of 32 and 64 points, computed once with
-// Runge-Kutta 4 at 1e-5 s, with half that and in long double; nine decimals are certain.
+// Three scenes against converged positions: a drum, a rope and a cloth of 32 and 64 points, computed once with Runge-Kutta 4 at 1e-5 s, at
+// half that step, and in long double; nine decimals are certain.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ Trial drum(int n) {
   return trial;
 }
 
-// x = i / 63, 0.1 kg, k = 1e4 N/m, held at one end and let go level
+// x = i / 63, 0.1 kg, k = 1e4 N/m, held at one end and released horizontally
 Trial rope(int n) {
   Trial trial;
   trial.system.gravity = {0.0, 0.0, -9.81};
@@ -44,17 +44,17 @@ State after(const Trial& start, const char* method, double seconds, double hertz
   return trial.state;
 }
 
-// What Richardson's extrapolation from two runs, at steps of 1 / hertz and half that, leaves: far less than either error.
+// The Richardson extrapolation from two runs, at steps of 1 / hertz and half that; its error is far smaller than that of either run.
 Vec3 extrapolated(const Vec3& coarse, const Vec3& fine, int order) { return fine + (fine - coarse) / (std::exp2(order) - 1.0); }
 
-TEST(Reference, DrumIsReachedByRungeKutta) {
+TEST(Reference, DrumConvergesWithRungeKutta) {
   const Vec3 expected(0.516139452, -0.516139452, -0.014719998);
   const State coarse = after(drum(32), "runge_kutta4", 0.25, 6000.0), fine = after(drum(32), "runge_kutta4", 0.25, 12000.0);
   EXPECT_LT(glm::distance(fine.position[528], expected), glm::distance(coarse.position[528], expected) / 8.0 + certain);
   EXPECT_LT(glm::distance(extrapolated(coarse.position[528], fine.position[528], 4), expected), 2.0 * certain);
 }
 
-TEST(Reference, DrumIsReachedByVerlet) {
+TEST(Reference, DrumConvergesWithVerlet) {
   const State coarse = after(drum(32), "velocity_verlet", 1.0, 8000.0), fine = after(drum(32), "velocity_verlet", 1.0, 16000.0);
   const Vec3 expected(0.516165695, -0.516165695, -0.000460663), expected_mean(0.5, -0.5, -0.008713565);
   EXPECT_LT(glm::distance(fine.position[528], expected), glm::distance(coarse.position[528], expected) / 3.5 + certain);
@@ -66,7 +66,7 @@ TEST(Reference, DrumIsReachedByVerlet) {
   EXPECT_LT(glm::distance(after(drum(32), "velocity_verlet", 0.5, 16000.0).position[528], halfway), 1e-6);
 }
 
-TEST(Reference, RopeIsReached) {
+TEST(Reference, RopeConverges) {
   const Vec3 quarter(0.881716351, 0.0, -0.306562500), half(-0.220203585, 0.0, -0.878862949), half_mean(-0.033742254, 0.0, -0.493959576);
   for (const auto& [method, order, hertz] : {std::tuple{"runge_kutta4", 4, 40000.0}, {"velocity_verlet", 2, 80000.0}}) {
     const State coarse = after(rope(64), method, 0.25, hertz), fine = after(rope(64), method, 0.25, 2.0 * hertz);
@@ -79,8 +79,8 @@ TEST(Reference, RopeIsReached) {
   EXPECT_LT(glm::distance(extrapolated(mean(coarse), mean(fine), 4), half_mean), 2.0 * certain);
 }
 
-// it buckles beside its nails and doubles an error 60 times a second: one point to 0.25 s, the mean to 0.5 s
-TEST(Reference, ClothIsReached) {
+// the cloth buckles beside its nails and errors double 60 times per second: one point is compared up to 0.25 s, the mean up to 0.5 s
+TEST(Reference, ClothConverges) {
   const Vec3 expected(0.516137244, -0.403723769, -0.305391510), expected_mean(0.5, 0.030099848, -0.497170732);
   const State coarse = after(cloth(32), "runge_kutta4", 0.25, 6000.0), fine = after(cloth(32), "runge_kutta4", 0.25, 12000.0);
   EXPECT_LT(glm::distance(fine.position[528], expected), glm::distance(coarse.position[528], expected) / 8.0 + certain);

@@ -1,4 +1,4 @@
-// Sliding, sticking and resting on planes, balls, blocks, and where two of them meet.
+// Sliding, sticking and resting on planes, balls and blocks, and where two of them meet.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr double g = 9.81, frame = 1.0 / 60.0;
 
 const Integrator& verlet() { return *find_integrator("velocity_verlet"); }
 
-// A point on a plane through the origin that falls towards +x at `angle`; `down` is the direction of sliding.
+// A point on a plane through the origin that slopes down towards +x at `angle`; `down` is the direction of sliding.
 struct Incline {
   Trial trial;
   Vec3 down;
@@ -34,7 +34,7 @@ struct Incline {
 class Slide : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Slide, testing::ValuesIn(every_method()), method_name);
 
-TEST_P(Slide, SticksUpToTheAngleOfFrictionAndNotBeyond) {
+TEST_P(Slide, SticksUpToTheFrictionAngleAndNotBeyond) {
   for (const double angle : {0.1, 0.5, 1.2}) {
     Incline sticks(angle, std::tan(angle) * (1.0 + 1e-9), 0.0);
     Incline slips(angle, std::tan(angle) * (1.0 - 1e-6), 0.0);
@@ -49,8 +49,8 @@ TEST_P(Slide, SticksUpToTheAngleOfFrictionAndNotBeyond) {
   }
 }
 
-// s = v0 t + g (sin a - mu cos a) t^2 / 2, exactly with friction; without it as the method falls
-TEST_P(Slide, FollowsTheIncline) {
+// s = v0 t + g (sin a - mu cos a) t^2 / 2, exactly with friction; without friction, to the accuracy of the method in free fall
+TEST_P(Slide, DownAnInclineFollowsTheClosedForm) {
   const double angle = 0.7, v0 = 0.5, seconds = 1.0;
   for (const double friction : {0.3, 0.0}) {
     const double a = g * (std::sin(angle) - friction * std::cos(angle));
@@ -69,8 +69,8 @@ TEST_P(Slide, FollowsTheIncline) {
   }
 }
 
-// uphill: stops after v0 / (g (sin a + mu cos a)); stays there below the angle of friction, else slides back
-TEST(Slide, UphillStopsAndStaysOrComesBack) {
+// uphill: stops after v0 / (g (sin a + mu cos a)); stays there below the friction angle, otherwise slides back
+TEST(Slide, UphillStopsAndStaysOrSlidesBack) {
   const double angle = 0.4, v0 = 2.0, sine = std::sin(angle), cosine = std::cos(angle);
   for (const double friction : {0.6, 0.2}) {
     Incline incline(angle, friction, -v0);
@@ -83,7 +83,7 @@ TEST(Slide, UphillStopsAndStaysOrComesBack) {
 }
 
 // v0^2 / (2 mu g)
-TEST_P(Slide, OnTheFlatStopsAfterTheStoppingDistance) {
+TEST_P(Slide, OnAHorizontalPlaneStopsAfterTheStoppingDistance) {
   for (const double friction : {0.1, 0.5, 2.0})
     for (const int substeps : {1, 7}) {
       Incline flat(0.0, friction, 3.0);
@@ -93,8 +93,8 @@ TEST_P(Slide, OnTheFlatStopsAfterTheStoppingDistance) {
     }
 }
 
-// a surface without friction leaves the motion along it as it is, forces and all
-TEST_P(Slide, WithoutFrictionMovesAsWithoutThePlane) {
+// a surface without friction does not affect the motion along it, including forces
+TEST_P(Slide, WithoutFrictionMovesAsIfThePlaneWereAbsent) {
   const auto swinging = [&](bool on_plane) {
     Trial trial;
     const PointId point = trial.add({0.5, 0.0, 0.2}, 0.5, {0.0, 0.0, 1.0});
@@ -106,7 +106,7 @@ TEST_P(Slide, WithoutFrictionMovesAsWithoutThePlane) {
     trial.run(method(), 1.0, 600);
     return trial.state;
   };
-  // the forces within a step are taken up to y = g h^2 below the plane, where the spring is y^2 / 2l longer
+  // the forces within a step are evaluated up to y = g h^2 below the plane, where the spring is y^2 / 2l longer
   const double below = g / 360000.0, bound = 0.5 * 60.0 / 0.5 * below * below / 0.5;
   EXPECT_LT(glm::distance(swinging(true).position[0], swinging(false).position[0]), bound);
 }
@@ -146,7 +146,7 @@ TEST_P(Rest, LastsTenThousandFrames) {
   }
 }
 
-// pressed to the floor by a spring: no penetration, whatever the spring's force
+// pressed against the floor by a spring: no penetration, whatever the force of the spring
 TEST_P(Rest, UnderASpringIsOnTheFloor) {
   for (const double stiffness : {1.0, 1e3, 1e5}) {
     Trial trial;
@@ -160,19 +160,19 @@ TEST_P(Rest, UnderASpringIsOnTheFloor) {
   }
 }
 
-// What presses is the weight and the spring: friction holds up to mu times their sum. The forces of a step are taken up to
-// g h^2 below the floor, k h^2 / m = 1e-3 of the spring's off.
-TEST_P(Rest, IsPressedByItsWeightAndItsSpring) {
+// The normal force is that of the weight and the spring; friction holds up to mu times their sum. The forces of a step are evaluated up to
+// g h^2 below the floor, where that of the spring is off by k h^2 / m = 1e-3.
+TEST_P(Rest, FrictionIncludesTheForceOfTheSpring) {
   const double m = 0.5, k = 200.0, friction = 0.4;
-  for (const double share : {0.998, 1.002})
+  for (const double factor : {0.998, 1.002})
     for (const double squeezed : {0.0, 0.3}) {
       Trial trial;
       const PointId point = trial.add(Vec3(0.0), m);
       trial.join(point, trial.nail({0.0, 1.0, 0.0}), k, 1.0 + squeezed);
       trial.system.colliders = {{.shape = Plane{}, .friction = friction}};
-      trial.system.gravity.x = share * friction * (g + k * squeezed / m);
+      trial.system.gravity.x = factor * friction * (g + k * squeezed / m);
       trial.run(method(), 0.05, 30);
-      if (share < 1.0) {
+      if (factor < 1.0) {
         EXPECT_EQ(trial.position(point), Vec3(0.0)) << "squeezed by " << squeezed;
       } else {
         EXPECT_GT(trial.position(point).x, 0.0) << "squeezed by " << squeezed;
@@ -180,7 +180,7 @@ TEST_P(Rest, IsPressedByItsWeightAndItsSpring) {
     }
 }
 
-// A point let go at rest on a ball of radius R, `angle` from the top, without friction.
+// A point released from rest on a ball of radius R, `angle` from the top, without friction.
 Trial on_ball(double angle, double radius, double friction = 0.0) {
   Trial trial;
   trial.add(Vec3(std::sin(angle), std::cos(angle), 0.0) * radius);
@@ -188,8 +188,8 @@ Trial on_ball(double angle, double radius, double friction = 0.0) {
   return trial;
 }
 
-// it leaves where cos = 2/3 of the cosine it started at, within what a step turns it by
-TEST_P(Slide, DownABallLeavesAtTwoThirds) {
+// the point leaves where the cosine is 2/3 of its initial value, within the angle of one step
+TEST_P(Slide, DownABallLosesContactAtTwoThirds) {
   const double radius = 0.5, start = 0.05;
   for (const int substeps : {1, 10, 100, 1000}) {
     Trial trial = on_ball(start, radius);
@@ -210,7 +210,7 @@ TEST_P(Slide, DownABallLeavesAtTwoThirds) {
 }
 
 // v^2 = 2 g R (cos a0 - cos a): second order in the step
-TEST(Slide, DownABallKeepsItsEnergyToSecondOrder) {
+TEST(Slide, DownABallConservesEnergyToSecondOrder) {
   const auto error = [&](int steps) {
     Trial trial = on_ball(0.2, 0.5);
     const double start = compute_energy(trial.system, trial.state).total();
@@ -232,7 +232,7 @@ TEST(Slide, DownABallWithFrictionConverges) {
   EXPECT_NEAR(std::log2(glm::distance(coarse, middle) / glm::distance(middle, fine)), 2.0, 0.15);
 }
 
-TEST(Slide, OnABallSticksUpToTheAngleOfFriction) {
+TEST(Slide, OnABallSticksUpToTheFrictionAngle) {
   Trial sticks = on_ball(0.5, 0.5, std::tan(0.5) * 1.000001), slips = on_ball(0.5, 0.5, std::tan(0.5) * 0.999);
   const Vec3 start = sticks.state.position[0];
   sticks.run(verlet(), 1.0, 60);
@@ -241,7 +241,7 @@ TEST(Slide, OnABallSticksUpToTheAngleOfFriction) {
   EXPECT_GT(glm::distance(slips.state.position[0], start), 1e-4);
 }
 
-// a ball of 1 mm turns the path by more than a right angle in a step
+// on a ball of 1 mm the path turns by more than a right angle in one step
 TEST_P(Slide, DownATinyBallIsFinite) {
   Trial trial = on_ball(0.01, 1e-3);
   for (int i = 0; i < 120; ++i) {
@@ -251,7 +251,7 @@ TEST_P(Slide, DownATinyBallIsFinite) {
   EXPECT_LT(trial.state.position[0].y, -1.0);
 }
 
-// off a table: a parabola from the edge, within the step on which it leaves
+// off a table: a parabola from the edge, to within the step in which the point leaves
 TEST_P(Slide, OffATableFalls) {
   const double v0 = 2.0, seconds = 0.5, edge = 0.3;
   const auto distance = [&](int steps) {
@@ -265,7 +265,7 @@ TEST_P(Slide, OffATableFalls) {
   for (const int steps : {30, 300}) EXPECT_LT(distance(steps), 2.0 * g * seconds * seconds / steps) << steps << " steps";
 }
 
-TEST_P(Slide, OffATableRoundTheEdgeWithARadius) {
+TEST_P(Slide, OffATableWithARadiusFallsAroundTheEdge) {
   Trial trial;
   trial.add({0.0, 0.05, 0.0}, 1.0, {0.3, 0.0, 0.0});
   trial.system.point(0).radius = 0.05;
@@ -277,8 +277,8 @@ TEST_P(Slide, OffATableRoundTheEdgeWithARadius) {
   EXPECT_LT(trial.state.position[0].y, -1.0);
 }
 
-// what is lifted off leaves as if there were no floor; explicit Euler's first step is that of a parabola, h^2 a / 2 off
-TEST_P(Rest, EndsWithoutABounce) {
+// a lifted point leaves as if there were no floor; the first step of explicit Euler differs from the parabola by h^2 a / 2
+TEST_P(Rest, EndsWithoutABounceWhenLifted) {
   const auto lifted = [&](bool on_floor) {
     Trial trial;
     trial.system.gravity = {0.0, 0.5, 0.0};
@@ -291,7 +291,7 @@ TEST_P(Rest, EndsWithoutABounce) {
   EXPECT_LT(glm::distance(lifted(true).velocity[0], lifted(false).velocity[0]), 1e-14);
 }
 
-// down a ball into the corner that it makes with a floor
+// down a ball into the corner between the ball and a floor
 TEST_P(Slide, DownABallOntoAFloorEndsInTheCorner) {
   Trial trial = on_ball(0.2, 0.5, 0.05);
   trial.system.colliders.push_back({.shape = Plane{.point = {0.0, 0.4, 0.0}}, .friction = 0.5});
@@ -305,7 +305,7 @@ TEST_P(Slide, DownABallOntoAFloorEndsInTheCorner) {
   EXPECT_NEAR(trial.state.position[0].y, 0.4, 1e-13);
 }
 
-// A groove of two planes along z, each `angle` from the vertical.
+// A groove formed by two planes along z, each at `angle` from the vertical.
 Trial groove(double angle, double restitution, double friction) {
   Trial trial;
   for (const double side : {-1.0, 1.0})
@@ -314,7 +314,7 @@ Trial groove(double angle, double restitution, double friction) {
   return trial;
 }
 
-TEST_P(Rest, InAGrooveIsFoundFromAbove) {
+TEST_P(Rest, InAGrooveIsReachedFromAbove) {
   for (const double angle : {0.3, 0.8, 1.4})
     for (const double restitution : {0.0, 0.5}) {
       Trial trial = groove(angle, restitution, 0.3);
@@ -324,15 +324,15 @@ TEST_P(Rest, InAGrooveIsFoundFromAbove) {
       for (const Collider& collider : trial.system.colliders)
         EXPECT_GT(gap_to(collider, 0.05, trial.state.position[0]).distance, -1e-12) << "angle " << angle << ", e = " << restitution;
       EXPECT_LT(glm::length(trial.state.velocity[0]), 1e-9) << "angle " << angle << ", e = " << restitution;
-      // friction may hold it on one side if the groove is flat enough
+      // friction may hold the point on one side if the groove is shallow enough
       if (std::tan(0.5 * std::numbers::pi - angle) > 0.3) {
         EXPECT_NEAR(trial.state.position[0].y, 0.05 / std::sin(angle), 1e-9) << "angle " << angle << ", e = " << restitution;
       }
     }
 }
 
-// without friction motion along the groove continues
-TEST_P(Slide, AlongAGrooveIsFree) {
+// without friction, motion along the groove continues
+TEST_P(Slide, AlongAGrooveIsUnimpeded) {
   Trial trial = groove(0.7, 0.5, 0.0);
   trial.add({0.0, 0.05 / std::sin(0.7), 0.0}, 1.0, {0.0, 0.0, 1.5});
   trial.system.point(0).radius = 0.05;
@@ -340,8 +340,8 @@ TEST_P(Slide, AlongAGrooveIsFree) {
   EXPECT_LT(glm::distance(trial.state.position[0], Vec3(0.0, 0.05 / std::sin(0.7), 1.5)), 1e-12);
 }
 
-// both sides of a groove press by g / (2 sin a), and both rub
-TEST(Slide, AlongAGrooveIsSlowedByBothSides) {
+// both sides of a groove exert a normal force g / (2 sin a) per mass, and friction
+TEST(Slide, AlongAGrooveIsSlowedByTheFrictionOfBothSides) {
   const double angle = 0.7, friction = 0.1, slowing = friction * g / std::sin(angle);
   Trial trial = groove(angle, 0.0, friction);
   trial.add({0.0, 0.05 / std::sin(angle), 0.0}, 1.0, {0.0, 0.0, 1.5});
@@ -350,8 +350,8 @@ TEST(Slide, AlongAGrooveIsSlowedByBothSides) {
   EXPECT_NEAR(trial.state.position[0].z, 1.5 * 0.5 - 0.5 * slowing * 0.25, 1e-12);
 }
 
-// a wall stops what slides on the floor, even if the whole path is within one step
-TEST_P(Slide, IntoAWallStopsThere) {
+// a wall stops a sliding point, even if the whole path is within one step
+TEST_P(Slide, IntoAWallStopsAtTheWall) {
   for (const double restitution : {0.0, 0.5}) {
     Trial trial;
     trial.add({0.0, 0.0, 0.0}, 1.0, {100.0, 0.0, 0.0});

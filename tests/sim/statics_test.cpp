@@ -1,4 +1,4 @@
-// What hangs at rest: chains, the elastic catenary and nets. m mass, k stiffness, l0 rest length, g gravity.
+// Static equilibria: chains, the elastic catenary and nets. Symbols: m mass, k stiffness, l0 rest length, g gravity.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -16,13 +16,13 @@ namespace {
 
 constexpr double g = 9.81;
 
-// Strong drag and the steps of a method that never blows up: whatever swung has come to rest.
+// Strong drag and a method that never blows up, with enough steps for all motion to decay.
 void run_to_rest(Trial& trial, double seconds) {
   trial.system.drag = 5.0;
   trial.run(*find_integrator("baraff_witkin"), seconds, static_cast<int>(std::lround(seconds / 0.05)));
 }
 
-// The greatest force on a free point, relative to its own weight.
+// The largest force on a free point, relative to its own weight.
 double max_residual(const Trial& trial) {
   const Plan plan = make_plan(trial.system);
   Motion motion;
@@ -38,7 +38,7 @@ double max_residual(const Trial& trial) {
   return greatest;
 }
 
-// Springs from a nail down, each with its own stiffness and rest length, and the masses between them.
+// A vertical chain of springs below a nail, each with its own stiffness and rest length, with masses between them.
 struct HangingChain {
   static constexpr std::array<double, 5> m{0.3, 0.1, 1.0, 0.02, 0.5}, k{400.0, 150.0, 1e4, 90.0, 300.0}, l0{0.2, 0.1, 0.3, 0.0, 0.4};
 
@@ -53,11 +53,11 @@ struct HangingChain {
     return sum;
   }
 
-  static Trial hanging(double share) {  // of the depths
+  static Trial hanging(double factor) {  // of the equilibrium depths
     Trial trial;
     PointId above = trial.nail(Vec3(0.0));
     for (int i = 0; i < static_cast<int>(m.size()); ++i) {
-      const PointId mass = trial.add({0.0, -share * depth(i), 0.0}, m[i]);
+      const PointId mass = trial.add({0.0, -factor * depth(i), 0.0}, m[i]);
       trial.join(above, mass, k[i], l0[i], 0.1);
       above = mass;
     }
@@ -75,9 +75,9 @@ struct HangingChain {
 class Hanging : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Hanging, testing::ValuesIn(every_method()), method_name);
 
-// the equilibrium is one of every method, at any step at which it is stable; but one sweep over the springs does not carry
-// the weight of all below
-TEST_P(Hanging, ChainStaysAtItsLengths) {
+// the equilibrium is the same for every method at any stable step; only XPBD with one sweep over the springs does not support the weight of
+// all masses below
+TEST_P(Hanging, ChainStaysAtItsEquilibriumLengths) {
   const auto off = [&](int steps) {
     Trial trial = HangingChain::hanging(1.0);
     trial.run(method(), 1.0, steps);
@@ -91,7 +91,7 @@ TEST_P(Hanging, ChainStaysAtItsLengths) {
   }
 }
 
-TEST(Hanging, ChainComesToItsLengths) {
+TEST(Hanging, ChainReachesItsEquilibriumLengths) {
   Trial trial = HangingChain::hanging(0.7);
   EXPECT_GT(HangingChain::off(trial), 0.1);
   run_to_rest(trial, 60.0);
@@ -109,9 +109,9 @@ TEST(Hanging, NetComesToRestWithoutResidual) {
   EXPECT_LT(max_residual(trial), 1e-10);
 }
 
-// The elastic catenary between two nails     (H. M. Irvine, Cable Structures, 1981): p the unstretched length from the lowest
-// point, H the horizontal tension, w = M g / L the weight of the unstretched length,
-//   x(p) = H / w asinh(w p / H) + H p / EA,  y(p) = sqrt((H / w)^2 + p^2) + w p^2 / (2 EA).
+// The elastic catenary between two nails (H. M. Irvine, Cable Structures, 1981): p the unstretched length from the lowest point, H the
+// horizontal tension, w = M g / L the weight per unstretched length, x(p) = H / w asinh(w p / H) + H p / EA,  y(p) = sqrt((H / w)^2 + p^2)
+// + w p^2 / (2 EA).
 struct Catenary {
   double length, weight, EA;    // [m], [N/m], [N]
   double H = 0.0, start = 0.0;  // [N]; p at the first nail
@@ -119,7 +119,7 @@ struct Catenary {
   double x(double p) const { return H / weight * std::asinh(weight * p / H) + H * p / EA; }
   double y(double p) const { return std::hypot(H / weight, p) + weight * p * p / (2.0 * EA); }
 
-  // H and the start for the second nail at `apart` from the first, by Newton's method
+  // H and the start for a second nail at `apart` from the first, by Newton's method
   void span(const Vec3& apart) {
     H = 0.5 * weight * length;
     start = -0.5 * length;
@@ -142,7 +142,7 @@ struct Catenary {
 };
 
 // A chain of N springs, k = EA / l0, with M / N at each point between them: second order in 1 / N.
-TEST(Hanging, RopeTendsToTheElasticCatenary) {
+TEST(Hanging, RopeConvergesToTheElasticCatenary) {
   const double mass = 0.5, length = 1.2;
   const Vec3 apart(1.0, -0.3, 0.0);
   for (const double EA : {20.0, 1000.0}) {

@@ -1,4 +1,4 @@
-// The matrix of an implicit step and its solver, against differences of forces and dense algebra.
+// The matrix of an implicit step and its solver, against finite differences of forces and dense linear algebra.
 #include "sim/implicit/stiffness.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ Motion packed(const Plan& plan, const Trial& trial) {
   return motion;
 }
 
-// M (V (1 + b c)) - b f(x + b V, V), at points that move
+// M (V (1 + b c)) - b f(x + b V, V) at free points
 Field residual(const Plan& plan, const Field& x, const Field& V) {
   Field moved = x, f(x.size()), r(x.size(), 0.0);
   for (std::size_t i = 0; i < x.size(); ++i) moved[i] += b * V[i];
@@ -32,7 +32,7 @@ Field residual(const Plan& plan, const Field& x, const Field& V) {
   return r;
 }
 
-// A^-1 (dR/dV e) = e for every unit vector e of a point that moves. At V = 0 the dashpots' dropped part is zero.
+// A^-1 (dR/dV e) = e for every unit vector e of a free point. At V = 0 the omitted part of the dashpots is zero.
 void expect_derivative(const Trial& trial) {
   Plan plan = make_plan(trial.system);
   Motion motion = packed(plan, trial);
@@ -65,7 +65,7 @@ TEST(StiffnessMatrix, IsTheDerivativeOfTheForces) {
     }
 }
 
-TEST(StiffnessMatrix, KnowsTheHand) {
+TEST(StiffnessMatrix, IncludesTheGrab) {
   for (const GrabKind kind : {GrabKind::Pull, GrabKind::Hold}) {
     Trial trial = random_trial(7, 12, 30);
     Index free = 0;
@@ -75,8 +75,9 @@ TEST(StiffnessMatrix, KnowsTheHand) {
   }
 }
 
-// k (l0 - l) / l = 8 across, along k: the exact matrix is indefinite, the clamped one has zero for the negative eigenvalues
-TEST(StiffnessMatrix, ClampedIsTheNearestWithoutNegativeCurvature) {
+// k (l0 - l) / l = 8 in the transverse direction, k along the spring: the exact matrix is indefinite, the clamped one has zeros for the
+// negative eigenvalues
+TEST(StiffnessMatrix, ClampedIsTheNearestPositiveSemidefiniteMatrix) {
   Trial trial;
   const Vec3 u(0.48, 0.6, 0.64);
   const PointId first = trial.add(Vec3(0.0), 1.0), second = trial.add(0.1 * u, 2.0);
@@ -113,7 +114,7 @@ TEST(StiffnessMatrix, ClampedIsTheNearestWithoutNegativeCurvature) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(tried[2 * c + point], expected[3 * point + c], 1e-12);
 }
 
-// k I, with or without a rest length: there is no direction along the spring
+// k I, with or without a rest length, because there is no direction along the spring
 TEST(StiffnessMatrix, OfCoincidentPointsIsIsotropic) {
   for (const double l0 : {0.0, 1.0}) {
     Trial trial;
@@ -141,7 +142,7 @@ TEST(LinearSolver, SolvesAnyGraph) {
     }
     LinearSolver solver(points, dimensions, couplings);
 
-    // a dominant diagonal, and symmetric blocks beside it
+    // a dominant diagonal and symmetric off-diagonal blocks
     const int n = points * dimensions;
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
     for (Index i = 0; i < points; ++i)
@@ -174,7 +175,7 @@ TEST(LinearSolver, SolvesAnyGraph) {
   }
 }
 
-TEST(LinearSolver, SaysWhenAMatrixIsNotPositiveDefinite) {
+TEST(LinearSolver, ReportsAMatrixThatIsNotPositiveDefinite) {
   LinearSolver solver(2, 2, std::vector<std::pair<Index, Index>>{{0, 1}});
   for (Index i = 0; i < 2; ++i)
     for (int c = 0; c < 2; ++c) solver.diagonal(i).column(c)[c] = 1.0;

@@ -1,4 +1,5 @@
-// The dashpots' sweeps: spring by spring as the formula says, to the last bit in every width, and backward undoes forward.
+// The sweeps over dashpots: spring by spring as the formula says, to the last bit at every vector width; the backward sweep undoes the
+// forward one.
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
@@ -34,7 +35,7 @@ struct Turn {
 std::vector<Turn> turns(const Plan& plan) {
   std::vector<Turn> turns;
   for (const SpringRun& run : plan.runs) {
-    const Index step = run.second == run.first + 1 ? 2 : 1;  // in a row every other one first
+    const Index step = run.second == run.first + 1 ? 2 : 1;  // in a run along a row, every other spring first
     for (Index start = 0; start < step; ++start)
       for (Index e = start; e < run.count; e += step) turns.push_back({run.begin + e, run.first + e, run.second + e});
   }
@@ -66,8 +67,7 @@ Field plain_velocities_after(const Swept& swept, Sweep sweep) {
   return v;
 }
 
-// `count` springs from each of the first points to the one `stride` further on: one run. Some points are nailed, some
-// ends coincide.
+// `count` springs, each from point i to point i + `stride`: one run. Some points are nailed, some ends coincide.
 Trial band(Index stride, Index count, int dimensions) {
   Trial trial = random_trial(static_cast<std::uint64_t>(100 * stride + count), count + stride, 0, dimensions);
   Random random(5);
@@ -78,7 +78,7 @@ Trial band(Index stride, Index count, int dimensions) {
   return trial;
 }
 
-// runs shorter and longer than any vector, at strides below, at and above its lanes; and any graph
+// runs shorter and longer than any vector, at strides below, at and above the number of lanes, and any graph
 std::vector<Trial> assorted_trials() {
   std::vector<Trial> trials;
   for (const int dimensions : {2, 3}) {
@@ -95,7 +95,7 @@ std::vector<Trial> assorted_trials() {
 
 constexpr double duration = 0.05;
 
-TEST(DashpotSweep, EqualsAPlainLoopToTheLastBitForEveryVectorUnit) {
+TEST(DashpotSweep, EqualsAPlainLoopBitForBitOnEveryVectorTarget) {
   const std::vector<Trial> trials = assorted_trials();
   for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::SetSupportedTargetsForTest(target);
@@ -112,7 +112,7 @@ TEST(DashpotSweep, EqualsAPlainLoopToTheLastBitForEveryVectorUnit) {
   hwy::GetChosenTarget().DeInit();
 }
 
-// over a duration turned round; round-off grows by what the dashpots have taken
+// over a negative duration; round-off grows by the factor of the damping
 TEST(DashpotSweep, BackwardUndoesForward) {
   for (const Trial& trial : assorted_trials()) {
     Swept swept(trial, 1e-4);
@@ -132,13 +132,13 @@ TEST(DashpotSweep, BackwardUndoesForward) {
   }
 }
 
-TEST(DashpotSweep, OfPointsAlmostCoincidentIsFinite) {
+TEST(DashpotSweep, OfAlmostCoincidentPointsIsFinite) {
   for (const double distance : {0.0, 1e-300, 1e-160, 1e-150, 1e-139, 1e-100, 1e-12}) {
     Trial trial;
     const PointId first = trial.add(Vec3(0.0), 1e3, {1.0, 0.0, 2.0}), second = trial.add({distance, 0.0, 0.0}, 1e3);
     trial.join(first, second, 1.0, 1.0, 1e9);
     const Field v = Swept(trial, 1.0).velocities_after(Sweep::Forward);
-    // as one body along the spring, or, too short to have a direction, as if it were not there
+    // moving as one body along the spring or, if it is too short to have a direction, as if there were no dashpot
     const double expected = distance < 1e-140 ? 1.0 : 0.5;
     EXPECT_NEAR(v[0], expected, 1e-15) << "distance " << distance;
     EXPECT_NEAR(v[1], 1.0 - expected, 1e-15) << "distance " << distance;

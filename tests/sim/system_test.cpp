@@ -1,4 +1,4 @@
-// Ids and places of points and springs.
+// Ids and indices of points and springs.
 #include <gtest/gtest.h>
 
 #include "support/trial.h"
@@ -6,7 +6,7 @@
 namespace hooke {
 namespace {
 
-// Points 0..3 and springs 0..2 along them.
+// Points 0..3 and springs 0..2 between consecutive points.
 Trial chain() {
   Trial trial;
   std::vector<PointId> points;
@@ -24,13 +24,13 @@ std::vector<Item> without(std::vector<Item> list, Index at) {
 void remove_point(System& system, Index at) { system.set_points(without(system.points(), at)); }
 void remove_spring(System& system, Index at) { system.set_springs(without(system.springs(), at)); }
 
-TEST(System, GivesEveryPointAndSpringItsPlace) {
+TEST(System, GivesEveryPointAndSpringItsIndex) {
   const System system = chain().system;
   for (Index i = 0; i < 4; ++i) EXPECT_EQ(system.index_of(system.points()[i].id), i);
   for (Index s = 0; s < 3; ++s) EXPECT_EQ(system.index_of(system.springs()[s].id), s);
 }
 
-TEST(System, KnowsNoPlaceOfWhatIsGoneOrNeverWas) {
+TEST(System, HasNoIndexForRemovedOrUnknownItems) {
   System system = chain().system;
   const PointId gone = system.points()[1].id;
   const SpringId gone_spring = system.springs()[2].id;
@@ -44,7 +44,7 @@ TEST(System, KnowsNoPlaceOfWhatIsGoneOrNeverWas) {
   EXPECT_EQ(system.index_of(SpringId{77}), no_index);
 }
 
-TEST(System, MovesThePlacesBehindARemoval) {
+TEST(System, ShiftsTheIndicesAfterARemoval) {
   System system = chain().system;
   const std::vector<Point> points = system.points();
   const std::vector<Spring> springs = system.springs();
@@ -58,7 +58,7 @@ TEST(System, MovesThePlacesBehindARemoval) {
   EXPECT_EQ(system.spring_count(), 2);
 }
 
-TEST(System, IsTheSameAfterARemovalTakenBack) {
+TEST(System, IsTheSameAfterARemovalIsUndone) {
   const System original = chain().system;
   System system = original;
   const Point point = system.points()[2];
@@ -75,7 +75,7 @@ TEST(System, IsTheSameAfterARemovalTakenBack) {
   EXPECT_EQ(system, original);
 }
 
-TEST(System, NeverGivesAnIdTwice) {
+TEST(System, NeverAssignsAnIdTwice) {
   System system = chain().system;
   const PointId last = system.points().back().id;
   remove_spring(system, 2);
@@ -84,13 +84,13 @@ TEST(System, NeverGivesAnIdTwice) {
   EXPECT_GT(fresh, last);
   EXPECT_NE(system.new_point_id(), fresh);
 
-  // nor one that came with an inserted point
+  // nor an id that came with an inserted point
   system.append_point({.id = PointId{41}});
   EXPECT_EQ(system.new_point_id(), PointId{42});
   EXPECT_EQ(system.index_of(PointId{41}), 3);
 }
 
-TEST(System, TakesDampingAndDragAsZeroWhenSwitchedOff) {
+TEST(System, TreatsDampingAndDragAsZeroWhenSwitchedOff) {
   System system;
   system.drag = 3.0;
   const Spring spring{.damping = 2.0};
@@ -110,7 +110,7 @@ TEST(System, EqualsOneThatHasAssignedOtherIds) {
   EXPECT_EQ(system, other);
 }
 
-TEST(System, DiffersInEveryProperty) {
+TEST(System, DiffersWhenAnyPropertyDiffers) {
   const auto differs = [](auto change) {
     System changed = chain().system;
     change(changed);

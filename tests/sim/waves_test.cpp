@@ -1,5 +1,5 @@
-// Waves: on a ring of springs, where they are exact, and through a square lattice, where they are those of an elastic sheet
-// the longer they are. m mass, k stiffness, a spacing, q wave number, w angular frequency.
+// Waves: on a ring of springs, where the solution is exact, and through a square lattice, where long waves are those of an elastic sheet.
+// Symbols: m mass, k stiffness, a spacing, q wave number, w angular frequency.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,9 +17,9 @@ using std::numbers::pi;
 class Ring : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Ring, testing::ValuesIn(every_method()), method_name);
 
-// Springs without rest length are linear: x_j = R (cos(q j - w t), sin(q j - w t)) runs round a ring of them, at any R, with
-// w = 2 sqrt(k / m) sin(q / 2).
-TEST_P(Ring, CarriesWavesByTheDispersionOfItsSprings) {
+// Springs without rest length are linear: x_j = R (cos(q j - w t), sin(q j - w t)) travels around a ring of them at any R, with w = 2
+// sqrt(k / m) sin(q / 2).
+TEST_P(Ring, WavesFollowTheDispersionRelation) {
   constexpr int masses = 12;
   const double m = 0.2, k = 300.0, radius = 0.4;
   for (int n = 1; n <= masses / 2; ++n) {
@@ -39,7 +39,7 @@ TEST_P(Ring, CarriesWavesByTheDispersionOfItsSprings) {
       return worst;
     };
     SCOPED_TRACE(testing::Message() << "wave " << n);
-    // what one sweep over the springs does not solve falls faster than its order at first
+    // errors that one sweep over the springs leaves initially fall faster than the order
     if (method().stability == Stability::EachSpring) {
       EXPECT_LT(error(16000), 1e-3 * radius);
     } else {
@@ -48,9 +48,8 @@ TEST_P(Ring, CarriesWavesByTheDispersionOfItsSprings) {
   }
 }
 
-// A square lattice in its plane, structural springs k1, both diagonals k2, one point a cell: density m / a^2 and
-//   C11 = k1 + k2,  C12 = C44 = k2,
-// isotropic if k1 = 2 k2.
+// A square lattice in its plane with structural springs k1, both diagonals k2 and one point per cell: density m / a^2 and C11 = k1 + k2,
+// C12 = C44 = k2, isotropic if k1 = 2 k2.
 struct Lattice {
   double k1, k2;
   static constexpr double m = 0.01, a = 0.05;
@@ -60,12 +59,12 @@ struct Lattice {
   double along_diagonal() const { return a * std::sqrt((0.5 * k1 + 2.0 * k2) / m); }  // (C11 + C12 + 2 C44) / 2
   double across_diagonal() const { return a * std::sqrt(0.5 * k1 / m); }              // (C11 - C12) / 2
 
-  // The speed [m/s] of a plane wave `cells` spacings long propagating at `angle` to the rows, longitudinal or transverse.
-  // A standing wave u cos(w t) is released; after the expected quarter of its period the displacement in the middle gives w.
-  // What the edges of the piece send has then not come that far.
+  // The speed [m/s] of a plane wave of `cells` spacings wavelength propagating at `angle` to the rows, longitudinal or transverse. A
+  // standing wave u cos(w t) is released; the displacement at the center after the expected quarter period gives w. By then, waves from the
+  // edges of the sample have not reached the center.
   double measured_speed(double angle, bool shakes_along, int cells, double expected) const {
     const double q = 2.0 * pi / (cells * a), amplitude = 1e-6 * a, quarter = 0.25 * cells * a / expected;
-    const Vec3 way(std::cos(angle), std::sin(angle), 0.0), shake = shakes_along ? way : Vec3(-way.y, way.x, 0.0);
+    const Vec3 direction(std::cos(angle), std::sin(angle), 0.0), shake = shakes_along ? direction : Vec3(-direction.y, direction.x, 0.0);
     const int reach = static_cast<int>(1.2 * quarter * std::max(along(), along_diagonal()) / a) + 4, side = 2 * reach + 1;
 
     Trial trial;
@@ -74,7 +73,7 @@ struct Lattice {
     for (int row = 0; row < side; ++row)
       for (int column = 0; column < side; ++column) {
         const Vec3 x = a * Vec3(column - reach, row - reach, 0.0);
-        trial.add(x + amplitude * std::cos(q * glm::dot(way, x)) * shake, m);
+        trial.add(x + amplitude * std::cos(q * glm::dot(direction, x)) * shake, m);
       }
     const auto join = [&](int first, int second, double k, double length) {
       trial.join(trial.system.points()[first].id, trial.system.points()[second].id, k, length);
@@ -92,7 +91,7 @@ struct Lattice {
     return std::acos(left) / (quarter * q);
   }
 
-  // and tends to the sheet's with the square of a q: a chain of wave length n a is (pi / n)^2 / 6 slower, of diagonals twice that
+  // and the error converges with the square of a q: a chain at wavelength n a is (pi / n)^2 / 6 slower, the diagonals twice that
   void expect_speed(double angle, bool shakes_along, double expected) const {
     const double coarse = 1.0 - measured_speed(angle, shakes_along, 12, expected) / expected;
     const double fine = 1.0 - measured_speed(angle, shakes_along, 24, expected) / expected;
@@ -101,7 +100,7 @@ struct Lattice {
   }
 };
 
-TEST(Lattice, CarriesWavesAlongItsRowsAndDiagonalsAtTheSpeedsOfASheet) {
+TEST(Lattice, WavesAlongRowsAndDiagonalsHaveTheSpeedsOfASheet) {
   for (const Lattice lattice : {Lattice{300.0, 50.0}, {200.0, 100.0}, {80.0, 120.0}}) {
     SCOPED_TRACE(testing::Message() << "k1 = " << lattice.k1 << ", k2 = " << lattice.k2);
     lattice.expect_speed(0.0, true, lattice.along());
@@ -111,7 +110,7 @@ TEST(Lattice, CarriesWavesAlongItsRowsAndDiagonalsAtTheSpeedsOfASheet) {
   }
 }
 
-TEST(Lattice, WithDiagonalsHalfAsStiffIsTheSameInAllDirections) {
+TEST(Lattice, WithDiagonalsHalfAsStiffIsIsotropic) {
   const Lattice lattice{200.0, 100.0};
   for (const double angle : {0.2, 0.4, 0.6}) {
     SCOPED_TRACE(testing::Message() << "angle " << angle);

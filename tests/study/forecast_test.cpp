@@ -1,4 +1,4 @@
-// What is foretold of a scene against closed forms, and against what it does. m mass, k stiffness, d dashpot, c drag.
+// Forecasts against closed forms and against simulation. Symbols: m mass, k stiffness, d damping, c drag.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,14 +14,14 @@ constexpr double g = 9.81, pi = std::numbers::pi;
 
 Forecast forecast_of(const Trial& trial) { return make_forecast(std::make_shared<const System>(trial.system), trial.state, {}, false); }
 
-// The scene after it has swung out under strong drag.
+// The scene after it has come to rest under strong drag.
 Trial at_rest(Trial trial) {
   trial.system.drag = 5.0;
   trial.run(*find_integrator("baraff_witkin"), 60.0, 1200);
   return trial;
 }
 
-TEST(Forecast, AHangingMassSagsByItsWeightOverTheStiffness) {
+TEST(Forecast, AHangingMassSagsByItsWeightOverItsStiffness) {
   const double m = 0.7, k = 120.0, l0 = 0.5, d = 3.0, c = 0.4;
   Trial trial;
   const PointId nail = trial.nail(Vec3(0.0)), mass = trial.add({0.0, -l0, 0.0}, m);
@@ -31,19 +31,19 @@ TEST(Forecast, AHangingMassSagsByItsWeightOverTheStiffness) {
   ASSERT_TRUE(forecast.sag && forecast.slowest && forecast.fastest);
   EXPECT_NEAR(*forecast.sag, m * g / k, 1e-8);
 
-  // up and down: zeta = d / (2 sqrt(k m)) and c / (2 omega)
+  // vertical: zeta = d / (2 sqrt(k m)) and c / (2 omega)
   const double omega = std::sqrt(k / m);
   EXPECT_NEAR(forecast.fastest->omega, omega, 1e-9 * omega);
   EXPECT_NEAR(dashpot_ratio(*forecast.fastest), d / (2.0 * std::sqrt(k * m)), 1e-9);
   EXPECT_NEAR(drag_ratio(*forecast.fastest, forecast.drag), c / (2.0 * omega), 1e-9);
 
-  // to and fro as a pendulum, which the dashpot does not feel
+  // horizontal, as a pendulum, which the dashpot does not damp
   EXPECT_NEAR(forecast.slowest->omega, std::sqrt(g / (l0 + m * g / k)), 1e-6);
   EXPECT_NEAR(dashpot_ratio(*forecast.slowest), 0.0, 1e-9);
 }
 
-// Drawn level, nailed at one end: it first has to swing down.
-TEST(Forecast, ARopeThatIsDrawnLevelHangsAndSwingsAsARopeDoes) {
+// Drawn horizontally and nailed at one end: it first has to swing down.
+TEST(Forecast, ARopeDrawnHorizontallyHangsAndSwingsLikeARope) {
   constexpr int n = 40;
   const double length = 1.0, mass = 0.1, k = 2000.0;
   Trial trial;
@@ -55,15 +55,15 @@ TEST(Forecast, ARopeThatIsDrawnLevelHangsAndSwingsAsARopeDoes) {
   }
   const Forecast forecast = forecast_of(trial);
   ASSERT_TRUE(forecast.sag && forecast.slowest);
-  // the r-th spring from below carries r masses
+  // the r-th spring from the bottom carries r masses
   EXPECT_NEAR(*forecast.sag, mass / n * g / k * n * (n + 1) / 2.0, 1e-6);
-  // J0(2 omega sqrt(L / g)) = 0 of the continuous rope (Daniel Bernoulli 1733), from below as 1 / n
+  // J0(2 omega sqrt(L / g)) = 0 of the continuous rope (Daniel Bernoulli 1733); the difference converges as 1 / n
   const double continuous = 0.5 * 2.404825557695773 * std::sqrt(g / length);
   EXPECT_NEAR(forecast.slowest->omega, continuous, 0.02 * continuous);
 }
 
-TEST(Forecast, AChainBetweenNailsHasItsModesAndWhatIsLooseIsNone) {
-  // omega_j = 2 sqrt(k / m) sin(j pi / (2 (N + 1))), along the chain; across it nothing drives back
+TEST(Forecast, AChainBetweenNailsHasItsModesAndUnconnectedPointsHaveNone) {
+  // omega_j = 2 sqrt(k / m) sin(j pi / (2 (N + 1))) along the chain; transversely there is no restoring force
   constexpr int n = 12;
   const double m = 0.3, k = 500.0, l0 = 0.1, d = 0.2;
   Trial trial;
@@ -85,8 +85,8 @@ TEST(Forecast, AChainBetweenNailsHasItsModesAndWhatIsLooseIsNone) {
   EXPECT_NEAR(dashpot_ratio(*forecast.fastest), d * omega(n) / (2.0 * k), 1e-6);
 }
 
-// Drawn crooked, it is found at rest but for a last trace of tension, in which it would swing across ever so slowly.
-TEST(Forecast, WhatIsLeftOfTensionWhereSpringsAreAtRestIsNoSwing) {
+// Drawn crooked, it is found at rest except for a small residual tension, in which it would swing extremely slowly.
+TEST(Forecast, ResidualTensionAtRestIsNotReportedAsAMode) {
   constexpr int n = 12;
   const double m = 0.3, k = 500.0, l0 = 0.1;
   Trial trial;
@@ -104,7 +104,7 @@ TEST(Forecast, WhatIsLeftOfTensionWhereSpringsAreAtRestIsNoSwing) {
   EXPECT_NEAR(forecast.slowest->omega, omega, 1e-3 * omega);
 }
 
-TEST(Forecast, WhatFallsFreelySwingsWithoutWeightAndDoesNotSag) {
+TEST(Forecast, AFreeFallingBodyVibratesAsIfWeightlessAndDoesNotSag) {
   const double m = 2.0, k = 50.0;
   Trial trial;
   const PointId a = trial.add({0.0, 0.0, 0.0}, m), b = trial.add({0.4, 0.3, 0.0}, m);
@@ -116,7 +116,7 @@ TEST(Forecast, WhatFallsFreelySwingsWithoutWeightAndDoesNotSag) {
   EXPECT_NEAR(forecast.fastest->omega, std::sqrt(2.0 * k / m), 1e-6);
 }
 
-TEST(Forecast, WhatSwingsAsFastAndDiesOutDifferentlyHasNoOneRatio) {
+TEST(Forecast, ModesOfEqualFrequencyAndDifferentDampingHaveNoSingleDampingRatio) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   for (int i = 0; i < 3; ++i) {
@@ -129,13 +129,13 @@ TEST(Forecast, WhatSwingsAsFastAndDiesOutDifferentlyHasNoOneRatio) {
   EXPECT_NEAR(forecast.slowest->omega, std::sqrt(40.0), 1e-6);
   EXPECT_TRUE(std::isnan(dashpot_ratio(*forecast.slowest)));
   EXPECT_TRUE(std::isnan(dashpot_ratio(*forecast.fastest)));
-  // damped alike it has one
+  // with equal damping there is one
   for (Index s = 0; s < 3; ++s) trial.system.spring(s).damping = 3.0;
   EXPECT_NEAR(dashpot_ratio(forecast_of(trial).slowest.value_or(Mode{})), 3.0 / (2.0 * std::sqrt(40.0)), 1e-6);
 }
 
-// A membrane bears its weight only by bending down: its sag is no linear thing.
-TEST(Forecast, ADrumSagsAsFarAsItComesToRest) {
+// A membrane carries its weight only by deflecting, so its sag is nonlinear.
+TEST(Forecast, ADrumSagsToItsRestPosition) {
   constexpr int n = 12;
   Trial trial = cloth(n);
   for (int row = 0; row < n; ++row)
@@ -148,8 +148,8 @@ TEST(Forecast, ADrumSagsAsFarAsItComesToRest) {
   EXPECT_NEAR(*forecast.sag, -deepest, -0.02 * deepest);
 }
 
-// From level it swings down, and folds; its sag is what the weight stretches, not the way down.
-TEST(Forecast, AClothByTwoCornersSagsByWhatItsWeightStretches) {
+// From horizontal it swings down and folds; its sag is the stretch due to its weight, not the distance it swings down.
+TEST(Forecast, AClothHeldAtTwoCornersSagsByTheStretchDueToItsWeight) {
   Trial trial = cloth(12);
   const Forecast forecast = forecast_of(trial);
   ASSERT_TRUE(forecast.sag && forecast.slowest && forecast.fastest);
@@ -161,15 +161,16 @@ TEST(Forecast, AClothByTwoCornersSagsByWhatItsWeightStretches) {
   EXPECT_LT(forecast.fastest->omega, bound);
   EXPECT_GT(forecast.fastest->omega, 0.5 * bound);
 
-  // twice as stiff, begun from there, it sags about half as far
+  // starting from there at twice the stiffness, it sags about half as far
   for (Index s = 0; s < trial.system.spring_count(); ++s) trial.system.spring(s).stiffness *= 2.0;
   const Forecast stiffer = make_forecast(std::make_shared<const System>(trial.system), trial.state, forecast, false);
   ASSERT_TRUE(stiffer.sag);
   EXPECT_NEAR(*stiffer.sag / *forecast.sag, 0.5, 0.1);
 }
 
-// An upright sheet of k = 200 N/m, diagonals 100, 1 kg in equal points, by its top row: sags measured with another program.
-TEST(Forecast, AnUprightSheetSagsAsMeasured) {
+// A vertical sheet of k = 200 N/m, diagonals 100, 1 kg distributed equally over the points, held at its top row; sags measured with a
+// different program.
+TEST(Forecast, AVerticalSheetSagsAsMeasured) {
   const auto sag = [](int n) {
     Trial trial;
     const double a = 1.0 / (n - 1);
@@ -185,7 +186,7 @@ TEST(Forecast, AnUprightSheetSagsAsMeasured) {
   EXPECT_NEAR(sag(17), 0.0172, 0.0005);
 }
 
-TEST(Forecast, SaysNothingWhereNothingCanBeSaid) {
+TEST(Forecast, IsAbsentWhereItDoesNotApply) {
   Trial trial;
   const auto says_nothing = [&] {
     const Forecast forecast = forecast_of(trial);
@@ -199,7 +200,7 @@ TEST(Forecast, SaysNothingWhereNothingCanBeSaid) {
   trial.system.spring(0).stiffness = 100.0;
   EXPECT_FALSE(says_nothing());
 
-  // it would tear, or lie on the ground; or one falls while the other hangs
+  // it would tear or lie on the ground, or one part falls while the other hangs
   trial.system.break_strain = 0.05;
   EXPECT_TRUE(says_nothing());
   trial.system.break_strain = 0.2;
@@ -211,7 +212,7 @@ TEST(Forecast, SaysNothingWhereNothingCanBeSaid) {
   EXPECT_TRUE(says_nothing());
 }
 
-TEST(Forecast, StopsWhenItIsNoLongerWanted) {
+TEST(Forecast, CanBeCancelled) {
   const Trial trial = cloth(32);
   const Forecast forecast = make_forecast(std::make_shared<const System>(trial.system), trial.state, {}, true);
   EXPECT_FALSE(forecast.sag || forecast.slowest || forecast.fastest);

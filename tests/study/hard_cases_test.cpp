@@ -1,5 +1,5 @@
-// The hard cases as an instrument: planted failures are found. The results of the methods themselves are checked by
-// `hooke check --hard`.
+// The hard cases as a test method: planted failures are detected. The results of the methods themselves are checked by `hooke check
+// --hard`.
 
 #include <gtest/gtest.h>
 #include <rapidjson/document.h>
@@ -20,7 +20,7 @@ namespace {
 
 const Integrator& method(const char* id) { return *find_integrator(id); }
 
-TEST(Verdict, IsBrokenWhenItIsNotWhatWasExpected) {
+TEST(Verdict, IsUnexpectedWhenItDiffersFromTheExpectation) {
   using enum Outcome;
   using enum Expectation;
   struct Row {
@@ -52,7 +52,7 @@ TEST(Verdict, OfSeveralPartsIsTheWorstWithTheFiguresOfAll) {
   EXPECT_TRUE(is_broken(worst));
 }
 
-// a mass on a spring, let go 0.1 m from rest
+// a mass on a spring, released 0.1 m from equilibrium
 TestNetwork oscillator(double omega) {
   TestNetwork network;
   network.system.gravity = Vec3(0.0);
@@ -60,8 +60,8 @@ TestNetwork oscillator(double omega) {
   return network;
 }
 
-TEST(Verdict, OnAMissedCriterionDependsOnWhetherTheRunSaysSo) {
-  // accurate: no warning
+TEST(Verdict, OnAMissedCriterionDependsOnWhetherTheRunReportsIt) {
+  // accurate, so no warning
   MonitoredRun sound(oscillator(2.0), {.substeps = 20}, {.position = 1e-3});
   sound.run(1.0);
   EXPECT_EQ(judge(sound, true, "").outcome, Outcome::Held);
@@ -74,7 +74,7 @@ TEST(Verdict, OnAMissedCriterionDependsOnWhetherTheRunSaysSo) {
   EXPECT_EQ(verdict.outcome, Outcome::FailedOpenly);
   EXPECT_NE(verdict.reason.find("energy balance"), std::string::npos) << verdict.reason;
 
-  // diverged: no figure of its own makes that a success
+  // a run that diverged is never a success, whatever its figures
   MonitoredRun wild(oscillator(1e4), {.substeps = 1});
   EXPECT_FALSE(wild.run(1.0));
   const Verdict stopped = judge(wild, true, "fine");
@@ -105,7 +105,7 @@ TEST(RunMonitor, EstimatesTheErrorOfARunWithinAFactorOfFour) {
   }
 }
 
-TEST(RunMonitor, TellsAGainOfEnergyFromALoss) {
+TEST(RunMonitor, DistinguishesAGainOfEnergyFromALoss) {
   const auto doubts_of = [](const char* id, double drag) {
     TestNetwork network = oscillator(2.0);
     network.system.drag = drag;
@@ -121,7 +121,7 @@ TEST(RunMonitor, TellsAGainOfEnergyFromALoss) {
   EXPECT_EQ(doubts_of("velocity_verlet", 5.0), "");
 }
 
-// Planted cases: one holds, one fails silently, one throws, one concerns no method.
+// Planted cases: one holds, one fails silently, one throws, one does not concern a method.
 Verdict judge_held(const Integrator&) { return {.measured = "fine"}; }
 Verdict judge_silent(const Integrator& row) {
   if (row.id != "xpbd") return {};
@@ -158,7 +158,7 @@ std::vector<CaseResult> run_planted(int threads) {
   return results;
 }
 
-TEST(HardCases, ThatArePlantedBrokenAreFoundWhateverTheThreads) {
+TEST(HardCases, PlantedFailuresAreDetectedForAnyNumberOfThreads) {
   for (const int threads : {1, 4}) {
     const std::vector<CaseResult> results = run_planted(threads);
     ASSERT_EQ(results.size(), 7u);
@@ -170,7 +170,7 @@ TEST(HardCases, ThatArePlantedBrokenAreFoundWhateverTheThreads) {
   }
 }
 
-TEST(HardCases, OfTheQuickSubsetAreThoseThatAreCheap) {
+TEST(HardCases, TheQuickSubsetContainsTheCheapOnes) {
   const std::array cases{&held, &silent};
   const std::array methods{&method("velocity_verlet"), &method("tr_bdf2")};
   const std::vector<CaseResult> results = list_cases(cases, methods, true);
@@ -179,7 +179,7 @@ TEST(HardCases, OfTheQuickSubsetAreThoseThatAreCheap) {
   EXPECT_EQ(results[2].method->id, "velocity_verlet");
 }
 
-TEST(HardCases, ThatAreInterruptedStayUnfinished) {
+TEST(HardCases, InterruptedOnesStayUnfinished) {
   const std::array cases{&endless};
   std::vector<CaseResult> results = list_cases(cases, {}, false);
   run_cases(results, 1, [](long, long) { return false; });
@@ -187,11 +187,11 @@ TEST(HardCases, ThatAreInterruptedStayUnfinished) {
   EXPECT_FALSE(results[0].finished);
   EXPECT_EQ(count_broken(results), 0);
   EXPECT_NE(format_table(results).find("1 not run"), std::string::npos);
-  // and the next may run again
+  // the next run is not affected
   EXPECT_EQ(count_broken(run_planted(1)), 2);
 }
 
-TEST(HardCases, AreAllThere) {
+TEST(HardCases, AreComplete) {
   int number = 0;
   std::set<std::string_view> names;
   for (const HardCase& row : hard_cases()) {
@@ -204,7 +204,7 @@ TEST(HardCases, AreAllThere) {
   EXPECT_GE(number, 27);
 }
 
-TEST(CaseReport, FitsATerminalAndTellsWhatBroke) {
+TEST(CaseReport, FitsATerminalAndNamesUnexpectedResults) {
   const std::string table = format_table(run_planted(1));
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), table_width + 220) << line;
@@ -212,7 +212,7 @@ TEST(CaseReport, FitsATerminalAndTellsWhatBroke) {
   EXPECT_NE(table.find("7 results: 5 held, 0 failed openly, 0 out of scope, 2 against expectation"), std::string::npos) << table;
 }
 
-TEST(CaseReport, IsJsonForMachines) {
+TEST(CaseReport, IsAvailableAsJson) {
   rapidjson::Document document;
   document.Parse(format_json(run_planted(1)).c_str());
   ASSERT_FALSE(document.HasParseError());
@@ -231,7 +231,7 @@ TEST(CaseReport, IsJsonForMachines) {
   EXPECT_TRUE(result["measured"].IsString() && result["reason"].IsString() && result["cpu_seconds"].IsDouble());
 }
 
-TEST(CaseReport, IsADocumentForPeople) {
+TEST(CaseReport, IsAvailableAsMarkdown) {
   const std::string document =
       format_markdown(run_planted(1), {.command = "hooke check --hard", .date = "2000-01-02", .machine = "Abacus"});
   for (const char* part :
@@ -240,7 +240,7 @@ TEST(CaseReport, IsADocumentForPeople) {
     EXPECT_NE(document.find(part), std::string::npos) << part;
 }
 
-// "| a | b |": its cells, trimmed.
+// The trimmed cells of "| a | b |".
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   std::istringstream row(line.substr(1));
@@ -251,7 +251,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return cells;
 }
 
-TEST(StabilityPage, HasTheCasesAndMethodsOfTheProgramAndNothingAgainstExpectation) {
+TEST(StabilityPage, HasTheCasesAndMethodsOfTheProgramAndNoUnexpectedResults) {
   std::ifstream page(DOCS_FOLDER "/stability.md");
   std::vector<std::string> methods, rows, sections;
   std::string text;
@@ -262,7 +262,7 @@ TEST(StabilityPage, HasTheCasesAndMethodsOfTheProgramAndNothingAgainstExpectatio
     } else if (!methods.empty() && sections.empty() && line.size() > 2 && line.starts_with("| ")) {
       const std::vector<std::string> cells = cells_of(line);
       rows.push_back(cells[0]);
-      // none was left out of the run that made it
+      // no case was excluded from the run that generated it
       EXPECT_EQ(cells.size(), methods.size() + 1) << line;
       EXPECT_EQ(std::ranges::count(cells, ""), 0) << line;
     } else if (line.starts_with("## ") && line[3] >= '0' && line[3] <= '9') {

@@ -1,4 +1,4 @@
-// y = (x, v) of the points that are not nailed, six numbers each, and
+// y = (x, v) of the free points, six numbers each, and
 //   x' = v,  v' = g - sum F u / m,  F = k (l - l0) + d w,  l = |x - x2|,  u = (x - x2) / l,  w = u . (v - v2)
 // over the springs at each point; x2, v2 are those of the other end. With P = (I - u u^T) / l
 //   d(F u)/dx = k u u^T + F P + d u (P (v - v2))^T,  d(F u)/dv = d u u^T.
@@ -31,11 +31,11 @@ struct Tie {
   double k, d, l0;
 };
 
-// The scene, and where its points are while slopes are computed: all points, nails too.
+// The scene and the positions of all points, including nails, while derivatives are computed.
 struct Network {
   Vec3 gravity;
   std::vector<double> mass;
-  std::vector<int> slot;  // of a point in y; or nail
+  std::vector<int> slot;  // index of each point in y; or nail
   std::vector<Tie> ties;
   std::vector<Vec3> x, v, force;
   sunindextype size = 0;                        // of y
@@ -43,7 +43,7 @@ struct Network {
 
   Network(const System& system, const State& start) : gravity(system.gravity), x(start.position), v(start.velocity), force(x.size()) {
     if (system.drag_rate() != 0.0 || system.grab || !system.forces.empty() || !system.colliders.empty() || system.dimensions != 3)
-      throw std::invalid_argument("the oracle knows points, springs and gravity");
+      throw std::invalid_argument("the oracle supports only points, springs and gravity");
     for (const Point& point : system.points()) {
       mass.push_back(point.mass);
       slot.push_back(point.nailed ? nail : static_cast<int>(size));
@@ -72,8 +72,8 @@ struct Network {
   }
 
  private:
-  // A velocity moves its own position, and either moves the velocities of its point and of the neighbours. A position's own
-  // place on the diagonal is empty, but there for I - h J.
+  // A velocity affects its own position, and both affect the velocities of the same point and its neighbors. The diagonal element of a
+  // position is zero, but it is needed for I - h J.
   void lay_out_columns() {
     std::vector<std::set<int>> near(slot.size());
     for (const Tie& tie : ties)
@@ -92,7 +92,7 @@ struct Network {
   }
 };
 
-// One spring as it stands.
+// One spring in its current state.
 struct Pull {
   Vec3 u, w_across;  // unit vector; P (v - v2) [1/s]
   double length, tension;
@@ -136,7 +136,7 @@ void add(SUNMatrix matrix, int row, int column, double value) {
 int compute_derivatives(double, N_Vector y, N_Vector, SUNMatrix matrix, void* user, N_Vector, N_Vector, N_Vector) {
   auto& network = *static_cast<Network*>(user);
   network.unpack(N_VGetArrayPointer(y));
-  // the solver has emptied it, its pattern too
+  // the solver has cleared it, including its pattern
   std::copy(network.column_begin.begin(), network.column_begin.end(), SUNSparseMatrix_IndexPointers(matrix));
   std::copy(network.row.begin(), network.row.end(), SUNSparseMatrix_IndexValues(matrix));
   std::fill_n(SUNSparseMatrix_Data(matrix), network.row.size(), 0.0);
@@ -161,7 +161,7 @@ int compute_derivatives(double, N_Vector y, N_Vector, SUNMatrix matrix, void* us
   return 0;
 }
 
-// What SUNDIALS hands out is given back in the opposite order.
+// SUNDIALS objects are freed in the opposite order of their creation.
 template <auto free>
 struct Freed {
   template <class Handle>
@@ -197,7 +197,7 @@ void run_bdf(Network& network, N_Vector y, double seconds, double tolerance, SUN
   check(CVodeSetUserData(cvode.get(), &network), "CVodeSetUserData");
   check(CVodeSStolerances(cvode.get(), 0.0, tolerance), "CVodeSStolerances");
 
-  // without dashpots no step is so long that it takes more than repeated substitution
+  // without dashpots, fixed-point iteration is sufficient for every step length that occurs
   const bool is_stiff = std::any_of(network.ties.begin(), network.ties.end(), [](const Tie& tie) { return tie.d > 0.0; });
   std::optional<Newton> newton;
   NonlinearSolver substitution;
@@ -206,7 +206,7 @@ void run_bdf(Network& network, N_Vector y, double seconds, double tolerance, SUN
     check(CVodeSetLinearSolver(cvode.get(), newton->solver.get(), newton->matrix.get()), "CVodeSetLinearSolver");
     check(CVodeSetJacFn(cvode.get(), compute_derivatives), "CVodeSetJacFn");
   } else {
-    constexpr int remembered = 3;  // iterations, for Anderson's acceleration
+    constexpr int remembered = 3;  // iterations used by Anderson acceleration
     substitution.reset(SUNNonlinSol_FixedPoint(y, remembered, context));
     check(CVodeSetNonlinearSolver(cvode.get(), substitution.get()), "CVodeSetNonlinearSolver");
   }

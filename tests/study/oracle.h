@@ -1,5 +1,5 @@
-// The same motion by somebody else's solvers: SUNDIALS, with forces and their derivatives written from their definition
-// and from nothing but the lists of points and springs.
+// The same motion by independent solvers: SUNDIALS, with forces and their derivatives written from their definition, using only the lists
+// of points and springs.
 #pragma once
 
 #include "sim/state.h"
@@ -13,8 +13,8 @@ enum class Oracle {
   Implicit,  // ARKODE: Kvaerno's diagonally implicit Runge-Kutta of order 5
 };
 
-// What `seconds` make of the scene, which must be gravity, points, nails, springs and dashpots and nothing else. The
-// tolerance [m], and [m/s] for velocities, is what the solver allows its local error, RMS over all components.
+// The state after `seconds` of a scene that consists only of gravity, points, nails, springs and dashpots. The tolerance, [m] and [m/s],
+// bounds the RMS local error over all components.
 State ask_oracle(Oracle oracle, const System& system, const State& start, double seconds, double tolerance);
 
 }  // namespace hooke

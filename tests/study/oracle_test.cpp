@@ -1,5 +1,5 @@
-// Hooke's methods against SUNDIALS, which shares nothing with them: neither the forces nor the formulas nor the equations'
-// solver. Both get the same tolerance, and the gap between them closes with it.
+// Hooke's methods against SUNDIALS, which shares neither the forces nor the formulas nor the equation solver with them. Both get the same
+// tolerance, and their difference converges with it.
 #include "study/oracle.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Trial start_of(const std::string& scene) {
   return {start.system, start.state};
 }
 
-// A method that does not choose its steps gets them halved until the errors it estimates, summed, are the tolerance.
+// The steps of a non-adaptive method are halved until the sum of its estimated errors is within the tolerance.
 State follow(const Integrator& method, const Trial& start, double seconds, double tolerance) {
   Plan plan = make_plan(start.system);
   Frame frame;
@@ -53,9 +53,9 @@ void PrintTo(const Case& which, std::ostream* out) { *out << which.seconds << " 
 
 class OracleTest : public testing::TestWithParam<Case> {};
 
-// The two nets are 16 x 16 points at k = 1e4 N/m: W4d with d = 0.9 N s/m, WE with 1e3, whose dashpots ask explicit methods
-// for 3e5 steps a second. The rope and the drum ring on undamped: the local errors of some thousand steps add up, of which
-// a hundredfold leaves room for.
+// The two nets have 16 x 16 points and k = 1e4 N/m: W4d with d = 0.9 N s/m, WE with 1e3, whose dashpots would require 3e5 steps per second
+// of explicit methods. The rope and the drum vibrate undamped: the local errors of some thousand steps accumulate, for which a factor of a
+// hundred is allowed.
 INSTANTIATE_TEST_SUITE_P(Scenes, OracleTest,
                          testing::Values(Case{"net_W4d", Oracle::Bdf, "dop853", 1.0}, Case{"net_W4d", Oracle::Explicit, "dop853", 1.0},
                                          Case{"net_WE", Oracle::Bdf, "dop853", 0.1}, Case{"net_WE", Oracle::Bdf, "esdirk4", 0.25},
@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, OracleTest,
                                          Case{"drum_32", Oracle::Explicit, "dop853", 0.25}),
                          name_of);
 
-TEST_P(OracleTest, AgreesWithinTheToleranceGivenToBoth) {
+TEST_P(OracleTest, AgreesWithinTheCommonTolerance) {
   const auto [scene, oracle, id, seconds] = GetParam();
   const Trial start = start_of(scene);
   const auto gap = [&, oracle = oracle, id = id, seconds = seconds](double tolerance) {
@@ -74,10 +74,10 @@ TEST_P(OracleTest, AgreesWithinTheToleranceGivenToBoth) {
   const double loose = gap(1e-6), tight = gap(1e-8);
   EXPECT_LT(loose, 100.0 * 1e-6);
   EXPECT_LT(tight, 100.0 * 1e-8);
-  // what stability asks for may be finer than any tolerance: then the gap is round-off, with nothing to close
+  // stability may require smaller steps than any tolerance here: then the difference is round-off and does not converge
   EXPECT_LT(tight, std::max(0.1 * loose, 1e-11));
 
-  // and there was something to agree on
+  // check that there is motion to compare
   EXPECT_GT(distance(follow(*find_integrator(id), start, seconds, 1e-6), start.state), 1e-3);
 }
 

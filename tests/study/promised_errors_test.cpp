@@ -1,5 +1,5 @@
-// The errors that methods are held to on the scenes that Hooke is measured on: RMS over the points of the distance to the
-// converged motion, of which SUNDIALS (oracle_test) is of the same opinion.
+// The documented errors of methods on the benchmark scenes: RMS distance of the points to the converged motion, which SUNDIALS confirms
+// (oracle_test).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,14 +27,14 @@ State after(const Trial& start, const char* method, double seconds, double hertz
   return trial.state;
 }
 
-// A step of 1e-10 m is one of 1e-13 m in these scenes, where stability asks for more than the tolerance.
+// In these scenes tolerances of 1e-10 m and 1e-13 m give the same steps, because stability is more restrictive.
 State converged(const Trial& start, double seconds) {
   Trial trial = start;
   trial.run(*find_integrator("dop853"), seconds, 1, 1e-10);
   return trial.state;
 }
 
-// Each figure is the published one, and what would round to it.
+// Each bound is the published figure plus rounding.
 
 TEST(PromisedErrors, OfVerletAndRungeKuttaOnTheDrum) {
   const Trial drum = shipped("drum_32");
@@ -53,7 +53,7 @@ TEST(PromisedErrors, OfRungeKuttaOnTheCloth) {
   EXPECT_LT(distance(after(cloth, "runge_kutta4", 0.5, 6400.0), converged(cloth, 0.5)), 5.65e-8);
 }
 
-// TR-BDF2 for half a second at one step a frame, and what it costs.
+// TR-BDF2 for half a second at one step per frame, and its cost.
 struct OneStepAFrame {
   State state;
   long unconverged_solves = 0, max_factorizations = 0;
@@ -71,7 +71,7 @@ struct OneStepAFrame {
   }
 };
 
-TEST(PromisedErrors, OfTrBdf2OnAFineNetWithThreeFactorizationsAStepAtMost) {
+TEST(PromisedErrors, OfTrBdf2OnAFineNetWithAtMostThreeFactorizationsPerStep) {
   const Trial net = fine_net(1e4);
   const OneStepAFrame run(net);
   EXPECT_LT(distance(run.state, converged(net, 0.5)), 1.25e-5);
@@ -79,7 +79,7 @@ TEST(PromisedErrors, OfTrBdf2OnAFineNetWithThreeFactorizationsAStepAtMost) {
   EXPECT_LE(run.max_factorizations, 3);
 }
 
-// converged: Verlet at 3.4 times its limit is off by 4e-10 m
+// converged: the error of Verlet with 3.4 times the steps of its limit is 4e-10 m
 TEST(PromisedErrors, OfTrBdf2AndXpbdOnAStiffFineNet) {
   const Trial net = fine_net(1e6);
   const State exact = after(net, "velocity_verlet", 0.5, 96000.0);

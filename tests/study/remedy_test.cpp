@@ -1,4 +1,4 @@
-// Remedies for runs that diverge: each that is recommended holds.
+// Remedies for runs that diverge: every recommended setting is stable.
 #include "study/remedy.h"
 
 #include <gtest/gtest.h>
@@ -60,8 +60,8 @@ bool runs_through(const Scene& scene, double duration) {
   return true;
 }
 
-// Scenes that diverge, of several kinds.
-std::vector<Explosion> explosions() {
+// Diverging scenes of several kinds.
+std::vector<Explosion> diverging_scenes() {
   std::vector<Explosion> list;
   const auto add = [&](std::string name, Scene scene) { list.push_back({std::move(name), std::move(scene)}); };
   std::uint64_t seed = 1;
@@ -88,14 +88,14 @@ std::vector<Explosion> explosions() {
     add(std::string("center ") + method, std::move(scene));
   }
 
-  // springs that rotate far, at the linear limit itself
+  // springs that rotate far, at the linear stability limit
   for (int i = 0; i < 12; ++i) {
     Scene scene = scene_of(shaken_sheet(2e3, 0.2, 100 + seed++), i % 2 == 0 ? "velocity_verlet" : "symplectic_euler", 1);
     scene.settings.substeps = *min_stable_substeps(*scene.settings.integrator, bound_spectrum(scene.system), 60.0);
     add("rotation", std::move(scene));
   }
 
-  // contact under a step far too long for the springs
+  // contact with a step far too long for the springs
   for (const char* method : {"velocity_verlet", "implicit_midpoint", "xpbd"}) {
     Scene scene = scene_of(shaken_sheet(1e5, 0.02, seed++), method, method[0] == 'v' ? 8 : 1);
     scene.system.gravity = {0.0, -9.8, 0.0};
@@ -113,7 +113,7 @@ std::vector<Explosion> explosions() {
   return list;
 }
 
-// What `find_remedy` may name as the cause of an explosion of each kind.
+// The causes that `find_remedy` may name for each kind of divergence.
 bool is_named_rightly(const std::string& kind, Remedy::Cause cause) {
   using enum Remedy::Cause;
   if (kind.starts_with("step") || kind.starts_with("explicit_euler")) return cause == StepTooLong;
@@ -123,10 +123,10 @@ bool is_named_rightly(const std::string& kind, Remedy::Cause cause) {
   return cause != NotReproduced;
 }
 
-TEST(Remedy, EveryRecommendedSettingHolds) {
+TEST(Remedy, EveryRecommendedSettingIsStable) {
   int diverged = 0, cured = 0;
   std::map<std::string, int> sound;
-  for (const Explosion& explosion : explosions()) {
+  for (const Explosion& explosion : diverging_scenes()) {
     if (runs_through(explosion.scene, seconds)) {
       ++sound[explosion.name];
       continue;
@@ -144,17 +144,17 @@ TEST(Remedy, EveryRecommendedSettingHolds) {
   }
   std::string names;
   for (const auto& [name, count] : sound) names += name + " ";
-  EXPECT_GE(diverged, 30) << "sound: " << names;
+  EXPECT_GE(diverged, 30) << "not diverged: " << names;
   EXPECT_GE(cured, 9 * diverged / 10);
 }
 
-TEST(Remedy, OfASoundRunIsNone) {
+TEST(Remedy, IsAbsentForAStableRun) {
   const Remedy remedy = find_remedy(scene_of(shaken_sheet(1e2, 0.02, 1), "velocity_verlet", 20), 0.5, never);
   EXPECT_EQ(remedy.cause, Remedy::Cause::NotReproduced);
   EXPECT_FALSE(remedy.advice);
 }
 
-TEST(Remedy, StopsWhenTheWorkIsSpent) {
+TEST(Remedy, StopsWhenItsWorkLimitIsReached) {
   const Remedy remedy = find_remedy(scene_of(shaken_sheet(1e6, 0.02, 1), "velocity_verlet", 2), seconds, never, 2000.0);
   EXPECT_FALSE(remedy.advice);
 }

@@ -1,4 +1,4 @@
-// The run monitor does not accuse runs that are correct.
+// The run monitor does not warn about correct runs.
 #include "study/run_monitor.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TestNetwork random_scene(std::uint64_t seed) {
   return network;
 }
 
-// The state after `seconds`, by a method of high order at a fine tolerance.
+// The state after `seconds` from a high-order method at a fine tolerance.
 State exact_end(const TestNetwork& network, double seconds) {
   MonitoredRun run(network, {.integrator = find_integrator("dop853"), .substeps = 1, .tolerance = 1e-6});
   run.run(seconds);
@@ -50,24 +50,24 @@ TEST(RunMonitor, DoesNotWarnAboutCorrectRuns) {
   constexpr double seconds = 1.0, correct = 2e-2;  // [s], [m]
   constexpr int scenes = 300;
   int stable = 0, warned = 0;
-  std::string accusations;
+  std::string false_warnings;
   for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
     const TestNetwork network = random_scene(seed);
     MonitoredRun run(network, settings_for(default_integrator(), network.system, {.min = 20, .fraction = 0.25, .max = 2000}));
-    // a step beyond the limit is not expected to be correct
+    // a step beyond the stability limit is not expected to be correct
     if (run.settings().substep() > largest_stable_step(default_integrator(), bound_spectrum(network.system))) continue;
     ++stable;
     run.run(seconds);
     const std::vector<std::string> warnings = run.monitor().warnings(run.system(), {});
     if (warnings.empty() && !run.stopped()) continue;
     ++warned;
-    // only a warning about a run that is correct is an accusation
+    // only warnings about correct runs count
     const double error = run.stopped() ? 0.0 : rms_distance(run.state(), exact_end(network, seconds));
-    if (error <= correct) accusations += "\nscene " + std::to_string(seed) + ": " + (run.stopped() ? "stopped" : warnings.front());
+    if (error <= correct) false_warnings += "\nscene " + std::to_string(seed) + ": " + (run.stopped() ? "stopped" : warnings.front());
   }
   EXPECT_GE(stable, 250);
   EXPECT_LT(warned, scenes / 10);
-  EXPECT_EQ(accusations, "");
+  EXPECT_EQ(false_warnings, "");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Scenes' own checks: each law holds where it should and fails where it should; quantities are what they are called.
+// Scene checks: each law passes and fails where it should; quantities have the values that their names promise.
 #include "study/check_scene.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace hooke {
 namespace {
 
-// One mass on a spring of k = 4 pi^2 without gravity, let go 0.1 m beside its rest: it swings with the period 1 s.
+// One mass on a spring of k = 4 pi^2 without gravity, released 0.1 m from equilibrium: it oscillates with period 1 s.
 std::string swinging(const std::string& check, double damping = 0.0) {
   return R"({"hooke": 1, "dimensions": 2, "gravity": [0, 0, 0],
     "points": [{"position": [0, 0, 0], "nailed": true}, {"position": [1.1, 0, 0]}],
@@ -29,7 +29,7 @@ bool holds(const std::string& law, double damping = 0.0) {
   return results(R"({"seconds": 3, "laws": [)" + law + "]}", damping).at(0).passed;
 }
 
-TEST(SceneChecks, EachLawHoldsWhereItShouldAndFailsWhereItShould) {
+TEST(SceneChecks, EachLawPassesAndFailsWhereItShould) {
   EXPECT_TRUE(holds(R"({"law": "constant", "of": "total", "within": 1e-4})"));
   EXPECT_FALSE(holds(R"({"law": "constant", "of": "total", "within": 1e-4})", 0.5));
   EXPECT_TRUE(holds(R"({"law": "never_rises", "of": "total", "within": 1e-4})", 0.5));
@@ -45,13 +45,13 @@ TEST(SceneChecks, EachLawHoldsWhereItShouldAndFailsWhereItShould) {
   EXPECT_FALSE(holds(R"({"law": "between", "of": "strain0", "most": 0.05})"));
 }
 
-TEST(SceneChecks, WhatWasBeforeDoesNotCount) {
+TEST(SceneChecks, TimesBeforeTheStartOfALawAreIgnored) {
   EXPECT_TRUE(holds(R"({"law": "between", "of": "length0", "most": 1.05, "from": 2})", 5.0));
   EXPECT_FALSE(holds(R"({"law": "between", "of": "length0", "most": 1.05})", 5.0));
-  EXPECT_FALSE(holds(R"({"law": "between", "of": "length0", "most": 2, "from": 50})")) << "there was nothing to measure";
+  EXPECT_FALSE(holds(R"({"law": "between", "of": "length0", "most": 2, "from": 50})")) << "there is nothing to measure";
 }
 
-TEST(SceneChecks, EveryListedMethodIsTriedWithItsSubsteps) {
+TEST(SceneChecks, EveryListedMethodIsRunWithItsSubsteps) {
   const auto tried = results(
       R"({"seconds": 3, "methods": ["runge_kutta4", {"method": "implicit_euler", "substeps": 3}], "laws": [{"law": "constant", "of": "total", "within": 1e-3}]})");
   ASSERT_EQ(tried.size(), 2u);
@@ -62,15 +62,15 @@ TEST(SceneChecks, EveryListedMethodIsTriedWithItsSubsteps) {
   EXPECT_NE(tried[1].measured.find("FAILED: total changes by"), std::string::npos) << tried[1].measured;
 }
 
-TEST(SceneChecks, ASceneWithoutOneRunsForTwoSeconds) {
+TEST(SceneChecks, ASceneWithoutAnyRunsForTwoSeconds) {
   const auto tried = check_scene(parse_scene(R"({"hooke": 1})", "bare").scene);
   ASSERT_EQ(tried.size(), 1u);
   EXPECT_TRUE(tried[0].passed);
 }
 
-TEST(SceneChecks, WhatIsToBeStoppedAndIsNotFails) { EXPECT_FALSE(results(R"({"stops": true})").at(0).passed); }
+TEST(SceneChecks, FailIfAnExpectedStopDoesNotOccur) { EXPECT_FALSE(results(R"({"stops": true})").at(0).passed); }
 
-TEST(SceneChecks, SpeakingOfWhatTheSceneHasNotFails) { EXPECT_FALSE(holds(R"({"law": "ends_at", "of": "y7", "value": 0, "within": 1})")); }
+TEST(SceneChecks, FailIfTheyNameAMissingQuantity) { EXPECT_FALSE(holds(R"({"law": "ends_at", "of": "y7", "value": 0, "within": 1})")); }
 
 std::string refusal(const std::string& check) {
   try {
@@ -81,7 +81,7 @@ std::string refusal(const std::string& check) {
   return "accepted";
 }
 
-TEST(SceneChecks, AreRefusedWhereTheySayNothing) {
+TEST(SceneChecks, AreRefusedIfTheyAreInvalid) {
   EXPECT_EQ(refusal(R"({"laws": [{"law": "constant", "of": "total", "within": 1}]})"), "accepted");
   EXPECT_NE(refusal(R"({"laws": [{"law": "fair", "of": "total"}]})").find("check.laws[0].law: \"fair\": must be one of constant"),
             std::string::npos);
@@ -93,21 +93,21 @@ TEST(SceneChecks, AreRefusedWhereTheySayNothing) {
   EXPECT_NE(refusal(R"({"minutes": 1})").find("must be seconds, methods, laws or stops"), std::string::npos);
 }
 
-TEST(SceneChecks, StayInTheFile) {
+TEST(SceneChecks, ArePreservedInTheFile) {
   const std::string check = R"({"seconds": 3, "laws": [{"law": "constant", "of": "total", "within": 1e-4}]})";
   const std::string saved = format_scene(parse_scene(swinging(check), "first").scene);
   EXPECT_NE(saved.find(check), std::string::npos);
   EXPECT_EQ(format_scene(parse_scene(saved, "again").scene), saved);
 }
 
-TEST(ShippedScenes, EachCarriesACheck) {
+TEST(ShippedScenes, EachHasACheck) {
   for (const ShippedScene& shipped : shipped_scenes()) {
     const SceneCheck check = check_of(load_scene(shipped.file).scene);
     EXPECT_TRUE(check.expects_divergence || !check.criteria.empty()) << shipped.id;
   }
 }
 
-TEST(Quantities, AreWhatTheyAreCalled) {
+TEST(Quantities, HaveTheValuesThatTheirNamesPromise) {
   const Scene scene = parse_scene(R"({"hooke": 1, "time": 3, "points": [{"position": [0, 1, 0], "nailed": true},
     {"position": [0, -2, 4], "velocity": [1, 2, 2], "mass": 2}], "springs": [{"points": [0, 1], "stiffness": 1, "rest_length": 4}],
     "colliders": [{"type": "plane", "point": [0, -1, 0], "normal": [0, 1, 0]}]})",
@@ -133,7 +133,7 @@ TEST(Quantities, AreWhatTheyAreCalled) {
   EXPECT_EQ(find_quantity("y1", 2, 1)->heading(), "y1 [m]");
 }
 
-TEST(Quantities, ThatAreNotThereAreNotFound) {
+TEST(Quantities, UnknownOnesAreNotFound) {
   for (const char* name : {"", "y", "y2", "total1", "strain1", "y-1", "y1x", "beauty", "y99999999999"})
     EXPECT_FALSE(find_quantity(name, 2, 1)) << name;
 }

@@ -1,4 +1,4 @@
-// The benchmark: its problems, its references, its sweeps and what it writes.
+// The benchmark: its problems, references, sweeps and output files.
 #include "study/work_precision.h"
 
 #include <gtest/gtest.h>
@@ -26,8 +26,8 @@ Problem problem_of(InitialState start, double seconds) {
   return {.id = "problem", .title = "a problem", .system = std::move(start.system), .start = std::move(start.state), .seconds = seconds};
 }
 
-// Net W2 with fewer points, taken up in full swing: from its own start, in equilibrium, a method of first order whose
-// velocities are half a step late is as good as one of second.
+// Net W2 with fewer points, starting in full motion: from its own start, in equilibrium, a first-order method whose velocities are half a
+// step late is as accurate as one of second order.
 Problem net_in_motion(double seconds) {
   Problem problem = problem_of(make_net(6, 1e2, 0.0), 0.4);
   Benchmark benchmark(problem);
@@ -41,7 +41,7 @@ Problem net_in_motion(double seconds) {
 
 Effort small_effort() { return {.repeats = 1, .run_seconds = 0.1, .reference_seconds = 2.0, .finest_error = 1e-9}; }
 
-// A record of every method on a small net, made once.
+// The record of every method on a small net, computed once.
 const Problem& swept_problem() {
   static const Problem problem = net_in_motion(2.0);
   return problem;
@@ -72,7 +72,7 @@ Row row(const char* method, double error, double cost) {
 
 // ---- the problems ----
 
-// Twice the same place: the points of each row of the net hang in equilibrium.
+// The two initial states have the same positions: the points of each row of the net hang in equilibrium.
 TEST(BenchProblems, TheNetsStartWithoutForceAndInMotion) {
   const InitialState net = make_net(16, 1e2, 0.0);
   EXPECT_EQ(net.system.point_count(), 256);
@@ -83,7 +83,7 @@ TEST(BenchProblems, TheNetsStartWithoutForceAndInMotion) {
   compute_forces(plan, 0.0, motion.x, motion.v, motion.a);
   divide_by_mass(plan, motion.a);
   for (const double a : motion.a) EXPECT_NEAR(a, 0.0, 1e-9);
-  // lower left: s = 1 m, u = 0
+  // bottom left: s = 1 m, u = 0
   EXPECT_NEAR(net.state.velocity[15 * 16].z, 0.5, 1e-12);
   EXPECT_NEAR(net.state.position[15 * 16].y, -1.0 - 120.0 * 9.81 / 256.0 / 1e2, 1e-12);
 }
@@ -103,7 +103,7 @@ TEST(BenchProblems, TheChainHangsInEquilibriumUnderItsHeavyEnd) {
   }
 }
 
-TEST(BenchProblems, AFingerprintTellsScenesThatDifferInOneStiffness) {
+TEST(BenchProblems, AFingerprintDistinguishesScenesThatDifferInOneStiffness) {
   const Problem problem = problem_of(make_net(4, 1e2, 0.0), 1.0);
   Problem other = problem;
   EXPECT_EQ(fingerprint(problem), fingerprint(other));
@@ -126,8 +126,8 @@ TEST(BenchReference, TwoMethodsAgreeAndASmallPerturbationStaysSmall) {
   EXPECT_EQ(reference->measure, Measure::Trajectory);
 }
 
-// Places known to nine digits from another program, in long double.
-TEST(BenchReference, DrumRopeAndClothPassWhereTheyShould) {
+// Positions to nine digits from a different program, in long double.
+TEST(BenchReference, DrumRopeAndClothPassThroughTheKnownPositions) {
   struct Place {
     const char* problem;
     int snapshot;
@@ -152,7 +152,7 @@ TEST(BenchReference, DrumRopeAndClothPassWhereTheyShould) {
   }
 }
 
-// A mass on a spring that falls on a floor and bounces.
+// A mass on a spring that falls onto a floor and bounces.
 Problem spring_on_a_floor(double restitution) {
   InitialState start;
   start.system.colliders.push_back({.shape = Plane{}, .restitution = restitution, .friction = 0.0});
@@ -174,15 +174,15 @@ TEST(BenchReference, TwoMethodsAgreeThroughImpacts) {
     EXPECT_EQ(result.reference->measure, Measure::Trajectory);
     EXPECT_LT(result.reference->other_gap, 1e-4) << restitution;
 
-    // and so does a third method
+    // a third method agrees too
     const State& exact = result.reference->snapshots().back();
     const RunResult verlet = benchmark.run(default_integrator(), {.steps = 16384}, always);
     EXPECT_LT(rms_distance(verlet.snapshots.back(), exact), 1e-4 * problem.size) << restitution;
   }
 }
 
-TEST(BenchReference, MethodsThatDisagreeMakeNoReferenceAndSayWhy) {
-  // a net that falls on a ball, with time for the coarsest runs alone
+TEST(BenchReference, MethodsThatDisagreeGiveNoReferenceAndAReason) {
+  // a net that falls onto a ball, with time for only the coarsest runs
   Problem problem = problem_of(make_curtain(8, 1e4, 0.0), 1.0);
   problem.system.colliders.push_back({.shape = Sphere{{0.5, -0.5, 0.0}, 0.3}, .restitution = 0.0, .friction = 0.5});
   for (Index i = 0; i < problem.system.point_count(); ++i) problem.system.point(i).nailed = false;
@@ -193,8 +193,8 @@ TEST(BenchReference, MethodsThatDisagreeMakeNoReferenceAndSayWhy) {
   EXPECT_NE(result.reason.find(" differ by "), std::string::npos) << result.reason;
 }
 
-TEST(BenchReference, AnUnpredictableSceneIsJudgedByObservables) {
-  // two solutions that differ by a turn about the vertical through the centre of mass: the same observables
+TEST(BenchReference, AnUnpredictableSceneIsComparedByObservables) {
+  // two solutions that differ by a rotation about the vertical through the center of mass: the same observables
   const Problem problem = problem_of(make_curtain(4, 1e2, 0.0), 1.0);
   State turned = problem.start;
   for (Vec3& x : turned.position) x.x = 1.0 - x.x;
@@ -228,7 +228,7 @@ TEST(WorkPrecision, ErrorsFallWithTheDeclaredOrder) {
   }
 }
 
-TEST(WorkPrecision, EveryMethodIsSweptFromItsCoarsestStepOn) {
+TEST(WorkPrecision, EveryMethodIsSweptStartingFromItsCoarsestStep) {
   for (const Integrator& method : integrators()) {
     std::vector<double> errors;
     for (const Row& each : swept_record().rows)
@@ -251,8 +251,8 @@ TEST(WorkPrecision, ADivergingSettingIsReportedAndNotDropped) {
             std::string::npos);
 }
 
-// h omega < 2 for the net's own highest frequency, which no bound knows: the sweep finds it within a fifth.
-TEST(WorkPrecision, TheCoarsestStepThatHoldsIsFound) {
+// h omega < 2 for the actual highest frequency of the net, which no bound gives: the sweep finds it within a fifth.
+TEST(WorkPrecision, TheCoarsestStableStepIsFound) {
   double coarsest = 0.0, finest_failure = INFINITY;
   for (const Row& each : swept_record().rows) {
     if (each.method != "velocity_verlet") continue;
@@ -263,12 +263,12 @@ TEST(WorkPrecision, TheCoarsestStepThatHoldsIsFound) {
   EXPECT_LT(finest_failure, 1.21 * coarsest);
 }
 
-TEST(WorkPrecision, RowsThatAreThereAreNotRunAgain) {
-  // through the file, as an interrupted benchmark goes on
+TEST(WorkPrecision, ExistingRowsAreNotRunAgain) {
+  // through the file, as an interrupted benchmark resumes
   const Results read = parse_results(format_results(results_of(swept_record())), "bench.json");
   ProblemRecord record = read.problems.at(0);
   EXPECT_EQ(record.rows.size(), swept_record().rows.size());
-  // the coarsest that Verlet survived: nothing after it hangs on how long it takes
+  // the coarsest that Verlet survived: no later row depends on timing
   const auto lost =
       std::find_if(record.rows.begin(), record.rows.end(), [](const Row& each) { return each.method == "velocity_verlet" && each.error; });
   ASSERT_NE(lost, record.rows.end());
@@ -283,7 +283,7 @@ TEST(WorkPrecision, RowsThatAreThereAreNotRunAgain) {
   EXPECT_EQ(measured, std::vector{lost_name});
 }
 
-TEST(WorkPrecision, AStoppedSweepKeepsWhatItHas) {
+TEST(WorkPrecision, AStoppedSweepKeepsItsResults) {
   ProblemRecord record = make_record(swept_problem());
   const Effort effort = small_effort();
   PrecisionSweep sweep(swept_problem(), effort, record);
@@ -293,7 +293,7 @@ TEST(WorkPrecision, AStoppedSweepKeepsWhatItHas) {
   EXPECT_EQ(sweep.reference_failure(), ReferenceResult::Failure::None);
 }
 
-TEST(WorkPrecision, TheFrontHoldsWhatNothingBeatsInBothWays) {
+TEST(WorkPrecision, TheParetoFrontContainsRowsThatNothingBeatsInBothRespects) {
   ProblemRecord record;
   record.reference = ReferenceRecord{.own_gap = 1e-12};
   record.rows = {row("a", 1e-2, 1.0), row("b", 1e-1, 2.0), row("c", 1e-3, 5.0), row("d", 1e-3, 4.0), row("e", 1e-13, 9.0)};
@@ -303,7 +303,7 @@ TEST(WorkPrecision, TheFrontHoldsWhatNothingBeatsInBothWays) {
   EXPECT_EQ(cheapest(record, 1e-1)->method, "a");
   EXPECT_EQ(cheapest(record, 1e-3)->method, "d");
   EXPECT_EQ(cheapest(record, 1e-11)->method, "e");
-  EXPECT_EQ(cheapest(record, 1e-13), nullptr) << "better than the reference can tell";
+  EXPECT_EQ(cheapest(record, 1e-13), nullptr) << "below the uncertainty of the reference";
 }
 
 // ---- what is written ----
@@ -321,7 +321,7 @@ TEST(BenchFiles, TheCsvHasItsFixedColumns) {
             "\"a, b\",xpbd,2 steps/s,0.5,,,,0,0,,diverged\n");
 }
 
-TEST(BenchFiles, WhatIsReadBackIsWhatWasWritten) {
+TEST(BenchFiles, AreReadBackAsWritten) {
   const Results written = results_of(swept_record());
   const Results read = parse_results(format_results(written), "bench.json");
   EXPECT_EQ(read.conditions, written.conditions);
@@ -355,8 +355,8 @@ TEST(BenchChart, TheScriptDrawsAndNamesEveryMethod) {
   EXPECT_NE(script.find("set output 'bench.svg'"), std::string::npos);
 }
 
-// A scene's name is somebody else's text.
-TEST(BenchChart, NoNameLeavesItsQuotes) {
+// The name of a scene is untrusted text.
+TEST(BenchChart, ANameCannotEndItsQuotes) {
   ProblemRecord record = swept_record();
   record.title = "it's'\nsystem(\"touch /tmp/x\")";
   const std::string script = chart_script(results_of(record), ChartFormat::Png, "bench.png");
@@ -365,7 +365,7 @@ TEST(BenchChart, NoNameLeavesItsQuotes) {
   for (std::string line; std::getline(lines, line);) EXPECT_EQ(std::count(line.begin(), line.end(), '\'') % 2, 0) << line;
 }
 
-TEST(BenchChart, LabelsKeepClearOfEachOther) {
+TEST(BenchChart, LabelsDoNotOverlap) {
   const std::vector<ChartLabel> labels(6, {{100.0, 100.0}, 90.0, 15.0});
   const std::vector<PlacedLabel> places = place_labels(labels, {}, {0.0, 0.0, 400.0, 400.0});
   for (std::size_t i = 0; i < places.size(); ++i)

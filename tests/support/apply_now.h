@@ -5,7 +5,7 @@
 
 namespace hooke {
 
-// Applies everything that was submitted, without advancing time.
+// Applies all submitted commands without advancing time.
 inline void apply_now(Lab& lab) {
   lab.advance(0.0, [] { return true; });
 }

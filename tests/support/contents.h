@@ -1,4 +1,4 @@
-// The bytes of a file.
+// Reads a whole file.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace hooke {
 
-// Empty when the file cannot be read.
+// Empty if the file cannot be read.
 inline std::string contents(const std::filesystem::path& file) {
   std::ostringstream bytes;
   bytes << std::ifstream(file, std::ios::binary).rdbuf();

@@ -1,4 +1,4 @@
-// Orders measured from errors: what a tolerance comes from.
+// Convergence orders measured from errors, from which the tests derive their tolerances.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,11 +13,11 @@
 
 namespace hooke {
 
-// p such that error(steps) ~ steps^-p: log2 of what halving the step gains.
+// p such that error(steps) ~ steps^-p: log2 of the error ratio when the step is halved.
 inline double measured_order(const std::function<double(int)>& error, int steps) { return std::log2(error(steps) / error(2 * steps)); }
 
-// The error falls as declared when the step is halved: not slower, and not faster either, within a twentieth of the order
-// at least. An error that is round-off already has no order.
+// The error falls at the declared order when the step is halved, neither slower nor faster, within at least a twentieth of the order. An
+// error at round-off level has no order.
 inline void expect_order(const std::function<double(int)>& error, int steps, double order, double tolerance = 0.15) {
   const double coarse = error(steps), fine = error(2 * steps);
   constexpr double round_off = 2e-13;
@@ -26,7 +26,7 @@ inline void expect_order(const std::function<double(int)>& error, int steps, dou
       << "errors " << coarse << " and " << fine << " at " << steps << " and " << 2 * steps << " steps";
 }
 
-// Steps of a motion of a few radians that leave a method of this order in its asymptotic range, and above round-off.
+// The number of steps for a motion of a few radians that is in the asymptotic range of a method of this order and above round-off.
 inline int asymptotic_steps(int order) { return order == 1 ? 20000 : order == 2 ? 1000 : order <= 4 ? 100 : 16; }
 
 // A fixture for claims about every method of the table.

@@ -1,4 +1,4 @@
-// A display of its own (Xvfb), the program on it, and a person's hands (xdotool): for tests of the real window.
+// A separate display (Xvfb), the program on it, and user input (xdotool), for tests of the real window.
 #pragma once
 
 #include <fcntl.h>
@@ -25,7 +25,7 @@ namespace hooke {
 
 inline void rest(double seconds) { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
 
-// Tries until it holds, for at most half a minute: the machine may be busy.
+// Polls until the condition holds, by default for up to half a minute, because the machine may be busy.
 inline bool wait_for(const std::function<bool()>& condition, double seconds = 30.0) {
   const auto start = std::chrono::steady_clock::now();
   while (std::chrono::steady_clock::now() - start < std::chrono::duration<double>(seconds)) {
@@ -35,14 +35,14 @@ inline bool wait_for(const std::function<bool()>& condition, double seconds = 30
   return false;
 }
 
-// A child process whose output goes to a file; killed when forgotten.
+// A child process whose output goes to a file; killed by the destructor.
 class Process {
  public:
   Process() = default;
   Process(const std::vector<std::string>& words, const std::filesystem::path& output) {
     pid_ = ::fork();
     if (pid_ != 0) return;
-    // ends with the test, however that ends
+    // killed when the test process ends for any reason
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     const int to = ::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     ::dup2(to, STDOUT_FILENO);
@@ -64,12 +64,12 @@ class Process {
     return *this;
   }
 
-  // Never to a group: 0 and -1 mean others.
+  // Never signal 0 or -1, which address groups of other processes.
   void signal(int which) const {
     if (pid_ > 0) ::kill(pid_, which);
   }
   bool is_running() { return pid_ > 0 && !collect(WNOHANG); }
-  // Its exit code; -1 when a signal ended it or it does not end.
+  // The exit code; -1 if a signal ended the process or it did not end.
   int exit_code() {
     if (!wait_for([this] { return !is_running(); })) return -1;
     return WIFEXITED(status_) ? WEXITSTATUS(status_) : -1;
@@ -94,7 +94,8 @@ class Desktop {
     std::filesystem::create_directories(folder_);
     const std::filesystem::path number = folder_ / "display";
     const std::string screen = std::to_string(width) + "x" + std::to_string(height) + "x24";
-    // A number of its own: servers that look for a free one at the same time can take the same. -displayfd says when it is up.
+    // An explicit display number: servers that search for a free one at the same time can choose the same. -displayfd reports when the
+    // server is ready.
     static int many = 0;
     const std::string own = ":" + std::to_string(100 + (::getpid() + 7919 * many++) % 50000);
     server_ = Process(
@@ -109,7 +110,7 @@ class Desktop {
     ::setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
   }
   ~Desktop() {
-    std::error_code error;  // a program that is being killed may still write there
+    std::error_code error;  // ignored, since a program that is being killed may still write there
     std::filesystem::remove_all(folder_, error);
   }
   Desktop(const Desktop&) = delete;
@@ -118,7 +119,7 @@ class Desktop {
   bool is_up() const { return !display_.empty(); }
   const std::filesystem::path& folder() const { return folder_; }
 
-  // What a command prints.
+  // The output of a command.
   std::string output_of(const std::string& command) const {
     const std::filesystem::path answer = folder_ / "answer";
     if (std::system((command + " >" + answer.string() + " 2>/dev/null").c_str()) != 0) return {};
@@ -132,7 +133,7 @@ class Desktop {
   }
 
   void run_xdotool(const std::string& what) const { output_of("xdotool " + what); }
-  // Down, a while, up: a press shorter than a frame is not what a person does.
+  // Presses, waits and releases: users do not press keys for less than a frame.
   void key(const std::string& name) const {
     run_xdotool("keydown " + name);
     rest(0.12);
@@ -167,17 +168,17 @@ class Desktop {
     for (const double fraction : {0.3, 0.6, 1.0}) move(from + fraction * (to - from));
     release();
   }
-  // "close" or "drop", with a file. Whether the window took it.
+  // "close" or "drop", with a file. Returns whether the window accepted it.
   bool send_to_window(const std::string& what, const std::filesystem::path& file = {}) const {
     const std::string window = output_of("xdotool search --onlyvisible --class hooke");
     const std::string words = HOOKE_WINDOW_MESSAGE " " + what + " " + window.substr(0, window.find('\n')) + " " + file.string();
     return std::system(words.c_str()) == 0;
   }
-  // What the screen shows, as a number, but for a lower right corner of so many pixels.
+  // A hash of the screen, excluding a lower right corner of this size.
   std::string digest(int width_left_out, int height_left_out) const {
     return output_of(HOOKE_WINDOW_MESSAGE " digest " + std::to_string(width_left_out) + " " + std::to_string(height_left_out));
   }
-  // A picture of the screen, to be looked at by people.
+  // A screenshot for visual inspection.
   void save_screenshot(const std::filesystem::path& file) const { output_of("import -window root " + file.string()); }
 
  private:

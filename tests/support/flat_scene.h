@@ -1,4 +1,4 @@
-// A trial as a document in the plane.
+// A trial as a 2-D scene.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Reads the words off a picture of ImGui: every glyph is a rectangle of the font's texture, and so says which it is.
+// Reads the text of a picture drawn by ImGui: every glyph is a rectangle of the font texture, which identifies it.
 #pragma once
 
 #include <imgui.h>
@@ -37,10 +37,10 @@ inline void append_utf8(std::string& text, ImWchar code) {
   }
 }
 
-// In the order in which it was drawn; a gap is a space, another line a line.
+// In drawing order; gaps become spaces, and new lines become line breaks.
 inline std::string read_text(const ImDrawData& data) {
   const Glyphs glyphs = glyphs_by_texture();
-  constexpr float gap = 2.6f;  // [px], less than a space of the smallest font
+  constexpr float gap = 2.6f;  // [px], less than a space in the smallest font
   std::string text;
   for (int n = 0; n < data.CmdListsCount; ++n) {
     const auto& vertices = data.CmdLists[n]->VtxBuffer;
@@ -48,7 +48,7 @@ inline std::string read_text(const ImDrawData& data) {
     for (int i = 0; i + 3 < vertices.Size; ++i) {
       const auto found = glyphs.find({vertices[i].uv.x, vertices[i].uv.y});
       if (found == glyphs.end() || vertices[i + 2].uv.x != found->second.u1 || vertices[i + 2].uv.y != found->second.v1) continue;
-      // a letter may be low or high on its line, but not a line lower
+      // a letter may be higher or lower on its line, but by less than a line
       const bool same_line = std::abs(vertices[i + 2].pos.y - end.y) < 12.0f && vertices[i].pos.x > end.x - 4.0f;
       if (!same_line)
         text += '\n';

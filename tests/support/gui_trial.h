@@ -19,7 +19,7 @@ namespace hooke {
 class GuiTrial {
  public:
   explicit GuiTrial(Scene scene = {}, std::filesystem::path file = {}, const Home& home = {}) {
-    // without a document, keys write to the home folder and the working folder: not to the user's
+    // without a document, settings would be written to the home and working folders of the user
     ::setenv("HOME", scratch_.folder.c_str(), 1);
     std::filesystem::current_path(scratch_.folder);
     ImGui::CreateContext();
@@ -64,7 +64,7 @@ class GuiTrial {
   void frames(int many) {
     for (int i = 0; i < many; ++i) frame();
   }
-  // Whether frames wait for file operations; if not, they are built meanwhile, as in the window.
+  // Whether frames wait for file operations; if not, frames continue during them, as in the window.
   bool waits_for_work = true;
 
   // All text of a frame.
@@ -73,7 +73,7 @@ class GuiTrial {
     return read_text(*ImGui::GetDrawData());
   }
 
-  // Where a place of the scene appears in the window [px].
+  // Where a position of the scene appears in the window [px].
   glm::dvec2 seen(const Vec3& place) {
     const Rect& scene = app_->layout().scene;
     const Vec3 at = app_->camera().project(place, {scene.width, scene.height});
@@ -118,7 +118,7 @@ class GuiTrial {
     frames(2);
   }
 
-  // The centre of an item, given the path of its ids, found by moving the mouse over its whole window.
+  // The center of an item with this path of ids, found by moving the mouse over its whole window.
   glm::dvec2 find(const char* window, std::initializer_list<const char*> names) {
     const ImGuiWindow* found = ImGui::FindWindowByName(window);
     if (found == nullptr) return {-1.0, -1.0};
@@ -135,10 +135,10 @@ class GuiTrial {
   }
 
  private:
-  // Far longer than any machine needs, so that a slow one does not fail.
+  // Far longer than any machine needs, so that a slow machine does not fail the test.
   static constexpr auto patience = std::chrono::seconds(60);
 
-  // Waits until everything submitted has taken effect.
+  // Waits until every submitted command has taken effect.
   void settle() {
     if (waits_for_work) app_->wait_for_file_task();
     if (!app_->settle()) ADD_FAILURE() << "the laboratory did not settle within a minute";

@@ -1,4 +1,4 @@
-// Sheets of N x N points that the methods are measured on.
+// Sheets of N x N points on which the methods are measured.
 #pragma once
 
 #include <numbers>
@@ -15,8 +15,8 @@ inline void join(Trial& trial, Index first, Index second, double k, double d, do
   trial.join(trial.system.points()[first].id, trial.system.points()[second].id, k, rest_length, d);
 }
 
-// springs right and down, and both diagonals if asked for, of the lengths of the undeformed sheet of 1 m
-inline void join_neighbours(Trial& trial, int n, double k, double k_diagonal, double d) {
+// springs right and down, and optionally both diagonals, with the lengths of the undeformed sheet of 1 m
+inline void join_neighbors(Trial& trial, int n, double k, double k_diagonal, double d) {
   const double a = 1.0 / (n - 1), diagonal = std::numbers::sqrt2 * a;
   trial.system.reserve(n * n, 4 * n * n);
   for (int row = 0; row < n; ++row)
@@ -32,9 +32,9 @@ inline void join_neighbours(Trial& trial, int n, double k, double k_diagonal, do
 
 }  // namespace sheet
 
-// 1 m x 1 m, upright, 1 kg in equal points, the top row nailed, springs k [N/m] and dashpots d [N s/m] right and down;
-// starts in its own hanging equilibrium with v_z = s (1 + cos(pi u)) / 4 [m/s], s below the top row, u to the right.
-// It swings in tension: smooth and predictable.
+// 1 m x 1 m, vertical, 1 kg distributed equally over the points, the top row nailed, springs k [N/m] and dashpots d [N s/m] right and down;
+// starts in hanging equilibrium with v_z = s (1 + cos(pi u)) / 4 [m/s], s below the top row, u to the right. It swings under tension, which
+// is smooth and predictable motion.
 inline Trial net(int n, double k, double d) {
   Trial trial;
   const double a = 1.0 / (n - 1), m = 1.0 / (n * n);
@@ -47,11 +47,11 @@ inline Trial net(int n, double k, double d) {
       trial.system.point(trial.system.index_of(id)).nailed = row == 0;
     }
   }
-  sheet::join_neighbours(trial, n, k, 0.0, d);
+  sheet::join_neighbors(trial, n, k, 0.0, d);
   return trial;
 }
 
-// The same undeformed and with diagonals, v_z = s (1 + cos(pi u)) / 2: it buckles.
+// The same but undeformed and with diagonals, v_z = s (1 + cos(pi u)) / 2: it buckles.
 inline Trial curtain(int n, double k, double d) {
   Trial trial;
   const double a = 1.0 / (n - 1), m = 1.0 / (n * n);
@@ -61,11 +61,11 @@ inline Trial curtain(int n, double k, double d) {
       const PointId id = trial.add({u, -s, 0.0}, m, {0.0, 0.0, 0.5 * s * (1.0 + std::cos(std::numbers::pi * u))});
       trial.system.point(trial.system.index_of(id)).nailed = row == 0;
     }
-  sheet::join_neighbours(trial, n, k, k, d);
+  sheet::join_neighbors(trial, n, k, k, d);
   return trial;
 }
 
-// 1 m x 1 m, flat in the plane of the screen, gravity across it, 0.2 kg, k = 1000 N/m and diagonals of 500, at rest and
+// 1 m x 1 m, flat in the plane of the screen, with gravity perpendicular to it, 0.2 kg, k = 1000 N/m and 500 N/m on diagonals, at rest and
 // nailed at two corners.
 inline Trial cloth(int n) {
   Trial trial;
@@ -76,11 +76,11 @@ inline Trial cloth(int n) {
       const PointId id = trial.add({a * column, -a * row, 0.0}, 0.2 / (n * n));
       trial.system.point(trial.system.index_of(id)).nailed = row == 0 && (column == 0 || column == n - 1);
     }
-  sheet::join_neighbours(trial, n, 1000.0, 500.0, 0.0);
+  sheet::join_neighbors(trial, n, 1000.0, 500.0, 0.0);
   return trial;
 }
 
-// RMS over the points of the distance between two states of the same scene [m].
+// RMS distance of the points between two states of the same scene [m].
 inline double distance(const State& first, const State& second) {
   double sum = 0.0;
   for (std::size_t i = 0; i < first.position.size(); ++i) {

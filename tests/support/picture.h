@@ -1,4 +1,4 @@
-// Pictures for tests: drawn without a display, read back from files, compared.
+// Pictures for tests: drawn without a display, read from files, compared.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ inline Color at(const Image& image, int x, int y) {
   return {pixel[0], pixel[1], pixel[2]};
 }
 
-// Where a place is seen, as the nearest pixel.
+// The color at the pixel nearest to a position.
 inline Color at(const Image& image, const Camera& camera, const Vec3& place) {
   const Vec3 seen = camera.project(place, {image.width, image.height});
   return at(image, static_cast<int>(seen.x), static_cast<int>(seen.y));
@@ -57,7 +57,7 @@ inline Image read_png(const std::filesystem::path& file) {
   return image;
 }
 
-// The share of channels that differ by more than 5/255; 1 when the sizes differ.
+// The fraction of channels that differ by more than 5/255; 1 if the sizes differ.
 inline double difference(const Image& a, const Image& b) {
   if (a.width != b.width || a.height != b.height || a.pixels.empty()) return 1.0;
   std::size_t different = 0;

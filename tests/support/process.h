@@ -1,4 +1,4 @@
-// Runs a program and tells what came of it.
+// Runs a program and returns its exit code and output.
 #pragma once
 
 #include <fcntl.h>
@@ -13,11 +13,11 @@
 namespace hooke {
 
 struct Outcome {
-  int code = -1;  // exit code; -1: killed by a signal
+  int code = -1;  // exit code; -1 if killed by a signal
   std::string out, err;
 };
 
-// Starts it with stdout and stderr on the given descriptors.
+// Starts the program with stdout and stderr on the given descriptors.
 inline pid_t start_process(const std::vector<std::string>& words, int out, int err) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -36,7 +36,7 @@ inline int wait_for(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-// Runs it to its end.
+// Runs the program to its end.
 inline Outcome run_process(const std::vector<std::string>& words) {
   int out[2], err[2];
   if (pipe2(out, O_CLOEXEC) != 0 || pipe2(err, O_CLOEXEC) != 0) std::abort();

@@ -1,4 +1,4 @@
-// Random scenes with every kind of listed force, hands, walls and wind.
+// Random scenes with every kind of listed force, grabs, walls and wind.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 namespace hooke {
 
 enum class ForceSceneKind {
-  Bounded,  // only forces whose stiffness and rate have a bound
+  Bounded,  // only forces whose stiffness and rate are bounded
   Any,
 };
 
-// A network of up to twelve points with up to three listed forces of random parameters, sometimes extreme; walls, a pull of the hand
-// or a scripted hand in some.
+// A network of up to twelve points with up to three listed forces with random, sometimes extreme parameters; some scenes have walls, a pull
+// by the hand or a scripted hand.
 inline Trial random_force_scene(std::uint64_t seed, ForceSceneKind kind) {
   Random random(seed + 0x5eed);
   const Index points = 2 + random.below(11);
@@ -25,7 +25,7 @@ inline Trial random_force_scene(std::uint64_t seed, ForceSceneKind kind) {
   for (Index i = 0; i < points; ++i) system.point(i).radius = 0.02;
   if (random.one_in(3)) system.drag = random.uniform(0.0, 5.0);
   if (random.one_in(3)) system.gravity = Vec3(0.0);
-  // far enough below and beside the points that they touch nothing at the start
+  // far enough below and beside the points that nothing touches at the start
   for (Index wall = random.below(4); wall > 0; --wall) {
     const Vec3 normal = glm::normalize(Vec3(random.uniform(-1.0, 1.0), random.uniform(0.2, 1.0), 0.0));
     system.colliders.push_back({.shape = Plane{.point = -2.5 * normal, .normal = normal},

@@ -9,7 +9,7 @@
 
 namespace hooke {
 
-// SplitMix64 (Steele, Lea, Flood 2014): uniform numbers whose sequence the standard library does not decide.
+// SplitMix64 (Steele, Lea, Flood 2014): uniform random numbers that do not depend on the standard library.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -22,7 +22,7 @@ class Random {
   double uniform(double min, double max) { return min + (max - min) * static_cast<double>(next_bits() >> 11) * 0x1p-53; }
   Index below(Index count) { return static_cast<Index>(next_bits() % static_cast<std::uint64_t>(count)); }
   bool one_in(Index count) { return below(count) == 0; }
-  // An element of a list that is not empty.
+  // An element of a non-empty list.
   template <class List>
   const auto& one_of(const List& list) {
     return *(std::begin(list) + static_cast<std::ptrdiff_t>(next_bits() % std::size(list)));
@@ -32,8 +32,8 @@ class Random {
   std::uint64_t state_;
 };
 
-// Points in a cube of 2 m, every fourth nailed on average, and springs between any of them (some twice), some without
-// rest length, stretched and compressed.
+// Points in a cube of 2 m, a quarter of them nailed on average, and springs between arbitrary points (some twice), some without rest
+// length, stretched and compressed.
 inline Trial random_trial(std::uint64_t seed, Index points, Index springs, int dimensions = 3, double max_damping = 0.0) {
   Random random(seed);
   Trial trial;
@@ -59,8 +59,8 @@ inline Trial random_trial(std::uint64_t seed, Index points, Index springs, int d
   return trial;
 }
 
-// A connected net of 3 to 22 points between 0.1 and 10 kg with springs of 100 to 1e5 N/m, stretched or compressed by up to 30 %,
-// rotating at up to 5 rad/s about each axis; every eighth point nailed on average.
+// A connected net of 3 to 22 points of 0.1 to 10 kg with springs of 100 to 1e5 N/m, stretched or compressed by up to 30 %, rotating at up
+// to 5 rad/s about each axis; an eighth of the points nailed on average.
 inline Trial rotating_net(std::uint64_t seed) {
   Random random(seed * 7919 + 3);
   Trial trial;

@@ -1,4 +1,4 @@
-// A laboratory under a tool's hand, seen by a camera, without a window: for the tests of tools.
+// A laboratory with a tool and a camera, without a window, for the tests of tools.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace hooke {
 
-// Tries until it holds, for at most ten seconds.
+// Polls until the condition holds, for up to ten seconds.
 template <class Condition>
 bool wait_for(Condition condition) {
   for (int i = 0; i < 2000; ++i) {
@@ -51,7 +51,7 @@ struct ToolTrial {
     press(tool, place, shift);
     release(tool, place, shift);
   }
-  // Press, some way, release.
+  // Press, move, release.
   void drag(Tool& tool, const Vec3& from, const Vec3& to, bool shift = false) {
     press(tool, from, shift);
     for (const double fraction : {0.2, 0.6, 1.0}) follow(tool, glm::mix(from, to, fraction));

@@ -1,5 +1,4 @@
-// A System with its State, built point by point, and stepped without a laboratory around it: what the tests of the
-// physics try things on.
+// A System with its State, built point by point and stepped without a laboratory: the test scene of the physics tests.
 #pragma once
 
 #include "sim/plan.h"
@@ -33,15 +32,15 @@ struct Trial {
     return id;
   }
 
-  // Advances by `seconds` in so many equal steps, as one frame. A method that adapts takes them whole: it remembers a
-  // longer one, and no error is too large.
+  // Advances by `seconds` in this many equal steps, as one frame. Adaptive methods take each step whole: they start from a longer step and
+  // accept any error.
   void run(const Integrator& integrator, double seconds, int steps) {
     state.memory = {.step = 1e9, .error = 1e-4};
     run(integrator, seconds, steps, 1e9);
     state.memory = {};
   }
 
-  // The same with steps of its own for a method that adapts, by this tolerance [m].
+  // The same, but adaptive methods choose their steps with this tolerance [m].
   void run(const Integrator& integrator, double seconds, int steps, double tolerance) {
     Plan plan = make_plan(system);
     Frame frame;

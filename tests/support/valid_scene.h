@@ -1,4 +1,4 @@
-// Whether what a status shows is a scene that can be computed and saved.
+// Whether the scene of a status can be computed and saved.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The table of commands: everything that shows a command follows from its row.
+// The table of actions: menus, buttons and keys follow from its rows.
 #include "ui/actions.h"
 
 #include "formats/open_file.h"
@@ -18,7 +18,7 @@ TEST(Actions, EachHasOneRowWithAKeyATextAndAGroup) {
   }
 }
 
-// By looking under the mouse all along the bar.
+// Found by moving the mouse along the menu bar.
 void open_menu(GuiTrial& gui, const char* name) {
   const Rect& bar = gui.app().layout().menu;
   const ImGuiID id = ImHashStr(name, 0, ImGui::FindWindowByName("menu")->ID);
@@ -31,7 +31,7 @@ void open_menu(GuiTrial& gui, const char* name) {
   ADD_FAILURE() << "no menu " << name;
 }
 
-TEST(Actions, EachStandsInItsMenuWithItsKey) {
+TEST(Actions, EachIsInItsMenuWithItsKey) {
   const std::pair<Menu, const char*> menus[] = {{Menu::File, "File"}, {Menu::Scenes, "Scenes"}, {Menu::Edit, "Edit"},
                                                 {Menu::Add, "Add"},   {Menu::Run, "Run"},       {Menu::View, "View"}};
   GuiTrial gui(load_scene(find_scene("two_masses")).scene);

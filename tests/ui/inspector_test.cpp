@@ -1,4 +1,4 @@
-// The inspector: properties of what is selected, typed; and whatever else is typed into any field.
+// The inspector: typed properties of the selection; and invalid input typed into any field.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr Modifiers control{.control = true};
 
-// Three points that differ, two springs that differ.
+// Three points and two springs with different properties.
 Scene chain(int dimensions = 3) {
   Trial trial;
   const PointId a = trial.nail({-0.3, 0.4, 0.0}), b = trial.add({0.1, 0.0, 0.0}, 2.0, {0.5, 0.0, 0.0}), c = trial.add({0.5, 0.3, 0.0}, 4.0);
@@ -39,7 +39,7 @@ constexpr Field fields[] = {{"points", "", 0},        {"points", "", 1},        
                             {"points", "mass"},       {"points", "radius"},       {"springs", "Stiffness k"},
                             {"springs", "Damping d"}, {"springs", "Rest length"}, {"springs", "Breaks at"}};
 
-// With a window so tall that nothing is scrolled away, and everything selected.
+// With a window so tall that nothing scrolls, and everything selected.
 class Inspector : public GuiTrial {
  public:
   explicit Inspector(const Scene& scene) : GuiTrial(scene) {
@@ -49,7 +49,7 @@ class Inspector : public GuiTrial {
     frames(3);
   }
 
-  // Where the field is.
+  // The position of the field.
   glm::dvec2 place_of(const Field& field) {
     const ImGuiWindow* side = ImGui::FindWindowByName("side");
     ImGuiID id = ImHashStr(field.group, 0, side->ID);
@@ -74,7 +74,7 @@ class Inspector : public GuiTrial {
   }
 };
 
-TEST(Inspector, SetsAPropertyOfAllAndUndoGivesEachItsOwnBack) {
+TEST(Inspector, SetsAPropertyOfAllAndUndoRestoresEachValue) {
   const Scene scene = chain();
   Inspector gui(scene);
   EXPECT_NE(gui.words().find("3 points, 2 springs"), std::string::npos);
@@ -107,7 +107,7 @@ TEST(Inspector, SetsAPropertyOfAllAndUndoGivesEachItsOwnBack) {
   EXPECT_TRUE(gui.status().history.undo_name.empty());
 }
 
-TEST(Inspector, NailsAndColoursAll) {
+TEST(Inspector, NailsAndColorsAll) {
   Inspector gui(chain());
   const glm::dvec2 box = gui.find("side", {"points", "##nailed"});
   ASSERT_GT(box.x, 0.0);
@@ -121,14 +121,14 @@ TEST(Inspector, NailsAndColoursAll) {
   EXPECT_EQ(gui.system().points()[2].color, (Color{1, 2, 3}));
 }
 
-TEST(Inspector, IsNotThereWithoutASelectionAndFollowsIt) {
+TEST(Inspector, IsShownOnlyForASelectionAndFollowsIt) {
   Inspector gui(chain(2));
   EXPECT_EQ(gui.words().find("Position z"), std::string::npos);
   gui.key(Key::Escape);
   EXPECT_EQ(gui.words().find("Position x"), std::string::npos);
 }
 
-TEST(Inspector, EscWhileTypingLeavesTheSelection) {
+TEST(Inspector, EscWhileTypingKeepsTheSelection) {
   Inspector gui(chain());
   gui.click(gui.place_of({"points", "mass"}));
   gui.type("9");
@@ -136,7 +136,7 @@ TEST(Inspector, EscWhileTypingLeavesTheSelection) {
   EXPECT_EQ(gui.app().selection().points.size(), 3u);
 }
 
-TEST(TypedNumbers, MeanWhatTheySay) {
+TEST(TypedNumbers, AreParsedAsDocumented) {
   EXPECT_EQ(number_typed(" 1.5 "), 1.5);
   EXPECT_EQ(number_typed("+2e3"), 2000.0);
   EXPECT_EQ(number_typed("1e999"), INFINITY);
@@ -147,7 +147,7 @@ TEST(TypedNumbers, MeanWhatTheySay) {
     EXPECT_FALSE(number_typed(text)) << text;
 }
 
-// What is shown is what there is.
+// The scene as published.
 Scene scene_of(GuiTrial& gui) {
   Scene scene;
   scene.system = gui.system();
@@ -171,11 +171,11 @@ TEST(BadInput, TypedIntoAnyFieldOfTheInspectorDoesNoHarm) {
     }
   }
   EXPECT_FALSE(gui.app().is_finished());
-  // what is saved then is read again
+  // the saved scene can be read again
   EXPECT_EQ(parse_scene(format_scene(scene_of(gui)), "typed").scene.system.point_count(), 3);
 }
 
-TEST(BadInput, NoNumberLeavesTheValueAndSaysSo) {
+TEST(BadInput, ANonNumberKeepsTheValueWithAMessage) {
   Inspector gui(chain());
   gui.type_into({"points", "mass"}, "heavy");
   EXPECT_EQ(gui.app().panels().toast, "\"heavy\" is not a number; Mass is unchanged");
@@ -188,11 +188,11 @@ TEST(BadInput, TypedIntoAnySliderDoesNoHarm) {
   Inspector gui(chain());
   gui.key(Key::Escape);
   gui.frames(2);
-  gui.click(gui.find("side", {"Hand"}));  // unfolds
+  gui.click(gui.find("side", {"Hand"}));  // expands the group
   for (const Parameter& row : parameters()) {
     if (row.kind == Parameter::Kind::Switch) continue;
     const glm::dvec2 place = gui.find("side", {row.name.data(), "##value"});
-    if (place.x < 0.0) continue;  // the scene has no such thing
+    if (place.x < 0.0) continue;  // the scene has no such item
     for (const std::string& text : absurd) {
       gui.click(place, Button::Left, control);
       gui.type(text);

@@ -1,5 +1,5 @@
-// What stands where in the window, at several sizes and scales: nothing is cut off, nothing lies on something else, and the
-// scene stays in sight. Judged by the letters that are drawn.
+// The layout of the window at several sizes and scales, judged by the glyphs drawn: no text is clipped or overlaps, and the scene stays
+// visible.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -13,16 +13,16 @@ namespace hooke {
 namespace {
 
 struct Letter {
-  ImVec4 box;   // least x, y, most x, y
-  ImVec4 clip;  // the same, of what it is drawn into
+  ImVec4 box;   // minimum x, y, maximum x, y
+  ImVec4 clip;  // likewise, the clip rectangle
   ImWchar code;
-  int run;  // letters that stand together
+  int run;  // glyphs of one piece of text
   bool is_seen() const { return box.x < clip.z && box.z > clip.x && box.y < clip.w && box.w > clip.y; }
 };
 
 struct Sheet {
   std::string window;
-  bool scrolls = false;  // up and down: what is cut there comes in sight
+  bool scrolls = false;  // vertically, so that clipped text can be scrolled into view
   std::vector<Letter> letters;
 };
 
@@ -72,7 +72,7 @@ std::string without_spaces(std::string text) {
   return text;
 }
 
-// Cut at the sides, or above and below where nothing scrolls; and on each other. Each once.
+// Text clipped horizontally, or vertically where nothing scrolls, and overlapping text. Each reported once.
 std::set<std::string> faults(const ImDrawData& data) {
   constexpr float slack = 1.5f;
   std::set<std::string> found;
@@ -96,7 +96,7 @@ std::set<std::string> faults(const ImDrawData& data) {
   return found;
 }
 
-// Windows that reach out of the display.
+// Windows that extend beyond the display.
 std::set<std::string> outside() {
   std::set<std::string> found;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -109,7 +109,7 @@ std::set<std::string> outside() {
   return found;
 }
 
-// Windows over the middle of the scene.
+// Windows over the center of the scene.
 std::set<std::string> over_the_scene(const Rect& scene) {
   std::set<std::string> found;
   const ImRect middle(static_cast<float>(scene.x + 0.25 * scene.width), static_cast<float>(scene.y + 0.25 * scene.height),
@@ -122,12 +122,12 @@ std::set<std::string> over_the_scene(const Rect& scene) {
 // A cloth with everything that has a row: families, colliders, forces; a long name, and a nail.
 Scene full_scene() {
   Scene scene = load_scene(find_scene("flag")).scene;
-  scene.name = "A flag with quite a long name, as people give them";
+  scene.name = "A flag with quite a long name, as users choose them";
   scene.system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}}};
   return scene;
 }
 
-TEST(Faults, AreFoundWhereTheyArePlanted) {
+TEST(LayoutFaults, AreDetectedInATestWindow) {
   GuiTrial gui;
   const auto faults_of = [](ImVec2 at, ImVec2 size) {
     ImGui::NewFrame();
@@ -161,7 +161,7 @@ std::string name_of(const testing::TestParamInfo<Place>& info) {
 
 class Layouts : public testing::TestWithParam<Place> {
  protected:
-  // `words`: by which it is seen that it is shown
+  // `words`: text that shows whether it is open
   void expect_in_order(GuiTrial& gui, const char* when, const char* words) {
     SCOPED_TRACE(when);
     resize(gui);
@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Layouts,
                                          Place{1920, 1080, 1}, Place{1280, 720, 2}, Place{1920, 1080, 2}),
                          name_of);
 
-TEST_P(Layouts, ThePanelsLeaveTheSceneInSightAndTheirWordsWhole) {
+TEST_P(Layouts, ThePanelsLeaveTheSceneVisibleAndTheirTextUnclipped) {
   GuiTrial gui(full_scene());
   resize(gui);
   expect_in_order(gui, "at the start", "Substeps");
@@ -194,7 +194,7 @@ TEST_P(Layouts, ThePanelsLeaveTheSceneInSightAndTheirWordsWhole) {
   expect_in_order(gui, "without panels", "File");
 }
 
-TEST_P(Layouts, BoxesStandWithinTheWindow) {
+TEST_P(Layouts, DialogsAreWithinTheWindow) {
   GuiTrial gui(full_scene());
   resize(gui);
   Panels& panels = gui.app().panels();
@@ -230,19 +230,18 @@ TEST_P(Layouts, BoxesStandWithinTheWindow) {
       "scene.json: points[17].mass: -1: must be more than 0. The scene that was open before is still open, and nothing is lost.");
   expect_in_order(gui, "message", "points[17]");
   gui.key(Key::Escape);
-  panels.show_toast("Stiffness of the springs between the flag and its pole must be between 0.01 and 1000000 N/m, which makes this a long line");
+  panels.show_toast(
+      "Stiffness of the springs between the flag and its pole must be between 0.01 and 1000000 N/m, which makes this a long line");
   expect_in_order(gui, "toast", "Stiffness of the springs");
-  panels.file_warnings =
-      "flag.json: points[3].colour: unknown, kept unchanged; the scene needs so many substeps that it will run slowly";
+  panels.file_warnings = "flag.json: points[3].colour: unknown, kept unchanged; the scene needs so many substeps that it will run slowly";
   expect_in_order(gui, "banner", "Dismiss");
 }
 
 TEST_P(Layouts, EveryMenuIsReadable) {
   GuiTrial gui(full_scene());
   resize(gui);
-  const std::pair<const char*, const char*> menus[] = {
-      {"File", "Save as"},       {"Scenes", "Flag in the wind"}, {"Edit", "Paste"},
-      {"Add", "Chain of links"}, {"Run", "Back to start"},   {"View", "Frame all"}};
+  const std::pair<const char*, const char*> menus[] = {{"File", "Save as"},       {"Scenes", "Flag in the wind"}, {"Edit", "Paste"},
+                                                       {"Add", "Chain of links"}, {"Run", "Back to start"},       {"View", "Frame all"}};
   for (const auto& [menu, line] : menus) {
     const Rect& bar = gui.app().layout().menu;
     const ImGuiID id = ImHashStr(menu, 0, ImGui::FindWindowByName("menu")->ID);
@@ -259,7 +258,7 @@ TEST_P(Layouts, EveryMenuIsReadable) {
   }
 }
 
-TEST(AnySize, OfTheWindowIsSurvived) {
+TEST(AnySizeOfTheWindow, IsHandled) {
   GuiTrial gui(full_scene());
   const auto try_all = [&](const glm::dvec2& size) {
     for (const double scale : {1.0, 2.0}) {

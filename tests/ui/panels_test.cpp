@@ -1,4 +1,4 @@
-// The panels, run without a window: what they show, and what they ask for.
+// The panels, run without a window: what they show and which requests they return.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -34,12 +34,12 @@ TEST(Shortcuts, NoTwoRowsShareAKey) {
   for (const Shortcut& row : shortcuts()) EXPECT_TRUE(seen.insert(key_text(row)).second) << key_text(row);
 }
 
-TEST(Shortcuts, EachRowIsFoundByItsKeyAndSaysWhatItDoes) {
+TEST(Shortcuts, EachRowIsFoundByItsKeyAndDescribed) {
   for (const Shortcut& row : shortcuts()) {
     EXPECT_EQ(find_shortcut(row.key, row.modifiers), &row) << key_text(row);
     EXPECT_FALSE(row.text.empty());
     EXPECT_FALSE(row.group.empty());
-    // and with other modifiers it means something else or nothing
+    // with other modifiers the key has another meaning or none
     EXPECT_NE(find_shortcut(row.key, {.control = !row.modifiers.control, .shift = row.modifiers.shift}), &row);
   }
 }
@@ -76,7 +76,7 @@ TEST(Sliders, EachParameterHasOne) {
     ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
     gui.app().resize({1280.0, 2000.0}, 1.0);
     gui.frames(2);
-    gui.click(gui.find("side", {"Hand"}));  // unfolds
+    gui.click(gui.find("side", {"Hand"}));  // expands the group
     gui.click(gui.find("side", {"Points"}));
     for (const Parameter& row : parameters()) {
       const bool is_switch = row.kind == Parameter::Kind::Switch, is_choice = row.kind == Parameter::Kind::Choice;
@@ -86,13 +86,13 @@ TEST(Sliders, EachParameterHasOne) {
   for (const Parameter& row : parameters()) EXPECT_TRUE(shown.contains(row.name)) << row.name;
 }
 
-TEST(Sliders, OfFamiliesThatTheSceneHasNotAreAbsent) {
+TEST(Sliders, OfFamiliesThatTheSceneLacksAreHidden) {
   GuiTrial gui(two_springs());
   EXPECT_NE(gui.words().find("Stiffness k"), std::string::npos);
   EXPECT_EQ(gui.words().find("Shear"), std::string::npos);
 }
 
-TEST(Sliders, ADragIsOneStepOfUndo) {
+TEST(Sliders, ADragIsOneUndoStep) {
   GuiTrial gui(two_springs());
   const glm::dvec2 slider = gui.find("side", {"substeps", "##value"});
   ASSERT_GT(slider.x, 0.0);
@@ -107,7 +107,7 @@ TEST(Sliders, ADragIsOneStepOfUndo) {
   EXPECT_EQ(value_of(gui, "substeps"), 20.0);
 }
 
-TEST(Sliders, RightClickGivesTheUsualValue) {
+TEST(Sliders, RightClickRestoresTheDefault) {
   GuiTrial gui(two_springs());
   const glm::dvec2 slider = gui.find("side", {"gravity", "##value"});
   gui.drag(slider, slider + glm::dvec2(-500.0, 0.0));
@@ -116,7 +116,7 @@ TEST(Sliders, RightClickGivesTheUsualValue) {
   EXPECT_NEAR(value_of(gui, "gravity"), 9.81, 1e-12);
 }
 
-TEST(Sliders, ATypedNumberCountsWhenItIsFinishedAndIsClampedOpenly) {
+TEST(Sliders, ATypedNumberIsAppliedWhenFinishedAndClampedWithAMessage) {
   GuiTrial gui(two_springs());
   const glm::dvec2 slider = gui.find("side", {"stiffness", "##value"});
   gui.click(slider, Button::Left, {.control = true});
@@ -135,7 +135,7 @@ TEST(Sliders, ATypedNumberCountsWhenItIsFinishedAndIsClampedOpenly) {
   EXPECT_EQ(gui.app().panels().toast, "Substeps must be between 1 and 1000 ");
 }
 
-TEST(Sliders, StiffnessIsOfTheSelectionWhereThereIsOne) {
+TEST(Sliders, StiffnessAppliesToTheSelectionIfThereIsOne) {
   GuiTrial gui(two_springs());
   gui.key(letter('V'));
   const Layout& layout = gui.app().layout();
@@ -150,7 +150,7 @@ TEST(Sliders, StiffnessIsOfTheSelectionWhereThereIsOne) {
   EXPECT_EQ(gui.system().springs()[1].stiffness, 0.01);
 }
 
-TEST(Sliders, StiffnessKeepsToTheStepsOfTheScene) {
+TEST(Sliders, StiffnessFollowsTheStepsOfTheScene) {
   Scene scene = two_springs();
   scene.controls = {0.1, 10.0, 0.1};
   GuiTrial gui(scene);
@@ -162,7 +162,7 @@ TEST(Sliders, StiffnessKeepsToTheStepsOfTheScene) {
   EXPECT_NEAR(10.0 * k, std::round(10.0 * k), 1e-9);
 }
 
-TEST(Switches, TurnTheDashpotsOffAndOn) {
+TEST(Switches, TurnDashpotsOffAndOn) {
   GuiTrial gui(two_springs());
   const glm::dvec2 box = gui.find("side", {"damped_springs", "##switch"});
   gui.click(box);
@@ -181,7 +181,7 @@ TEST(Forces, AreSwitchedSetAndRemovedInTheirPanel) {
   gui.frames(2);
   gui.frames(2);
 
-  // the numbers of a force that is off are not shown
+  // the parameters of a force that is off are hidden
   EXPECT_LT(gui.find("side", {"wind 0", "x", "##value"}).x, 0.0);
   const glm::dvec2 box = gui.find("side", {"wind 0", "##on"});
   ASSERT_GT(box.x, 0.0);
@@ -207,7 +207,7 @@ TEST(Forces, EachCanBeAddedFromTheList) {
     gui.app().resize({1280.0, 2000.0}, 1.0);
     gui.frames(2);
     gui.frames(2);
-    gui.click(gui.find("side", {"Forces"}));  // unfolds
+    gui.click(gui.find("side", {"Forces"}));  // expands the group
     gui.click(gui.find("side", {"##add"}));
     gui.frames(2);
     gui.click(gui.find("##Combo_00", {term.label.data()}));
@@ -225,7 +225,7 @@ TEST(Methods, EachCanBeChosenFromTheList) {
   for (const Integrator& method : integrators()) EXPECT_NE(words.find(method.label), std::string::npos) << method.label;
 }
 
-TEST(Stability, IsSaidUnderTheSubstepsWithWhatWouldHold) {
+TEST(Stability, IsShownBelowTheSubstepsWithARecommendation) {
   Scene scene = two_springs();
   EXPECT_NE(GuiTrial(scene).words().find("(limit 2)"), std::string::npos);
   scene.settings.substeps = 1;
@@ -235,15 +235,15 @@ TEST(Stability, IsSaidUnderTheSubstepsWithWhatWouldHold) {
   EXPECT_NE(GuiTrial(scene).words().find("needs " + std::to_string(needed) + " substeps"), std::string::npos);
 }
 
-// What is foretold is made beside the window: it comes when it is ready.
-bool comes_to_say(GuiTrial& gui, const char* words) {
+// Predictions are computed in another thread and appear when they are ready.
+bool eventually_shows(GuiTrial& gui, const char* words) {
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   while (gui.words().find(words) == std::string::npos)
     if (std::chrono::steady_clock::now() > until) return false;
   return true;
 }
 
-TEST(Meaning, StandsUnderTheSlidersAndFollowsThem) {
+TEST(Predictions, AreShownBelowTheSlidersAndFollowThem) {
   // a mass of 1 kg on a spring of 100 N/m below a nail
   Trial trial;
   const PointId nail = trial.nail(Vec3(0.0)), bob = trial.add({0.0, -0.5, 0.0});
@@ -251,10 +251,10 @@ TEST(Meaning, StandsUnderTheSlidersAndFollowsThem) {
   Scene scene = flat_scene("Bob", trial);
   scene.system.drag = 2.0;
   GuiTrial gui(scene);
-  EXPECT_TRUE(comes_to_say(gui, "~ 98 mm"));
+  EXPECT_TRUE(eventually_shows(gui, "~ 98 mm"));
   // d / (2 sqrt(k m)), c / (2 omega) with omega = 10 and sqrt(g / l)
-  EXPECT_TRUE(comes_to_say(gui, "0 slowest, 0.2 fastest"));
-  EXPECT_TRUE(comes_to_say(gui, "0.25 slowest, 0.1 fastest"));
+  EXPECT_TRUE(eventually_shows(gui, "0 slowest, 0.2 fastest"));
+  EXPECT_TRUE(eventually_shows(gui, "0.25 slowest, 0.1 fastest"));
   EXPECT_NE(gui.words().find("step 0.833 ms"), std::string::npos);
 
   const glm::dvec2 slider = gui.find("side", {"gravity", "##value"});
@@ -266,7 +266,7 @@ TEST(Meaning, StandsUnderTheSlidersAndFollowsThem) {
   EXPECT_NE(gui.words().find("0.2 fastest"), std::string::npos);
 }
 
-TEST(Meaning, IsNotSaidWhereThereIsNone) {
+TEST(Predictions, AreHiddenWhereTheyDoNotApply) {
   for (const Scene& scene : {Scene{}, empty_scene()}) {
     GuiTrial gui(scene);
     gui.frames(20);
@@ -275,11 +275,11 @@ TEST(Meaning, IsNotSaidWhereThereIsNone) {
   }
 }
 
-TEST(ToolBar, AClickTakesTheToolAndItsNextStepIsSaid) {
+TEST(ToolBar, AClickSelectsTheToolAndItsNextStepIsShown) {
   GuiTrial gui(two_springs());
   for (const ToolRow& row : tools()) {
     const int action = static_cast<int>(row.action);
-    // an item by number: found by its place in the bar
+    // an item by number, found by its position in the bar
     const Rect& bar = gui.app().layout().tools;
     const double index = static_cast<double>(&row - tools().data());
     gui.click({bar.x + 0.5 * bar.width, bar.y + 30.0 + 58.0 * index});
@@ -297,7 +297,7 @@ TEST(Menus, OpenUnderTheirNamesAndCloseOnEsc) {
   EXPECT_EQ(gui.words().find("Cloth on a ball"), std::string::npos);
 }
 
-TEST(Menus, SayWhatUndoTakesBack) {
+TEST(Menus, ShowWhatUndoWillUndo) {
   GuiTrial gui(two_springs());
   gui.key(letter('R'));
   gui.click(gui.find("menu", {"Edit"}));
@@ -305,7 +305,7 @@ TEST(Menus, SayWhatUndoTakesBack) {
   EXPECT_NE(gui.words().find("Undo: release 1 point"), std::string::npos);
 }
 
-TEST(Banner, SaysWhyTheRunStoppedAndStartsOverWithTheAdvice) {
+TEST(Banner, ExplainsWhyTheRunStoppedAndRestartsWithTheRecommendation) {
   Scene scene = two_springs();
   scene.settings.integrator = find_integrator("explicit_euler");
   scene.settings.substeps = 2;
@@ -329,7 +329,7 @@ TEST(Banner, SaysWhyTheRunStoppedAndStartsOverWithTheAdvice) {
   EXPECT_EQ(gui.status().snapshot->settings.substeps, std::max(2, advice.substeps));
 }
 
-// Two springs far beyond the limit of the method.
+// Two springs far beyond the stability limit of the method.
 Scene unstable_springs() {
   Scene scene = two_springs();
   scene.settings.integrator = find_integrator("velocity_verlet");
@@ -346,7 +346,7 @@ void run_until_it_stops(GuiTrial& gui) {
   gui.frames(3);
 }
 
-TEST(Banner, StaysWhileParametersAreTunedUntilTheyResolveIt) {
+TEST(Banner, StaysWhileParametersAreTunedUntilTheyResolveTheProblem) {
   GuiTrial gui(unstable_springs());
   run_until_it_stops(gui);
   gui.key(Key::Up);
@@ -359,7 +359,7 @@ TEST(Banner, StaysWhileParametersAreTunedUntilTheyResolveIt) {
   EXPECT_EQ(gui.words().find("Start over with "), std::string::npos);
 }
 
-TEST(Banner, OnceDismissedStaysAwayWhileParametersAreTuned) {
+TEST(Banner, OnceDismissedStaysHiddenWhileParametersAreTuned) {
   GuiTrial gui(unstable_springs());
   run_until_it_stops(gui);
   gui.click(gui.find("stopped", {"Dismiss"}));
@@ -368,7 +368,7 @@ TEST(Banner, OnceDismissedStaysAwayWhileParametersAreTuned) {
   EXPECT_EQ(gui.words().find("Start over with "), std::string::npos);
 }
 
-TEST(Legend, SaysTheStrainsOfItsColours) {
+TEST(Legend, ShowsTheStrainsOfItsColors) {
   GuiTrial gui(two_springs());
   EXPECT_NE(gui.words().find("Strain"), std::string::npos);
   EXPECT_NE(gui.words().find("+0.01 %"), std::string::npos);
@@ -376,7 +376,7 @@ TEST(Legend, SaysTheStrainsOfItsColours) {
   EXPECT_EQ(gui.words().find("Strain"), std::string::npos);
 }
 
-TEST(EmptyScene, SaysWhatToDo) {
+TEST(EmptyScene, ShowsInstructions) {
   EXPECT_NE(GuiTrial(Scene{}).words().find("Press A and click to add points"), std::string::npos);
   EXPECT_EQ(GuiTrial(two_springs()).words().find("Press A and click to add points"), std::string::npos);
 }

@@ -1,4 +1,4 @@
-// Scales of plots have round ticks, whatever they are of.
+// Plot axes have round tick values for any data.
 #include "ui/plot_axis.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace hooke {
 namespace {
 
-TEST(PlotAxis, HasTicksAtRoundNumbersAndRoomAround) {
+TEST(PlotAxis, HasTicksAtRoundNumbersAndMargins) {
   const PlotAxis axis = fit_axis(0.0, 10.0, 5);
   EXPECT_EQ(axis.step, 2.0);
   EXPECT_EQ(axis.ticks(), (std::vector<double>{0.0, 2.0, 4.0, 6.0, 8.0, 10.0}));
@@ -18,7 +18,7 @@ TEST(PlotAxis, HasTicksAtRoundNumbersAndRoomAround) {
   EXPECT_EQ(axis.label(2.0), "2");
 }
 
-TEST(PlotAxis, LabelsTellTicksApart) {
+TEST(PlotAxis, LabelsDistinguishTicks) {
   for (const auto& [min, max] : {std::pair{-1.0, 1.0}, {0.001, 0.0017}, {1e6, 1.5e6}, {-3e-9, 2e-9}, {99.99, 100.01}}) {
     const PlotAxis axis = fit_axis(min, max, 4);
     const std::vector<double> ticks = axis.ticks();
@@ -28,7 +28,7 @@ TEST(PlotAxis, LabelsTellTicksApart) {
   }
 }
 
-TEST(PlotAxis, OfWhatIsFlatOrNoNumberIsStillAScale) {
+TEST(PlotAxis, OfConstantOrNonFiniteDataIsStillValid) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const auto& [min, max] : {std::pair{5.0, 5.0}, {0.0, 0.0}, {-7.0, -7.0}, {infinity, -infinity}, {1e300, 1e300}}) {
     const PlotAxis axis = fit_axis(min, max, 4);

@@ -1,4 +1,4 @@
-// Documents in the real window: killed and recovered, and parts of scenes that go from one window to another.
+// Documents in the real window: recovery after a kill, and copies between two windows.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -26,7 +26,7 @@ void write(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
 }
 
-// The copies that killed runs left.
+// The autosaves left by killed runs.
 std::vector<fs::path> copies(const Desktop& desktop) {
   std::vector<fs::path> found;
   std::error_code error;
@@ -38,7 +38,7 @@ std::vector<fs::path> copies(const Desktop& desktop) {
 class Hand {
  public:
   explicit Hand(Desktop& desktop) : desktop_(desktop), scene_(lay_out(Desktop::width, Desktop::height, 1.0).scene) {}
-  // A point where there is none yet.
+  // A position without a point.
   void add_point() {
     const int column = next_ % 20, row = next_ / 20 % 20;
     ++next_;
@@ -52,8 +52,8 @@ class Hand {
   int next_ = 0;
 };
 
-// Run after run adds points, is killed without warning, and the next one recovers what was kept. What is lost is never older
-// than it may be. HOOKE_KILLS and HOOKE_AUTOSAVE make it longer: scripts/campaign.
+// Each of several runs adds points and is killed without warning, and the next one recovers the autosave. The lost work is never older than
+// the autosave interval allows. HOOKE_KILLS and HOOKE_AUTOSAVE lengthen the test, for scripts/campaign.
 TEST(KilledWindow, LosesOnlyTheLastMomentsAndOffersTheRest) {
   const int kills = static_cast<int>(number_from_environment("HOOKE_KILLS", 3.0));
   const double autosave = number_from_environment("HOOKE_AUTOSAVE", 1.0);
@@ -72,7 +72,7 @@ TEST(KilledWindow, LosesOnlyTheLastMomentsAndOffersTheRest) {
   for (int kill = 0; kill < kills; ++kill) {
     Process program({HOOKE_PROGRAM, file.string()}, desktop.folder() / "output");
     ASSERT_TRUE(desktop.wait_for_title("Hooke - net"));
-    rest(1.5);  // it has its title before it is on the screen, and takes keys only then
+    rest(1.5);  // the title appears before the window is mapped, and keys are received only then
     if (kill > 0) {
       desktop.save_screenshot("window_recovery.png");
       desktop.key("Return");
@@ -99,7 +99,7 @@ TEST(KilledWindow, LosesOnlyTheLastMomentsAndOffersTheRest) {
     EXPECT_LE(found, kept + static_cast<Index>(added.size()));
     kept = found;
   }
-  // the file itself was never touched
+  // the file itself is unchanged
   EXPECT_EQ(load_scene(file).scene.system.point_count(), 0);
 }
 

@@ -1,5 +1,4 @@
-// The real window and everything that can come at it: every key of the table, files that are dropped, the closing button,
-// and somebody who hits keys and mouse at random.
+// The real window under all kinds of input: every key of the table, dropped files, the close button, and random keys and mouse events.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -16,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A solid of four points over the ground, one of them in the middle of the picture.
+// A solid of four points above the ground, one of them at the center of the picture.
 constexpr const char* four_points = R"({"hooke": 1, "name": "Four", "points": [
   {"position": [0, 0.5, 0], "radius": 0.08}, {"position": [0.6, 1.2, 0], "radius": 0.05, "nailed": true},
   {"position": [-0.6, 1.2, 0], "radius": 0.05}, {"position": [0, 1.2, 0.6], "radius": 0.05}],
@@ -42,8 +41,8 @@ std::string named_for_hands(const Shortcut& row) {
   return before + (text.size() == 1 ? std::string(1, static_cast<char>(std::tolower(text[0]))) : text);
 }
 
-// The window with a scene of its own that a key can do something to: a point is selected and copied, there is something to
-// undo and to redo, a past, a view that is not the first.
+// The window with a scene in which every key has an effect: a point is selected and copied, there are steps to undo and redo, an earlier
+// time to return to, and a changed view.
 class Bench {
  public:
   Bench() : folder_(desktop.folder() / "work") {
@@ -67,7 +66,7 @@ class Bench {
     ASSERT_FALSE(ready_.empty()) << contents(output());
   }
 
-  // Back to what it was before the key, by hand or else by starting again.
+  // Restores the state before the key, by input or else by restarting.
   void make_ready(const std::string& key) {
     if (ready() == ready_) return;
     press(key);
@@ -91,7 +90,7 @@ class Bench {
   Process program;
 
  private:
-  // The corner at the bottom tells of frames and milliseconds, which change.
+  // The bottom corner shows frame counts and milliseconds, which change.
   std::string shown() const { return desktop.digest(340, 28); }
   bool is_steady() const {
     const std::string once = shown();
@@ -103,7 +102,7 @@ class Bench {
     desktop.run_xdotool("mousemove " + std::to_string(static_cast<int>(scene.x + 0.5 * scene.width)) + " " +
                         std::to_string(static_cast<int>(scene.y + 0.5 * scene.height)) + " mousedown 1 sleep 0.06 mouseup 1");
   }
-  // Nothing pressed, nothing open, one point selected; what is shown then, or nothing when it does not come to rest.
+  // No key pressed, no dialog open, one point selected. Returns the picture, or nothing if it keeps changing.
   std::string ready() {
     press("Escape Escape Escape Escape");
     select();
@@ -114,12 +113,12 @@ class Bench {
   std::string ready_;
 };
 
-TEST(Window, DoesSomethingAtEveryKeyOfTheTable) {
+TEST(Window, RespondsToEveryKeyOfTheTable) {
   Bench context;
   ASSERT_FALSE(HasFatalFailure());
   for (const Shortcut& row : shortcuts()) {
     const std::string key = named_for_hands(row);
-    // a tool that is in the hand already would not be seen to be taken
+    // selecting the tool that is already active would not be visible
     if (row.action == Action::SelectTool) context.press("a");
     EXPECT_TRUE(context.changes_by(key)) << key_text(row) << ": " << row.text;
     EXPECT_TRUE(context.program.is_running() || row.action == Action::Quit) << key_text(row) << ": " << contents(context.output());
@@ -129,7 +128,7 @@ TEST(Window, DoesSomethingAtEveryKeyOfTheTable) {
   EXPECT_EQ(contents(context.output()), "");
 }
 
-TEST(Window, OpensAFileThatIsDroppedOnIt) {
+TEST(Window, OpensADroppedFile) {
   Desktop desktop;
   const fs::path file = desktop.folder() / "first.json", other = desktop.folder() / "other.json", broken = desktop.folder() / "broken.json";
   std::ofstream(file) << four_points;
@@ -146,7 +145,7 @@ TEST(Window, OpensAFileThatIsDroppedOnIt) {
   EXPECT_TRUE(desktop.wait_for_title("Hooke - other"));
 }
 
-TEST(Window, AsksWhenItsClosingButtonIsPressedBeforeItIsSaved) {
+TEST(Window, AsksBeforeClosingWithUnsavedChanges) {
   Desktop desktop;
   const fs::path file = desktop.folder() / "net.json";
   std::ofstream(file) << four_points;
@@ -158,13 +157,13 @@ TEST(Window, AsksWhenItsClosingButtonIsPressedBeforeItIsSaved) {
   EXPECT_TRUE(desktop.send_to_window("close"));
   rest(0.5);
   ASSERT_TRUE(program.is_running());
-  desktop.key("Return");  // saves, and goes
+  desktop.key("Return");  // saves and closes
   EXPECT_EQ(program.exit_code(), 0);
   EXPECT_FALSE(load_scene(file).scene.system.points()[1].nailed);
 }
 
-// HOOKE_EVENTS makes it longer: scripts/campaign.
-TEST(Window, OutlivesSomebodyWhoHitsKeysAndMouseAtRandom) {
+// HOOKE_EVENTS lengthens the test, for scripts/campaign.
+TEST(Window, SurvivesRandomKeysAndMouseEvents) {
   const char* asked = std::getenv("HOOKE_EVENTS");
   const int events = asked != nullptr ? std::atoi(asked) : 1000;
   Desktop desktop;
@@ -199,7 +198,7 @@ TEST(Window, OutlivesSomebodyWhoHitsKeysAndMouseAtRandom) {
     for (int k = 0; k < batch; ++k) events_of_batch += (k == 0 ? "" : " sleep 0.02 ") + event();
     desktop.run_xdotool(events_of_batch);
     ASSERT_TRUE(program.is_running()) << "after " << i + batch << " events: " << contents(output);
-    // what is kept of it is whole
+    // the saved scene is complete
     for (const fs::directory_entry& run : fs::directory_iterator(desktop.folder() / "state" / "hooke" / "runs"))
       if (const std::string kept = contents(run.path() / "scene.json"); !kept.empty()) {
         EXPECT_NO_THROW(parse_scene(kept, "kept"));

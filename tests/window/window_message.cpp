@@ -1,8 +1,8 @@
-// What hands alone cannot: says to a window what a desktop says to it, and looks at the screen fast.
+// Sends to a window what a desktop environment sends and xdotool cannot, and hashes the screen quickly.
 //   window_message close WINDOW
 //   window_message drop WINDOW FILE...   by the XDND protocol, version 5 (freedesktop.org, "Drag-and-Drop Protocol for the X
 //                                        Window System")
-//   window_message digest WIDTH HEIGHT   prints a number for what the screen shows, but for the lower right corner
+//   window_message digest WIDTH HEIGHT   prints a hash of the screen without its lower right corner
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
@@ -39,7 +39,7 @@ bool next_event(XEvent& event) {
   return true;
 }
 
-// What was dragged, for the one who asks.
+// Sends the dragged data to the window that requests it.
 void answer(const XSelectionRequestEvent& request, const std::string& list) {
   XChangeProperty(display, request.requestor, request.property, request.target, 8, PropModeReplace,
                   reinterpret_cast<const unsigned char*>(list.data()), static_cast<int>(list.size()));
@@ -54,7 +54,7 @@ void answer(const XSelectionRequestEvent& request, const std::string& list) {
   XFlush(display);
 }
 
-// Whether the window took it.
+// Whether the window accepted it.
 bool drop(Window window, const std::string& list) {
   const Window source = XCreateSimpleWindow(display, DefaultRootWindow(display), 0, 0, 1, 1, 0, 0, 0);
   XSetSelectionOwner(display, atom("XdndSelection"), source, CurrentTime);
@@ -79,7 +79,7 @@ bool drop(Window window, const std::string& list) {
   return false;
 }
 
-// Fowler, Noll and Vo's hash (1991) of the pixels.
+// Fowler-Noll-Vo hash (1991) of the pixels.
 unsigned long digest(int width_left_out, int height_left_out) {
   const int screen = DefaultScreen(display), width = DisplayWidth(display, screen), height = DisplayHeight(display, screen);
   XImage* image =

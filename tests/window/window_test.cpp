@@ -13,7 +13,7 @@
 namespace hooke {
 namespace {
 
-// A hand-built net in the scene `assignment`, and the keys that save it.
+// Builds a net by hand in the scene `assignment` and saves it.
 class Session {
  public:
   Session() { start({"assignment"}); }
@@ -25,7 +25,7 @@ class Session {
   }
   std::filesystem::path output() const { return desktop.folder() / "output"; }
 
-  // Where a place of the scene is on the screen.
+  // The screen position of a position in the scene.
   glm::dvec2 on_screen(const Vec3& place) const {
     const Scene scene = load_scene(find_scene("assignment")).scene;
     const Rect rect = lay_out(Desktop::width, Desktop::height, 1.0).scene;
@@ -44,7 +44,7 @@ class Session {
     desktop.type(to.string());
     desktop.key("Return");
   }
-  // Saves, until what is saved is as expected.
+  // Saves until the file is as expected.
   bool saves(const std::function<bool(const Scene&)>& expected) {
     return wait_for([&] {
       std::filesystem::remove(file);
@@ -61,7 +61,7 @@ class Session {
 
 double gap(const Scene& scene, Index point, const Vec3& place) { return glm::distance(scene.state.position[point], place); }
 
-// A pixel of the scene as it is on the screen [m].
+// The size of a screen pixel in the scene [m].
 constexpr double pixel = 0.005;
 
 TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
@@ -70,9 +70,9 @@ TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
   Desktop& desktop = session.desktop;
   ASSERT_TRUE(desktop.is_up());
   ASSERT_TRUE(desktop.wait_for_title("Hooke - Assignment"));
-  rest(1.5);  // it has its title before it is on the screen, and takes keys only then
+  rest(1.5);  // the title appears before the window is mapped, and keys are received only then
 
-  // three points and a loose one
+  // three points and a separate one
   desktop.key("a");
   for (const Vec3& place : {top, middle, bottom, loose}) desktop.click(session.on_screen(place));
   ASSERT_TRUE(desktop.wait_for_title("Hooke - Assignment*"));
@@ -81,7 +81,7 @@ TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
   ASSERT_EQ(session.saved().system.point_count(), 4);
   EXPECT_LT(gap(session.saved(), 1, middle), pixel);
 
-  // two springs: by two clicks, and by a drag; one nail
+  // two springs, one by two clicks and one by a drag; one nail
   desktop.key("t");
   desktop.click(session.on_screen(top));
   desktop.click(session.on_screen(middle));
@@ -92,7 +92,7 @@ TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
   EXPECT_NEAR(session.saved().system.springs()[0].rest_length, glm::distance(top, middle), 2.0 * pixel);
   desktop.save_screenshot("window_built.png");
 
-  // it runs: the nail stays, the rest moves, the loose point comes to rest on the ground
+  // during the run the nail stays, the rest moves, and the separate point comes to rest on the ground
   desktop.key("space");
   const double ground = -1.0 + 0.02;
   ASSERT_TRUE(session.saves(
@@ -100,7 +100,7 @@ TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
   EXPECT_LT(gap(session.saved(), 0, top), pixel);
   desktop.save_screenshot("window_running.png");
 
-  // while it runs the hand holds the loose point, lets it go, and moves the nailed one
+  // during the run the hand grabs the separate point, releases it, and moves the nailed one
   desktop.key("d");
   const Vec3 lying = session.saved().state.position[3], lifted(-0.6, -0.3, 0.0), moved(-0.1, 0.6, 0.0);
   desktop.press(session.on_screen(lying));
@@ -111,7 +111,7 @@ TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
   desktop.drag(session.on_screen(top), session.on_screen(moved));
   EXPECT_TRUE(session.saves([&](const Scene& scene) { return gap(scene, 0, moved) < 2.0 * pixel && scene.system.points()[0].nailed; }));
 
-  // release lets go of the nail, undo puts it back
+  // the nail is released, and undo restores it
   desktop.key("r");
   EXPECT_TRUE(session.saves([](const Scene& scene) { return !scene.system.points()[0].nailed && scene.state.position[0].y < 0.0; }));
   desktop.key("space");
@@ -119,7 +119,7 @@ TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
   desktop.control("z");
   EXPECT_TRUE(session.saves([](const Scene& scene) { return scene.system.points()[0].nailed; }));
 
-  // quits without a question, and opens what it saved as it was
+  // quits without a question, and reopens the saved file
   const Scene last = session.saved();
   desktop.control("q");
   EXPECT_EQ(session.program.exit_code(), 0);
@@ -136,7 +136,7 @@ TEST(Window, BuildsRunsDragsReleasesUndoesSavesAndReopens) {
   desktop.save_screenshot("window_reopened.png");
 }
 
-TEST(Window, TakesAPictureOfTheSceneAlone) {
+TEST(Window, SavesAPictureOfTheSceneWithoutPanels) {
   Session session;
   Desktop& desktop = session.desktop;
   ASSERT_TRUE(desktop.wait_for_title("Hooke - Assignment"));
@@ -159,7 +159,7 @@ TEST(Window, AsksBeforeChangesAreLostAndEscNeverQuits) {
   Session session;
   Desktop& desktop = session.desktop;
   ASSERT_TRUE(desktop.wait_for_title("Hooke - Assignment"));
-  rest(1.5);  // it has its title before it is on the screen, and takes keys only then
+  rest(1.5);  // the title appears before the window is mapped, and keys are received only then
   desktop.key("Escape");
   desktop.key("a");
   desktop.click(session.on_screen(Vec3(0.0)));
@@ -172,15 +172,15 @@ TEST(Window, AsksBeforeChangesAreLostAndEscNeverQuits) {
   desktop.key("Escape");
   desktop.control("z");
   EXPECT_TRUE(session.program.is_running());
-  // the way out without saving: the second button
+  // quit without saving: the second button
   desktop.control("q");
   rest(0.3);
   desktop.click({0.5 * Desktop::width, 0.42 * Desktop::height + 26.0});
   EXPECT_EQ(session.program.exit_code(), 0);
 }
 
-// A point that flies at 0.1 m/s with nothing to stop it tells the time by its place.
-TEST(Window, ComesBackWithoutAJumpAfterItStoodStill) {
+// The position of a point that moves freely at 0.1 m/s shows the time.
+TEST(Window, ResumesWithoutAJumpAfterBeingSuspended) {
   constexpr double speed = 0.1, stood_still = 6.0;
   Session session;
   Desktop& desktop = session.desktop;
@@ -203,11 +203,11 @@ TEST(Window, ComesBackWithoutAJumpAfterItStoodStill) {
   ASSERT_TRUE(desktop.wait_for_title("Hooke - flown"));
   const double simulated = session.saved().state.position[0].x / speed;
   EXPECT_GT(simulated, 0.1);
-  // keys may take a while to act on a busy machine, but not as long as it stood still
+  // keys may take a while on a busy machine, but not as long as the suspension
   EXPECT_LT(simulated, real - 0.5 * stood_still);
 }
 
-// Without the strain legend, which lies over the scene in the window alone.
+// Without the strain legend, which is drawn over the scene only in the window.
 Image cut(const Image& image, const Rect& part) {
   constexpr int legend_width = 220, legend_height = 80;
   const int x = static_cast<int>(part.x), y = static_cast<int>(part.y);
@@ -244,7 +244,7 @@ TEST(Window, ShowsTheSamePictureAsIsDrawnWithoutADisplay) {
   const ViewOptions options = options_for(scene.view, scene.cloth_texture);
   view.draw(*opened.status()->snapshot, {}, camera, options, width, height, nullptr);
   const Image drawn = cut(view.read(), {0.0, 0.0, place.width, place.height});
-  // once it is on the screen
+  // when it is on the screen
   Image shown;
   wait_for([&] {
     desktop.save_screenshot("window_fallen.png");
@@ -253,12 +253,12 @@ TEST(Window, ShowsTheSamePictureAsIsDrawnWithoutADisplay) {
   });
   EXPECT_LE(difference(shown, drawn), 0.002);
 
-  // and another frame is another picture
+  // another frame gives another picture
   view.draw(*Lab(load_scene(find_scene("cloth_on_ball")).scene).status()->snapshot, {}, camera, options, width, height, nullptr);
   EXPECT_GT(difference(shown, cut(view.read(), {0.0, 0.0, place.width, place.height})), 0.02);
 }
 
-TEST(CommandLine, WithoutADisplayTheWindowSaysSoInOneLine) {
+TEST(CommandLine, WithoutADisplayTheWindowReportsItInOneLine) {
   const std::filesystem::path output = std::filesystem::temp_directory_path() / ("hooke_line_" + std::to_string(::getpid()));
   const auto run = [&](std::vector<std::string> words) {
     words.insert(words.begin(), {"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", HOOKE_PROGRAM});
