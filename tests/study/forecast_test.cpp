@@ -178,7 +178,7 @@ TEST(Forecast, AVerticalSheetSagsAsMeasured) {
       trial.add({a * (i % n), -a * (i / n), 0.0}, 1.0 / (n * n));
       trial.system.point(i).nailed = i < n;
     }
-    sheet::join_neighbours(trial, n, 200.0, 100.0, 0.0);
+    sheet::join_neighbors(trial, n, 200.0, 100.0, 0.0);
     return forecast_of(trial).sag.value_or(0.0);
   };
   EXPECT_NEAR(sag(5), 0.0149, 0.0005);
