@@ -413,7 +413,7 @@ TEST(Preferences, ArePersistentAndACorruptFileIsIgnoredWithOneMessage) {
       GuiTrial gui(two_points(), {}, desk.home);
       ASSERT_EQ(asked(gui), Dialog::Kind::Message) << bad;
       const std::string words = gui.words();
-      EXPECT_NE(words.find("Invalid settings ignored; using defaults"), std::string::npos);
+      EXPECT_NE(words.find("Settings ignored; using defaults"), std::string::npos);
       EXPECT_NE(words.find("settings.json.bad"), std::string::npos);
       EXPECT_EQ(gui.app().interface_scale(), 1.0);
     }

@@ -6,6 +6,7 @@
 
 #include "app/document/home.h"
 #include "base/atomic_write.h"
+#include "base/bounds.h"
 #include "base/errors.h"
 #include "base/json_field.h"
 #include "base/json_text.h"
@@ -28,7 +29,7 @@ constexpr std::array switches{
     PreferenceSwitch{"system_dialogs", &Preferences::system_dialogs},
 };
 
-constexpr std::string_view settings_name = "settings.json", recent_name = "recent.json";
+constexpr std::string_view settings_name = "settings.json", recent_name = "recent.json", version_name = "hooke_settings";
 
 // Calls `take` with every top-level member. Throws InputError.
 void read_members(const std::string& text, const std::string& name, const std::function<void(const JsonField& field)>& take) {
@@ -39,7 +40,15 @@ void read_members(const std::string& text, const std::string& name, const std::f
              .member = [&](std::string_view key, std::string_view value) { take(JsonField(name, key, parser.parse(value))); }});
 }
 
+void check_version(const JsonField& field) {
+  if (field.number() > newest_settings_version)
+    field.refuse("must be at most " + std::to_string(newest_settings_version) + ": settings of version " + format_exact(field.number()) +
+                 " need a newer Hooke");
+  field.integer(1, newest_settings_version);
+}
+
 void read_preference(const JsonField& field, Preferences& preferences) {
+  if (field.is(version_name)) check_version(field);
   for (const PreferenceSwitch& row : switches)
     if (field.is(row.name)) preferences.*row.field = field.boolean();
   for (const PreferenceRow& row : rows)
@@ -78,6 +87,7 @@ void save_preferences(const Preferences& preferences, const fs::path& folder) {
   if (folder.empty()) return;
   JsonWriter writer;
   writer.begin_object(JsonWriter::Layout::Lines);
+  writer.integer(version_name, newest_settings_version);
   for (const PreferenceRow& row : rows) writer.number(row.name, preferences.*row.field);
   for (const PreferenceSwitch& row : switches) writer.boolean(row.name, preferences.*row.field);
   writer.end();

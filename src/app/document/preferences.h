@@ -30,6 +30,10 @@ struct PreferenceSwitch {
 };
 std::span<const PreferenceSwitch> preference_switches();
 
+// Version of the settings that this program writes; it reads every version up to this one. Settings without a version were written by
+// Hooke 0.1 and are read as version 1.
+inline constexpr int newest_settings_version = 1;
+
 // Parses such a file; `name` is used in error messages. Throws InputError.
 Preferences parse_preferences(const std::string& text, const std::string& name);
 

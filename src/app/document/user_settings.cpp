@@ -11,7 +11,7 @@ UserSettings::UserSettings(const Home& home, Panels& panels) : folder_(home.conf
   LoadedPreferences loaded = load_preferences(folder_);
   values_ = loaded.preferences;
   panels_.look = values_.light ? Look::Light : Look::Dark;
-  if (!loaded.message.empty()) panels_.queue_message("Invalid settings ignored; using defaults", std::move(loaded.message));
+  if (!loaded.message.empty()) panels_.queue_message("Settings ignored; using defaults", std::move(loaded.message));
 }
 
 void UserSettings::scale_interface(double factor) {
