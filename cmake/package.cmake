@@ -4,8 +4,9 @@ find_program(GZIP gzip REQUIRED)
 set(id org.hooke.Hooke)
 set(packaging ${PROJECT_SOURCE_DIR}/packaging)
 set(made ${PROJECT_BINARY_DIR}/package)
+include(cmake/releases.cmake)
 configure_file(${packaging}/${id}.metainfo.xml.in ${made}/${id}.metainfo.xml @ONLY)
-configure_file(${packaging}/changelog.in ${made}/changelog @ONLY)
+file(CONFIGURE OUTPUT ${made}/changelog CONTENT "${debian_changelog}\n" @ONLY)
 
 # Compressed without timestamps, so that the same sources give the same package.
 add_custom_command(
@@ -27,7 +28,8 @@ install(FILES ${packaging}/${id}.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/ap
 install(FILES ${packaging}/${id}.mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages RENAME ${id}.xml)
 install(FILES ${made}/${id}.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
 install(FILES ${packaging}/${id}.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
-install(FILES ${packaging}/copyright ${made}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/hooke)
+install(FILES ${packaging}/copyright ${made}/changelog.gz ${PROJECT_SOURCE_DIR}/CHANGELOG.md
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/hooke)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR})

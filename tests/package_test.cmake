@@ -1,4 +1,4 @@
-# Builds the Debian package, checks it with lintian, and runs its programs: cmake -DBUILD=FOLDER -P package_test.cmake
+# Builds the Debian package, checks it with lintian, and runs its programs: cmake -DBUILD=FOLDER -DVERSION=VERSION -P package_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
 string(RANDOM LENGTH 12 name)
@@ -19,6 +19,25 @@ need("cpack" ${CMAKE_CPACK_COMMAND} --config ${BUILD}/CPackConfig.cmake -B ${pla
 file(GLOB package ${place}/*.deb)
 need("lintian" lintian --fail-on error,warning --allow-root ${package})
 need("unpacking" dpkg -x ${package} ${place}/root)
+
+# one version everywhere
+get_filename_component(name ${package} NAME)
+if(NOT name MATCHES "^hooke_${VERSION}_[a-z0-9]+[.]deb$")
+  message(FATAL_ERROR "the package's name is ${name}, which is not of version ${VERSION}")
+endif()
+function(need_version what expected)
+  need("${what}" ${ARGN})
+  string(FIND "${output}" "${expected}" at)
+  if(NOT at EQUAL 0)
+    message(FATAL_ERROR "${what}: does not begin with \"${expected}\": ${output}")
+  endif()
+endfunction()
+need_version("the package's version" "${VERSION}\n" dpkg-deb --field ${package} Version)
+need_version("hooke --version" "hooke ${VERSION}\n" ${place}/root/usr/bin/hooke --version)
+need_version("hooke-headless --version" "hooke-headless ${VERSION}\n" ${place}/root/usr/bin/hooke-headless --version)
+need_version("the package's changelog" "hooke (${VERSION}) " gzip -dc ${share}/doc/hooke/changelog.gz)
+need_version("the man page" ".TH HOOKE 1 \"\" \"hooke ${VERSION}\"" gzip -dc ${share}/man/man1/hooke.1.gz)
+need_version("the metainfo" "<release version=\"${VERSION}\"" grep -m 1 -o "<release version.*" ${share}/metainfo/org.hooke.Hooke.metainfo.xml)
 need("desktop-file-validate" desktop-file-validate ${share}/applications/org.hooke.Hooke.desktop)
 need("appstreamcli" appstreamcli validate --no-net ${share}/metainfo/org.hooke.Hooke.metainfo.xml)
 need("man" man --warnings --local-file ${share}/man/man1/hooke.1.gz)
