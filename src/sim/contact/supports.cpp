@@ -48,7 +48,7 @@ Vec3 constrain(std::span<Support> supports, const Vec3& a, const Vec3& v) {
 Support combine_supports(const Supports& supports) {
   Support combined;
   double weight = 0.0;
-  Vec3 surface(0.0), surface_acceleration(0.0), acceleration(0.0);
+  Vec3 surface(0.0), surface_acceleration(0.0);
   bool identical = true;
   for (const Support& s : supports.all()) {
     if (!(s.normal_acceleration > 0.0)) continue;
