@@ -45,7 +45,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The Hooke authors <hooke@hooke.example>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "laboratory for networks of point masses and springs")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Add points, attach springs, nail, drag and release them while they move;
-load ropes and cloths; choose among twelve methods of integration, and
-render pictures without a display. Hooke says how wrong it is, and what
-being less wrong would cost.")
+load ropes and cloths; choose among twelve integration methods, and
+render pictures without a display. Hooke reports its own error, and the
+cost of a smaller one.")
 include(CPack)

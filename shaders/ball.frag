@@ -1,5 +1,6 @@
 #version 330 core
-// A ray against a sphere: its nearest place, lit, with a soft edge; sectors that turn with it; the shade of what is over it.
+// Casts a ray against a sphere: its nearest intersection, lit, with an antialiased edge; sectors that rotate with it; the shadow of objects
+// above it.
 in vec3 place;
 flat in vec4 ball;
 flat in vec4 color;
@@ -9,7 +10,7 @@ flat in vec4 map;
 flat in vec4 texels;
 uniform vec2 depth;         // of the projection: clip z = depth.x z + depth.y
 uniform bool orthographic;
-uniform mat3 from_above;    // its columns: across, along and up the pole, for the viewer
+uniform mat3 from_above;    // columns: the axes across, along and up the pole, in view coordinates
 uniform sampler2D maps;
 uniform vec4 shadow;
 out vec4 result;
@@ -20,7 +21,7 @@ void main() {
   vec3 origin = orthographic ? vec3(place.xy, 0.0) : vec3(0.0);
   vec3 along = orthographic ? vec3(0.0, 0.0, -1.0) : normalize(place);
 
-  // the ray's nearest place to the center, and how far before it the sphere begins
+  // the point of the ray nearest to the center, and the distance from there to the surface
   float nearest = dot(ball.xyz - origin, along);
   float miss = length(origin + nearest * along - ball.xyz);
   float cover = clamp((ball.w - miss) / max(fwidth(miss), 1e-12) + 0.5, 0.0, 1.0);
@@ -32,13 +33,13 @@ void main() {
   float lit = 0.62 + 0.42 * dot(normal, light);
   vec3 tone = color.rgb * lit;
 
-  // three dark sectors and three light ones; towards the poles, where they get too narrow, the mean of both
+  // three dark sectors and three light ones; near the poles, where they become too narrow, their mean
   if (dot(axis, axis) > 0.5) {
     float wave = sin(3.0 * atan(dot(normal, cross(axis, meridian)), dot(normal, meridian)));
     tone *= mix(0.84, 1.10, clamp(wave / max(fwidth(wave), 1e-4) + 0.5, 0.0, 1.0));
   }
 
-  // shade comes from above and is gone where the ball turns down
+  // the shadow comes from above and ends where the surface faces down
   if (texels.z > 0.0) {
     vec3 above = (hit - ball.xyz) * from_above;
     vec2 at = clamp((above.xy - map.xy) * map.zw, 0.0, 1.0);

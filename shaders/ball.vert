@@ -1,13 +1,13 @@
 #version 330 core
 // A corner of the quad that covers a sphere.
 layout(location = 0) in vec4 clip;
-layout(location = 1) in vec3 place_seen;  // [m], the eye in the origin
+layout(location = 1) in vec3 place_seen;  // [m], relative to the eye
 layout(location = 2) in vec4 sphere;      // center and radius [m]
 layout(location = 3) in vec4 ink;
-layout(location = 4) in vec3 axis_seen;      // unit; zero: it does not turn
+layout(location = 4) in vec3 axis_seen;      // unit; zero: no rotation
 layout(location = 5) in vec3 meridian_seen;  // unit
 layout(location = 6) in vec4 map_place;      // corner [m], 1 / size [1/m]
-layout(location = 7) in vec4 map_texels;     // corner and size in the picture of all maps; no size: no shade
+layout(location = 7) in vec4 map_texels;     // position and size in the atlas of all maps; no size: no shadow
 out vec3 place;
 flat out vec4 ball;
 flat out vec4 color;

@@ -1,7 +1,7 @@
 #version 330 core
-// A lit sphere (or a square plate for a nailed point) and its ring, with soft edges; depth follows the sphere.
+// A lit sphere (or a square plate for a nailed point) with its ring and antialiased edges; depth follows the sphere.
 in vec2 offset;             // [px] from the center
-flat in vec2 radii;         // [px] of the body, of the ring's outside (0: none)
+flat in vec2 radii;         // [px], of the body and of the outer edge of the ring (0: none)
 flat in vec2 depths;        // of the center and the front, in 0..1
 flat in vec4 body;
 flat in vec4 ring;
@@ -25,7 +25,7 @@ void main() {
   float shine = is_square > 0.5 ? 0.0 : 0.22 * pow(facing, 24.0);
   vec4 color = vec4(body.rgb * (0.66 + 0.34 * facing) + shine, body.a * inside);
 
-  // the ring over the body
+  // the ring on top of the body
   float outer = clamp(radii.y - from_center + 0.5, 0.0, 1.0);
   float inner = clamp(from_center - (radii.y - ring_width) + 0.5, 0.0, 1.0);
   float cover = radii.y > 0.0 ? outer * inner * ring.a : 0.0;

@@ -1,5 +1,5 @@
 #version 330 core
-// A corner of a point's quad, placed in pixels.
+// A corner of the quad of a point, positioned in pixels.
 layout(location = 0) in vec4 place;   // [px], [px], depth of the center, depth of the front
 layout(location = 1) in vec4 extent;  // across, upward, radius, ring [px]
 layout(location = 2) in vec4 body_ink;

@@ -1,7 +1,6 @@
 #version 330 core
-// Cloth: light from a window at the upper left that goes a little round the folds, some from all around, more from above,
-// and a sheen where it is seen edge-on. A normal belongs to the side from which the corners run anticlockwise; the other
-// side is duller.
+// Cloth: light from the upper left that wraps slightly around folds, ambient light, more of it from above, and a sheen at grazing angles. A
+// normal belongs to the side from which the corners are counter-clockwise; the other side is darker.
 in vec3 normal;
 in vec2 print;
 in vec4 color;

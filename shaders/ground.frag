@@ -1,5 +1,5 @@
 #version 330 core
-// A floor that fades out towards its border, with two grids, each line a pixel wide and gone before it could shimmer.
+// A floor that fades out towards its border, with two grids whose lines are one pixel wide and fade before they would alias.
 in vec2 cell;
 in vec2 fade;
 flat in float fine;
@@ -7,7 +7,7 @@ flat in vec4 fill;
 flat in vec4 line;
 out vec4 result;
 
-// The share of a pixel that lines at whole numbers cover; `width` is a pixel's size in the same unit.
+// The fraction of a pixel covered by lines at integers; `width` is the size of a pixel in the same unit.
 float grid(vec2 at, vec2 width) {
   vec2 away = abs(fract(at - 0.5) - 0.5);
   vec2 cover = clamp(1.0 - away / width, 0.0, 1.0) * clamp(1.0 - 3.0 * width, 0.0, 1.0);

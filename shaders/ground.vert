@@ -1,7 +1,7 @@
 #version 330 core
 // A corner of a plane.
 layout(location = 0) in vec4 clip;
-layout(location = 1) in vec4 place;  // in cells of the finer grid; from the middle, 1 at the border
+layout(location = 1) in vec4 place;  // in cells of the finer grid; relative to the center, 1 at the border
 layout(location = 2) in float fine_share;
 layout(location = 3) in vec4 fill_ink;
 layout(location = 4) in vec4 line_ink;

@@ -1,5 +1,5 @@
 #version 330 core
-// A vertex of the panels, in the units of the screen from its upper left corner.
+// A vertex of the panels, in screen units from the upper left corner.
 layout(location = 0) in vec2 place;
 layout(location = 1) in vec2 texel;
 layout(location = 2) in vec4 ink;
@@ -10,6 +10,6 @@ out vec4 color;
 void main() {
   at = texel;
   color = ink;
-  vec2 share = (place - display.xy) / display.zw;
-  gl_Position = vec4(2.0 * share.x - 1.0, 1.0 - 2.0 * share.y, 0.0, 1.0);
+  vec2 fraction = (place - display.xy) / display.zw;
+  gl_Position = vec4(2.0 * fraction.x - 1.0, 1.0 - 2.0 * fraction.y, 0.0, 1.0);
 }

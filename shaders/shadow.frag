@@ -1,5 +1,5 @@
 #version 330 core
-// Shade, where light from above is kept away; gone where the ground has faded out.
+// Shadow from light above, fading out with the ground.
 in vec2 place;
 in vec2 fade;
 uniform sampler2D maps;

@@ -1,5 +1,5 @@
 #version 330 core
-// The share of the pixel that the line covers; a line thinner than a pixel is fainter, never broken.
+// The fraction of the pixel that the line covers; a line thinner than a pixel is fainter, but never broken.
 flat in vec4 color;
 flat in float half_width;
 in float across;

@@ -1,5 +1,5 @@
 #version 330 core
-// A corner of a line's quad, placed in pixels.
+// A corner of the quad of a line, positioned in pixels.
 layout(location = 0) in vec3 place;  // [px], [px], depth
 layout(location = 1) in vec4 ink;
 layout(location = 2) in vec2 width;  // across, half width [px / 256]

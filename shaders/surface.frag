@@ -1,5 +1,5 @@
 #version 330 core
-// Plain shading, the same from both sides: a normal belongs to the side from which the corners run anticlockwise.
+// Flat shading, the same from both sides: a normal belongs to the side from which the corners are counter-clockwise.
 in vec3 normal;
 in vec4 color;
 out vec4 result;

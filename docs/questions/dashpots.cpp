@@ -1,5 +1,5 @@
-// One column of a sheet (1 m, 1 kg/m^2, k = 200 N/m a spring, a square grid) swings up and down, the same material in
-// ever finer quads: how fast does its slowest mode die out?
+// One column of a sheet (1 m, 1 kg/m^2, k = 200 N/m per spring, a square grid) oscillates vertically. For the same material in ever finer
+// quads: how fast does its slowest mode decay?
 #include <cmath>
 
 #include "question.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double length = 1.0, density = 1.0, stiffness = 200.0;  // [m], [kg/m^2], [N/m]
 
-// Decay rate [1/s] of the slowest mode of n points a quad's side `side` apart.
+// Decay rate [1/s] of the slowest mode of n points spaced by `side`, the side of a quad.
 double decay_rate(int n, double damping, double drag) {
   const double side = length / (n - 1), mass = density * side * side;
   const double q = M_PI / (2.0 * length);
@@ -45,7 +45,7 @@ double decay_rate(int n, double damping, double drag) {
 }  // namespace
 
 Answer why_dashpots_scale() {
-  constexpr double d = 0.2, b = 0.5;  // [N s/m] a spring, [N s/m] a square metre
+  constexpr double d = 0.2, b = 0.5;  // [N s/m] per spring, [N s/m] per square meter
   Answer answer{{.title = "The same sheet in ever finer quads",
                  .x = "quads along a side",
                  .y = "decay rate of the slowest mode [1/s]",
@@ -65,10 +65,10 @@ Answer why_dashpots_scale() {
     series[3].points.push_back({quads, decay_rate(n, 0.0, b / 64.0 / mass)});
   }
   const auto spread = [&](int s) { return answer.chart.series[s].points.back().second / answer.chart.series[s].points.front().second; };
-  answer.expect(std::abs(spread(0) - 1.0) < 0.02, "dashpots of equal d damp a sheet alike however fine it is");
-  answer.expect(spread(1) < 0.1, "dashpots times the side of the quads die away with refinement");
-  answer.expect(std::abs(spread(2) - 1.0) < 0.02, "dampers of points must be multiplied by the area of the quads");
-  answer.expect(spread(3) > 100.0, "dampers that are not grow with refinement");
+  answer.expect(std::abs(spread(0) - 1.0) < 0.02, "dashpots of equal d damp a sheet equally at any resolution");
+  answer.expect(spread(1) < 0.1, "the damping of dashpots proportional to the side of the quads vanishes with refinement");
+  answer.expect(std::abs(spread(2) - 1.0) < 0.02, "point damping must be proportional to the area of the quads");
+  answer.expect(spread(3) > 100.0, "otherwise point damping grows with refinement");
   return answer;
 }
 

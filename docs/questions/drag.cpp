@@ -1,4 +1,4 @@
-// A free point at 1 m/s, drag c = 10 1/s: what is left of its velocity after one second, in ever more steps?
+// A free point at 1 m/s with drag c = 10 1/s: its velocity after one second, for an increasing number of steps.
 #include <algorithm>
 #include <cmath>
 
@@ -11,12 +11,12 @@ namespace hooke {
 Answer why_drag_is_an_exponential() {
   constexpr double c = 10.0;
   const double exact = std::exp(-c);
-  Answer answer{{.title = "Velocity left of 1 m/s after 1 s of drag, c = 10 1/s",
+  Answer answer{{.title = "Velocity after 1 s of drag from 1 m/s, c = 10 1/s",
                  .x = "steps in that second",
                  .y = "velocity [m/s]",
                  .log_x = true,
                  .log_y = true,
-                 .series = {{"v = v (1 - c h)", {}}, {"v = v exp(-c h)", {}}, {"Hooke, symplectic Euler", {}}, {"the truth", {}}}},
+                 .series = {{"v = v (1 - c h)", {}}, {"v = v exp(-c h)", {}}, {"Hooke, symplectic Euler", {}}, {"exact", {}}}},
                 {}};
   double worst = 0.0;
   for (const int steps : {1, 2, 3, 4, 5, 7, 9, 11, 14, 20, 30, 60, 120, 300, 1000}) {
@@ -40,7 +40,7 @@ Answer why_drag_is_an_exponential() {
     series[2].points.push_back({steps, measured});
     series[3].points.push_back({steps, exact});
   }
-  answer.expect(worst < 1e-11, "the exponential is right in any number of steps");
+  answer.expect(worst < 1e-11, "the exponential is exact for any number of steps");
   answer.expect(answer.chart.series[0].points[1].second > 10.0, "1 - c h grows where c h > 2");
   return answer;
 }

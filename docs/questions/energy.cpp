@@ -10,7 +10,7 @@ namespace hooke {
 
 Answer why_explicit_euler_gains_energy() {
   constexpr double h_omega = 0.1, stiffness = 1.0;
-  Answer answer{{.title = "Energy of a mass on a spring, undamped, 63 steps a period",
+  Answer answer{{.title = "Energy of a mass on a spring, undamped, 63 steps per period",
                  .x = "periods",
                  .y = "energy / energy at the start",
                  .log_y = true,
@@ -32,10 +32,10 @@ Answer why_explicit_euler_gains_energy() {
   const auto last = [&](int s) { return answer.chart.series[s].points.back().second; };
   const double steps = static_cast<double>(answer.chart.series[0].points.size() - 1);
   answer.expect(std::abs(last(0) / std::pow(1.0 + h_omega * h_omega, steps) - 1.0) < 1e-9,
-                "explicit Euler multiplies the energy by 1 + (h omega)^2 a step");
+                "explicit Euler multiplies the energy by 1 + (h omega)^2 per step");
   double worst = 0.0;
   for (const auto& [t, e] : answer.chart.series[1].points) worst = std::max(worst, std::abs(e - 1.0));
-  answer.expect(worst < 0.06, "symplectic Euler stays within h omega / 2 of the energy, for ever");
+  answer.expect(worst < 0.06, "the energy of symplectic Euler stays within h omega / 2 at all times");
   answer.expect(last(5) < 1e-3, "implicit Euler loses it as fast as explicit Euler gains it");
   return answer;
 }

@@ -1,5 +1,5 @@
-// Measures the answers of docs/questions.md and draws their charts into a folder: questions DIR. Exit code 1 when the page says
-// what the measurement does not show.
+// Measures the answers of docs/questions.md and draws their charts into a folder: questions DIR. Exits with code 1 if a measurement
+// contradicts the page.
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -23,7 +23,7 @@ constexpr std::array questions{
     Question{"mouse", what_a_fast_mouse_does}, Question{"energy", why_explicit_euler_gains_energy},
 };
 
-// Okabe and Ito 2008, legible in print and to the colour-blind.
+// Okabe and Ito 2008, legible in print and with color vision deficiencies.
 constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#000000", "#CC79A7", "#E69F00", "#56B4E9", "#5B5B5B"};
 
 std::string make_script(const Chart& chart, const std::string& file) {
@@ -64,7 +64,7 @@ int answer_all(const std::filesystem::path& folder) {
     for (const Series& series : answer.chart.series)
       std::cout << "  " << series.name << ": " << series.points.front().second << " ... " << series.points.back().second << "\n";
     for (const std::string& claim : answer.broken) {
-      std::cerr << question.name << ": not so: " << claim << "\n";
+      std::cerr << question.name << ": contradicted by the measurement: " << claim << "\n";
       broken = 1;
     }
   }

@@ -1,4 +1,4 @@
-// Constants and mice that are too large or too fast for the step.
+// Stiffness and mouse speeds that are too large for the step.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-// n x n points a tenth of a metre apart, structural springs, 0.01 kg a point, free.
+// n x n free points of 0.01 kg with a spacing of 0.1 m and structural springs.
 Trial net(int n, double stiffness) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
@@ -33,7 +33,7 @@ double largest_strain(const Trial& trial) {
   return std::min(max, 1e9);
 }
 
-// The largest strain while a net whose top row is nailed falls into its springs for a second.
+// The largest strain while a net whose top row is nailed falls for one second.
 double max_strain_falling(const char* method, double stiffness, int substeps) {
   Trial trial = net(8, stiffness);
   trial.system.gravity = Vec3(0.0, -9.81, 0.0);
@@ -46,7 +46,7 @@ double max_strain_falling(const char* method, double stiffness, int substeps) {
   return max;
 }
 
-// The largest strain while a hand takes a corner 0.5 m away at `speed`, itself or lagging behind it at most so fast.
+// The largest strain while a hand moves a corner by 0.5 m at `speed`, exactly or with limited speed.
 double max_strain_pulled(GrabKind kind, double speed, double top_speed) {
   Trial trial = net(8, 1e4);
   const Vec3 start = trial.state.position[0];
@@ -68,8 +68,8 @@ double max_strain_pulled(GrabKind kind, double speed, double top_speed) {
 
 Answer why_large_constants_explode() {
   constexpr int substeps = 20;
-  Answer answer{{.title = "A falling net, 20 substeps a frame: springs made ever stiffer",
-                 .x = "h omega, omega of the fastest mode (Verlet holds below 2)",
+  Answer answer{{.title = "A falling net of increasing stiffness, 20 substeps per frame",
+                 .x = "h omega, omega of the fastest mode (Verlet is stable below 2)",
                  .y = "largest strain within 1 s",
                  .log_x = true,
                  .log_y = true,
@@ -77,26 +77,26 @@ Answer why_large_constants_explode() {
                  .y_range = "[1e-7:1e7]"},
                 {}};
   for (double h_omega = 0.25; h_omega < 40.0; h_omega *= std::sqrt(2.0)) {
-    // omega^2 = 8 k / m at most in a square net
+    // at most omega^2 = 8 k / m in a square net
     const double omega = h_omega * 60.0 * substeps, stiffness = 0.01 * omega * omega / 8.0;
     for (Series& series : answer.chart.series)
       series.points.push_back({h_omega, max_strain_falling(series.name.c_str(), stiffness, substeps)});
   }
   for (const auto& [x, y] : answer.chart.series[1].points) {
-    if (x < 1.9) answer.expect(y < 1.0, "Verlet holds below h omega = 2");
-    if (x > 3.0) answer.expect(y > 100.0, "Verlet explodes well beyond it");
+    if (x < 1.9) answer.expect(y < 1.0, "Verlet is stable below h omega = 2");
+    if (x > 3.0) answer.expect(y > 100.0, "Verlet blows up well beyond it");
   }
-  for (const auto& [x, y] : answer.chart.series[3].points) answer.expect(y < 1.0, "TR-BDF2 holds everywhere");
+  for (const auto& [x, y] : answer.chart.series[3].points) answer.expect(y < 1.0, "TR-BDF2 is stable everywhere");
   return answer;
 }
 
 Answer what_a_fast_mouse_does() {
-  Answer answer{{.title = "A hand takes the corner of a free net (k = 1e4) half a metre away",
+  Answer answer{{.title = "A hand moves the corner of a free net (k = 1e4) by half a meter",
                  .x = "speed of the mouse [m/s]",
                  .y = "largest strain",
                  .log_x = true,
                  .log_y = true,
-                 .series = {{"held where the mouse is", {}}, {"held, lagging: at most 2 m/s", {}}, {"pulled by a spring, 200 N/m", {}}}},
+                 .series = {{"held at the mouse", {}}, {"held, limited to 2 m/s", {}}, {"pulled by a spring, 200 N/m", {}}}},
                 {}};
   for (const double speed : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 30.0}) {
     answer.chart.series[0].points.push_back({speed, max_strain_pulled(GrabKind::Hold, speed, 1e3)});
@@ -104,8 +104,8 @@ Answer what_a_fast_mouse_does() {
     answer.chart.series[2].points.push_back({speed, max_strain_pulled(GrabKind::Pull, speed, 1e3)});
   }
   const auto last = [&](int s) { return answer.chart.series[s].points.back().second; };
-  answer.expect(last(0) > 3.0 * last(1), "a hand that lags stretches far less");
-  answer.expect(last(0) > 3.0 * last(2), "so does a hand that pulls by a spring");
+  answer.expect(last(0) > 3.0 * last(1), "a hand of limited speed stretches the net far less");
+  answer.expect(last(0) > 3.0 * last(2), "so does a hand that pulls with a spring");
   return answer;
 }
 

@@ -1,4 +1,4 @@
-// A question that people ask, an experiment that answers it, a chart of what came out, and what must be true of it.
+// A common question, an experiment that answers it, a chart of the result, and the claims that must hold.
 #pragma once
 
 #include <string>
@@ -16,12 +16,12 @@ struct Chart {
   std::string title, x, y;
   bool log_x = false, log_y = false;
   std::vector<Series> series;
-  std::string y_range;  // as gnuplot writes it; empty: what the points take
+  std::string y_range;  // in gnuplot syntax; empty: automatic
 };
 
 struct Answer {
   Chart chart;
-  std::vector<std::string> broken;  // what the page says and the measurement did not show
+  std::vector<std::string> broken;  // claims of the page that the measurement contradicts
   void expect(bool holds, const char* claim) {
     if (!holds) broken.emplace_back(claim);
   }

@@ -1,5 +1,5 @@
-// A cloth stepped by two threads. Once every force is known before the first point moves; once each thread moves its points as
-// it goes, so that a force sees some neighbours before and some after their step, as the threads happen to run.
+// A cloth stepped by two threads: with all forces computed before the first point moves, or with each thread moving its points immediately,
+// so that a force uses some neighbors before and some after their step, depending on timing.
 #include <algorithm>
 #include <atomic>
 #include <barrier>
@@ -15,7 +15,7 @@ namespace {
 constexpr int n = 16, points = n * n, steps = 3000, samples = 40;
 constexpr double side = 1.0 / (n - 1), k = 200.0, mass = 1.0 / points, h = 1.0 / 6000.0, gravity = 9.81;
 
-// Atomic, so that only the order of reads and writes is left to chance, never a torn number.
+// Atomic, so that only the order of reads and writes is undetermined, and no value is torn.
 using Shared = std::atomic<double>;
 
 struct Cloth {
@@ -83,7 +83,7 @@ std::vector<double> heights(bool separate_passes) {
 }  // namespace
 
 Answer why_a_pass_must_end() {
-  Answer answer{{.title = "Six runs of the same cloth on two threads, against the first run whose passes end",
+  Answer answer{{.title = "Six runs of the same cloth on two threads, compared with the first run with separate passes",
                  .x = "simulated time [s]",
                  .y = "difference of the free corner [m]",
                  .log_y = true,
@@ -96,17 +96,17 @@ Answer why_a_pass_must_end() {
   for (const bool separate_passes : {true, false})
     for (int run = 1; run <= 3; ++run) {
       const std::vector<double> heights_sampled = heights(separate_passes);
-      Series series{(separate_passes ? "passes end, run " : "moved at once, run ") + std::to_string(run), {}};
+      Series series{(separate_passes ? "separate passes, run " : "moved immediately, run ") + std::to_string(run), {}};
       for (int s = 0; s < samples; ++s) {
         const double gap = std::abs(heights_sampled[s] - first[s]);
         if (separate_passes) spread = std::max(spread, gap);
-        series.points.push_back({s * (steps / samples) * h, std::max(gap, 2e-17)});  // 0 has no place on the scale
+        series.points.push_back({s * (steps / samples) * h, std::max(gap, 2e-17)});  // 0 cannot be shown on a logarithmic scale
       }
       if (!separate_passes) racing.push_back(series.points.back().second);
       answer.chart.series.push_back(std::move(series));
     }
-  answer.expect(spread == 0.0, "runs whose passes end are the same to the last bit");
-  answer.expect(*std::max_element(racing.begin(), racing.end()) > 1e-9, "moving points at once changes the result");
+  answer.expect(spread == 0.0, "runs with separate passes are bitwise equal");
+  answer.expect(*std::max_element(racing.begin(), racing.end()) > 1e-9, "moving points immediately changes the result");
   return answer;
 }
 

@@ -1,4 +1,4 @@
-// What each command of ui/actions.inc and each request of the panels does.
+// The effect of each action of ui/actions.inc and each request of the panels.
 #include <glm/geometric.hpp>
 
 #include "app/app.h"
@@ -7,7 +7,7 @@
 
 namespace hooke {
 
-// `repeated`: the key of the command is held.
+// `repeated`: the key of the action is held down.
 void App::perform(Action action, [[maybe_unused]] bool repeated) {
   switch (action) {
 #define TOOL(id, ...) \
@@ -57,7 +57,7 @@ void App::tune(const Tuning& tuning, bool repeated) {
   panels_.show_toast(tuning.message);
 }
 
-// Leaves what is nearest: an interaction of the tool, the selection, the tool.
+// Cancels the innermost state: an interaction of the tool, the selection, the tool.
 void App::cancel() {
   panels_.toast.clear();
   if (tool_.cancel()) return;
@@ -67,7 +67,7 @@ void App::cancel() {
     tool_.take(Action::SelectTool);
 }
 
-// The gallery gives way: commands act on the scene.
+// Closes the gallery, because commands act on the scene.
 void App::open_search() {
   panels_.gallery.is_shown = false;
   panels_.search = {.shown = true, .is_new = true};
@@ -78,11 +78,11 @@ void App::show_or_hide_plots() {
   if (!panels_.plots_shown) return;
   const double width = layout_.menu.width, height = layout_.status.y + layout_.status.height;
   if (lay_out(width, height, tool_context_.scale, {.plots = true}).plots.height == 0.0)
-    panels_.show_toast("The window is too low for plots");
+    panels_.show_toast("The window is not high enough for plots");
   if (status().timeline.traces->traces.empty()) lab_.submit(Watch{first_plots(tool_context_.system())});
 }
 
-// The surface is shown, and without strain colours, so that the texture is visible.
+// The surface is shown, and without strain colors, so that the texture is visible.
 void App::choose_texture(const std::string& typed) {
   ChosenTexture chosen = try_texture(typed, document_.file());
   if (!chosen.error.empty()) return panels_.show_message("Cannot use the texture", chosen.error);

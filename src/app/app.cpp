@@ -124,7 +124,7 @@ void App::show(const Scene& scene) {
   forecaster_.forget();
 }
 
-// The view that the scene asks for; the user may change it afterwards.
+// Applies the view settings of the scene; the user may change them afterwards.
 void App::take_switches(const ViewSettings& view) {
   panels_.view.surface = view.surface;
   panels_.view.springs = view.springs;

@@ -1,5 +1,5 @@
-// The program of the window, without the window: it takes events, builds the panels, and provides what to draw. App only composes
-// the parts that do the work and routes events and requests to them.
+// The window program without the window: it receives events, builds the panels, and provides what to draw. App only composes the parts that
+// do the work and routes events and requests to them.
 #pragma once
 
 #include <chrono>
@@ -27,26 +27,26 @@
 
 namespace hooke {
 
-// Measured by the window's loop.
+// Measured by the main loop.
 struct FrameStatistics {
   double frames_per_second = 0.0, draw_ms = 0.0;
 };
 
 class App {
  public:
-  // `file`: of the scene; empty if it has none. Without a home nothing is kept between runs.
+  // `file`: of the scene; empty if it has none. Without a home nothing is saved between runs.
   App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const Home& home = {});
 
-  // The window's size and its content scale. The first call frames the scene.
+  // The size of the window and its content scale. The first call frames the scene.
   void resize(const glm::dvec2& size, double scale);
   void handle(const Event& event);
   void handle(const Request& request);
   // Once per frame, between ImGui::NewFrame and ImGui::Render.
   void build_frame(const FrameStatistics& frame_statistics);
-  // The part of a frame that a hidden window needs too.
+  // The part of a frame that is also needed while the window is hidden.
   void poll_background_work();
 
-  // For the picture.
+  // For drawing the scene.
   const Status& status() const { return *tool_context_.status; }
   const Camera& camera() const { return tool_context_.camera; }
   const Layout& layout() const { return layout_; }
@@ -54,7 +54,7 @@ class App {
   ViewOptions view_options() const;
   std::string title() const { return document_.title(); }
   double interface_scale() const { return settings_.values().interface_scale; }
-  // Nothing moves by itself: the loop may wait for the next event.
+  // Nothing moves, so the loop may wait for the next event.
   bool is_idle() const;
   bool is_finished() const { return finished_; }
 
@@ -64,15 +64,15 @@ class App {
   const Exporter& exporter() const { return exporter_; }
   const Selection& selection() const { return selection_; }
   Action tool() const { return tool_.action(); }
-  // Handlers of keys, in the order in which they are asked.
+  // Key handlers, in the order of precedence.
   const KeyHandlers& key_handlers() const { return key_handlers_; }
 
   // Until the window provides one, copies stay within the program.
   void use(Clipboard clipboard) { clipboard_ = std::move(clipboard); }
-  // The longest that an event waits for the one before it to take effect, and a file operation before it shows its progress.
+  // The maximum time that an event waits for the previous one to take effect, and a file operation before it shows its progress.
   void set_event_patience(std::chrono::milliseconds patience) { tool_context_.patience = patience; }
   void set_task_patience(std::chrono::milliseconds patience) { file_task_.set_patience(patience); }
-  // Waits until the laboratory has handled everything submitted. False: it took longer than the patience of an event.
+  // Waits until the laboratory has handled everything submitted. Returns false if that takes longer than the patience of an event.
   bool settle() { return tool_context_.settle(); }
   void wait_for_file_task() { file_task_.wait(); }
 

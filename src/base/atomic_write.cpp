@@ -106,9 +106,9 @@ void remove_stale_files(const fs::path& folder, int folder_number) {
   }
 }
 
-// The path that the file's links lead to, whether or not a file exists there. Throws FileError for links in a circle.
+// The path that the symbolic links of the file lead to, whether or not a file exists there. Throws FileError for circular links.
 fs::path resolve_links(const fs::path& file, const std::string& printable_name) {
-  constexpr int max_links = 40;  // as the kernel's
+  constexpr int max_links = 40;  // the limit of the kernel
   fs::path target = file;
   std::error_code error;
   for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {

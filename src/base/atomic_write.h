@@ -30,7 +30,7 @@ class AtomicFile {
   std::unique_ptr<Destination> destination_;
 };
 
-// Puts `bytes` where `file` is, as an AtomicFile.
+// Replaces the content of `file` by `bytes`, as an AtomicFile.
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace hooke

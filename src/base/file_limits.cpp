@@ -12,7 +12,7 @@ std::span<const FileLimit> file_limits() {
       FileLimit{"faces", "at most 10000000, listed and generated"},
       FileLimit{"colliders, generators", "at most 1000 each"},
       FileLimit{"nesting", "at most 32 levels"},
-      FileLimit{"a text or key", "at most 4096 bytes; each key once in its object"},
+      FileLimit{"a string or key", "at most 4096 bytes; each key once in its object"},
       FileLimit{"values", "at most 1000000 in one point, spring, generator or other member"},
       FileLimit{"numbers",
                 "finite; mass, frame rate and speed more than 0; stiffness, damping, rest length, radius, drag and friction at least 0"},

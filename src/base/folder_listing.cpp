@@ -21,7 +21,7 @@ std::string time_text(const fs::directory_entry& entry) {
   return ::localtime_r(&seconds, &local) != nullptr && std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local) > 0 ? text : "";
 }
 
-// Capital letters among the others, as people look for names.
+// For sorting names without regard to case.
 std::string to_lower(const std::string& name) {
   std::string lower = name;
   std::ranges::transform(lower, lower.begin(),

@@ -16,7 +16,7 @@ struct FolderItem {
 
 struct FolderListing {
   std::filesystem::path folder;
-  std::vector<FolderItem> items;  // folders first, each part by name
+  std::vector<FolderItem> items;  // folders first, then files, each sorted by name
   std::string error;              // why it cannot be read
   bool truncated = false;         // there are more items
 };

@@ -41,7 +41,7 @@ bool JsonField::boolean() const {
 }
 
 std::string_view JsonField::text() const {
-  if (!value_->IsString()) refuse("must be a text \"...\"");
+  if (!value_->IsString()) refuse("must be a string \"...\"");
   return {value_->GetString(), value_->GetStringLength()};
 }
 
@@ -76,8 +76,8 @@ void JsonField::refuse_missing(std::string_view key, std::string_view limit) con
 
 namespace {
 
-// Passes events on to a document. Numbers come as their digits and are read by the C++ library: rapidjson takes 100e307,
-// which is beyond all numbers, for -3.1e-308.
+// Passes events on to a document. Numbers are passed as their digits and read by the C++ library: rapidjson reads 100e307, which is out of
+// range, as -3.1e-308.
 struct ExactNumbers {
   rapidjson::Document& document;
   bool Null() { return document.Null(); }

@@ -14,8 +14,8 @@
 namespace hooke {
 namespace {
 
-// A stream over a text that ends with a zero. rapidjson's own is copied while a token is read, so that a handler could
-// not ask where the token ends.
+// A stream over a zero-terminated text. RapidJSON's own stream is copied while a token is read, so that a handler could not determine where
+// the token ends.
 struct TextStream {
   using Ch = char;
   const char* begin;
@@ -91,7 +91,7 @@ class Walker {
   std::uint64_t values_ = 0;      // in it, so far
 };
 
-// "points[3].mass": the path of the value noted last, or with next = 1 of the next one.
+// "points[3].mass": the path of the last value or, with next = 1, of the next one.
 std::string Walker::path(std::size_t levels, std::size_t next) const {
   std::string path_text;
   for (std::size_t i = 0; i < levels; ++i) {
@@ -114,8 +114,8 @@ void Walker::check_string(std::string_view string, std::size_t next) const {
   if (string.size() > max_string_bytes)
     refuse(path(depth_, next), "\"" + printable(string, 40) + "\": " + std::to_string(string.size()) + " bytes: must be at most " +
                                    std::to_string(max_string_bytes));
-  // a lone "\udc00" passes rapidjson, and would make bytes that no file may hold
-  if (!is_utf8(string)) refuse(line(stream_.Tell()), "half a surrogate pair: must be UTF-8");
+  // RapidJSON accepts a lone "\udc00", which would give invalid UTF-8
+  if (!is_utf8(string)) refuse(line(stream_.Tell()), "a lone surrogate: must be UTF-8");
 }
 
 void Walker::check_number(std::string_view digits) const {
@@ -131,7 +131,7 @@ void Walker::count_value() {
 }
 
 bool Walker::scalar() {
-  if (depth_ == 0) refuse(line(stream_.Tell()), "no object: must be {...}");
+  if (depth_ == 0) refuse(line(stream_.Tell()), "not an object: must be {...}");
   count_value();
   finish_value(stream_.Tell());
   return true;
@@ -148,7 +148,7 @@ bool Walker::Key(const char* string, rapidjson::SizeType length, bool) {
 }
 
 bool Walker::start(bool is_array) {
-  if (depth_ == 0 && is_array) refuse(line(stream_.Tell()), "no object: must be {...}");
+  if (depth_ == 0 && is_array) refuse(line(stream_.Tell()), "not an object: must be {...}");
   if (depth_ > 0) count_value();
   if (depth_ == max_nesting)
     refuse(line(stream_.Tell()), "nesting: " + std::to_string(depth_ + 1) + ": must be at most " + std::to_string(max_nesting));
@@ -173,7 +173,7 @@ bool Walker::EndObject(rapidjson::SizeType) {
     const std::string key = *duplicate;
     keys.clear();
     const std::string path_text = depth_ == 1 ? "" : path(depth_) + ".";
-    refuse(path_text + printable(key, 60), "given twice: each key must stand once");
+    refuse(path_text + printable(key, 60), "given twice: each key must be unique in its object");
   }
   return end();
 }
@@ -185,7 +185,7 @@ bool Walker::end() {
   return true;
 }
 
-// The value that ends here is handed on if it is an item or a member.
+// A value that ends here is reported if it is an item or a member.
 void Walker::finish_value(std::size_t end) {
   const auto value_from = [&](std::size_t begin) {
     std::string_view value(text_.data() + begin, end - begin);
@@ -209,8 +209,8 @@ void Walker::refuse_syntax(const rapidjson::ParseResult& result) const {
     const std::size_t end = text_.find_first_not_of("+-.0123456789eE", offset);
     check_number(std::string_view(text_).substr(offset, end - offset));
   }
-  if (result.Code() == rapidjson::kParseErrorStringInvalidEncoding) what = "bad UTF-8 in a string";
-  if (offset == text_.size()) what = "the file ends too early";
+  if (result.Code() == rapidjson::kParseErrorStringInvalidEncoding) what = "invalid UTF-8 in a string";
+  if (offset == text_.size()) what = "unexpected end of the file";
   while (!what.empty() && what.back() == '.') what.pop_back();
   if (text_.starts_with("\xef\xbb\xbf")) refuse(where, "a byte order mark: must begin with {");
   if (result.Code() == rapidjson::kParseErrorValueInvalid && offset < text_.size()) {

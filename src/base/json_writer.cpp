@@ -68,7 +68,7 @@ void JsonWriter::break_line() {
   written_.append(2 * levels_.size(), ' ');
 }
 
-// What stands before a value, or before a key.
+// The separator before a value or a key.
 void JsonWriter::separate() {
   if (std::exchange(after_key_, false) || levels_.empty()) return;
   Level& level = levels_.back();
@@ -98,7 +98,7 @@ void JsonWriter::key(std::string_view key) {
 
 void JsonWriter::number(double value) {
   assert(std::isfinite(value));
-  // many readers take "-0" for the whole number zero
+  // many readers read "-0" as the integer zero
   raw(value == 0.0 && std::signbit(value) ? "-0.0" : format_exact(value));
 }
 

@@ -13,7 +13,7 @@
 
 namespace hooke {
 
-// A value, or a text in quotes, as JSON on one line. Bytes that are not valid UTF-8 are escaped.
+// A value, or a string in quotes, as JSON on one line. Bytes that are not valid UTF-8 are escaped.
 std::string to_json(const rapidjson::Value& value);
 std::string to_json(std::string_view text);
 
@@ -26,7 +26,7 @@ class JsonWriter {
   void end();
   void key(std::string_view key);
 
-  // Every number is read back bit for bit, -0.0 included. It must be finite.
+  // Every number, including -0.0, is read back bit for bit. It must be finite.
   void number(double value);
   void integer(std::int64_t value) { raw(std::to_string(value)); }
   void boolean(bool value) { raw(value ? "true" : "false"); }

@@ -1,4 +1,4 @@
-// A visitor of a std::variant made of one lambda a case: std::visit(Overloaded{...}, variant).
+// A visitor of a std::variant, made of one lambda per alternative: std::visit(Overloaded{...}, variant).
 #pragma once
 
 namespace hooke {
@@ -8,7 +8,7 @@ struct Overloaded : Cases... {
   using Cases::operator()...;
 };
 
-// clang 14 does not find this by itself
+// clang 14 does not deduce this itself
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 

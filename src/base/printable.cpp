@@ -29,7 +29,7 @@ CodePoint first_code_point(std::string_view text) {
   return value < min[length] || value > 0x10ffff || surrogate ? CodePoint{} : CodePoint{value, length};
 }
 
-// C0, DEL, C1, the separators that break lines, and the marks that turn the direction of writing.
+// C0, DEL, C1, line separators, and marks that change the writing direction.
 bool is_control(std::uint32_t c) {
   return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x2028 || c == 0x2029 || (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
 }

@@ -27,7 +27,7 @@ std::string_view file_type_name(mode_t mode) {
   if (S_ISDIR(mode)) return "a folder";
   if (S_ISFIFO(mode)) return "a pipe";
   if (S_ISCHR(mode) || S_ISBLK(mode)) return "a device";
-  return "no regular file";
+  return "not a regular file";
 }
 
 [[noreturn]] void refuse_size(const std::string& name, std::uint64_t bytes) {
@@ -74,7 +74,7 @@ std::string read_file(const std::filesystem::path& file) {
 
 // Opens one folder after the other, each relative to the last, so that a link created meanwhile is not followed.
 std::string read_file_within(const std::filesystem::path& folder, const std::filesystem::path& path, const std::string& name) {
-  const auto refuse = [&] { throw InputError(name + ": must lie in the scene's folder, not reached through a link"); };
+  const auto refuse = [&] { throw InputError(name + ": must be in the folder of the scene, and not reached through a link"); };
   const std::filesystem::path steps = path.lexically_normal();  // no link is followed, so "a/.." leads nowhere else
   if (steps.empty() || steps.is_absolute()) refuse();
   Descriptor current{open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC)};

@@ -6,12 +6,12 @@
 
 namespace hooke {
 
-// All of a regular file of at most max_file_bytes. Throws InputError for anything else (a folder, a pipe, a device, a
-// larger file), without reading it, and FileError when the system will not open or read it.
+// The content of a regular file of at most max_file_bytes. Throws InputError for anything else (a folder, a pipe, a device, a larger file),
+// without reading it, and FileError if the system cannot open or read it.
 std::string read_file(const std::filesystem::path& file);
 
-// The same for a file in `folder` or below it. Refuses a path that is absolute, leaves the folder or passes a symbolic link.
-// `name` stands for the file in messages.
+// The same for a file in `folder` or below it. Refuses a path that is absolute, leaves the folder or passes through a symbolic link. `name`
+// is the file in messages.
 std::string read_file_within(const std::filesystem::path& folder, const std::filesystem::path& path, const std::string& name);
 
 }  // namespace hooke

@@ -9,8 +9,8 @@
 
 namespace hooke {
 
-// Read as a list: `for (const Row& row : table)`, `table[i]`, `table.size()`. A std::views::transform would do, but clang 14, which
-// the fuzzers and scripts/tidy use, cannot compile that of GCC 12.
+// Read as a list: `for (const Row& row : table)`, `table[i]`, `table.size()`. A std::views::transform would be simpler, but clang 14, which
+// is used by the fuzzers and scripts/tidy, cannot compile the one of GCC 12.
 template <class Row>
 class Table {
  public:

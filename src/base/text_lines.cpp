@@ -9,7 +9,7 @@
 namespace hooke {
 namespace {
 
-// from_chars knows no plus sign
+// from_chars does not accept a plus sign
 std::string_view without_plus(std::string_view word) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   return word;
@@ -44,7 +44,7 @@ std::optional<double> parse_number(std::string_view word) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size()) return std::nullopt;
-  // too large is refused; too small is zero, or what is next to it
+  // too large is refused; too small becomes zero or the nearest denormal number
   if (error == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr);
   if (error == std::errc::invalid_argument || !std::isfinite(value)) return std::nullopt;
   return value;

@@ -27,7 +27,7 @@ class TextLines {
 // Removes the next word from the front of `line`; empty if only blanks and tabs are left.
 std::string_view next_token(std::string_view& line);
 
-// A decimal number within the range of a double ("1", "+.5", "-3e-7"); none for anything else, "nan", "inf" and "1e400" included.
+// A decimal number within the range of a double ("1", "+.5", "-3e-7"); none for anything else, including "nan", "inf" and "1e400".
 std::optional<double> parse_number(std::string_view word);
 
 // An integer within the range of int; none for anything else.

@@ -33,7 +33,7 @@ std::optional<std::string> run_gnuplot(const std::string& script, const std::fil
 
   int status = 0;
   while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return std::string("no chart: gnuplot was lost: ") + std::strerror(errno);
+    if (errno != EINTR) return std::string("no chart: the exit status of gnuplot is unknown: ") + std::strerror(errno);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return std::nullopt;
   return "no chart: gnuplot failed";
 }

@@ -3,7 +3,7 @@
 
 namespace hooke {
 
-inline constexpr int exit_interrupted = 130;  // as a shell reports Ctrl+C
+inline constexpr int exit_interrupted = 130;  // as shells report Ctrl+C
 
 // From now on the first Ctrl+C requests a stop; a second one terminates the program.
 void catch_interrupts();

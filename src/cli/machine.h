@@ -8,7 +8,7 @@ namespace hooke {
 // The name of the processor.
 std::string machine();
 
-// The current time in UTC, in a format of strftime.
+// The current time in UTC, in a strftime format.
 std::string time_text(const char* format);
 
 }  // namespace hooke

@@ -54,7 +54,7 @@ void flush_stdout() {
   errno = 0;
   std::cout.flush();
   const bool is_flushed = std::fflush(stdout) == 0;
-  // a write may have failed before; its reason is then no longer known
+  // an earlier write may have failed; its reason is then no longer known
   if (!is_flushed || std::ferror(stdout) != 0 || !std::cout) fail("stdout", errno != 0 ? errno : EIO);
 }
 

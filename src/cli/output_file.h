@@ -1,4 +1,4 @@
-// Where a command writes its results: a file, or stdout.
+// The output of a command: a file, or stdout.
 #pragma once
 
 #include <cstdio>
@@ -10,7 +10,7 @@
 
 namespace hooke {
 
-// A regular file is replaced when everything is written (base/atomic_write.h); stdout, devices and pipes are written as it comes.
+// A regular file is replaced when everything is written (base/atomic_write.h); stdout, devices and pipes are written immediately.
 class OutputFile {
  public:
   // "-" is stdout. Throws FileError, as all members do.
@@ -29,7 +29,7 @@ class OutputFile {
   std::FILE* stream_ = nullptr;  // null: the file is a regular one
 };
 
-// Writes out what stdout still holds. Throws FileError if any of what the program wrote to stdout is lost.
+// Flushes stdout. Throws FileError if any output of the program to stdout is lost.
 void flush_stdout();
 
 }  // namespace hooke

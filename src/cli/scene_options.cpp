@@ -107,7 +107,7 @@ std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene) {
   app.add_option("--frame-rate", options->frame_rate, "Frames per simulated second [1/s]")->type_name("RATE")->check(within(positive));
   app.add_option("--tolerance", options->tolerance,
                  "Local error tolerance per step of an adaptive method (" + ids_of_adaptive_integrators() + ") [m]")
-      ->type_name("METRES")
+      ->type_name("METERS")
       ->check(within(positive));
   app.add_option("--set", options->settings, "Set a parameter; may be repeated: " + names_of_parameters())
       ->type_name("NAME=VALUE")

@@ -11,7 +11,7 @@ Image render_thumbnail(View& view, const ShippedScene& shipped) {
   Lab lab(load_scene(shipped.file).scene, KeepStart::No);
   const Scene& scene = lab.scene();
   Camera camera = make_camera(scene.view, scene.system, scene.state, static_cast<double>(thumbnail_width) / thumbnail_height);
-  // small pictures want less around
+  // small pictures need a smaller margin
   if (scene.system.dimensions == 3) camera.distance *= 0.86;
 
   const long frames = std::lround(shipped.thumbnail_seconds * scene.settings.frame_rate);

@@ -6,7 +6,7 @@
 
 namespace hooke {
 
-// The scene at the time given in its row, slightly closer than its default view. A context must be current.
+// The scene at the time given in its file, slightly closer than its default view. A context must be current.
 Image render_thumbnail(View& view, const ShippedScene& shipped);
 
 }  // namespace hooke

@@ -86,7 +86,7 @@ Vec3 Camera::unproject(const glm::dvec2& cursor, const glm::dvec2& size, const V
   return ray.origin + along * ray.direction;
 }
 
-double Camera::metres_per_pixel(const Vec3& at, const glm::dvec2& size) const {
+double Camera::meters_per_pixel(const Vec3& at, const glm::dvec2& size) const {
   const double depth = distance - glm::dot(at - target, back);
   return 2.0 * half_height(*this) / size.y * (orthographic ? 1.0 : std::max(depth, 0.0) / distance);
 }

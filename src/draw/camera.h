@@ -22,7 +22,7 @@ struct Camera {
   double distance = 3.0;       // [m]
   double field_of_view = 0.7;  // [rad], vertical
   bool orthographic = false;
-  bool follows = false;  // follow_scene moves it
+  bool follows = false;  // moved by follow_scene
 
   Vec3 eye() const { return target + distance * back; }
   glm::dmat4 view_matrix() const;
@@ -35,7 +35,7 @@ struct Camera {
   // Where the ray through the cursor meets the plane through `through` that faces the viewer.
   Vec3 unproject(const glm::dvec2& cursor, const glm::dvec2& size, const Vec3& through) const;
   // [m] per pixel at a point of the world.
-  double metres_per_pixel(const Vec3& at, const glm::dvec2& size) const;
+  double meters_per_pixel(const Vec3& at, const glm::dvec2& size) const;
 
   void orbit(double yaw, double pitch);  // [rad]
   // Horizontal, from the scene towards a viewer in front of it.

@@ -28,7 +28,7 @@ constexpr Palette on_light{.point = {70, 82, 94},
                            .hover = {20, 24, 28},
                            .shadow = {52, 58, 70, 105}};
 
-// Blue through grey to orange: distinct with every common colour vision deficiency, and lightness changes from the middle outwards.
+// Blue through gray to orange: distinguishable with every common color vision deficiency; lightness changes outwards from the middle.
 constexpr std::array<Color, 5> strain_stops{{{64, 156, 255}, {108, 156, 206}, {134, 142, 150}, {214, 152, 92}, {255, 140, 26}}};
 
 }  // namespace
@@ -44,7 +44,7 @@ Color mix(const Color& a, const Color& b, double t) {
 }
 
 double View::strain_scale(const Snapshot& snapshot) {
-  constexpr double min = 1e-4;  // below this, colours would show rounding errors
+  constexpr double min = 1e-4;  // below this, colors would show rounding errors
   const double max = std::max(std::abs(snapshot.min_strain), std::abs(snapshot.max_strain));
   if (!std::isfinite(max)) return 1.0;
   if (max <= min) return min;

@@ -1,4 +1,4 @@
-// Colours for drawing, and the palette of Hooke.
+// Colors for drawing, and the palette of Hooke.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@ inline Rgba rgba(const Color& color, double opacity = 1.0) {
   return {color.red, color.green, color.blue, static_cast<std::uint8_t>(std::lround(255.0 * opacity))};
 }
 
-// Colours with enough contrast on a dark or light background.
+// Colors with enough contrast on a dark or light background.
 struct Palette {
   Color point, nailed, selected, spring, face, collider, line, hover;
   Rgba shadow;  // full shadow

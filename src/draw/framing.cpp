@@ -16,7 +16,7 @@ namespace {
 constexpr double margin = 1.12;          // of the picture, around the scene
 constexpr double smallest_radius = 0.2;  // [m], of the framed region, also of an empty scene
 constexpr double plane_reach = 6.0;      // a plane this many scene radii away is part of the scene
-constexpr double follow_fraction = 0.6;  // of half the picture's height: how far the followed center may be from the middle
+constexpr double follow_fraction = 0.6;  // of half the height of the picture: maximum distance of the followed center from the middle
 
 // A sphere that must be visible.
 struct VisibleSphere {
@@ -61,7 +61,7 @@ double longest_distance_to_nail(const System& system, const State& state) {
   return longest;
 }
 
-// Leaves room below the nails for hanging points to fall, down to the floor.
+// Leaves space below the nails for hanging points to fall, down to the floor.
 void include_hanging_extent(Extent& extent, const System& system, const State& state) {
   const double strength = glm::length(system.gravity), displacement = longest_distance_to_nail(system, state);
   if (!(strength > 0.0) || !(displacement > 0.0)) return;
@@ -78,7 +78,7 @@ void include_hanging_extent(Extent& extent, const System& system, const State& s
   if (std::none_of(system.colliders.begin(), system.colliders.end(), is_closed)) extent.include(below);
 }
 
-// Positions of colliders at the ends of their paths.
+// Colliders displaced to the ends of their paths.
 std::vector<Collider> include_collider_paths(const System& system, const State& state) {
   std::vector<Collider> all;
   for (const Collider& collider : carried_colliders(system, state)) {
@@ -115,9 +115,9 @@ void include_colliders(Extent& extent, const System& system, const State& state)
   }
 }
 
-// Constraints of the sights along one axis of the picture, with coordinate s along it and z towards the viewer. The picture
-// extends +-slope per metre of depth, so all sights are visible from an eye at (s, z) if
-//   max(s_i + r_i + slope z_i) - slope z <= s <= min(s_i - r_i - slope z_i) + slope z
+// Constraints of the sights along one axis of the picture, with coordinate s along it and z towards the viewer. The picture extends +-slope
+// per meter of depth, so all sights are visible from an eye at (s, z) if max(s_i + r_i + slope z_i) - slope z <= s <= min(s_i - r_i - slope
+// z_i) + slope z
 struct Axis {
   double slope;  // 0: orthographic
   double max = -std::numeric_limits<double>::infinity(), min = std::numeric_limits<double>::infinity();

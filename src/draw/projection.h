@@ -1,5 +1,5 @@
-// Projects positions with a camera. Computed on the CPU in double precision, relative to the camera's target, so that scenes far
-// from the origin look like scenes at it and every driver draws the same widths.
+// Projects positions with a camera. Computed on the CPU in double precision, relative to the target of the camera, so that scenes far from
+// the origin look the same as at the origin and every driver draws the same widths.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -15,7 +15,7 @@ struct ProjectedPoint {
   float x = 0.0f, y = 0.0f;  // [px]
   float depth = 0.0f;        // in -1..1 between the clip planes
   float scale = 0.0f;        // [px/m] at this depth
-  // Bits of `Outside`: the sides of the view volume that the position lies beyond; 0: inside.
+  // Bits of `Outside`: the sides of the view volume that the position is beyond; 0: inside.
   std::uint8_t outside = 0;
 };
 
@@ -52,7 +52,7 @@ class Projection {
   double distance_;
   glm::dmat3 rotation_;
   glm::dmat4 projection_;  // from view to clip coordinates
-  double pixels_;          // [px] per metre at w = 1
+  double pixels_;          // [px] per meter at w = 1
   bool orthographic_;
   int width_, height_;
 };

@@ -84,7 +84,7 @@ void View::Parts::gather(const DrawContext& context) {
   shadows.add(context, network_renderer);
   environment.add(context, shadows);
   if (context.options.surface) cloth.add(context, network_renderer);
-  // A cloth without visible springs still shows what it hangs from and what hangs on it.
+  // A cloth without visible springs still shows its supports and objects attached to it.
   if (context.options.springs || !cloth.is_empty())
     network_renderer.add_springs(context, context.options.springs ? NetworkRenderer::Subset::All : NetworkRenderer::Subset::OutsideCloth,
                                  springs);

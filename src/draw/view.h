@@ -1,4 +1,4 @@
-// Draws a Snapshot with Marks into a framebuffer of its own, the same for a window and for an image.
+// Draws a Snapshot with Marks into its own framebuffer, the same for a window and for an image.
 #pragma once
 
 #include <filesystem>
@@ -53,9 +53,9 @@ class View {
   void show() const;
   Image read() const;
 
-  // Strain [1] at the ends of the colour scale for this snapshot, for the legend: symmetric, rounded up to 1, 2 or 5 x 10^n.
+  // Strain [1] at the ends of the color scale for this snapshot, for the legend: symmetric, rounded up to 1, 2 or 5 x 10^n.
   static double strain_scale(const Snapshot& snapshot);
-  // The colour of a strain relative to the scale, in [-1, 1]: blue for compression, grey, orange for tension.
+  // The color of a strain relative to the scale, in [-1, 1]: blue for compression, gray, orange for tension.
   static Color strain_color(double relative);
 
  private:

@@ -33,12 +33,12 @@ struct Describe {
     return (nailed ? "nail " : "release ") + count(nail.items.size(), "point");
   }
   std::string operator()(const Move& move) const { return "move " + count(move.items.size(), "point"); }
-  std::string operator()(const SetPointColor& set) const { return "colour of " + count(set.values.size(), "point"); }
+  std::string operator()(const SetPointColor& set) const { return "color of " + count(set.values.size(), "point"); }
   std::string operator()(const SetPointProperty& set) const {
     return std::string(set.property == PointProperty::Mass ? "mass of " : "radius of ") + count(set.values.size(), "point");
   }
   std::string operator()(const SetSpringProperty& set) const {
-    constexpr const char* names[] = {"stiffness of ", "damping of ", "rest length of ", "breaking strain of "};
+    constexpr const char* names[] = {"stiffness of ", "damping of ", "rest length of ", "break strain of "};
     return names[static_cast<int>(set.property)] + count(set.values.size(), "spring");
   }
   std::string operator()(const SetParameter& set) const { return "set " + std::string(set.parameter->label); }
@@ -63,7 +63,7 @@ std::size_t bytes_in(const std::vector<Item>& list) {
   return list.capacity() * sizeof(Item);
 }
 
-// Pictures are shared with the scene and not counted; a whole scene is a copy.
+// Images are shared with the scene and not counted; a whole scene is a copy.
 struct Bytes {
   std::size_t operator()(const Insert& insert) const { return bytes_in(insert.points) + bytes_in(insert.springs) + bytes_in(insert.faces); }
   std::size_t operator()(const Remove& remove) const { return bytes_in(remove.points) + bytes_in(remove.springs) + bytes_in(remove.faces); }

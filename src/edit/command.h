@@ -50,7 +50,7 @@ struct Move {
   std::vector<Item> items;
 };
 
-// Sets the colour of points, or removes it.
+// Sets the color of points, or removes it.
 struct SetPointColor {
   std::vector<std::pair<PointId, std::optional<Color>>> values;
 };
@@ -83,7 +83,7 @@ struct SetIntegrator {
   const Integrator* integrator;
 };
 
-// Grabs a point or, pulling, a place between three points. The whole drag is one step of the history: the inverse of the grab moves the
+// Grabs a point or, pulling, a position between three points. The whole drag is one step of the history: the inverse of the grab moves the
 // points back to where they were grabbed.
 struct GrabPoint {
   struct Item {
@@ -124,8 +124,8 @@ struct SetForces {
   std::vector<Force> forces;
 };
 
-// The image that a texture names (texture.h). An inverse restores the previous print as a whole instead, because setting a texture
-// gives cloth coordinates to points that have none.
+// The image of a texture (texture.h). An inverse restores the previous image and coordinates as a whole instead, because setting a texture
+// assigns texture coordinates to points that have none.
 struct TextureImage {
   std::shared_ptr<const Picture> picture;
   std::optional<ClothTexture> restored{};
@@ -153,7 +153,7 @@ struct MarkTorn {
   std::uint32_t torn;
 };
 
-// Replaces the whole scene: to return to the start, and to undo that.
+// Replaces the whole scene, to return to the start and to undo that.
 struct Replace {
   std::shared_ptr<const Scene> scene;
 };

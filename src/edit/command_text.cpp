@@ -17,7 +17,7 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-// The largest id sizes a lookup table.
+// The largest id determines the size of a lookup table.
 constexpr std::int64_t max_id = max_springs;
 
 // Serialization of one type. Aggregates follow from their field names; the other types are below.
@@ -79,7 +79,7 @@ struct Text<T> {
   static T read(const JsonField& field) {
     for (std::size_t i = 0; i < value_names<T>.size(); ++i)
       if (field.text() == value_names<T>[i]) return static_cast<T>(i);
-    field.refuse("is not known here");
+    field.refuse("is unknown");
   }
 };
 
@@ -182,7 +182,7 @@ struct Text<T> {
   template <std::size_t i>
   static T read_from(const JsonField& field) {
     if constexpr (i == std::variant_size_v<T>)
-      field.refuse("is not known here");
+      field.refuse("is unknown");
     else
       return field.is(alternative_names<T>[i]) ? T(hooke::read<std::variant_alternative_t<i, T>>(field)) : read_from<i + 1>(field);
   }
@@ -223,7 +223,7 @@ struct RowText {
   static void write(JsonWriter& out, const Row* row) { out.text(Id{}(*row)); }
   static const Row* read(const JsonField& field) {
     if (const Row* row = find(field.text())) return row;
-    field.refuse("is not known here");
+    field.refuse("is unknown");
   }
 };
 struct ById {
@@ -285,7 +285,7 @@ void check_ids(const JsonField& field, const std::optional<std::vector<Id>>& ids
   std::vector<Id> sorted = *ids;
   std::ranges::sort(sorted);
   if (sorted.size() != count || std::ranges::adjacent_find(sorted) != sorted.end())
-    field.refuse("ids: must be as many as the scene has, all different");
+    field.refuse("ids: must be as many as in the scene, all different");
 }
 
 // Values by index, rearranged to be found by id.

@@ -1,4 +1,4 @@
-// Serialization of commands to JSON and back, bit for bit, and of the parts of a scene that its file does not hold.
+// Serialization of commands to JSON and back, bit for bit, and of the parts of a scene that are not in its file.
 #pragma once
 
 #include "base/json_field.h"
@@ -7,7 +7,7 @@
 
 namespace hooke {
 
-// An object with one member, named like the command. A Replace cannot be written: a whole scene is a text of its own.
+// An object with one member, named like the command. A Replace cannot be written: a whole scene has its own text.
 void write_command(JsonWriter& out, const Command& command);
 
 // Whether a member is named like a command.
@@ -16,7 +16,7 @@ bool is_command(const JsonField& member);
 // The command of such a member. Throws InputError for anything else.
 Command read_command(const JsonField& member);
 
-// What a run needs to resume from a scene and the scene's file does not hold: ids, the hand, the energy ledger, the memory of an adaptive
+// The state of a run that is not in the scene file but needed to resume it: ids, the hand, the energy ledger, the memory of an adaptive
 // method, and the tears.
 struct ResumeState {
   std::optional<std::vector<PointId>> point_ids;  // none: numbered from 0

@@ -10,8 +10,8 @@
 
 namespace hooke {
 
-// The selected points, the ends of the selected springs, the springs between selected points and the faces between all these, as a
-// scene of its own. `sheet` describes the cloths of the scene; null: there are none.
+// The selected points, the ends of the selected springs, the springs between selected points and the faces between all these, as a separate
+// scene. `sheet` describes the cloths of the scene; null: there are none.
 Scene copy_selection(const Snapshot& snapshot, const std::shared_ptr<const SheetWeights>& sheet, const Selection& selection);
 
 // The source of new ids.

@@ -11,7 +11,7 @@
 
 namespace hooke {
 
-// Edits that carry the same gesture (a drag of a slider, a drag of a point) are one step. 0: a step of its own.
+// Edits with the same gesture (a drag of a slider, a drag of a point) are one step. 0: a separate step.
 using Gesture = std::uint64_t;
 
 class History {

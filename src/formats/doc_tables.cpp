@@ -50,7 +50,7 @@ std::string numbers_of(const ShapeKind& kind) {
 }
 
 std::string shape_table() {
-  std::string table = "| type | what it is | numbers: name, default, unit | `held` |\n|---|---|---|---|\n";
+  std::string table = "| type | description | parameters: name, default, unit | `held` |\n|---|---|---|---|\n";
   for (const ShapeKind& kind : placeable_shapes()) {
     std::string supports, description(kind.description);
     for (const std::string_view support : kind.supports) supports += (supports.empty() ? "" : ", ") + std::string(support);

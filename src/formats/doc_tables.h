@@ -6,8 +6,8 @@
 
 namespace hooke {
 
-// The page with its generated blocks up to date. A block lies between the lines "<!-- table NAME -->" and "<!-- end -->", NAME
-// being one of parameters, shapes, formats and scenes. `make_manual docs FILE...` writes pages, and a test compares them.
+// The page with its generated blocks updated. A block is between the lines "<!-- table NAME -->" and "<!-- end -->", where NAME is
+// parameters, shapes, formats or scenes. `make_manual docs FILE...` writes pages, and a test compares them.
 std::string with_doc_tables(std::string_view page);
 
 }  // namespace hooke

@@ -19,11 +19,11 @@ class FrameSink {
  public:
   virtual ~FrameSink() = default;
   virtual void add(const System& system, const State& state) = 0;
-  // Puts the file in its place. Without it no file is left.
+  // Moves the file to its final path. Without this call no file is left.
   virtual void finish() = 0;
 };
 
-// What an export needs.
+// The data that an export needs.
 enum class ExportSource {
   None,     // not offered as an export
   Scene,    // the current state: `format`
@@ -35,12 +35,12 @@ enum class ExportSource {
 struct FileKind {
   std::string_view extension;  // ".json"
   std::string_view title;      // "Wavefront mesh"
-  bool is_native = false;      // keeps everything; saving as another kind is an export
-  // From memory; `file` stands for the file in messages. Null: not readable.
+  bool is_native = false;      // preserves everything; saving in another format is an export
+  // From memory; `file` is its name in messages. Null: not readable.
   LoadedScene (*parse)(std::string_view text, const std::string& file) = nullptr;
-  // Appends to `losses` what the format cannot represent, one sentence each. Throws InputError. Null: not written from a scene.
+  // Appends to `losses` what the format cannot represent, one sentence each. Throws InputError. Null: cannot be written from a scene.
   std::string (*format)(const Scene& scene, const std::string& file, std::vector<std::string>& losses) = nullptr;
-  // Null: not written over time.
+  // Null: cannot be written over time.
   std::unique_ptr<FrameSink> (*open_frames)(const std::filesystem::path& file, const System& system,
                                             const std::vector<Quantity>& quantities) = nullptr;
 
@@ -56,14 +56,14 @@ Table<FileKind> file_kinds();
 // Those of the export dialog.
 Table<FileKind> export_kinds();
 
-// By the extension in any case; null if the table has none such.
+// By the extension, ignoring case; null if it is not in the table.
 const FileKind* find_file_kind(const std::filesystem::path& file);
 
 // ".json, .obj or .xsp": the extensions that can be read, or to which a scene can be written.
 std::string readable_extensions();
 std::string writable_extensions();
 
-// A file of the native kind.
+// Whether the file has the native format.
 bool is_scene_file(const std::filesystem::path& file);
 
 }  // namespace hooke

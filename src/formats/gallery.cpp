@@ -33,7 +33,7 @@ GalleryEntry read_gallery_entry(const JsonField& field) {
     else if (member.is("thumbnail_seconds"))
       entry.thumbnail_seconds = member.number({.min = 0.0, .max = 60.0});
   }
-  if (!has_group) field.refuse_missing("group", "must be a text");
+  if (!has_group) field.refuse_missing("group", "must be a string");
   return entry;
 }
 
@@ -57,7 +57,7 @@ Picture read_thumbnails() {
     try {
       blit(decode_png(read_file(file), printable(file.native())), atlas, i % thumbnail_columns * thumbnail_width,
            i / thumbnail_columns * thumbnail_height);
-    } catch (const std::runtime_error&) {  // InputError or FileError: the card stays without a picture
+    } catch (const std::runtime_error&) {  // InputError or FileError: the card has no picture
     }
   }
   return atlas;

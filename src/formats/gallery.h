@@ -15,7 +15,7 @@ inline constexpr int thumbnail_width = 288, thumbnail_height = 180;  // [px]
 // The field "gallery" of a scene file, which lists the scene.
 struct GalleryEntry {
   std::string group;               // heading in the menu
-  int order = 0;                   // of all scenes; those of a group follow each other
+  int order = 0;                   // position among all scenes; the scenes of a group are consecutive
   double thumbnail_seconds = 0.0;  // [s] of simulated time at which the thumbnail is taken
 };
 

@@ -5,8 +5,8 @@
 
 namespace hooke {
 
-// A file without a known extension is read as a scene in JSON. Throws InputError or FileError, nothing else, whatever the bytes.
-// Opens no other file but a texture in the folder of the file. Only a scene reports progress.
+// A file without a known extension is read as a JSON scene. For any bytes, throws nothing but InputError or FileError. Opens no other file
+// except a texture in the folder of the file. Only scenes report progress.
 LoadedScene load_file(const std::filesystem::path& file, const Progress& progress = {});
 
 // Writes the file atomically. Returns what the format cannot represent. Throws InputError or FileError, and leaves the old

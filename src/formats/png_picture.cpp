@@ -12,7 +12,7 @@
 namespace hooke {
 namespace {
 
-// [px]: nothing on the screen is larger, and what draws it need not hold more.
+// [px]: no screen is larger, and textures need not be larger.
 constexpr int max_decoded_side = 2048;
 
 struct PngImage {
@@ -23,7 +23,7 @@ struct PngImage {
   PngImage& operator=(const PngImage&) = delete;
 };
 
-// Each pixel the mean of four; a last odd row or column is dropped.
+// Each pixel is the mean of four; a last odd row or column is dropped.
 Picture halved(const Picture& picture) {
   Picture half{std::max(1, picture.width / 2), std::max(1, picture.height / 2), {}};
   const int right = picture.width > 1 ? 1 : 0, below = picture.height > 1 ? 1 : 0;

@@ -1,4 +1,4 @@
-// Pictures from PNG files of unknown origin.
+// Pictures from untrusted PNG files.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace hooke {
 
-// The picture in 8 bits a channel, on white where it can be seen through, and halved until neither side is beyond what
-// drawing needs. Its size is checked before anything is decoded. Throws InputError; `name` stands for the file in messages.
+// The picture in 8 bits per channel, transparent parts blended with white, and halved until it is not larger than drawing needs. Its size
+// is checked before decoding. Throws InputError; `name` is the file in messages.
 Picture decode_png(std::string_view bytes, const std::string& name);
 
 }  // namespace hooke

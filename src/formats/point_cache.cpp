@@ -25,7 +25,7 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32);
 
-// The bytes of a value as they stand in the file.
+// The bytes of a value as stored in the file.
 template <class Value>
 std::string_view bytes_of(const Value& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
@@ -40,12 +40,12 @@ PointCacheWriter::PointCacheWriter(const std::filesystem::path& file, Index poin
 }
 
 void PointCacheWriter::add(std::span<const Vec3> positions) {
-  if (samples_ == std::numeric_limits<std::int32_t>::max()) throw FileError(printable_name_ + ": holds no more than 2147483647 frames");
+  if (samples_ == std::numeric_limits<std::int32_t>::max()) throw FileError(printable_name_ + ": must have at most 2147483647 frames");
   for (const Vec3& x : positions) {
     float rounded[3];
     for (int c = 0; c < 3; ++c) {
       rounded[c] = static_cast<float>(x[c]);
-      if (!std::isfinite(rounded[c])) throw FileError(printable_name_ + ": has no place for a point at " + format_rounded(x[c]) + " m");
+      if (!std::isfinite(rounded[c])) throw FileError(printable_name_ + ": cannot represent a point at " + format_rounded(x[c]) + " m");
     }
     file_.write(bytes_of(rounded));
   }

@@ -20,10 +20,10 @@ class PointCacheWriter {
  public:
   PointCacheWriter(const std::filesystem::path& file, Index points);
 
-  // Positions [m] of all points in the next frame.
+  // Appends the positions [m] of all points in the next frame.
   void add(std::span<const Vec3> positions);
 
-  // Writes the number of frames and puts the file in its place.
+  // Writes the number of frames and moves the file to its final path.
   void close();
 
  private:

@@ -40,7 +40,7 @@ Criterion read_criterion(const JsonField& field) {
       member.refuse("must be law, of, value, within, least, most or from");
   }
   if (criterion.kind == nullptr) field.refuse_missing("law", "must be given");
-  // any point or spring: their numbers are not known yet
+  // any point or spring, because their number is not known yet
   constexpr Index many = std::numeric_limits<Index>::max();
   if (!find_quantity(criterion.of, many, many)) field.refuse("must have \"of\", one of " + quantity_names());
   if (criterion.kind->has_limits ? !criterion.min && !criterion.max : !criterion.within)
@@ -54,7 +54,7 @@ CheckedMethod read_method(const JsonField& field) {
   CheckedMethod checked;
   const auto set_id = [&](const JsonField& id) {
     checked.method = find_integrator(id.text());
-    if (checked.method == nullptr) id.refuse("must be a method's id");
+    if (checked.method == nullptr) id.refuse("must be the id of a method");
   };
   if (!field.is_object()) {
     set_id(field);
@@ -68,7 +68,7 @@ CheckedMethod read_method(const JsonField& field) {
     else
       member.refuse("must be method or substeps");
   }
-  if (checked.method == nullptr) field.refuse_missing("method", "must be a method's id");
+  if (checked.method == nullptr) field.refuse_missing("method", "must be the id of a method");
   return checked;
 }
 

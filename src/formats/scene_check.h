@@ -26,7 +26,7 @@ struct SceneCheck {
 // Throws InputError.
 SceneCheck read_scene_check(const JsonField& field);
 
-// The check in the scene's file; by default two seconds of finite states.
+// The check in the file of the scene; by default two seconds of finite states.
 SceneCheck check_of(const Scene& scene);
 
 }  // namespace hooke

@@ -13,16 +13,16 @@ namespace hooke {
 
 struct LoadedScene {
   Scene scene;
-  std::vector<std::string> warnings;  // one line each: unknown keys, coincident points, an explicit step past its limit
+  std::vector<std::string> warnings;  // one line each: unknown keys, coincident points, an explicit step beyond its limit
 };
 
-// Reads a scene. Throws InputError or FileError, nothing else, whatever the bytes; InputError if `progress` cancels it.
+// Reads a scene. For any bytes, throws nothing but InputError or FileError; InputError if `progress` cancels it.
 LoadedScene load_scene(const std::filesystem::path& file, const Progress& progress = {});
 
-// Reads a copy of `original` in another folder: textures are found beside the original.
+// Reads a copy of `original` in another folder: textures are in the folder of the original.
 LoadedScene load_scene_from_copy(const std::filesystem::path& copy, const std::filesystem::path& original, const Progress& progress = {});
 
-// The same from memory; `name` stands for the file in messages.
+// The same from memory; `name` is the file in messages.
 LoadedScene parse_scene(std::string_view text, const std::string& name, const Progress& progress);
 LoadedScene parse_scene(std::string_view text, const std::string& name);
 
@@ -34,11 +34,11 @@ std::string format_scene(const Scene& scene, const Progress& progress = {});
 // unchanged.
 void save_scene(const Scene& scene, const std::filesystem::path& file, const Progress& progress = {});
 
-// A scene that ships with Hooke: a file in assets/scenes with a "gallery" entry.
+// A shipped scene: a file in assets/scenes with a "gallery" entry.
 struct ShippedScene {
   std::string id;           // "cloth", the name of the file
   std::string title;        // "Cloth"
-  std::string description;  // what to try, and what to see
+  std::string description;  // what to try, and what to expect
   std::filesystem::path file;
   std::string group;  // "Lessons"
   int order = 0;
@@ -51,7 +51,7 @@ const std::vector<ShippedScene>& shipped_scenes();
 // The folder of scenes, textures and thumbnails, of the installation or the source tree.
 const std::filesystem::path& assets_folder();
 
-// The file that SCENE on a command line stands for: a path to an existing file, or the id of a shipped scene. Throws FileError.
+// The file for SCENE on a command line: a path to an existing file, or the id of a shipped scene. Throws FileError.
 std::filesystem::path find_scene(const std::string& name);
 
 }  // namespace hooke

@@ -21,8 +21,8 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
   return !relative_path.empty() && *relative_path.begin() != "..";
 }
 
-// A program in the build tree reads the scenes of the source tree. An installed one reads those beside it, even if the
-// installation was moved, or those in the configured place.
+// A program in the build tree uses the scenes of the source tree. An installed one uses those at the relative path of the installation,
+// even if it was moved, or those at the configured path.
 fs::path find_folder() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);

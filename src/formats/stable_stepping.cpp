@@ -17,7 +17,7 @@ std::optional<std::string> choose_stable_stepping(Scene& scene, int min_substeps
   const Integrator& explicit_method = default_integrator();
   const auto stable_substeps = min_stable_substeps(explicit_method, spectrum, settings.frame_rate);
 
-  // the limit holds for the scene as it is: some room for springs that a person makes stiffer
+  // the limit holds for the current scene: leave a margin for springs that the user makes stiffer
   constexpr double safety_factor = 1.25;
   constexpr int max_affordable_substeps = 5000;
   settings.integrator = &explicit_method;
@@ -26,7 +26,7 @@ std::optional<std::string> choose_stable_stepping(Scene& scene, int min_substeps
     return std::nullopt;
   }
 
-  // an implicit step is worth thousands of explicit ones
+  // an implicit step costs as much as thousands of explicit ones
   const Integrator& implicit_method = stiff_integrator();
   const auto implicit_substeps = min_stable_substeps(implicit_method, spectrum, settings.frame_rate);
   if (implicit_substeps && *implicit_substeps <= max_affordable_substeps) {
@@ -37,10 +37,10 @@ std::optional<std::string> choose_stable_stepping(Scene& scene, int min_substeps
 
   if (stable_substeps) {
     settings.substeps = std::max(min_substeps, *stable_substeps);
-    return "its springs are so stiff that it takes " + std::to_string(*stable_substeps) + " substeps a frame: it will run slowly";
+    return "its springs are so stiff that it needs " + std::to_string(*stable_substeps) + " substeps per frame: it will run slowly";
   }
   settings.substeps = max_substeps;
-  return "its springs are so stiff that no step holds: expect it to blow up";
+  return "its springs are so stiff that no step is stable: expect it to blow up";
 }
 
 }  // namespace hooke

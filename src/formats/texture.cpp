@@ -30,7 +30,7 @@ bool is_png(std::string_view texture) {
          });
 }
 
-// Right and down on the plane that the faces lie in on the whole, seen from the side that a person sees first.
+// The axes right and down in the mean plane of the faces, as seen from the initial viewpoint.
 struct Axes {
   Vec3 right, down;
 };
@@ -63,20 +63,21 @@ void assign_missing_places(Scene& scene) {
                                                                                                     : ClothCoordinates());
   cloth_coordinates->resize(system.next_point_id(), no_cloth_coordinates);
   const Axes axes = axes_of_faces(system, scene.state);
-  const Vec3 origin = scene.state.position[system.index_of(system.faces.front().points[0])];  // far from it numbers are coarse
+  const Vec3 origin =
+      scene.state.position[system.index_of(system.faces.front().points[0])];  // far from the first point, coordinates have low precision
   for (const Face& face : system.faces)
     for (const PointId id : face.points) {
       glm::dvec2& place = (*cloth_coordinates)[static_cast<std::size_t>(id)];
       if (has_place(place)) continue;
       const Vec3 at = scene.state.position[system.index_of(id)] - origin;
       place = {glm::dot(at, axes.right), glm::dot(at, axes.down)};
-      // positions near the largest number have no difference
+      // positions near the largest number have no finite difference
       if (!has_place(place)) place = no_cloth_coordinates;
     }
   scene.cloth_texture.cloth_coordinates = std::move(cloth_coordinates);
 }
 
-// [m], from the first place to the last; 1 where there is nothing to measure.
+// [m], the horizontal extent; 1 if it cannot be determined.
 double width_of_coordinates(const ClothTexture& cloth_texture) {
   double min = INFINITY, max = -INFINITY;
   if (cloth_texture.cloth_coordinates)
@@ -97,12 +98,12 @@ std::string texture_limit(std::string_view texture) {
   if (!is_png(texture)) {
     std::string ids;
     for (const ShippedTexture& row : rows) ids += std::string(row.id) + ", ";
-    return "must be " + ids + "or a .png in the scene's folder";
+    return "must be " + ids + "or a .png in the folder of the scene";
   }
   const std::filesystem::path path = std::filesystem::path(texture).lexically_normal();
   const bool has_no_control_characters = std::ranges::none_of(texture, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
   const bool is_inside_folder = !path.is_absolute() && !path.empty() && *path.begin() != "..";
-  return has_no_control_characters && is_inside_folder ? "" : "must lie in the scene's folder";
+  return has_no_control_characters && is_inside_folder ? "" : "must be in the folder of the scene";
 }
 
 std::shared_ptr<const Picture> read_texture(const std::string& texture, const std::filesystem::path& folder, const std::string& name) {

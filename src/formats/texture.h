@@ -18,11 +18,11 @@ struct ShippedTexture {
 };
 std::span<const ShippedTexture> shipped_textures();
 
-// Why a text is not a valid name of a texture; empty: it is valid. Opens no file.
+// Why a string is not a valid name of a texture; empty if it is valid. Opens no file.
 std::string texture_limit(std::string_view texture);
 
-// The picture of a shipped texture, or of a PNG within `folder`; refuses paths that leave it or pass a link. Throws
-// InputError or FileError; `name` stands for the texture in messages.
+// The picture of a shipped texture, or of a PNG within `folder`; refuses paths that leave it or pass through a link. Throws InputError or
+// FileError; `name` is the texture in messages.
 std::shared_ptr<const Picture> read_texture(const std::string& texture, const std::filesystem::path& folder, const std::string& name);
 
 // Sets the width of the view's texture, and texture coordinates for the points of faces that have none: their

@@ -30,11 +30,11 @@ std::vector<std::string> arguments_for(const std::filesystem::path& file, int wi
           std::to_string(width) + "x" + std::to_string(height), "-framerate", format_exact(video_frame_rate), "-i", "pipe:0", "-vf",
           "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-codec:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",
           "mp4",
-          // a name that begins with - or looks like a protocol is still a file
+          // a name that begins with - or resembles a protocol is still a file
           "file:" + file.string()};
 }
 
-// Beside the film, of this process alone.
+// In the folder of the film, with the id of this process in its name.
 std::filesystem::path sibling_file(const std::filesystem::path& file, const char* ending) {
   return file.parent_path() / ("." + file.filename().string() + "." + std::to_string(::getpid()) + ending);
 }
@@ -44,10 +44,10 @@ std::filesystem::path sibling_file(const std::filesystem::path& file, const char
 VideoEncoder::VideoEncoder(std::filesystem::path file, int width, int height, double video_frame_rate)
     : file_(std::move(file)),
       unfinished_(sibling_file(file_, ".part")),
-      stderr_file_(sibling_file(file_, ".said")),
+      stderr_file_(sibling_file(file_, ".log")),
       width_(width),
       height_(height) {
-  // a socket, so that a write to an ffmpeg that has ended is an error and no signal
+  // a socket, so that writing to an ffmpeg that has ended is an error and not a signal
   std::array<int, 2> sockets{};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0) fail(std::strerror(errno));
   ffmpeg_socket_ = sockets[1];
@@ -69,9 +69,9 @@ VideoEncoder::VideoEncoder(std::filesystem::path file, int width, int height, do
 
   ffmpeg_ = 0;
   ::close(ffmpeg_socket_.exchange(-1));
-  if (std::error_code gone; !std::filesystem::exists(file_.parent_path().empty() ? "." : file_.parent_path(), gone))
-    fail("there is no such folder");
-  fail("ffmpeg, which makes films, cannot be started: " + std::string(std::strerror(error)) + " (apt-get install ffmpeg)");
+  if (std::error_code ignored; !std::filesystem::exists(file_.parent_path().empty() ? "." : file_.parent_path(), ignored))
+    fail("the folder does not exist");
+  fail("ffmpeg, which encodes films, cannot be started: " + std::string(std::strerror(error)) + " (apt-get install ffmpeg)");
 }
 
 VideoEncoder::~VideoEncoder() {
@@ -82,7 +82,7 @@ VideoEncoder::~VideoEncoder() {
   std::filesystem::remove(stderr_file_, ignored);
 }
 
-// ffmpeg's exit code; -1 when a signal ended it.
+// The exit code of ffmpeg; -1 if a signal ended it.
 int VideoEncoder::finish() {
   if (ffmpeg_socket_ >= 0) ::close(ffmpeg_socket_.exchange(-1));
   if (ffmpeg_ <= 0) return -1;
@@ -99,7 +99,7 @@ void VideoEncoder::abort() {
 }
 
 void VideoEncoder::add(const Picture& picture) {
-  if (picture.width != width_ || picture.height != height_) fail("a picture has another size");
+  if (picture.width != width_ || picture.height != height_) fail("the size of the picture differs");
   const std::uint8_t* at = picture.pixels.data();
   std::size_t left = picture.pixels.size();
   while (left > 0) {
@@ -123,7 +123,7 @@ void VideoEncoder::close() {
   if (error) fail(error.message());
 }
 
-// With the first line of the output of ffmpeg. The constructor calls it too, where no destructor follows.
+// Adds the first line of the output of ffmpeg to the message. Also called by the constructor, after which no destructor runs.
 void VideoEncoder::fail(const std::string& why) const {
   std::string first_line;
   std::getline(std::ifstream(stderr_file_), first_line);

@@ -1,4 +1,4 @@
-// A film made by ffmpeg, where it is installed: pictures go down a pipe, raw, without a shell.
+// Films encoded by ffmpeg, if it is installed: raw pictures are passed through a pipe, without a shell.
 #pragma once
 
 #include <sys/types.h>
@@ -12,18 +12,18 @@ namespace hooke {
 
 class VideoEncoder {
  public:
-  // A .mp4 (H.264) of pictures of this size. Nothing is at `file` before `close`. Throws FileError when ffmpeg cannot be
-  // started, with the line that says how to get it.
+  // A .mp4 (H.264) of pictures of this size. There is no file before `close`. Throws FileError if ffmpeg cannot be started, with a message
+  // that says how to install it.
   VideoEncoder(std::filesystem::path file, int width, int height, double video_frame_rate);
-  ~VideoEncoder();  // a film that was not closed is thrown away
+  ~VideoEncoder();  // an unfinished film is deleted
   VideoEncoder(const VideoEncoder&) = delete;
   VideoEncoder& operator=(const VideoEncoder&) = delete;
 
   // Throws FileError with the output of ffmpeg if it has ended.
   void add(const Picture& picture);
-  // Waits for ffmpeg and puts the film in its place. Throws FileError.
+  // Waits for ffmpeg and moves the film to its final path. Throws FileError.
   void close();
-  // Ends ffmpeg, from any thread: an `add` that waits for it fails.
+  // Ends ffmpeg, from any thread: a blocked `add` then fails.
   void abort();
   const std::filesystem::path& file() const { return file_; }
 

@@ -6,7 +6,7 @@
 namespace hooke {
 namespace {
 
-// The most real time that one call counts [s]. Without it, a window that was hidden would resume with a jump.
+// The maximum real time counted per call [s]. Without it, a window that was hidden would resume with a jump.
 constexpr double max_real_seconds = 0.25;
 
 // [s] over which the displayed speed is measured.

@@ -17,7 +17,7 @@ class FramePacer {
 
   // [s] of simulated time until the next frame is due.
   double time_to_next(double frame) const { return frame - backlog_; }
-  // [1], simulated per real second, over the last second or so; 0: not measured.
+  // [1], simulated seconds per real second, over about the last second; 0: not measured.
   double speed() const { return recent_real_ > 0.0 ? recent_simulated_ / recent_real_ : 0.0; }
 
  private:

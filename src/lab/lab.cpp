@@ -99,14 +99,14 @@ void Lab::edit(const Command& command, Gesture gesture) {
   if (moves_points(command)) divergence_.reset();
   check_divergence();
   if (std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command)) grab_gesture_ = gesture;
-  // a drag is one step, its end none of its own
+  // a drag is one step, and its end is not a separate one
   if (inverse.empty() || std::holds_alternative<ReleaseHand>(command)) return;
   history_.record(describe(command), std::move(inverse), gesture);
   unsaved_ = edited_ = true;
   ++edits_;
 }
 
-// A change of parameters does not hide why a run stopped, unless it resolves it: the step was beyond the method's limit and no
+// A change of parameters does not hide why a run stopped, unless it resolves the cause: the step was beyond the limit of the method and no
 // longer is.
 void Lab::check_divergence() {
   if (!divergence_) return;
@@ -121,7 +121,7 @@ bool Lab::must_wait_for_frame() const {
 }
 
 void Lab::apply_queue() {
-  // moved out first: a handler may submit more
+  // moved to a local variable, because a handler may submit more
   auto queue = std::exchange(queue_, {});
   for (const auto& [request, gesture] : queue) {
     if (const auto* command = std::get_if<Command>(&request)) {

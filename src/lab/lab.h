@@ -56,7 +56,7 @@ struct Play {  // opens the start of a recording and replays it, until its end o
 using Control = std::variant<Undo, Redo, GoToHistoryStep, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, GoToStart, Open,
                              MarkSaved, Record, Play>;
 
-// Whether a copy of the opened scene is kept for GoToStart. A long run of a large scene can do without.
+// Whether a copy of the opened scene is kept for GoToStart. A long run of a large scene does not need one.
 enum class KeepStart { Yes, No };
 
 class Lab {
@@ -67,8 +67,8 @@ class Lab {
   void submit(Command command, Gesture gesture = 0);
   void submit(Control control, Gesture gesture = 0);
 
-  // Applies the queue, then computes as many frames as `real_seconds` at the scene's speed require, until `should_continue` returns
-  // false (asked between substeps; the next call continues an unfinished frame). Frames that cannot be computed in time are dropped, so
+  // Applies the queue, then computes as many frames as `real_seconds` at the speed of the scene require, until `should_continue` returns
+  // false (called between substeps; the next call continues an unfinished frame). Frames that cannot be computed in time are skipped, so
   // that a slow scene runs slower.
   void advance(double real_seconds, const std::function<bool()>& should_continue);
 
@@ -91,7 +91,7 @@ class Lab {
   PointId new_point_id() { return scene_.system.new_point_id(); }
   SpringId new_spring_id() { return scene_.system.new_spring_id(); }
 
-  // Whether a recording is being played, and where the playback departs from it: "frame 12, at 0.2 s: point 5 is not where recorded".
+  // Whether a recording is being played, and where the playback differs from it: "frame 12, at 0.2 s: point 5 is not where recorded".
   bool is_playing() const { return playback_.is_on(); }
   const std::string& difference() const { return playback_.difference(); }
 
@@ -138,7 +138,7 @@ class Lab {
   Plan plan_;
   Frame frame_;
   bool frame_in_progress_ = false;
-  bool must_finish_frame_ = false;        // an edit discarded the frame before it
+  bool must_finish_frame_ = false;        // an edit discarded the previous frame
   std::vector<Command> held_edits_;       // applied while a frame that they do not affect is in progress; recorded after it
   State next_;                            // result of the frame in progress
   Energy energy_;                         // of the last frame that did not diverge

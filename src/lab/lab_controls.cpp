@@ -8,7 +8,7 @@ void Lab::open(std::shared_ptr<const Scene> scene) {
   start_ = std::move(scene);
   scene_ = *start_;
   reset_session();
-  // until the first edit readers share the System of the start, which saves a copy
+  // until the first edit, readers share the System of the start, which avoids a copy
   published_system_ = std::shared_ptr<const System>(start_, &start_->system);
   published_system_revision_ = scene_.revision;
 }

@@ -1,4 +1,4 @@
-// What a Lab publishes once a frame.
+// What a Lab publishes once per frame.
 #include <algorithm>
 #include <limits>
 
@@ -28,7 +28,7 @@ DocumentStatus document_of(const Scene& scene) {
 
 }  // namespace
 
-// Copies for readers are made once per revision: a System is large, and reading the parameters visits all springs.
+// Copies for readers are made once per revision, because a System is large and reading the parameters visits all springs.
 const std::shared_ptr<const System>& Lab::published_system() {
   if (!published_system_ || published_system_revision_ != scene_.revision)
     published_system_ = std::make_shared<const System>(scene_.system);

@@ -9,7 +9,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The longest time between two publications while a frame is in progress.
+// The maximum time between two publications while a frame is in progress.
 constexpr auto max_publish_interval = std::chrono::milliseconds(50);
 
 }  // namespace
@@ -63,9 +63,9 @@ std::future<std::shared_ptr<const Scene>> LabThread::copy_scene() {
   return future;
 }
 
-bool LabThread::settle(std::chrono::milliseconds at_most) {
+bool LabThread::settle(std::chrono::milliseconds max_wait) {
   std::unique_lock lock(mutex_);
-  return published_.wait_for(lock, at_most, [&, asked = posted_count_] { return published_count_ >= asked; });
+  return published_.wait_for(lock, max_wait, [&, target = posted_count_] { return published_count_ >= target; });
 }
 
 PointId LabThread::new_point_id() {

@@ -1,5 +1,5 @@
-// The laboratory on a thread of its own: it takes commands through a queue and publishes a Status with a Snapshot. Callers never wait for a
-// step. The states have the same bits as without the thread.
+// The laboratory on a separate thread: it receives commands through a queue and publishes a Status with a Snapshot. Callers never wait for
+// a step. The states have the same bits as without the thread.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@
 
 namespace hooke {
 
-// All functions may be called from any one thread, usually the window's.
+// All functions may be called from any one thread, usually that of the window.
 class LabThread {
  public:
   explicit LabThread(Scene scene);
@@ -30,11 +30,11 @@ class LabThread {
   // The latest status; never null.
   std::shared_ptr<const Status> status() const;
 
-  // A copy of the scene between two frames, after all that was submitted before, to be saved.
+  // A copy of the scene between two frames, after all earlier submissions, for saving.
   std::future<std::shared_ptr<const Scene>> copy_scene();
 
-  // Waits at most `at_most` until the status reflects all that was submitted before; returns whether it does.
-  bool settle(std::chrono::milliseconds at_most);
+  // Waits up to `max_wait` until the status reflects all earlier submissions; returns whether it does.
+  bool settle(std::chrono::milliseconds max_wait);
 
   // Ids for the points and springs of an Insert.
   PointId new_point_id();

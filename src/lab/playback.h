@@ -25,7 +25,7 @@ class Playback {
   // Whether the last frame has been computed; edits may follow.
   bool is_after_last_frame() const { return is_on() && frames_ == recording_->frames; }
 
-  // Where the playback departs from the recording: "frame 12, at 0.2 s: point 5 is not where recorded"; empty: nowhere so far.
+  // Where the playback differs from the recording: "frame 12, at 0.2 s: point 5 is not where recorded"; empty: nowhere so far.
   const std::string& difference() const { return difference_; }
   // Fraction of the frames that has been computed [1].
   double progress() const { return static_cast<double>(frames_) / static_cast<double>(recording_->frames); }

@@ -15,7 +15,7 @@ class Recorder {
   void start(const std::filesystem::path& file, const Scene& scene);
   void stop();
 
-  // Like those of RecordingWriter; no effect without a recording.
+  // Like those of RecordingWriter; no effect if there is no recording.
   void record(const Command& command, const Scene& now);
   void record_scene(const Scene& scene);
   void record_frame(const State& state);

@@ -72,7 +72,7 @@ std::string to_single_line(std::string_view text) {
 std::string scene_line(const Scene& scene) {
   Scene plain = scene;
   plain.system.colliders = carried_colliders(scene.system, scene.state);
-  plain.view.texture.clear();  // appearance only, and in a file of its own
+  plain.view.texture.clear();  // appearance only, stored in a separate file
   plain.view.texture_size.reset();
   return to_single_line(format_scene(plain));
 }
@@ -175,12 +175,12 @@ class RecordingReader {
     if (pending_scene_) refuse("must be the rest of the scene: {\"rest\": ...}");
     if (unknown_.empty()) refuse("no member: must be an edit or a frame");
     const bool is_other_program = !program_.empty() && program_ != program_version;
-    refuse(printable(unknown_) + ": is not known here" + (is_other_program ? "; " + needed_program() : ""));
+    refuse(printable(unknown_) + ": is unknown" + (is_other_program ? "; " + needed_program() : ""));
   }
 
   std::string needed_program() const {
-    return program_.empty() ? "a newer program is needed"
-                            : "Hooke " + printable(program_) + " wrote it: that version or a newer one is needed";
+    return program_.empty() ? "a newer program is required"
+                            : "Hooke " + printable(program_) + " wrote it: that version or a newer one is required";
   }
 
   void add_pending_scene() {
@@ -201,7 +201,7 @@ class RecordingReader {
   std::string program_;                 // version of the program that wrote the file; empty: not stated
   std::string unknown_;                 // first unknown member of the line
   bool has_known_member_ = false;       // in the line
-  std::optional<Scene> pending_scene_;  // its rest is still to come
+  std::optional<Scene> pending_scene_;  // its rest has not been read yet
   JsonParser parser_;
   Recording recording_;
 };

@@ -1,4 +1,4 @@
-// A recording: the edits of a session and a fingerprint of every frame, enough to replay it and to find where a replay departs from it.
+// A recording: the edits of a session and a fingerprint of every frame, sufficient to replay it and to locate differences.
 // A text file with one item per line (docs/recording-format.md).
 #pragma once
 
@@ -18,7 +18,7 @@ namespace hooke {
 inline constexpr int newest_recording_version = 1;
 inline constexpr const char* recording_extension = ".hookelog";
 
-// Of a state: its hash_state, and one byte for each group of neighbouring points, to locate a difference. In scenes of up to max_groups
+// Of a state: its hash_state, and one byte for each group of neighboring points, to locate a difference. In scenes of up to max_groups
 // points each group is a single point.
 struct Fingerprint {
   static constexpr std::size_t max_groups = 1024;
@@ -33,7 +33,7 @@ Fingerprint fingerprint_of(const State& state);
 std::optional<std::pair<Index, Index>> first_difference(const Fingerprint& a, const Fingerprint& b, Index points);
 
 struct Recording {
-  // In order: an edit, a scene that replaces the one before, the end of a frame.
+  // In order: edits, scenes that replace the previous one, ends of frames.
   using Item = std::variant<Command, std::shared_ptr<const Scene>, Fingerprint>;
   std::shared_ptr<const Scene> start;
   std::vector<Item> items;

@@ -1,5 +1,4 @@
-// What the laboratory publishes once a frame for panels and tools to read: a Snapshot of the simulation and the condition of
-// everything around it.
+// What the laboratory publishes once per frame for panels and tools: a Snapshot of the simulation and the state of everything around it.
 #pragma once
 
 #include <memory>
@@ -31,7 +30,7 @@ struct RunStatus {
   double speed = 0.0;                          // simulated seconds per real second, measured; 0 while paused
   long frames = 0;                             // computed since the document was opened
   double from = 0.0, to = 0.0;                 // [s], of a run to a given time; both 0: none
-  double hand_lag = 0.0;                       // [m], from the hand to its target because of its top speed
+  double hand_lag = 0.0;                       // [m], from the hand to its target because of its maximum speed
   double limit_power = 0.0, limit_work = 0.0;  // [W] now and [J] in total, of the strain limit on the scene
 };
 
@@ -51,7 +50,7 @@ struct RecordingStatus {
   std::string file;                // being written; empty: none
   std::string error;               // why the last recording ended early; empty: it did not
   double playback_progress = 0.0;  // [1]; 0: no playback
-  std::string difference;          // where a playback departs from its recording; empty: nowhere so far
+  std::string difference;          // where a playback differs from its recording; empty: nowhere so far
 };
 
 struct DiagnosisStatus {
@@ -67,7 +66,7 @@ struct Status {
   TimelineStatus timeline;
   RecordingStatus recording;
   DiagnosisStatus diagnosis;
-  std::uint32_t next_point_id = 0, next_spring_id = 0;  // ids from here on are free
+  std::uint32_t next_point_id = 0, next_spring_id = 0;  // ids from here on are unused
 };
 
 }  // namespace hooke

@@ -15,7 +15,7 @@ class Timeline {
   // Beyond this many states or bytes the oldest are discarded, but never the newest.
   static constexpr std::size_t max_states = 2000, max_bytes = std::size_t{100} << 20;
 
-  // Appends a state. States at its time or later are discarded: the run took another course from there.
+  // Appends a state. States at or after its time are discarded, because the run continues differently.
   void record(const State& state);
   void clear();
 

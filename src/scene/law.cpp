@@ -28,7 +28,7 @@ double last(const TimeSeries& s) { return s.value.back(); }
 double peak(const TimeSeries& s) { return *std::ranges::max_element(s.value); }
 double trough(const TimeSeries& s) { return *std::ranges::min_element(s.value); }
 
-// Mean time between passings upwards through the middle between its extremes, each where a line between two frames crosses it.
+// Mean time between upward crossings of the mid-level between the extremes, each interpolated linearly between two frames.
 double period(const TimeSeries& s) {
   const double middle = 0.5 * (peak(s) + trough(s));
   double first = NAN, latest = NAN;
@@ -48,7 +48,7 @@ constexpr std::array kinds{
     CriterionKind{"ends_at", true, false, last, "ends at"},
     CriterionKind{"peaks_at", true, false, peak, "peaks at"},
     CriterionKind{"period", true, false, period, "has the period"},
-    CriterionKind{"between", false, true, nullptr, "goes"},
+    CriterionKind{"between", false, true, nullptr, "ranges"},
 };
 
 std::string format_value(double evaluate) {

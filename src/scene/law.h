@@ -1,4 +1,4 @@
-// Criteria of a scene's check: conditions on a quantity over time.
+// Criteria of a scene check: conditions on a quantity over time.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace hooke {
 
-// The values of a quantity at the ends of frames, from `from` on; never empty.
+// The values of a quantity at the ends of frames, starting at `from`; never empty.
 struct TimeSeries {
   std::vector<double> time, value;
 };
@@ -26,8 +26,8 @@ std::span<const CriterionKind> law_kinds();
 // A criterion for one quantity of the run.
 struct Criterion {
   const CriterionKind* kind = nullptr;
-  std::string of;                       // the quantity's name (quantity.h)
-  std::optional<double> value, within;  // in the quantity's unit; of a period [s]
+  std::string of;                       // the name of the quantity (quantity.h)
+  std::optional<double> value, within;  // in the unit of the quantity; of a period [s]
   std::optional<double> min, max;
   double from = 0.0;  // [s] after the start: earlier values are ignored
 };

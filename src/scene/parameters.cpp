@@ -14,14 +14,14 @@ using Kind = Parameter::Kind;
 using Scope = Parameter::Scope;
 using Weight = Parameter::Weight;
 
-// Scales the gravity to a magnitude; downwards if there was none.
+// Scales gravity to a magnitude; directed downwards if there was none.
 void set_gravity(Scene& scene, double size) {
   Vec3& gravity = scene.system.gravity;
   const double magnitude = glm::length(gravity);
   gravity = magnitude > 0.0 ? gravity * (size / magnitude) : Vec3(0.0, -size, 0.0);
 }
 
-// The springs that a row sets, and the weights by which their values follow from its value.
+// The springs that a row sets, and the weights that relate their values to its value.
 struct SpringSlider {
   double Spring::*property;
   Weight weight = Weight::One;
@@ -74,7 +74,7 @@ void write_density(Scene& scene, double value) {
     if (const double area = area_of(scene.sheet.get(), scene.system.points()[i].id); area > 0.0) scene.system.point(i).mass = value * area;
 }
 
-// Radius, and mass if it follows.
+// Radius, and mass if it follows the radius.
 double read_radius(const Scene& scene) {
   CommonValue common;
   for (const Point& point : scene.system.points()) common.include(point.radius);
@@ -110,11 +110,13 @@ bool has_plain_damping(const Scene& scene) {
 
 constexpr std::array parameterizations{
     ParameterChoice{"plain", "Each spring: k, d", "Every spring has exactly the k and d given; a finer net behaves differently."},
-    ParameterChoice{"per_strain", "By strain: Y, d", "k = Y / l0: a spring half as long is twice as stiff, like two pieces of one thread."},
-    ParameterChoice{"by_size", "By size: k, d per length", "d = c l0: a quad half as wide is damped half as much."},
-    ParameterChoice{"material", "As a material: E t, \u03b7, density",
-                    "The same sheet for any number of points: k = 3/4 E t along threads and 3/8 across, half along borders; bend springs "
-                    "keep their own k."},
+    ParameterChoice{"per_strain", "By strain: Y, d",
+                    "k = Y / l0: a spring of half the length is twice as stiff, like a piece of the same thread."},
+    ParameterChoice{"by_size", "By size: k, d per length", "d = c l0: half as much damping in quads of half the width."},
+    ParameterChoice{
+        "material", "As a material: E t, \u03b7, density",
+        "The same sheet for any number of points: k = 3/4 E t along threads and 3/8 E t on diagonals, half along borders; bend springs "
+        "keep their own k."},
 };
 
 template <SpringFamily family>
@@ -143,7 +145,7 @@ double first_of_colliders(const Scene& scene, double Collider::*property) {
   return scene.system.colliders.empty() ? 0.0 : scene.system.colliders.front().*property;
 }
 
-// The percentage that, divided by 100, is this fraction bit for bit, where there is one.
+// The percentage that, divided by 100, gives this fraction bit for bit, if there is one.
 double percent_of(double fraction) {
   const double percent = 100.0 * fraction;
   for (const double near : {percent, std::nextafter(percent, 0.0), std::nextafter(percent, INFINITY)})
@@ -155,7 +157,7 @@ void set_colliders(Scene& scene, double Collider::*property, double value) {
   for (Collider& collider : scene.system.colliders) collider.*property = value;
 }
 
-// A row reads as a table does, so clang-format leaves it alone.
+// Rows are formatted as a table, so clang-format is off.
 // clang-format off
 constexpr std::array rows{
     Parameter{.name = "substeps", .field = "simulation.substeps", .group = "Simulation", .label = "Substeps", .unit = "",
@@ -199,7 +201,7 @@ constexpr std::array rows{
               .min = 0.001, .max = 100, .default_value = 0.2, .logarithmic = true, .scope = Scope::PointMass, .applies = is_sheet_material,
               .read = read_density, .write = write_density},
     Parameter{.name = "structural_springs", .field = "structural_springs", .group = "Springs", .label = "Structural springs", .unit = "",
-              .description = "Whether the springs along the threads of cloths act.",
+              .description = "Whether the springs along the threads of cloths are active.",
               .kind = Kind::Switch, .default_value = 1, .family = SpringFamily::Structural, .applies = has_family<SpringFamily::Structural>,
               .read = read_family_switch<SpringFamily::Structural>, .write = write_family_switch<SpringFamily::Structural>},
     Parameter{.name = "structural_stiffness", .field = "", .group = "Springs", .label = "Structural k", .unit = "N/m",
@@ -209,17 +211,17 @@ constexpr std::array rows{
               .read = read_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Structural}>,
               .write = write_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Structural}>},
     Parameter{.name = "shear_springs", .field = "shear_springs", .group = "Springs", .label = "Shear springs", .unit = "",
-              .description = "Whether the springs across the cells of cloths act.",
+              .description = "Whether the diagonal springs of cloths are active.",
               .kind = Kind::Switch, .default_value = 1, .family = SpringFamily::Shear, .applies = has_family<SpringFamily::Shear>,
               .read = read_family_switch<SpringFamily::Shear>, .write = write_family_switch<SpringFamily::Shear>},
     Parameter{.name = "shear_stiffness", .field = "", .group = "Springs", .label = "Shear k", .unit = "N/m",
-              .description = "Stiffness of every spring across the cells of cloths.",
+              .description = "Stiffness of every diagonal spring of cloths.",
               .min = 0.01, .max = 1e6, .default_value = 50, .logarithmic = true, .scope = Scope::SpringStiffness,
               .family = SpringFamily::Shear, .applies = has_family_stiffness<SpringFamily::Shear>,
               .read = read_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Shear}>,
               .write = write_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Shear}>},
     Parameter{.name = "bend_springs", .field = "bend_springs", .group = "Springs", .label = "Bend springs", .unit = "",
-              .description = "Whether the springs to the second next point of cloths act.",
+              .description = "Whether the springs to the second next point of cloths are active.",
               .kind = Kind::Switch, .default_value = 1, .family = SpringFamily::Bend, .applies = has_family<SpringFamily::Bend>,
               .read = read_family_switch<SpringFamily::Bend>, .write = write_family_switch<SpringFamily::Bend>},
     Parameter{.name = "bend_stiffness", .field = "", .group = "Springs", .label = "Bend k", .unit = "N/m",
@@ -229,16 +231,16 @@ constexpr std::array rows{
               .read = read_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Bend}>,
               .write = write_springs<SpringSlider{&Spring::stiffness, Weight::One, SpringFamily::Bend}>},
     Parameter{.name = "damped_springs", .field = "damped_springs", .group = "Springs", .label = "Damped springs", .unit = "",
-              .description = "Whether the springs' dashpots act.",
+              .description = "Whether the dashpots of springs are active.",
               .kind = Kind::Switch, .default_value = 1,
               .read = [](const Scene& s) { return s.system.dashpots_on ? 1.0 : 0.0; },
               .write = [](Scene& s, double value) { s.system.dashpots_on = value != 0.0; }},
     Parameter{.name = "damping", .field = "", .group = "Springs", .label = "Damping d", .unit = "N s/m",
-              .description = "Force of every spring per speed of elongation.",
+              .description = "Damping force of every spring per rate of elongation.",
               .min = 0, .max = 1e4, .default_value = 0, .logarithmic = true, .scope = Scope::SpringDamping, .applies = has_plain_damping,
               .read = read_springs<SpringSlider{&Spring::damping}>, .write = write_springs<SpringSlider{&Spring::damping}>},
     Parameter{.name = "damping_per_length", .field = "", .group = "Springs", .label = "Damping per length", .unit = "N s/m^2",
-              .description = "Dashpot of every spring by its length: d = c times the rest length.",
+              .description = "Damping of every spring per length: d = c times the rest length.",
               .min = 0, .max = 1e5, .default_value = 0, .logarithmic = true, .scope = Scope::SpringDamping,
               .weight = Weight::Length, .applies = is_by_size,
               .read = read_springs<SpringSlider{&Spring::damping, Weight::Length}>,
@@ -250,17 +252,17 @@ constexpr std::array rows{
               .read = read_springs<SpringSlider{&Spring::damping, Weight::SheetWeight}>,
               .write = write_springs<SpringSlider{&Spring::damping, Weight::SheetWeight}>},
     Parameter{.name = "break_strain", .field = "break_strain", .group = "Springs", .label = "Breaks at strain", .unit = "",
-              .description = "Strain at which every spring breaks, with the faces along it, unless its own break strain is smaller; 0: only its own counts.",
+              .description = "Strain at which every spring breaks, with the faces along it, unless its own break strain is smaller; 0: only its own applies.",
               .min = 0, .max = 10, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
               .read = [](const Scene& s) { return s.system.break_strain; },
               .write = [](Scene& s, double value) { s.system.break_strain = value; }},
-    Parameter{.name = "strain_limit_percent", .field = "strain_limit_percent", .group = "Springs", .label = "Limit on strain", .unit = "%",
-              .description = "Strain that no spring exceeds; the limit keeps linear momentum but dissipates energy; 0: none.",
+    Parameter{.name = "strain_limit_percent", .field = "strain_limit_percent", .group = "Springs", .label = "Strain limit", .unit = "%",
+              .description = "Maximum strain of every spring; the limit conserves linear momentum but dissipates energy; 0: none.",
               .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
               .read = [](const Scene& s) { return percent_of(s.system.strain_limit); },
               .write = [](Scene& s, double value) { s.system.strain_limit = value / 100.0; }},
     Parameter{.name = "radius", .field = "", .group = "Points", .label = "Radius r", .unit = "m",
-              .description = "Radius that is drawn for every point, and its distance of contact.",
+              .description = "Radius of every point, as drawn and for contact.",
               .min = 0.001, .max = 1, .default_value = 0.02, .logarithmic = true, .scope = Scope::PointSize,
               .read = read_radius, .write = write_radius},
     Parameter{.name = "mass_follows_radius", .field = "defaults.mass_follows_radius", .group = "Points", .label = "Mass follows r\u00b2", .unit = "",
@@ -279,17 +281,17 @@ constexpr std::array rows{
               .read = [](const Scene& s) { return s.system.drag; },
               .write = [](Scene& s, double value) { s.system.drag = value; }},
     Parameter{.name = "gravity", .field = "", .group = "Surroundings", .label = "Gravity", .unit = "m/s^2",
-              .description = "Magnitude of gravity; its direction is kept.",
+              .description = "Magnitude of gravity; its direction is unchanged.",
               .min = 0, .max = 30, .default_value = 9.81, .scope = Scope::Gravity,
               .read = [](const Scene& s) { return glm::length(s.system.gravity); },
               .write = set_gravity},
     Parameter{.name = "restitution", .field = "", .group = "Surroundings", .label = "Restitution", .unit = "",
-              .description = "Ratio of the normal speeds after and before an impact, on every collider.",
+              .description = "Ratio of the normal speeds after and before an impact, of every collider.",
               .min = 0, .max = 1, .default_value = 0, .scope = Scope::Colliders,
               .read = [](const Scene& s) { return first_of_colliders(s, &Collider::restitution); },
               .write = [](Scene& s, double value) { set_colliders(s, &Collider::restitution, value); }},
     Parameter{.name = "friction", .field = "", .group = "Surroundings", .label = "Friction", .unit = "",
-              .description = "Coulomb's coefficient on every collider.",
+              .description = "Coulomb friction coefficient of every collider.",
               .min = 0, .max = 2, .default_value = 0.3, .scope = Scope::Colliders,
               .read = [](const Scene& s) { return first_of_colliders(s, &Collider::friction); },
               .write = [](Scene& s, double value) { set_colliders(s, &Collider::friction, value); }},
@@ -313,12 +315,12 @@ constexpr std::array rows{
               .kind = Kind::Switch, .default_value = 0,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.grab == GrabKind::Pull ? 1.0 : 0.0; },
               .write = [](Scene& s, double value) { s.defaults.grab = value != 0.0 ? GrabKind::Pull : GrabKind::Hold; }},
-    Parameter{.name = "pull_stiffness", .field = "defaults.pull_stiffness", .group = "Hand", .label = "Stiffness of the drag", .unit = "N/m",
+    Parameter{.name = "pull_stiffness", .field = "defaults.pull_stiffness", .group = "Hand", .label = "Drag spring k", .unit = "N/m",
               .description = "Stiffness of the spring between the cursor and the dragged point; 0: chosen from the springs of the point.",
               .min = 0, .max = 1e6, .default_value = 0, .physical = not_negative, .logarithmic = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.pull_stiffness; },
               .write = [](Scene& s, double value) { s.defaults.pull_stiffness = value; }},
-    Parameter{.name = "hand_speed", .field = "hand_speed", .group = "Hand", .label = "Top speed", .unit = "m/s",
+    Parameter{.name = "hand_speed", .field = "hand_speed", .group = "Hand", .label = "Maximum speed", .unit = "m/s",
               .description = "Maximum speed of the dragged point, which then lags behind the cursor; 0: unlimited.",
               .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.system.hand_speed; },

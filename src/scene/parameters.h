@@ -1,5 +1,5 @@
-// The table of parameters: from a row follow a slider, a scene field, `--set NAME=VALUE` and lines of the manual and of
-// docs/scene-format.md.
+// The table of parameters: sliders, scene fields, `--set NAME=VALUE`, and entries of the manual and of docs/scene-format.md follow from its
+// rows.
 #pragma once
 
 #include <optional>
@@ -27,14 +27,14 @@ struct Parameter {
   enum class Weight { One, InverseLength, Length, SheetWeight };
   std::string_view name;         // on the command line
   std::string_view field;        // in a scene file, dotted: "simulation.substeps"; empty: not a field of its own
-  std::string_view group;        // heading on the panel; rows of a group stand together
+  std::string_view group;        // heading on the panel; the rows of a group are consecutive
   std::string_view label;        // on the slider
   std::string_view unit;         // SI; empty: a pure number
   std::string_view description;  // one line for help and manual
   Kind kind = Kind::Number;
   double min = 0.0, max = 1.0, default_value = 0.0;  // the range of the slider and of `--set`
-  Bounds physical{};                                 // what a scene file may hold: numbers beyond the slider's range as well
-  bool logarithmic = false;                          // the slider's scale
+  Bounds physical{};                                 // the range in a scene file, which may exceed that of the slider
+  bool logarithmic = false;                          // the scale of the slider
   bool omit_if_default = false;                      // from files
   Scope scope = Scope::Number;
   std::optional<SpringFamily> family{};           // the springs that it sets; none: all
@@ -57,7 +57,7 @@ extern const Parameter &substeps_parameter, &speed_parameter, &stiffness_paramet
 // The k or d of the spring divided by the value of the parameter; 0: the parameter does not set this spring. `sheet` may be null.
 double weight_of(const Parameter& parameter, const SheetWeights* sheet, const Spring& spring);
 
-// The one value shown for many: their common value, or their mean if they differ by more than rounding.
+// The single value shown for several: their common value, or their mean if they differ by more than rounding.
 class CommonValue {
  public:
   void include(double value);
@@ -70,7 +70,7 @@ class CommonValue {
   bool is_uniform_ = true;
 };
 
-// The value within the parameter's range, rounded for integers. NaN becomes the default.
+// The value clamped to the range of the parameter, and rounded for integers. NaN becomes the default.
 double clamp_to(const Parameter& parameter, double value);
 
 }  // namespace hooke

@@ -16,14 +16,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The part of a segment in front of the viewer is where the clip coordinate w is above this fraction of its larger end.
+// The part of a segment in front of the viewer is where the clip coordinate w exceeds this fraction of its larger end value.
 constexpr double min_w = 1e-9;
 
 glm::dvec2 clip_to_screen(const glm::dvec4& clip, const glm::dvec2& size) {
   return {(0.5 + 0.5 * clip.x / clip.w) * size.x, (0.5 - 0.5 * clip.y / clip.w) * size.y};
 }
 
-// The picture of a segment, cut where it passes behind the viewer; none when all of it is behind.
+// The projection of a segment, clipped where it passes behind the viewer; none if all of it is behind.
 struct ScreenSegment {
   glm::dvec2 from, to;
 };
@@ -55,7 +55,7 @@ bool segments_cross(const ScreenSegment& a, const ScreenSegment& b) {
          cross(along_b, a.from - b.from) * cross(along_b, a.to - b.from) < 0.0;
 }
 
-// Distances from the line's origin to where it enters each shape from outside; infinity when it does not.
+// Distances from the origin of the ray to its entry into each shape from outside; infinity if there is none.
 
 double distance_to(const Plane& plane, const PickRay& ray, Vec3& normal) {
   normal = plane.normal;
@@ -81,7 +81,7 @@ double distance_to(const Sphere& sphere, const PickRay& ray, Vec3& normal) {
   return distance;
 }
 
-// Slabs: the line is inside the box where it is between all three pairs of sides.
+// Slabs: the ray is inside the box where it is between all three pairs of sides.
 double distance_to(const Box& box, const PickRay& ray, Vec3& normal) {
   double enter = 0.0, leave = infinity;
   for (int axis = 0; axis < 3; ++axis) {
@@ -103,7 +103,7 @@ double distance_to(const Box& box, const PickRay& ray, Vec3& normal) {
   return enter > 0.0 && enter < leave ? enter : infinity;
 }
 
-// Of a place in the plane of a 2-D scene.
+// For a position in the plane of a 2-D scene.
 bool contains(const Collider& collider, const Vec3& place) {
   return std::visit(
       Overloaded{
@@ -114,7 +114,7 @@ bool contains(const Collider& collider, const Vec3& place) {
       collider.shape);
 }
 
-// The faces that are seen within `reach` [px] of the cursor: all that can hide something there.
+// The visible faces within `reach` [px] of the cursor, which are all that can hide something there.
 class FacesNearCursor {
  public:
   FacesNearCursor(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& cursor, double pick_radius)
@@ -140,13 +140,13 @@ class FacesNearCursor {
   }
 
   struct Hit {
-    double distance = infinity;  // [m], along the line
+    double distance = infinity;  // [m], along the ray
     Patch patch;
   };
   // Where the line first meets one from either side     (T. Moeller, B. Trumbore, Fast, minimum storage ray-triangle
   // intersection, J. Graphics Tools 2 (1997)): o + t d = (1 - u - v) a + u b + v c
   Hit nearest_hit(const PickRay& ray) const {
-    constexpr double edge_tolerance = 1e-9;  // of a face, by which it reaches over its edges: there are no gaps between faces
+    constexpr double edge_tolerance = 1e-9;  // relative extension of a face beyond its edges, so that there are no gaps between faces
     Hit first;
     for (const auto& [corners, ids] : faces_) {
       const Vec3 &a = position(corners[0]), &b = position(corners[1]), &c = position(corners[2]);
@@ -175,15 +175,14 @@ class FacesNearCursor {
   std::vector<NearFace> faces_;
 };
 
-// The faces that hide, for a picture that shows them.
+// The faces that hide other items, if faces are shown.
 std::optional<FacesNearCursor> occluding_faces(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& cursor,
                                                double pick_radius) {
   if (!view_transform.shows_surface || snapshot.system->dimensions == 2) return std::nullopt;
   return FacesNearCursor(snapshot, view_transform, cursor, pick_radius);
 }
 
-// Whether a collider or a face stands before this place, which may itself lie `radius` deep in one. In a 2-D scene nothing
-// does.
+// Whether a collider or a face is in front of this position, which may itself be up to `radius` inside one. False in a 2-D scene.
 bool is_occluded(const Snapshot& snapshot, const ViewTransform& view_transform, const std::optional<FacesNearCursor>& faces,
                  const Vec3& place, double radius) {
   if (snapshot.system->dimensions == 2 || (snapshot.system->colliders.empty() && !faces)) return false;
@@ -254,7 +253,7 @@ std::optional<PointId> pick_point(const Snapshot& snapshot, const ViewTransform&
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec3& place = snapshot.state.position[i];
 
-    // under the cursor: the ball whose front is nearest to the viewer
+    // under the cursor: the ball whose surface is nearest to the viewer
     const double distance = distance_to(place, points[i].radius, ray);
     if (distance < front && !is_occluded(snapshot, view_transform, faces, place, points[i].radius)) {
       front = distance;
@@ -262,7 +261,7 @@ std::optional<PointId> pick_point(const Snapshot& snapshot, const ViewTransform&
     }
     if (under_cursor) continue;
 
-    // beside it: the nearest in the picture
+    // otherwise the nearest in the picture
     const std::optional<glm::dvec2> on_screen = project_to_screen(view_transform, place);
     const double gap = on_screen ? glm::distance(*on_screen, cursor) : infinity;
     if (gap <= nearest && !is_occluded(snapshot, view_transform, faces, place, points[i].radius)) {

@@ -22,15 +22,15 @@ struct PickRay {
   Vec3 at(double distance) const { return origin + distance * direction; }
 };
 
-// The line of sight through this place of the picture. Starts at the near plane.
+// The ray from the viewer through this position of the picture. Starts at the near plane.
 PickRay pick_ray(const ViewTransform& view_transform, const glm::dvec2& cursor);
 
 // The position of a point of the world in the picture; none if it is behind the viewer.
 std::optional<glm::dvec2> project_to_screen(const ViewTransform& view_transform, const Vec3& place);
 
-// The first intersection of the line with a solid collider from outside, at `time` [s].
+// The first intersection of the ray with a solid collider from outside, at `time` [s].
 struct ColliderHit {
-  double distance;  // [m], along the line
+  double distance;  // [m], along the ray
   Vec3 position, normal;
   bool bounded;  // a sphere or a box, not an infinite plane
   Index collider = no_index;
@@ -46,7 +46,7 @@ std::optional<ColliderHit> pick_collider(const Snapshot& snapshot, const ViewTra
 std::optional<PointId> pick_point(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& cursor,
                                   double pick_radius);
 
-// The first intersection of the line of sight with a face, in front of every collider.
+// The first intersection of the ray with a face, in front of every collider.
 struct SurfaceHit {
   Patch patch;
   Vec3 position{0.0};
@@ -57,11 +57,11 @@ std::optional<SurfaceHit> pick_surface(const Snapshot& snapshot, const ViewTrans
 std::optional<SpringId> pick_spring(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& cursor,
                                     double pick_radius);
 
-// Points seen within the rectangle between two corners, in ascending order of their ids.
+// Visible points within the rectangle between two corners, in ascending order of their ids.
 std::vector<PointId> points_in_box(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& corner,
                                    const glm::dvec2& opposite);
 
-// Springs that the cursor's path from `from` to `to` crosses in the picture.
+// Springs that the path of the cursor from `from` to `to` crosses in the picture.
 std::vector<SpringId> springs_across(const Snapshot& snapshot, const ViewTransform& view_transform, const glm::dvec2& from,
                                      const glm::dvec2& to);
 

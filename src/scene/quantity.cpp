@@ -47,7 +47,7 @@ double min_height(const Measurement& m) {
   return min;
 }
 
-// How deep the rim of any free point is in any solid collider.
+// The maximum depth of the surface of any free point in any solid collider.
 double max_penetration(const Measurement& m) {
   double max = 0.0;
   std::vector<Collider> colliders;
@@ -85,10 +85,10 @@ double center_of(const Measurement& m, Index) {
 constexpr std::array rows{
     QuantityRow{"time", "s", Of::Scene, "Time", [](const Measurement& m, Index) { return m.state.time; }},
     QuantityRow{"kinetic", "J", Of::Scene, "Kinetic energy", [](const Measurement& m, Index) { return m.energy.kinetic; }},
-    QuantityRow{"elastic", "J", Of::Scene, "Energy in the springs", [](const Measurement& m, Index) { return m.energy.elastic; }},
+    QuantityRow{"elastic", "J", Of::Scene, "Elastic energy", [](const Measurement& m, Index) { return m.energy.elastic; }},
     QuantityRow{"gravitational", "J", Of::Scene, "Potential energy", [](const Measurement& m, Index) { return m.energy.gravitational; }},
     QuantityRow{"total", "J", Of::Scene, "Total energy", [](const Measurement& m, Index) { return m.energy.total(); }},
-    QuantityRow{"dissipated", "J", Of::Scene, "Energy lost since the start",
+    QuantityRow{"dissipated", "J", Of::Scene, "Energy dissipated since the start",
                 [](const Measurement& m, Index) { return m.state.ledger.net_input - m.energy.total(); }},
     QuantityRow{"momentum_x", "kg m/s", Of::Scene, "Momentum along x", momentum_of<0>},
     QuantityRow{"momentum_y", "kg m/s", Of::Scene, "Momentum along y", momentum_of<1>},
@@ -96,19 +96,19 @@ constexpr std::array rows{
     QuantityRow{"angular_x", "kg m^2/s", Of::Scene, "Angular momentum about x", angular_momentum_of<0>},
     QuantityRow{"angular_y", "kg m^2/s", Of::Scene, "Angular momentum about y", angular_momentum_of<1>},
     QuantityRow{"angular_z", "kg m^2/s", Of::Scene, "Angular momentum about z", angular_momentum_of<2>},
-    QuantityRow{"center_x", "m", Of::Scene, "Centre of the free mass, x", center_of<0>},
-    QuantityRow{"center_y", "m", Of::Scene, "Centre of the free mass, y", center_of<1>},
-    QuantityRow{"center_z", "m", Of::Scene, "Centre of the free mass, z", center_of<2>},
+    QuantityRow{"center_x", "m", Of::Scene, "Center of mass of the free points, x", center_of<0>},
+    QuantityRow{"center_y", "m", Of::Scene, "Center of mass of the free points, y", center_of<1>},
+    QuantityRow{"center_z", "m", Of::Scene, "Center of mass of the free points, z", center_of<2>},
     QuantityRow{"least_strain", "1", Of::Scene, "Minimum strain of a spring", [](const Measurement& m, Index) { return m.min_strain; }},
     QuantityRow{"largest_strain", "1", Of::Scene, "Maximum strain of a spring",
                 [](const Measurement& m, Index) { return m.largest_strain; }},
     QuantityRow{"fastest", "m/s", Of::Scene, "Speed of the fastest point", [](const Measurement& m, Index) { return max_speed(m); }},
     QuantityRow{"lowest", "m", Of::Scene, "Height of the lowest point", [](const Measurement& m, Index) { return min_height(m); }},
-    QuantityRow{"depth", "m", Of::Scene, "How deep a point is in a collider",
+    QuantityRow{"depth", "m", Of::Scene, "Maximum penetration of a point into a collider",
                 [](const Measurement& m, Index) { return max_penetration(m); }},
-    QuantityRow{"x", "m", Of::Point, "Place of a point, x", position_of<0>},
-    QuantityRow{"y", "m", Of::Point, "Place of a point, y", position_of<1>},
-    QuantityRow{"z", "m", Of::Point, "Place of a point, z", position_of<2>},
+    QuantityRow{"x", "m", Of::Point, "Position of a point, x", position_of<0>},
+    QuantityRow{"y", "m", Of::Point, "Position of a point, y", position_of<1>},
+    QuantityRow{"z", "m", Of::Point, "Position of a point, z", position_of<2>},
     QuantityRow{"vx", "m/s", Of::Point, "Velocity of a point, x", velocity_of<0>},
     QuantityRow{"vy", "m/s", Of::Point, "Velocity of a point, y", velocity_of<1>},
     QuantityRow{"vz", "m/s", Of::Point, "Velocity of a point, z", velocity_of<2>},

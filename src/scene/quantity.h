@@ -1,4 +1,4 @@
-// Quantities of a scene by name: the columns of CSV files, and the quantities of scenes' checks.
+// Quantities of a scene by name: the columns of CSV files, and the quantities of scene checks.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace hooke {
 
-// Values that several quantities are read from, computed once per state.
+// Intermediate values of several quantities, computed once per state.
 struct Measurement {
   const System& system;
   const State& state;

@@ -27,7 +27,7 @@ struct Defaults {
   bool operator==(const Defaults&) const = default;
 };
 
-// The quantities by which the sliders set the springs. Each spring keeps its own k and d.
+// The parameterization of the springs by the sliders. Each spring keeps its own k and d.
 enum class SpringParameterization : std::uint8_t {
   Plain,      // k and d of each spring
   PerStrain,  // k = Y / l0; d of each spring
@@ -35,10 +35,10 @@ enum class SpringParameterization : std::uint8_t {
   Material,   // of the sheet, for any number of points: k = E t weight, d = eta weight, mass = density area
 };
 
-// What broke in one frame of a run, and what broke before it: from the whole scene, tears branch where somebody went back and
-// let it go on otherwise.
+// The items that broke in one frame of a run, and the preceding tear. Tears form a tree rooted at the intact scene, with a branch wherever
+// the user went back in time and the run continued differently.
 struct Tear {
-  std::uint32_t before = 0;  // the tear that this one came after (State::torn)
+  std::uint32_t before = 0;  // the preceding tear (State::torn)
   std::vector<PlacedSpring> springs;
   std::vector<PlacedFace> faces;
 };
@@ -49,12 +49,12 @@ struct ControlRanges {
   bool operator==(const ControlRanges&) const = default;
 };
 
-// The parts of a file that are kept as text: generators of the last points, springs and faces, and unknown keys.
+// The parts of a file that are preserved as text: generators of the last points, springs and faces, and unknown keys.
 struct PreservedJson {
   using Members = std::string;                    // "\"a\": 1, \"b\": [2]": members without the braces
-  std::string generators;                         // the list as it stood; empty: none
-  std::string check;                              // the object as it stood (scene_check.h); empty: none
-  std::string gallery;                            // the object as it stood (gallery.h); empty: none
+  std::string generators;                         // the list as in the file; empty: none
+  std::string check;                              // the object as in the file (scene_check.h); empty: none
+  std::string gallery;                            // the object as in the file (gallery.h); empty: none
   Members unknown;                                // at the top
   std::map<std::string, Members> unknown_inside;  // in an object: "simulation", "view.camera", "colliders[0]"
   std::map<PointId, Members> unknown_of_points;
@@ -73,10 +73,10 @@ struct Scene {
   Defaults defaults;
   SpringParameterization parameterization = SpringParameterization::Plain;
   std::shared_ptr<const SheetWeights> sheet;       // null: there is no cloth
-  std::vector<std::shared_ptr<const Tear>> tears;  // of the run, in the order in which they happened; state.torn counts from 1
+  std::vector<std::shared_ptr<const Tear>> tears;  // of the run, in order of occurrence; state.torn counts from 1
   ControlRanges controls;
   PreservedJson preserved_json;
-  std::uint64_t revision = 0;  // of everything but the state; apply alone increments it, and what is derived from a scene is cached by it
+  std::uint64_t revision = 0;  // of everything except the state; only apply increments it, and caches of derived data depend on it
 };
 
 // The mass of the point with another radius, proportional to its square; unchanged if either radius is 0.

@@ -60,7 +60,7 @@ Selection invert_selection(const System& system, const Selection& selection) {
 }
 
 Selection select_connected(const System& system, const Selection& selection) {
-  // every piece of the net under one of its points: union-find with path compression
+  // the connected components by a representative point: union-find with path compression
   std::vector<Index> parent(static_cast<std::size_t>(system.point_count()));
   std::iota(parent.begin(), parent.end(), 0);
   const auto root_of = [&](PointId id) {

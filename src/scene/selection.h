@@ -1,4 +1,4 @@
-// The selection of the user. Ids in ascending order, each once.
+// The selection of the user. Ids in ascending order without duplicates.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,5 @@
-// Shapes: cloths, ropes, sheets, bridges and others that are made from a few numbers. The generators of a scene file and the
-// window's Add menu come from this table: a row defines the type in files, its fields there and on the panel, and its entry in
-// docs/scene-format.md.
+// Shapes: cloths, ropes, sheets, bridges and others that are generated from a few parameters. The generators of a scene file and the Add
+// menu follow from this table: a row defines the type in files, its fields there and on the panel, and its entry in docs/scene-format.md.
 #pragma once
 
 #include <array>
@@ -20,7 +19,7 @@ struct Shape;
 
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
-// A number that a shape is made from.
+// A parameter of a shape.
 struct ShapeNumber {
   std::string_view name;   // in files
   std::string_view label;  // on the slider
@@ -40,13 +39,13 @@ struct ShapeVector {
   std::size_t counts = 0;                 // 0: coordinates [m]; else this many integers of at least 2
 };
 
-// A word that stands for points of the shape in its list of nails.
+// A keyword for points of the shape in its list of nails.
 struct NailKeyword {
   std::string_view word;
   std::vector<Index> (*points)(const Shape& shape);  // indices within the shape
 };
 
-// A field whose value contradicts another, or is missing; an empty field: the shape as a whole.
+// A field whose value contradicts another or is missing; an empty field refers to the shape as a whole.
 struct ShapeError {
   std::string_view field;
   std::string text;
@@ -61,12 +60,12 @@ struct ShapeKind {
   std::string_view details;      // for the documentation: formulas and limits
   std::span<const ShapeNumber> numbers;
   std::span<const std::string_view> supports = {};  // how it can be nailed; the first is the default
-  std::span<const ShapeVector> vectors = {};        // place the shape instead of `at`, `turn` and `tilt`
+  std::span<const ShapeVector> vectors = {};        // these define the position, instead of `at`, `turn` and `tilt`
   std::span<const NailKeyword> nail_keywords = {};  // a list of nails instead of a support; empty: takes no list
   bool is_3d_only = false;                          // not available in a 2-D scene
   std::optional<ShapeError> (*check)(const Shape& shape) = nullptr;
   ElementCount (*element_count)(const Shape& shape) = nullptr;
-  // Appends the shape. Without vectors it is centred at the origin and upright (y is up).
+  // Appends the shape. Without vectors it is centered at the origin and upright (y is up).
   void (*make)(const Shape& shape, Network& network) = nullptr;
 
   bool is_placeable() const { return !label.empty(); }
@@ -82,7 +81,7 @@ const ShapeKind* find_shape_kind(std::string_view id);
 // A shape of a scene.
 struct Shape {
   const ShapeKind* kind = nullptr;
-  Vec3 at{0.0};                   // [m], its centre
+  Vec3 at{0.0};                   // [m], its center
   double turn = 0.0, tilt = 0.0;  // [degrees], about the vertical axis after about the x axis
   std::optional<Color> color;
   std::size_t support = 0;                         // index into the kind's supports
@@ -90,7 +89,7 @@ struct Shape {
   std::array<Vec3, max_shape_vectors> vectors{};   // in the order of the kind's vectors
   std::vector<Index> nails;                        // indices within the shape
 
-  // A number by its name, which the kind must have; NaN if it was not given.
+  // A parameter by its name, which the kind must have; NaN if it was not given.
   double operator[](std::string_view name) const;
   bool has(std::string_view name) const;
   std::optional<double> find(std::string_view name) const { return has(name) ? std::optional((*this)[name]) : std::nullopt; }
@@ -99,13 +98,13 @@ struct Shape {
   std::string_view support_name() const { return kind->supports[support]; }
 };
 
-// With the default numbers.
+// With default parameters.
 Shape default_shape(const ShapeKind& kind);
 
-// The number of elements, without making them.
+// The number of elements, without generating them.
 ElementCount element_count_of(const Shape& shape);
 
-// Appends the shape, rotated and moved to its place. Masses and stiffnesses may overflow: the caller checks them.
+// Appends the shape, rotated and moved to its position. Masses and stiffnesses may overflow: the caller checks them.
 void generate(const Shape& shape, Network& network);
 
 }  // namespace hooke

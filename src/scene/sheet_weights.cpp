@@ -12,7 +12,7 @@ SheetEdit::~SheetEdit() {
   sheet_ = is_any ? std::make_shared<const SheetWeights>(std::move(*changed_)) : nullptr;
 }
 
-// Each id is set once, so that what was before is still in the sheet.
+// Each id is set once, so that the previous value is still in the sheet.
 void SheetEdit::set(std::vector<double> SheetWeights::*list, std::size_t id, double value, double before) {
   if (value == before) return;
   if (!changed_) changed_ = sheet_ ? *sheet_ : SheetWeights{};

@@ -1,5 +1,5 @@
-// The weights of points and springs in the sheets that they form: material sliders use them to set each point and spring from
-// the properties of the sheet.
+// The weights of points and springs in their sheets, with which the material sliders set each point and spring from the properties of the
+// sheet.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace hooke {
 
-// By id. 0, also beyond the end: part of no sheet.
+// By id. 0, also beyond the end: not part of a sheet.
 struct SheetWeights {
   std::vector<double> area;           // [m^2], of each point
   std::vector<double> spring_weight;  // [1], of each spring
@@ -27,8 +27,8 @@ struct SheetWeights {
 inline double area_of(const SheetWeights* sheet, PointId id) { return sheet != nullptr ? sheet->area_of(id) : 0.0; }
 inline double sheet_weight_of(const SheetWeights* sheet, SpringId id) { return sheet != nullptr ? sheet->sheet_weight_of(id) : 0.0; }
 
-// Edits the weights of a scene; copies them only if something changes. The destructor removes them if no point or spring is
-// part of a sheet.
+// Edits the weights of a scene; copies them only if something changes. The destructor removes them if no point or spring belongs to a sheet
+// any more.
 class SheetEdit {
  public:
   explicit SheetEdit(std::shared_ptr<const SheetWeights>& sheet) : sheet_(sheet) {}

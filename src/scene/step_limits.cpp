@@ -24,7 +24,7 @@ std::optional<int> min_stable_substeps(const Integrator& integrator, const Spect
 
 Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings) {
   const Integrator& method = *settings.integrator;
-  // a method that amplifies every undamped mode amplifies the motion across the springs even where dashpots damp that along them
+  // a method that amplifies every undamped mode also amplifies transverse motion, which dashpots do not damp
   const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate);
   if (limit && method.stability != Stability::None) {
     if (settings.substeps < with_margin(*limit)) return {&method, with_margin(*limit)};

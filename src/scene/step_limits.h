@@ -1,4 +1,4 @@
-// Steps within a method's linear stability limit on a scene, and the warning about a longer one.
+// Steps within the linear stability limit of a method on a scene, and the warning about a longer one.
 #pragma once
 
 #include <optional>
@@ -17,13 +17,13 @@ struct Advice {
   bool operator==(const Advice&) const = default;
 };
 
-// Fewest substeps per frame within the method's linear stability limit on this scene; none where no step is stable.
+// The minimum number of substeps per frame within the linear stability limit of the method on this scene; none if no step is stable.
 std::optional<int> min_stable_substeps(const Integrator& integrator, const Spectrum& spectrum, double frame_rate);
 
-// The method as set with enough substeps or, where none are enough, another method. Not tested on the scene (study/remedy.h).
+// The current method with enough substeps or, if none are enough, another method. Not tested on the scene (study/remedy.h).
 Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings);
 
-// A line for a step beyond the method's linear limit on this scene: "FIELD: VALUE: ...", in the words of a scene file.
+// A warning about a step beyond the linear limit of the method on this scene: "FIELD: VALUE: ...", with names of the scene file.
 std::optional<std::string> step_warning(const System& system, const Settings& settings);
 
 // "Velocity Verlet with 80 substeps per frame"

@@ -18,14 +18,14 @@ struct CameraPose {
   Vec3 target{0.0};
   std::optional<Vec3> up;  // none: opposite to gravity (y without gravity)
   bool orthographic = false;
-  bool follows = false;  // follows the centre of all points when it leaves the middle of the picture
+  bool follows = false;  // follows the center of all points when it leaves the middle of the picture
   bool operator==(const CameraPose&) const = default;
 };
 
 struct ViewSettings {
   std::optional<CameraPose> camera;  // none: frames the scene
-  std::optional<Color> background;   // none: the program's own
-  // visible parts of the network; strain colours the springs, or the surface if no springs are shown
+  std::optional<Color> background;   // none: the default of the program
+  // visible parts of the network; strain colors are shown on the springs, or on the surface if springs are hidden
   bool surface = true, springs = true, points = true, strain_colors = true;
   bool shadows = true;                 // near the ground, a sphere or a box
   std::string texture;                 // on the faces: a shipped texture, or a PNG in the folder of the scene; empty: none
@@ -39,8 +39,7 @@ struct Picture {
   std::vector<std::uint8_t> pixels;
 };
 
-// [m] on the flat cloth, right and down from its first corner, of each point by its id; NaN: a point of no cloth, as
-// are all ids beyond the end.
+// [m] on the flat cloth, right and down from its first corner, of each point by its id; NaN: not on a cloth, as for all ids beyond the end.
 using ClothCoordinates = std::vector<glm::dvec2>;
 inline constexpr glm::dvec2 no_cloth_coordinates{std::numeric_limits<double>::quiet_NaN()};
 

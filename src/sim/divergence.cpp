@@ -22,8 +22,8 @@ std::vector<double> stiffness_rates(const System& system) {
   return rate;
 }
 
-// The fastest free point. Where positions or velocities are not finite, they have spread along the springs within the frame, and the
-// order of the points says nothing: it is the one among them that its springs can accelerate most.
+// The fastest free point. Non-finite values spread along the springs within a frame, so the order of the points has no meaning then: the
+// point among them that its springs can accelerate most.
 Index worst_point(const System& system, const State& state) {
   const auto is_lost = [&](Index i) { return !is_finite(state.position[i]) || !is_finite(state.velocity[i]); };
   bool any_lost = false;
@@ -74,7 +74,7 @@ bool is_finite(const State& state) {
 
 namespace {
 
-// The minimum of the supplied energy [J]: M g L, and in scenes without weight a billionth of sum k l0^2.
+// The minimum of the supplied energy [J]: M g L; without gravity, 1e-9 of sum k l0^2.
 double min_scale(const System& system, const State& state) {
   double springs = 0.0;
   for (const Spring& spring : system.springs()) springs += system.stiffness_of(spring) * spring.rest_length * spring.rest_length;
@@ -92,7 +92,7 @@ void record_extent(State& state) {
   state.ledger.speed = std::max(state.ledger.speed.value_or(0.0), max_length(state.velocity));
 }
 
-// Whether a point is farther away than motion can have taken it.
+// Whether a point is farther away than any motion can have taken it.
 bool is_implausible(const System& system, const State& state, double distance) {
   const EnergyLedger& ledger = state.ledger;
   if (!ledger.extent || !ledger.speed || distance <= 1000.0 * *ledger.extent) return false;

@@ -20,11 +20,11 @@ struct Divergence {
   std::optional<SpringId> spring;  // the one under the highest strain, on that point if it has any
 };
 
-// The energy may exceed what start, hand, edits and forces supplied by this many times their size,
+// The energy may exceed the supplied energy by this factor times its magnitude,
 inline constexpr double divergence_factor = 100.0;
-// plus the ledger's hand_stretch: a step in which the hand turns a stiff sheet by its corner leaves it too long for a moment.
-// The gain must also be at least this fraction of the kinetic and elastic energy: in a long fall these exceed the supplied energy
-// by far, and so does a small relative error.
+// plus hand_stretch of the ledger: in a step in which the hand turns a stiff sheet at its corner, springs are briefly too long. The gain
+// must also be at least this fraction of the kinetic and elastic energy: in a long fall these exceed the supplied energy by far, and so
+// does a small relative error.
 inline constexpr double divergence_fraction = 0.5;
 
 // True when every position and velocity is finite.
@@ -36,7 +36,7 @@ void initialize_ledger(const System& system, State& state);
 // Records that an edit took the energy from `before` [J] to that of (system, state).
 void record_edit_energy(const System& system, double before, State& state);
 
-// Checks the frame that ended in `state`; none if it is sound.
+// Checks the frame that ended in `state`; none if it did not diverge.
 std::optional<Divergence> find_divergence(const System& system, const State& state, const Energy& energy);
 
 }  // namespace hooke

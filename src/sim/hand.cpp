@@ -33,7 +33,7 @@ std::optional<ActiveGrab> active_grab(const System& system, const State& state, 
   const ScriptedHand& hand = *system.scripted_hand;
   if (system.index_of(hand.point) == no_index) return std::nullopt;
 
-  // frames begin at whole multiples of their duration, but for round-off
+  // frames begin at integer multiples of their duration, up to round-off
   const double since = state.time - hand.begin, round_off = 1e-6 * duration;
   if (since < -round_off || since > hand.seconds - round_off) return std::nullopt;
   return ActiveGrab{hand.point, GrabKind::Hold, position_at(hand, state.time + duration)};
@@ -48,7 +48,7 @@ Vec3 hand_force(const Plan& plan, const Motion& motion) {
   }
   if (!plan.held) return force;
 
-  // against -(k (l - l0) + d l') u of each spring, u from its other end, and m g
+  // the opposite of the spring forces -(k (l - l0) + d l') u, u from the other end, and of m g
   const Vec3 x = vector_at(plan, motion.x, *plan.held), v = vector_at(plan, motion.v, *plan.held);
   force = -plan.held_mass * plan.gravity;
   for (const auto& [s, other] : plan.held_springs) {

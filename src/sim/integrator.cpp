@@ -29,15 +29,15 @@ std::string_view describe(Stability stability) {
     case Stability::None:
       return "unstable at every step";
     case Stability::Conditional:
-      return "stable up to a largest step";
+      return "stable up to a maximum step";
     case Stability::Adaptive:
-      return "adapts its step";
+      return "chooses its own steps";
     case Stability::EachSpring:
       return "each spring alone is stable at any step";
     case Stability::AStable:
       return "stable at any step";
     case Stability::LStable:
-      return "stable at any step, fast modes die out";
+      return "stable at any step, damps fast modes";
   }
   return {};
 }
@@ -49,7 +49,7 @@ std::string_view describe(EnergyTrend energy) {
     case EnergyTrend::Drifts:
       return "drifts slowly";
     case EnergyTrend::Bounded:
-      return "stays within bounds";
+      return "stays bounded";
     case EnergyTrend::Falls:
       return "falls";
   }
@@ -82,7 +82,7 @@ double largest_stable_step(const Integrator& integrator, double omega, double la
         {.h_omega_squared = h * h * omega * omega, .h_lambda = h * lambda, .h_drag = h * drag, .h_rate = h * force_rate});
   };
   const auto is_stable_at = [&](double h) { return is_stable(amplification_at(h)); };
-  // where an eigenvalue comes near -1 the higher splitting methods lose a band of steps not a hundredth wide
+  // where an eigenvalue approaches -1, the higher-order splitting methods are unstable in a band of steps less than a hundredth wide
   const auto is_near_minus_one = [&](double h) {
     const Amplification step = amplification_at(h);
     return 1.0 + step.determinant + step.trace < 0.02;
@@ -90,7 +90,7 @@ double largest_stable_step(const Integrator& integrator, double omega, double la
   const double rate = std::max({omega, lambda, drag, force_rate});
   if (rate == 0.0) return std::numeric_limits<double>::infinity();
 
-  // walk up from a thousandth of the fastest rate until a step fails, then bisect
+  // increase from a thousandth of the fastest rate until a step is unstable, then bisect
   double stable = 1e-3 / rate, unstable = stable;
   if (!is_stable_at(stable)) return 0.0;
   while (true) {
@@ -110,14 +110,15 @@ double largest_stable_step(const Integrator& integrator, double omega, double la
 
 namespace {
 
-// over the corners of the region (omega, lambda) in which the scene's modes lie
+// over the corners of the region (omega, lambda) that contains the modes of the scene
 double conditional_step(const Integrator& integrator, const Spectrum& spectrum, double force_rate) {
   const double omega = spectrum.omega, drag = spectrum.drag_rate;
   const double min = std::min(spectrum.min_dashpot_ratio * omega * omega, spectrum.dashpot_rate);
   const double along_spring = std::min({largest_stable_step(integrator, omega, min, drag, force_rate),
                                         largest_stable_step(integrator, omega, spectrum.dashpot_rate, drag, force_rate),
                                         largest_stable_step(integrator, 0.0, spectrum.dashpot_rate, drag, force_rate)});
-  // across a stretched spring its dashpot does nothing; where no step is stable without dashpots, what they stabilize counts
+  // in the transverse direction of a stretched spring its dashpot does nothing; if no step is stable without dashpots, their stabilizing
+  // effect counts
   return integrator.stability == Stability::None ? along_spring
                                                  : std::min(along_spring, largest_stable_step(integrator, omega, 0.0, drag, force_rate));
 }

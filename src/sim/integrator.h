@@ -27,7 +27,7 @@ struct Amplification {
 enum class Stability {
   None,         // an undamped mode grows at any step size
   Conditional,  // none grows up to a largest step, which follows from the amplification
-  Adaptive,     // the method picks its own steps within the one asked for
+  Adaptive,     // the method chooses its own steps within the given one
   EachSpring,   // a single spring never grows and decays if too fast for the step; nothing is guaranteed for coupled springs
   AStable,      // none grows at any step (A-stable)
   LStable,      // and modes far too fast for the step decay at once (L-stable)
@@ -36,7 +36,7 @@ enum class Stability {
 // The energy of an undamped scene over many steps.
 enum class EnergyTrend { Grows, Drifts, Bounded, Falls };
 
-// In words, for menus and documents.
+// As text, for menus and documents.
 std::string_view describe(Stability stability);
 std::string_view describe(EnergyTrend energy);
 
@@ -44,7 +44,7 @@ struct Integrator {
   std::string_view id;       // on the command line and in files
   std::string_view label;    // in the menu
   std::string_view summary;  // one sentence: when to use it
-  std::string_view cost;     // what a step costs, in force evaluations or factorisations
+  std::string_view cost;     // cost of a step, in force evaluations or factorizations
   std::string_view formula;  // one step of h, lines
   std::string_view source;   // the publication
   int order;                 // of positions and velocities, undamped
@@ -59,8 +59,8 @@ struct Integrator {
   // Whether listed forces are part of the implicit system. If not, they limit the step also of a method that is otherwise stable at
   // any step.
   bool implicit_force_terms;
-  // Robust enough to be left alone with a scene: the hard cases require that it succeeds at the smallest step tried. The others
-  // are for teaching and comparison.
+  // Robust enough for unattended use: the hard cases require that it succeeds at the smallest step tried. The others are for teaching and
+  // comparison.
   bool for_production;
   // Called once per frame, before its first step of h: sizes the workspace and computes what is common to all steps. May be null.
   void (*prepare)(const Plan& plan, double h, const Motion& motion, Workspace& work);
@@ -80,13 +80,13 @@ const Integrator& stiff_integrator();
 // roots s of s^2 + (lambda + c) s + omega^2.
 Amplification amplification_from(std::complex<double> (*r)(std::complex<double>), const Oscillator& oscillator);
 
-// The linear limit: the largest step [s] at which no linear mode within the spectrum grows. 0 if one grows at every step (undamped
-// explicit Euler), infinity if none does or the method adapts its step. In scenes with contact it is finite for every method: contact
-// stops a point after the step, and springs too fast for the step turn that correction into energy.
+// The linear limit: the largest step [s] at which no linear mode within the spectrum grows. 0 if a mode grows at every step (undamped
+// explicit Euler), infinity if none does or the method adapts its step. In scenes with contact it is finite for every method: contact stops
+// a point after the step, and springs too fast for the step convert that correction into energy.
 double largest_stable_step(const Integrator& integrator, const Spectrum& spectrum);
 
-// The linear limit holds for small oscillations. Nets that rotate and stretch can gain energy at steps below it; of 120 random nets
-// started far from equilibrium none did with steps shorter by this factor (docs/methods.md).
+// The linear limit holds for small oscillations. Nets that rotate and stretch can gain energy at smaller steps; none of 120 random nets
+// started far from equilibrium did with steps shorter by this factor (docs/methods.md).
 inline constexpr int recommended_margin = 4;
 
 }  // namespace hooke

@@ -18,14 +18,14 @@ struct Motion {
   // since the start of the frame
   long force_evaluations = 0;
   long factorizations = 0;
-  long solves = 0;              // linear systems solved with a factorisation
+  long solves = 0;              // linear systems solved with a factorization
   long sweeps = 0;              // over all springs as constraints
   long unconverged_solves = 0;  // nonlinear systems that reached the iteration limit
-  // [J], of what is not a force: moving colliders, springs that break, the strain limit
+  // [J], of effects that are not forces: moving colliders, breaking springs, the strain limit
   double collider_work = 0.0, break_work = 0.0, limit_work = 0.0;
   double hand_work = 0.0, abs_hand_work = 0.0;  // [J], of the hand, and the sum of the magnitudes over the substeps
   double force_work = 0.0;                      // [J], of the listed forces
-  double local_error = 0.0;                     // [m], sum over the steps of the method's own estimate, RMS over the points; 0: it has none
+  double local_error = 0.0;  // [m], sum over the steps of the error estimates of the method, RMS over the points; 0 if it has none
 };
 
 // What a method derives from the Plan's structure alone (an order of springs, a symbolic factorization). It outlives the frame

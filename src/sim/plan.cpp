@@ -26,8 +26,8 @@ void find_runs(Plan& plan, const System& system) {
     ends.push_back({std::min(i, j), std::max(i, j), s});
   }
 
-  // by offset, then place, makes the runs; by the place of their first spring, the runs lie in the points' order, so
-  // that neighbouring runs find their points in the cache
+  // sorted by offset, then index, springs form runs; sorted by the index of their first spring, the runs are in the order of the points, so
+  // that neighboring runs find their points in the cache
   std::sort(ends.begin(), ends.end(), [](const Ends& a, const Ends& b) {
     return std::tuple(a.second - a.first, a.first, a.spring) < std::tuple(b.second - b.first, b.first, b.spring);
   });
@@ -37,7 +37,7 @@ void find_runs(Plan& plan, const System& system) {
   };
   std::vector<Found> found;
   for (std::size_t e = 0; e < ends.size(); ++e) {
-    // cut at a few hundred springs, so that runs along the whole scene do not sweep the cache once for each direction
+    // split into some hundred springs, so that runs along the whole scene do not evict the cache for each direction
     const bool continues = !found.empty() && found.back().count < max_run_length && ends[e].first == ends[e - 1].first + 1 &&
                            ends[e].second == ends[e - 1].second + 1;
     if (continues)
@@ -89,7 +89,7 @@ void plan_colliders(Plan& plan, const System& system) {
   }
 }
 
-// Moves the carried collider to where the hand has it, and on to its target during the coming frame.
+// Moves the carried collider to its position under the hand, and towards its target during the coming frame.
 void plan_carried_collider(Plan& plan, const System& system, const State& state, double duration) {
   const CarriedCollider& carried = *state.hand.collider;
   const auto planned = std::ranges::find(plan.collider_index, carried.collider);
@@ -249,7 +249,7 @@ void prepare_hand(Plan& plan, const System& system, const State& state, double d
 
 namespace {
 
-// How far a collider's surface reaches from the origin [m], and how fast it moves what touches it [m/s].
+// The maximum distance of the surface of a collider from the origin [m], and the speed of its surface [m/s].
 struct ColliderReach {
   double distance = 0.0, speed = 0.0;
 };

@@ -17,9 +17,9 @@ struct State;
 // One vector per point, component by component: component c of point i is at [c * points + i].
 using Field = std::vector<double>;
 
-// `count` consecutive springs that join point first + e to point second + e, e = 0 .. count-1. A grid falls into a few
-// long runs (one a row and direction), so their ends are read and written as whole vectors; any other graph is runs of
-// one. Spring e of the run has the packed index begin + e.
+// `count` consecutive springs that connect point first + e to point second + e, e = 0 .. count-1. A grid consists of a few long runs (one
+// for each row and direction), whose ends are read and written as whole vectors; any other graph consists of short runs. Spring e of the
+// run has the packed index begin + e.
 struct SpringRun {
   Index begin = 0, first = 0, second = 0, count = 0;
   bool operator==(const SpringRun&) const = default;
@@ -60,7 +60,7 @@ struct GrabbedCollider {
   Vec3 velocity{0.0};        // [m/s]
 };
 
-// Upper bounds on the fastest rates of the scene, however it is deformed.
+// Upper bounds on the fastest rates of the scene, for any deformation.
 struct Spectrum {
   double omega = 0.0;              // [rad/s], highest undamped frequency, of springs, the hand's pull and listed forces
   double dashpot_rate = 0.0;       // [1/s], highest rate of the dashpots
@@ -125,21 +125,21 @@ struct Plan {
 // Compiles the structure and the values. O(springs log springs).
 Plan make_plan(const System& system);
 
-// Takes over values (masses, nails, stiffness, damping, rest lengths, forces, colliders) after edits that left points
-// and springs as they were. The hand is set by prepare_hand.
+// Updates values (masses, nails, stiffness, damping, rest lengths, forces, colliders) after edits that did not change the lists of points
+// and springs. The hand is set by prepare_hand.
 void refresh_values(Plan& plan, const System& system);
 
-// Where the hand, or the anchor of the collider it carries, arrives in a frame of `duration` [s] that starts at `from`: at the
+// The position of the hand, or of the anchor of the collider it carries, at the end of a frame of `duration` [s] that starts at `from`: the
 // target, or as close to it as System::hand_speed allows.
 Vec3 clamp_hand_target(const System& system, const Vec3& from, const Vec3& target, double duration);
 
 // Sets what the hand holds or carries and how it moves during the coming frame of `duration` [s]: in a straight line from
-// state.hand.position, or from the anchor of the carried collider, towards the target of the grab that acts (hand.h).
+// state.hand.position, or from the anchor of the carried collider, towards the target of the active grab (hand.h).
 void prepare_hand(Plan& plan, const System& system, const State& state, double duration);
 
-// How far from the origin a point can be [m] after `time` [s], if the scene started within `extent` [m] of it at a maximum speed of
-// `speed` [m/s]: moving at the speed of the start, of the fastest oscillation, of the air and of the hand, and falling all the
-// time. Infinity where a force drives points away without limit. A generous bound that only an unstable run exceeds.
+// An upper bound on the distance of a point from the origin [m] after `time` [s], if the scene started within `extent` [m] of it at a
+// maximum speed of `speed` [m/s]: moving at the initial speed, at that of the fastest oscillation, of the air and of the hand, and falling
+// all the time. Infinity if a force drives points away without limit. A generous bound that only an unstable run exceeds.
 double plausible_reach(const System& system, const Spectrum& spectrum, double extent, double speed, double time);
 
 // Gershgorin bounds on M^-1/2 K M^-1/2 by 3x3 blocks: omega^2 <= max_i sum_j k_ij (1/m_i + 1/sqrt(m_i m_j)), the second

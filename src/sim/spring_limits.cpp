@@ -15,7 +15,7 @@ double squared_length(const Plan& plan, const Field& x, Index first, Index secon
   return sum;
 }
 
-// Whether any of the run is as long as its limit: in steps that stretch nothing so far, all that is asked.
+// Whether any spring of the run has reached its limit. If none has, nothing else has to be computed.
 bool any_reaches_limit(const Plan& plan, const SpringRun& run, const std::vector<double>& limit, const Field& x) {
   Index count = 0;
   for (Index e = 0; e < run.count; ++e) {
@@ -25,7 +25,7 @@ bool any_reaches_limit(const Plan& plan, const SpringRun& run, const std::vector
   return count > 0;
 }
 
-// [J], without what the hand and the listed forces hold.
+// [J], without the energy of the hand and the listed forces.
 double energy_of(const Plan& plan, const Motion& motion) {
   double energy = 0.0;
   for (int c = 0; c < plan.dimensions; ++c)
@@ -42,9 +42,9 @@ double energy_of(const Plan& plan, const Motion& motion) {
   return energy;
 }
 
-// Brings the ends of one spring to the length `most`, and stops them from parting. As it gets shorter they turn the faster about
-// their common centre, so that l v across it stays the same: a swing loses nothing by it. Not so where it is far too long, after
-// a step that was too coarse: that would fling them round, round after round.
+// Moves the ends of one spring to the distance `max` and stops their separation. As the distance decreases, they rotate faster about their
+// common center, so that l times the transverse velocity is conserved and a swing loses nothing. This does not apply to a spring that is
+// far too long after a step that was too coarse, because the ends would be accelerated in every round.
 void limit_spring(const Plan& plan, Motion& motion, Index first, Index second, double length, double max) {
   const double w1 = plan.inverse_mass[first], w2 = plan.inverse_mass[second];
   if (w1 + w2 == 0.0) return;

@@ -9,10 +9,10 @@ namespace hooke {
 // `broken`, which stays in ascending order. Subtracts their elastic energy from motion.break_work. Returns whether any broke.
 bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken);
 
-// Shortens springs longer than plan.max_length, one after another in several rounds, by moving both ends in proportion to their
-// inverse masses; ends that still separate are stopped along the spring (X. Provot, Deformation constraints in a mass-spring model,
-// Graphics Interface 1995; with the velocities as in an inelastic impact). Keeps linear momentum, angular momentum where it shortens
-// by 1 % at most, but not energy: the change is added to motion.limit_work. Returns whether any was too long.
+// Shortens springs longer than plan.max_length, one after another in several rounds, by moving both ends in proportion to their inverse
+// masses; ends that still separate are stopped along the spring (X. Provot, Deformation constraints in a mass-spring model, Graphics
+// Interface 1995; with the velocities as in an inelastic impact). Conserves linear momentum, and angular momentum when shortening by at
+// most 1 %, but not energy: the change is added to motion.limit_work. Returns whether any spring was too long.
 bool limit_strain(const Plan& plan, Motion& motion);
 
 }  // namespace hooke

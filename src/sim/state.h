@@ -9,20 +9,20 @@
 
 namespace hooke {
 
-// Where the energy came from; divergence.h compares the energy of the scene with it. [J]
+// The energy supplied so far; divergence.h compares the energy of the scene with it. [J]
 struct EnergyLedger {
   double net_input = 0.0;     // energy at the start, plus the work of the hand, of forces and of edits
   double scale = 0.0;         // sum of the magnitudes of these contributions
   double hand_stretch = 0.0;  // elastic energy if each spring were stretched by the hand's longest displacement in a step so far
-  // What the motion may have come from, to tell how far it can have led: the maximum distance from the origin [m] and the maximum
-  // speed [m/s] at the start, after edits and of the hand. None: not recorded.
+  // Bounds on the motion supplied so far, used to bound how far it can lead: the maximum distance from the origin [m] and the maximum speed
+  // [m/s] at the start, after edits and of the hand. None: not recorded.
   std::optional<double> extent{}, speed{};
   bool operator==(const EnergyLedger&) const = default;
 };
 
 // Step size control of adaptive methods. Zero: not yet set.
 struct MethodMemory {
-  double step = 0.0;   // [s], the one it would take next
+  double step = 0.0;   // [s], the next step
   double error = 0.0;  // [1], of its last step, relative to the tolerance
   bool operator==(const MethodMemory&) const = default;
 };
@@ -35,7 +35,7 @@ struct CarriedCollider {
   bool operator==(const CarriedCollider&) const = default;
 };
 
-// The hand of the person at the screen.
+// The hand of the user.
 struct Hand {
   Vec3 position{0.0};  // [m], now; meaningful while the System has a grab
   Vec3 target{0.0};    // [m], of the grabbed point at the end of the coming frame
@@ -54,7 +54,7 @@ struct State {
   bool operator==(const State&) const = default;
 };
 
-// A collider with the shape that the hand has moved it to, its path not applied; and where it is at the time of the State.
+// A collider with the shape as moved by the hand, without its path; and with its path at the time of the State.
 Collider carried_collider(const System& system, const State& state, std::size_t collider);
 Collider current_collider(const System& system, const State& state, std::size_t collider);
 // All colliders with the carried one where the hand has it.

@@ -12,8 +12,8 @@ namespace hooke {
 
 namespace {
 
-// A method that linearizes the springs over a step leaves those that rotate too long, as a hypotenuse, by up to the displacement of
-// the hand: energy that comes from no force and that the next steps remove.
+// A method that linearizes the springs over a step stretches those that rotate, by up to the displacement of the hand: energy that comes
+// from no force and that the next steps remove.
 double stretch_energy(const System& system, double displacement) {
   double stiffness = 0.0;
   for (const Spring& spring : system.springs()) stiffness += system.stiffness_of(spring);
@@ -68,7 +68,7 @@ void Frame::substep(Plan& plan) {
   ++substeps_done_;
   motion_.time = start_ + substeps_done_ * h_;
 
-  // trapezoidal rule of the hand's power
+  // trapezoidal rule for the power of the hand
   if (has_hand) {
     const double work = 0.5 * h_ * (power + hand_power(plan, motion_));
     motion_.hand_work += work;
@@ -87,12 +87,12 @@ void Frame::substep(Plan& plan) {
 
 void Frame::end(const Plan& plan, State& state) const {
   unpack(plan, motion_, state);
-  // a multiple of the frame stays one: rounding errors do not accumulate over a long run
+  // a multiple of the frame duration stays one: rounding errors do not accumulate over a long run
   const double frames = (start_ + duration_) / duration_;
   state.time = std::abs(frames - std::round(frames)) < 1e-6 ? std::round(frames) * duration_ : start_ + duration_;
   state.hand.position = target_;
   if (auto& carried = state.hand.collider) carried->shape = translated(carried->shape, collider_displacement_);
-  // energy that they take out was there before: counted as supplied, it would hide an explosion that feeds on it
+  // energy that they dissipate was present before: counted as supplied, it would hide a divergence that feeds on it
   for (const double work : {motion_.collider_work, motion_.break_work, motion_.limit_work, motion_.force_work}) {
     state.ledger.net_input += work;
     state.ledger.scale += std::max(0.0, work);

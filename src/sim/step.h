@@ -22,8 +22,8 @@ class Frame {
   void substep(Plan& plan);
   bool done() const { return substeps_done_ >= substeps_; }
   int substeps_done() const { return substeps_done_; }
-  // Writes time, positions, velocities, the hand with the collider it carries, and into the ledger its work and that of what is no force.
-  // The caller judges them (divergence.h) before showing them.
+  // Writes time, positions, velocities and the hand with the collider it carries, and adds their work to the ledger. The caller checks the
+  // result (divergence.h) before showing it.
   void end(const Plan& plan, State& state) const;
 
   // Indices in the System of springs that broke, in ascending order: the caller removes them.

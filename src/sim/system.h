@@ -15,7 +15,7 @@
 
 namespace hooke {
 
-// sRGB, 8 bits a channel.
+// sRGB, 8 bits per channel.
 struct Color {
   std::uint8_t red = 0, green = 0, blue = 0;
   bool operator==(const Color&) const = default;
@@ -37,7 +37,7 @@ enum class SpringFamily : std::uint8_t {
   None,
   Structural,  // along the threads
   Shear,       // across the cells
-  Bend,        // over the next point but one
+  Bend,        // to the second next point
 };
 inline constexpr std::size_t spring_families = 4;
 
@@ -60,7 +60,7 @@ struct Face {
 
 struct Plane {
   Vec3 point{0.0};
-  Vec3 normal{0.0, 1.0, 0.0};  // unit; the free side is where it points
+  Vec3 normal{0.0, 1.0, 0.0};  // unit; points to the free side
   bool operator==(const Plane&) const = default;
 };
 
@@ -77,8 +77,8 @@ struct Box {
   bool operator==(const Box&) const = default;
 };
 
-// The motion of a collider: the shape oscillates about its rest position, or only its surface moves, like that of a spinning
-// ball or of a conveyor belt.
+// The motion of a collider: the shape oscillates about its rest position, or only its surface moves, as that of a spinning ball or of a
+// conveyor belt.
 struct ColliderPath {
   Vec3 amplitude{0.0};               // [m]: the displacement is amplitude sin(2 pi frequency t + phase)
   double frequency = 1.0;            // [1/s], >= 0
@@ -115,17 +115,17 @@ enum class GrabKind {
   Pull,  // a spring of zero rest length between point and target
 };
 
-// A place between three different points, such as one on a face: the sum of weight times position; weights are at least 0 and sum to 1.
+// A position between three different points, such as one on a face: the sum of weight times position; weights are at least 0 and sum to 1.
 struct Patch {
   std::array<PointId, 3> points{};
   std::array<double, 3> weights{1.0, 0.0, 0.0};
   bool operator==(const Patch&) const = default;
 };
 
-// What the hand holds: at most one point, or one place between points. Where it moves is in the State (Hand).
+// What the hand holds: at most one point, or one position between points. Its motion is in the State (Hand).
 struct Grab {
   PointId point{};
-  std::optional<Patch> patch{};  // pulled instead of the point, which is one of its three
+  std::optional<Patch> patch{};  // pulled instead of the point, which is one of the three
   GrabKind kind = GrabKind::Pull;
   double stiffness = 100.0;  // [N/m], if it pulls
   bool operator==(const Grab&) const = default;
@@ -144,8 +144,8 @@ struct ScriptedHand {
   bool operator==(const ScriptedHand&) const = default;
 };
 
-// The places of items in their list by id, and the next id to assign. It takes no part in comparisons: the places follow from
-// the list, and ids assigned but not used do not make two scenes different.
+// The indices of items in their list by id, and the next id to assign. Ignored in comparisons: the indices follow from the list, and ids
+// assigned but not used do not make two scenes different.
 struct IdTable {
   std::vector<Index> index_by_id;
   std::uint32_t next_id = 0;
@@ -185,7 +185,7 @@ class System {
   Point& point(Index index) { return points_[index]; }
   Spring& spring(Index index) { return springs_[index]; }
 
-  // The next ids, and the same with taking them.
+  // The next ids, and the same while taking them.
   std::uint32_t next_point_id() const { return point_ids_.next_id; }
   std::uint32_t next_spring_id() const { return spring_ids_.next_id; }
   PointId new_point_id() { return PointId{point_ids_.next_id++}; }

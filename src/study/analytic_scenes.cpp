@@ -45,7 +45,7 @@ InitialState make_sheet(int n, double k, double k_diagonal, double d, double ini
 InitialState make_net(int n, double k, double d) {
   InitialState start = make_sheet(n, k, 0.0, d, 0.5);
 
-  // the springs down to row r carry the n - r rows below
+  // the springs down to row r carry the n - r rows below it
   const double weight = gravity / (n * n);
   double sag = 0.0;
   for (int row = 1; row < n; ++row) {

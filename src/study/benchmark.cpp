@@ -11,8 +11,8 @@
 namespace hooke {
 namespace {
 
-// Distances beyond this multiple of the scene's size count as diverged. The laboratory's check of the energy is too strict here: a method
-// with a small error in a stiff spring has a multiple of the scene's energy and is measured all the same.
+// Distances beyond this multiple of the size of the scene count as diverged. The energy check of the laboratory is too strict here: a
+// method with a small error in a stiff spring has a multiple of the energy of the scene and must still be measured.
 constexpr double out_of_bounds = 1e6;
 
 void add(RunResult& result, const Motion& motion) {

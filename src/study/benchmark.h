@@ -13,14 +13,14 @@
 
 namespace hooke {
 
-// A problem's duration is divided into this many equal parts, with a snapshot at the end of each.
+// The duration of a problem is divided into this many equal parts, with a snapshot at the end of each.
 inline constexpr int snapshot_count = 4;
 
 // Whether the method chooses its own steps by a tolerance.
 bool is_adaptive(const Integrator& method);
 
-// Steps between two snapshots, and the tolerance [m] of an adaptive method. An adaptive method takes more than one such step only
-// where there are contacts: they are resolved once a step, whatever the tolerance.
+// Steps between two snapshots, and the tolerance [m] of an adaptive method. An adaptive method takes more than one such step only if there
+// are contacts, which are resolved once per step, whatever the tolerance.
 struct Setting {
   int steps = 1;
   std::optional<double> tolerance;
@@ -57,7 +57,7 @@ class Benchmark {
   double step(const Setting& setting) const { return problem_.seconds / snapshot_count / setting.steps; }
   // The setting with `tolerance` [m] of an adaptive method, in steps that resolve contacts if there are any.
   Setting adaptive_setting(const Integrator& method, double tolerance) const;
-  // Half the steps; a tenth of the tolerance, and half the steps where there are contacts.
+  // Half the step; a tenth of the tolerance, and half the step if there are contacts.
   Setting finer(const Setting& setting) const;
   // "64 steps/s", "tolerance 1e-06", "tolerance 1e-06, 64 steps/s".
   std::string name(const Setting& setting) const;
@@ -65,7 +65,7 @@ class Benchmark {
  private:
   const Problem& problem_;
   Plan plan_;
-  Frame frame_;  // reused, so that what a method builds once per topology is not counted as stepping
+  Frame frame_;  // reused, so that data built once per topology is not counted as stepping
 };
 
 // RMS over the points of the distance between two states [m].

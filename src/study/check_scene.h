@@ -14,7 +14,7 @@ struct CheckResult {
   std::string measured;  // one line: each criterion with its figure
 };
 
-// Runs the scene from its state with every method. A criterion about something that the scene lacks fails.
+// Runs the scene from its state with every method. A criterion about a missing item fails.
 std::vector<CheckResult> check_scene(const Scene& scene);
 
 }  // namespace hooke

@@ -13,19 +13,19 @@
 namespace hooke {
 namespace {
 
-// The equilibrium of a cloth of this size takes a second or two; of a larger one often ten times as long.
+// The equilibrium of a cloth of this size takes a second or two; that of a larger one often takes ten times as long.
 constexpr Index max_points = 1700;
 // A matrix product with this many springs takes tens of milliseconds.
 constexpr Index max_springs = 1'000'000;
 // Residual force accepted as equilibrium, relative to the typical force. The displacement of a flat cloth grows with the cube root of its
-// load, so the residual must be small. Folds converge slowly, and a sheet without weight has many equilibria: there 1e-2 is enough.
+// load, so the residual must be small. Folds converge slowly, and a sheet without weight has many equilibria, for which 1e-2 is enough.
 constexpr double target_residual = 1e-6, acceptable_residual = 1e-2, equilibrium_residual = 1e-4;
 // Without weight the tension of a chain is second order in its deviation from a straight line, and the forces are third order: the residual
 // must be tiny.
 constexpr double weightless_residual = 1e-12, weightless_floppy_threshold = 1e-3, floppy_threshold = 5e-7;
 constexpr int max_steps = 200, max_unloading_steps = 60;
 
-// The springs and the weight of a scene; its dashpots separately.
+// The springs and the weight of a scene, with the dashpots stored separately.
 struct Statics {
   Plan plan;
   std::vector<double> damping;
@@ -126,7 +126,8 @@ Field initial_guess(const Plan& plan, const System& system, const State& state, 
   return motion.x;
 }
 
-// Springs at their rest length except for round-off, which would seem taut, get their current length as rest length.
+// Springs that deviate from their rest length only by round-off would appear to be under tension: their current length becomes the rest
+// length.
 void snap_rest_lengths(Plan& plan, const Field& x) {
   constexpr double round_off = 1e-4;
   for (const SpringRun& run : plan.runs)
@@ -137,8 +138,8 @@ void snap_rest_lengths(Plan& plan, const Field& x) {
     }
 }
 
-// Equilibrium with and without the weight. Leaves it in x; returns the threshold below which modes count as floppy, none if it is not
-// found.
+// Equilibrium with and without weight. Leaves it in x; returns the threshold below which modes count as unconstrained, or none if no
+// equilibrium is found.
 std::optional<double> find_equilibrium(Plan& plan, const System& system, double time, Field& x, Forecast& forecast, StiffnessMatrix& matrix,
                                        const std::atomic<bool>& stop) {
   const double force_scale = compute_force_scale(plan);
@@ -159,7 +160,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
     if (left <= acceptable_residual * force_scale) forecast.sag = sag_between(plan, unloaded, x);
     return floppy_threshold;
   }
-  // a floating or freely falling scene vibrates as without weight
+  // a floating or freely falling scene vibrates as if weightless
   if (has_weight && !plan.colliders.empty()) return std::nullopt;
   plan.acceleration = Vec3(0.0);
   if (!finds_equilibrium(weightless_residual, weightless_residual)) return std::nullopt;
@@ -181,7 +182,7 @@ Forecast make_forecast(std::shared_ptr<const System> system, const State& state,
   try {
     if (!has_external_forces && system->point_count() <= max_points) matrix = std::make_unique<StiffnessMatrix>(statics.plan);
   } catch (const InputError&) {
-    // the factor does not fit into memory
+    // the factor does not fit in memory
   }
   if (matrix)
     if (const auto floppy_threshold = find_equilibrium(statics.plan, *system, state.time, x, forecast, *matrix, stop);

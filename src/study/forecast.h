@@ -11,8 +11,8 @@
 namespace hooke {
 
 struct Forecast {
-  // [m], along gravity, of the point that sags most: from equilibrium without weight to equilibrium with it. None where the weight is not
-  // supported, or where more than springs and weight determine the equilibrium.
+  // [m], along gravity, of the point that sags most: from the equilibrium without weight to the one with it. None if the weight is not
+  // supported, or if more than springs and weight determine the equilibrium.
   std::optional<double> sag;
   std::optional<Mode> slowest, fastest;  // about the equilibrium
   double drag = 0.0;                     // [1/s]
@@ -26,8 +26,8 @@ struct Forecast {
 inline double dashpot_ratio(const Mode& mode) { return 0.5 * mode.dashpot_rate / mode.omega; }
 inline double drag_ratio(const Mode& mode, double drag) { return 0.5 * drag / mode.omega; }
 
-// Takes a second or two for a cloth of 40 x 40; beyond 1,700 points only the fastest mode is computed. The hand is ignored.
-// `before`: an earlier forecast, perhaps of this scene with other parameters, or none.
+// Takes a second or two for a cloth of 40 x 40; beyond 1,700 points only the fastest mode is computed. The hand is ignored. `before`: an
+// earlier forecast, possibly of this scene with other parameters, or an empty one.
 Forecast make_forecast(std::shared_ptr<const System> system, const State& state, const Forecast& before, const std::atomic<bool>& stop);
 
 }  // namespace hooke

@@ -11,7 +11,7 @@ namespace hooke {
 void write_frames(Scene scene, const FrameExport& request, const Progress& progress) {
   const FileKind* kind = find_file_kind(request.file);
   if (kind == nullptr || kind->open_frames == nullptr)
-    throw InputError(printable(request.file.native()) + ": file format: is not written over time");
+    throw InputError(printable(request.file.native()) + ": file format: cannot be written over time");
   const std::unique_ptr<FrameSink> sink = kind->open_frames(request.file, scene.system, request.quantities);
 
   constexpr double round_off = 1e-9;

@@ -23,7 +23,7 @@ bool holds(const ChartBox& box, const ChartPoint& point) {
   return point.x > box.left && point.x < box.right && point.y > box.bottom && point.y < box.top;
 }
 
-// places around the anchor, the nearest first
+// positions around the anchor, nearest first
 std::vector<PlacedLabel> candidate_places(const ChartLabel& label) {
   std::vector<PlacedLabel> places;
   for (int ring = 0; ring < 6; ++ring)
@@ -52,7 +52,7 @@ std::vector<PlacedLabel> place_labels(const std::vector<ChartLabel>& labels, con
       double cost = 20.0 * (area - overlap(box, frame)) / area;
       for (const ChartBox& other : occupied_boxes) cost += 100.0 * overlap(box, other) / area;
       for (const ChartPoint& point : occupied) cost += holds(expanded(box, 2.0), point) ? 0.3 : 0.0;
-      // beside another's end it would be taken for that one's name
+      // next to the end of another line the label would be mistaken for the name of that line
       for (const ChartLabel& other : labels) cost += &other != &label && holds(expanded(box, 10.0), other.anchor) ? 3.0 : 0.0;
       cost += 0.01 * std::hypot(place.at.x - label.anchor.x, place.at.y - label.anchor.y);
       if (cost < min) {

@@ -1,4 +1,4 @@
-// Places the labels of a chart so that they cover neither each other nor the lines.
+// Places the labels of a chart so that they overlap neither each other nor the lines.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@ namespace hooke {
 
 enum class Measure {
   Trajectory,   // positions of all points
-  Observables,  // centre of mass, largest strain, energy: for trajectories that are not reproducible
+  Observables,  // center of mass, largest strain, energy: for trajectories that are not reproducible
 };
 
 struct Problem {

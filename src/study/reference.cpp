@@ -13,8 +13,8 @@
 namespace hooke {
 namespace {
 
-constexpr double round_off = 1e-14;     // relative: refining further gains nothing
-constexpr double perturbation = 1e-10;  // relative to the problem's size
+constexpr double round_off = 1e-14;     // relative: further refinement has no effect
+constexpr double perturbation = 1e-10;  // relative to the size of the problem
 
 Vec3 center_of_mass(const System& system, const State& state) {
   Vec3 sum(0.0);
@@ -32,15 +32,14 @@ double largest_strain(const System& system, const State& state) {
   return largest;
 }
 
-// The largest kinetic energy [J] of the reference, which energies are measured against.
+// The maximum kinetic energy [J] of the reference, to which energies are relative.
 double energy_scale(const Problem& problem, const std::vector<State>& reference) {
   double scale = compute_energy(problem.system, problem.start).kinetic;
   for (const State& state : reference) scale = std::max(scale, compute_energy(problem.system, state).kinetic);
   return scale > 0.0 ? scale : 1.0;
 }
 
-// The order that a method declares on this problem: with its contacts and, to choose among equals, without them, since they may never
-// occur.
+// The order that a method declares on this problem: with contacts and, to choose between equals, without them, since they may never occur.
 std::pair<int, int> convergence_orders(const Integrator& method, const Problem& problem) {
   const System& system = problem.system;
   int order = method.order;
@@ -60,7 +59,7 @@ Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
   return {.steps = std::max(4, static_cast<int>(std::ceil(2.0 * part / limit)))};
 }
 
-// Refines until the solution no longer changes, round-off dominates or the time is up.
+// Refines until the solution no longer changes, round-off dominates or the time limit is reached.
 std::optional<Refinement> refine(Benchmark& benchmark, const Integrator& method, double seconds,
                                  const std::function<bool()>& should_continue) {
   const Problem& problem = benchmark.problem();
@@ -86,7 +85,7 @@ std::optional<Refinement> refine(Benchmark& benchmark, const Integrator& method,
                           .coarser = coarse.snapshots};
       if (gap < round_off || has_stalled) break;
     }
-    // with contacts the steps still matter when the tolerance no longer does
+    // with contacts, the steps still matter when the tolerance no longer does
     const bool has_contact = benchmark.spectrum().contact;
     if (setting.tolerance && !has_contact && *setting.tolerance < round_off * problem.size) break;
     coarse = std::move(fine);
@@ -169,7 +168,7 @@ std::string describe_disagreement(const Reference& reference) {
          ", relative to the scene; at most " + number(max_observables_gap) + " is accepted";
 }
 
-// Judges the two solutions by the observables instead of the trajectory.
+// Compares the two solutions by observables instead of the trajectory.
 void use_observables(const Problem& problem, Reference& reference) {
   reference.measure = Measure::Observables;
   reference.other_gap = judge(problem, reference.measure, reference.own.snapshots, reference.other.snapshots).relative_error;

@@ -10,12 +10,12 @@
 
 namespace hooke {
 
-// How far a run is from the reference.
+// The distance of a run from the reference.
 struct Score {
-  double error = 0.0;                    // [m], the worst snapshot: RMS over the points of the distance, or of the centre of mass
-  double relative_error = 0.0;           // [1], error over the problem's size; for observables the worst of the three
-  double energy_drift = 0.0;             // [1], worst energy beyond the reference's, over its greatest kinetic energy
-  std::optional<double> strain_error{};  // [1], of the largest strain, where observables are judged
+  double error = 0.0;                    // [m], the worst snapshot: RMS distance of the points, or distance of the centers of mass
+  double relative_error = 0.0;           // [1], error relative to the size of the problem; for observables the worst of the three
+  double energy_drift = 0.0;             // [1], maximum energy above that of the reference, relative to its maximum kinetic energy
+  std::optional<double> strain_error{};  // [1], of the largest strain, if observables are compared
 };
 
 // One method, refined until its solution no longer changes.
@@ -35,28 +35,28 @@ struct Reference {
   Measure measure = Measure::Trajectory;
 
   const std::vector<State>& snapshots() const { return own.snapshots; }
-  // Relative errors below this cannot be told from the reference's own.
+  // Relative errors below this cannot be distinguished from the error of the reference.
   double uncertainty() const { return own.gap > other_gap ? own.gap : other_gap; }
 };
 
 Score judge(const Problem& problem, Measure measure, const std::vector<State>& reference, const std::vector<State>& measured);
 
-// The methods of highest order on this problem, best first, explicit ones before implicit ones: the first computes the reference, the
-// second checks it.
+// The methods of highest order on this problem, best first, explicit before implicit ones: the first computes the reference, the second
+// checks it.
 std::vector<const Integrator*> most_accurate_methods(const Problem& problem);
 
-// Gaps between the two methods, and between the last two refinements of each, up to which a solution is accepted [1]: by where every
-// point is, or else by the observables.
+// Gaps between the two methods, and between the last two refinements of each, up to which a solution is accepted [1]: for the positions of
+// all points, or else for the observables.
 inline constexpr double max_trajectory_gap = 1e-3, max_observables_gap = 1e-2;
 
 struct ReferenceResult {
   enum class Failure { None, Interrupted, NotFinished, Disagreement };
-  std::optional<Reference> reference;  // none with a failure
+  std::optional<Reference> reference;  // none in case of failure
   Failure failure = Failure::None;
   std::string reason;  // of the failure, in one line
 };
 
-// Refines two methods, each for about `seconds` of CPU time at most, and perturbs the start. Where the two do not agree on the
+// Refines two methods, each for about `seconds` of CPU time at most, and perturbs the initial state. If the two do not agree on the
 // trajectory they must agree on the observables; otherwise there is no reference.
 ReferenceResult compute_reference(Benchmark& benchmark, double seconds, const std::function<bool()>& should_continue);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double any_gain = std::numeric_limits<double>::infinity();
 
-// What a copy may cost, shared by all copies.
+// The work limit, shared by all copies.
 struct Budget {
   double left;
   const std::atomic<bool>& stop;
@@ -41,7 +41,7 @@ struct Trial {
   double seconds = 0.0;  // [s], simulated
 };
 
-// [J], beyond what was supplied
+// [J], the gain beyond the supplied energy
 double unexplained_energy(const Scene& scene) { return compute_energy(scene.system, scene.state).total() - scene.state.ledger.net_input; }
 
 // Ends early at a gain of more than `max_energy_gain` of the energy supplied [1].
@@ -69,7 +69,7 @@ Trial run_copy(Scene scene, double seconds, double max_energy_gain, Budget& budg
   return {Trial::End::Finished, seconds};
 }
 
-// Whether the scene no longer diverges when a part of it is missing.
+// Whether the scene no longer diverges without some of its parts.
 template <class Remove>
 bool is_cured_without(const Scene& start, double seconds, Budget& budget, const Remove& remove) {
   Scene scene = start;
@@ -100,8 +100,8 @@ Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
   return Springs;
 }
 
-// Settings to try, the likeliest and cheapest first: the method as set and then the default one, each in ever smaller steps, then
-// the methods that are stable at any step.
+// Settings to try, the most likely and cheapest first: the current method and then the default one, each with ever smaller steps, then the
+// methods that are stable at any step.
 std::vector<Advice> candidates(const Scene& start) {
   const Settings& settings = start.settings;
   const Spectrum spectrum = bound_spectrum(start.system);
@@ -128,7 +128,7 @@ std::vector<Advice> candidates(const Scene& start) {
 }  // namespace
 
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work) {
-  // a quarter of the work goes to the cause, and no setting takes more than half of what is left
+  // a quarter of the work is for the cause, and no setting takes more than half of the rest
   Remedy remedy;
   Budget diagnosis{0.25 * max_work, stop};
   const Trial original = run_copy(start, seconds, any_gain, diagnosis);

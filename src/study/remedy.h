@@ -1,4 +1,4 @@
-// Finds out why a run diverged, and a setting that does not diverge: by running copies of the scene.
+// Determines why a run diverged, and a setting that does not diverge, by running copies of the scene.
 #pragma once
 
 #include <atomic>
@@ -12,7 +12,7 @@ namespace hooke {
 
 struct Remedy {
   enum class Cause {
-    NotReproduced,  // the run from this state did not diverge again, or not within the work allowed
+    NotReproduced,  // the run from this state did not diverge again, or not within the work limit
     StepTooLong,    // beyond the linear stability limit
     Force,          // stable without the listed forces
     Contact,        // stable without the colliders
@@ -20,13 +20,13 @@ struct Remedy {
     Springs,        // within the linear limit, which does not cover springs that rotate far
   };
   Cause cause = Cause::NotReproduced;
-  std::optional<Advice> advice;  // a setting that was run and did not diverge; none: none was found
+  std::optional<Advice> advice;  // a setting that was run and did not diverge; none if none was found
   double tested_seconds = 0.0;   // [s], simulated with it
   int settings_tried = 0;
 };
 
-// A bound on the work: about the number of springs and points times the force evaluations of all copies together. The default takes a
-// second or two.
+// A limit on the work: approximately the number of springs and points times the force evaluations of all copies. The default takes a second
+// or two.
 inline constexpr double default_remedy_work = 4e8;
 
 // Runs copies of `start` (a state before the divergence, best the start of the run) with its own settings, without its forces, colliders

@@ -1,4 +1,4 @@
-// Monitors a run frame by frame and warns when its solves, its energy balance or its error estimates say that it is wrong.
+// Monitors a run frame by frame and warns if its solves, its energy balance or its error estimates indicate a failure.
 #pragma once
 
 #include <limits>
@@ -12,9 +12,9 @@
 
 namespace hooke {
 
-// Limits above which a run is warned about.
+// Limits above which the monitor warns.
 struct Tolerance {
-  double energy = 0.02;                                       // [1], of the energy supplied: gained or, without dissipation, lost
+  double energy = 0.02;                                       // [1], of the supplied energy: gained or, without dissipation, lost
   double position = std::numeric_limits<double>::infinity();  // [m], estimated error of all frames together
 };
 
@@ -25,17 +25,17 @@ class RunMonitor {
 
   // Whether the error of the next frame will be estimated.
   bool estimate_is_due() const { return frames_per_estimate_ != 0 && frames_ % frames_per_estimate_ == 0; }
-  // To be called before and after a frame, with its edits already applied to `system`.
+  // Must be called before and after a frame, with its edits already applied to `system`.
   void begin_frame(const System& system, const Settings& settings, const State& state);
   void end_frame(const System& system, const State& state, const Motion& motion);
 
   long unconverged_solves() const { return unconverged_solves_; }
-  // Largest rise of the energy, less the work of the hand, forces and edits, above an earlier value, relative to the energy supplied [1].
+  // Maximum rise of the energy, minus the work of the hand, forces and edits, above an earlier value, relative to the supplied energy [1].
   // No physical process causes one.
   double energy_rise() const { return largest_rise_ / scale_; }
-  // Its change since the start, relative to the energy supplied [1]: without dissipation an error of the method.
+  // Its change since the start, relative to the supplied energy [1]: without dissipation an error of the method.
   double energy_change() const { return (energy_ - start_energy_) / scale_; }
-  // Sum of the estimated errors of the frames [m]. How they grow or decay afterwards is not taken into account.
+  // Sum of the estimated errors of the frames [m], ignoring their later growth or decay.
   double estimated_error() const { return estimated_error_; }
 
   // One clause per warning; empty: none.
@@ -44,7 +44,7 @@ class RunMonitor {
  private:
   const int frames_per_estimate_;
   long frames_ = 0, unconverged_solves_ = 0;
-  double start_energy_, energy_, lowest_energy_;  // [J], less the work done on the scene
+  double start_energy_, energy_, lowest_energy_;  // [J], minus the work done on the scene
   double largest_rise_ = 0.0;                     // [J]
   double scale_;                                  // [J]
   double estimated_error_ = 0.0;                  // [m]

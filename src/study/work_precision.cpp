@@ -24,7 +24,7 @@ void sort_rows(std::vector<Row>& rows) {
   });
 }
 
-// Where a sweep begins: at the stability limit if there is one, else at four steps per snapshot.
+// The first setting of a sweep: at the stability limit if there is one, otherwise four steps per snapshot.
 Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
   if (is_adaptive(method)) return benchmark.adaptive_setting(method, 1e-2 * benchmark.problem().size);
   const double limit = largest_stable_step(method, benchmark.spectrum());
@@ -58,7 +58,7 @@ bool PrecisionSweep::run(const Integrator& method) {
 
 void PrecisionSweep::sweep_coarser(const Integrator& method, Setting setting) {
   if (setting.tolerance) {
-    // one looser tolerance: it makes no sense beyond the size of the scene
+    // one larger tolerance; it makes no sense beyond the size of the scene
     measure(method, {.steps = setting.steps, .tolerance = 10.0 * *setting.tolerance});
     return;
   }
@@ -72,7 +72,7 @@ void PrecisionSweep::sweep_coarser(const Integrator& method, Setting setting) {
       continue;
     }
 
-    // find the limit to 20 %: an explicit method is often cheapest there
+    // find the limit to within 20 %: an explicit method is often cheapest there
     for (int failed = coarser; 1.2 * failed < held;) {
       const int middle = static_cast<int>(std::lround(std::sqrt(static_cast<double>(failed) * held)));
       if (middle == failed || middle == held) return;
@@ -138,7 +138,7 @@ std::optional<Row> PrecisionSweep::measure_row(const Integrator& method, const S
     return row;
   }
 
-  // the lowest time of several runs, of as many as fit in the time of one long run
+  // the minimum time of several runs, as many as fit in the time of one long run
   double min = result.cpu_seconds, spent = min;
   while (row.runs < effort_.repeats && spent + min < effort_.run_seconds) {
     begin = cpu_seconds();

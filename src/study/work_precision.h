@@ -1,5 +1,5 @@
-// Work-precision data: the cost and the error of every method on every problem, from the coarsest stable setting to the finest that
-// still improves, measured against a converged reference.
+// Work-precision data: the cost and the error of every method on every problem, from the coarsest stable setting to the finest that still
+// reduces the error, measured against a converged reference.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,12 @@ struct Row {
   std::string method, setting;
   std::optional<double> step;       // [s]; none for an adaptive method
   std::optional<double> tolerance;  // [m], of such a method
-  // none where the run did not finish
+  // none if the run did not finish
   std::optional<double> error;           // [m]
   std::optional<double> relative_error;  // [1]
   std::optional<double> energy_drift;    // [1]
-  std::optional<double> strain_error;    // [1], where observables are judged
-  std::optional<double> cpu_ms_per_s;    // CPU milliseconds per simulated second, the lowest of `runs`
+  std::optional<double> strain_error;    // [1], if observables are compared
+  std::optional<double> cpu_ms_per_s;    // CPU milliseconds per simulated second, the minimum of `runs`
   int runs = 0;
   WorkCounts work;
   std::string status;
@@ -34,7 +34,7 @@ struct Row {
 namespace status {
 inline constexpr const char* ok = "ok";
 inline constexpr const char* below_reference = "below_reference";  // error below the uncertainty of the reference
-inline constexpr const char* unconverged = "unconverged";          // finished, but solves stopped at their limit of iterations
+inline constexpr const char* unconverged = "unconverged";          // finished, but solves reached their iteration limit
 inline constexpr const char* lost = "lost";                        // finished with an error larger than the scene
 inline constexpr const char* diverged = "diverged";
 inline constexpr const char* too_slow = "too_slow";  // abandoned
@@ -64,14 +64,13 @@ ProblemRecord make_record(const Problem& problem);
 
 // Limits on the work.
 struct Effort {
-  int repeats = 5;                  // of a run, of which the lowest time counts
+  int repeats = 5;                  // of a run; the minimum time counts
   double run_seconds = 4.0;         // CPU time beyond which no finer setting is tried
   double reference_seconds = 60.0;  // CPU time for each of the two solutions of a reference
   double finest_error = 1e-11;      // relative: no finer setting is tried below
 };
 
-// Fills the record of one problem, method by method. Existing rows are kept, and the reference is computed only when a new row needs
-// it.
+// Fills the record of one problem, method by method. Existing rows are kept, and the reference is computed only if a new row needs it.
 class PrecisionSweep {
  public:
   // All three must outlive it. `should_continue` is called often, `row_done` after every new row.
@@ -101,7 +100,7 @@ class PrecisionSweep {
   bool stopped_ = false;
 };
 
-// Its error, at least the uncertainty of the reference [1]; none where the run did not finish.
+// The error, at least the uncertainty of the reference [1]; none if the run did not finish.
 std::optional<double> error_with_uncertainty(const ProblemRecord& record, const Row& row);
 
 // The cheapest row whose error is at most this, or null.

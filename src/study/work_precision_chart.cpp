@@ -18,12 +18,12 @@ constexpr int panel_width = 920, panel_height = 640, header_height = 76;
 constexpr int left_margin = 84, right_margin = 24, top_margin = 58, bottom_margin = 62;
 constexpr double label_height = 17.0, letter_width = 7.9;
 
-// Decades of the relative error that are drawn.
+// Decades of the relative error in the chart.
 constexpr int worst_decade = 0, best_decade = -13;
 
-// Okabe and Ito 2008, without their yellow, which a printer loses; a second turn is dashed.
+// Okabe and Ito 2008, without their yellow, which prints badly; colors repeat with dashed lines.
 constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#000000", "#CC79A7", "#E69F00", "#56B4E9"};
-// the same, darker, for text
+// the same colors, darker, for text
 constexpr std::array text_colors{"#005A8E", "#A84A00", "#007A59", "#000000", "#9C4A77", "#9A6A00", "#2A7CAE"};
 constexpr std::array markers{7, 5, 9, 13, 11, 15, 6, 4, 8, 12, 10, 14, 2, 1};
 
@@ -36,7 +36,7 @@ __attribute__((format(printf, 2, 3))) void print(std::string& script, const char
   script += line;
 }
 
-// In single quotes gnuplot interprets nothing but a doubled quote.
+// In single quotes, gnuplot interprets nothing except a doubled quote.
 std::string in_quotes(std::string_view text) {
   std::string out = "'";
   for (const char c : text) {
@@ -69,17 +69,17 @@ std::vector<Line> lines_of(const ProblemRecord& record) {
   return lines;
 }
 
-// Above all panels; printed with the first, since labels belong to a panel.
+// Above all panels; printed with the first panel, since labels belong to a panel.
 void print_header(std::string& script, int columns, int rows) {
   const double left = static_cast<double>(left_margin) / (columns * panel_width), height = rows * panel_height + header_height;
   print(script, "set label 'Speed against error' at screen %.6f,%.6f left font ',20'\n", left, 1.0 - 26.0 / height);
   print(script,
-        "set label 'Lower left is better. The broad grey line is the front: nothing measured is both cheaper and more accurate.' "
+        "set label 'Lower left is better. The wide gray line is the Pareto front: no measured setting is both cheaper and more accurate.' "
         "at screen %.6f,%.6f left textcolor rgb '#333333' font ',13'\n",
         left, 1.0 - 54.0 / height);
 }
 
-// The pixels of a panel's plotting area, from its own lower left corner.
+// [px], the plotting area of a panel, relative to its lower left corner.
 struct Axes {
   double min_cost = 1.0, max_cost = 10.0;  // [ms per s]
   double x_of(double cost) const {
@@ -99,13 +99,13 @@ Axes axes_of(const std::vector<Line>& lines) {
       max = std::max(max, *row->cpu_ms_per_s);
     }
   if (lines.empty()) return {};
-  // room on the right for the names of the lines; at least two labelled ticks
+  // a margin on the right for the names of the lines; at least two labeled ticks
   constexpr double before = 0.7, behind = 5.0;
   if (max < 4.0 * min) return {.min_cost = std::pow(10.0, std::floor(std::log10(min))), .max_cost = behind * max};
   return {.min_cost = before * min, .max_cost = behind * max};
 }
 
-// points along the lines, close enough that no label slips between two
+// points along the lines, so close together that no label fits between two
 std::vector<ChartPoint> sample_lines(const std::vector<Line>& lines, const Axes& axes) {
   std::vector<ChartPoint> line_points;
   for (const Line& line : lines)
@@ -133,7 +133,7 @@ void print_labels(std::string& script, const std::vector<Line>& lines, const Axe
     script += "set label " + in_quotes(lines[i].method);
     print(script, " at graph %.4f,%.4f %s front noenhanced textcolor rgb '%s' font ',13'\n", at.x / width, at.y / height,
           places[i].justify == Justify::Left ? "left" : "right", color);
-    // a name that found no place at the end of its line is led to it
+    // an arrow connects a name that is not at the end of its line with that end
     if (std::hypot(at.x - end.x, at.y - end.y) > 20.0)
       print(script, "set arrow from graph %.4f,%.4f to graph %.4f,%.4f nohead back linewidth 0.8 linecolor rgb '%s'\n", end.x / width,
             end.y / height, at.x / width, at.y / height, color);
@@ -144,8 +144,8 @@ std::string subtitle(const ProblemRecord& record) {
   if (!record.reference) return "no reference";
   const ReferenceRecord& reference = *record.reference;
   char text[160];
-  std::snprintf(text, sizeof text, "%s; reference good to %.0e; a perturbation grows %.2g-fold in %g s",
-                reference.measure == Measure::Trajectory ? "error of the positions" : "error of centre of mass, largest strain and energy",
+  std::snprintf(text, sizeof text, "%s; reference accurate to %.0e; a perturbation grows by a factor of %.2g in %g s",
+                reference.measure == Measure::Trajectory ? "error of the positions" : "error of center of mass, largest strain and energy",
                 reference.uncertainty(), reference.amplification, record.seconds);
   return text;
 }

@@ -1,5 +1,5 @@
-// The benchmark's chart, as a script for gnuplot: a panel a problem, error against cost on logarithmic axes, a line a
-// method with its name at the end, the front marked.
+// The benchmark chart, as a gnuplot script: one panel per problem, error against cost on logarithmic axes, one line per method with its
+// name at the end, and the Pareto front.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace hooke {
 
 enum class ChartFormat { Svg, Png };
 
-// Draws into `file`, which is named as gnuplot sees it from its working folder.
+// Draws into `file`, relative to the working folder of gnuplot.
 std::string chart_script(const Results& results, ChartFormat format, const std::string& file);
 
 }  // namespace hooke

@@ -72,7 +72,7 @@ void write_row(Writer& writer, const Row& row) {
   writer.EndObject();
 }
 
-// Reads what the functions above wrote; anything else is refused by the name of its field.
+// Reads the output of the functions above; anything else is refused with the name of the field.
 class Reader {
  public:
   Reader(const rapidjson::Value& object, const std::string& name) : object_(object), name_(name) {
@@ -81,7 +81,7 @@ class Reader {
 
   std::string text(const char* key) const {
     const rapidjson::Value& value = at(key);
-    if (!value.IsString()) refuse(std::string(key) + ": not a text");
+    if (!value.IsString()) refuse(std::string(key) + ": not a string");
     return {value.GetString(), value.GetStringLength()};
   }
   std::optional<double> number_or_null(const char* key) const {
@@ -108,7 +108,7 @@ class Reader {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& why) const { throw InputError(name_ + ": " + why + ": not the results of a benchmark"); }
+  [[noreturn]] void refuse(const std::string& why) const { throw InputError(name_ + ": " + why + ": not benchmark results"); }
   const rapidjson::Value& at(const char* key) const {
     const auto member = object_.FindMember(key);
     if (member == object_.MemberEnd()) refuse(std::string(key) + ": missing");
@@ -171,7 +171,7 @@ void append(std::string& line, std::optional<double> number) {
   line.append(text, std::to_chars(text, text + sizeof text, *number).ptr);
 }
 
-// quoted where a name has a comma or a quote of its own (RFC 4180)
+// quoted if a name contains a comma or a quote (RFC 4180)
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -222,7 +222,7 @@ Results parse_results(const std::string& text, const std::string& name) {
   document.Parse<rapidjson::kParseIterativeFlag | rapidjson::kParseFullPrecisionFlag | rapidjson::kParseValidateEncodingFlag>(text.data(),
                                                                                                                               text.size());
   if (document.HasParseError())
-    throw InputError(name + ": byte " + std::to_string(document.GetErrorOffset()) + ": not JSON: not the results of a benchmark");
+    throw InputError(name + ": byte " + std::to_string(document.GetErrorOffset()) + ": not JSON: not benchmark results");
   const Reader reader(document, name);
   reader.integer("hooke_bench");
   Results results{.conditions = {.version = reader.text("version"),

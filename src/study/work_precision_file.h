@@ -1,4 +1,4 @@
-// A benchmark's results on disk: bench.json, which an interrupted benchmark goes on from, and bench.csv.
+// Benchmark results on disk: bench.json, from which an interrupted benchmark resumes, and bench.csv.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace hooke {
 
-// What figures depend on besides the scene: results made under other conditions are not mixed with new ones.
+// The conditions of a measurement besides the scene: results under different conditions are not mixed.
 struct Conditions {
   std::string version;  // of the program
   std::string build;    // a fingerprint of the executable
@@ -26,14 +26,14 @@ struct Results {
   std::vector<ProblemRecord> problems;
 };
 
-// JSON; a number that is not known is null.
+// JSON; an unknown number is null.
 std::string format_results(const Results& results);
 
-// Throws InputError when the text is no benchmark's results; `name` stands for the file in messages.
+// Throws InputError if the text does not contain benchmark results; `name` is the file in messages.
 Results parse_results(const std::string& text, const std::string& name);
 
-// One line a row, under a line with the names of the columns: scene, method, setting, step_s, error_m, relative_error,
-// cpu_ms_per_s, force_evaluations, factorizations, energy_drift, status. Empty where a number is not known.
+// One line per row, below a line with the names of the columns: scene, method, setting, step_s, error_m, relative_error, cpu_ms_per_s,
+// force_evaluations, factorizations, energy_drift, status. Empty if a number is unknown.
 std::string format_csv(const Results& results);
 
 }  // namespace hooke

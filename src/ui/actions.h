@@ -1,4 +1,4 @@
-// The table of commands, made from actions.inc: what the panels know of each.
+// The table of actions, made from actions.inc: the parts that the panels use.
 #pragma once
 
 #include <span>
@@ -24,7 +24,7 @@ struct MenuPosition {
 constexpr MenuPosition no_menu{};
 constexpr MenuPosition in(Menu menu, int section) { return {menu, section}; }
 
-// What must be there for a command to make sense. With Nothing it is allowed while the gallery hides the scene.
+// What an action requires. With Nothing it is also allowed while the gallery hides the scene.
 enum class Needs { Nothing, Scene, Selection, Space /* a 3-D scene */, UndoStep, RedoStep };
 
 struct ActionRow {

@@ -1,4 +1,4 @@
-// What the export dialog is set to.
+// The settings of the export dialog.
 #pragma once
 
 #include <cstddef>

@@ -10,7 +10,7 @@ namespace {
 struct Pen {
   ImDrawList& list;
   ImVec2 center;
-  float half;  // of the square's side
+  float half;  // half the side of the square
   ImU32 color;
   float width() const { return half * 0.18f; }
   ImVec2 at(float x, float y) const { return {center.x + half * x, center.y + half * y}; }
@@ -27,7 +27,7 @@ struct Pen {
   }
   void dot(float x, float y, float radius) const { list.AddCircleFilled(at(x, y), half * radius, color); }
   void ring(float x, float y, float radius) const { list.AddCircle(at(x, y), half * radius, color, 0, width()); }
-  // An arc about (x, y) with an arrow's head at its end; angles in radians, clockwise from the right.
+  // An arc about (x, y) with an arrowhead at its end; angles in radians, clockwise from the right.
   void arc(float x, float y, float radius, float from, float to) const {
     list.PathArcTo(at(x, y), half * radius, from, to, 24);
     list.PathStroke(color, 0, width());

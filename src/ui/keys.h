@@ -6,7 +6,7 @@
 
 namespace hooke {
 
-// A key is named by the capital letter or digit that it types; the others have GLFW's numbers (app checks that they match).
+// A key is named by the capital letter or digit that it types; the others have the numbers of GLFW (app checks that they match).
 enum class Key : int {
   Space = 32,
   Period = '.',
@@ -39,11 +39,11 @@ struct KeyChord {
 // "Ctrl+Shift+Z"
 std::string key_text(const KeyChord& chord);
 
-// The keys of an action: one, or two that do the same.
+// The keys of an action: one, or two with the same effect.
 struct KeyChords {
   std::array<KeyChord, 2> chords{};
   int count = 0;
-  bool repeats = false;  // acts again and again while the key is held
+  bool repeats = false;  // repeats while the key is held
 
   constexpr const KeyChord* begin() const { return chords.data(); }
   constexpr const KeyChord* end() const { return chords.data() + count; }

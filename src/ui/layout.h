@@ -27,7 +27,7 @@ inline Layout lay_out(double width, double height, double scale, Shown shown = {
   const double menu = 38.0 * scale, tools = shown.panels ? 74.0 * scale : 0.0, status = 28.0 * scale;
   const double side = shown.panels ? std::min(336.0 * scale, 0.45 * width) : 0.0;
   const double middle = std::max(1.0, height - menu - status);
-  // only if there is room
+  // only if there is space
   const double timeline = shown.panels && middle > 200.0 * scale ? 30.0 * scale : 0.0;
   const double plots = shown.panels && shown.plots && middle > 280.0 * scale ? std::clamp(0.3 * middle, 120.0 * scale, 260.0 * scale) : 0.0;
   const double scene_width = std::max(1.0, width - tools - side), scene_height = middle - timeline - plots;

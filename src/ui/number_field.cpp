@@ -9,7 +9,7 @@
 namespace hooke {
 namespace {
 
-// Digits of a dragged value, and of a value to be edited as text.
+// Format of a dragged value, and of a value edited as text.
 constexpr const char *dragged_digits = "%.3g", *typed_digits = "%.8g";
 // Where a logarithmic slider that includes zero snaps to it: ImGui's 10^-digits for the format of a drag.
 constexpr double min_of_logarithm = 1e-3;
@@ -46,7 +46,7 @@ std::string hint_of(const NumberField& field) {
   return text + (text.empty() ? "" : "\n") + "Ctrl+click to type; right-click resets to " + number(field.default_value) + unit + ".";
 }
 
-// Position of the value between min and max, as ImGui's slider computes it.
+// The position of the value between min and max, as computed by the slider of ImGui.
 double fraction_of(const NumberField& field) {
   const double value = std::clamp(field.value, field.min, field.max);
   if (!field.logarithmic) return (value - field.min) / (field.max - field.min);
@@ -54,7 +54,7 @@ double fraction_of(const NumberField& field) {
   return value <= min ? 0.0 : std::log(value / min) / std::log(field.max / min);
 }
 
-// ImGui's slider for the input by mouse and keyboard; draw_slider draws it.
+// The slider of ImGui handles the mouse and keyboard; draw_slider draws it.
 bool invisible_slider(const NumberField& field, double& value, bool typing) {
   const char* format = typing || ImGui::GetIO().KeyCtrl ? typed_digits : dragged_digits;
   const ImGuiSliderFlags flags = field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
@@ -127,7 +127,7 @@ std::optional<double> number_row(const NumberField& field, Panels& panels) {
     panels.typing = 0;
   if (!typing) draw_slider(field);
 
-  // an unfinished number does not count
+  // an unfinished number is ignored
   if (changed && typing) panels.typed_number = value;
   if (typing) changed = false;
   if (ImGui::IsItemDeactivatedAfterEdit() && panels.typed_number) {

@@ -1,4 +1,4 @@
-// A labelled number with a unit and a slider.
+// A labeled number with a unit and a slider.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct NumberField {
   double min = 0.0, max = 1.0, default_value = 0.0, value = 0.0;
   double step = 0.0;  // values are multiples of it; 0 for any value
   bool integer = false, logarithmic = false, enabled = true;
-  bool mixed = false;  // the mean of several different values
+  bool mixed = false;  // whether it is the mean of several different values
 };
 
 // The field for a row of a table that has a label, a unit, a range and a default.
@@ -35,8 +35,8 @@ NumberField field_of_row(const Row& row, double value, bool integer) {
 // The label on the left of a row; the next item is placed to its right.
 void begin_row(const std::string& label);
 
-// Drag to change, Ctrl+click to type, right-click for the default. Returns the new value if it changed, clamped to the range. A
-// typed number counts when typing is finished.
+// Drag to change, Ctrl+click to type, right-click for the default. Returns the new value if it changed, clamped to the range. A typed
+// number is applied when typing is finished.
 std::optional<double> number_row(const NumberField& field, Panels& panels);
 
 }  // namespace hooke

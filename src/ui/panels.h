@@ -1,5 +1,5 @@
-// The panels of the window. They read a PanelInput, keep their own state in Panels between frames, and return Requests. They
-// touch nothing else, so tests run them without a window.
+// The panels of the window. They read a PanelInput, keep their own state in Panels between frames, and return Requests. They access nothing
+// else, so tests run them without a window.
 #pragma once
 
 #include <deque>
@@ -51,7 +51,7 @@ struct ExportWork {
   bool is_running = false;
 };
 
-// What the panels show: constant while a frame is built.
+// The input of the panels, constant while a frame is built.
 struct PanelInput {
   const Status& status;
   const Selection& selection;
@@ -63,7 +63,7 @@ struct PanelInput {
   double frames_per_second = 0.0, draw_ms = 0.0;
   double film_seconds = -1.0;                     // length of the film in progress; negative if none
   std::optional<Rect> rubber_band;                // of a selection in progress, in window coordinates
-  std::vector<glm::dvec2> stroke;                 // of a cut in progress, relative to the scene's corner
+  std::vector<glm::dvec2> stroke;                 // of a cut in progress, relative to the corner of the scene
   std::span<const std::filesystem::path> recent;  // files, newest first
   std::span<const RecoveryEntry> recovered;
   std::span<const PanelKey> keys;  // pressed since the last frame
@@ -73,7 +73,7 @@ struct PanelInput {
   Camera camera{};
   const Forecast* forecast = nullptr;  // null if there is none
 
-  // How often the key was pressed for the panel since the last frame.
+  // The number of times that the key was pressed for the panel since the last frame.
   int presses(PanelKey::Target target, Key key) const;
 };
 
@@ -83,7 +83,7 @@ struct Browser {
   Place place = Place::Folder;
   std::filesystem::path folder;
   FolderListing listing;
-  double listed_at = 0.0;  // [s], ImGui's clock
+  double listed_at = 0.0;  // [s], on the clock of ImGui
 };
 
 struct Choice {
@@ -97,7 +97,7 @@ struct Dialog {
   std::string title, text;      // of a message
   std::vector<Choice> choices;  // its buttons: Enter chooses the first, Esc the last; without any, "OK"
   std::string typed;            // the path
-  int text_version = 0;         // incremented when the program changes the path, so that the text field is created anew
+  int text_version = 0;         // incremented when the program changes the path, so that the text field is recreated
   Browser browser;
   bool is_new = false;  // opens with the next frame
 };
@@ -128,12 +128,12 @@ struct Panels {
   ExportState export_state;
   bool menu_is_open = false;
   std::string toast;                // a message that disappears by itself
-  double toast_until = 0.0;         // [s], ImGui's clock
+  double toast_until = 0.0;         // [s], on the clock of ImGui
   std::optional<double> dismissed;  // time of the divergence whose banner was closed [s]
   std::string file_warnings;        // about the opened file
   std::string file_notice;          // the file changed on disk
   bool file_is_gone = false;
-  bool text_in_progress = false;  // a text field has the keyboard
+  bool text_in_progress = false;  // a text field has keyboard focus
   bool edit_in_progress = false;  // the active slider has already made an edit
   Look look = Look::Dark;
   bool panels_hidden = false;  // all but the menu and status bars
@@ -143,7 +143,7 @@ struct Panels {
   bool scrub_in_progress = false;      // the scrubber is being dragged
   double run_to = 10.0;                // [s], last time typed
   std::optional<double> typed_number;  // into a slider, unfinished
-  unsigned typing = 0;                 // ImGui's id of the slider or field being typed into
+  unsigned typing = 0;                 // ImGui id of the slider or field being typed into
   std::string typed_text;              // into the field, unfinished
   std::vector<Rect> floating;          // panels over the scene in the last frame
 
@@ -169,13 +169,13 @@ struct Panels {
 // Between ImGui::NewFrame and ImGui::Render.
 void build_panels(const PanelInput& input, Panels& panels, Requests& requests);
 
-// Whether a panel is at this place of the window and takes mouse input there.
+// Whether a panel is at this position of the window and takes mouse input there.
 bool panels_cover(const Panels& panels, const Layout& layout, double x, double y);
 
-// Moves the highlighted card with the arrow keys. False for other keys.
+// Moves the highlighted card with the arrow keys. Returns false for other keys.
 bool move_in_gallery(Panels& panels, const Layout& layout, Key key);
 
-// The parts, each in a file of its own.
+// The parts, each in a separate file.
 void build_menu(const PanelInput& input, Panels& panels, Requests& requests);
 void build_toolbar(const PanelInput& input, Requests& requests);
 void build_side(const PanelInput& input, Panels& panels, Requests& requests);
@@ -187,7 +187,7 @@ std::vector<Quantity> first_plots(const System& system);
 void build_plots(const PanelInput& input, Panels& panels, Requests& requests);
 void build_timeline(const PanelInput& input, Panels& panels, Requests& requests);
 void build_history(const PanelInput& input, Requests& requests);
-// The rows that match what was typed, best match first.
+// The rows that match the typed text, best match first.
 std::vector<const Shortcut*> find_commands(const std::string& typed);
 void build_search(const PanelInput& input, Panels& panels, Requests& requests);
 void build_export(const PanelInput& input, Panels& panels, Requests& requests);

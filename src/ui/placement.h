@@ -1,4 +1,4 @@
-// A shape or a mesh that is previewed in the scene before it is placed.
+// A shape or a mesh with a preview in the scene before it is placed.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct Placement {
   Shape shape;  // its position, its rotation and, unless it is a mesh, its kind; without a kind nothing is being placed
   bool is_mesh = false;
   std::string mesh_path;   // as typed
-  std::string mesh_info;   // about the mesh that was read
+  std::string mesh_info;   // about the mesh
   double mesh_size = 1.0;  // [m], length of the longest side
 
   bool is_on() const { return is_mesh || shape.kind != nullptr; }

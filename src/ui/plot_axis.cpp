@@ -26,16 +26,16 @@ std::string PlotAxis::label(double tick) const {
 
 PlotAxis fit_axis(double min, double max, int ticks) {
   if (!std::isfinite(min) || !std::isfinite(max)) return {};
-  // as flat as round-off leaves it: a scale around the value
+  // constant up to round-off: a range around the value
   const double largest = std::max(std::abs(min), std::abs(max));
   if (max - min <= 1e-12 * largest || max <= min) {
     const double half = largest > 0.0 ? 0.5 * largest : 0.5;
     min -= half;
     max += half;
   }
-  constexpr double room = 0.06;
+  constexpr double margin = 0.06;
   const double range = max - min;
-  PlotAxis axis{.min = min - room * range, .max = max + room * range};
+  PlotAxis axis{.min = min - margin * range, .max = max + margin * range};
   const double raw_step = range / std::max(1, ticks), decade = std::pow(10.0, std::floor(std::log10(raw_step)));
   const double mantissa = raw_step / decade;
   axis.step = decade * (mantissa < 1.5 ? 1.0 : mantissa < 3.5 ? 2.0 : mantissa < 7.5 ? 5.0 : 10.0);

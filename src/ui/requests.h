@@ -1,5 +1,5 @@
-// What the panels ask for. The app handles the requests of a frame after its panels are built; there is no other way from a
-// panel to the app.
+// The requests of the panels. The app handles the requests of a frame after its panels are built; panels do not affect the app in any other
+// way.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace hooke {
 
-// `continues`: belongs to the same undo step as the edit before it (the slider is still held).
+// `continues`: part of the same undo step as the previous edit (the slider is still held).
 struct Edit {
   Command command;
   bool continues = false;
@@ -24,7 +24,7 @@ struct OpenFile {
 struct SaveFile {
   std::filesystem::path file;
 };
-// Go to a recorded frame. `continues`: belongs to the same drag as the one before it.
+// Go to a recorded frame. `continues`: part of the same drag as the previous request.
 struct Scrub {
   double time;  // [s]
   bool continues = false;
@@ -37,7 +37,7 @@ struct ChooseTexture {
 struct OpenSystemDialog {
   bool to_save = false;
 };
-// Turn the camera to look at the scene from this direction.
+// Rotate the camera to look at the scene from this direction.
 struct LookFrom {
   Vec3 direction;
 };
@@ -48,12 +48,12 @@ struct Recover {
 struct DiscardRecovery {
   std::size_t which;
 };
-// Cancels the file operation whose progress is shown.
+// Cancel the file operation whose progress is shown.
 struct CancelWork {};
 // Export what panels.export_state describes, or stop the export in progress.
 struct StartExport {};
 struct StopExport {};
-// Show a shape, or a mesh where `shape` is null, to be moved about before it is placed.
+// Show a preview of a shape, or of a mesh if `shape` is null, before it is placed.
 struct StartPlacement {
   const ShapeKind* shape;
 };
@@ -61,7 +61,7 @@ struct StartPlacement {
 struct LoadMesh {
   std::filesystem::path file;
 };
-// Add what is shown to the scene.
+// Add the preview to the scene.
 struct Place {};
 // A button of a dialog or a banner about the document.
 enum class Answer {

@@ -17,7 +17,7 @@ struct Shortcut {
   bool repeats = false;
 };
 
-// Grouped, in the order of the table. An action with two keys has two rows, one after the other.
+// Grouped, in the order of the table. An action with two keys has two consecutive rows.
 std::span<const Shortcut> shortcuts();
 
 // The row of this key, or null.
@@ -28,7 +28,7 @@ const Shortcut& shortcut_of(Action action);
 
 std::string key_text(const Shortcut& shortcut);
 
-// What the mouse does besides the tools, for the overlay.
+// Mouse actions besides the tools, for the overlay.
 struct MouseHint {
   std::string_view gesture, text;
 };

@@ -7,7 +7,7 @@
 namespace hooke {
 namespace {
 
-// Belong to the current context, like ImGui's own global state.
+// Part of the current context, like the global state of ImGui.
 Fonts current_fonts;
 double current_scale = 1.0;
 
@@ -26,7 +26,7 @@ ImFont* load_font(const char* name, double size, double density) {
   return io.Fonts->AddFontDefault(&config);
 }
 
-// The colours of both looks by their use; text has the contrast of WCAG AA against the panel.
+// The colors of both themes by their use; text has the contrast of WCAG AA on the panel background.
 struct Row {
   ImU32& color;
   ImU32 dark, light;

@@ -1,4 +1,4 @@
-// The style of the panels: colours, spacing, fonts. It is loaded again when the content scale changes.
+// The style of the panels: colors, spacing, fonts. It is reloaded when the content scale changes.
 #pragma once
 
 #include <imgui.h>
@@ -7,7 +7,7 @@
 
 namespace hooke {
 
-// Colours of the current look.
+// Colors of the current theme.
 namespace palette {
 inline ImU32 panel, raised, hovered, pressed, line, box, text, dim, accent, tinted, good, warning, bad, edge, shade, alarm, notice;
 inline ImU32 axis_x, axis_y, axis_z;  // their labels are drawn in palette::panel
@@ -26,8 +26,8 @@ struct Fonts {
   ImFont* strong = nullptr;
 };
 
-// Loads style and fonts into the current context: DejaVu Sans if it is installed, else ImGui's built-in font.
-// `scale`: window units per design unit; `density`: framebuffer pixels per window unit.
+// Loads style and fonts into the current context: DejaVu Sans if it is installed, otherwise the built-in font of ImGui. `scale`: window
+// units per design unit; `density`: framebuffer pixels per window unit.
 void load_theme(double scale, double density);
 
 const Fonts& fonts();

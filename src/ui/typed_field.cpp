@@ -28,7 +28,7 @@ std::string_view trimmed(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
 }
 
-// Parses and clamps what was typed; reports what is invalid.
+// Parses and clamps the typed text; reports invalid input.
 std::optional<double> taken(const TypedField& field, const std::string& text, Panels& panels) {
   if (trimmed(text).empty()) return std::nullopt;
   const auto number = number_typed(text, field.infinity_text);

@@ -1,4 +1,4 @@
-// A text field for a number that belongs to one object, or to several with possibly different values.
+// A text field for a number that belongs to one item, or to several with possibly different values.
 #pragma once
 
 #include <optional>
@@ -14,10 +14,10 @@ struct TypedField {
   double min = 0.0, max = 1.0;
   double value = 0.0;
   bool mixed = false;              // several different values; shown as such
-  std::string_view infinity_text;  // the word for infinity, as "never"; empty if infinity is not allowed
+  std::string_view infinity_text;  // the word for infinity, such as "never"; empty if infinity is not allowed
 };
 
-// Parses a number, or the word for infinity. Nothing if it is neither.
+// Parses a number, or the word for infinity. Returns nothing if it is neither.
 std::optional<double> number_typed(std::string_view text, std::string_view infinity_text = {});
 
 // Returns the new value, clamped to the range, once it is confirmed by Enter, Tab or a click elsewhere; Esc discards it.

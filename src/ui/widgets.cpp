@@ -74,7 +74,7 @@ void tooltip(Action action, const std::string& detail) {
 }
 
 void progress_bar(double fraction, double seconds, float width) {
-  // no estimate from the first moments
+  // no estimate during the first moments
   char text[48] = "";
   const double left = fraction > 0.0 ? seconds * (1.0 - fraction) / fraction : 0.0;
   if (fraction > 0.03 && seconds > 0.3)

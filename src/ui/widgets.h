@@ -27,7 +27,7 @@ Rect current_window();
 // The desired width [design units], limited to that of the window.
 inline float box_width(double wished) { return std::min(units(wished), std::max(1.0f, ImGui::GetIO().DisplaySize.x - units(16.0))); }
 
-// The x of the centre of a box over the scene, shifted if needed to keep it within the window.
+// The x of the center of a dialog over the scene, shifted if necessary to keep it within the window.
 inline float middle_for(const Rect& scene, float width) {
   const float half = 0.5f * width, middle = static_cast<float>(scene.x + 0.5 * scene.width);
   return std::clamp(middle, half, std::max(half, ImGui::GetIO().DisplaySize.x - half));
@@ -39,7 +39,7 @@ bool begin_panel(const char* name, const Rect& place, ImGuiWindowFlags flags = 0
 // A flat button with an icon; `active` tints it, as for the current tool.
 bool icon_button(const char* id, Icon icon, ImVec2 size, bool active = false, bool enabled = true);
 
-// The heading of a section of a panel; a click collapses it. True if it is expanded.
+// The heading of a section of a panel; a click collapses it. Returns true if it is expanded.
 bool section(const std::string& title, const std::string& remark = {}, bool starts_open = true);
 
 // The tooltip of the last item.
@@ -47,7 +47,7 @@ void tooltip(const std::string& text);
 // "Undo nail 3 points  (Ctrl+Z)"
 void tooltip(Action action, const std::string& detail = {});
 
-// The fraction done, and an estimate of the time left from the `seconds` taken so far.
+// The fraction done, and an estimate of the remaining time from the `seconds` taken so far.
 void progress_bar(double fraction, double seconds, float width);
 
 // Continues on the same line if an item with this text fits.

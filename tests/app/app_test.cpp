@@ -485,7 +485,7 @@ TEST(Textures, OutsideTheFolderAreRefusedWithTheReason) {
   GuiTrial gui(load_scene(draped.file).scene, draped.file);
   gui.app().handle(FileDrop{draped.scratch.folder.parent_path() / "other.png"});
   ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
-  EXPECT_NE(gui.app().panels().dialog.text.find("\"../other.png\": must lie in the scene's folder, " + draped.scratch.folder.string()),
+  EXPECT_NE(gui.app().panels().dialog.text.find("\"../other.png\": must be in the folder of the scene, " + draped.scratch.folder.string()),
             std::string::npos);
   gui.key(Key::Enter);
   EXPECT_EQ(gui.status().document->view.texture, "");

@@ -66,7 +66,7 @@ int copies_in(const Home& home) {
   return count;
 }
 
-Dialog::Kind asked(GuiTrial& gui) { return gui.app().panels().dialog.kind; }
+Dialog::Kind open_dialog(GuiTrial& gui) { return gui.app().panels().dialog.kind; }
 
 // Presses a button of a dialog by its label.
 void press_button(GuiTrial& gui, const char* box, const char* label) {
@@ -89,7 +89,7 @@ TEST(Recovery, OffersTheAutosaveOfAKilledRunBitForBit) {
     state = gui.status().snapshot->state;
   }
   GuiTrial gui({}, {}, desk.home);
-  ASSERT_EQ(asked(gui), Dialog::Kind::Recovery);
+  ASSERT_EQ(open_dialog(gui), Dialog::Kind::Recovery);
   const std::string words = gui.words();
   EXPECT_NE(words.find("net, autosaved at "), std::string::npos) << words;
   press_button(gui, "Unsaved work found", "Later");
@@ -121,23 +121,23 @@ TEST(Recovery, DiscardedWorkIsNotOfferedAgain) {
   }
   GuiTrial gui({}, {}, desk.home);
   gui.frames(2);
-  ASSERT_EQ(asked(gui), Dialog::Kind::Recovery);
+  ASSERT_EQ(open_dialog(gui), Dialog::Kind::Recovery);
   const ImGuiWindow* box = ImGui::FindWindowByName("Unsaved work found");
   ASSERT_NE(box, nullptr);
   const int row = 0;
   const ImGuiID button = ImHashStr("Delete", 0, ImHashData(&row, sizeof row, box->ID));
-  bool gone = false;
-  for (float y = 0.0f; y < box->Size.y && !gone; y += 8.0f)
-    for (float x = 0.0f; x < box->Size.x && !gone; x += 24.0f) {
+  bool deleted = false;
+  for (float y = 0.0f; y < box->Size.y && !deleted; y += 8.0f)
+    for (float x = 0.0f; x < box->Size.x && !deleted; x += 24.0f) {
       const glm::dvec2 at(box->Pos.x + x, box->Pos.y + y);
       gui.move(at);
       if (ImGui::GetCurrentContext()->HoveredId != button) continue;
       gui.click(at);
-      gone = copies_in(desk.home) == 0;
+      deleted = copies_in(desk.home) == 0;
     }
-  EXPECT_TRUE(gone);
+  EXPECT_TRUE(deleted);
   gui.frames(3);
-  EXPECT_EQ(asked(gui), Dialog::Kind::None);
+  EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
   EXPECT_EQ(copies_in(desk.home), 0);
 }
 
@@ -170,7 +170,7 @@ TEST(Recovery, AnUnreadableAutosaveIsReportedAndKept) {
     if (run.is_directory()) OwnDesk::write(run.path() / "scene.json", "{\"hooke\": 1, ");
   GuiTrial gui({}, {}, desk.home);
   gui.key(Key::Enter);
-  EXPECT_EQ(asked(gui), Dialog::Kind::Message);
+  EXPECT_EQ(open_dialog(gui), Dialog::Kind::Message);
   EXPECT_NE(gui.words().find("Cannot restore"), std::string::npos);
   EXPECT_EQ(copies_in(desk.home), 1);
 }
@@ -210,18 +210,18 @@ TEST(SecondInstance, OnTheSameFileIsReportedAndAsks) {
   other.set_document(desk.file, "Net");
   {
     GuiTrial gui = desk.open();
-    ASSERT_EQ(asked(gui), Dialog::Kind::Message);
+    ASSERT_EQ(open_dialog(gui), Dialog::Kind::Message);
     EXPECT_NE(gui.words().find("net.json is open in another Hooke window"), std::string::npos);
     gui.key(Key::Escape);
     // a copy: saving asks for a name
     gui.key(letter('S'), control);
-    EXPECT_EQ(asked(gui), Dialog::Kind::Save);
+    EXPECT_EQ(open_dialog(gui), Dialog::Kind::Save);
   }
   GuiTrial gui = desk.open();
   press_button(gui, "Message", "Open here too");
   gui.key(letter('R'));
   gui.key(letter('S'), control);
-  EXPECT_EQ(asked(gui), Dialog::Kind::None);
+  EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
   EXPECT_FALSE(load_scene(desk.file).scene.system.points()[0].nailed);
 }
 
@@ -245,15 +245,15 @@ TEST(ChangedFile, IsReportedAndReloadedOrKept) {
 TEST(ChangedFile, IsNotReplacedWithoutAsking) {
   const OwnDesk desk;
   GuiTrial gui = desk.open();
-  OwnDesk::write(desk.file, "somebody else's");
+  OwnDesk::write(desk.file, "changed elsewhere");
   gui.key(letter('R'));
   gui.key(letter('S'), control);
-  ASSERT_EQ(asked(gui), Dialog::Kind::Message);
+  ASSERT_EQ(open_dialog(gui), Dialog::Kind::Message);
   gui.key(Key::Escape);
   EXPECT_EQ(gui.app().title(), "Hooke - net*");
   std::string text;
   std::getline(std::ifstream(desk.file), text);
-  EXPECT_EQ(text, "somebody else's");
+  EXPECT_EQ(text, "changed elsewhere");
   gui.key(letter('S'), control);
   press_button(gui, "Message", "Replace");
   EXPECT_EQ(gui.app().title(), "Hooke - net");
@@ -267,7 +267,7 @@ TEST(ChangedFile, ThatWasDeletedIsReportedAndCanBeWrittenAgain) {
   ASSERT_TRUE(wait_for(gui, [&] { return !gui.app().panels().file_notice.empty(); }));
   EXPECT_NE(gui.words().find("net.json no longer exists"), std::string::npos);
   gui.key(letter('S'), control);
-  EXPECT_EQ(asked(gui), Dialog::Kind::None);
+  EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
   EXPECT_TRUE(fs::exists(desk.file));
   gui.frames(2);
   EXPECT_EQ(gui.words().find("no longer exists"), std::string::npos);
@@ -287,7 +287,7 @@ TEST(Saving, OnAFullDiskLosesNothingAndReportsIt) {
   gui.key(letter('S'), control);
   ::setrlimit(RLIMIT_FSIZE, &before);
   ::signal(SIGXFSZ, handler);
-  ASSERT_EQ(asked(gui), Dialog::Kind::Message);
+  ASSERT_EQ(open_dialog(gui), Dialog::Kind::Message);
   const std::string words = gui.words();
   EXPECT_NE(words.find("Nothing is lost"), std::string::npos) << words;
   EXPECT_NE(words.find("cannot be written"), std::string::npos) << words;
@@ -306,7 +306,7 @@ TEST(Saving, WithAnUnknownExtensionIsRefusedWithAMessage) {
   gui.key(letter('S'), control_shift);
   gui.type((desk.folder / "net.xsp").string());
   gui.key(Key::Enter);
-  EXPECT_EQ(asked(gui), Dialog::Kind::Message);
+  EXPECT_EQ(open_dialog(gui), Dialog::Kind::Message);
   EXPECT_FALSE(fs::exists(desk.folder / "net.xsp"));
 }
 
@@ -343,19 +343,19 @@ TEST(BackgroundTask, OpensALargeFileWhileTheWindowKeepsDrawing) {
   EXPECT_EQ(gui.status().snapshot->system->point_count(), 2) << "the document stays until the new one is read";
   ASSERT_TRUE(wait_for(gui, [&] { return gui.status().snapshot->system->point_count() == 100'000; }));
   gui.frames(2);
-  EXPECT_EQ(asked(gui), Dialog::Kind::None);
+  EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
   EXPECT_EQ(gui.app().title(), "Hooke - dust");
 }
 
-TEST(BackgroundTask, CanBeCancelledAndLeavesTheDocumentUnchanged) {
+TEST(BackgroundTask, CanBeCanceledAndLeavesTheDocumentUnchanged) {
   const OwnDesk desk;
   const fs::path large = desk.folder / "dust.json";
   GuiTrial gui = desk.open();
   drop_large(gui, large);
   gui.frames(2);
-  ASSERT_EQ(asked(gui), Dialog::Kind::Working);
+  ASSERT_EQ(open_dialog(gui), Dialog::Kind::Working);
   gui.key(Key::Escape);
-  ASSERT_TRUE(wait_for(gui, [&] { return asked(gui) == Dialog::Kind::None; }));
+  ASSERT_TRUE(wait_for(gui, [&] { return open_dialog(gui) == Dialog::Kind::None; }));
   EXPECT_EQ(gui.status().snapshot->system->point_count(), 2);
   EXPECT_EQ(gui.app().title(), "Hooke - net");
   // the next file opens
@@ -365,7 +365,7 @@ TEST(BackgroundTask, CanBeCancelledAndLeavesTheDocumentUnchanged) {
   EXPECT_EQ(gui.system().point_count(), 100'000);
 }
 
-TEST(BackgroundTask, OfSavingCanBeCancelledBeforeTheOldFileIsTouched) {
+TEST(BackgroundTask, OfSavingCanBeCanceledBeforeTheOldFileIsTouched) {
   const OwnDesk desk;
   const fs::path large = desk.folder / "dust.json";
   save_scene(many_points(), large);
@@ -380,11 +380,11 @@ TEST(BackgroundTask, OfSavingCanBeCancelledBeforeTheOldFileIsTouched) {
   gui.app().handle(KeyPress{letter('S'), control});
   gui.frame();
   gui.key(Key::Escape);
-  ASSERT_TRUE(wait_for(gui, [&] { return asked(gui) == Dialog::Kind::None; }));
+  ASSERT_TRUE(wait_for(gui, [&] { return open_dialog(gui) == Dialog::Kind::None; }));
   EXPECT_EQ(gui.app().title(), "Hooke - dust*");
   EXPECT_EQ(fs::last_write_time(large), written);
   EXPECT_EQ(std::distance(fs::directory_iterator(desk.folder), {}), 4) << "net, dust, config, state: no partial file";
-  // if it is not cancelled, the file is saved and the dialog closes itself
+  // if it is not canceled, the file is saved and the dialog closes itself
   gui.app().handle(KeyPress{letter('S'), control});
   ASSERT_TRUE(wait_for(gui, [&] { return gui.app().title() == "Hooke - dust"; }));
   EXPECT_EQ(load_scene(large).scene.system.point_count(), 100'000);
@@ -398,7 +398,7 @@ TEST(Opening, OfAnImportFormatMakesAnUntitledDocument) {
   gui.frames(2);
   EXPECT_EQ(gui.system().point_count(), 3);
   gui.key(letter('S'), control);
-  EXPECT_EQ(asked(gui), Dialog::Kind::Save);
+  EXPECT_EQ(open_dialog(gui), Dialog::Kind::Save);
 }
 
 TEST(Preferences, ArePersistentAndACorruptFileIsIgnoredWithOneMessage) {
@@ -411,7 +411,7 @@ TEST(Preferences, ArePersistentAndACorruptFileIsIgnoredWithOneMessage) {
     OwnDesk::write(desk.home.config / "settings.json", bad);
     {
       GuiTrial gui(two_points(), {}, desk.home);
-      ASSERT_EQ(asked(gui), Dialog::Kind::Message) << bad;
+      ASSERT_EQ(open_dialog(gui), Dialog::Kind::Message) << bad;
       const std::string words = gui.words();
       EXPECT_NE(words.find("Settings ignored; using defaults"), std::string::npos);
       EXPECT_NE(words.find("settings.json.bad"), std::string::npos);
@@ -421,7 +421,7 @@ TEST(Preferences, ArePersistentAndACorruptFileIsIgnoredWithOneMessage) {
     std::getline(std::ifstream(desk.home.config / "settings.json.bad"), aside);
     EXPECT_EQ(aside, bad);
     GuiTrial again(two_points(), {}, desk.home);
-    EXPECT_EQ(asked(again), Dialog::Kind::None) << bad;
+    EXPECT_EQ(open_dialog(again), Dialog::Kind::None) << bad;
   }
 }
 
@@ -507,7 +507,7 @@ TEST(Browser, EntersFoldersAndOpensByDoubleClick) {
   // a typed folder is shown, not opened
   gui.type((desk.folder / "inner").string());
   gui.key(Key::Enter);
-  ASSERT_EQ(asked(gui), Dialog::Kind::Open);
+  ASSERT_EQ(open_dialog(gui), Dialog::Kind::Open);
   EXPECT_EQ(gui.app().panels().dialog.browser.folder, desk.folder / "inner");
   EXPECT_NE(gui.words().find("deep.json"), std::string::npos);
   // a name is relative to it
@@ -549,12 +549,12 @@ TEST(DesktopDialog, ReturnsAFile) {
   GuiTrial gui({}, {}, desk.home);
   gui.key(letter('O'), control);
   press_button(gui, "Open scene", "System dialog");
-  EXPECT_EQ(asked(gui), Dialog::Kind::None);
+  EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
   EXPECT_TRUE(wait_for(gui, [&] { return gui.app().title() == "Hooke - net"; }));
   EXPECT_NE(fake.called().find("--file-selection\n"), std::string::npos);
 }
 
-TEST(DesktopDialog, IfCancelledChangesNothing) {
+TEST(DesktopDialog, IfCanceledChangesNothing) {
   const OwnDesk desk;
   const FakeDialog fake("zenity", "/somewhere.json", 1);
   SystemDialog dialog;

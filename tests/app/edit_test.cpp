@@ -81,9 +81,9 @@ TEST(Copies, DuplicatesAreDisplacedAndSelected) {
     EXPECT_EQ(system.points()[4].mass, 2.0);
     EXPECT_EQ(system.springs()[1].stiffness, 70.0);
     const auto& position = gui.status().snapshot->state.position;
-    const Vec3 way = position[3] - position[0];
-    EXPECT_GT(glm::length(way), 0.01);
-    EXPECT_LT(glm::length(position[4] - position[1] - way), 1e-12);
+    const Vec3 displacement = position[3] - position[0];
+    EXPECT_GT(glm::length(displacement), 0.01);
+    EXPECT_LT(glm::length(position[4] - position[1] - displacement), 1e-12);
     gui.key(letter('Z'), control);
     EXPECT_EQ(gui.system().point_count(), 3);
     EXPECT_TRUE(gui.app().selection().empty());

@@ -148,7 +148,7 @@ TEST(Export, ToAMissingFolderIsReported) {
   }
 }
 
-TEST(Export, WritesNothingIfCancelled) {
+TEST(Export, WritesNothingIfCanceled) {
   Export csv("cloth", ".csv");
   csv.box().seconds = 600.0;
   csv.gui().key(Key::Enter);

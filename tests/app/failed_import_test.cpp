@@ -57,9 +57,9 @@ class OpenDocument {
       gui_.click(gui_.find("Save changes?", {"Discard"}));
       gui_.frames(2);
     }
-    const bool told = gui_.app().panels().dialog.kind == Dialog::Kind::Message;
+    const bool shown = gui_.app().panels().dialog.kind == Dialog::Kind::Message;
     gui_.key(Key::Enter);
-    return told;
+    return shown;
   }
 
  private:

@@ -18,8 +18,8 @@ class Monkey {
 
   void act() {
     // must not overwrite files of the user
-    const Dialog::Kind asked = gui_.app().panels().dialog.kind;
-    if (asked == Dialog::Kind::Save || asked == Dialog::Kind::Unsaved) return gui_.key(Key::Escape);
+    const Dialog::Kind kind = gui_.app().panels().dialog.kind;
+    if (kind == Dialog::Kind::Save || kind == Dialog::Kind::Unsaved) return gui_.key(Key::Escape);
     switch (below(12)) {
       case 0:
       case 1:
@@ -78,8 +78,8 @@ class Monkey {
 };
 
 TEST(Monkey, BreaksNothing) {
-  const char* asked = std::getenv("HOOKE_MONKEY");
-  const int actions = asked != nullptr ? std::atoi(asked) : 600;
+  const char* requested = std::getenv("HOOKE_MONKEY");
+  const int actions = requested != nullptr ? std::atoi(requested) : 600;
   const ScratchFolder scratch;
   ::setenv("HOME", scratch.folder.c_str(), 1);
   unsigned seed = 0;

@@ -168,9 +168,9 @@ TEST(Placement, AMeshIsPlacedAtTheRequestedSize) {
   for (const Point& point : gui.system().points()) EXPECT_NEAR(gui.status().document->sheet->area_of(point.id), 3.0 * 1.5 / 4.0, 1e-12);
   EXPECT_NEAR(glm::length(0.5 * (places[0] + places[2]) - gui.app().camera().target), 0.0, 1e-9);
   for (const Spring& spring : gui.system().springs()) {
-    const Vec3 way = places[static_cast<std::size_t>(gui.system().index_of(spring.second))] -
-                     places[static_cast<std::size_t>(gui.system().index_of(spring.first))];
-    EXPECT_NEAR(glm::length(way), spring.rest_length, 1e-12);
+    const Vec3 offset = places[static_cast<std::size_t>(gui.system().index_of(spring.second))] -
+                        places[static_cast<std::size_t>(gui.system().index_of(spring.first))];
+    EXPECT_NEAR(glm::length(offset), spring.rest_length, 1e-12);
   }
 }
 

@@ -266,9 +266,9 @@ TEST(DragTool, PrefersAPointOfAClothNearTheCursor) {
 TEST(DragTool, MovesTheNearestCornerOfAClothWhilePaused) {
   ToolTrial trial(face());
   const auto tool = make_drag_tool();
-  const Vec3 place = 0.2 * a + 0.3 * b + 0.5 * c, way(0.2, 0.1, 0.0);
-  trial.drag(*tool, place, place + way);
-  EXPECT_LT(distance(trial.position(2), c + way), 1e-9);
+  const Vec3 place = 0.2 * a + 0.3 * b + 0.5 * c, displacement(0.2, 0.1, 0.0);
+  trial.drag(*tool, place, place + displacement);
+  EXPECT_LT(distance(trial.position(2), c + displacement), 1e-9);
   EXPECT_EQ(trial.position(0), a);
   EXPECT_EQ(trial.position(1), b);
 }
@@ -348,20 +348,21 @@ Scene ball_scene(int dimensions) {
 }
 
 TEST(DragTool, GrabsAColliderWhereThereIsNoPoint) {
-  const Vec3 ball(0.4, -0.3, 0.0), way(-0.5, 0.2, 0.0);
+  const Vec3 ball(0.4, -0.3, 0.0), displacement(-0.5, 0.2, 0.0);
   for (const int dimensions : {2, 3})
     for (const bool running : {false, true}) {
       ToolTrial trial(ball_scene(dimensions));
       trial.submit(SetRunning{running});
       const auto tool = make_drag_tool();
       trial.press(*tool, ball);
-      trial.follow(*tool, ball + way);
+      trial.follow(*tool, ball + displacement);
       EXPECT_EQ(trial.context.snapshot().state.hand.collider.has_value(), running);
       // in 3-D it is grabbed at its front, which is nearer, so it moves slightly less
       if (!running) {
-        EXPECT_LT(distance(anchor_of(trial.system().colliders[0]), ball + way), dimensions == 2 ? 1e-6 : 0.06 * glm::length(way));
+        EXPECT_LT(distance(anchor_of(trial.system().colliders[0]), ball + displacement),
+                  dimensions == 2 ? 1e-6 : 0.06 * glm::length(displacement));
       }
-      trial.release(*tool, ball + way);
+      trial.release(*tool, ball + displacement);
       EXPECT_FALSE(trial.context.snapshot().state.hand.collider);
       trial.submit(Undo{});
       EXPECT_EQ(trial.system().colliders, ball_scene(dimensions).system.colliders);
@@ -369,11 +370,11 @@ TEST(DragTool, GrabsAColliderWhereThereIsNoPoint) {
 }
 
 TEST(SelectTool, MovesABallButStartsABoxSelectionOnTheGround) {
-  const Vec3 ball(0.4, -0.3, 0.0), way(-0.5, 0.2, 0.0);
+  const Vec3 ball(0.4, -0.3, 0.0), displacement(-0.5, 0.2, 0.0);
   ToolTrial trial(ball_scene(2));
   const auto tool = make_select_tool();
-  trial.drag(*tool, ball, ball + way);
-  EXPECT_LT(distance(anchor_of(trial.system().colliders[0]), ball + way), 1e-6);
+  trial.drag(*tool, ball, ball + displacement);
+  EXPECT_LT(distance(anchor_of(trial.system().colliders[0]), ball + displacement), 1e-6);
   trial.press(*tool, {0.0, -0.9, 0.0});
   trial.follow(*tool, {0.2, -0.7, 0.0});
   EXPECT_TRUE(tool->rubber_band());
@@ -414,10 +415,10 @@ TEST(SelectTool, DraggingASelectedPointMovesTheSelectionAsOneStep) {
   const auto tool = make_select_tool();
   trial.click(*tool, a);
   trial.click(*tool, b, true);
-  const Vec3 way(0.2, 0.15, 0.0);
-  trial.drag(*tool, a, a + way);
-  EXPECT_NEAR(distance(trial.position(0), a + way), 0.0, 1e-9);
-  EXPECT_NEAR(distance(trial.position(1), b + way), 0.0, 1e-9);
+  const Vec3 displacement(0.2, 0.15, 0.0);
+  trial.drag(*tool, a, a + displacement);
+  EXPECT_NEAR(distance(trial.position(0), a + displacement), 0.0, 1e-9);
+  EXPECT_NEAR(distance(trial.position(1), b + displacement), 0.0, 1e-9);
   EXPECT_EQ(trial.position(2), c);
   trial.submit(Undo{});
   EXPECT_EQ(trial.position(0), a);

@@ -163,7 +163,7 @@ TEST(Capture, RefusesInOneLine) {
       {"two_masses --out a.gif", 2, "--out a.gif:" + out},
       {"two_masses --out a.gif", 2, "--out a.gif:" + out},
       {"two_masses --out ''", 2, "--out :" + out},
-      {"two_masses --out a.png --fps 61", 2, "--fps 61: must be at most the scene's frame rate, 60 (--frame-rate sets it)\n"},
+      {"two_masses --out a.png --fps 61", 2, "--fps 61: must be at most the frame rate of the scene, 60 (--frame-rate sets it)\n"},
       {"two_masses --out a.png --seconds 1e300", 2, "--seconds 1e+300: must be at most 1e15 frames\n"},
       {"two_masses --out /nowhere/at/all.png", 5, "/nowhere/at/all.png: cannot be written: No such file or directory\n"},
       {"two_masses --out /dev/null/pictures", 5, "/dev/null/pictures: cannot be created: Not a directory\n"},

@@ -54,7 +54,7 @@ constexpr const char* free_point =
 
 TEST(Headless, HelpVersionAndLimitsGoToStdoutForEveryCommand) {
   for (const std::vector<std::string>& subcommand : {std::vector<std::string>{}, {"run"}, {"convert"}}) {
-    const auto ask = [&](const char* option) {
+    const auto output_of = [&](const char* option) {
       std::vector<std::string> words = subcommand;
       words.emplace_back(option);
       const Outcome outcome = headless(words);
@@ -62,9 +62,9 @@ TEST(Headless, HelpVersionAndLimitsGoToStdoutForEveryCommand) {
       EXPECT_EQ(outcome.err, "");
       return outcome.out;
     };
-    EXPECT_EQ(ask("--version"), std::string("hooke-headless ") + program_version + "\n");
-    EXPECT_NE(ask("--help").find("Exit codes: 0 success"), std::string::npos);
-    EXPECT_NE(ask("--limits").find("at most 256 MiB"), std::string::npos);
+    EXPECT_EQ(output_of("--version"), std::string("hooke-headless ") + program_version + "\n");
+    EXPECT_NE(output_of("--help").find("Exit codes: 0 success"), std::string::npos);
+    EXPECT_NE(output_of("--limits").find("at most 256 MiB"), std::string::npos);
   }
 }
 
@@ -247,8 +247,8 @@ TEST(Headless, WithoutASamplingIntervalOnlyTheLastStateIsSampled) {
 }
 
 TEST(Headless, RunStepsWholeFramesUntilTheSecondsAreCovered) {
-  const auto seconds_of = [](const std::string& asked) {
-    return parse(headless({"run", "two_masses", "--seconds", asked, "--frame-rate", "10", "--json", "-"}).out)["seconds"].GetDouble();
+  const auto seconds_of = [](const std::string& seconds) {
+    return parse(headless({"run", "two_masses", "--seconds", seconds, "--frame-rate", "10", "--json", "-"}).out)["seconds"].GetDouble();
   };
   EXPECT_EQ(seconds_of("0"), 0.0);
   EXPECT_NEAR(seconds_of("0.3"), 0.3, 1e-12);

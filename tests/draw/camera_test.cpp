@@ -162,8 +162,8 @@ TEST(Camera, BothProjectionsShowTheTargetAtTheSameSize) {
 TEST(Camera, KnowsTheMetersPerPixel) {
   for (const Camera& camera : cameras()) {
     const Vec3 place = camera.target - 0.4 * camera.distance * camera.back;
-    const double metres = camera.metres_per_pixel(place, size);
-    const Vec3 seen = camera.project(place, size), above = camera.project(place + 10.0 * metres * camera.up, size);
+    const double meters = camera.meters_per_pixel(place, size);
+    const Vec3 seen = camera.project(place, size), above = camera.project(place + 10.0 * meters * camera.up, size);
     EXPECT_NEAR(seen.y - above.y, 10.0, 1e-6);
   }
 }
@@ -247,8 +247,8 @@ TEST(Camera, FramesTheWholePathOfACollider) {
 TEST(Camera, FollowsByTheSmallestNecessaryMove) {
   Trial trial = scattered(3);
   Camera camera = make_camera({}, trial.system, trial.state, size.x / size.y);
-  const auto move_all = [&](const Vec3& way) {
-    for (Vec3& place : trial.state.position) place += way;
+  const auto move_all = [&](const Vec3& displacement) {
+    for (Vec3& place : trial.state.position) place += displacement;
   };
   const Vec3 before = camera.target;
   move_all({1e3, 0.0, 0.0});

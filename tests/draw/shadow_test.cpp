@@ -184,11 +184,11 @@ TEST(Shadow, IsAbsentWhereNothingIsNear) {
 TEST(Shadow, IsUnaffectedByPointsAtNonFinitePositions) {
   Trial scene = sheet_over_floor(0.4);
   const Camera camera = camera_from(aside);
-  const Image sound = draw(scene, {}, camera, {}, width, height);
+  const Image valid = draw(scene, {}, camera, {}, width, height);
   for (const double nowhere : {std::nan(""), std::numeric_limits<double>::infinity(), 1e300}) {
     Trial broken = scene;
     broken.add(Vec3(nowhere));
-    EXPECT_LE(difference(draw(broken, {}, camera, {}, width, height), sound), 0.0005) << nowhere;
+    EXPECT_LE(difference(draw(broken, {}, camera, {}, width, height), valid), 0.0005) << nowhere;
   }
 }
 

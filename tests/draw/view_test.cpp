@@ -145,7 +145,7 @@ TEST(Picture, KeepsTheGroundFarFromTheOrigin) {
 TEST(Picture, IgnoresPointsAtNonFinitePositions) {
   const double places[] = {not_a_number, std::numeric_limits<double>::infinity(), -1e300, 1e40};
   for (const double nowhere : places) {
-    const Trial sound = wavy_net();
+    const Trial valid = wavy_net();
     Trial broken = wavy_net();
     const PointId lost = broken.add({nowhere, nowhere, 0.0});
     broken.system.faces.push_back({{lost, PointId{0}, PointId{1}}});
@@ -156,8 +156,8 @@ TEST(Picture, IgnoresPointsAtNonFinitePositions) {
       marks.hovered_spring = spring;
       marks.ghost_spring = std::pair(Vec3(nowhere), Vec3(0.0));
     }
-    const Camera camera = camera_on(sound, 1.6);
-    EXPECT_EQ(draw(broken, marks, camera, {}, 320, 200).pixels, draw(sound, {}, camera, {}, 320, 200).pixels) << nowhere;
+    const Camera camera = camera_on(valid, 1.6);
+    EXPECT_EQ(draw(broken, marks, camera, {}, 320, 200).pixels, draw(valid, {}, camera, {}, 320, 200).pixels) << nowhere;
   }
 }
 
@@ -211,7 +211,7 @@ TEST(Picture, ShowsSelectedPointsInRed) {
   // a nail stays yellow inside a red ring
   EXPECT_TRUE(is_yellow(at(image, camera, {-0.5, 0.0, 0.0})));
   const Vec3 middle = camera.project({-0.5, 0.0, 0.0}, {480, 300});
-  const double radius = 0.1 / camera.metres_per_pixel({-0.5, 0.0, 0.0}, {480, 300});
+  const double radius = 0.1 / camera.meters_per_pixel({-0.5, 0.0, 0.0}, {480, 300});
   EXPECT_TRUE(is_red(at(image, static_cast<int>(middle.x), static_cast<int>(middle.y + radius + 2.0))));
 }
 
@@ -245,8 +245,8 @@ TEST(Picture, DrawsSpringsEquallyWideAtAnySlopeWithAndWithoutMultisampling) {
         const double angle = degrees * 3.14159265358979 / 180.0;
         Trial scene;
         scene.system.dimensions = 2;
-        const Vec3 way = 0.4 * Vec3(std::cos(angle), std::sin(angle), 0.0);
-        scene.join(scene.add(-way), scene.add(way), 100.0, 0.8);
+        const Vec3 half = 0.4 * Vec3(std::cos(angle), std::sin(angle), 0.0);
+        scene.join(scene.add(-half), scene.add(half), 100.0, 0.8);
         const Camera camera = make_camera({.camera = CameraPose{.orthographic = true}}, scene.system, scene.state, 1.6);
         const ViewOptions options{.points = false, .grid = false, .samples = samples, .scale = scale};
         const Image image = draw(scene, {}, camera, options, 480, 300);
@@ -257,7 +257,7 @@ TEST(Picture, DrawsSpringsEquallyWideAtAnySlopeWithAndWithoutMultisampling) {
             covered += (at(image, x, y).blue - 40.0) / (150.0 - 40.0);
             shades.insert(at(image, x, y).blue);
           }
-        const double length = 0.8 / camera.metres_per_pixel(Vec3(0.0), {480, 300});
+        const double length = 0.8 / camera.meters_per_pixel(Vec3(0.0), {480, 300});
         EXPECT_NEAR(covered / length, 1.75 * scale, 0.12 * scale) << degrees << ", " << samples << " samples";
         const bool is_slanted = degrees > 0.0 && degrees < 90.0 && degrees != 45.0;
         EXPECT_GT(shades.size(), is_slanted ? 12u : 1u) << degrees;  // its edges are antialiased

@@ -70,7 +70,7 @@ TEST_F(Films, ReportAMissingFfmpegAndHowToInstallIt) {
   const Outcome outcome = run("capture cloth --out a.mp4", "/nowhere");
   EXPECT_EQ(outcome.code, 5);
   EXPECT_EQ(outcome.err,
-            "hooke-headless: a.mp4: ffmpeg, which makes films, cannot be started: No such file or directory (apt-get install ffmpeg)\n");
+            "hooke-headless: a.mp4: ffmpeg, which encodes films, cannot be started: No such file or directory (apt-get install ffmpeg)\n");
   EXPECT_EQ(files(), 0u);
 }
 

@@ -144,7 +144,7 @@ TEST(Mesh, TheSameShapeAtAnySizeMovesSimilarly) {
 TEST(Mesh, CoincidentVerticesAreWelded) {
   // two triangles with a common edge but separate vertices; one vertex differs in the last printed digit
   const LoadedScene loaded = load("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1.000001 0\nf 1 2 3\nf 4 5 6\n");
-  EXPECT_EQ(loaded.warnings, std::vector<std::string>{"test.obj: 2 vertices stand where another one does: welded"});
+  EXPECT_EQ(loaded.warnings, std::vector<std::string>{"test.obj: 2 vertices are at the position of another: welded"});
   EXPECT_EQ(loaded.scene.system.point_count(), 4);
   EXPECT_EQ(loaded.scene.system.spring_count(), 5);
 }
@@ -167,9 +167,9 @@ TEST(Mesh, WeldingIsLocalAndDoesNotMergeChains) {
 TEST(Mesh, FacesWithoutAreaAreIgnoredAndReported) {
   const LoadedScene loaded = load(triangle + "v 2 0 0\nf 1 2 4\nf 1 1 2\nf 1 2\nf 3 2 1 3\nf 1 2 1 3\n");
   EXPECT_EQ(loaded.warnings, (std::vector<std::string>{
-                                 "test.obj: 4 faces have no area: left out",
-                                 "test.obj: 1 face is there already: left out",
-                                 "test.obj: 1 vertex belongs to no face: left out",
+                                 "test.obj: 4 faces have no area: ignored",
+                                 "test.obj: 1 face is a duplicate: ignored",
+                                 "test.obj: 1 vertex belongs to no face: ignored",
                              }));
   EXPECT_EQ(loaded.scene.system.faces.size(), 1u);
   EXPECT_EQ(loaded.scene.system.spring_count(), 3);
@@ -177,7 +177,7 @@ TEST(Mesh, FacesWithoutAreaAreIgnoredAndReported) {
 
 TEST(Mesh, AnEdgeOfThreeFacesIsOneSpringAndReported) {
   const LoadedScene loaded = load("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 3\nf 2 1 4\nf 1 2 5\n");
-  EXPECT_EQ(loaded.warnings, std::vector<std::string>{"test.obj: 1 edge has more than two faces: one spring all the same"});
+  EXPECT_EQ(loaded.warnings, std::vector<std::string>{"test.obj: 1 edge has more than two faces: each is a single spring"});
   EXPECT_EQ(loaded.scene.system.spring_count(), 7);
   EXPECT_EQ(loaded.scene.system.faces.size(), 3u);
 }
@@ -199,7 +199,7 @@ TEST(Mesh, ABentQuadIsSplitWhereBothTrianglesHaveTheSameOrientation) {
 TEST(Mesh, APolygonWithManyCornersBecomesAFanOfTriangles) {
   const LoadedScene loaded = load("v 0 0 0\nv 2 0 0\nv 3 1 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4 5\n");
   EXPECT_EQ(loaded.warnings,
-            std::vector<std::string>{"test.obj: 1 face has more than four corners: cut into triangles from the first corner"});
+            std::vector<std::string>{"test.obj: 1 face has more than four corners: split into triangles from the first corner"});
   EXPECT_EQ(loaded.scene.system.faces.size(), 3u);
   EXPECT_NEAR(total_mass(loaded.scene.system), SheetMaterial().density * 5.0, 1e-12);
 }
@@ -219,9 +219,9 @@ TEST(Mesh, NegativeNumbersCountBackwardsAndFacesMayComeFirst) {
 
 TEST(Mesh, OtherStatementsAreReported) {
   EXPECT_EQ(load(triangle + "l 1 2 3\n").warnings,
-            std::vector<std::string>{"test.obj: line 5: \"l\": is left out: only vertices and faces are read"});
+            std::vector<std::string>{"test.obj: line 5: \"l\": is ignored: only vertices and faces are read"});
   EXPECT_EQ(load("call other.obj\n" + triangle + "t x 8192/8192/8192\ncurv 1 2\n").warnings,
-            std::vector<std::string>{"test.obj: line 1: \"call\": and 2 more statements are left out: only vertices and faces are read"});
+            std::vector<std::string>{"test.obj: line 1: \"call\": and 2 more statements are ignored: only vertices and faces are read"});
 }
 
 TEST(Mesh, InvalidFilesAreRefusedWithTheLine) {
@@ -232,8 +232,8 @@ TEST(Mesh, InvalidFilesAreRefusedWithTheLine) {
   EXPECT_EQ(refusal("v 0 0 0\nv 0 nan 0\n"), "test.obj: line 2: v: \"nan\": must be a number");
   EXPECT_EQ(refusal("v 0 inf 0\n"), "test.obj: line 1: v: \"inf\": must be a number");
   EXPECT_EQ(refusal("v 0 1e400 0\n"), "test.obj: line 1: v: \"1e400\": must be a number");
-  EXPECT_EQ(refusal("v 0 1e10 0\n"), "test.obj: line 1: v: 1e+10: must be from -1e9 to 1e9 (metres)");
-  EXPECT_EQ(refusal("v 0 1" + std::string(400, '0') + "e-400 0\n"), "test.obj: line 1: v: inf: must be from -1e9 to 1e9 (metres)");
+  EXPECT_EQ(refusal("v 0 1e10 0\n"), "test.obj: line 1: v: 1e+10: must be from -1e9 to 1e9 (meters)");
+  EXPECT_EQ(refusal("v 0 1" + std::string(400, '0') + "e-400 0\n"), "test.obj: line 1: v: inf: must be from -1e9 to 1e9 (meters)");
   EXPECT_EQ(refusal("v 1 2\n"), "test.obj: line 1: v: 2 numbers: must be at least 3");
   EXPECT_EQ(refusal("v 1 2 three\n"), "test.obj: line 1: v: \"three\": must be a number");
   EXPECT_EQ(refusal(std::string("v 1 2 3\0\n", 9)), "test.obj: line 1: v: \"3\\u0000\": must be a number");
@@ -246,8 +246,8 @@ TEST(Mesh, InvalidFilesAreRefusedWithTheLine) {
   EXPECT_EQ(refusal(triangle + "f 1 2 -4\n"), "test.obj: line 5: f: -4: there are only 3 vertices");
   std::string many = "f";
   for (int i = 0; i < 1001; ++i) many += " 1";
-  EXPECT_EQ(refusal(triangle + many + "\n"), "test.obj: line 5: f: more than 1000 corners: must be at most so many");
-  EXPECT_EQ(refusal("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "test.obj: faces: none with an area: there must be at least one");
+  EXPECT_EQ(refusal(triangle + many + "\n"), "test.obj: line 5: f: more than 1000 corners: too many springs");
+  EXPECT_EQ(refusal("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "test.obj: faces: none has an area: there must be at least one");
   EXPECT_EQ(refusal("v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n"), "test.obj: size: 0 m: must be at least 1e-06");
 }
 
@@ -268,7 +268,7 @@ TEST(Mesh, ObjContainsFacesAndSpringsOutsideThem) {
   scene.state.velocity.emplace_back(0.0);
   scene.system.append_spring({.id = scene.system.new_spring_id(), .first = scene.system.points()[0].id, .second = end});
   EXPECT_EQ(format_obj(scene),
-            "# written by Hooke; metres\no test\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.1 -2 0.3333333333333333\nf 1 2 3\nl 1 4\n");
+            "# written by Hooke; meters\no test\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0.1 -2 0.3333333333333333\nf 1 2 3\nl 1 4\n");
 }
 
 TEST(Mesh, PlyContainsTheStrainOfEachVertexByteForByte) {
@@ -279,7 +279,7 @@ TEST(Mesh, PlyContainsTheStrainOfEachVertexByteForByte) {
   const std::size_t begin = bytes.find(end) + end.size();
   EXPECT_EQ(bytes.substr(0, begin),
             "ply\nformat binary_little_endian 1.0\n"
-            "comment written by Hooke; metres; strain: mean l / l0 - 1 of the springs at the vertex\n"
+            "comment written by Hooke; meters; strain: mean l / l0 - 1 of the springs at the vertex\n"
             "element vertex 3\nproperty double x\nproperty double y\nproperty double z\nproperty float strain\n"
             "element face 1\nproperty list uchar int vertex_indices\nend_header\n");
   std::string expected;

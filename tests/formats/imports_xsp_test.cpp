@@ -82,9 +82,9 @@ TEST(Xsp, TwoBodiesRotateAndPassThroughEachOtherAboutAFallingCenter) {
   const double angle = std::numbers::pi / 6.0;
   const Vec3 gravity = 20 * pixel * Vec3(std::sin(angle), -std::cos(angle), 0.0);
   const Vec3 start = pixel * Vec3(290, 400, 0), velocity = pixel * Vec3(10, 5, 0);
-  const Vec3 centre = start + seconds * velocity + 0.5 * seconds * seconds * gravity;
-  EXPECT_NEAR(((m1 * first + m2 * second) / (m1 + m2)).x, centre.x, 1e-12);
-  EXPECT_NEAR(((m1 * first + m2 * second) / (m1 + m2)).y, centre.y, 1e-12);
+  const Vec3 center = start + seconds * velocity + 0.5 * seconds * seconds * gravity;
+  EXPECT_NEAR(((m1 * first + m2 * second) / (m1 + m2)).x, center.x, 1e-12);
+  EXPECT_NEAR(((m1 * first + m2 * second) / (m1 + m2)).y, center.y, 1e-12);
 
   const double omega = std::sqrt(k * (m1 + m2) / (m1 * m2)), h = scene.settings.substep();
   const double tolerance = 2.0 * 20 * pixel * std::pow(h * omega, 2) / 24.0 * omega * seconds;
@@ -107,7 +107,7 @@ TEST(Xsp, APullTowardsTheCenterKeepsAMassOnItsCircle) {
   // p1 / r^2 in pixels, from the center of the window: speed sqrt(p1 / r), period 2 pi r / speed
   const double r = 100.0, p1 = 9e4, speed = std::sqrt(p1 / r), period = 2.0 * std::numbers::pi * r / speed;
   LoadedScene loaded = load("frce 2 1 9e4 2\nmass 1 420 240 0 30 5 1\n");
-  EXPECT_TRUE(warns(loaded, "the centre of forces is at x = 320, y = 240 pixels"));
+  EXPECT_TRUE(warns(loaded, "the center of forces is at x = 320, y = 240 pixels"));
   Scene& scene = loaded.scene;
   scene.settings.frame_rate = 100.0 / period;
   scene.settings.substeps = 50;
@@ -210,18 +210,18 @@ TEST(Xsp, WallsAreAtTheWindowOrJustOutsideTheMasses) {
 TEST(Xsp, StatementsThatCannotBeConvertedGiveWarnings) {
   const std::string masses = "mass 1 10 10 0 0 1 0.5\nmass 2 20 10 0 0 1 0.5\nmass 3 30 10 0 0 1 0.9\nmass 4 40 10 0 0 -1 0.1\n";
   EXPECT_TRUE(warns(load("frce 9 1 5 2\n"), "force 9 is unknown"));
-  EXPECT_TRUE(warns(load("cent 1\nfrce 2 1 5 2\n" + masses), "where mass 1 starts, though that mass is free"));
-  EXPECT_TRUE(warns(load("frce 1 1 -5 2\n"), "\"Pull of the centre of mass\" is left out: Stiffness would be -5"));
-  EXPECT_TRUE(warns(load("frce 3 1 5 -1\n"), "\"Push off walls\" is left out: Falls with power would be -1"));
+  EXPECT_TRUE(warns(load("cent 1\nfrce 2 1 5 2\n" + masses), "where mass 1 starts, although that mass is free"));
+  EXPECT_TRUE(warns(load("frce 1 1 -5 2\n"), "\"Pull on center of mass\" is ignored: Stiffness would be -5"));
+  EXPECT_TRUE(warns(load("frce 3 1 5 -1\n"), "\"Wall repulsion\" is ignored: Exponent would be -1"));
   EXPECT_FALSE(warns(load("frce 9 0 5 2\n"), "force"));
-  EXPECT_TRUE(warns(load("wall 1 0 0 0\n" + masses), "1 mass of another elasticity than 0.5"));
-  EXPECT_TRUE(warns(load("wall 1 0 0 0\nmass 1 10 10 0 0 1 1.5\n"), "elasticity 1.5 is taken as 1"));
+  EXPECT_TRUE(warns(load("wall 1 0 0 0\n" + masses), "1 mass with an elasticity other than 0.5"));
+  EXPECT_TRUE(warns(load("wall 1 0 0 0\nmass 1 10 10 0 0 1 1.5\n"), "elasticity 1.5 becomes 1"));
   EXPECT_TRUE(warns(load("fixm 1\n"), "fixm"));
   EXPECT_TRUE(warns(load("shws 0\n"), "shws"));
   EXPECT_TRUE(warns(load("gsnp 20 1\n"), "gsnp"));
   EXPECT_TRUE(warns(load("kspr -1\n"), "kspr -1"));
   EXPECT_TRUE(warns(load("visc 1\nvisc 2\n"), "line 3: visc"));
-  EXPECT_TRUE(warns(load("mass 1 5 5 0 0 1 1\nmass 2 5 5 0 0 1 1\nspng 1 1 2 1 0 3\n"), "1 spring joins masses at the same place"));
+  EXPECT_TRUE(warns(load("mass 1 5 5 0 0 1 1\nmass 2 5 5 0 0 1 1\nspng 1 1 2 1 0 3\n"), "1 spring connects masses at the same position"));
   EXPECT_EQ(load("visc 1\nvisc 2\n").scene.system.drag, 2.0);
 }
 
@@ -230,12 +230,12 @@ TEST(Xsp, InvalidFilesAreRefusedWithTheLine) {
   EXPECT_EQ(refusal("{\"hooke\": 1}"), "test.xsp: line 1: \"{\"hooke\": 1}\": must begin with #1.0");
   EXPECT_EQ(refusal("#2.0\n"), "test.xsp: line 1: \"#2.0\": must begin with #1.0");
   EXPECT_EQ(refusal(file_of("visc\n")), "test.xsp: line 2: visc: viscosity: is missing");
-  EXPECT_EQ(refusal(file_of("\nvisc 1 2\n")), "test.xsp: line 3: visc: \"2\": is one value too many");
+  EXPECT_EQ(refusal(file_of("\nvisc 1 2\n")), "test.xsp: line 3: visc: \"2\": is a surplus value");
   EXPECT_EQ(refusal(file_of("visc nan\n")), "test.xsp: line 2: visc: viscosity: \"nan\": must be a number");
   EXPECT_EQ(refusal(file_of("visc -1\n")), "test.xsp: line 2: visc: viscosity: \"-1\": must be at least 0");
-  EXPECT_EQ(refusal(file_of("step 0\n")), "test.xsp: line 2: step: step: \"0\": must be above 0");
-  EXPECT_EQ(refusal(file_of("blob 1\n")), "test.xsp: line 2: blob: is no command of an .xsp file");
-  EXPECT_EQ(refusal(file_of("ma\tss 1\n")), "test.xsp: line 2: ma: is no command of an .xsp file");
+  EXPECT_EQ(refusal(file_of("step 0\n")), "test.xsp: line 2: step: step: \"0\": must be more than 0");
+  EXPECT_EQ(refusal(file_of("blob 1\n")), "test.xsp: line 2: blob: is not a command of an .xsp file");
+  EXPECT_EQ(refusal(file_of("ma\tss 1\n")), "test.xsp: line 2: ma: is not a command of an .xsp file");
   EXPECT_EQ(refusal(file_of("mass 1 0 0 0 0 0 1\n")), "test.xsp: line 2: mass: mass: \"0\": must not be 0");
   EXPECT_EQ(refusal(file_of("mass 1 0 1e400 0 0 1 1\n")), "test.xsp: line 2: mass: y: \"1e400\": must be a number");
   EXPECT_EQ(refusal(file_of("mass 1 0 0 inf 0 1 1\n")), "test.xsp: line 2: mass: vx: \"inf\": must be a number");
@@ -246,13 +246,13 @@ TEST(Xsp, InvalidFilesAreRefusedWithTheLine) {
             "test.xsp: line 2: mass: id: \"3000000000\": must be a whole number from 1 to 2147483647");
 
   const std::string two = "mass 1 0 0 0 0 1 1\nmass 2 5 0 0 0 1 1\n";
-  EXPECT_EQ(refusal(file_of(two + "mass 1 9 0 0 0 1 1\n")), "test.xsp: line 4: mass: id: 1: is used already");
+  EXPECT_EQ(refusal(file_of(two + "mass 1 9 0 0 0 1 1\n")), "test.xsp: line 4: mass: id: 1: is already used");
   EXPECT_EQ(refusal(file_of(two + "spng 1 1 3 1 0 5\n")), "test.xsp: line 4: spng: 1: mass 3: is not in the file");
-  EXPECT_EQ(refusal(file_of(two + "spng 1 2 2 1 0 5\n")), "test.xsp: line 4: spng: 1: mass 2: must not be joined to itself");
+  EXPECT_EQ(refusal(file_of(two + "spng 1 2 2 1 0 5\n")), "test.xsp: line 4: spng: 1: mass 2: must not be connected to itself");
   EXPECT_EQ(refusal(file_of(two + "spng 1 1 2 -1 0 5\n")), "test.xsp: line 4: spng: k: \"-1\": must be at least 0");
   EXPECT_EQ(refusal(file_of(two + "spng 1 1 2 1 -1 5\n")), "test.xsp: line 4: spng: damping: \"-1\": must be at least 0");
   EXPECT_EQ(refusal(file_of(two + "spng 1 1 2 1 0 -5\n")), "test.xsp: line 4: spng: rest length: \"-5\": must be at least 0");
-  EXPECT_EQ(refusal(file_of(two + "spng 1 1 2 1 0 5\nspng 1 2 1 1 0 5\n")), "test.xsp: line 5: spng: id: 1: is used already");
+  EXPECT_EQ(refusal(file_of(two + "spng 1 1 2 1 0 5\nspng 1 2 1 1 0 5\n")), "test.xsp: line 5: spng: id: 1: is already used");
   EXPECT_EQ(refusal(file_of("spng 1 1 2 1 0 5\n" + two)), "not refused");
   EXPECT_EQ(refusal(file_of(std::string("visc 1\0\n", 8))), "test.xsp: line 2: visc: viscosity: \"1\\u0000\": must be a number");
   EXPECT_EQ(refusal(file_of("visc \x1b[2J\n")), "test.xsp: line 2: visc: viscosity: \"\\u001b[2J\": must be a number");
@@ -303,7 +303,7 @@ TEST(Xsp, AWrittenSceneHasTheSameMotion) {
   std::vector<std::string> losses;
   Scene again = parse_xsp(format_xsp(scene, "again.xsp", losses), "again.xsp").scene;
   ASSERT_EQ(losses.size(), 1u);
-  EXPECT_EQ(losses[0], "again.xsp: .xsp has no place for the origin: everything is moved by (3.325, 0.95) m, into the window");
+  EXPECT_EQ(losses[0], "again.xsp: .xsp cannot represent the origin: everything is moved by (3.325, 0.95) m, into the window");
   const Vec3 shift = again.state.position[0] - scene.state.position[0];
   scene.settings.substeps = again.settings.substeps = 200;
   run(scene, 1.5);
@@ -357,13 +357,13 @@ TEST(Xsp, PropertiesThatTheFormatCannotRepresentAreReported) {
   scene.system.strain_limit = 0.1;
   format_xsp(scene, "a.xsp", losses);
   EXPECT_EQ(losses, (std::vector<std::string>{
-                        "a.xsp: .xsp has no place for 1 collider",
-                        "a.xsp: .xsp has no place for the motion of 2 colliders",
-                        "a.xsp: .xsp has no place for the walls' friction",
-                        "a.xsp: .xsp has no place for the break strains of 1 spring",
-                        "a.xsp: .xsp has no place for the hand that takes a point along",
-                        "a.xsp: .xsp has no place for the limit of strain",
-                        "a.xsp: .xsp has no place for 1 face",
+                        "a.xsp: .xsp cannot represent 1 collider",
+                        "a.xsp: .xsp cannot represent the motion of 2 colliders",
+                        "a.xsp: .xsp cannot represent the friction of walls",
+                        "a.xsp: .xsp cannot represent the break strains of 1 spring",
+                        "a.xsp: .xsp cannot represent the scripted hand",
+                        "a.xsp: .xsp cannot represent the strain limit",
+                        "a.xsp: .xsp cannot represent 1 face",
                     }));
 }
 

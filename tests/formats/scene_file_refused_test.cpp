@@ -68,7 +68,7 @@ TEST(BadScenes, AHandWithoutAPointACircleOrATimeIsRefused) {
       {hand(R"("point": 1, "circle": {"center": [1, 0, 0]}, )" + rest), "hand.circle.from: missing: must be [x, y, z]"},
       {hand(R"("point": 1, "circle": {"from": [1, 0, 0]}, )" + rest), "hand.circle.center: missing: must be [x, y, z]"},
       {hand(R"("point": 1, "circle": {"from": [1, 0, 2], "center": [1, 0, 0]}, )" + rest),
-       R"(hand.circle: {"from": [1, 0, 2], "center": [1, 0, 0]}: must have from at least 1e-06 m beside the axis through center)"},
+       R"(hand.circle: {"from": [1, 0, 2], "center": [1, 0, 0]}: must have from at least 1e-06 m away from the axis through center)"},
       {hand(R"("point": 1, "circle": {"from": [0, 0, 0], "center": [1, 0, 0], "axis": [0, 0, 0]}, )" + rest),
        "hand.circle.axis: [0, 0, 0]: must not be zero"},
       {R"({"hooke": 1, "dimensions": 2, "points": [{"position": [0, 0]}], "hand": {"point": 0, "circle": {"from": [0, 0], "center": [1, 0], "axis": [0, 1, 1]}, )" +
@@ -85,11 +85,11 @@ TEST(BadScenes, SyntaxIsRefusedWithTheLine) {
   expect_refused({
       {"", "line 1: empty: must be a JSON object {...}"},
       {" \n ", "line 1: empty: must be a JSON object {...}"},
-      {"[1, 2]", "line 1: no object: must be {...}"},
-      {"\n5", "line 2: no object: must be {...}"},
-      {"{", "line 1: the file ends too early"},
-      {"{\"hooke\": 1, \"points\": [", "line 1: the file ends too early"},
-      {"{\"hooke\": 1,\n\"points\": [{\"position\": [0, 0", "line 2: the file ends too early"},
+      {"[1, 2]", "line 1: not an object: must be {...}"},
+      {"\n5", "line 2: not an object: must be {...}"},
+      {"{", "line 1: unexpected end of the file"},
+      {"{\"hooke\": 1, \"points\": [", "line 1: unexpected end of the file"},
+      {"{\"hooke\": 1,\n\"points\": [{\"position\": [0, 0", "line 2: unexpected end of the file"},
       {"{\"hooke\": 1}\n}", "line 2: The document root must not be followed by other values"},
       {"{\"hooke\": 1,}", "line 1: Missing a name for object member"},
       {"{\"hooke\": 1,\n // a comment\n \"points\": []}", "line 2: Missing a name for object member"},
@@ -100,9 +100,9 @@ TEST(BadScenes, SyntaxIsRefusedWithTheLine) {
       {"{\"hooke\": 1,\n\"drag\": .5}", "line 2: drag: .5: must be a JSON value (numbers are finite)"},
       {"{\"hooke\": 1, 'drag': 1}", "line 1: Missing a name for object member"},
       {"\xef\xbb\xbf{\"hooke\": 1}", "line 1: a byte order mark: must begin with {"},
-      {"{\"hooke\": 1,\n\"name\": \"\xff\"}", "line 2: bad UTF-8 in a string"},
-      {"{\"hooke\": 1,\n\"name\": \"\xc0\x80\"}", "line 2: bad UTF-8 in a string"},
-      {"{\"hooke\": 1,\n\"name\": \"\\udc00\"}", "line 2: half a surrogate pair: must be UTF-8"},
+      {"{\"hooke\": 1,\n\"name\": \"\xff\"}", "line 2: invalid UTF-8 in a string"},
+      {"{\"hooke\": 1,\n\"name\": \"\xc0\x80\"}", "line 2: invalid UTF-8 in a string"},
+      {"{\"hooke\": 1,\n\"name\": \"\\udc00\"}", "line 2: a lone surrogate: must be UTF-8"},
       {"{\"hooke\": 1,\n\"name\": \"\\ud800x\"}", "line 2: The surrogate pair in string is invalid"},
       {std::string("{\"hooke\": 1}\0", 13), "line 1: a zero byte: must be JSON text"},
       {"{\"points\": [{\"position\": [0, 1, 0]}, {\"position\": [0, nan, 0]}]}",
@@ -123,10 +123,12 @@ TEST(BadScenes, TheVersionMustBeSupported) {
 
 TEST(BadScenes, TheSameKeyTwiceIsRefusedAtEveryLevel) {
   expect_refused({
-      {R"({"hooke": 1, "hooke": 1})", "hooke: given twice: each key must stand once"},
-      {point_with(R"("mass": 1, "mass": 2)"), "points[0].mass: given twice: each key must stand once"},
-      {scene_with(R"("view": {"camera": {"eye": [0, 0, 1], "eye": [0, 0, 1]}})"), "view.camera.eye: given twice: each key must stand once"},
-      {scene_with(R"("mine": [{"a": 1}, {"b": [{"c": 1, "c": 2}]}])"), "mine[1].b[0].c: given twice: each key must stand once"},
+      {R"({"hooke": 1, "hooke": 1})", "hooke: given twice: each key must be unique in its object"},
+      {point_with(R"("mass": 1, "mass": 2)"), "points[0].mass: given twice: each key must be unique in its object"},
+      {scene_with(R"("view": {"camera": {"eye": [0, 0, 1], "eye": [0, 0, 1]}})"),
+       "view.camera.eye: given twice: each key must be unique in its object"},
+      {scene_with(R"("mine": [{"a": 1}, {"b": [{"c": 1, "c": 2}]}])"),
+       "mine[1].b[0].c: given twice: each key must be unique in its object"},
   });
 }
 
@@ -193,7 +195,7 @@ TEST(BadScenes, UnphysicalValuesAreRefused) {
 
 TEST(BadScenes, FieldsOfTheWrongKindAreRefused) {
   expect_refused({
-      {scene_with(R"("name": 5)"), "name: 5: must be a text \"...\""},
+      {scene_with(R"("name": 5)"), "name: 5: must be a string \"...\""},
       {scene_with(R"("dimensions": 4)"), "dimensions: 4: must be a whole number from 2 to 3"},
       {scene_with(R"("gravity": -9.81)"), "gravity: -9.81: must be a list [...]"},
       {scene_with(R"("gravity": [0])"), "gravity: [0]: must have 2 to 3 items"},
@@ -206,8 +208,8 @@ TEST(BadScenes, FieldsOfTheWrongKindAreRefused) {
       {R"({"hooke": 1, "points": [[0, 0, 0]]})", "points[0]: [0, 0, 0]: must be an object {...}"},
       {R"({"hooke": 1, "points": [{}]})", "points[0].position: missing: must be [x, y, z]"},
       {point_with(R"("nailed": 1)"), "points[0].nailed: 1: must be true or false"},
-      {point_with(R"("color": "red")"), "points[0].color: \"red\": must be a colour \"#rrggbb\""},
-      {point_with(R"("color": "#12345g")"), "points[0].color: \"#12345g\": must be a colour \"#rrggbb\""},
+      {point_with(R"("color": "red")"), "points[0].color: \"red\": must be a color \"#rrggbb\""},
+      {point_with(R"("color": "#12345g")"), "points[0].color: \"#12345g\": must be a color \"#rrggbb\""},
       {spring_with(R"("damping": 1)"), "springs[0].stiffness: missing: must be a number of at least 0"},
       {scene_with(R"("springs": [{"stiffness": 1}])"), "springs[0].points: missing: must be two point numbers"},
       {scene_with(R"("springs": [{"stiffness": 1, "points": [0]}])"), "springs[0].points: [0]: must have 2 items"},
@@ -221,9 +223,9 @@ TEST(BadScenes, FieldsOfTheWrongKindAreRefused) {
                                                                      return ids;
                                                                    }()},
       {scene_with(R"("simulation": [])"), "simulation: []: must be an object {...}"},
-      {scene_with(R"("view": {"background": "black"})"), "view.background: \"black\": must be a colour \"#rrggbb\""},
+      {scene_with(R"("view": {"background": "black"})"), "view.background: \"black\": must be a color \"#rrggbb\""},
       {scene_with(R"("view": {"camera": {"eye": [1, 2, 3], "target": [1, 2, 3]}})"),
-       "view.camera: {\"eye\": [1, 2, 3], \"target\": [1, 2, 3]}: must have eye and target in two places"},
+       "view.camera: {\"eye\": [1, 2, 3], \"target\": [1, 2, 3]}: must have different positions for eye and target"},
       {scene_with(R"("view": {"camera": {"up": [0, 0, 0]}})"), "view.camera.up: [0, 0, 0]: must not be zero"},
   });
 }
@@ -268,7 +270,7 @@ TEST(BadScenes, CollidersMustBeComplete) {
       {collider_with(R"("type": "box", "min": [0, 0, 0], "max": [1, 1, 0])"),
        "colliders[0]: {\"type\": \"box\", \"min\": [0, 0, 0], \"max\": [1, 1, 0]}: must have a min below max in each direction"},
       {collider_with(R"("type": "box", "min": [0, 0, 0], "max": [1, 1, 1], "spin": [0, 1, 0])"),
-       "colliders[0].spin: [0, 1, 0]: must not be given to a box, which cannot turn"},
+       "colliders[0].spin: [0, 1, 0]: must not be given for a box, which cannot spin"},
       {collider_with(R"("type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "spin": [1, 1, 0])"),
        "colliders[0].spin: [1, 1, 0]: must be along the normal of the plane"},
   });

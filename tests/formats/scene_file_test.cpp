@@ -86,7 +86,7 @@ TEST(SceneFile, WarnsAboutCoincidentPointsConnectedByASpring) {
   EXPECT_EQ(warnings_of(R"({"hooke": 1, "points": [{"position": [0, 1, 0]}, {"position": [0, 1, 0]}, {"position": [0, 1, 0]}],
                             "springs": [{"points": [0, 1], "stiffness": 1}, {"points": [1, 2], "stiffness": 1}]})"),
             std::vector<std::string>{
-                "test.json: springs[0] and 1 more: joins two points at the same place: no force between them until they part"});
+                "test.json: springs[0] and 1 more: connects two points at the same position: no force between them until they separate"});
 }
 
 TEST(SceneFile, WarnsAboutAStepBeyondTheStabilityLimitAndRecommendsAStableOne) {
@@ -208,9 +208,9 @@ TEST(Generators, AMaterialClothStoresTheSameEnergyAtEveryResolution) {
                   std::to_string(columns) + ", " + std::to_string(rows) + "]}"));
     double energy = 0.0;
     for (const Spring& spring : scene.system.springs()) {
-      const glm::dvec2 way(scene.state.position[scene.system.index_of(spring.second)] -
-                           scene.state.position[scene.system.index_of(spring.first)]);
-      const double longer = glm::dot(way, strain * way) / spring.rest_length;
+      const glm::dvec2 along(scene.state.position[scene.system.index_of(spring.second)] -
+                             scene.state.position[scene.system.index_of(spring.first)]);
+      const double longer = glm::dot(along, strain * along) / spring.rest_length;
       energy += 0.5 * spring.stiffness * longer * longer;
     }
     return energy;

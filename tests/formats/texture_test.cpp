@@ -37,9 +37,9 @@ struct Folder : ScratchFolder {
   void name(const std::string& texture) const { write("scene.json", scene_with(R"("texture": ")" + texture + "\"")); }
   std::string refused(const std::string& texture) const {
     name(texture);
-    std::string said = refusal(scene);
-    if (said.starts_with(scene.string() + ": ")) said.erase(0, scene.string().size() + 2);
-    return said;
+    std::string message = refusal(scene);
+    if (message.starts_with(scene.string() + ": ")) message.erase(0, scene.string().size() + 2);
+    return message;
   }
 };
 
@@ -80,10 +80,10 @@ TEST(Texture, AShippedOneIsReadByItsName) {
 
 TEST(Texture, MustBeAShippedOneOrAPngWithinTheFolder) {
   const Folder folder;
-  EXPECT_EQ(folder.refused("silk"), "view.texture: \"silk\": must be checker, linen, tartan, or a .png in the scene's folder");
+  EXPECT_EQ(folder.refused("silk"), "view.texture: \"silk\": must be checker, linen, tartan, or a .png in the folder of the scene");
   for (const char* outside : {"../a.png", "/etc/a.png", "a/../../b.png", "./../b.png"})
-    EXPECT_EQ(folder.refused(outside), "view.texture: \"" + std::string(outside) + "\": must lie in the scene's folder");
-  EXPECT_NE(folder.refused(R"(a\u0000.png)").find("must lie in the scene's folder"), std::string::npos);
+    EXPECT_EQ(folder.refused(outside), "view.texture: \"" + std::string(outside) + "\": must be in the folder of the scene");
+  EXPECT_NE(folder.refused(R"(a\u0000.png)").find("must be in the folder of the scene"), std::string::npos);
 }
 
 TEST(Texture, IsNotReachedThroughALink) {
@@ -94,7 +94,7 @@ TEST(Texture, IsNotReachedThroughALink) {
   std::filesystem::create_directory_symlink(elsewhere.folder, folder.folder / "inner");
   for (const char* link : {"link.png", "inner/a.png"})
     EXPECT_EQ(folder.refused(link),
-              "view.texture: \"" + std::string(link) + "\": must lie in the scene's folder, not reached through a link");
+              "view.texture: \"" + std::string(link) + "\": must be in the folder of the scene, and not reached through a link");
 }
 
 TEST(Texture, IsRefusedIfItIsNoPngOrTooLarge) {
@@ -117,13 +117,13 @@ TEST(Texture, IsRefusedIfItIsNoPngOrTooLarge) {
 
 TEST(Texture, AMissingOneIsReported) {
   const Folder folder;
-  folder.name("gone.png");
+  folder.name("missing.png");
   const LoadedScene loaded = load_scene(folder.scene);
   ASSERT_EQ(loaded.warnings.size(), 1u);
   EXPECT_EQ(loaded.warnings[0],
-            folder.scene.string() + ": view.texture: \"gone.png\": cannot be opened: No such file or directory: drawn without it");
+            folder.scene.string() + ": view.texture: \"missing.png\": cannot be opened: No such file or directory: drawn without it");
   EXPECT_FALSE(loaded.scene.cloth_texture.picture);
-  EXPECT_EQ(loaded.scene.view.texture, "gone.png");
+  EXPECT_EQ(loaded.scene.view.texture, "missing.png");
 }
 
 TEST(Texture, IsHalvedUntilItIsNoLargerThanAScreen) {

@@ -46,7 +46,7 @@ inline void require_valid(const LoadedScene& loaded) {
 // For a scene whose step was chosen by the reader, unless a warning says that no step is stable.
 inline void require_stable(const LoadedScene& loaded) {
   for (const std::string& warning : loaded.warnings)
-    if (warning.find("no step holds") != std::string::npos) return;
+    if (warning.find("no step is stable") != std::string::npos) return;
   const Settings& settings = loaded.scene.settings;
   require(settings.substep() <= largest_stable_step(*settings.integrator, bound_spectrum(loaded.scene.system)), "the step is stable");
 }

@@ -265,25 +265,25 @@ TEST(Undo, RestoresAFileValueOutsideTheRangeOfItsSlider) {
 TEST(Edits, OfRemovedItemsOrInvalidValuesDoNothing) {
   Lab lab(small_net());
   const Content before = content_of(lab.scene());
-  const PointId gone{99};
-  lab.submit(Command(Remove{.points = {gone}, .springs = {SpringId{99}}}));
-  lab.submit(Command(Move{{{gone, Vec3(1.0), Vec3(0.0)}, {lab.scene().system.points()[1].id, Vec3(NAN), Vec3(0.0)}}}));
-  lab.submit(Command(SetNailed{{{gone, true}}}));
-  lab.submit(Command(SetPointProperty{PointProperty::Mass, {{lab.scene().system.points()[1].id, -1.0}, {gone, 1.0}}}));
+  const PointId missing{99};
+  lab.submit(Command(Remove{.points = {missing}, .springs = {SpringId{99}}}));
+  lab.submit(Command(Move{{{missing, Vec3(1.0), Vec3(0.0)}, {lab.scene().system.points()[1].id, Vec3(NAN), Vec3(0.0)}}}));
+  lab.submit(Command(SetNailed{{{missing, true}}}));
+  lab.submit(Command(SetPointProperty{PointProperty::Mass, {{lab.scene().system.points()[1].id, -1.0}, {missing, 1.0}}}));
   lab.submit(Command(SetSpringProperty{SpringProperty::Stiffness, {{lab.scene().system.springs()[0].id, INFINITY}}}));
-  lab.submit(Command(GrabPoint{{.point = gone}}));
+  lab.submit(Command(GrabPoint{{.point = missing}}));
   const PointId a{0}, b{1}, c{2};
-  const std::array<double, 3> shares{0.5, 0.3, 0.2};
-  lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, gone}, shares}}}));
-  lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, b}, shares}}}));
+  const std::array<double, 3> weights{0.5, 0.3, 0.2};
+  lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, missing}, weights}}}));
+  lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, b}, weights}}}));
   lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, c}, {0.5, 0.8, -0.3}}}}));
   lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, c}, {0.5, 0.5, 0.5}}}}));
-  lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, c}, shares}, .kind = GrabKind::Hold}}));
-  lab.submit(Command(GrabPoint{{.point = PointId{3}, .patch = Patch{{a, b, c}, shares}}}));
+  lab.submit(Command(GrabPoint{{.point = a, .patch = Patch{{a, b, c}, weights}, .kind = GrabKind::Hold}}));
+  lab.submit(Command(GrabPoint{{.point = PointId{3}, .patch = Patch{{a, b, c}, weights}}}));
   lab.submit(Command(GrabPoint{{.point = a, .stiffness = -1.0}}));
   lab.submit(Command(MoveHand{Vec3(1.0)}));
   lab.submit(Command(Insert{.points = {{.point = {.id = lab.scene().system.points()[0].id}}, {.point = {.id = PointId{50}, .mass = 0.0}}},
-                            .springs = {{.spring = {.id = SpringId{80}, .first = gone, .second = PointId{0}}}}}));
+                            .springs = {{.spring = {.id = SpringId{80}, .first = missing, .second = PointId{0}}}}}));
   apply_now(lab);
   EXPECT_EQ(content_of(lab.scene()), before);
 }

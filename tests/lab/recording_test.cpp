@@ -232,7 +232,7 @@ TEST_F(Recordings, AreRefusedWithTheLineOfTheError) {
   EXPECT_EQ(refusal(""), "x.hookelog: empty: must begin with \"hooke_recording\"");
   EXPECT_EQ(refusal("{\"hooke_recording\": 1}"), "x.hookelog: ends within its first line: must begin with \"hooke_recording\"");
   EXPECT_EQ(refusal("garbage\n"), "x.hookelog: line 1: value: garbage: must be a JSON value (numbers are finite)");
-  EXPECT_EQ(refusal("[1]\n"), "x.hookelog: line 1: no object: must be {...}");
+  EXPECT_EQ(refusal("[1]\n"), "x.hookelog: line 1: not an object: must be {...}");
   EXPECT_EQ(refusal("{}\n"), "x.hookelog: line 1: must be a recording: {\"hooke_recording\": 1, ...}");
   EXPECT_EQ(refusal("{}\n{}\n"), "x.hookelog: line 1: must be a recording: {\"hooke_recording\": 1, ...}");
   EXPECT_NE(refusal("{\"hooke_recording\": 1}\n{\"frame\": \"00\"}\n").find("line 2: frame: "), std::string::npos);
@@ -255,14 +255,14 @@ TEST_F(Recordings, OfANewerFormatNameTheRequiredProgram) {
   const std::string now(program_version);
   EXPECT_EQ(refusal("{\"hooke_recording\": 2, \"program\": \"9.8.7\"}\n"),
             "x.hookelog: line 1: version 2 of the format: this is Hooke " + now +
-                ", which reads up to version 1; Hooke 9.8.7 wrote it: that version or a newer one is needed");
+                ", which reads up to version 1; Hooke 9.8.7 wrote it: that version or a newer one is required");
   EXPECT_EQ(refusal("{\"program\": 3, \"hooke_recording\": 2}\n"), "x.hookelog: line 1: version 2 of the format: this is Hooke " + now +
-                                                                       ", which reads up to version 1; a newer program is needed");
+                                                                       ", which reads up to version 1; a newer program is required");
   // the same version of the format, but a command of a later program
   std::string text = session.text.substr(0, session.text.find("{\"frame\"")) + "{\"fly\": {}}\n";
-  EXPECT_EQ(refusal(text), "x.hookelog: line 4: fly: is not known here");
+  EXPECT_EQ(refusal(text), "x.hookelog: line 4: fly: is unknown");
   text.replace(text.find("\"program\": \"" + now), 12 + now.size(), "\"program\": \"9.8.7");
-  EXPECT_EQ(refusal(text), "x.hookelog: line 4: fly: is not known here; Hooke 9.8.7 wrote it: that version or a newer one is needed");
+  EXPECT_EQ(refusal(text), "x.hookelog: line 4: fly: is unknown; Hooke 9.8.7 wrote it: that version or a newer one is required");
 }
 
 // A newer program may add optional members anywhere.

@@ -136,8 +136,8 @@ TEST(RunTo, StopsAtTheRequestedTimeRunningAtFullSpeed) {
 TEST(RunTo, CanBeStoppedMidway) {
   Lab lab = lab_on("two_masses");
   lab.submit(RunTo{1e6});
-  int asked = 0;
-  lab.advance(1e-3, [&] { return ++asked < 100; });
+  int calls = 0;
+  lab.advance(1e-3, [&] { return ++calls < 100; });
   EXPECT_TRUE(lab.status()->run.running);
   EXPECT_EQ(lab.status()->run.to, 1e6);
   lab.submit(SetRunning{false});

@@ -39,11 +39,11 @@ std::vector<Shape> all_shapes() {
     for (std::size_t support = 0; support < kind.supports.size(); ++support) {
       shapes.push_back(default_shape(kind));
       shapes.back().support = support;
-      for (const double share : {0.0, 0.03}) {
+      for (const double fraction : {0.0, 0.03}) {
         Shape odd = shapes.back();
         for (std::size_t i = 0; i < kind.numbers.size(); ++i)
           if (kind.numbers[i].integer)
-            odd.values[i] = std::round(kind.numbers[i].min + share * (kind.numbers[i].max - kind.numbers[i].min));
+            odd.values[i] = std::round(kind.numbers[i].min + fraction * (kind.numbers[i].max - kind.numbers[i].min));
         shapes.push_back(odd);
       }
     }
@@ -188,9 +188,9 @@ TEST(Shapes, RunForASecondAtTheirDefaults) {
     Scene scene = parse_scene(scene_with(R"({"type": ")" + std::string(kind.id) + R"("})"), kind.id.data()).scene;
     scene.settings.substeps = 60;
     Lab lab(std::move(scene));
-    bool sound = true;
-    for (int frame = 0; frame < 60 && sound; ++frame) sound = lab.step();
-    EXPECT_TRUE(sound) << kind.id;
+    bool stable = true;
+    for (int frame = 0; frame < 60 && stable; ++frame) stable = lab.step();
+    EXPECT_TRUE(stable) << kind.id;
   }
 }
 

@@ -126,9 +126,9 @@ TEST_P(Row, MeetsItsOrderUnderFriction) {
     }();
     // RMS over neighboring numbers of steps
     double sum = 0.0;
-    constexpr int neighbours = 24;
-    for (int i = 0; i < neighbours; ++i) sum += std::pow(distance(state_after(count + i * count / neighbours), reference), 2);
-    return std::sqrt(sum / neighbours);
+    constexpr int neighbors = 24;
+    for (int i = 0; i < neighbors; ++i) sum += std::pow(distance(state_after(count + i * count / neighbors), reference), 2);
+    return std::sqrt(sum / neighbors);
   };
   const double coarse = error_at(200), fine = error_at(1600);
   EXPECT_NEAR(std::log2(coarse / fine) / 3.0, method().order_friction, 0.2) << coarse << " m, " << fine << " m";

@@ -29,39 +29,39 @@ struct Swept {
 };
 
 // Packed springs with their ends, in the order of a forward sweep.
-struct Turn {
-  Index spring, first, second;
+struct SweptSpring {
+  Index index, first, second;
 };
-std::vector<Turn> turns(const Plan& plan) {
-  std::vector<Turn> turns;
+std::vector<SweptSpring> swept_springs(const Plan& plan) {
+  std::vector<SweptSpring> result;
   for (const SpringRun& run : plan.runs) {
     const Index step = run.second == run.first + 1 ? 2 : 1;  // in a run along a row, every other spring first
     for (Index start = 0; start < step; ++start)
-      for (Index e = start; e < run.count; e += step) turns.push_back({run.begin + e, run.first + e, run.second + e});
+      for (Index e = start; e < run.count; e += step) result.push_back({run.begin + e, run.first + e, run.second + e});
   }
-  return turns;
+  return result;
 }
 
 Field plain_velocities_after(const Swept& swept, Sweep sweep) {
   const Plan& plan = swept.plan;
   const Field& x = swept.motion.x;
   Field v = swept.motion.v;
-  std::vector<Turn> order = turns(plan);
+  std::vector<SweptSpring> order = swept_springs(plan);
   if (sweep == Sweep::Backward) std::reverse(order.begin(), order.end());
-  for (const Turn& turn : order) {
+  for (const SweptSpring& spring : order) {
     double length_squared = 0.0, approach = 0.0;
     for (int c = 0; c < plan.dimensions; ++c) {
-      const Index i = c * plan.points + turn.first, j = c * plan.points + turn.second;
+      const Index i = c * plan.points + spring.first, j = c * plan.points + spring.second;
       length_squared += (x[i] - x[j]) * (x[i] - x[j]);
       approach += (x[i] - x[j]) * (v[i] - v[j]);
     }
     if (length_squared == 0.0) continue;
-    const double p = swept.decay[turn.spring] / length_squared * approach;
+    const double p = swept.decay[spring.index] / length_squared * approach;
     for (int c = 0; c < plan.dimensions; ++c) {
-      const Index i = c * plan.points + turn.first, j = c * plan.points + turn.second;
+      const Index i = c * plan.points + spring.first, j = c * plan.points + spring.second;
       const double along = x[i] - x[j];
-      v[i] -= plan.inverse_mass[turn.first] * p * along;
-      v[j] += plan.inverse_mass[turn.second] * p * along;
+      v[i] -= plan.inverse_mass[spring.first] * p * along;
+      v[j] += plan.inverse_mass[spring.second] * p * along;
     }
   }
   return v;

@@ -32,14 +32,14 @@ TEST(System, GivesEveryPointAndSpringItsIndex) {
 
 TEST(System, HasNoIndexForRemovedOrUnknownItems) {
   System system = chain().system;
-  const PointId gone = system.points()[1].id;
-  const SpringId gone_spring = system.springs()[2].id;
+  const PointId removed = system.points()[1].id;
+  const SpringId removed_spring = system.springs()[2].id;
   remove_spring(system, 2);
   remove_spring(system, 1);
   remove_spring(system, 0);
   remove_point(system, 1);
-  EXPECT_EQ(system.index_of(gone), no_index);
-  EXPECT_EQ(system.index_of(gone_spring), no_index);
+  EXPECT_EQ(system.index_of(removed), no_index);
+  EXPECT_EQ(system.index_of(removed_spring), no_index);
   EXPECT_EQ(system.index_of(PointId{77}), no_index);
   EXPECT_EQ(system.index_of(SpringId{77}), no_index);
 }

@@ -212,7 +212,7 @@ TEST(Forecast, IsAbsentWhereItDoesNotApply) {
   EXPECT_TRUE(says_nothing());
 }
 
-TEST(Forecast, CanBeCancelled) {
+TEST(Forecast, CanBeCanceled) {
   const Trial trial = cloth(32);
   const Forecast forecast = make_forecast(std::make_shared<const System>(trial.system), trial.state, {}, true);
   EXPECT_FALSE(forecast.sag || forecast.slowest || forecast.fastest);

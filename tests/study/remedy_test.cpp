@@ -125,10 +125,10 @@ bool is_named_rightly(const std::string& kind, Remedy::Cause cause) {
 
 TEST(Remedy, EveryRecommendedSettingIsStable) {
   int diverged = 0, cured = 0;
-  std::map<std::string, int> sound;
+  std::map<std::string, int> stable;
   for (const Explosion& explosion : diverging_scenes()) {
     if (runs_through(explosion.scene, seconds)) {
-      ++sound[explosion.name];
+      ++stable[explosion.name];
       continue;
     }
     ++diverged;
@@ -143,7 +143,7 @@ TEST(Remedy, EveryRecommendedSettingIsStable) {
     EXPECT_TRUE(runs_through(scene, 2.0 * seconds)) << description;
   }
   std::string names;
-  for (const auto& [name, count] : sound) names += name + " ";
+  for (const auto& [name, count] : stable) names += name + " ";
   EXPECT_GE(diverged, 30) << "not diverged: " << names;
   EXPECT_GE(cured, 9 * diverged / 10);
 }

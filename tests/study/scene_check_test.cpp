@@ -89,7 +89,7 @@ TEST(SceneChecks, AreRefusedIfTheyAreInvalid) {
             std::string::npos);
   EXPECT_NE(refusal(R"({"laws": [{"law": "constant", "of": "total"}]})").find("must have within"), std::string::npos);
   EXPECT_NE(refusal(R"({"laws": [{"law": "between", "of": "total"}]})").find("must have least or most"), std::string::npos);
-  EXPECT_NE(refusal(R"({"methods": ["luck"]})").find("check.methods[0]: \"luck\": must be a method's id"), std::string::npos);
+  EXPECT_NE(refusal(R"({"methods": ["luck"]})").find("check.methods[0]: \"luck\": must be the id of a method"), std::string::npos);
   EXPECT_NE(refusal(R"({"minutes": 1})").find("must be seconds, methods, laws or stops"), std::string::npos);
 }
 

@@ -233,7 +233,7 @@ TEST_P(Layouts, DialogsAreWithinTheWindow) {
   panels.show_toast(
       "Stiffness of the springs between the flag and its pole must be between 0.01 and 1000000 N/m, which makes this a long line");
   expect_in_order(gui, "toast", "Stiffness of the springs");
-  panels.file_warnings = "flag.json: points[3].colour: unknown, kept unchanged; the scene needs so many substeps that it will run slowly";
+  panels.file_warnings = "flag.json: points[3].color: unknown, kept unchanged; the scene needs so many substeps that it will run slowly";
   expect_in_order(gui, "banner", "Dismiss");
 }
 

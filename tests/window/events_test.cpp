@@ -164,8 +164,8 @@ TEST(Window, AsksBeforeClosingWithUnsavedChanges) {
 
 // HOOKE_EVENTS lengthens the test, for scripts/campaign.
 TEST(Window, SurvivesRandomKeysAndMouseEvents) {
-  const char* asked = std::getenv("HOOKE_EVENTS");
-  const int events = asked != nullptr ? std::atoi(asked) : 1000;
+  const char* requested = std::getenv("HOOKE_EVENTS");
+  const int events = requested != nullptr ? std::atoi(requested) : 1000;
   Desktop desktop;
   const fs::path work = desktop.folder() / "work";
   fs::create_directories(work);

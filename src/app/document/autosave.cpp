@@ -14,7 +14,7 @@ bool is_ready(std::future<Value>& future) {
 
 }  // namespace
 
-// The writer uses the session.
+// The writing thread uses the session, so wait for it.
 Autosave::~Autosave() {
   if (writing_.valid()) writing_.wait();
 }
@@ -43,7 +43,7 @@ void Autosave::start_writing(const std::function<void(Scene&)>& add_view_setting
       add_view_settings(scene_with_view);
       session.keep(format_scene(scene_with_view));
       return std::string();
-    } catch (const std::exception& error) {  // FileError, or no memory
+    } catch (const std::exception& error) {  // FileError, or out of memory
       return std::string(error.what());
     }
   });

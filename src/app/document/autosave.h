@@ -19,7 +19,7 @@ class Autosave {
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  // The longest time that a change remains without an autosave [s].
+  // The maximum time that a change remains without an autosave [s].
   void set_interval(double seconds) { interval_ = seconds; }
   // Once per frame, at `now` [s]. `add_view_settings` adds the view of the window to a copy of the scene.
   void follow(const Status& status, LabThread& lab, double now, const std::function<void(Scene&)>& add_view_settings);

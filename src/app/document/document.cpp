@@ -10,7 +10,7 @@
 namespace hooke {
 namespace {
 
-// How often the file is checked for changes [s].
+// The interval at which the file is checked for changes [s].
 constexpr double watch_period = 1.0;
 
 double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -127,7 +127,7 @@ void Document::report_replay_difference() {
   reported_difference_ = difference;
 }
 
-// The notice stays until it is answered.
+// The notice stays until the user responds.
 void Document::check_file() {
   const FileWatch::Change change = watch_.check();
   panels_.file_is_gone = change == FileWatch::Change::Gone;
@@ -168,7 +168,7 @@ std::filesystem::path Document::new_file_beside(const std::string& extension) co
   return free_name(has_own_file() ? file_.parent_path() : start_folder(), stem, extension);
 }
 
-// The folder of the document, else the folder of the most recent file.
+// The folder of the document, or else the folder of the most recent file.
 std::filesystem::path Document::start_folder() const {
   if (has_own_file()) return file_.parent_path();
   std::error_code error;

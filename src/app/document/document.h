@@ -24,7 +24,7 @@ class Document {
   // Called with a scene just before it replaces the one on screen.
   using Show = std::function<void(const Scene&)>;
 
-  // Without a home nothing is kept between runs. An empty file: the scene has none.
+  // Without a home nothing is saved between runs. An empty file: the scene has none.
   Document(ToolContext& context, Panels& panels, FileTask& task, const UserSettings& settings, const Home& home, std::filesystem::path file,
            Show show);
 
@@ -39,7 +39,7 @@ class Document {
   void ask_where_to_save();
   void open_system_dialog(bool to_save);
   void save();
-  // Asks first if that would replace changes made elsewhere.
+  // Asks first if that would replace changes made by other programs.
   void save_to(const std::filesystem::path& file);
   // Plays a recording from its start.
   void play(std::shared_ptr<const Recording> recording);
@@ -48,7 +48,7 @@ class Document {
   void recover(std::size_t which);
   void discard_recovery(std::size_t which);
 
-  // Once per frame, visible or not: autosave, file watch, the system's file dialog.
+  // Once per frame, visible or not: autosave, file watch, the system file dialog.
   void poll();
   // The run ends: nothing is left to recover.
   void end();
@@ -57,7 +57,7 @@ class Document {
   // Whether the file is the user's own, not a shipped scene.
   bool has_own_file() const;
   std::string title() const;
-  // A new file beside the document, named like it.
+  // A new file in the folder of the document, with its name.
   std::filesystem::path new_file_beside(const std::string& extension) const;
   const std::vector<std::filesystem::path>& recent_files() const { return recent_.files(); }
   const std::vector<RecoveryEntry>& recovery_entries() const { return recovery_entries_; }
@@ -89,8 +89,8 @@ class Document {
   Show show_;
 
   std::filesystem::path file_;       // empty if there is none
-  std::filesystem::path saving_to_;  // waits for the answer about changes made elsewhere
-  std::function<void()> pending_;    // waits for the answer about unsaved changes
+  std::filesystem::path saving_to_;  // pending until the user decides about changes made by other programs
+  std::function<void()> pending_;    // pending until the user decides about unsaved changes
 
   RecentFiles recent_;
   Session session_;
@@ -101,7 +101,7 @@ class Document {
   bool has_system_dialog_ = false;
   std::string reported_difference_;
   std::vector<RecoverableScene> recoverable_;
-  std::vector<RecoveryEntry> recovery_entries_;  // the same, as the panels show them
+  std::vector<RecoveryEntry> recovery_entries_;  // the same, for the panels
 };
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// Detects changes of the document's file by other programs.
+// Detects changes of the file of the document by other programs.
 #pragma once
 
 #include <cstdint>

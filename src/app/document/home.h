@@ -7,10 +7,10 @@ namespace hooke {
 
 struct Home {
   std::filesystem::path config;  // settings.json
-  std::filesystem::path state;   // recent files and autosaves; empty if nothing is kept
+  std::filesystem::path state;   // recent files and autosaves; empty if nothing is saved
 };
 
-// XDG_CONFIG_HOME and XDG_STATE_HOME if they are absolute, else .config and .local/state in HOME. Both are empty without HOME.
+// XDG_CONFIG_HOME and XDG_STATE_HOME if they are absolute, otherwise .config and .local/state in HOME. Both are empty without HOME.
 Home xdg_home();
 
 // Creates the folder and its parents, accessible to the user only. False if that fails.

@@ -30,7 +30,7 @@ void Document::open_system_dialog(bool to_save) {
   if (!system_dialog_.start(kind, start)) panels_.show_message("No native file dialog found", "Install zenity or kdialog to use one.");
 }
 
-// What waits for the task before is given up.
+// Replaces a pending task.
 void Document::start_task(std::string what, BackgroundTask::Work work) {
   if (!task_.start(std::move(what), std::move(work))) pending_ = nullptr;
 }
@@ -45,7 +45,7 @@ void Document::read(const std::filesystem::path& file) {
 void Document::read_scene(const std::filesystem::path& file) {
   start_task("Opening " + name_of(file), [this, file](const Progress& progress) -> BackgroundTask::Completion {
     return [this, file, opened = try_open(file, progress)] {
-      if (task_.was_stopped()) return panels_.show_toast("Cancelled: nothing was opened");
+      if (task_.was_stopped()) return panels_.show_toast("Canceled: nothing was opened");
       if (!opened.scene) {
         std::error_code error;
         if (!std::filesystem::exists(file, error)) recent_.forget(file);
@@ -63,7 +63,7 @@ void Document::read_recording_file(const std::filesystem::path& file) {
   start_task("Opening " + name_of(file), [this, file](const Progress&) -> BackgroundTask::Completion {
     try {
       return [this, recording = std::make_shared<const Recording>(read_recording(file))] {
-        if (task_.was_stopped()) return panels_.show_toast("Cancelled: nothing was opened");
+        if (task_.was_stopped()) return panels_.show_toast("Canceled: nothing was opened");
         play(recording);
       };
     } catch (const std::runtime_error& error) {  // Refused or FileError
@@ -114,7 +114,7 @@ void Document::write_to(const std::filesystem::path& file) {
 void Document::finish_saving(const std::filesystem::path& file, const std::string& error) {
   if (!error.empty()) {
     pending_ = nullptr;
-    if (task_.was_stopped()) return panels_.show_toast("Cancelled: nothing was saved");
+    if (task_.was_stopped()) return panels_.show_toast("Canceled: nothing was saved");
     return panels_.show_message("Cannot save the scene",
                                 error + "\n\nNothing is lost: the scene is still open, and an existing file is unchanged.",
                                 {{"Save as...", Answer::SaveAs}, {"OK", Answer::Cancel}});

@@ -1,4 +1,4 @@
-// The user's preferences and the list of recent files: two small JSON files.
+// The preferences of the user and the list of recent files: two small JSON files.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@ struct Preferences {
   double interface_scale = 1.0;    // [1], scale of panels and text
   double autosave_seconds = 30.0;  // [s], time from a change to the autosave
   bool light = false;              // light theme
-  bool system_dialogs = false;     // use the desktop's file dialog if there is one
+  bool system_dialogs = false;     // use the file dialog of the desktop if there is one
   bool operator==(const Preferences&) const = default;
 };
 
-// The numbers and the switches. Adding one: a field, and a row in preferences.cpp.
+// The numbers and switches. To add one: a field, and a row in preferences.cpp.
 struct PreferenceRow {
   std::string_view name;
   double Preferences::*field;
@@ -34,12 +34,12 @@ std::span<const PreferenceSwitch> preference_switches();
 // Hooke 0.1 and are read as version 1.
 inline constexpr int newest_settings_version = 1;
 
-// Parses such a file; `name` is used in error messages. Throws InputError.
+// Parses a settings file; `name` is its name in messages. Throws InputError.
 Preferences parse_preferences(const std::string& text, const std::string& name);
 
 struct LoadedPreferences {
   Preferences preferences;
-  std::string message;  // empty, or why the file was not used
+  std::string message;  // empty, or the reason why the file was not used
 };
 
 // From `folder`/settings.json. An invalid file is renamed to settings.json.bad, and the defaults are returned.
@@ -48,10 +48,10 @@ LoadedPreferences load_preferences(const std::filesystem::path& folder);
 // Throws FileError.
 void save_preferences(const Preferences& preferences, const std::filesystem::path& folder);
 
-// Newest first, each once.
+// Newest first, without duplicates.
 class RecentFiles {
  public:
-  // Kept in `folder`/recent.json, or only in memory if the folder is empty. A file that cannot be read counts as an empty list.
+  // Stored in `folder`/recent.json, or only in memory if the folder is empty. An unreadable file counts as an empty list.
   explicit RecentFiles(std::filesystem::path folder);
 
   // Errors of writing the file are ignored.

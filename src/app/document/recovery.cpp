@@ -23,7 +23,7 @@ void Document::recover(std::size_t which) {
     LoadedScene loaded = load_scene_from_copy(left.copy(), left.file.empty() ? left.copy() : left.file);
     const std::string text = read_file(left.copy());
     replace(std::make_shared<const Scene>(std::move(loaded.scene)), left.file, true);
-    // kept by this run before the old copy is deleted
+    // autosaved by this run before the old copy is deleted
     session_.keep(text);
     session_.discard(left);
     panels_.show_toast("Restored from autosave; not saved yet");

@@ -130,7 +130,7 @@ void Session::set_document(const fs::path& file, const std::string& name) {
   writer.end();
   try {
     write_atomically(folder_ / run_info_name, writer.take() + "\n");
-  } catch (const FileError&) {  // other runs are not informed
+  } catch (const FileError&) {  // other runs are not notified
   }
 }
 

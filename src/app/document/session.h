@@ -1,5 +1,5 @@
-// The folder of a run of Hooke: it names the open file and holds the autosave. The folder is locked while the program runs; one
-// without a lock was left by a crashed run.
+// The folder of a run of Hooke: it contains the name of the open file and the autosave. The folder is locked while the program runs; an
+// unlocked one was left by a crashed run.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +22,7 @@ struct RecoverableScene {
 
 class Session {
  public:
-  // `sessions`: the folder of all runs, created if missing. If it is empty or cannot be created, nothing is kept.
+  // `sessions`: the folder of all runs, created if missing. If it is empty or cannot be created, nothing is saved.
   explicit Session(const std::filesystem::path& sessions);
   // Releases the lock. The autosave stays, and the next run offers it.
   ~Session();

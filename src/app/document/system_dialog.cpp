@@ -84,7 +84,7 @@ std::optional<fs::path> SystemDialog::take_answer() {
   ssize_t count = 0;
   while ((count = ::read(answers_, bytes, sizeof bytes)) > 0 && answer_.size() < longest_answer)
     answer_.append(bytes, static_cast<std::size_t>(count));
-  if (count != 0) return std::nullopt;  // it is still open
+  if (count != 0) return std::nullopt;  // the dialog is still open
 
   // it closed its end of the pipe, so it is exiting
   int status = 0;

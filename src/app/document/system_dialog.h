@@ -13,7 +13,7 @@ class SystemDialog {
   enum class Kind { Open, Save };
 
   SystemDialog() = default;
-  ~SystemDialog();  // closes it
+  ~SystemDialog();  // closes the dialog
   SystemDialog(const SystemDialog&) = delete;
   SystemDialog& operator=(const SystemDialog&) = delete;
 
@@ -26,7 +26,7 @@ class SystemDialog {
   bool start(Kind kind, const std::filesystem::path& start);
   bool is_open() const { return process_ > 0; }
   Kind kind() const { return kind_; }
-  // Once the user closed it: the chosen file, or an empty path if it was cancelled.
+  // After the user closed it: the chosen file, or an empty path if it was canceled.
   std::optional<std::filesystem::path> take_answer();
 
  private:

@@ -1,4 +1,4 @@
-// The user's preferences as they are in effect, kept in a file when they change.
+// The current preferences of the user, saved to a file when they change.
 #pragma once
 
 #include "app/document/home.h"
@@ -9,13 +9,13 @@ namespace hooke {
 
 class UserSettings {
  public:
-  // Loads them and applies the look to the panels. An invalid file is reported there.
+  // Loads them and applies the theme to the panels. An invalid file is reported there.
   UserSettings(const Home& home, Panels& panels);
 
   const Preferences& values() const { return values_; }
   // Multiplies the interface scale, in steps of 5 %.
   void scale_interface(double factor);
-  // Between dark and light.
+  // Switches between the dark and light themes.
   void switch_look();
 
  private:

@@ -30,7 +30,7 @@ Vec3 rotated(const Vec3& x, const Vec3& n, double angle) {
   return std::cos(angle) * x + std::sin(angle) * glm::cross(n, x) + (1.0 - std::cos(angle)) * glm::dot(n, x) * n;
 }
 
-// Rotates from a world where y is up into one where `up` is.
+// Rotates from coordinates with y up to coordinates with `up` up.
 Vec3 uprighted(const Vec3& x, const Vec3& up) {
   const Vec3 y(0.0, 1.0, 0.0), axis = glm::cross(y, up);
   const double sine = glm::length(axis), cosine = glm::dot(y, up);
@@ -112,7 +112,7 @@ Scene part_of(const Placement& placement, const Scene* mesh, const Vec3& up, boo
 }
 
 void mark_part(const Scene& part, Marks& marks) {
-  // more lines would not add to the picture
+  // more lines would not be distinguishable
   constexpr std::size_t max_lines = 20'000;
   const System& system = part.system;
   const std::size_t every = 1 + system.springs().size() / max_lines;

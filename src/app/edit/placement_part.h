@@ -12,15 +12,15 @@
 
 namespace hooke {
 
-// A mesh as cloth, centred at the origin, with its longest side 1 m; or an error text.
+// A mesh as cloth, centered at the origin, with its longest side 1 m; or an error text.
 struct MeshPart {
   std::shared_ptr<const Scene> scene;  // null on error
   std::string error;
 };
 MeshPart load_mesh_part(const std::filesystem::path& file, const Progress& progress);
 
-// The points, springs and faces to be placed, at their positions. `up` is the scene's up direction; `mesh` may be null if no mesh
-// is being placed. Empty if there is nothing to place yet.
+// The points, springs and faces to be placed, at their positions. `up` is the up direction of the scene; `mesh` may be null if no mesh is
+// being placed. Empty if there is nothing to place yet.
 Scene part_of(const Placement& placement, const Scene* mesh, const Vec3& up, bool is_flat);
 
 // Marks the part as a preview.

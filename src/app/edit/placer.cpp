@@ -19,7 +19,7 @@ void Placer::start(const ShapeKind* shape) {
 void Placer::read_mesh(const std::filesystem::path& file) {
   task_.start("Reading " + printable(file.filename().native(), 60), [this, file](const Progress& progress) -> BackgroundTask::Completion {
     return [this, loaded = load_mesh_part(file, progress)] {
-      if (task_.was_stopped()) return panels_.show_toast("Cancelled: no mesh was read");
+      if (task_.was_stopped()) return panels_.show_toast("Canceled: no mesh was read");
       if (!loaded.scene) panels_.show_message("Cannot use the mesh", loaded.error);
       mesh_ = loaded.scene;
       panels_.placement.mesh_info = mesh_ ? std::to_string(mesh_->system.point_count()) + " points" : "";

@@ -36,7 +36,7 @@ void SelectionEditor::copy(AfterCopy after_copy) {
         if (after_copy == AfterCopy::Delete) delete_selection();
       };
     } catch (const FileError&) {
-      return [this] { panels_.show_toast("Cancelled: nothing was copied"); };
+      return [this] { panels_.show_toast("Canceled: nothing was copied"); };
     }
   });
 }
@@ -52,7 +52,7 @@ void SelectionEditor::paste(const std::optional<glm::dvec2>& place) {
           return [this, part, at] { paste(*part, at); };
         } catch (const InputError&) {
           return [this] {
-            panels_.show_toast(task_.was_stopped() ? "Cancelled: nothing was pasted" : "The clipboard does not contain part of a scene");
+            panels_.show_toast(task_.was_stopped() ? "Canceled: nothing was pasted" : "The clipboard does not contain part of a scene");
           };
         }
       });
@@ -74,7 +74,7 @@ void SelectionEditor::duplicate() {
   insert(part, seen ? context_.point_in_view_plane(*seen + offset, middle) - middle : Vec3(0.0));
 }
 
-// What is inserted becomes the selection.
+// Selects what was inserted.
 void SelectionEditor::insert(const Scene& part, const Vec3& displacement) {
   LabThread& lab = context_.lab;
   Insert insert = make_insert(part, displacement, {[&lab] { return lab.new_point_id(); }, [&lab] { return lab.new_spring_id(); }});

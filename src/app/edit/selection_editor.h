@@ -1,5 +1,5 @@
-// Edits of the selection as a whole: copy, cut, paste, duplicate, delete. Parts of a scene are copied as text, so they can be
-// pasted into another Hooke window.
+// Edits of the selection as a whole: copy, cut, paste, duplicate, delete. Parts of a scene are copied as text, so that they can be pasted
+// into another Hooke window.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ class SelectionEditor {
 
   void copy() { copy(AfterCopy::Keep); }
   void cut() { copy(AfterCopy::Delete); }
-  // At `place` [px] in the scene's view, or without one at its centre.
+  // At `place` [px] in the view of the scene, by default at its center.
   void paste(const std::optional<glm::dvec2>& place);
   void duplicate();
   void delete_selection();

@@ -50,7 +50,7 @@ KeyHandlers App::make_key_handlers() {
          if (press.key == Key::Enter) pass_on(Target::Export, press);
          return press.key == Key::Enter;
        }},
-      // a text field leaves only F1 and combinations with Ctrl to the others
+      // a text field passes on only F1 and combinations with Ctrl
       {"text field",
        [this](const KeyPress& press) { return panels_.text_in_progress && press.key != Key::F1 && !press.modifiers.control; }},
       {"placement",
@@ -74,7 +74,7 @@ KeyHandlers App::make_key_handlers() {
        [this](const KeyPress& press) {
          const Shortcut* shortcut = find_shortcut(press.key, press.modifiers);
          if (shortcut == nullptr || (press.repeated && !shortcut->repeats)) return false;
-         // the gallery hides the scene: nothing may happen to it unseen
+         // the gallery hides the scene: keys must not affect it
          if (panels_.gallery.is_shown && row_of(shortcut->action).needs != Needs::Nothing) return false;
          settle();
          perform(shortcut->action, press.repeated);

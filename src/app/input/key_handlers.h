@@ -1,5 +1,5 @@
-// Who receives a key: an ordered list of handlers, from the topmost panel down to the shortcuts. The first one that takes the key
-// ends the search.
+// Which handler receives a key: an ordered list of handlers, from the topmost panel down to the shortcuts. The first one that handles the
+// key ends the search.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ struct KeyHandler {
 };
 using KeyHandlers = std::vector<KeyHandler>;
 
-// The name of the handler that took the key; empty if none did.
+// The name of the handler that handled the key; empty if none did.
 inline std::string_view dispatch(const KeyHandlers& handlers, const KeyPress& press) {
   for (const KeyHandler& handler : handlers)
     if (handler.handle(press)) return handler.name;

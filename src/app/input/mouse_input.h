@@ -1,4 +1,4 @@
-// The mouse over the scene: the left button goes to what is being placed or to the tool, the others and the wheel to the camera.
+// The mouse over the scene: the left button is for the placement in progress or the tool, the others and the wheel for the camera.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ class MouseInput {
   Pointer pointer() const;
   // Whether the cursor is over the scene and not over a panel.
   bool is_over_scene() const;
-  // The cursor in the scene's view [px], if it is there.
+  // The cursor in the view of the scene [px], if it is there.
   std::optional<glm::dvec2> place_in_scene() const;
 
  private:

@@ -1,4 +1,4 @@
-// Pictures, films and recordings of the scene, written beside the document.
+// Pictures, films and recordings of the scene, written to the folder of the document.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ class Captures {
  public:
   Captures(ToolContext& context, Panels& panels, const Document& document) : context_(context), panels_(panels), document_(document) {}
 
-  // The window's loop draws the picture and reports back.
+  // The main loop draws the picture and reports the result.
   void take_picture() { take_picture(document_.new_file_beside(".png")); }
   void take_picture(std::filesystem::path file) { picture_file_ = std::move(file); }
   // The picture to be written, once.
@@ -25,7 +25,7 @@ class Captures {
   void start_or_stop_recording();
   // Once per frame: reports what has been written, and errors.
   void poll();
-  // The run ends: finishes the film and the recording.
+  // At the end of the program: finishes the film and the recording.
   void end();
 
   FilmRecorder& film_recorder() { return film_recorder_; }

@@ -11,7 +11,7 @@ namespace {
 
 std::string without_extension(const std::filesystem::path& file) { return (file.parent_path() / file.stem()).string(); }
 
-// Parses a list separated by commas. Returns an error text if one is unknown.
+// Parses a comma-separated list. Returns an error text if a name is unknown.
 std::string read_quantities(const std::string& list, const System& system, std::vector<Quantity>& quantities) {
   const auto unknown = parse_quantities(list, system.point_count(), system.spring_count(), quantities);
   return unknown.empty() ? "" : "\"" + unknown + "\" is not a quantity of this scene; it must be one of " + quantity_names() + ".";

@@ -1,4 +1,4 @@
-// Exports of the scene: at once, or for formats over time in a thread that runs a copy of the scene.
+// Exports of the scene: immediately, or for formats over time in a thread that runs a copy of the scene.
 #pragma once
 
 #include <atomic>
@@ -48,7 +48,7 @@ class Exporter {
   std::filesystem::path file_;
   std::chrono::steady_clock::time_point started_{};
   std::shared_ptr<Shared> shared_;
-  std::future<std::string> run_;  // last: it is waited for before anything that it uses is destroyed
+  std::future<std::string> run_;  // last: the destructor waits for it before anything that it uses is destroyed
 };
 
 }  // namespace hooke

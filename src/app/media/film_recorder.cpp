@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-// The longest that one picture stands in the film [pictures], however long the window was not drawn.
+// The maximum number of film frames that one picture covers, however long the window was not drawn.
 constexpr long max_repeats = 60;
 
 Picture cut(const Picture& whole, const Viewport& place) {
@@ -52,8 +52,8 @@ void FilmRecorder::take(const View& view, const Viewport& place, double now) {
   }
 }
 
-// A picture is repeated as often as real time requires. If ffmpeg is slower, the next picture that it accepts stands for those
-// that it did not.
+// A picture is repeated as often as real time requires. If ffmpeg is slower, the next picture that it accepts also covers those that it did
+// not.
 void FilmRecorder::take_for_film(Picture picture, double now) {
   if (picture.width != width_ || picture.height != height_) return end_film();
   const long due = static_cast<long>((now - started_) * video_frame_rate) + 1;

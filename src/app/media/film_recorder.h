@@ -12,16 +12,16 @@ namespace hooke {
 
 class FilmRecorder {
  public:
-  // Starts with the next frame; ends with end_film or when the view changes its size.
+  // Starts with the next frame; ends with end_film or when the size of the view changes.
   void start_film(std::filesystem::path file) { film_wanted_ = std::move(file); }
   void end_film();
   bool is_filming() const { return film_wanted_ || (film_ && !is_ending_); }
   // A film that has ended is still being written.
   bool is_writing() const { return film_.has_value(); }
 
-  // After a frame was drawn, from the view's framebuffer. `now` [s] is from any clock.
+  // After a frame was drawn, from the framebuffer of the view. `now` [s] is from any clock.
   void take(const View& view, const Viewport& place, double now);
-  // A message, once: "Film saved to /home/a/cloth.mp4". Empty if there is none.
+  // A message, returned once: "Film saved to /home/a/cloth.mp4". Empty if there is none.
   std::string take_message();
   // Length of the film so far [s].
   double seconds() const { return static_cast<double>(pictures_) / video_frame_rate; }
@@ -40,7 +40,7 @@ class FilmRecorder {
   std::string message_;
 };
 
-// A file name that is not in use in the folder: "cloth.png", "cloth 2.png", ...
+// An unused file name in the folder: "cloth.png", "cloth 2.png", ...
 std::filesystem::path free_name(const std::filesystem::path& folder, const std::string& stem, const std::string& extension);
 
 }  // namespace hooke

@@ -15,13 +15,13 @@ namespace hooke {
 
 class FilmWriter {
  public:
-  // Throws FileError when ffmpeg cannot be started.
+  // Throws FileError if ffmpeg cannot be started.
   FilmWriter(std::filesystem::path file, int width, int height, double video_frame_rate);
-  ~FilmWriter();  // discards a film that was not ended; waits for one that was
+  ~FilmWriter();  // deletes an unfinished film; waits for a finished one
   FilmWriter(const FilmWriter&) = delete;
   FilmWriter& operator=(const FilmWriter&) = delete;
 
-  // Adds the picture `times` times. False if too many are waiting to be written: it was not added.
+  // Adds the picture `times` times. Returns false, without adding it, if too many are waiting to be written.
   bool add(Picture picture, long times);
   // There are no more pictures.
   void end();
@@ -38,7 +38,7 @@ class FilmWriter {
   std::string write_all();
   std::optional<QueuedFrame> next();
 
-  // Limit of the pictures waiting [bytes]: some pictures of a large screen.
+  // Limit of the waiting pictures [bytes]: some pictures of a large screen.
   static constexpr std::size_t max_waiting = std::size_t{96} << 20;
 
   VideoEncoder film_;

@@ -1,4 +1,4 @@
-// The tool of the left mouse button that is in use, and whether the button is down.
+// The active tool of the left mouse button, and whether the button is down.
 #pragma once
 
 #include "app/tools/tools.h"
@@ -18,7 +18,7 @@ class ActiveTool {
   void release(const Pointer& pointer);
   // Once per frame.
   void follow(const Pointer& pointer);
-  // False if there was nothing to cancel.
+  // Returns false if there was nothing to cancel.
   bool cancel();
 
   Action action() const { return action_; }

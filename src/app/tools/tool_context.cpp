@@ -55,7 +55,7 @@ Vec3 ToolContext::place_for_point(const glm::dvec2& cursor, double radius) const
   const PickRay line = pick_ray(view_transform(), cursor);
   const std::optional<ColliderHit> hit = hit_collider(system(), snapshot().state, line);
   if (!hit) return beside;
-  // an infinite ground plane is under nearly every cursor: it counts only in front of the plane of the target
+  // an infinite ground plane is under almost every cursor position: it counts only in front of the plane of the target
   const bool nearer = hit->distance < glm::dot(beside - line.origin, line.direction);
   return hit->bounded || nearer ? hit->position + radius * hit->normal : beside;
 }

@@ -1,4 +1,4 @@
-// What the tools and the other parts of the window share: the laboratory, its newest status, the selection, the camera.
+// What the tools and the other parts of the window share: the laboratory, its latest status, the selection, the camera.
 #pragma once
 
 #include <chrono>
@@ -21,15 +21,15 @@ struct ToolContext {
   glm::dvec2 size{1.0};  // [px], size of the scene's view
   double scale = 1.0;    // pixels per unit of design
   bool shows_surface = true;
-  std::chrono::milliseconds patience{50};  // the longest that an event waits for the one before it to take effect
+  std::chrono::milliseconds patience{50};  // the maximum time that an event waits for the previous one to take effect
 
   const Snapshot& snapshot() const { return *status->snapshot; }
   const System& system() const { return *snapshot().system; }
   ViewTransform view_transform() const { return {camera.projection_matrix(size.x / size.y) * camera.view_matrix(), size, shows_surface}; }
 
-  // Takes the newest status; what is no longer there is deselected.
+  // Reads the latest status; removed items are deselected.
   void take_status();
-  // Waits, for a moment at most, until the laboratory has handled what was submitted, and takes its status. False: it is not done.
+  // Waits for a moment until the laboratory has handled what was submitted, and reads its status. Returns false if it is not finished.
   bool settle();
 
   // Under the cursor or within picking distance.

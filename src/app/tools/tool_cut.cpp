@@ -1,5 +1,5 @@
-// Cut: removes springs that the cursor is dragged across, and the faces along them, at once and whether or not the scene runs.
-// A drag is one undo step.
+// Cut: removes springs that the cursor is dragged across, and the faces along them, immediately, whether or not the scene runs. A drag is
+// one undo step.
 #include "app/tools/tools.h"
 #include "edit/tears.h"
 

@@ -1,5 +1,5 @@
-// Drag: while the scene runs, the hand holds or pulls a point, or pulls a cloth between its points, and releasing throws it.
-// While it is paused, the point (on a cloth, the nearest one) follows the cursor. Either way a drag is one undo step.
+// Drag: while the scene runs, the hand holds or pulls a point, or pulls a cloth between its points; a released point keeps the velocity of
+// the hand. While it is paused, the point (on a cloth, the nearest one) follows the cursor. In both cases a drag is one undo step.
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -10,7 +10,7 @@
 namespace hooke {
 namespace {
 
-// A quarter of the stiffness of the attached springs: firm, but hardly faster than the scene itself. A free point oscillates
+// A quarter of the stiffness of the attached springs: firm, but hardly faster than the scene itself. A point without springs oscillates
 // about the cursor at 2 Hz: k = m (2 pi f)^2.
 double fitting_pull(const System& system, const Patch& patch) {
   double stiffness = 0.0, mass = 0.0;
@@ -27,7 +27,7 @@ PointId nearest_corner(const Patch& patch) {
   return patch.points[static_cast<std::size_t>(std::ranges::max_element(patch.weights) - patch.weights.begin())];
 }
 
-// What a press would grab: a point, or a place on a cloth.
+// What a press would grab: a point, or a position on a cloth.
 struct GrabTarget {
   PointId point;
   std::optional<Patch> patch;
@@ -122,7 +122,7 @@ class DragTool : public Tool {
            !(grab_target_->patch && std::ranges::any_of(grab_target_->patch->points, is_gone));
   }
 
-  // A nailed point cannot be pulled, so it is held; a place between points cannot be held, so it is pulled.
+  // A nailed point cannot be pulled, so it is held; a position between points cannot be held, so it is pulled.
   void take_hold(ToolContext& context) {
     const Defaults& defaults = context.status->document->defaults;
     const bool nailed = context.system().points()[context.system().index_of(grab_target_->point)].nailed;

@@ -102,7 +102,7 @@ class SelectTool : public Tool {
       if (context.system().index_of(id) != no_index) start_.emplace_back(id, context.snapshot().position(id));
   }
 
-  // In a running scene a moved point is at rest under the hand; in a paused one it keeps its velocity.
+  // In a running scene a moved point is at rest while it is held; in a paused one it keeps its velocity.
   void move(ToolContext& context) {
     const Vec3 displacement = context.point_in_view_plane(current_, anchor_) - from_;
     if (displacement == displacement_ && !context.status->run.running) return;

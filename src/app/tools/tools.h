@@ -13,7 +13,7 @@
 namespace hooke {
 
 struct Pointer {
-  glm::dvec2 at{0.0};  // [px], in the scene's view
+  glm::dvec2 at{0.0};  // [px], in the view of the scene
   Modifiers modifiers;
   bool twice = false;  // the second press of a double click
 };
@@ -25,7 +25,7 @@ class Tool {
   // Once per frame while the button is down, wherever the cursor is.
   virtual void follow(const Pointer&, ToolContext&) {}
   virtual void release(const Pointer&, ToolContext&) {}
-  // Abandons an unfinished interaction. False: there was none.
+  // Abandons an unfinished interaction. Returns false if there was none.
   virtual bool cancel(ToolContext&) { return false; }
 
   // For the status bar: "click the second point, Esc cancels".
@@ -43,7 +43,7 @@ struct ToolRow {
   std::unique_ptr<Tool> (*make)();
 };
 
-// The tools of ui/actions.inc, in the same order. Adding one: a file with its class and its make function, and a row there.
+// The tools of ui/actions.inc, in the same order. To add one: a file with its class and its make function, and a row there.
 std::span<const ToolRow> tools();
 
 #define TOOL(id, keys, icon, name, text, make) std::unique_ptr<Tool> make();

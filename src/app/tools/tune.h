@@ -1,4 +1,4 @@
-// What the arrow keys and the brackets do: change stiffness, substeps and speed step by step.
+// The effect of the arrow keys and brackets: they change stiffness, substeps and speed step by step.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ struct Tuning {
   std::string message;            // the new value: "k = 110 N/m (3 springs)"
 };
 
-// Stiffness of the selected springs, else of all springs and of new ones: by a factor of 1.1, or by the step that the scene
-// defines. Direction +1 or -1.
+// Stiffness of the selected springs, or else of all springs and of new ones: by a factor of 1.1, or by the step that the scene defines.
+// Direction +1 or -1.
 Tuning tune_stiffness(const Status& status, const Selection& selection, int direction);
 
 // To the next multiple of 5 substeps; at least 1.

@@ -1,4 +1,4 @@
-// The camera as the user controls it, with keys, menus and the mouse.
+// Control of the camera with keys, menus and the mouse.
 #pragma once
 
 #include <optional>
@@ -14,15 +14,15 @@ class CameraControl {
  public:
   CameraControl(ToolContext& context, Panels& panels, Clipboard& clipboard) : context_(context), panels_(panels), clipboard_(clipboard) {}
 
-  // The camera that a scene asks for, or one that frames it.
+  // The camera of the scene, or one that frames it.
   void show(const Scene& scene);
   void frame_all();
   void frame_selection();
-  // From this direction; from the opposite one if it looks from there already.
+  // From this direction, or from the opposite one if the camera already is there.
   void look_from(const Vec3& direction);
   void switch_projection();
   void switch_following();
-  // As text in the form of `hooke capture --camera`.
+  // As text in the format of `hooke capture --camera`.
   void copy();
   void paste();
 
@@ -32,7 +32,7 @@ class CameraControl {
   void release(Button button);
   bool is_dragging() const { return button_.has_value(); }
   void zoom(double steps, const glm::dvec2& at);
-  // Once per frame: follows moving objects, if it is set to.
+  // Once per frame: follows moving objects, if enabled.
   void follow();
 
  private:

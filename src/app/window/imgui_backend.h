@@ -13,7 +13,7 @@ class ImGuiBackend {
   ImGuiBackend(const ImGuiBackend&) = delete;
   ImGuiBackend& operator=(const ImGuiBackend&) = delete;
 
-  // Forward GLFW's callbacks.
+  // Forward the callbacks of GLFW.
   void key(int key, int scancode, int action, int mods);
   void character(unsigned code);
   void button(int button, int action, int mods);
@@ -21,7 +21,7 @@ class ImGuiBackend {
   void focus(int focused);
   void enter(int entered);
 
-  // Whether a text field has the keyboard.
+  // Whether a text field has keyboard focus.
   bool wants_text() const;
 
   void begin_frame();

@@ -1,5 +1,5 @@
-// The window's input in order, divided into frames. ImGui reads the keyboard once per frame: of a key that is pressed and released
-// within one, or of two editing keys, it would miss something. Input that does not fit into a frame waits for the next one.
+// The input of the window in order, divided into frames. ImGui reads the keyboard once per frame and would miss parts of a key press and
+// release, or of two editing keys, within one frame. Input that does not fit into a frame waits for the next one.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct QueuedInput {
     Text,     // a typed character
   };
   Kind kind = Kind::Other;
-  int key = 0;  // for the kinds that are about one
+  int key = 0;  // for the kinds that refer to a key
   std::function<void()> apply;
 };
 
@@ -28,7 +28,7 @@ class InputQueue {
 
   // Applies the input of one frame, oldest first.
   void apply_frame() {
-    // of the editing keys; others act through the characters that they type
+    // of the editing keys; other keys act through the characters that they type
     std::vector<int> pressed, released;
     bool edited = false;
     const auto contains = [](const std::vector<int>& keys, int key) { return std::ranges::find(keys, key) != keys.end(); };

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// How long a frame waits for events when nothing moves, and how long after the last event it does not wait yet [s].
+// How long a frame waits for events while nothing moves, and how long after the last event it does not wait [s].
 constexpr double idle_wait = 0.25, settle_time = 0.4;
 // The interval at which a hidden window polls events [s].
 constexpr double hidden_wait = 0.1;
@@ -28,7 +28,7 @@ void smooth(double& shown, double value) { shown = shown == 0.0 ? value : shown 
 // Decides when the next frame is due, and measures the frame rate.
 class LoopPacer {
  public:
-  // Sleeps until the next picture is due, or longer when nothing moves.
+  // Sleeps until the next picture is due, or longer if nothing moves.
   void wait(Window& window, bool app_is_idle) {
     is_idle_ = app_is_idle && seconds_since(last_event_) > settle_time;
     const double period = window.is_hidden() ? hidden_wait : is_idle_ ? idle_wait : 0.9 * window.refresh_period();
@@ -39,7 +39,7 @@ class LoopPacer {
   }
   void record_event() { last_event_ = Clock::now(); }
 
-  // The first frame compiles the shaders, and frames of a still scene are rare: neither counts.
+  // The first frame compiles the shaders, and frames of a static scene are rare: neither counts.
   void record_drawn_frame(double seconds) {
     const bool counts = !first_ && !is_idle_;
     first_ = false;

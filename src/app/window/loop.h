@@ -6,7 +6,7 @@
 
 namespace hooke {
 
-// Throws WindowError when the graphics cannot be used.
+// Throws WindowError if the graphics cannot be used.
 void run_loop(Window& window, App& app);
 
 }  // namespace hooke

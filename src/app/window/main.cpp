@@ -87,7 +87,7 @@ int main(int count, char** arguments) {
     return hooke::print_error(hooke::exit_refused, refused.what());
   } catch (const hooke::FileError& error) {
     return hooke::print_error(hooke::exit_io, error.what());
-  } catch (const std::exception& error) {  // no window, no graphics, no memory
+  } catch (const std::exception& error) {  // no window, no graphics, out of memory
     return hooke::print_error(hooke::exit_io, error.what());
   }
 }

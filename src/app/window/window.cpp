@@ -19,7 +19,7 @@ static_assert(static_cast<int>(Key::Down) == GLFW_KEY_DOWN && static_cast<int>(K
 static_assert(static_cast<int>(Key::F1) == GLFW_KEY_F1 && static_cast<int>(Key::F12) == GLFW_KEY_F12);
 static_assert(static_cast<int>(Key::Tab) == GLFW_KEY_TAB && static_cast<int>(Key::Backspace) == GLFW_KEY_BACKSPACE);
 
-// A key by the character that it types in the user's layout, if that is ASCII; else by its position.
+// A key by the character that it types in the layout of the user, if that is ASCII; otherwise by its position.
 Key key_of(int key, int scancode) {
   if (key == GLFW_KEY_KP_ENTER) return Key::Enter;
   const char* name = glfwGetKeyName(key, scancode);
@@ -40,7 +40,7 @@ Modifiers modifiers_now(GLFWwindow* window) {
           .shift = is_down(window, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT)};
 }
 
-// The text of GLFW's last error, on one line.
+// The last error of GLFW, on one line.
 std::string last_error() {
   const char* text = nullptr;
   glfwGetError(&text);
@@ -51,11 +51,11 @@ std::string last_error() {
 void fit_to_screen(GLFWwindow* window) {
   GLFWmonitor* screen = glfwGetPrimaryMonitor();
   if (screen == nullptr) return;
-  glm::ivec2 at, room, size;
-  glfwGetMonitorWorkarea(screen, &at.x, &at.y, &room.x, &room.y);
+  glm::ivec2 at, available, size;
+  glfwGetMonitorWorkarea(screen, &at.x, &at.y, &available.x, &available.y);
   glfwGetWindowSize(window, &size.x, &size.y);
-  if (room.x > 0 && room.y > 0 && (size.x > room.x || size.y > room.y))
-    glfwSetWindowSize(window, std::min(size.x, room.x), std::min(size.y, room.y));
+  if (available.x > 0 && available.y > 0 && (size.x > available.x || size.y > available.y))
+    glfwSetWindowSize(window, std::min(size.x, available.x), std::min(size.y, available.y));
 }
 
 GLFWwindow* open_window(const std::string& title, const glm::ivec2& size) {
@@ -81,7 +81,7 @@ GLFWwindow* open_window(const std::string& title, const glm::ivec2& size) {
   return window;
 }
 
-// How a text field takes the key; shortcuts are editing keys too, as Ctrl+A is.
+// How a text field handles the key; shortcuts such as Ctrl+A are editing keys too.
 QueuedInput::Kind kind_of(int key, int action, int mods) {
   if (action == GLFW_RELEASE) return QueuedInput::Kind::Release;
   if (action == GLFW_REPEAT) return QueuedInput::Kind::Other;
@@ -125,7 +125,7 @@ struct Window::Callbacks {
     Window& self = of(window);
     self.cursor_ = {x, y};
     queue(window, [&self, move = CursorMove{self.cursor_, modifiers_now(window)}] {
-      // of several moves in a row only the last one counts
+      // of consecutive moves only the last one counts
       if (!self.events_.empty() && std::holds_alternative<CursorMove>(self.events_.back()))
         self.events_.back() = move;
       else
@@ -155,7 +155,7 @@ struct Window::Callbacks {
   }
 };
 
-// Keys typed into a text field are not passed on, except those that end it.
+// Keys typed into a text field are not passed on, except those that end the input.
 void Window::press_key(const KeyPress& press) {
   const bool leaves_text =
       press.key == Key::Escape || press.key == Key::Enter || press.key == Key::F1 || press.key == Key::Up || press.key == Key::Down;
@@ -233,7 +233,7 @@ glm::ivec2 Window::framebuffer_size() const {
   return {width, height};
 }
 
-// GLFW's scale is in framebuffer pixels; a window unit may already be several of them.
+// The scale of GLFW is in framebuffer pixels; a window unit may already be several of them.
 double Window::content_scale() const {
   float x = 1.0f, y = 1.0f;
   glfwGetWindowContentScale(window_, &x, &y);

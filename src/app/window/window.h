@@ -16,20 +16,20 @@ struct GLFWwindow;
 
 namespace hooke {
 
-// There is no display or no OpenGL 3.3; what() is one line.
+// No display, or no OpenGL 3.3; what() is one line.
 struct WindowError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 class Window {
  public:
-  // Opens a window with a current OpenGL 3.3 core context, and an ImGui context that listens to it. Throws WindowError.
+  // Opens a window with a current OpenGL 3.3 core context, and an ImGui context that receives its input. Throws WindowError.
   Window(const std::string& title, const glm::ivec2& size);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  // Waits for an event, at most this long [s].
+  // Waits for an event, up to this time [s].
   void wait(double seconds);
   // The events for the next frame, oldest first.
   std::vector<Event> take_events();
@@ -50,7 +50,7 @@ class Window {
   struct Callbacks;
   struct Press {
     Button button = Button::Left;
-    double time = -1.0;  // [s], GLFW's clock
+    double time = -1.0;  // [s], on the clock of GLFW
     glm::dvec2 at{0.0};
   };
   bool is_second_press(Button button);

@@ -19,9 +19,9 @@ void BackgroundTask::start(std::string what, Work work) {
   });
 }
 
-bool BackgroundTask::follow(std::chrono::milliseconds at_most) {
+bool BackgroundTask::follow(std::chrono::milliseconds max_wait) {
   if (!run_.valid()) return true;
-  if (run_.wait_for(at_most) != std::future_status::ready) return false;
+  if (run_.wait_for(max_wait) != std::future_status::ready) return false;
   // the completion may start the next work
   const Completion finish = run_.get();
   finish();

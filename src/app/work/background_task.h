@@ -14,9 +14,9 @@ namespace hooke {
 
 class BackgroundTask {
  public:
-  // Runs in the window's thread when the work is done.
+  // Runs on the thread of the window when the work is done.
   using Completion = std::function<void()>;
-  // Runs in the background thread. It must not throw, and ends early when `progress` returns false.
+  // Runs on the background thread. It must not throw, and ends early if `progress` returns false.
   using Work = std::function<Completion(const Progress& progress)>;
 
   BackgroundTask() = default;
@@ -26,8 +26,8 @@ class BackgroundTask {
 
   // `what`: "Opening sheet.json". No work may be in progress.
   void start(std::string what, Work work);
-  // Waits at most this long for the end of the work, and then runs its completion. True if no work is in progress afterwards.
-  bool follow(std::chrono::milliseconds at_most = std::chrono::milliseconds(0));
+  // Waits up to `max_wait` for the end of the work, and then runs its completion. Returns true if no work is in progress afterwards.
+  bool follow(std::chrono::milliseconds max_wait = std::chrono::milliseconds(0));
   void stop() { progress_->stop = true; }
 
   bool is_running() const { return run_.valid(); }

@@ -12,9 +12,9 @@ bool FileTask::start(std::string what, BackgroundTask::Work work) {
   return true;
 }
 
-void FileTask::update(std::chrono::milliseconds at_most) {
+void FileTask::update(std::chrono::milliseconds max_wait) {
   if (!task_.is_running()) return;
-  const bool is_over = task_.follow(at_most);
+  const bool is_over = task_.follow(max_wait);
   if (!is_over && panels_.dialog.kind == Dialog::Kind::None) panels_.open_dialog(Dialog::Kind::Working);
 }
 

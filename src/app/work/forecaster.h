@@ -20,8 +20,8 @@ class Forecaster {
 
  private:
   Forecast newest_;
-  // Identifies the scene of the newest forecast, or of the one in progress. Name and counts distinguish documents before their
-  // first status arrives.
+  // Identifies the scene of the latest forecast, or of the one in progress. Name and counts distinguish documents before their first status
+  // arrives.
   struct ForecastKey {
     long edits = -1;
     std::string scene;
@@ -31,7 +31,7 @@ class Forecaster {
   ForecastKey key_;
   bool is_stale_ = false;  // the one in progress belongs to another document
   std::atomic<bool> stop_ = false;
-  std::future<Forecast> pending_;  // last: it is waited for before anything that it uses is destroyed
+  std::future<Forecast> pending_;  // last: the destructor waits for it before anything that it uses is destroyed
 };
 
 }  // namespace hooke

@@ -17,7 +17,7 @@ __attribute__((format(printf, 2, 3))) void print(std::string& text, const char* 
   text += line;
 }
 
-// Consecutive decades of error with the same cheapest row; null where no row reaches them.
+// Consecutive decades of error with the same cheapest row; null if no row reaches them.
 struct CheapestRow {
   int first = 1, last = 1;
   const Row* row = nullptr;
@@ -42,7 +42,7 @@ std::vector<CheapestRow> cheapest_rows(const ProblemRecord& record) {
 std::string describe(const ReferenceRecord& reference) {
   std::string text;
   if (reference.measure == Measure::Observables)
-    text += "Errors are those of the centre of mass, the largest strain and the energy: the trajectory is not reproducible. ";
+    text += "Errors are those of the center of mass, the largest strain and the energy, because the trajectory is not reproducible. ";
   print(text, "Reference: %s at %s; half the precision changes it by %.0e%s. ", reference.method.c_str(), reference.setting.c_str(),
         reference.own_gap, reference.own_gap == 0.0 ? " (stability limits its steps, not the tolerance)" : "");
   print(text, "%s at %s differs by %.0e; half its precision changes it by %.0e. ", reference.other_method.c_str(),
@@ -51,7 +51,7 @@ std::string describe(const ReferenceRecord& reference) {
   return text;
 }
 
-// "192 forces", "40 factorisations, 80 solves".
+// "192 forces", "40 factorizations, 80 solves".
 std::string describe(const WorkCounts& work) {
   std::string text;
   const auto add = [&](long count, const char* what) {
@@ -59,7 +59,7 @@ std::string describe(const WorkCounts& work) {
   };
   add(work.force_evaluations, "forces");
   add(work.sweeps, "sweeps");
-  add(work.factorizations, "factorisations");
+  add(work.factorizations, "factorizations");
   add(work.solves, "solves");
   return text;
 }
@@ -86,7 +86,8 @@ std::string markdown_report(const Results& results) {
   std::string text;
   print(text, "Measured %s with hooke %s, %s effort, one thread of: %s. ", results.date.c_str(), conditions.version.c_str(),
         conditions.effort.c_str(), conditions.machine.c_str());
-  text += "Error is relative to the scene's size; cost is CPU milliseconds per simulated second, the lowest of several runs.\n";
+  text +=
+      "Errors are relative to the size of the scene; the cost is in CPU milliseconds per simulated second, the minimum of several runs.\n";
   for (const ProblemRecord& record : results.problems) {
     print(text, "\n### %s: %s\n\n%d points, %d springs, %g s. ", record.id.c_str(), record.title.c_str(), record.points, record.springs,
           record.seconds);
@@ -95,7 +96,7 @@ std::string markdown_report(const Results& results) {
       continue;
     }
     text += describe(*record.reference) +
-            "\n\n| error at most | cheapest method | cost [ms/s] | at | its error | work |\n"
+            "\n\n| error at most | cheapest method | cost [ms/s] | setting | error | work |\n"
             "|---|---|---|---|---|---|\n";
     for (const CheapestRow& cheapest_row : cheapest_rows(record))
       if (cheapest_row.row == nullptr)

@@ -94,11 +94,11 @@ int capture(const CaptureOptions& options) {
   for (long picture = 0; picture <= last && is_running; ++picture) {
     for (; frame < schedule.frame_of(picture) && is_running; ++frame) {
       diverged = !lab.step();
-      // stop a replay where it differs from the recording
+      // stop a replay at the first difference from the recording
       is_running = !diverged && lab.difference().empty();
       progress.show(frame + 1);
     }
-    // a single picture shows the end, or the last good frame of a run that stopped early
+    // a single picture shows the end, or the last valid frame of a run that stopped early
     const bool is_shown = frame_capture.takes_every_picture() ? is_running : picture == last || !is_running;
     if (is_shown) frame_capture.take(lab, picture);
   }
@@ -133,7 +133,7 @@ std::function<int()> declare_capture(CLI::App& app) {
       ->type_name("N")
       ->check(within({.min = 1, .max = 1e9}))
       ->excludes(seconds);
-  app.add_option("--fps", options->fps, "Pictures per simulated second [1/s]; default: 60, or the scene's frame rate if lower")
+  app.add_option("--fps", options->fps, "Pictures per simulated second [1/s]; default: 60, or the frame rate of the scene if lower")
       ->type_name("RATE")
       ->check(within(positive));
   app.add_option("--size", options->size, "Width and height [px]")->type_name("WxH")->capture_default_str();
@@ -148,7 +148,7 @@ std::function<int()> declare_capture(CLI::App& app) {
     const bool has_scene = app.count("SCENE") > 0;
     if (has_scene == options->replay.has_value()) throw UsageError("either SCENE or --replay is required (see --help)");
     if (const auto name = first_stepping_option(app); options->replay && name)
-      throw UsageError(*name + ": not allowed with --replay, which steps as recorded");
+      throw UsageError(*name + ": not allowed with --replay, which uses the recorded settings");
     return capture(*options);
   };
 }

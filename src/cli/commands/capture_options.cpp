@@ -77,7 +77,7 @@ void prepare(const Destination& destination) {
 CaptureSchedule::CaptureSchedule(const CaptureOptions& options, double frame_rate, double length) {
   const double fps = pictures_per_second_ = options.fps.value_or(std::min(60.0, frame_rate));
   if (fps > frame_rate * (1.0 + frame_tolerance))
-    throw UsageError("--fps " + format_exact(fps) + ": must be at most the scene's frame rate, " + format_exact(frame_rate) +
+    throw UsageError("--fps " + format_exact(fps) + ": must be at most the frame rate of the scene, " + format_exact(frame_rate) +
                      " (--frame-rate sets it)");
   frames_per_picture_ = frame_rate / fps;
   constexpr double max = 1e15;

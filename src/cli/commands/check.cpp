@@ -116,7 +116,7 @@ int check(const CheckOptions& options) {
                              !options.cases.empty() || options.threads > 0;
   if (of_hard_cases && !options.hard)
     throw UsageError("--quick, --strict, --cases, --methods, --threads, --json and --markdown require --hard");
-  if (options.hard && !options.scenes.empty()) throw UsageError("--hard has its own scenes: it takes no SCENE");
+  if (options.hard && !options.scenes.empty()) throw UsageError("--hard has its own scenes and accepts no SCENE");
   return options.hard ? check_hard_cases(options) : check_scenes(options);
 }
 
@@ -134,7 +134,7 @@ std::function<int()> declare_check(CLI::App& app) {
       ->type_name("N")
       ->check(CLI::Range(1, 256));
   app.add_option("--json", options->json, "Write the results as JSON; - for stdout")->type_name("FILE");
-  app.add_option("--markdown", options->markdown, "Write the results in the form of docs/stability.md; - for stdout")->type_name("FILE");
+  app.add_option("--markdown", options->markdown, "Write the results in the format of docs/stability.md; - for stdout")->type_name("FILE");
   app.add_flag("-q,--quiet", options->quiet, "Print only errors");
   return [options] { return check(*options); };
 }

@@ -1,4 +1,4 @@
-// hooke-headless convert: reads a file of one kind and writes it as another.
+// hooke-headless convert: reads a file in one format and writes it in another.
 #pragma once
 
 #include "cli/subcommand.h"

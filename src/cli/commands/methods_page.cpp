@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-// Relative errors at which methods are compared: visually acceptable, for measurements, tight.
+// Relative errors at which methods are compared: visually acceptable, for measurements, small.
 constexpr std::array decades{2, 4, 8};
 
 std::string rounded(double value, const char* format = "%.3g") {
@@ -68,7 +68,7 @@ void add_summary(std::string& text) {
   }
 }
 
-// Cost of each method to a decade of error, as a multiple of the cheapest.
+// The cost of each method to reach a decade of error, as a multiple of the cheapest.
 void add_comparison(std::string& text, const Results& results, int decade) {
   text += "\n### To an error of 1e-" + std::to_string(decade) + "\n\n| problem | cheapest [ms/s] |";
   std::string line = "|---|---|";
@@ -109,8 +109,8 @@ std::string place_of(const Integrator& method, const Results& results) {
   for (const ProblemRecord& record : results.problems)
     for (const Row* row : pareto_front(record))
       if (row->method == method.id) front_problems.insert(record.id);
-  if (front_problems.empty()) return "Never on the front of these problems: another method is both faster and more accurate.";
-  for (const std::string& id : front_problems) text += (text.empty() ? "On the front, between decades, of " : ", ") + id;
+  if (front_problems.empty()) return "Never on the Pareto front of these problems: another method is both faster and more accurate.";
+  for (const std::string& id : front_problems) text += (text.empty() ? "On the Pareto front, between decades, of " : ", ") + id;
   return text + ".";
 }
 
@@ -125,17 +125,20 @@ void add_method(std::string& text, const Integrator& method, const Results& resu
 std::string methods_page(const Results& results) {
   std::string text =
       "# Methods\n\n"
-      "Made from the table of methods and from the benchmark's results by `scripts/accuracy`; do not edit it by hand. Which method to "
+      "Generated from the table of methods and the benchmark results by `scripts/accuracy`; do not edit it by hand. Which method to "
       "choose when\n"
-      "stands in [accuracy.md](accuracy.md). One step goes from (x, v) to (x', v') in the time h: a is the acceleration by all forces, c "
+      "is explained in [accuracy.md](accuracy.md). One step goes from (x, v) to (x', v') in the time h: a is the acceleration by all "
+      "forces, c "
       "the drag\n"
-      "rate, k, d and l0 a spring's stiffness, dashpot and rest length, u its direction, omega an undamped mode's frequency and lambda the "
+      "rate, k, d and l0 stiffness, damping and rest length of a spring, u its direction, omega the frequency of an undamped mode and "
+      "lambda the "
       "rate\n"
       "of a dashpot. Orders are of positions and velocities, measured by the tests from both sides.\n\n";
   add_summary(text);
   text += recommended_step;
   text +=
-      "\n## Measured\n\nHow many times the cheapest method's CPU time each method takes to come below an error, relative to the scene's "
+      "\n## Measured\n\nCPU time of each method to reach an error, as a multiple of that of the cheapest method; errors are relative to "
+      "the scene's "
       "size;\n"
       "`-`: no setting that was tried does. Measured " +
       results.date.substr(0, 10) + " on one thread of " + results.conditions.machine + ".\n";

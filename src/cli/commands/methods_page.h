@@ -1,4 +1,4 @@
-// docs/methods.md: every method, from its row in the table and its place in the benchmark's results.
+// docs/methods.md: every method, from its row in the table and its benchmark results.
 #pragma once
 
 #include <string>

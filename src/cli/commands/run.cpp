@@ -149,7 +149,7 @@ int run(const RunOptions& options) {
       totals.force_evaluations += lab.last_frame().force_evaluations();
       totals.factorizations += lab.last_frame().factorizations();
       if (totals.diverged) {
-        // the last good state, unless it was sampled already
+        // the last good state, unless it was already sampled
         if (json && !is_sampled) json->add_sample(scene.system, scene.state, points);
         if (csv && !is_sampled) csv->add_sample(scene.system, scene.state);
         break;

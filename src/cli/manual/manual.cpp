@@ -117,15 +117,15 @@ std::string manual_page() {
   }
 
   section(page, "DESCRIPTION");
-  page << "Hooke is a desktop laboratory for networks of point masses and springs. It estimates its errors, and what\n"
-          "higher accuracy would cost. Without a command it opens a window with SCENE: a file ("
+  page << "Hooke is a desktop laboratory for networks of point masses and springs. It estimates its errors and the\n"
+          "cost of higher accuracy. Without a command it opens a window with SCENE: a file ("
        << roff(readable_extensions())
        << "), or the name of a shipped scene.\n"
           "The commands need no window and no display; they are executed by\n.BR hooke\\-headless ,\nwhich accepts the same ones.\n";
 
   section(page, "OPTIONS");
   write_options(page, app, true);
-  entry(page, "--reset-settings", "Of the window: delete the saved settings and start with the defaults.");
+  entry(page, "--reset-settings", "Delete the saved settings of the window and start with the defaults.");
   for (const auto& [command, work] : commands) {
     page << ".SS hooke " << command->get_name() << "\n" << roff(command->get_description()) << ".\n";
     write_options(page, *command, false);

@@ -75,7 +75,8 @@ std::string load_gl() {
     return "OpenGL: " + std::string(reinterpret_cast<const char*>(glewGetErrorString(status)));
   keep_freed_memory();
   while (glGetError() != GL_NO_ERROR) continue;
-  if (!GLEW_VERSION_3_3) return "OpenGL: 3.3 is needed, this is " + std::string(reinterpret_cast<const char*>(glGetString(GL_VERSION)));
+  if (!GLEW_VERSION_3_3)
+    return "OpenGL: version 3.3 is required, but this is " + std::string(reinterpret_cast<const char*>(glGetString(GL_VERSION)));
   return {};
 }
 

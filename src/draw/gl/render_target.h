@@ -11,14 +11,14 @@ class RenderTarget {
   // Resizes the framebuffers and binds the first one, multisampled on request, with fewer samples if the driver supports fewer.
   // Throws std::runtime_error if no framebuffer of this size can be created.
   void begin(int width, int height, int samples);
-  // Call after the polygons: resolves their samples to colours and depths, and binds the picture itself. Lines, points and panels
-  // are antialiased in their shaders; multisampling them would cost three times as much.
+  // Call after the polygons: resolves their samples to colors and depths, and binds the picture itself. Lines, points and panels are
+  // antialiased in their shaders; multisampling them would cost three times as much.
   void resolve() const;
   void show() const;
   Image read() const;
 
  private:
-  // A framebuffer with colour and depth.
+  // A framebuffer with color and depth.
   struct Layer {
     GlName frame, color, depth;
     int width = 0, height = 0, samples = 0;

@@ -8,7 +8,7 @@
 
 namespace hooke {
 
-// A .vert and .frag pair by its file name without the ending. Generated (cmake/embed_shaders.cmake).
+// A .vert and .frag pair by its file name without extension. Generated (cmake/embed_shaders.cmake).
 struct ShaderSource {
   std::string_view name, vertex, fragment;
 };

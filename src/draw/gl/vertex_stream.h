@@ -10,7 +10,7 @@
 
 namespace hooke {
 
-// One input of a vertex shader, by its place in the vertex; locations count from 0.
+// One input of a vertex shader, by its offset in the vertex; locations count from 0.
 struct Attribute {
   GLint components;
   GLenum type;
@@ -29,7 +29,7 @@ class VertexStream {
   void upload(const void* vertices, std::size_t count);
 
   std::size_t stride_;
-  std::size_t quads_ = 0;  // that the index buffer is good for
+  std::size_t quads_ = 0;  // that the index buffer has space for
   GlName array_{GlKind::VertexArray}, vertices_{GlKind::Buffer}, indices_{GlKind::Buffer};
 };
 

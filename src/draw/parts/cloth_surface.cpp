@@ -52,7 +52,7 @@ void ClothSurface::find_normals(const std::vector<Vec3>& position, const Network
   }
 }
 
-// The colour of the point, or of the mean strain of its springs.
+// The color of the point, or of the mean strain of its springs.
 void ClothSurface::find_colors(const DrawContext& context, const NetworkRenderer& network_renderer) {
   const std::vector<Point>& points = context.snapshot.system->points();
   colors_.resize(points.size());

@@ -1,4 +1,4 @@
-// The faces of a scene as one smooth surface, lit from both sides, with what is printed on it or the strains of its springs.
+// The faces of a scene as a smooth surface, lit from both sides, with a texture or the strains of its springs.
 #pragma once
 
 #include "draw/parts/network_renderer.h"
@@ -9,7 +9,7 @@ class ClothSurface {
  public:
   ClothSurface();
   void clear() { indices_.clear(); }
-  // Faces with a corner that is no place are left out.
+  // Faces with a corner at a non-finite position are ignored.
   void add(const DrawContext& context, const NetworkRenderer& network_renderer);
   bool is_empty() const { return indices_.empty(); }
   void draw(const Shader& shader);
@@ -17,8 +17,8 @@ class ClothSurface {
  private:
   struct Vertex {
     float clip[4];
-    std::int16_t normal[4];  // as the viewer sees it
-    float cloth_texture[2];  // place on the picture, 1 being its width and height
+    std::int16_t normal[4];  // in view coordinates
+    float cloth_texture[2];  // texture coordinates, 1 is the width and height of the texture
     Rgba rgba;
   };
   void find_normals(const std::vector<Vec3>& position, const NetworkRenderer& network_renderer);
@@ -26,11 +26,11 @@ class ClothSurface {
   void add_vertices(const DrawContext& context, const NetworkRenderer& network_renderer);
   void upload_picture();
 
-  std::vector<Vec3> normals_;                     // a point, each face's share by its area
-  std::vector<Rgba> colors_;                      // a point
-  std::vector<float> strain_sum_, strain_count_;  // a point
+  std::vector<Vec3> normals_;                     // per point, each face weighted by its area
+  std::vector<Rgba> colors_;                      // per point
+  std::vector<float> strain_sum_, strain_count_;  // per point
   std::vector<Vertex> vertices_;
-  std::vector<GLuint> indices_;  // of the faces that are drawn
+  std::vector<GLuint> indices_;  // of the visible faces
   VertexStream stream_;
 
   std::shared_ptr<const Picture> request_, uploaded_;

@@ -17,7 +17,7 @@ constexpr double hatching = 9.0;              // [px of the screen], between hat
 
 double pixel_at_target(const DrawContext& context) {
   const glm::dvec2 size(context.projection.width(), context.projection.height());
-  return context.camera.metres_per_pixel(context.camera.target, size) * context.options.scale;
+  return context.camera.meters_per_pixel(context.camera.target, size) * context.options.scale;
 }
 
 void add_box(const DrawContext& context, const Box& box, Rgba fill, Rgba line, Surfaces& surfaces, Strokes& strokes) {
@@ -69,8 +69,7 @@ void add_edge(const DrawContext& context, const Plane& plane, const ColliderPath
   }
   strokes.add(context.projection, middle - reach * along, middle + reach * along, line, width);
 
-  // hatches start at multiples of their spacing along the edge, so that they stay where they are as the camera moves, and run
-  // along with it
+  // hatches start at multiples of their spacing along the edge, so that they stay in place as the camera moves, and move with the edge
   const double spacing = hatching * pixel;
   const double time = context.snapshot.state.time;
   const double start = glm::dot(middle - path.offset(time) - time * path.belt, along);

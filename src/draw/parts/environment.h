@@ -1,4 +1,4 @@
-// What a network moves in: colliders and the grid, as shapes for the view to draw.
+// The environment of a network: colliders and the grid, as shapes for the view to draw.
 #pragma once
 
 #include "draw/parts/balls.h"
@@ -10,7 +10,7 @@
 
 namespace hooke {
 
-// Drawn in this order: behind everything; solid things; what can be seen through, in front.
+// Drawn in this order: background, opaque objects, transparent objects in front.
 struct Environment {
   Ground backdrop, floors, transparent_floors;
   Surfaces solids, transparent_solids;

@@ -1,5 +1,4 @@
-// Flat backgrounds: the grid that everything stands in, planes of spatial scenes as a bounded floor that fades out, and
-// planes of flat scenes as a hatched edge.
+// Flat backgrounds: the grid, planes of 3-D scenes as a bounded floor that fades out, and planes of 2-D scenes as a hatched edge.
 #pragma once
 
 #include <vector>
@@ -12,21 +11,21 @@ namespace hooke {
 
 class Shader;
 
-// Two unit vectors that span the plane of this normal, along the axes of the world where the plane is.
+// Two unit vectors that span the plane of this normal, along the coordinate axes if the plane is parallel to them.
 void span(const Vec3& normal, Vec3& across, Vec3& along);
 
-// Seen from its free side.
+// Whether the camera is on the free side of the plane.
 bool is_before(const Camera& camera, const Plane& plane);
 
-// How a plane looks.
+// The appearance of a plane.
 struct GroundStyle {
-  Rgba fill{0, 0, 0, 0};  // of the floor itself
-  Rgba line;              // of the grid on it
-  double reach = 1.0;     // [m], where it has faded out, from the place under the camera's target
+  Rgba fill{0, 0, 0, 0};  // of the floor
+  Rgba line;              // of the grid on the floor
+  double reach = 1.0;     // [m], distance at which it has faded out, from the position below the target of the camera
   double spacing = 1.0;   // [m], of the finer grid
-  double fine = 1.0;      // opacity of the finer grid against the coarser, ten times as wide
-  double turn = 0.0;      // [rad], of the grid about the plane's point and normal
-  Vec3 run{0.0};          // [m], of the grid along the plane
+  double fine = 1.0;      // opacity of the finer grid relative to the coarser one, whose spacing is ten times as large
+  double turn = 0.0;      // [rad], rotation of the grid about the point and normal of the plane
+  Vec3 run{0.0};          // [m], translation of the grid along the plane
 };
 
 class Ground {
@@ -40,8 +39,8 @@ class Ground {
  private:
   struct Vertex {
     float clip[4];
-    float cell[2];  // in spacings of the finer grid, whole at a coarse line
-    float fade[2];  // from the middle, 1 at the border
+    float cell[2];  // in spacings of the finer grid, an integer at a coarse line
+    float fade[2];  // relative to the center, 1 at the border
     float fine;
     Rgba fill, line;
   };
@@ -49,7 +48,7 @@ class Ground {
   VertexStream stream_;
 };
 
-// The look of a grid under this camera: spacings are powers of ten, the finer fades as the camera goes away.
+// The style of a grid for this camera: spacings are powers of ten, and the finer grid fades as the camera moves away.
 GroundStyle grid_style_for(const Camera& camera);
 
 }  // namespace hooke

@@ -15,7 +15,7 @@ constexpr double min_radius = 2.5;     // [px of the screen], of a point in an o
 constexpr double mark_radius = 4.0;    // [px of the screen], minimum for a marked or nailed point
 constexpr double dense = 12.0;         // [px of the screen]: springs shorter than this are drawn thinner
 
-// Table of colours for strains from -1 to 1 of the scale.
+// Table of colors for strains from -1 to 1 of the scale.
 constexpr int strain_steps = 256;
 using StrainColors = std::array<Rgba, strain_steps + 1>;
 
@@ -83,7 +83,7 @@ void NetworkRenderer::measure_springs(const DrawContext& context) {
     ++counted;
   }
   const double length = counted > 0 ? sum / counted : 0.0;
-  const double pixel = context.camera.metres_per_pixel(context.camera.target, {context.projection.width(), context.projection.height()});
+  const double pixel = context.camera.meters_per_pixel(context.camera.target, {context.projection.width(), context.projection.height()});
   constexpr double max_lift = 4.0;  // [px]
   spacing_ = length / pixel;
   depth_offset_ = std::min(0.1 * length, max_lift * pixel);
@@ -91,8 +91,8 @@ void NetworkRenderer::measure_springs(const DrawContext& context) {
 
 bool NetworkRenderer::is_dense(const ViewOptions& options) const { return spacing_ > 0.0 && spacing_ < options.scale * dense; }
 
-// The order in which springs are drawn. In an open 3-D net distant springs come first, so that the soft edges of near ones
-// blend with what is behind them.
+// The order in which springs are drawn. In an open 3-D network, distant springs come first, so that the antialiased edges of near ones
+// blend with the background.
 std::vector<std::size_t> NetworkRenderer::far_to_near(const DrawContext& context) const {
   std::vector<std::size_t> order(ends_.size());
   std::iota(order.begin(), order.end(), std::size_t(0));

@@ -27,24 +27,24 @@ class NetworkRenderer {
   // Projects every point once, for the functions below.
   void project(const DrawContext& context);
 
-  // Springs are so close together that they overlap: they blend in any order.
+  // Whether springs are so close together that they overlap: then they blend in any order.
   bool is_dense(const ViewOptions& options) const;
 
-  // OutsideCloth: nails, points of no face, and springs to such points: what a cloth hangs from, and what hangs on it.
+  // OutsideCloth: nails, points without a face, and springs to such points: the supports of a cloth and objects attached to it.
   enum class Subset { All, OutsideCloth };
   void add_springs(const DrawContext& context, Subset subset, Strokes& strokes) const;
   void add_points(const DrawContext& context, Subset subset, PointImpostors& impostors) const;
-  // Lines under selected and hovered springs, rings around such points.
+  // Lines below selected and hovered springs, rings around such points.
   void add_marks(const DrawContext& context, Strokes& strokes, PointImpostors& impostors) const;
 
-  // Springs between points on a round collider are chords below its surface. Everything is drawn this much [m] closer to
-  // the viewer, so that neither colliders nor faces show through.
+  // Springs between points on a round collider are chords below its surface. Everything is drawn closer to the viewer by this distance [m],
+  // so that neither colliders nor faces show through.
   double depth_offset() const { return depth_offset_; }
   // The end points of each spring.
   const std::vector<std::array<Index, 2>>& ends() const { return ends_; }
   // The three points of each face.
   const std::vector<GLuint>& corners() const { return corners_; }
-  // In a scene with faces: whether the point belongs to no face and to nothing that faces enclose.
+  // In a scene with faces: whether the point belongs to no face and is not enclosed by faces.
   bool is_outside_cloth(Index i) const { return !in_cloth_.empty() && !in_cloth_[i]; }
   const std::vector<float>& strain() const { return strain_; }
   // Per point.

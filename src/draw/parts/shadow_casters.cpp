@@ -86,7 +86,7 @@ glm::vec3 ShadowReceiver::place_of(const Vec3& world) const {
 float ShadowReceiver::height_of(const glm::vec3& place, float depth_tolerance) const {
   float surface = 0.0f;
   if (radius > 0.0f) {
-    // Beside the ball the height of its center counts, so that objects that extend beyond it on all sides are over it.
+    // Beside the ball, the height of its center counts, so that objects larger than the ball are above it.
     surface = std::sqrt(std::max(radius * radius - place.x * place.x - place.y * place.y, 0.0f));
   }
   const float height = place.z - surface;

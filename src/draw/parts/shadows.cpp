@@ -99,7 +99,7 @@ const Shadows::Tile* Shadows::shade(const DrawContext& context, const NetworkRen
                              tile.max))
     return nullptr;
   tile.occlusion = map_.finish();
-  if (std::ranges::all_of(tile.occlusion, [](std::uint8_t share) { return share == 0; })) return nullptr;
+  if (std::ranges::all_of(tile.occlusion, [](std::uint8_t value) { return value == 0; })) return nullptr;
   const auto number = static_cast<int>(tiles_.size());
   tile.x = number % tiles_across * tile_size;
   tile.y = number / tiles_across * tile_size;
@@ -128,9 +128,9 @@ BallShadow Shadows::on_ball(Index collider) const {
   const auto tile = std::ranges::find(tiles_, collider, &Tile::collider);
   if (tile == tiles_.end()) return {};
   constexpr auto whole = static_cast<float>(tiles_across * tile_size);
-  const glm::vec2 per_metre = 1.0f / (tile->max - tile->min), size = glm::vec2(tile->width, tile->height);
+  const glm::vec2 per_meter = 1.0f / (tile->max - tile->min), size = glm::vec2(tile->width, tile->height);
   return {{tile->min.x, tile->min.y},
-          {per_metre.x, per_metre.y},
+          {per_meter.x, per_meter.y},
           {static_cast<float>(tile->x) / whole, static_cast<float>(tile->y) / whole},
           {size.x / whole, size.y / whole}};
 }

@@ -68,12 +68,12 @@ void SoftShadowMap::add_to(int level, const glm::vec2& at, float coverage) {
   const float x = at.x / size + (padding - 0.5f), y = at.y / size + (padding - 0.5f);
   const int i = static_cast<int>(x), j = static_cast<int>(y);
   const float right = x - static_cast<float>(i), upper = y - static_cast<float>(j);
-  const float share = coverage / (size * size);
+  const float fraction = coverage / (size * size);
   float* texel = &to.coverage[static_cast<std::size_t>(j) * to.width + i];
-  texel[0] += share * (1.0f - right) * (1.0f - upper);
-  texel[1] += share * right * (1.0f - upper);
-  texel[to.width] += share * (1.0f - right) * upper;
-  texel[to.width + 1] += share * right * upper;
+  texel[0] += fraction * (1.0f - right) * (1.0f - upper);
+  texel[1] += fraction * right * (1.0f - upper);
+  texel[to.width] += fraction * (1.0f - right) * upper;
+  texel[to.width + 1] += fraction * right * upper;
 }
 
 void SoftShadowMap::add(const glm::vec3& place, float area) {
@@ -146,8 +146,8 @@ const std::vector<std::uint8_t>& SoftShadowMap::finish() {
   for (int j = 0; j < height_; ++j)
     for (int i = 0; i < width_; ++i) {
       const float coverage = sharpest.coverage[static_cast<std::size_t>(j + padding) * sharpest.width + i + padding];
-      const float share = (1.0f - std::exp(-1.7f * coverage)) * within(i, width_) * within(j, height_);
-      occlusion_[static_cast<std::size_t>(j) * width_ + i] = static_cast<std::uint8_t>(std::lround(255.0f * share));
+      const float fraction = (1.0f - std::exp(-1.7f * coverage)) * within(i, width_) * within(j, height_);
+      occlusion_[static_cast<std::size_t>(j) * width_ + i] = static_cast<std::uint8_t>(std::lround(255.0f * fraction));
     }
   return occlusion_;
 }

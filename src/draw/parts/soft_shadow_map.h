@@ -12,7 +12,7 @@ namespace hooke {
 
 class SoftShadowMap {
  public:
-  // The light source is wide: a shadow is blurred by this much [m] per metre of height.
+  // The light source is wide: a shadow is blurred by this length [m] per meter of height.
   static constexpr float softness = 0.4f;
   // The occlusion of a sheet or line seen edge-on.
   static constexpr float edge_on_occlusion = 0.35f;

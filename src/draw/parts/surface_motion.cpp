@@ -59,8 +59,8 @@ void add_belt(const DrawContext& context, const Box& box, const Vec3& belt, Rgba
     const double speed = glm::length(along_belt);
     if (!(speed > 0.0) || !(spacing > 0.0)) continue;
     const Vec3 along = along_belt / speed, across = glm::cross(normal, along);
-    const double reach = glm::dot(half, glm::abs(along)), gone = std::fmod(speed * context.snapshot.state.time, spacing);
-    for (double s = gone - spacing * std::ceil((reach + gone) / spacing); s < reach; s += spacing) {
+    const double reach = glm::dot(half, glm::abs(along)), shift = std::fmod(speed * context.snapshot.state.time, spacing);
+    for (double s = shift - spacing * std::ceil((reach + shift) / spacing); s < reach; s += spacing) {
       const auto [min, max] = span_within(half, s * along, across, axis);
       const Vec3 place = middle + half * normal + s * along;
       if (min < max)

@@ -25,7 +25,7 @@ struct Apply {
   Inverse operator()(const SetPointProperty& set);
   Inverse operator()(const SetSpringProperty& set);
 
-  // settings.cpp: parameters, method, surroundings, appearance
+  // settings.cpp: parameters, method, environment, appearance
   Inverse operator()(const SetParameter& set);
   Inverse operator()(const RestoreParameter& restore);
   Inverse operator()(const SetIntegrator& set);

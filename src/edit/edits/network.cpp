@@ -25,10 +25,10 @@ std::vector<Item> merged(const std::vector<Item>& list, const std::vector<std::p
 
 // The items whose flag is not set.
 template <class Item>
-std::vector<Item> without(const std::vector<Item>& list, const std::vector<bool>& gone) {
+std::vector<Item> without(const std::vector<Item>& list, const std::vector<bool>& removed) {
   std::vector<Item> result;
   for (std::size_t i = 0; i < list.size(); ++i)
-    if (!gone[i]) result.push_back(list[i]);
+    if (!removed[i]) result.push_back(list[i]);
   return result;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double min_size = 1e-6;          // [m], of a mesh
 constexpr double weld_ratio = 1e-6;        // of the mesh's size
-constexpr double min_height_ratio = 1e-8;  // of a face, by its longest side: flatter ones have no area
+constexpr double min_height_ratio = 1e-8;  // of a face, relative to its longest side: flatter faces have no area
 
 class MeshCleaner {
  public:
@@ -49,7 +49,7 @@ class MeshCleaner {
   const Mesh& mesh_;
   const std::string& file_;
   std::vector<std::string>& notes_;
-  CleanMesh clean_mesh_;          // until renumber_points, its cells are of vertices
+  CleanMesh clean_mesh_;          // until renumber_points, its cells refer to vertices
   std::vector<Index> welded_to_;  // by vertex
   std::size_t welded_ = 0, degenerate_ = 0, duplicates_ = 0, triangulated_ = 0;
 };
@@ -73,7 +73,7 @@ void MeshCleaner::weld_vertices() {
 void MeshCleaner::add_polygons() {
   std::vector<Index> corners;
   for (std::size_t i = 0; i < mesh_.polygon_count(); ++i) {
-    // corners that became one by welding are one
+    // corners that have become equal by welding count once
     corners.clear();
     for (const Index vertex : mesh_.polygon(i)) {
       const Index corner = welded_to_[static_cast<std::size_t>(vertex)];
@@ -126,7 +126,7 @@ double MeshCleaner::longest_side_of(const Cell& cell) const {
   return longest;
 }
 
-// The same corners in any order: a duplicate would double stiffness and mass.
+// Compares corners in any order: a duplicate would double stiffness and mass.
 void MeshCleaner::remove_duplicate_cells() {
   struct Key {
     std::array<Index, 4> corners;
@@ -150,9 +150,9 @@ void MeshCleaner::remove_duplicate_cells() {
   clean_mesh_.cells.resize(unique_count);
 }
 
-// Vertices that a face needs become points, in the file's order.
+// Vertices that a face needs become points, in the order of the file.
 void MeshCleaner::renumber_points() {
-  if (clean_mesh_.cells.empty()) refuse("faces: none with an area: there must be at least one");
+  if (clean_mesh_.cells.empty()) refuse("faces: none has an area: there must be at least one");
   std::vector<Index> point_of(mesh_.vertices.size(), no_index);
   for (const Cell& cell : clean_mesh_.cells)
     for (int c = 0; c < cell.size(); ++c) point_of[static_cast<std::size_t>(cell.corners[c])] = 0;
@@ -170,11 +170,11 @@ void MeshCleaner::report_changes() {
     if (count > 0) notes_.push_back(file_ + ": " + pluralize(count, one, many) + what);
   };
   const std::size_t unused = mesh_.vertices.size() - welded_ - clean_mesh_.points.size();
-  report(welded_, "vertex stands", "vertices stand", " where another one does: welded");
-  report(degenerate_, "face has", "faces have", " no area: left out");
-  report(duplicates_, "face is", "faces are", " there already: left out");
-  report(triangulated_, "face has", "faces have", " more than four corners: cut into triangles from the first corner");
-  report(unused, "vertex belongs", "vertices belong", " to no face: left out");
+  report(welded_, "vertex is", "vertices are", " at the position of another: welded");
+  report(degenerate_, "face has", "faces have", " no area: ignored");
+  report(duplicates_, "face is a duplicate", "faces are duplicates", ": ignored");
+  report(triangulated_, "face has", "faces have", " more than four corners: split into triangles from the first corner");
+  report(unused, "vertex belongs", "vertices belong", " to no face: ignored");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A mesh made fit to be cloth: each place one point, each face a triangle or a quad that has an area and is there once.
+// A mesh prepared for conversion to cloth: one point per position, and each face a unique triangle or quad with an area.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace hooke {
 
-// A triangle or a quad. A quad is two triangles, cut from its first corner to its third.
+// A triangle or a quad. A quad is two triangles, split from its first corner to its third.
 struct Cell {
   std::array<Index, 4> corners{no_index, no_index, no_index, no_index};
   double area = 0.0;  // [m^2], > 0
@@ -19,14 +19,13 @@ struct Cell {
 struct CleanMesh {
   std::vector<Vec3> points;  // [m], in the order of the mesh's vertices
   std::vector<Cell> cells;   // of points, in the mesh's order
-  Vec3 min{0.0}, max{0.0};   // [m], about all vertices
-  double size() const;       // [m], from corner to corner
+  Vec3 min{0.0}, max{0.0};   // bounding box of all vertices
+  double size() const;       // [m], its diagonal
 };
 
-// Vertices at one place (within a millionth of the mesh's size) are welded; faces without an area, faces that are there
-// twice and vertices of no face are left out; polygons of more than four corners are cut into fans of triangles. What was
-// done of all this is appended to `notes`, one sentence each. Throws InputError when no face is left. `file` stands for the
-// mesh in messages.
+// Welds coincident vertices (within a millionth of the size of the mesh); ignores faces without area, duplicate faces and vertices without
+// a face; splits polygons with more than four corners into fans of triangles. Appends what was changed to `notes`, one sentence each.
+// Throws InputError if no face is left. `file` is the name of the mesh in messages.
 CleanMesh clean_mesh(const Mesh& mesh, const std::string& file, std::vector<std::string>& notes);
 
 }  // namespace hooke

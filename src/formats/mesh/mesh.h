@@ -1,4 +1,4 @@
-// A mesh of polygons as files have it, before anything is made of it.
+// A mesh of polygons as read from a file.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ namespace hooke {
 struct Mesh {
   std::vector<Vec3> vertices;       // [m]
   std::vector<Index> corners;       // vertices of all polygons, one polygon after the other
-  std::vector<Index> polygon_ends;  // in `corners`, one past each polygon's last
+  std::vector<Index> polygon_ends;  // for each polygon, the index in `corners` past its last corner
 
   std::size_t polygon_count() const { return polygon_ends.size(); }
   std::span<const Index> polygon(std::size_t i) const {

@@ -14,7 +14,7 @@
 namespace hooke {
 namespace {
 
-// What one cell gives to the spring between two points.
+// The contribution of one cell to the spring between two points.
 struct SpringWeight {
   Index first = 0, second = 0;  // points, first < second
   double weight = 0.0;          // [m^2]: k = E t sum(weight) / l^2
@@ -46,7 +46,7 @@ class ClothMaker {
   const std::string& file_;
   std::vector<std::string>& notes_;
   const SheetMaterial material_;
-  SheetWeights sheet_;  // ids are places
+  SheetWeights sheet_;  // ids are indices
   Scene scene_;
 };
 
@@ -82,7 +82,7 @@ std::vector<SpringWeight> ClothMaker::spring_weights() const {
       add(b, d, 0.75 * cell.area, false);
     }
   }
-  // by weight too, so that sums do not depend on the sorting algorithm
+  // also sorted by weight, so that sums do not depend on the sorting algorithm
   std::sort(spring_weights.begin(), spring_weights.end(), [](const SpringWeight& s, const SpringWeight& t) {
     return std::tie(s.first, s.second, s.weight, s.is_side) < std::tie(t.first, t.second, t.weight, t.is_side);
   });
@@ -104,8 +104,7 @@ void ClothMaker::make_springs() {
       sides += all[end].is_side ? 1 : 0;
     }
     non_manifold += sides > 2 ? 1 : 0;
-    if (springs.size() == max_springs)
-      throw InputError(file_ + ": springs: more than " + std::to_string(max_springs) + ": must be at most so many");
+    if (springs.size() == max_springs) throw InputError(file_ + ": springs: more than " + std::to_string(max_springs) + ": too many");
 
     const Index first = all[begin].first, second = all[begin].second;
     const double length = glm::distance(x[static_cast<std::size_t>(first)], x[static_cast<std::size_t>(second)]);
@@ -124,7 +123,7 @@ void ClothMaker::make_springs() {
   for (Index i = 0; i < system.point_count(); ++i) system.point(i).radius = radius;
   system.set_springs(std::move(springs));
   if (non_manifold > 0)
-    notes_.push_back(file_ + ": " + pluralize(non_manifold, "edge has", "edges have") + " more than two faces: one spring all the same");
+    notes_.push_back(file_ + ": " + pluralize(non_manifold, "edge has", "edges have") + " more than two faces: each is a single spring");
 }
 
 void ClothMaker::make_faces() {
@@ -136,7 +135,7 @@ void ClothMaker::make_faces() {
   }
 }
 
-// Nothing is nailed: without a floor it would fall out of sight.
+// Nothing is nailed, so without a floor the cloth would fall out of view.
 void ClothMaker::add_floor() {
   const Vec3 center = 0.5 * (mesh_.min + mesh_.max);
   const double drop = 0.25 * mesh_.size();
@@ -150,7 +149,7 @@ SheetMaterial cloth_of_size(double size) {
   constexpr double gravity = 9.81;  // [m/s^2]
   SheetMaterial material;
 
-  // hung up, its weight a metre of width, density g size, stretches it by that over E t at the top
+  // when hung, its weight per meter of width, density g size, stretches it at the top by that over E t
   material.stiffness = 100.0 * material.density * gravity * size;
 
   // d / k = 2 zeta / omega, for the slowest wave across it, omega = pi c / size, c = sqrt(E t / density)

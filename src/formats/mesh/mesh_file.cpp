@@ -17,7 +17,7 @@
 namespace hooke {
 namespace {
 
-// Springs that no face shows: at least one end belongs to none.
+// Springs that are not covered by faces: at least one end has no face.
 std::vector<std::array<Index, 2>> springs_without_face(const System& system) {
   std::vector<bool> is_on_face(system.points().size(), false);
   for (const Face& face : system.faces)
@@ -49,9 +49,9 @@ LoadedScene parse_obj(std::string_view text, const std::string& file) {
   return loaded;
 }
 
-// vertices count from 1
+// vertices are numbered from 1
 std::string format_obj(const Scene& scene) {
-  std::string text = "# written by Hooke; metres\no " + printable(scene.name) + "\n";
+  std::string text = "# written by Hooke; meters\no " + printable(scene.name) + "\n";
   for (const Vec3& x : scene.state.position) text += "v " + format_exact(x.x) + " " + format_exact(x.y) + " " + format_exact(x.z) + "\n";
   const auto number = [&](PointId id) { return " " + std::to_string(scene.system.index_of(id) + 1); };
   for (const Face& face : scene.system.faces) text += "f" + number(face.points[0]) + number(face.points[1]) + number(face.points[2]) + "\n";
@@ -59,12 +59,12 @@ std::string format_obj(const Scene& scene) {
   return text;
 }
 
-// The Stanford format, binary: a header in text, then the values, little end first.
+// The Stanford format, binary: a text header, then the values in little-endian order.
 std::string format_ply(const Scene& scene) {
   const System& system = scene.system;
   const auto lines = springs_without_face(system);
   std::string bytes =
-      "ply\nformat binary_little_endian 1.0\ncomment written by Hooke; metres; strain: mean l / l0 - 1 of the springs at the vertex\n"
+      "ply\nformat binary_little_endian 1.0\ncomment written by Hooke; meters; strain: mean l / l0 - 1 of the springs at the vertex\n"
       "element vertex " +
       std::to_string(system.points().size()) +
       "\nproperty double x\nproperty double y\nproperty double z\nproperty float strain\n"
@@ -114,7 +114,7 @@ constinit const FileKind obj_file{
     .format = [](const Scene& scene, const std::string&, std::vector<std::string>&) { return format_obj(scene); },
     .source = ExportSource::Scene,
     .label = "Mesh",
-    .description = "Points, faces and loose springs in their current state, in the Wavefront format."};
+    .description = "The current points, faces, and springs without faces, in the Wavefront format."};
 
 constinit const FileKind ply_file{
     .extension = ".ply",

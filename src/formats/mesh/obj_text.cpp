@@ -19,20 +19,20 @@ namespace {
 
 constexpr double largest_coordinate = 1e9;    // [m]
 constexpr std::size_t max_corners = 1000;     // of one polygon
-constexpr std::size_t max_quoted_bytes = 40;  // bytes of a bad value in a message
+constexpr std::size_t max_quoted_bytes = 40;  // bytes of an invalid value in a message
 
-// Statements that say nothing of the shape.
+// Statements that do not affect the shape.
 constexpr std::array<std::string_view, 18> ignored_keywords{"vn",       "vt",       "vp",     "g",          "o",         "s",
                                                             "mg",       "usemtl",   "mtllib", "usemap",     "maplib",    "bevel",
                                                             "c_interp", "d_interp", "lod",    "shadow_obj", "trace_obj", "res"};
 
-// The text for tinyobjloader: it takes what is no number for 0, an index of 12abc for 12, and opens what the text names.
-// So it gets to see one line at a time, only those of vertices and polygons, and only when their words are numbers.
+// Filters the text for tinyobjloader, which reads non-numbers as 0 and an index 12abc as 12, and opens files named in the text. It receives
+// one line at a time, only vertices and polygons, and only if their words are numbers.
 class CheckedObjStream : public std::streambuf {
  public:
   CheckedObjStream(std::string_view text, const std::string& file) : lines_(text), file_(file) {}
 
-  // Where the statement begins that was handed out last.
+  // The position of the statement returned last.
   int line() const { return line_; }
 
   [[noreturn]] void refuse(const std::string& what) const { refuse(line_, what); }
@@ -41,7 +41,7 @@ class CheckedObjStream : public std::streambuf {
   void warn_about_skipped(std::vector<std::string>& warnings) const {
     if (skipped_ == 0) return;
     warnings.push_back(line_location(file_, first_skipped_line_) + ": \"" + first_skipped_ +
-                       "\": " + (skipped_ == 1 ? "is left out" : "and " + std::to_string(skipped_ - 1) + " more statements are left out") +
+                       "\": " + (skipped_ == 1 ? "is ignored" : "and " + std::to_string(skipped_ - 1) + " more statements are ignored") +
                        ": only vertices and faces are read");
   }
 
@@ -66,7 +66,7 @@ class CheckedObjStream : public std::streambuf {
   }
 
  private:
-  // Without its comment. A backslash at the end of a line continues it on the next.
+  // Without comments. A backslash at the end of a line continues it on the next.
   bool next_statement() {
     std::string_view line;
     if (!lines_.next(line)) return false;
@@ -80,7 +80,7 @@ class CheckedObjStream : public std::streambuf {
     return true;
   }
 
-  // x y z, and perhaps a weight or a colour
+  // x y z, optionally followed by a weight or a color
   void check_vertex(std::string_view rest) const {
     std::size_t count = 0;
     for (std::string_view word = next_token(rest); !word.empty(); word = next_token(rest), ++count)
@@ -88,7 +88,7 @@ class CheckedObjStream : public std::streambuf {
     if (count < 3) refuse("v: " + std::to_string(count) + " numbers: must be at least 3");
   }
 
-  // 7, 7/1, 7//3 or 7/1/3; a negative one counts backwards from the last vertex
+  // 7, 7/1, 7//3 or 7/1/3; a negative number counts backwards from the last vertex
   void check_polygon(std::string_view rest) const {
     std::size_t count = 0;
     for (std::string_view word = next_token(rest); !word.empty(); word = next_token(rest), ++count) {
@@ -96,7 +96,7 @@ class CheckedObjStream : public std::streambuf {
       const auto index = parse_integer(vertex);
       if (!index || *index == 0 || others.find_first_not_of("/-+0123456789") != std::string_view::npos)
         refuse("f: \"" + printable(word, max_quoted_bytes) + "\": must be the number of a vertex");
-      if (count == max_corners) refuse("f: more than " + std::to_string(max_corners) + " corners: must be at most so many");
+      if (count == max_corners) refuse("f: more than " + std::to_string(max_corners) + " corners: too many");
     }
   }
 
@@ -123,7 +123,7 @@ class MeshReader {
 
   Mesh read(std::vector<std::string>& warnings) {
     std::istream stream(&lines_);
-    stream.exceptions(std::ios::badbit);  // what the lines refuse comes through
+    stream.exceptions(std::ios::badbit);  // so that errors thrown while reading lines are passed on
     tinyobj::callback_t callback;
     callback.vertex_cb = [](void* self, double x, double y, double z, double) {
       static_cast<MeshReader*>(self)->add_vertex(Vec3(x, y, z));
@@ -143,14 +143,14 @@ class MeshReader {
  private:
   void add_vertex(const Vec3& x) {
     for (int c = 0; c < 3; ++c)
-      if (!(std::abs(x[c]) <= largest_coordinate)) lines_.refuse("v: " + format_rounded(x[c]) + ": must be from -1e9 to 1e9 (metres)");
+      if (!(std::abs(x[c]) <= largest_coordinate)) lines_.refuse("v: " + format_rounded(x[c]) + ": must be from -1e9 to 1e9 (meters)");
     if (mesh_.vertices.size() == max_points) lines_.refuse("v: too many vertices: must be at most " + std::to_string(max_points));
     mesh_.vertices.push_back(x);
   }
 
   // Vertices may come after the polygons that use them.
   void add_polygon(std::span<const tinyobj::index_t> corners) {
-    // with fewer corners it has no area: nothing of it is left later
+    // with fewer corners it has no area and is removed later
     triangles_ += corners.size() < 3 ? 1 : corners.size() - 2;
     if (triangles_ > max_faces) lines_.refuse("f: too many faces: must be at most " + std::to_string(max_faces) + ", counted in triangles");
     for (const tinyobj::index_t& corner : corners) {

@@ -9,10 +9,9 @@
 
 namespace hooke {
 
-// The vertices and polygons of such a file. Nothing else of it is used, and no file that it names is opened: materials
-// above all. Appends to `warnings`, one sentence each, what is left out. Throws InputError with the line that is wrong:
-// coordinates that are no numbers, polygons of vertices that are not there, more than file_limits.h allows. `file` stands
-// for it in messages.
+// The vertices and polygons of a file. Everything else is ignored, and no file that it refers to, such as materials, is opened. Appends
+// what is ignored to `warnings`, one sentence each. Throws InputError with the line of the error: invalid coordinates, polygons with
+// missing vertices, more elements than file_limits.h allows. `file` is its name in messages.
 Mesh parse_obj_text(std::string_view text, const std::string& file, std::vector<std::string>& warnings);
 
 }  // namespace hooke

@@ -10,8 +10,8 @@
 namespace hooke {
 namespace {
 
-// Space in cubes of four distances a side: what lies within one distance of a place is in at most eight of them, and those
-// that stand for themselves are further apart than that, so that a cube holds no more of them than a fixed number.
+// A grid of cubes with sides of four distances: everything within one distance of a position is in at most eight of them. Vertices that are
+// kept are further apart than one distance, so the number of them in a cube is bounded.
 class SpatialHash {
  public:
   SpatialHash(std::span<const Vec3> positions, double distance) : cell_size_(4.0 * distance) {
@@ -31,7 +31,7 @@ class SpatialHash {
     last = i;
   }
 
-  // Calls visit(i) for what was added to the cubes within `distance` of x.
+  // Calls visit(i) for each element of the cubes within `distance` of x.
   template <class Visit>
   void visit_near(const Vec3& x, double distance, Visit&& visit) const {
     std::array<std::uint64_t, 8> keys;
@@ -51,7 +51,7 @@ class SpatialHash {
   }
 
  private:
-  // 21 bits a coordinate
+  // 21 bits per coordinate
   std::uint64_t key_at(const Vec3& x) const {
     std::uint64_t key = 0;
     for (int c = 0; c < 3; ++c) {
@@ -63,9 +63,9 @@ class SpatialHash {
 
   double cell_size_;
   Vec3 min_;
-  std::vector<std::uint64_t> keys_;      // of the cubes with anything in them, in order
+  std::vector<std::uint64_t> keys_;      // of the non-empty cubes, sorted
   std::vector<Index> last_in_cell_;      // added to each cube
-  std::vector<Index> previous_in_cell_;  // added to the same cube before
+  std::vector<Index> previous_in_cell_;  // the previous one in the same cube
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Vertices that are one and were written down twice.
+// Merges coincident vertices.
 #pragma once
 
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace hooke {
 
-// For each position the index of the one it is welded to: the first, in order, of those that stand for themselves and lie
-// within `distance` [m]; its own index when there is none. What is welded lies no further than that from where it goes,
-// chains included. O(n log n). At most 2^20 distances may lie between any two along an axis.
+// For each position, the index of the position it is welded to: the first kept position within `distance` [m], or its own index if there is
+// none. The result is never further than `distance` from the position, so chains do not collapse. O(n log n). The extent along each axis
+// must be at most 2^20 distances.
 std::vector<Index> weld(std::span<const Vec3> positions, double distance);
 
 }  // namespace hooke

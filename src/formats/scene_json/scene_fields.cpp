@@ -13,7 +13,7 @@ int hex_digit(char c) {
   return -1;
 }
 
-constexpr std::size_t max_unknown_names = 20;  // that are warned of one by one
+constexpr std::size_t max_unknown_names = 20;  // that are listed individually in warnings
 
 }  // namespace
 
@@ -39,7 +39,7 @@ Color SceneFields::color(const JsonField& field) const {
     digits[i] = hex_digit(text[i + 1]);
     is_valid = digits[i] >= 0;
   }
-  if (!is_valid) field.refuse("must be a colour \"#rrggbb\"");
+  if (!is_valid) field.refuse("must be a color \"#rrggbb\"");
   const auto channel = [&](int i) { return static_cast<std::uint8_t>(16 * digits[i] + digits[i + 1]); };
   return {channel(0), channel(2), channel(4)};
 }

@@ -13,8 +13,8 @@ namespace hooke {
 
 class SceneFields {
  public:
-  // Three numbers, or two in a 2-D scene, which lie in the plane z = 0. `in_plane`: z must be 0 in a 2-D scene.
-  // Whether the scene is 2-D may be known later only: check_dimensions refuses what does not fit it.
+  // Three numbers, or two in a 2-D scene, in the plane z = 0. `in_plane`: z must be 0 in a 2-D scene. The dimensions may be known only
+  // later: check_dimensions then refuses vectors that do not fit.
   Vec3 position(const JsonField& field) { return vector(field, true); }
   Vec3 vector(const JsonField& field) { return vector(field, false); }
   void check_dimensions(int dimensions) const;
@@ -22,8 +22,7 @@ class SceneFields {
   // "#rrggbb"
   Color color(const JsonField& field) const;
 
-  // Warns of an unknown key and adds it to the members kept, with its original text if that is
-  // given.
+  // Warns about an unknown key and adds it to the preserved members, with its original text if that is given.
   void preserve_unknown(const JsonField& field, std::string& members, std::string_view text = {});
 
   void warn(const std::string& line) { warnings_.push_back(line); }

@@ -1,4 +1,4 @@
-// Reads a scene: walks the text once, taking in member by member and point by point, then puts the parts together.
+// Reads a scene: scans the text once, reading member by member and point by point, then combines the parts.
 
 #include <array>
 #include <cmath>
@@ -22,9 +22,9 @@
 namespace hooke {
 namespace {
 
-constexpr double rest_length_not_given = std::numeric_limits<double>::quiet_NaN();  // a rest length that was not given
+constexpr double rest_length_not_given = std::numeric_limits<double>::quiet_NaN();  // no rest length was given
 
-// Those between the end and the place have none.
+// Entries between the end of the list and `place` are NaN.
 void append_at(std::vector<double>& list, std::size_t place, double value) {
   list.resize(place, 0.0);
   list.push_back(value);
@@ -38,8 +38,8 @@ class SceneReader {
   LoadedScene read();
 
  private:
-  // Points, springs, faces, generators and colliders are taken in item by item, or a file of 256 MiB would become
-  // gigabytes of values.
+  // Points, springs, faces, generators and colliders are read item by item, because a file of 256 MiB would otherwise become gigabytes of
+  // values.
   struct List {
     std::string_view key;
     std::uint64_t max;
@@ -176,7 +176,7 @@ void SceneReader::read_item(std::string_view key, std::size_t index, std::string
   if (index >= list.max) refuse(std::string(key), std::to_string(index + 1) + " items: must be at most " + std::to_string(list.max));
   if (progress_ && is_progress_step(index) &&
       !progress_(static_cast<double>(text.data() - text_.data()) / static_cast<double>(text_.size())))
-    throw InputError(name_ + ": reading was stopped");
+    throw InputError(name_ + ": reading was canceled");
   (this->*list.read)(JsonField(name_, key, parser_.parse(text), index));
 }
 
@@ -260,7 +260,7 @@ void SceneReader::read_face(const JsonField& field) {
 
 void SceneReader::read_one_shape(const JsonField& field) { shapes_.push_back(read_shape(field, fields_)); }
 
-// Whether there is such a point is known when all points are: check_point_numbers.
+// Whether the point exists is known only when all points have been read: check_point_numbers.
 PointId SceneReader::read_point_number(const JsonField& field) const {
   return PointId{static_cast<std::uint32_t>(field.integer(0, static_cast<std::int64_t>(max_points) - 1))};
 }
@@ -293,7 +293,7 @@ void SceneReader::generate_all() {
   }
 }
 
-// Extreme sizes make masses of zero and stiffnesses without end.
+// Extreme sizes lead to zero masses and infinite stiffnesses.
 void SceneReader::check_generated(std::size_t generator, std::size_t first_point, std::size_t first_spring) const {
   const std::string field = "generators[" + std::to_string(generator) + "]";
   for (std::size_t i = first_point; i < network_.points.size(); ++i) {
@@ -357,7 +357,7 @@ void SceneReader::warn_about_coincident_points() {
   if (count == 0) return;
   const std::string others = count == 1 ? "" : " and " + std::to_string(count - 1) + " more";
   fields_.warn("springs[" + std::to_string(first) + "]" + others +
-               ": joins two points at the same place: no force between them until they part");
+               ": connects two points at the same position: no force between them until they separate");
 }
 
 // A scene whose texture is missing is drawn without it.

@@ -12,7 +12,7 @@
 namespace hooke {
 namespace {
 
-// A direction as a unit vector; as it is when it is one already, so that what was saved comes back bit for bit.
+// A direction as a unit vector; unchanged if it is one already, so that a saved vector is read back bit for bit.
 Vec3 to_unit(const JsonField& field, const Vec3& direction) {
   constexpr double round_off = 1e-15;
   const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
@@ -22,7 +22,7 @@ Vec3 to_unit(const JsonField& field, const Vec3& direction) {
   return scaled / glm::length(scaled);
 }
 
-// Reads how a collider moves; false: not one of those fields.
+// Reads a field of the motion of a collider. Returns false if it is none.
 bool read_path(const JsonField& field, SceneFields& fields, ColliderPath& path) {
   if (field.is("oscillate"))
     path.amplitude = fields.vector(field);
@@ -39,20 +39,20 @@ bool read_path(const JsonField& field, SceneFields& fields, ColliderPath& path) 
   return true;
 }
 
-// A box that turns, or a plane that tilts, would be another shape at every time.
+// A rotating box or a tilting plane would have a different shape at every time.
 void check_spin(const JsonField& field, const Collider& collider) {
   const Vec3& spin = collider.path.spin;
   if (spin == Vec3(0.0)) return;
   const auto* plane = std::get_if<Plane>(&collider.shape);
   for (const JsonField member : field.members()) {
     if (!member.is("spin")) continue;
-    if (std::holds_alternative<Box>(collider.shape)) member.refuse("must not be given to a box, which cannot turn");
+    if (std::holds_alternative<Box>(collider.shape)) member.refuse("must not be given for a box, which cannot spin");
     if (plane != nullptr && glm::length(glm::cross(spin, plane->normal)) > 1e-9 * glm::length(spin))
       member.refuse("must be along the normal of the plane");
   }
 }
 
-// Reads a field that all colliders have; false: it is none.
+// Reads a field that all colliders have. Returns false if it is none.
 bool read_surface(const JsonField& field, SceneFields& fields, Collider& collider) {
   if (field.is("type") || read_path(field, fields, collider.path)) return true;
   if (field.is("restitution"))
@@ -66,7 +66,7 @@ bool read_surface(const JsonField& field, SceneFields& fields, Collider& collide
   return true;
 }
 
-// What a shape says of itself by two fields, each of which it must have.
+// Reads a shape defined by two required fields.
 template <class First, class Second>
 void read_shape(const JsonField& field, SceneFields& fields, Scene& scene, Collider& collider, std::string_view first_key, First read_first,
                 std::string_view second_key, Second read_second) {
@@ -113,7 +113,7 @@ void read_box(const JsonField& field, SceneFields& fields, Scene& scene, Collide
   };
   read_shape(field, fields, scene, collider, "min", read_corner(box.min), "max", read_corner(box.max));
 
-  // a rectangle of a 2-D scene: deep enough that the nearest surface is never along z
+  // a rectangle of a 2-D scene: so deep that the nearest surface is never along z
   if (flat) {
     const double depth = std::min(box.max.x - box.min.x, box.max.y - box.min.y);
     box.min.z = -depth;
@@ -141,11 +141,11 @@ CameraPose read_camera(const JsonField& field, SceneFields& fields, Scene& scene
     else
       fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
   }
-  if (pose.eye == pose.target) field.refuse("must have eye and target in two places");
+  if (pose.eye == pose.target) field.refuse("must have different positions for eye and target");
   return pose;
 }
 
-// The switch of this name; null: there is none.
+// The switch of this name, or null.
 bool* view_flag_of(const JsonField& field, ViewSettings& view) {
   if (field.is("surface")) return &view.surface;
   if (field.is("springs")) return &view.springs;
@@ -161,7 +161,7 @@ std::string ids_of_forces() {
   return ids;
 }
 
-// Sets the number of this name, beyond the slider's range as well; false: the force has none such.
+// Sets the parameter of this name, which may be outside the range of the slider. Returns false if the force has none of this name.
 bool read_force_number(const JsonField& member, Force& force) {
   for (std::size_t i = 0; i < force.term->numbers.size(); ++i) {
     const ForceParameter& number = force.term->numbers[i];
@@ -193,7 +193,7 @@ void read_circle(const JsonField& field, SceneFields& fields, Scene& scene, Scri
   if (!has_center) field.refuse_missing("center", "must be [x, y, z]");
   const double radius = glm::length(glm::cross(hand.axis, hand.from - hand.center));
   if (!(radius >= min_circle_radius) || !std::isfinite(radius))
-    field.refuse("must have from at least 1e-06 m beside the axis through center");
+    field.refuse("must have from at least 1e-06 m away from the axis through center");
 }
 
 std::size_t read_choice(const Parameter& row, const JsonField& field) {

@@ -6,10 +6,10 @@
 
 namespace hooke {
 
-// A field of the table of parameters; false: it is none.
+// A field of the table of parameters. Returns false if it is none.
 bool read_parameter(const JsonField& field, Scene& scene);
 
-// Each throws InputError, and keeps unknown keys in the scene.
+// Each throws InputError, and preserves unknown keys in the scene.
 void read_collider(const JsonField& field, SceneFields& fields, Scene& scene);
 void read_force(const JsonField& field, SceneFields& fields, Scene& scene);
 void read_hand(const JsonField& field, SceneFields& fields, Scene& scene);

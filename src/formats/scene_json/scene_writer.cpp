@@ -1,4 +1,4 @@
-// Writes a scene, one point and one spring a line.
+// Writes a scene, one point or spring per line.
 
 #include <bit>
 #include <cmath>
@@ -32,7 +32,7 @@ std::string to_text(const Color& color) {
   return text;
 }
 
-// How many points, springs and faces are written one by one; the others are the last, and made by generators.
+// The numbers of points, springs and faces that are listed individually; the rest, at the end, is made by generators.
 struct ListedCounts {
   Index points, springs;
   std::size_t faces;
@@ -61,7 +61,7 @@ class SceneWriter {
   bool has_unknown_inside(const std::string& path) const { return scene_.preserved_json.unknown_inside.contains(path); }
   void check_size() const;
 
-  // `count` items, each on a line of its own; nothing when there are none
+  // `count` items, each on its own line; nothing if there are none
   template <class Write>
   void write_list(std::string_view key, std::size_t count, Write write_item);
 
@@ -129,7 +129,7 @@ std::string SceneWriter::write() {
   return out_.take() + "\n";
 }
 
-// The generators are run again: what they make must be what stands last in the scene, bit for bit.
+// Runs the generators again: their result must be bitwise equal to the end of the lists of the scene.
 ListedCounts SceneWriter::find_listed() const {
   const ListedCounts all{system_.point_count(), system_.spring_count(), system_.faces.size()};
   if (scene_.preserved_json.generators.empty()) return all;
@@ -177,7 +177,7 @@ bool SceneWriter::matches_generated(const Network& generated, const ListedCounts
   return true;
 }
 
-// The rows of the table of parameters whose field lies in the section ("" at the top, "simulation").
+// The rows of the table of parameters whose field is in the section ("" at the top, "simulation").
 void SceneWriter::write_parameters(std::string_view section) {
   for (const Parameter& row : parameters()) {
     const std::size_t dot = row.field.rfind('.');
@@ -212,7 +212,7 @@ void SceneWriter::write_list(std::string_view key, std::size_t count, Write writ
     write_item(i);
     check_size();
     if (progress_ && is_progress_step(written_items_++) && !progress_(static_cast<double>(written_items_) / static_cast<double>(items_)))
-      throw FileError(printable(scene_.name) + ": writing was stopped");
+      throw FileError(printable(scene_.name) + ": writing was canceled");
   }
   out_.end();
 }
@@ -381,10 +381,10 @@ void SceneWriter::write_unknown_inside(const std::string& path) {
   if (unknown != scene_.preserved_json.unknown_inside.end()) out_.members(unknown->second);
 }
 
-// A file that could not be read again would be lost work.
+// A file that cannot be read back would be lost work.
 void SceneWriter::check_size() const {
   if (out_.written().size() > max_file_bytes)
-    throw FileError(printable(scene_.name) + ": as a file more than 256 MiB, which could not be read again");
+    throw FileError(printable(scene_.name) + ": the file would have more than 256 MiB and could not be read back");
 }
 
 }  // namespace

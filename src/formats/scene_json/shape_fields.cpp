@@ -41,7 +41,7 @@ std::size_t read_support(const JsonField& field, const ShapeKind& kind) {
   return static_cast<std::size_t>(support - kind.supports.begin());
 }
 
-// Reads a field that places the shape or says how it is nailed; false: it is none.
+// Reads a field of the position, orientation or support of the shape. Returns false if it is none.
 bool read_placement(const JsonField& field, SceneFields& fields, Shape& shape) {
   const bool has_vectors = !shape.kind->vectors.empty();
   if (field.is("at") && !has_vectors)

@@ -9,7 +9,7 @@ namespace hooke {
 // Throws InputError.
 Shape read_shape(const JsonField& field, SceneFields& fields);
 
-// A list of generators that was read before, as PreservedJson keeps it.
+// Parses a list of generators that was read before, as stored in PreservedJson.
 std::vector<Shape> parse_shapes(const std::string& list);
 
 }  // namespace hooke

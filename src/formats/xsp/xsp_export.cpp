@@ -14,21 +14,21 @@
 namespace hooke {
 namespace {
 
-// The simplest number of pixels that reads back as these metres, bit for bit where there is one.
-double pixels(double metres) {
+// The shortest number of pixels that reads back as this length, bit for bit if there is one.
+double pixels(double meters) {
   for (const int digits : {15, 16, 17}) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.*g", digits, metres * xsp_pixels_per_metre);
+    std::snprintf(text, sizeof text, "%.*g", digits, meters * xsp_pixels_per_meter);
     const double value = std::strtod(text, nullptr);
-    if (value / xsp_pixels_per_metre == metres) return value;
+    if (value / xsp_pixels_per_meter == meters) return value;
   }
-  return metres * xsp_pixels_per_metre;
+  return meters * xsp_pixels_per_meter;
 }
 
-// The solid planes that stand as the sides of a window do.
+// Solid planes with the orientation of a side of the window.
 struct Wall {
   XspSide side;
-  double place = 0.0;  // [m], where a point's centre turns round: its x or y
+  double place = 0.0;  // [m], x or y at which the center of a point turns back
   const Collider* collider = nullptr;
 };
 
@@ -84,15 +84,15 @@ class Exporter {
     return wall == walls_.end() ? nullptr : &*wall;
   }
 
-  // The place [m] that the first pull to a centre draws to.
+  // The target [m] of the first force towards a center.
   std::optional<Vec3> center() const {
     for (const Force& force : system_.forces)
       if (force.on && (force.term->id == "center" || force.term->id == "mass_center")) return Vec3(force.values[0], force.values[1], 0.0);
     return std::nullopt;
   }
 
-  // Moves the scene so that its walls are the window's sides; or, where it has none, so that what draws is the window's
-  // middle; or so that it is in the window.
+  // Moves the scene so that its walls are the sides of the window; if it has none, so that its center of forces is the middle of the
+  // window; otherwise so that it is in the window.
   void choose_window_shift() {
     Vec3 min(0.0), max(0.0);
     for (std::size_t i = 0; i < scene_.state.position.size(); ++i) {
@@ -102,7 +102,7 @@ class Exporter {
     auto center_of_forces = center();
     if (center_of_forces && nailed_at(*center_of_forces) != no_index) center_of_forces.reset();  // that mass can be named
     const auto shift = [&](XspSide low, XspSide high, double width, int c) {
-      const double size = width / xsp_pixels_per_metre;
+      const double size = width / xsp_pixels_per_meter;
       if (const Wall* wall = wall_at(low)) return -wall->place;
       if (const Wall* wall = wall_at(high)) return size - wall->place;
       if (center_of_forces) return 0.5 * size - (*center_of_forces)[c];
@@ -115,7 +115,7 @@ class Exporter {
                   ") m, into the window");
   }
 
-  // With drag relative to a wind, a = g - c (v - w) = (g + c w) - c v; a lift of b is a weight of 1 - b.
+  // With drag relative to wind, a = g - c (v - w) = (g + c w) - c v; a lift of b changes gravity by a factor of 1 - b.
   void export_gravity() {
     double gravity_factor = 1.0;
     for (const Force& force : system_.forces)
@@ -131,7 +131,7 @@ class Exporter {
     for (const Force& force : system_.forces) {
       if (!force.on || force.term->id == "buoyancy") continue;
       const ForceValues& values = force.values;
-      const auto scaled = [](double strength, double power) { return strength * std::pow(xsp_pixels_per_metre, 1.0 + power); };
+      const auto scaled = [](double strength, double power) { return strength * std::pow(xsp_pixels_per_meter, 1.0 + power); };
       if (force.term->id == "mass_center")
         export_force(1, values[3], values[4], force);
       else if (force.term->id == "center")
@@ -145,7 +145,7 @@ class Exporter {
     }
   }
 
-  // Each can be there once, and the centre is one place for all.
+  // Each can occur once, and all have the same center.
   void export_force(int id, double p1, double p2, const Force& force) {
     XspForce& place = document_.forces[id];
     const Vec3 force_center(force.values[0], force.values[1], 0.0);
@@ -157,13 +157,13 @@ class Exporter {
     if (id != 3 && document_.center == -1) find_center_mass(force_center);
   }
 
-  // A nailed mass where the centre is, if that is not the window's middle.
+  // A nailed mass at the center, if that is not the middle of the window.
   void find_center_mass(const Vec3& place) {
-    const Vec3 middle = 0.5 / xsp_pixels_per_metre * Vec3(xsp_window_width, xsp_window_height, 0.0);
+    const Vec3 middle = 0.5 / xsp_pixels_per_meter * Vec3(xsp_window_width, xsp_window_height, 0.0);
     if (glm::distance(place + shift_, middle) < 1e-9) return;
     const Index mass = nailed_at(place);
     if (mass == no_index)
-      report_loss("the place of the centre of forces: it is the middle of the window");
+      report_loss("the position of the center of forces: it is the middle of the window");
     else
       document_.center = mass + 1;
   }
@@ -181,16 +181,16 @@ class Exporter {
     for (const Wall& wall : walls_) {
       const auto side = static_cast<std::size_t>(wall.side);
       const bool is_vertical = wall.side == XspSide::Left || wall.side == XspSide::Right;
-      const double place = (wall.place + (is_vertical ? shift_.x : shift_.y)) * xsp_pixels_per_metre;
+      const double place = (wall.place + (is_vertical ? shift_.x : shift_.y)) * xsp_pixels_per_meter;
       document_.walls[side] = true;
       moved = moved || std::abs(place - window[side]) > 0.01;
       restitutions_differ = restitutions_differ || wall.collider->restitution != restitution;
       friction = std::max(friction, wall.collider->friction);
     }
     document_.new_elasticity = restitution;
-    if (moved) report_loss("the places of the walls: they are the sides of the window");
-    if (restitutions_differ) report_loss("the walls' own restitutions: all have the first one's");
-    if (friction > 0.0) report_loss("the walls' friction");
+    if (moved) report_loss("the positions of the walls: they are the sides of the window");
+    if (restitutions_differ) report_loss("different restitutions of walls: all have that of the first");
+    if (friction > 0.0) report_loss("the friction of walls");
   }
 
   void export_masses() {
@@ -207,7 +207,7 @@ class Exporter {
                                   .elasticity = document_.new_elasticity});
       const XspMass& mass = document_.masses.back();
       for (const double value : {mass.x, mass.y, mass.vx, mass.vy})
-        if (!std::isfinite(value)) throw InputError(file_ + ": points[" + std::to_string(i) + "]: too large a number for .xsp");
+        if (!std::isfinite(value)) throw InputError(file_ + ": points[" + std::to_string(i) + "]: the number is too large for .xsp");
     }
   }
 
@@ -238,12 +238,12 @@ class Exporter {
     const auto breaking =
         std::count_if(springs.begin(), springs.end(), [](const Spring& spring) { return spring.break_strain != never_breaks; });
     if (breaking > 0) report_loss("the break strains of " + pluralize(static_cast<std::size_t>(breaking), "spring", "springs"));
-    if (system_.scripted_hand) report_loss("the hand that takes a point along");
-    if (system_.strain_limit > 0.0) report_loss("the limit of strain");
+    if (system_.scripted_hand) report_loss("the scripted hand");
+    if (system_.strain_limit > 0.0) report_loss("the strain limit");
     if (!system_.faces.empty()) report_loss(pluralize(system_.faces.size(), "face", "faces"));
   }
 
-  void report_loss(const std::string& what) { losses_.push_back(file_ + ": .xsp has no place for " + what); }
+  void report_loss(const std::string& what) { losses_.push_back(file_ + ": .xsp cannot represent " + what); }
 
   const Scene& scene_;
   const System& system_;

@@ -12,14 +12,14 @@ namespace hooke {
 namespace {
 
 constexpr double point_radius = 0.03;  // [m], of every mass
-constexpr double xsp_core = 0.01;      // [m]: forces grow no further than one pixel from where they come from
+constexpr double xsp_core = 0.01;      // [m]: forces do not grow within one pixel of their source
 enum ForceId { gravity_force = 0, mass_center_pull = 1, center_pull = 2, wall_push = 3 };
 
 struct Rectangle {
   double left = 0.0, right = xsp_window_width, bottom = 0.0, top = xsp_window_height;  // [pixels]
 };
 
-// The window, made larger where masses lie beyond it.
+// The window, enlarged if masses are outside it.
 Rectangle window_around(const std::vector<XspMass>& masses) {
   constexpr double margin = 1.0;
   Rectangle window;
@@ -32,7 +32,7 @@ Rectangle window_around(const std::vector<XspMass>& masses) {
   return window;
 }
 
-// The commonest elasticity of the masses that can hit a wall; how many have another.
+// The most common elasticity of the masses that can hit a wall, and the number of masses with a different one.
 struct Elasticity {
   double value = 1.0;
   std::size_t others = 0;
@@ -65,7 +65,7 @@ class Importer {
     import_walls();
     import_editor_settings();
     import_stepping();
-    for (const std::string& place : document_.repeated) warn(place + ": set before already; the last one counts");
+    for (const std::string& place : document_.repeated) warn(place + ": already set before; the last value is used");
     return std::move(loaded_);
   }
 
@@ -79,8 +79,8 @@ class Importer {
       const PointId id = system.new_point_id();
       point_of_.emplace_back(mass.id, id);
       points.push_back({.id = id, .nailed = mass.mass < 0.0, .mass = std::abs(mass.mass), .radius = point_radius});
-      loaded_.scene.state.position.push_back(Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_metre);
-      loaded_.scene.state.velocity.push_back(Vec3(mass.vx, mass.vy, 0.0) / xsp_pixels_per_metre);
+      loaded_.scene.state.position.push_back(Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_meter);
+      loaded_.scene.state.velocity.push_back(Vec3(mass.vx, mass.vy, 0.0) / xsp_pixels_per_meter);
     }
     system.set_points(std::move(points));
     std::sort(point_of_.begin(), point_of_.end());
@@ -97,14 +97,15 @@ class Importer {
                          .second = point_of(spring.second),
                          .stiffness = spring.stiffness,
                          .damping = spring.damping,
-                         .rest_length = spring.rest_length / xsp_pixels_per_metre});
+                         .rest_length = spring.rest_length / xsp_pixels_per_meter});
     const auto has_coincident_ends = [&](const Spring& spring) {
       const auto& position = loaded_.scene.state.position;
       return position[system.index_of(spring.first)] == position[system.index_of(spring.second)];
     };
     const auto count = static_cast<std::size_t>(std::count_if(springs.begin(), springs.end(), has_coincident_ends));
     if (count > 0)
-      warn(pluralize(count, "spring joins", "springs join") + " masses at the same place: no force between them until they part");
+      warn(pluralize(count, "spring connects", "springs connect") +
+           " masses at the same position: no force between them until they separate");
     system.set_springs(std::move(springs));
   }
 
@@ -116,9 +117,9 @@ class Importer {
     for (const auto& [id, force] : document_.forces) {
       if (!force.active) continue;
       if (id == gravity_force) {
-        // p2 turns "down" towards +x
+        // p2 rotates "down" towards +x
         const double angle = glm::radians(force.p2);
-        system.gravity = force.p1 / xsp_pixels_per_metre * Vec3(std::sin(angle), -std::cos(angle), 0.0);
+        system.gravity = force.p1 / xsp_pixels_per_meter * Vec3(std::sin(angle), -std::cos(angle), 0.0);
       } else if (id == mass_center_pull) {
         add_force("mass_center", {center_.x, center_.y, 0.0, force.p1, force.p2});
         uses_center = true;
@@ -128,22 +129,22 @@ class Importer {
       } else if (id == wall_push) {
         add_force("wall", {scaled(force), force.p2, xsp_core});
       } else {
-        warn("force " + std::to_string(id) + " is unknown and left out");
+        warn("force " + std::to_string(id) + " is unknown and ignored");
       }
     }
-    if (document_.stickiness != 0.0) add_force("sticky", {document_.stickiness / xsp_pixels_per_metre});
+    if (document_.stickiness != 0.0) add_force("sticky", {document_.stickiness / xsp_pixels_per_meter});
     if (uses_center) warn_of_center();
   }
 
-  // p1 of an acceleration p1 / distance^p2, in metres
-  static double scaled(const XspForce& force) { return force.p1 / std::pow(xsp_pixels_per_metre, 1.0 + force.p2); }
+  // converts p1 of an acceleration p1 / distance^p2 to meters
+  static double scaled(const XspForce& force) { return force.p1 / std::pow(xsp_pixels_per_meter, 1.0 + force.p2); }
 
   void add_force(std::string_view id, const ForceValues& values) {
     const ForceTerm& term = *find_force_term(id);
     for (std::size_t i = 0; i < term.numbers.size(); ++i) {
       const ForceParameter& number = term.numbers[i];
       if (std::isfinite(values[i]) && (number.min < 0.0 || values[i] >= number.min)) continue;
-      warn("\"" + std::string(term.label) + "\" is left out: " + std::string(number.label) + " would be " + format_rounded(values[i]));
+      warn("\"" + std::string(term.label) + "\" is ignored: " + std::string(number.label) + " would be " + format_rounded(values[i]));
       return;
     }
     loaded_.scene.system.forces.push_back({.term = &term, .values = values});
@@ -151,10 +152,10 @@ class Importer {
 
   // The middle of the window, or a mass.
   void find_center() {
-    center_ = 0.5 / xsp_pixels_per_metre * Vec3(xsp_window_width, xsp_window_height, 0.0);
+    center_ = 0.5 / xsp_pixels_per_meter * Vec3(xsp_window_width, xsp_window_height, 0.0);
     for (const XspMass& mass : document_.masses)
       if (mass.id == document_.center) {
-        center_ = Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_metre;
+        center_ = Vec3(mass.x, mass.y, 0.0) / xsp_pixels_per_meter;
         center_moves_ = mass.mass > 0.0;
         center_is_mass_ = true;
       }
@@ -162,14 +163,14 @@ class Importer {
 
   void warn_of_center() {
     if (center_moves_)
-      warn("the centre of forces stays where mass " + std::to_string(document_.center) + " starts, though that mass is free");
+      warn("the center of forces stays where mass " + std::to_string(document_.center) + " starts, although that mass is free");
     else if (!center_is_mass_)
-      warn("the file does not tell the window's size: the centre of forces is at x = " + format_rounded(xsp_window_width / 2.0) +
+      warn("the file does not contain the size of the window: the center of forces is at x = " + format_rounded(xsp_window_width / 2.0) +
            ", y = " + format_rounded(xsp_window_height / 2.0) + " pixels");
   }
 
-  // The highest frequency [rad/s] that the listed forces bring, as if they were springs: the root of the steepest slope of
-  // their acceleration. Above the core of s / r^p it is s max(1, |p|) / r^(p + 1), steepest at one end.
+  // The highest frequency [rad/s] of the listed forces treated as springs: the square root of the largest slope of their acceleration.
+  // Outside the core of s / r^p it is s max(1, |p|) / r^(p + 1), largest at one end.
   double frequency_bound_of_forces() const {
     constexpr double max_distance = 10.0;  // [m]
     double mass = 0.0, squares = 0.0;
@@ -194,10 +195,10 @@ class Importer {
     const Elasticity elasticity = common_elasticity(document_);
     const double restitution = std::clamp(elasticity.value, 0.0, 1.0);
 
-    // a mass turns round when its centre is at the window's edge: the wall stands a radius further out
+    // a mass turns back when its center is at the edge of the window: the wall is one radius further out
     const auto add = [&](XspSide side, double x, double y, const Vec3& normal) {
       if (!walls[static_cast<std::size_t>(side)]) return;
-      const Plane plane{Vec3(x, y, 0.0) / xsp_pixels_per_metre - point_radius * normal, normal};
+      const Plane plane{Vec3(x, y, 0.0) / xsp_pixels_per_meter - point_radius * normal, normal};
       loaded_.scene.system.colliders.push_back({.shape = plane, .restitution = restitution});
     };
     add(XspSide::Top, 0.0, window.top, Vec3(0.0, -1.0, 0.0));
@@ -205,16 +206,15 @@ class Importer {
     add(XspSide::Right, window.right, 0.0, Vec3(-1.0, 0.0, 0.0));
     add(XspSide::Bottom, 0.0, window.bottom, Vec3(0.0, 1.0, 0.0));
 
-    warn("the file does not tell the window's size: the walls stand at x = " + format_rounded(window.left) + " and " +
+    warn("the file does not contain the size of the window: the walls are at x = " + format_rounded(window.left) + " and " +
          format_rounded(window.right) + ", y = " + format_rounded(window.bottom) + " and " + format_rounded(window.top) + " pixels");
     if (elasticity.others > 0)
-      warn(pluralize(elasticity.others, "mass", "masses") + " of another elasticity than " + format_rounded(elasticity.value) +
-           ", with which all of them bounce off the walls");
-    if (restitution != elasticity.value)
-      warn("elasticity " + format_rounded(elasticity.value) + " is taken as " + format_rounded(restitution));
+      warn(pluralize(elasticity.others, "mass", "masses") + " with an elasticity other than " + format_rounded(elasticity.value) +
+           ", which all walls have");
+    if (restitution != elasticity.value) warn("elasticity " + format_rounded(elasticity.value) + " becomes " + format_rounded(restitution));
   }
 
-  // What new masses and springs get.
+  // The defaults of new masses and springs.
   void import_editor_settings() {
     Defaults& defaults = loaded_.scene.defaults;
     defaults.radius = point_radius;
@@ -222,21 +222,21 @@ class Importer {
       if (allowed)
         target = file_value;
       else
-        warn(name + " " + format_rounded(file_value) + " of new masses and springs is taken as " + format_rounded(target));
+        warn(name + " " + format_rounded(file_value) + " of new masses and springs becomes " + format_rounded(target));
     };
     import_default(defaults.mass, std::abs(document_.new_mass), document_.new_mass != 0.0, "cmas");
     import_default(defaults.stiffness, document_.new_stiffness, document_.new_stiffness >= 0.0, "kspr");
     import_default(defaults.damping, document_.new_damping, document_.new_damping >= 0.0, "kdmp");
-    if (document_.new_masses_fixed) warn("new masses are not fixed by themselves here (fixm)");
-    if (!document_.springs_shown) warn("the springs are shown, though the file hides them (shws)");
+    if (document_.new_masses_fixed) warn("new masses are not fixed automatically (fixm)");
+    if (!document_.springs_shown) warn("the springs are shown, although the file hides them (shws)");
     if (document_.snap_to_grid) warn("points do not snap to the grid (gsnp)");
   }
 
   void import_stepping() {
     Scene& scene = loaded_.scene;
-    if (document_.adaptive && document_.precision > 0.0) scene.settings.tolerance = document_.precision / xsp_pixels_per_metre;
+    if (document_.adaptive && document_.precision > 0.0) scene.settings.tolerance = document_.precision / xsp_pixels_per_meter;
 
-    // at least as fine as the file's own step, within reason
+    // at least as fine as the step of the file, within reason
     constexpr double max_requested_substeps = 1000.0;
     const double requested_substeps = std::min(max_requested_substeps, std::ceil(1.0 / (scene.settings.frame_rate * document_.step)));
     if (const auto warning =
@@ -246,7 +246,7 @@ class Importer {
 
   const XspDocument& document_;
   const std::string& file_;
-  std::vector<std::pair<int, PointId>> point_of_;  // by the mass's id
+  std::vector<std::pair<int, PointId>> point_of_;  // by the id of the mass
   Vec3 center_{0.0};                               // [m], of the forces
   bool center_is_mass_ = false, center_moves_ = false;
   LoadedScene loaded_;

@@ -1,5 +1,5 @@
-// Scenes of XSpringies 1.x (.xsp). The mapping keeps the motion: one pixel is one centimetre, so that lengths,
-// velocities and gravity scale by 0.01, and stiffness, damping, mass and drag stay (docs/file-formats.md).
+// Scenes of XSpringies 1.x (.xsp). The conversion preserves the motion: one pixel is one centimeter, so that lengths, velocities and
+// gravity are scaled by 0.01, and stiffness, damping, mass and drag are unchanged (docs/file-formats.md).
 #pragma once
 
 #include <string>
@@ -10,17 +10,16 @@
 
 namespace hooke {
 
-inline constexpr double xsp_pixels_per_metre = 100.0;
-// [pixels], of the window whose sides are the walls and whose middle draws: no file tells it.
+inline constexpr double xsp_pixels_per_meter = 100.0;
+// [pixels], the assumed size of the window, whose sides are the walls and whose middle is the center of forces; files do not contain it.
 inline constexpr double xsp_window_width = 640.0, xsp_window_height = 480.0;
 
-// The scene of such a file, under a method and substeps that hold. Warns of what Hooke has nothing for. Throws InputError
-// with the line that is wrong. `file` stands for it in messages and gives the scene's name.
+// The scene of a file, with a stable method and number of substeps. Warns about what Hooke cannot represent. Throws InputError with the
+// line of the error. `file` is its name in messages and gives the name of the scene.
 LoadedScene parse_xsp(std::string_view text, const std::string& file);
 
-// A two-dimensional scene as such a file, as it stands now: velocities are in it, the time is not. Appends to `lost`,
-// one sentence each, what the format has no place for. Throws InputError for a scene in three dimensions. `file` stands for
-// it in messages.
+// A 2-D scene as an .xsp file, in its current state: with velocities, without the time. Appends to `lost`, one sentence each, what the
+// format cannot represent. Throws InputError for a 3-D scene. `file` is its name in messages.
 std::string format_xsp(const Scene& scene, const std::string& file, std::vector<std::string>& losses);
 
 }  // namespace hooke

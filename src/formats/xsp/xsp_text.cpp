@@ -16,10 +16,10 @@ namespace hooke {
 namespace {
 
 constexpr std::string_view header = "#1.0";
-constexpr std::size_t max_quoted_bytes = 40;  // bytes of a bad value in a message
+constexpr std::size_t max_quoted_bytes = 40;  // bytes of an invalid value in a message
 constexpr std::size_t max_forces = 1000;
 
-// What a number of a command may be.
+// The range of an argument of a command.
 enum class Range { Any, Integer, Id, NotZero, NotNegative, Positive };
 
 std::string_view text_of(Range range) {
@@ -35,7 +35,7 @@ std::string_view text_of(Range range) {
     case Range::NotNegative:
       return "must be at least 0";
     case Range::Positive:
-      return "must be above 0";
+      return "must be more than 0";
   }
   return {};
 }
@@ -78,7 +78,7 @@ struct Statement {
   void (*apply)(XspDocument& document, const Values& values);
 };
 
-// The format: a row a command.
+// The format: one row per command.
 const std::vector<Statement>& statements() {
   using D = XspDocument;
   using V = Values;
@@ -157,13 +157,13 @@ class Reader {
     const std::string_view name = next_token(line);
     if (name.empty() || name[0] == '#') return;
     const auto statement = std::find_if(statements().begin(), statements().end(), [&](const Statement& row) { return row.name == name; });
-    if (statement == statements().end()) refuse(line_, printable(name, max_quoted_bytes), "is no command of an .xsp file");
+    if (statement == statements().end()) refuse(line_, printable(name, max_quoted_bytes), "is not a command of an .xsp file");
 
     std::array<double, 8> numbers;
     std::size_t count = 0;
     for (const Argument& argument : statement->arguments) numbers[count++] = read_number(next_token(line), *statement, argument);
     const std::string_view more = next_token(line);
-    if (!more.empty()) refuse(line_, std::string(name) + ": \"" + printable(more, max_quoted_bytes) + "\"", "is one value too many");
+    if (!more.empty()) refuse(line_, std::string(name) + ": \"" + printable(more, max_quoted_bytes) + "\"", "is a surplus value");
 
     record_repetition(*statement, numbers[0]);
     statement->apply(document_, {line_, {numbers.data(), count}});
@@ -198,11 +198,11 @@ class Reader {
       };
       for (const int id : {spring.first, spring.second})
         if (!std::binary_search(masses.begin(), masses.end(), id)) refuse_mass(id, "is not in the file");
-      if (spring.first == spring.second) refuse_mass(spring.first, "must not be joined to itself");
+      if (spring.first == spring.second) refuse_mass(spring.first, "must not be connected to itself");
     }
   }
 
-  // The ids in order. Refuses the first line, in the file's order, that has one for the second time.
+  // The sorted ids. Refuses the first line, in the order of the file, that repeats an id.
   template <class Item>
   std::vector<int> check_unique(const std::vector<Item>& items, std::string_view command) const {
     std::vector<std::pair<int, int>> id_and_line;
@@ -215,7 +215,7 @@ class Reader {
       if (!ids.empty() && ids.back() == one.first && (!duplicate || one.second < duplicate->second)) duplicate = &one;
       ids.push_back(one.first);
     }
-    if (duplicate) refuse(duplicate->second, std::string(command) + ": id: " + std::to_string(duplicate->first), "is used already");
+    if (duplicate) refuse(duplicate->second, std::string(command) + ": id: " + std::to_string(duplicate->first), "is already used");
     return ids;
   }
 

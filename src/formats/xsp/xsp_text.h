@@ -1,5 +1,5 @@
-// The text of XSpringies 1.x scene files (.xsp) as what it says, in its own units: pixels, y upward, pixels per second.
-// What that means for a scene is xsp_file's matter.
+// The content of XSpringies 1.x scene files (.xsp), in the units of the file: pixels, y upward, pixels per second. xsp_file converts it to
+// a scene.
 #pragma once
 
 #include <array>
@@ -32,13 +32,13 @@ struct XspForce {
 
 enum class XspSide { Top, Left, Right, Bottom };
 
-// A file without a command leaves what it sets as it is here.
+// Defaults for commands that a file lacks.
 struct XspDocument {
   double new_mass = 1.0, new_elasticity = 1.0;    // cmas, elas: of new masses
   double new_stiffness = 1.0, new_damping = 0.0;  // kspr, kdmp: of new springs
   bool new_masses_fixed = false;                  // fixm
   bool springs_shown = true;                      // shws
-  int center = -1;                                // cent: a mass's id, or -1: the middle of the window
+  int center = -1;                                // cent: the id of a mass, or -1: the middle of the window
   std::map<int, XspForce> forces;                 // frce, by id
   double viscosity = 0.0;                         // visc, >= 0
   double stickiness = 0.0;                        // stck
@@ -49,14 +49,14 @@ struct XspDocument {
   std::array<bool, 4> walls{};  // wall, by XspSide
   std::vector<XspMass> masses;
   std::vector<XspSpring> springs;
-  std::vector<std::string> repeated;  // "line 7: visc": settings made more than once; the last one counts
+  std::vector<std::string> repeated;  // "line 7: visc": settings made more than once; the last one is used
 };
 
-// Throws InputError ("FILE: line N: COMMAND: VALUE: LIMIT") for what is no such file. `file` stands for it in messages.
-// Ids are unique and springs join masses that are there.
+// Throws InputError ("FILE: line N: COMMAND: VALUE: LIMIT") for invalid files. `file` is its name in messages. Ids are unique, and springs
+// connect existing masses.
 XspDocument parse_xsp_text(std::string_view text, const std::string& file);
 
-// What parse_xsp_text reads back as the same document.
+// A text that parse_xsp_text reads back as the same document.
 std::string format_xsp_text(const XspDocument& document);
 
 }  // namespace hooke

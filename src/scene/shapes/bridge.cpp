@@ -12,7 +12,7 @@ constexpr ShapeNumber numbers[] = {
     {"width", "Width", "m", 0.0, 10.0, 0.4, false, true},
     {"panels", "Panels", "", 2, 100, 10, true},
     {"mass", "Mass", "kg", 0.01, 1e4, 4.0},
-    {"stiffness", "Of each beam", "N/m", 1.0, 1e6, 1e4},
+    {"stiffness", "Beam stiffness", "N/m", 1.0, 1e6, 1e4},
     {"damping", "Dashpots", "N s/m", 0.0, 1e3, 5.0},
 };
 
@@ -56,7 +56,7 @@ void make(const Shape& shape, Network& network) {
   make_truss(shape, builder, half, mass);
   make_truss(shape, builder, -half, mass);
 
-  // cross beams, and diagonals in the deck, at the top and between them, without which it would collapse sideways
+  // cross beams, and diagonals in the deck, at the top and between them, without which the bridge would collapse sideways
   const double k = shape["stiffness"], d = shape["damping"];
   const std::size_t near = builder.first(), far = near + 2 * n + 1;
   for (std::size_t i = 0; i < 2 * n + 1; ++i) builder.add_spring(near + i, far + i, k, d);
@@ -75,7 +75,7 @@ void make(const Shape& shape, Network& network) {
 
 constinit const ShapeKind bridge_shape{.id = "bridge",
                                        .label = "Bridge",
-                                       .description = "A truss of beams on two supports; with a width of 0 it is flat.",
+                                       .description = "A truss of beams on two supports; flat if its width is 0.",
                                        .details = "`stiffness` and `damping` are those of each beam",
                                        .numbers = numbers,
                                        .supports = supports,

@@ -8,10 +8,10 @@ namespace {
 
 constexpr ShapeNumber numbers[] = {
     {"length", "Length", "m", 0.05, 20.0, 1.2},
-    {"span", "Between the ends", "m", 0.01, 20.0, 0.9},
+    {"span", "End distance", "m", 0.01, 20.0, 0.9},
     {"links", "Links", "", 1, 200, 12, true},
     {"mass", "Mass", "kg", 0.001, 100.0, 0.4},
-    {"stiffness", "Of a link's springs", "N/m", 1.0, 1e6, 1500.0},
+    {"stiffness", "Link stiffness", "N/m", 1.0, 1e6, 1500.0},
     {"damping", "Dashpots", "N s/m", 0.0, 100.0, 0.5},
 };
 
@@ -48,7 +48,7 @@ void make(const Shape& shape, Network& network) {
 constinit const ShapeKind chain_shape{.id = "chain",
                                       .label = "Chain of links",
                                       .description = "Stiff rhombi in a row, joined at their tips.",
-                                      .details = "`stiffness` and `damping` are those of each of a link's springs",
+                                      .details = "`stiffness` and `damping` are those of each spring of a link",
                                       .numbers = numbers,
                                       .supports = line_supports,
                                       .is_3d_only = false,

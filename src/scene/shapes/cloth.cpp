@@ -10,13 +10,13 @@
 namespace hooke {
 namespace {
 
-// Springs of one kind in a cloth: from each point to the one `columns` further and `rows` below.
+// Springs of one family: from each point to the one `columns` further and `rows` below.
 struct ClothSpring {
   SpringFamily family;
   std::int64_t columns, rows;
-  double fraction;                             // [1], of the sheet's E t, inside a cloth of square cells
+  double fraction;                             // [1], of the E t of the sheet, inside a cloth of square cells
   double stiffness, damping;                   // [N/m], [N s/m], likewise
-  std::optional<double> stiffness_per_strain;  // [N], takes the place of stiffness
+  std::optional<double> stiffness_per_strain;  // [N], instead of stiffness
 };
 
 std::vector<ClothSpring> springs_of(const Cloth& cloth) {
@@ -27,7 +27,7 @@ std::vector<ClothSpring> springs_of(const Cloth& cloth) {
   const auto shear_y = cloth.shear_stiffness ? std::nullopt : y;
   const bool has_shear = cloth.stencil ? *cloth.stencil >= 8 : shear > 0.0 || shear_y || cloth.sheet_stiffness;
 
-  // isotropic, Poisson's ratio 1/3: E t = 4/3 k with half of k across; without diagonals each thread carries its strip alone
+  // isotropic, Poisson's ratio 1/3: E t = 4/3 k with half of k on diagonals; without diagonals each thread carries its strip alone
   const double along = has_shear ? 0.75 : 1.0, across = 0.375;
   std::vector<ClothSpring> kinds{{SpringFamily::Structural, 1, 0, along, k, d, y}, {SpringFamily::Structural, 0, 1, along, k, d, y}};
 
@@ -62,7 +62,7 @@ class ClothMaker {
     for (std::int64_t row = 0; row < cloth_.rows; ++row)
       for (std::int64_t column = 0; column < cloth_.columns; ++column) {
         network_.cloth_coordinates.emplace_back(static_cast<double>(column) * a_, static_cast<double>(row) * b_);
-        // a quarter of each cell around it: half a cell on an edge, a quarter of one in a corner
+        // a quarter of each adjacent cell: half a cell on an edge, a quarter of one in a corner
         const double cell_fraction = (is_edge_column(column) ? 0.5 : 1.0) * (is_edge_row(row) ? 0.5 : 1.0);
         network_.sheet_areas.push_back(cell_fraction * area / cells);
         const double fraction = tributary_ ? cell_fraction : 1.0;
@@ -98,7 +98,7 @@ class ClothMaker {
         }
   }
 
-  // two triangles a cell, both turned the same way
+  // two triangles per cell, both with the same orientation
   void make_faces() {
     for (std::int64_t row = 0; row + 1 < cloth_.rows; ++row)
       for (std::int64_t column = 0; column + 1 < cloth_.columns; ++column) {
@@ -112,9 +112,8 @@ class ClothMaker {
   bool is_edge_column(std::int64_t column) const { return column == 0 || column == cloth_.columns - 1; }
   bool is_edge_row(std::int64_t row) const { return row == 0 || row == cloth_.rows - 1; }
 
-  // Weights that make a material of springs in cells of a x b: k l^2 / area is the same for every edge (Van Gelder 1998), so
-  // k b / a along rows, k a / b along columns, k 2 a b / (a^2 + b^2) on diagonals; and half of it along the border,
-  // which has a cell on one side only.
+  // Weights for springs of a material in cells of a x b: k l^2 / area is the same for every edge (Van Gelder 1998), so k b / a along rows,
+  // k a / b along columns, k 2 a b / (a^2 + b^2) on diagonals; half of it along the border, which has a cell on only one side.
   double weight_of(const ClothSpring& spring, std::int64_t column, std::int64_t row) const {
     if (spring.family == SpringFamily::Shear) return 2.0 * a_ * b_ / (a_ * a_ + b_ * b_);
     const bool is_border = spring.rows == 0 ? is_edge_row(row) : is_edge_column(column);
@@ -125,12 +124,12 @@ class ClothMaker {
   Network& network_;
   ShapeBuilder builder_;
   const std::size_t first_ = builder_.first();
-  const double a_ = glm::length(cloth_.across) / static_cast<double>(cloth_.columns - 1);  // [m], from point to point in a row
+  const double a_ = glm::length(cloth_.across) / static_cast<double>(cloth_.columns - 1);  // [m], spacing of points in a row
   const double b_ = glm::length(cloth_.down) / static_cast<double>(cloth_.rows - 1);       // [m], in a column
   const bool tributary_ = cloth_.fabric.mass_model == MassModel::Tributary;
 };
 
-// ---- the row: a cloth in a file
+// ---- the row: cloth in a file
 
 constexpr ShapeVector vectors[] = {{"corner"}, {"across"}, {"down"}, {"points", "[columns, rows]", 2}};
 
@@ -185,7 +184,7 @@ std::optional<ShapeError> check(const Shape& shape) {
   return std::nullopt;
 }
 
-// The sides of the cloth that a point lies on.
+// The sides of the cloth on which a point lies.
 struct Sides {
   bool top, bottom, left, right;
 };

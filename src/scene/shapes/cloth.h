@@ -1,18 +1,18 @@
-// A cloth: a grid of points with springs along its rows and columns, across its cells, and over every second point.
+// A cloth: a grid of points with springs along its rows and columns, on the diagonals of its cells, and to every second next point.
 #pragma once
 
 #include "scene/shapes/fabric.h"
 
 namespace hooke {
 
-// columns x rows points, row by row from `corner`, along `across` first. Springs along both (structural), across both
-// diagonals (shear), and to the second next point (bend), as the stencil says; two faces a cell.
+// columns x rows points, row by row from `corner`, along `across` first. Structural, shear (diagonal) and bend springs (to the second next
+// point) according to the stencil; two faces per cell.
 struct Cloth {
-  Vec3 corner{0.0}, across{1.0, 0.0, 0.0}, down{0.0, -1.0, 0.0};  // [m]: a corner, and the whole edges that leave it
+  Vec3 corner{0.0}, across{1.0, 0.0, 0.0}, down{0.0, -1.0, 0.0};  // [m]: a corner, and the two edges from it, as vectors
   std::int64_t columns = 2, rows = 2;
   Fabric fabric{.mass_model = MassModel::Tributary};
   std::optional<std::int64_t> stencil;  // 4: structural, 8: and shear, 12: and bend; none: the families with stiffness
-  // as a material, instead of stiffness and damping: Young's modulus times thickness [N/m], and the same of its viscosity [N s/m]
+  // for a material, instead of stiffness and damping: Young's modulus times thickness [N/m], and viscosity times thickness [N s/m]
   std::optional<double> sheet_stiffness;
   double sheet_damping = 0.0;
   std::optional<double> shear_stiffness;  // [N/m]; none: half of the stiffness

@@ -12,10 +12,10 @@ namespace {
 constexpr std::string_view supports[] = {"rings"};
 
 constexpr ShapeNumber numbers[] = {
-    {"width", "Width of the rail", "m", 0.1, 20.0, 1.4},    {"height", "Height", "m", 0.05, 20.0, 1.2},
-    {"fullness", "Cloth to rail", "times", 1.0, 3.0, 1.5},  {"rings", "Rings", "", 2, 60, 9, true},
-    {"fold", "Columns to half a fold", "", 1, 10, 2, true}, {"rows", "Rows", "", 2, 200, 24, true},
-    {"density", "Density", "kg/m^2", 0.01, 10.0, 0.2},      {"stiffness", "Stiffness", "N/m", 0.1, 1e5, 60.0},
+    {"width", "Width of the rail", "m", 0.1, 20.0, 1.4}, {"height", "Height", "m", 0.05, 20.0, 1.2},
+    {"fullness", "Fullness", "times", 1.0, 3.0, 1.5},    {"rings", "Rings", "", 2, 60, 9, true},
+    {"fold", "Half-fold columns", "", 1, 10, 2, true},   {"rows", "Rows", "", 2, 200, 24, true},
+    {"density", "Density", "kg/m^2", 0.01, 10.0, 0.2},   {"stiffness", "Stiffness", "N/m", 0.1, 1e5, 60.0},
     {"damping", "Dashpots", "N s/m", 0.0, 10.0, 0.01},
 };
 
@@ -34,7 +34,7 @@ ElementCount element_count(const Shape& shape) {
   return count;
 }
 
-// The flat cloth is folded along its columns, to alternate sides between two rings, without strain:
+// The flat cloth is folded along its columns without strain, to alternate sides between rings:
 //   o   /\      o     seen from above
 //    \/    \  /
 void make(const Shape& shape, Network& network) {
@@ -53,7 +53,7 @@ void make(const Shape& shape, Network& network) {
     }
   }
 
-  // rings: nails on the rail, a little above the cloth
+  // rings: nails on the rail, slightly above the cloth
   const double above = 0.04 * shape["height"], radius = 0.25 * above;
   for (std::int64_t ring = 0; ring < shape.count("rings"); ++ring) {
     const std::size_t top = builder.first() + static_cast<std::size_t>(2 * fold * ring);
@@ -67,9 +67,9 @@ void make(const Shape& shape, Network& network) {
 constinit const ShapeKind curtain_shape{
     .id = "curtain",
     .label = "Curtain with rings",
-    .description = "A sheet in folds that hangs by rings from a rail.",
+    .description = "A folded sheet that hangs from a rail by rings.",
     .details =
-        "`width` is that of the rail; the cloth is `fullness` times as wide, with `fold` columns to half a fold, and starts unstrained",
+        "`width` is that of the rail; the cloth is `fullness` times as wide, with `fold` columns per half fold, and starts unstrained",
     .numbers = numbers,
     .supports = supports,
     .is_3d_only = true,

@@ -1,4 +1,4 @@
-// The properties that cloths and ropes share, and their fields in a file.
+// The properties that cloths and ropes have in common, and their fields in a file.
 #pragma once
 
 #include <array>
@@ -10,15 +10,15 @@
 
 namespace hooke {
 
-// How the masses and stiffnesses of single points and springs follow from those given.
+// How the masses and stiffnesses of single points and springs follow from the given values.
 enum class MassModel {
   Equal,      // a plain spring graph: every point has the same mass, every spring exactly the k and d given
-  Tributary,  // a material: each point has the mass around it; k and d do not depend on the number of points
+  Tributary,  // a material: each point has the mass of its surroundings; k and d do not depend on the number of points
 };
 
 struct Fabric {
   MassModel mass_model = MassModel::Equal;
-  // exactly one of the two: per area [kg/m^2] or length [kg/m], or of the whole [kg]
+  // exactly one of the two: mass per area [kg/m^2] or length [kg/m], or total mass [kg]
   std::optional<double> density, mass;
   double stiffness = 0.0;                      // [N/m]
   std::optional<double> stiffness_per_strain;  // Y [N] instead: k = Y / rest length of each spring
@@ -31,7 +31,7 @@ struct Fabric {
 inline constexpr std::string_view mass_models[] = {"equal", "tributary"};
 inline constexpr std::size_t fabric_numbers = 8;
 
-// The numbers that cloths and ropes have in common.
+// The parameters that cloths and ropes have in common.
 constexpr std::array<ShapeNumber, fabric_numbers> make_fabric_numbers(MassModel default_model) {
   return {{
       {.name = "mass_model", .min = 0, .max = 1, .default_value = static_cast<double>(default_model), .choices = mass_models},
@@ -47,7 +47,7 @@ constexpr std::array<ShapeNumber, fabric_numbers> make_fabric_numbers(MassModel 
 
 Fabric fabric_of(const Shape& shape);
 
-// Values that contradict each other, or are missing. `needs_stiffness`: unless the shape gives it in another way.
+// Values that contradict each other or are missing. `needs_stiffness`: unless the shape specifies it otherwise.
 std::optional<ShapeError> check_fabric(const Shape& shape, bool needs_stiffness = true);
 
 }  // namespace hooke

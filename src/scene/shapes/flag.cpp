@@ -26,7 +26,7 @@ ElementCount element_count(const Shape& shape) {
   return count;
 }
 
-// The pole ends a little above the cloth that is sewn to it.
+// The pole ends slightly above the cloth that is attached to it.
 void make(const Shape& shape, Network& network) {
   add_nailed_cloth(shape, sheet_cloth(shape), network);
   ShapeBuilder builder(network);

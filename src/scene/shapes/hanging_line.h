@@ -1,4 +1,4 @@
-// The line along which ropes and chains hang: straight, or a V if the ends are nearer to each other than it is long.
+// The line along which ropes and chains hang: straight, or a V if the distance of the ends is smaller than the length.
 #pragma once
 
 #include <algorithm>

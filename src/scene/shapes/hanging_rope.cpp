@@ -1,4 +1,4 @@
-// A rope that hangs by one end or both.
+// A rope that hangs from one end or both.
 #include "scene/shapes/builder.h"
 #include "scene/shapes/hanging_line.h"
 #include "scene/shapes/rows.h"
@@ -7,7 +7,7 @@ namespace hooke {
 namespace {
 
 constexpr ShapeNumber numbers[] = {
-    {"length", "Length", "m", 0.05, 20.0, 1.2},        {"span", "Between the ends", "m", 0.01, 20.0, 0.9},
+    {"length", "Length", "m", 0.05, 20.0, 1.2},        {"span", "End distance", "m", 0.01, 20.0, 0.9},
     {"points", "Points", "", 2, 500, 32, true},        {"mass", "Mass", "kg", 0.001, 100.0, 0.15},
     {"stiffness", "Stiffness", "N/m", 0.1, 1e5, 60.0}, {"damping", "Dashpots", "N s/m", 0.0, 10.0, 0.01},
 };
@@ -17,7 +17,7 @@ ElementCount element_count(const Shape& shape) {
   return {.points = points, .springs = points - 1};
 }
 
-// As a material: n springs in series, each n times as stiff as the whole; the two ends have half the mass of a point inside.
+// As a material: n springs in series, each n times as stiff as the whole; the two ends have half the mass of an inner point.
 void make(const Shape& shape, Network& network) {
   ShapeBuilder builder(network);
   const std::int64_t segments = shape.count("points") - 1;
@@ -37,8 +37,8 @@ void make(const Shape& shape, Network& network) {
 constinit const ShapeKind hanging_rope_shape{
     .id = "hanging_rope",
     .label = "Rope",
-    .description = "A rope by one end or both, the same material at every number of points.",
-    .details = "`stiffness` and `damping` are those of the whole rope. Nailed at both ends it starts as a V if it is longer than `span`",
+    .description = "A rope that hangs from one end or both; its properties do not depend on the number of points.",
+    .details = "`stiffness` and `damping` are those of the whole rope. Nailed at both ends, it starts as a V if it is longer than `span`",
     .numbers = numbers,
     .supports = line_supports,
     .is_3d_only = false,

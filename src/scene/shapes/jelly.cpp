@@ -1,7 +1,7 @@
-// A jelly: points in a cubic lattice of spacing a, springs along its edges and across the diagonals of its squares, all of
-// the same stiffness k. For small strains that is an isotropic solid: C11 = 3 k / a, C12 = C44 = k / a (Born and Huang 1954,
-// section 11, central forces between the nearest and next nearest), so that Poisson's ratio is 1/4 and E = 5/2 k / a. A
-// spring on the surface belongs to fewer cubes than one inside and has that fraction of k; points likewise of the mass.
+// A jelly: points in a cubic lattice of spacing a, springs along its edges and the diagonals of its squares, all of the same stiffness k.
+// For small strains this is an isotropic solid: C11 = 3 k / a, C12 = C44 = k / a (Born and Huang 1954, section 11, central forces between
+// nearest and second nearest neighbors), so that Poisson's ratio is 1/4 and E = 5/2 k / a. A spring on the surface belongs to fewer cubes
+// than an inner one and has that fraction of k; the masses of points likewise.
 #include "scene/shapes/builder.h"
 #include "scene/shapes/rows.h"
 
@@ -10,13 +10,13 @@ namespace {
 
 constexpr std::string_view supports[] = {"nothing", "base"};
 constexpr ShapeNumber numbers[] = {
-    {"columns", "Points along x", "", 2, 40, 6, true},        {"rows", "Points along y", "", 2, 40, 6, true},
-    {"layers", "Points along z", "", 2, 40, 6, true},         {"spacing", "Spacing", "m", 0.005, 1.0, 0.08},
-    {"density", "Density", "kg/m^3", 1.0, 1e4, 100.0},        {"young", "Young's modulus", "Pa", 10.0, 1e7, 6000.0},
-    {"damping", "Dashpots to springs", "s", 0.0, 0.1, 0.004},
+    {"columns", "Points along x", "", 2, 40, 6, true},  {"rows", "Points along y", "", 2, 40, 6, true},
+    {"layers", "Points along z", "", 2, 40, 6, true},   {"spacing", "Spacing", "m", 0.005, 1.0, 0.08},
+    {"density", "Density", "kg/m^3", 1.0, 1e4, 100.0},  {"young", "Young's modulus", "Pa", 10.0, 1e7, 6000.0},
+    {"damping", "Damping d / k", "s", 0.0, 0.1, 0.004},
 };
 
-// From a point to its neighbours, each pair once.
+// Offsets from a point to its neighbors, each pair once.
 struct Direction {
   int x, y, z;
 };
@@ -29,7 +29,7 @@ class Lattice {
   std::size_t number(std::int64_t x, std::int64_t y, std::int64_t z) const { return static_cast<std::size_t>((z * n_[1] + y) * n_[0] + x); }
   std::int64_t side(int axis) const { return n_[axis]; }
   bool contains(int axis, std::int64_t at) const { return at >= 0 && at < n_[axis]; }
-  // The weight of a place along an axis: a half on the surface.
+  // The weight of a position along an axis: one half on the surface.
   double fraction(int axis, std::int64_t at) const { return at == 0 || at == n_[axis] - 1 ? 0.5 : 1.0; }
   template <class Visit>
   void for_each(Visit visit) const {
@@ -64,7 +64,7 @@ void make_points(const Shape& shape, const Lattice& lattice, ShapeBuilder& build
   });
 }
 
-// An edge is shared by the cubes on both sides of it in two directions, a diagonal by those in one.
+// An edge is shared by the cubes on both sides of it in two directions, a diagonal in one direction.
 void make_springs(const Shape& shape, const Lattice& lattice, ShapeBuilder& builder) {
   const double k = 0.4 * shape["young"] * shape["spacing"], d = shape["damping"] * k;
   lattice.for_each([&](std::int64_t x, std::int64_t y, std::int64_t z) {
@@ -81,7 +81,7 @@ void make_springs(const Shape& shape, const Lattice& lattice, ShapeBuilder& buil
   });
 }
 
-// Two triangles for each square of the surface, counter-clockwise as seen from outside.
+// Two triangles for each square of the surface, counter-clockwise seen from outside.
 void make_faces(const Lattice& lattice, ShapeBuilder& builder) {
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -114,7 +114,7 @@ void make(const Shape& shape, Network& network) {
 
 constinit const ShapeKind jelly_shape{.id = "jelly",
                                       .label = "Jelly cube",
-                                      .description = "A soft solid: points in a lattice, the same material at every spacing.",
+                                      .description = "A soft solid: points in a lattice; its properties do not depend on the spacing.",
                                       .details =
                                           "An isotropic solid of Poisson's ratio 1/4: k = 2/5 E a along the edges and diagonals of its "
                                           "cubes with E = `young` and a = `spacing`, and d = `damping` k",

@@ -9,7 +9,7 @@ namespace {
 constexpr ShapeNumber numbers[] = {
     {"width", "Width", "m", 0.05, 20.0, 1.6},          {"height", "Height", "m", 0.05, 20.0, 0.8},
     {"columns", "Columns", "", 2, 200, 17, true},      {"rows", "Rows", "", 2, 200, 9, true},
-    {"mass", "Mass", "kg", 0.001, 100.0, 0.4},         {"stiffness", "Of each cord", "N/m", 0.1, 1e5, 100.0},
+    {"mass", "Mass", "kg", 0.001, 100.0, 0.4},         {"stiffness", "Cord stiffness", "N/m", 0.1, 1e5, 100.0},
     {"damping", "Dashpots", "N s/m", 0.0, 10.0, 0.05},
 };
 
@@ -27,7 +27,7 @@ ElementCount element_count(const Shape& shape) {
   return count;
 }
 
-// A cloth without faces and without a place for a texture.
+// A cloth without faces and without texture coordinates.
 void make(const Shape& shape, Network& network) {
   const std::size_t faces = network.faces.size(), cloth_coordinates = network.cloth_coordinates.size();
   add_nailed_cloth(shape, net_cloth(shape), network);
@@ -39,7 +39,7 @@ void make(const Shape& shape, Network& network) {
 
 constinit const ShapeKind net_shape{.id = "net",
                                     .label = "Net",
-                                    .description = "Cords from knot to knot without faces between; every knot has the same mass.",
+                                    .description = "Cords between knots, without faces; every knot has the same mass.",
                                     .details = "A plain spring graph: `stiffness` and `damping` are those of each cord",
                                     .numbers = numbers,
                                     .supports = sheet_supports,

@@ -1,4 +1,4 @@
-// A rope: a row of points with a spring between each and the next.
+// A rope: a row of points with springs between consecutive points.
 #pragma once
 
 #include "scene/shapes/fabric.h"

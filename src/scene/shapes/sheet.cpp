@@ -21,7 +21,8 @@ void make(const Shape& shape, Network& network) { add_nailed_cloth(shape, sheet_
 constinit const ShapeKind sheet_shape{
     .id = "sheet",
     .label = "Sheet",
-    .description = "A sheet of cloth, nailed at its corners, an edge, all around or nowhere; the same material at every number of points.",
+    .description =
+        "A sheet of cloth, nailed at its corners, an edge, all around or nowhere; its properties do not depend on the number of points.",
     .details = "A `cloth` as above, tributary and upright",
     .numbers = numbers,
     .supports = sheet_supports,

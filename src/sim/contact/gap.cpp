@@ -67,7 +67,7 @@ std::optional<double> first_zero_crossing(double c, double v, double a) {
   return c == 0.0 ? 0.0 : 2.0 * c / (root - v);
 }
 
-// How long the path certainly stays outside a convex body whose nearest point is at `gap`: until it reaches the tangent plane
+// A lower bound on the time that the path stays outside a convex body whose nearest point is at `gap`: until it reaches the tangent plane
 // there. None: forever.
 std::optional<double> min_time_outside(const Gap& gap, const Parabola& path) {
   return first_zero_crossing(std::max(0.0, gap.distance), glm::dot(gap.normal, path.v), glm::dot(gap.normal, path.a));
@@ -99,8 +99,8 @@ bool may_touch(const Collider& collider, double radius, const Vec3& from, const 
 std::optional<double> first_impact(const Collider& collider, double radius, const Parabola& path, double time_limit) {
   const auto* sphere = std::get_if<Sphere>(&collider.shape);
 
-  // advance by the time that the path certainly stays outside, until it touches: in effect Newton's method, quadratic where
-  // the path crosses the surface, halving where it grazes
+  // advance by the time that the path certainly stays outside, until it touches: effectively Newton's method, with quadratic convergence
+  // where the path crosses the surface, and halving where it is tangential
   constexpr int max_steps = 128;
   const double min_step = 1e-9 * time_limit;
   double t = 0.0;

@@ -8,11 +8,11 @@
 
 namespace hooke {
 
-// Between the rim of a point and a collider.
+// Between the surface of a point, which has a radius, and a collider.
 struct Gap {
   double distance = 0.0;       // [m], negative inside
   Vec3 normal{0.0, 1.0, 0.0};  // outward, where the collider is nearest
-  double curvature = 0.0;      // [1/m], of the surface on which the point's centre slides
+  double curvature = 0.0;      // [1/m], of the surface on which the center of the point slides
 };
 
 // A path under constant acceleration: x + v t + a t^2 / 2.
@@ -28,8 +28,8 @@ Gap gap_to(const Collider& collider, double radius, const Vec3& x);
 // Gaps up to this [m] count as contact: round-off of a point placed on a surface.
 double contact_tolerance(const Vec3& x);
 
-// False when a point that goes from `from` to `to`, off the straight line by no more than `bulge` [m], is sure to miss
-// the collider. Cheap, for the many points that are far from everything.
+// False if a point that moves from `from` to `to`, deviating from the straight line by no more than `bulge` [m], certainly misses the
+// collider. Cheap, for the many points that are far from everything.
 bool may_touch(const Collider& collider, double radius, const Vec3& from, const Vec3& to, double bulge);
 
 // The first time [s] up to `time_limit` at which a point outside the collider touches it while moving inwards; none if it

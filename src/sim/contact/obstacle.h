@@ -20,7 +20,7 @@ struct Obstacle {
 // The plan's colliders in the step of h that starts at `start`.
 std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double h, std::vector<Obstacle>& obstacles);
 
-// False when the point is sure to miss the obstacle on its way from x0 to x1, off the straight line by `bulge` [m] at most.
+// False if the point certainly misses the obstacle on its path from x0 to x1, which deviates from the straight line by at most `bulge` [m].
 bool may_touch(const Obstacle& obstacle, double radius, const Vec3& x0, const Vec3& x1, double bulge, double h);
 
 // The velocity of the surface below a point at x, on the side of `normal`, relative to the shape: of a belt, or of a spin.

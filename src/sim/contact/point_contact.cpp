@@ -28,10 +28,10 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
     } else if (x != start) {
       const Obstacle* carrier = segment.support.obstacle;
       const Vec3 surface = carrier != nullptr ? surface_velocity_of(*carrier, segment.support.normal) : Vec3(0.0);
-      const bool stands = segment.sticks || (segment.stops && glm::length(v - surface) <= 1e-9 * speed);
+      const bool is_at_rest = segment.sticks || (segment.stops && glm::length(v - surface) <= 1e-9 * speed);
       const bool is_curved = segment.support.curvature > 0.0;
-      if (is_curved && (!stands || surface != Vec3(0.0))) follow_surface(segment, start, a);
-      if (stands) {
+      if (is_curved && (!is_at_rest || surface != Vec3(0.0))) follow_surface(segment, start, a);
+      if (is_at_rest) {
         v = surface_velocity_of(*carrier, is_curved ? gap_to(*carrier).normal : segment.support.normal);
         velocity_correction_ = carrier->velocity_correction;
       }
@@ -44,7 +44,7 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
   return touched;
 }
 
-// Moves the point out of obstacles that it is in, along the normal.
+// Moves the point out of obstacles that it penetrates, along the normal.
 bool PointContactSolver::resolve_penetration() {
   constexpr int max_rounds = 8;
   bool was_penetrating = false;
@@ -67,7 +67,7 @@ Supports PointContactSolver::find_supports(const Vec3& a, double duration) const
   for (const Obstacle& obstacle : obstacles_) {
     const Gap gap = gap_to(obstacle);
     if (gap.distance > contact_tolerance(x)) continue;
-    // where it moves, its velocity is known to the rounding of the time
+    // while the support moves, its velocity is known up to the rounding of the time
     const Vec3 velocity = velocity_of(obstacle);
     const double obstacle_tolerance = 1e-9 * (glm::length(velocity) + duration * glm::length(obstacle.acceleration));
     if (std::abs(glm::dot(v - velocity, gap.normal)) > velocity_tolerance + obstacle_tolerance || supports.count == Supports::max) continue;
@@ -109,7 +109,7 @@ PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports,
   for (const Support& s : supports.all()) max_friction += s.friction() * s.normal_acceleration;
   segment.support = combine_supports(supports);
 
-  // relative to the shape that it runs on
+  // relative to the shape on which it slides
   const Support& carrier = segment.support;
   const Vec3 shape_acceleration = carrier.obstacle->acceleration, drive = constrained - shape_acceleration;
   const Vec3 tangential_drive = carrier.curvature > 0.0 ? tangential(carrier.normal, drive) : drive;
@@ -200,7 +200,7 @@ void PointContactSolver::project_onto_supports(const Supports& supports) {
   }
 }
 
-// Restitution along the normal, Coulomb's impulse across it, both of the velocity past the surface.
+// Restitution along the normal and the Coulomb impulse in the tangential direction, both for the velocity relative to the surface.
 void PointContactSolver::bounce(const Obstacle& obstacle, const Vec3& a, double remaining) {
   const Collider& collider = *obstacle.collider;
   const Gap gap = gap_to(obstacle);

@@ -8,7 +8,7 @@ namespace hooke {
 
 Vec3 tangential(const Vec3& normal, const Vec3& w) { return w - glm::dot(w, normal) * normal; }
 
-// Tried in turn: no support is loaded, one is, two are. Where two are not enough nothing moves.
+// Tried in turn: no support is loaded, one, two. If two are not enough, nothing moves.
 Vec3 constrain(std::span<Support> supports, const Vec3& a, const Vec3& v) {
   const auto separation = [&](const Support& s, const Vec3& w) {
     const Vec3 relative_velocity = v - s.velocity;

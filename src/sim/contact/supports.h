@@ -15,7 +15,7 @@ struct Support {
   double curvature = 0.0;
   Vec3 velocity{0.0};                // [m/s], of the shape
   Vec3 surface{0.0};                 // [m/s], of the surface: of the shape, and along it
-  Vec3 surface_acceleration{0.0};    // [m/s^2], of the surface in addition to the shape's: by its spin
+  Vec3 surface_acceleration{0.0};    // [m/s^2], of the surface relative to the shape, due to its spin
   double normal_acceleration = 0.0;  // [m/s^2], normal force over mass
   double friction() const { return obstacle->collider->friction; }
 };
@@ -38,10 +38,10 @@ struct Supports {
 // The component of w perpendicular to the unit vector `normal`.
 Vec3 tangential(const Vec3& normal, const Vec3& w);
 
-// The acceleration that the supports leave of `a` for a point of velocity v. Sets the normal_acceleration N_i >= 0 of each support
-// to the least for which nothing moves into any of them,
+// The acceleration of a point of velocity v after the supports have modified `a`. Sets the normal_acceleration N_i >= 0 of each support
+// to the minimum for which the point moves into none of them,
 //   n_i . (a - a_i + sum N_j n_j) + (v - v_i)^2 / R_i >= 0,
-// a_i and v_i being those of the support.
+// where a_i and v_i are those of the support.
 Vec3 constrain(std::span<Support> supports, const Vec3& a, const Vec3& v);
 
 // The support that the point rests on or slides along: one of the loaded supports, preferably a curved one, with the mean motion

@@ -1,11 +1,9 @@
 // a = x1 - x2, and for one spring after another
 //   p = g a . (v1 - v2),  v1 -= p a / m1,  v2 += p a / m2,   g = decay / |a|^2, 0 where the ends coincide.
-// Compiled once for each vector unit by Highway, which picks one at run time. The order is that of the runs, and within a
-// run, where spring e shares points with springs e - stride and e + stride alone (stride = second - first),
-//  * from the first to the last. Fewer springs than the stride are apart from each other: a vector of them does what they
-//    would do one by one;
-//  * but in a row (stride 1) first every other one from the first, then those between: again all apart from each other.
-// A backward sweep is the reverse of all that.
+// Compiled once for each vector unit by Highway, which picks one at run time. The order is that of the runs. Within a run, spring e shares
+// points only with springs e - stride and e + stride (stride = second - first), and the springs are processed from the first to the last;
+// fewer springs than the stride share no points, so that a vector of them gives the same result as one by one. In a row (stride 1), every
+// other spring comes first, then those between, which share no points either. A backward sweep is the exact reverse.
 #include "sim/forces/dashpot.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -18,10 +16,10 @@ HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// [m^2], of ends that coincide: shorter springs have no direction to speak of, and a g that may overflow
+// [m^2], of coincident ends: shorter springs have no well-defined direction, and g may overflow
 constexpr double min_length_squared = 1e-280;
 
-// What the springs of a run read and write: element e belongs to the first end of spring e, e + stride to the second.
+// The operands of the springs of a run: element e belongs to the first end of spring e, e + stride to the second.
 template <int Dimensions>
 struct Springs {
   Index count, stride;
@@ -47,7 +45,7 @@ HWY_INLINE V dot(const V* a, const V* b) {
   return sum;
 }
 
-// Springs e, e + 1, .. as many as the lanes.
+// Springs e, e + 1, ..., one per lane.
 template <int Dimensions, class D>
 struct ConsecutiveSprings {
   D d;
@@ -67,8 +65,8 @@ struct ConsecutiveSprings {
 };
 
 #if HWY_TARGET != HWY_SCALAR
-// Springs e, e + 2, .. of a row, as many as the lanes, in the order in which InterleaveLower and InterleaveUpper tell the
-// even elements of two vectors from the odd ones, and put them back.
+// Springs e, e + 2, ... of a row, one per lane, in the order in which InterleaveLower and InterleaveUpper separate the even elements of two
+// vectors from the odd ones and restore them.
 template <int Dimensions, class D>
 struct AlternateSprings {
   D d;
@@ -117,7 +115,7 @@ HWY_INLINE void decay_independent(const Access<Dimensions, D>& access) {
     access.store_ends(hn::Sub(v1[c], hn::Mul(p1, a[c])), hn::Add(v2[c], hn::Mul(p2, a[c])), springs.v[c]);
 }
 
-// Whole vectors of up to `Lanes` springs after the first `done` of the sweep; how many are done then.
+// Whole vectors of up to `Lanes` springs after the first `done` of the sweep; returns the new number of springs done.
 template <Sweep sweep, int Lanes, int Dimensions>
 HWY_INLINE Index decay_consecutive(const Springs<Dimensions>& springs, Index done) {
   const hn::CappedTag<double, Lanes> d;
@@ -138,7 +136,7 @@ HWY_INLINE void decay_run(const Springs<Dimensions>& springs) {
 }
 
 #if HWY_TARGET != HWY_SCALAR
-// Springs e, e + 2, .. in whole vectors of up to `Lanes`; the first that is left.
+// Springs e, e + 2, ... in whole vectors of up to `Lanes`; returns the first one left.
 template <int Lanes, int Dimensions>
 HWY_INLINE Index decay_alternate(const Springs<Dimensions>& springs, Index e) {
   const hn::CappedTag<double, Lanes> d;
@@ -148,7 +146,7 @@ HWY_INLINE Index decay_alternate(const Springs<Dimensions>& springs, Index e) {
 }
 #endif
 
-// Every other spring of a row from the one at `e` on: they are apart, so that their order does not matter.
+// Every other spring of a row starting at `e`: they share no points, so their order does not matter.
 template <int Dimensions>
 HWY_INLINE void decay_half_row(const Springs<Dimensions>& springs, Index e) {
 #if HWY_TARGET != HWY_SCALAR
@@ -206,7 +204,7 @@ void decay_dashpots(const Plan& plan, const std::vector<double>& decay, Sweep sw
 
 void plan_dashpot_decay(const Plan& plan, double duration, std::vector<double>& decay) {
   decay.assign(plan.damping.size() + 1, 0.0);
-  // springs one after another are mostly alike, and exponentials dear
+  // consecutive springs are usually equal, and exponentials are expensive
   double previous_exponent = 0.0, decay_fraction = 0.0;
   for (const SpringRun& run : plan.runs)
     for (Index e = 0; e < run.count; ++e) {

@@ -15,7 +15,7 @@ class ForceTangent;
 class System;
 struct Plan;
 
-// A number that sets a force.
+// A parameter of a force.
 struct ForceParameter {
   std::string_view name;   // in files
   std::string_view label;  // on the slider
@@ -24,15 +24,15 @@ struct ForceParameter {
 };
 
 inline constexpr std::size_t max_force_parameters = 8;
-using ForceValues = std::array<double, max_force_parameters>;  // as many as the row has, in its order
+using ForceValues = std::array<double, max_force_parameters>;  // one for each parameter of the row, in its order
 
 // Upper bounds over all positions and velocities; infinity where there is none.
 struct ForceBound {
   static constexpr double none = std::numeric_limits<double>::infinity();
   double stiffness = 0.0;     // [1/s^2], on the eigenvalues of M^-1/2 (df/dx) M^-1/2, in magnitude
   double rate = 0.0;          // [1/s], on those of M^-1/2 (df/dv) M^-1/2
-  double acceleration = 0.0;  // [m/s^2], that can drive points away; an attraction that grows with the distance does not count
-  double speed = 0.0;         // [m/s], that points are driven towards, as by moving air
+  double acceleration = 0.0;  // [m/s^2], that can drive points away; an attraction that grows with distance does not count
+  double speed = 0.0;         // [m/s], the speed towards which points are driven, for example by moving air
 };
 
 struct ForceTerm {
@@ -41,14 +41,14 @@ struct ForceTerm {
   std::string_view description;  // one sentence
   std::span<const ForceParameter> numbers;
   bool depends_on_velocity;
-  bool is_continuous;  // in x and v; false: Newton iterations freeze it after a few
-  // Adds the force [N] to f at `time` [s], positions x [m] and velocities v [m/s], all in the Plan's layout. `f` already holds
-  // gravity, springs, dashpots and the hand's pull, and the rows above.
+  bool is_continuous;  // in x and v; false: Newton iterations freeze it after some iterations
+  // Adds the force [N] to f at `time` [s], positions x [m] and velocities v [m/s], all in the layout of the Plan. `f` already contains
+  // gravity, springs, dashpots, the pull of the hand, and the forces of the rows above.
   void (*add)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f);
   ForceBound (*bound)(const System& system, const ForceValues& values);
   // Adds the derivatives of the force for implicit methods. Null: zero, or not continuous.
   void (*add_tangent)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, ForceTangent& tangent);
-  // [J], of the conservative part of the force, the whole of it unless there is a `power`. Null: not conservative, or does no work.
+  // [J], of the conservative part of the force, or of the whole force if there is no `power`. Null: not conservative, or does no work.
   double (*potential)(const Plan& plan, const ForceValues& values, double time, const double* x);
   // [W], of the other part. Null: zero.
   double (*power)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v);
@@ -59,7 +59,7 @@ Table<ForceTerm> force_terms();
 // The row with this id, or null.
 const ForceTerm* find_force_term(std::string_view id);
 
-// The default of every number.
+// The defaults of all parameters.
 ForceValues default_values(const ForceTerm& term);
 
 // A force of a scene.

@@ -46,7 +46,7 @@ double ForceWork::end_substep(const Plan& plan, const Motion& motion, double h) 
   }
   const double start = power_;
   power_ = power_of(plan, time_ + h, motion.x, motion.v);
-  // a rate that the substep does not resolve takes all the energy of its motion, once
+  // a rate that the substep does not resolve dissipates all the energy of its motion, once
   const double resolved = 1.0 / std::max(1.0, plan.spectrum.force_rate * h);
   return work + resolved * h / 6.0 * (start + 4.0 * power_of(plan, middle, middle_x_, middle_v_) + power_);
 }

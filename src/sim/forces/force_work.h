@@ -5,12 +5,12 @@
 
 namespace hooke {
 
-// What derives from a potential is exact, but for planes that move meanwhile; the rest is Simpson's rule of the power along the cubic
-// through both ends of the substep. Power, not force times displacement: a damping force that makes a step unstable still takes
-// energy out at every point of the step, so that the gain stays unexplained.
+// The part derived from a potential is exact, except for planes that move during the substep; for the rest, the power is integrated by
+// Simpson's rule along the cubic through both ends of the substep. Power instead of force times displacement, because a damping force that
+// makes a step unstable still dissipates energy at every point of the step, so that the gain stays unexplained.
 class ForceWork {
  public:
-  // Once a frame; a step never allocates.
+  // Call once per frame; a step never allocates.
   void begin_frame(const Plan& plan, const Motion& motion);
   void begin_substep(const Plan& plan, const Motion& motion);
   // [J], since begin_substep.

@@ -1,5 +1,5 @@
-// The forces of a scene, in the Plan's layout. Deterministic: the order of every sum is fixed by the Plan, whatever the
-// width of the vector units. Three nested sets, because methods split them differently.
+// The forces of a scene, in the layout of the Plan. Deterministic: the order of every sum is fixed by the Plan and independent of the width
+// of the vector units. Three nested sets, because methods split them differently.
 #pragma once
 
 #include "sim/motion.h"
@@ -24,7 +24,7 @@ void add_force_terms(const Plan& plan, double time, const Field& x, const Field&
 // The network forces and the listed ones: everything but drag, for methods that integrate drag exactly.
 void compute_explicit_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
-// f(t, x, v) [N] of everything: the above and drag (-drag m v).
+// f(t, x, v) [N], all forces: the above and drag (-drag m v).
 void compute_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
 // a = M^-1 f in place; zero for nailed and held points.

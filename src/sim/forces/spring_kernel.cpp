@@ -18,10 +18,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr Index block = 64;
 constexpr Index padding = 8;  // lanes of the widest vectors
 
-// Runs up to so long are gathered: below that, what a run costs by itself outweighs what its springs cost.
+// Runs up to this length are gathered: for shorter ones the overhead of a run exceeds the cost of its springs.
 constexpr Index short_run = 4;
 
-// x1 - x2 (or v1 - v2) of the springs of a run, whose ends lie one after another.
+// x1 - x2 (or v1 - v2) of the springs of a run, whose ends are contiguous.
 struct Ends {
   const double* first[3];
   const double* second[3];
@@ -31,7 +31,7 @@ struct Ends {
   }
 };
 
-// The same of gathered springs.
+// The same for gathered springs.
 struct Gathered {
   double differences[3][block];
   template <class D>
@@ -74,8 +74,8 @@ HWY_INLINE void accumulate(D d, const double* term, Index count, double* sum) {
   for (; e < count; ++e) sum[e] = Subtract ? sum[e] - term[e] : sum[e] + term[e];
 }
 
-// sum[e] += term[e - 1] - term[e], the two ends of springs in a row: one pass, since a second one would load across the
-// stores of the first before they have left the processor.
+// sum[e] += term[e - 1] - term[e], the two ends of springs in a row: one pass, because a second one would load across pending stores of the
+// first.
 template <class D>
 HWY_INLINE void accumulate_row(D d, const double* term, Index count, double* sum) {
   const Index lanes = static_cast<Index>(hn::Lanes(d));
@@ -85,8 +85,8 @@ HWY_INLINE void accumulate_row(D d, const double* term, Index count, double* sum
   for (; e < count; ++e) sum[e] += term[e - 1] - term[e];
 }
 
-// The forces of `count` springs from packed index `packed` on. Whole vectors; the last one reaches back over springs already
-// done rather than beyond them.
+// The forces of `count` springs from the packed index `packed`. Whole vectors; the last one overlaps springs already computed instead of
+// reading beyond the end.
 template <int Dimensions, bool Damped, class Differences>
 HWY_INLINE void compute_block(const Plan& plan, Index packed, Index count, const Differences& x, const Differences& v,
                               double (*force)[block + 2 * padding]) {
@@ -136,7 +136,7 @@ HWY_INLINE void add_run(const Plan& plan, const SpringRun& run, const double* x,
   }
 }
 
-// Short, and its springs share no point, so that a point sums the same whether spring after spring or end after end.
+// Short, and its springs share no point, so that the sums do not depend on the order of springs and ends.
 HWY_INLINE bool is_gathered(const SpringRun& run) { return run.count <= short_run && run.count <= run.second - run.first; }
 
 template <int Dimensions>
@@ -148,11 +148,11 @@ HWY_INLINE void gather(const double* field, Index points, const Index* first, co
     }
 }
 
-// As many of the runs from `run` on as are short and fit into a block; the first that is left.
+// Gathers as many short runs, starting with `run`, as fit into a block; returns the first one left.
 template <int Dimensions, bool Damped>
 HWY_INLINE const SpringRun* add_short_runs(const Plan& plan, const SpringRun* run, const SpringRun* end, const double* x, const double* v,
                                            double* f, double (*force)[block + 2 * padding]) {
-  // the ends, written beyond each run and over by the next: a loop as long as the run would be mispredicted
+  // the ends are written past the end of a run and overwritten by the next one: a loop of the exact length would be mispredicted
   Index first[block], second[block];
   const Index packed = run->begin;
   Index count = 0;
@@ -168,8 +168,8 @@ HWY_INLINE const SpringRun* add_short_runs(const Plan& plan, const SpringRun* ru
   if constexpr (Damped) gather<Dimensions>(v, plan.points, first, second, count, velocity);
   compute_block<Dimensions, Damped>(plan, packed, count, position, velocity, force);
 
-  // a spring in a row adds 0 - t to its first end, as in accumulate_row; any other one -t, which is -0 - t: they differ in
-  // the sign of zero
+  // a spring in a row adds 0 - t to its first end, as in accumulate_row; any other spring adds -t, which is -0 - t: they differ in the sign
+  // of zero
   for (Index e = 0; e < count; ++e) {
     const double zero = second[e] == first[e] + 1 ? 0.0 : -0.0;
     for (int c = 0; c < Dimensions; ++c) {

@@ -5,7 +5,7 @@
 
 namespace hooke {
 
-// Adds every spring's force [N] to f; with dashpots when `v` is given.
+// Adds the force [N] of every spring to f, including dashpots if `v` is given.
 void add_spring_forces(const Plan& plan, const double* x, const double* v, double* f);
 
 }  // namespace hooke

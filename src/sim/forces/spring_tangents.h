@@ -1,4 +1,4 @@
-// The tangent stiffness of each spring, along it and across it.
+// The tangent stiffness of each spring in the axial and transverse directions.
 #pragma once
 
 #include <algorithm>
@@ -8,14 +8,14 @@
 
 namespace hooke {
 
-// K = along u u^T + across (I - u u^T), u the unit vector along the spring; clamped, as in stiffness.h.
+// K = axial u u^T + transverse (I - u u^T), u the unit vector along the spring; clamped, as in stiffness.h.
 struct SpringTangent {
   double u[3] = {};
   double axial = 0.0, transverse = 0.0;  // [N/m]
 };
 
-// For every spring with a free end: use(first, second, packed index, tangent at x). `use` may treat both ends as free if what it
-// assigns to an end that is not free is ignored.
+// For every spring with a free end: use(first, second, packed index, tangent at x). `use` may treat both ends as free if its contribution
+// to an end that is not free is ignored.
 template <class Use>
 void for_each_spring_tangent(const Plan& plan, const Field& x, const Use& use) {
   for (const SpringRun& run : plan.runs)

@@ -9,8 +9,8 @@
 namespace hooke {
 namespace {
 
-// Of every stage the velocities V_i, which are the slopes of x, and the accelerations a_i; and two fields for what a stage
-// builds on.
+// For every stage: the velocities V_i, which are the slopes of x, and the accelerations a_i; and two fields for the starting values of a
+// stage.
 struct Fields {
   Workspace& work;
   int stages;

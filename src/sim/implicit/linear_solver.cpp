@@ -18,11 +18,11 @@ namespace {
 using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::Map<Eigen::VectorXd>;
 
-// Entries of a factor that are still stored: 3.6 GB.
+// Maximum number of stored entries of a factor: 3.6 GB.
 constexpr std::int64_t max_entries = 300'000'000;
 
-// Blocks of the factor's strict lower half: every row of it is the part of the elimination tree between the row's couplings
-// and the row.
+// The number of blocks in the strict lower half of the factor: every row is the part of the elimination tree between its couplings and
+// itself.
 std::int64_t count_factor_blocks(const std::vector<std::vector<Index>>& above) {
   std::vector<Index> parent(above.size(), no_index), visited(above.size(), no_index);
   std::int64_t blocks = 0;
@@ -58,8 +58,8 @@ std::vector<Index> elimination_order(Index points, std::span<const std::pair<Ind
 
 }  // namespace
 
-// LL^T, which stops at the first pivot that is not positive, of a matrix in its final order: Eigen's own `factorize` would
-// allocate room for a permuted copy every time.
+// LL^T of a matrix in its final order, which stops at the first pivot that is not positive. Eigen's own `factorize` would allocate memory
+// for a permuted copy every time.
 class Factor : public Eigen::SimplicialLLT<Matrix, Eigen::Upper, Eigen::NaturalOrdering<int>> {
  public:
   void analyze(const Matrix& matrix) { analyzePattern_preordered(matrix, false); }

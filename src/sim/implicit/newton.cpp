@@ -1,4 +1,4 @@
-// V minimises, without dashpots, the incremental potential     (e.g. T. F. Gast, C. Schroeder, Optimization Integrator for
+// V minimizes, without dashpots, the incremental potential     (e.g. T. F. Gast, C. Schroeder, Optimization Integrator for
 // Large Time Steps, SCA 2014)
 //   Phi(V) = 1/2 (V - v) M (V - v) + b c / 2 V M V + E(x + b V),     grad Phi = M (V - v) - b f(x + b V, V),
 // E the springs' energy, gravity's and the pull's. Dashpots add b/2 sum d (u.(V1 - V2))^2 with the directions u of the
@@ -56,7 +56,7 @@ void NewtonSolver::begin_frame(const Plan& plan, const Motion& motion) {
   if (free_points_ == 0) return;
   if (!matrix_) matrix_.emplace(plan);
   matrix_->allocate(plan);
-  factored_b_ = 0.0;  // a frame depends on its State alone, not on the matrix of the one before
+  factored_b_ = 0.0;  // a frame depends only on its State, not on the matrix of the previous frame
   for (Field* field : {&x_, &f_, &term_force_, &residual_, &step_, &trial_x_, &trial_v_}) field->resize(motion.x.size());
 
   max_coordinate_ = 0.0;
@@ -114,7 +114,7 @@ NewtonSolver::Potential NewtonSolver::potential(const Plan& plan, const Stage& s
   return sum;
 }
 
-// x_ = x + b V and residual_ = grad Phi there, the listed forces with velocities of their own, or as they were.
+// x_ = x + b V and residual_ = grad Phi there, with listed forces at their own velocities or unchanged.
 void NewtonSolver::evaluate(const Plan& plan, const Stage& stage, const Field& V, const Field* term_velocity, Motion& motion) {
   set_positions(stage, V, x_);
   compute_network_forces(plan, stage.time, x_, V, f_);
@@ -184,8 +184,8 @@ void NewtonSolver::restart_from_rest_if_lower(const Plan& plan, const Stage& sta
   current = at_rest;
 }
 
-// [m/s]: rounding of positions moves a spring's force by k epsilon x, and V by what the matrix makes of that: b k / m of it
-// at most, and 1 / b where stiffness dominates.
+// [m/s]: rounding of positions changes a spring force by k epsilon x, and V by at most b k / m of that, or by 1 / b where stiffness
+// dominates.
 double NewtonSolver::round_off(const Plan& plan, const Stage& stage, const Field& V) const {
   constexpr double epsilon = 2e-16;
   const double stiffness = std::pow(stage.b * plan.spectrum.omega, 2);

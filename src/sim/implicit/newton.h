@@ -27,7 +27,7 @@ class NewtonSolver : public Structure {
  public:
   explicit NewtonSolver(const Plan& plan) : Structure(plan) {}
 
-  // Once a frame, before its first solve.
+  // Once per frame, before its first solve.
   void begin_frame(const Plan& plan, const Motion& motion);
 
   // V is the initial guess, and the solution on return; points that are not free keep theirs. Converged or not, without

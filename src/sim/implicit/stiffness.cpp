@@ -22,7 +22,7 @@ std::vector<std::pair<Index, Index>> couplings_of(const Plan& plan) {
   return pairs;
 }
 
-// What a spring adds to the matrix: along u u^T + across I, `along` being the difference of both stiffnesses.
+// The contribution of a spring to the matrix: along u u^T + across I, `along` being the difference of both stiffnesses.
 template <int Dimensions>
 struct SpringContribution {
   double u[Dimensions];

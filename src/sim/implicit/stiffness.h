@@ -26,7 +26,7 @@ enum class Curvature { Exact, Clamped };
 class StiffnessMatrix {
  public:
   explicit StiffnessMatrix(const Plan& plan);
-  // Once a frame, before its first assemble: a step never allocates.
+  // Once per frame, before its first assemble: a step never allocates.
   void allocate(const Plan& plan);
 
   // Takes the derivatives of the listed forces at x and v into the next assemble; until the next allocate.

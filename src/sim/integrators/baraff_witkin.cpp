@@ -1,10 +1,9 @@
 // (M - h df/dv - h^2 df/dx)(v' - v) = h (f + h df/dx v),  x' = x + h v'     (D. Baraff, A. Witkin, Large Steps in Cloth
 // Simulation, SIGGRAPH 1998, eq. 16)
-// Implicit Euler with one step of Newton's method, the force taken as linear about x. Taken about x + h v, another reading,
-// it gains energy: on a sheet crumpled by 5 % up to 15 % of it in a step, at k h^2 / m from 400 to 4e6, where this one
-// gains none up to 4e4, and 3e-10 of it at 4e6. Curvature is clamped (stiffness.h). First order, L-stable; damps everything
-// that moves. A stiff spring that turns by an angle within the step comes out longer by half its square, which the next step
-// takes back.
+// Implicit Euler with one step of Newton's method, the force linearized about x. Linearized about x + h v, an alternative interpretation,
+// it gains energy: on a sheet crumpled by 5 %, up to 15 % of it in a step, at k h^2 / m from 400 to 4e6, where this variant gains none up
+// to 4e4, and 3e-10 of it at 4e6. Curvature is clamped (stiffness.h). First order, L-stable; damps all motion. A stiff spring that rotates
+// by an angle within the step becomes longer by half its square, which the next step reverts.
 #include <algorithm>
 
 #include "sim/implicit/newton.h"
@@ -26,7 +25,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   drift(motion, h);
 }
 
-// r(z) = 1 / (1 - z), as implicit Euler: one step of Newton's method solves what is linear
+// r(z) = 1 / (1 - z), as implicit Euler: one step of Newton's method solves a linear problem
 Amplification amplification(const Oscillator& oscillator) {
   return amplification_from([](std::complex<double> z) { return 1.0 / (1.0 - z); }, oscillator);
 }
@@ -36,8 +35,8 @@ Amplification amplification(const Oscillator& oscillator) {
 constinit const Integrator baraff_witkin{
     .id = "baraff_witkin",
     .label = "Baraff-Witkin (one Newton step)",
-    .summary = "The fallback for scenes that nothing else can follow: one linear solve a step, strongly damped, first order.",
-    .cost = "one factorisation and one solve a step",
+    .summary = "For scenes in which no other method is stable: one linear solve per step, strongly damped, first order.",
+    .cost = "one factorization and one solve per step",
     .formula =
         "(M - h df/dv - h^2 df/dx)(v' - v) = h (f + h df/dx v)\n"
         "x' = x + h v'",

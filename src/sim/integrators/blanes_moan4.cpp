@@ -1,9 +1,9 @@
 // Kicks b_i h and drifts a_i h in turn, b_1 a_1 b_2 ... a_6 b_7, symmetric     (S. Blanes, P. C. Moan, Practical symplectic
 // partitioned Runge-Kutta and Runge-Kutta-Nystroem methods, J. Comput. Appl. Math. 142 (2002) 313-330, SRKN_6^b)
-// Fourth order, symplectic, stable to h omega = 3.163; beyond a resonance that ends at 3.169 it is stable again, to 5.02,
-// but the modes of a large scene lie everywhere. Drag is part of the kicks and exact there; being symmetric, the
-// composition keeps its fourth order with it, although the paper's conditions are for forces without velocities. Dashpots
-// are split off as in velocity_verlet, which makes it second order with them. So do forces that depend on velocity.
+// Fourth order, symplectic, stable to h omega = 3.163; beyond a resonance that ends at 3.169 it is stable again, to 5.02, but a large scene
+// has modes in the whole range. Drag is part of the kicks and exact there; because it is symmetric, the composition keeps its fourth order
+// with drag, although the conditions of the paper are for forces without velocities. Dashpots are split off as in velocity_verlet, which
+// makes it second order with them. The same holds for forces that depend on velocity.
 #include <array>
 #include <cmath>
 
@@ -77,7 +77,7 @@ Amplification amplification(const Oscillator& oscillator) {
       if (i < drifts) x[column] += drift_weight[i] * v[column];
     }
   }
-  // kicks and drifts preserve areas, but for drag, dashpots and forces that depend on velocity
+  // kicks and drifts preserve areas, except with drag, dashpots and forces that depend on velocity
   const double determinant = oscillator.h_rate == 0.0 ? dashpot * dashpot * std::exp(-drag) : dashpot * (x[0] * v[1] - x[1] * v[0]);
   return {.trace = x[0] + dashpot * v[1], .determinant = determinant};
 }
@@ -87,8 +87,8 @@ Amplification amplification(const Oscillator& oscillator) {
 constinit const Integrator blanes_moan4{
     .id = "blanes_moan4",
     .label = "Blanes-Moan 4",
-    .summary = "Fourth order without energy drift: the cheapest to tight errors in scenes without dashpots.",
-    .cost = "six force evaluations a step; two sweeps over the dashpots",
+    .summary = "Fourth order without energy drift: the cheapest for small errors in scenes without dashpots.",
+    .cost = "six force evaluations per step; two sweeps over the dashpots",
     .formula =
         "kick b1 h, drift a1 h, kick b2 h, ... drift a6 h, kick b7 h,   b and a symmetric\n"
         "dashpots split off as in velocity_verlet",

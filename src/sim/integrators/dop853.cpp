@@ -46,7 +46,7 @@ constexpr Row error3 = [] {
 }();
 // clang-format on
 
-// w A: what the weights w of the slopes of v make of x
+// w A: the weights of the accelerations in x that correspond to the weights w of those in v
 constexpr Row times_a(const Row& w) {
   Row product{};
   for (int j = 0; j < stages; ++j) {
@@ -71,12 +71,12 @@ constexpr Row node = [] {
   return c;
 }();
 
-// The first slope is motion.a, the others and two fields for the stage at hand are the workspace's.
+// The first slope is motion.a; the others, and two fields for the current stage, are in the workspace.
 Field& slope(Motion& motion, Workspace& work, int stage) { return stage == 0 ? motion.a : work.fields[stage + 1]; }
 
 void prepare(const Plan&, double, const Motion& motion, Workspace& work) { work.size_fields(stages + 1, motion); }
 
-// y += scale sum_j w_j a_j, in pieces that stay in the cache.
+// y += scale sum_j w_j a_j, in blocks that stay in the cache.
 void add_slopes(Field& y, double scale, const Row& w, Motion& motion, Workspace& work) {
   constexpr std::size_t block = 1024;
   for (std::size_t begin = 0; begin < y.size(); begin += block)
@@ -142,7 +142,7 @@ constexpr double default_tolerance = 1e-8;  // [m]
 
 constexpr double min_factor = 1.0 / 3.0, greatest_factor = 6.0;
 
-// Hairer's controller (II.4 and DOP853): step *= safety error^-alpha (error before)^beta, within bounds.
+// Hairer's controller (II.4 and DOP853): step *= safety error^-alpha (previous error)^beta, within bounds.
 double step_factor(double error, double error_before) {
   constexpr double beta = 0.04, alpha = 1.0 / 8.0 - 0.75 * beta, safety = 0.9;
   if (!std::isfinite(error)) return min_factor;
@@ -157,7 +157,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double interval) {
 
   bool rejected = false;
   for (double remaining = interval, time = motion.time; remaining > 0.0;) {
-    // equal steps to the end of the span, none longer than the step remembered
+    // equal steps to the end of the interval, none longer than the stored step
     const double steps = std::ceil(remaining / memory.step * (1.0 - 1e-12));
     const bool last = steps <= 1.0;
     const double h = last ? remaining : remaining / steps;
@@ -172,7 +172,8 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double interval) {
     const LocalError local = estimate_error(plan, motion, work, h);
     const double error = std::hypot(local.position / error_scale.position, local.velocity / error_scale.velocity);
 
-    // too coarse: again, shorter; where no step is short enough the scene has left all numbers, and is passed on as it is
+    // the error is too large: repeat with a shorter step; if no step is short enough, the scene is no longer finite and is returned as it
+    // is
     const bool step_too_small = h < min_step * interval;
     if (!(error <= 1.0) && !step_too_small) {
       memory.step = h * std::min(1.0, step_factor(error, 1.0));
@@ -217,8 +218,8 @@ Amplification amplification(const Oscillator& oscillator) { return amplification
 constinit const Integrator dop853{
     .id = "dop853",
     .label = "Dormand-Prince 8(5,3)",
-    .summary = "Eighth order with steps chosen by the tolerance: tight errors, with damping too, and the reference for all others.",
-    .cost = "twelve force evaluations a step of its own",
+    .summary = "Eighth order with steps chosen by the tolerance: small errors, also with damping, and the reference for all other methods.",
+    .cost = "twelve force evaluations for each of its own steps",
     .formula =
         "V_i = v + h sum_j A_ij a_j,   X_i = x + h c_i v + h^2 sum_j (A A)_ij a_j,   a_i = a(t + c_i h, X_i, V_i),   i = 1 ... 12\n"
         "x' = x + h v + h^2 sum b A a,   v' = v + h sum b a;   h from error estimates of order 5 and 3",

@@ -35,8 +35,8 @@ Amplification amplification(const Oscillator& oscillator) {
 constinit const Integrator esdirk4{
     .id = "esdirk4",
     .label = "ESDIRK4(3)",
-    .summary = "Tight errors in very stiff or strongly damped scenes: fourth order, and what is too fast dies out.",
-    .cost = "five nonlinear solves a step with one matrix: one to three factorisations",
+    .summary = "Small errors in very stiff or strongly damped scenes: fourth order, damps modes too fast for the step.",
+    .cost = "five nonlinear solves per step with one matrix: one to three factorizations",
     .formula =
         "y_i = y + h sum_{j <= i} A_ij f(y_j),   i = 1 ... 6,   A_11 = 0, A_ii = 1/4\n"
         "y' = y_6",

@@ -1,5 +1,5 @@
 // x' = x + h v,  v' = v + h a(x, v)     (Euler 1768)
-// First order. Every undamped mode grows by sqrt(1 + (h omega)^2) a step: it shows what instability is.
+// First order. Every undamped mode grows by sqrt(1 + (h omega)^2) per step, which demonstrates instability.
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 
@@ -26,8 +26,8 @@ Amplification amplification(const Oscillator& oscillator) {
 constinit const Integrator explicit_euler{
     .id = "explicit_euler",
     .label = "Explicit Euler",
-    .summary = "The simplest method, to see it fail: without damping it gains energy at every step size.",
-    .cost = "one force evaluation a step",
+    .summary = "The simplest method, to demonstrate instability: without damping it gains energy at every step size.",
+    .cost = "one force evaluation per step",
     .formula =
         "x' = x + h v\n"
         "v' = v + h a(x, v)",

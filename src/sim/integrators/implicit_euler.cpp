@@ -1,5 +1,5 @@
 // x' = x + h v',  v' = v + h a(x', v')     (backward Euler)
-// First order, L-stable. Solved to the end, unlike baraff_witkin; damps everything that moves, more the faster it is.
+// First order, L-stable. Solved to convergence, unlike baraff_witkin; damps all motion, fast motion more strongly.
 #include "sim/implicit/dirk.h"
 #include "sim/integrators/rows.h"
 
@@ -21,8 +21,8 @@ Amplification amplification(const Oscillator& oscillator) {
 constinit const Integrator implicit_euler{
     .id = "implicit_euler",
     .label = "Implicit Euler",
-    .summary = "What implicit Euler truly gives, for comparison: stable at any step, strongly damped, first order.",
-    .cost = "a nonlinear solve a step: two to five factorisations where springs are stiff",
+    .summary = "Implicit Euler solved to convergence, for comparison: stable at any step, strongly damped, first order.",
+    .cost = "a nonlinear solve per step: two to five factorizations where springs are stiff",
     .formula =
         "v' = v + h a(x', v')\n"
         "x' = x + h v'",

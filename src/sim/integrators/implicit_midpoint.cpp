@@ -1,6 +1,6 @@
 // V = v + h/2 a(x + h/2 V, V),  x' = x + h V,  v' = 2 V - v     (Gauss, one stage)
-// Second order, symplectic, A-stable but not L-stable: nothing linear grows or dies out. Keeps linear and angular momentum;
-// energy up to what springs that turn within a step take from it or give.
+// Second order, symplectic, A-stable but not L-stable: linear modes neither grow nor decay. Conserves linear and angular momentum, and
+// energy up to the error due to springs that rotate within a step.
 #include "sim/implicit/dirk.h"
 #include "sim/integrators/rows.h"
 
@@ -22,8 +22,8 @@ Amplification amplification(const Oscillator& oscillator) {
 constinit const Integrator implicit_midpoint{
     .id = "implicit_midpoint",
     .label = "Implicit midpoint",
-    .summary = "Keeps the energy of smooth motion at steps beyond the explicit limit; fails on stiff springs that turn.",
-    .cost = "a nonlinear solve a step",
+    .summary = "Conserves the energy of smooth motion at steps beyond the explicit limit; fails for stiff springs that rotate.",
+    .cost = "a nonlinear solve per step",
     .formula =
         "V = v + h/2 a(x + h/2 V, V)\n"
         "x' = x + h V,   v' = 2 V - v",

@@ -16,7 +16,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   constexpr double weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
 
   for (int stage = 0; stage < 4; ++stage) {
-    // the stage's state from the slopes (v, a) of the one before
+    // the state of the stage from the slopes (v, a) of the previous one
     const double stage_step = h * node[stage];
     for (std::size_t i = 0; i < size; ++i) {
       x[i] = stage == 0 ? motion.x[i] : motion.x[i] + stage_step * v[i];
@@ -48,8 +48,8 @@ Amplification amplification(const Oscillator& oscillator) {
 constinit const Integrator runge_kutta4{
     .id = "runge_kutta4",
     .label = "Runge-Kutta 4",
-    .summary = "The classic of fourth order: accurate for damped scenes and small steps; energy drifts slowly.",
-    .cost = "four force evaluations a step",
+    .summary = "The classic fourth-order method: accurate for damped scenes and small steps; energy drifts slowly.",
+    .cost = "four force evaluations per step",
     .formula =
         "k1 = f(y), k2 = f(y + h/2 k1), k3 = f(y + h/2 k2), k4 = f(y + h k3),   y = (x, v)\n"
         "y' = y + h/6 (k1 + 2 k2 + 2 k3 + k4)",

@@ -1,6 +1,6 @@
-// v' = v e^(-c h) + a(x, v) (1 - e^(-c h)) / c,  x' = x + h v'     (a without drag; h for the fraction when c = 0)
-// First order, symplectic, stable for h omega < 2. Also called semi-implicit or modified Euler. The weight makes the
-// velocity of a fall with drag exact for any h; it must be on the whole acceleration, or equilibria shift.
+// v' = v e^(-c h) + a(x, v) (1 - e^(-c h)) / c,  x' = x + h v'     (a without drag; h instead of the fraction if c = 0)
+// First order, symplectic, stable for h omega < 2. Also called semi-implicit or modified Euler. The factor makes the
+// velocity of a fall with drag exact for any h; it must multiply the whole acceleration, or equilibria shift.
 #include <cmath>
 
 #include "sim/forces/forces.h"
@@ -31,8 +31,8 @@ Amplification amplification(const Oscillator& oscillator) {
 constinit const Integrator symplectic_euler{
     .id = "symplectic_euler",
     .label = "Symplectic Euler (semi-implicit, modified Euler)",
-    .summary = "One force evaluation a step and no energy drift: the method of most games, first order.",
-    .cost = "one force evaluation a step",
+    .summary = "One force evaluation per step and no energy drift: the method of most games, first order.",
+    .cost = "one force evaluation per step",
     .formula =
         "v' = E v + phi a(x, v),   E = e^(-c h), phi = (1 - E) / c\n"
         "x' = x + h v'",

@@ -1,7 +1,7 @@
-// Trapezium to t + gamma h, then the second backward difference to t + h     (R. E. Bank et al., Transient simulation of silicon
-// devices and circuits, 1985; M. E. Hosea, L. F. Shampine, Analysis and implementation of TR-BDF2, Appl. Numer. Math. 20
-// (1996) 21-37), gamma = 2 - sqrt(2), which makes both matrices the same. Second order, L-stable, stiffly accurate, with an
-// embedded method of third order for the error.
+// The trapezoidal rule to t + gamma h, then the second backward difference to t + h     (R. E. Bank et al., Transient simulation of silicon
+// devices and circuits, 1985; M. E. Hosea, L. F. Shampine, Analysis and implementation of TR-BDF2, Appl. Numer. Math. 20 (1996) 21-37),
+// gamma = 2 - sqrt(2), which makes both matrices the same. Second order, L-stable, stiffly accurate, with an embedded method of third order
+// for the error.
 #include <numbers>
 
 #include "sim/implicit/dirk.h"
@@ -33,8 +33,8 @@ Amplification amplification(const Oscillator& oscillator) {
 constinit const Integrator tr_bdf2{
     .id = "tr_bdf2",
     .label = "TR-BDF2",
-    .summary = "The workhorse for very stiff or strongly damped scenes: second order, and what is too fast dies out.",
-    .cost = "two nonlinear solves a step with one matrix: one to three factorisations",
+    .summary = "The standard choice for very stiff or strongly damped scenes: second order, damps modes too fast for the step.",
+    .cost = "two nonlinear solves per step with one matrix: one to three factorizations",
     .formula =
         "y1 = y + gamma h/2 (f(y) + f(y1)),   gamma = 2 - sqrt(2),   y = (x, v)\n"
         "y' = (y1 / gamma - (1 - gamma)^2 / gamma y + (1 - gamma) h f(y')) / (2 - gamma)",

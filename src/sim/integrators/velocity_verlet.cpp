@@ -2,7 +2,7 @@
 // with E = e^(-c h/2), phi = (1 - E) / c (h/2 when c = 0). Dashpots are split off: each is solved exactly, in a forward
 // sweep of h/2 before and a backward sweep of h/2 after (dashpot.h). Second order, symplectic when undamped,
 // stable for h omega < 2 whatever the dashpots. Forces that depend on velocity are evaluated at v for the first kick and at
-// E v + phi a for the last one, which keeps the second order and costs a second evaluation a step.
+// E v + phi a for the last one, which keeps the second order and costs a second evaluation per step.
 #include <cmath>
 
 #include "sim/forces/dashpot.h"
@@ -28,7 +28,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   kick(plan, motion, 0.5 * h);
   drift(motion, h);
 
-  // the velocity at the end of the step, as far as forces depend on it
+  // the velocity at the end of the step, as needed by forces that depend on it
   Field& velocity = work.fields[1];
   if (plan.forces_depend_on_velocity) predict_velocity(plan, motion, 0.5 * h, velocity);
   compute_position_forces(plan, motion.time + h, motion.x, plan.forces_depend_on_velocity ? velocity : motion.v, motion.a);
@@ -61,8 +61,8 @@ Amplification amplification(const Oscillator& oscillator) {
 constinit const Integrator velocity_verlet{
     .id = "velocity_verlet",
     .label = "Velocity Verlet",
-    .summary = "The workhorse: second order, no energy drift, one force evaluation a step, exact dashpots.",
-    .cost = "one force evaluation a step; two sweeps over the dashpots",
+    .summary = "The standard choice: second order, no energy drift, one force evaluation per step, exact dashpots.",
+    .cost = "one force evaluation per step; two sweeps over the dashpots",
     .formula =
         "dashpots over h/2, each exactly, forward\n"
         "v = E v + phi a(x),   E = e^(-c h/2), phi = (1 - E) / c\n"

@@ -6,9 +6,9 @@
 // lambda = (-C - gamma grad C.(x - x_n)) / ((1 + gamma) w + alpha / h^2), alpha = 1 / k, gamma = d / (k h), times k h. Departures:
 // corrections go to the velocity, so that (x' - x) / h leaves no floor at small steps; phi in place of h gives drag its
 // exact decay and keeps equilibria where they are.
-// Each spring alone is damped as by implicit Euler; coupled springs converge only as far as one sweep goes, so that long
-// or unevenly heavy chains are far too soft. Their order decides whether that stays bounded: springs of one color share
-// no point and go along one direction of a grid after another.
+// Each spring alone is damped as by implicit Euler; coupled springs converge only as far as one sweep reaches, so that long chains, or
+// chains of very different masses, are far too soft. The order of the springs decides whether the motion stays bounded: springs of one
+// color share no point and are processed along one direction of a grid after another.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -149,8 +149,8 @@ Amplification amplification(const Oscillator& oscillator) {
 constinit const Integrator xpbd{
     .id = "xpbd",
     .label = "XPBD, one iteration",
-    .summary = "Real-time stiff cloth to loose errors: bounded at steps far beyond the explicit limit, and too soft there.",
-    .cost = "one sweep over the springs a step",
+    .summary = "Stiff cloth in real time with large errors: bounded at steps far beyond the explicit limit, and too soft there.",
+    .cost = "one sweep over the springs per step",
     .formula =
         "v = E v + phi g,   E = e^(-c h), phi = (1 - E) / c\n"
         "for every spring:  J = -phi (k (l - l0) + d (v_i - v_j).u) / (1 + phi (h k + d)(w_i + w_j)),   l, u at x + h v, w = 1/m\n"

@@ -48,7 +48,7 @@ double find_equilibrium(const Plan& plan, StiffnessMatrix& matrix, double tolera
     residual = root_mean_square(plan, f);
     if (!(residual > tolerance) || step == max_steps) break;
 
-    // far off the exact curvature is hardly ever positive
+    // far from equilibrium the exact matrix is hardly ever positive definite
     constexpr double exact_threshold = 1e5;
     const auto factorize = [&](Curvature curvature) {
       matrix.assemble(plan, b, x, zero_velocity, curvature);

@@ -22,7 +22,7 @@ struct RitzPair {
   Vector vector;
 };
 
-// The eigenvalues that Lanczos' method sees of a symmetric operator, from the largest down, with a bound on the error of each.
+// The eigenvalues of a symmetric operator found by Lanczos' method, in descending order, with a bound on the error of each.
 class Lanczos {
  public:
   Lanczos(Vector start, const Operator& apply) {
@@ -64,7 +64,7 @@ class Lanczos {
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver_;
 };
 
-// sqrt(m) of every unknown; 0 where nothing moves.
+// sqrt(m) of every unknown; 0 for fixed ones.
 Vector sqrt_mass(const Plan& plan) {
   Vector sqrt_masses(static_cast<Eigen::Index>(plan.points) * plan.dimensions);
   for (int c = 0; c < plan.dimensions; ++c)
@@ -77,8 +77,8 @@ Vector elementwise_inverse(const Vector& sqrt_masses) {
   return sqrt_masses.unaryExpr([](double each) { return each == 0.0 ? 0.0 : 1.0 / each; });
 }
 
-// No symmetry of a scene has it, and it is the same every time: multiples of an irrational number without their whole part
-// (H. Weyl 1916). 0 where nothing moves.
+// Not symmetric like the scene, and always the same: the fractional parts of multiples of an irrational number (H. Weyl 1916). 0 for fixed
+// unknowns.
 Vector start_vector(const Vector& sqrt_masses, double irrational) {
   Vector start = sqrt_masses;
   for (Eigen::Index i = 0; i < start.size(); ++i) {
@@ -89,7 +89,7 @@ Vector start_vector(const Vector& sqrt_masses, double irrational) {
 }
 constexpr double golden_ratio = 0.6180339887498949, silver_ratio = 0.4142135623730951;
 
-// One mode, as it is found from two starts: where they differ in what the dashpots take, it is not one but several.
+// A mode found from two start vectors: if their damping differs, there are several modes of this frequency.
 template <class Find>
 std::optional<Mode> confirmed_mode(const Find& find, bool is_damped) {
   std::optional<Mode> mode = find(golden_ratio);

@@ -16,10 +16,10 @@ struct Mode {
   double dashpot_rate = 0.0;
 };
 
-// Both by Lanczos' method (C. Lanczos 1950) with full reorthogonalisation, from M^-1/2 K M^-1/2 for the fastest and from
+// Both by Lanczos' method (C. Lanczos 1950) with full reorthogonalization, from M^-1/2 K M^-1/2 for the fastest and from
 // (1 + b^2 M^-1/2 K M^-1/2)^-1 for the slowest that is not a rigid motion, which has no restoring force.
-// The plan must consist of springs only, without dashpots and drag; `damping` [N s/m] of its packed springs, empty: none. Modes
-// slower than rigid_mode_ratio times the bound on the fastest count as rigid; x must be accurate enough to tell them apart.
+// The plan must consist of springs only, without dashpots and drag; `damping` [N s/m] of its packed springs, empty: none. Modes slower than
+// rigid_mode_ratio times the bound on the fastest count as rigid; x must be accurate enough to distinguish them.
 // None without modes, or if the method has not converged to a percent.
 std::optional<Mode> fastest_mode(const Plan& plan, const std::vector<double>& damping, const Field& x);
 std::optional<Mode> slowest_mode(const Plan& plan, const std::vector<double>& damping, const Field& x, double rigid_mode_ratio,

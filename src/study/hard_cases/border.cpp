@@ -1,4 +1,4 @@
-// Boundaries of the laboratory: shipped scenes, input files, the clock, threads.
+// Limits of the laboratory: shipped scenes, input files, the clock, threads.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,7 +53,7 @@ constexpr std::string_view invalid_scenes[] = {
     R"({"hooke": 1, "simulation": {"tolerance": -1}})",
 };
 
-// How many of the bad scenes are let in, or refused without a word.
+// The number of invalid scenes that are accepted, or refused without a message.
 int count_accepted() {
   int accepted = 0;
   for (const std::string_view text : invalid_scenes) {
@@ -88,7 +88,7 @@ TestNetwork make_extreme(Random& random, double decades) {
 Verdict judge_bad_input(const Integrator& method) {
   const int accepted = count_accepted();
 
-  // an adaptive method would take steps without end
+  // an adaptive method would take an unlimited number of steps
   const double decades = method.stability == Stability::Adaptive ? 2.0 : 100.0;
   constexpr int sets = 300;
   int stopped = 0, silent = 0;
@@ -102,11 +102,11 @@ Verdict judge_bad_input(const Integrator& method) {
     if (run.stopped()) ++stopped;
   }
   return {.outcome = accepted == 0 && silent == 0 ? Outcome::Held : Outcome::FailedSilently,
-          .measured = text("%zu bad scenes: %d let in; %d extreme ones: %d stopped by the watch, %d not finite in silence",
+          .measured = text("%zu invalid scenes: %d accepted; %d extreme ones: %d stopped by the divergence check, %d silently not finite",
                            std::size(invalid_scenes), accepted, sets, stopped, silent)};
 }
 
-// The window was hidden for ten seconds: it comes back where it was, and then goes on as if nothing had been.
+// The window is hidden for ten seconds: the run resumes where it was and continues as if nothing had happened.
 Verdict judge_hidden_window(const Integrator& method) {
   const InitialState net = make_net(8, 1e2, 0.0);
   MonitoredRun run({net.system, net.state}, {.integrator = &method, .substeps = 20});
@@ -147,7 +147,7 @@ Verdict judge_determinism(const Integrator& method) {
 
 constinit const HardCase one_substep_case{
     .number = 10,
-    .name = "One substep a frame",
+    .name = "One substep per frame",
     .parameters = "every shipped scene, one step of 1/60 s per frame, 1 s",
     .criterion = "finite to the end where the method declares that step stable; otherwise the divergence check may stop it",
     .not_quick = "dop853 implicit_euler baraff_witkin implicit_midpoint tr_bdf2 esdirk4",
@@ -156,7 +156,7 @@ constinit const HardCase one_substep_case{
 
 constinit const HardCase bad_input_case{
     .number = 15,
-    .name = "Bad input",
+    .name = "Invalid input",
     .parameters =
         "NaN, Inf, 1e400, denormal and negative masses, k, d, l0 < 0, rates of 0 in files; 300 small scenes with accepted values from "
         "1e-100 to 1e100",
@@ -170,7 +170,7 @@ constinit const HardCase hidden_window_case{
     .number = 24,
     .name = "Hidden window",
     .parameters = "10 s without a frame, and a machine too slow for the scene",
-    .criterion = "one short jump, no catching up, the lower speed is shown",
+    .criterion = "one short jump, no catching up, and the reduced speed is shown",
     .judge = judge_hidden_window,
 };
 

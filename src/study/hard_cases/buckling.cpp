@@ -12,11 +12,11 @@
 namespace hooke {
 namespace {
 
-// Two bars from (+-1, 0) to an apex at (0, h), h = 0.1, under 1.5 times the critical load:
-// P(y) = k y (h^2 - y^2), y the height left, is largest at y = h / sqrt(3) (shallow truss; R. von Mises 1923).
+// Two bars from (+-1, 0) to an apex at (0, h), h = 0.1, under 1.5 times the critical load: P(y) = k y (h^2 - y^2), y the remaining height,
+// has its maximum at y = h / sqrt(3) (shallow truss; R. von Mises 1923).
 constexpr double bar_stiffness = 1e4, truss_rise = 0.1;  // [N/m], [m]
 
-// Where the apex hangs under the load P, far below its nails: the root of 2 k (L - L0) y / L = P.
+// The rest position of the apex under the load P, far below the nails: the root of 2 k (L - L0) y / L = P.
 double hanging_rest(double load) {
   const double rest_length = std::hypot(1.0, truss_rise);
   double min = truss_rise, max = 2.0;
@@ -47,7 +47,7 @@ Snap snap_through(const Integrator& method, int refinement) {
   const double rest = run.state().position[0].y, off = std::abs(rest - hanging_rest(mass * 9.81));
   const double energy_rise = run.monitor().energy_rise(), allowed = method.energy == EnergyTrend::Falls ? 1e-9 : 1e-3;
   return {rest, judge(run, off < 1e-4 && energy_rise < allowed && run.monitor().unconverged_solves() == 0,
-                      text("rests %.1g m off at %.3f m, energy rises %.1g", off, rest, energy_rise))};
+                      text("at rest at %.3f m with an error of %.1g m, energy rises %.1g", rest, off, energy_rise))};
 }
 
 Verdict judge_snap_through(const Integrator& method) {
@@ -69,7 +69,7 @@ struct CurtainReference {
   double amplification;  // [1], growth of a perturbation of its start
 };
 
-// The default method at an eighth of its limit, and the same with a perturbed start.
+// The default method at an eighth of its limit, and the same with a perturbed initial state.
 CurtainReference compute_curtain_reference(const TestNetwork& network) {
   const auto hang = [](const TestNetwork& from) {
     MonitoredRun run(from, settings_for(default_integrator(), from.system, {.fraction = 0.125}));
@@ -96,9 +96,9 @@ Verdict judge_chaotic_curtain(const Integrator& method) {
   const double balance = run.monitor().energy_change(), rise = run.monitor().energy_rise();
   // dissipative methods lose energy at these steps, and the balance must report it
   const Expectation expected = is_stable_at_any_step(method) ? Expectation::HoldOrReport : expectation_of(run);
-  return judge(
-      run, expected, center < 1e-3 && std::abs(balance) < 0.01 && rise < 0.01,
-      text("centre of mass %.1g m off, energy balance %+.1g, a perturbation grows %.0e times", center, balance, reference.amplification));
+  return judge(run, expected, center < 1e-3 && std::abs(balance) < 0.01 && rise < 0.01,
+               text("center of mass error %.1g m, energy balance %+.1g, a perturbation grows by a factor of %.0e", center, balance,
+                    reference.amplification));
 }
 
 Verdict judge_tangled_start(const Integrator& method) {
@@ -141,8 +141,8 @@ constinit const HardCase chaotic_curtain_case{
     .number = 17,
     .name = "Chaotic curtain",
     .parameters = "curtain of 16 x 16, k = 1e4 N/m, 1 s; 4 substeps for methods stable at any step",
-    .criterion = "energy balance within 1 %, centre of mass within 1e-3 m",
-    .remark = "not checked: that the window shows how a perturbation grows; it does not yet",
+    .criterion = "energy balance within 1 %, center of mass within 1e-3 m",
+    .remark = "not checked: the window does not show the growth of perturbations",
     .not_quick = "dop853 esdirk4 tr_bdf2 implicit_euler implicit_midpoint",
     .judge = judge_chaotic_curtain,
 };

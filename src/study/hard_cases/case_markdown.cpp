@@ -28,7 +28,7 @@ step rotate.
 
 ## Declared limits
 
-* `baraff_witkin` solves one linear system a step. Its energy falls on every sheet here but the stiffest: crumpled at
+* `baraff_witkin` solves one linear system per step. Its energy falls on every sheet here except the stiffest: crumpled at
   k dt^2 / m = 4e6, three of ten seeds gain up to 3e-10 of it in a step (1e-2 J of 4e7 J).
 * Under a fast hand `baraff_witkin` rotates stiff springs by more than their length in a step and leaves them too long: with one step per frame
   briefly 15 times their length, with thousands of times the energy supplied by the hand. The next steps remove it. The divergence check tolerates this up to
@@ -37,7 +37,7 @@ step rotate.
   the step, like its error; the same holds for every method that is not symplectic. A single sweep does not transmit a
   force through a long chain.
 * `implicit_midpoint` damps nothing. Springs too fast for the step keep oscillating, and where they rotate, its energy drifts.
-* A solve is limited to 20 factorisations in a run. One that needs more stops early, below the energy it started from, and is counted.
+* A solve is limited to 20 factorizations in a run. One that needs more stops early, below the energy it started from, and is counted.
 * First-order methods have first-order errors: with one step per frame, `implicit_euler` and `baraff_witkin` damp
   oscillations strongly, and the energy of `symplectic_euler` equals that of the scene only on average, less so
   near its limit.
@@ -49,8 +49,8 @@ step rotate.
   requires and are then accurate; up to some thousand per frame that is cheaper (docs/accuracy.md).
 * **Heavy ends and long chains** (3, 4): `velocity_verlet` at its limit, or any implicit method at a few substeps. Never
   `xpbd`: one sweep does not transmit a weight through a thousand links.
-* **Strong dashpots** (11): `velocity_verlet` takes them exactly at any size; `tr_bdf2` and `esdirk4` at one step a frame.
-* **A fast mouse** (8): `velocity_verlet`, which is by far the cheapest there; of the implicit ones `tr_bdf2` from 4 substeps a frame
+* **Strong dashpots** (11): `velocity_verlet` takes them exactly at any size; `tr_bdf2` and `esdirk4` at one step per frame.
+* **A fast mouse** (8): `velocity_verlet`, which is by far the cheapest there; of the implicit ones `tr_bdf2` from 4 substeps per frame
   on. With fewer steps these stay bounded, damp the motion, and report that their solves do not converge.
 * **Contact of stiff cloth** (10, 19): `velocity_verlet`. Contacts are resolved after a step, for each point separately, so no method
   is better than its step: beyond 3 / omega the status warns, whatever the method.
@@ -62,7 +62,7 @@ step rotate.
 
 std::string_view outcome_label(const CaseResult* result) {
   if (result == nullptr || !result->finished) return "";
-  if (is_broken(result->verdict)) return "**against expectation**";
+  if (is_broken(result->verdict)) return "**unexpected**";
   switch (result->verdict.outcome) {
     case Outcome::Held:
       return "held";
@@ -92,7 +92,7 @@ std::string format_overview(std::span<const CaseResult> results) {
   return "\n## Overview\n\n" + head + "\n" + rule + "\n" + rows + "\n" + summarize_counts(results) + ".\n";
 }
 
-// The case's own table, one row per method and step.
+// The table of the case itself, one row per method and step.
 std::string format_own_table(std::span<const CaseResult> group) {
   const std::string_view columns = group[0].hard_case->columns;
   if (columns.empty()) return {};
@@ -125,7 +125,7 @@ std::string format_case(std::span<const CaseResult> group) {
 
 std::string format_markdown(std::span<const CaseResult> results, const Origin& origin) {
   std::string document(introduction);
-  document += "Made on " + origin.date + ", on one " + origin.machine + ", by\n\n    " + origin.command +
+  document += "Generated on " + origin.date + ", on one " + origin.machine + ", by\n\n    " + origin.command +
               "\n\nfrom the cases in `src/study/hard_cases` and the table of methods.\n";
   document += reading;
   document += format_overview(results);

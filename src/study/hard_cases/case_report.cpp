@@ -40,12 +40,12 @@ std::string summarize_counts(std::span<const CaseResult> results) {
   const std::string unfinished = count([](const CaseResult& r) { return !r.finished; });
   return std::to_string(results.size()) + " results: " + with(Outcome::Held) + " held, " + with(Outcome::FailedOpenly) +
          " failed openly, " + with(Outcome::OutOfScope) + " out of scope, " + (broken == 0 ? "none" : std::to_string(broken)) +
-         " against expectation" + (unfinished == "0" ? "" : ", " + unfinished + " not run");
+         " unexpected" + (unfinished == "0" ? "" : ", " + unfinished + " not run");
 }
 
 namespace {
 
-// Up to this number of results each is reported in full.
+// Up to this number of results, each is reported in full.
 constexpr std::size_t full_listing_limit = 30;
 
 char mark_of(const CaseResult* result) {
@@ -104,7 +104,7 @@ std::string format_full_result(const CaseResult& result) {
 std::string format_table(std::span<const CaseResult> results) {
   constexpr std::size_t name_width = 32;
   const std::vector<const Integrator*> methods = methods_of(results);
-  std::string table = "+ held   o failed openly   - out of scope   ! against expectation\n\n";
+  std::string table = "+ held   o failed openly   - out of scope   ! unexpected\n\n";
   for (std::size_t m = 0; m < methods.size(); ++m) {
     table += padded("", name_width);
     for (std::size_t i = 0; i < m; ++i) table += "| ";

@@ -1,4 +1,4 @@
-// The results of hard cases, for a terminal, for machines and for people.
+// The results of hard cases as text for a terminal, as JSON and as Markdown.
 #pragma once
 
 #include <string>
@@ -7,24 +7,24 @@
 
 namespace hooke {
 
-// Of a terminal.
+// [characters], of a terminal
 inline constexpr std::size_t table_width = 100;
 
-// A line a case with a mark for each method, what broke in full, and the count; of a few results all in full. Lines end in a
-// newline and hold table_width characters at most.
+// One line per case with a mark for each method, unexpected results in full, and the counts; if there are few results, all in full. Lines
+// end in a newline and have at most table_width characters.
 std::string format_table(std::span<const CaseResult> results);
 
-// {"cases": [{"number", "name", "parameters", "criterion", "remark", "results": [{"method", "outcome", "expected", "broken",
-// "measured", "reason", "cpu_seconds"}]}], "broken", "unfinished"}: what is not finished is not in the list. A case with a
-// table of its own has "columns", its results have "rows".
+// {"cases": [{"number", "name", "parameters", "criterion", "remark", "results": [{"method", "outcome", "expected", "broken", "measured",
+// "reason", "cpu_seconds"}]}], "broken", "unfinished"}, without unfinished results. A case with its own table has "columns", and its
+// results have "rows".
 std::string format_json(std::span<const CaseResult> results);
 
-// What made a document, as it says itself.
+// The origin of a document, as stated in it.
 struct Origin {
   std::string command, date, machine;
 };
 
-// docs/stability.md. Times stand in the cases' own tables alone.
+// docs/stability.md. Times occur only in the tables of the cases themselves.
 std::string format_markdown(std::span<const CaseResult> results, const Origin& origin);
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// Chains and ropes, which pass a force on from link to link.
+// Chains and ropes, which transmit a force from link to link.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,7 +33,7 @@ struct ChainShape {
   }
 };
 
-// Hanging straight down from a nail at the origin, turned by `angle` about it; as in equilibrium, or unstretched.
+// Hanging vertically from a nail at the origin, rotated by `angle` about it; in equilibrium, or unstretched.
 TestNetwork make_hanging_chain(const ChainShape& shape, bool stretched, double angle) {
   TestNetwork network;
   const Vec3 along{std::sin(angle), -std::cos(angle), 0.0};
@@ -48,7 +48,7 @@ TestNetwork make_hanging_chain(const ChainShape& shape, bool stretched, double a
   return network;
 }
 
-// Methods for any step get some substeps for accuracy.
+// Methods that are stable at any step get some substeps for accuracy.
 constexpr Stepping stepping{.free = 4, .max = 20000};
 
 double extension_of(const MonitoredRun& run, const ChainShape& shape) { return glm::length(run.state().position.back()) - shape.length; }
@@ -60,23 +60,23 @@ Verdict judge_mass_ratio(const Integrator& method) {
   MonitoredRun run(network, settings_for(method, network.system, stepping), {.position = 0.01 * shape.extension()});
   run.run(5.0);
   const double error = extension_of(run, shape) / shape.extension() - 1.0;
-  return judge(run, std::abs(error) < 0.01, text("stretch %+.1g off, %d substeps", error, run.settings().substeps));
+  return judge(run, std::abs(error) < 0.01, text("stretch error %+.1g, %d substeps", error, run.settings().substeps));
 }
 
 constexpr ChainShape long_chain{.links = 1000, .length = 1.0, .link_mass = 1e-4, .end_mass = 1.0, .stretch = 0.05};
 
-// Dropped unstretched, it settles at the length of its equilibrium.
+// Dropped unstretched, it settles at its equilibrium length.
 Verdict settle(const Integrator& method) {
   TestNetwork dropped = make_hanging_chain(long_chain, false, 0.0);
   dropped.system.drag = 25.0;
   MonitoredRun run(dropped, settings_for(method, dropped.system, stepping), {.position = 1e-3 * long_chain.extension()});
   run.run(1.5);
   const double error = extension_of(run, long_chain) / long_chain.extension() - 1.0;
-  return judge(run, std::abs(error) < 1e-3, text("elongation %+.1g off", error));
+  return judge(run, std::abs(error) < 1e-3, text("elongation error %+.1g", error));
 }
 
-// Let go at an angle, it swings as a rigid rod with a weight, but for terms of (rod / weight)^2 = 0.01:
-// omega^2 = g (M L + m L / 2) / (M L^2 + m L^2 / 3)
+// Released at an angle, it swings like a rigid rod with a weight, up to terms of (rod / weight)^2 = 0.01: omega^2 = g (M L + m L / 2) / (M
+// L^2 + m L^2 / 3)
 Verdict swing(const Integrator& method) {
   constexpr double angle = 0.01;
   const double length = long_chain.length + long_chain.extension(), rod = (long_chain.links - 1) * long_chain.link_mass;
@@ -91,7 +91,7 @@ Verdict swing(const Integrator& method) {
   }
   const double quarter = run.state().time - now / (now - before) / 60.0;  // [s], to the vertical
   const double error = quarter * omega / (std::numbers::pi / 2.0) - 1.0;
-  return judge(run, std::abs(error) < 0.01, text("period %+.1g off, %d substeps", error, run.settings().substeps));
+  return judge(run, std::abs(error) < 0.01, text("period error %+.1g, %d substeps", error, run.settings().substeps));
 }
 
 Verdict judge_long_chain(const Integrator& method) { return worst_of(std::array{settle(method), swing(method)}); }
@@ -110,20 +110,20 @@ double largest_residual(const System& system, const State& state) {
 }
 
 Verdict relax(const Integrator& method, TestNetwork network, const char* name) {
-  // out of place by a tenth of the rest length, l0 = 1 m
+  // displaced by a tenth of the rest length, l0 = 1 m
   Random random(13);
   for (Index i = 0; i < network.system.point_count(); ++i)
     if (!network.system.points()[i].nailed) network.state.position[i] += random.vector(0.1);
   network.system.gravity = Vec3(0.0);
   network.system.drag = 1.0;
 
-  // well within the limit, or the fastest modes do not die out in explicit Euler
+  // well within the limit, otherwise explicit Euler does not damp the fastest modes
   MonitoredRun run(network, settings_for(method, network.system, {.fraction = 0.25}), {.position = 1e-8});
   run.run(60.0);
   const double residual = largest_residual(run.system(), run.state()) / run.system().springs()[0].stiffness;
   double off = 0.0;
   for (const Spring& spring : run.system().springs()) off = std::max(off, std::abs(strain(run.system(), run.state(), spring) - 2.0));
-  return judge(run, residual < 1e-8 && off < 1e-8, std::string(name) + text(": residual %.1g k l0, strain %.1g off", residual, off));
+  return judge(run, residual < 1e-8 && off < 1e-8, std::string(name) + text(": residual %.1g k l0, strain error %.1g", residual, off));
 }
 
 Verdict judge_over_constrained(const Integrator& method) {
@@ -151,7 +151,7 @@ constinit const HardCase mass_ratio_case{
     .name = "Mass ratio 1e6",
     .parameters = "chain of 200 links of 1 g with 1000 kg at its end, 5 % stretch, drag 4 /s, 5 s",
     .criterion = "static stretch within 1 %",
-    .remark = "not checked: that automatic method selection avoids methods that fail here; there is no `auto` method yet",
+    .remark = "not checked: automatic method selection, since there is no `auto` method",
     .not_quick = "symplectic_euler velocity_verlet blanes_moan4 runge_kutta4 dop853 esdirk4",
     .judge = judge_mass_ratio,
 };
@@ -168,7 +168,7 @@ constinit const HardCase long_chain_case{
 constinit const HardCase over_constrained_case{
     .number = 13,
     .name = "Over-constrained",
-    .parameters = "rope of 50 and sheet of 12 x 12, nailed all round at 3 times the rest length, displaced by 0.1 l0, drag 1 /s, 60 s",
+    .parameters = "rope of 50 and sheet of 12 x 12, nailed all around at 3 times the rest length, displaced by 0.1 l0, drag 1 /s, 60 s",
     .criterion = "static residual < 1e-8 k l0, strain 2 to 1e-8",
     .not_quick = "baraff_witkin implicit_midpoint tr_bdf2 esdirk4",
     .judge = judge_over_constrained,

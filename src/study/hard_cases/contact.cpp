@@ -1,4 +1,4 @@
-// Impacts, and what comes after them.
+// Impacts and the motion after them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double g = 9.81;  // [m/s^2]
 
-// A sheet of 1 m and 1 kg falls on a ball on the ground.
+// A sheet of 1 m and 1 kg falls onto a ball on the ground.
 Verdict judge_cloth_on_ball(const Integrator& method) {
   constexpr int n = 32;
   constexpr double radius = 0.3, drop = 2.0, a = 1.0 / (n - 1);
@@ -29,19 +29,19 @@ Verdict judge_cloth_on_ball(const Integrator& method) {
   sheet.system.colliders.push_back({.shape = Plane{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, .restitution = 0.0, .friction = 0.5});
 
   MonitoredRun run(sheet, settings_for(method, sheet.system, {.free = 4}), {.energy = 1e-3});
-  // the default method for as long as was asked for, the others through the impact at 0.53 s
+  // the default method for the whole duration, the others through the impact at 0.53 s
   const double seconds = &method == &default_integrator() ? 20.0 : 1.0;
   double deepest = 0.0;
   while (run.state().time < seconds && run.frame())
     for (const Vec3& x : run.state().position) deepest = std::max({deepest, radius - glm::distance(x, center), -x.y});
   const double rise = run.monitor().energy_rise();
-  // at its limit the energy of a method of first order swings without bound
+  // at its stability limit, the energy of a first-order method fluctuates without bound
   return judge(
       run, method.order == 1 ? Expectation::HoldOrReport : expectation_of(run), deepest < 1e-3 && rise < 1e-3,
       text("penetration %.1g m, energy rises %.1g, %.3g s, %d substeps", deepest, rise, run.state().time, run.settings().substeps));
 }
 
-// 100 m/s on a slab of 0.1 m, e = 0.5; a step of a 60th covers 1.7 m.
+// 100 m/s onto a slab of 0.1 m, e = 0.5; a step of 1/60 s covers 1.7 m.
 Verdict judge_fast_impact(const Integrator& method) {
   constexpr double e = 0.5, above = 1.2;
   TestNetwork network;
@@ -56,10 +56,10 @@ Verdict judge_fast_impact(const Integrator& method) {
   }
   const double impact_speed_squared = 100.0 * 100.0 + 2.0 * g * above;
   const double error = highest / (e * e * impact_speed_squared / (2.0 * g)) - 1.0;
-  return judge(run, lowest >= -1e-9 && std::abs(error) < 0.01, text("bounce %+.2g off, lowest %.1g m", error, lowest));
+  return judge(run, lowest >= -1e-9 && std::abs(error) < 0.01, text("rebound error %+.2g, lowest %.1g m", error, lowest));
 }
 
-// Dropped from 1 m, e = 0.9: rests at t1 (1 + e) / (1 - e), t1 = sqrt(2 h / g), after ever smaller bounces.
+// Dropped from 1 m, e = 0.9: at rest at t1 (1 + e) / (1 - e), t1 = sqrt(2 h / g), after ever smaller bounces.
 Verdict judge_endless_bounces(const Integrator& method) {
   constexpr double e = 0.9, height = 1.0;
   const double rest = std::sqrt(2.0 * height / g) * (1.0 + e) / (1.0 - e);
@@ -75,10 +75,11 @@ Verdict judge_endless_bounces(const Integrator& method) {
       if (up > 1e-6) rest_time = run.state().time + 1.0 / 60.0;
       if (run.state().time > rest + 1.0 / 60.0) jitter = std::max(jitter, up);
     }
-    // half a step too early or too late at every bounce add up in methods of first order
+    // timing errors of half a step at every bounce accumulate in first-order methods
     const Expectation expected = method.order_contact == 1 ? Expectation::HoldOrReport : Expectation::Hold;
-    parts.push_back(judge(run, expected, std::abs(rest_time - rest) <= 1.0 / 60.0 + 1e-9 && jitter <= 1e-6,
-                          text("%d substeps: rests %+.3f s off, then %.1g m", substeps, rest_time - rest, jitter)));
+    parts.push_back(
+        judge(run, expected, std::abs(rest_time - rest) <= 1.0 / 60.0 + 1e-9 && jitter <= 1e-6,
+              text("%d substeps: at rest with a timing error of %+.3f s, then moves by %.1g m", substeps, rest_time - rest, jitter)));
   }
   return worst_of(parts);
 }
@@ -102,7 +103,7 @@ constinit const HardCase fast_impact_case{
     .number = 20,
     .name = "High-speed impact",
     .parameters = "100 m/s onto a slab 0.1 m thick, e = 0.5, one step per frame",
-    .criterion = "no tunnelling, rebound height within 1 %",
+    .criterion = "no tunneling, rebound height within 1 %",
     .judge = judge_fast_impact,
 };
 

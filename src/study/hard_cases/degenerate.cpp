@@ -14,8 +14,8 @@ namespace {
 
 constexpr Vec3 no_gravity{0.0};
 
-// Error of a harmonic motion of amplitude A [m] that a method of order p may have: A omega t (h omega)^p; the constants
-// of all methods are below one. An adaptive method's tolerance besides.
+// The error [m] that a method of order p may have on a harmonic motion of amplitude A: A omega t (h omega)^p (the constants of all methods
+// are below one), plus the tolerance of an adaptive method.
 double allowed_error(const Integrator& method, double amplitude, double omega, double t, double h) {
   return amplitude * omega * t * std::pow(h * omega, method.order) + 1e-5 * amplitude;
 }
@@ -43,7 +43,7 @@ Verdict judge_zero_length_spring(const Integrator& method) {
   return worst_of(parts);
 }
 
-// A star of four springs of length 0.1 m, all five points in one place.
+// A star of four springs of length 0.1 m, with all five points at one position.
 Verdict judge_coincident_points(const Integrator& method) {
   std::vector<Verdict> parts;
   for (const double apart : {0.0, 1e-12}) {
@@ -54,7 +54,7 @@ Verdict judge_coincident_points(const Integrator& method) {
       const double angle = 1.5 * i;
       network.join(center, network.add(network.state.position[0] + apart * Vec3(std::cos(angle), std::sin(angle), 0.3)), 100.0, 0.1);
     }
-    // drag keeps the methods that need it within their limit
+    // drag keeps methods that require damping within their limit
     network.system.drag = 1.0;
     MonitoredRun run(network, {.integrator = &method, .substeps = 20});
     double longest = 0.0;
@@ -63,7 +63,7 @@ Verdict judge_coincident_points(const Integrator& method) {
     const double momentum = glm::length(compute_momentum(run.system(), run.state()).linear);
     const bool separated = longest >= 0.05;
     parts.push_back(judge(run, momentum < 1e-9 && separated == (apart > 0.0),
-                          text("%g apart: %.2g m apart later, momentum %.1g kg m/s", apart, longest, momentum)));
+                          text("initial distance %g m: %.2g m later, momentum %.1g kg m/s", apart, longest, momentum)));
   }
   return worst_of(parts);
 }
@@ -78,12 +78,12 @@ Verdict judge_flight(const Integrator& method, const TestNetwork& network, const
     const Vec3 exact = network.system.points()[i].nailed ? start : start + seconds * v + 0.5 * seconds * seconds * network.system.gravity;
     error = std::max(error, glm::distance(run.state().position[i], exact));
   }
-  // Euler methods are g h t / 2 off
+  // the error of Euler methods is g h t / 2
   const double allowed = method.order == 1 ? 9.81 * run.settings().substep() * seconds : 1e-9;
-  // nothing is factorised without unknowns
+  // nothing is factorized without unknowns
   const bool moves = std::ranges::any_of(network.system.points(), [](const Point& point) { return !point.nailed; });
   const long empty = moves ? 0 : run.lab().last_frame().factorizations();
-  return judge(run, error <= allowed && empty == 0, std::string(name) + text(" %.1g m off", error));
+  return judge(run, error <= allowed && empty == 0, std::string(name) + text(": error %.1g m", error));
 }
 
 Verdict judge_nothing_to_move(const Integrator& method) {
@@ -112,10 +112,10 @@ Verdict judge_duplicates(const Integrator& method) {
   const double apart = glm::distance(two.state().position[1], one.state().position[1]);
   // a method that processes the springs one by one treats them as two
   const double allowed = method.stability == Stability::EachSpring ? 0.1 : 1e-6;
-  return judge(two, apart <= allowed, text("two springs %.1g m from one twice as stiff", apart));
+  return judge(two, apart <= allowed, text("two springs differ by %.1g m from one of twice the stiffness", apart));
 }
 
-// A thousand springs from the nails of a circle to one point in its middle.
+// A thousand springs from nails on a circle to one point at its center.
 Verdict judge_hub(const Integrator& method) {
   constexpr int spokes = 1000;
   TestNetwork network;
@@ -129,10 +129,10 @@ Verdict judge_hub(const Integrator& method) {
   MonitoredRun run(network, settings_for(method, network.system, {.min = 8, .free = 8, .fraction = 0.5}), {.position = 1e-5});
   run.run(0.5);
 
-  // at rest: k spokes (1 - l0 / (2 l)) x = m g for a small displacement x from the middle, l = 1
+  // at rest: k spokes (1 - l0 / (2 l)) x = m g for a small displacement x from the center, l = 1
   const double exact = -9.81 / (10.0 * spokes * 0.75);
   const double off = glm::distance(run.state().position[0], {0.0, exact, 0.0});
-  return judge(run, off < 1e-5, text("hub of %d springs rests %.1g m off", spokes, off));
+  return judge(run, off < 1e-5, text("hub of %d springs at rest with an error of %.1g m", spokes, off));
 }
 
 // A spring from a point to itself, in a file and as an edit.
@@ -179,7 +179,7 @@ constinit const HardCase nothing_to_move_case{
     .number = 14,
     .name = "Nothing to move",
     .parameters = "an empty scene, one with nails only, a single point, isolated points",
-    .criterion = "no crash and no factorisation of an empty matrix; free points fall",
+    .criterion = "no crash and no factorization of an empty matrix; free points fall",
     .judge = judge_nothing_to_move,
 };
 
@@ -188,7 +188,7 @@ constinit const HardCase springs_on_one_point_case{
     .name = "Springs on one point",
     .parameters = "a spring from a point to itself, two between the same points, 1000 on one point",
     .criterion = "refused; equal to one spring of twice the stiffness to 1e-6 m; at rest at the exact position to 1e-5 m",
-    .remark = "xpbd, which processes two springs one after the other, may be 0.1 m from one of twice the stiffness",
+    .remark = "xpbd, which processes two springs one after the other, may differ by 0.1 m from one of twice the stiffness",
     .judge = judge_springs_on_one_point,
 };
 

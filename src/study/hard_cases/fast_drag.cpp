@@ -1,4 +1,4 @@
-// A fast mouse: it drags the corner of a stiff sheet round a circle and releases it.
+// A fast mouse: it drags the corner of a stiff sheet around a circle and releases it.
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -12,10 +12,10 @@ namespace {
 
 constexpr double a = 1.0 / 23.0;                     // [m], between points
 constexpr double speed = 50.0, radius = 1.0;         // [m/s], [m], of the hand
-constexpr double top_speed = 10.0;                   // [m/s], of a limited hand
+constexpr double top_speed = 10.0;                   // [m/s], of a hand with limited speed
 constexpr int held_frames = 30, flight_frames = 90;  // of a 60th
 
-// 24 x 24 points, 1 m, 1 kg, free but for the hand at a corner.
+// 24 x 24 points, 1 m, 1 kg, free except for the corner held by the hand.
 TestNetwork make_dragged_sheet() {
   TestNetwork sheet =
       make_sheet({.rows = 24, .columns = 24, .across = {a, 0.0, 0.0}, .down = {0.0, -a, 0.0}, .mass = 1.0 / 576.0, .stiffness = 1e6});
@@ -52,8 +52,8 @@ struct Drag {
   double ms_per_frame = 0.0;                    // [ms] of CPU per 1/60 s
 };
 
-// Samples the strains as often as the substeps allow, up to 16 times in 1/60 s: waves cross the sheet in a millisecond. A divergence ends
-// it early.
+// Samples the strains as often as the substeps allow, up to 16 times in 1/60 s, because waves cross the sheet in a millisecond. Ends early
+// at a divergence.
 Drag drag_corner(MonitoredRun& run, int samples) {
   Drag drag;
   double busy = 0.0;
@@ -84,7 +84,7 @@ Drag drag_corner(MonitoredRun& run, int samples) {
   return drag;
 }
 
-// Samples per 1/60 s with this number of substeps: each is a frame of its own.
+// Samples per 1/60 s with this number of substeps: each is a separate frame.
 int samples_per_frame(int substeps) {
   for (int samples = std::min(16, substeps); samples > 1; --samples)
     if (substeps % samples == 0) return samples;
@@ -96,7 +96,7 @@ MonitoredRun make_run(const TestNetwork& sheet, const Integrator& method, int su
   return {sheet, {.integrator = &method, .frame_rate = 60.0 * samples, .substeps = substeps / samples}, tolerance};
 }
 
-// The fewest stable substeps, rounded up to a multiple of 16 for sampling.
+// The minimum number of stable substeps, rounded up to a multiple of 16 for sampling.
 int stable_substeps(const Integrator& method, const TestNetwork& sheet, double fraction) {
   return (settings_for(method, sheet.system, {.fraction = fraction}).substeps + 15) / 16 * 16;
 }
@@ -116,7 +116,7 @@ const Converged& converged() {
   return reference;
 }
 
-// The cost is the lowest of three runs, where they take no longer than a second.
+// The cost is the minimum of three runs if they take no longer than a second.
 Drag remeasure_cost(const TestNetwork& sheet, const Integrator& method, int substeps, Drag drag) {
   constexpr double max_repeat_ms_per_frame = 1e3 / (held_frames + flight_frames);  // [ms] a frame
   for (int i = 1; i < 3 && drag.ms_per_frame < max_repeat_ms_per_frame; ++i) {
@@ -136,7 +136,7 @@ std::vector<std::string> row_of(const std::string& substeps, const Drag& drag, c
           report};
 }
 
-// The same above a slab of 2 cm, far too thin for 0.8 m per frame, that the sheet swings into: the number of points that pass through.
+// The same above a slab of 2 cm, far thinner than the 0.8 m per frame, into which the sheet swings: the number of points that pass through.
 int count_through_slab(const Integrator& method, int substeps) {
   constexpr double top = -1.2 * radius, thickness = 0.02, wide = 1e3;
   TestNetwork sheet = make_dragged_sheet();
@@ -181,7 +181,7 @@ StepTrial run_step_trial(const Integrator& method, const TestNetwork& sheet, int
   else
     step_trial.row = row_of(name, remeasure_cost(sheet, method, substeps, drag), is_met(drag) ? "" : run.report());
 
-  // a method stable at any step need not be accurate at few, nor a first-order method near its limit
+  // a method stable at any step need not be accurate with few steps, nor a first-order method near its limit
   const bool must_hold = is_finest && method.for_production, may_fail = is_stable_at_any_step(method) || method.order == 1;
   const Expectation expected = must_hold ? Expectation::Hold : may_fail ? Expectation::HoldOrReport : expectation_of(run);
   step_trial.verdict = judge(run, expected, is_met(drag),
@@ -204,11 +204,11 @@ Verdict judge_step_trials(std::span<const StepTrial> step_trials) {
   for (const StepTrial& step_trial : step_trials.first(first))
     coarser += (coarser.empty() ? "" : ", ") + std::to_string(step_trial.substeps);
   if (!coarser.empty())
-    verdict.measured = text("from %d substeps on, openly failing with ", step_trials[first].substeps) + coarser + ": " + verdict.measured;
+    verdict.measured = text("from %d substeps on; fails openly with ", step_trials[first].substeps) + coarser + ": " + verdict.measured;
   return verdict;
 }
 
-// The same mouse with a limited hand speed: the hand lags, reports by how much, and the sheet stretches less.
+// The same mouse with a limited hand speed: the hand lags, the distance is reported, and the sheet stretches less.
 Verdict judge_lag(const Integrator& method, int substeps) {
   TestNetwork sheet = make_dragged_sheet();
   sheet.system.hand_speed = top_speed;
@@ -247,7 +247,7 @@ Verdict judge_fast_drag(const Integrator& method) {
   } else {
     for (const StepTrial& step_trial : step_trials) parts.push_back(step_trial.verdict);
   }
-  // nothing tunnels, at whatever step
+  // no tunneling at any step
   const int through = count_through_slab(method, is_stable_at_any_step(method) ? 1 : substep_counts[0]);
   parts.push_back(
       {.outcome = through == 0 ? Outcome::Held : Outcome::FailedSilently, .measured = text("%d points through the slab", through)});
@@ -265,8 +265,9 @@ constinit const HardCase fast_drag_case{
     .number = 8,
     .name = "Fast drag",
     .parameters =
-        "24 x 24 points, 1 m, 1 kg, k = 1e6 N/m, no gravity, free except for a corner that is dragged round a circle of 1 m at 50 m/s for "
-        "0.5 s, sampled 60 times a second with straight lines between, drag 2 /s; then 1.5 s of free flight; and the same above a slab of "
+        "24 x 24 points, 1 m, 1 kg, k = 1e6 N/m, no gravity, free except for a corner that is dragged around a circle of 1 m at 50 m/s for "
+        "0.5 s, sampled 60 times per second with straight lines between, drag 2 /s; then 1.5 s of free flight; and the same above a slab "
+        "of "
         "2 cm",
     .criterion =
         "peak strain within a factor of 2 of the converged one, never more energy than at release (1e-2), no point through the slab; for "

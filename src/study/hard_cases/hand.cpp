@@ -15,8 +15,8 @@ namespace {
 
 using std::numbers::pi;
 
-// A mass on a spring of omega = 2 pi / s, whose other end the hand moves by A sin(omega t): relative to the hand
-// z'' + 2 zeta omega z' + omega^2 z = A omega^2 sin(omega t), z(0) = 0, z'(0) = -A omega. (zeta = 0 by its limit.)
+// A mass on a spring of omega = 2 pi / s, whose other end the hand moves by A sin(omega t). Relative to the hand: z'' + 2 zeta omega z' +
+// omega^2 z = A omega^2 sin(omega t), z(0) = 0, z'(0) = -A omega. (zeta = 0 as a limit.)
 double driven_position(double amplitude, double omega, double zeta, double t) {
   const double drive = amplitude * std::sin(omega * t);
   if (zeta == 0.0) return 0.5 * amplitude * (std::sin(omega * t) - omega * t * std::cos(omega * t));
@@ -51,7 +51,7 @@ Verdict resonate(const Integrator& method, double zeta) {
   const bool damps = method.order == 1 && method.energy == EnergyTrend::Falls;
   const Expectation baseline = method.order == 1 ? Expectation::HoldOrReport : expectation_of(run);
   return judge(run, damps ? Expectation::Report : baseline, std::abs(error) < 0.02,
-               text("zeta %g: amplitude %+.1f %% off", zeta, 100.0 * error));
+               text("zeta %g: amplitude error %+.1f %%", zeta, 100.0 * error));
 }
 
 Verdict judge_resonance(const Integrator& method) { return worst_of(std::array{resonate(method, 0.0), resonate(method, 0.01)}); }
@@ -60,7 +60,7 @@ struct Sliders {
   double stiffness, damping, mass, drag;
 };
 
-// The change of energy of the current state by other values: sum of dk (l - l0)^2 / 2 and dm (v^2 / 2 - g x).
+// The change of energy of the current state due to new values: sum of dk (l - l0)^2 / 2 and dm (v^2 / 2 - g x).
 double expected_energy_jump(const System& system, const State& state, const Sliders& to) {
   double jump = 0.0;
   for (const Spring& spring : system.springs()) {
@@ -111,7 +111,7 @@ Verdict judge_slider_jumps(const Integrator& method) {
   const auto settings_of = [&](const System& system) { return settings_for(method, system, {.min = 4, .free = 4}); };
   MonitoredRun run({net.system, net.state}, settings_of(net.system));
 
-  // every 0.1 s to another setting and back, with the substeps it requires
+  // every 0.1 s another setting and back, with the substeps it requires
   double worst = 0.0, max_step_ratio = 1.0;
   bool moved = false;
   Expectation expected = Expectation::Hold;
@@ -152,7 +152,7 @@ constinit const HardCase resonance_case{
 
 constinit const HardCase slider_jumps_case{
     .number = 12,
-    .name = "Sliders jump",
+    .name = "Parameter jumps",
     .parameters =
         "net of 8 x 8: k x 1e4 and / 1e4, d to 1e3, m x 1e3, drag to 50, one at a time and all at once, together with the substeps, every "
         "0.1 s",

@@ -21,7 +21,7 @@ bool is_broken(const Verdict& verdict) {
 }
 
 Verdict worst_of(std::span<const Verdict> parts) {
-  // a broken part first, then a failure, then success; out of scope only if all parts are
+  // an unexpected result first, then a failure, then success; out of scope only if all parts are
   const auto badness = [](const Verdict& part) {
     const int outcome = part.outcome == Outcome::FailedSilently ? 3
                         : part.outcome == Outcome::FailedOpenly ? 2

@@ -27,7 +27,7 @@ struct Verdict {
   Expectation expected = Expectation::Hold;
   std::string measured;                        // the figures of the criterion
   std::string reason;                          // how a failure was reported, or why it is out of scope
-  std::vector<std::vector<std::string>> rows;  // of the case's own table, if it has one: one per step
+  std::vector<std::vector<std::string>> rows;  // of the table of the case itself, if it has one: one per step
 };
 
 bool is_broken(const Verdict& verdict);
@@ -49,7 +49,7 @@ struct HardCase {
   std::string_view remark;  // exceptions with their reasons, and what is not checked; may be empty
   Concerns concerns = Concerns::EveryMethod;
   std::string_view not_quick;                  // ids of methods that take seconds, excluded from the quick subset; "*": all
-  std::string_view columns;                    // of its own table, separated by bars; empty: none
+  std::string_view columns;                    // of its own table, separated by vertical bars; empty: none
   Verdict (*judge)(const Integrator& method);  // runs it; with the default method if it concerns no method
 };
 

@@ -26,8 +26,8 @@ Scene make_scene(const TestNetwork& network, const Settings& settings) {
   return scene;
 }
 
-// "diverged at 0.3 s: ...", if the last good state was kept and the status reports what diverged, where, and which setting to try; else
-// nothing.
+// "diverged at 0.3 s: ...", if the last good state was kept and the status reports what diverged, where, and which setting to try;
+// otherwise empty.
 std::string describe_stop(Lab& lab, const State& before) {
   lab.publish();
   const Status& status = *lab.status();

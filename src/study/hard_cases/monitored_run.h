@@ -20,9 +20,9 @@ class MonitoredRun {
   // With a tolerance for positions the errors of the frames are estimated.
   MonitoredRun(const TestNetwork& network, const Settings& settings, const Tolerance& tolerance = {});
 
-  // Steps one frame; false when the run has diverged, and from then on.
+  // Steps one frame. Returns false when the run has diverged, and from then on.
   bool frame();
-  // Steps the whole frames in `seconds`.
+  // Steps the whole frames within `seconds`.
   bool run(double seconds);
 
   Lab& lab() { return lab_; }
@@ -32,8 +32,8 @@ class MonitoredRun {
   const RunMonitor& monitor() const { return *monitor_; }
   bool stopped() const { return stopped_; }
 
-  // How the run itself reports that it is wrong: it diverged, its step is beyond the method's limit, or the monitor warns. Empty: it does
-  // not.
+  // How the run itself reports a failure: it diverged, its step is beyond the limit of the method, or the monitor warns. Empty: no failure
+  // is reported.
   std::string report() const;
 
  private:
@@ -44,10 +44,10 @@ class MonitoredRun {
   std::string stop_reason_;  // as reported; empty: it did not stop, or without a complete report
 };
 
-// How a method is set on a scene: at 60 frames per second, with the fewest stable substeps.
+// The settings of a method on a scene: 60 frames per second, with the minimum number of stable substeps.
 struct Stepping {
-  int min = 1;            // substeps, at least
-  int free = 1;           // substeps of the methods stable at any step
+  int min = 1;            // minimum number of substeps
+  int free = 1;           // substeps of methods stable at any step
   double fraction = 1.0;  // step as a fraction of the largest stable one
   int max = 1000000;      // substeps: if more are needed, the run is too expensive and gets `min`
 };

@@ -53,7 +53,7 @@ std::vector<CaseResult> list_cases(std::span<const HardCase* const> cases, std::
 }
 
 void run_cases(std::span<CaseResult> results, int threads, const std::function<bool(long done, long all)>& should_continue) {
-  // long cases first, so that none is left to a single thread at the end
+  // long cases first, so that no single thread is left with one at the end
   std::vector<CaseResult*> order;
   for (CaseResult& result : results) order.push_back(&result);
   std::stable_partition(order.begin(), order.end(),

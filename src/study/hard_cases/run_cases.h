@@ -10,17 +10,17 @@ namespace hooke {
 
 struct CaseResult {
   const HardCase* hard_case = nullptr;
-  const Integrator* method = nullptr;  // null where no method is concerned
+  const Integrator* method = nullptr;  // null if no method is concerned
   bool finished = false;
   Verdict verdict;
   double cpu_seconds = 0.0;
 };
 
-// Every case with every method that it concerns, yet to be run; in the quick subset only what is quick.
+// Every case with every method that it concerns, not yet run; only the quick ones for the quick subset.
 std::vector<CaseResult> list_cases(std::span<const HardCase* const> cases, std::span<const Integrator* const> methods, bool quick);
 
-// Runs them. The verdicts do not depend on the threads; a case that throws failed in silence. `should_continue` is told how many
-// of how many are done, from the calling thread; when it says no, what is not finished stays so.
+// Runs the cases. The verdicts do not depend on the threads; a case that throws has failed silently. `should_continue` receives the number
+// of finished cases and the total, on the calling thread; if it returns false, unfinished cases stay unfinished.
 void run_cases(std::span<CaseResult> results, int threads, const std::function<bool(long done, long all)>& should_continue);
 
 int count_broken(std::span<const CaseResult> results);

@@ -18,8 +18,8 @@ State after(const TestNetwork& network, const Settings& settings, double seconds
   return run.state();
 }
 
-// A sheet of 1 m and 1 kg/m^2, k = 200 N/m and half along the diagonals, d = 0.2 N s/m, hung from its top row: its
-// sag and the slowest vibration about it.
+// A sheet of 1 m and 1 kg/m^2, k = 200 N/m and half of that on the diagonals, d = 0.2 N s/m, hung from its top row: its sag and its slowest
+// vibration.
 struct Sheet {
   double sag = 0.0, period = 0.0, decay = 0.0;  // [m], [s], [1/s]
 };
@@ -48,17 +48,17 @@ Sheet measure_sheet(const Integrator& method, int n) {
       R"(], "density": 1, "stiffness": 200, "shear_stiffness": 100, "damping": 0.2, "nail": ["top"]}]})";
   const Scene scene = parse_scene(json, "sheet").scene;
   TestNetwork network{scene.system, scene.state};
-  // at its limit the sweeps over the dashpots of the finest sheet, d h / m = 0.8, damp 6 % too little
+  // at the stability limit, the sweeps over the dashpots of the finest sheet, d h / m = 0.8, would damp 6 % too little
   Settings settings = settings_for(method, network.system, {.free = 4, .fraction = 0.2});
 
-  // at rest under drag, near the critical one of the slowest mode
+  // brought to rest by drag close to the critical damping of the slowest mode
   TestNetwork hanging = network;
   hanging.system.drag = 50.0;
   MonitoredRun resting(hanging, settings);
   resting.run(1.5);
   Sheet sheet{.sag = drop_of_row(resting.state(), n, n - 1)};
 
-  // without weight it swings about the undeformed sheet: the turning points of its slowest mode, over four periods
+  // without weight it oscillates about the undeformed sheet: the turning points of its slowest mode, over four periods
   network.state.position = resting.state().position;
   network.system.gravity = Vec3(0.0);
   constexpr int frames_per_60th = 4;
@@ -71,7 +71,7 @@ Sheet measure_sheet(const Integrator& method, int n) {
     const double now = slowest_mode(swinging.state(), n);
     const double bend = older - 2.0 * old + now;
     if (older != 0.0 && (old - older) * (now - old) <= 0.0 && bend != 0.0) {
-      // the vertex of the parabola through the three
+      // the vertex of the parabola through the three values
       const double at = 0.5 * (older - now) / bend;
       times.push_back(swinging.state().time + (at - 1.0) / settings.frame_rate);
       heights.push_back(std::abs(old - 0.125 * (now - older) * (now - older) / bend));
@@ -85,7 +85,7 @@ Sheet measure_sheet(const Integrator& method, int n) {
   return sheet;
 }
 
-// The mesh is what it is about: one method for all.
+// The case is about the mesh, so one method is sufficient.
 Verdict judge_refinement(const Integrator& method) {
   const Sheet finest = measure_sheet(method, 129);
   double sag = 0.0, period = 0.0, decay = 0.0;
@@ -105,14 +105,14 @@ Verdict judge_large_coordinates(const Integrator& method) {
   constexpr double seconds = 0.5;
   const InitialState net = make_net(8, 1e2, 0.0);
   Settings settings = settings_for(method, net.system, {.min = 20, .free = 20});
-  // who picks steps by a tolerance picks others by the last bits: within it
+  // an adaptive method chooses other steps if the last bits differ: equal within its tolerance
   if (adapts(method)) settings.tolerance = 1e-12;
   const State here = after({net.system, net.state}, settings, seconds);
 
   std::vector<Verdict> parts;
   for (const double offset : {1e3, 1e5}) {
     TestNetwork moved{net.system, net.state};
-    // by powers of two near it, so that no bits but those that are gone are in doubt
+    // offset by powers of two near it, so that only the bits lost by rounding differ
     const Vec3 by = Vec3(1.0, -0.5, 0.25) * std::exp2(std::round(std::log2(offset)));
     for (Vec3& x : moved.state.position) x += by;
     MonitoredRun run(moved, settings);
@@ -120,8 +120,8 @@ Verdict judge_large_coordinates(const Integrator& method) {
     double max = 0.0;
     for (std::size_t i = 0; i < here.position.size(); ++i)
       max = std::max(max, glm::distance(run.state().position[i] - by, here.position[i]));
-    // no tolerance is below the rounding of such coordinates
-    parts.push_back(judge(run, max < (adapts(method) ? 1e-8 : 1e-9), text("%.0e m away: %.1g m off", offset, max)));
+    // no tolerance is below the rounding error of such coordinates
+    parts.push_back(judge(run, max < (adapts(method) ? 1e-8 : 1e-9), text("%.0e m away: error %.1g m", offset, max)));
   }
   return worst_of(parts);
 }
@@ -157,9 +157,9 @@ Verdict judge_islands(const Integrator& method) {
   for (std::size_t i = 0; i < 64; ++i) max = std::max(max, glm::distance(run.state().position[i], soft.position[i]));
   for (std::size_t i = 0; i < stiff.position.size(); ++i)
     max = std::max(max, glm::distance(run.state().position[64 + i], stiff.position[i]));
-  // solves that are cut short end elsewhere in other company, and say so
+  // solves that reach their iteration limit end differently, and this is reported
   const Expectation expected = run.monitor().unconverged_solves() > 0 ? Expectation::HoldOrReport : expectation_of(run);
-  return judge(run, expected, max < 1e-6, text("together %.1g m from alone, %d substeps", max, settings.substeps));
+  return judge(run, expected, max < 1e-6, text("difference %.1g m, %d substeps", max, settings.substeps));
 }
 
 }  // namespace
@@ -180,7 +180,8 @@ constinit const HardCase large_coordinates_case{
     .parameters = "net of 8 x 8, 1e3 m and 1e5 m from the origin, 0.5 s",
     .criterion = "trajectories equal to 1e-9 m",
     .remark =
-        "dop853, whose tolerance cannot be below the rounding error of such coordinates (1e-14 of them), may be 1e-8 m off; drawing "
+        "dop853, whose tolerance cannot be below the rounding error of such coordinates (1e-14 of them), may have an error of 1e-8 m; "
+        "drawing "
         "relative to the camera is covered by the tests of drawing",
     .judge = judge_large_coordinates,
 };
@@ -189,9 +190,10 @@ constinit const HardCase islands_case{
     .number = 26,
     .name = "Stiff and soft islands",
     .parameters = "a rope of k = 1e8 N/m and a cloth of k = 1 N/m in one scene, 0.5 s",
-    .criterion = "each moves as it does alone, to 1e-6 m",
+    .criterion = "each moves as it does alone, within 1e-6 m",
     .remark =
-        "not checked: a cost of at most 1.5 times that of the two alone, which needs a method chosen per island; there is no `auto` method "
+        "not checked: a cost of at most 1.5 times that of the two alone, which requires a method chosen per island; there is no `auto` "
+        "method "
         "yet",
     .not_quick = "dop853",
     .judge = judge_islands,

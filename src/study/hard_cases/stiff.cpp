@@ -21,7 +21,7 @@ bool is_dissipative(const Integrator& method) {
   return method.order == 1 && method.energy == EnergyTrend::Falls && method.stability == Stability::LStable;
 }
 
-// 12 x 12 points, 1 m, 1 kg, all springs of the stiffness k that k dt^2 / m asks for; no gravity.
+// 12 x 12 points, 1 m, 1 kg, no gravity; the stiffness k of all springs follows from k dt^2 / m.
 TestNetwork make_stiff_sheet(double k_dt2_per_m) {
   constexpr double a = 1.0 / 11.0, m = 1.0 / 144.0;
   const double k = k_dt2_per_m * m / (frame * frame);
@@ -56,7 +56,7 @@ Verdict judge_stiff_spring(const Integrator& method) {
                text("%.1g l0 from rest, energy rises %.1g", off, run.monitor().energy_rise()));
 }
 
-// A sheet with every point out of place by up to 5 cm in each direction.
+// A sheet with every point displaced by up to 5 cm in each direction.
 TestNetwork make_crumpled_sheet(double k_dt2_per_m, int seed) {
   TestNetwork sheet = make_stiff_sheet(k_dt2_per_m);
   Random random(seed);
@@ -72,7 +72,7 @@ MonitoredRun run_crumpled(const Integrator& method, double k_dt2_per_m, int seed
   return run;
 }
 
-// Implicit Euler's solve with clamped curvature and line search, given as many iterations as it likes.
+// The solve of implicit Euler with clamped curvature and line search, without a limit on the iterations.
 Verdict solve_to_convergence(double k_dt2_per_m) {
   int converged = 0;
   for (int seed = 0; seed < seeds; ++seed) {
@@ -87,14 +87,14 @@ Verdict solve_to_convergence(double k_dt2_per_m) {
     converged += motion.unconverged_solves == 0 ? 1 : 0;
   }
   return {.outcome = converged == seeds ? Outcome::Held : Outcome::FailedSilently,
-          .measured = text("%.0e: %d of %d solves converge in the end", k_dt2_per_m, converged, seeds)};
+          .measured = text("%.0e: %d of %d solves converge", k_dt2_per_m, converged, seeds)};
 }
 
 std::vector<Verdict> crumple(const Integrator& method, double k_dt2_per_m) {
   if (adapts(method) && k_dt2_per_m > 1e5)
-    return {{.outcome = Outcome::OutOfScope, .reason = "follows these springs swing by swing, in thousands of steps a frame"}};
+    return {{.outcome = Outcome::OutOfScope, .reason = "resolves the oscillations of these springs in thousands of steps per frame"}};
 
-  // a second of it, and the first frames of nine others
+  // one second of one sheet, and the first frames of nine others
   const MonitoredRun run = run_crumpled(method, k_dt2_per_m, 0, 60 * frame);
   long unconverged = run.monitor().unconverged_solves();
   double rise = run.monitor().energy_rise();
@@ -105,14 +105,14 @@ std::vector<Verdict> crumple(const Integrator& method, double k_dt2_per_m) {
   }
 
   std::vector<Verdict> parts;
-  // where the energy can only fall, it falls whether the solves converge or not: they never end above where they began
+  // methods whose energy can only fall: it falls whether the solves converge or not, because they never end above their starting value
   parts.push_back(judge(run, is_dissipative(method) ? Expectation::Hold : expectation_of(run),
                         rise <= (is_dissipative(method) ? round_off : 0.02), text("%.0e: energy rises %.1g", k_dt2_per_m, rise)));
   if (!is_dissipative(method) && unconverged > 0) parts.back().expected = Expectation::HoldOrReport;
   if (unconverged > 0)
     parts.push_back({.outcome = Outcome::FailedOpenly,
                      .expected = Expectation::HoldOrReport,
-                     .measured = text("%ld solves cut short", unconverged),
+                     .measured = text("%ld solves stopped early", unconverged),
                      .reason = text("%ld solves did not converge", unconverged)});
   return parts;
 }
@@ -126,7 +126,7 @@ Verdict judge_crumpled_sheet(const Integrator& method) {
   return worst_of(parts);
 }
 
-// The border nailed at 0.6 of the rest lengths: every spring pushes, every block of the Hessian has negative directions.
+// The border nailed at 0.6 of the rest lengths: every spring is compressed, and every block of the Hessian has negative directions.
 Verdict compress(const Integrator& method, double k_dt2_per_m) {
   TestNetwork sheet = make_stiff_sheet(k_dt2_per_m);
   sheet.system.drag = 4.0;
@@ -139,7 +139,7 @@ Verdict compress(const Integrator& method, double k_dt2_per_m) {
     if (!border) sheet.state.position[i].z += random.uniform(-1e-6, 1e-6);
   }
 
-  // modes beside the linear ones are fast too: a third of the limit of these
+  // other modes than the linear ones are fast too: a third of their limit
   MonitoredRun run(sheet, settings_for(method, sheet.system, {.fraction = 0.3}), {.energy = 1e-3});
   run.run(1.0);
   double highest = 0.0;
@@ -147,7 +147,7 @@ Verdict compress(const Integrator& method, double k_dt2_per_m) {
   const double rise = run.monitor().energy_rise();
   const bool solves = run.monitor().unconverged_solves() == 0, never_rises = rise <= (method.id == "implicit_euler" ? round_off : 1e-3);
 
-  // one linear solve goes too far along a direction that nothing holds, and solves that are cut short say so
+  // one linear solve overshoots along unconstrained directions, and solves that are stopped early report it
   Expectation expected = expectation_of(run);
   if (method.id == "baraff_witkin" || (!solves && highest > 0.05 && never_rises)) expected = Expectation::HoldOrReport;
   return judge(run, expected, solves && never_rises && highest > 0.05,
@@ -174,7 +174,7 @@ Verdict judge_huge_damping(const Integrator& method) {
   run.run(seconds);
 
   const double error = rms_distance(run.state(), exact);
-  // first order at so few steps is not that exact
+  // first-order methods are not that accurate at so few steps
   return judge(run, method.order_damped == 1 ? Expectation::HoldOrReport : expectation_of(run), error <= 1e-4,
                text("error %.1g m after 1 s", error));
 }
@@ -202,7 +202,7 @@ constinit const HardCase crumpled_sheet_case{
         "Newton's method with clamped curvature and line search converges for every seed (under implicit_euler); the energy of "
         "implicit_euler and baraff_witkin never rises, that of the others by at most 2 %",
     .remark =
-        "in a run a solve is limited to 20 factorisations, and these scenes need more: it then stops early, below the energy it started "
+        "in a run a solve is limited to 20 factorizations, and these scenes need more: it then stops early, below the energy it started "
         "from, and is reported; \"never\" means by less than 1e-9 of the energy: baraff_witkin gains up to 3e-10 of it at 4e6",
     .not_quick = "dop853 tr_bdf2 esdirk4",
     .judge = judge_crumpled_sheet,

@@ -20,11 +20,11 @@ struct TestNetwork {
   Index index(PointId id) const { return system.index_of(id); }
 };
 
-// rows x columns points with springs right and down, and along both diagonals if diagonal_stiffness > 0, all at rest length:
-// point (row, column) at corner + column across + row down, with the index row * columns + column. `mass` [kg] each.
+// rows x columns points with springs right and down, and along both diagonals if diagonal_stiffness > 0, all at rest length: point (row,
+// column) is at corner + column across + row down and has the index row * columns + column. `mass` [kg] of each point.
 struct SheetShape {
   int rows, columns;
-  Vec3 corner{0.0}, across{1.0, 0.0, 0.0}, down{0.0, -1.0, 0.0};  // across, down: from point to point [m]
+  Vec3 corner{0.0}, across{1.0, 0.0, 0.0}, down{0.0, -1.0, 0.0};  // across, down: spacing of the points [m]
   double mass = 1.0, stiffness = 100.0, diagonal_stiffness = 0.0;
 };
 TestNetwork make_sheet(const SheetShape& shape);

@@ -1,4 +1,4 @@
-// The world axes in a corner of the scene, as the camera sees them; clicking an end looks from that side.
+// The world axes in a corner of the scene, as seen by the camera; clicking an end looks from that direction.
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
@@ -9,7 +9,7 @@
 namespace hooke {
 namespace {
 
-constexpr double side = 88.0, reach = 31.0, ball = 8.5;  // [units of design]
+constexpr double side = 88.0, reach = 31.0, ball = 8.5;  // [design units]
 
 struct End {
   Vec3 direction;
@@ -71,7 +71,7 @@ void build_axes(const PanelInput& input, Panels& panels, Requests& requests) {
   const ImVec2 center{static_cast<float>(place.x + 0.5 * place.width), static_cast<float>(place.y + 0.5 * place.height)};
   ImGui::PushFont(fonts().small);
   const auto ends = seen_ends(input.camera, center);
-  // overlapping ends: the one nearest to the viewer
+  // of overlapping ends, the one nearest to the viewer
   const bool hovered = ImGui::IsWindowHovered();
   const auto under = std::ranges::find_if(ends.rbegin(), ends.rend(), is_over);
   for (const ProjectedEnd& end : ends) draw(list, end, center, hovered && under != ends.rend() && &end == &*under);

@@ -12,9 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double places_width = 168.0;  // [units of design]
+constexpr double places_width = 168.0;  // [design units]
 
-// The preferred size, or what fits into the window with its surroundings. [design units]
+// The preferred size, limited to what fits into the window. [design units]
 double width() { return std::clamp(ImGui::GetIO().DisplaySize.x / units(1.0) - 64.0, 300.0, 640.0); }
 double height() { return std::clamp(ImGui::GetIO().DisplaySize.y / units(1.0) - 220.0, 80.0, 300.0); }
 
@@ -152,7 +152,7 @@ bool recent_list(const PanelInput& input, Dialog& dialog) {
   return confirmed;
 }
 
-// A click opens the scene at once.
+// A click opens the scene immediately.
 bool shipped_list(Dialog& dialog) {
   bool chosen = false;
   for (const ShippedScene& scene : shipped_scenes()) {

@@ -21,15 +21,15 @@ bool push_button(const char* label) {
 bool enter_pressed(const PanelInput& input) { return input.presses(PanelKey::Target::Dialog, Key::Enter) > 0; }
 bool escape_pressed(const PanelInput& input) { return input.presses(PanelKey::Target::Dialog, Key::Escape) > 0; }
 
-// The first button, which Enter presses too.
+// The first button, also pressed by Enter.
 bool accepted(const PanelInput& input, const char* label) {
   ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);
   const bool pressed = push_button(label);
   ImGui::PopStyleColor();
   return pressed || enter_pressed(input);
 }
-// The last button, which Esc presses too.
-bool cancelled(const PanelInput& input) {
+// The last button, also pressed by Esc.
+bool canceled(const PanelInput& input) {
   ImGui::SameLine();
   return push_button("Cancel") || escape_pressed(input);
 }
@@ -70,7 +70,7 @@ void message_box(const PanelInput& input, Panels& panels, Requests& requests) {
   requests.push_back(std::move(*chosen));
 }
 
-// Shows a typed folder. False: what was typed is no folder.
+// Shows a typed folder. Returns false if the text is not a folder.
 bool goes_to_folder(Panels& panels, FileDialogMode mode) {
   std::error_code error;
   const std::filesystem::path chosen_path = resolved_path(panels.dialog);
@@ -93,7 +93,7 @@ void open_box(const PanelInput& input, Panels& panels, Requests& requests) {
   path_line(panels);
   ImGui::Spacing();
   chosen = accepted(input, "Open") || chosen;
-  if (cancelled(input)) return close(panels);
+  if (canceled(input)) return close(panels);
   desktop_button(input, panels, requests, false);
   if (!chosen || panels.dialog.typed.empty() || goes_to_folder(panels, FileDialogMode::Open)) return;
   requests.emplace_back(OpenFile{resolved_path(panels.dialog)});
@@ -108,7 +108,7 @@ void save_box(const PanelInput& input, Panels& panels, Requests& requests) {
   const bool replaces = chosen_path != input.file && std::filesystem::is_regular_file(chosen_path, error);
   text_in(palette::warning, replaces ? "A file with this name exists and will be replaced" : " ");
   chosen = accepted(input, replaces ? "Replace" : "Save") || chosen;
-  if (cancelled(input)) {
+  if (canceled(input)) {
     requests.emplace_back(Answer::Cancel);
     return close(panels);
   }
@@ -129,7 +129,7 @@ void unsaved_box(const PanelInput& input, Panels& panels, Requests& requests) {
   if (accepted(input, "Save")) answer = Answer::Save;
   ImGui::SameLine();
   if (push_button("Discard")) answer = Answer::Discard;
-  if (cancelled(input)) answer = Answer::Cancel;
+  if (canceled(input)) answer = Answer::Cancel;
   if (!answer) return;
   close(panels);
   requests.emplace_back(*answer);
@@ -141,7 +141,7 @@ void texture_box(const PanelInput& input, Panels& panels, Requests& requests) {
   path_line(panels);
   ImGui::Spacing();
   const bool chosen = accepted(input, "Choose");
-  if (cancelled(input)) return close(panels);
+  if (canceled(input)) return close(panels);
   if (!chosen || panels.dialog.typed.empty()) return;
   requests.emplace_back(ChooseTexture{panels.dialog.typed});
   close(panels);

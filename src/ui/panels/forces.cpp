@@ -1,4 +1,4 @@
-// The forces of the scene, made from the rows of their table: a switch, parameters and a remove button each, and a list to add one.
+// The forces of the scene, made from the rows of their table: each with a switch, parameters and a remove button, and a list to add one.
 #include "sim/forces/force_term.h"
 #include "sim/system.h"
 #include "ui/number_field.h"
@@ -8,7 +8,7 @@
 namespace hooke {
 namespace {
 
-// The switch, the name and the remove button. False: removed.
+// The switch, the name and the remove button. Returns false if the force was removed.
 bool heading(Force& force) {
   const float end = ImGui::GetContentRegionMax().x, side = ImGui::GetFrameHeight();
   ImGui::Checkbox("##on", &force.on);

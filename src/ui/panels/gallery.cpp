@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-constexpr double margin = 28.0, gap = 16.0, min_card = 250.0;  // [units of design]
+constexpr double margin = 28.0, gap = 16.0, min_card = 250.0;  // [design units]
 constexpr int description_lines = 6;
 
 struct Grid {
@@ -25,7 +25,7 @@ Grid grid_for(float width) {
   return {columns, card, card * thumbnail_height / thumbnail_width};
 }
 
-// Shortened to a number of lines.
+// Truncated to a number of lines.
 std::string shortened(const std::string& text, float width, int lines) {
   const ImFont& font = *ImGui::GetFont();
   const float scale = ImGui::GetFontSize() / font.FontSize;
@@ -49,7 +49,7 @@ void picture(const Panels& panels, std::size_t number, const ImVec2& min, const 
   const auto count = static_cast<int>(gallery_cards().size()), rows = (count + thumbnail_columns - 1) / thumbnail_columns;
   const auto column = static_cast<float>(static_cast<int>(number) % thumbnail_columns),
              row = static_cast<float>(static_cast<int>(number) / thumbnail_columns);
-  // half a pixel inset, against bleeding from neighbouring pictures
+  // inset by half a pixel, to prevent bleeding from neighboring pictures
   const ImVec2 half{0.5f / (thumbnail_columns * thumbnail_width), 0.5f / static_cast<float>(rows * thumbnail_height)};
   const ImVec2 uv_min{column / thumbnail_columns + half.x, row / static_cast<float>(rows) + half.y};
   const ImVec2 uv_max{(column + 1.0f) / thumbnail_columns - half.x, (row + 1.0f) / static_cast<float>(rows) - half.y};
@@ -103,7 +103,7 @@ void heading(const std::string& title) {
   ImGui::Dummy({0.0f, units(2.0)});
 }
 
-// The cards of a group; the highest card sets the height of its row. Returns the end of the group.
+// The cards of a group; the highest card determines the height of its row. Returns the end of the group.
 std::size_t group(const PanelInput& input, Panels& panels, std::size_t first, const Grid& grid, Requests& requests) {
   const std::vector<GalleryCard>& cards = gallery_cards();
   std::size_t end = first;

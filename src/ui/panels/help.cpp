@@ -7,7 +7,7 @@
 namespace hooke {
 namespace {
 
-constexpr double column_width = 330.0;  // [units of design]
+constexpr double column_width = 330.0;  // [design units]
 constexpr int max_columns = 3;
 constexpr double heading_lines = 1.6;  // a heading and the gap above it, in lines
 

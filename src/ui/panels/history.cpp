@@ -6,7 +6,7 @@
 namespace hooke {
 namespace {
 
-constexpr double height = 180.0;  // [units of design]
+constexpr double height = 180.0;  // [design units]
 
 std::string sentence(std::string text) {
   if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');

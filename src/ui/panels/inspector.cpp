@@ -1,4 +1,4 @@
-// The selection and its properties, to be edited one by one or all at once.
+// The selection and its properties, which can be edited for one item or for all.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -49,7 +49,7 @@ Inspected inspect(const PanelInput& input) {
   return inspected;
 }
 
-// Completes a field with the value that all have in common, or as mixed.
+// Fills in the common value of all items, or marks the field as mixed.
 TypedField field_of(TypedField field, const Common<double>& now) {
   field.value = now.value;
   field.mixed = now.mixed;
@@ -85,7 +85,7 @@ void place_row(const char* label, int axis, const Inspected& inspected, Panels& 
 void nailed_row(const Inspected& inspected, Panels& panels, Requests& requests) {
   const auto now = common(inspected.points, [&](Index i) { return inspected.point(i).nailed; });
   begin_row("Nailed");
-  // one of two bits set shows the checkbox as neither on nor off
+  // one of two bits set shows the checkbox as mixed
   int bits = now.mixed ? 1 : now.value ? 3 : 0;
   if (!ImGui::CheckboxFlags("##nailed", &bits, 3)) return;
   SetNailed set;
@@ -102,7 +102,7 @@ void color_row(const Inspected& inspected, Panels& panels, Requests& requests) {
     edit(std::move(set), panels, requests);
     panels.edit_in_progress = true;
   };
-  begin_row("Colour");
+  begin_row("Color");
   const Color color = now.value.value_or(Color{200, 205, 212});
   float channels[] = {color.red / 255.0f, color.green / 255.0f, color.blue / 255.0f};
   if (ImGui::ColorEdit3("##color", channels, ImGuiColorEditFlags_NoInputs)) {

@@ -1,4 +1,4 @@
-// The bar at the top: menus, the buttons of the run, undo and redo, the clock.
+// The menu bar: menus, run buttons, undo and redo, the clock.
 #include <algorithm>
 
 #include "base/printable.h"
@@ -38,7 +38,7 @@ void item(const ActionRow& row, const PanelInput& input, Requests& requests) {
   if (ImGui::MenuItem(label.c_str(), keys.c_str(), false, is_met(row.needs, input))) requests.emplace_back(row.action);
 }
 
-// The items of some sections of a menu, with lines between the sections. False: there are none.
+// The items of some sections of a menu, with separators. Returns false if there are none.
 bool sections(Menu menu, int first, int last, const PanelInput& input, Requests& requests) {
   bool any = false;
   for (int section = first; section <= last; ++section) {
@@ -133,7 +133,7 @@ void view_menu(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::MenuItem("Points", nullptr, &panels.view.points);
   ImGui::MenuItem("Springs", nullptr, &panels.view.springs);
   ImGui::MenuItem("Surface", nullptr, &panels.view.surface);
-  ImGui::MenuItem("Strain colours", nullptr, &panels.view.strain_colors);
+  ImGui::MenuItem("Strain colors", nullptr, &panels.view.strain_colors);
   ImGui::MenuItem("Shadows", nullptr, &panels.view.shadows);
   ImGui::Separator();
   ImGui::MenuItem("Colliders", nullptr, &panels.view.colliders);
@@ -153,7 +153,7 @@ struct MenuRow {
 constexpr MenuRow menus[] = {{"File", file_menu}, {"Scenes", scenes_menu}, {"Edit", edit_menu},
                              {"Add", add_menu},   {"Run", run_menu},       {"View", view_menu}};
 
-// A flat button at x that opens the menu under it. Returns its width.
+// A flat button at x that opens the menu below it. Returns its width.
 float build_one(const MenuRow& menu, float x, const PanelInput& input, Panels& panels, Requests& requests) {
   const Rect& bar = input.layout.menu;
   const float width = ImGui::CalcTextSize(menu.name).x + units(18.0);
@@ -163,7 +163,7 @@ float build_one(const MenuRow& menu, float x, const PanelInput& input, Panels& p
   const bool clicked = ImGui::Button(menu.name, {width, units(28.0)});
   ImGui::PopStyleColor();
 
-  // sliding along the bar opens the next menu, as in other menu bars
+  // moving along the bar opens the next menu, as in other menu bars
   const bool sliding = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId) && panels.dialog.kind == Dialog::Kind::None &&
                        ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
   if (clicked || (sliding && !is_open)) ImGui::OpenPopup(menu.name);
@@ -180,7 +180,7 @@ float build_one(const MenuRow& menu, float x, const PanelInput& input, Panels& p
   return width;
 }
 
-// Centred above the scene if the menus leave room. Returns their right end.
+// Centered above the scene if the menus leave space. Returns their right end.
 float run_buttons(const PanelInput& input, float menus_end, Requests& requests) {
   struct Button {
     Action action;

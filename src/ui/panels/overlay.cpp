@@ -1,5 +1,5 @@
-// Drawn over the scene: the strain legend, the hint for an empty scene, the selection box, short messages, and banners, such as
-// the one that explains why a run stopped.
+// Drawn over the scene: the strain legend, the hint for an empty scene, the selection box, short messages, and banners, such as the one
+// that explains why a run stopped.
 #include <algorithm>
 
 #include "scene/parameters.h"
@@ -25,8 +25,8 @@ std::string percent(double strain) {
 
 void legend(const PanelInput& input, const Panels& panels, ImDrawList& list) {
   const Snapshot& snapshot = *input.status.snapshot;
-  const bool is_coloured = panels.view.springs || (panels.view.surface && !snapshot.system->faces.empty());
-  if (snapshot.system->springs().empty() || !is_coloured || !panels.view.strain_colors) return;
+  const bool is_colored = panels.view.springs || (panels.view.surface && !snapshot.system->faces.empty());
+  if (snapshot.system->springs().empty() || !is_colored || !panels.view.strain_colors) return;
   // not in a window so small that it would cover the scene
   const Rect& scene = input.layout.scene;
   if (scene.width < units(240.0) || scene.height < units(200.0)) return;
@@ -62,9 +62,10 @@ void hint_of_empty_scene(const PanelInput& input, ImDrawList& list) {
   if (input.status.snapshot->system->point_count() > 0) return;
   const Rect& scene = input.layout.scene;
   const std::string text = "Press A and click to add points, T to attach springs, Space to run.";
-  const float room = std::max(1.0f, static_cast<float>(scene.width) - units(32.0));
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
-  list.AddText(nullptr, 0.0f, place(scene, 0.5 * (scene.width - size.x), 0.36 * scene.height), palette::dim, text.c_str(), nullptr, room);
+  const float max_width = std::max(1.0f, static_cast<float>(scene.width) - units(32.0));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, max_width);
+  list.AddText(nullptr, 0.0f, place(scene, 0.5 * (scene.width - size.x), 0.36 * scene.height), palette::dim, text.c_str(), nullptr,
+               max_width);
 }
 
 void rubber_band(const PanelInput& input, ImDrawList& list) {
@@ -94,14 +95,14 @@ void toast(const PanelInput& input, Panels& panels, ImDrawList& list) {
     return;
   }
   const Rect& scene = input.layout.scene;
-  const float dx = units(14.0), dy = units(8.0), room = std::max(1.0f, static_cast<float>(scene.width) - 2.0f * (dx + units(8.0)));
-  const ImVec2 size = ImGui::CalcTextSize(panels.toast.c_str(), nullptr, false, room);
+  const float dx = units(14.0), dy = units(8.0), max_width = std::max(1.0f, static_cast<float>(scene.width) - 2.0f * (dx + units(8.0)));
+  const ImVec2 size = ImGui::CalcTextSize(panels.toast.c_str(), nullptr, false, max_width);
   const ImVec2 at = place(scene, 0.5 * (scene.width - size.x), scene.height - units(70.0) - size.y);
   list.AddRectFilled({at.x - dx, at.y - dy}, {at.x + size.x + dx, at.y + size.y + dy}, palette::shade, units(8.0));
-  list.AddText(nullptr, 0.0f, at, palette::text, panels.toast.c_str(), nullptr, room);
+  list.AddText(nullptr, 0.0f, at, palette::text, panels.toast.c_str(), nullptr, max_width);
 }
 
-// The advice, except that another method keeps at least the current number of substeps.
+// The recommendation, except that another method keeps at least the current number of substeps.
 Advice fitted(const Advice& advice, const Settings& settings) {
   if (advice.integrator == settings.integrator) return advice;
   return {advice.integrator, std::max(advice.substeps, settings.substeps)};
@@ -114,7 +115,7 @@ std::string display_text(const Advice& advice, const Settings& settings) {
   return advice.substeps == settings.substeps ? text : text.append(count(advice.substeps, "substep"));
 }
 
-// Applies the advice, beyond the slider's range if needed, and runs from the start.
+// Applies the recommendation, beyond the range of the slider if necessary, and runs from the start.
 void take_advice(const Advice& advice, const Settings& settings, Requests& requests) {
   const bool changes_method = advice.integrator != settings.integrator;
   if (changes_method) requests.emplace_back(Edit{SetIntegrator{advice.integrator}});

@@ -29,13 +29,13 @@ std::string length_text(double length) {
   return length < 1.0 ? "~ " + two_digits(1e3 * length) + " mm" : "~ " + two_digits(length) + " m";
 }
 
-// Shown where there is no value, so that no slider moves when there is one.
+// Shown if there is no value, so that sliders do not move when one appears.
 constexpr const char* nothing = "\u2013";
 
 // Negligible values are shown as 0.
 std::string ratio_text(double ratio) { return ratio < 5e-5 ? "0" : two_digits(ratio); }
 
-// A small line under a slider: a name and a value, with a coloured dot if it is good or bad.
+// A small line below a slider: a name and a value, with a colored dot if it is good or bad.
 void remark(const std::string& name, const std::string& text, const std::string& description, ImU32 dot = 0,
             ImU32 text_color = palette::dim) {
   ImGui::PushFont(fonts().small);
@@ -54,7 +54,7 @@ void remark(const std::string& name, const std::string& text, const std::string&
   tooltip(description);
 }
 
-// The step, and omega h against the method's limit.
+// The step, and omega h relative to the limit of the method.
 void step_remark(const Snapshot& snapshot) {
   const double h = snapshot.settings.substep(), limit = snapshot.largest_stable_step;
   const double fraction = limit > 0.0 ? h / limit : INFINITY;
@@ -74,7 +74,7 @@ void step_remark(const Snapshot& snapshot) {
     text += " (limit " + three_digits(snapshot.omega * limit) + ")";
   char step[32];
   std::snprintf(step, sizeof step, "step %.3g ms", 1000.0 * h);
-  remark(step, text, "Highest angular frequency of the scene times the step. Beyond the method's limit the simulation can blow up.",
+  remark(step, text, "Highest angular frequency of the scene times the step. Beyond the limit of the method, the simulation can blow up.",
          text_color, anything && fraction > 0.8 ? text_color : palette::dim);
 }
 
@@ -96,8 +96,8 @@ void ratio_remark(double (*ratio)(const Forecast&, const Mode&), const std::stri
   if (slowest == "slowest varies" && fastest == "fastest varies") text = "varies between parts";
   if (fastest == "0 fastest" && (slowest.empty() || slowest == "0 slowest")) text = "0";
   const auto period = [](const Mode& mode) { return number(2.0 * 3.14159265358979323846 / mode.omega) + " s"; };
-  std::string description =
-      "Damping ratio of the scene's oscillations due to " + of + " alone: 1 is critical damping; above it they decay without oscillating. ";
+  std::string description = "Damping ratio of the oscillations of the scene due to " + of +
+                            " alone: 1 is critical damping; above it, motion decays without oscillating. ";
   if (forecast.slowest && forecast.fastest)
     description += "Longest period " + period(*forecast.slowest) + ", shortest " + period(*forecast.fastest) + ".";
   remark("damping ratio \u03b6", text, description);

@@ -1,4 +1,4 @@
-// What a number means for the scene on the screen: a line under its slider.
+// The effect of a parameter on the current scene: a line below its slider.
 #pragma once
 
 #include "scene/parameters.h"
@@ -6,8 +6,8 @@
 
 namespace hooke {
 
-// Under the substeps the step and omega h; under stiffness and weight the sag; under dashpots and drag how fast they take swings
-// away. A dash where nothing can be said.
+// Below the substeps: the step and omega h; below stiffness and gravity: the sag; below damping and drag: the damping ratios. A dash if no
+// value is available.
 void parameter_hint_row(const Parameter& row, const PanelInput& input);
 
 }  // namespace hooke

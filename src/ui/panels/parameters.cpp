@@ -1,4 +1,4 @@
-// Sliders and switches, made from the rows of the parameter table, with their meaning for the scene on screen.
+// Sliders and switches, made from the rows of the parameter table, with their effect on the current scene.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -18,7 +18,7 @@ void edit(Command command, Panels& panels, Requests& requests) {
   panels.edit_in_progress = true;
 }
 
-// The springs that stiffness and damping act on: the selected ones, else all.
+// The springs that stiffness and damping apply to: the selected ones, or else all.
 struct AffectedSprings {
   bool all;
   std::vector<const Spring*> springs;
@@ -56,7 +56,7 @@ NumberField field_of(const Parameter& row, const ControlRanges& controls, double
   return field;
 }
 
-// The mean value of the affected springs; without any, `value_without`.
+// The mean value of the affected springs, or `value_without` if there are none.
 void spring_row(const Parameter& row, double value_without, const AffectedSprings& affected, const PanelInput& input, Panels& panels,
                 Requests& requests) {
   const bool stiffness = row.scope == Parameter::Scope::SpringStiffness;
@@ -106,7 +106,7 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
   const Integrator& now = *input.status.snapshot->settings.integrator;
   begin_row("Method");
   ImGui::SetNextItemWidth(-1.0f);
-  // other names of the method appear in the list only
+  // other names of the method appear only in the list
   const std::string name(now.label.substr(0, now.label.find(" (")));
   if (ImGui::BeginCombo("##method", name.c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const Integrator& method : integrators()) {
@@ -140,7 +140,7 @@ void parameter_row(const Parameter& row, double value, const AffectedSprings& af
   }
 }
 
-// The remark at the right of a section's heading.
+// The remark on the right of the heading of a section.
 std::string scope_of(std::string_view group, const AffectedSprings& affected) {
   if (group != "Springs") return {};
   return affected.all ? "all " + std::to_string(affected.springs.size()) : std::to_string(affected.springs.size()) + " selected";

@@ -1,4 +1,4 @@
-// The plots under the scene: quantities over time, one plot per unit.
+// The plots below the scene: quantities over time, one plot per unit.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-// Colour-blind safe (Okabe and Ito), with contrast on dark and on light backgrounds.
+// Distinguishable with color vision deficiencies (Okabe and Ito), with contrast on dark and on light backgrounds.
 constexpr ImU32 inks[] = {IM_COL32(0x56, 0xb4, 0xe9, 255), IM_COL32(0xe6, 0x9f, 0x00, 255), IM_COL32(0x00, 0x9e, 0x73, 255),
                           IM_COL32(0xd5, 0x5e, 0x00, 255), IM_COL32(0xcc, 0x79, 0xa7, 255), IM_COL32(0x80, 0x80, 0x80, 255)};
 
@@ -39,7 +39,7 @@ std::vector<Plot> plots_of(const TraceTable& table) {
 // The visible time span.
 struct Span {
   double first, last;      // [s]
-  std::size_t begin, end;  // samples within it and one more on either side
+  std::size_t begin, end;  // samples within it and one more on each side
 };
 
 Span shown_span(const TraceTable& table, const Panels& panels) {
@@ -133,7 +133,7 @@ void draw_plot(const TraceTable& table, const Plot& plot, const Rect& place, int
   for (const auto& [trace, text_color] : plot.lines) draw_line(list, table, *trace, span, x_axis, y_axis, min, max, text_color);
   list.PopClipRect();
 
-  // names above the plot, each with its colour; the unit above the axis
+  // names above the plot, each in its color; the unit above the axis
   const float names_y = static_cast<float>(place.y) + units(6.0);
   list.AddText({static_cast<float>(place.x) + units(10.0), names_y}, palette::dim, ("[" + std::string(plot.unit) + "]").c_str());
   float x = min.x;
@@ -190,10 +190,10 @@ void choices(const PanelInput& input, Requests& requests) {
 void buttons(const PanelInput& input, const Rect& place, Panels& panels, Requests& requests) {
   const float x = static_cast<float>(place.x) + units(8.0), width = units(62.0);
   float y = static_cast<float>(place.y) + units(8.0);
-  const auto button = [&](const char* name, const char* says) {
+  const auto button = [&](const char* name, const char* hint) {
     ImGui::SetCursorScreenPos({x, y});
     const bool clicked = ImGui::Button(name, {width, units(24.0)});
-    tooltip(says);
+    tooltip(hint);
     y += units(29.0);
     return clicked;
   };

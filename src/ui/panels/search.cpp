@@ -11,7 +11,7 @@
 namespace hooke {
 namespace {
 
-constexpr double width = 460.0, row_height = 26.0;  // [units of design]
+constexpr double width = 460.0, row_height = 26.0;  // [design units]
 constexpr std::size_t max_rows = 9;
 
 std::string lower(std::string_view text) {
@@ -75,9 +75,9 @@ void build_search(const PanelInput& input, Panels& panels, Requests& requests) {
   const Shortcut* chosen = accepted && !found.empty() ? found[static_cast<std::size_t>(search.highlighted)] : nullptr;
   if (found.empty()) dim_text("No matching command");
 
-  const double room =
+  const double available =
       (input.layout.page.y + input.layout.page.height) / units(row_height) - ImGui::GetCursorScreenPos().y / units(row_height) - 0.7;
-  const auto rows_that_fit = static_cast<std::size_t>(std::clamp(room, 1.0, static_cast<double>(max_rows)));
+  const auto rows_that_fit = static_cast<std::size_t>(std::clamp(available, 1.0, static_cast<double>(max_rows)));
   ImGui::BeginChild("found", {0.0f, units(row_height) * static_cast<float>(std::min(found.size(), rows_that_fit))});
   ImGui::PushStyleColor(ImGuiCol_Header, palette::tinted);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(8.0), 0.0f});

@@ -34,7 +34,7 @@ void energy_section(const Status& status) {
   energy_row("Gravitational", number(snapshot.energy.gravitational) + " J");
   energy_row("Total", number(snapshot.energy.total()) + " J");
   if (snapshot.system->strain_limit > 0.0) {
-    // the limit is not physics: the energy that it removes is shown beside the scene's
+    // the limit is not physical: the energy that it removes is shown next to that of the scene
     const ImU32 text_color = status.run.limit_power != 0.0 ? palette::warning : palette::text;
     energy_row("Strain limit", number(status.run.limit_power) + " W, " + number(status.run.limit_work) + " J in total", text_color);
   }

@@ -8,7 +8,7 @@
 namespace hooke {
 namespace {
 
-// ImGui windows adapt to their content with a delay of some frames.
+// ImGui windows take some frames to adapt to their content.
 constexpr int frames_to_settle = 3;
 
 }  // namespace

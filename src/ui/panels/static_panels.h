@@ -10,7 +10,7 @@ struct ImDrawData;
 
 namespace hooke {
 
-// Owns ImGui's context; one at a time.
+// Owns the context of ImGui; one at a time.
 class StaticPanels {
  public:
   // For a picture of this size [px], with these view options. Afterwards the fonts are ready for upload.

@@ -1,4 +1,4 @@
-// The status bar: the tool and its next step; the cost of the scene and its speed.
+// The status bar: the tool and its next step; the computing time of the scene and its speed.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,7 +26,7 @@ std::array<std::string, 3> figures(const PanelInput& input) {
 
 float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
 
-// Shortened to the width, by whole characters.
+// Truncated to the width, by whole characters.
 std::string shortened(std::string text, float width) {
   if (width_of(text) <= width) return text;
   constexpr const char* rest = "\u2026";
@@ -42,14 +42,16 @@ std::string recording_text(const PanelInput& input) {
   std::string taken;
   if (input.film_seconds >= 0.0) taken = "\u25cf film " + number(std::floor(input.film_seconds)) + " s    ";
   if (!input.status.recording.file.empty()) taken += "\u25cf recording    ";
-  if (input.status.recording.playback_progress > 0.0) taken += "replay " + number(std::round(100.0 * input.status.recording.playback_progress)) + " %    ";
+  if (input.status.recording.playback_progress > 0.0)
+    taken += "replay " + number(std::round(100.0 * input.status.recording.playback_progress)) + " %    ";
   return taken;
 }
 
 // Shown while the hand cannot keep up with the cursor.
 std::string hand_text(const PanelInput& input) {
   constexpr double noticed = 1e-6;  // [m]
-  return input.status.run.hand_lag > noticed ? "hand " + number(input.status.run.hand_lag) + " m behind the cursor: speed limit reached" : "";
+  return input.status.run.hand_lag > noticed ? "hand " + number(input.status.run.hand_lag) + " m behind the cursor: speed limit reached"
+                                             : "";
 }
 
 }  // namespace
@@ -64,7 +66,7 @@ void build_status_bar(const PanelInput& input) {
   ImGui::SetCursorPosY(units(7.0));
   const std::string tool(shortcut_of(input.tool).text), hand = hand_text(input), taken = recording_text(input);
 
-  // the most detailed figures that leave room for the text, which is shortened otherwise
+  // the most detailed figures that leave space for the text, which is truncated otherwise
   const float edge = units(14.0), gap = units(16.0), line = static_cast<float>(bar.width) - 2.0f * edge;
   const float left = width_of(tool) + units(8.0),
               wished = left + width_of(input.next_step) + gap + (hand.empty() ? 0.0f : width_of(hand) + gap);
@@ -85,7 +87,8 @@ void build_status_bar(const PanelInput& input) {
   text_in(palette::bad, taken);
   ImGui::SameLine(0.0f, 0.0f);
   // highlighted if slower than requested
-  const bool slow = input.status.run.running && input.status.run.speed > 0.0 && input.status.run.speed < 0.9 * input.status.snapshot->settings.speed;
+  const bool slow =
+      input.status.run.running && input.status.run.speed > 0.0 && input.status.run.speed < 0.9 * input.status.snapshot->settings.speed;
   text_in(slow ? palette::warning : palette::dim, *text);
   ImGui::PopFont();
   ImGui::End();

@@ -1,4 +1,4 @@
-// The strip under the scene: step back, the scrubber over the recorded frames, and a run to a given time.
+// The strip below the scene: step back, the scrubber over the recorded frames, and a run to a given time.
 #include <algorithm>
 #include <cmath>
 
@@ -42,13 +42,13 @@ void scrubber(const PanelInput& input, const Track& track, Panels& panels, Reque
   const bool has_past = track.last > track.first;
   if (has_past && ImGui::IsItemActive()) {
     const double time = track.time_at(ImGui::GetIO().MousePos.x);
-    // slightly later, so that rounding does not select the frame before
-    const double asked = time + 1e-3 / status.snapshot->settings.frame_rate;
-    requests.emplace_back(Scrub{asked, std::exchange(panels.scrub_in_progress, true)});
+    // slightly later, so that rounding does not select the previous frame
+    const double target = time + 1e-3 / status.snapshot->settings.frame_rate;
+    requests.emplace_back(Scrub{target, std::exchange(panels.scrub_in_progress, true)});
   } else {
     panels.scrub_in_progress = false;
     if (has_past && ImGui::IsItemHovered()) tooltip("Go to " + seconds(track.time_at(ImGui::GetIO().MousePos.x)));
-    if (!has_past) tooltip("Frames of the run appear here; drag to go back to one");
+    if (!has_past) tooltip("Recorded frames of the run; drag to return to one");
   }
   draw_track(track, status.snapshot->state.time, has_past && (ImGui::IsItemHovered() || ImGui::IsItemActive()));
 }

@@ -8,15 +8,15 @@
 namespace hooke {
 namespace {
 
-constexpr double full_height = 54.0, named_height = 46.0, min_height = 22.0, gap = 4.0, margin = 8.0;  // [units of design]
+constexpr double full_height = 54.0, named_height = 46.0, min_height = 22.0, gap = 4.0, margin = 8.0;  // [design units]
 
-// Height of a button [design units] so that all fit.
+// The height of a button [design units] at which all fit.
 double height_for(const Rect& bar, std::size_t tools) {
-  const double room = bar.height / units(1.0) - 2.0 * margin - 2.0 * (2.0 + gap) - (1.0 + gap);
-  return std::clamp(std::floor(room / static_cast<double>(tools + 1)) - gap, min_height, full_height);
+  const double available = bar.height / units(1.0) - 2.0 * margin - 2.0 * (2.0 + gap) - (1.0 + gap);
+  return std::clamp(std::floor(available / static_cast<double>(tools + 1)) - gap, min_height, full_height);
 }
 
-// Icon, name below it if there is room, key in the corner.
+// Icon, name below it if there is space, key in the corner.
 bool tool_button(const ToolButton& tool, bool active, double height) {
   const ImVec2 size{units(62.0), units(height)};
   const ImVec2 at = ImGui::GetCursorScreenPos();

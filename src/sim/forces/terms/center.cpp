@@ -1,6 +1,6 @@
-// a = s / r^p towards a place, r the distance from it: p = 2 is gravity's law, p = -1 a spring's. Inside the core, r < r0,
+// a = s / r^p towards a center at distance r: p = 2 is an inverse-square law, p = -1 a spring. Inside the core, r < r0,
 //   a = s / r0^p (alpha u + beta u^3),  u = r / r0,  alpha = (p + 3) / 2,  beta = -(p + 1) / 2,
-// which continues value and slope at r0 and is smooth at the place itself. For p = -1 and p = -3 both laws are the same.
+// which continues value and slope at r0 and is smooth at the center. For p = -1 and p = -3 both laws are the same.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -13,12 +13,12 @@ namespace hooke {
 namespace {
 
 constexpr ForceParameter numbers[] = {
-    {"x", "Centre x", "m", -100.0, 100.0, 0.0},        {"y", "Centre y", "m", -100.0, 100.0, 0.0},
-    {"z", "Centre z", "m", -100.0, 100.0, 0.0},        {"strength", "Strength at 1 m", "m/s^2", -1000.0, 1000.0, 1.0},
-    {"power", "Falls with power", "", -3.0, 4.0, 2.0}, {"core", "Core radius", "m", 1e-6, 10.0, 0.01},
+    {"x", "Center x", "m", -100.0, 100.0, 0.0}, {"y", "Center y", "m", -100.0, 100.0, 0.0},
+    {"z", "Center z", "m", -100.0, 100.0, 0.0}, {"strength", "Strength at 1 m", "m/s^2", -1000.0, 1000.0, 1.0},
+    {"power", "Exponent", "", -3.0, 4.0, 2.0},  {"core", "Core radius", "m", 1e-6, 10.0, 0.01},
 };
 
-// The law in units of its strength: acceleration a(r), its slope a'(r), and a(r) / r, which is the stiffness across.
+// The law in units of its strength: acceleration a(r), its slope a'(r), and the transverse stiffness a(r) / r.
 struct Law {
   double power, core;
 
@@ -46,7 +46,7 @@ struct Law {
 
 Law law_of(const ForceValues& values) { return {values[4], values[5]}; }
 
-// Of point i from the place.
+// Position of point i relative to the center.
 Vec3 offset_from(const Plan& plan, const ForceValues& values, const double* x, Index i) {
   Vec3 offset(0.0);
   for (int c = 0; c < plan.dimensions; ++c) offset[c] = x[static_cast<std::size_t>(c) * plan.points + i] - values[c];
@@ -62,8 +62,8 @@ void add(const Plan& plan, const ForceValues& values, double, const double* x, c
   }
 }
 
-// |a'| and |a / r| fall with r outside the core if p >= -1, and without limit rise if not; inside they lie between their values at
-// r = 0 and at r = r0.
+// |a'| and |a / r| decrease with r outside the core if p >= -1, and otherwise increase without limit; inside they are between their values
+// at r = 0 and r = r0.
 ForceBound bound(const System&, const ForceValues& values) {
   const Law law = law_of(values);
   const double strength = std::abs(values[3]), at_core = strength * std::pow(law.core, -law.power - 1.0);
@@ -100,8 +100,8 @@ double potential(const Plan& plan, const ForceValues& values, double, const doub
 
 constinit const ForceTerm center_force{
     .id = "center",
-    .label = "Pull to a centre",
-    .description = "Draws every point to a place, with an acceleration that falls with a power of the distance.",
+    .label = "Central attraction",
+    .description = "Attracts every point to a center, with an acceleration that falls with a power of the distance.",
     .numbers = numbers,
     .depends_on_velocity = false,
     .is_continuous = true,

@@ -1,4 +1,4 @@
-// a = -(p X + q V) / M, the same for every point: X the center of mass relative to a place, V its velocity, M the total mass.
+// a = -(p X + q V) / M, the same for every point: X the center of mass relative to a target, V its velocity, M the total mass.
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
@@ -7,8 +7,8 @@ namespace hooke {
 namespace {
 
 constexpr ForceParameter numbers[] = {
-    {"x", "Place x", "m", -100.0, 100.0, 0.0},         {"y", "Place y", "m", -100.0, 100.0, 0.0},
-    {"z", "Place z", "m", -100.0, 100.0, 0.0},         {"stiffness", "Stiffness", "N/m", 0.0, 1000.0, 10.0},
+    {"x", "Target x", "m", -100.0, 100.0, 0.0},        {"y", "Target y", "m", -100.0, 100.0, 0.0},
+    {"z", "Target z", "m", -100.0, 100.0, 0.0},        {"stiffness", "Stiffness", "N/m", 0.0, 1000.0, 10.0},
     {"damping", "Damping", "N s/m", 0.0, 1000.0, 2.0},
 };
 
@@ -81,8 +81,8 @@ double power(const Plan& plan, const ForceValues& values, double, const double*,
 
 constinit const ForceTerm mass_center_force{
     .id = "mass_center",
-    .label = "Pull of the centre of mass",
-    .description = "Draws all points alike so that their centre of mass goes to a place.",
+    .label = "Pull on center of mass",
+    .description = "Accelerates all points equally so that their center of mass moves to a target.",
     .numbers = numbers,
     .depends_on_velocity = true,
     .is_continuous = true,

@@ -9,7 +9,7 @@ namespace {
 
 constexpr ForceParameter numbers[] = {{"strength", "Stickiness", "N", 0.0, 1000.0, 1.0}};
 
-// [m] within which a point counts as touching: contact puts resting points on the surface to round-off
+// [m], the distance within which a point counts as touching: contact places resting points on the surface to round-off
 constexpr double contact_tolerance = 1e-9;
 
 void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, double* f) {
@@ -30,7 +30,8 @@ void add(const Plan& plan, const ForceValues& values, double time, const double*
   }
 }
 
-// It projects the derivative of the other forces, whose eigenvalues do not grow by that; itself it has none, and does no work.
+// The force projects the derivative of the other forces, whose eigenvalues do not grow by that; it has no derivative of its own and does no
+// work.
 ForceBound bound(const System&, const ForceValues&) { return {}; }
 
 }  // namespace
@@ -38,7 +39,7 @@ ForceBound bound(const System&, const ForceValues&) { return {}; }
 constinit const ForceTerm sticky_force{
     .id = "sticky",
     .label = "Sticky walls",
-    .description = "Holds a point on a plane that it touches until it is pulled off harder than this.",
+    .description = "Holds a point on a plane that it touches until a larger force pulls it off.",
     .numbers = numbers,
     .depends_on_velocity = false,
     .is_continuous = false,

@@ -1,4 +1,4 @@
-// a = s / r^p away from every plane, r the distance of the point's rim from it, but at least r0.
+// a = s / r^p away from every plane, r the distance of the surface of the point from it, but at least r0.
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -12,11 +12,11 @@ namespace {
 
 constexpr ForceParameter numbers[] = {
     {"strength", "Strength at 1 m", "m/s^2", -1000.0, 1000.0, 1.0},
-    {"power", "Falls with power", "", 0.0, 4.0, 1.0},
+    {"power", "Exponent", "", 0.0, 4.0, 1.0},
     {"core", "Minimum distance", "m", 1e-6, 10.0, 0.01},
 };
 
-// For every plane and point: use(normal, i, distance of the point's rim).
+// For every plane and point: use(normal, i, distance of the surface of the point).
 template <class Use>
 void for_each_distance(const Plan& plan, double time, const double* x, const Use& use) {
   const std::size_t n = plan.points;
@@ -80,8 +80,8 @@ double potential(const Plan& plan, const ForceValues& values, double time, const
 
 constinit const ForceTerm wall_force{
     .id = "wall",
-    .label = "Push off walls",
-    .description = "Pushes every point off every plane, with an acceleration that falls with a power of the distance.",
+    .label = "Wall repulsion",
+    .description = "Repels every point from every plane, with an acceleration that falls with a power of the distance.",
     .numbers = numbers,
     .depends_on_velocity = false,
     .is_continuous = true,

@@ -1,6 +1,6 @@
-// Air that moves past faces: f = A (a |u.n| (u.n) n + b |u_t| u_t), u the wind against the face's mean velocity, n its
-// normal, u_t the part of u along it; a third to each corner. Scenes without faces: A = pi r^2 and n along u, point by
-// point. Gusts: the wind's speed varies by a smooth noise of a seed, the same in every run.
+// Air that moves past faces: f = A (a |u.n| (u.n) n + b |u_t| u_t), u the wind relative to the mean velocity of the face, n its normal, u_t
+// the tangential part of u; a third acts on each corner. In scenes without faces: A = pi r^2 and n along u, for each point. Gusts: the wind
+// speed varies by smooth noise from a seed, the same in every run.
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -16,14 +16,14 @@ constexpr ForceParameter numbers[] = {
     {"x", "Wind x", "m/s", -50.0, 50.0, 3.0},
     {"y", "Wind y", "m/s", -50.0, 50.0, 0.0},
     {"z", "Wind z", "m/s", -50.0, 50.0, 1.0},
-    {"normal", "Across the faces", "kg/m^3", 0.0, 5.0, 0.6},
-    {"tangential", "Along the faces", "kg/m^3", 0.0, 1.0, 0.01},
+    {"normal", "Normal drag", "kg/m^3", 0.0, 5.0, 0.6},
+    {"tangential", "Tangential drag", "kg/m^3", 0.0, 1.0, 0.01},
     {"gusts", "Gusts", "of the speed", 0.0, 1.0, 0.3},
-    {"gust_time", "Time of a gust", "s", 0.05, 10.0, 0.7},
+    {"gust_time", "Gust duration", "s", 0.05, 10.0, 0.7},
     {"seed", "Seed", "", 0.0, 1e6, 1.0},
 };
 
-// In [-1, 1], the same for the same two numbers: the finalizer of SplitMix64 (Steele, Lea, Flood 2014).
+// In [-1, 1], a function of its arguments: the finalizer of SplitMix64 (Steele, Lea, Flood 2014).
 double random_at(std::int64_t place, double seed) {
   auto z = static_cast<std::uint64_t>(place) * 0x9e3779b97f4a7c15ull + static_cast<std::uint64_t>(seed) * 0xd1b54a32d192ed03ull;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
@@ -32,7 +32,7 @@ double random_at(std::int64_t place, double seed) {
   return static_cast<double>(z >> 11) * 0x1p-52 - 1.0;
 }
 
-// Between random values at whole numbers, with a continuous slope.
+// Interpolates between random values at integers, with a continuous slope.
 double smooth_noise(double t, double seed) {
   const double whole = std::floor(t), part = t - whole;
   const auto place = static_cast<std::int64_t>(whole);
@@ -54,7 +54,7 @@ Vec3 wind_at(const Plan& plan, const ForceValues& values, double time) {
   return gust * Vec3(values[0], values[1], plan.dimensions == 3 ? values[2] : 0.0);
 }
 
-// Air past a face: its speed along the normal, and the rest.
+// The flow of air past a face: its normal speed and tangential velocity.
 struct Flow {
   double area;  // [m^2]
   Vec3 normal;
@@ -79,7 +79,7 @@ void for_each_face(const Plan& plan, const Vec3& wind, const double* x, const do
 
 constexpr double pi = 3.14159265358979323846;
 
-// Per point, where there are no faces: a pi r^2.
+// For each point, in scenes without faces: a pi r^2.
 double point_coefficient(const Plan& plan, const ForceValues& values, Index i) { return values[3] * pi * plan.radius[i] * plan.radius[i]; }
 
 // For every force on a point, in a fixed order: use(point, force).
@@ -110,8 +110,8 @@ ForceBound bound(const System&, const ForceValues& values) {
           .speed = (1.0 + values[5]) * glm::length(Vec3(values[0], values[1], values[2]))};
 }
 
-// A face couples its corners: -df_i/dv_j = D / 9. Half the sum of a row on the diagonal, D / 6, lies in the middle between the
-// eigenvalues 0 and D / 3 of the whole, so that iterations contract whatever the step.
+// A face couples its corners: -df_i/dv_j = D / 9. Half the sum of a row on the diagonal, D / 6, is midway between the eigenvalues 0 and D /
+// 3 of the whole, so that iterations converge for any step.
 void add_tangent(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, ForceTangent& tangent) {
   const Vec3 wind = wind_at(plan, values, time);
   for_each_face(plan, wind, x, v, [&](const auto& corners, const Flow& flow) {
@@ -141,7 +141,7 @@ double power(const Plan& plan, const ForceValues& values, double time, const dou
 constinit const ForceTerm wind_force{
     .id = "wind",
     .label = "Wind",
-    .description = "Air that moves past the faces and pushes them, across and along, with gusts.",
+    .description = "Moving air that exerts normal and tangential forces on the faces, with gusts.",
     .numbers = numbers,
     .depends_on_velocity = true,
     .is_continuous = true,
