@@ -1,4 +1,4 @@
-# The source archive has the version's name, the same bytes each time, and every file of the commit:
+# The source archive is named by its version, is reproducible, and contains every file of the commit:
 # cmake -DSOURCES=FOLDER -DVERSION=VERSION -P source_archive_test.cmake
 cmake_minimum_required(VERSION 3.25)
 

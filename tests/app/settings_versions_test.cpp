@@ -13,7 +13,7 @@ const Preferences kept{.interface_scale = 1.5, .autosave_seconds = 20.0, .light 
 
 Preferences read(const std::string& name) { return parse_preferences(contents(HOOKE_OLD_SETTINGS "/" + name), name); }
 
-// The files are kept as they were written: none is ever changed, and a new version adds one.
+// These files are never changed, and a new version of the format adds one.
 TEST(SettingsVersions, AFileOfEachIsRead) {
   EXPECT_EQ(read("settings_0_1_0.json"), kept) << "0.1 wrote no version";
   for (int version = 1; version <= newest_settings_version; ++version)

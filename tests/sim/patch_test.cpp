@@ -1,4 +1,4 @@
-// A pull at a place between three points: one spring from the weighted position to the hand, its force distributed by the weights.
+// A pull at a position between three points: one spring from the weighted position to the hand, its force distributed by the weights.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ struct ThreePointScene {
     trial.state.hand = {.position = {0.3, -0.2, 0.1}, .target = {0.3, -0.2, 0.1}};
     trial.system.grab = pull(trial, {0, 1, 2});
   }
-  double give() const {  // [1/kg], acceleration of the grabbed place per force on it
+  double give() const {  // [1/kg], acceleration of the grabbed position per force on it
     double sum = 0.0;
     for (Index i = 0; i < 3; ++i) sum += trial.system.points()[i].nailed ? 0.0 : weights[i] * weights[i] / mass[i];
     return sum;
@@ -46,7 +46,7 @@ struct ThreePointScene {
 class PulledPatch : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, PulledPatch, testing::ValuesIn(every_method()), method_name);
 
-// the place oscillates about the hand with w^2 = k sum s_i^2 / m_i; the points follow in proportion to s_i / m_i
+// the grabbed position oscillates about the hand with w^2 = k sum s_i^2 / m_i; the points follow in proportion to s_i / m_i
 TEST_P(PulledPatch, OscillatesAboutTheHand) {
   for (const bool nailed : {false, true}) {
     const auto error = [&](int steps) {
@@ -106,7 +106,7 @@ TEST(Patch, ForceIsMinusTheGradientOfTheEnergy) {
   }
 }
 
-// Momentum changes by the force of the hand, applied at the grabbed place.
+// Momentum changes by the force of the hand, applied at the grabbed position.
 TEST(Patch, TransmitsTheForceAndTorqueOfTheHand) {
   const ThreePointScene three;
   Plan plan = make_plan(three.trial.system);
@@ -146,7 +146,7 @@ TEST(Patch, IsFullyRepresentedInTheMatrixOfImplicitMethods) {
       converged.run(*find_integrator("implicit_euler"), 0.2, 1);
       for (Index i = 0; i < 5; ++i) EXPECT_LT(glm::distance(three.trial.state.position[i], converged.state.position[i]), 1e-8) << k;
 
-      // the place moves as k alone would move it: v' = h k (target - p') sum s^2/m, since the other springs are soft
+      // the grabbed position moves as k alone would move it: v' = h k (target - p') sum s^2/m, since the other springs are soft
       if (k > 1e6) {
         const Vec3 place = grabbed_position(three.trial.system, three.trial.state);
         EXPECT_LT(std::hypot(place.x - 0.3, place.y + 0.2), 1e-4);

@@ -144,7 +144,7 @@ class DragTool : public Tool {
   Gesture gesture_ = 0;
   bool has_hand_ = false, has_moved_ = false;
   Vec3 start_{0.0};                 // of the point
-  Vec3 offset_{0.0}, target_{0.0};  // of the place
+  Vec3 offset_{0.0}, target_{0.0};  // of the grabbed position
 };
 
 }  // namespace
