@@ -1,4 +1,4 @@
-// Random keys and clicks never break anything. HOOKE_MONKEY sets the number of actions, for scripts/campaign.
+// Random keys and clicks never break anything. HOOKE_MONKEY sets the number of actions and HOOKE_SEED the sequence, for scripts/campaign.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -82,7 +82,8 @@ TEST(Monkey, BreaksNothing) {
   const int actions = requested != nullptr ? std::atoi(requested) : 600;
   const ScratchFolder scratch;
   ::setenv("HOME", scratch.folder.c_str(), 1);
-  unsigned seed = 0;
+  const char* given_seed = std::getenv("HOOKE_SEED");
+  unsigned seed = given_seed != nullptr ? 4 * static_cast<unsigned>(std::atoi(given_seed)) : 0;
   for (const char* scene : {"two_masses", "cloth_on_ball", "assignment", "grid_4x4"}) {
     GuiTrial gui(load_scene(find_scene(scene)).scene, {}, {scratch.folder / "config", scratch.folder / "state"});
     Monkey monkey(gui, ++seed);

@@ -22,7 +22,7 @@ inline void expect(bool holds, const std::string& what) {
 struct Check {
   std::string_view name;
   std::string_view unit;  // what `run` counts
-  unsigned max_seconds;   // time limit of a case [s]; 0: none
+  unsigned max_seconds;   // limit of the CPU time of a case [s]; 0: none
   // Runs a case and returns how many units it covered. Throws Finding. A crash is a finding too.
   long (*run)(std::uint64_t number);
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include <unistd.h>
 
@@ -15,8 +16,8 @@
 namespace hooke {
 namespace {
 
-// A case covers one day at 60 frames per second.
-constexpr long frames = 5'184'000, frames_per_sample = 20'000;
+// A case covers one day at 60 frames per second, or HOOKE_FRAMES frames.
+constexpr long frames_of_a_day = 5'184'000, frames_per_sample = 20'000;
 constexpr double max_growth = 1 << 20;  // [bytes], over the second half
 
 double resident_bytes() {
@@ -46,6 +47,8 @@ Scene pendulum() {
 }
 
 long run(std::uint64_t) {
+  const char* given = std::getenv("HOOKE_FRAMES");
+  const long frames = given != nullptr ? std::atol(given) : frames_of_a_day;
   Lab lab(pendulum());
   lab.publish();
   const double scale = std::abs(lab.status()->snapshot->energy.total()) + 10.0;  // [J]

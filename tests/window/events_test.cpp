@@ -162,7 +162,7 @@ TEST(Window, AsksBeforeClosingWithUnsavedChanges) {
   EXPECT_FALSE(load_scene(file).scene.system.points()[1].nailed);
 }
 
-// HOOKE_EVENTS lengthens the test, for scripts/campaign.
+// HOOKE_EVENTS sets the number of events and HOOKE_SEED the sequence, for scripts/campaign.
 TEST(Window, SurvivesRandomKeysAndMouseEvents) {
   const char* requested = std::getenv("HOOKE_EVENTS");
   const int events = requested != nullptr ? std::atoi(requested) : 1000;
@@ -177,7 +177,8 @@ TEST(Window, SurvivesRandomKeysAndMouseEvents) {
   Process program({HOOKE_PROGRAM, (work / "four.json").string()}, output);
   ASSERT_TRUE(desktop.wait_for_title("Hooke - four"));
 
-  std::mt19937 random(11);
+  const char* seed = std::getenv("HOOKE_SEED");
+  std::mt19937 random(seed != nullptr ? 11 + static_cast<unsigned>(std::atoi(seed)) : 11);
   const auto below = [&](int count) { return std::uniform_int_distribution<int>(0, count - 1)(random); };
   const auto event = [&]() -> std::string {
     const int kind = below(10);
