@@ -52,7 +52,7 @@ class OpenDocument {
     EXPECT_EQ(gui_.app().title(), title_) << what;
   }
   // Declines to save, closes the message that appears, and returns whether there was one.
-  bool is_told() {
+  bool is_error_shown() {
     for (int i = 0; i < 4 && gui_.app().panels().dialog.kind == Dialog::Kind::Unsaved; ++i) {
       gui_.click(gui_.find("Save changes?", {"Discard"}));
       gui_.frames(2);
@@ -76,7 +76,7 @@ TEST(FailedImport, LeavesTheOpenDocumentUnchanged) {
     std::ofstream(file, std::ios::binary) << bad.bytes;
     document.gui().app().handle(FileDrop{file});
     document.gui().frames(2);
-    EXPECT_TRUE(document.is_told()) << bad.name;
+    EXPECT_TRUE(document.is_error_shown()) << bad.name;
     document.expect_as_it_was(bad.name);
   }
 }
@@ -88,7 +88,7 @@ TEST(FailedImport, OfADirectoryOrMissingFileLeavesItUnchangedToo) {
   for (const char* name : {"missing.json", "folder.json"}) {
     document.gui().app().handle(FileDrop{scratch.folder / name});
     document.gui().frames(2);
-    EXPECT_TRUE(document.is_told()) << name;
+    EXPECT_TRUE(document.is_error_shown()) << name;
     document.expect_as_it_was(name);
   }
 }

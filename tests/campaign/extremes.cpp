@@ -56,11 +56,11 @@ long run(std::uint64_t number) {
   Lab lab(extreme_scene(random), KeepStart::No);
   for (int frame = 0; frame < frames; ++frame) {
     const State before = lab.scene().state;
-    const bool is_sound = lab.step();
+    const bool succeeded = lab.step();
     lab.publish();
     const Status& status = *lab.status();
     expect(is_valid(status), "a state with non-finite numbers is published");
-    if (is_sound) continue;
+    if (succeeded) continue;
     expect(lab.scene().state.position == before.position && lab.scene().state.velocity == before.velocity, "the last good state is lost");
     expect_named(status);
     break;

@@ -159,7 +159,7 @@ TEST(Camera, BothProjectionsShowTheTargetAtTheSameSize) {
   }
 }
 
-TEST(Camera, KnowsTheMetersPerPixel) {
+TEST(Camera, ComputesTheMetersPerPixel) {
   for (const Camera& camera : cameras()) {
     const Vec3 place = camera.target - 0.4 * camera.distance * camera.back;
     const double meters = camera.meters_per_pixel(place, size);

@@ -328,7 +328,7 @@ TEST(SpringWithoutRestLength, MovesItsPointAlongAnEllipse) {
   EXPECT_LT(glm::distance(trial.position(point), std::cos(w) * x0 + std::sin(w) / w * v0), 1e-10);
 }
 
-TEST(SpringWithoutRestLength, LetsItsPointPassThroughTheNail) {
+TEST(SpringWithoutRestLength, AllowsItsPointToPassThroughTheNail) {
   Trial trial;
   trial.system.gravity = Vec3(0.0);
   const PointId point = trial.add({0.0, 0.0, 0.0}, 1.0, {1.0, 0.0, 0.0});

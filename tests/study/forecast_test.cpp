@@ -188,28 +188,28 @@ TEST(Forecast, AVerticalSheetSagsAsMeasured) {
 
 TEST(Forecast, IsAbsentWhereItDoesNotApply) {
   Trial trial;
-  const auto says_nothing = [&] {
+  const auto is_absent = [&] {
     const Forecast forecast = forecast_of(trial);
     return !forecast.sag && !forecast.slowest;
   };
-  EXPECT_TRUE(says_nothing());
+  EXPECT_TRUE(is_absent());
   const PointId nail = trial.nail(Vec3(0.0)), mass = trial.add({0.0, -1.0, 0.0});
-  EXPECT_TRUE(says_nothing());
+  EXPECT_TRUE(is_absent());
   trial.join(nail, mass, 0.0, 1.0);
-  EXPECT_TRUE(says_nothing());
+  EXPECT_TRUE(is_absent());
   trial.system.spring(0).stiffness = 100.0;
-  EXPECT_FALSE(says_nothing());
+  EXPECT_FALSE(is_absent());
 
   // it would tear or lie on the ground, or one part falls while the other hangs
   trial.system.break_strain = 0.05;
-  EXPECT_TRUE(says_nothing());
+  EXPECT_TRUE(is_absent());
   trial.system.break_strain = 0.2;
-  EXPECT_FALSE(says_nothing());
+  EXPECT_FALSE(is_absent());
   trial.system.colliders = {{.shape = Plane{{0.0, -1.05, 0.0}, {0.0, 1.0, 0.0}}}};
-  EXPECT_TRUE(says_nothing());
+  EXPECT_TRUE(is_absent());
   trial.system.colliders.clear();
   trial.add({1.0, 0.0, 0.0});
-  EXPECT_TRUE(says_nothing());
+  EXPECT_TRUE(is_absent());
 }
 
 TEST(Forecast, CanBeCanceled) {

@@ -15,7 +15,7 @@ namespace {
 constexpr double seconds = 2.0;
 const std::atomic<bool> never = false;
 
-struct Explosion {
+struct DivergingScene {
   std::string name;
   Scene scene;
 };
@@ -61,8 +61,8 @@ bool runs_through(const Scene& scene, double duration) {
 }
 
 // Diverging scenes of several kinds.
-std::vector<Explosion> diverging_scenes() {
-  std::vector<Explosion> list;
+std::vector<DivergingScene> diverging_scenes() {
+  std::vector<DivergingScene> list;
   const auto add = [&](std::string name, Scene scene) { list.push_back({std::move(name), std::move(scene)}); };
   std::uint64_t seed = 1;
 
@@ -114,7 +114,7 @@ std::vector<Explosion> diverging_scenes() {
 }
 
 // The causes that `find_remedy` may name for each kind of divergence.
-bool is_named_rightly(const std::string& kind, Remedy::Cause cause) {
+bool is_expected_cause(const std::string& kind, Remedy::Cause cause) {
   using enum Remedy::Cause;
   if (kind.starts_with("step") || kind.starts_with("explicit_euler")) return cause == StepTooLong;
   if (kind.starts_with("rotation")) return cause == Springs;
@@ -126,18 +126,18 @@ bool is_named_rightly(const std::string& kind, Remedy::Cause cause) {
 TEST(Remedy, EveryRecommendedSettingIsStable) {
   int diverged = 0, cured = 0;
   std::map<std::string, int> stable;
-  for (const Explosion& explosion : diverging_scenes()) {
-    if (runs_through(explosion.scene, seconds)) {
-      ++stable[explosion.name];
+  for (const DivergingScene& scene_case : diverging_scenes()) {
+    if (runs_through(scene_case.scene, seconds)) {
+      ++stable[scene_case.name];
       continue;
     }
     ++diverged;
-    const Remedy remedy = find_remedy(explosion.scene, seconds, never);
-    const std::string description = explosion.name + ": " + describe(remedy, explosion.scene.settings);
-    EXPECT_TRUE(is_named_rightly(explosion.name, remedy.cause)) << description;
+    const Remedy remedy = find_remedy(scene_case.scene, seconds, never);
+    const std::string description = scene_case.name + ": " + describe(remedy, scene_case.scene.settings);
+    EXPECT_TRUE(is_expected_cause(scene_case.name, remedy.cause)) << description;
     if (!remedy.advice) continue;
     ++cured;
-    Scene scene = explosion.scene;
+    Scene scene = scene_case.scene;
     scene.settings.integrator = remedy.advice->integrator;
     scene.settings.substeps = remedy.advice->substeps;
     EXPECT_TRUE(runs_through(scene, 2.0 * seconds)) << description;

@@ -117,9 +117,9 @@ class DragTool : public Tool {
 
  private:
   bool is_there(const ToolContext& context) const {
-    const auto is_gone = [&](PointId id) { return context.system().index_of(id) == no_index; };
-    return grab_target_ && !is_gone(grab_target_->point) &&
-           !(grab_target_->patch && std::ranges::any_of(grab_target_->patch->points, is_gone));
+    const auto is_missing = [&](PointId id) { return context.system().index_of(id) == no_index; };
+    return grab_target_ && !is_missing(grab_target_->point) &&
+           !(grab_target_->patch && std::ranges::any_of(grab_target_->patch->points, is_missing));
   }
 
   // A nailed point cannot be pulled, so it is held; a position between points cannot be held, so it is pulled.
