@@ -1,5 +1,6 @@
 #include "sim/frame_error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -8,40 +9,63 @@
 namespace hooke {
 namespace {
 
-// Order of the positions on this scene.
-int effective_order(const Integrator& method, const System& system, const Plan& plan) {
-  if (!plan.colliders.empty()) return method.order_contact;
-  if (plan.has_dashpots()) return method.order_damped;
-  return system.drag_rate() > 0.0 ? method.order_drag : method.order;
-}
+bool has_contact(const System& system) { return std::ranges::any_of(system.colliders, &Collider::solid); }
 
 }  // namespace
 
+int effective_order(const System& system, const Integrator& method) {
+  int order = method.order;
+  if (system.drag_rate() > 0.0) order = std::min(order, method.order_drag);
+  if (std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; }))
+    order = std::min(order, method.order_damped);
+  if (std::ranges::any_of(system.forces, &Force::on)) order = std::min(order, method.order_force_terms);
+  if (has_contact(system)) order = std::min(order, method.order_contact);
+  return order;
+}
+
+Settings refined(const System& system, const Settings& settings) {
+  Settings fine = settings;
+  if (settings.integrator->stability != Stability::Adaptive) {
+    fine.substeps *= 2;
+    return fine;
+  }
+  constexpr double tighter = 1e-3, min = 1e-15;
+  fine.tolerance = std::max(min, tighter * settings.tolerance.value_or(default_tolerance));
+  // contact is resolved once a substep whatever the tolerance
+  if (has_contact(system)) fine.substeps *= 2;
+  return fine;
+}
+
+double refinement_weight(const System& system, const Settings& settings) {
+  if (settings.integrator->stability == Stability::Adaptive && !has_contact(system)) return 1.0;
+  const double factor = std::exp2(effective_order(system, *settings.integrator));
+  return factor / (factor - 1.0);
+}
+
+FrameError weighted_distance(const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight) {
+  double sum = 0.0, max = 0.0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const Vec3 difference = first[i] - second[i];
+    const double square = glm::dot(difference, difference);
+    sum += square;
+    max = std::max(max, square);
+  }
+  if (first.empty()) return {};
+  return {weight * std::sqrt(sum / static_cast<double>(first.size())), weight * std::sqrt(max)};
+}
+
 double estimate_frame_error(const System& system, const Settings& settings, const State& state) {
   if (system.point_count() == 0) return 0.0;
-  Plan plan = make_plan(system);
-  Frame frame;
-  const auto step = [&](int substeps, State& to) {
-    Settings frame_settings = settings;
-    frame_settings.substeps = substeps;
-    to = state;
-    if (!frame.broken().empty()) refresh_values(plan, system);
-    frame.begin(plan, system, frame_settings, state);
+  const auto step = [&](const Settings& with) {
+    Plan plan = make_plan(system);
+    Frame frame;
+    State to = state;
+    frame.begin(plan, system, with, state);
     while (!frame.done()) frame.substep(plan);
     frame.end(plan, to);
+    return to;
   };
-
-  State coarse, fine;
-  step(settings.substeps, coarse);
-  if (settings.integrator->stability == Stability::Adaptive) return frame.motion().local_error;
-  step(2 * settings.substeps, fine);
-  double sum = 0.0;
-  for (Index i = 0; i < system.point_count(); ++i) {
-    const Vec3 difference = coarse.position[i] - fine.position[i];
-    sum += glm::dot(difference, difference);
-  }
-  const double factor = std::exp2(effective_order(*settings.integrator, system, plan));
-  return std::sqrt(sum / system.point_count()) * factor / (factor - 1.0);
+  return weighted_distance(step(settings).position, step(refined(system, settings)).position, refinement_weight(system, settings)).rms;
 }
 
 }  // namespace hooke

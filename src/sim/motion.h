@@ -23,6 +23,7 @@ struct Motion {
   long unconverged_solves = 0;  // nonlinear systems that reached the iteration limit
   // [J], of effects that are not forces: moving colliders, breaking springs, the strain limit
   double collider_work = 0.0, break_work = 0.0, limit_work = 0.0;
+  double contact_work = 0.0;                    // [J], of impacts and friction on colliders that do not move; negative: dissipated
   double hand_work = 0.0, abs_hand_work = 0.0;  // [J], of the hand, and the sum of the magnitudes over the substeps
   double force_work = 0.0;                      // [J], of the listed forces
   double local_error = 0.0;  // [m], sum over the steps of the error estimates of the method, RMS over the points; 0 if it has none
@@ -42,10 +43,12 @@ class Structure {
   std::vector<SpringRun> runs_;
 };
 
+inline constexpr double default_tolerance = 1e-8;  // [m], of adaptive methods
+
 // Scratch memory of an integrator: sized and filled by its `prepare`; a step never allocates.
 struct Workspace {
   std::vector<Field> fields;
-  std::optional<double> tolerance;  // [m], from the settings
+  std::optional<double> tolerance;  // [m], from the settings; none: default_tolerance
   std::unique_ptr<Structure> structure;
 
   // Provides `count` fields of the motion's size with unspecified contents; allocates only if there were fewer or smaller ones.

@@ -33,8 +33,8 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
 
     touched = true;
     // in addition to the work of the forces
-    if (plan.colliders_move)
-      motion.collider_work += plan.mass[i] * (0.5 * (glm::dot(solver.v, solver.v) - glm::dot(v1, v1)) - glm::dot(a, solver.x - x1));
+    (plan.colliders_move ? motion.collider_work : motion.contact_work) +=
+        plan.mass[i] * (0.5 * (glm::dot(solver.v, solver.v) - glm::dot(v1, v1)) - glm::dot(a, solver.x - x1));
     for (int c = 0; c < plan.dimensions; ++c) {
       motion.x[c * n + i] = solver.x[c];
       motion.v[c * n + i] = solver.v[c];

@@ -138,8 +138,6 @@ struct ErrorScale {
   }
 };
 
-constexpr double default_tolerance = 1e-8;  // [m]
-
 constexpr double min_factor = 1.0 / 3.0, greatest_factor = 6.0;
 
 // Hairer's controller (II.4 and DOP853): step *= safety error^-alpha (previous error)^beta, within bounds.

@@ -1,0 +1,52 @@
+// How wrong a run is, as measured beside it: the error of a frame, its accumulation, the growth of small differences, and where the
+// energy went. lab/accuracy measures it; panels, reports and plots only read it.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace hooke {
+
+// A value, or why there is none: one clause for panels and reports.
+struct Measured {
+  std::optional<double> value{};
+  std::string_view reason{};
+};
+
+// Where the energy came from and went since `since`, all [J]; what is dissipated is negative. The terms sum to `change`.
+struct EnergyBalance {
+  double since = 0.0;                                                           // [s]
+  double change = 0.0;                                                          // kinetic, elastic and gravitational energy together
+  double hand = 0.0, edits = 0.0, forces = 0.0, colliders = 0.0, limits = 0.0;  // supplied; limits: springs that break, the strain limit
+  double drag = 0.0, dashpots = 0.0, contact = 0.0;                             // dissipated by the scene
+  double method = 0.0;                                                          // gained or lost by the numerical method
+
+  double sum() const { return hand + edits + forces + colliders + limits + drag + dashpots + contact + method; }
+  bool operator==(const EnergyBalance&) const = default;
+};
+
+struct Accuracy {
+  bool is_on = false;
+  double size = 1.0;  // [m], largest extent of the scene: errors are shown relative to it
+
+  // [m], RMS and maximum over the points, of the frame that ended at `frame_time`, made by the method within that one frame
+  Measured frame, frame_max;
+  double frame_time = 0.0;  // [s]
+
+  // [m], RMS over the points: how far the run is from the exact motion that started at `since` with the same state and had the same input
+  Measured accumulated;
+  double since = 0.0, accumulated_time = 0.0;  // [s]: start, and the time up to which it is known
+
+  // [1], factor by which a small difference grows in a second; and the rate [1/s] of its exponential growth, 0: none
+  Measured amplification, growth_rate;
+  Measured predictable;  // [s], until small errors have grown to a tenth of the size; infinity: no exponential growth
+
+  EnergyBalance energy;
+
+  // What half the error needs: the number of substeps or the tolerance, and the time a frame takes relative to now [1]
+  int half_error_substeps = 0;
+  double half_error_tolerance = 0.0;  // [m], of an adaptive method; 0: it has none
+  double half_error_cost = 0.0;
+};
+
+}  // namespace hooke

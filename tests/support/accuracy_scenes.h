@@ -1,0 +1,107 @@
+// Scenes of every kind on which the estimates of errors are compared with the errors.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "sim/integrator.h"
+#include "support/nets.h"
+
+namespace hooke {
+
+struct AccuracyScene {
+  std::string_view name;
+  Trial (*make)();
+  bool has_contact = false;
+};
+
+namespace accuracy_scene {
+
+inline Trial drum() {
+  Trial trial = cloth(8);
+  for (Index i = 0; i < 64; ++i) trial.system.point(i).nailed = i < 8 || i >= 56 || i % 8 == 0 || i % 8 == 7;
+  return trial;
+}
+
+inline Trial rope() {
+  Trial trial;
+  PointId last = trial.nail(Vec3(0.0));
+  for (int i = 1; i < 16; ++i) {
+    const PointId next = trial.add({i / 15.0, 0.0, 0.0}, 0.1 / 16);
+    trial.join(last, next, 1e3, 1.0 / 15.0);
+    last = next;
+  }
+  return trial;
+}
+
+// A cloth that falls on a ball.
+inline Trial contact() {
+  Trial trial = cloth(8);
+  for (Index i = 0; i < 64; ++i) trial.system.point(i).nailed = false;
+  trial.system.colliders.push_back({.shape = Sphere{{0.5, -0.5, -0.35}, 0.3}, .restitution = 0.0, .friction = 0.3});
+  return trial;
+}
+
+inline Trial wind() {
+  Trial trial = net(8, 1e2, 0.0);
+  trial.system.drag = 0.3;
+  const ForceTerm* term = find_force_term("wind");
+  trial.system.forces.push_back({.term = term, .values = default_values(*term)});
+  for (Index i = 0; i < 64; ++i) trial.system.point(i).radius = 0.03;
+  return trial;
+}
+
+// A scripted hand takes a point of a cloth, moves and releases it.
+inline Trial held() {
+  Trial trial = cloth(8);
+  trial.system.scripted_hand = ScriptedHand{.point = trial.system.points()[60].id,
+                                            .from = trial.state.position[60],
+                                            .center = {0.5, -0.9, 0.2},
+                                            .axis = {0.0, 0.0, 1.0},
+                                            .speed = 1.0,
+                                            .begin = 0.2,
+                                            .seconds = 0.5};
+  return trial;
+}
+
+inline Trial pulled() {
+  Trial trial = net(8, 1e2, 0.0);
+  const Vec3 from = trial.state.position[60];
+  trial.system.grab = Grab{.point = trial.system.points()[60].id, .stiffness = 50.0};
+  trial.state.hand = {.position = from, .target = from + Vec3(0.2, 0.0, 0.3)};
+  trial.system.hand_speed = 1.0;
+  return trial;
+}
+
+}  // namespace accuracy_scene
+
+inline const std::vector<AccuracyScene>& accuracy_scenes() {
+  static const std::vector<AccuracyScene> scenes{
+      {"net", [] { return net(8, 1e2, 0.0); }},
+      {"stiff_net", [] { return net(8, 1e4, 0.0); }},
+      {"drum", accuracy_scene::drum},
+      {"rope", accuracy_scene::rope},
+      {"curtain", [] { return curtain(8, 1e2, 0.0); }},
+      {"dashpots", [] { return net(8, 1e3, 0.5); }},
+      {"contact", accuracy_scene::contact, true},
+      {"wind", accuracy_scene::wind},
+      {"held", accuracy_scene::held},
+      {"pulled", accuracy_scene::pulled},
+  };
+  return scenes;
+}
+
+// Steps that the method is stable with, as a user would set them.
+inline Settings accuracy_settings(const Integrator& method, const System& system) {
+  constexpr double frame = 1.0 / 60.0;
+  Settings settings{.integrator = &method, .substeps = 8};
+  const double limit = largest_stable_step(method, make_plan(system).spectrum);
+  if (method.stability == Stability::Conditional) settings.substeps = std::max(4, static_cast<int>(std::ceil(2.0 * frame / limit)));
+  if (method.stability == Stability::None) settings.substeps = 400;
+  if (method.stability == Stability::EachSpring) settings.substeps = 20;
+  if (method.stability == Stability::LStable && method.order > 1) settings.substeps = 3;
+  return settings;
+}
+
+}  // namespace hooke
