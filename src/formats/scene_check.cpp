@@ -42,7 +42,9 @@ Criterion read_criterion(const JsonField& field) {
   if (criterion.kind == nullptr) field.refuse_missing("law", "must be given");
   // any point or spring, because their number is not known yet
   constexpr Index many = std::numeric_limits<Index>::max();
-  if (!find_quantity(criterion.of, many, many)) field.refuse("must have \"of\", one of " + quantity_names());
+  const std::optional<Quantity> quantity = find_quantity(criterion.of, many, many);
+  // a check measures the states alone
+  if (!quantity || quantity->row->needs_accuracy) field.refuse("must have \"of\", one of " + quantity_names(false));
   if (criterion.kind->has_limits ? !criterion.min && !criterion.max : !criterion.within)
     field.refuse(criterion.kind->has_limits ? "must have least or most" : "must have within");
   if (criterion.kind->has_value && !criterion.value) field.refuse_missing("value", "must be a number");

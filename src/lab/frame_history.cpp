@@ -15,9 +15,9 @@ void FrameHistory::clear_if_points_changed(const System& system) {
   points_ = std::move(points);
 }
 
-void FrameHistory::record(const System& system, const State& state) {
+void FrameHistory::record(const System& system, const State& state, const Accuracy& accuracy) {
   timeline_.record(state);
-  traces_.record(timeline_, system, state);
+  traces_.record(timeline_, system, state, accuracy);
 }
 
 std::size_t FrameHistory::step_back_from(double time) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -17,9 +18,23 @@ bool moves_points(const Command& command) {
          std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command);
 }
 
+// Whether the state after the edit has nothing to do with the one before.
+bool replaces_points(const Command& command) {
+  return moves_points(command) && !std::holds_alternative<GrabPoint>(command) && !std::holds_alternative<GrabCollider>(command);
+}
+
+double thread_cpu_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 using Clock = std::chrono::steady_clock;
 
 double milliseconds_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+
+// So that a frame repeated with half the step, of twice the substeps, is done before the next one is, 24 frames later.
+constexpr long substeps_per_repeated = 12;
 
 // Weight of the newest value in the displayed time per frame.
 constexpr double smoothing = 0.1;
@@ -37,6 +52,7 @@ Lab::Lab(Scene scene, KeepStart keep) {
     reset_session();
     return;
   }
+  meter_.set_mode(AccuracyMode::Full);
   open(std::make_shared<const Scene>(std::move(scene)));
   publish();
 }
@@ -96,6 +112,10 @@ void Lab::edit(const Command& command, Gesture gesture) {
   else
     record_edit_energy(scene_.system, before, scene_.state);
   record_edit(command);
+  if (replaces_points(command))
+    meter_.restart();
+  else
+    meter_.note_edit();
   if (moves_points(command)) divergence_.reset();
   check_divergence();
   if (std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command)) grab_gesture_ = gesture;
@@ -157,7 +177,7 @@ void Lab::check_played_frame() {
 // States are kept only for interactive use: not for runs without a start.
 void Lab::add_to_timeline() {
   if (!start_) return;
-  frame_history_.record(scene_.system, scene_.state);
+  frame_history_.record(scene_.system, scene_.state, accuracy());
 }
 
 void Lab::begin_frame() {
@@ -216,6 +236,7 @@ bool Lab::finish_frame() {
     record_held_edits();
     return false;
   }
+  meter_frame(energy.total(), torn.has_value());
   std::swap(scene_.state, next_);
   energy_ = energy;
   ++frames_;
@@ -234,6 +255,22 @@ bool Lab::finish_frame() {
   if (playback_.is_on()) check_played_frame();
   smooth(simulate_ms_, frame_ms_);
   return true;
+}
+
+// Passes the frame from the present state to `next_` on to the meter.
+void Lab::meter_frame(double energy, bool is_torn) {
+  if (meter_.mode() == AccuracyMode::Off) return;
+  const double start = thread_cpu_seconds();
+  if (is_torn) meter_.note_edit();
+  meter_.add_frame(plan_, scene_.system, scene_.settings, scene_.state, next_, frame_.motion(), energy_.total(), energy);
+  if (start_) return;
+  measure_accuracy([] { return true; });
+  accuracy_cpu_seconds_ += thread_cpu_seconds() - start;
+}
+
+void Lab::measure_accuracy(const std::function<bool()>& should_continue) {
+  while (meter_.is_repeating() && should_continue()) meter_.repeat(scene_.system);
+  while (meter_.has_work() && should_continue()) meter_.work(scene_.system);
 }
 
 bool Lab::step_frame() {
@@ -262,6 +299,9 @@ void Lab::advance(double real_seconds, const std::function<bool()>& should_conti
       const auto start = Clock::now();
       while (!frame_.done() && in_time) {
         frame_.substep(plan_);
+        // without idle time, a frame is repeated beside the ones that follow
+        const bool repeats = frame_.done() || frame_.substeps_done() % substeps_per_repeated == 0;
+        if (repeats && meter_.is_repeating()) meter_.repeat(scene_.system);
         in_time = should_continue();
       }
       frame_ms_ += milliseconds_since(start);

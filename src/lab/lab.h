@@ -12,6 +12,7 @@
 
 #include "edit/command.h"
 #include "edit/history.h"
+#include "lab/accuracy/accuracy_meter.h"
 #include "lab/frame_history.h"
 #include "lab/frame_pacer.h"
 #include "lab/playback.h"
@@ -41,6 +42,9 @@ struct GoToTime {    // to the last recorded state at this time or before; pause
 struct Watch {  // sets the quantities measured in every frame, for the plots
   std::vector<Quantity> quantities;
 };
+struct SetAccuracy {  // what is measured of the accuracy of the run
+  AccuracyMode mode;
+};
 struct GoToStart {};  // the scene as it was before it first ran; the settings stay
 struct Open {         // another document, with an empty history
   std::shared_ptr<const Scene> scene;
@@ -53,10 +57,11 @@ struct Record {                                       // starts a recording; an 
 struct Play {  // opens the start of a recording and replays it, until its end or the next edit
   std::shared_ptr<const Recording> recording;
 };
-using Control = std::variant<Undo, Redo, GoToHistoryStep, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, GoToStart, Open,
-                             MarkSaved, Record, Play>;
+using Control = std::variant<Undo, Redo, GoToHistoryStep, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, SetAccuracy, GoToStart,
+                             Open, MarkSaved, Record, Play>;
 
-// Whether a copy of the opened scene is kept for GoToStart. A long run of a large scene does not need one.
+// Whether a copy of the opened scene is kept for GoToStart. A long run of a large scene does not need one; its accuracy is measured only
+// on demand, and then at once.
 enum class KeepStart { Yes, No };
 
 class Lab {
@@ -77,6 +82,12 @@ class Lab {
 
   // Applies the queue and computes exactly one frame. False if it diverged: the state is that of the previous frame.
   bool step();
+
+  // Continues to measure the accuracy of the frames computed so far, until it is done or `should_continue` returns false.
+  void measure_accuracy(const std::function<bool()>& should_continue);
+  bool has_accuracy_to_measure() const { return meter_.is_repeating() || meter_.has_work(); }
+  Accuracy accuracy() const { return meter_.accuracy(scene_.settings); }
+  double accuracy_cpu_seconds() const { return accuracy_cpu_seconds_; }  // that measuring it took so far, where it is done at once
 
   // Whether submitted commands wait for the frame in progress; applies them without waiting.
   bool has_pending() const { return !queue_.empty(); }
@@ -115,6 +126,7 @@ class Lab {
   void begin_frame();
   bool finish_frame();
   bool step_frame();
+  void meter_frame(double energy, bool is_torn);
   std::optional<Insert> tear();
   void record_tear(Insert pieces);
   void drop_frame();
@@ -135,6 +147,8 @@ class Lab {
   Recorder recorder_;
   Playback playback_;
   FramePacer frame_pacer_;
+  AccuracyMeter meter_;
+  double accuracy_cpu_seconds_ = 0.0;
   Plan plan_;
   Frame frame_;
   bool frame_in_progress_ = false;

@@ -27,6 +27,7 @@ void Lab::reset_session() {
   playback_.clear_difference();
   run_to_.reset();
   frame_history_.clear();
+  meter_.restart();
   frame_pacer_.reset();
   simulate_ms_ = 0.0;
   frames_ = 0;
@@ -58,6 +59,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
     update_plan(history_.go_to(done, scene_));
     record_edit_energy(scene_.system, before, scene_.state);
     recorder_.record_scene(scene_);
+    meter_.restart();
     check_divergence();
     unsaved_ = edited_ = true;
     ++edits_;
@@ -89,6 +91,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                    if (!frame_history_.timeline().empty()) go_to_timeline_index(frame_history_.step_back_from(scene_.state.time), 0);
                  },
                  [&](const Watch& watch) { frame_history_.watch(watch.quantities, scene_.system); },
+                 [&](const SetAccuracy& set) { meter_.set_mode(set.mode); },
                  [&](const GoToTime& go) {
                    if (!frame_history_.timeline().empty()) go_to_timeline_index(frame_history_.timeline().find(go.time), gesture);
                  },

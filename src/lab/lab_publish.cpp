@@ -91,6 +91,7 @@ void Lab::publish() {
   status->history = {
       .unsaved = unsaved_, .edits = edits_, .undo_name = history_.undo_name(), .redo_name = history_.redo_name(), .list = history_.list()};
   status->timeline = timeline_status();
+  status->accuracy = accuracy();
   if (recorder_.file() != nullptr) status->recording.file = printable(recorder_.file()->native());
   status->recording.error = recorder_.error();
   if (playback_.is_on()) status->recording.playback_progress = playback_.progress();

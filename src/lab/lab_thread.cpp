@@ -12,6 +12,9 @@ using Clock = std::chrono::steady_clock;
 // The maximum time between two publications while a frame is in progress.
 constexpr auto max_publish_interval = std::chrono::milliseconds(50);
 
+// Idle time that is not used, so that the next frame is not late.
+constexpr auto idle_margin = std::chrono::milliseconds(1);
+
 }  // namespace
 
 LabThread::LabThread(Scene scene) : lab_(std::move(scene)), status_(lab_.status()), thread_([this] { work(); }) {}
@@ -79,7 +82,7 @@ SpringId LabThread::new_spring_id() {
 }
 
 void LabThread::work() {
-  auto last = Clock::now();
+  auto last = Clock::now(), due = last;  // due: when the next frame is
   long taken_count = 0;
   while (!stopping_) {
     std::vector<Task> tasks;
@@ -87,8 +90,8 @@ void LabThread::work() {
       std::unique_lock lock(mutex_);
       const auto has_work = [this] { return stopping_ || !tasks_.empty(); };
       if (status_->run.running)
-        posted_.wait_for(lock, lab_.time_to_next_frame(), has_work);
-      else
+        posted_.wait_until(lock, due, has_work);
+      else if (!lab_.has_accuracy_to_measure())
         posted_.wait(lock, has_work);
       if (stopping_) return;
       tasks = std::exchange(tasks_, {});
@@ -109,6 +112,11 @@ void LabThread::work() {
       if (!lab_.has_pending()) published_count_ = taken_count;
     }
     published_.notify_all();
+
+    // the time that is left belongs to the measurement of the accuracy
+    due = now + std::chrono::duration_cast<Clock::duration>(lab_.time_to_next_frame());
+    const auto until = lab_.status()->run.running ? due : now + max_publish_interval;
+    lab_.measure_accuracy([&] { return !stopping_ && !urgent_ && Clock::now() + idle_margin < until; });
   }
 }
 

@@ -9,6 +9,7 @@
 #include "lab/traces.h"
 #include "scene/scene.h"
 #include "scene/step_limits.h"
+#include "sim/accuracy.h"
 #include "sim/snapshot.h"
 
 namespace hooke {
@@ -64,6 +65,7 @@ struct Status {
   RunStatus run;
   HistoryStatus history;
   TimelineStatus timeline;
+  Accuracy accuracy;
   RecordingStatus recording;
   DiagnosisStatus diagnosis;
   std::uint32_t next_point_id = 0, next_spring_id = 0;  // ids from here on are unused

@@ -18,21 +18,23 @@ struct Trace {
 struct TraceTable {
   std::vector<double> times;  // [s], ascending
   std::vector<Trace> traces;
+  std::vector<double> errors;  // [m], accumulated error at each time; NaN where it is not known
 };
 
 class Traces {
  public:
-  // Sets the quantities to be measured; those of recorded states are computed with the given System.
+  // Sets the quantities to be measured; those of recorded states are computed with the given System, without what was
+  // not kept: the accuracy.
   void watch(const std::vector<Quantity>& quantities, const Timeline& timeline, const System& system);
   // Measures the state that the timeline has just recorded.
-  void record(const Timeline& timeline, const System& system, const State& state);
+  void record(const Timeline& timeline, const System& system, const State& state, const Accuracy& accuracy);
   void clear();
 
   // The same object until it changes.
   std::shared_ptr<const TraceTable> table() const;
 
  private:
-  void add(const System& system, const State& state);
+  void add(const System& system, const State& state, const Accuracy* accuracy);
 
   TraceTable table_;
   mutable std::shared_ptr<const TraceTable> published_;  // null: stale

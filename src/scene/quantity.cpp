@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "base/bounds.h"
 #include "sim/contact/gap.h"
@@ -82,6 +83,16 @@ double center_of(const Measurement& m, Index) {
   return center_of_mass(m)[c];
 }
 
+double value_of(const Measured& measured) { return measured.value.value_or(std::numeric_limits<double>::quiet_NaN()); }
+template <Measured Accuracy::*field>
+double accuracy_of(const Measurement& m, Index) {
+  return m.accuracy == nullptr ? std::numeric_limits<double>::quiet_NaN() : value_of(m.accuracy->*field);
+}
+template <double EnergyBalance::*field>
+double balance_of(const Measurement& m, Index) {
+  return m.accuracy == nullptr || !m.accuracy->is_on ? std::numeric_limits<double>::quiet_NaN() : m.accuracy->energy.*field;
+}
+
 constexpr std::array rows{
     QuantityRow{"time", "s", Of::Scene, "Time", [](const Measurement& m, Index) { return m.state.time; }},
     QuantityRow{"kinetic", "J", Of::Scene, "Kinetic energy", [](const Measurement& m, Index) { return m.energy.kinetic; }},
@@ -106,6 +117,23 @@ constexpr std::array rows{
     QuantityRow{"lowest", "m", Of::Scene, "Height of the lowest point", [](const Measurement& m, Index) { return min_height(m); }},
     QuantityRow{"depth", "m", Of::Scene, "Maximum penetration of a point into a collider",
                 [](const Measurement& m, Index) { return max_penetration(m); }},
+    QuantityRow{"error", "m", Of::Scene, "Error of a frame, RMS over the points", accuracy_of<&Accuracy::frame>, true},
+    QuantityRow{"error_max", "m", Of::Scene, "Error of a frame, maximum over the points", accuracy_of<&Accuracy::frame_max>, true},
+    QuantityRow{"accumulated_error", "m", Of::Scene, "Accumulated error, RMS over the points", accuracy_of<&Accuracy::accumulated>, true},
+    QuantityRow{"amplification", "1", Of::Scene, "Growth of a small difference in a second", accuracy_of<&Accuracy::amplification>, true},
+    QuantityRow{"energy_hand", "J", Of::Scene, "Energy supplied by the hand", balance_of<&EnergyBalance::hand>, true},
+    QuantityRow{"energy_edits", "J", Of::Scene, "Energy supplied by edits", balance_of<&EnergyBalance::edits>, true},
+    QuantityRow{"energy_forces", "J", Of::Scene, "Energy supplied by listed forces", balance_of<&EnergyBalance::forces>, true},
+    QuantityRow{"energy_colliders", "J", Of::Scene, "Energy supplied by moving colliders", balance_of<&EnergyBalance::colliders>, true},
+    QuantityRow{"energy_limits", "J", Of::Scene, "Energy supplied by breaking springs and the strain limit",
+                balance_of<&EnergyBalance::limits>, true},
+    QuantityRow{"energy_drag", "J", Of::Scene, "Energy supplied by drag; negative: dissipated", balance_of<&EnergyBalance::drag>, true},
+    QuantityRow{"energy_dashpots", "J", Of::Scene, "Energy supplied by dashpots; negative: dissipated",
+                balance_of<&EnergyBalance::dashpots>, true},
+    QuantityRow{"energy_contact", "J", Of::Scene, "Energy supplied by contact; negative: dissipated", balance_of<&EnergyBalance::contact>,
+                true},
+    QuantityRow{"energy_method", "J", Of::Scene, "Energy gained by the numerical method; negative: lost",
+                balance_of<&EnergyBalance::method>, true},
     QuantityRow{"x", "m", Of::Point, "Position of a point, x", position_of<0>},
     QuantityRow{"y", "m", Of::Point, "Position of a point, y", position_of<1>},
     QuantityRow{"z", "m", Of::Point, "Position of a point, z", position_of<2>},
@@ -119,8 +147,9 @@ constexpr std::array rows{
 
 }  // namespace
 
-Measurement measure(const System& system, const State& state) {
+Measurement measure(const System& system, const State& state, const Accuracy* accuracy) {
   Measurement measurement{system, state, compute_energy(system, state), compute_momentum(system, state)};
+  measurement.accuracy = accuracy;
   for (const Spring& spring : system.springs()) {
     const double spring_strain = strain(system, state, spring);
     measurement.min_strain = std::min(measurement.min_strain, spring_strain);
@@ -168,20 +197,25 @@ std::string csv_heading(std::span<const Quantity> quantities) {
   return line + "\n";
 }
 
-std::string csv_row(std::span<const Quantity> quantities, const System& system, const State& state) {
-  const Measurement measurement = measure(system, state);
+std::string csv_row(std::span<const Quantity> quantities, const System& system, const State& state, const Accuracy* accuracy) {
+  const Measurement measurement = measure(system, state, accuracy);
   std::string line;
-  for (const Quantity& quantity : quantities) line += (line.empty() ? "" : ",") + format_exact(quantity.of(measurement));
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    const double value = quantities[i].of(measurement);
+    line += (i == 0 ? "" : ",") + (std::isnan(value) ? std::string() : format_exact(value));
+  }
   return line + "\n";
 }
 
-std::string quantity_names() {
+std::string quantity_names(bool with_accuracy) {
   std::string names;
-  for (const QuantityRow& row : rows)
+  for (const QuantityRow& row : rows) {
+    if (row.needs_accuracy && !with_accuracy) continue;
     names += (names.empty() ? "" : ", ") + std::string(row.name) +
              (row.of == Of::Scene   ? ""
               : row.of == Of::Point ? "<point>"
                                     : "<spring>");
+  }
   return names;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/accuracy.h"
 #include "sim/energy.h"
 
 namespace hooke {
@@ -18,8 +19,9 @@ struct Measurement {
   Energy energy;
   Momentum momentum;
   double min_strain = 0.0, largest_strain = 0.0;  // [1], over all springs
+  const Accuracy* accuracy = nullptr;             // null: not measured
 };
-Measurement measure(const System& system, const State& state);
+Measurement measure(const System& system, const State& state, const Accuracy* accuracy = nullptr);
 
 struct QuantityRow {
   enum class Of { Scene, Point, Spring };
@@ -27,7 +29,8 @@ struct QuantityRow {
   std::string_view unit;
   Of of;
   std::string_view description;
-  double (*read)(const Measurement& measurement, Index at);
+  double (*read)(const Measurement& measurement, Index at);  // NaN: not known
+  bool needs_accuracy = false;                               // of Measurement
 };
 std::span<const QuantityRow> quantity_rows();
 
@@ -47,11 +50,11 @@ std::optional<Quantity> find_quantity(std::string_view name, Index points, Index
 // Appends the quantities of a comma-separated list, "time, y5"; returns the first unknown name, or an empty string.
 std::string parse_quantities(std::string_view list, Index points, Index springs, std::vector<Quantity>& quantities);
 
-// "time [s],y5 [m]" and the values of a state, one line each.
+// "time [s],y5 [m]" and the values of a state, one line each; nothing for a value that is not known.
 std::string csv_heading(std::span<const Quantity> quantities);
-std::string csv_row(std::span<const Quantity> quantities, const System& system, const State& state);
+std::string csv_row(std::span<const Quantity> quantities, const System& system, const State& state, const Accuracy* accuracy = nullptr);
 
-// "time, kinetic, ..., x0, y0, ...": the names, for messages.
-std::string quantity_names();
+// "time, kinetic, ..., x<point>, ...": the names, for messages, with or without those of the accuracy.
+std::string quantity_names(bool with_accuracy = true);
 
 }  // namespace hooke

@@ -1,0 +1,147 @@
+#include "lab/accuracy/accuracy_meter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+namespace hooke {
+namespace {
+
+// A frame in so many is repeated, at twice its cost: 8 % of the run. After an edit, sooner.
+constexpr int repetition_period = 24, period_after_edit = 12;
+// Errors of this fraction of the scene's size are no longer small: its trajectory is not predicted beyond.
+constexpr double max_error = 0.1;
+// Rounding errors, relative to the size.
+constexpr double round_off = 1e-15;
+
+// Largest extent of the scene [m]; of a single point 1 m.
+double size_of(const State& state) {
+  Vec3 min(1e300), max(-1e300);
+  for (const Vec3& x : state.position) min = glm::min(min, x), max = glm::max(max, x);
+  const Vec3 extent = max - min;
+  const double largest = std::max({extent.x, extent.y, extent.z});
+  return largest > 0.0 ? largest : 1.0;
+}
+
+}  // namespace
+
+void AccuracyMeter::set_mode(AccuracyMode mode) {
+  if (mode == mode_) return;
+  mode_ = mode;
+  restart();
+}
+
+void AccuracyMeter::restart() {
+  is_started_ = false;
+  repetition_.reset();
+  second_runs_.restart(size_);
+}
+
+void AccuracyMeter::note_edit() {
+  is_edited_ = true;
+  repetition_.cancel();
+  second_runs_.note_edit();
+}
+
+void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after,
+                              const Motion& motion, double energy_before, double energy) {
+  if (mode_ == AccuracyMode::Off || system.point_count() == 0) return;
+  if (!is_started_) {
+    is_started_ = true;
+    is_edited_ = false;
+    size_ = size_of(before);
+    energy_.start(before, energy_before);
+    second_runs_.restart(size_);
+  }
+  order_ = effective_order(system, *settings.integrator);
+  energy_.add_frame(system, before, after, motion, energy);
+
+  ++frames_since_repetition_;
+  const bool is_due = !repetition_.result() || frames_since_repetition_ >= (is_edited_ ? period_after_edit : repetition_period);
+  if (is_due && !repetition_.is_in_progress()) {
+    repetition_.begin(plan, system, settings, before, after, energy);
+    frames_since_repetition_ = 0;
+    is_edited_ = false;
+  }
+  if (mode_ == AccuracyMode::Full) second_runs_.add_frame(plan, system, settings, before, after);
+}
+
+void AccuracyMeter::repeat(const System& system) {
+  repetition_.substep(system);
+  if (!repetition_.is_in_progress()) energy_.set_numerical_gain(repetition_.result()->numerical_gain);
+}
+
+void AccuracyMeter::measure_frame(Accuracy& accuracy) const {
+  const auto& result = repetition_.result();
+  std::string_view reason;
+  if (!is_started_ || !result)
+    reason = "no frame has been computed yet";
+  else if (is_edited_)
+    reason = "not yet measured since the last edit";
+  else if (!std::isfinite(result->error.rms))
+    reason = "with half the step this frame diverges";
+  if (!reason.empty()) {
+    accuracy.frame.reason = accuracy.frame_max.reason = reason;
+    return;
+  }
+  accuracy.frame.value = result->error.rms;
+  accuracy.frame_max.value = result->error.max;
+  accuracy.frame_time = result->time;
+}
+
+void AccuracyMeter::measure_run(Accuracy& accuracy) const {
+  const auto& error = second_runs_.error();
+  const auto& growth = second_runs_.growth();
+  accuracy.since = second_runs_.since();
+  const bool is_chaotic = growth && growth->rate > 0.0;
+  if (mode_ != AccuracyMode::Full) {
+    accuracy.accumulated.reason = accuracy.amplification.reason = "the second runs are switched off";
+  } else {
+    if (!is_started_ || !error)
+      accuracy.accumulated.reason = "no frame has been computed yet";
+    else if (second_runs_.diverged())
+      accuracy.accumulated.reason = "the run with half the step diverged";
+    else if (is_chaotic && error->rms > max_error * size_)
+      accuracy.accumulated.reason = "beyond the time for which the motion can be predicted";
+    else
+      accuracy.accumulated.value = error->rms;
+    if (error) accuracy.accumulated_time = error->time;
+    if (!growth) accuracy.amplification.reason = "measured after a second without edits";
+  }
+  if (growth && accuracy.amplification.reason.empty()) {
+    accuracy.amplification.value = growth->amplification;
+    accuracy.growth_rate.value = growth->rate;
+  }
+  accuracy.growth_rate.reason = accuracy.predictable.reason = accuracy.amplification.reason;
+  if (!growth || !accuracy.amplification.value) return;
+  if (!is_chaotic)
+    accuracy.predictable.value = std::numeric_limits<double>::infinity();
+  else if (error)
+    accuracy.predictable.value = std::max(0.0, std::log(max_error * size_ / std::max(error->rms, round_off * size_)) / growth->rate);
+  else
+    accuracy.predictable.reason = accuracy.accumulated.reason;
+}
+
+Accuracy AccuracyMeter::accuracy(const Settings& settings) const {
+  Accuracy accuracy{.is_on = mode_ != AccuracyMode::Off, .size = size_, .energy = energy_.balance()};
+  if (!accuracy.is_on) {
+    for (Measured* each : {&accuracy.frame, &accuracy.frame_max, &accuracy.accumulated, &accuracy.amplification, &accuracy.growth_rate,
+                           &accuracy.predictable})
+      each->reason = "switched off";
+    return accuracy;
+  }
+  measure_frame(accuracy);
+  measure_run(accuracy);
+  if (!is_started_) return accuracy;
+  // the error of order p falls by 2^p when the step is halved
+  const double factor = std::exp2(1.0 / order_);
+  accuracy.half_error_substeps = static_cast<int>(std::ceil(factor * settings.substeps));
+  accuracy.half_error_cost = static_cast<double>(accuracy.half_error_substeps) / settings.substeps;
+  if (settings.integrator->stability != Stability::Adaptive) return accuracy;
+  accuracy.half_error_tolerance = 0.5 * settings.tolerance.value_or(default_tolerance);
+  accuracy.half_error_cost = factor;
+  return accuracy;
+}
+
+}  // namespace hooke

@@ -1,0 +1,58 @@
+// Measures how wrong a run is while it runs, without affecting it: the error of a frame by repeating one now and then, the accumulated
+// error and the growth of small differences by second runs, and the energy balance from the work that frames report. The values
+// follow from the run alone: they do not depend on when the work for them is done.
+#pragma once
+
+#include "lab/accuracy/energy_accounts.h"
+#include "lab/accuracy/frame_repetition.h"
+#include "lab/accuracy/second_runs.h"
+#include "sim/accuracy.h"
+
+namespace hooke {
+
+enum class AccuracyMode {
+  Off,
+  Frame,  // the error of a frame and the energy balance: less than a tenth of the cost of the run
+  Full,   // and the second runs: about two and a half times the cost of the run
+};
+
+class AccuracyMeter {
+ public:
+  AccuracyMode mode() const { return mode_; }
+  void set_mode(AccuracyMode mode);
+
+  // Starts again with the next frame: the state was replaced, or points were added, removed or moved.
+  void restart();
+  // Anything else that affects the motion was edited, besides the place of the hand.
+  void note_edit();
+
+  // A finished frame of the run: the plan it was computed with, the states before and after it and their energies [J].
+  void add_frame(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after,
+                 const Motion& motion, double energy_before, double energy);
+
+  // Whether a frame is being repeated; then `repeat` computes a substep of it.
+  bool is_repeating() const { return mode_ != AccuracyMode::Off && repetition_.is_in_progress(); }
+  void repeat(const System& system);
+  // The same for the second runs, which may be late.
+  bool has_work() const { return mode_ == AccuracyMode::Full && second_runs_.has_work(); }
+  void work(const System& system) { second_runs_.substep(system); }
+
+  // What is known now.
+  Accuracy accuracy(const Settings& settings) const;
+
+ private:
+  void measure_frame(Accuracy& accuracy) const;
+  void measure_run(Accuracy& accuracy) const;
+
+  AccuracyMode mode_ = AccuracyMode::Off;
+  bool is_started_ = false;
+  bool is_edited_ = false;  // since the last repeated frame
+  double size_ = 1.0;       // [m]
+  int order_ = 1;
+  int frames_since_repetition_ = 0;
+  EnergyAccounts energy_;
+  FrameRepetition repetition_;
+  SecondRuns second_runs_;
+};
+
+}  // namespace hooke

@@ -1,0 +1,23 @@
+// The accuracy of a run in words: for panels, reports and pictures.
+#pragma once
+
+#include <string>
+
+#include "sim/accuracy.h"
+
+namespace hooke {
+
+// Two digits with a unit for the size: "21 um", "0.34 mm", "1.2 m"; "0" below a picometre.
+std::string length_text(double length);
+
+// "21 um (0.002 % of the size)", or the reason why it is not known.
+std::string error_text(const Measured& error, double size);
+// "predictable", "predictable for about 3 s more", "chaotic: only averages are meaningful", or the reason why it is not known.
+std::string predictability_text(const Accuracy& accuracy);
+// "half the error: 57 substeps, 1.4x the time"; empty if nothing is measured.
+std::string cost_text(const Accuracy& accuracy);
+
+// One line: "error 21 um/frame, 0.3 mm in total, predictable"
+std::string accuracy_line(const Accuracy& accuracy);
+
+}  // namespace hooke

@@ -1,0 +1,80 @@
+#include "lab/accuracy/energy_accounts.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace hooke {
+namespace {
+
+// Powers [W] at a state.
+struct Dissipation {
+  double drag = 0.0, dashpots = 0.0;
+};
+
+Dissipation dissipation_at(const System& system, const State& state) {
+  Dissipation power;
+  const double rate = system.drag_rate();
+  for (Index i = 0; rate > 0.0 && i < system.point_count(); ++i) {
+    const Point& point = system.points()[i];
+    if (!point.nailed) power.drag += rate * point.mass * glm::dot(state.velocity[i], state.velocity[i] - system.wind);
+  }
+  for (const Spring& spring : system.springs()) {
+    const double damping = system.damping_of(spring);
+    if (damping == 0.0) continue;
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    const Vec3 along = state.position[j] - state.position[i];
+    const double length = glm::length(along);
+    if (length == 0.0) continue;
+    const double speed = glm::dot(state.velocity[j] - state.velocity[i], along) / length;
+    power.dashpots += damping * speed * speed;
+  }
+  return power;
+}
+
+bool has_dashpots(const System& system) {
+  return std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; });
+}
+
+}  // namespace
+
+void EnergyAccounts::start(const State& state, double energy) {
+  balance_ = {.since = state.time};
+  start_ = energy_ = energy;
+  net_input_ = state.ledger.net_input;
+  numerical_gain_ = 0.0;
+}
+
+void EnergyAccounts::add_frame(const System& system, const State& before, const State& after, const Motion& motion, double energy) {
+  // the ledger of the state before the frame contains the edits since the last one
+  const double edits = before.ledger.net_input - net_input_;
+  balance_.edits += edits;
+  balance_.hand += motion.hand_work;
+  balance_.forces += motion.force_work;
+  balance_.colliders += motion.collider_work;
+  balance_.limits += motion.break_work + motion.limit_work;
+  balance_.contact += motion.contact_work;
+
+  // what nothing of this explains is the method's, or else that of the scene's drag and dashpots
+  const double supplied = after.ledger.net_input - net_input_;
+  double rest = energy - energy_ - supplied - motion.contact_work;
+  const bool drags = system.drag_rate() > 0.0, damps = has_dashpots(system);
+  if (!drags && !damps) {
+    balance_.method += rest;
+  } else {
+    balance_.method += numerical_gain_;
+    rest -= numerical_gain_;
+    double drag = drags ? 1.0 : 0.0;
+    if (drags && damps) {
+      const Dissipation start = dissipation_at(system, before), end = dissipation_at(system, after);
+      const double by_drag = std::abs(start.drag + end.drag), by_dashpots = start.dashpots + end.dashpots;
+      drag = by_drag + by_dashpots > 0.0 ? by_drag / (by_drag + by_dashpots) : 0.5;
+    }
+    balance_.drag += drag * rest;
+    balance_.dashpots += (1.0 - drag) * rest;
+  }
+  balance_.change = energy - start_;
+  energy_ = energy;
+  net_input_ = after.ledger.net_input;
+}
+
+}  // namespace hooke

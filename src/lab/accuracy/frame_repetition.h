@@ -1,0 +1,38 @@
+// Repeats one frame of a run with half the step: the error of that frame, in positions and in energy.
+#pragma once
+
+#include <optional>
+
+#include "lab/accuracy/shadow_run.h"
+#include "sim/frame_error.h"
+
+namespace hooke {
+
+class FrameRepetition {
+ public:
+  struct Result {
+    FrameError error;
+    double time = 0.0;            // [s], at the end of the frame
+    double numerical_gain = 0.0;  // [J], by the method in this frame
+  };
+
+  // The frame that led from `before` to `after`, whose energy is `energy` [J]; `plan` is that of `system`.
+  void begin(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after, double energy);
+  // Computes a substep; with the last one there is a result.
+  void substep(const System& system);
+  bool is_in_progress() const { return run_.is_in_frame(); }
+  // Abandons the repetition in progress: the System is not the same any more.
+  void cancel() { run_.stop(); }
+  void reset();
+
+  // Of the last repetition; none before the first one.
+  const std::optional<Result>& result() const { return result_; }
+
+ private:
+  ShadowRun run_;
+  std::vector<Vec3> end_;
+  double weight_ = 1.0, time_ = 0.0, energy_ = 0.0;
+  std::optional<Result> result_;
+};
+
+}  // namespace hooke

@@ -1,0 +1,132 @@
+#include "lab/accuracy/second_runs.h"
+
+#include <cmath>
+#include <cstdint>
+
+#include "sim/divergence.h"
+#include "sim/frame_error.h"
+
+namespace hooke {
+namespace {
+
+// Relative to the size of the scene: the perturbation, and the distance up to which differences count as small.
+constexpr double perturbation = 1e-7, max_small = 1e-3;
+// A measurement of growth is followed by a pause of so many times its length.
+constexpr int pause_factor = 3;
+// Frames that may wait, in number and in memory [bytes].
+constexpr std::size_t max_waiting = 600, max_waiting_bytes = std::size_t{1} << 26;
+
+// In [-1, 1], the same for the same number: the finalizer of SplitMix64 (Steele, Lea, Flood 2014).
+double random_at(std::uint64_t number) {
+  std::uint64_t z = (number + 1) * 0x9e3779b97f4a7c15ull;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+  z ^= z >> 31;
+  return static_cast<double>(z >> 11) * 0x1p-52 - 1.0;
+}
+
+}  // namespace
+
+void SecondRuns::restart(double size) {
+  size_ = size;
+  is_new_ = true;
+  inputs_.clear();
+  refined_.is_on = perturbed_.is_on = diverged_ = false;
+  is_full_ = false;
+  error_.reset();
+  growth_.reset();
+  pause_ = 0;
+}
+
+// Frames that wait belong to the scene as it was.
+void SecondRuns::note_edit() {
+  is_edited_ = true;
+  if (!inputs_.empty()) restart(size_);
+}
+
+void SecondRuns::start(Run& run, const Plan& plan, const State& state) {
+  run.shadow.set_plan(plan);
+  run.shadow.start(state);
+  run.is_on = true;
+  run.next = first_ + static_cast<long>(inputs_.size());
+}
+
+// Displaces the free points of the run that was just started at `state`.
+void SecondRuns::perturb(const System& system, const State& state, double frame) {
+  State displaced = state;
+  for (Index i = 0; i < system.point_count(); ++i) {
+    if (system.points()[i].nailed) continue;
+    for (int c = 0; c < system.dimensions; ++c)
+      displaced.position[i][c] += perturbation * size_ * random_at(3 * static_cast<std::uint64_t>(i) + static_cast<std::uint64_t>(c));
+  }
+  perturbed_.shadow.start(displaced);
+  measurement_.start(weighted_distance(displaced.position, state.position, 1.0).rms, frame);
+  measured_frames_ = 0;
+}
+
+void SecondRuns::add_frame(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after) {
+  const std::size_t bytes = inputs_.size() * after.position.size() * sizeof(Vec3);
+  is_full_ = inputs_.size() >= max_waiting || bytes >= max_waiting_bytes || (is_full_ && !inputs_.empty());
+  if (is_full_) {
+    is_new_ = true;
+    return;
+  }
+  if (is_new_) restart(size_);
+
+  if (is_new_) {
+    start(refined_, plan, before);
+    since_ = before.time;
+    is_new_ = false;
+  } else if (is_edited_ && refined_.is_on) {
+    refined_.shadow.set_plan(plan);
+  }
+  if (is_edited_) {
+    perturbed_.is_on = false;
+    growth_.reset();
+    pause_ = 0;
+  }
+  if (!perturbed_.is_on && --pause_ < 0) {
+    start(perturbed_, plan, before);
+    perturb(system, before, 1.0 / settings.frame_rate);
+  }
+  is_edited_ = false;
+  if (refined_.is_on || perturbed_.is_on)
+    inputs_.push_back({.time = before.time, .hand = before.hand, .settings = settings, .end = after.position, .end_time = after.time});
+}
+
+void SecondRuns::substep(const System& system) {
+  // the one that is behind
+  const bool is_refined = waits(refined_) && (!waits(perturbed_) || refined_.next <= perturbed_.next);
+  Run& run = is_refined ? refined_ : perturbed_;
+  if (!run.shadow.is_in_frame()) {
+    const Input& input = input_of(run);
+    run.shadow.begin_frame(system, is_refined ? refined(system, input.settings) : input.settings, input.time, input.hand);
+  }
+  run.shadow.substep();
+  if (!run.shadow.is_in_frame()) finish_frame(run, system);
+}
+
+void SecondRuns::finish_frame(Run& run, const System& system) {
+  const Input& input = input_of(run);
+  const State& state = run.shadow.state();
+  if (&run == &refined_) {
+    error_ = Error{weighted_distance(input.end, state.position, refinement_weight(system, input.settings)).rms, input.end_time};
+    diverged_ = !is_finite(state);
+    if (diverged_) run.is_on = false;
+  } else {
+    ++measured_frames_;
+    measurement_.add(weighted_distance(input.end, state.position, 1.0).rms, max_small * size_);
+    if (measurement_.result()) growth_ = measurement_.result();
+    if (measurement_.is_finished()) {
+      run.is_on = false;
+      pause_ = pause_factor * measured_frames_;
+    }
+  }
+  ++run.next;
+  while (!inputs_.empty() && (!refined_.is_on || refined_.next > first_) && (!perturbed_.is_on || perturbed_.next > first_)) {
+    inputs_.pop_front();
+    ++first_;
+  }
+}
+
+}  // namespace hooke

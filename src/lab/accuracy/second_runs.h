@@ -1,0 +1,68 @@
+// Two runs beside a run: one with half the step, whose distance from it shows the accumulated error, and one from a slightly different
+// start, whose distance shows the growth of small differences. Frames wait in a queue until both have computed theirs; if too many
+// wait, the runs end there and start again later.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "lab/accuracy/growth.h"
+#include "lab/accuracy/shadow_run.h"
+
+namespace hooke {
+
+class SecondRuns {
+ public:
+  struct Error {
+    double rms = 0.0;   // [m], over the points
+    double time = 0.0;  // [s]
+  };
+
+  // Both start again with the next frame. `size` [m] is the scene's.
+  void restart(double size);
+  // The plan or the System differs from that of the frames before. Without frames that wait, the run with half the step goes on.
+  void note_edit();
+  void add_frame(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after);
+
+  // Whether frames wait; then `substep` computes a substep of one.
+  bool has_work() const { return waits(refined_) || waits(perturbed_); }
+  void substep(const System& system);
+
+  double since() const { return since_; }                          // [s], start of the run with half the step
+  const std::optional<Error>& error() const { return error_; }     // none before its first frame
+  const std::optional<Growth>& growth() const { return growth_; }  // none before the first measurement
+  bool diverged() const { return diverged_; }                      // the run with half the step
+
+ private:
+  struct Input {
+    double time = 0.0;  // [s], at the start of the frame
+    Hand hand;
+    Settings settings;
+    std::vector<Vec3> end;  // positions after it
+    double end_time = 0.0;  // [s]
+  };
+  struct Run {
+    ShadowRun shadow;
+    bool is_on = false;
+    long next = 0;  // number of the frame that it computes or waits for
+  };
+
+  bool waits(const Run& run) const { return run.is_on && run.next < first_ + static_cast<long>(inputs_.size()); }
+  const Input& input_of(const Run& run) const { return inputs_[static_cast<std::size_t>(run.next - first_)]; }
+  void start(Run& run, const Plan& plan, const State& state);
+  void perturb(const System& system, const State& state, double frame);
+  void finish_frame(Run& run, const System& system);
+
+  double size_ = 1.0, since_ = 0.0;
+  bool is_new_ = true, is_edited_ = false, diverged_ = false;
+  bool is_full_ = false;  // no more frames are taken until those that wait are computed, then it starts again
+  Run refined_, perturbed_;
+  std::deque<Input> inputs_;
+  long first_ = 0;  // number of the first of them
+  std::optional<Error> error_;
+  GrowthMeasurement measurement_;
+  std::optional<Growth> growth_;
+  int pause_ = 0, measured_frames_ = 0;  // frames until the next measurement, and those of the current one
+};
+
+}  // namespace hooke

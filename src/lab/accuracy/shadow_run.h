@@ -1,0 +1,31 @@
+// A run computed beside another one, with a state of its own and the same input: with half the step, or from a start that differs
+// slightly.
+#pragma once
+
+#include "sim/step.h"
+
+namespace hooke {
+
+class ShadowRun {
+ public:
+  // Copies the plan, which must be that of the System that the frames are given until the next call.
+  void set_plan(const Plan& plan) { plan_ = plan; }
+  void start(const State& state) { state_ = state, is_in_frame_ = false; }
+  void stop() { is_in_frame_ = false; }
+
+  // A frame from its own state, with the clock and the hand of the run that it follows.
+  void begin_frame(const System& system, const Settings& settings, double time, const Hand& hand);
+  void substep();
+  bool is_in_frame() const { return is_in_frame_; }
+
+  // After the last finished frame.
+  const State& state() const { return state_; }
+
+ private:
+  Plan plan_;
+  Frame frame_;
+  State state_;
+  bool is_in_frame_ = false;
+};
+
+}  // namespace hooke

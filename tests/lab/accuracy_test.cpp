@@ -1,0 +1,211 @@
+// The accuracy that the laboratory measures while it runs, against what it claims to be.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "lab/lab.h"
+#include "scene/parameters.h"
+#include "sim/hash.h"
+#include "support/accuracy_scenes.h"
+#include "support/convergence.h"
+#include "support/flat_scene.h"
+
+namespace hooke {
+namespace {
+
+Scene scene_of(const Trial& trial, const Settings& settings) {
+  Scene scene;
+  scene.system = trial.system;
+  scene.state = trial.state;
+  scene.settings = settings;
+  return scene;
+}
+
+Lab measured_lab(const Scene& scene, AccuracyMode mode = AccuracyMode::Full) {
+  Lab lab(scene, KeepStart::No);
+  lab.submit(SetAccuracy{mode});
+  return lab;
+}
+
+class MeasuredAccuracy : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, MeasuredAccuracy, testing::ValuesIn(every_method()), method_name);
+
+// Without contact, or past the time for which the motion can be predicted, and said to be.
+TEST_P(MeasuredAccuracy, TheAccumulatedErrorIsTheDistanceToTheExactRun) {
+  for (const AccuracyScene& row : accuracy_scenes()) {
+    if (row.has_contact) continue;
+    const Trial trial = row.make();
+    Lab lab = measured_lab(scene_of(trial, accuracy_settings(method(), trial.system)));
+    Lab exact(scene_of(trial, {.integrator = find_integrator("dop853"), .substeps = 4, .tolerance = 1e-13}), KeepStart::No);
+    bool diverged = false;
+    for (int frame = 0; frame < 60 && !diverged; ++frame) {
+      diverged = !lab.step();
+      ASSERT_TRUE(exact.step());
+    }
+    // a method that gains energy at every step
+    ASSERT_TRUE(!diverged || method().stability == Stability::None) << row.name;
+    if (diverged) continue;
+    const double error = distance(lab.scene().state, exact.scene().state);
+    const Accuracy accuracy = lab.accuracy();
+    if (error < 1e-11) continue;  // rounding errors
+    if (!accuracy.accumulated.value) {
+      EXPECT_EQ(accuracy.accumulated.reason, "beyond the time for which the motion can be predicted") << row.name;
+      EXPECT_GT(error, 0.01) << row.name;
+      continue;
+    }
+    EXPECT_GT(*accuracy.accumulated.value, error / 3.0) << row.name;
+    EXPECT_LT(*accuracy.accumulated.value, error * 3.0) << row.name;
+  }
+}
+
+TEST_P(MeasuredAccuracy, TheEnergyBalanceSumsToTheChange) {
+  for (const AccuracyScene& row : accuracy_scenes()) {
+    const Trial trial = row.make();
+    Lab lab = measured_lab(scene_of(trial, accuracy_settings(method(), trial.system)), AccuracyMode::Frame);
+    const double start = compute_energy(lab.scene().system, lab.scene().state).total();
+    double largest = std::abs(start);
+    for (int frame = 0; frame < 30; ++frame) {
+      if (frame == 10) lab.submit(Command(SetParameter{find_parameter("stiffness"), 150.0}));
+      if (!lab.step()) break;
+      const EnergyBalance balance = lab.accuracy().energy;
+      const double now = compute_energy(lab.scene().system, lab.scene().state).total();
+      largest = std::max({largest, std::abs(now), std::abs(balance.edits)});
+      EXPECT_NEAR(balance.change, now - start, 1e-12 * largest) << row.name;
+      EXPECT_NEAR(balance.sum(), balance.change, 1e-10 * largest) << row.name;
+    }
+  }
+}
+
+// The same states with the meter and without it
+TEST_P(MeasuredAccuracy, MeasuringDoesNotChangeTheRun) {
+  for (const AccuracyScene& row : accuracy_scenes()) {
+    const Trial trial = row.make();
+    const Scene scene = scene_of(trial, accuracy_settings(method(), trial.system));
+    Lab measured = measured_lab(scene), plain(scene, KeepStart::No);
+    for (int frame = 0; frame < 10; ++frame) {
+      measured.step();
+      plain.step();
+    }
+    EXPECT_EQ(hash_state(measured.scene().state), hash_state(plain.scene().state)) << row.name;
+    EXPECT_FALSE(plain.accuracy().frame.value);
+    EXPECT_EQ(plain.accuracy().frame.reason, "switched off");
+  }
+}
+
+// A chain of links from a nail, started level or in any other direction [rad].
+Trial pendulum(int links, double angle, double speed = 0.0) {
+  Trial trial;
+  const Vec3 along(std::cos(angle), std::sin(angle), 0.0), across(-along.y, along.x, 0.0);
+  PointId last = trial.nail(Vec3(0.0));
+  for (int i = 1; i <= links; ++i) {
+    const PointId next = trial.add(0.5 * i * along, 1.0, speed * i * across);
+    trial.join(last, next, 1e4, 0.5);
+    last = next;
+  }
+  return trial;
+}
+
+// The rate of growth that is measured within 4 s [1/s].
+double growth_rate_of(const Trial& trial) {
+  const Integrator& verlet = default_integrator();
+  Lab lab = measured_lab(scene_of(trial, accuracy_settings(verlet, trial.system)));
+  double rate = 0.0;
+  for (int frame = 0; frame < 240; ++frame) {
+    EXPECT_TRUE(lab.step());
+    rate = std::max(rate, lab.accuracy().growth_rate.value.value_or(0.0));
+  }
+  return rate;
+}
+
+TEST(Predictability, TenOfTenChaoticScenesAreRecognized) {
+  const std::vector<std::pair<const char*, Trial>> scenes{
+      {"double pendulum", pendulum(2, 1.5)},
+      {"drum without tension", accuracy_scene::drum()},
+      {"triple pendulum", pendulum(3, 0.4)},
+      {"pendulum of five links", pendulum(5, 0.0)},
+      {"rope released level", accuracy_scene::rope()},
+      {"soft curtain", curtain(8, 1e2, 0.0)},
+      {"stiff curtain", curtain(8, 1e4, 0.0)},
+      {"damped curtain", curtain(8, 1e4, 0.1)},
+      {"cloth", cloth(8)},
+      {"cloth moved by a hand", accuracy_scene::held()},
+  };
+  for (const auto& [name, trial] : scenes) EXPECT_GT(growth_rate_of(trial), 0.5) << name;
+}
+
+TEST(Predictability, TenOfTenRegularScenesAreRecognized) {
+  Trial orbit;  // two masses on a spring that turn about each other
+  orbit.system.gravity = Vec3(0.0);
+  orbit.join(orbit.add({-0.5, 0.0, 0.0}, 1.0, {0.0, 1.0, 0.0}), orbit.add({0.5, 0.0, 0.0}, 1.0, {0.0, -1.0, 0.0}), 100.0, 0.9);
+  Trial fall;
+  fall.join(fall.add(Vec3(0.0)), fall.add({1.0, 0.0, 0.0}, 2.0), 50.0, 0.8);
+  const std::vector<std::pair<const char*, Trial>> scenes{
+      {"net", net(8, 1e2, 0.0)},
+      {"stiff net", net(8, 1e4, 0.0)},
+      {"damped net", net(8, 1e3, 0.5)},
+      {"net of 16 x 16", net(16, 1e2, 0.0)},
+      {"net in the wind", accuracy_scene::wind()},
+      {"pulled net", accuracy_scene::pulled()},
+      {"pendulum", pendulum(1, -1.0)},
+      {"double pendulum that swings a little", pendulum(2, -1.5)},
+      {"orbit", orbit},
+      {"fall", fall},
+  };
+  for (const auto& [name, trial] : scenes) EXPECT_EQ(growth_rate_of(trial), 0.0) << name;
+}
+
+// Implicit Euler damps: the balance separates what it loses from what drag takes.
+TEST(EnergyAccounts, TheLossOfTheMethodIsToldFromThatOfTheScene) {
+  Trial trial = net(8, 1e2, 0.0);
+  trial.system.drag = 1.0;
+  Lab lab = measured_lab(scene_of(trial, {.integrator = find_integrator("implicit_euler"), .substeps = 4}), AccuracyMode::Frame);
+  double by_drag = 0.0, power = 0.0;
+  for (int frame = 0; frame < 60; ++frame) {
+    ASSERT_TRUE(lab.step());
+    const double before = power;
+    power = 2.0 * compute_energy(lab.scene().system, lab.scene().state).kinetic;
+    by_drag += 0.5 * (before + power) / 60.0;
+  }
+  const EnergyBalance balance = lab.accuracy().energy;
+  EXPECT_NEAR(balance.drag, -by_drag, 0.2 * by_drag);
+  EXPECT_LT(balance.method, 0.0);
+  EXPECT_EQ(balance.dashpots, 0.0);
+}
+
+TEST(AccuracyMeter, AfterAnEditItSaysThatItWaits) {
+  const Trial trial = net(8, 1e2, 0.0);
+  Lab lab = measured_lab(scene_of(trial, {}));
+  lab.apply_pending();
+  EXPECT_EQ(lab.accuracy().frame.reason, "no frame has been computed yet");
+  for (int frame = 0; frame < 5; ++frame) lab.step();
+  ASSERT_TRUE(lab.accuracy().frame.value);
+  EXPECT_EQ(lab.accuracy().frame_time, 1.0 / 60.0);
+  lab.submit(Command(SetParameter{find_parameter("stiffness"), 150.0}));
+  lab.step();
+  EXPECT_FALSE(lab.accuracy().frame.value);
+  EXPECT_EQ(lab.accuracy().frame.reason, "not yet measured since the last edit");
+  EXPECT_TRUE(lab.accuracy().accumulated.value);
+  for (int frame = 0; frame < 12; ++frame) lab.step();
+  EXPECT_TRUE(lab.accuracy().frame.value);
+}
+
+// The order says what half the error costs, and half the error is what that gives.
+TEST(AccuracyMeter, HalfTheErrorCostsWhatItSays) {
+  const Trial trial = net(8, 1e2, 0.0);
+  for (const char* id : {"velocity_verlet", "implicit_euler", "tr_bdf2", "runge_kutta4"}) {
+    const auto error_with = [&](int substeps, int& half) {
+      Lab lab = measured_lab(scene_of(trial, {.integrator = find_integrator(id), .substeps = substeps}), AccuracyMode::Frame);
+      for (int frame = 0; frame < 25; ++frame) lab.step();
+      half = lab.accuracy().half_error_substeps;
+      EXPECT_NEAR(lab.accuracy().half_error_cost, static_cast<double>(half) / substeps, 1e-12);
+      return *lab.accuracy().frame.value;
+    };
+    int half = 0, quarter = 0;
+    const double error = error_with(20, half), less = error_with(half, quarter);
+    EXPECT_NEAR(less / error, 0.5, 0.1) << id << ": " << half << " substeps";
+  }
+}
+
+}  // namespace
+}  // namespace hooke
