@@ -55,6 +55,7 @@ void App::drop(const FileDrop& dropped) {
 void App::build_frame(const FrameStatistics& frame_statistics) {
   poll_background_work();
   forecaster_.follow(status());
+  method_advisor_.follow(status(), panels_.accuracy_shown);
   if (tool_.is_pressed())
     tool_.follow(mouse_.pointer());
   else
@@ -98,7 +99,8 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
           .export_work = exporter_.progress(),
           .has_desktop_dialog = document_.has_system_dialog(),
           .camera = tool_context_.camera,
-          .forecast = &forecaster_.newest()};
+          .forecast = &forecaster_.newest(),
+          .cheaper = method_advisor_.newest()};
 }
 
 void App::update_marks() {

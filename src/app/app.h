@@ -23,6 +23,7 @@
 #include "app/window/event.h"
 #include "app/work/file_task.h"
 #include "app/work/forecaster.h"
+#include "app/work/method_advisor.h"
 #include "ui/panels.h"
 
 namespace hooke {
@@ -108,6 +109,7 @@ class App {
   Placer placer_;
   MouseInput mouse_;
   Forecaster forecaster_;
+  MethodAdvisor method_advisor_;
   Document document_;
   Captures captures_;
   Exporter exporter_;

@@ -13,6 +13,7 @@
 #include "draw/view.h"
 #include "lab/status.h"
 #include "scene/selection.h"
+#include "study/cheaper_method.h"
 #include "ui/export_state.h"
 #include "ui/icons.h"
 #include "ui/layout.h"
@@ -71,7 +72,8 @@ struct PanelInput {
   ExportWork export_work{};
   bool has_desktop_dialog = false;
   Camera camera{};
-  const Forecast* forecast = nullptr;  // null if there is none
+  const Forecast* forecast = nullptr;      // null if there is none
+  std::optional<CheaperMethod> cheaper{};  // than the present one, for the same error
 
   // The number of times that the key was pressed for the panel since the last frame.
   int presses(PanelKey::Target target, Key key) const;
@@ -138,6 +140,7 @@ struct Panels {
   Look look = Look::Dark;
   bool panels_hidden = false;  // all but the menu and status bars
   bool plots_shown = false;
+  bool accuracy_shown = false;
   double plot_seconds = 1e9;           // [s], maximum time span of the plots
   std::optional<double> plot_end;      // [s], end of the time span; without a value it follows the newest time
   bool scrub_in_progress = false;      // the scrubber is being dragged
@@ -192,6 +195,9 @@ std::vector<const Shortcut*> find_commands(const std::string& typed);
 void build_search(const PanelInput& input, Panels& panels, Requests& requests);
 void build_export(const PanelInput& input, Panels& panels, Requests& requests);
 void build_placement(const PanelInput& input, Panels& panels, Requests& requests);
+// The line below the method; a click shows or hides the panel.
+void build_accuracy_line(const PanelInput& input, Panels& panels);
+void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests);
 void build_status_bar(const PanelInput& input);
 void build_axes(const PanelInput& input, Panels& panels, Requests& requests);
 void build_overlays(const PanelInput& input, Panels& panels, Requests& requests);

@@ -1,5 +1,6 @@
 // The F1 overlay: all shortcuts by group, and the mouse gestures, in as many columns as fit.
 #include <algorithm>
+#include <utility>
 
 #include "ui/panels.h"
 #include "ui/widgets.h"
@@ -22,6 +23,14 @@ struct Group {
   double height() const { return heading_lines + static_cast<double>(lines.size()); }
 };
 
+// The quantities of the panel of the accuracy.
+constexpr std::pair<std::string_view, std::string_view> accuracy_hints[] = {
+    {"Error of a frame", "made within one frame"},
+    {"Accumulated error", "made since the start"},
+    {"Predictability", "until errors are large"},
+    {"Energy balance", "gains and losses"},
+};
+
 std::vector<Group> all_groups() {
   std::vector<Group> groups;
   for (const Shortcut& row : shortcuts()) {
@@ -30,6 +39,8 @@ std::vector<Group> all_groups() {
   }
   groups.push_back({"Mouse", {}, 170.0});
   for (const MouseHint& hint : mouse_hints()) groups.back().lines.push_back({std::string(hint.gesture), hint.text});
+  groups.push_back({"Accuracy", {}, 170.0});
+  for (const auto& [quantity, meaning] : accuracy_hints) groups.back().lines.push_back({std::string(quantity), meaning});
   return groups;
 }
 

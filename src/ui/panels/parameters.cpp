@@ -117,6 +117,7 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
   } else {
     tooltip(std::string(now.summary));
   }
+  build_accuracy_line(input, panels);
 }
 
 void parameter_row(const Parameter& row, double value, const AffectedSprings& affected, const PanelInput& input, Panels& panels,

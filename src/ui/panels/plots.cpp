@@ -81,6 +81,24 @@ void draw_line(ImDrawList& list, const TraceTable& table, const Trace& trace, co
   list.AddPolyline(points.data(), static_cast<int>(points.size()), text_color, 0, units(1.6));
 }
 
+// The accumulated error as a band about a coordinate of a point.
+void draw_error_band(ImDrawList& list, const TraceTable& table, const Trace& trace, const Span& span, const PlotAxis& x_axis,
+                     const PlotAxis& y_axis, ImVec2 min, ImVec2 max, ImU32 color) {
+  const std::string_view name = trace.quantity.row->name;
+  if (name != "x" && name != "y" && name != "z") return;
+  const auto at = [&](std::size_t i, double side) {
+    return ImVec2{min.x + static_cast<float>(x_axis.fraction(table.times[i])) * (max.x - min.x),
+                  max.y - static_cast<float>(y_axis.fraction(trace.values[i] + side * table.errors[i])) * (max.y - min.y)};
+  };
+  const auto is_known = [&](std::size_t i) { return std::isfinite(trace.values[i]) && std::isfinite(table.errors[i]); };
+  // one quadrangle per pixel at most
+  const std::size_t step = 1 + (span.end - span.begin) / static_cast<std::size_t>(std::max(1.0f, max.x - min.x));
+  for (std::size_t i = span.begin; i + step < span.end; i += step)
+    if (is_known(i) && is_known(i + step))
+      list.AddQuadFilled(at(i, 1.0), at(i + step, 1.0), at(i + step, -1.0), at(i, -1.0),
+                         (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 60));
+}
+
 // The time under the mouse: a line, and the values of all traces.
 void draw_readout(ImDrawList& list, const TraceTable& table, const Plot& plot, const PlotAxis& x_axis, ImVec2 min, ImVec2 max) {
   const float mouse = ImGui::GetIO().MousePos.x;
@@ -130,6 +148,7 @@ void draw_plot(const TraceTable& table, const Plot& plot, const Rect& place, int
   }
 
   list.PushClipRect(min, max, true);
+  for (const auto& [trace, color] : plot.lines) draw_error_band(list, table, *trace, span, x_axis, y_axis, min, max, color);
   for (const auto& [trace, text_color] : plot.lines) draw_line(list, table, *trace, span, x_axis, y_axis, min, max, text_color);
   list.PopClipRect();
 
@@ -173,6 +192,9 @@ void choice(const std::string& name, const PanelInput& input, Requests& requests
 // Quantities of the scene, and of the first selected point and spring.
 void choices(const PanelInput& input, Requests& requests) {
   for (const std::string_view name : of_the_scene) choice(std::string(name), input, requests);
+  ImGui::Separator();
+  for (const QuantityRow& row : quantity_rows())
+    if (row.needs_accuracy) choice(std::string(row.name), input, requests);
   const System& system = *input.status.snapshot->system;
   const auto of_each = [&](const auto& ids, QuantityRow::Of of) {
     if (ids.empty()) return;

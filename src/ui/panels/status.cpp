@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "lab/accuracy/accuracy_text.h"
 #include "ui/panels.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
@@ -12,7 +13,7 @@ namespace hooke {
 namespace {
 
 // From the most detailed to the shortest.
-std::array<std::string, 3> figures(const PanelInput& input) {
+std::array<std::string, 4> figures(const PanelInput& input) {
   const Status& status = input.status;
   char text[160];
   const std::string speed = !status.run.running ? "paused" : number(std::round(100.0 * status.run.speed) / 100.0) + "\u00d7 real time";
@@ -21,7 +22,8 @@ std::array<std::string, 3> figures(const PanelInput& input) {
   std::snprintf(text, sizeof text, "draw %.1f ms    %.0f frames/s    ", input.draw_ms, input.frames_per_second);
   // a picture without a window has none
   const std::string draw = input.frames_per_second > 0.0 ? text : "";
-  return {simulate + draw + speed, simulate + speed, speed};
+  const std::string error = accuracy_line(status.accuracy) + "    ";
+  return {error + simulate + draw + speed, error + simulate + speed, simulate + speed, speed};
 }
 
 float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }

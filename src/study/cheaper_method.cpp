@@ -1,0 +1,109 @@
+#include "study/cheaper_method.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "scene/step_limits.h"
+#include "sim/divergence.h"
+#include "sim/frame_error.h"
+#include "sim/step.h"
+
+namespace hooke {
+namespace {
+
+double thread_cpu_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+class Frames {
+ public:
+  Frames(const System& system, const State& state, const std::atomic<bool>& stop)
+      : system_(system), state_(state), plan_(make_plan(system)), stop_(stop) {}
+
+  const Plan& plan() const { return plan_; }
+
+  struct Result {
+    std::vector<Vec3> position;
+    double seconds = 0.0;  // of CPU time
+  };
+  // None if it takes longer than `max_seconds` of CPU time, or is stopped.
+  std::optional<Result> compute(const Settings& settings, double max_seconds = HUGE_VAL) {
+    Frame frame;
+    State to = state_;
+    // twice, because the first time includes the analysis of the matrix that later frames share
+    double seconds = 0.0;
+    for (int time = 0; time < 2; ++time) {
+      refresh_values(plan_, system_);
+      const double start = thread_cpu_seconds();
+      frame.begin(plan_, system_, settings, state_);
+      while (!frame.done()) {
+        frame.substep(plan_);
+        if (stop_ || (time > 0 && thread_cpu_seconds() - start > max_seconds)) return std::nullopt;
+      }
+      frame.end(plan_, to);
+      seconds = thread_cpu_seconds() - start;
+    }
+    return Result{to.position, seconds};
+  }
+
+ private:
+  const System& system_;
+  const State& state_;
+  Plan plan_;
+  const std::atomic<bool>& stop_;
+};
+
+// Far more accurate than the present settings.
+Settings exact(const System& system, const Settings& settings, const Spectrum& spectrum) {
+  if (std::ranges::none_of(system.colliders, &Collider::solid))
+    return {.integrator = find_integrator("dop853"), .frame_rate = settings.frame_rate, .substeps = 1, .tolerance = 1e-13};
+  const Integrator* method = find_integrator("blanes_moan4");
+  const int stable = min_stable_substeps(*method, spectrum, settings.frame_rate).value_or(settings.substeps);
+  return {.integrator = method, .frame_rate = settings.frame_rate, .substeps = 8 * std::max(stable, settings.substeps)};
+}
+
+}  // namespace
+
+std::optional<CheaperMethod> find_cheaper_method(const System& system, const State& state, const Settings& settings,
+                                                 const std::atomic<bool>& stop) {
+  if (system.point_count() == 0) return std::nullopt;
+  Frames frames(system, state, stop);
+  const auto reference = frames.compute(exact(system, settings, frames.plan().spectrum));
+  const auto present = frames.compute(settings);
+  if (!reference || !present) return std::nullopt;
+  const auto error_of = [&](const Frames::Result& result) { return weighted_distance(result.position, reference->position, 1.0).rms; };
+  constexpr double round_off = 1e-14;  // [m]
+  const double allowed = error_of(*present);
+  if (!(allowed > round_off)) return std::nullopt;
+
+  std::optional<CheaperMethod> best;
+  double max_seconds = present->seconds / worthwhile_saving;
+  constexpr int max_substeps = 1 << 14;
+  for (const Integrator& method : integrators()) {
+    if (!method.for_production || &method == settings.integrator || method.stability == Stability::Adaptive) continue;
+    Settings trial = settings;
+    trial.integrator = &method;
+    trial.tolerance.reset();
+    // a quarter more than the fewest stable ones, or one, until the error is small enough
+    trial.substeps = min_stable_substeps(method, frames.plan().spectrum, settings.frame_rate).value_or(1);
+    if (trial.substeps > 1) trial.substeps += (trial.substeps + 3) / 4;
+    while (trial.substeps <= max_substeps) {
+      const auto result = frames.compute(trial, max_seconds);
+      if (!result) break;
+      const double error = error_of(*result);
+      if (error <= allowed) {
+        best = CheaperMethod{&method, trial.substeps, error, result->seconds / present->seconds};
+        max_seconds = result->seconds;
+        break;
+      }
+      trial.substeps = std::max(trial.substeps + 1, trial.substeps * 5 / 4);
+    }
+    if (stop) return std::nullopt;
+  }
+  return best;
+}
+
+}  // namespace hooke

@@ -1,0 +1,178 @@
+// The accuracy of the run: a line below the method, and a panel with its four quantities, each with its unit and what it means.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "lab/accuracy/accuracy_text.h"
+#include "scene/parameters.h"
+#include "sim/integrator.h"
+#include "ui/number_field.h"
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+void heading(const char* text) {
+  ImGui::Dummy({0.0f, units(4.0)});
+  ImGui::PushFont(fonts().strong);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+void explanation(const char* text) {
+  ImGui::PushFont(fonts().small);
+  dim_text(text);
+  ImGui::PopFont();
+}
+
+void value_row(const char* name, const std::string& value, ImU32 color = palette::text) {
+  dim_text(name);
+  ImGui::SameLine(units(112.0));
+  text_in(color, value);
+}
+
+void error_section(const Accuracy& accuracy) {
+  heading("Error of a frame");
+  value_row("RMS", error_text(accuracy.frame, accuracy.size));
+  value_row("Maximum", error_text(accuracy.frame_max, accuracy.size));
+  explanation(
+      "How far the method moves the points away from the exact motion within one frame: one is repeated now and then with half the step.");
+  heading("Accumulated error");
+  value_row("RMS", error_text(accuracy.accumulated, accuracy.size));
+  if (accuracy.accumulated.value) value_row("Since", number(accuracy.since) + " s, known to " + number(accuracy.accumulated_time) + " s");
+  explanation("Distance from a second run with half the step, computed in idle time.");
+}
+
+void predictability_section(const Accuracy& accuracy) {
+  heading("Predictability");
+  const bool is_chaotic = accuracy.growth_rate.value && *accuracy.growth_rate.value > 0.0;
+  text_in(is_chaotic ? palette::warning : palette::text, predictability_text(accuracy));
+  if (is_chaotic)
+    value_row("Growth", "e-fold every " + number(1.0 / *accuracy.growth_rate.value) + " s");
+  else if (accuracy.amplification.value)
+    value_row("Growth", number(*accuracy.amplification.value) + "-fold per second");
+  explanation("How fast a tiny difference at the start grows. Past this time no method predicts where the points are.");
+}
+
+struct Term {
+  const char* name;
+  double value;  // [J]
+};
+
+// A bar to the right of the middle for energy gained, to the left for energy lost.
+void energy_row(const Term& term, double scale) {
+  dim_text(term.name);
+  ImGui::SameLine(units(112.0));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = units(52.0), height = ImGui::GetTextLineHeight(), middle = at.x + width;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float length = scale > 0.0 ? width * static_cast<float>(std::clamp(term.value / scale, -1.0, 1.0)) : 0.0f;
+  list.AddRectFilled({std::min(middle, middle + length), at.y + units(3.0)},
+                     {std::max(middle, middle + length), at.y + height - units(2.0)}, term.value < 0.0 ? palette::warning : palette::good,
+                     units(2.0));
+  list.AddLine({middle, at.y}, {middle, at.y + height}, palette::line);
+  ImGui::SetCursorScreenPos({at.x + 2.0f * width + units(10.0), at.y});
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g J", term.value);
+  ImGui::TextUnformatted(text.data());
+}
+
+void energy_section(const Accuracy& accuracy) {
+  heading("Energy balance");
+  const EnergyBalance& balance = accuracy.energy;
+  const std::array terms{
+      Term{"Hand", balance.hand},           Term{"Edits", balance.edits},     Term{"Forces", balance.forces},
+      Term{"Colliders", balance.colliders}, Term{"Limits", balance.limits},   Term{"Drag", balance.drag},
+      Term{"Dashpots", balance.dashpots},   Term{"Contact", balance.contact},
+  };
+  double scale = std::max(std::abs(balance.change), std::abs(balance.method));
+  for (const Term& term : terms) scale = std::max(scale, std::abs(term.value));
+  for (const Term& term : terms)
+    if (term.value != 0.0) energy_row(term, scale);
+  energy_row({"Method", balance.method}, scale);
+  energy_row({"Sum", balance.change}, scale);
+  explanation(
+      "Energy gained and lost since the start. What the method gains or loses no force explains. A closed balance does not prove that the "
+      "motion is right.");
+}
+
+void cost_section(const PanelInput& input, Requests& requests) {
+  const Accuracy& accuracy = input.status.accuracy;
+  heading("Cost of accuracy");
+  const std::string text = cost_text(accuracy);
+  ImGui::TextUnformatted(text.empty() ? "not known yet" : text.c_str());
+  if (!text.empty() && accuracy.half_error_tolerance == 0.0) {
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Use"))
+      requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(accuracy.half_error_substeps)}});
+  }
+  if (!input.cheaper) return;
+  const CheaperMethod& cheaper = *input.cheaper;
+  const std::string name(cheaper.integrator->label.substr(0, cheaper.integrator->label.find(" (")));
+  ImGui::TextUnformatted((name + ", " + count(cheaper.substeps, "substep") + ": the same error, " +
+                          number(std::round(100.0 * cheaper.cost)) + " % of the time")
+                             .c_str());
+  ImGui::SameLine();
+  if (!ImGui::SmallButton("Use##method")) return;
+  requests.emplace_back(Edit{SetIntegrator{cheaper.integrator}});
+  requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(cheaper.substeps)}, true});
+}
+
+}  // namespace
+
+void build_accuracy_line(const PanelInput& input, Panels& panels) {
+  const Accuracy& accuracy = input.status.accuracy;
+  ImGui::PushFont(fonts().small);
+  begin_row("Error");
+  const bool is_chaotic = accuracy.growth_rate.value.value_or(0.0) > 0.0;
+  ImGui::PushStyleColor(ImGuiCol_Text, is_chaotic ? palette::warning : palette::dim);
+  std::string line = accuracy_line(accuracy);
+  if (line.starts_with("error ") || line.starts_with("error: ")) line.erase(0, line.find(' ') + 1);
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(line.c_str());
+  ImGui::PopTextWrapPos();
+  if (ImGui::IsItemClicked()) panels.accuracy_shown = !panels.accuracy_shown;
+  tooltip("How wrong the run is. Click for more.");
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests) {
+  if (!panels.accuracy_shown) return;
+  const Rect& scene = input.layout.scene;
+  const float wide = std::min(units(360.0), std::max(1.0f, static_cast<float>(scene.width) - units(28.0)));
+  ImGui::SetNextWindowPos({static_cast<float>(scene.x + scene.width) - units(14.0), static_cast<float>(scene.y) + units(14.0)},
+                          ImGuiCond_Always, {1.0f, 0.0f});
+  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, std::max(1.0f, static_cast<float>(scene.height) - units(28.0))});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(16.0), units(12.0)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
+  ImGui::Begin("accuracy", nullptr, front_box);
+  panels.floating.push_back(current_window());
+  ImGui::PushTextWrapPos(0.0f);
+
+  bool is_on = input.status.accuracy.is_on;
+  if (ImGui::Checkbox("Measure the accuracy", &is_on))
+    requests.emplace_back(Control(SetAccuracy{is_on ? AccuracyMode::Full : AccuracyMode::Off}));
+  tooltip("Costs less than a tenth of a frame, and idle time");
+  if (input.status.accuracy.is_on) {
+    error_section(input.status.accuracy);
+    predictability_section(input.status.accuracy);
+    energy_section(input.status.accuracy);
+    cost_section(input, requests);
+  } else {
+    dim_text("Switched off: no error is shown.");
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy({0.0f, units(2.0)});
+  if (ImGui::Button("Close", {units(96.0), 0.0f})) panels.accuracy_shown = false;
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace hooke
