@@ -20,6 +20,10 @@ struct CaptureOptions {
   std::string size = "1280x720";  // [px]
   double scale = 1.0;             // of points, lines and panels
   bool panels = false;
+  std::optional<std::string> report;  // folder
+  bool stamp = false;
+  std::optional<double> fail_above;  // [m]
+  bool measures_accuracy() const { return report || stamp || fail_above; }
   std::optional<std::string> camera;  // "x,y,z,x,y,z": the eye and its target
 };
 

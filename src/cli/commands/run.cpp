@@ -1,10 +1,12 @@
 #include "cli/commands/run.h"
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <iostream>
+#include <map>
 #include <numeric>
 
 #include "base/printable.h"
@@ -28,6 +30,7 @@ struct RunOptions {
   std::optional<std::string> points;      // "0,5,9"; none: all
   std::optional<std::string> quantities;  // "time,y5"; none: time, energies, positions of the points
   std::optional<std::string> json, csv, pc2;
+  std::optional<AccuracyMode> accuracy;  // none: full if an output contains it
 };
 
 double cpu_now() {
@@ -127,31 +130,39 @@ int run(const RunOptions& options) {
   if (options.csv) csv.emplace(*options.csv, wanted_quantities(options.quantities, points, scene.system));
   std::optional<PointCacheWriter> pc2;
   if (options.pc2) pc2.emplace(*options.pc2, scene.system.point_count());
+  const bool has_accuracy = options.json || (options.csv && options.quantities && csv->needs_accuracy());
+  lab.submit(SetAccuracy{options.accuracy.value_or(has_accuracy ? AccuracyMode::Full : AccuracyMode::Off)});
+  lab.apply_pending();
 
   RunTotals totals;
   RunMonitor monitor(scene.system, scene.state, 0);
+  const auto add_sample = [&] {
+    const Accuracy accuracy = lab.accuracy();
+    if (json) json->add_sample(scene.system, scene.state, accuracy, points);
+    if (csv) csv->add_sample(scene.system, scene.state, accuracy);
+  };
   SampleClock samples(options.sample, scene.settings.frame_rate, frames);
   {
     ProgressBar progress(frames, !options.scene->quiet);
     for (long frame = 0;; ++frame) {
       const bool is_sampled = samples.is_due(frame);
       if (is_sampled) {
-        if (json) json->add_sample(scene.system, scene.state, points);
-        if (csv) csv->add_sample(scene.system, scene.state);
+        add_sample();
       }
       if (pc2) pc2->add(scene.state.position);
       if (frame == frames) break;
 
       const double cpu = cpu_now(), wall = wall_now();
       totals.diverged = !lab.step();
-      totals.cpu_seconds += cpu_now() - cpu;
-      totals.wall_seconds += wall_now() - wall;
+      const double measuring = lab.accuracy_cpu_seconds() - totals.accuracy_cpu_seconds;
+      totals.cpu_seconds += std::max(0.0, cpu_now() - cpu - measuring);
+      totals.wall_seconds += std::max(0.0, wall_now() - wall - measuring);
+      totals.accuracy_cpu_seconds += measuring;
       totals.force_evaluations += lab.last_frame().force_evaluations();
       totals.factorizations += lab.last_frame().factorizations();
       if (totals.diverged) {
         // the last good state, unless it was already sampled
-        if (json && !is_sampled) json->add_sample(scene.system, scene.state, points);
-        if (csv && !is_sampled) csv->add_sample(scene.system, scene.state);
+        if (!is_sampled) add_sample();
         break;
       }
       monitor.end_frame(scene.system, scene.state, lab.last_frame().motion());
@@ -190,6 +201,14 @@ std::function<int()> declare_run(CLI::App& app) {
   app.add_option("--json", options->json, "Write the run and its samples as JSON; - for stdout")->type_name("FILE");
   app.add_option("--csv", options->csv, "Write one row per sample: time, energies, positions; - for stdout")->type_name("FILE");
   app.add_option("--quantities", options->quantities, "Columns of --csv instead: " + quantity_names())->type_name("time,total,y5");
+  app.add_option(
+         "--accuracy", options->accuracy,
+         "What is measured for --json and for quantities such as error: off; frame (the error of a frame and the energy balance, at "
+         "a tenth of the cost of the run); full (also the accumulated error and the growth of small differences, at two and a half "
+         "times the cost); default: full where it is written")
+      ->type_name("off|frame|full")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, AccuracyMode>{{"off", AccuracyMode::Off}, {"frame", AccuracyMode::Frame}, {"full", AccuracyMode::Full}}));
   app.add_option("--pc2", options->pc2, "Write the positions of all points in every frame as a point cache")->type_name("FILE");
   return [options] { return run(*options); };
 }

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "cli/commands/accuracy_json.h"
 #include "sim/integrator.h"
 
 namespace hooke {
@@ -30,7 +31,7 @@ JsonReport::JsonReport(const std::string& file, const std::string& scene_name, c
   json_.begin_list(JsonLayout::Lines);
 }
 
-void JsonReport::add_sample(const System& system, const State& state, const std::vector<Index>& points) {
+void JsonReport::add_sample(const System& system, const State& state, const Accuracy& accuracy, const std::vector<Index>& points) {
   const auto write_vectors = [&](const char* key, const std::vector<Vec3>& vectors) {
     json_.key(key);
     json_.begin_list(JsonLayout::Line);
@@ -54,14 +55,10 @@ void JsonReport::add_sample(const System& system, const State& state, const std:
   json_.number("total", energy.total());
   json_.end();
 
-  // the error of a fixed step is not estimated
   json_.key("error");
-  json_.begin_object(JsonLayout::Line);
-  for (const char* key : {"frame", "accumulated", "amplification"}) {
-    json_.key(key);
-    json_.null();
-  }
-  json_.end();
+  write_error(json_, accuracy);
+  json_.key("energy_balance");
+  write_energy_balance(json_, accuracy);
   json_.end();
   file_.write(json_.take());
 }
@@ -71,6 +68,7 @@ void JsonReport::finish(const RunTotals& totals) {
   json_.number("seconds", totals.seconds);
   json_.number("cpu_seconds", totals.cpu_seconds);
   json_.number("wall_seconds", totals.wall_seconds);
+  json_.number("accuracy_cpu_seconds", totals.accuracy_cpu_seconds);
   json_.boolean("diverged", totals.diverged);
   json_.integer("force_evaluations", totals.force_evaluations);
   json_.integer("factorizations", totals.factorizations);
@@ -84,6 +82,8 @@ CsvReport::CsvReport(const std::string& file, std::vector<Quantity> quantities) 
   file_.write(csv_heading(quantities_));
 }
 
-void CsvReport::add_sample(const System& system, const State& state) { file_.write(csv_row(quantities_, system, state)); }
+void CsvReport::add_sample(const System& system, const State& state, const Accuracy& accuracy) {
+  file_.write(csv_row(quantities_, system, state, &accuracy));
+}
 
 }  // namespace hooke

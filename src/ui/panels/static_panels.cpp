@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "ui/theme.h"
 #include "ui/tool_buttons.h"
 
@@ -11,10 +13,22 @@ namespace {
 // ImGui windows take some frames to adapt to their content.
 constexpr int frames_to_settle = 3;
 
+// A line at the bottom left of a rectangle, legible on any ground.
+void draw_stamp(const std::string& text, const Rect& place) {
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  const float dx = units(8.0), dy = units(5.0), room = std::max(1.0f, static_cast<float>(place.width) - 4.0f * dx);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
+  const ImVec2 at{static_cast<float>(place.x) + 2.0f * dx, static_cast<float>(place.y + place.height) - size.y - 3.0f * dy};
+  list.AddRectFilled({at.x - dx, at.y - dy}, {at.x + size.x + dx, at.y + size.y + dy}, palette::shade, units(4.0));
+  list.AddText(nullptr, 0.0f, at, palette::text, text.c_str(), nullptr, room);
+}
+
 }  // namespace
 
-StaticPanels::StaticPanels(int width, int height, const ViewOptions& view) : layout_(lay_out(width, height, view.scale)) {
+StaticPanels::StaticPanels(int width, int height, const ViewOptions& view, Shown shown)
+    : layout_(lay_out(width, height, view.scale)), has_panels_(shown.panels) {
   panels_.view = view;
+  panels_.accuracy_shown = shown.accuracy;
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = io.LogFilename = nullptr;
@@ -25,7 +39,8 @@ StaticPanels::StaticPanels(int width, int height, const ViewOptions& view) : lay
 
 StaticPanels::~StaticPanels() { ImGui::DestroyContext(); }
 
-const ImDrawData* StaticPanels::build(const Status& status, const Camera& camera, const std::filesystem::path& file) {
+const ImDrawData* StaticPanels::build(const Status& status, const Camera& camera, const std::filesystem::path& file,
+                                      const std::string& stamp) {
   if (status.snapshot->system != forecast_.system)
     forecast_ = make_forecast(status.snapshot->system, status.snapshot->state, forecast_, std::atomic<bool>(false));
   const PanelInput input{.status = status,
@@ -41,7 +56,10 @@ const ImDrawData* StaticPanels::build(const Status& status, const Camera& camera
     ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
     ImGui::NewFrame();
     Requests ignored_requests;
-    build_panels(input, panels_, ignored_requests);
+    use_look(panels_.look);
+    if (has_panels_) build_panels(input, panels_, ignored_requests);
+    if (!stamp.empty())
+      draw_stamp(stamp, has_panels_ ? layout_.scene : Rect{0.0, 0.0, ImGui::GetIO().DisplaySize.x, ImGui::GetIO().DisplaySize.y});
     ImGui::Render();
   }
   return ImGui::GetDrawData();

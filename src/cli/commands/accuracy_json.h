@@ -1,0 +1,14 @@
+// The accuracy of a run as JSON, common to `run --json` and the reports of `capture`.
+#pragma once
+
+#include "base/json_writer.h"
+#include "sim/accuracy.h"
+
+namespace hooke {
+
+// An object with the errors and the growth of small differences. A value that is not known is null, and "reason" says why.
+void write_error(JsonWriter& json, const Accuracy& accuracy);
+// An object with the terms [J]; null if they were not measured.
+void write_energy_balance(JsonWriter& json, const Accuracy& accuracy);
+
+}  // namespace hooke
