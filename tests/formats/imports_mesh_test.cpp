@@ -246,7 +246,7 @@ TEST(Mesh, InvalidFilesAreRefusedWithTheLine) {
   EXPECT_EQ(refusal(triangle + "f 1 2 -4\n"), "test.obj: line 5: f: -4: there are only 3 vertices");
   std::string many = "f";
   for (int i = 0; i < 1001; ++i) many += " 1";
-  EXPECT_EQ(refusal(triangle + many + "\n"), "test.obj: line 5: f: more than 1000 corners: too many springs");
+  EXPECT_EQ(refusal(triangle + many + "\n"), "test.obj: line 5: f: more than 1000 corners: too many");
   EXPECT_EQ(refusal("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "test.obj: faces: none has an area: there must be at least one");
   EXPECT_EQ(refusal("v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n"), "test.obj: size: 0 m: must be at least 1e-06");
 }
