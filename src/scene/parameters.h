@@ -63,6 +63,7 @@ class CommonValue {
   void include(double value);
   double value_or(double none) const { return count_ == 0 ? none : is_uniform_ ? first_ : sum_ / static_cast<double>(count_); }
   bool is_mixed() const { return !is_uniform_; }
+  bool empty() const { return count_ == 0; }
 
  private:
   double sum_ = 0.0, first_ = 0.0;

@@ -17,6 +17,7 @@
 #include "ui/export_state.h"
 #include "ui/icons.h"
 #include "ui/layout.h"
+#include "ui/panels/affected_parts.h"
 #include "ui/placement.h"
 #include "ui/requests.h"
 #include "ui/shortcuts.h"
@@ -149,6 +150,7 @@ struct Panels {
   unsigned typing = 0;                 // ImGui id of the slider or field being typed into
   std::string typed_text;              // into the field, unfinished
   std::vector<Rect> floating;          // panels over the scene in the last frame
+  AffectedPartsCache affected_parts;
 
   void show_toast(std::string line) { toast = std::move(line), toast_until = -1.0; }
   void open_dialog(Dialog::Kind kind, std::string typed = {}) { dialog = {.kind = kind, .typed = std::move(typed), .is_new = true}; }

@@ -15,39 +15,15 @@ namespace {
 // The range of typed values: far beyond the sliders, but still computable. [kg], [m], [N/m], [N s/m]
 constexpr double min_mass = 1e-9, max_mass = 1e9, max_length = 1e6, max_stiffness = 1e12, max_damping = 1e9, max_strain = 1e6;
 
-template <class Value>
-struct Common {
-  Value value{};
-  bool mixed = false;
-};
-
-template <class Item, class Read>
-auto common(const std::vector<Item>& items, const Read& read) {
-  Common<std::decay_t<decltype(read(items.front()))>> found{read(items.front())};
-  found.mixed = std::ranges::any_of(items, [&](const Item& item) { return !(read(item) == found.value); });
-  return found;
-}
-
 void edit(Command command, Panels& panels, Requests& requests) { requests.emplace_back(Edit{std::move(command), panels.edit_in_progress}); }
 
 struct Inspected {
   const Snapshot& snapshot;
-  std::vector<Index> points;
-  std::vector<Index> springs;
+  const AffectedParts& parts;
 
   const Point& point(Index i) const { return snapshot.system->points()[i]; }
   const Spring& spring(Index s) const { return snapshot.system->springs()[s]; }
 };
-
-Inspected inspect(const PanelInput& input) {
-  const System& system = *input.status.snapshot->system;
-  Inspected inspected{*input.status.snapshot, {}, {}};
-  for (const PointId id : input.selection.points)
-    if (const Index i = system.index_of(id); i != no_index) inspected.points.push_back(i);
-  for (const SpringId id : affected_springs(system, input.selection))
-    if (const Index s = system.index_of(id); s != no_index) inspected.springs.push_back(s);
-  return inspected;
-}
 
 // Fills in the common value of all items, or marks the field as mixed.
 TypedField field_of(TypedField field, const Common<double>& now) {
@@ -56,24 +32,23 @@ TypedField field_of(TypedField field, const Common<double>& now) {
   return field;
 }
 
-void point_row(const TypedField& field, PointProperty property, double Point::*member, const Inspected& inspected, Panels& panels,
+void point_row(const TypedField& field, PointProperty property, const Common<double>& now, const Inspected& inspected, Panels& panels,
                Requests& requests) {
-  const auto now = common(inspected.points, [&](Index i) { return inspected.point(i).*member; });
   if (const auto value = typed_row(field_of(field, now), panels)) {
     SetPointProperty set{property, {}};
-    for (const Index i : inspected.points) set.values.emplace_back(inspected.point(i).id, *value);
+    for (const Index i : inspected.parts.points) set.values.emplace_back(inspected.point(i).id, *value);
     edit(std::move(set), panels, requests);
   }
 }
 
 void place_row(const char* label, int axis, const Inspected& inspected, Panels& panels, Requests& requests) {
   const State& state = inspected.snapshot.state;
-  const auto now = common(inspected.points, [&](Index i) { return state.position[i][axis]; });
+  const auto now = common(inspected.parts.points, [&](Index i) { return state.position[i][axis]; });
   const TypedField field{
       .label = label, .unit = "m", .description = "A point that is moved keeps its velocity.", .min = -max_length, .max = max_length};
   if (const auto value = typed_row(field_of(field, now), panels)) {
     Move move;
-    for (const Index i : inspected.points) {
+    for (const Index i : inspected.parts.points) {
       Vec3 position = state.position[i];
       position[axis] = *value;
       move.items.push_back({inspected.point(i).id, position, state.velocity[i]});
@@ -83,22 +58,22 @@ void place_row(const char* label, int axis, const Inspected& inspected, Panels& 
 }
 
 void nailed_row(const Inspected& inspected, Panels& panels, Requests& requests) {
-  const auto now = common(inspected.points, [&](Index i) { return inspected.point(i).nailed; });
+  const Common<bool>& now = inspected.parts.nailed;
   begin_row("Nailed");
   // one of two bits set shows the checkbox as mixed
   int bits = now.mixed ? 1 : now.value ? 3 : 0;
   if (!ImGui::CheckboxFlags("##nailed", &bits, 3)) return;
   SetNailed set;
-  for (const Index i : inspected.points)
+  for (const Index i : inspected.parts.points)
     if (inspected.point(i).nailed != (bits == 3)) set.items.push_back({inspected.point(i).id, bits == 3});
   edit(std::move(set), panels, requests);
 }
 
 void color_row(const Inspected& inspected, Panels& panels, Requests& requests) {
-  const auto now = common(inspected.points, [&](Index i) { return inspected.point(i).color; });
+  const Common<std::optional<Color>>& now = inspected.parts.color;
   const auto set_all = [&](std::optional<Color> color) {
     SetPointColor set;
-    for (const Index i : inspected.points) set.values.emplace_back(inspected.point(i).id, color);
+    for (const Index i : inspected.parts.points) set.values.emplace_back(inspected.point(i).id, color);
     edit(std::move(set), panels, requests);
     panels.edit_in_progress = true;
   };
@@ -129,7 +104,7 @@ void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) 
   }
   ImGui::PushID("mass");
   point_row({.label = "Mass", .unit = "kg", .description = "Mass of each selected point.", .min = min_mass, .max = max_mass},
-            PointProperty::Mass, &Point::mass, inspected, panels, requests);
+            PointProperty::Mass, inspected.parts.mass, inspected, panels, requests);
   ImGui::PopID();
   ImGui::PushID("radius");
   point_row({.label = "Radius",
@@ -137,7 +112,7 @@ void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) 
              .description = "Radius of the drawn ball; also its contact distance.",
              .min = 0.0,
              .max = max_length},
-            PointProperty::Radius, &Point::radius, inspected, panels, requests);
+            PointProperty::Radius, inspected.parts.radius, inspected, panels, requests);
   ImGui::PopID();
   nailed_row(inspected, panels, requests);
   color_row(inspected, panels, requests);
@@ -146,7 +121,7 @@ void point_rows(const Inspected& inspected, Panels& panels, Requests& requests) 
 
 // The current length of a single spring.
 void length_line(const Inspected& inspected) {
-  const Spring& spring = inspected.spring(inspected.springs[0]);
+  const Spring& spring = inspected.spring(inspected.parts.springs[0]);
   const double length = glm::distance(inspected.snapshot.position(spring.first), inspected.snapshot.position(spring.second));
   begin_row("Current length");
   std::string text = number(length) + " m";
@@ -157,43 +132,42 @@ void length_line(const Inspected& inspected) {
 struct SpringRow {
   TypedField field;
   SpringProperty property;
-  double Spring::*member;
+  Common<double> AffectedParts::*now;
 };
 constexpr SpringRow spring_table[] = {
     {{.label = "Stiffness k", .unit = "N/m", .description = "Force per unit of elongation.", .max = max_stiffness},
      SpringProperty::Stiffness,
-     &Spring::stiffness},
+     &AffectedParts::stiffness},
     {{.label = "Damping d",
       .unit = "N s/m",
       .description = "Force along the spring per unit of the relative velocity of its ends.",
       .max = max_damping},
      SpringProperty::Damping,
-     &Spring::damping},
+     &AffectedParts::damping},
     {{.label = "Rest length", .unit = "m", .description = "Length at which the spring exerts no force.", .max = max_length},
      SpringProperty::RestLength,
-     &Spring::rest_length},
+     &AffectedParts::rest_length},
     {{.label = "Breaks at",
       .description = "Strain at which the spring breaks: 0.5 means 50 % longer than its rest length. \"never\" disables breaking.",
       .min = 1e-6,
       .max = max_strain,
       .infinity_text = "never"},
      SpringProperty::BreakStrain,
-     &Spring::break_strain},
+     &AffectedParts::break_strain},
 };
 
 void spring_rows(const Inspected& inspected, Panels& panels, Requests& requests) {
   ImGui::PushID("springs");
   for (const SpringRow& row : spring_table) {
     ImGui::PushID(row.field.label.data());
-    const auto now = common(inspected.springs, [&](Index s) { return inspected.spring(s).*row.member; });
-    if (const auto value = typed_row(field_of(row.field, now), panels)) {
+    if (const auto value = typed_row(field_of(row.field, inspected.parts.*row.now), panels)) {
       SetSpringProperty set{row.property, {}};
-      for (const Index s : inspected.springs) set.values.emplace_back(inspected.spring(s).id, *value);
+      for (const Index s : inspected.parts.springs) set.values.emplace_back(inspected.spring(s).id, *value);
       edit(std::move(set), panels, requests);
     }
     ImGui::PopID();
   }
-  if (inspected.springs.size() == 1) length_line(inspected);
+  if (inspected.parts.springs.size() == 1) length_line(inspected);
   ImGui::PopID();
 }
 
@@ -201,8 +175,8 @@ void spring_rows(const Inspected& inspected, Panels& panels, Requests& requests)
 
 void build_inspector(const PanelInput& input, Panels& panels, Requests& requests) {
   if (input.selection.empty()) return;
-  const Inspected inspected = inspect(input);
-  const auto points = static_cast<long>(inspected.points.size()), springs = static_cast<long>(inspected.springs.size());
+  const Inspected inspected{*input.status.snapshot, panels.affected_parts.of(input.status, input.selection)};
+  const auto points = static_cast<long>(inspected.parts.points.size()), springs = static_cast<long>(inspected.parts.springs.size());
   std::string what = points > 0 ? count(points, "point") : "";
   if (springs > 0) what += (what.empty() ? "" : ", ") + count(springs, "spring");
   if (!section("Selection", what)) return;

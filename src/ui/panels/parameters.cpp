@@ -18,23 +18,6 @@ void edit(Command command, Panels& panels, Requests& requests) {
   panels.edit_in_progress = true;
 }
 
-// The springs that stiffness and damping apply to: the selected ones, or else all.
-struct AffectedSprings {
-  bool all;
-  std::vector<const Spring*> springs;
-};
-
-AffectedSprings springs_of(const PanelInput& input) {
-  const System& system = *input.status.snapshot->system;
-  const std::vector<SpringId> selected = affected_springs(system, input.selection);
-  AffectedSprings affected{selected.empty(), {}};
-  if (affected.all)
-    for (const Spring& spring : system.springs()) affected.springs.push_back(&spring);
-  for (const SpringId id : selected)
-    if (const Index s = system.index_of(id); s != no_index) affected.springs.push_back(&system.springs()[s]);
-  return affected;
-}
-
 NumberField field_of(const Parameter& row, const ControlRanges& controls, double value) {
   NumberField field{.label = row.label,
                     .unit = row.unit,
@@ -57,25 +40,20 @@ NumberField field_of(const Parameter& row, const ControlRanges& controls, double
 }
 
 // The mean value of the affected springs, or `value_without` if there are none.
-void spring_row(const Parameter& row, double value_without, const AffectedSprings& affected, const PanelInput& input, Panels& panels,
-                Requests& requests) {
-  const bool stiffness = row.scope == Parameter::Scope::SpringStiffness;
-  CommonValue common;
-  std::vector<std::pair<const Spring*, double>> weights;
-  for (const Spring* spring : affected.springs) {
-    const double weight = weight_of(row, input.status.document->sheet.get(), *spring);
-    if (!(weight > 0.0)) continue;
-    weights.emplace_back(spring, weight);
-    common.include((stiffness ? spring->stiffness : spring->damping) / weight);
-  }
+void spring_row(const Parameter& row, double value_without, const CommonValue& common, const AffectedParts& parts, const PanelInput& input,
+                Panels& panels, Requests& requests) {
   NumberField field = field_of(row, input.status.document->controls, common.value_or(value_without));
   field.mixed = common.is_mixed();
-  field.enabled = !weights.empty();
+  field.enabled = !common.empty();
   const auto value = number_row(field, panels);
   if (!value) return;
-  if (affected.all) return edit(SetParameter{&row, *value}, panels, requests);
+  if (parts.springs.empty()) return edit(SetParameter{&row, *value}, panels, requests);
+  const bool stiffness = row.scope == Parameter::Scope::SpringStiffness;
   SetSpringProperty set{stiffness ? SpringProperty::Stiffness : SpringProperty::Damping, {}};
-  for (const auto& [spring, weight] : weights) set.values.emplace_back(spring->id, weight * *value);
+  for_each_affected(*input.status.snapshot->system, parts, [&](const Spring& spring) {
+    if (const double weight = weight_of(row, input.status.document->sheet.get(), spring); weight > 0.0)
+      set.values.emplace_back(spring.id, weight * *value);
+  });
   edit(std::move(set), panels, requests);
 }
 
@@ -120,11 +98,11 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
   build_accuracy_line(input, panels);
 }
 
-void parameter_row(const Parameter& row, double value, const AffectedSprings& affected, const PanelInput& input, Panels& panels,
-                   Requests& requests) {
-  const bool of_springs = row.scope == Parameter::Scope::SpringStiffness || row.scope == Parameter::Scope::SpringDamping;
-  if (of_springs) {
-    spring_row(row, value, affected, input, panels, requests);
+void parameter_row(const Parameter& row, double value, const PanelInput& input, Panels& panels, Requests& requests) {
+  if (sets_springs(row)) {
+    const AffectedParts& parts = panels.affected_parts.of(input.status, input.selection);
+    const CommonValue& common = parts.slider_values[static_cast<std::size_t>(&row - parameters().data())];
+    spring_row(row, value, common, parts, input, panels, requests);
   } else if (row.kind == Parameter::Kind::Switch) {
     switch_row(row, value, panels, requests);
   } else if (row.kind == Parameter::Kind::Choice) {
@@ -142,15 +120,15 @@ void parameter_row(const Parameter& row, double value, const AffectedSprings& af
 }
 
 // The remark on the right of the heading of a section.
-std::string scope_of(std::string_view group, const AffectedSprings& affected) {
+std::string scope_of(std::string_view group, const PanelInput& input, Panels& panels) {
   if (group != "Springs") return {};
-  return affected.all ? "all " + std::to_string(affected.springs.size()) : std::to_string(affected.springs.size()) + " selected";
+  const std::size_t selected = panels.affected_parts.of(input.status, input.selection).springs.size();
+  return selected > 0 ? std::to_string(selected) + " selected" : "all " + std::to_string(input.status.snapshot->system->springs().size());
 }
 
 }  // namespace
 
 void build_parameters(const PanelInput& input, Panels& panels, Requests& requests) {
-  const AffectedSprings affected = springs_of(input);
   std::string_view group;
   bool open = false;
   const auto rows = parameters();
@@ -158,12 +136,12 @@ void build_parameters(const PanelInput& input, Panels& panels, Requests& request
     const Parameter& row = rows[i];
     if (row.group != group) {
       group = row.group;
-      open = section(std::string(group), scope_of(group, affected), group != "Hand" && group != "Points");
+      open = section(std::string(group), scope_of(group, input, panels), group != "Hand" && group != "Points");
       if (open && group == "Simulation") method_row(input, panels, requests);
     }
     if (!open || std::isnan(input.status.document->parameter_values[i])) continue;
     ImGui::PushID(row.name.data());
-    parameter_row(row, input.status.document->parameter_values[i], affected, input, panels, requests);
+    parameter_row(row, input.status.document->parameter_values[i], input, panels, requests);
     ImGui::PopID();
     parameter_hint_row(row, input);
   }
