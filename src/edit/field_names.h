@@ -1,5 +1,5 @@
-// The names of all members of the types that commands consist of, in the order of declaration. Serialization in recordings follows
-// from these rows. A member without a name does not compile.
+// The names of the members of the types that commands consist of, in the order of declaration. Serialization in recordings follows from
+// them. Commands have theirs as `fields`; those of types of other modules are below. A member without a name does not compile.
 #pragma once
 
 #include <array>
@@ -7,12 +7,16 @@
 #include <tuple>
 #include <type_traits>
 
-#include "edit/command_text.h"
+#include "edit/command.h"
+#include "edit/resume_state.h"
 
 namespace hooke {
 
 // clang-format off
-template <class T> inline constexpr std::nullptr_t field_names = nullptr;
+template <class T> inline constexpr auto field_names = [] {
+  if constexpr (requires { T::fields; }) return T::fields;
+  else return nullptr;
+}();
 
 template <> inline constexpr std::array<std::string_view, 5> field_names<Point> = {"id", "nailed", "color", "mass", "radius"};
 template <> inline constexpr std::array<std::string_view, 8> field_names<Spring> =
@@ -26,50 +30,18 @@ template <> inline constexpr std::array<std::string_view, 5> field_names<Collide
 template <> inline constexpr std::array<std::string_view, 5> field_names<Collider> = {"shape", "restitution", "friction", "solid", "path"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Force> = {"type", "on", "values"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<Patch> = {"points", "shares"};
-template <> inline constexpr std::array<std::string_view, 5> field_names<GrabPoint::Item> = {"point", "patch", "kind", "target", "stiffness"};
-template <> inline constexpr std::array<std::string_view, 2> field_names<GrabCollider::Item> = {"collider", "target"};
 template <> inline constexpr std::array<std::string_view, 5> field_names<EnergyLedger> = {"given", "scale", "hand_stretch", "extent", "speed"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<MethodMemory> = {"step", "error"};
-template <> inline constexpr std::array<std::string_view, 11> field_names<ResumeState> =
-    {"point_ids", "spring_ids", "next_point_id", "next_spring_id", "grab", "collider_grab", "hand", "ledger", "memory", "torn", "tears"};
 
 template <> inline constexpr std::array<std::string_view, 5> field_names<PlacedPoint> = {"at", "point", "position", "velocity", "area"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<PlacedSpring> = {"at", "spring", "share"};
 template <> inline constexpr std::array<std::string_view, 2> field_names<PlacedFace> = {"at", "face"};
 template <> inline constexpr std::array<std::string_view, 3> field_names<Tear> = {"before", "springs", "faces"};
-template <> inline constexpr std::array<std::string_view, 3> field_names<Insert> = {"points", "springs", "faces"};
-template <> inline constexpr std::array<std::string_view, 3> field_names<Remove> = {"points", "springs", "faces"};
-template <> inline constexpr std::array<std::string_view, 3> field_names<SetNailed::Item> = {"point", "nailed", "velocity"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<SetNailed> = {"items"};
-template <> inline constexpr std::array<std::string_view, 3> field_names<Move::Item> = {"point", "position", "velocity"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<Move> = {"items"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<SetPointColor> = {"values"};
-template <> inline constexpr std::array<std::string_view, 2> field_names<SetPointProperty> = {"property", "values"};
-template <> inline constexpr std::array<std::string_view, 2> field_names<SetSpringProperty> = {"property", "values"};
-template <> inline constexpr std::array<std::string_view, 2> field_names<SetParameter> = {"parameter", "value"};
-template <> inline constexpr std::array<std::string_view, 2> field_names<RestoreParameter> = {"parameter", "value"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<SetIntegrator> = {"integrator"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<GrabPoint> = {"grab"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<GrabCollider> = {"grab"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<MoveHand> = {"target"};
-template <> inline constexpr std::array<std::string_view, 0> field_names<ReleaseHand> = {};
-template <> inline constexpr std::array<std::string_view, 1> field_names<SetGravity> = {"gravity"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<SetColliders> = {"colliders"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<SetForces> = {"forces"};
-template <> inline constexpr std::array<std::string_view, 3> field_names<SetTexture> = {"texture", "size", "picture"};
 template <> inline constexpr std::array<std::string_view, 7> field_names<State> =
     {"time", "position", "velocity", "hand", "ledger", "memory", "torn"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<GoToState> = {"state"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<SetTorn> = {"torn"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<MarkTorn> = {"torn"};
-template <> inline constexpr std::array<std::string_view, 1> field_names<Replace> = {"scene"};
 
-// Names of the alternatives of a variant.
+// Names of the alternatives of a variant; commands have theirs as `name`.
 template <class T> inline constexpr std::nullptr_t alternative_names = nullptr;
-template <> inline constexpr std::array<std::string_view, 22> alternative_names<Command> = {
-    "insert", "remove", "set_nailed", "move", "set_point_color", "set_point_property", "set_spring_property", "set_parameter",
-    "restore_parameter", "set_integrator", "grab", "grab_collider", "move_hand", "release_hand", "set_gravity", "set_colliders", "set_forces",
-    "set_texture", "go_to_state", "set_torn", "mark_torn", "replace"};
 template <> inline constexpr std::array<std::string_view, 3> alternative_names<decltype(Collider::shape)> = {"plane", "sphere", "box"};
 
 // Names of the values of an enumeration, from 0.

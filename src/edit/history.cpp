@@ -6,43 +6,9 @@
 namespace hooke {
 namespace {
 
-template <class Item>
-bool same_ids(const std::vector<std::pair<Item, double>>& a, const std::vector<std::pair<Item, double>>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) { return x.first == y.first; });
-}
-
-// Whether undoing `earlier` also undoes `later`: both set the same values.
-struct Supersedes {
-  bool operator()(const RestoreParameter& earlier, const RestoreParameter& later) const { return earlier.parameter == later.parameter; }
-  bool operator()(const SetIntegrator&, const SetIntegrator&) const { return true; }
-  bool operator()(const SetGravity&, const SetGravity&) const { return true; }
-  bool operator()(const SetColliders&, const SetColliders&) const { return true; }
-  bool operator()(const SetForces&, const SetForces&) const { return true; }
-  bool operator()(const SetSpringProperty& earlier, const SetSpringProperty& later) const {
-    return earlier.property == later.property && same_ids(earlier.values, later.values);
-  }
-  bool operator()(const SetPointProperty& earlier, const SetPointProperty& later) const {
-    return earlier.property == later.property && same_ids(earlier.values, later.values);
-  }
-  bool operator()(const SetPointColor& earlier, const SetPointColor& later) const {
-    return std::equal(earlier.values.begin(), earlier.values.end(), later.values.begin(), later.values.end(),
-                      [](const auto& x, const auto& y) { return x.first == y.first; });
-  }
-  bool operator()(const Move& earlier, const Move& later) const {
-    return std::equal(earlier.items.begin(), earlier.items.end(), later.items.begin(), later.items.end(),
-                      [](const auto& x, const auto& y) { return x.point == y.point; });
-  }
-  bool operator()(const GoToState&, const GoToState&) const { return true; }
-  bool operator()(const SetTorn&, const SetTorn&) const { return true; }
-  template <class A, class B>
-  bool operator()(const A&, const B&) const {
-    return false;
-  }
-};
-
 // Compared one by one: radii and the masses that follow them are two commands.
 bool supersedes(const std::vector<Command>& earlier, const std::vector<Command>& later) {
-  return std::ranges::equal(earlier, later, [](const Command& a, const Command& b) { return std::visit(Supersedes{}, a, b); });
+  return std::ranges::equal(earlier, later, [](const Command& a, const Command& b) { return is_undone_with(b, a); });
 }
 
 }  // namespace

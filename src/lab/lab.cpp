@@ -11,17 +11,7 @@
 namespace hooke {
 namespace {
 
-// Whether the edit concerns the points that diverged, not only parameters.
-bool moves_points(const Command& command) {
-  return std::holds_alternative<Insert>(command) || std::holds_alternative<Remove>(command) || std::holds_alternative<Move>(command) ||
-         std::holds_alternative<GoToState>(command) || std::holds_alternative<Replace>(command) ||
-         std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command);
-}
-
-// Whether the state after the edit has nothing to do with the one before.
-bool replaces_points(const Command& command) {
-  return moves_points(command) && !std::holds_alternative<GrabPoint>(command) && !std::holds_alternative<GrabCollider>(command);
-}
+bool is_grab(const Command& command) { return std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command); }
 
 double thread_cpu_seconds() {
   timespec now;
@@ -112,13 +102,15 @@ void Lab::edit(const Command& command, Gesture gesture) {
   else
     record_edit_energy(scene_.system, before, scene_.state);
   record_edit(command);
-  if (replaces_points(command))
+  // whether the edit concerns the points, not only parameters
+  const bool has_new_points = effect.structure || effect.motion;
+  if (has_new_points)
     meter_.restart();
   else
     meter_.note_edit();
-  if (moves_points(command)) divergence_.reset();
+  if (has_new_points || is_grab(command)) divergence_.reset();
   check_divergence();
-  if (std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command)) grab_gesture_ = gesture;
+  if (is_grab(command)) grab_gesture_ = gesture;
   // a drag is one step, and its end is not a separate one
   if (inverse.empty() || std::holds_alternative<ReleaseHand>(command)) return;
   history_.record(describe(command), std::move(inverse), gesture);

@@ -14,6 +14,7 @@
 #include "base/printable.h"
 #include "base/read_file.h"
 #include "edit/command_text.h"
+#include "edit/resume_state.h"
 #include "formats/scene_file.h"
 #include "sim/hash.h"
 

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/finite.h"
 #include "sim/plan.h"
 
 namespace hooke {
 namespace {
-
-bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 // Bound on the fastest rate of each point [1/s^2]: the stiffness of its springs over its mass (as in bound_spectrum).
 std::vector<double> stiffness_rates(const System& system) {

@@ -7,6 +7,7 @@
 #include "campaign/random_commands.h"
 #include "campaign/random_document.h"
 #include "edit/command_text.h"
+#include "edit/resume_state.h"
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
 #include "support/valid_scene.h"

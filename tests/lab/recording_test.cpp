@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
 
 #include "base/build_info.h"
 #include "base/errors.h"
@@ -74,17 +75,18 @@ std::vector<Command> one_of_each() {
 
 TEST(CommandText, EveryCommandIsReadBackAsWritten) {
   const std::vector<Command> commands = one_of_each();
-  // all except Replace, which contains a scene and is written on several lines
-  ASSERT_EQ(commands.size() + 1, std::variant_size_v<Command>);
+  std::set<std::size_t> kinds;
   const std::string name = "test";
-  for (std::size_t i = 0; i < commands.size(); ++i) {
-    ASSERT_EQ(commands[i].index(), i);
-    const std::string text = text_of(commands[i]);
+  for (const Command& command : commands) {
+    kinds.insert(command.index());
+    const std::string text = text_of(command);
     JsonParser parser;
     const rapidjson::Value& value = parser.parse(text);
     const JsonField whole(name, "command", value);
     EXPECT_EQ(text_of(read_command(whole.members()[0])), text);
   }
+  // all except Replace, which contains a scene and is written on several lines
+  EXPECT_EQ(kinds.size() + 1, std::variant_size_v<CommandVariant>);
 }
 
 struct Session {

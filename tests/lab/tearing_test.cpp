@@ -1,11 +1,6 @@
-// Breaking springs, tearing and cutting of cloth; limits of hand speed and strain.
+// Springs that break: in a run, under the hand, in the history, in files and recordings.
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <glm/geometric.hpp>
-
-#include "edit/apply.h"
-#include "edit/history.h"
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
@@ -13,32 +8,14 @@
 #include "sim/hash.h"
 #include "support/apply_now.h"
 #include "support/convergence.h"
+#include "support/run_lab.h"
 #include "support/scratch_folder.h"
 #include "support/trial.h"
 
 namespace hooke {
 namespace {
 
-constexpr double frame = 1.0 / 60.0;
-
-Scene parse(const std::string& text) { return parse_scene(text, "test").scene; }
-
-// A sheet of 8 x 8 points, hung by two corners, that tears under its own weight.
-Scene weak_sheet(const Integrator& method) {
-  Scene scene = parse(R"({"hooke": 1, "break_strain": 0.12, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0],
-    "down": [0, -1, 0.3], "points": [8, 8], "mass": 1, "stiffness": 120, "damping": 0.2, "nail": ["top_left", "top_right"]}],
-    "simulation": {"substeps": 20}})");
-  scene.settings.integrator = &method;
-  return scene;
-}
-
-void run(Lab& lab, int frames) {
-  for (int i = 0; i < frames; ++i) ASSERT_TRUE(lab.step()) << "frame " << i;
-}
-void submit_and_apply(Lab& lab, const Control& control) {
-  lab.submit(control);
-  apply_now(lab);
-}
+constexpr double frame = 1.0 / 60.0;  // [s]
 
 class Tearing : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Tearing, testing::ValuesIn(every_method()), method_name);
@@ -298,205 +275,6 @@ TEST(Tearing, TheBreakStrainOfASpringAppliesIfItIsSmaller) {
   EXPECT_EQ(system.break_length_of(spring), 2.5);
   system.break_strain = 1.0;
   EXPECT_EQ(system.break_length_of(spring), 3.0);
-}
-
-TEST(StrainLimit, LimitsEverySpringAndReportsTheRemovedEnergy) {
-  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
-  scene.system.break_strain = 0.0;
-  Lab free(scene);
-  find_parameter("strain_limit_percent")->write(scene, 10.0);
-  Lab held(scene);
-  double max = 0.0;
-  for (int i = 0; i < 60; ++i) {
-    ASSERT_TRUE(free.step());
-    ASSERT_TRUE(held.step());
-    held.publish();
-    free.publish();
-    max = std::max(max, free.status()->snapshot->max_strain);
-    EXPECT_LT(held.status()->snapshot->max_strain, 0.11);
-  }
-  EXPECT_GT(max, 0.15);
-  EXPECT_LT(held.status()->run.limit_work, 0.0);
-  EXPECT_EQ(free.status()->run.limit_work, 0.0);
-}
-
-// both ends move in proportion to their inverse masses: the center of mass moves as before
-TEST(StrainLimit, ConservesMomentum) {
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
-  const PointId light = trial.add(Vec3(0.0), 1.0, {-3.0, 1.0, 0.0}), heavy = trial.add({1.0, 0.0, 0.0}, 4.0, {2.0, 0.0, 0.5});
-  trial.join(light, heavy, 1.0, 1.0);
-  trial.system.strain_limit = 0.05;
-  const auto momentum = [&] { return compute_momentum(trial.system, trial.state); };
-  const Momentum before = momentum();
-  const double energy = compute_energy(trial.system, trial.state).total();
-  trial.run(*find_integrator("velocity_verlet"), 0.5, 60);
-  EXPECT_LT(glm::distance(trial.state.position[0], trial.state.position[1]), 1.05 * (1.0 + 1e-9));
-  EXPECT_LT(glm::distance(momentum().linear, before.linear), 1e-12);
-  // the difference is recorded in the ledger
-  const double now = compute_energy(trial.system, trial.state).total();
-  EXPECT_LT(now, energy);
-  EXPECT_NEAR(trial.state.ledger.net_input, now - energy, 0.02 * (energy - now));
-}
-
-// four points rotate about each other, each limited by its neighbors: no torque acts on the whole, and only the first jerk dissipates
-// energy
-TEST(StrainLimit, ConservesAngularMomentum) {
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
-  const Vec3 spin(0.5, 1.0, 8.0);
-  std::vector<PointId> points;
-  for (const Vec3& place : {Vec3(0.5, 0.0, 0.0), Vec3(0.0, 0.5, 0.0), Vec3(-0.5, 0.0, 0.1), Vec3(0.0, -0.5, 0.0)})
-    points.push_back(trial.add(place, 1.0 + place.x, glm::cross(spin, place)));
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = i + 1; j < 4; ++j) {
-      const Vec3 apart = trial.position(points[i]) - trial.position(points[j]);
-      trial.join(points[i], points[j], 5.0, glm::length(apart));
-    }
-  trial.system.strain_limit = 0.01;
-  const Momentum before = compute_momentum(trial.system, trial.state);
-  trial.run(*find_integrator("velocity_verlet"), 0.2, 400);
-  const double energy = compute_energy(trial.system, trial.state).kinetic;
-  trial.run(*find_integrator("velocity_verlet"), 2.0, 4000);
-  const Momentum after = compute_momentum(trial.system, trial.state);
-  EXPECT_LT(glm::distance(after.angular, before.angular), 1e-11 * glm::length(before.angular));
-  EXPECT_LT(glm::distance(after.linear, before.linear), 1e-12);
-  EXPECT_NEAR(compute_energy(trial.system, trial.state).kinetic, energy, 0.01 * energy);
-}
-
-TEST(StrainLimit, DoesNotHideADivergence) {
-  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
-  scene.system.break_strain = 0.0;
-  scene.system.strain_limit = 0.1;
-  scene.settings.substeps = 1;
-  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).stiffness = 1e4;
-  Lab lab(scene);
-  int frames = 0;
-  while (frames < 60 && lab.step()) ++frames;
-  EXPECT_LT(frames, 20);
-}
-
-TEST(Hand, WithAMaximumSpeedLagsAndReportsTheDistance) {
-  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
-  scene.system.break_strain = 0.0;
-  scene.system.hand_speed = 3.0;
-  for (const GrabKind kind : {GrabKind::Hold, GrabKind::Pull}) {
-    Lab lab(scene);
-    const Vec3 from = scene.state.position[63], target = from + Vec3(0.0, 0.0, 1.0);
-    lab.submit(GrabPoint{{.point = scene.system.points()[63].id, .kind = kind, .target = from}});
-    ASSERT_TRUE(lab.step());
-    lab.submit(MoveHand{target});
-    run(lab, 1);
-    EXPECT_NEAR(glm::distance(lab.scene().state.hand.position, from), 3.0 * frame, 1e-12);
-    lab.publish();
-    EXPECT_NEAR(lab.status()->run.hand_lag, 1.0 - 3.0 * frame, 1e-12);
-    run(lab, 20);
-    lab.publish();
-    EXPECT_EQ(lab.scene().state.hand.position, target);
-    EXPECT_EQ(lab.status()->run.hand_lag, 0.0);
-  }
-}
-
-TEST(MassFollowsRadius, ScalesBySquareWhereSwitchedOnAndIsUndone) {
-  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
-  const Scene start = scene;
-  for (const bool follows : {false, true}) {
-    scene.defaults.mass_follows_radius = follows;
-    const Point before = scene.system.points()[5];
-    Lab lab(scene);
-    lab.submit(SetPointProperty{PointProperty::Radius, {{before.id, 3.0 * before.radius}}});
-    apply_now(lab);
-    EXPECT_DOUBLE_EQ(lab.scene().system.points()[5].mass, (follows ? 9.0 : 1.0) * before.mass);
-    submit_and_apply(lab, Undo{});
-    EXPECT_EQ(lab.scene().system, scene.system);
-    submit_and_apply(lab, Redo{});
-    EXPECT_DOUBLE_EQ(lab.scene().system.points()[5].mass, (follows ? 9.0 : 1.0) * before.mass);
-
-    lab.submit(SetParameter{find_parameter("radius"), 0.5});
-    apply_now(lab);
-    EXPECT_EQ(lab.scene().system.points()[6].radius, 0.5);
-    submit_and_apply(lab, Undo{});
-    submit_and_apply(lab, Undo{});
-    EXPECT_EQ(lab.scene().system, scene.system);
-  }
-}
-
-TEST(MassFollowsRadius, ADragOfItsSliderIsOneStepWithTheMemoryOfOne) {
-  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
-  scene.defaults.mass_follows_radius = true;
-  History one, drag;
-  Scene first = scene, last = scene;
-  const auto set = [](History& history, Scene& on, double radius) {
-    Effect effect;
-    history.record("radius", apply(on, SetParameter{find_parameter("radius"), radius}, effect), 7);
-  };
-  set(one, first, 0.05);
-  for (int i = 1; i <= 100; ++i) set(drag, last, 0.001 * i);
-  EXPECT_EQ(drag.done(), 1u);
-  EXPECT_EQ(drag.bytes(), one.bytes());
-  drag.go_to(0, last);
-  EXPECT_EQ(last.system, scene.system);
-}
-
-TEST(GrabbedCollider, FollowsTheHandDuringARunAndReturnsByOneUndo) {
-  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
-  scene.system.break_strain = 0.0;
-  scene.system.colliders = {{.shape = Sphere{{0.5, -0.6, -1.0}, 0.2}}};
-  Lab lab(scene);
-  lab.submit(GrabCollider{{0, {0.5, -0.6, -1.0}}}, 3);
-  for (int i = 1; i <= 30; ++i) {
-    lab.submit(MoveHand{{0.5, -0.6, -1.0 + 0.05 * i}}, 3);
-    ASSERT_TRUE(lab.step());
-    EXPECT_NEAR(anchor_of(lab.scene().state.hand.collider->shape).z, -1.0 + 0.05 * i, 1e-12);
-  }
-  lab.submit(ReleaseHand{}, 3);
-  ASSERT_TRUE(lab.step());
-  EXPECT_FALSE(lab.scene().state.hand.collider);
-  submit_and_apply(lab, Undo{});
-  EXPECT_EQ(lab.scene().system.colliders, scene.system.colliders);
-}
-
-TEST(GrabbedCollider, FollowsTheMouseWhileAScriptedHandActs) {
-  Scene scene = weak_sheet(*find_integrator("velocity_verlet"));
-  scene.system.break_strain = 0.0;
-  scene.system.colliders = {{.shape = Sphere{{0.5, -0.6, -1.0}, 0.2}}};
-  const ScriptedHand hand{.point = scene.system.points()[63].id,
-                          .from = scene.state.position[63],
-                          .center = scene.state.position[63] - Vec3(0.2, 0.0, 0.0),
-                          .speed = 1.0,
-                          .seconds = 0.25};
-  scene.system.scripted_hand = hand;
-  Lab lab(scene), without(scene);
-  lab.submit(GrabCollider{{0, {0.5, -0.6, -1.0}}}, 3);
-  for (int i = 1; i <= 30; ++i) {
-    lab.submit(MoveHand{{0.5, -0.6, -1.0 - 0.05 * i}}, 3);
-    ASSERT_TRUE(lab.step());
-    ASSERT_TRUE(without.step());
-    EXPECT_NEAR(anchor_of(lab.scene().state.hand.collider->shape).z, -1.0 - 0.05 * i, 1e-12);
-    if (i <= 15) {
-      EXPECT_LT(glm::distance(lab.scene().state.position[63], position_at(hand, i * frame)), 1e-12) << i;
-    }
-  }
-  lab.submit(ReleaseHand{}, 3);
-  ASSERT_TRUE(lab.step());
-  ASSERT_TRUE(without.step());
-  // the ball moved away from the sheet, so nothing else is affected
-  EXPECT_EQ(lab.scene().state.position, without.scene().state.position);
-  EXPECT_EQ(lab.scene().state.ledger.net_input, without.scene().state.ledger.net_input);
-  submit_and_apply(lab, Undo{});
-  EXPECT_EQ(lab.scene().system, scene.system);
-}
-
-TEST(MovingColliders, AreSavedAndBoxesCannotSpin) {
-  const Scene scene = parse(R"({"hooke": 1, "hand_speed": 5, "strain_limit_percent": 12.5, "break_strain": 0.5, "colliders": [
-    {"type": "sphere", "center": [0, 0, 0], "radius": 1, "spin": [0, 3, 0]},
-    {"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "spin": [0, -2, 0], "oscillate": [0, 0.1, 0], "frequency": 3, "phase": 0.5},
-    {"type": "box", "min": [0, 0, 0], "max": [1, 1, 1], "belt": [1, 0, 0]}]})");
-  EXPECT_EQ(scene.system.colliders[1].path, (ColliderPath{{0.0, 0.1, 0.0}, 3.0, 0.5, {0.0, -2.0, 0.0}, Vec3(0.0)}));
-  EXPECT_EQ(parse(format_scene(scene)).system, scene.system);
-  EXPECT_THROW(parse(R"({"hooke": 1, "colliders": [{"type": "box", "min": [0, 0, 0], "max": [1, 1, 1], "spin": [0, 1, 0]}]})"), InputError);
-  EXPECT_THROW(parse(R"({"hooke": 1, "colliders": [{"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "spin": [1, 0, 0]}]})"),
-               InputError);
 }
 
 }  // namespace

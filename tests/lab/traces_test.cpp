@@ -22,8 +22,6 @@ Quantity quantity(const Lab& lab, const char* name) {
   return *find_quantity(name, system.point_count(), system.spring_count());
 }
 
-void settle(Lab& lab) { apply_now(lab); }
-
 TEST(Traces, ContainTheMeasurementOfEveryFrame) {
   Lab lab = lab_on("two_masses");
   lab.submit(Watch{{quantity(lab, "total"), quantity(lab, "y1")}});
@@ -55,7 +53,7 @@ TEST(Traces, IncludeThePastOfQuantitiesChosenLater) {
   Lab lab = lab_on("two_masses");
   for (int frame = 0; frame < 10; ++frame) lab.step();
   lab.submit(Watch{{quantity(lab, "kinetic")}});
-  settle(lab);
+  apply_now(lab);
   const TraceTable& table = *lab.status()->timeline.traces;
   ASSERT_EQ(table.times.size(), 11u);
   EXPECT_EQ(table.times.front(), 0.0);

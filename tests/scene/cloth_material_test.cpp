@@ -223,7 +223,6 @@ TEST(Parameterizations, AreUndoneExactly) {
 Insert insertion_into(Lab& lab, const Scene& part) {
   return make_insert(part, Vec3(0.0), {[&] { return lab.new_point_id(); }, [&] { return lab.new_spring_id(); }});
 }
-void settle(Lab& lab) { apply_now(lab); }
 
 TEST(Sheet, InsertedIntoAnotherSceneHasItsSlidersThere) {
   const Scene part = sheet(4, R"("sheet_stiffness": 80)");
@@ -231,7 +230,7 @@ TEST(Sheet, InsertedIntoAnotherSceneHasItsSlidersThere) {
   ASSERT_EQ(other.sheet, nullptr);
   Lab lab(other);
   lab.submit(insertion_into(lab, part));
-  settle(lab);
+  apply_now(lab);
   const auto is_there = [&](const Scene& scene) {
     ASSERT_NE(scene.sheet, nullptr);
     ASSERT_EQ(scene.system.point_count(), 17);
@@ -245,15 +244,15 @@ TEST(Sheet, InsertedIntoAnotherSceneHasItsSlidersThere) {
   };
   is_there(lab.scene());
   lab.submit(Undo{});
-  settle(lab);
+  apply_now(lab);
   EXPECT_EQ(lab.scene().sheet, nullptr);
   lab.submit(Redo{});
-  settle(lab);
+  apply_now(lab);
   is_there(lab.scene());
   is_there(parse(format_scene(lab.scene())));
 
   lab.submit(SetParameter{find_parameter("sheet_stiffness"), 40.0});
-  settle(lab);
+  apply_now(lab);
   for (const Spring& spring : lab.scene().system.springs())
     EXPECT_EQ(spring.stiffness, 40.0 * lab.scene().sheet->sheet_weight_of(spring.id));
 }
@@ -264,11 +263,11 @@ TEST(Sheet, KeepsItsMaterialWhenHalfOfItIsDeletedAndRestored) {
   Remove half;
   for (Index i = 0; i < 10; ++i) half.points.push_back(start.system.points()[i].id);
   lab.submit(half);
-  settle(lab);
+  apply_now(lab);
   ASSERT_NE(lab.scene().sheet, nullptr);
   EXPECT_EQ(lab.scene().sheet->area_of(half.points[0]), 0.0);
   lab.submit(Undo{});
-  settle(lab);
+  apply_now(lab);
   EXPECT_EQ(*lab.scene().sheet, *start.sheet);
 }
 
@@ -278,7 +277,7 @@ TEST(Sheet, KeepsItsMaterialWhenCopiedAndInARecording) {
   const auto file = std::make_shared<const std::filesystem::path>(scratch.folder / "copy.hookelog");
   Lab lab(start);
   lab.submit(Record{file});
-  settle(lab);
+  apply_now(lab);
   const Scene part = parse(format_scene(copy_selection(*lab.status()->snapshot, lab.status()->document->sheet, select_all(start.system))));
   lab.submit(insertion_into(lab, part));
   lab.submit(SetParameter{find_parameter("sheet_density"), 3.0});
@@ -286,7 +285,7 @@ TEST(Sheet, KeepsItsMaterialWhenCopiedAndInARecording) {
   lab.submit(Undo{});  // the recording contains the scene, with ids
   lab.step();
   lab.submit(Record{});
-  settle(lab);
+  apply_now(lab);
   const auto& areas = lab.scene().sheet->area;
   ASSERT_EQ(areas.size(), 32u);
   for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(areas[16 + i], areas[i]);
@@ -294,7 +293,7 @@ TEST(Sheet, KeepsItsMaterialWhenCopiedAndInARecording) {
   auto recording = std::make_shared<const Recording>(read_recording(*file));
   Lab again(*recording->start);
   again.submit(Play{recording});
-  settle(again);
+  apply_now(again);
   while (again.is_playing()) again.step();
   EXPECT_EQ(again.difference(), "");
   EXPECT_EQ(*again.scene().sheet, *lab.scene().sheet);

@@ -2,7 +2,10 @@
 #include <array>
 #include <map>
 
-#include "edit/edits/edits.h"
+#include "base/finite.h"
+#include "base/text_lines.h"
+#include "edit/command.h"
+#include "edit/in_plane.h"
 
 namespace hooke {
 namespace {
@@ -32,58 +35,75 @@ std::vector<Item> without(const std::vector<Item>& list, const std::vector<bool>
   return result;
 }
 
+std::string count_all(std::size_t points, std::size_t springs) {
+  if (springs == 0) return pluralize(points, "point", "points");
+  if (points == 0) return pluralize(springs, "spring", "springs");
+  return pluralize(points, "point", "points") + " and " + pluralize(springs, "spring", "springs");
+}
+
 }  // namespace
 
-Inverse Apply::operator()(const Insert& insert) {
+std::string Insert::describe() const {
+  if (points.empty() && springs.size() == 1) return "attach";
+  return "add " + count_all(points.size(), springs.size());
+}
+
+Inverse Insert::apply(Scene& scene, Effect& effect) const {
   System& system = scene.system;
   State& state = scene.state;
   Remove inverse;
   SheetEdit sheet(scene.sheet);
 
-  std::vector<std::pair<Index, Point>> points;
+  std::vector<std::pair<Index, Point>> new_points;
   std::vector<std::pair<Index, Vec3>> positions, velocities;
-  for (const PlacedPoint& placed : insert.points) {
+  for (const PlacedPoint& placed : points) {
     if (system.index_of(placed.point.id) != no_index || !is_valid(placed.point) || !is_finite(placed.position) ||
         !is_finite(placed.velocity))
       continue;
-    points.emplace_back(placed.at, placed.point);
+    new_points.emplace_back(placed.at, placed.point);
     positions.emplace_back(placed.at, in_plane(system, placed.position));
     velocities.emplace_back(placed.at, in_plane(system, placed.velocity));
     inverse.points.push_back(placed.point.id);
     if (is_sheet_weight(placed.area)) sheet.set(placed.point.id, placed.area);
   }
-  if (!points.empty()) {
-    system.set_points(merged(system.points(), points));
+  if (!new_points.empty()) {
+    system.set_points(merged(system.points(), new_points));
     state.position = merged(state.position, positions);
     state.velocity = merged(state.velocity, velocities);
   }
 
-  std::vector<std::pair<Index, Spring>> springs;
-  for (const PlacedSpring& placed : insert.springs) {
+  std::vector<std::pair<Index, Spring>> new_springs;
+  for (const PlacedSpring& placed : springs) {
     const Spring& spring = placed.spring;
     const bool has_ends = system.index_of(spring.first) != no_index && system.index_of(spring.second) != no_index;
     if (system.index_of(spring.id) != no_index || !has_ends || !is_valid(spring)) continue;
-    springs.emplace_back(placed.at, spring);
+    new_springs.emplace_back(placed.at, spring);
     inverse.springs.push_back(spring.id);
     if (is_sheet_weight(placed.sheet_weight)) sheet.set(spring.id, placed.sheet_weight);
   }
-  if (!springs.empty()) system.set_springs(merged(system.springs(), springs));
+  if (!new_springs.empty()) system.set_springs(merged(system.springs(), new_springs));
 
-  std::vector<std::pair<Index, Face>> faces;
-  for (const PlacedFace& placed : insert.faces) {
+  std::vector<std::pair<Index, Face>> new_faces;
+  for (const PlacedFace& placed : faces) {
     const auto& corners = placed.face.points;
     const bool is_triangle = corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
     if (is_triangle && std::all_of(corners.begin(), corners.end(), [&](PointId id) { return system.index_of(id) != no_index; }))
-      faces.emplace_back(placed.at, placed.face);
+      new_faces.emplace_back(placed.at, placed.face);
   }
-  for (const auto& [at, face] : faces) inverse.faces.push_back(face);
-  if (!faces.empty()) system.faces = merged(system.faces, faces);
+  for (const auto& [at, face] : new_faces) inverse.faces.push_back(face);
+  if (!new_faces.empty()) system.faces = merged(system.faces, new_faces);
 
   effect.structure = true;
   return {inverse};
 }
 
-Inverse Apply::operator()(const Remove& remove) {
+std::string Remove::describe() const {
+  if (points.empty() && springs.empty()) return "delete " + pluralize(faces.size(), "face", "faces");
+  if (!faces.empty()) return "cut";
+  return "delete " + count_all(points.size(), springs.size());
+}
+
+Inverse Remove::apply(Scene& scene, Effect& effect) const {
   System& system = scene.system;
   State& state = scene.state;
   Insert inverse;
@@ -91,9 +111,9 @@ Inverse Apply::operator()(const Remove& remove) {
   SheetEdit sheet(scene.sheet);
 
   std::vector<bool> is_point_removed(system.points().size(), false), is_spring_removed(system.springs().size(), false);
-  for (const PointId id : remove.points)
+  for (const PointId id : points)
     if (const Index i = system.index_of(id); i != no_index) is_point_removed[i] = true;
-  for (const SpringId id : remove.springs)
+  for (const SpringId id : springs)
     if (const Index s = system.index_of(id); s != no_index) is_spring_removed[s] = true;
   const auto is_removed = [&](PointId id) { return is_point_removed[system.index_of(id)]; };
 
@@ -106,7 +126,7 @@ Inverse Apply::operator()(const Remove& remove) {
   }
   // of equal faces, remove as many as are named, last ones first
   std::map<std::array<PointId, 3>, long> named;
-  for (const Face& face : remove.faces) ++named[face.points];
+  for (const Face& face : faces) ++named[face.points];
   std::vector<bool> is_face_removed(system.faces.size(), false);
   for (std::size_t f = system.faces.size(); f-- > 0 && !named.empty();) {
     const auto found = named.find(system.faces[f].points);

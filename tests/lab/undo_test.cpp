@@ -1,4 +1,4 @@
-// The laboratory: edits and their inverses, the clock, detection of divergence.
+// Edits of every kind and their inverses.
 #include "lab/lab.h"
 
 #include <gtest/gtest.h>
@@ -11,47 +11,10 @@
 #include "sim/hash.h"
 #include "sim/integrator.h"
 #include "support/apply_now.h"
+#include "support/small_net.h"
 
 namespace hooke {
 namespace {
-
-// A 4 x 4 net with a spacing of 0.1 m, its upper corners nailed, above a floor.
-Scene small_net() {
-  Scene scene;
-  scene.name = "net";
-  std::vector<PointId> points;
-  for (int i = 0; i < 16; ++i) {
-    const PointId id = scene.system.new_point_id();
-    points.push_back(id);
-    scene.system.append_point({.id = id, .nailed = i == 0 || i == 3, .mass = 0.01});
-    scene.state.position.emplace_back(0.1 * (i % 4), -0.1 * (i / 4), 0.0);
-    scene.state.velocity.emplace_back(0.0);
-  }
-  const auto attach = [&](int i, int j) {
-    scene.system.append_spring(
-        {.id = scene.system.new_spring_id(), .first = points[i], .second = points[j], .stiffness = 50.0, .rest_length = 0.1});
-  };
-  for (int i = 0; i < 16; ++i) {
-    if (i % 4 < 3) attach(i, i + 1);
-    if (i / 4 < 3) attach(i, i + 4);
-  }
-  scene.system.faces.push_back({{points[0], points[1], points[5]}});
-  scene.system.colliders.push_back({.shape = Plane{.point = {0.0, -2.0, 0.0}}});
-  return scene;
-}
-
-// What an edit may change and undo must restore; time is not included.
-struct Content {
-  System system;
-  std::vector<Vec3> position, velocity;
-  Settings settings;
-  Defaults defaults;
-  bool operator==(const Content&) const = default;
-};
-
-Content content_of(const Scene& scene) {
-  return {scene.system, scene.state.position, scene.state.velocity, scene.settings, scene.defaults};
-}
 
 // Edits of every kind, with random values and on random points and springs, some of which do not exist. A kind without a `draw` overload
 // does not compile.
@@ -59,7 +22,7 @@ class RandomEdits {
  public:
   explicit RandomEdits(unsigned seed) : random_(seed) {}
 
-  static constexpr std::size_t kinds = std::variant_size_v<Command>;
+  static constexpr std::size_t kinds = std::variant_size_v<CommandVariant>;
   Command next(Lab& lab) { return next(lab, std::make_index_sequence<kinds>()); }
   int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
@@ -68,7 +31,7 @@ class RandomEdits {
   Command next(Lab& lab, std::index_sequence<i...>) {
     using Draw = Command (*)(RandomEdits&, Lab&);
     constexpr Draw draws[] = {[](RandomEdits& edits, Lab& of) -> Command {
-      return edits.draw(std::type_identity<std::variant_alternative_t<i, Command>>(), of);
+      return edits.draw(std::type_identity<std::variant_alternative_t<i, CommandVariant>>(), of);
     }...};
     return draws[pick(static_cast<int>(kinds))](*this, lab);
   }
@@ -315,177 +278,6 @@ TEST(Edits, DuringARunAffectOnlyTheirOwnItems) {
     lab.step();
     untouched.step();
     ASSERT_EQ(hash_state(lab.scene().state), hash_state(untouched.scene().state)) << "frame " << frame;
-  }
-}
-
-TEST(Clock, StepsTheFramesThatTheElapsedTimeRequires) {
-  Lab lab(small_net());
-  lab.submit(SetRunning{true});
-  for (int i = 0; i < 100; ++i) lab.advance(0.01, [] { return true; });
-  EXPECT_NEAR(lab.scene().state.time, 1.0, 1.0 / 60.0 + 1e-9);
-  lab.submit(Command(SetParameter{find_parameter("speed"), 0.5}));
-  const double before = lab.scene().state.time;
-  for (int i = 0; i < 100; ++i) lab.advance(0.01, [] { return true; });
-  EXPECT_NEAR(lab.scene().state.time - before, 0.5, 1.0 / 60.0 + 1e-9);
-}
-
-TEST(Clock, ResumesAfterALongSleepWithoutAJump) {
-  Lab lab(small_net());
-  lab.submit(SetRunning{true});
-  lab.advance(10.0, [] { return true; });
-  EXPECT_LE(lab.scene().state.time, 0.26);
-}
-
-TEST(Clock, SlowsDownInsteadOfAccumulatingDelay) {
-  Lab lab(small_net());
-  lab.submit(SetRunning{true});
-  // there is time for only one substep per call, and a frame has 20
-  for (int i = 0; i < 200; ++i) lab.advance(1.0 / 60.0, [] { return false; });
-  EXPECT_NEAR(lab.scene().state.time * 60.0, 10.0, 1.0);
-  EXPECT_NEAR(lab.status()->run.speed, 0.05, 0.05);
-  // once there is enough time again, missed frames are not caught up
-  const double before = lab.scene().state.time;
-  lab.advance(1.0 / 60.0, [] { return true; });
-  EXPECT_LE(lab.scene().state.time - before, 3.0 / 60.0 + 1e-9);
-}
-
-TEST(Clock, AnInterruptedFrameGivesTheSameBits) {
-  Lab whole(small_net()), cut(small_net());
-  for (int i = 0; i < 10; ++i) whole.step();
-  cut.submit(SetRunning{true});
-  int substeps = 0;
-  while (cut.status()->run.frames < 10) cut.advance(0.02, [&] { return ++substeps % 3 != 0; });
-  EXPECT_EQ(hash_state(cut.scene().state), hash_state(whole.scene().state));
-}
-
-TEST(Clock, StepsOneFrameWhenPausedAndReportsIt) {
-  Lab lab(small_net());
-  lab.submit(StepOnce{});
-  apply_now(lab);
-  EXPECT_NEAR(lab.scene().state.time, 1.0 / 60.0, 1e-15);
-  EXPECT_FALSE(lab.status()->run.running);
-}
-
-TEST(Start, KeepsTheCurrentMethodOnRestart) {
-  Lab lab(small_net());
-  const Content start = content_of(lab.scene());
-  lab.step();
-  lab.submit(Command(SetParameter{find_parameter("substeps"), 33}));
-  lab.submit(Command(Remove{.points = {lab.scene().system.points()[3].id}}));
-  for (int i = 0; i < 30; ++i) lab.step();
-  const Content run = content_of(lab.scene());
-  lab.submit(GoToStart{});
-  apply_now(lab);
-  EXPECT_EQ(lab.scene().system, start.system);
-  EXPECT_EQ(lab.scene().state.position, start.position);
-  EXPECT_EQ(lab.scene().state.time, 0.0);
-  EXPECT_EQ(lab.scene().settings.substeps, 33);
-  lab.submit(Undo{});
-  apply_now(lab);
-  EXPECT_EQ(content_of(lab.scene()), run);
-}
-
-TEST(Start, IsTheStateBeforeTheFirstRunHoweverOftenItIsSaved) {
-  Lab lab(small_net());
-  lab.submit(Command(Remove{.points = {lab.scene().system.points()[3].id}}));
-  apply_now(lab);
-  const Content built = content_of(lab.scene());
-  for (int i = 0; i < 10; ++i) lab.step();
-  lab.submit(MarkSaved{});
-  for (int i = 0; i < 10; ++i) lab.step();
-  lab.submit(GoToStart{});
-  apply_now(lab);
-  EXPECT_EQ(lab.scene().system, built.system);
-  EXPECT_EQ(lab.scene().state.position, built.position);
-  EXPECT_EQ(lab.scene().state.time, 0.0);
-}
-
-TEST(Divergence, RecommendsAStableMethodWhereNoNumberOfSubstepsIsStable) {
-  const Settings settings;
-  const Advice advice = suggest_stepping({.omega = 1e12}, settings);
-  EXPECT_EQ(advice.integrator, find_integrator("tr_bdf2"));
-  EXPECT_EQ(advice.substeps, settings.substeps);
-  EXPECT_EQ(suggest_stepping({.omega = 1e4}, settings).integrator, settings.integrator);
-}
-
-TEST(Divergence, PausesAtTheLastGoodFrameAndRecommendsSubsteps) {
-  Scene scene = small_net();
-  scene.settings.integrator = find_integrator("symplectic_euler");
-  scene.settings.substeps = 1;  // omega h is about 3.5 here, above the limit 2
-  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).stiffness = 100.0;
-  Lab lab(scene);
-  lab.submit(SetRunning{true});
-  for (int i = 0; i < 600 && lab.status()->diagnosis.message.empty(); ++i) lab.advance(1.0 / 60.0, [] { return true; });
-  const Status& status = *lab.status();
-  ASSERT_FALSE(status.diagnosis.message.empty());
-  EXPECT_FALSE(status.run.running);
-  EXPECT_TRUE(is_finite(status.snapshot->state));
-  EXPECT_NE(status.diagnosis.message.find("point "), std::string::npos) << status.diagnosis.message;
-  EXPECT_NE(status.diagnosis.message.find("spring "), std::string::npos) << status.diagnosis.message;
-  ASSERT_TRUE(status.diagnosis.advice.has_value());
-  EXPECT_EQ(status.diagnosis.advice->integrator, find_integrator("symplectic_euler"));
-
-  // the recommendation is stable
-  scene.settings.substeps = status.diagnosis.advice->substeps;
-  Lab advised(scene);
-  for (int i = 0; i < 1200; ++i) ASSERT_TRUE(advised.step()) << "frame " << i;
-}
-
-TEST(Divergence, OfUndampedExplicitEulerRecommendsAStableMethod) {
-  Scene scene = small_net();
-  scene.settings.integrator = find_integrator("explicit_euler");
-  Lab lab(scene);
-  bool held = true;
-  for (int i = 0; i < 6000 && held; ++i) held = lab.step();
-  ASSERT_FALSE(held);
-  lab.publish();
-  EXPECT_NE(lab.status()->diagnosis.message.find("the energy grew by"), std::string::npos) << lab.status()->diagnosis.message;
-  ASSERT_TRUE(lab.status()->diagnosis.advice.has_value());
-  EXPECT_NE(lab.status()->diagnosis.advice->integrator, find_integrator("explicit_euler"));
-}
-
-// dashpots damp motion along the springs; transverse motion grows at every step
-TEST(Divergence, OfDampedExplicitEulerWithinItsLimitRecommendsAStableMethod) {
-  Scene scene = small_net();
-  scene.settings.integrator = find_integrator("explicit_euler");
-  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).damping = 0.2;
-  for (Index i = 4; i < 16; ++i) scene.state.velocity[i].z = 0.1;
-  const double limit = largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system));
-  scene.settings.substeps = static_cast<int>(std::ceil(1.0 / 60.0 / limit));
-  Lab lab(scene);
-  bool held = true;
-  for (int i = 0; i < 6000 && held; ++i) held = lab.step();
-  ASSERT_FALSE(held);
-  lab.publish();
-  EXPECT_NE(lab.status()->diagnosis.message.find("the energy grew by"), std::string::npos) << lab.status()->diagnosis.message;
-  EXPECT_NE(lab.status()->diagnosis.advice->integrator, find_integrator("explicit_euler"));
-}
-
-TEST(Parameters, ReadBackWhatWasWrittenWithinTheirRange) {
-  Scene scene = small_net();
-  // springs of every family
-  std::vector<Spring> springs = scene.system.springs();
-  for (std::size_t s = 0; s < springs.size(); ++s) springs[s].family = static_cast<SpringFamily>(s % spring_families);
-  scene.system.set_springs(springs);
-  scene.sheet = std::make_shared<const SheetWeights>(
-      SheetWeights{std::vector<double>(scene.system.points().size(), 0.3), std::vector<double>(springs.size(), 0.7)});
-  for (const Parameter& parameter : parameters()) {
-    bool applies = parameter.applies == nullptr;
-    for (int parameterization = 3; parameterization >= 0; --parameterization) {
-      scene.parameterization = static_cast<SpringParameterization>(parameterization);
-      applies = applies || parameter.applies(scene);
-    }
-    EXPECT_TRUE(applies) << parameter.name;
-    for (const double value : {parameter.min, parameter.max, parameter.default_value}) {
-      parameter.write(scene, value);
-      EXPECT_NEAR(parameter.read(scene), value, 1e-12 * std::abs(value)) << parameter.name;
-    }
-    EXPECT_EQ(clamp_to(parameter, -1e300), parameter.min) << parameter.name;
-    EXPECT_EQ(clamp_to(parameter, 1e300), parameter.max) << parameter.name;
-    EXPECT_EQ(clamp_to(parameter, NAN), parameter.default_value) << parameter.name;
-    EXPECT_FALSE(parameter.description.empty());
-    EXPECT_EQ(find_parameter(parameter.name), &parameter);
-    parameter.write(scene, parameter.default_value);
   }
 }
 

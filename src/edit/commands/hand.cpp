@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <cmath>
 
-#include "edit/edits/edits.h"
+#include "base/finite.h"
+#include "edit/command.h"
+#include "edit/in_plane.h"
 
 namespace hooke {
 namespace {
@@ -16,6 +19,15 @@ bool is_valid(const GrabPoint::Item& grab) {
   return is_between && are_weights && grab.kind == GrabKind::Pull;
 }
 
+// Leaves the carried collider where the hand has moved it.
+void release_collider(Scene& scene, Effect& effect) {
+  auto& carried = scene.state.hand.collider;
+  if (!carried) return;
+  scene.system.colliders[static_cast<std::size_t>(carried->collider)].shape = carried->shape;
+  carried.reset();
+  effect.values = true;
+}
+
 }  // namespace
 
 std::vector<PointId> points_of(const Grab& grab) {
@@ -23,8 +35,7 @@ std::vector<PointId> points_of(const Grab& grab) {
   return {grab.patch->points.begin(), grab.patch->points.end()};
 }
 
-Inverse Apply::operator()(const GrabPoint& command) {
-  const GrabPoint::Item& grab = command.grab;
+Inverse GrabPoint::apply(Scene& scene, Effect& effect) const {
   if (!is_valid(grab)) return {};
   const Grab held{grab.point, grab.patch, grab.kind, grab.stiffness};
   Move back;
@@ -41,24 +52,24 @@ Inverse Apply::operator()(const GrabPoint& command) {
   return {ReleaseHand{}, back};
 }
 
-Inverse Apply::operator()(const GrabCollider& command) {
-  const Index c = command.grab.collider;
-  if (c < 0 || c >= static_cast<Index>(scene.system.colliders.size()) || !is_finite(command.grab.target)) return {};
-  release_collider();
-  scene.state.hand.collider = {c, scene.system.colliders[static_cast<std::size_t>(c)].shape, command.grab.target};
+Inverse GrabCollider::apply(Scene& scene, Effect& effect) const {
+  const Index c = grab.collider;
+  if (c < 0 || c >= static_cast<Index>(scene.system.colliders.size()) || !is_finite(grab.target)) return {};
+  release_collider(scene, effect);
+  scene.state.hand.collider = {c, scene.system.colliders[static_cast<std::size_t>(c)].shape, grab.target};
   return {ReleaseHand{}, SetColliders{scene.system.colliders}};
 }
 
-Inverse Apply::operator()(const MoveHand& move) {
-  if (!is_finite(move.target)) return {};
+Inverse MoveHand::apply(Scene& scene, Effect&) const {
+  if (!is_finite(target)) return {};
   Hand& hand = scene.state.hand;
-  if (hand.collider) hand.collider->target = move.target;
-  if (scene.system.grab) hand.target = in_plane(scene.system, move.target);
+  if (hand.collider) hand.collider->target = target;
+  if (scene.system.grab) hand.target = in_plane(scene.system, target);
   return {};
 }
 
-Inverse Apply::operator()(const ReleaseHand&) {
-  release_collider();
+Inverse ReleaseHand::apply(Scene& scene, Effect& effect) const {
+  release_collider(scene, effect);
   if (!scene.system.grab) return {};
   const Index i = scene.system.index_of(scene.system.grab->point);
   // a nailed point stops where it is released
@@ -70,15 +81,6 @@ Inverse Apply::operator()(const ReleaseHand&) {
   scene.system.grab.reset();
   effect.values = true;
   return inverse;
-}
-
-// Leaves the carried collider where the hand has moved it.
-void Apply::release_collider() {
-  auto& carried = scene.state.hand.collider;
-  if (!carried) return;
-  scene.system.colliders[static_cast<std::size_t>(carried->collider)].shape = carried->shape;
-  carried.reset();
-  effect.values = true;
 }
 
 }  // namespace hooke

@@ -1,8 +1,12 @@
 #include <algorithm>
+#include <cmath>
 
-#include "edit/edits/edits.h"
+#include "base/finite.h"
+#include "edit/command.h"
+#include "edit/in_plane.h"
 #include "formats/texture.h"
 #include "scene/parameters.h"
+#include "sim/integrator.h"
 
 namespace hooke {
 namespace {
@@ -11,17 +15,8 @@ bool is_valid(const Force& force) {
   return force.term != nullptr && std::all_of(force.values.begin(), force.values.end(), [](double value) { return std::isfinite(value); });
 }
 
-}  // namespace
-
-Inverse Apply::operator()(const SetParameter& set) {
-  const Inverse inverse = inverse_of(*set.parameter);
-  set.parameter->write(scene, clamp_to(*set.parameter, set.value));
-  effect.values = effect.values || set.parameter->scope != Parameter::Scope::Setting;
-  return inverse;
-}
-
 // The commands that restore what a write of the parameter overwrites.
-Inverse Apply::inverse_of(const Parameter& parameter) const {
+Inverse inverse_of(const Parameter& parameter, const Scene& scene) {
   const auto all_springs = [&](SpringProperty property, double Spring::*member) {
     SetSpringProperty set{property, {}};
     for (const Spring& spring : scene.system.springs()) set.values.emplace_back(spring.id, spring.*member);
@@ -52,33 +47,48 @@ Inverse Apply::inverse_of(const Parameter& parameter) const {
   return {RestoreParameter{&parameter, parameter.read(scene)}};
 }
 
-Inverse Apply::operator()(const RestoreParameter& restore) {
-  const Inverse inverse = inverse_of(*restore.parameter);
-  restore.parameter->write(scene, restore.value);
-  effect.values = effect.values || restore.parameter->scope != Parameter::Scope::Setting;
+}  // namespace
+
+std::string SetParameter::describe() const { return "set " + std::string(parameter->label); }
+
+Inverse SetParameter::apply(Scene& scene, Effect& effect) const {
+  const Inverse inverse = inverse_of(*parameter, scene);
+  parameter->write(scene, clamp_to(*parameter, value));
+  effect.values = effect.values || parameter->scope != Parameter::Scope::Setting;
   return inverse;
 }
 
-Inverse Apply::operator()(const SetIntegrator& set) {
+std::string RestoreParameter::describe() const { return "set " + std::string(parameter->label); }
+
+Inverse RestoreParameter::apply(Scene& scene, Effect& effect) const {
+  const Inverse inverse = inverse_of(*parameter, scene);
+  parameter->write(scene, value);
+  effect.values = effect.values || parameter->scope != Parameter::Scope::Setting;
+  return inverse;
+}
+
+std::string SetIntegrator::describe() const { return "use " + std::string(integrator->label); }
+
+Inverse SetIntegrator::apply(Scene& scene, Effect&) const {
   const SetIntegrator inverse{scene.settings.integrator};
-  scene.settings.integrator = set.integrator;
+  scene.settings.integrator = integrator;
   return {inverse};
 }
 
-Inverse Apply::operator()(const SetGravity& set) {
+Inverse SetGravity::apply(Scene& scene, Effect& effect) const {
   const SetGravity inverse{scene.system.gravity};
-  if (is_finite(set.gravity)) scene.system.gravity = in_plane(scene.system, set.gravity);
+  if (is_finite(gravity)) scene.system.gravity = in_plane(scene.system, gravity);
   effect.values = true;
   return {inverse};
 }
 
-Inverse Apply::operator()(const SetColliders& set) {
+Inverse SetColliders::apply(Scene& scene, Effect& effect) const {
   const SetColliders inverse{carried_colliders(scene.system, scene.state)};
-  scene.system.colliders = set.colliders;
+  scene.system.colliders = colliders;
   if (auto& carried = scene.state.hand.collider) {
     const auto c = static_cast<std::size_t>(carried->collider);
-    if (c < set.colliders.size())
-      carried->shape = set.colliders[c].shape;
+    if (c < colliders.size())
+      carried->shape = colliders[c].shape;
     else
       carried.reset();
   }
@@ -86,23 +96,23 @@ Inverse Apply::operator()(const SetColliders& set) {
   return {inverse};
 }
 
-Inverse Apply::operator()(const SetForces& set) {
+Inverse SetForces::apply(Scene& scene, Effect& effect) const {
   const SetForces inverse{scene.system.forces};
   scene.system.forces.clear();
-  for (const Force& force : set.forces)
+  for (const Force& force : forces)
     if (is_valid(force)) scene.system.forces.push_back(force);
   effect.values = true;
   return {inverse};
 }
 
-Inverse Apply::operator()(const SetTexture& set) {
+Inverse SetTexture::apply(Scene& scene, Effect&) const {
   const SetTexture inverse{scene.view.texture, scene.view.texture_size, {.picture = nullptr, .restored = scene.cloth_texture}};
-  scene.view.texture = set.texture;
-  scene.view.texture_size = set.size;
-  if (set.image.restored) {
-    scene.cloth_texture = *set.image.restored;
+  scene.view.texture = texture;
+  scene.view.texture_size = size;
+  if (image.restored) {
+    scene.cloth_texture = *image.restored;
   } else {
-    scene.cloth_texture.picture = set.image.picture;
+    scene.cloth_texture.picture = image.picture;
     set_print_layout(scene);
   }
   return {inverse};

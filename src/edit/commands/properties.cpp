@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <cmath>
+
+#include "base/finite.h"
+#include "base/text_lines.h"
+#include "edit/command.h"
+#include "edit/in_plane.h"
+
+namespace hooke {
+namespace {
+
+template <class Id, class Value>
+bool same_ids(const std::vector<std::pair<Id, Value>>& a, const std::vector<std::pair<Id, Value>>& b) {
+  return std::ranges::equal(a, b, {}, &std::pair<Id, Value>::first, &std::pair<Id, Value>::first);
+}
+
+}  // namespace
+
+bool is_valid(const Point& point) {
+  return point.mass > 0.0 && std::isfinite(point.mass) && point.radius >= 0.0 && std::isfinite(point.radius);
+}
+
+bool is_valid(const Spring& spring) {
+  return spring.first != spring.second && spring.stiffness >= 0.0 && std::isfinite(spring.stiffness) && spring.damping >= 0.0 &&
+         std::isfinite(spring.damping) && spring.rest_length >= 0.0 && std::isfinite(spring.rest_length) && spring.break_strain > 0.0;
+}
+
+std::string SetNailed::describe() const {
+  const bool nailed = !items.empty() && items.front().nailed;
+  return (nailed ? "nail " : "release ") + pluralize(items.size(), "point", "points");
+}
+
+Inverse SetNailed::apply(Scene& scene, Effect& effect) const {
+  SetNailed inverse;
+  for (const SetNailed::Item& item : items) {
+    const Index i = scene.system.index_of(item.point);
+    if (i == no_index || scene.system.points()[i].nailed == item.nailed) continue;
+    inverse.items.push_back({item.point, !item.nailed, scene.state.velocity[i]});
+    scene.system.point(i).nailed = item.nailed;
+    scene.state.velocity[i] = is_finite(item.velocity) ? in_plane(scene.system, item.velocity) : Vec3(0.0);
+  }
+  std::reverse(inverse.items.begin(), inverse.items.end());
+  effect.values = true;
+  return {inverse};
+}
+
+std::string Move::describe() const { return "move " + pluralize(items.size(), "point", "points"); }
+
+bool Move::is_undone_with(const Move& earlier) const { return std::ranges::equal(items, earlier.items, {}, &Item::point, &Item::point); }
+
+Inverse Move::apply(Scene& scene, Effect& effect) const {
+  Move inverse;
+  for (const Move::Item& item : items) {
+    const Index i = scene.system.index_of(item.point);
+    if (i == no_index || !is_finite(item.position) || !is_finite(item.velocity)) continue;
+    inverse.items.push_back({item.point, scene.state.position[i], scene.state.velocity[i]});
+    scene.state.position[i] = in_plane(scene.system, item.position);
+    scene.state.velocity[i] = in_plane(scene.system, item.velocity);
+  }
+  std::reverse(inverse.items.begin(), inverse.items.end());
+  effect.motion = true;
+  return {inverse};
+}
+
+std::string SetPointColor::describe() const { return "color of " + pluralize(values.size(), "point", "points"); }
+
+bool SetPointColor::is_undone_with(const SetPointColor& earlier) const { return same_ids(values, earlier.values); }
+
+Inverse SetPointColor::apply(Scene& scene, Effect&) const {
+  SetPointColor inverse;
+  for (const auto& [point, color] : values) {
+    const Index i = scene.system.index_of(point);
+    if (i == no_index) continue;
+    inverse.values.emplace_back(point, scene.system.points()[i].color);
+    scene.system.point(i).color = color;
+  }
+  std::reverse(inverse.values.begin(), inverse.values.end());
+  return {inverse};
+}
+
+std::string SetPointProperty::describe() const {
+  return std::string(property == PointProperty::Mass ? "mass of " : "radius of ") + pluralize(values.size(), "point", "points");
+}
+
+bool SetPointProperty::is_undone_with(const SetPointProperty& earlier) const {
+  return property == earlier.property && same_ids(values, earlier.values);
+}
+
+Inverse SetPointProperty::apply(Scene& scene, Effect& effect) const {
+  double Point::*const member = property == PointProperty::Mass ? &Point::mass : &Point::radius;
+  SetPointProperty inverse{property, {}};
+  // where mass follows the radius, restore it after the radius
+  SetPointProperty masses{PointProperty::Mass, {}};
+  const bool follows = property == PointProperty::Radius && scene.defaults.mass_follows_radius;
+  for (const auto& [point, value] : values) {
+    const Index i = scene.system.index_of(point);
+    if (i == no_index) continue;
+    const Point now = scene.system.points()[i];
+    Point changed = now;
+    changed.*member = value;
+    if (follows) changed.mass = mass_at_radius(now, value);
+    if (!is_valid(changed)) continue;
+    inverse.values.emplace_back(point, now.*member);
+    if (follows) masses.values.emplace_back(point, now.mass);
+    scene.system.point(i) = changed;
+  }
+  std::reverse(inverse.values.begin(), inverse.values.end());
+  std::reverse(masses.values.begin(), masses.values.end());
+  effect.values = true;
+  if (follows) return {inverse, masses};
+  return {inverse};
+}
+
+std::string SetSpringProperty::describe() const {
+  constexpr const char* what[] = {"stiffness of ", "damping of ", "rest length of ", "break strain of "};
+  return what[static_cast<int>(property)] + pluralize(values.size(), "spring", "springs");
+}
+
+bool SetSpringProperty::is_undone_with(const SetSpringProperty& earlier) const {
+  return property == earlier.property && same_ids(values, earlier.values);
+}
+
+Inverse SetSpringProperty::apply(Scene& scene, Effect& effect) const {
+  constexpr double Spring::*members[] = {&Spring::stiffness, &Spring::damping, &Spring::rest_length, &Spring::break_strain};
+  double Spring::*const member = members[static_cast<int>(property)];
+  SetSpringProperty inverse{property, {}};
+  inverse.values.reserve(values.size());
+  for (const auto& [spring, value] : values) {
+    const Index s = scene.system.index_of(spring);
+    if (s == no_index) continue;
+    Spring changed = scene.system.springs()[s];
+    changed.*member = value;
+    if (!is_valid(changed)) continue;
+    inverse.values.emplace_back(spring, scene.system.springs()[s].*member);
+    scene.system.spring(s) = changed;
+  }
+  std::reverse(inverse.values.begin(), inverse.values.end());
+  effect.values = true;
+  return {inverse};
+}
+
+}  // namespace hooke

@@ -1,0 +1,84 @@
+// Commands that set properties of points and springs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "edit/effect.h"
+
+namespace hooke {
+
+// Nails or releases points and sets their velocity: 0 in an edit, which stops a nailed point; the previous one in its inverse.
+struct SetNailed {
+  struct Item {
+    static constexpr auto fields = names("point", "nailed", "velocity");
+    PointId point;
+    bool nailed;
+    Vec3 velocity{0.0};
+  };
+  static constexpr std::string_view name = "set_nailed";
+  static constexpr auto fields = names("items");
+  std::vector<Item> items;
+
+  std::string describe() const;
+  Inverse apply(Scene& scene, Effect& effect) const;
+};
+
+// Sets positions and velocities of points.
+struct Move {
+  struct Item {
+    static constexpr auto fields = names("point", "position", "velocity");
+    PointId point;
+    Vec3 position;
+    Vec3 velocity;
+  };
+  static constexpr std::string_view name = "move";
+  static constexpr auto fields = names("items");
+  std::vector<Item> items;
+
+  std::string describe() const;
+  Inverse apply(Scene& scene, Effect& effect) const;
+  bool is_undone_with(const Move& earlier) const;
+};
+
+// Sets the color of points, or removes it.
+struct SetPointColor {
+  static constexpr std::string_view name = "set_point_color";
+  static constexpr auto fields = names("values");
+  std::vector<std::pair<PointId, std::optional<Color>>> values;
+
+  std::string describe() const;
+  Inverse apply(Scene& scene, Effect& effect) const;
+  bool is_undone_with(const SetPointColor& earlier) const;
+};
+
+enum class PointProperty { Mass, Radius };
+struct SetPointProperty {
+  static constexpr std::string_view name = "set_point_property";
+  static constexpr auto fields = names("property", "values");
+  PointProperty property;
+  std::vector<std::pair<PointId, double>> values;
+
+  std::string describe() const;
+  Inverse apply(Scene& scene, Effect& effect) const;
+  bool is_undone_with(const SetPointProperty& earlier) const;
+};
+
+enum class SpringProperty { Stiffness, Damping, RestLength, BreakStrain };
+struct SetSpringProperty {
+  static constexpr std::string_view name = "set_spring_property";
+  static constexpr auto fields = names("property", "values");
+  SpringProperty property;
+  std::vector<std::pair<SpringId, double>> values;
+
+  std::string describe() const;
+  Inverse apply(Scene& scene, Effect& effect) const;
+  bool is_undone_with(const SetSpringProperty& earlier) const;
+};
+
+// Whether a point or spring with these values may be part of a scene.
+bool is_valid(const Point& point);
+bool is_valid(const Spring& spring);
+
+}  // namespace hooke

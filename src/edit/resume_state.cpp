@@ -1,0 +1,123 @@
+#include "edit/resume_state.h"
+
+#include <algorithm>
+
+#include "edit/apply.h"
+#include "edit/text_form.h"
+#include "formats/texture.h"
+
+namespace hooke {
+namespace {
+
+// The ids in the order of the list; nothing when they equal the indices.
+template <class Item, class Id = decltype(Item::id)>
+std::optional<std::vector<Id>> ids_of(const std::vector<Item>& items) {
+  std::vector<Id> ids;
+  bool are_places = true;
+  for (const Item& item : items) {
+    are_places = are_places && static_cast<std::size_t>(item.id) == ids.size();
+    ids.push_back(item.id);
+  }
+  if (are_places) return std::nullopt;
+  return ids;
+}
+
+template <class Id>
+void check_ids(const JsonField& field, const std::optional<std::vector<Id>>& ids, std::size_t count) {
+  if (!ids) return;
+  std::vector<Id> sorted = *ids;
+  std::ranges::sort(sorted);
+  if (sorted.size() != count || std::ranges::adjacent_find(sorted) != sorted.end())
+    field.refuse("ids: must be as many as in the scene, all different");
+}
+
+// Values by index, rearranged to be found by id.
+template <class Value, class Id>
+std::vector<Value> by_id(const std::vector<Value>& listed, const std::vector<Id>& ids, const Value& none) {
+  std::vector<Value> list;
+  for (std::size_t i = 0; i < ids.size() && i < listed.size(); ++i) {
+    const auto id = static_cast<std::size_t>(ids[i]);
+    if (id >= list.size()) list.resize(id + 1, none);
+    list[id] = listed[i];
+  }
+  return list;
+}
+
+// Restores the ids of points and springs, which a file numbers from 0.
+void restore_ids(const ResumeState& rest, Scene& scene) {
+  System& system = scene.system;
+  const auto id_of = [&](PointId number) { return rest.point_ids ? (*rest.point_ids)[static_cast<std::size_t>(number)] : number; };
+  std::vector<Point> points = system.points();
+  std::vector<Spring> springs = system.springs();
+  for (Point& point : points) point.id = id_of(point.id);
+  for (Spring& spring : springs) {
+    if (rest.spring_ids) spring.id = (*rest.spring_ids)[static_cast<std::size_t>(spring.id)];
+    spring.first = id_of(spring.first);
+    spring.second = id_of(spring.second);
+  }
+  for (Face& face : system.faces)
+    for (PointId& corner : face.points) corner = id_of(corner);
+  if (system.scripted_hand) system.scripted_hand->point = id_of(system.scripted_hand->point);
+
+  if (scene.cloth_texture.cloth_coordinates && rest.point_ids)
+    scene.cloth_texture.cloth_coordinates =
+        std::make_shared<const ClothCoordinates>(by_id(*scene.cloth_texture.cloth_coordinates, *rest.point_ids, no_cloth_coordinates));
+  if (scene.sheet) {
+    SheetWeights sheet = *scene.sheet;
+    if (rest.point_ids) sheet.area = by_id(sheet.area, *rest.point_ids, 0.0);
+    if (rest.spring_ids) sheet.spring_weight = by_id(sheet.spring_weight, *rest.spring_ids, 0.0);
+    scene.sheet = std::make_shared<const SheetWeights>(std::move(sheet));
+  }
+  system.set_springs({});
+  system.set_points(std::move(points));
+  system.set_springs(std::move(springs));
+  while (system.next_point_id() < rest.next_point_id) system.new_point_id();
+  while (system.next_spring_id() < rest.next_spring_id) system.new_spring_id();
+}
+
+}  // namespace
+
+ResumeState resume_state_of(const Scene& scene) {
+  const Hand& hand = scene.state.hand;
+  std::optional<GrabPoint::Item> grab;
+  if (const auto& held = scene.system.grab) grab = {held->point, held->patch, held->kind, hand.target, held->stiffness};
+  std::optional<GrabCollider::Item> collider_grab;
+  if (hand.collider) collider_grab = {hand.collider->collider, hand.collider->target};
+  return {.point_ids = ids_of(scene.system.points()),
+          .spring_ids = ids_of(scene.system.springs()),
+          .next_point_id = scene.system.next_point_id(),
+          .next_spring_id = scene.system.next_spring_id(),
+          .grab = grab,
+          .collider_grab = collider_grab,
+          .hand = hand.position,
+          .ledger = scene.state.ledger,
+          .memory = scene.state.memory,
+          .torn = scene.state.torn,
+          .tears = scene.tears};
+}
+
+void write_resume_state(JsonWriter& out, const ResumeState& rest) { write(out, rest); }
+
+void restore_resume_state(const JsonField& field, Scene& scene) {
+  const auto rest = read<ResumeState>(field);
+  check_ids(field, rest.point_ids, scene.system.points().size());
+  check_ids(field, rest.spring_ids, scene.system.springs().size());
+  // the largest id sizes a lookup table
+  if (std::max(rest.next_point_id, rest.next_spring_id) > max_id) field.refuse("next ids: must be at most " + std::to_string(max_id));
+  for (std::size_t i = 0; i < rest.tears.size(); ++i)
+    if (rest.tears[i]->before > i) field.refuse("tears: each must come after an earlier one");
+  if (rest.torn > rest.tears.size()) field.refuse("torn: must be one of the tears");
+  restore_ids(rest, scene);
+  scene.state.torn = rest.torn;
+  scene.tears = rest.tears;
+  scene.state.hand.position = rest.hand;
+  scene.state.ledger = rest.ledger;
+  scene.state.memory = rest.memory;
+  Effect effect;
+  if (rest.collider_grab) apply(scene, GrabCollider{*rest.collider_grab}, effect);
+  if (!rest.grab) return;
+  apply(scene, GrabPoint{*rest.grab}, effect);
+  scene.state.hand.position = rest.hand;
+}
+
+}  // namespace hooke

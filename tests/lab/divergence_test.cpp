@@ -1,0 +1,77 @@
+// Divergence stops a run, is explained, and comes with a setting that holds.
+#include "lab/lab.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/integrator.h"
+#include "support/apply_now.h"
+#include "support/small_net.h"
+
+namespace hooke {
+namespace {
+
+TEST(Divergence, RecommendsAStableMethodWhereNoNumberOfSubstepsIsStable) {
+  const Settings settings;
+  const Advice advice = suggest_stepping({.omega = 1e12}, settings);
+  EXPECT_EQ(advice.integrator, find_integrator("tr_bdf2"));
+  EXPECT_EQ(advice.substeps, settings.substeps);
+  EXPECT_EQ(suggest_stepping({.omega = 1e4}, settings).integrator, settings.integrator);
+}
+
+TEST(Divergence, PausesAtTheLastGoodFrameAndRecommendsSubsteps) {
+  Scene scene = small_net();
+  scene.settings.integrator = find_integrator("symplectic_euler");
+  scene.settings.substeps = 1;  // omega h is about 3.5 here, above the limit 2
+  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).stiffness = 100.0;
+  Lab lab(scene);
+  lab.submit(SetRunning{true});
+  for (int i = 0; i < 600 && lab.status()->diagnosis.message.empty(); ++i) lab.advance(1.0 / 60.0, [] { return true; });
+  const Status& status = *lab.status();
+  ASSERT_FALSE(status.diagnosis.message.empty());
+  EXPECT_FALSE(status.run.running);
+  EXPECT_TRUE(is_finite(status.snapshot->state));
+  EXPECT_NE(status.diagnosis.message.find("point "), std::string::npos) << status.diagnosis.message;
+  EXPECT_NE(status.diagnosis.message.find("spring "), std::string::npos) << status.diagnosis.message;
+  ASSERT_TRUE(status.diagnosis.advice.has_value());
+  EXPECT_EQ(status.diagnosis.advice->integrator, find_integrator("symplectic_euler"));
+
+  // the recommendation is stable
+  scene.settings.substeps = status.diagnosis.advice->substeps;
+  Lab advised(scene);
+  for (int i = 0; i < 1200; ++i) ASSERT_TRUE(advised.step()) << "frame " << i;
+}
+
+TEST(Divergence, OfUndampedExplicitEulerRecommendsAStableMethod) {
+  Scene scene = small_net();
+  scene.settings.integrator = find_integrator("explicit_euler");
+  Lab lab(scene);
+  bool held = true;
+  for (int i = 0; i < 6000 && held; ++i) held = lab.step();
+  ASSERT_FALSE(held);
+  lab.publish();
+  EXPECT_NE(lab.status()->diagnosis.message.find("the energy grew by"), std::string::npos) << lab.status()->diagnosis.message;
+  ASSERT_TRUE(lab.status()->diagnosis.advice.has_value());
+  EXPECT_NE(lab.status()->diagnosis.advice->integrator, find_integrator("explicit_euler"));
+}
+
+// dashpots damp motion along the springs; transverse motion grows at every step
+TEST(Divergence, OfDampedExplicitEulerWithinItsLimitRecommendsAStableMethod) {
+  Scene scene = small_net();
+  scene.settings.integrator = find_integrator("explicit_euler");
+  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).damping = 0.2;
+  for (Index i = 4; i < 16; ++i) scene.state.velocity[i].z = 0.1;
+  const double limit = largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system));
+  scene.settings.substeps = static_cast<int>(std::ceil(1.0 / 60.0 / limit));
+  Lab lab(scene);
+  bool held = true;
+  for (int i = 0; i < 6000 && held; ++i) held = lab.step();
+  ASSERT_FALSE(held);
+  lab.publish();
+  EXPECT_NE(lab.status()->diagnosis.message.find("the energy grew by"), std::string::npos) << lab.status()->diagnosis.message;
+  EXPECT_NE(lab.status()->diagnosis.advice->integrator, find_integrator("explicit_euler"));
+}
+
+}  // namespace
+}  // namespace hooke
