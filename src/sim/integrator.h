@@ -1,4 +1,4 @@
-// The table of integrators. Adding one is one file under integrators/ and one row in integrator.cpp; menus, help,
+// The table of integrators. Adding one is one file under integrators/ and one line in its list.inc; menus, help,
 // documentation and the tests of order, amplification and stability are made from the rows.
 #pragma once
 
@@ -36,6 +36,13 @@ enum class Stability {
 // The energy of an undamped scene over many steps.
 enum class EnergyTrend { Grows, Drifts, Bounded, Falls };
 
+// How a step solves its implicit equations.
+enum class ImplicitSolve {
+  None,       // there are none, or they are solved spring by spring
+  Once,       // linearized at the start of the step: one linear system
+  Iterative,  // by Newton's method, to a tolerance or to its limit of iterations
+};
+
 // As text, for menus and documents.
 std::string_view describe(Stability stability);
 std::string_view describe(EnergyTrend energy);
@@ -56,6 +63,7 @@ struct Integrator {
   Stability stability;
   EnergyTrend energy;
   bool symplectic;  // undamped
+  ImplicitSolve implicit_solve;
   // Whether listed forces are part of the implicit system. If not, they limit the step also of a method that is otherwise stable at
   // any step.
   bool implicit_force_terms;

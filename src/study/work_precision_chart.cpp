@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <string_view>
 #include <vector>
 
+#include "base/formatted.h"
 #include "study/label_placement.h"
 
 namespace hooke {
@@ -26,15 +25,6 @@ constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#000000", "#CC79A7
 // the same colors, darker, for text
 constexpr std::array text_colors{"#005A8E", "#A84A00", "#007A59", "#000000", "#9C4A77", "#9A6A00", "#2A7CAE"};
 constexpr std::array markers{7, 5, 9, 13, 11, 15, 6, 4, 8, 12, 10, 14, 2, 1};
-
-__attribute__((format(printf, 2, 3))) void print(std::string& script, const char* format, ...) {
-  char line[512];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  script += line;
-}
 
 // In single quotes, gnuplot interprets nothing except a doubled quote.
 std::string in_quotes(std::string_view text) {
@@ -72,11 +62,12 @@ std::vector<Line> lines_of(const ProblemRecord& record) {
 // Above all panels; printed with the first panel, since labels belong to a panel.
 void print_header(std::string& script, int columns, int rows) {
   const double left = static_cast<double>(left_margin) / (columns * panel_width), height = rows * panel_height + header_height;
-  print(script, "set label 'Speed against error' at screen %.6f,%.6f left font ',20'\n", left, 1.0 - 26.0 / height);
-  print(script,
-        "set label 'Lower left is better. The wide gray line is the Pareto front: no measured setting is both cheaper and more accurate.' "
-        "at screen %.6f,%.6f left textcolor rgb '#333333' font ',13'\n",
-        left, 1.0 - 54.0 / height);
+  append_formatted(script, "set label 'Speed against error' at screen %.6f,%.6f left font ',20'\n", left, 1.0 - 26.0 / height);
+  append_formatted(
+      script,
+      "set label 'Lower left is better. The wide gray line is the Pareto front: no measured setting is both cheaper and more accurate.' "
+      "at screen %.6f,%.6f left textcolor rgb '#333333' font ',13'\n",
+      left, 1.0 - 54.0 / height);
 }
 
 // [px], the plotting area of a panel, relative to its lower left corner.
@@ -131,28 +122,27 @@ void print_labels(std::string& script, const std::vector<Line>& lines, const Axe
     const ChartPoint &at = places[i].at, &end = labels[i].anchor;
     const char* color = text_colors[lines[i].style % text_colors.size()];
     script += "set label " + in_quotes(lines[i].method);
-    print(script, " at graph %.4f,%.4f %s front noenhanced textcolor rgb '%s' font ',13'\n", at.x / width, at.y / height,
-          places[i].justify == Justify::Left ? "left" : "right", color);
+    append_formatted(script, " at graph %.4f,%.4f %s front noenhanced textcolor rgb '%s' font ',13'\n", at.x / width, at.y / height,
+                     places[i].justify == Justify::Left ? "left" : "right", color);
     // an arrow connects a name that is not at the end of its line with that end
     if (std::hypot(at.x - end.x, at.y - end.y) > 20.0)
-      print(script, "set arrow from graph %.4f,%.4f to graph %.4f,%.4f nohead back linewidth 0.8 linecolor rgb '%s'\n", end.x / width,
-            end.y / height, at.x / width, at.y / height, color);
+      append_formatted(script, "set arrow from graph %.4f,%.4f to graph %.4f,%.4f nohead back linewidth 0.8 linecolor rgb '%s'\n",
+                       end.x / width, end.y / height, at.x / width, at.y / height, color);
   }
 }
 
 std::string subtitle(const ProblemRecord& record) {
   if (!record.reference) return "no reference";
   const ReferenceRecord& reference = *record.reference;
-  char text[160];
-  std::snprintf(text, sizeof text, "%s; reference accurate to %.0e; a perturbation grows by a factor of %.2g in %g s",
-                reference.measure == Measure::Trajectory ? "error of the positions" : "error of center of mass, largest strain and energy",
-                reference.uncertainty(), reference.amplification, record.seconds);
-  return text;
+  return formatted(
+      "%s; reference accurate to %.0e; a perturbation grows by a factor of %.2g in %g s",
+      reference.measure == Measure::Trajectory ? "error of the positions" : "error of center of mass, largest strain and energy",
+      reference.uncertainty(), reference.amplification, record.seconds);
 }
 
 void print_data(std::string& script, const std::string& name, const std::vector<const Row*>& rows) {
   script += name + " << EOD\n";
-  for (const Row* row : rows) print(script, "%.6g %.6g\n", *row->cpu_ms_per_s, *row->relative_error);
+  for (const Row* row : rows) append_formatted(script, "%.6g %.6g\n", *row->cpu_ms_per_s, *row->relative_error);
   script += "EOD\n";
 }
 
@@ -170,12 +160,12 @@ void print_panel(std::string& script, const ProblemRecord& record, std::size_t p
   const double width = columns * panel_width, height = rows * panel_height + header_height;
   const double left = static_cast<double>(place % columns) * panel_width;
   const double top = height - header_height - static_cast<double>(place / columns) * panel_height;
-  print(script, "set lmargin at screen %.6f\nset rmargin at screen %.6f\n", (left + left_margin) / width,
-        (left + panel_width - right_margin) / width);
-  print(script, "set tmargin at screen %.6f\nset bmargin at screen %.6f\n", (top - top_margin) / height,
-        (top - panel_height + bottom_margin) / height);
-  print(script, "set xrange [%.6g:%.6g]\nset yrange [1e%d:1e%d]\nunset label\nunset arrow\n", axes.min_cost, axes.max_cost, best_decade,
-        worst_decade);
+  append_formatted(script, "set lmargin at screen %.6f\nset rmargin at screen %.6f\n", (left + left_margin) / width,
+                   (left + panel_width - right_margin) / width);
+  append_formatted(script, "set tmargin at screen %.6f\nset bmargin at screen %.6f\n", (top - top_margin) / height,
+                   (top - panel_height + bottom_margin) / height);
+  append_formatted(script, "set xrange [%.6g:%.6g]\nset yrange [1e%d:1e%d]\nunset label\nunset arrow\n", axes.min_cost, axes.max_cost,
+                   best_decade, worst_decade);
   if (place == 0) print_header(script, columns, rows);
   script += "set label " + in_quotes(record.id + ": " + record.title) + " at graph 0,1.065 left noenhanced font ',15'\n";
   script += "set label " + in_quotes(subtitle(record)) + " at graph 0,1.025 left noenhanced textcolor rgb '#555555' font ',12'\n";
@@ -184,15 +174,15 @@ void print_panel(std::string& script, const ProblemRecord& record, std::size_t p
     return;
   }
   if (record.reference && record.reference->uncertainty() > std::pow(10.0, best_decade))
-    print(script, "set arrow from graph 0,first %.6g to graph 1,first %.6g nohead back dashtype 3 linecolor rgb '#888888'\n",
-          record.reference->uncertainty(), record.reference->uncertainty());
+    append_formatted(script, "set arrow from graph 0,first %.6g to graph 1,first %.6g nohead back dashtype 3 linecolor rgb '#888888'\n",
+                     record.reference->uncertainty(), record.reference->uncertainty());
   print_labels(script, lines, axes);
 
   script += "plot " + data + "front with lines linewidth 11 linecolor rgb '#DDDDDD' notitle";
   for (const Line& line : lines) {
     script += ", \\\n  " + data + line.method;
-    print(script, " with linespoints linewidth 1.8 dashtype %d pointtype %d pointsize 0.9 linecolor rgb '%s' notitle",
-          line.style < colors.size() ? 1 : 2, markers[line.style % markers.size()], colors[line.style % colors.size()]);
+    append_formatted(script, " with linespoints linewidth 1.8 dashtype %d pointtype %d pointsize 0.9 linecolor rgb '%s' notitle",
+                     line.style < colors.size() ? 1 : 2, markers[line.style % markers.size()], colors[line.style % colors.size()]);
   }
   script += '\n';
 }
@@ -203,8 +193,8 @@ std::string chart_script(const Results& results, ChartFormat format, const std::
   const int count = std::max<int>(1, static_cast<int>(results.problems.size()));
   const int columns = count == 1 ? 1 : 2, rows = (count + columns - 1) / columns;
   std::string script;
-  print(script, "set terminal %s size %d,%d font 'DejaVu Sans,12' background '#ffffff'\n", format == ChartFormat::Svg ? "svg" : "pngcairo",
-        columns * panel_width, rows * panel_height + header_height);
+  append_formatted(script, "set terminal %s size %d,%d font 'DejaVu Sans,12' background '#ffffff'\n",
+                   format == ChartFormat::Svg ? "svg" : "pngcairo", columns * panel_width, rows * panel_height + header_height);
   script += "set output " + in_quotes(file) + '\n';
   script +=
       "set encoding utf8\n"

@@ -6,105 +6,137 @@
 
 #include <charconv>
 #include <cmath>
-#include <string_view>
+#include <concepts>
 
 namespace hooke {
 namespace {
 
 using Writer = rapidjson::PrettyWriter<rapidjson::StringBuffer>;
 
-void write_text(Writer& writer, const char* key, const std::string& text) {
-  writer.Key(key);
-  writer.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
-}
-
-void write_number(Writer& writer, const char* key, std::optional<double> number) {
-  writer.Key(key);
-  if (number && std::isfinite(*number))
-    writer.Double(*number);
-  else
-    writer.Null();
-}
-
-void write_whole(Writer& writer, const char* key, long number) {
-  writer.Key(key);
-  writer.Int64(number);
-}
-
 const char* name_of(Measure measure) { return measure == Measure::Trajectory ? "trajectory" : "observables"; }
 
-void write_reference(Writer& writer, const std::optional<ReferenceRecord>& reference) {
-  writer.Key("reference");
-  if (!reference) {
-    writer.Null();
-    return;
-  }
-  writer.StartObject();
-  write_text(writer, "method", reference->method);
-  write_text(writer, "setting", reference->setting);
-  write_number(writer, "own_gap", reference->own_gap);
-  write_text(writer, "other_method", reference->other_method);
-  write_text(writer, "other_setting", reference->other_setting);
-  write_number(writer, "other_own_gap", reference->other_own_gap);
-  write_number(writer, "other_gap", reference->other_gap);
-  write_number(writer, "amplification", reference->amplification);
-  write_text(writer, "judged_by", name_of(reference->measure));
-  writer.EndObject();
+// The fields of each record, in the order of the file: for writing and for reading.
+template <class Record, class Visit>
+void visit_reference(Record& reference, const Visit& visit) {
+  visit("method", reference.method);
+  visit("setting", reference.setting);
+  visit("own_gap", reference.own_gap);
+  visit("other_method", reference.other_method);
+  visit("other_setting", reference.other_setting);
+  visit("other_own_gap", reference.other_own_gap);
+  visit("other_gap", reference.other_gap);
+  visit("amplification", reference.amplification);
+  visit("judged_by", reference.measure);
 }
 
-void write_row(Writer& writer, const Row& row) {
-  writer.StartObject();
-  write_text(writer, "method", row.method);
-  write_text(writer, "setting", row.setting);
-  write_number(writer, "step_s", row.step);
-  write_number(writer, "tolerance_m", row.tolerance);
-  write_number(writer, "error_m", row.error);
-  write_number(writer, "relative_error", row.relative_error);
-  write_number(writer, "cpu_ms_per_s", row.cpu_ms_per_s);
-  write_whole(writer, "runs", row.runs);
-  write_whole(writer, "force_evaluations", row.work.force_evaluations);
-  write_whole(writer, "factorizations", row.work.factorizations);
-  write_whole(writer, "solves", row.work.solves);
-  write_whole(writer, "sweeps", row.work.sweeps);
-  write_number(writer, "energy_drift", row.energy_drift);
-  write_number(writer, "strain_error", row.strain_error);
-  write_text(writer, "status", row.status);
-  writer.EndObject();
+template <class Record, class Visit>
+void visit_row(Record& row, const Visit& visit) {
+  visit("method", row.method);
+  visit("setting", row.setting);
+  visit("step_s", row.step);
+  visit("tolerance_m", row.tolerance);
+  visit("error_m", row.error);
+  visit("relative_error", row.relative_error);
+  visit("cpu_ms_per_s", row.cpu_ms_per_s);
+  visit("runs", row.runs);
+  visit("force_evaluations", row.work.force_evaluations);
+  visit("factorizations", row.work.factorizations);
+  visit("solves", row.work.solves);
+  visit("sweeps", row.work.sweeps);
+  visit("energy_drift", row.energy_drift);
+  visit("strain_error", row.strain_error);
+  visit("status", row.status);
 }
 
-// Reads the output of the functions above; anything else is refused with the name of the field.
-class Reader {
+// All but the fingerprint, the reference and the rows, which follow.
+template <class Record, class Visit>
+void visit_problem(Record& problem, const Visit& visit) {
+  visit("scene", problem.id);
+  visit("title", problem.title);
+  visit("points", problem.points);
+  visit("springs", problem.springs);
+  visit("seconds", problem.seconds);
+  visit("size_m", problem.size);
+}
+
+// All but the problems, which follow.
+template <class Record, class Visit>
+void visit_results(Record& results, const Visit& visit) {
+  visit("version", results.conditions.version);
+  visit("build", results.conditions.build);
+  visit("machine", results.conditions.machine);
+  visit("effort", results.conditions.effort);
+  visit("date", results.date);
+}
+
+class FieldWriter {
  public:
-  Reader(const rapidjson::Value& object, const std::string& name) : object_(object), name_(name) {
+  explicit FieldWriter(Writer& writer) : writer_(writer) {}
+
+  void operator()(const char* key, const std::string& text) const {
+    writer_.Key(key);
+    writer_.String(text.data(), static_cast<rapidjson::SizeType>(text.size()));
+  }
+  void operator()(const char* key, std::optional<double> number) const {
+    writer_.Key(key);
+    if (number && std::isfinite(*number))
+      writer_.Double(*number);
+    else
+      writer_.Null();
+  }
+  void operator()(const char* key, double number) const { (*this)(key, std::optional(number)); }
+  void operator()(const char* key, std::integral auto number) const {
+    writer_.Key(key);
+    writer_.Int64(number);
+  }
+  void operator()(const char* key, Measure measure) const { (*this)(key, std::string(name_of(measure))); }
+
+ private:
+  Writer& writer_;
+};
+
+// Reads the output of a FieldWriter; anything else is refused with the name of the field.
+class FieldReader {
+ public:
+  FieldReader(const rapidjson::Value& object, const std::string& name) : object_(object), name_(name) {
     if (!object.IsObject()) refuse("an object is missing");
   }
 
-  std::string text(const char* key) const {
+  void operator()(const char* key, std::string& text) const {
     const rapidjson::Value& value = at(key);
     if (!value.IsString()) refuse(std::string(key) + ": not a string");
-    return {value.GetString(), value.GetStringLength()};
+    text.assign(value.GetString(), value.GetStringLength());
   }
-  std::optional<double> number_or_null(const char* key) const {
+  void operator()(const char* key, std::optional<double>& number) const {
     const rapidjson::Value& value = at(key);
-    if (value.IsNull()) return std::nullopt;
+    if (value.IsNull()) return;
     if (!value.IsNumber()) refuse(std::string(key) + ": not a number");
-    return value.GetDouble();
+    number = value.GetDouble();
   }
-  double number(const char* key) const { return number_or_null(key).value_or(NAN); }
-  long integer(const char* key) const {
+  void operator()(const char* key, double& number) const {
+    std::optional<double> known;
+    (*this)(key, known);
+    number = known.value_or(NAN);
+  }
+  void operator()(const char* key, std::integral auto& number) const {
     const rapidjson::Value& value = at(key);
     if (!value.IsInt64()) refuse(std::string(key) + ": not a whole number");
-    return value.GetInt64();
+    number = static_cast<std::decay_t<decltype(number)>>(value.GetInt64());
+  }
+  void operator()(const char* key, Measure& measure) const {
+    std::string text;
+    (*this)(key, text);
+    measure = text == name_of(Measure::Trajectory) ? Measure::Trajectory : Measure::Observables;
   }
   const rapidjson::Value& list(const char* key) const {
     const rapidjson::Value& value = at(key);
     if (!value.IsArray()) refuse(std::string(key) + ": not a list");
     return value;
   }
-  std::optional<Reader> object(const char* key) const {
+  std::optional<FieldReader> object(const char* key) const {
     const rapidjson::Value& value = at(key);
     if (value.IsNull()) return std::nullopt;
-    return Reader(value, name_);
+    return FieldReader(value, name_);
   }
 
  private:
@@ -119,48 +151,41 @@ class Reader {
   const std::string& name_;
 };
 
-ReferenceRecord read_reference(const Reader& reader) {
-  return {.method = reader.text("method"),
-          .setting = reader.text("setting"),
-          .other_method = reader.text("other_method"),
-          .other_setting = reader.text("other_setting"),
-          .own_gap = reader.number("own_gap"),
-          .other_own_gap = reader.number("other_own_gap"),
-          .other_gap = reader.number("other_gap"),
-          .amplification = reader.number("amplification"),
-          .measure = reader.text("judged_by") == name_of(Measure::Trajectory) ? Measure::Trajectory : Measure::Observables};
+void write_problem(Writer& writer, const ProblemRecord& problem) {
+  const FieldWriter fields(writer);
+  char print[17] = {};
+  std::to_chars(print, print + 16, problem.fingerprint, 16);
+  writer.StartObject();
+  visit_problem(problem, fields);
+  fields("fingerprint", std::string(print));
+  writer.Key("reference");
+  if (problem.reference) {
+    writer.StartObject();
+    visit_reference(*problem.reference, fields);
+    writer.EndObject();
+  } else {
+    writer.Null();
+  }
+  writer.Key("rows");
+  writer.StartArray();
+  for (const Row& row : problem.rows) {
+    writer.StartObject();
+    visit_row(row, fields);
+    writer.EndObject();
+  }
+  writer.EndArray();
+  writer.EndObject();
 }
 
-Row read_row(const Reader& reader) {
-  return {.method = reader.text("method"),
-          .setting = reader.text("setting"),
-          .step = reader.number_or_null("step_s"),
-          .tolerance = reader.number_or_null("tolerance_m"),
-          .error = reader.number_or_null("error_m"),
-          .relative_error = reader.number_or_null("relative_error"),
-          .energy_drift = reader.number_or_null("energy_drift"),
-          .strain_error = reader.number_or_null("strain_error"),
-          .cpu_ms_per_s = reader.number_or_null("cpu_ms_per_s"),
-          .runs = static_cast<int>(reader.integer("runs")),
-          .work = {.force_evaluations = reader.integer("force_evaluations"),
-                   .factorizations = reader.integer("factorizations"),
-                   .solves = reader.integer("solves"),
-                   .sweeps = reader.integer("sweeps")},
-          .status = reader.text("status")};
-}
-
-ProblemRecord read_problem(const Reader& reader, const std::string& name) {
-  ProblemRecord record{.id = reader.text("scene"),
-                       .title = reader.text("title"),
-                       .points = static_cast<Index>(reader.integer("points")),
-                       .springs = static_cast<Index>(reader.integer("springs")),
-                       .seconds = reader.number("seconds"),
-                       .size = reader.number("size_m")};
-  const std::string print = reader.text("fingerprint");
-  std::from_chars(print.data(), print.data() + print.size(), record.fingerprint, 16);
-  if (const std::optional<Reader> reference = reader.object("reference")) record.reference = read_reference(*reference);
-  for (const rapidjson::Value& row : reader.list("rows").GetArray()) record.rows.push_back(read_row(Reader(row, name)));
-  return record;
+ProblemRecord read_problem(const FieldReader& fields, const std::string& name) {
+  ProblemRecord problem;
+  visit_problem(problem, fields);
+  std::string print;
+  fields("fingerprint", print);
+  std::from_chars(print.data(), print.data() + print.size(), problem.fingerprint, 16);
+  if (const std::optional<FieldReader> reference = fields.object("reference")) visit_reference(problem.reference.emplace(), *reference);
+  for (const rapidjson::Value& row : fields.list("rows").GetArray()) visit_row(problem.rows.emplace_back(), FieldReader(row, name));
+  return problem;
 }
 
 // the shortest digits that read back as the same number
@@ -185,33 +210,13 @@ std::string format_results(const Results& results) {
   rapidjson::StringBuffer buffer;
   Writer writer(buffer);
   writer.SetIndent(' ', 1);
+  const FieldWriter fields(writer);
   writer.StartObject();
-  write_whole(writer, "hooke_bench", 1L);
-  write_text(writer, "version", results.conditions.version);
-  write_text(writer, "build", results.conditions.build);
-  write_text(writer, "machine", results.conditions.machine);
-  write_text(writer, "effort", results.conditions.effort);
-  write_text(writer, "date", results.date);
+  fields("hooke_bench", 1);
+  visit_results(results, fields);
   writer.Key("scenes");
   writer.StartArray();
-  for (const ProblemRecord& record : results.problems) {
-    char print[17] = {};
-    std::to_chars(print, print + 16, record.fingerprint, 16);
-    writer.StartObject();
-    write_text(writer, "scene", record.id);
-    write_text(writer, "title", record.title);
-    write_whole(writer, "points", record.points);
-    write_whole(writer, "springs", record.springs);
-    write_number(writer, "seconds", record.seconds);
-    write_number(writer, "size_m", record.size);
-    write_text(writer, "fingerprint", print);
-    write_reference(writer, record.reference);
-    writer.Key("rows");
-    writer.StartArray();
-    for (const Row& row : record.rows) write_row(writer, row);
-    writer.EndArray();
-    writer.EndObject();
-  }
+  for (const ProblemRecord& problem : results.problems) write_problem(writer, problem);
   writer.EndArray();
   writer.EndObject();
   return std::string(buffer.GetString(), buffer.GetSize()) + '\n';
@@ -223,15 +228,13 @@ Results parse_results(const std::string& text, const std::string& name) {
                                                                                                                               text.size());
   if (document.HasParseError())
     throw InputError(name + ": byte " + std::to_string(document.GetErrorOffset()) + ": not JSON: not benchmark results");
-  const Reader reader(document, name);
-  reader.integer("hooke_bench");
-  Results results{.conditions = {.version = reader.text("version"),
-                                 .build = reader.text("build"),
-                                 .machine = reader.text("machine"),
-                                 .effort = reader.text("effort")},
-                  .date = reader.text("date")};
-  for (const rapidjson::Value& problem : reader.list("scenes").GetArray())
-    results.problems.push_back(read_problem(Reader(problem, name), name));
+  const FieldReader fields(document, name);
+  long version = 0;
+  fields("hooke_bench", version);
+  Results results;
+  visit_results(results, fields);
+  for (const rapidjson::Value& problem : fields.list("scenes").GetArray())
+    results.problems.push_back(read_problem(FieldReader(problem, name), name));
   return results;
 }
 

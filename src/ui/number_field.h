@@ -19,8 +19,8 @@ struct NumberField {
 
 // The field for a row of a table that has a label, a unit, a range and a default.
 template <class Row>
-NumberField field_of_row(const Row& row, double value, bool integer) {
-  const bool spans_decades = row.min > 0.0 && row.max >= 100.0 * row.min && !integer;
+NumberField field_of_row(const Row& row, double value) {
+  const bool spans_decades = row.min > 0.0 && row.max >= 100.0 * row.min && !row.integer;
   return {.label = row.label,
           .unit = row.unit,
           .description = {},
@@ -28,7 +28,7 @@ NumberField field_of_row(const Row& row, double value, bool integer) {
           .max = row.max,
           .default_value = row.default_value,
           .value = value,
-          .integer = integer,
+          .integer = row.integer,
           .logarithmic = spans_decades};
 }
 

@@ -8,6 +8,7 @@
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "scene/shape.h"
+#include "scene/shapes/rows.h"
 
 namespace hooke {
 namespace {
@@ -48,6 +49,11 @@ std::vector<Shape> all_shapes() {
       }
     }
   return shapes;
+}
+
+TEST(Shapes, AreTheConstantsOfTheirFiles) {
+  EXPECT_EQ(&cloth_shape, find_shape_kind("cloth"));
+  for (const ShapeKind& kind : shape_kinds()) EXPECT_EQ(&kind, find_shape_kind(kind.id)) << kind.id;
 }
 
 TEST(Shapes, GenerateAsManyPointsAndSpringsAsAnnounced) {

@@ -1,21 +1,12 @@
 #include "cli/commands/bench_report.h"
 
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <vector>
+
+#include "base/formatted.h"
 
 namespace hooke {
 namespace {
-
-__attribute__((format(printf, 2, 3))) void print(std::string& text, const char* format, ...) {
-  char line[600];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  text += line;
-}
 
 // Consecutive decades of error with the same cheapest row; null if no row reaches them.
 struct CheapestRow {
@@ -43,11 +34,12 @@ std::string describe(const ReferenceRecord& reference) {
   std::string text;
   if (reference.measure == Measure::Observables)
     text += "Errors are those of the center of mass, the largest strain and the energy, because the trajectory is not reproducible. ";
-  print(text, "Reference: %s at %s; half the precision changes it by %.0e%s. ", reference.method.c_str(), reference.setting.c_str(),
-        reference.own_gap, reference.own_gap == 0.0 ? " (stability limits its steps, not the tolerance)" : "");
-  print(text, "%s at %s differs by %.0e; half its precision changes it by %.0e. ", reference.other_method.c_str(),
-        reference.other_setting.c_str(), reference.other_gap, reference.other_own_gap);
-  print(text, "A perturbation of 1e-10 is amplified %.2g times.", reference.amplification);
+  append_formatted(text, "Reference: %s at %s; half the precision changes it by %.0e%s. ", reference.method.c_str(),
+                   reference.setting.c_str(), reference.own_gap,
+                   reference.own_gap == 0.0 ? " (stability limits its steps, not the tolerance)" : "");
+  append_formatted(text, "%s at %s differs by %.0e; half its precision changes it by %.0e. ", reference.other_method.c_str(),
+                   reference.other_setting.c_str(), reference.other_gap, reference.other_own_gap);
+  append_formatted(text, "A perturbation of 1e-10 is amplified %.2g times.", reference.amplification);
   return text;
 }
 
@@ -68,29 +60,29 @@ std::string describe(const WorkCounts& work) {
 
 std::string report(const ProblemRecord& record) {
   std::string text;
-  print(text, "%s: %s (%d points, %d springs, %g s)\n", record.id.c_str(), record.title.c_str(), record.points, record.springs,
-        record.seconds);
+  append_formatted(text, "%s: %s (%d points, %d springs, %g s)\n", record.id.c_str(), record.title.c_str(), record.points, record.springs,
+                   record.seconds);
   if (!record.reference) return text + "  no reference, nothing measured\n";
   text += "  " + describe(*record.reference) + "\n";
   for (const CheapestRow& cheapest_row : cheapest_rows(record))
     if (cheapest_row.row == nullptr)
-      print(text, "  %-14s  not reached\n", cheapest_row.decades().c_str());
+      append_formatted(text, "  %-14s  not reached\n", cheapest_row.decades().c_str());
     else
-      print(text, "  %-14s  %-18s %10.3g ms/s   %s\n", cheapest_row.decades().c_str(), cheapest_row.row->method.c_str(),
-            *cheapest_row.row->cpu_ms_per_s, cheapest_row.row->setting.c_str());
+      append_formatted(text, "  %-14s  %-18s %10.3g ms/s   %s\n", cheapest_row.decades().c_str(), cheapest_row.row->method.c_str(),
+                       *cheapest_row.row->cpu_ms_per_s, cheapest_row.row->setting.c_str());
   return text;
 }
 
 std::string markdown_report(const Results& results) {
   const Conditions& conditions = results.conditions;
   std::string text;
-  print(text, "Measured %s with hooke %s, %s effort, one thread of: %s. ", results.date.c_str(), conditions.version.c_str(),
-        conditions.effort.c_str(), conditions.machine.c_str());
+  append_formatted(text, "Measured %s with hooke %s, %s effort, one thread of: %s. ", results.date.c_str(), conditions.version.c_str(),
+                   conditions.effort.c_str(), conditions.machine.c_str());
   text +=
       "Errors are relative to the size of the scene; the cost is in CPU milliseconds per simulated second, the minimum of several runs.\n";
   for (const ProblemRecord& record : results.problems) {
-    print(text, "\n### %s: %s\n\n%d points, %d springs, %g s. ", record.id.c_str(), record.title.c_str(), record.points, record.springs,
-          record.seconds);
+    append_formatted(text, "\n### %s: %s\n\n%d points, %d springs, %g s. ", record.id.c_str(), record.title.c_str(), record.points,
+                     record.springs, record.seconds);
     if (!record.reference) {
       text += "No reference: nothing measured.\n";
       continue;
@@ -100,11 +92,11 @@ std::string markdown_report(const Results& results) {
             "|---|---|---|---|---|---|\n";
     for (const CheapestRow& cheapest_row : cheapest_rows(record))
       if (cheapest_row.row == nullptr)
-        print(text, "| %s | not reached | | | | |\n", cheapest_row.decades().c_str());
+        append_formatted(text, "| %s | not reached | | | | |\n", cheapest_row.decades().c_str());
       else
-        print(text, "| %s | `%s` | %.3g | %s | %.1e | %s |\n", cheapest_row.decades().c_str(), cheapest_row.row->method.c_str(),
-              *cheapest_row.row->cpu_ms_per_s, cheapest_row.row->setting.c_str(), *cheapest_row.row->relative_error,
-              describe(cheapest_row.row->work).c_str());
+        append_formatted(text, "| %s | `%s` | %.3g | %s | %.1e | %s |\n", cheapest_row.decades().c_str(), cheapest_row.row->method.c_str(),
+                         *cheapest_row.row->cpu_ms_per_s, cheapest_row.row->setting.c_str(), *cheapest_row.row->relative_error,
+                         describe(cheapest_row.row->work).c_str());
   }
   return text;
 }

@@ -10,6 +10,7 @@
 #include "formats/file_kinds.h"
 #include "formats/xsp/xsp_file.h"
 #include "formats/xsp/xsp_text.h"
+#include "sim/forces/terms/rows.h"
 
 namespace hooke {
 namespace {
@@ -87,7 +88,7 @@ class Exporter {
   // The target [m] of the first force towards a center.
   std::optional<Vec3> center() const {
     for (const Force& force : system_.forces)
-      if (force.on && (force.term->id == "center" || force.term->id == "mass_center")) return Vec3(force.values[0], force.values[1], 0.0);
+      if (force.on && (force.term == &center_force || force.term == &mass_center_force)) return Vec3(force.values[0], force.values[1], 0.0);
     return std::nullopt;
   }
 
@@ -119,7 +120,7 @@ class Exporter {
   void export_gravity() {
     double gravity_factor = 1.0;
     for (const Force& force : system_.forces)
-      if (force.on && force.term->id == "buoyancy") gravity_factor -= force.values[0];
+      if (force.on && force.term == &buoyancy_force) gravity_factor -= force.values[0];
     document_.viscosity = system_.drag_rate();
     const Vec3 acceleration = gravity_factor * system_.gravity + system_.drag_rate() * system_.wind;
     const double size = std::hypot(acceleration.x, acceleration.y);
@@ -129,16 +130,16 @@ class Exporter {
 
   void export_forces() {
     for (const Force& force : system_.forces) {
-      if (!force.on || force.term->id == "buoyancy") continue;
+      if (!force.on || force.term == &buoyancy_force) continue;
       const ForceValues& values = force.values;
       const auto scaled = [](double strength, double power) { return strength * std::pow(xsp_pixels_per_meter, 1.0 + power); };
-      if (force.term->id == "mass_center")
+      if (force.term == &mass_center_force)
         export_force(1, values[3], values[4], force);
-      else if (force.term->id == "center")
+      else if (force.term == &center_force)
         export_force(2, scaled(values[3], values[4]), values[4], force);
-      else if (force.term->id == "wall")
+      else if (force.term == &wall_force)
         export_force(3, scaled(values[0], values[1]), values[1], force);
-      else if (force.term->id == "sticky" && document_.stickiness == 0.0)
+      else if (force.term == &sticky_force && document_.stickiness == 0.0)
         document_.stickiness = pixels(values[0]);
       else
         report_loss("the force \"" + std::string(force.term->label) + "\"");

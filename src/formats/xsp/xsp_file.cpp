@@ -7,6 +7,7 @@
 #include "base/text_lines.h"
 #include "formats/stable_stepping.h"
 #include "formats/xsp/xsp_text.h"
+#include "sim/forces/terms/rows.h"
 
 namespace hooke {
 namespace {
@@ -121,26 +122,25 @@ class Importer {
         const double angle = glm::radians(force.p2);
         system.gravity = force.p1 / xsp_pixels_per_meter * Vec3(std::sin(angle), -std::cos(angle), 0.0);
       } else if (id == mass_center_pull) {
-        add_force("mass_center", {center_.x, center_.y, 0.0, force.p1, force.p2});
+        add_force(mass_center_force, {center_.x, center_.y, 0.0, force.p1, force.p2});
         uses_center = true;
       } else if (id == center_pull) {
-        add_force("center", {center_.x, center_.y, 0.0, scaled(force), force.p2, xsp_core});
+        add_force(center_force, {center_.x, center_.y, 0.0, scaled(force), force.p2, xsp_core});
         uses_center = true;
       } else if (id == wall_push) {
-        add_force("wall", {scaled(force), force.p2, xsp_core});
+        add_force(wall_force, {scaled(force), force.p2, xsp_core});
       } else {
         warn("force " + std::to_string(id) + " is unknown and ignored");
       }
     }
-    if (document_.stickiness != 0.0) add_force("sticky", {document_.stickiness / xsp_pixels_per_meter});
+    if (document_.stickiness != 0.0) add_force(sticky_force, {document_.stickiness / xsp_pixels_per_meter});
     if (uses_center) warn_of_center();
   }
 
   // converts p1 of an acceleration p1 / distance^p2 to meters
   static double scaled(const XspForce& force) { return force.p1 / std::pow(xsp_pixels_per_meter, 1.0 + force.p2); }
 
-  void add_force(std::string_view id, const ForceValues& values) {
-    const ForceTerm& term = *find_force_term(id);
+  void add_force(const ForceTerm& term, const ForceValues& values) {
     for (std::size_t i = 0; i < term.numbers.size(); ++i) {
       const ForceParameter& number = term.numbers[i];
       if (std::isfinite(values[i]) && (number.min < 0.0 || values[i] >= number.min)) continue;
@@ -181,9 +181,9 @@ class Importer {
     };
     for (const Force& force : loaded_.scene.system.forces) {
       const ForceValues& values = force.values;
-      if (force.term->id == "center") squares += slope(values[3], values[4]);
-      if (force.term->id == "wall") squares += 4.0 * slope(values[0], values[1]);
-      if (force.term->id == "mass_center" && mass > 0.0) squares += values[3] / mass + values[4] / mass * (values[4] / mass);
+      if (force.term == &center_force) squares += slope(values[3], values[4]);
+      if (force.term == &wall_force) squares += 4.0 * slope(values[0], values[1]);
+      if (force.term == &mass_center_force && mass > 0.0) squares += values[3] / mass + values[4] / mass * (values[4] / mass);
     }
     return std::sqrt(squares);
   }

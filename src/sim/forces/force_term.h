@@ -21,6 +21,7 @@ struct ForceParameter {
   std::string_view label;  // on the slider
   std::string_view unit;
   double min, max, default_value;
+  bool integer = false;
 };
 
 inline constexpr std::size_t max_force_parameters = 8;

@@ -5,7 +5,7 @@
 #include <array>
 #include <complex>
 
-#include "sim/motion.h"
+#include "sim/integrator.h"
 
 namespace hooke {
 
@@ -37,5 +37,15 @@ void step_dirk(const DirkTable& table, const Plan& plan, Motion& motion, Workspa
 
 // R(z) of y' = lambda y, z = h lambda.
 std::complex<double> stability_function(const DirkTable& table, std::complex<double> z);
+
+// The functions of an Integrator's row.
+template <const DirkTable& table>
+struct DirkMethod {
+  static void prepare(const Plan& plan, double, const Motion& motion, Workspace& work) { prepare_dirk(table, plan, motion, work); }
+  static void step(const Plan& plan, Motion& motion, Workspace& work, double h) { step_dirk(table, plan, motion, work, h); }
+  static Amplification amplification(const Oscillator& oscillator) {
+    return amplification_from([](std::complex<double> z) { return stability_function(table, z); }, oscillator);
+  }
+};
 
 }  // namespace hooke

@@ -50,6 +50,7 @@ constinit const Integrator baraff_witkin{
     .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
+    .implicit_solve = ImplicitSolve::Once,
     .implicit_force_terms = true,
     .for_production = false,
     .prepare = prepare,

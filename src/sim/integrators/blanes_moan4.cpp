@@ -102,6 +102,7 @@ constinit const Integrator blanes_moan4{
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
+    .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = true,
     .prepare = prepare,

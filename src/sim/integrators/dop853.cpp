@@ -231,6 +231,7 @@ constinit const Integrator dop853{
     .stability = Stability::Adaptive,
     .energy = EnergyTrend::Drifts,
     .symplectic = false,
+    .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = true,
     .prepare = prepare,

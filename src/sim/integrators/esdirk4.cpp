@@ -22,14 +22,6 @@ constexpr DirkTable table{
     .tolerance = 1e-13,
 };
 
-void prepare(const Plan& plan, double, const Motion& motion, Workspace& work) { prepare_dirk(table, plan, motion, work); }
-
-void step(const Plan& plan, Motion& motion, Workspace& work, double h) { step_dirk(table, plan, motion, work, h); }
-
-Amplification amplification(const Oscillator& oscillator) {
-  return amplification_from([](std::complex<double> z) { return stability_function(table, z); }, oscillator);
-}
-
 }  // namespace
 
 constinit const Integrator esdirk4{
@@ -50,11 +42,12 @@ constinit const Integrator esdirk4{
     .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
+    .implicit_solve = ImplicitSolve::Iterative,
     .implicit_force_terms = true,
     .for_production = true,
-    .prepare = prepare,
-    .step = step,
-    .amplification = amplification,
+    .prepare = DirkMethod<table>::prepare,
+    .step = DirkMethod<table>::step,
+    .amplification = DirkMethod<table>::amplification,
 };
 
 }  // namespace hooke

@@ -41,6 +41,7 @@ constinit const Integrator explicit_euler{
     .stability = Stability::None,
     .energy = EnergyTrend::Grows,
     .symplectic = false,
+    .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = false,
     .prepare = nullptr,

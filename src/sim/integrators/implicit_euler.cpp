@@ -8,14 +8,6 @@ namespace {
 
 constexpr DirkTable table{.stages = 1, .a = {{{1.0}}}, .b = {1.0}, .b_embedded = no_embedded, .tolerance = 1e-8};
 
-void prepare(const Plan& plan, double, const Motion& motion, Workspace& work) { prepare_dirk(table, plan, motion, work); }
-
-void step(const Plan& plan, Motion& motion, Workspace& work, double h) { step_dirk(table, plan, motion, work, h); }
-
-Amplification amplification(const Oscillator& oscillator) {
-  return amplification_from([](std::complex<double> z) { return stability_function(table, z); }, oscillator);
-}
-
 }  // namespace
 
 constinit const Integrator implicit_euler{
@@ -38,11 +30,12 @@ constinit const Integrator implicit_euler{
     .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
+    .implicit_solve = ImplicitSolve::Iterative,
     .implicit_force_terms = true,
     .for_production = true,
-    .prepare = prepare,
-    .step = step,
-    .amplification = amplification,
+    .prepare = DirkMethod<table>::prepare,
+    .step = DirkMethod<table>::step,
+    .amplification = DirkMethod<table>::amplification,
 };
 
 }  // namespace hooke

@@ -9,14 +9,6 @@ namespace {
 
 constexpr DirkTable table{.stages = 1, .a = {{{0.5}}}, .b = {1.0}, .b_embedded = no_embedded, .tolerance = 1e-12};
 
-void prepare(const Plan& plan, double, const Motion& motion, Workspace& work) { prepare_dirk(table, plan, motion, work); }
-
-void step(const Plan& plan, Motion& motion, Workspace& work, double h) { step_dirk(table, plan, motion, work, h); }
-
-Amplification amplification(const Oscillator& oscillator) {
-  return amplification_from([](std::complex<double> z) { return stability_function(table, z); }, oscillator);
-}
-
 }  // namespace
 
 constinit const Integrator implicit_midpoint{
@@ -37,11 +29,12 @@ constinit const Integrator implicit_midpoint{
     .stability = Stability::AStable,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
+    .implicit_solve = ImplicitSolve::Iterative,
     .implicit_force_terms = true,
     .for_production = false,
-    .prepare = prepare,
-    .step = step,
-    .amplification = amplification,
+    .prepare = DirkMethod<table>::prepare,
+    .step = DirkMethod<table>::step,
+    .amplification = DirkMethod<table>::amplification,
 };
 
 }  // namespace hooke

@@ -63,6 +63,7 @@ constinit const Integrator runge_kutta4{
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Drifts,
     .symplectic = false,
+    .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = true,
     .prepare = prepare,

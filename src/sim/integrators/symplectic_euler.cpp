@@ -46,6 +46,7 @@ constinit const Integrator symplectic_euler{
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
+    .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = false,
     .prepare = nullptr,

@@ -20,14 +20,6 @@ constexpr DirkTable table{
     .tolerance = 1e-10,
 };
 
-void prepare(const Plan& plan, double, const Motion& motion, Workspace& work) { prepare_dirk(table, plan, motion, work); }
-
-void step(const Plan& plan, Motion& motion, Workspace& work, double h) { step_dirk(table, plan, motion, work, h); }
-
-Amplification amplification(const Oscillator& oscillator) {
-  return amplification_from([](std::complex<double> z) { return stability_function(table, z); }, oscillator);
-}
-
 }  // namespace
 
 constinit const Integrator tr_bdf2{
@@ -50,11 +42,12 @@ constinit const Integrator tr_bdf2{
     .stability = Stability::LStable,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
+    .implicit_solve = ImplicitSolve::Iterative,
     .implicit_force_terms = true,
     .for_production = true,
-    .prepare = prepare,
-    .step = step,
-    .amplification = amplification,
+    .prepare = DirkMethod<table>::prepare,
+    .step = DirkMethod<table>::step,
+    .amplification = DirkMethod<table>::amplification,
 };
 
 }  // namespace hooke

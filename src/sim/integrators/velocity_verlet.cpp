@@ -81,6 +81,7 @@ constinit const Integrator velocity_verlet{
     .stability = Stability::Conditional,
     .energy = EnergyTrend::Bounded,
     .symplectic = true,
+    .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = true,
     .prepare = prepare,

@@ -166,6 +166,7 @@ constinit const Integrator xpbd{
     .stability = Stability::EachSpring,
     .energy = EnergyTrend::Falls,
     .symplectic = false,
+    .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = true,
     .prepare = prepare,

@@ -7,6 +7,7 @@
 #include "formats/scene_file.h"
 #include "sim/divergence.h"
 #include "sim/hash.h"
+#include "sim/integrators/rows.h"
 #include "study/analytic_scenes.h"
 #include "study/hard_cases/monitored_run.h"
 #include "study/hard_cases/rows.h"
@@ -28,7 +29,7 @@ Verdict judge_one_substep(const Integrator& method) {
     ++all;
   }
   Verdict verdict = worst_of(parts);
-  verdict.measured = text("%d of %d scenes finish", held, all);
+  verdict.measured = formatted("%d of %d scenes finish", held, all);
   return verdict;
 }
 
@@ -101,9 +102,10 @@ Verdict judge_bad_input(const Integrator& method) {
     if (!named || !is_finite(run.state())) ++silent;
     if (run.stopped()) ++stopped;
   }
-  return {.outcome = accepted == 0 && silent == 0 ? Outcome::Held : Outcome::FailedSilently,
-          .measured = text("%zu invalid scenes: %d accepted; %d extreme ones: %d stopped by the divergence check, %d silently not finite",
-                           std::size(invalid_scenes), accepted, sets, stopped, silent)};
+  return {
+      .outcome = accepted == 0 && silent == 0 ? Outcome::Held : Outcome::FailedSilently,
+      .measured = formatted("%zu invalid scenes: %d accepted; %d extreme ones: %d stopped by the divergence check, %d silently not finite",
+                            std::size(invalid_scenes), accepted, sets, stopped, silent)};
 }
 
 // The window is hidden for ten seconds: the run resumes where it was and continues as if nothing had happened.
@@ -123,7 +125,7 @@ Verdict judge_hidden_window(const Integrator& method) {
   for (int i = 0; i < 40; ++i) slow += frames_after(0.1, false);
   const double shown = lab.status()->run.speed;
   return judge(run, Expectation::Hold, jump <= 16 && next <= 2 && slow <= 2 && shown < 0.5,
-               text("%ld frames after 10 s, %ld after the next 60th; too slow: shows %.2g of real time", jump, next, shown));
+               formatted("%ld frames after 10 s, %ld after the next 60th; too slow: shows %.2g of real time", jump, next, shown));
 }
 
 Verdict judge_determinism(const Integrator& method) {
@@ -140,7 +142,7 @@ Verdict judge_determinism(const Integrator& method) {
   second.join();
   const bool same = hashes[0] == hashes[1] && hashes[0] == hashes[2];
   return {.outcome = same ? Outcome::Held : Outcome::FailedSilently,
-          .measured = text("hash %016llx", static_cast<unsigned long long>(hashes[0]))};
+          .measured = formatted("hash %016llx", static_cast<unsigned long long>(hashes[0]))};
 }
 
 }  // namespace
@@ -150,7 +152,7 @@ constinit const HardCase one_substep_case{
     .name = "One substep per frame",
     .parameters = "every shipped scene, one step of 1/60 s per frame, 1 s",
     .criterion = "finite to the end where the method declares that step stable; otherwise the divergence check may stop it",
-    .not_quick = "dop853 implicit_euler baraff_witkin implicit_midpoint tr_bdf2 esdirk4",
+    .slow_under = method_list<dop853, implicit_euler, baraff_witkin, implicit_midpoint, tr_bdf2, esdirk4>,
     .judge = judge_one_substep,
 };
 
@@ -162,7 +164,7 @@ constinit const HardCase bad_input_case{
         "1e-100 to 1e100",
     .criterion = "refused with a message; accepted scenes stay finite or are stopped by the divergence check",
     .remark = "dop853 would resolve every oscillation of the fastest of these springs, so it gets values from 1e-2 to 1e2",
-    .not_quick = "esdirk4",
+    .slow_under = method_list<esdirk4>,
     .judge = judge_bad_input,
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/integrators/rows.h"
 #include "study/analytic_scenes.h"
 #include "study/benchmark.h"
 #include "study/hard_cases/monitored_run.h"
@@ -47,7 +48,7 @@ Snap snap_through(const Integrator& method, int refinement) {
   const double rest = run.state().position[0].y, off = std::abs(rest - hanging_rest(mass * 9.81));
   const double energy_rise = run.monitor().energy_rise(), allowed = method.energy == EnergyTrend::Falls ? 1e-9 : 1e-3;
   return {rest, judge(run, off < 1e-4 && energy_rise < allowed && run.monitor().unconverged_solves() == 0,
-                      text("at rest at %.3f m with an error of %.1g m, energy rises %.1g", rest, off, energy_rise))};
+                      formatted("at rest at %.3f m with an error of %.1g m, energy rises %.1g", rest, off, energy_rise))};
 }
 
 Verdict judge_snap_through(const Integrator& method) {
@@ -97,8 +98,8 @@ Verdict judge_chaotic_curtain(const Integrator& method) {
   // dissipative methods lose energy at these steps, and the balance must report it
   const Expectation expected = is_stable_at_any_step(method) ? Expectation::HoldOrReport : expectation_of(run);
   return judge(run, expected, center < 1e-3 && std::abs(balance) < 0.01 && rise < 0.01,
-               text("center of mass error %.1g m, energy balance %+.1g, a perturbation grows by a factor of %.0e", center, balance,
-                    reference.amplification));
+               formatted("center of mass error %.1g m, energy balance %+.1g, a perturbation grows by a factor of %.0e", center, balance,
+                         reference.amplification));
 }
 
 Verdict judge_tangled_start(const Integrator& method) {
@@ -120,7 +121,7 @@ Verdict judge_tangled_start(const Integrator& method) {
   run.run(60.0);
   double max = 0.0;
   for (const Spring& spring : run.system().springs()) max = std::max(max, std::abs(strain(run.system(), run.state(), spring)));
-  return judge(run, max < 1e-3, text("strain %.1g at rest", max));
+  return judge(run, max < 1e-3, formatted("strain %.1g at rest", max));
 }
 
 }  // namespace
@@ -143,7 +144,7 @@ constinit const HardCase chaotic_curtain_case{
     .parameters = "curtain of 16 x 16, k = 1e4 N/m, 1 s; 4 substeps for methods stable at any step",
     .criterion = "energy balance within 1 %, center of mass within 1e-3 m",
     .remark = "not checked: the window does not show the growth of perturbations",
-    .not_quick = "dop853 esdirk4 tr_bdf2 implicit_euler implicit_midpoint",
+    .slow_under = method_list<dop853, esdirk4, tr_bdf2, implicit_euler, implicit_midpoint>,
     .judge = judge_chaotic_curtain,
 };
 
@@ -152,7 +153,7 @@ constinit const HardCase tangled_start_case{
     .name = "Tangled start",
     .parameters = "sheet of 6 x 6 with its points permuted at random, drag 2 /s, 60 s",
     .criterion = "finite, and back to a strain < 1e-3 at rest",
-    .not_quick = "explicit_euler",
+    .slow_under = method_list<explicit_euler>,
     .judge = judge_tangled_start,
 };
 

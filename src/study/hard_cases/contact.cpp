@@ -38,7 +38,7 @@ Verdict judge_cloth_on_ball(const Integrator& method) {
   // at its stability limit, the energy of a first-order method fluctuates without bound
   return judge(
       run, method.order == 1 ? Expectation::HoldOrReport : expectation_of(run), deepest < 1e-3 && rise < 1e-3,
-      text("penetration %.1g m, energy rises %.1g, %.3g s, %d substeps", deepest, rise, run.state().time, run.settings().substeps));
+      formatted("penetration %.1g m, energy rises %.1g, %.3g s, %d substeps", deepest, rise, run.state().time, run.settings().substeps));
 }
 
 // 100 m/s onto a slab of 0.1 m, e = 0.5; a step of 1/60 s covers 1.7 m.
@@ -56,7 +56,7 @@ Verdict judge_fast_impact(const Integrator& method) {
   }
   const double impact_speed_squared = 100.0 * 100.0 + 2.0 * g * above;
   const double error = highest / (e * e * impact_speed_squared / (2.0 * g)) - 1.0;
-  return judge(run, lowest >= -1e-9 && std::abs(error) < 0.01, text("rebound error %+.2g, lowest %.1g m", error, lowest));
+  return judge(run, lowest >= -1e-9 && std::abs(error) < 0.01, formatted("rebound error %+.2g, lowest %.1g m", error, lowest));
 }
 
 // Dropped from 1 m, e = 0.9: at rest at t1 (1 + e) / (1 - e), t1 = sqrt(2 h / g), after ever smaller bounces.
@@ -79,7 +79,7 @@ Verdict judge_endless_bounces(const Integrator& method) {
     const Expectation expected = method.order_contact == 1 ? Expectation::HoldOrReport : Expectation::Hold;
     parts.push_back(
         judge(run, expected, std::abs(rest_time - rest) <= 1.0 / 60.0 + 1e-9 && jitter <= 1e-6,
-              text("%d substeps: at rest with a timing error of %+.3f s, then moves by %.1g m", substeps, rest_time - rest, jitter)));
+              formatted("%d substeps: at rest with a timing error of %+.3f s, then moves by %.1g m", substeps, rest_time - rest, jitter)));
   }
   return worst_of(parts);
 }
@@ -95,7 +95,7 @@ constinit const HardCase cloth_on_ball_case{
     .remark =
         "the other methods run for 1 s, past the impact at 0.53 s, to bound the time of the check; first-order methods may fail openly at "
         "their stability limit",
-    .not_quick = "*",
+    .slow = true,
     .judge = judge_cloth_on_ball,
 };
 

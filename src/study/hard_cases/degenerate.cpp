@@ -38,7 +38,8 @@ Verdict judge_zero_length_spring(const Integrator& method) {
     run.run(seconds);
     const Vec3 exact = std::cos(omega * seconds) * start.x + std::sin(omega * seconds) / omega * start.v;
     const double error = glm::distance(run.state().position[1], exact);
-    parts.push_back(judge(run, error <= allowed_error(method, 0.1, omega, seconds, run.settings().substep()), text("error %.1g m", error)));
+    parts.push_back(
+        judge(run, error <= allowed_error(method, 0.1, omega, seconds, run.settings().substep()), formatted("error %.1g m", error)));
   }
   return worst_of(parts);
 }
@@ -63,7 +64,7 @@ Verdict judge_coincident_points(const Integrator& method) {
     const double momentum = glm::length(compute_momentum(run.system(), run.state()).linear);
     const bool separated = longest >= 0.05;
     parts.push_back(judge(run, momentum < 1e-9 && separated == (apart > 0.0),
-                          text("initial distance %g m: %.2g m later, momentum %.1g kg m/s", apart, longest, momentum)));
+                          formatted("initial distance %g m: %.2g m later, momentum %.1g kg m/s", apart, longest, momentum)));
   }
   return worst_of(parts);
 }
@@ -83,7 +84,7 @@ Verdict judge_flight(const Integrator& method, const TestNetwork& network, const
   // nothing is factorized without unknowns
   const bool moves = std::ranges::any_of(network.system.points(), [](const Point& point) { return !point.nailed; });
   const long empty = moves ? 0 : run.lab().last_frame().factorizations();
-  return judge(run, error <= allowed && empty == 0, std::string(name) + text(": error %.1g m", error));
+  return judge(run, error <= allowed && empty == 0, std::string(name) + formatted(": error %.1g m", error));
 }
 
 Verdict judge_nothing_to_move(const Integrator& method) {
@@ -112,7 +113,7 @@ Verdict judge_duplicates(const Integrator& method) {
   const double apart = glm::distance(two.state().position[1], one.state().position[1]);
   // a method that processes the springs one by one treats them as two
   const double allowed = method.stability == Stability::EachSpring ? 0.1 : 1e-6;
-  return judge(two, apart <= allowed, text("two springs differ by %.1g m from one of twice the stiffness", apart));
+  return judge(two, apart <= allowed, formatted("two springs differ by %.1g m from one of twice the stiffness", apart));
 }
 
 // A thousand springs from nails on a circle to one point at its center.
@@ -132,7 +133,7 @@ Verdict judge_hub(const Integrator& method) {
   // at rest: k spokes (1 - l0 / (2 l)) x = m g for a small displacement x from the center, l = 1
   const double exact = -9.81 / (10.0 * spokes * 0.75);
   const double off = glm::distance(run.state().position[0], {0.0, exact, 0.0});
-  return judge(run, off < 1e-5, text("hub of %d springs at rest with an error of %.1g m", spokes, off));
+  return judge(run, off < 1e-5, formatted("hub of %d springs at rest with an error of %.1g m", spokes, off));
 }
 
 // A spring from a point to itself, in a file and as an edit.

@@ -128,11 +128,11 @@ Drag remeasure_cost(const TestNetwork& sheet, const Integrator& method, int subs
 
 std::vector<std::string> row_of(const std::string& substeps, const Drag& drag, const std::string& report) {
   return {substeps,
-          text("%.2g", drag.peak_strain),
-          text("%.2g", drag.peak_strain / converged().drag.peak_strain),
-          text("%.1g", drag.last_strain),
-          text("%.1g", drag.gain),
-          text("%.2g", drag.ms_per_frame),
+          formatted("%.2g", drag.peak_strain),
+          formatted("%.2g", drag.peak_strain / converged().drag.peak_strain),
+          formatted("%.1g", drag.last_strain),
+          formatted("%.1g", drag.gain),
+          formatted("%.2g", drag.ms_per_frame),
           report};
 }
 
@@ -174,7 +174,7 @@ struct StepTrial {
 StepTrial run_step_trial(const Integrator& method, const TestNetwork& sheet, int substeps, bool is_finest) {
   MonitoredRun run = make_run(sheet, method, substeps, {.position = 0.5 * converged().drag.peak_strain * a});
   Drag drag = drag_corner(run, samples_per_frame(substeps));
-  const std::string name = text("%d", substeps);
+  const std::string name = formatted("%d", substeps);
   StepTrial step_trial{.substeps = substeps};
   if (run.stopped())
     step_trial.row = {name, "stopped", "", "", "", "", run.report()};
@@ -185,8 +185,8 @@ StepTrial run_step_trial(const Integrator& method, const TestNetwork& sheet, int
   const bool must_hold = is_finest && method.for_production, may_fail = is_stable_at_any_step(method) || method.order == 1;
   const Expectation expected = must_hold ? Expectation::Hold : may_fail ? Expectation::HoldOrReport : expectation_of(run);
   step_trial.verdict = judge(run, expected, is_met(drag),
-                             text("%d substeps: peak strain %.2g, last %.1g, energy gained after release %.1g", substeps, drag.peak_strain,
-                                  drag.last_strain, drag.gain));
+                             formatted("%d substeps: peak strain %.2g, last %.1g, energy gained after release %.1g", substeps,
+                                       drag.peak_strain, drag.last_strain, drag.gain));
   return step_trial;
 }
 
@@ -204,7 +204,8 @@ Verdict judge_step_trials(std::span<const StepTrial> step_trials) {
   for (const StepTrial& step_trial : step_trials.first(first))
     coarser += (coarser.empty() ? "" : ", ") + std::to_string(step_trial.substeps);
   if (!coarser.empty())
-    verdict.measured = text("from %d substeps on; fails openly with ", step_trials[first].substeps) + coarser + ": " + verdict.measured;
+    verdict.measured =
+        formatted("from %d substeps on; fails openly with ", step_trials[first].substeps) + coarser + ": " + verdict.measured;
   return verdict;
 }
 
@@ -231,7 +232,7 @@ Verdict judge_lag(const Integrator& method, int substeps) {
   }
   const bool is_met = !run.stopped() && is_lag_reported && fastest < top_speed * (1.0 + 1e-9) && max < converged().drag.peak_strain;
   return judge(run, Expectation::Hold, is_met,
-               text("at most %.0f m/s: the hand lags by up to %.2g m and reports it; peak strain %.2g", top_speed, lag, max));
+               formatted("at most %.0f m/s: the hand lags by up to %.2g m and reports it; peak strain %.2g", top_speed, lag, max));
 }
 
 Verdict judge_fast_drag(const Integrator& method) {
@@ -250,12 +251,13 @@ Verdict judge_fast_drag(const Integrator& method) {
   // no tunneling at any step
   const int through = count_through_slab(method, is_stable_at_any_step(method) ? 1 : substep_counts[0]);
   parts.push_back(
-      {.outcome = through == 0 ? Outcome::Held : Outcome::FailedSilently, .measured = text("%d points through the slab", through)});
+      {.outcome = through == 0 ? Outcome::Held : Outcome::FailedSilently, .measured = formatted("%d points through the slab", through)});
   if (&method == &default_integrator()) parts.push_back(judge_lag(method, substep_counts[0]));
 
   Verdict verdict = worst_of(parts);
   for (StepTrial& step_trial : step_trials) verdict.rows.push_back(std::move(step_trial.row));
-  if (&method == &default_integrator()) verdict.rows.push_back(row_of(text("%d, converged", converged().substeps), converged().drag, ""));
+  if (&method == &default_integrator())
+    verdict.rows.push_back(row_of(formatted("%d, converged", converged().substeps), converged().drag, ""));
   return verdict;
 }
 
@@ -276,7 +278,7 @@ constinit const HardCase fast_drag_case{
         "production methods must succeed at the finest step tried and are judged by it; the result states from which step on they succeed, "
         "and coarser steps must fail openly; the energy of a step at the stability limit is known to 1e-2 at best; CPU time is the mean "
         "per frame, the lowest of three runs where they are short",
-    .not_quick = "*",
+    .slow = true,
     .columns =
         "substeps | peak strain | relative to converged | strain 1.5 s later | energy gained after release | CPU ms per frame | failure "
         "reported by",

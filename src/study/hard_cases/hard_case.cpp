@@ -73,10 +73,7 @@ Table<HardCase> hard_cases() {
 }
 
 bool is_quick(const HardCase& hard_case, const Integrator& method) {
-  if (hard_case.not_quick == "*") return false;
-  // ids are separated by spaces
-  const std::string words = " " + std::string(hard_case.not_quick) + " ";
-  return words.find(" " + std::string(method.id) + " ") == std::string::npos;
+  return !hard_case.slow && !std::ranges::count(hard_case.slow_under, &method);
 }
 
 }  // namespace hooke

@@ -2,6 +2,7 @@
 // silently: the run itself has to report the failure. Adding a case is its row, in a file of this folder, and one line in list.inc.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +42,10 @@ std::string_view describe(Expectation expectation);
 
 enum class Concerns { EveryMethod, NoMethod };
 
+// A list of methods, for a row.
+template <const Integrator&... rows>
+inline constexpr std::array<const Integrator*, sizeof...(rows)> method_list{&rows...};
+
 struct HardCase {
   int number;
   std::string_view name;
@@ -48,7 +53,9 @@ struct HardCase {
   std::string_view criterion;
   std::string_view remark;  // exceptions with their reasons, and what is not checked; may be empty
   Concerns concerns = Concerns::EveryMethod;
-  std::string_view not_quick;                  // ids of methods that take seconds, excluded from the quick subset; "*": all
+  // The quick subset leaves out what takes seconds: under every method, or under these.
+  bool slow = false;
+  std::span<const Integrator* const> slow_under{};
   std::string_view columns;                    // of its own table, separated by vertical bars; empty: none
   Verdict (*judge)(const Integrator& method);  // runs it; with the default method if it concerns no method
 };

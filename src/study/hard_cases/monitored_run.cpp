@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 
 #include "scene/step_limits.h"
@@ -38,7 +37,7 @@ std::string describe_stop(Lab& lab, const State& before) {
   if (!named || !kept || status.diagnosis.message.empty() || !status.diagnosis.advice) return {};
 
   const bool numbers = divergence->kind == Divergence::Kind::NotFinite;
-  std::string name = text("diverged at %.3g s: %s", divergence->time, numbers ? "infinite or NaN" : "energy gain");
+  std::string name = formatted("diverged at %.3g s: %s", divergence->time, numbers ? "infinite or NaN" : "energy gain");
   if (divergence->point) name += ", point " + std::to_string(system.index_of(*divergence->point));
   if (divergence->spring) name += ", spring " + std::to_string(system.index_of(*divergence->spring));
   return name;
@@ -86,7 +85,7 @@ std::string MonitoredRun::report() const {
   const double largest = largest_step(*this);
   if (largest == 0.0) return "status: no step is stable";
   if (exceeds_stable_step(*this, largest))
-    return text("status: the step is %.2g times the largest stable one", settings().substep() / largest);
+    return formatted("status: the step is %.2g times the largest stable one", settings().substep() / largest);
   const std::vector<std::string> warnings = monitor_->warnings(system(), tolerance_);
   return warnings.empty() ? "" : warnings.front();
 }
@@ -126,14 +125,5 @@ Verdict judge(const MonitoredRun& run, Expectation expected, bool met, std::stri
 }
 
 Verdict judge(const MonitoredRun& run, bool met, std::string measured) { return judge(run, expectation_of(run), met, std::move(measured)); }
-
-std::string text(const char* pattern, ...) {
-  char buffer[256];
-  va_list arguments;
-  va_start(arguments, pattern);
-  std::vsnprintf(buffer, sizeof buffer, pattern, arguments);
-  va_end(arguments);
-  return buffer;
-}
 
 }  // namespace hooke

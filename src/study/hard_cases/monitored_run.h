@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "base/formatted.h"
 #include "lab/lab.h"
 #include "study/hard_cases/hard_case.h"
 #include "study/hard_cases/test_network.h"
@@ -65,7 +66,5 @@ Expectation expectation_of(const MonitoredRun& run);
 // The verdict on a run whose criterion was `met` or not.
 Verdict judge(const MonitoredRun& run, bool met, std::string measured);
 Verdict judge(const MonitoredRun& run, Expectation expected, bool met, std::string measured);
-
-std::string text(const char* pattern, ...) __attribute__((format(printf, 1, 2)));
 
 }  // namespace hooke

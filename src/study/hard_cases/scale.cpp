@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "formats/scene_file.h"
+#include "sim/integrators/rows.h"
 #include "study/analytic_scenes.h"
 #include "study/hard_cases/monitored_run.h"
 #include "study/hard_cases/rows.h"
@@ -97,8 +98,8 @@ Verdict judge_refinement(const Integrator& method) {
   }
   const bool met = sag < 0.01 && period < 0.01 && decay < 0.05;
   return {.outcome = met ? Outcome::Held : Outcome::FailedSilently,
-          .measured = text("sag %.4f m, period %.4f s, decay %.3f /s at N = 129; from N = 9 on within %.1g, %.1g and %.1g", finest.sag,
-                           finest.period, finest.decay, sag, period, decay)};
+          .measured = formatted("sag %.4f m, period %.4f s, decay %.3f /s at N = 129; from N = 9 on within %.1g, %.1g and %.1g", finest.sag,
+                                finest.period, finest.decay, sag, period, decay)};
 }
 
 Verdict judge_large_coordinates(const Integrator& method) {
@@ -121,7 +122,7 @@ Verdict judge_large_coordinates(const Integrator& method) {
     for (std::size_t i = 0; i < here.position.size(); ++i)
       max = std::max(max, glm::distance(run.state().position[i] - by, here.position[i]));
     // no tolerance is below the rounding error of such coordinates
-    parts.push_back(judge(run, max < (adapts(method) ? 1e-8 : 1e-9), text("%.0e m away: error %.1g m", offset, max)));
+    parts.push_back(judge(run, max < (adapts(method) ? 1e-8 : 1e-9), formatted("%.0e m away: error %.1g m", offset, max)));
   }
   return worst_of(parts);
 }
@@ -159,7 +160,7 @@ Verdict judge_islands(const Integrator& method) {
     max = std::max(max, glm::distance(run.state().position[64 + i], stiff.position[i]));
   // solves that reach their iteration limit end differently, and this is reported
   const Expectation expected = run.monitor().unconverged_solves() > 0 ? Expectation::HoldOrReport : expectation_of(run);
-  return judge(run, expected, max < 1e-6, text("difference %.1g m, %d substeps", max, settings.substeps));
+  return judge(run, expected, max < 1e-6, formatted("difference %.1g m, %d substeps", max, settings.substeps));
 }
 
 }  // namespace
@@ -170,7 +171,7 @@ constinit const HardCase refinement_case{
     .parameters = "sheet of the same material with 9, 17, 33, 65 and 129 points per side, hung by its top",
     .criterion = "sag and period within 1 %, decay rate within 5 % of the finest",
     .concerns = Concerns::NoMethod,
-    .not_quick = "*",
+    .slow = true,
     .judge = judge_refinement,
 };
 
@@ -195,7 +196,7 @@ constinit const HardCase islands_case{
         "not checked: a cost of at most 1.5 times that of the two alone, which requires a method chosen per island; there is no `auto` "
         "method "
         "yet",
-    .not_quick = "dop853",
+    .slow_under = method_list<dop853>,
     .judge = judge_islands,
 };
 

@@ -37,7 +37,7 @@ void build_forces(const PanelInput& input, Panels& panels, Requests& requests) {
     for (std::size_t i = 0; i < force.term->numbers.size() && force.on; ++i) {
       const ForceParameter& row = force.term->numbers[i];
       ImGui::PushID(row.name.data());
-      if (const auto value = number_row(field_of_row(row, force.values[i], row.name == "seed"), panels)) force.values[i] = *value;
+      if (const auto value = number_row(field_of_row(row, force.values[i]), panels)) force.values[i] = *value;
       ImGui::PopID();
     }
     ImGui::PopID();

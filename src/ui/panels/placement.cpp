@@ -31,7 +31,7 @@ void number_rows(Shape& shape, bool is_flat, Panels& panels) {
     const ShapeNumber& row = shape.kind->numbers[i];
     if (is_flat && row.is_3d_only) continue;
     ImGui::PushID(row.name.data());
-    if (const auto value = number_row(field_of_row(row, shape.values[i], row.integer), panels)) shape.values[i] = *value;
+    if (const auto value = number_row(field_of_row(row, shape.values[i]), panels)) shape.values[i] = *value;
     ImGui::PopID();
   }
 }

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/forces/force_tangent.h"
+#include "sim/forces/terms/power_law.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
@@ -40,7 +41,7 @@ struct Law {
       const double u = r / core;
       return std::pow(core, 1.0 - power) * (0.5 * alpha() * (u * u - 1.0) + 0.25 * beta() * (u * u * u * u - 1.0));
     }
-    return power == 1.0 ? std::log(r / core) : (std::pow(r, 1.0 - power) - std::pow(core, 1.0 - power)) / (1.0 - power);
+    return power_law_integral(power, core, r);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/forces/force_tangent.h"
+#include "sim/forces/terms/power_law.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
 
@@ -68,9 +69,7 @@ double potential(const Plan& plan, const ForceValues& values, double time, const
   double energy = 0.0;
   for_each_distance(plan, time, x, [&](const Vec3&, Index i, double distance) {
     if (plan.inverse_mass[i] == 0.0) return;
-    const double integral = distance <= core ? (distance - core) * std::pow(core, -power)
-                            : power == 1.0   ? std::log(distance / core)
-                                             : (std::pow(distance, 1.0 - power) - std::pow(core, 1.0 - power)) / (1.0 - power);
+    const double integral = distance <= core ? (distance - core) * std::pow(core, -power) : power_law_integral(power, core, distance);
     energy -= plan.mass[i] * values[0] * integral;
   });
   return energy;

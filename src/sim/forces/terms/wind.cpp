@@ -20,7 +20,7 @@ constexpr ForceParameter numbers[] = {
     {"tangential", "Tangential drag", "kg/m^3", 0.0, 1.0, 0.01},
     {"gusts", "Gusts", "of the speed", 0.0, 1.0, 0.3},
     {"gust_time", "Gust duration", "s", 0.05, 10.0, 0.7},
-    {"seed", "Seed", "", 0.0, 1e6, 1.0},
+    {"seed", "Seed", "", 0.0, 1e6, 1.0, true},
 };
 
 // In [-1, 1], a function of its arguments: the finalizer of SplitMix64 (Steele, Lea, Flood 2014).
