@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "base/file_limits.h"
+#include "scene/parameter_access.h"
 
 namespace hooke {
 namespace {
@@ -13,100 +13,6 @@ namespace {
 using Kind = Parameter::Kind;
 using Scope = Parameter::Scope;
 using Weight = Parameter::Weight;
-
-// Scales gravity to a magnitude; directed downwards if there was none.
-void set_gravity(Scene& scene, double size) {
-  Vec3& gravity = scene.system.gravity;
-  const double magnitude = glm::length(gravity);
-  gravity = magnitude > 0.0 ? gravity * (size / magnitude) : Vec3(0.0, -size, 0.0);
-}
-
-// The springs that a row sets, and the weights that relate their values to its value.
-struct SpringSlider {
-  double Spring::*property;
-  Weight weight = Weight::One;
-  SpringFamily family = SpringFamily::None;  // none: all
-};
-
-double weight_of(Weight weight, const SheetWeights* sheet, const Spring& spring) {
-  switch (weight) {
-    case Weight::One:
-      return 1.0;
-    case Weight::InverseLength:
-      return spring.rest_length > 0.0 ? 1.0 / spring.rest_length : 0.0;
-    case Weight::Length:
-      return spring.rest_length;
-    case Weight::SheetWeight:
-      return sheet_weight_of(sheet, spring.id);
-  }
-  return 0.0;
-}
-
-template <SpringSlider row>
-double spring_weight_in(const Scene& scene, const Spring& spring) {
-  const bool is_in_family = row.family == SpringFamily::None || spring.family == row.family;
-  return is_in_family ? weight_of(row.weight, scene.sheet.get(), spring) : 0.0;
-}
-template <SpringSlider row>
-double read_springs(const Scene& scene) {
-  CommonValue common;
-  for (const Spring& spring : scene.system.springs())
-    if (const double weight = spring_weight_in<row>(scene, spring); weight > 0.0) common.include(spring.*row.property / weight);
-  const bool is_stiffness = row.property == &Spring::stiffness;
-  return common.value_or(is_stiffness ? scene.defaults.stiffness : scene.defaults.damping);
-}
-template <SpringSlider row>
-void write_springs(Scene& scene, double value) {
-  for (Index s = 0; s < scene.system.spring_count(); ++s)
-    if (const double weight = spring_weight_in<row>(scene, scene.system.springs()[s]); weight > 0.0)
-      scene.system.spring(s).*row.property = weight * value;
-}
-
-// mass = density area
-double read_density(const Scene& scene) {
-  CommonValue common;
-  for (const Point& point : scene.system.points())
-    if (const double area = area_of(scene.sheet.get(), point.id); area > 0.0) common.include(point.mass / area);
-  return common.value_or(0.0);
-}
-void write_density(Scene& scene, double value) {
-  for (Index i = 0; i < scene.system.point_count(); ++i)
-    if (const double area = area_of(scene.sheet.get(), scene.system.points()[i].id); area > 0.0) scene.system.point(i).mass = value * area;
-}
-
-// Radius, and mass if it follows the radius.
-double read_radius(const Scene& scene) {
-  CommonValue common;
-  for (const Point& point : scene.system.points()) common.include(point.radius);
-  return common.value_or(scene.defaults.radius);
-}
-void write_radius(Scene& scene, double value) {
-  for (Index i = 0; i < scene.system.point_count(); ++i) {
-    Point& point = scene.system.point(i);
-    if (scene.defaults.mass_follows_radius) point.mass = mass_at_radius(point, value);
-    point.radius = value;
-  }
-}
-
-template <SpringParameterization parameterization>
-bool has_parameterization(const Scene& scene) {
-  return scene.parameterization == parameterization;
-}
-bool has_springs(const Scene& scene) { return scene.system.spring_count() > 0; }
-bool is_per_strain(const Scene& scene) { return has_springs(scene) && has_parameterization<SpringParameterization::PerStrain>(scene); }
-bool is_by_size(const Scene& scene) { return has_springs(scene) && has_parameterization<SpringParameterization::BySize>(scene); }
-bool is_sheet_material(const Scene& scene) {
-  return scene.sheet != nullptr && has_parameterization<SpringParameterization::Material>(scene);
-}
-// Without a cloth there is no material.
-bool is_per_spring(const Scene& scene) {
-  return has_parameterization<SpringParameterization::Plain>(scene) ||
-         (scene.sheet == nullptr && has_parameterization<SpringParameterization::Material>(scene));
-}
-bool has_plain_stiffness(const Scene& scene) { return is_per_spring(scene) || has_parameterization<SpringParameterization::BySize>(scene); }
-bool has_plain_damping(const Scene& scene) {
-  return is_per_spring(scene) || has_parameterization<SpringParameterization::PerStrain>(scene);
-}
 
 constexpr std::array parameterizations{
     ParameterChoice{"plain", "Each spring: k, d", "Every spring has exactly the k and d given; a finer net behaves differently."},
@@ -118,44 +24,6 @@ constexpr std::array parameterizations{
         "The same sheet for any number of points: k = 3/4 E t along threads and 3/8 E t on diagonals, half along borders; bend springs "
         "keep their own k."},
 };
-
-template <SpringFamily family>
-double read_family_switch(const Scene& scene) {
-  return scene.system.family_on[static_cast<std::size_t>(family)] ? 1.0 : 0.0;
-}
-template <SpringFamily family>
-void write_family_switch(Scene& scene, double value) {
-  scene.system.family_on[static_cast<std::size_t>(family)] = value != 0.0;
-}
-template <SpringFamily family>
-bool has_family(const Scene& scene) {
-  return scene.system.count_of(family) > 0;
-}
-template <SpringFamily family>
-bool has_family_stiffness(const Scene& scene) {
-  return has_family<family>(scene) && has_plain_stiffness(scene);
-}
-
-// The material of a sheet does not determine its bending: bend springs keep their own k.
-bool has_bend_stiffness(const Scene& scene) {
-  return has_family<SpringFamily::Bend>(scene) && (has_plain_stiffness(scene) || is_sheet_material(scene));
-}
-
-double first_of_colliders(const Scene& scene, double Collider::*property) {
-  return scene.system.colliders.empty() ? 0.0 : scene.system.colliders.front().*property;
-}
-
-// The percentage that, divided by 100, gives this fraction bit for bit, if there is one.
-double percent_of(double fraction) {
-  const double percent = 100.0 * fraction;
-  for (const double near : {percent, std::nextafter(percent, 0.0), std::nextafter(percent, INFINITY)})
-    if (near / 100.0 == fraction) return near;
-  return percent;
-}
-
-void set_colliders(Scene& scene, double Collider::*property, double value) {
-  for (Collider& collider : scene.system.colliders) collider.*property = value;
-}
 
 // Rows are formatted as a table, so clang-format is off.
 // clang-format off

@@ -1,5 +1,9 @@
 #include "formats/scene_json/scene_fields.h"
 
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
 #include "base/errors.h"
 #include "base/json_writer.h"
 
@@ -29,6 +33,16 @@ Vec3 SceneFields::vector(const JsonField& field, bool in_plane) {
 void SceneFields::check_dimensions(int dimensions) const {
   const std::string& error_text = dimensions == 2 ? nonzero_z_error_ : vector_2d_error_;
   if (!error_text.empty()) throw InputError(error_text);
+}
+
+Vec3 SceneFields::direction(const JsonField& field) {
+  constexpr double round_off = 1e-15;
+  const Vec3 v = vector(field);
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (largest == 0.0) field.refuse("must not be zero");
+  if (std::abs(glm::length(v) - 1.0) < round_off) return v;
+  const Vec3 scaled = v / largest;
+  return scaled / glm::length(scaled);
 }
 
 Color SceneFields::color(const JsonField& field) const {

@@ -19,6 +19,9 @@ class SceneFields {
   Vec3 vector(const JsonField& field) { return vector(field, false); }
   void check_dimensions(int dimensions) const;
 
+  // A direction as a unit vector; unchanged if it is one already, so that a saved vector is read back bit for bit.
+  Vec3 direction(const JsonField& field);
+
   // "#rrggbb"
   Color color(const JsonField& field) const;
 

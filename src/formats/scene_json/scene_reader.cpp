@@ -1,10 +1,6 @@
 // Reads a scene: scans the text once, reading member by member and point by point, then combines the parts.
 
 #include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <vector>
 
 #include "base/file_limits.h"
 #include "base/json_text.h"
@@ -13,24 +9,13 @@
 #include "formats/gallery.h"
 #include "formats/scene_check.h"
 #include "formats/scene_file.h"
+#include "formats/scene_json/network_reader.h"
 #include "formats/scene_json/scene_sections.h"
-#include "formats/scene_json/shape_fields.h"
 #include "formats/texture.h"
-#include "scene/spring_family.h"
 #include "scene/step_limits.h"
 
 namespace hooke {
 namespace {
-
-constexpr double rest_length_not_given = std::numeric_limits<double>::quiet_NaN();  // no rest length was given
-
-// Entries between the end of the list and `place` are NaN.
-void append_at(std::vector<double>& list, std::size_t place, double value) {
-  list.resize(place, 0.0);
-  list.push_back(value);
-}
-
-bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 class SceneReader {
  public:
@@ -50,21 +35,13 @@ class SceneReader {
 
   void read_member(std::string_view key, std::string_view text);
   void read_item(std::string_view key, std::size_t index, std::string_view text);
-  void read_point(const JsonField& field);
-  void read_spring(const JsonField& field);
-  void read_face(const JsonField& field);
-  void read_cloth_place(const JsonField& field);
-  void read_one_shape(const JsonField& field);
+  void read_point(const JsonField& field) { network_.read_point(field); }
+  void read_spring(const JsonField& field) { network_.read_spring(field); }
+  void read_face(const JsonField& field) { network_.read_face(field); }
+  void read_generator(const JsonField& field) { network_.read_generator(field); }
   void read_one_collider(const JsonField& field) { read_collider(field, fields_, scene_); }
   void read_one_force(const JsonField& field) { read_force(field, fields_, scene_); }
-  PointId read_point_number(const JsonField& field) const;
-
-  void generate_all();
-  void check_generated(std::size_t generator, std::size_t first_point, std::size_t first_spring) const;
-  void check_point_numbers() const;
-  void check_hand() const;
-  void set_rest_lengths();
-  void warn_about_coincident_points();
+  void check_hand(std::size_t points) const;
   [[noreturn]] void refuse(const std::string& field, const std::string& what) const {
     throw InputError(name_ + ": " + field + ": " + what);
   }
@@ -75,8 +52,7 @@ class SceneReader {
   JsonParser parser_;
   SceneFields fields_;
   Scene scene_;
-  Network network_;
-  std::vector<Shape> shapes_;
+  NetworkReader network_{name_, fields_, scene_.preserved_json};
   bool has_version_ = false;
 };
 
@@ -84,7 +60,7 @@ const std::array<SceneReader::List, 6> SceneReader::lists{
     List{"points", max_points, &SceneReader::read_point},
     List{"springs", max_springs, &SceneReader::read_spring},
     List{"faces", max_faces, &SceneReader::read_face},
-    List{"generators", max_generators, &SceneReader::read_one_shape},
+    List{"generators", max_generators, &SceneReader::read_generator},
     List{"colliders", max_colliders, &SceneReader::read_one_collider},
     List{"forces", max_forces, &SceneReader::read_one_force},
 };
@@ -103,21 +79,18 @@ LoadedScene SceneReader::read() {
   if (!has_version_) refuse("hooke", "missing: must be 1, the version of the format");
   fields_.check_dimensions(scene_.system.dimensions);
 
-  generate_all();
-  check_point_numbers();
-  check_hand();
-  set_rest_lengths();
-  warn_about_coincident_points();
+  Network network = network_.take(scene_.system.dimensions);
+  check_hand(network.points.size());
 
-  scene_.system.set_points(std::move(network_.points));
-  scene_.system.set_springs(std::move(network_.springs));
-  scene_.system.faces = std::move(network_.faces);
-  scene_.state.position = std::move(network_.position);
-  scene_.state.velocity = std::move(network_.velocity);
-  if (!network_.cloth_coordinates.empty())
-    scene_.cloth_texture.cloth_coordinates = std::make_shared<const ClothCoordinates>(std::move(network_.cloth_coordinates));
-  if (!network_.sheet_areas.empty() || !network_.sheet_weights.empty())
-    scene_.sheet = std::make_shared<const SheetWeights>(SheetWeights{std::move(network_.sheet_areas), std::move(network_.sheet_weights)});
+  scene_.system.set_points(std::move(network.points));
+  scene_.system.set_springs(std::move(network.springs));
+  scene_.system.faces = std::move(network.faces);
+  scene_.state.position = std::move(network.position);
+  scene_.state.velocity = std::move(network.velocity);
+  if (!network.cloth_coordinates.empty())
+    scene_.cloth_texture.cloth_coordinates = std::make_shared<const ClothCoordinates>(std::move(network.cloth_coordinates));
+  if (!network.sheet_areas.empty() || !network.sheet_weights.empty())
+    scene_.sheet = std::make_shared<const SheetWeights>(SheetWeights{std::move(network.sheet_areas), std::move(network.sheet_weights)});
   set_print_layout(scene_);
   if (const auto warning = step_warning(scene_.system, scene_.settings)) fields_.warn(*warning);
   return {std::move(scene_), fields_.warnings(name_)};
@@ -180,184 +153,15 @@ void SceneReader::read_item(std::string_view key, std::size_t index, std::string
   (this->*list.read)(JsonField(name_, key, parser_.parse(text), index));
 }
 
-void SceneReader::read_point(const JsonField& field) {
-  Point point{.id = PointId{static_cast<std::uint32_t>(network_.points.size())}};
-  Vec3 position(0.0), velocity(0.0);
-  bool has_position = false;
-  for (const JsonField member : field.members()) {
-    if (member.is("position")) {
-      position = fields_.position(member);
-      has_position = true;
-    } else if (member.is("velocity"))
-      velocity = fields_.position(member);
-    else if (member.is("nailed"))
-      point.nailed = member.boolean();
-    else if (member.is("mass"))
-      point.mass = member.number(positive);
-    else if (member.is("radius"))
-      point.radius = member.number(not_negative);
-    else if (member.is("color"))
-      point.color = fields_.color(member);
-    else if (member.is("uv"))
-      read_cloth_place(member);
-    else if (member.is("area"))
-      append_at(network_.sheet_areas, network_.points.size(), member.number(not_negative));
-    else
-      fields_.preserve_unknown(member, scene_.preserved_json.unknown_of_points[point.id]);
-  }
-  if (!has_position) field.refuse_missing("position", "must be [x, y, z]");
-  network_.points.push_back(point);
-  network_.position.push_back(position);
-  network_.velocity.push_back(velocity);
-}
-
-void SceneReader::read_spring(const JsonField& field) {
-  Spring spring{.id = SpringId{static_cast<std::uint32_t>(network_.springs.size())}, .rest_length = rest_length_not_given};
-  bool has_points = false, has_stiffness = false;
-  for (const JsonField member : field.members()) {
-    if (member.is("points")) {
-      const auto ends = member.items(2, 2);
-      spring.first = read_point_number(ends[0]);
-      spring.second = read_point_number(ends[1]);
-      if (spring.first == spring.second) member.refuse("must be two different points");
-      has_points = true;
-    } else if (member.is("stiffness")) {
-      spring.stiffness = member.number(not_negative);
-      has_stiffness = true;
-    } else if (member.is("damping"))
-      spring.damping = member.number(not_negative);
-    else if (member.is("family"))
-      spring.family = read_family(member);
-    else if (member.is("share"))
-      append_at(network_.sheet_weights, network_.springs.size(), member.number(not_negative));
-    else if (member.is("rest_length"))
-      spring.rest_length = member.number(not_negative);
-    else if (member.is("break_strain"))
-      spring.break_strain = member.is_null() ? never_breaks : member.number(positive);
-    else
-      fields_.preserve_unknown(member, scene_.preserved_json.unknown_of_springs[spring.id]);
-  }
-  if (!has_points) field.refuse_missing("points", "must be two point numbers");
-  if (!has_stiffness) field.refuse_missing("stiffness", "must be a number of at least 0");
-  network_.springs.push_back(spring);
-}
-
-// Of the point that is being read.
-void SceneReader::read_cloth_place(const JsonField& field) {
-  const auto items = field.items(2, 2);
-  network_.cloth_coordinates.resize(network_.points.size(), no_cloth_coordinates);
-  network_.cloth_coordinates.emplace_back(items[0].number(), items[1].number());
-}
-
-void SceneReader::read_face(const JsonField& field) {
-  const auto corners = field.items(3, 3);
-  Face face;
-  for (std::size_t c = 0; c < 3; ++c) face.points[c] = read_point_number(corners[c]);
-  if (face.points[0] == face.points[1] || face.points[1] == face.points[2] || face.points[2] == face.points[0])
-    field.refuse("must be three different points");
-  network_.faces.push_back(face);
-}
-
-void SceneReader::read_one_shape(const JsonField& field) { shapes_.push_back(read_shape(field, fields_)); }
-
-// Whether the point exists is known only when all points have been read: check_point_numbers.
-PointId SceneReader::read_point_number(const JsonField& field) const {
-  return PointId{static_cast<std::uint32_t>(field.integer(0, static_cast<std::int64_t>(max_points) - 1))};
-}
-
-// All elements are counted before any memory is allocated for them.
-void SceneReader::generate_all() {
-  ElementCount all{network_.points.size(), network_.springs.size(), network_.faces.size()};
-  for (const Shape& shape : shapes_) {
-    const ElementCount count = element_count_of(shape);
-    all.points += count.points;
-    all.springs += count.springs;
-    all.faces += count.faces;
-  }
-  const auto check = [&](const char* what, std::uint64_t count, std::uint64_t max) {
-    if (count > max) refuse(what, std::to_string(count) + " with those of the generators: must be at most " + std::to_string(max));
-  };
-  check("points", all.points, max_points);
-  check("springs", all.springs, max_springs);
-  check("faces", all.faces, max_faces);
-
-  network_.points.reserve(all.points);
-  network_.position.reserve(all.points);
-  network_.velocity.reserve(all.points);
-  network_.springs.reserve(all.springs);
-  network_.faces.reserve(all.faces);
-  for (std::size_t g = 0; g < shapes_.size(); ++g) {
-    const std::size_t first_point = network_.points.size(), first_spring = network_.springs.size();
-    generate(shapes_[g], network_);
-    check_generated(g, first_point, first_spring);
-  }
-}
-
-// Extreme sizes lead to zero masses and infinite stiffnesses.
-void SceneReader::check_generated(std::size_t generator, std::size_t first_point, std::size_t first_spring) const {
-  const std::string field = "generators[" + std::to_string(generator) + "]";
-  for (std::size_t i = first_point; i < network_.points.size(); ++i) {
-    const double mass = network_.points[i].mass, radius = network_.points[i].radius;
-    if (!(mass >= std::numeric_limits<double>::min()) || !std::isfinite(mass))
-      refuse(field, "mass of a point: " + format_exact(mass) + ": must be more than 0 and a number");
-    if (!is_finite(network_.position[i]) || !std::isfinite(radius)) refuse(field, "position of a point: must be a number below 1.8e308");
-    if (scene_.system.dimensions == 2 && network_.position[i].z != 0.0)
-      refuse(field, "position of a point: z = " + format_exact(network_.position[i].z) + ": must be 0 in a 2-D scene");
-  }
-  for (std::size_t s = first_spring; s < network_.springs.size(); ++s) {
-    const Spring& spring = network_.springs[s];
-    for (const auto& [what, value] :
-         {std::pair{"stiffness", spring.stiffness}, {"damping", spring.damping}, {"rest length", spring.rest_length}})
-      if (!std::isfinite(value))
-        refuse(field, std::string(what) + " of a spring: " + format_exact(value) + ": must be a number below 1.8e308");
-  }
-}
-
-void SceneReader::check_point_numbers() const {
-  const auto check = [&](PointId id, const auto& name_field) {
-    const auto number = static_cast<std::uint32_t>(id);
-    if (number >= network_.points.size())
-      refuse(name_field(),
-             std::to_string(number) + ": must be the number of one of the " + std::to_string(network_.points.size()) + " points, from 0");
-  };
-  for (std::size_t s = 0; s < network_.springs.size(); ++s)
-    for (const PointId id : {network_.springs[s].first, network_.springs[s].second})
-      check(id, [&] { return "springs[" + std::to_string(s) + "].points[" + (id == network_.springs[s].first ? "0" : "1") + "]"; });
-  for (std::size_t f = 0; f < network_.faces.size(); ++f)
-    for (const PointId id : network_.faces[f].points) check(id, [&] { return "faces[" + std::to_string(f) + "]"; });
-  if (scene_.system.scripted_hand) check(scene_.system.scripted_hand->point, [] { return std::string("hand.point"); });
-}
-
-void SceneReader::check_hand() const {
-  if (!scene_.system.scripted_hand || scene_.system.dimensions != 2) return;
+void SceneReader::check_hand(std::size_t points) const {
+  if (!scene_.system.scripted_hand) return;
+  if (const auto number = static_cast<std::uint32_t>(scene_.system.scripted_hand->point); number >= points)
+    refuse("hand.point", no_such_point(number, points));
+  if (scene_.system.dimensions != 2) return;
   const Vec3& axis = scene_.system.scripted_hand->axis;
   if (axis.x != 0.0 || axis.y != 0.0)
     refuse("hand.circle.axis",
            "[" + format_exact(axis.x) + ", " + format_exact(axis.y) + ", " + format_exact(axis.z) + "]: must be along z in a 2-D scene");
-}
-
-void SceneReader::set_rest_lengths() {
-  for (std::size_t s = 0; s < network_.springs.size(); ++s) {
-    Spring& spring = network_.springs[s];
-    if (!std::isnan(spring.rest_length)) continue;
-    const auto i = static_cast<std::uint32_t>(spring.first), j = static_cast<std::uint32_t>(spring.second);
-    spring.rest_length = glm::length(network_.position[j] - network_.position[i]);
-    if (!std::isfinite(spring.rest_length))
-      refuse("springs[" + std::to_string(s) + "].rest_length",
-             format_exact(spring.rest_length) + " as drawn: must be a number below 1.8e308");
-  }
-}
-
-void SceneReader::warn_about_coincident_points() {
-  std::size_t first = 0, count = 0;
-  for (std::size_t s = 0; s < network_.springs.size(); ++s) {
-    const auto i = static_cast<std::uint32_t>(network_.springs[s].first), j = static_cast<std::uint32_t>(network_.springs[s].second);
-    if (network_.position[i] == network_.position[j] && count++ == 0) first = s;
-  }
-  if (count == 0) return;
-  const std::string others = count == 1 ? "" : " and " + std::to_string(count - 1) + " more";
-  fields_.warn("springs[" + std::to_string(first) + "]" + others +
-               ": connects two points at the same position: no force between them until they separate");
 }
 
 // A scene whose texture is missing is drawn without it.

@@ -1,17 +1,16 @@
 // Writes a scene, one point or spring per line.
 
-#include <bit>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 #include "base/atomic_write.h"
 #include "base/file_limits.h"
 #include "base/json_writer.h"
 #include "base/overloaded.h"
 #include "base/printable.h"
+#include "base/same_bits.h"
 #include "formats/scene_file.h"
-#include "formats/scene_json/shape_fields.h"
+#include "formats/scene_json/listed_part.h"
 #include "scene/parameters.h"
 #include "scene/spring_family.h"
 #include "sim/integrator.h"
@@ -21,8 +20,6 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
-bool same_bits(const Vec3& a, const Vec3& b) { return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z); }
 bool is_positive_zero(double value) { return same_bits(value, 0.0); }
 bool is_positive_zero(const Vec3& value) { return same_bits(value, Vec3(0.0)); }
 
@@ -32,12 +29,6 @@ std::string to_text(const Color& color) {
   return text;
 }
 
-// The numbers of points, springs and faces that are listed individually; the rest, at the end, is made by generators.
-struct ListedCounts {
-  Index points, springs;
-  std::size_t faces;
-};
-
 class SceneWriter {
  public:
   SceneWriter(const Scene& scene, const Progress& progress)
@@ -45,8 +36,6 @@ class SceneWriter {
   std::string write();
 
  private:
-  ListedCounts find_listed() const;
-  bool matches_generated(const Network& generated, const ListedCounts& listed) const;
   void write_parameters(std::string_view section);
   void write_point(Index i);
   void write_spring(Index s);
@@ -74,7 +63,7 @@ class SceneWriter {
 };
 
 std::string SceneWriter::write() {
-  const ListedCounts listed = find_listed();
+  const ListedCounts listed = find_listed(scene_);
   items_ = static_cast<std::size_t>(listed.points) + static_cast<std::size_t>(listed.springs) + listed.faces;
   out_.begin_object(Layout::Lines);
   out_.integer("hooke", newest_scene_version);
@@ -127,54 +116,6 @@ std::string SceneWriter::write() {
   out_.end();
   check_size();
   return out_.take() + "\n";
-}
-
-// Runs the generators again: their result must be bitwise equal to the end of the lists of the scene.
-ListedCounts SceneWriter::find_listed() const {
-  const ListedCounts all{system_.point_count(), system_.spring_count(), system_.faces.size()};
-  if (scene_.preserved_json.generators.empty()) return all;
-
-  const std::vector<Shape> shapes = parse_shapes(scene_.preserved_json.generators);
-  ElementCount count;
-  for (const Shape& shape : shapes) {
-    const ElementCount one = element_count_of(shape);
-    count.points += one.points;
-    count.springs += one.springs;
-    count.faces += one.faces;
-  }
-  if (count.points == 0 || count.points > system_.points().size() || count.springs > system_.springs().size() ||
-      count.faces > system_.faces.size())
-    return all;
-
-  Network generated;
-  for (const Shape& shape : shapes) generate(shape, generated);
-  const ListedCounts listed{all.points - static_cast<Index>(count.points), all.springs - static_cast<Index>(count.springs),
-                            all.faces - count.faces};
-  return matches_generated(generated, listed) ? listed : all;
-}
-
-bool SceneWriter::matches_generated(const Network& generated, const ListedCounts& listed) const {
-  const auto id_of = [&](PointId generated_id) { return system_.points()[listed.points + static_cast<Index>(generated_id)].id; };
-  for (std::size_t i = 0; i < generated.points.size(); ++i) {
-    const Index at = listed.points + static_cast<Index>(i);
-    Point point = generated.points[i];
-    point.id = system_.points()[at].id;
-    if (point != system_.points()[at] || !same_bits(generated.position[i], state_.position[at]) ||
-        !same_bits(generated.velocity[i], state_.velocity[at]) || scene_.preserved_json.unknown_of_points.contains(point.id))
-      return false;
-  }
-  for (std::size_t s = 0; s < generated.springs.size(); ++s) {
-    Spring spring = generated.springs[s];
-    const Spring& current = system_.springs()[static_cast<std::size_t>(listed.springs) + s];
-    spring.id = current.id;
-    spring.first = id_of(spring.first);
-    spring.second = id_of(spring.second);
-    if (spring != current || scene_.preserved_json.unknown_of_springs.contains(spring.id)) return false;
-  }
-  for (std::size_t f = 0; f < generated.faces.size(); ++f)
-    for (std::size_t c = 0; c < 3; ++c)
-      if (id_of(generated.faces[f].points[c]) != system_.faces[listed.faces + f].points[c]) return false;
-  return true;
 }
 
 // The rows of the table of parameters whose field is in the section ("" at the top, "simulation").
