@@ -15,6 +15,7 @@
 #include "fuzz/png_input.h"
 #include "fuzz/recording_input.h"
 #include "fuzz/scene_input.h"
+#include "fuzz/table_words.h"
 #include "fuzz/xsp_input.h"
 #include "support/contents.h"
 
@@ -40,14 +41,17 @@ std::vector<std::string> read_all(const std::filesystem::path& folder, std::uint
 }
 
 // If an input ends the process, that input is in the working folder.
-void fuzz(const std::string& format, std::vector<std::string> seeds, void (*try_as)(std::string_view bytes)) {
+void fuzz(const std::string& format, std::vector<std::string> seeds, void (*try_as)(std::string_view bytes),
+          const std::vector<std::string>& table_words = {}) {
 #if !defined(__SANITIZE_ADDRESS__)
   // an input that takes more memory or time is a finding
   const rlimit memory{6ull << 30, 6ull << 30};
   ASSERT_EQ(::setrlimit(RLIMIT_AS, &memory), 0);
 #endif
   const std::filesystem::path last = "fuzzed_last." + format;
-  Mutator mutator(std::move(seeds), read_dictionary(FUZZ_FOLDER "/" + format + ".dict"));
+  std::vector<std::string> words = read_dictionary(FUZZ_FOLDER "/" + format + ".dict");
+  words.insert(words.end(), table_words.begin(), table_words.end());
+  Mutator mutator(std::move(seeds), std::move(words));
   const auto start = std::chrono::steady_clock::now();
   long tried = 0;
   for (; std::chrono::steady_clock::now() - start < std::chrono::duration<double>(budget()); ++tried) {
@@ -66,9 +70,11 @@ TEST(Fuzzed, Scenes) {
   auto seeds = read_all(FUZZ_FOLDER "/corpus/scene", 20'000);
   const auto shipped = read_all(SCENES_FOLDER, 4'000);
   seeds.insert(seeds.end(), shipped.begin(), shipped.end());
-  fuzz("scene", seeds, try_as_scene);
+  fuzz("scene", seeds, try_as_scene, scene_table_words());
 }
-TEST(Fuzzed, Recordings) { fuzz("recording", read_all(FUZZ_FOLDER "/corpus/recording", 20'000), try_as_recording); }
+TEST(Fuzzed, Recordings) {
+  fuzz("recording", read_all(FUZZ_FOLDER "/corpus/recording", 20'000), try_as_recording, recording_table_words());
+}
 TEST(Fuzzed, Xsp) { fuzz("xsp", read_all(FUZZ_FOLDER "/corpus/xsp", 20'000), try_as_xsp); }
 TEST(Fuzzed, Obj) { fuzz("obj", read_all(FUZZ_FOLDER "/corpus/obj", 20'000), try_as_obj); }
 TEST(Fuzzed, Png) { fuzz("png", read_all(FUZZ_FOLDER "/corpus/png", 20'000), try_as_png); }

@@ -1,0 +1,148 @@
+// Saving and opening large files in the background.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+
+#include "formats/scene_file.h"
+#include "support/flat_scene.h"
+#include "support/gui_trial.h"
+#include "support/own_home.h"
+
+namespace hooke {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file size limit has the same effect as a full disk.
+TEST(Saving, OnAFullDiskLosesNothingAndReportsIt) {
+  const OwnDesk desk;
+  GuiTrial gui = desk.open();
+  gui.key(letter('R'));
+  const auto size = fs::file_size(desk.file);
+  rlimit before{};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit tight{100, before.rlim_max};
+  const auto handler = ::signal(SIGXFSZ, SIG_IGN);
+  ::setrlimit(RLIMIT_FSIZE, &tight);
+  gui.key(letter('S'), control);
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  ::signal(SIGXFSZ, handler);
+  ASSERT_EQ(open_dialog(gui), Dialog::Kind::Message);
+  const std::string words = gui.words();
+  EXPECT_NE(words.find("Nothing is lost"), std::string::npos) << words;
+  EXPECT_NE(words.find("cannot be written"), std::string::npos) << words;
+  EXPECT_EQ(gui.app().title(), "Hooke - net*");
+  EXPECT_EQ(fs::file_size(desk.file), size);
+  EXPECT_TRUE(load_scene(desk.file).scene.system.points()[0].nailed);
+  // once there is space again, saving succeeds
+  gui.key(Key::Escape);
+  gui.key(letter('S'), control);
+  EXPECT_EQ(gui.app().title(), "Hooke - net");
+}
+
+TEST(Saving, WithAnUnknownExtensionIsRefusedWithAMessage) {
+  const OwnDesk desk;
+  GuiTrial gui = desk.open();
+  gui.key(letter('S'), control_shift);
+  gui.type((desk.folder / "net.xsp").string());
+  gui.key(Key::Enter);
+  EXPECT_EQ(open_dialog(gui), Dialog::Kind::Message);
+  EXPECT_FALSE(fs::exists(desk.folder / "net.xsp"));
+}
+
+// Unconnected points, so many that reading and writing them takes many frames.
+Scene many_points() {
+  Scene scene;
+  scene.name = "Dust";
+  std::vector<Point> points(100'000);
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    points[i].id = PointId{i};
+    scene.state.position.push_back({0.001 * i, std::sin(i), std::cos(i)});
+    scene.state.velocity.push_back({0.1, -0.2, 0.3});
+  }
+  scene.system.set_points(std::move(points));
+  return scene;
+}
+
+// In a window that keeps drawing frames meanwhile.
+void drop_large(GuiTrial& gui, const fs::path& large) {
+  save_scene(many_points(), large);
+  gui.app().set_task_patience(std::chrono::milliseconds(0));
+  gui.waits_for_work = false;
+  gui.app().handle(FileDrop{large});
+}
+
+TEST(BackgroundTask, OpensALargeFileWhileTheWindowKeepsDrawing) {
+  const OwnDesk desk;
+  const fs::path large = desk.folder / "dust.json";
+  GuiTrial gui = desk.open();
+  drop_large(gui, large);
+  std::string words;
+  for (int i = 0; i < 5; ++i) words = gui.words();
+  EXPECT_NE(words.find("Opening dust.json"), std::string::npos) << words;
+  EXPECT_EQ(gui.status().snapshot->system->point_count(), 2) << "the document stays until the new one is read";
+  ASSERT_TRUE(wait_for(gui, [&] { return gui.status().snapshot->system->point_count() == 100'000; }));
+  gui.frames(2);
+  EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
+  EXPECT_EQ(gui.app().title(), "Hooke - dust");
+}
+
+TEST(BackgroundTask, CanBeCanceledAndLeavesTheDocumentUnchanged) {
+  const OwnDesk desk;
+  const fs::path large = desk.folder / "dust.json";
+  GuiTrial gui = desk.open();
+  drop_large(gui, large);
+  gui.frames(2);
+  ASSERT_EQ(open_dialog(gui), Dialog::Kind::Working);
+  gui.key(Key::Escape);
+  ASSERT_TRUE(wait_for(gui, [&] { return open_dialog(gui) == Dialog::Kind::None; }));
+  EXPECT_EQ(gui.status().snapshot->system->point_count(), 2);
+  EXPECT_EQ(gui.app().title(), "Hooke - net");
+  // the next file opens
+  gui.waits_for_work = true;
+  gui.app().handle(FileDrop{large});
+  gui.frames(2);
+  EXPECT_EQ(gui.system().point_count(), 100'000);
+}
+
+TEST(BackgroundTask, OfSavingCanBeCanceledBeforeTheOldFileIsTouched) {
+  const OwnDesk desk;
+  const fs::path large = desk.folder / "dust.json";
+  save_scene(many_points(), large);
+  const auto written = fs::last_write_time(large);
+  GuiTrial gui(load_scene(large).scene, large, desk.home);
+  gui.key(letter('A'), control);
+  gui.key(Key::Delete);
+  gui.key(letter('Z'), control);
+  ASSERT_EQ(gui.app().title(), "Hooke - dust*");
+  gui.app().set_task_patience(std::chrono::milliseconds(0));
+  gui.waits_for_work = false;
+  gui.app().handle(KeyPress{letter('S'), control});
+  gui.frame();
+  gui.key(Key::Escape);
+  ASSERT_TRUE(wait_for(gui, [&] { return open_dialog(gui) == Dialog::Kind::None; }));
+  EXPECT_EQ(gui.app().title(), "Hooke - dust*");
+  EXPECT_EQ(fs::last_write_time(large), written);
+  EXPECT_EQ(std::distance(fs::directory_iterator(desk.folder), {}), 4) << "net, dust, config, state: no partial file";
+  // if it is not canceled, the file is saved and the dialog closes itself
+  gui.app().handle(KeyPress{letter('S'), control});
+  ASSERT_TRUE(wait_for(gui, [&] { return gui.app().title() == "Hooke - dust"; }));
+  EXPECT_EQ(load_scene(large).scene.system.point_count(), 100'000);
+}
+
+TEST(Opening, OfAnImportFormatMakesAnUntitledDocument) {
+  const OwnDesk desk;
+  OwnDesk::write(desk.folder / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  GuiTrial gui = desk.open();
+  gui.app().handle(FileDrop{desk.folder / "sheet.obj"});
+  gui.frames(2);
+  EXPECT_EQ(gui.system().point_count(), 3);
+  gui.key(letter('S'), control);
+  EXPECT_EQ(open_dialog(gui), Dialog::Kind::Save);
+}
+
+}  // namespace
+}  // namespace hooke
