@@ -373,7 +373,7 @@ TEST(Legend, ShowsTheStrainsOfItsColors) {
   EXPECT_NE(gui.words().find("Strain"), std::string::npos);
   EXPECT_NE(gui.words().find("+0.01 %"), std::string::npos);
   gui.app().panels().view.strain_colors = false;
-  EXPECT_EQ(gui.words().find("Strain"), std::string::npos);
+  EXPECT_EQ(gui.words().find("+0.01 %"), std::string::npos);
 }
 
 TEST(EmptyScene, ShowsInstructions) {
