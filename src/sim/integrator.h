@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/table.h"
+#include "sim/forces/flight.h"
 #include "sim/motion.h"
 
 namespace hooke {
@@ -74,6 +75,9 @@ struct Integrator {
   void (*prepare)(const Plan& plan, double h, const Motion& motion, Workspace& work);
   void (*step)(const Plan& plan, Motion& motion, Workspace& work, double h);
   Amplification (*amplification)(const Oscillator& oscillator);  // closed form of one step
+  // `count` steps with nothing between them (flight.h), where can_fly(plan), equal to that many calls of `step` to round-off; ends early
+  // when the flight is interrupted. The time at the end is the caller's. Null: a step is no cheaper for it.
+  void (*fly)(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) = nullptr;
 };
 
 Table<Integrator> integrators();

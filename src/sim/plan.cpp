@@ -175,6 +175,10 @@ Plan make_plan(const System& system) {
   plan.points = system.point_count();
   plan.springs = system.spring_count();
   find_runs(plan, system);
+  if (plan.springs >= min_springs_of_grids)
+    plan.grids = find_grids(plan.runs, plan.points, plan.loose_runs);
+  else
+    plan.loose_runs = plan.runs;
   refresh_values(plan, system);
   return plan;
 }
@@ -215,6 +219,7 @@ void refresh_values(Plan& plan, const System& system) {
     plan.damping[s] = system.damping_of(system.springs()[plan.spring_index[s]]);
 
   plan_length_limits(plan, system);
+  refresh_grids(plan);
   plan_colliders(plan, system);
   plan_forces(plan, system);
   plan.radius.clear();
@@ -222,6 +227,31 @@ void refresh_values(Plan& plan, const System& system) {
     for (const Point& point : system.points()) plan.radius.push_back(point.radius);
 
   plan.spectrum = bound_spectrum(system);
+}
+
+void refresh_grids(Plan& plan) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  // what springs reach in a step or not is decided by their lengths; here it is enough to be sure that they do not
+  std::vector<double> limit;
+  if (!plan.break_length.empty() || !plan.max_length.empty()) limit.assign(plan.springs, infinity);
+  for (const std::vector<double>* lengths : {&plan.break_length, &plan.max_length})
+    for (Index s = 0; s < static_cast<Index>(lengths->size()); ++s)
+      limit[s] = std::min(limit[s], (*lengths)[s] * (*lengths)[s] * (1.0 - 1e-14));
+
+  for (Grid& grid : plan.grids) {
+    set_values(grid, plan.rest_length, 0.0, false, grid.rest_length);
+    for (auto* values : {&grid.damping, &grid.max_length_squared}) *values = {};
+    if (!limit.empty()) set_values(grid, limit, infinity, false, grid.max_length_squared);
+  }
+  refresh_grid_stiffness(plan);
+}
+
+void refresh_grid_stiffness(Plan& plan) {
+  const bool may_break = !plan.break_length.empty();
+  for (Grid& grid : plan.grids) {
+    set_values(grid, plan.stiffness, 0.0, may_break, grid.stiffness);
+    if (plan.has_dashpots()) set_values(grid, plan.damping, 0.0, may_break, grid.damping);
+  }
 }
 
 Vec3 clamp_hand_target(const System& system, const Vec3& from, const Vec3& target, double duration) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/grid.h"
 #include "sim/system.h"
 
 namespace hooke {
@@ -89,6 +90,10 @@ struct Plan {
   std::vector<double> damping;      // empty: no dashpots
   std::vector<Index> spring_index;  // of the packed spring, in the System
 
+  // The same springs for force kernels: those of grids, and the runs of all others.
+  std::vector<Grid> grids;
+  std::vector<SpringRun> loose_runs;
+
   std::vector<double> break_length;  // [m], of the packed spring, at which it breaks; empty: none breaks
   std::vector<double> max_length;    // [m], of the strain limit; empty: no limit
 
@@ -122,12 +127,21 @@ struct Plan {
   }
 };
 
+// Springs from which on a scene is stepped in grids and flights (flight.h). Smaller ones take no time worth saving, and play recordings
+// of earlier versions to the same bits.
+inline constexpr Index min_springs_of_grids = 256;
+
 // Compiles the structure and the values. O(springs log springs).
 Plan make_plan(const System& system);
 
 // Updates values (masses, nails, stiffness, damping, rest lengths, forces, colliders) after edits that did not change the lists of points
 // and springs. The hand is set by prepare_hand.
 void refresh_values(Plan& plan, const System& system);
+
+// Takes over the values of the packed springs into the grids.
+void refresh_grids(Plan& plan);
+// The same for stiffness and damping alone, after springs have broken. Allocates nothing.
+void refresh_grid_stiffness(Plan& plan);
 
 // The position of the hand, or of the anchor of the collider it carries, at the end of a frame of `duration` [s] that starts at `from`: the
 // target, or as close to it as System::hand_speed allows.

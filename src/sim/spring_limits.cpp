@@ -86,6 +86,14 @@ bool limit_all_springs(const Plan& plan, Motion& motion) {
 
 }  // namespace
 
+bool any_reaches_limit(const Plan& plan, const std::vector<SpringRun>& runs, const Field& x) {
+  for (const std::vector<double>* limit : {&plan.break_length, &plan.max_length})
+    if (!limit->empty() &&
+        std::any_of(runs.begin(), runs.end(), [&](const SpringRun& run) { return any_reaches_limit(plan, run, *limit, x); }))
+      return true;
+  return false;
+}
+
 bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
   const std::size_t before = broken.size();
   for (const SpringRun& run : plan.runs) {
@@ -103,7 +111,9 @@ bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
     }
   }
   std::sort(broken.begin(), broken.end());
-  return broken.size() > before;
+  if (broken.size() == before) return false;
+  refresh_grid_stiffness(plan);
+  return true;
 }
 
 bool limit_strain(const Plan& plan, Motion& motion) {

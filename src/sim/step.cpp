@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/contact/clearance.h"
 #include "sim/forces/forces.h"
 #include "sim/hand.h"
 #include "sim/spring_limits.h"
@@ -25,7 +26,7 @@ double stretch_energy(const System& system, double displacement) {
 void Frame::begin(Plan& plan, const System& system, const Settings& settings, const State& state) {
   integrator_ = settings.integrator;
   substeps_ = settings.substeps;
-  substeps_done_ = 0;
+  substeps_done_ = one_by_one_until_ = 0;
   duration_ = 1.0 / settings.frame_rate;
   h_ = duration_ / substeps_;
   start_ = state.time;
@@ -54,7 +55,46 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
 }
 
+// Several substeps at once, so many that they take about a millisecond, or more if there are more springs. Whether anything acts
+// between them is known only afterwards: then they are taken back.
+bool Frame::fly(Plan& plan) {
+  constexpr int springs_at_once = 1'000'000, max_at_once = 64;
+  const int at_once = std::clamp(springs_at_once / std::max(1, static_cast<int>(plan.springs)), 8, max_at_once);
+  const int count = std::min(at_once, substeps_ - substeps_done_);
+  const bool is_worth_it = integrator_->fly != nullptr && plan.springs >= min_springs_of_grids && count > 1;
+  if (!is_worth_it || substeps_done_ < one_by_one_until_ || !can_fly(plan)) return false;
+  one_by_one_until_ = substeps_done_ + count;
+
+  Flight flight{.clearance = compute_clearance(plan, motion_.x)};
+  if (flight.was_interrupted()) return false;
+  const bool may_be_interrupted = !plan.colliders.empty() || !plan.break_length.empty() || !plan.max_length.empty();
+  if (may_be_interrupted) {
+    before_.time = motion_.time;
+    before_.x = motion_.x;
+    before_.v = motion_.v;
+  }
+  force_work_.begin_substep(plan, motion_);
+  integrator_->fly(plan, motion_, work_, h_, count, flight);
+  if (flight.was_interrupted()) {
+    motion_.time = before_.time;
+    motion_.x = before_.x;
+    motion_.v = before_.v;
+    motion_.acceleration_is_current = false;
+    return false;
+  }
+  substeps_done_ += count;
+  motion_.time = start_ + substeps_done_ * h_;
+  return true;
+}
+
 void Frame::substep(Plan& plan) {
+  const int done_before = substeps_done_;
+  if (fly(plan)) {
+    act(plan, false);
+    motion_.force_work += force_work_.end_substep(plan, motion_, (substeps_done_ - done_before) * h_);
+    return;
+  }
+
   if (!plan.colliders.empty()) {
     before_.time = motion_.time;
     before_.x = motion_.x;
@@ -74,15 +114,18 @@ void Frame::substep(Plan& plan) {
     motion_.hand_work += work;
     motion_.abs_hand_work += std::abs(work);
   }
+  act(plan, true);
+  motion_.force_work += force_work_.end_substep(plan, motion_, h_);
+}
 
-  // strain limit first, then contact, and only then do springs break
+// What acts between two substeps: strain limit first, then contact, and only then do springs break.
+void Frame::act(Plan& plan, bool may_touch) {
   if (!plan.max_length.empty() && limit_strain(plan, motion_)) motion_.acceleration_is_current = false;
-  if (!plan.colliders.empty() && resolve_contacts(plan, before_, motion_, h_)) motion_.acceleration_is_current = false;
+  if (may_touch && !plan.colliders.empty() && resolve_contacts(plan, before_, motion_, h_)) motion_.acceleration_is_current = false;
   if (!plan.break_length.empty() && break_springs(plan, motion_, broken_)) {
     motion_.acceleration_is_current = false;
     if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
   }
-  motion_.force_work += force_work_.end_substep(plan, motion_, h_);
 }
 
 void Frame::end(const Plan& plan, State& state) const {

@@ -19,6 +19,7 @@ class Frame {
  public:
   // Sets the motion of the hand and packs the state. The plan must be current.
   void begin(Plan& plan, const System& system, const Settings& settings, const State& state);
+  // One substep or, where nothing acts between them, several: as many in every run.
   void substep(Plan& plan);
   bool done() const { return substeps_done_ >= substeps_; }
   int substeps_done() const { return substeps_done_; }
@@ -35,9 +36,13 @@ class Frame {
   const Motion& motion() const { return motion_; }
 
  private:
+  bool fly(Plan& plan);
+  void act(Plan& plan, bool may_touch);
+
   const Integrator* integrator_ = nullptr;
   double start_ = 0.0, duration_ = 0.0, h_ = 0.0;  // [s]
   int substeps_ = 0, substeps_done_ = 0;
+  int one_by_one_until_ = 0;  // substep before which something acts between them
   Vec3 target_{0.0};
   double hand_stretch_ = 0.0;  // [J], of this frame (EnergyLedger)
   double hand_speed_ = 0.0;    // [m/s], of this frame

@@ -60,9 +60,11 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
   for (int i = 0; i < snapshot_count; ++i) {
     const double begin = cpu_seconds();
     frame_.begin(plan_, problem_.system, settings, state);
-    while (!frame_.done()) {
+    for (int polled_at = 0; !frame_.done();) {
       frame_.substep(plan_);
-      if (frame_.substeps_done() % steps_per_poll == 0 && !should_continue()) {
+      if (frame_.substeps_done() < polled_at + steps_per_poll) continue;
+      polled_at = frame_.substeps_done();
+      if (!should_continue()) {
         result.end = RunResult::End::Stopped;
         return result;
       }

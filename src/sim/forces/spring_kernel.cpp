@@ -4,6 +4,8 @@
 // are read and written as whole vectors; the springs of short ones are first gathered, some dozens at a time.
 #include "sim/forces/spring_kernel.h"
 
+#include "sim/forces/grid_kernel.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/forces/spring_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -148,7 +150,8 @@ HWY_INLINE void gather(const double* field, Index points, const Index* first, co
     }
 }
 
-// Gathers as many short runs, starting with `run`, as fit into a block; returns the first one left.
+// Gathers as many short runs that follow each other in the packed order, starting with `run`, as fit into a block; returns the first one
+// left.
 template <int Dimensions, bool Damped>
 HWY_INLINE const SpringRun* add_short_runs(const Plan& plan, const SpringRun* run, const SpringRun* end, const double* x, const double* v,
                                            double* f, double (*force)[block + 2 * padding]) {
@@ -156,7 +159,7 @@ HWY_INLINE const SpringRun* add_short_runs(const Plan& plan, const SpringRun* ru
   Index first[block], second[block];
   const Index packed = run->begin;
   Index count = 0;
-  for (; run != end && is_gathered(*run) && count <= block - short_run; ++run) {
+  for (; run != end && is_gathered(*run) && count <= block - short_run && run->begin == packed + count; ++run) {
     const Index i = run->first, j = run->second, springs = run->count;
     for (Index e = 0; e < short_run; ++e) first[count + e] = i + e;
     for (Index e = 0; e < short_run; ++e) second[count + e] = j + e;
@@ -185,8 +188,8 @@ HWY_INLINE const SpringRun* add_short_runs(const Plan& plan, const SpringRun* ru
 template <int Dimensions, bool Damped>
 void add_forces(const Plan& plan, const double* x, const double* v, double* f) {
   HWY_ALIGN double force[3][block + 2 * padding] = {};
-  const SpringRun* const end = plan.runs.data() + plan.runs.size();
-  for (const SpringRun* run = plan.runs.data(); run != end;) {
+  const SpringRun* const end = plan.loose_runs.data() + plan.loose_runs.size();
+  for (const SpringRun* run = plan.loose_runs.data(); run != end;) {
     if (is_gathered(*run))
       run = add_short_runs<Dimensions, Damped>(plan, run, end, x, v, f, force);
     else
@@ -210,11 +213,17 @@ HWY_EXPORT(add_forces_3d);
 HWY_EXPORT(add_damped_forces_2d);
 HWY_EXPORT(add_damped_forces_3d);
 
-void add_spring_forces(const Plan& plan, const double* x, const double* v, double* f) {
+void add_loose_spring_forces(const Plan& plan, const double* x, const double* v, double* f) {
+  if (plan.loose_runs.empty()) return;
   if (plan.dimensions == 2)
     v != nullptr ? HWY_DYNAMIC_DISPATCH(add_damped_forces_2d)(plan, x, v, f) : HWY_DYNAMIC_DISPATCH(add_forces_2d)(plan, x, v, f);
   else
     v != nullptr ? HWY_DYNAMIC_DISPATCH(add_damped_forces_3d)(plan, x, v, f) : HWY_DYNAMIC_DISPATCH(add_forces_3d)(plan, x, v, f);
+}
+
+void add_spring_forces(const Plan& plan, const double* x, const double* v, double* f) {
+  add_loose_spring_forces(plan, x, v, f);
+  for (const Grid& grid : plan.grids) add_grid_forces(plan, grid, x, v, f);
 }
 
 }  // namespace hooke

@@ -8,4 +8,7 @@ namespace hooke {
 // Adds the force [N] of every spring to f, including dashpots if `v` is given.
 void add_spring_forces(const Plan& plan, const double* x, const double* v, double* f);
 
+// Those of the springs outside grids alone.
+void add_loose_spring_forces(const Plan& plan, const double* x, const double* v, double* f);
+
 }  // namespace hooke

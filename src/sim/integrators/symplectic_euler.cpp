@@ -18,6 +18,14 @@ void step(const Plan& plan, Motion& motion, Workspace&, double h) {
   drift(motion, h);
 }
 
+void fly(const Plan& plan, Motion& motion, Workspace&, double h, int count, Flight& flight) {
+  for (int i = 0; i < count && !flight.was_interrupted(); ++i) {
+    kick_and_drift(plan, motion, h, h, plan.has_dashpots(), flight);
+    ++motion.force_evaluations;
+    motion.time += h;
+  }
+}
+
 // v' = E v - phi h (omega^2 x + (lambda + q) v), x' = x + h v', with E = e^(-h c), phi = (1 - E) / (h c)
 Amplification amplification(const Oscillator& oscillator) {
   const double decay = std::exp(-oscillator.h_drag);
@@ -52,6 +60,7 @@ constinit const Integrator symplectic_euler{
     .prepare = nullptr,
     .step = step,
     .amplification = amplification,
+    .fly = fly,
 };
 
 }  // namespace hooke

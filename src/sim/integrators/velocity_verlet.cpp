@@ -8,6 +8,7 @@
 #include "sim/forces/dashpot.h"
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
+#include "sim/spring_limits.h"
 
 namespace hooke {
 namespace {
@@ -17,27 +18,56 @@ void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) 
   if (plan.has_dashpots()) plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
 }
 
+void accelerate(const Plan& plan, double time, const Field& v, Motion& motion) {
+  compute_position_forces(plan, time, motion.x, v, motion.a);
+  divide_by_mass(plan, motion.a);
+  ++motion.force_evaluations;
+}
+
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
-  if (!motion.acceleration_is_current) {
-    compute_position_forces(plan, motion.time, motion.x, motion.v, motion.a);
-    divide_by_mass(plan, motion.a);
-    ++motion.force_evaluations;
-  }
-
+  if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
   kick(plan, motion, 0.5 * h);
   drift(motion, h);
 
   // the velocity at the end of the step, as needed by forces that depend on it
   Field& velocity = work.fields[1];
   if (plan.forces_depend_on_velocity) predict_velocity(plan, motion, 0.5 * h, velocity);
-  compute_position_forces(plan, motion.time + h, motion.x, plan.forces_depend_on_velocity ? velocity : motion.v, motion.a);
-  divide_by_mass(plan, motion.a);
-  ++motion.force_evaluations;
+  accelerate(plan, motion.time + h, plan.forces_depend_on_velocity ? velocity : motion.v, motion);
   kick(plan, motion, 0.5 * h);
   motion.acceleration_is_current = !plan.forces_depend_on_velocity;
 
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
+}
+
+// The last kick of a step and the first of the next are one of h; forces are evaluated within the pass that kicks and drifts.
+void fly_damped(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) {
+  for (int i = 0; i < count && !flight.was_interrupted(); ++i) {
+    if (i > 0) flight.any_at_limit = flight.any_at_limit || any_reaches_limit(plan, plan.runs, motion.x);
+    decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
+    if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
+    kick_and_drift_with_known(plan, motion, 0.5 * h, h, flight);
+    motion.time += h;
+    accelerate(plan, motion.time, motion.v, motion);
+    kick(plan, motion, 0.5 * h);
+    motion.acceleration_is_current = true;
+    decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
+  }
+}
+
+void fly(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) {
+  if (plan.has_dashpots()) return fly_damped(plan, motion, work, h, count, flight);
+  if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
+  kick_and_drift_with_known(plan, motion, 0.5 * h, h, flight);
+  for (int i = 1; i < count && !flight.was_interrupted(); ++i) {
+    motion.time += h;
+    kick_and_drift(plan, motion, h, h, false, flight);
+    ++motion.force_evaluations;
+  }
+  motion.time += h;
+  accelerate(plan, motion.time, motion.v, motion);
+  kick(plan, motion, 0.5 * h);
+  motion.acceleration_is_current = true;
 }
 
 // The columns of the step's matrix on (x, h v), with E and phi per half step.
@@ -87,6 +117,7 @@ constinit const Integrator velocity_verlet{
     .prepare = prepare,
     .step = step,
     .amplification = amplification,
+    .fly = fly,
 };
 
 }  // namespace hooke

@@ -1,0 +1,172 @@
+// Rows of numbers in vectors, for kernels that Highway compiles once for each vector unit: loads and stores up to the right edge, and what
+// one vector hands on to the next. Included once for each of them.
+#include <type_traits>
+
+#if defined(HOOKE_SIM_FORCES_COLUMNS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef HOOKE_SIM_FORCES_COLUMNS_INL_H
+#undef HOOKE_SIM_FORCES_COLUMNS_INL_H
+#else
+#define HOOKE_SIM_FORCES_COLUMNS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "sim/grid.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hooke::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// All lanes up by one, with the highest lane of `previous` below them.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V shift_up([[maybe_unused]] D d, [[maybe_unused]] V current, V previous) {
+#if HWY_TARGET == HWY_SCALAR
+  return previous;
+#else
+  if constexpr (hn::MaxLanes(D()) == 1) {
+    return previous;
+  } else if constexpr (hn::MaxLanes(D()) == 2) {
+    return hn::CombineShiftRightLanes<1>(d, current, previous);
+  } else if constexpr (hn::MaxLanes(D()) == 4) {
+    return hn::CombineShiftRightLanes<1>(d, current, hn::ConcatLowerUpper(d, current, previous));
+  } else {
+    static_assert(hn::MaxLanes(D()) == 8 && HWY_TARGET <= HWY_AVX3, "no other unit has more than four lanes");
+#if HWY_TARGET <= HWY_AVX3
+    return V{_mm512_castsi512_pd(_mm512_alignr_epi64(_mm512_castpd_si512(current.raw), _mm512_castpd_si512(previous.raw), 7))};
+#endif
+  }
+#endif
+}
+
+// As many columns as the vector has lanes, with a further column after them.
+template <class Tag>
+struct WholeVector {
+  using D = Tag;
+  using V = hn::Vec<D>;
+  D d;
+  HWY_INLINE V load(const double* p) const { return hn::LoadU(d, p); }
+  HWY_INLINE V load_next(const double* p) const { return hn::LoadU(d, p + 1); }
+  HWY_INLINE void store(V v, double* p) const { hn::StoreU(v, d, p); }
+  HWY_INLINE V valid(V v) const { return v; }
+};
+
+// The last columns of a row: nothing is read or written beyond them. Vectors of two lanes take them one by one, since Highway's
+// masked operations touch all lanes there.
+template <class Tag>
+struct RightEdge {
+  using D = Tag;
+  using V = hn::Vec<D>;
+  D d;
+  hn::Mask<D> here, next;
+  HWY_INLINE RightEdge(D tag, Index columns) : d(tag), here(hn::FirstN(tag, columns)), next(hn::FirstN(tag, columns - 1)) {}
+  HWY_INLINE V load(const double* p) const { return hn::MaskedLoad(here, d, p); }
+  HWY_INLINE V load_next(const double* p) const { return hn::MaskedLoad(next, d, p + 1); }
+  HWY_INLINE void store(V v, double* p) const { hn::BlendedStore(v, here, d, p); }
+  HWY_INLINE V valid(V v) const { return hn::IfThenElseZero(here, v); }
+};
+
+struct OneColumn {
+  using D = hn::CappedTag<double, 1>;
+  using V = hn::Vec<D>;
+  D d;
+  bool has_next;
+  HWY_INLINE V load(const double* p) const { return hn::LoadU(d, p); }
+  HWY_INLINE V load_next(const double* p) const { return has_next ? hn::LoadU(d, p + 1) : hn::Zero(d); }
+  HWY_INLINE void store(V v, double* p) const { hn::StoreU(v, d, p); }
+  HWY_INLINE V valid(V v) const { return v; }
+};
+
+// What cells have for the points of the next column.
+template <int Dimensions, class V>
+struct Carry {
+  V same_row[Dimensions], below[Dimensions];
+};
+
+// For the columns of a row in vectors: use(columns, first column).
+template <class Use>
+HWY_INLINE void for_columns(Index count, const Use& use) {
+  const hn::ScalableTag<double> d;
+  const Index lanes = static_cast<Index>(hn::Lanes(d));
+  const WholeVector<decltype(d)> whole{d};
+  Index j = 0;
+  for (; j + lanes < count; j += lanes) use(whole, j);
+  if constexpr (hn::MaxLanes(d) >= 4) {
+    use(RightEdge(d, count - j), j);
+  } else {
+    for (; j < count; ++j) use(OneColumn{{}, j + 1 < count}, j);
+  }
+}
+
+// The state of a sweep along a row in vectors of either width.
+template <int Dimensions>
+struct RowState {
+  using Wide = hn::ScalableTag<double>;
+  using Single = hn::CappedTag<double, 1>;
+  Carry<Dimensions, hn::Vec<Wide>> wide;
+  Carry<Dimensions, hn::Vec<Single>> single;
+  bool is_wide = false;
+  HWY_INLINE RowState() {
+    for (int c = 0; c < Dimensions; ++c) {
+      wide.same_row[c] = wide.below[c] = hn::Zero(Wide());
+      single.same_row[c] = single.below[c] = hn::Zero(Single());
+    }
+  }
+  template <class D>
+  HWY_INLINE auto& carry(D) {
+    if constexpr (hn::MaxLanes(D()) == hn::MaxLanes(Wide())) {
+      is_wide = true;
+      return wide;
+    } else {
+      if (is_wide)
+        for (int c = 0; c < Dimensions; ++c) {
+          single.same_row[c] = hn::Set(Single(), hn::ExtractLane(wide.same_row[c], hn::MaxLanes(Wide()) - 1));
+          single.below[c] = hn::Set(Single(), hn::ExtractLane(wide.below[c], hn::MaxLanes(Wide()) - 1));
+        }
+      is_wide = false;
+      return single;
+    }
+  }
+};
+
+// Whether any lane was set, over vectors of either width.
+struct AnySet {
+  hn::Mask<hn::ScalableTag<double>> wide;
+  hn::Mask<hn::CappedTag<double, 1>> single;
+  HWY_INLINE AnySet() : wide(hn::FirstN(hn::ScalableTag<double>(), 0)), single(hn::FirstN(hn::CappedTag<double, 1>(), 0)) {}
+  template <class D>
+  HWY_INLINE auto& mask(D) {
+    if constexpr (hn::MaxLanes(D()) == hn::MaxLanes(hn::ScalableTag<double>()))
+      return wide;
+    else
+      return single;
+  }
+  HWY_INLINE bool any() const {
+    return !hn::AllFalse(hn::ScalableTag<double>(), wide) || !hn::AllFalse(hn::CappedTag<double, 1>(), single);
+  }
+};
+
+// The maximum of numbers that are not negative, over all lanes of vectors of either width.
+struct Max {
+  hn::ScalableTag<double> d;
+  hn::Vec<hn::ScalableTag<double>> wide;
+  double single = 0.0;
+
+  HWY_INLINE Max() : wide(hn::Zero(d)) {}
+  template <class V>
+  HWY_INLINE void add(V square) {
+    if constexpr (std::is_same_v<V, hn::Vec<hn::ScalableTag<double>>>) {
+      wide = hn::Max(wide, square);
+    } else {
+      const double candidate = hn::GetLane(square);
+      single = candidate > single ? candidate : single;
+    }
+  }
+  HWY_INLINE double get() const {
+    const double max = hn::GetLane(hn::MaxOfLanes(d, wide));
+    return max > single ? max : single;
+  }
+};
+
+}  // namespace hooke::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

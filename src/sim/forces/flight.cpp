@@ -1,0 +1,76 @@
+#include "sim/forces/flight.h"
+
+#include <algorithm>
+
+#include "sim/forces/field_kernel.h"
+#include "sim/forces/forces.h"
+#include "sim/forces/grid_kernel.h"
+#include "sim/forces/spring_kernel.h"
+#include "sim/spring_limits.h"
+
+namespace hooke {
+namespace {
+
+// v' = decay v + weight a of a kick over h, as in motion.h.
+void set_kick(const Plan& plan, double h, GridPass& pass) {
+  pass.decay = plan.drag == 0.0 ? 1.0 : std::exp(-plan.drag * h);
+  pass.weight = plan.drag == 0.0 ? h : -std::expm1(-plan.drag * h) / plan.drag;
+}
+
+void record(const GridWatch& watch, double drift, Flight& flight) {
+  const double speed = std::sqrt(watch.max_speed_squared);
+  flight.travel += drift * speed;
+  flight.max_speed = std::max(flight.max_speed, speed);
+  flight.max_drift = std::max(flight.max_drift, drift);
+  flight.any_at_limit = flight.any_at_limit || watch.any_at_limit;
+}
+
+}  // namespace
+
+bool can_fly(const Plan& plan) {
+  return !plan.held && !plan.pull && !plan.colliders_move && !plan.grabbed_collider &&
+         // those with a potential depend on time by moving colliders only
+         std::ranges::all_of(plan.forces, [](const Force& force) {
+           return force.term->potential != nullptr && force.term->power == nullptr && !force.term->depends_on_velocity;
+         });
+}
+
+void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift, bool damped, Flight& flight) {
+  GridPass pass{.drift = drift, .damped = damped};
+  set_kick(plan, kick, pass);
+  const double* v = damped ? motion.v.data() : nullptr;
+  if (!plan.loose_runs.empty() || !plan.forces.empty()) {
+    compute_external_forces(plan, motion.time, motion.x, motion.v, motion.a);
+    add_loose_spring_forces(plan, motion.x.data(), v, motion.a.data());
+    pass.f = motion.a.data();
+  }
+  motion.acceleration_is_current = false;
+
+  GridWatch watch{.any_at_limit = any_reaches_limit(plan, plan.loose_runs, motion.x)};
+  Index next = 0;
+  for (const Grid& grid : plan.grids) {
+    advance_points(plan, next, grid.first, pass, motion.x.data(), motion.v.data(), watch);
+    advance_grid(plan, grid, pass, motion.x.data(), motion.v.data(), watch);
+    next = grid.first + grid.points();
+  }
+  advance_points(plan, next, plan.points, pass, motion.x.data(), motion.v.data(), watch);
+  record(watch, drift, flight);
+}
+
+void kick_and_drift_with_known(const Plan& plan, Motion& motion, double h, double drift_time, Flight& flight) {
+  kick(plan, motion, h);
+  drift(motion, drift_time);
+  motion.acceleration_is_current = false;
+  GridWatch watch;
+  for (Index i = 0; i < plan.points; ++i) {
+    double square = 0.0;
+    for (int c = 0; c < plan.dimensions; ++c) {
+      const double component = motion.v[static_cast<std::size_t>(c) * plan.points + i];
+      square += component * component;
+    }
+    watch.max_speed_squared = std::max(watch.max_speed_squared, square);
+  }
+  record(watch, drift_time, flight);
+}
+
+}  // namespace hooke

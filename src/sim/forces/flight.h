@@ -1,0 +1,38 @@
+// Steps with nothing between them: no hand, contact or limit acts, so that kicks and drifts of all points fuse into one pass over
+// the springs.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "sim/motion.h"
+
+namespace hooke {
+
+// How far the points got, as a bound for all of them.
+struct Flight {
+  double clearance = std::numeric_limits<double>::infinity();  // [m], between any point and any collider at the start
+  double travel = 0.0;                                         // [m], since then
+  double max_speed = 0.0;                                      // [m/s]
+  double max_drift = 0.0;                                      // [s]
+  bool any_at_limit = false;                                   // whether a spring may have reached the length at which something acts
+
+  // Whether something may have acted between the steps. A point leaves the straight line of its drift by up to an eighth of the
+  // change of its velocity times the step.
+  bool was_interrupted() const {
+    return any_at_limit || (std::isfinite(clearance) && !(travel + 0.25 * max_drift * max_speed < clearance));
+  }
+};
+
+// Whether the forces on the points depend on nothing but their positions and, with their dashpots, the velocities of the springs' ends.
+bool can_fly(const Plan& plan);
+
+// From the forces of compute_position_forces at motion.time and motion.x, with `damped` also those of the dashpots:
+//   kick by `kick` [s], then drift by `drift` [s], as in motion.h.
+// Uses motion.a as scratch.
+void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift, bool damped, Flight& flight);
+
+// The same with the accelerations motion.a.
+void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, double drift, Flight& flight);
+
+}  // namespace hooke

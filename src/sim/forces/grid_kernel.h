@@ -1,0 +1,33 @@
+// Springs of grids (sim/grid.h), row by row in whole vectors, for the widest vector unit of the machine; the same bits on every
+// machine. Either their forces alone, or forces, kick and drift in one pass over the points.
+#pragma once
+
+#include "sim/plan.h"
+
+namespace hooke {
+
+// Adds the force [N] of every spring of the grid to f; with dashpots if `v` is given.
+void add_grid_forces(const Plan& plan, const Grid& grid, const double* x, const double* v, double* f);
+
+// One pass of a leapfrog: from the forces f at x (and, with `damped`, v) of all springs of the grid
+//   a = acceleration + f / m,   v' = decay v + weight a,   x' = x + drift v'.
+// Nailed and held points keep their velocity.
+struct GridPass {
+  double decay = 1.0, weight = 0.0, drift = 0.0;  // [1], [s], [s]
+  bool damped = false;                            // whether the springs' dashpots count
+  const double* f = nullptr;                      // [N] of all other forces, in which case acceleration does not count
+};
+
+// What the springs and points of a pass reached.
+struct GridWatch {
+  double max_speed_squared = 0.0;  // [m^2/s^2], of v'
+  bool any_at_limit = false;       // whether a spring was as long as its limit before the pass; none without limits
+};
+
+// Advances the points of the grid in place, and adds to `watch`.
+void advance_grid(const Plan& plan, const Grid& grid, const GridPass& pass, double* x, double* v, GridWatch& watch);
+
+// The same for points first .. end - 1, on which no force of a grid acts.
+void advance_points(const Plan& plan, Index first, Index end, const GridPass& pass, double* x, double* v, GridWatch& watch);
+
+}  // namespace hooke

@@ -1,0 +1,146 @@
+// Several substeps at once equal the same substeps one by one: to rounding, whatever acts on the points, and when something acts
+// between them.
+#include "sim/forces/flight.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "sim/forces/terms/rows.h"
+#include "support/nets.h"
+#include "support/random_scene.h"
+
+namespace hooke {
+namespace {
+
+constexpr double frame_time = 1.0 / 60.0;
+constexpr int substeps = 40;
+
+struct Outcome {
+  State state;
+  Index broken = 0;
+};
+
+// `frames` frames of `per_frame` substeps each; a frame of one substep is never taken at once.
+Outcome run(const Trial& trial, const Integrator& method, int frames, int per_frame) {
+  Outcome result{trial.state};
+  System system = trial.system;
+  Plan plan = make_plan(system);
+  Frame frame;
+  for (int i = 0; i < frames; ++i) {
+    frame.begin(plan, system, {.integrator = &method, .frame_rate = static_cast<double>(frames) / frame_time, .substeps = per_frame},
+                result.state);
+    while (!frame.done()) frame.substep(plan);
+    frame.end(plan, result.state);
+    result.broken += static_cast<Index>(frame.broken().size());
+    if (frame.broken().empty()) continue;
+    std::vector<Spring> springs = system.springs();
+    for (auto s = frame.broken().rbegin(); s != frame.broken().rend(); ++s) springs.erase(springs.begin() + *s);
+    system.set_springs(std::move(springs));
+    plan = make_plan(system);
+  }
+  return result;
+}
+
+double largest_difference(const State& a, const State& b) {
+  double max = 0.0;
+  for (std::size_t i = 0; i < a.position.size(); ++i) {
+    max = std::max(max, glm::distance(a.position[i], b.position[i]));
+    max = std::max(max, 1e-2 * glm::distance(a.velocity[i], b.velocity[i]));
+  }
+  return max;
+}
+
+std::vector<const Integrator*> flying_methods() {
+  std::vector<const Integrator*> methods;
+  for (const Integrator& method : integrators())
+    if (method.fly != nullptr) methods.push_back(&method);
+  return methods;
+}
+
+void expect_equal_to_rounding(const Trial& trial, const char* what) {
+  for (const Integrator* method : flying_methods()) {
+    const Outcome at_once = run(trial, *method, 1, substeps), one_by_one = run(trial, *method, substeps, 1);
+    EXPECT_LT(largest_difference(at_once.state, one_by_one.state), 1e-12) << method->id << ", " << what;
+    EXPECT_GT(largest_difference(at_once.state, trial.state), 1e-4) << method->id << ", " << what;
+  }
+}
+
+Trial swinging_net(double damping = 0.0) {
+  Trial trial = net(17, 500.0, damping);
+  for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).radius = 0.01;
+  return trial;
+}
+
+TEST(Flight, EqualsStepsOneByOne) {
+  expect_equal_to_rounding(swinging_net(), "undamped");
+  expect_equal_to_rounding(swinging_net(0.2), "dashpots");
+  expect_equal_to_rounding(curtain(12, 300.0, 0.0), "diagonals");
+  Trial trial = swinging_net();
+  trial.system.drag = 3.0;
+  trial.system.wind = {2.0, 0.0, 1.0};
+  expect_equal_to_rounding(trial, "drag");
+  trial.system.forces.push_back({.term = &center_force, .values = default_values(center_force)});
+  expect_equal_to_rounding(trial, "a listed force");
+  for (Index i = 0; i < 50; ++i) trial.join(trial.system.points()[3 * i].id, trial.system.points()[4 * i + 7].id, 30.0, 0.3);
+  expect_equal_to_rounding(trial, "springs across the net");
+  expect_equal_to_rounding(random_trial(4, 40, 90), "a graph without a grid");
+}
+
+TEST(Flight, TakesFewerForceEvaluationsThanTwiceTheSteps) {
+  const Trial trial = swinging_net();
+  for (const Integrator* method : flying_methods()) {
+    Plan plan = make_plan(trial.system);
+    Frame frame;
+    frame.begin(plan, trial.system, {.integrator = method, .frame_rate = 60.0, .substeps = substeps}, trial.state);
+    int calls = 0;
+    for (; !frame.done(); ++calls) frame.substep(plan);
+    EXPECT_LT(calls, 4) << method->id;
+    EXPECT_LE(frame.force_evaluations(), substeps + 1) << method->id;
+  }
+}
+
+// A floor that the net falls on within the frame, and one that it only nearly reaches.
+TEST(Flight, IsTakenBackWhenAPointTouchesACollider) {
+  Trial trial = swinging_net();
+  double lowest = 0.0;
+  for (Index i = 0; i < trial.system.point_count(); ++i) {
+    trial.system.point(i).nailed = false;
+    trial.state.velocity[i] = {0.0, -3.0, 0.0};
+    lowest = std::min(lowest, trial.state.position[i].y);
+  }
+  const auto floor_at = [](double y) { return Collider{.shape = Plane{{0.0, y, 0.0}}, .restitution = 0.5, .friction = 0.3}; };
+  const Collider ball{.shape = Sphere{{0.5, lowest - 0.33, 0.0}, 0.3}, .restitution = 0.5};
+  const Collider box{.shape = Box{{0.2, lowest - 1.0, -1.0}, {0.4, lowest - 0.03, 1.0}}, .restitution = 0.5};
+  for (const Collider& collider : {floor_at(lowest - 0.03), floor_at(lowest - 0.045), floor_at(lowest - 0.08), ball, box}) {
+    trial.system.colliders = {collider};
+    expect_equal_to_rounding(trial, "a collider");
+  }
+  trial.system.colliders = {floor_at(lowest - 0.03)};
+  const State touched = run(trial, default_integrator(), 1, substeps).state;
+  trial.system.colliders.clear();
+  EXPECT_GT(largest_difference(touched, run(trial, default_integrator(), 1, substeps).state), 1e-3);
+}
+
+TEST(Flight, IsTakenBackWhenASpringBreaksOrIsTooLong) {
+  Trial trial = swinging_net();
+  for (Vec3& velocity : trial.state.velocity) velocity *= 40.0;
+  for (const double strain : {0.05, 0.1, 3.0}) {
+    trial.system.break_strain = strain;
+    for (const Integrator* method : flying_methods()) {
+      const Outcome at_once = run(trial, *method, 1, substeps), one_by_one = run(trial, *method, substeps, 1);
+      EXPECT_LT(largest_difference(at_once.state, one_by_one.state), 1e-12) << method->id;
+      EXPECT_EQ(at_once.broken, one_by_one.broken) << method->id;
+      EXPECT_EQ(at_once.broken > 0, strain < 1.0) << method->id << ", " << strain;
+    }
+  }
+  trial.system.break_strain = 0.0;
+  for (const double strain : {0.05, 0.2, 3.0}) {
+    trial.system.strain_limit = strain;
+    expect_equal_to_rounding(trial, "a strain limit");
+  }
+}
+
+}  // namespace
+}  // namespace hooke

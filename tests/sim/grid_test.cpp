@@ -1,0 +1,321 @@
+// Grids in the graph, and their kernels: the same forces as spring by spring to rounding, the same bits for every vector unit, and
+// flights that equal the steps they replace.
+#include "sim/grid.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "sim/forces/grid_kernel.h"
+#include "sim/forces/spring_kernel.h"
+#include "support/random_scene.h"
+
+namespace hooke {
+namespace {
+
+// What a net of points in rows lacks or has in addition.
+struct Net {
+  int rows, columns;
+  int dimensions = 3;
+  double max_damping = 0.0;
+  bool uniform = false;     // one mass, and one stiffness and rest length for each direction
+  int missing = 0;          // one spring of so many; 0: none
+  bool extra = false;       // springs over the next point but one, and to a point outside
+  bool coincident = false;  // some points at the same place
+};
+
+Trial make_net(const Net& net) {
+  Random random(static_cast<std::uint64_t>(100 * net.rows + net.columns));
+  const auto uniform = [&](double min, double max) { return random.uniform(min, max); };
+  Trial trial;
+  trial.system.dimensions = net.dimensions;
+  const double depth = net.dimensions == 3 ? 0.3 : 0.0;
+  for (int r = 0; r < net.rows; ++r)
+    for (int c = 0; c < net.columns; ++c) {
+      const Vec3 away(uniform(-0.3, 0.3), uniform(-0.3, 0.3), uniform(-depth, depth));
+      const Vec3 velocity(uniform(-1.0, 1.0), uniform(-1.0, 1.0), uniform(-depth, depth));
+      const bool coincides = net.coincident && c > 0 && random.one_in(6);
+      trial.add(coincides ? trial.state.position.back() : Vec3(c, -r, 0.0) + away, net.uniform ? 0.5 : uniform(0.2, 2.0), velocity);
+      if (random.one_in(9)) trial.system.point(r * net.columns + c).nailed = true;
+    }
+  const auto join = [&](int from, int to, int direction) {
+    const bool is_missing = net.missing > 0 && random.one_in(net.missing);
+    if (is_missing) return;
+    const PointId first = trial.system.points()[from].id, second = trial.system.points()[to].id;
+    const double k = net.uniform ? 10.0 + direction : uniform(1.0, 100.0),
+                 rest_length = net.uniform ? 1.0 + 0.1 * direction : uniform(0.0, 2.0);
+    trial.join(first, second, k, rest_length, uniform(0.0, net.max_damping));
+  };
+  for (int r = 0; r < net.rows; ++r)
+    for (int c = 0; c < net.columns; ++c) {
+      const int i = r * net.columns + c;
+      if (c + 1 < net.columns) join(i, i + 1, 0);
+      if (r + 1 < net.rows) join(i + net.columns, i, 1);
+      if (r + 1 < net.rows && c + 1 < net.columns) join(i, i + net.columns + 1, 2);
+      if (r + 1 < net.rows && c + 1 < net.columns) join(i + net.columns, i + 1, 3);
+      if (net.extra && c + 2 < net.columns && random.one_in(3)) join(i, i + 2, 4);
+    }
+  if (net.extra) {
+    trial.add({0.5, 2.0, 0.0});
+    join(net.rows * net.columns, 1, 5);
+  }
+  return trial;
+}
+
+// rows and columns below, at and above the widths of vectors
+std::vector<Net> assorted_nets() {
+  std::vector<Net> nets;
+  for (const int dimensions : {2, 3})
+    for (const double damping : {0.0, 5.0})
+      for (const int rows : {1, 2, 3, 5})
+        for (const int columns : {4, 5, 7, 8, 9, 11, 15, 16, 17, 18, 24, 31, 33}) {
+          if (rows == 1 && columns < 8) continue;
+          const Net net{.rows = rows, .columns = columns, .dimensions = dimensions, .max_damping = damping};
+          nets.push_back(net);
+          for (const auto change : {&Net::uniform, &Net::extra, &Net::coincident}) {
+            nets.push_back(net);
+            nets.back().*change = true;
+          }
+          nets.push_back(net);
+          if (rows > 3) nets.back().missing = 12;
+        }
+  return nets;
+}
+
+// With grids, however small the scene is.
+Plan make_plan_with_grids(const System& system) {
+  Plan plan = make_plan(system);
+  plan.grids = find_grids(plan.runs, plan.points, plan.loose_runs);
+  refresh_grids(plan);
+  return plan;
+}
+
+struct Packed {
+  Plan plan;
+  Motion motion;
+  explicit Packed(const Trial& trial) : plan(make_plan_with_grids(trial.system)) { pack(plan, trial.state, motion); }
+  const double* velocities() const { return plan.has_dashpots() ? motion.v.data() : nullptr; }
+  Field forces() const {
+    Field f(motion.x.size(), 0.0);
+    add_spring_forces(plan, motion.x.data(), velocities(), f.data());
+    return f;
+  }
+};
+
+// The same plan without grids.
+Plan without_grids(Plan plan) {
+  plan.grids.clear();
+  plan.loose_runs = plan.runs;
+  return plan;
+}
+
+Index springs_in_grids(const Plan& plan) {
+  Index count = 0;
+  for (const Grid& grid : plan.grids)
+    for (const std::vector<Index>& spring : grid.spring)
+      count += static_cast<Index>(std::ranges::count_if(spring, [](Index s) { return s != no_index; }));
+  return count;
+}
+
+TEST(Grids, AreOfLargeScenesOnly) {
+  EXPECT_TRUE(make_plan(make_net({.rows = 8, .columns = 8}).system).grids.empty());
+  EXPECT_EQ(make_plan(make_net({.rows = 10, .columns = 10}).system).grids.size(), 1u);
+}
+
+TEST(Grids, AreFoundInNetsWithAllTheirSprings) {
+  for (const int columns : {4, 9, 33}) {
+    const Plan plan = make_plan_with_grids(make_net({.rows = 6, .columns = columns}).system);
+    ASSERT_EQ(plan.grids.size(), 1u);
+    EXPECT_EQ(plan.grids[0].rows, 6);
+    EXPECT_EQ(plan.grids[0].columns, columns);
+    EXPECT_EQ(springs_in_grids(plan), plan.springs);
+    EXPECT_TRUE(plan.loose_runs.empty());
+  }
+}
+
+TEST(Grids, KeepTheirShapeWhereSpringsAreMissing) {
+  const Plan plan = make_plan_with_grids(make_net({.rows = 12, .columns = 20, .missing = 15}).system);
+  ASSERT_EQ(plan.grids.size(), 1u);
+  EXPECT_EQ(plan.grids[0].rows, 12);
+  EXPECT_EQ(plan.grids[0].columns, 20);
+  EXPECT_EQ(springs_in_grids(plan), plan.springs);
+}
+
+TEST(Grids, LeaveTheSpringsTheyHaveNoPlaceFor) {
+  const Plan plan = make_plan_with_grids(make_net({.rows = 6, .columns = 20, .extra = true}).system);
+  ASSERT_EQ(plan.grids.size(), 1u);
+  Index loose = 0;
+  for (const SpringRun& run : plan.loose_runs) {
+    loose += run.count;
+    for (Index e = 0; e < run.count; ++e)
+      for (const std::vector<Index>& spring : plan.grids[0].spring) EXPECT_EQ(std::ranges::count(spring, run.begin + e), 0);
+  }
+  EXPECT_GT(loose, 10);
+  EXPECT_EQ(loose + springs_in_grids(plan), plan.springs);
+}
+
+TEST(Grids, AreTheSameInWhateverOrderTheSpringsWereMade) {
+  const Trial trial = make_net({.rows = 7, .columns = 13, .missing = 20});
+  Trial reversed = trial;
+  std::vector<Spring> springs = trial.system.springs();
+  std::ranges::reverse(springs);
+  for (Spring& spring : springs) std::swap(spring.first, spring.second);
+  reversed.system.set_springs(springs);
+  EXPECT_EQ(Packed(trial).forces(), Packed(reversed).forces());
+}
+
+TEST(Grids, StoreOneRowOfNumbersWhereAllAreTheSame) {
+  const Grid uniform = make_plan_with_grids(make_net({.rows = 6, .columns = 9, .uniform = true}).system).grids.at(0);
+  const Grid varied = make_plan_with_grids(make_net({.rows = 6, .columns = 9}).system).grids.at(0);
+  for (std::size_t direction = 0; direction < Grid::directions; ++direction) {
+    EXPECT_EQ(uniform.stiffness[direction].number.size(), 16u);
+    EXPECT_EQ(varied.stiffness[direction].number.size(), direction == Grid::Right ? 96u : 80u);
+  }
+}
+
+TEST(Grids, TakeSeveralSheetsAndRopesOfAScene) {
+  Trial trial = make_net({.rows = 5, .columns = 9});
+  const Trial more = make_net({.rows = 4, .columns = 6});
+  const auto append = [&](const Trial& other) {
+    const Index first = trial.system.point_count();
+    for (const Vec3& position : other.state.position) trial.add(position + Vec3(20.0));
+    for (const Spring& spring : other.system.springs())
+      trial.join(trial.system.points()[first + other.system.index_of(spring.first)].id,
+                 trial.system.points()[first + other.system.index_of(spring.second)].id, spring.stiffness, spring.rest_length);
+  };
+  append(more);
+  append(make_net({.rows = 1, .columns = 30}));
+  const Plan plan = make_plan_with_grids(trial.system);
+  ASSERT_EQ(plan.grids.size(), 3u);
+  EXPECT_EQ(plan.grids[1].columns, 6);
+  EXPECT_EQ(plan.grids[2].rows, 1);
+  EXPECT_EQ(springs_in_grids(plan), plan.springs);
+}
+
+TEST(GridForces, EqualThoseOfRunsToRounding) {
+  for (const Net& net : assorted_nets()) {
+    const Packed packed(make_net(net));
+    ASSERT_EQ(packed.plan.grids.size(), 1u) << net.rows << " x " << net.columns;
+    const Plan runs = without_grids(packed.plan);
+    const Field f = packed.forces();
+    Field expected(f.size(), 0.0);
+    add_spring_forces(runs, packed.motion.x.data(), packed.velocities(), expected.data());
+    for (std::size_t i = 0; i < f.size(); ++i) EXPECT_NEAR(f[i], expected[i], 2e-12) << net.rows << " x " << net.columns;
+  }
+}
+
+// k (1 - l0 / l) is zero where l is l0, as k (l - l0) / l is.
+TEST(GridForces, AreZeroInASheetAtRest) {
+  Trial trial = make_net({.rows = 9, .columns = 21});
+  std::vector<Spring> springs = trial.system.springs();
+  for (Spring& spring : springs) {
+    const Vec3 u = trial.position(spring.first) - trial.position(spring.second);
+    spring.rest_length = std::sqrt(u.x * u.x + u.y * u.y + u.z * u.z);
+  }
+  trial.system.set_springs(springs);
+  const Packed packed(trial);
+  ASSERT_EQ(packed.plan.grids.size(), 1u);
+  for (const double component : packed.forces()) EXPECT_EQ(component, 0.0);
+}
+
+template <class Compute>
+void expect_same_bits(const Compute& compute) {
+  std::vector<Field> first;
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().DeInit();
+    const std::vector<Field> fields = compute();
+    if (first.empty()) first = fields;
+    EXPECT_EQ(fields, first) << hwy::TargetName(target);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
+}
+
+TEST(GridForces, HaveTheSameBitsForEveryVectorUnit) {
+  expect_same_bits([] {
+    std::vector<Field> forces;
+    for (const Net& net : assorted_nets()) forces.push_back(Packed(make_net(net)).forces());
+    return forces;
+  });
+}
+
+// One pass of kick and drift.
+std::pair<Field, Field> advanced(Packed packed, bool damped, double& max_speed_squared) {
+  const GridPass pass{.decay = 0.9, .weight = 0.01, .drift = 0.02, .damped = damped};
+  GridWatch watch;
+  for (const Grid& grid : packed.plan.grids) {
+    EXPECT_EQ(grid.first, 0);
+    advance_grid(packed.plan, grid, pass, packed.motion.x.data(), packed.motion.v.data(), watch);
+    advance_points(packed.plan, grid.points(), packed.plan.points, pass, packed.motion.x.data(), packed.motion.v.data(), watch);
+  }
+  max_speed_squared = watch.max_speed_squared;
+  return {packed.motion.x, packed.motion.v};
+}
+
+TEST(GridPass, EqualsForcesKickAndDriftInTurn) {
+  for (const Net& net : assorted_nets()) {
+    if (net.extra) continue;  // its loose springs take no part
+    const Packed packed(make_net(net));
+    const Plan& plan = packed.plan;
+    double max_speed_squared = 0.0;
+    const auto [x, v] = advanced(packed, plan.has_dashpots(), max_speed_squared);
+    const Field f = packed.forces();
+    double expected_max = 0.0;
+    for (Index i = 0; i < plan.points; ++i) {
+      double square = 0.0;
+      for (int c = 0; c < plan.dimensions; ++c) {
+        const std::size_t at = static_cast<std::size_t>(c) * plan.points + i;
+        const double a = plan.acceleration[c] + plan.inverse_mass[i] * f[at];
+        const double velocity = plan.inverse_mass[i] == 0.0 ? packed.motion.v[at] : 0.9 * packed.motion.v[at] + 0.01 * a;
+        EXPECT_NEAR(v[at], velocity, 1e-12);
+        EXPECT_NEAR(x[at], packed.motion.x[at] + 0.02 * velocity, 1e-13);
+        square += v[at] * v[at];
+      }
+      expected_max = std::max(expected_max, square);
+    }
+    EXPECT_DOUBLE_EQ(max_speed_squared, expected_max) << net.rows << " x " << net.columns;
+  }
+}
+
+TEST(GridPass, HasTheSameBitsForEveryVectorUnit) {
+  expect_same_bits([] {
+    std::vector<Field> fields;
+    for (const Net& net : assorted_nets()) {
+      const Packed packed(make_net(net));
+      double max_speed_squared = 0.0;
+      auto [x, v] = advanced(packed, packed.plan.has_dashpots(), max_speed_squared);
+      fields.push_back(std::move(x));
+      fields.push_back(std::move(v));
+      fields.push_back({max_speed_squared});
+    }
+    return fields;
+  });
+}
+
+TEST(GridPass, TellsWhetherAnySpringIsAtItsLimit) {
+  for (const Net& net : assorted_nets()) {
+    Trial trial = make_net(net);
+    for (const bool reached : {false, true}) {
+      double longest = 0.0;
+      for (const Spring& spring : trial.system.springs())
+        longest = std::max(longest, glm::distance(trial.position(spring.first), trial.position(spring.second)) - spring.rest_length);
+      Packed packed(trial);
+      packed.plan.break_length.clear();
+      for (Index s = 0; s < packed.plan.springs; ++s)
+        packed.plan.break_length.push_back(packed.plan.rest_length[s] + (reached ? longest : 1.000001 * longest));
+      refresh_grids(packed.plan);
+      GridWatch watch;
+      for (const Grid& grid : packed.plan.grids) advance_grid(packed.plan, grid, {}, packed.motion.x.data(), packed.motion.v.data(), watch);
+      if (net.extra) continue;
+      EXPECT_EQ(watch.any_at_limit, reached) << net.rows << " x " << net.columns;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hooke
