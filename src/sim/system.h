@@ -10,16 +10,11 @@
 #include <variant>
 #include <vector>
 
+#include "base/color.h"
 #include "base/types.h"
 #include "sim/forces/force_term.h"
 
 namespace hooke {
-
-// sRGB, 8 bits per channel.
-struct Color {
-  std::uint8_t red = 0, green = 0, blue = 0;
-  bool operator==(const Color&) const = default;
-};
 
 struct Point {
   PointId id{};
