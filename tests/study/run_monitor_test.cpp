@@ -70,5 +70,44 @@ TEST(RunMonitor, DoesNotWarnAboutCorrectRuns) {
   EXPECT_EQ(false_warnings, "");
 }
 
+// A net at rest in moving air, which carries it away.
+TEST(RunMonitor, DoesNotWarnAboutAWindThatSetsTheSceneInMotion) {
+  for (const Integrator& method : integrators()) {
+    TestNetwork network;
+    const PointId first = network.add({0.0, 0.0, 0.0}), second = network.add({0.5, 0.1, 0.0}, 0.4);
+    network.join(first, second, 20.0, 0.6);
+    network.system.gravity = Vec3(0.0);
+    network.system.drag = 0.6;
+    network.system.wind = {-4.0, 0.0, 1.0};
+    initialize_ledger(network.system, network.state);
+    MonitoredRun run(network, {.integrator = &method, .substeps = 20});
+    run.run(2.0);
+    EXPECT_FALSE(run.stopped()) << method.id;
+    EXPECT_TRUE(run.monitor().warnings(run.system(), {}).empty()) << method.id << ": rise " << run.monitor().energy_rise();
+  }
+}
+
+// A point that the hand holds and moves, far heavier than the others, under a pull of the center of mass: its own motion is the hand's.
+TEST(RunMonitor, DoesNotWarnAboutAHandInAPullOfTheCenterOfMass) {
+  for (const bool nailed : {false, true}) {
+    TestNetwork network;
+    const PointId held = nailed ? network.nail(Vec3(0.0)) : network.add(Vec3(0.0), 50.0), other = network.add({0.5, 0.1, 0.0}, 0.4);
+    network.system.point(network.index(held)).mass = 50.0;
+    network.join(held, other, 20.0, 0.6);
+    const ForceTerm& term = *find_force_term("mass_center");
+    Force pull{.term = &term, .values = default_values(term)};
+    pull.values[3] = 500.0;
+    pull.values[4] = 0.0;
+    network.system.forces = {pull};
+    network.system.scripted_hand = ScriptedHand{.point = held, .from = Vec3(0.0), .center = {0.4, 0.0, 0.0}, .speed = 2.0, .seconds = 2.0};
+    initialize_ledger(network.system, network.state);
+    MonitoredRun run(network, {.integrator = find_integrator("velocity_verlet"), .substeps = 100});
+    run.run(1.5);
+    EXPECT_FALSE(run.stopped());
+    const auto warnings = run.monitor().warnings(run.system(), {});
+    EXPECT_TRUE(warnings.empty()) << warnings.front();
+  }
+}
+
 }  // namespace
 }  // namespace hooke
