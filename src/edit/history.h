@@ -16,13 +16,21 @@ using Gesture = std::uint64_t;
 
 class History {
  public:
+  // Whether a step changes what a file contains, or only the run: a drag in a running scene is undone like an edit, but not saved.
+  enum class Of { Document, Run };
+
   // Records an edit that was just applied, by its inverse. Discards the steps that were undone.
-  void record(const std::string& name, std::vector<Command> inverse, Gesture gesture);
+  void record(const std::string& name, std::vector<Command> inverse, Gesture gesture, Of of = Of::Document);
 
   // Undoes or redoes steps until `steps` of them are in effect, or none are left.
   Effect go_to(std::size_t steps, Scene& scene);
 
   void clear();
+  // The document is saved as it is now.
+  void mark_saved();
+  bool has_unsaved_changes() const;
+  // A change of the document that is no step of the history.
+  void record_unsaved_change(const std::string& name);
   // The name of the step that undo or redo would apply to, or an empty string.
   std::string undo_name() const { return done_.empty() ? std::string() : done_.back().name; }
   std::string redo_name() const { return undone_.empty() ? std::string() : undone_.back().name; }
@@ -40,6 +48,7 @@ class History {
     std::string name;
     std::vector<Command> commands;  // applied in order
     Gesture gesture;
+    Of of = Of::Document;
     std::size_t bytes = 0;
   };
   using Steps = std::deque<Step>;
@@ -47,9 +56,12 @@ class History {
   void update_bytes(Step& step);
   void drop(Steps& steps);
   void drop_oldest();
+  std::vector<std::string> unsaved_changes() const;
 
   Steps done_, undone_;
   std::size_t bytes_ = 0;
+  std::size_t saved_ = 0;                            // number of steps in effect when the document was saved
+  std::vector<std::string> lost_;                    // changes since then that are no steps, or whose steps are gone
   mutable std::shared_ptr<const HistoryList> list_;  // null: stale
 };
 

@@ -92,6 +92,7 @@ double width_of_coordinates(const ClothTexture& cloth_texture) {
 }  // namespace
 
 std::span<const ShippedTexture> shipped_textures() { return rows; }
+bool is_shipped_texture(std::string_view id) { return find_shipped(id) != nullptr; }
 
 std::string texture_limit(std::string_view texture) {
   if (texture.empty() || find_shipped(texture) != nullptr) return {};

@@ -17,6 +17,7 @@ struct ShippedTexture {
   double width;            // [m], of the image on the cloth
 };
 std::span<const ShippedTexture> shipped_textures();
+bool is_shipped_texture(std::string_view id);
 
 // Why a string is not a valid name of a texture; empty if it is valid. Opens no file.
 std::string texture_limit(std::string_view texture);

@@ -15,8 +15,8 @@ void FrameHistory::clear_if_points_changed(const System& system) {
   points_ = std::move(points);
 }
 
-void FrameHistory::record(const System& system, const State& state, const Accuracy& accuracy) {
-  timeline_.record(state);
+void FrameHistory::record(const System& system, const State& state, const Accuracy& accuracy, bool continues) {
+  timeline_.record(state, continues);
   traces_.record(timeline_, system, state, accuracy);
 }
 

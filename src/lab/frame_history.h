@@ -13,7 +13,8 @@ class FrameHistory {
   void clear();
   // Clears it unless the points are the same as before.
   void clear_if_points_changed(const System& system);
-  void record(const System& system, const State& state, const Accuracy& accuracy);
+  // `continues`: the state follows from the one before it by a frame.
+  void record(const System& system, const State& state, const Accuracy& accuracy, bool continues);
   // Sets the quantities to be measured; those of recorded states are computed with the current System.
   void watch(const std::vector<Quantity>& quantities, const System& system) { traces_.watch(quantities, timeline_, system); }
 

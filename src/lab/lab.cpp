@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "base/overloaded.h"
 #include "edit/tears.h"
 
 namespace hooke {
@@ -82,7 +83,7 @@ void Lab::record_held_edits() {
   for (const Command& command : std::exchange(held_edits_, {})) recorder_.record(command, scene_);
 }
 
-void Lab::edit(const Command& command, Gesture gesture) {
+void Lab::edit(const Command& command, Gesture gesture, const std::string& name, std::optional<History::Of> known) {
   // a moving hand changes no energy and leaves nothing to undo
   if (std::holds_alternative<MoveHand>(command)) {
     Effect effect;
@@ -92,6 +93,8 @@ void Lab::edit(const Command& command, Gesture gesture) {
   }
 
   const bool was_in_progress = frame_in_progress_;
+  if (std::holds_alternative<GoToState>(command) || std::holds_alternative<Replace>(command)) keep_start();
+  const History::Of of = known.value_or(changed_by(command));
   const double before = compute_energy(scene_.system, scene_.state).total();
   Effect effect;
   std::vector<Command> inverse = apply(scene_, command, effect);
@@ -113,9 +116,46 @@ void Lab::edit(const Command& command, Gesture gesture) {
   if (is_grab(command)) grab_gesture_ = gesture;
   // a drag is one step, and its end is not a separate one
   if (inverse.empty() || std::holds_alternative<ReleaseHand>(command)) return;
-  history_.record(describe(command), std::move(inverse), gesture);
-  unsaved_ = edited_ = true;
+  history_.record(name.empty() ? describe(command) : name, std::move(inverse), gesture, of);
+  if (of == History::Of::Document) start_is_edited_ = start_is_edited_ || is_at_start();
+  if (const auto* insert = std::get_if<Insert>(&command); insert != nullptr && !is_at_start()) start_.record_added(*insert);
+  if (const auto* set = std::get_if<SetNailed>(&command))
+    for (const SetNailed::Item& item : set->items)
+      if (item.nailed) start_.forget_release(item.point);
   ++edits_;
+}
+
+// The scene has not run yet, or has gone back: what is moved now, moves the start.
+bool Lab::is_at_start() const { return start_.scene() && !running_ && scene_.state.time == start_.scene()->state.time; }
+
+// Playing with a running scene changes no document: what the hand drags, tears or releases is back at the start.
+History::Of Lab::changed_by(const Command& command) const {
+  using Of = History::Of;
+  const Of of_places = is_at_start() || !start_.scene() ? Of::Document : Of::Run;
+  return std::visit(Overloaded{
+                        [](const GrabPoint&) { return Of::Run; },
+                        [](const GrabCollider&) { return Of::Run; },
+                        [](const MoveHand&) { return Of::Run; },
+                        [](const ReleaseHand&) { return Of::Run; },
+                        [](const GoToState&) { return Of::Run; },
+                        [](const SetTorn&) { return Of::Run; },
+                        [](const MarkTorn&) { return Of::Run; },
+                        [](const Replace&) { return Of::Run; },
+                        [&](const Move&) { return of_places; },
+                        [&](const SetNailed& set) {
+                          const auto changes = [&](const SetNailed::Item& item) {
+                            if (item.nailed) return !start_.is_nailed(item.point);
+                            return of_places == Of::Document && !start_.is_released(item.point);
+                          };
+                          return std::ranges::any_of(set.items, changes) ? Of::Document : Of::Run;
+                        },
+                        [&](const SetColliders& set) {
+                          const auto same_shape = [](const Collider& a, const Collider& b) { return a.shape == b.shape; };
+                          return std::ranges::equal(set.colliders, scene_.system.colliders, same_shape) ? Of::Document : of_places;
+                        },
+                        [](const auto&) { return Of::Document; },
+                    },
+                    command);
 }
 
 // A change of parameters does not hide why a run stopped, unless it resolves the cause: the step was beyond the limit of the method and no
@@ -149,7 +189,7 @@ void Lab::apply_queue() {
 void Lab::play_edits() {
   while (const Recording::Item* item = playback_.next_edit()) {
     if (const auto* command = std::get_if<Command>(item)) {
-      edit(*command, 0);
+      edit(*command, 0, {}, History::Of::Run);
     } else {
       const auto& scene = std::get<std::shared_ptr<const Scene>>(*item);
       edit(Replace{scene}, 0);
@@ -167,15 +207,15 @@ void Lab::check_played_frame() {
 }
 
 // States are kept only for interactive use: not for runs without a start.
-void Lab::add_to_timeline() {
-  if (!start_) return;
-  frame_history_.record(scene_.system, scene_.state, accuracy());
+void Lab::add_to_timeline(bool continues) {
+  if (!start_.scene()) return;
+  frame_history_.record(scene_.system, scene_.state, accuracy(), continues);
 }
 
 void Lab::begin_frame() {
   play_edits();
   keep_start();
-  if (frame_history_.timeline().empty() || frame_history_.timeline().last_time() != scene_.state.time) add_to_timeline();
+  if (frame_history_.timeline().empty() || frame_history_.timeline().last_time() != scene_.state.time) add_to_timeline(false);
   frame_.begin(plan_, scene_.system, scene_.settings, scene_.state);
   frame_in_progress_ = true;
   frame_ms_ = 0.0;
@@ -197,7 +237,8 @@ void Lab::record_tear(Insert pieces) {
   const std::uint32_t before = scene_.state.torn;
   scene_.tears.push_back(std::make_shared<const Tear>(Tear{before, std::move(pieces.springs), std::move(pieces.faces)}));
   scene_.state.torn = static_cast<std::uint32_t>(scene_.tears.size());
-  history_.record("tear", {SetTorn{before}}, scene_.system.grab || scene_.state.hand.collider ? grab_gesture_ : tearing_gesture);
+  history_.record("tear", {SetTorn{before}}, scene_.system.grab || scene_.state.hand.collider ? grab_gesture_ : tearing_gesture,
+                  History::Of::Run);
 }
 
 // Distance from the hand to its target [m].
@@ -236,7 +277,7 @@ bool Lab::finish_frame() {
   hand_lag_ = hand_lag();
   last_limit_work_ = frame_.motion().limit_work;
   limit_work_ += last_limit_work_;
-  add_to_timeline();
+  add_to_timeline(true);
   // the clock is a sum of frame durations: compare with a tolerance of half a frame
   if (run_to_ && scene_.state.time + 0.5 / scene_.settings.frame_rate > *run_to_) {
     running_ = false;

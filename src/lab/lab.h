@@ -17,6 +17,7 @@
 #include "lab/frame_pacer.h"
 #include "lab/playback.h"
 #include "lab/recorder.h"
+#include "lab/start.h"
 #include "lab/status.h"
 #include "sim/step.h"
 
@@ -45,8 +46,11 @@ struct Watch {  // sets the quantities measured in every frame, for the plots
 struct SetAccuracy {  // what is measured of the accuracy of the run
   AccuracyMode mode;
 };
-struct GoToStart {};  // the scene as it was before it first ran; the settings stay
-struct Open {         // another document, with an empty history
+struct GoToStart {};        // positions, velocities, tears and time of the start; edits of structure and parameters stay
+struct SetStart {};         // the current state becomes the start
+struct ResetParameters {};  // parameters, method and forces as they were when the document was opened
+struct ReleaseNails {};     // all of them, until the scene goes back to its start
+struct Open {               // another document, with an empty history
   std::shared_ptr<const Scene> scene;
   bool unsaved = false;  // it contains unsaved changes
 };
@@ -58,7 +62,7 @@ struct Play {  // opens the start of a recording and replays it, until its end o
   std::shared_ptr<const Recording> recording;
 };
 using Control = std::variant<Undo, Redo, GoToHistoryStep, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, SetAccuracy, GoToStart,
-                             Open, MarkSaved, Record, Play>;
+                             SetStart, ResetParameters, ReleaseNails, Open, MarkSaved, Record, Play>;
 
 // Whether a copy of the opened scene is kept for GoToStart. A long run of a large scene does not need one; its accuracy is measured only
 // on demand, and then at once.
@@ -114,12 +118,15 @@ class Lab {
   bool must_wait_for_frame() const;
   void check_divergence();
   void handle(const Control& control, Gesture gesture);
-  void edit(const Command& command, Gesture gesture);
+  // `name`: in the history; without one the command's own.
+  void edit(const Command& command, Gesture gesture, const std::string& name = {}, std::optional<History::Of> known = {});
+  bool is_at_start() const;
+  History::Of changed_by(const Command& command) const;
   void update_plan(Effect effect);
   void open(std::shared_ptr<const Scene> scene);
   void reset_session();
   void keep_start();
-  void add_to_timeline();
+  void add_to_timeline(bool continues);
   void go_to_timeline_index(std::size_t moment, Gesture gesture);
   void play_edits();
   void check_played_frame();
@@ -140,7 +147,8 @@ class Lab {
   TimelineStatus timeline_status() const;
 
   Scene scene_;
-  std::shared_ptr<const Scene> start_;
+  std::shared_ptr<const Scene> opened_;  // null: none is kept
+  Start start_;
   std::vector<std::pair<std::variant<Command, Control>, Gesture>> queue_;
   History history_;
   FrameHistory frame_history_;
@@ -161,8 +169,7 @@ class Lab {
   bool running_ = false;
   std::optional<double> run_to_;  // [s]
   double run_from_ = 0.0;         // [s]
-  bool unsaved_ = false;
-  bool edited_ = false;           // since the start was kept
+  bool start_is_edited_ = false;  // since it was kept
   Gesture grab_gesture_ = 0;      // of the last grab: tears during it are undone with it
   double hand_lag_ = 0.0;         // [m], behind its target
   double limit_work_ = 0.0;       // [J], of the strain limit since the start

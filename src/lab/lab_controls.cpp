@@ -1,15 +1,19 @@
 // Handling of controls: documents, undo, the timeline, recordings.
+#include <limits>
+
 #include "base/overloaded.h"
 #include "lab/lab.h"
+#include "lab/reset_parameters.h"
 
 namespace hooke {
 
 void Lab::open(std::shared_ptr<const Scene> scene) {
-  start_ = std::move(scene);
-  scene_ = *start_;
+  opened_ = scene;
+  start_.set(scene);
+  scene_ = *scene;
   reset_session();
   // until the first edit, readers share the System of the start, which avoids a copy
-  published_system_ = std::shared_ptr<const System>(start_, &start_->system);
+  published_system_ = std::shared_ptr<const System>(scene, &scene->system);
   published_system_revision_ = scene_.revision;
 }
 
@@ -22,7 +26,7 @@ void Lab::reset_session() {
   must_finish_frame_ = false;
   history_.clear();
   divergence_.reset();
-  running_ = unsaved_ = edited_ = false;
+  running_ = start_is_edited_ = false;
   playback_.stop();
   playback_.clear_difference();
   run_to_.reset();
@@ -38,8 +42,8 @@ void Lab::reset_session() {
 
 // Edits made before the first frame belong to the start.
 void Lab::keep_start() {
-  if (start_ && edited_ && scene_.state.time == start_->state.time) start_ = std::make_shared<const Scene>(scene_);
-  edited_ = false;
+  if (start_is_edited_ && scene_.state.time == start_.scene()->state.time) start_.set_with_released_nails(scene_);
+  start_is_edited_ = false;
 }
 
 void Lab::go_to_timeline_index(std::size_t moment, Gesture gesture) {
@@ -54,6 +58,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
   const auto go_to_history_step = [this](std::size_t done) {
     if (done == history_.done() || done > history_.done() + history_.undone()) return;
     playback_.stop();
+    keep_start();
     drop_frame();
     const double before = compute_energy(scene_.system, scene_.state).total();
     update_plan(history_.go_to(done, scene_));
@@ -61,7 +66,9 @@ void Lab::handle(const Control& control, Gesture gesture) {
     recorder_.record_scene(scene_);
     meter_.restart();
     check_divergence();
-    unsaved_ = edited_ = true;
+    start_is_edited_ = start_is_edited_ || is_at_start();
+    for (const Point& point : scene_.system.points())
+      if (point.nailed) start_.forget_release(point.id);
     ++edits_;
   };
   std::visit(Overloaded{
@@ -81,7 +88,11 @@ void Lab::handle(const Control& control, Gesture gesture) {
                    step_frame();
                  },
                  [&](const RunTo& run) {
-                   if (!(run.time > scene_.state.time)) return;
+                   // an earlier time is past already: go back to it
+                   if (!(run.time > scene_.state.time)) {
+                     if (!frame_history_.timeline().empty()) go_to_timeline_index(frame_history_.timeline().find(run.time), gesture);
+                     return;
+                   }
                    run_to_ = run.time;
                    run_from_ = scene_.state.time;
                    running_ = true;
@@ -96,21 +107,45 @@ void Lab::handle(const Control& control, Gesture gesture) {
                    if (!frame_history_.timeline().empty()) go_to_timeline_index(frame_history_.timeline().find(go.time), gesture);
                  },
                  [&](const GoToStart&) {
-                   if (!start_) return;
+                   if (!start_.scene()) return;
                    playback_.stop();
-                   Scene start = *start_;
-                   start.settings = scene_.settings;
-                   edit(Replace{std::make_shared<const Scene>(std::move(start))}, 0);
+                   keep_start();
+                   edit(Replace{std::make_shared<const Scene>(start_.return_from(scene_))}, 0);
+                   start_.forget_releases();
                    limit_work_ = 0.0;
                    running_ = running_ && !divergence_;
                  },
+                 [&](const SetStart&) {
+                   Scene start = scene_;
+                   start.system.colliders = carried_colliders(scene_.system, scene_.state);
+                   start.system.grab.reset();
+                   start.state.hand = {};
+                   start_.set(std::make_shared<const Scene>(std::move(start)));
+                   history_.record_unsaved_change("set the start");
+                 },
+                 [&](const ResetParameters&) {
+                   if (!opened_) return;
+                   playback_.stop();
+                   // one step of the history, though several commands
+                   const Gesture reset = std::numeric_limits<Gesture>::max() - 1 - static_cast<Gesture>(edits_);
+                   for (const Command& command : commands_to_reset_parameters(scene_, *opened_)) edit(command, reset, "reset parameters");
+                 },
+                 [&](const ReleaseNails&) {
+                   SetNailed release;
+                   for (const Point& point : scene_.system.points())
+                     if (point.nailed) release.items.push_back({point.id, false});
+                   if (release.items.empty()) return;
+                   playback_.stop();
+                   start_.record_release(release);
+                   edit(release, 0);
+                 },
                  [&](const Open& open_scene) {
                    open(open_scene.scene);
-                   unsaved_ = open_scene.unsaved;
+                   if (open_scene.unsaved) history_.record_unsaved_change("restored from an autosave");
                  },
                  [&](const MarkSaved&) {
-                   unsaved_ = false;
                    keep_start();
+                   history_.mark_saved();
                  },
                  [&](const Record& what) {
                    drop_frame();
@@ -121,7 +156,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                  },
                  [&](const Play& play) {
                    open(play.recording->start);
-                   scene_.state.ledger = start_->state.ledger;
+                   scene_.state.ledger = opened_->state.ledger;
                    playback_.start(play.recording);
                    if (play.recording->frames == 0) play_edits();
                  },

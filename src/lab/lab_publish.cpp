@@ -88,8 +88,11 @@ void Lab::publish() {
   status->snapshot = snapshot();
   status->document = published_document();
   status->run = run_status();
-  status->history = {
-      .unsaved = unsaved_, .edits = edits_, .undo_name = history_.undo_name(), .redo_name = history_.redo_name(), .list = history_.list()};
+  status->history = {.unsaved = history_.has_unsaved_changes(),
+                     .edits = edits_,
+                     .undo_name = history_.undo_name(),
+                     .redo_name = history_.redo_name(),
+                     .list = history_.list()};
   status->timeline = timeline_status();
   status->accuracy = accuracy();
   if (recorder_.file() != nullptr) status->recording.file = printable(recorder_.file()->native());

@@ -16,6 +16,7 @@
 #include "edit/command_text.h"
 #include "edit/resume_state.h"
 #include "formats/scene_file.h"
+#include "formats/texture.h"
 #include "sim/hash.h"
 
 namespace hooke {
@@ -73,8 +74,11 @@ std::string to_single_line(std::string_view text) {
 std::string scene_line(const Scene& scene) {
   Scene plain = scene;
   plain.system.colliders = carried_colliders(scene.system, scene.state);
-  plain.view.texture.clear();  // appearance only, stored in a separate file
-  plain.view.texture_size.reset();
+  // a picture of the user's own is in another file
+  if (!is_shipped_texture(plain.view.texture)) {
+    plain.view.texture.clear();
+    plain.view.texture_size.reset();
+  }
   return to_single_line(format_scene(plain));
 }
 
@@ -120,6 +124,8 @@ class RecordingReader {
       if (number_ == 1) refuse("a scene: must be a recording, {\"hooke_recording\": 1, ...}");
       if (pending_scene_) refuse("must be the rest of the scene: {\"rest\": ...}");
       pending_scene_ = parse_scene(line_, name_).scene;
+      if (const std::string& texture = pending_scene_->view.texture; is_shipped_texture(texture))
+        pending_scene_->cloth_texture.picture = read_texture(texture, {}, name_ + ": view.texture");
       return;
     }
     unknown_.clear();

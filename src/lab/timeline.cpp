@@ -9,15 +9,15 @@ std::size_t size_of(const State& state) { return sizeof(State) + (state.position
 
 }  // namespace
 
-void Timeline::record(const State& state) {
+void Timeline::record(const State& state, bool continues) {
   while (!empty() && last_time() >= state.time) drop(true);
-  states_.push_back(std::make_shared<const State>(state));
+  states_.push_back({std::make_shared<const State>(state), continues});
   bytes_ += size_of(state);
   while (count() > 1 && (count() > max_states || bytes_ > max_bytes)) drop(false);
 }
 
 void Timeline::drop(bool newest) {
-  bytes_ -= size_of(newest ? *states_.back() : *states_.front());
+  bytes_ -= size_of(*(newest ? states_.back() : states_.front()).state);
   newest ? states_.pop_back() : states_.pop_front();
 }
 
@@ -27,7 +27,7 @@ void Timeline::clear() {
 }
 
 std::size_t Timeline::find(double time) const {
-  const auto later = std::ranges::upper_bound(states_, time, {}, [](const auto& state) { return state->time; });
+  const auto later = std::ranges::upper_bound(states_, time, {}, [](const Moment& moment) { return moment.state->time; });
   return later == states_.begin() ? 0 : static_cast<std::size_t>(later - states_.begin()) - 1;
 }
 

@@ -15,23 +15,30 @@ class Timeline {
   // Beyond this many states or bytes the oldest are discarded, but never the newest.
   static constexpr std::size_t max_states = 2000, max_bytes = std::size_t{100} << 20;
 
-  // Appends a state. States at or after its time are discarded, because the run continues differently.
-  void record(const State& state);
+  // Appends a state. States at its time or later are discarded: the run took another course from there. `continues`: it follows from the
+  // state before it by a frame of the simulation.
+  void record(const State& state, bool continues = true);
   void clear();
 
   bool empty() const { return states_.empty(); }
   std::size_t count() const { return states_.size(); }
   std::size_t bytes() const { return bytes_; }
-  double first_time() const { return states_.front()->time; }
-  double last_time() const { return states_.back()->time; }
-  std::shared_ptr<const State> at(std::size_t moment) const { return states_[moment]; }
+  double first_time() const { return states_.front().state->time; }
+  double last_time() const { return states_.back().state->time; }
+  std::shared_ptr<const State> at(std::size_t moment) const { return states_[moment].state; }
+  // Whether it follows from the state before it: false after a jump in time.
+  bool continues(std::size_t moment) const { return states_[moment].continues; }
   // Index of the last state at or before this time; 0 if all are later. The timeline must not be empty.
   std::size_t find(double time) const;
 
  private:
+  struct Moment {
+    std::shared_ptr<const State> state;
+    bool continues;
+  };
   void drop(bool newest);
 
-  std::deque<std::shared_ptr<const State>> states_;  // in ascending order of time
+  std::deque<Moment> states_;  // in ascending order of time
   std::size_t bytes_ = 0;
 };
 

@@ -24,7 +24,8 @@ void Traces::watch(const std::vector<Quantity>& quantities, const Timeline& time
   published_.reset();
   for (const Quantity& quantity : quantities) table_.traces.push_back({quantity, {}});
   if (quantities.empty()) return;
-  for (std::size_t moment = 0; moment < timeline.count(); ++moment) add(system, *timeline.at(moment), nullptr);
+  for (std::size_t moment = 0; moment < timeline.count(); ++moment)
+    add(system, *timeline.at(moment), nullptr, timeline.continues(moment));
 }
 
 void Traces::record(const Timeline& timeline, const System& system, const State& state, const Accuracy& accuracy) {
@@ -33,22 +34,25 @@ void Traces::record(const Timeline& timeline, const System& system, const State&
   while (!table_.times.empty() && table_.times.back() >= state.time) {
     table_.times.pop_back();
     table_.errors.pop_back();
+    table_.continues.pop_back();
     for (Trace& trace : table_.traces) trace.values.pop_back();
   }
   if (table_.times.size() >= timeline.count() + drop_batch) {
     drop_front(table_.times, drop_batch);
     drop_front(table_.errors, drop_batch);
+    drop_front(table_.continues, drop_batch);
     for (Trace& trace : table_.traces) drop_front(trace.values, drop_batch);
   }
-  add(system, state, &accuracy);
+  add(system, state, &accuracy, timeline.continues(timeline.count() - 1));
 }
 
-void Traces::add(const System& system, const State& state, const Accuracy* accuracy) {
+void Traces::add(const System& system, const State& state, const Accuracy* accuracy, bool continues) {
   if (state.position.size() != system.points().size()) return;
   const Measurement measurement = measure(system, state, accuracy);
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   table_.times.push_back(state.time);
   table_.errors.push_back(accuracy == nullptr ? unknown : accuracy->accumulated.value.value_or(unknown));
+  table_.continues.push_back(continues ? 1 : 0);
   for (Trace& trace : table_.traces) {
     const QuantityRow& row = *trace.quantity.row;
     const Index count = row.of == QuantityRow::Of::Point    ? system.point_count()
@@ -62,6 +66,7 @@ void Traces::clear() {
   published_.reset();
   table_.times.clear();
   table_.errors.clear();
+  table_.continues.clear();
   for (Trace& trace : table_.traces) trace.values.clear();
 }
 

@@ -1,6 +1,7 @@
 // Quantities over time, for the plots: one value for each state of the timeline.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct Trace {
 
 // What the plots show.
 struct TraceTable {
-  std::vector<double> times;  // [s], ascending
+  std::vector<double> times;            // [s], ascending
+  std::vector<std::uint8_t> continues;  // one for each time; 0: the time jumped, and no line leads here
   std::vector<Trace> traces;
   std::vector<double> errors;  // [m], accumulated error at each time; NaN where it is not known
 };
@@ -34,7 +36,7 @@ class Traces {
   std::shared_ptr<const TraceTable> table() const;
 
  private:
-  void add(const System& system, const State& state, const Accuracy* accuracy);
+  void add(const System& system, const State& state, const Accuracy* accuracy, bool continues);
 
   TraceTable table_;
   mutable std::shared_ptr<const TraceTable> published_;  // null: stale

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/file_limits.h"
+#include "scene/flatness.h"
 #include "scene/parameter_access.h"
 
 namespace hooke {
@@ -14,8 +15,20 @@ using Kind = Parameter::Kind;
 using Scope = Parameter::Scope;
 using Weight = Parameter::Weight;
 
+constexpr std::array dimensions_choices{
+    ParameterChoice{"2", "Flat (2-D)", "Everything stays in the plane z = 0 and is viewed from the front."},
+    ParameterChoice{"3", "3-D", "Points move in space; cloths, bodies and meshes can be added."},
+};
+// What does not lie in the plane stays where it is, and with it the scene in space.
+void write_dimensions(Scene& scene, double value) {
+  if (value != 0.0)
+    scene.system.dimensions = 3;
+  else if (why_not_flat(scene.system, scene.state).empty())
+    scene.system.dimensions = 2;
+}
+
 constexpr std::array parameterizations{
-    ParameterChoice{"plain", "Each spring: k, d", "Every spring has exactly the k and d given; a finer net behaves differently."},
+    ParameterChoice{"plain", "Each spring: k, d", "Every spring has exactly the k and d given; a finer mesh behaves differently."},
     ParameterChoice{"per_strain", "By strain: Y, d",
                     "k = Y / l0: a spring of half the length is twice as stiff, like a piece of the same thread."},
     ParameterChoice{"by_size", "By size: k, d per length", "d = c l0: half as much damping in quads of half the width."},
@@ -28,6 +41,10 @@ constexpr std::array parameterizations{
 // Rows are formatted as a table, so clang-format is off.
 // clang-format off
 constexpr std::array rows{
+    Parameter{.name = "dimensions", .field = "", .group = "Simulation", .label = "Dimensions", .unit = "",
+              .description = "Whether the scene stays in a plane or moves in space.",
+              .kind = Kind::Choice, .max = double(dimensions_choices.size() - 1), .scope = Scope::Structure, .choices = dimensions_choices,
+              .read = [](const Scene& s) { return s.system.dimensions == 3 ? 1.0 : 0.0; }, .write = write_dimensions},
     Parameter{.name = "substeps", .field = "simulation.substeps", .group = "Simulation", .label = "Substeps", .unit = "",
               .description = "Steps of the integrator per frame: more are slower and more accurate.",
               .kind = Kind::Integer, .min = 1, .max = 1000, .default_value = 20, .physical = {.min = 1, .max = max_substeps}, .logarithmic = true,
@@ -121,12 +138,12 @@ constexpr std::array rows{
               .write = write_springs<SpringSlider{&Spring::damping, Weight::SheetWeight}>},
     Parameter{.name = "break_strain", .field = "break_strain", .group = "Springs", .label = "Breaks at strain", .unit = "",
               .description = "Strain at which every spring breaks, with the faces along it, unless its own break strain is smaller; 0: only its own applies.",
-              .min = 0, .max = 10, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
+              .min = 0, .max = 10, .default_value = 0, .physical = not_negative, .logarithmic = true, .zero_text = "never", .omit_if_default = true,
               .read = [](const Scene& s) { return s.system.break_strain; },
               .write = [](Scene& s, double value) { s.system.break_strain = value; }},
     Parameter{.name = "strain_limit_percent", .field = "strain_limit_percent", .group = "Springs", .label = "Strain limit", .unit = "%",
               .description = "Maximum strain of every spring; the limit conserves linear momentum but dissipates energy; 0: none.",
-              .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
+              .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .zero_text = "off", .omit_if_default = true,
               .read = [](const Scene& s) { return percent_of(s.system.strain_limit); },
               .write = [](Scene& s, double value) { s.system.strain_limit = value / 100.0; }},
     Parameter{.name = "radius", .field = "", .group = "Points", .label = "Radius r", .unit = "m",
@@ -185,12 +202,12 @@ constexpr std::array rows{
               .write = [](Scene& s, double value) { s.defaults.grab = value != 0.0 ? GrabKind::Pull : GrabKind::Hold; }},
     Parameter{.name = "pull_stiffness", .field = "defaults.pull_stiffness", .group = "Hand", .label = "Drag spring k", .unit = "N/m",
               .description = "Stiffness of the spring between the cursor and the dragged point; 0: chosen from the springs of the point.",
-              .min = 0, .max = 1e6, .default_value = 0, .physical = not_negative, .logarithmic = true,
+              .min = 0, .max = 1e6, .default_value = 0, .physical = not_negative, .logarithmic = true, .zero_text = "automatic",
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.defaults.pull_stiffness; },
               .write = [](Scene& s, double value) { s.defaults.pull_stiffness = value; }},
     Parameter{.name = "hand_speed", .field = "hand_speed", .group = "Hand", .label = "Maximum speed", .unit = "m/s",
               .description = "Maximum speed of the dragged point, which then lags behind the cursor; 0: unlimited.",
-              .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true,
+              .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .zero_text = "unlimited", .omit_if_default = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return s.system.hand_speed; },
               .write = [](Scene& s, double value) { s.system.hand_speed = value; }},
 };
@@ -205,6 +222,7 @@ consteval const Parameter& row_named(std::string_view name) {
 
 }  // namespace
 
+constinit const Parameter& dimensions_parameter = row_named("dimensions");
 constinit const Parameter& substeps_parameter = row_named("substeps");
 constinit const Parameter& speed_parameter = row_named("speed");
 constinit const Parameter& stiffness_parameter = row_named("stiffness");

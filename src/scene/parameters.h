@@ -21,8 +21,8 @@ struct ParameterChoice {
 struct Parameter {
   enum class Kind { Number, Integer, Switch, Choice };
   // What a write changes, and so what its inverse must store. Number and Setting: only the value that `read` returns; a Setting is not part
-  // of the Plan and takes effect with the next frame.
-  enum class Scope { Number, Setting, Gravity, Colliders, SpringStiffness, SpringDamping, PointMass, PointSize };
+  // of the Plan and takes effect with the next frame. Structure: the Plan is made anew.
+  enum class Scope { Number, Setting, Structure, Gravity, Colliders, SpringStiffness, SpringDamping, PointMass, PointSize };
   // The weight by which the k or d of each spring follows from the value.
   enum class Weight { One, InverseLength, Length, SheetWeight };
   std::string_view name;         // on the command line
@@ -35,6 +35,7 @@ struct Parameter {
   double min = 0.0, max = 1.0, default_value = 0.0;  // the range of the slider and of `--set`
   Bounds physical{};                                 // the range in a scene file, which may exceed that of the slider
   bool logarithmic = false;                          // the scale of the slider
+  std::string_view zero_text{};                      // what 0 means, if not the number: "off"
   bool omit_if_default = false;                      // from files
   Scope scope = Scope::Number;
   std::optional<SpringFamily> family{};           // the springs that it sets; none: all
@@ -51,8 +52,8 @@ std::span<const Parameter> parameters();
 const Parameter* find_parameter(std::string_view name);
 
 // Rows that other modules refer to.
-extern const Parameter &substeps_parameter, &speed_parameter, &stiffness_parameter, &new_stiffness_parameter, &drag_parameter,
-    &friction_parameter;
+extern const Parameter &dimensions_parameter, &substeps_parameter, &speed_parameter, &stiffness_parameter, &new_stiffness_parameter,
+    &drag_parameter, &friction_parameter;
 
 // The k or d of the spring divided by the value of the parameter; 0: the parameter does not set this spring. `sheet` may be null.
 double weight_of(const Parameter& parameter, const SheetWeights* sheet, const Spring& spring);
@@ -63,7 +64,7 @@ class CommonValue {
   void include(double value);
   double value_or(double none) const { return count_ == 0 ? none : is_uniform_ ? first_ : sum_ / static_cast<double>(count_); }
   bool is_mixed() const { return !is_uniform_; }
-  bool empty() const { return count_ == 0; }
+  bool is_empty() const { return count_ == 0; }
 
  private:
   double sum_ = 0.0, first_ = 0.0;

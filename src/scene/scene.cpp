@@ -2,9 +2,11 @@
 
 namespace hooke {
 
-Scene empty_scene() {
+Scene empty_scene(int dimensions) {
   Scene scene;
-  scene.system.dimensions = 2;
+  scene.system.dimensions = dimensions;
+  // a hand-built truss stands: it sags by about 1 % of its span, and springs between two free points have a damping ratio of 0.05
+  scene.defaults = {.mass = 0.1, .stiffness = 1e4, .damping = 2.0};
   scene.system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}, .restitution = 0.3, .friction = 0.3}};
   return scene;
 }

@@ -149,15 +149,24 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
   };
   const Index supported = count_supported(plan);
   const bool has_weight = plan.acceleration != Vec3(0.0);
+  forecast.why_no_sag = !has_weight ? "no weight" : supported == 0 ? "nothing holds it" : "a part is not held";
   if (has_weight && supported > 0) {
-    if (supported < count_free(plan) || !finds_equilibrium(target_residual, equilibrium_residual)) return std::nullopt;
+    if (supported < count_free(plan)) return std::nullopt;
+    if (!finds_equilibrium(target_residual, equilibrium_residual)) {
+      forecast.why_no_sag = touches(plan, system, time, x) ? "it rests on a collider" : "no equilibrium found";
+      return std::nullopt;
+    }
+    forecast.why_no_sag = plan.gravity == Vec3(0.0) ? "no weight" : "no unloaded shape found";
     for (Index i = 0; i < plan.points; ++i) forecast.rest.push_back(position_in(plan, x, i));
     if (plan.gravity == Vec3(0.0)) return floppy_threshold;
     Field unloaded = x;
     Plan weightless = plan;
     weightless.acceleration = Vec3(0.0);
     const double left = find_equilibrium(weightless, matrix, target_residual * force_scale, max_unloading_steps, unloaded, stop);
-    if (left <= acceptable_residual * force_scale) forecast.sag = sag_between(plan, unloaded, x);
+    if (left <= acceptable_residual * force_scale) {
+      forecast.sag = sag_between(plan, unloaded, x);
+      forecast.why_no_sag.clear();
+    }
     return floppy_threshold;
   }
   // a floating or freely falling scene vibrates as if weightless
@@ -184,6 +193,7 @@ Forecast make_forecast(std::shared_ptr<const System> system, const State& state,
   } catch (const InputError&) {
     // the factor does not fit in memory
   }
+  if (!matrix) forecast.why_no_sag = has_external_forces ? "other forces act" : "too many points";
   if (matrix)
     if (const auto floppy_threshold = find_equilibrium(statics.plan, *system, state.time, x, forecast, *matrix, stop);
         floppy_threshold && !stop)

@@ -33,7 +33,7 @@ TEST(History, CanGoToAnyOfAThousandNamedSteps) {
   apply_now(lab);
   ASSERT_EQ(lab.status()->history.list->names.size(), 1000u);
   EXPECT_EQ(lab.status()->history.list->done, 1000u);
-  EXPECT_EQ(lab.status()->history.list->names.front(), "mass of 1 point");
+  EXPECT_EQ(lab.status()->history.list->names.front(), "mass of 1 point to 2 kg");
   EXPECT_EQ(mass_after(lab, 0), 1.0);
   EXPECT_EQ(mass_after(lab, 1000), 1001.0);
   EXPECT_EQ(mass_after(lab, 417), 418.0);
@@ -46,7 +46,7 @@ TEST(History, CanGoToAnyOfAThousandNamedSteps) {
   lab.submit(Command(SetParameter{find_parameter("drag"), 1.0}));
   apply_now(lab);
   EXPECT_EQ(lab.status()->history.list->names.size(), 418u);
-  EXPECT_EQ(lab.status()->history.list->names.back(), "set " + std::string(find_parameter("drag")->label));
+  EXPECT_EQ(lab.status()->history.list->names.back(), "set " + std::string(find_parameter("drag")->label) + " to 1 1/s");
 }
 
 TEST(History, UndoAndRedoWithNothingToUndoChangeNothing) {
@@ -73,9 +73,13 @@ TEST(History, SharesTheListUntilItChanges) {
   lab.submit(Command(SetParameter{drag, 1.0}), 3);
   apply_now(lab);
   const auto list = lab.status()->history.list;
-  lab.submit(Command(SetParameter{drag, 2.0}), 3);
+  lab.submit(Command(SetParameter{drag, 1.0}), 3);
   apply_now(lab);
   EXPECT_EQ(lab.status()->history.list, list);
+  // a drag of a slider is named after its newest value
+  lab.submit(Command(SetParameter{drag, 2.0}), 3);
+  apply_now(lab);
+  EXPECT_EQ(lab.status()->history.list->names, std::vector<std::string>{"set Drag c to 2 1/s"});
   lab.submit(Undo{});
   apply_now(lab);
   EXPECT_NE(lab.status()->history.list, list);

@@ -61,7 +61,7 @@ TEST(Clock, StepsOneFrameWhenPausedAndReportsIt) {
 
 TEST(Start, KeepsTheCurrentMethodOnRestart) {
   Lab lab(small_net());
-  const Content start = content_of(lab.scene());
+  Content start = content_of(lab.scene());
   lab.step();
   lab.submit(Command(SetParameter{find_parameter("substeps"), 33}));
   lab.submit(Command(Remove{.points = {lab.scene().system.points()[3].id}}));
@@ -69,7 +69,8 @@ TEST(Start, KeepsTheCurrentMethodOnRestart) {
   const Content run = content_of(lab.scene());
   lab.submit(GoToStart{});
   apply_now(lab);
-  EXPECT_EQ(lab.scene().system, start.system);
+  start.position.erase(start.position.begin() + 3);
+  EXPECT_EQ(lab.scene().system, run.system);
   EXPECT_EQ(lab.scene().state.position, start.position);
   EXPECT_EQ(lab.scene().state.time, 0.0);
   EXPECT_EQ(lab.scene().settings.substeps, 33);

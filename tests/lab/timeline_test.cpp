@@ -80,7 +80,7 @@ TEST(Timeline, GoingBackChangesNoParameterAndCanBeUndone) {
   lab.submit(GoToTime{0.1}, 7);
   settle(lab);
   EXPECT_EQ(lab.scene().system.drag, 0.5);
-  EXPECT_EQ(lab.status()->history.undo_name, "go to 0.2 s");
+  EXPECT_EQ(lab.status()->history.undo_name, "go to 0.1 s");
   lab.submit(Undo{});
   settle(lab);
   EXPECT_EQ(hash_of(lab), before);

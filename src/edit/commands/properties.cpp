@@ -4,6 +4,7 @@
 #include "base/finite.h"
 #include "base/text_lines.h"
 #include "edit/command.h"
+#include "edit/commands/value_text.h"
 #include "edit/in_plane.h"
 
 namespace hooke {
@@ -79,7 +80,9 @@ Inverse SetPointColor::apply(Scene& scene, Effect&) const {
 }
 
 std::string SetPointProperty::describe() const {
-  return std::string(property == PointProperty::Mass ? "mass of " : "radius of ") + pluralize(values.size(), "point", "points");
+  const bool is_mass = property == PointProperty::Mass;
+  return (is_mass ? "mass of " : "radius of ") + pluralize(values.size(), "point", "points") +
+         new_values_text(values, is_mass ? "kg" : "m");
 }
 
 bool SetPointProperty::is_undone_with(const SetPointProperty& earlier) const {
@@ -113,7 +116,9 @@ Inverse SetPointProperty::apply(Scene& scene, Effect& effect) const {
 
 std::string SetSpringProperty::describe() const {
   constexpr const char* what[] = {"stiffness of ", "damping of ", "rest length of ", "break strain of "};
-  return what[static_cast<int>(property)] + pluralize(values.size(), "spring", "springs");
+  constexpr const char* units[] = {"N/m", "N s/m", "m", ""};
+  const auto at = static_cast<int>(property);
+  return what[at] + pluralize(values.size(), "spring", "springs") + new_values_text(values, units[at]);
 }
 
 bool SetSpringProperty::is_undone_with(const SetSpringProperty& earlier) const {

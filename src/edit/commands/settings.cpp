@@ -3,6 +3,7 @@
 
 #include "base/finite.h"
 #include "edit/command.h"
+#include "edit/commands/value_text.h"
 #include "edit/in_plane.h"
 #include "formats/texture.h"
 #include "scene/parameters.h"
@@ -13,6 +14,21 @@ namespace {
 
 bool is_valid(const Force& force) {
   return force.term != nullptr && std::all_of(force.values.begin(), force.values.end(), [](double value) { return std::isfinite(value); });
+}
+
+// "set Stiffness k to 185 N/m", "switch Shear springs off", "set Given as to Each spring: k, d"
+std::string describe_value(const Parameter& parameter, double value) {
+  const std::string label(parameter.label);
+  if (parameter.kind == Parameter::Kind::Switch) return "switch " + label + (value != 0.0 ? " on" : " off");
+  if (value == 0.0 && !parameter.zero_text.empty()) return "set " + label + " to " + std::string(parameter.zero_text);
+  if (parameter.kind != Parameter::Kind::Choice) return "set " + label + " to " + value_text(value, parameter.unit);
+  const auto at = static_cast<std::size_t>(std::max(value, 0.0));
+  return "set " + label + (at < parameter.choices.size() ? " to " + std::string(parameter.choices[at].label) : "");
+}
+
+void add_effect_of(const Parameter& parameter, Effect& effect) {
+  effect.values = effect.values || parameter.scope != Parameter::Scope::Setting;
+  effect.structure = effect.structure || parameter.scope == Parameter::Scope::Structure;
 }
 
 // The commands that restore what a write of the parameter overwrites.
@@ -42,6 +58,7 @@ Inverse inverse_of(const Parameter& parameter, const Scene& scene) {
       return {all_points(PointProperty::Radius, &Point::radius), all_points(PointProperty::Mass, &Point::mass)};
     case Parameter::Scope::Number:
     case Parameter::Scope::Setting:
+    case Parameter::Scope::Structure:
       break;
   }
   return {RestoreParameter{&parameter, parameter.read(scene)}};
@@ -49,21 +66,21 @@ Inverse inverse_of(const Parameter& parameter, const Scene& scene) {
 
 }  // namespace
 
-std::string SetParameter::describe() const { return "set " + std::string(parameter->label); }
+std::string SetParameter::describe() const { return describe_value(*parameter, clamp_to(*parameter, value)); }
 
 Inverse SetParameter::apply(Scene& scene, Effect& effect) const {
   const Inverse inverse = inverse_of(*parameter, scene);
   parameter->write(scene, clamp_to(*parameter, value));
-  effect.values = effect.values || parameter->scope != Parameter::Scope::Setting;
+  add_effect_of(*parameter, effect);
   return inverse;
 }
 
-std::string RestoreParameter::describe() const { return "set " + std::string(parameter->label); }
+std::string RestoreParameter::describe() const { return describe_value(*parameter, value); }
 
 Inverse RestoreParameter::apply(Scene& scene, Effect& effect) const {
   const Inverse inverse = inverse_of(*parameter, scene);
   parameter->write(scene, value);
-  effect.values = effect.values || parameter->scope != Parameter::Scope::Setting;
+  add_effect_of(*parameter, effect);
   return inverse;
 }
 

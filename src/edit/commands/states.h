@@ -46,7 +46,7 @@ struct Replace {
   static constexpr auto fields = names("scene");
   std::shared_ptr<const Scene> scene;
 
-  std::string describe() const { return "return to the start"; }
+  std::string describe() const { return "back to start"; }
   Inverse apply(Scene& current, Effect& effect) const;
 };
 

@@ -119,6 +119,8 @@ void ClothMaker::make_springs() {
     sum_of_lengths += length;
   }
 
+  // the surface is what a mesh is about; its points would cover it
+  scene_.view.points = scene_.view.springs = false;
   const double radius = 0.25 * sum_of_lengths / static_cast<double>(springs.size());
   for (Index i = 0; i < system.point_count(); ++i) system.point(i).radius = radius;
   system.set_springs(std::move(springs));

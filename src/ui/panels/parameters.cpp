@@ -44,7 +44,7 @@ void spring_row(const Parameter& row, double value_without, const CommonValue& c
                 Panels& panels, Requests& requests) {
   NumberField field = field_of(row, input.status.document->controls, common.value_or(value_without));
   field.mixed = common.is_mixed();
-  field.enabled = !common.empty();
+  field.enabled = !common.is_empty();
   const auto value = number_row(field, panels);
   if (!value) return;
   if (parts.springs.empty()) return edit(SetParameter{&row, *value}, panels, requests);

@@ -1,0 +1,43 @@
+// The start of a run, to which "Back to start" leads. What was edited since then stays: structure and parameters. What the run did, and
+// the hand in it, does not: positions, velocities, tears, released nails, moved colliders and the time.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+
+#include "edit/command.h"
+
+namespace hooke {
+
+class Start {
+ public:
+  void set(std::shared_ptr<const Scene> scene);
+  // The same, with the nails that were released only for the run.
+  void set_with_released_nails(Scene scene);
+  // Null: none is kept.
+  const std::shared_ptr<const Scene>& scene() const { return scene_; }
+
+  // Records points added since then: they start where they were put.
+  void record_added(const Insert& insert);
+  // Records nails that are released only for the run; nails that are set again, or all of them.
+  void record_release(const SetNailed& release);
+  void forget_release(PointId point) { released_.erase(point); }
+  void forget_releases() { released_.clear(); }
+  bool is_released(PointId point) const { return released_.contains(point); }
+  // Whether a point is nailed at the start.
+  bool is_nailed(PointId point) const;
+
+  // The scene `now`, back at the start.
+  Scene return_from(const Scene& now) const;
+
+ private:
+  struct Place {
+    Vec3 position, velocity;  // [m], [m/s]
+  };
+  std::shared_ptr<const Scene> scene_;
+  std::map<PointId, Place> added_;
+  std::set<PointId> released_;
+};
+
+}  // namespace hooke

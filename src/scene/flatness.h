@@ -1,0 +1,13 @@
+// Whether a scene fits into the plane z = 0 of flat scenes.
+#pragma once
+
+#include <string>
+
+#include "sim/state.h"
+
+namespace hooke {
+
+// The first thing that does not lie in the plane: "point 5 is not at z = 0"; empty if everything does.
+std::string why_not_flat(const System& system, const State& state);
+
+}  // namespace hooke
