@@ -4,8 +4,15 @@
 #include "app/app.h"
 #include "app/document/files.h"
 #include "base/overloaded.h"
+#include "scene/parameters.h"
 
 namespace hooke {
+namespace {
+
+// Between two presses that belong together.
+constexpr std::chrono::milliseconds tuning_pause{800};
+
+}  // namespace
 
 // `repeated`: the key of the action is held down.
 void App::perform(Action action, [[maybe_unused]] bool repeated) {
@@ -43,7 +50,8 @@ void App::handle(const Request& request) {
                  [this](const CancelWork&) { file_task_.stop(); },
                  [this](const StartExport&) { exporter_.start(); },
                  [this](const StopExport&) { exporter_.stop(); },
-                 [this](const StartPlacement& start) { placer_.start(start.shape); },
+                 [this](const StartPlacement& start) { start_placement(start); },
+                 [](const CloseDialog&) {},
                  [this](const LoadMesh& load) { placer_.read_mesh(typed_path(load.file)); },
                  [this](const Place&) { placer_.place(); },
                  [this](Answer given) { document_.answer(given); },
@@ -51,10 +59,28 @@ void App::handle(const Request& request) {
              request);
 }
 
-void App::tune(const Tuning& tuning, bool repeated) {
-  if (!repeated) ++last_gesture_;
+// Presses of the keys of one value in quick succession are one step of undo, as the drag of its slider is.
+void App::tune(const Tuning& tuning, TunedBy keys, bool repeated) {
+  const auto now = std::chrono::steady_clock::now();
+  const bool continues =
+      repeated || (tuned_ && tuned_->keys == keys && tuned_->gesture == last_gesture_ && now - tuned_->at < tuning_pause);
+  if (!continues) ++last_gesture_;
+  tuned_ = {keys, last_gesture_, now};
   for (const Command& command : tuning.commands) lab_.submit(command, last_gesture_);
   panels_.show_toast(tuning.message);
+}
+
+void App::start_placement(const StartPlacement& start) {
+  if (start.in_space) {
+    lab_.submit(SetParameter{&dimensions_parameter, 1.0});
+    settle();
+  }
+  placer_.start(start.shape);
+}
+
+void App::set_start() {
+  lab_.submit(SetStart{});
+  panels_.show_toast("This is the start now: " + key_text(shortcut_of(Action::GoToStart)) + " returns to it");
 }
 
 // Cancels the innermost state: an interaction of the tool, the selection, the tool.

@@ -87,6 +87,7 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
           .tool = tool_.action(),
           .next_step = tool_.next_step(),
           .file = document_.file(),
+          .folder = panels_.placement.is_mesh ? document_.start_folder() : std::filesystem::path(),
           .frames_per_second = frame_statistics.frames_per_second,
           .draw_ms = frame_statistics.draw_ms,
           .film_seconds = captures_.film_seconds(),
@@ -100,7 +101,8 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
           .has_desktop_dialog = document_.has_system_dialog(),
           .camera = tool_context_.camera,
           .forecast = &forecaster_.newest(),
-          .cheaper = method_advisor_.newest()};
+          .cheaper = method_advisor_.newest(),
+          .new_spring = tool_.action() == Action::DragTool ? std::nullopt : marks_.ghost_spring};
 }
 
 void App::update_marks() {
@@ -120,6 +122,7 @@ void App::show(const Scene& scene) {
   tool_.reset();
   selection_ = {};
   panels_.gallery.is_shown = false;
+  panels_.side_to_top = true;
   placer_.stop();
   camera_control_.show(scene);
   take_switches(scene.view);

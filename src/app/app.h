@@ -53,6 +53,8 @@ class App {
   const Layout& layout() const { return layout_; }
   const Marks& marks() const { return marks_; }
   ViewOptions view_options() const;
+  // What the panels show.
+  PanelInput panel_input(const FrameStatistics& frame_statistics) const;
   std::string title() const { return document_.title(); }
   double interface_scale() const { return settings_.values().interface_scale; }
   // Nothing moves, so the loop may wait for the next event.
@@ -81,7 +83,10 @@ class App {
   KeyHandlers make_key_handlers();
   void drop(const FileDrop& dropped);
   void perform(Action action, bool repeated = false);
-  void tune(const Tuning& tuning, bool repeated);
+  enum class TunedBy { StiffnessKeys, SubstepKeys, SpeedKeys };
+  void tune(const Tuning& tuning, TunedBy keys, bool repeated);
+  void start_placement(const StartPlacement& start);
+  void set_start();
   void cancel();
   void open_search();
   void show_or_hide_plots();
@@ -89,7 +94,6 @@ class App {
   void show(const Scene& scene);
   void take_switches(const ViewSettings& view);
   void update_marks();
-  PanelInput panel_input(const FrameStatistics& frame_statistics) const;
   void finish();
 
   LabThread lab_;
@@ -118,6 +122,12 @@ class App {
 
   std::vector<PanelKey> panel_keys_;             // for the panels of the next frame
   std::shared_ptr<const Scene> scene_to_frame_;  // the first scene, until the window's size is known
+  struct LastTuning {
+    TunedBy keys;
+    Gesture gesture;
+    std::chrono::steady_clock::time_point at;
+  };
+  std::optional<LastTuning> tuned_;
   bool finished_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "edit/apply.h"
 #include "formats/open_file.h"
 #include "formats/scene_file.h"
+#include "scene/flatness.h"
 #include "scene/parameters.h"
 #include "scene/step_limits.h"
 #include "sim/integrator.h"
@@ -137,7 +138,12 @@ Scene open_scene(const SceneOptions& options) {
   if (const auto warning = step_warning(scene.system, scene.settings))
     std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
   Effect effect;
-  for (const SetParameter& setting : settings) apply(scene, setting, effect);
+  for (const SetParameter& setting : settings) {
+    if (setting.parameter == &dimensions_parameter && setting.value == 0.0)
+      if (const std::string reason = why_not_flat(scene.system, scene.state); !reason.empty())
+        throw InputError(printable(options.scene, 80) + ": dimensions: 2: " + reason);
+    apply(scene, setting, effect);
+  }
   if (integrator != nullptr) scene.settings.integrator = integrator;
   if (options.substeps) scene.settings.substeps = *options.substeps;
   if (options.frame_rate) scene.settings.frame_rate = *options.frame_rate;

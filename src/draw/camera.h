@@ -47,8 +47,14 @@ struct Camera {
   void zoom(double factor, const glm::dvec2& cursor, const glm::dvec2& size);
 };
 
+// Distance of the lines of the grid as it is seen from there [m]: a power of ten.
+double grid_spacing(const Camera& camera);
+
 // The camera pose of the view settings, or one that shows the whole scene: 2-D scenes from the front, 3-D scenes slightly from above.
 Camera make_camera(const ViewSettings& view, const System& system, const State& state, double aspect);
+// The same for a scene as it is opened: in a picture narrower than 16:10 its pose is taken from farther away, so that nothing is cut off at
+// the sides.
+Camera make_scene_camera(const ViewSettings& view, const System& system, const State& state, double aspect);
 CameraPose pose_of(const Camera& camera);
 
 // Moves the camera, without turning it, so that the whole scene is visible.

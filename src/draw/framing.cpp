@@ -16,6 +16,7 @@ namespace {
 constexpr double margin = 1.12;          // of the picture, around the scene
 constexpr double smallest_radius = 0.2;  // [m], of the framed region, also of an empty scene
 constexpr double plane_reach = 6.0;      // a plane this many scene radii away is part of the scene
+constexpr double posed_aspect = 1.6;     // the poses of scenes are meant for pictures of this or a greater aspect ratio
 constexpr double follow_fraction = 0.6;  // of half the height of the picture: maximum distance of the followed center from the middle
 
 // A sphere that must be visible.
@@ -179,6 +180,8 @@ Vec3 default_back(const Vec3& pole) {
 
 }  // namespace
 
+double grid_spacing(const Camera& camera) { return std::pow(10.0, std::floor(std::log10(0.6 * camera.distance)) - 1.0); }
+
 Camera make_camera(const ViewSettings& view, const System& system, const State& state, double aspect) {
   Camera camera;
   camera.pole = upward(view, system);
@@ -201,6 +204,12 @@ Camera make_camera(const ViewSettings& view, const System& system, const State& 
   include_hanging_extent(extent, system, state);
   include_colliders(extent, system, state);
   fit(camera, extent, aspect);
+  return camera;
+}
+
+Camera make_scene_camera(const ViewSettings& view, const System& system, const State& state, double aspect) {
+  Camera camera = make_camera(view, system, state, aspect);
+  if (view.camera) camera.distance *= std::max(1.0, posed_aspect / aspect);
   return camera;
 }
 

@@ -296,7 +296,7 @@ void Lab::meter_frame(double energy, bool is_torn) {
   const double start = thread_cpu_seconds();
   if (is_torn) meter_.note_edit();
   meter_.add_frame(plan_, scene_.system, scene_.settings, scene_.state, next_, frame_.motion(), energy_.total(), energy);
-  if (start_) return;
+  if (start_.scene()) return;
   measure_accuracy([] { return true; });
   accuracy_cpu_seconds_ += thread_cpu_seconds() - start;
 }

@@ -22,6 +22,12 @@ struct Shown {
   bool panels = true, plots = false;
 };
 
+// The scale, limited so that the panels have room in a small window.
+inline double fitting_scale(double scale, double width, double height) {
+  constexpr double min_width = 640.0, min_height = 360.0, min_scale = 0.75;  // [design units]
+  return std::min(scale, std::max(min_scale, std::min(width / min_width, height / min_height)));
+}
+
 // `scale`: window units per design unit (1 on a screen without scaling).
 inline Layout lay_out(double width, double height, double scale, Shown shown = {}) {
   const double menu = 38.0 * scale, tools = shown.panels ? 74.0 * scale : 0.0, status = 28.0 * scale;

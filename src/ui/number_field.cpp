@@ -21,13 +21,23 @@ std::string pretty(std::string_view unit) {
   return text;
 }
 
+// "185 N/m"; "varies, ~185 N/m" for different values.
 std::string value_text(const NumberField& field) {
   char mean[32];
-  std::snprintf(mean, sizeof mean, "~ %.3g", field.value);
+  std::snprintf(mean, sizeof mean, "%.3g", field.value);
   const bool is_long = std::abs(field.value) >= 1000.0 && std::abs(field.value) < 1e7;
   const std::string integer = std::to_string(std::lround(std::clamp(field.value, -1e7, 1e7)));
-  std::string text = is_long ? (field.mixed ? "~ " : "") + integer : field.mixed ? mean : number(field.value);
-  if (!field.unit.empty()) text.append(" ").append(pretty(field.unit));
+  if (field.value == 0.0 && !field.mixed && !field.zero_text.empty()) return std::string(field.zero_text);
+  std::string text = field.mixed ? "varies, ~" : "";
+  text += is_long ? integer : field.mixed ? mean : number(field.value);
+  return field.unit.empty() ? text : text + " " + pretty(field.unit);
+}
+
+// The same, without the unit where it has no room.
+std::string fitted_text(const NumberField& field, float room) {
+  std::string text = value_text(field);
+  if (ImGui::CalcTextSize(text.c_str()).x <= room || field.unit.empty()) return text;
+  text.resize(text.size() - pretty(field.unit).size() - 1);
   return text;
 }
 
@@ -41,7 +51,7 @@ double fitted(const NumberField& field, double value) {
 // The tooltip: the description, and how to use the slider.
 std::string hint_of(const NumberField& field) {
   std::string text(field.description);
-  if (field.mixed) text += " Varies between parts: this is the mean, and setting it makes all equal.";
+  if (field.mixed) text += " Varies between parts: this is the mean. Dragging scales all by one factor, typing makes them equal.";
   const std::string unit = field.unit.empty() ? "" : " " + pretty(field.unit);
   return text + (text.empty() ? "" : "\n") + "Ctrl+click to type; right-click resets to " + number(field.default_value) + unit + ".";
 }
@@ -65,33 +75,46 @@ bool invisible_slider(const NumberField& field, double& value, bool typing) {
   return changed;
 }
 
-// A line at the value; only its ends where it would cross the text.
-void draw_mark(ImDrawList& list, float x, ImVec2 min, ImVec2 max, bool below_text) {
-  const float half = units(1.0), top = min.y + units(2.0), bottom = max.y - units(2.0), end = units(3.0);
-  if (!below_text) return list.AddRectFilled({x - half, top}, {x + half, bottom}, palette::accent, half);
-  list.AddRectFilled({x - half, min.y}, {x + half, min.y + end}, palette::accent);
-  list.AddRectFilled({x - half, max.y - end}, {x + half, max.y}, palette::accent);
+// Where the text stands: at the right end, or left of the handle where that would cross it.
+float text_start(ImVec2 min, ImVec2 max, float width, float handle) {
+  const float gap = units(8.0), right = max.x - width - gap;
+  if (handle < right - units(3.0) || handle > right + width + units(3.0)) return right;
+  const float left = handle - width - gap;
+  // in the middle of a short slider there is room on neither side
+  return left >= min.x + units(3.0) ? left : std::min(handle + gap, right);
 }
 
-// A bar filled up to the value, with the value as text.
+// A bar filled up to the value, with a line at the value and the value as text.
 void draw_slider(const NumberField& field) {
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool highlighted = ImGui::IsItemHovered() || ImGui::IsItemActive();
   const float rounding = ImGui::GetStyle().FrameRounding;
   list.AddRectFilled(min, max, highlighted ? palette::hovered : palette::raised, rounding);
-  const std::string text = value_text(field);
+  const std::string text = fitted_text(field, max.x - min.x - units(16.0));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const ImVec2 at{max.x - size.x - units(8.0), 0.5f * (min.y + max.y - size.y)};
+  ImVec2 at{max.x - size.x - units(8.0), 0.5f * (min.y + max.y - size.y)};
   if (field.enabled) {
     const float end = min.x + static_cast<float>(fraction_of(field)) * (max.x - min.x);
     list.PushClipRect(min, {end, max.y}, true);
     list.AddRectFilled(min, max, palette::tinted, rounding);
     list.PopClipRect();
-    const float edge = std::clamp(end, min.x + units(1.0), max.x - units(1.0));
-    draw_mark(list, edge, min, max, edge > at.x - units(3.0) && edge < at.x + size.x + units(3.0));
+    const float handle = std::clamp(end, min.x + units(1.0), max.x - units(1.0)), half = units(1.0);
+    list.AddRectFilled({handle - half, min.y + units(2.0)}, {handle + half, max.y - units(2.0)}, palette::accent, half);
+    at.x = text_start(min, max, size.x, handle);
   }
   list.AddText(at, field.enabled ? palette::text : palette::dim, text.c_str());
+}
+
+// A press far from the handle waits for a drag: a slider's end is too easily hit, and far from any useful value.
+bool is_stray_click(const NumberField& field, Panels& panels) {
+  constexpr double near_handle = 16.0, drag = 3.0;  // [design units]
+  if (ImGui::IsItemActivated()) {
+    const float handle = ImGui::GetItemRectMin().x + static_cast<float>(fraction_of(field)) * ImGui::GetItemRectSize().x;
+    panels.slider_waits = std::abs(ImGui::GetIO().MousePos.x - handle) > units(near_handle);
+  }
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, units(drag))) panels.slider_waits = false;
+  return panels.slider_waits && (ImGui::IsItemActive() || ImGui::IsItemDeactivated());
 }
 
 bool slider(const NumberField& field, double& value, bool typing) {
@@ -109,12 +132,21 @@ bool slider(const NumberField& field, double& value, bool typing) {
 }  // namespace
 
 void begin_row(const std::string& label) {
+  constexpr double column = 136.0;  // [design units]
   ImGui::AlignTextToFramePadding();
+  const bool is_long = ImGui::GetCursorPosX() + ImGui::CalcTextSize(label.c_str()).x > units(column - 4.0);
+  if (is_long) ImGui::PushFont(fonts().small);
   dim_text(label);
-  ImGui::SameLine(units(136.0));
+  if (is_long) ImGui::PopFont();
+  ImGui::SameLine(units(column));
 }
 
 std::optional<double> number_row(const NumberField& field, Panels& panels) {
+  const auto changed = changed_row(field, panels);
+  return changed ? std::optional(changed->value) : std::nullopt;
+}
+
+std::optional<NumberChange> changed_row(const NumberField& field, Panels& panels) {
   ImGui::BeginDisabled(!field.enabled);
   begin_row(std::string(field.label));
   const ImGuiID id = ImGui::GetID("##value");
@@ -126,12 +158,15 @@ std::optional<double> number_row(const NumberField& field, Panels& panels) {
   else if (panels.typing == id)
     panels.typing = 0;
   if (!typing) draw_slider(field);
+  bool is_drag = !typing;
+  if (is_stray_click(field, panels) && !typing) changed = false;
 
   // an unfinished number is ignored
   if (changed && typing) panels.typed_number = value;
   if (typing) changed = false;
   if (ImGui::IsItemDeactivatedAfterEdit() && panels.typed_number) {
     value = *panels.typed_number;
+    is_drag = false;
     panels.typed_number.reset();
     changed = !std::isnan(value);
     if (!changed)
@@ -144,12 +179,13 @@ std::optional<double> number_row(const NumberField& field, Panels& panels) {
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
     value = field.default_value;
     changed = true;
+    is_drag = false;
   }
   if (!ImGui::IsItemActive()) tooltip(hint_of(field));
   ImGui::EndDisabled();
 
   value = fitted(field, value);
-  return changed && (value != field.value || field.mixed) ? std::optional(value) : std::nullopt;
+  return changed && (value != field.value || field.mixed) ? std::optional(NumberChange{value, is_drag}) : std::nullopt;
 }
 
 }  // namespace hooke

@@ -14,7 +14,8 @@ struct NumberField {
   double min = 0.0, max = 1.0, default_value = 0.0, value = 0.0;
   double step = 0.0;  // values are multiples of it; 0 for any value
   bool integer = false, logarithmic = false, enabled = true;
-  bool mixed = false;  // whether it is the mean of several different values
+  bool mixed = false;            // the mean of several different values
+  std::string_view zero_text{};  // shown for 0, as "never"; empty: the number
 };
 
 // The field for a row of a table that has a label, a unit, a range and a default.
@@ -35,8 +36,15 @@ NumberField field_of_row(const Row& row, double value) {
 // The label on the left of a row; the next item is placed to its right.
 void begin_row(const std::string& label);
 
-// Drag to change, Ctrl+click to type, right-click for the default. Returns the new value if it changed, clamped to the range. A typed
-// number is applied when typing is finished.
+struct NumberChange {
+  double value;
+  bool is_drag;  // not typed, nor reset
+};
+
+// Drag to change, Ctrl+click to type, right-click for the default. Returns the new value if it changed, clamped to the range. A
+// typed number counts when typing is finished.
+std::optional<NumberChange> changed_row(const NumberField& field, Panels& panels);
+// The same, for a single value.
 std::optional<double> number_row(const NumberField& field, Panels& panels);
 
 }  // namespace hooke

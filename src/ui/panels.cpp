@@ -8,8 +8,9 @@ namespace hooke {
 
 void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
   use_look(panels.look);
-  if (!ImGui::IsAnyItemActive()) panels.edit_in_progress = false;
+  if (!ImGui::IsAnyItemActive()) panels.edit_in_progress = false, panels.tuned_from.reset();
   panels.floating.clear();
+  panels.time_under_mouse = std::exchange(panels.next_time_under_mouse, std::nullopt);
   build_menu(input, panels, requests);
   build_status_bar(input);
   if (panels.gallery.is_shown) {

@@ -59,9 +59,10 @@ struct PanelInput {
   const Selection& selection;
   Layout layout;
   std::span<const ToolButton> tools;
-  Action tool;                 // the current one
-  std::string next_step;       // of the tool: "click the second point, Esc cancels"
-  std::filesystem::path file;  // of the document; empty if it has none
+  Action tool;                     // the current one
+  std::string next_step;           // of the tool: "click the second point, Esc cancels"
+  std::filesystem::path file;      // of the document; empty if it has none
+  std::filesystem::path folder{};  // where file dialogs start
   double frames_per_second = 0.0, draw_ms = 0.0;
   double film_seconds = -1.0;                     // length of the film in progress; negative if none
   std::optional<Rect> rubber_band;                // of a selection in progress, in window coordinates
@@ -75,6 +76,8 @@ struct PanelInput {
   Camera camera{};
   const Forecast* forecast = nullptr;      // null if there is none
   std::optional<CheaperMethod> cheaper{};  // than the present one, for the same error
+  // The spring that is being attached.
+  std::optional<std::pair<Vec3, Vec3>> new_spring{};
 
   // The number of times that the key was pressed for the panel since the last frame.
   int presses(PanelKey::Target target, Key key) const;
@@ -102,7 +105,9 @@ struct Dialog {
   std::string typed;            // the path
   int text_version = 0;         // incremented when the program changes the path, so that the text field is recreated
   Browser browser;
-  bool is_new = false;  // opens with the next frame
+  bool selects_name = false;  // in the path, without folder and extension
+  bool picks_mesh = false;    // an .obj file for the placement
+  bool is_new = false;        // opens with the next frame
 };
 
 // The page of scenes.
@@ -117,6 +122,8 @@ struct Gallery {
 struct Search {
   bool shown = false, is_new = false;
   std::string typed;
+  int text_version = 0;  // incremented when the program changes the text
+  bool continues_text = false;
   int highlighted = 0;  // the row that Enter chooses
 };
 
@@ -136,20 +143,25 @@ struct Panels {
   std::string file_warnings;        // about the opened file
   std::string file_notice;          // the file changed on disk
   bool file_is_gone = false;
-  bool text_in_progress = false;  // a text field has keyboard focus
-  bool edit_in_progress = false;  // the active slider has already made an edit
+  bool text_in_progress = false;             // a text field has the keyboard
+  bool edit_in_progress = false;             // the active slider has already made an edit
+  std::shared_ptr<const System> tuned_from;  // by a drag that scales different values; null: there is none
+  bool slider_waits = false;                 // pressed far from its handle, and not dragged yet
+  bool side_to_top = false;                  // scroll the side panel up: another scene was opened
   Look look = Look::Dark;
   bool panels_hidden = false;  // all but the menu and status bars
   bool plots_shown = false;
   bool accuracy_shown = false;
-  double plot_seconds = 1e9;           // [s], maximum time span of the plots
-  std::optional<double> plot_end;      // [s], end of the time span; without a value it follows the newest time
-  bool scrub_in_progress = false;      // the scrubber is being dragged
-  double run_to = 10.0;                // [s], last time typed
-  std::optional<double> typed_number;  // into a slider, unfinished
-  unsigned typing = 0;                 // ImGui id of the slider or field being typed into
-  std::string typed_text;              // into the field, unfinished
-  std::vector<Rect> floating;          // panels over the scene in the last frame
+  double plot_seconds = 1e9;                                      // [s], maximum time span of the plots
+  std::optional<double> plot_end;                                 // [s], end of the time span; without a value it follows the newest time
+  bool plot_is_dragged = false;                                   // since the mouse was pressed over a plot
+  std::optional<double> time_under_mouse, next_time_under_mouse;  // [s], over a plot or the timeline, which both mark it; of the next frame
+  bool scrub_in_progress = false;                                 // the scrubber is being dragged
+  double run_to = 10.0;                                           // [s], last time typed
+  std::optional<double> typed_number;                             // into a slider, unfinished
+  unsigned typing = 0;                                            // ImGui's id of the slider or field being typed into
+  std::string typed_text;                                         // into the field, unfinished
+  std::vector<Rect> floating;                                     // panels over the scene in the last frame
   AffectedPartsCache affected_parts;
 
   void show_toast(std::string line) { toast = std::move(line), toast_until = -1.0; }
@@ -180,7 +192,8 @@ bool panels_cover(const Panels& panels, const Layout& layout, double x, double y
 // Moves the highlighted card with the arrow keys. Returns false for other keys.
 bool move_in_gallery(Panels& panels, const Layout& layout, Key key);
 
-// The parts, each in a separate file.
+// The parts, each in a file of its own.
+void start_placement(const ShapeKind* shape, const PanelInput& input, Panels& panels, Requests& requests);
 void build_menu(const PanelInput& input, Panels& panels, Requests& requests);
 void build_toolbar(const PanelInput& input, Requests& requests);
 void build_side(const PanelInput& input, Panels& panels, Requests& requests);
@@ -192,8 +205,6 @@ std::vector<Quantity> first_plots(const System& system);
 void build_plots(const PanelInput& input, Panels& panels, Requests& requests);
 void build_timeline(const PanelInput& input, Panels& panels, Requests& requests);
 void build_history(const PanelInput& input, Requests& requests);
-// The rows that match the typed text, best match first.
-std::vector<const Shortcut*> find_commands(const std::string& typed);
 void build_search(const PanelInput& input, Panels& panels, Requests& requests);
 void build_export(const PanelInput& input, Panels& panels, Requests& requests);
 void build_placement(const PanelInput& input, Panels& panels, Requests& requests);

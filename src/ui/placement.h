@@ -13,6 +13,8 @@ struct Placement {
   std::string mesh_path;   // as typed
   std::string mesh_info;   // about the mesh
   double mesh_size = 1.0;  // [m], length of the longest side
+  // Of the mesh: [N/m] Young's modulus times thickness, [kg/m^2], [N s/m]. As for cloth of this size until they are set.
+  double mesh_stiffness = 0.0, mesh_density = 0.0, mesh_damping = 0.0;
 
   bool is_on() const { return is_mesh || shape.kind != nullptr; }
   void stop() { *this = {}; }

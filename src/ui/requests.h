@@ -53,10 +53,13 @@ struct CancelWork {};
 // Export what panels.export_state describes, or stop the export in progress.
 struct StartExport {};
 struct StopExport {};
-// Show a preview of a shape, or of a mesh if `shape` is null, before it is placed.
+// Show a shape, or a mesh where `shape` is null, to be moved about before it is placed. `in_space`: first make a flat scene 3-D.
 struct StartPlacement {
   const ShapeKind* shape;
+  bool in_space = false;
 };
+// A button that only closes its dialog.
+struct CloseDialog {};
 // Read the mesh whose path was typed.
 struct LoadMesh {
   std::filesystem::path file;
@@ -76,7 +79,7 @@ enum class Answer {
 };
 
 using Request = std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, OpenSystemDialog, LookFrom, Recover,
-                             DiscardRecovery, CancelWork, StartExport, StopExport, StartPlacement, LoadMesh, Place, Answer>;
+                             DiscardRecovery, CancelWork, StartExport, StopExport, StartPlacement, CloseDialog, LoadMesh, Place, Answer>;
 using Requests = std::vector<Request>;
 
 }  // namespace hooke

@@ -23,6 +23,14 @@ std::string shown(const TypedField& field) {
   return text;
 }
 
+// Of different values: "varies, ~185".
+std::string hint_of(const TypedField& field) {
+  if (!field.mixed) return {};
+  char mean[48];
+  std::snprintf(mean, sizeof mean, "varies, ~%.3g", field.value);
+  return std::isfinite(field.value) ? mean : "varies";
+}
+
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
   return first == std::string_view::npos ? std::string_view() : text.substr(first, last - first + 1);
@@ -66,7 +74,7 @@ std::optional<double> typed_row(const TypedField& field, Panels& panels) {
       field.unit.empty() ? 0.0f : ImGui::CalcTextSize(field.unit.data(), field.unit.data() + field.unit.size()).x + units(10.0);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit_width);
   std::string text = panels.typing == id ? panels.typed_text : shown(field);
-  const bool edited = ImGui::InputTextWithHint("##typed", field.mixed ? "varies" : "", &text, ImGuiInputTextFlags_AutoSelectAll);
+  const bool edited = ImGui::InputTextWithHint("##typed", hint_of(field).c_str(), &text, ImGuiInputTextFlags_AutoSelectAll);
   if (ImGui::IsItemActive() || edited) {
     panels.typing = id;
     panels.typed_text = text;

@@ -13,8 +13,8 @@ struct TypedField {
   std::string_view label, unit, description;
   double min = 0.0, max = 1.0;
   double value = 0.0;
-  bool mixed = false;              // several different values; shown as such
-  std::string_view infinity_text;  // the word for infinity, such as "never"; empty if infinity is not allowed
+  bool mixed = false;              // several different values; `value` is their mean
+  std::string_view infinity_text;  // the word for infinity, as "never"; empty if infinity is not allowed
 };
 
 // Parses a number, or the word for infinity. Returns nothing if it is neither.

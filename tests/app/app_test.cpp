@@ -202,6 +202,51 @@ TEST(Keys, AHeldArrowIsOneUndoStepAndShowsTheValue) {
   EXPECT_EQ(gui.system().springs()[0].stiffness, 100.0);
 }
 
+TEST(Keys, QuickPressesOfTheKeysOfOneValueAreOneStepOfUndo) {
+  GuiTrial gui(hanging());
+  for (const Key key : {Key::Up, Key::Up, Key::Down, Key::Up}) gui.key(key);
+  gui.key(Key::Right);
+  EXPECT_EQ(gui.status().history.list->names.size(), 2u);
+  EXPECT_EQ(gui.status().history.list->names[0], "stiffness of 2 springs to 121 N/m");
+  EXPECT_EQ(gui.status().history.list->names[1], "set Substeps to 25");
+  gui.key(letter('Z'), control);
+  gui.key(letter('Z'), control);
+  EXPECT_EQ(gui.system().springs()[0].stiffness, 100.0);
+}
+
+TEST(UnsavedChanges, AreNotAskedAboutAfterPlaying) {
+  GuiTrial gui(hanging());
+  gui.key(Key::Period);
+  gui.key(letter('R'));
+  gui.key(letter('R'), control);
+  gui.key(letter('N'), control);
+  EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
+}
+
+TEST(UnsavedChanges, AreNamedWhereTheyWouldBeLost) {
+  GuiTrial tuned(hanging());
+  tuned.key(Key::Up);
+  tuned.key(Key::Right);
+  tuned.key(letter('N'), control);
+  ASSERT_EQ(tuned.app().panels().dialog.kind, Dialog::Kind::Unsaved);
+  EXPECT_EQ(tuned.app().panels().dialog.title, "Save changes to \"Hanging\"?");
+  EXPECT_EQ(tuned.app().panels().dialog.text, "Not saved yet: set Substeps to 25, stiffness of 2 springs to 110 N/m.");
+}
+
+TEST(Keys, SetTheStartAndResetTheParameters) {
+  GuiTrial gui(hanging());
+  gui.key(Key::Up);
+  gui.key(Key::Period);
+  const State there = gui.status().snapshot->state;
+  gui.key(letter('T'), control_shift);
+  gui.key(Key::Period);
+  gui.key(letter('R'), control);
+  EXPECT_EQ(gui.status().snapshot->state.position, there.position);
+  EXPECT_DOUBLE_EQ(gui.system().springs()[0].stiffness, 110.0);
+  gui.key(letter('D'), control_shift);
+  EXPECT_EQ(gui.system().springs()[0].stiffness, 100.0);
+}
+
 TEST(Keys, AHeldKeyDoesNotRepeatOneShotActions) {
   GuiTrial gui(hanging());
   gui.key(Key::Space);

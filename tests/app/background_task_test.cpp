@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 TEST(Saving, OnAFullDiskLosesNothingAndReportsIt) {
   const OwnDesk desk;
   GuiTrial gui = desk.open();
-  gui.key(letter('R'));
+  gui.unnail(0);
   const auto size = fs::file_size(desk.file);
   rlimit before{};
   ::getrlimit(RLIMIT_FSIZE, &before);
@@ -117,6 +117,8 @@ TEST(BackgroundTask, OfSavingCanBeCanceledBeforeTheOldFileIsTouched) {
   gui.key(letter('A'), control);
   gui.key(Key::Delete);
   gui.key(letter('Z'), control);
+  ASSERT_EQ(gui.app().title(), "Hooke - dust");
+  gui.key(Key::Right);
   ASSERT_EQ(gui.app().title(), "Hooke - dust*");
   gui.app().set_task_patience(std::chrono::milliseconds(0));
   gui.waits_for_work = false;

@@ -1,11 +1,15 @@
 // Editing in the window: selection, copies, history and the command palette.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "formats/scene_file.h"
+#include "scene/shape.h"
+#include "sim/integrator.h"
 #include "support/gui_trial.h"
 #include "support/trial.h"
+#include "ui/search_results.h"
 
 namespace hooke {
 namespace {
@@ -158,25 +162,71 @@ TEST(HistoryPanel, NamesEveryStepAndGoesToIt) {
   EXPECT_EQ(gui.system().point_count(), 6);
 }
 
+std::vector<SearchResult> found_by(GuiTrial& gui, const std::string& typed) {
+  gui.settled();
+  return find_results(gui.app().panel_input({}), typed);
+}
+
 TEST(Search, FindsEveryActionByItsWords) {
-  for (const Shortcut& row : shortcuts()) {
-    const auto found = find_commands(std::string(row.text));
+  GuiTrial gui(pair_and_one());
+  for (const ActionRow& row : actions()) {
+    const auto found = found_by(gui, std::string(row.text));
     ASSERT_FALSE(found.empty()) << row.text;
-    EXPECT_EQ(found.front()->text, row.text);
+    EXPECT_EQ(found.front().text, row.text);
   }
-  EXPECT_TRUE(find_commands("no such thing").empty());
-  EXPECT_EQ(find_commands("").size(), [] {
-    std::size_t actions = 0;
-    for (const Shortcut& row : shortcuts()) actions += &shortcut_of(row.action) == &row ? 1 : 0;
-    return actions;
-  }());
+  EXPECT_TRUE(found_by(gui, "no such thing").empty());
+  EXPECT_EQ(found_by(gui, "").size(), actions().size());
+}
+
+TEST(Search, FindsScenesPartsMethodsAndParametersWithValues) {
+  Scene scene = pair_and_one();
+  scene.system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}}};
+  GuiTrial gui(scene);
+  const auto first = [&](const std::string& typed) {
+    const auto found = found_by(gui, typed);
+    return found.empty() ? std::string() : found.front().text;
+  };
+  const auto finds = [&](const std::string& typed, const std::string& text) {
+    const auto found = found_by(gui, typed);
+    return std::ranges::find(found, text, &SearchResult::text) != found.end();
+  };
+  EXPECT_EQ(first("friction 0"), "Set Friction to 0");
+  EXPECT_EQ(first("substeps 60"), "Set Substeps to 60");
+  EXPECT_EQ(first("substeps = 60"), "Set Substeps to 60");
+  // beyond its range: what it would be, and the range
+  EXPECT_EQ(found_by(gui, "restitution 7").front().text, "Set Restitution to 1");
+  EXPECT_EQ(found_by(gui, "restitution 7").front().remark, "0 to 1");
+  EXPECT_EQ(first("restitution"), "Restitution: 0");
+  EXPECT_TRUE(finds("rope", "Open Rope"));
+  for (const ShapeKind& kind : placeable_shapes()) EXPECT_TRUE(finds(std::string(kind.label), "Add " + std::string(kind.label)));
+  EXPECT_EQ(first("damped springs"), "Switch Damped springs off");
+  EXPECT_TRUE(finds("xpbd", "Use method " + std::string(find_integrator("xpbd")->label)));
+  for (const char* typed : {"2d", "2-d", "2D"}) EXPECT_TRUE(finds(typed, "New flat scene (2-D)")) << typed;
+  for (const char* typed : {"3d", "3-d", "3D"}) {
+    EXPECT_TRUE(finds(typed, "New 3-D scene")) << typed;
+    EXPECT_TRUE(finds(typed, "Set Dimensions to 3-D")) << typed;
+  }
+}
+
+TEST(Search, SetsAParameterThatIsChosenAndThenTyped) {
+  GuiTrial gui(pair_and_one());
+  gui.key(letter('P'), control_shift);
+  gui.frames(2);
+  gui.type("substeps");
+  ASSERT_EQ(found_by(gui, "substeps").front().text, "Substeps: 20");
+  gui.key(Key::Enter);
+  gui.frames(2);
+  EXPECT_EQ(gui.app().panels().search.typed, "Substeps ");
+  gui.type("60");
+  gui.key(Key::Enter);
+  EXPECT_EQ(gui.status().snapshot->settings.substeps, 60);
 }
 
 TEST(Search, RunsTheChosenCommand) {
   GuiTrial gui(pair_and_one());
   gui.key(letter('P'), control_shift);
   gui.frames(2);
-  EXPECT_NE(gui.words().find("Search commands"), std::string::npos);
+  EXPECT_NE(gui.words().find("Commands, scenes, parts"), std::string::npos);
   gui.type("release");
   EXPECT_NE(gui.words().find("Release all nails"), std::string::npos);
   EXPECT_TRUE(gui.system().points()[0].nailed);

@@ -21,7 +21,7 @@ TEST(Documents, CanBeSavedAtATypedPathAndReopened) {
   const ScratchFolder scratch;
   GuiTrial gui(hanging());
   EXPECT_EQ(gui.app().title(), "Hooke - Hanging");
-  gui.key(letter('R'));
+  gui.unnail(0);
   EXPECT_EQ(gui.app().title(), "Hooke - Hanging*");
   gui.key(letter('S'), control);
   ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Save);
@@ -41,7 +41,7 @@ TEST(Documents, CanBeSavedAtATypedPathAndReopened) {
   EXPECT_EQ(gui.system().point_count(), 3);
   EXPECT_EQ(gui.app().title(), "Hooke - mine");
   // from now on Save asks for no name
-  gui.key(letter('R'));
+  gui.unnail(0);
   gui.key(letter('A'), control);
   gui.key(Key::Delete);
   gui.key(letter('S'), control);
@@ -75,7 +75,7 @@ TEST(Documents, ARefusedFileIsNamedAndTheOpenDocumentIsUnchanged) {
 
 TEST(Documents, AFailedSaveIsReportedAndTheDocumentStaysModified) {
   GuiTrial gui(hanging());
-  gui.key(letter('R'));
+  gui.unnail(0);
   gui.key(letter('S'), control_shift);
   gui.type("/nowhere/at/all.json");
   gui.key(Key::Enter);
@@ -137,7 +137,7 @@ TEST(Textures, OfAnUnsavedDocumentRequireSavingItFirst) {
 TEST(Documents, AskBeforeChangesAreLost) {
   const ScratchFolder scratch;
   GuiTrial gui(hanging());
-  gui.key(letter('R'));
+  gui.unnail(0);
   gui.app().handle(CloseRequest{});
   gui.frames(2);
   EXPECT_FALSE(gui.app().is_finished());

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <glm/geometric.hpp>
 
+#include "formats/open_file.h"
 #include "scene/shape.h"
 #include "support/gui_trial.h"
 #include "support/scratch_folder.h"
@@ -47,7 +49,25 @@ TEST(Placement, ThePreviewShowsTheResultAndChangesNothing) {
   EXPECT_EQ(gui.app().marks().ghost_nails.size(), 2u);
   EXPECT_EQ(gui.system().point_count(), 0);
   EXPECT_FALSE(gui.status().history.unsaved);
-  EXPECT_EQ(placement.shape.at, gui.app().camera().target);
+  // in sight beside the dialog, and above the floor
+  const glm::dvec2 at = gui.seen(placement.shape.at);
+  const Rect& view = gui.app().layout().scene;
+  EXPECT_GT(at.x, view.x + 324.0);
+  EXPECT_LT(at.x, view.x + view.width);
+  for (const auto& [from, to] : gui.app().marks().ghost_lines) EXPECT_GT(std::min(from.y, to.y), -1.0);
+}
+
+TEST(Placement, StartsOutsideColliders) {
+  Scene scene = is_3d_only();
+  scene.system.colliders.push_back({.shape = Sphere{{0.4, 0.0, 0.0}, 0.7}});
+  for (const ShapeKind& kind : placeable_shapes()) {
+    GuiTrial gui(scene);
+    choose(gui, kind.id);
+    for (const auto& [from, to] : gui.app().marks().ghost_lines) {
+      EXPECT_GT(std::min(from.y, to.y), -1.0) << kind.id;
+      EXPECT_GE(glm::distance(from, Vec3(0.4, 0.0, 0.0)), 0.7) << kind.id;
+    }
+  }
 }
 
 TEST(Placement, ThePreviewFollowsASliderAtOnce) {
@@ -166,12 +186,38 @@ TEST(Placement, AMeshIsPlacedAtTheRequestedSize) {
   ASSERT_EQ(places.size(), 4u);
   EXPECT_NEAR(glm::length(places[1] - places[0]), 3.0, 1e-12);
   for (const Point& point : gui.system().points()) EXPECT_NEAR(gui.status().document->sheet->area_of(point.id), 3.0 * 1.5 / 4.0, 1e-12);
-  EXPECT_NEAR(glm::length(0.5 * (places[0] + places[2]) - gui.app().camera().target), 0.0, 1e-9);
   for (const Spring& spring : gui.system().springs()) {
     const Vec3 offset = places[static_cast<std::size_t>(gui.system().index_of(spring.second))] -
                         places[static_cast<std::size_t>(gui.system().index_of(spring.first))];
     EXPECT_NEAR(glm::length(offset), spring.rest_length, 1e-12);
   }
+}
+
+TEST(Placement, AMeshHasItsOwnMaterial) {
+  ScratchFolder scratch;
+  std::ofstream(scratch.folder / "square.obj") << "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nf 1 2 3 4\n";
+  GuiTrial gui(is_3d_only());
+  gui.app().handle(Request(StartPlacement{nullptr}));
+  gui.frames(2);
+  // nothing to place yet, and the button says why
+  EXPECT_NE(gui.words().find("No mesh yet"), std::string::npos);
+  EXPECT_NE(gui.words().find("Browse..."), std::string::npos);
+  gui.app().handle(Request(LoadMesh{scratch.folder / "square.obj"}));
+  gui.frames(2);
+  Placement& placement = gui.app().panels().placement;
+  placement.mesh_density = 2.0;
+  placement.mesh_stiffness = 500.0;
+  placement.mesh_damping = 0.3;
+  gui.key(Key::Enter);
+  double mass = 0.0;
+  for (const Point& point : gui.system().points()) mass += point.mass;
+  EXPECT_NEAR(mass, 2.0 * 1.0 * 0.5, 1e-12);
+  for (const Spring& spring : gui.system().springs()) EXPECT_NEAR(spring.damping / spring.stiffness, 0.3 / 500.0, 1e-12);
+  // it looks as if the file had been opened
+  const Scene opened = load_file(scratch.folder / "square.obj").scene;
+  EXPECT_EQ(gui.app().panels().view.points, opened.view.points);
+  EXPECT_EQ(gui.app().panels().view.springs, opened.view.springs);
+  EXPECT_FALSE(opened.view.points);
 }
 
 TEST(Placement, ABrokenMeshIsReportedAndNothingIsInserted) {

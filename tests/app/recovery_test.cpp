@@ -28,7 +28,7 @@ TEST(Recovery, OffersTheAutosaveOfAKilledRunBitForBit) {
   State state;
   {
     GuiTrial gui = desk.open();
-    gui.key(letter('R'));
+    gui.unnail(0);
     gui.key(Key::Period);
     ASSERT_TRUE(wait_for(gui, [&] { return copies_in(desk.home) == 1; }));
     // without a regular exit, as if it were killed
@@ -62,7 +62,7 @@ TEST(Recovery, DiscardedWorkIsNotOfferedAgain) {
   const OwnDesk desk;
   {
     GuiTrial gui = desk.open();
-    gui.key(letter('R'));
+    gui.unnail(0);
     ASSERT_TRUE(wait_for(gui, [&] { return copies_in(desk.home) == 1; }));
   }
   GuiTrial gui({}, {}, desk.home);
@@ -92,7 +92,7 @@ TEST(Recovery, NoAutosaveIsKeptOfSavedOrDiscardedWork) {
   GuiTrial gui = desk.open();
   gui.frames(5);
   EXPECT_EQ(copies_in(desk.home), 0);
-  gui.key(letter('R'));
+  gui.unnail(0);
   ASSERT_TRUE(wait_for(gui, [&] { return copies_in(desk.home) == 1; }));
   gui.key(letter('S'), control);
   EXPECT_EQ(copies_in(desk.home), 0);
@@ -109,7 +109,7 @@ TEST(Recovery, AnUnreadableAutosaveIsReportedAndKept) {
   const OwnDesk desk;
   {
     GuiTrial gui = desk.open();
-    gui.key(letter('R'));
+    gui.unnail(0);
     ASSERT_TRUE(wait_for(gui, [&] { return copies_in(desk.home) == 1; }));
   }
   for (const fs::directory_entry& run : fs::directory_iterator(desk.home.state / "runs"))
@@ -165,7 +165,7 @@ TEST(SecondInstance, OnTheSameFileIsReportedAndAsks) {
   }
   GuiTrial gui = desk.open();
   press_button(gui, "Message", "Open here too");
-  gui.key(letter('R'));
+  gui.unnail(0);
   gui.key(letter('S'), control);
   EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
   EXPECT_FALSE(load_scene(desk.file).scene.system.points()[0].nailed);
@@ -192,7 +192,7 @@ TEST(ChangedFile, IsNotReplacedWithoutAsking) {
   const OwnDesk desk;
   GuiTrial gui = desk.open();
   OwnDesk::write(desk.file, "changed elsewhere");
-  gui.key(letter('R'));
+  gui.unnail(0);
   gui.key(letter('S'), control);
   ASSERT_EQ(open_dialog(gui), Dialog::Kind::Message);
   gui.key(Key::Escape);

@@ -75,47 +75,127 @@ TEST(AttachTool, TwoClicksMakeASpringAtItsDrawnLength) {
   ToolTrial trial(scene);
   const auto tool = make_attach_tool();
   trial.click(*tool, a);
-  EXPECT_NE(tool->next_step(trial.context).find("second point"), std::string::npos);
+  EXPECT_NE(tool->next_step(trial.context).find("next point"), std::string::npos);
   trial.click(*tool, b);
   ASSERT_EQ(trial.system().spring_count(), 1);
   const Spring& spring = trial.system().springs()[0];
   EXPECT_NEAR(spring.rest_length, distance(a, b), 1e-12);
   EXPECT_EQ(spring.stiffness, 7.0);
   EXPECT_EQ(spring.damping, 0.5);
+  // and the chain goes on from there until Esc
+  EXPECT_NE(tool->next_step(trial.context).find("next point"), std::string::npos);
+  EXPECT_TRUE(tool->cancel(trial.context));
   EXPECT_NE(tool->next_step(trial.context).find("first point"), std::string::npos);
 }
 
-TEST(AttachTool, ADragFromPointToPointMakesASpring) {
-  ToolTrial trial(flat_scene({a, b}));
+TEST(AttachTool, ADragFromPointToPointMakesASpringAndEndsThere) {
+  ToolTrial trial(flat_scene({a, b, c}));
   const auto tool = make_attach_tool();
   trial.drag(*tool, a, b);
   EXPECT_EQ(trial.system().spring_count(), 1);
-  trial.drag(*tool, a, nowhere);  // released over nothing
-  trial.click(*tool, b);          // is a first point again
+  trial.click(*tool, c);  // a first point again
   EXPECT_EQ(trial.system().spring_count(), 1);
 }
 
-TEST(AttachTool, WithShiftTheSecondPointStartsTheNextSpring) {
-  ToolTrial trial(flat_scene({a, b, c}));
-  const auto tool = make_attach_tool();
-  trial.click(*tool, a, true);
-  trial.click(*tool, b, true);
-  trial.click(*tool, c);
-  ASSERT_EQ(trial.system().spring_count(), 2);
-  EXPECT_EQ(trial.system().springs()[1].first, trial.system().springs()[0].second);
+TEST(AttachTool, ADragIntoEmptySpaceAddsAndAttachesTheNextPointInOneStep) {
+  for (const auto& make : {make_attach_tool, make_add_tool}) {
+    ToolTrial trial(flat_scene({a, b}));
+    const auto tool = make();
+    trial.drag(*tool, a, nowhere);
+    ASSERT_EQ(trial.system().point_count(), 3);
+    ASSERT_EQ(trial.system().spring_count(), 1);
+    EXPECT_NEAR(distance(trial.position(2), nowhere), 0.0, 1e-9);
+    EXPECT_NEAR(trial.system().springs()[0].rest_length, distance(a, nowhere), 1e-9);
+    trial.submit(Undo{});
+    EXPECT_EQ(trial.system().point_count(), 2);
+    EXPECT_EQ(trial.system().spring_count(), 0);
+  }
 }
 
-TEST(AttachTool, TheSamePointTwiceEmptySpaceAndEscMakeNoSpring) {
+TEST(AttachTool, PlainClicksContinueTheChainAndAddThePointsThatAreMissing) {
   ToolTrial trial(flat_scene({a, b}));
   const auto tool = make_attach_tool();
   trial.click(*tool, a);
-  trial.click(*tool, nowhere);  // still waiting for the second point
+  trial.click(*tool, nowhere);
+  trial.click(*tool, c);
+  trial.click(*tool, b);
+  ASSERT_EQ(trial.system().point_count(), 4);
+  ASSERT_EQ(trial.system().spring_count(), 3);
+  for (Index s = 0; s + 1 < 3; ++s) EXPECT_EQ(trial.system().springs()[s].second, trial.system().springs()[s + 1].first);
+  EXPECT_TRUE(tool->cancel(trial.context));
+}
+
+TEST(AttachTool, TheSamePointTwiceOrEscEndsTheChain) {
+  ToolTrial trial(flat_scene({a, b}));
+  const auto tool = make_attach_tool();
+  trial.click(*tool, nowhere);  // no point to begin with
+  EXPECT_FALSE(tool->cancel(trial.context));
+  trial.click(*tool, a);
   trial.click(*tool, a);
   EXPECT_FALSE(tool->cancel(trial.context));
   trial.click(*tool, a);
   EXPECT_TRUE(tool->cancel(trial.context));
   trial.click(*tool, b);
   EXPECT_EQ(trial.system().spring_count(), 0);
+  EXPECT_EQ(trial.system().point_count(), 2);
+}
+
+TEST(BuildingTools, SnapToTheDrawnGridWithCtrl) {
+  ToolTrial trial(flat_scene({a}));
+  const double spacing = grid_spacing(trial.context.camera);
+  Pointer pointer = trial.pointer({0.237, -0.118, 0.0});
+  pointer.modifiers.control = true;
+  const auto add = make_add_tool(), attach = make_attach_tool();
+  add->press(pointer, trial.context);
+  trial.settle();
+  const Vec3 place = trial.position(1);
+  EXPECT_NEAR(std::remainder(place.x, spacing), 0.0, 1e-12);
+  EXPECT_NEAR(std::remainder(place.y, spacing), 0.0, 1e-12);
+  EXPECT_LT(distance(place, {0.237, -0.118, 0.0}), spacing);
+  EXPECT_NE(place, Vec3(0.237, -0.118, 0.0));
+  Marks marks;
+  trial.click(*attach, a);
+  pointer.at = trial.seen({0.52, 0.31, 0.0});
+  attach->mark(pointer, trial.context, marks);
+  ASSERT_TRUE(marks.ghost_spring);
+  EXPECT_NEAR(std::remainder(marks.ghost_spring->second.x, spacing), 0.0, 1e-12);
+}
+
+// A truss over two supports, of eight points as a new flat scene makes them.
+TEST(NewScenes, HaveDefaultsWithWhichATrussStands) {
+  Scene scene = empty_scene();
+  const Defaults& defaults = scene.defaults;
+  std::vector<PointId> points;
+  for (int i = 0; i < 8; ++i) {
+    points.push_back(scene.system.new_point_id());
+    // five below, three above
+    scene.state.position.emplace_back(i < 5 ? 0.5 * i - 1.0 : 0.5 * (i - 5) - 0.5, i < 5 ? 0.0 : 0.45, 0.0);
+    scene.state.velocity.emplace_back(0.0);
+    scene.system.append_point({.id = points.back(), .nailed = i == 0 || i == 4, .mass = defaults.mass, .radius = defaults.radius});
+  }
+  const std::pair<int, int> bars[] = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {5, 6}, {6, 7}, {0, 5},
+                                      {5, 1}, {1, 6}, {6, 2}, {5, 2}, {2, 7}, {7, 3}, {7, 4}};
+  for (const auto& [i, j] : bars)
+    scene.system.append_spring(
+        {.id = scene.system.new_spring_id(),
+         .first = points[static_cast<std::size_t>(i)],
+         .second = points[static_cast<std::size_t>(j)],
+         .stiffness = defaults.stiffness,
+         .damping = defaults.damping,
+         .rest_length = distance(scene.state.position[static_cast<std::size_t>(i)], scene.state.position[static_cast<std::size_t>(j)])});
+  const std::vector<Vec3> start = scene.state.position;
+  Lab lab(scene);
+  constexpr double span = 2.0;
+  double sag = 0.0;
+  for (int frame = 0; frame < 300; ++frame) {
+    ASSERT_TRUE(lab.step());
+    sag = 0.0;
+    for (std::size_t i = 0; i < start.size(); ++i) sag = std::max(sag, distance(start[i], lab.scene().state.position[i]));
+    ASSERT_LT(sag, 0.03 * span) << frame;
+  }
+  EXPECT_LT(sag, 0.02 * span);
+  // 2 zeta = d / sqrt(k m / 2) for a spring between two free points
+  EXPECT_NEAR(defaults.damping / (2.0 * std::sqrt(0.5 * defaults.stiffness * defaults.mass)), 0.05, 0.006);
 }
 
 TEST(AttachTool, SurvivesDeletionOfItsFirstPoint) {

@@ -33,17 +33,28 @@ void submit_all(ToolTrial& trial, const Tuning& tuning) {
   trial.settle();
 }
 
-TEST(Tune, StiffnessScalesEverySpringAndTheDefaultByATenthAsOneStep) {
+TEST(Tune, StiffnessScalesEverySpringByATenthAsOneStepAndLeavesNewOnes) {
   ToolTrial trial(sprung_scene({100.0, 40.0}));
   const Tuning tuning = tune_stiffness(*trial.context.status, {}, +1);
   EXPECT_EQ(tuning.message, "k = 44 to 110 N/m (all springs)");
   submit_all(trial, tuning);
   EXPECT_DOUBLE_EQ(trial.system().springs()[0].stiffness, 110.0);
   EXPECT_DOUBLE_EQ(trial.system().springs()[1].stiffness, 44.0);
-  EXPECT_DOUBLE_EQ(trial.context.status->document->defaults.stiffness, 110.0);
+  EXPECT_EQ(trial.context.status->document->defaults.stiffness, 100.0);
   trial.submit(Undo{});
   EXPECT_EQ(trial.system().springs()[0].stiffness, 100.0);
-  EXPECT_EQ(trial.context.status->document->defaults.stiffness, 100.0);
+  EXPECT_EQ(trial.system().springs()[1].stiffness, 40.0);
+}
+
+TEST(Tune, StiffnessKeepsTheRatioOfDifferentValuesAtTheEndsOfTheRange) {
+  ToolTrial trial(sprung_scene({2e5, 1e5}));
+  const auto ratio = [&] { return trial.system().springs()[0].stiffness / trial.system().springs()[1].stiffness; };
+  for (int i = 0; i < 40; ++i) submit_all(trial, tune_stiffness(*trial.context.status, {}, +1));
+  EXPECT_NEAR(trial.system().springs()[0].stiffness, 1e6, 1e-3);
+  EXPECT_NEAR(ratio(), 2.0, 1e-9);
+  for (int i = 0; i < 250; ++i) submit_all(trial, tune_stiffness(*trial.context.status, {}, -1));
+  EXPECT_NEAR(trial.system().springs()[1].stiffness, 0.01, 1e-9);
+  EXPECT_NEAR(ratio(), 2.0, 1e-9);
 }
 
 TEST(Tune, StiffnessOfASelectionLeavesOtherSpringsUnchanged) {

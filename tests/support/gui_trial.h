@@ -43,6 +43,7 @@ class GuiTrial {
 
   // Changes the size and the content scale of the window.
   void resize(const glm::dvec2& size, double scale) {
+    scale = fitting_scale(scale, size.x, size.y);
     if (scale != scale_) load_fonts(scale);
     ImGui::GetIO().DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
     app_->resize(size, scale);
@@ -54,6 +55,7 @@ class GuiTrial {
     return app_->status();
   }
   const System& system() { return *status().snapshot->system; }
+  void settled() { settle(); }
 
   void frame() {
     ImGui::NewFrame();
@@ -111,6 +113,11 @@ class GuiTrial {
   }
   void key(Key key, Modifiers modifiers = {}, bool repeated = false) {
     app_->handle(KeyPress{key, modifiers, repeated});
+    frames(2);
+  }
+  // An edit of the document, where the scene starts.
+  void unnail(Index point) {
+    app_->handle(Request(Edit{SetNailed{{{system().points()[point].id, false}}}}));
     frames(2);
   }
   void type(const std::string& text) {

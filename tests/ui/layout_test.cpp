@@ -2,10 +2,13 @@
 // visible.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "formats/scene_file.h"
+#include "scene/parameters.h"
 #include "scene/shape.h"
+#include "sim/forces/force_term.h"
 #include "support/gui_trial.h"
 #include "support/trial.h"
 
@@ -172,8 +175,10 @@ class Layouts : public testing::TestWithParam<Place> {
   void resize(GuiTrial& gui) { gui.resize({GetParam().width, GetParam().height}, GetParam().scale); }
 };
 INSTANTIATE_TEST_SUITE_P(Sizes, Layouts,
-                         testing::Values(Place{640, 420, 1}, Place{960, 600, 1}, Place{1280, 720, 0.75}, Place{1280, 720, 1},
-                                         Place{1920, 1080, 1}, Place{1280, 720, 2}, Place{1920, 1080, 2}),
+                         testing::Values(Place{640, 420, 1}, Place{700, 450, 1}, Place{700, 450, 2}, Place{960, 600, 1},
+                                         Place{1280, 800, 1}, Place{1280, 800, 2}, Place{2560, 1440, 1}, Place{2560, 1440, 2},
+                                         Place{1280, 720, 0.75}, Place{1280, 720, 1}, Place{1920, 1080, 1}, Place{1280, 720, 2},
+                                         Place{1920, 1080, 2}),
                          name_of);
 
 TEST_P(Layouts, ThePanelsLeaveTheSceneVisibleAndTheirTextUnclipped) {
@@ -212,6 +217,9 @@ TEST_P(Layouts, DialogsAreWithinTheWindow) {
     expect_in_order(gui, kind.label.data(), kind.label.data());
     gui.key(Key::Escape);
   }
+  gui.app().handle(Request(StartPlacement{nullptr}));
+  expect_in_order(gui, "mesh", "From a mesh");
+  gui.key(Key::Escape);
   gui.key(letter('G'));
   expect_in_order(gui, "gallery", "Gallery");
   gui.key(Key::Escape);
@@ -256,6 +264,71 @@ TEST_P(Layouts, EveryMenuIsReadable) {
     gui.key(Key::Escape);
     gui.frames(2);
   }
+}
+
+// Of a color without alpha (WCAG 2.1).
+double luminance(ImU32 color) {
+  const auto linear = [](ImU32 byte) {
+    const double c = static_cast<double>(byte & 0xff) / 255.0;
+    return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color >> IM_COL32_R_SHIFT) + 0.7152 * linear(color >> IM_COL32_G_SHIFT) +
+         0.0722 * linear(color >> IM_COL32_B_SHIFT);
+}
+double contrast(ImU32 a, ImU32 b) {
+  const double bright = std::max(luminance(a), luminance(b)), dark = std::min(luminance(a), luminance(b));
+  return (bright + 0.05) / (dark + 0.05);
+}
+
+// WCAG AA: 4.5 for text. Each color of text on each ground that it is drawn on.
+TEST(Contrast, OfAllTextIsSufficientInBothThemes) {
+  GuiTrial gui;
+  for (const Look look : {Look::Dark, Look::Light}) {
+    use_look(look);
+    SCOPED_TRACE(look == Look::Dark ? "dark" : "light");
+    using namespace palette;
+    for (const ImU32 ground : {panel, raised, hovered, box, tinted, alarm, notice, shade}) EXPECT_GE(contrast(text, ground), 4.5);
+    for (const ImU32 ground : {panel, box, shade}) EXPECT_GE(contrast(dim, ground), 4.5);
+    // values and keys beside them
+    for (const ImU32 ink : {accent, good, warning, bad}) EXPECT_GE(contrast(ink, panel), 4.5);
+    // what marks without words: 3
+    for (const ImU32 axis : {axis_x, axis_y, axis_z}) EXPECT_GE(contrast(axis, panel), 3.0);
+    EXPECT_GE(contrast(dim, raised), 3.0);
+  }
+}
+
+TEST_P(Layouts, EveryTooltipIsWithinTheWindowAndUnclipped) {
+  GuiTrial gui(full_scene());
+  resize(gui);
+  // over the side panel, the tools and the menu bar, where everything explains itself
+  const Layout& layout = gui.app().layout();
+  std::set<std::string> found;
+  for (const Rect& panel : {layout.side, layout.tools, layout.menu, layout.timeline})
+    for (double y = panel.y + 4.0; y < panel.y + panel.height; y += 14.0 * GetParam().scale)
+      for (const double fraction : {0.1, 0.45, 0.75, 0.95}) {
+        gui.move({panel.x + fraction * panel.width, y});
+        gui.frames(2);
+        if (ImGui::FindWindowByName("##Tooltip_00") == nullptr) continue;
+        for (const std::string& fault : outside()) found.insert(fault);
+        for (const std::string& fault : faults(*ImGui::GetDrawData()))
+          if (fault.starts_with("##Tooltip")) found.insert(fault);
+      }
+  EXPECT_EQ(found, std::set<std::string>());
+}
+
+TEST(Labels, OfRowsFitBesideTheirFields) {
+  GuiTrial gui(full_scene());
+  const auto check = [](std::string_view label) {
+    constexpr float column = 132.0f - 14.0f;
+    const ImFont& small = *fonts().small;
+    const float width = small.CalcTextSizeA(small.FontSize, FLT_MAX, 0.0f, label.data(), label.data() + label.size()).x;
+    EXPECT_LE(width, column) << label;
+  };
+  for (const Parameter& row : parameters()) check(row.label);
+  for (const ShapeKind& kind : placeable_shapes())
+    for (const ShapeNumber& number : kind.numbers) check(number.label);
+  for (const ForceTerm& term : force_terms())
+    for (const ForceParameter& number : term.numbers) check(number.label);
 }
 
 TEST(AnySizeOfTheWindow, IsHandled) {

@@ -150,6 +150,75 @@ TEST(Sliders, StiffnessAppliesToTheSelectionIfThereIsOne) {
   EXPECT_EQ(gui.system().springs()[1].stiffness, 0.01);
 }
 
+Scene uneven_springs() {
+  Scene scene = two_springs();
+  scene.system.spring(0).stiffness = 242.0;
+  scene.system.spring(1).stiffness = 125.0;
+  return scene;
+}
+
+TEST(Sliders, ScaleDifferentValuesByOneFactor) {
+  GuiTrial gui(uneven_springs());
+  EXPECT_NE(gui.words().find("varies, ~184 N/m"), std::string::npos) << gui.words();
+  const auto k = [&](Index s) { return gui.system().springs()[s].stiffness; };
+  const glm::dvec2 slider = gui.find("side", {"stiffness", "##value"});
+  gui.drag(slider, slider + glm::dvec2(30.0, 0.0));
+  EXPECT_GT(k(0), 300.0);
+  EXPECT_NEAR(k(0) / k(1), 242.0 / 125.0, 1e-9);
+  gui.key(letter('Z'), {.control = true});
+  EXPECT_EQ(k(0), 242.0);
+  EXPECT_EQ(k(1), 125.0);
+  // a visit to the end of the slider loses nothing
+  gui.move(slider);
+  gui.press();
+  gui.move(slider + glm::dvec2(-500.0, 0.0));
+  gui.move(slider + glm::dvec2(10.0, 0.0));
+  gui.release();
+  EXPECT_NEAR(k(0) / k(1), 242.0 / 125.0, 1e-9);
+  // typing makes them equal
+  gui.click(slider, Button::Left, {.control = true});
+  gui.type("250");
+  gui.click({500.0, 600.0});
+  gui.frames(2);
+  EXPECT_EQ(k(0), 250.0);
+  EXPECT_EQ(k(1), 250.0);
+}
+
+TEST(Sliders, ScaleDampingWithZerosAndFrictionWithinItsRange) {
+  Scene scene = two_springs();
+  scene.system.spring(0).damping = 0.0;
+  scene.system.spring(1).damping = 3.0;
+  const Plane floor{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}};
+  scene.system.colliders = {{.shape = floor, .friction = 0.2}, {.shape = floor, .friction = 0.8}};
+  GuiTrial gui(scene);
+  gui.resize({1280.0, 2000.0}, 1.0);
+  glm::dvec2 slider = gui.find("side", {"damping", "##value"});
+  gui.drag(slider, slider + glm::dvec2(30.0, 0.0));
+  EXPECT_EQ(gui.system().springs()[0].damping, 0.0);
+  EXPECT_NE(gui.system().springs()[1].damping, 3.0);
+  EXPECT_GT(gui.system().springs()[1].damping, 0.0);
+  slider = gui.find("side", {"friction", "##value"});
+  gui.drag(slider, slider + glm::dvec2(-25.0, 0.0));
+  const auto& colliders = gui.system().colliders;
+  EXPECT_NEAR(colliders[1].friction / colliders[0].friction, 4.0, 1e-9);
+  EXPECT_NE(colliders[0].friction, 0.2);
+}
+
+TEST(Sliders, JumpToAClickOnlyNearTheHandle) {
+  GuiTrial gui(two_springs());
+  const glm::dvec2 slider = gui.find("side", {"gravity", "##value"});
+  const double before = value_of(gui, "gravity");
+  const double end = gui.app().layout().side.x + gui.app().layout().side.width - 34.0;
+  gui.click({end, slider.y});
+  EXPECT_EQ(value_of(gui, "gravity"), before);
+  gui.drag({end - 20.0, slider.y}, {end, slider.y});
+  const double dragged = value_of(gui, "gravity");
+  EXPECT_GT(dragged, 25.0);
+  // a few pixels beside the handle
+  gui.click({end - 8.0, slider.y});
+  EXPECT_LT(value_of(gui, "gravity"), dragged);
+}
+
 TEST(Sliders, StiffnessFollowsTheStepsOfTheScene) {
   Scene scene = two_springs();
   scene.controls = {0.1, 10.0, 0.1};

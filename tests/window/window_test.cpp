@@ -29,7 +29,7 @@ class Session {
   glm::dvec2 on_screen(const Vec3& place) const {
     const Scene scene = load_scene(find_scene("assignment")).scene;
     const Rect rect = lay_out(Desktop::width, Desktop::height, 1.0).scene;
-    const Camera camera = make_camera(scene.view, scene.system, scene.state, rect.width / rect.height);
+    const Camera camera = make_scene_camera(scene.view, scene.system, scene.state, rect.width / rect.height);
     const Vec3 seen = camera.project(place, {rect.width, rect.height});
     return glm::round(glm::dvec2(rect.x + seen.x, rect.y + seen.y));
   }
@@ -238,7 +238,7 @@ TEST(Window, ShowsTheSamePictureAsIsDrawnWithoutADisplay) {
   const Lab opened(load_scene(file).scene);
   const int width = static_cast<int>(place.width), height = static_cast<int>(place.height);
   const Scene& scene = opened.scene();
-  const Camera camera = make_camera(scene.view, scene.system, scene.state, place.width / place.height);
+  const Camera camera = make_scene_camera(scene.view, scene.system, scene.state, place.width / place.height);
   const Offscreen offscreen;
   View view;
   const ViewOptions options = options_for(scene.view, scene.cloth_texture);

@@ -1,5 +1,6 @@
 #include "app/document/document.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "app/document/files.h"
@@ -12,6 +13,17 @@ namespace {
 
 // The interval at which the file is checked for changes [s].
 constexpr double watch_period = 1.0;
+
+// "nail 3 points, set Stiffness k to 185 N/m and 4 more"
+std::string changes_text(const std::vector<std::string>& changes) {
+  constexpr std::size_t shown = 4;
+  std::string text;
+  // the newest first: they are remembered best
+  for (std::size_t i = 0; i < std::min(changes.size(), shown); ++i)
+    text += (i == 0 ? "" : ", ") + printable(changes[changes.size() - 1 - i], 60);
+  if (changes.size() > shown) text += " and " + std::to_string(changes.size() - shown) + " more";
+  return "Not saved yet: " + text + ".";
+}
 
 double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -35,8 +47,8 @@ Document::Document(ToolContext& context, Panels& panels, FileTask& task, const U
   begin();
 }
 
-void Document::create() {
-  confirm_unsaved_then([this] { replace(std::make_shared<const Scene>(empty_scene()), {}); });
+void Document::create(int dimensions) {
+  confirm_unsaved_then([this, dimensions] { replace(std::make_shared<const Scene>(empty_scene(dimensions)), {}); });
 }
 
 void Document::open(const std::filesystem::path& file) {
@@ -51,6 +63,7 @@ void Document::confirm_unsaved_then(std::function<void()> next) {
   if (!status().history.unsaved) return continue_after_saving();
   const std::string name = status().document->name.empty() ? "Untitled" : printable(status().document->name, 60);
   panels_.open_dialog(Dialog::Kind::Unsaved);
+  panels_.dialog.text = changes_text(status().history.list->unsaved);
   panels_.dialog.title = "Save changes to \"" + (has_own_file() ? file_.stem().string() : name) + "\"?";
 }
 

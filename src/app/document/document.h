@@ -29,7 +29,8 @@ class Document {
            Show show);
 
   // Each of these asks about unsaved changes first.
-  void create();
+  // An empty scene in 2 or 3 dimensions.
+  void create(int dimensions);
   void open(const std::filesystem::path& file);
   void close(std::function<void()> finish);
   // The user's answer to a question of this class.
@@ -54,6 +55,8 @@ class Document {
   void end();
 
   const std::filesystem::path& file() const { return file_; }
+  // Where file dialogs start.
+  std::filesystem::path start_folder() const;
   // Whether the file is the user's own, not a shipped scene.
   bool has_own_file() const;
   std::string title() const;
@@ -75,7 +78,6 @@ class Document {
   void read_recording_file(const std::filesystem::path& file);
   void write_to(const std::filesystem::path& file);
   void finish_saving(const std::filesystem::path& file, const std::string& error);
-  std::filesystem::path start_folder() const;
   std::function<void(Scene&)> add_view_settings() const;
   void report_replay_difference();
   void check_file();

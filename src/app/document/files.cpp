@@ -5,6 +5,7 @@
 #include "base/folder_listing.h"
 #include "base/printable.h"
 #include "formats/open_file.h"
+#include "formats/scene_check.h"
 #include "formats/scene_file.h"
 #include "formats/texture.h"
 
@@ -23,10 +24,19 @@ std::string joined(const std::vector<std::string>& lines) {
   return text;
 }
 
+std::string opening_notice(const Scene& scene, const std::vector<std::string>& warnings, const std::filesystem::path& file) {
+  if (!warnings.empty() && check_of(scene).expects_divergence) return scene.description;
+  const std::string prefix = printable(file.native()) + ": ";
+  std::vector<std::string> lines;
+  for (const std::string& warning : warnings) lines.push_back(warning.starts_with(prefix) ? warning.substr(prefix.size()) : warning);
+  return joined(lines);
+}
+
 Opened try_open(const std::filesystem::path& file, const Progress& progress) {
   try {
     LoadedScene loaded = load_file(file, progress);
-    return {std::make_shared<const Scene>(std::move(loaded.scene)), {}, joined(loaded.warnings)};
+    std::string notice = opening_notice(loaded.scene, loaded.warnings, file);
+    return {std::make_shared<const Scene>(std::move(loaded.scene)), {}, std::move(notice)};
   } catch (const std::runtime_error& refusal) {  // Refused or FileError
     return {nullptr, refusal.what(), {}};
   }

@@ -14,6 +14,10 @@ namespace hooke {
 // The lines, separated by newlines.
 std::string joined(const std::vector<std::string>& lines);
 
+// What the window says about a scene that was just opened: warnings about its file, without its path; or, where the scene is about
+// instability, its lesson instead of the warning that it is unstable.
+std::string opening_notice(const Scene& scene, const std::vector<std::string>& warnings, const std::filesystem::path& file);
+
 struct Opened {
   std::shared_ptr<const Scene> scene;  // null on error
   std::string error, warnings;         // lines

@@ -7,6 +7,7 @@
 
 #include "base/file_limits.h"
 #include "base/printable.h"
+#include "formats/mesh/mesh_cloth.h"
 #include "formats/open_file.h"
 #include "scene/shape.h"
 
@@ -65,6 +66,18 @@ Scene scaled(Scene scene, double size) {
   return scene;
 }
 
+// The mass and springs of a sheet of this material.
+void set_material(Scene& part, const SheetMaterial& material) {
+  for (Index i = 0; i < part.system.point_count(); ++i)
+    if (const double area = area_of(part.sheet.get(), part.system.points()[i].id); area > 0.0)
+      part.system.point(i).mass = material.density * area;
+  for (Index s = 0; s < part.system.spring_count(); ++s) {
+    const double weight = sheet_weight_of(part.sheet.get(), part.system.springs()[s].id);
+    part.system.spring(s).stiffness = material.stiffness * weight;
+    part.system.spring(s).damping = material.damping * weight;
+  }
+}
+
 void turn(Scene& part, double turn_degrees, double tilt_degrees) {
   for (Vec3& place : part.state.position)
     place = rotated(rotated(place, {1.0, 0.0, 0.0}, tilt_degrees * degree), {0.0, 1.0, 0.0}, turn_degrees * degree);
@@ -92,6 +105,7 @@ Scene part_of(const Placement& placement, const Scene* mesh, const Vec3& up, boo
   if (placement.is_mesh) {
     if (mesh == nullptr) return part;
     part = scaled(*mesh, placement.mesh_size);
+    set_material(part, {placement.mesh_density, placement.mesh_stiffness, placement.mesh_damping});
     if (!is_flat) turn(part, placement.shape.turn, placement.shape.tilt);
   } else {
     Shape shape = placement.shape;

@@ -30,6 +30,8 @@ class Placer {
 
  private:
   Scene part() const;
+  void set_material_for_size();
+  void place_in_sight();
 
   ToolContext& context_;
   Panels& panels_;

@@ -92,11 +92,4 @@ void SelectionEditor::delete_selection() {
   context_.selection = {};
 }
 
-void SelectionEditor::release_nails() {
-  SetNailed release;
-  for (const Point& point : context_.system().points())
-    if (point.nailed) release.items.push_back({point.id, false});
-  if (!release.items.empty()) context_.lab.submit(release);
-}
-
 }  // namespace hooke

@@ -21,8 +21,6 @@ class SelectionEditor {
   void paste(const std::optional<glm::dvec2>& place);
   void duplicate();
   void delete_selection();
-  // Of the whole scene.
-  void release_nails();
 
  private:
   enum class AfterCopy { Keep, Delete };

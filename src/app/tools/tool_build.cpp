@@ -6,86 +6,129 @@
 namespace hooke {
 namespace {
 
+PlacedPoint new_point(const Vec3& place, ToolContext& context) {
+  const Defaults& defaults = context.status->document->defaults;
+  return {.point = {.id = context.lab.new_point_id(), .mass = defaults.mass, .radius = defaults.radius}, .position = place};
+}
+
+// Its rest length is the current distance.
+PlacedSpring new_spring(PointId first, const Vec3& from, PointId second, const Vec3& to, ToolContext& context) {
+  const Defaults& defaults = context.status->document->defaults;
+  return {.spring = {.id = context.lab.new_spring_id(),
+                     .first = first,
+                     .second = second,
+                     .stiffness = defaults.stiffness,
+                     .damping = defaults.damping,
+                     .rest_length = glm::distance(from, to)}};
+}
+
+// Attaches a point to the one under the cursor, or to a new one there. One step of the history. Returns the other end; nothing if it is the
+// same point, or if the first one no longer exists.
+std::optional<PointId> attach(PointId first, const Pointer& pointer, ToolContext& context) {
+  if (context.system().index_of(first) == no_index) return std::nullopt;
+  const Vec3 from = context.snapshot().position(first);
+  if (const auto second = context.point_at(pointer.at)) {
+    if (*second == first) return std::nullopt;
+    context.lab.submit(Insert{.springs = {new_spring(first, from, *second, context.snapshot().position(*second), context)}});
+    return second;
+  }
+  const Vec3 place = context.place_beside(pointer, from);
+  const PlacedPoint added = new_point(place, context);
+  context.lab.submit(Insert{.points = {added}, .springs = {new_spring(first, from, added.point.id, place, context)}});
+  context.settle();
+  return added.point.id;
+}
+
+// What attaching would make: a spring, and a point if there is none under the cursor.
+void mark_attachment(PointId first, const Pointer& pointer, const ToolContext& context, Marks& marks) {
+  if (context.system().index_of(first) == no_index) return;
+  marks.hovered_point = context.point_at(pointer.at);
+  const Vec3 from = context.snapshot().position(first);
+  const Vec3 to = marks.hovered_point ? context.snapshot().position(*marks.hovered_point) : context.place_beside(pointer, from);
+  marks.ghost_spring = std::pair{from, to};
+  if (!marks.hovered_point) marks.ghost_point = to;
+}
+
+constexpr const char* snapping = "; Ctrl snaps to the grid";
+
+// A click adds a point. A drag from a point adds the next one and attaches it.
 class AddTool : public Tool {
  public:
   void press(const Pointer& pointer, ToolContext& context) override {
-    const Defaults& defaults = context.status->document->defaults;
-    PlacedPoint placed;
-    placed.point = {.id = context.lab.new_point_id(), .mass = defaults.mass, .radius = defaults.radius};
-    placed.position = context.place_for_point(pointer.at, defaults.radius);
-    context.lab.submit(Insert{.points = {placed}});
-  }
-
-  std::string next_step(const ToolContext& context) const override {
-    return context.system().dimensions == 2 ? "click to add a point"
-                                            : "click to add a point, in the view plane or on the body under the cursor";
-  }
-
-  void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
-    marks.ghost_point = context.place_for_point(pointer.at, context.status->document->defaults.radius);
-  }
-};
-
-// Two clicks, or a drag from one point to the other. With Shift the second point is the first one of the next spring.
-class AttachTool : public Tool {
- public:
-  void press(const Pointer& pointer, ToolContext& context) override {
-    const auto point = context.point_at(pointer.at);
     pressed_at_ = pointer.at;
-    may_be_drag_ = false;
-    if (!first_) {
-      first_ = point;
-      may_be_drag_ = point.has_value();
-    } else if (point) {
-      finish(*point, pointer, context);
-    }
+    first_ = context.point_at(pointer.at);
+    if (!first_)
+      context.lab.submit(
+          Insert{.points = {new_point(context.place_for_point(pointer, context.status->document->defaults.radius), context)}});
   }
 
   void release(const Pointer& pointer, ToolContext& context) override {
-    if (!first_ || !may_be_drag_ || !context.is_drag(pressed_at_, pointer.at)) return;
-    may_be_drag_ = false;
-    const auto point = context.point_at(pointer.at);
-    if (point)
-      finish(*point, pointer, context);
-    else
-      first_.reset();
+    if (const auto first = std::exchange(first_, std::nullopt); first && context.is_drag(pressed_at_, pointer.at))
+      attach(*first, pointer, context);
   }
 
   bool cancel(ToolContext&) override { return std::exchange(first_, std::nullopt).has_value(); }
 
+  std::string next_step(const ToolContext& context) const override {
+    if (first_) return std::string("release to add a point and attach it") + snapping;
+    const std::string where = context.system().dimensions == 2 ? "" : ", in the view plane or on the body under the cursor";
+    return "click to add a point" + where + "; drag from a point to attach the next one" + snapping;
+  }
+
+  void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
+    if (first_ && context.is_drag(pressed_at_, pointer.at)) return mark_attachment(*first_, pointer, context, marks);
+    marks.hovered_point = context.point_at(pointer.at);
+    if (!marks.hovered_point) marks.ghost_point = context.place_for_point(pointer, context.status->document->defaults.radius);
+  }
+
+ private:
+  std::optional<PointId> first_;  // that a drag began at
+  glm::dvec2 pressed_at_{0.0};
+};
+
+// Clicks attach point after point until Esc; a drag attaches two. Where there is no point, one is added.
+class AttachTool : public Tool {
+ public:
+  void press(const Pointer& pointer, ToolContext& context) override {
+    pressed_at_ = pointer.at;
+    const auto point = context.point_at(pointer.at);
+    ends_ = first_ && point == first_;
+    if (!first_ || ends_)
+      first_ = point;
+    else if (const auto second = attach(*first_, pointer, context))
+      first_ = second;
+    else
+      first_.reset();
+    may_be_drag_ = first_.has_value();
+  }
+
+  void release(const Pointer& pointer, ToolContext& context) override {
+    const bool is_drag = first_ && may_be_drag_ && context.is_drag(pressed_at_, pointer.at);
+    may_be_drag_ = false;
+    if (is_drag) attach(*first_, pointer, context);
+    // a drag stands for itself; the last point again ends the chain
+    if (is_drag || ends_) first_.reset();
+  }
+
+  bool cancel(ToolContext&) override {
+    may_be_drag_ = false;
+    return std::exchange(first_, std::nullopt).has_value();
+  }
+
   std::string next_step(const ToolContext&) const override {
-    return first_ ? "click the second point; Shift+click continues from it, Esc cancels"
-                  : "click the first point, or drag from point to point";
+    return first_ ? std::string("click the next point, or where to add one; the same point or Esc ends") + snapping
+                  : "click the first point, or drag from a point to the next";
   }
 
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
     marks.hovered_point = context.point_at(pointer.at);
-    if (!first_ || context.system().index_of(*first_) == no_index) return;
-    const Vec3 from = context.snapshot().position(*first_);
-    const Vec3 to = marks.hovered_point ? context.snapshot().position(*marks.hovered_point) : context.point_in_view_plane(pointer.at, from);
-    marks.ghost_spring = std::pair{from, to};
+    if (first_) mark_attachment(*first_, pointer, context, marks);
   }
 
  private:
-  // The rest length is the current distance. Does nothing for the same point, or if the first point no longer exists.
-  void finish(PointId second, const Pointer& pointer, ToolContext& context) {
-    const PointId first = *first_;
-    first_ = pointer.modifiers.shift ? std::optional(second) : std::nullopt;
-    if (first == second || context.system().index_of(first) == no_index) return;
-    const Defaults& defaults = context.status->document->defaults;
-    const double length = glm::distance(context.snapshot().position(first), context.snapshot().position(second));
-    const Spring spring{.id = context.lab.new_spring_id(),
-                        .first = first,
-                        .second = second,
-                        .stiffness = defaults.stiffness,
-                        .damping = defaults.damping,
-                        .rest_length = length};
-    context.lab.submit(Insert{.springs = {{.spring = spring}}});
-  }
-
   std::optional<PointId> first_;
   glm::dvec2 pressed_at_{0.0};
-  bool may_be_drag_ = false;
+  bool may_be_drag_ = false, ends_ = false;
 };
 
 class NailTool : public Tool {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace hooke {
@@ -49,10 +50,22 @@ Vec3 ToolContext::point_in_view_plane(const glm::dvec2& cursor, const Vec3& thro
   return line.at(-line.origin.z / line.direction.z);
 }
 
-Vec3 ToolContext::place_for_point(const glm::dvec2& cursor, double radius) const {
-  const Vec3 beside = point_in_view_plane(cursor, camera.target);
+Vec3 ToolContext::on_grid(const Vec3& place) const {
+  const double spacing = grid_spacing(camera);
+  const Vec3 snapped = spacing * glm::round(place / spacing);
+  // in space the grid is horizontal, and the depth of the view plane stays
+  return system().dimensions == 2 ? snapped : snapped + glm::dot(place - snapped, camera.back) * camera.back;
+}
+
+Vec3 ToolContext::place_beside(const Pointer& pointer, const Vec3& from) const {
+  const Vec3 place = point_in_view_plane(pointer.at, from);
+  return pointer.modifiers.control ? on_grid(place) : place;
+}
+
+Vec3 ToolContext::place_for_point(const Pointer& pointer, double radius) const {
+  const Vec3 beside = place_beside(pointer, camera.target);
   if (system().dimensions == 2) return beside;
-  const PickRay line = pick_ray(view_transform(), cursor);
+  const PickRay line = pick_ray(view_transform(), pointer.at);
   const std::optional<ColliderHit> hit = hit_collider(system(), snapshot().state, line);
   if (!hit) return beside;
   // an infinite ground plane is under almost every cursor position: it counts only in front of the plane of the target

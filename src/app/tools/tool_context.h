@@ -9,8 +9,15 @@
 #include "lab/lab_thread.h"
 #include "scene/pick.h"
 #include "scene/selection.h"
+#include "ui/keys.h"
 
 namespace hooke {
+
+struct Pointer {
+  glm::dvec2 at{0.0};  // [px], in the scene's view
+  Modifiers modifiers;
+  bool twice = false;  // the second press of a double click
+};
 
 struct ToolContext {
   LabThread& lab;
@@ -43,7 +50,12 @@ struct ToolContext {
   Vec3 point_in_view_plane(const glm::dvec2& cursor, const Vec3& through) const;
   // Position of a new point of this radius: on the sphere or box under the cursor, or on a plane that is nearer than the camera's
   // target; else in the view plane of the target.
-  Vec3 place_for_point(const glm::dvec2& cursor, double radius) const;
+  // With Ctrl on the grid.
+  Vec3 place_for_point(const Pointer& pointer, double radius) const;
+  // Position of a new point that is attached to one at `from`: in its view plane; with Ctrl on the grid.
+  Vec3 place_beside(const Pointer& pointer, const Vec3& from) const;
+  // The nearest intersection of the drawn grid.
+  Vec3 on_grid(const Vec3& place) const;
 
   // Whether the cursor moved too far for a click.
   bool is_drag(const glm::dvec2& from, const glm::dvec2& to) const;

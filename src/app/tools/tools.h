@@ -12,12 +12,6 @@
 
 namespace hooke {
 
-struct Pointer {
-  glm::dvec2 at{0.0};  // [px], in the view of the scene
-  Modifiers modifiers;
-  bool twice = false;  // the second press of a double click
-};
-
 class Tool {
  public:
   virtual ~Tool() = default;

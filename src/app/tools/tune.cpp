@@ -12,12 +12,24 @@ namespace {
 constexpr double factor = 1.1;
 constexpr int substeps_at_once = 5;
 
-double stepped(double k, int direction, const ControlRanges& controls, const Parameter& row) {
-  if (controls.stiffness_max > 0.0 && controls.stiffness_step > 0.0) {
+// The next stiffness: by the step that the scene gives, else by a factor.
+struct StiffnessStep {
+  const ControlRanges& controls;
+  double factor;
+  int direction;
+
+  double operator()(double k) const {
+    if (controls.stiffness_max <= 0.0 || controls.stiffness_step <= 0.0) return factor * k;
     const double steps = std::round(k / controls.stiffness_step) + direction;
     return std::clamp(steps * controls.stiffness_step, controls.stiffness_min, controls.stiffness_max);
   }
-  return clamp_to(row, direction > 0 ? k * factor : k / factor);
+};
+
+// One factor for all, so that the ratios of different values stay: at the end of the range it is nearer to 1. Springs without stiffness
+// keep none.
+double common_factor(double min, double max, int direction) {
+  const Parameter& row = stiffness_parameter;
+  return direction > 0 ? std::max(1.0, std::min(factor, row.max / max)) : std::min(1.0, std::max(1.0 / factor, row.min / min));
 }
 
 std::string value_text(double min, double max) { return "k = " + number(min) + (min < max ? " to " + number(max) : "") + " N/m"; }
@@ -26,30 +38,36 @@ std::string value_text(double min, double max) { return "k = " + number(min) + (
 
 Tuning tune_stiffness(const Status& status, const Selection& selection, int direction) {
   const System& system = *status.snapshot->system;
-  const Parameter& row = stiffness_parameter;
-  const std::vector<SpringId> affected = affected_springs(system, selection);
+  const ControlRanges& controls = status.document->controls;
+  if (system.spring_count() == 0) {
+    const double now = status.document->defaults.stiffness;
+    const double k = StiffnessStep{controls, common_factor(now, now, direction), direction}(now);
+    return {{SetParameter{&new_stiffness_parameter, k}}, value_text(k, k) + " (new springs)"};
+  }
 
-  Tuning tuning;
-  SetSpringProperty set{SpringProperty::Stiffness, {}};
+  const std::vector<SpringId> selected = affected_springs(system, selection);
+  std::vector<const Spring*> affected;
+  for (const SpringId id : selected) affected.push_back(&system.springs()[system.index_of(id)]);
+  if (selected.empty())
+    for (const Spring& spring : system.springs()) affected.push_back(&spring);
+
   double min = INFINITY, max = 0.0;
-  const auto include = [&](const Spring& spring) {
-    const double k = stepped(spring.stiffness, direction, status.document->controls, row);
-    set.values.emplace_back(spring.id, k);
+  for (const Spring* spring : affected) {
+    if (spring->stiffness > 0.0) min = std::min(min, spring->stiffness);
+    max = std::max(max, spring->stiffness);
+  }
+  const StiffnessStep next{controls, max > 0.0 ? common_factor(min, max, direction) : 1.0, direction};
+  SetSpringProperty set{SpringProperty::Stiffness, {}};
+  min = INFINITY;
+  max = 0.0;
+  for (const Spring* spring : affected) {
+    const double k = next(spring->stiffness);
+    set.values.emplace_back(spring->id, k);
     min = std::min(min, k);
     max = std::max(max, k);
-  };
-  if (!affected.empty()) {
-    for (const SpringId id : affected) include(system.springs()[system.index_of(id)]);
-    tuning.message = value_text(min, max) + " (" + count(static_cast<long>(affected.size()), "selected spring") + ")";
-  } else {
-    for (const Spring& spring : system.springs()) include(spring);
-    const double new_stiffness = stepped(status.document->defaults.stiffness, direction, status.document->controls, row);
-    tuning.commands.push_back(SetParameter{&new_stiffness_parameter, new_stiffness});
-    tuning.message =
-        set.values.empty() ? value_text(new_stiffness, new_stiffness) + " (new springs)" : value_text(min, max) + " (all springs)";
   }
-  if (!set.values.empty()) tuning.commands.insert(tuning.commands.begin(), set);
-  return tuning;
+  const std::string which = selected.empty() ? "all springs" : count(static_cast<long>(selected.size()), "selected spring");
+  return {{std::move(set)}, value_text(min, max) + " (" + which + ")"};
 }
 
 Tuning tune_substeps(const Status& status, int direction) {

@@ -15,8 +15,8 @@ struct Tuning {
   std::string message;            // the new value: "k = 110 N/m (3 springs)"
 };
 
-// Stiffness of the selected springs, or else of all springs and of new ones: by a factor of 1.1, or by the step that the scene defines.
-// Direction +1 or -1.
+// Stiffness of the selected springs, else of all springs; in a scene without springs, of new ones. By a factor of 1.1, or by the step that
+// the scene defines. Direction +1 or -1.
 Tuning tune_stiffness(const Status& status, const Selection& selection, int direction);
 
 // To the next multiple of 5 substeps; at least 1.

@@ -1,5 +1,6 @@
 #include "app/view/camera_control.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -16,9 +17,19 @@ constexpr const char* flat_only_from_front = "A flat scene is always viewed from
 
 }  // namespace
 
-void CameraControl::show(const Scene& scene) { context_.camera = make_camera(scene.view, scene.system, scene.state, aspect_ratio()); }
+void CameraControl::show(const Scene& scene) {
+  dimensions_known_ = false;
+  context_.camera = make_scene_camera(scene.view, scene.system, scene.state, aspect_ratio());
+}
 
-void CameraControl::frame_all() { frame_scene(context_.camera, context_.system(), context_.snapshot().state, aspect_ratio()); }
+// What nothing holds would soon be out of view again: the camera follows it.
+void CameraControl::frame_all() {
+  frame_scene(context_.camera, context_.system(), context_.snapshot().state, aspect_ratio());
+  const bool is_held = std::ranges::any_of(context_.system().points(), &Point::nailed);
+  if (!context_.status->run.running || is_held || context_.camera.follows || context_.system().points().empty()) return;
+  context_.camera.follows = true;
+  panels_.show_toast("Following moving objects; " + key_text(shortcut_of(Action::FollowScene)) + " stops it");
+}
 
 void CameraControl::frame_selection() {
   const Scene part = copy_selection(context_.snapshot(), context_.status->document->sheet, context_.selection);
@@ -74,6 +85,15 @@ void CameraControl::release(Button button) {
 
 void CameraControl::zoom(double steps, const glm::dvec2& at) { context_.camera.zoom(std::pow(zoom_per_step, steps), at, context_.size); }
 
-void CameraControl::follow() { follow_scene(context_.camera, context_.snapshot().state); }
+// A scene that becomes flat is viewed from the front; one that becomes 3-D, in perspective.
+void CameraControl::follow() {
+  const int dimensions = context_.system().dimensions;
+  if (std::exchange(dimensions_, dimensions) != dimensions && dimensions_known_) {
+    if (dimensions == 2) context_.camera = make_camera({}, context_.system(), context_.snapshot().state, aspect_ratio());
+    context_.camera.orthographic = dimensions == 2;
+  }
+  dimensions_known_ = true;
+  follow_scene(context_.camera, context_.snapshot().state);
+}
 
 }  // namespace hooke

@@ -43,6 +43,8 @@ class CameraControl {
   Panels& panels_;
   Clipboard& clipboard_;
   std::optional<Button> button_;
+  int dimensions_ = 0;             // of the scene in the last frame
+  bool dimensions_known_ = false;  // since the scene was opened
 };
 
 }  // namespace hooke

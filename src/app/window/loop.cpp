@@ -61,7 +61,9 @@ class LoopPacer {
 class Scale {
  public:
   void follow(const Window& window, double wished, View& view) {
-    const double scale = wished * window.content_scale(), density = window.framebuffer_size().x / std::max(1.0, window.size().x);
+    const glm::dvec2 size = window.size();
+    const double scale = fitting_scale(wished * window.content_scale(), size.x, size.y),
+                 density = window.framebuffer_size().x / std::max(1.0, window.size().x);
     if (scale == scale_ && density == density_) return;
     scale_ = scale;
     density_ = density;

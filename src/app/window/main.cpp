@@ -49,8 +49,9 @@ int open_window(const std::string& name) {
   }
   // a file of another format is imported: the document has no file
   const bool imported = recording || (find_file_kind(file) != nullptr && !is_scene_file(file));
+  const std::string notice = opening_notice(loaded.scene, loaded.warnings, file);
   App app(std::make_shared<const Scene>(std::move(loaded.scene)), imported ? std::filesystem::path() : file, xdg_home());
-  app.panels().file_warnings = joined(loaded.warnings);
+  app.panels().file_warnings = notice;
   Window window(app.title(), {1280, 800});
   app.use(window.clipboard());
   if (recording) app.document().play(recording);

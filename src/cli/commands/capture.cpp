@@ -36,7 +36,9 @@ class FrameCapture {
       if (options.panels) place_ = panels_->layout().scene;
       view_.upload_fonts();
     }
-    camera_ = make_camera(settings, scene.system, scene.state, place_.width / place_.height);
+    const double aspect = place_.width / place_.height;
+    camera_ =
+        pose ? make_camera(settings, scene.system, scene.state, aspect) : make_scene_camera(settings, scene.system, scene.state, aspect);
     view_options_.place = {static_cast<int>(place_.x), static_cast<int>(place_.y), static_cast<int>(place_.width),
                            static_cast<int>(place_.height)};
     if (destination.kind == Destination::Kind::VideoEncoder)

@@ -59,10 +59,9 @@ void Ground::draw(const Shader& shader) {
 
 GroundStyle grid_style_for(const Camera& camera) {
   const double decade = std::log10(0.6 * camera.distance);
-  const double whole = std::floor(decade);
   GroundStyle style;
-  style.spacing = std::pow(10.0, whole - 1.0);
-  style.fine = 1.0 - (decade - whole);
+  style.spacing = grid_spacing(camera);
+  style.fine = 1.0 - (decade - std::floor(decade));
   style.reach = 5.0 * camera.distance;
   return style;
 }

@@ -5,15 +5,6 @@
 namespace hooke {
 namespace {
 
-CommonValue slider_value(const Parameter& row, const System& system, const SheetWeights* sheet, const AffectedParts& parts) {
-  double Spring::*const property = row.scope == Parameter::Scope::SpringStiffness ? &Spring::stiffness : &Spring::damping;
-  CommonValue common;
-  for_each_affected(system, parts, [&](const Spring& spring) {
-    if (const double weight = weight_of(row, sheet, spring); weight > 0.0) common.include(spring.*property / weight);
-  });
-  return common;
-}
-
 AffectedParts compute(const System& system, const DocumentStatus& document, const Selection& selection) {
   AffectedParts parts;
   for (const PointId id : selection.points)
@@ -33,19 +24,17 @@ AffectedParts compute(const System& system, const DocumentStatus& document, cons
   parts.rest_length = of_springs(&Spring::rest_length);
   parts.break_strain = of_springs(&Spring::break_strain);
 
+  parts.slider_springs.all = parts.springs.empty();
+  for (const Index s : parts.springs) parts.slider_springs.selected.push_back(system.springs()[s].id);
   const auto rows = parameters();
   parts.slider_values.resize(rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (sets_springs(rows[i]) && !std::isnan(document.parameter_values[i]))
-      parts.slider_values[i] = slider_value(rows[i], system, document.sheet.get(), parts);
+    if (!std::isnan(document.parameter_values[i]))
+      parts.slider_values[i] = values_of(rows[i], system, document.sheet.get(), parts.slider_springs);
   return parts;
 }
 
 }  // namespace
-
-bool sets_springs(const Parameter& row) {
-  return row.scope == Parameter::Scope::SpringStiffness || row.scope == Parameter::Scope::SpringDamping;
-}
 
 const AffectedParts& AffectedPartsCache::of(const Status& status, const Selection& selection) {
   const std::shared_ptr<const System>& system = status.snapshot->system;

@@ -6,15 +6,17 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "lab/status.h"
 #include "scene/parameters.h"
 #include "scene/selection.h"
+#include "ui/panels/mixed_values.h"
 
 namespace hooke {
 
-// The value of the first item, and whether others differ from it.
+// The value that all items have, or the mean of numbers that differ.
 template <class Value>
 struct Common {
   Value value{};
@@ -27,6 +29,11 @@ auto common(const std::vector<Item>& items, const Read& read) {
   if (items.empty()) return found;
   found.value = read(items.front());
   found.mixed = std::ranges::any_of(items, [&](const Item& item) { return !(read(item) == found.value); });
+  if constexpr (std::is_floating_point_v<decltype(found.value)>) {
+    if (!found.mixed) return found;
+    found.value = 0.0;
+    for (const Item& item : items) found.value += read(item) / static_cast<double>(items.size());
+  }
   return found;
 }
 
@@ -40,7 +47,9 @@ struct AffectedParts {
   Common<double> mass, radius;
   Common<double> stiffness, damping, rest_length, break_strain;
 
-  // The value of each row of parameters() that sets springs, over `springs`, or over all springs if there are none; empty: it sets none.
+  // The springs that sliders set: those above, else all.
+  AffectedSprings slider_springs;
+  // The values that each row of parameters() sets in springs, points or colliders; empty where it sets a value of the scene.
   std::vector<CommonValue> slider_values;
 };
 
@@ -59,16 +68,5 @@ class AffectedPartsCache {
   Selection selection_;
   long computations_ = 0;
 };
-
-// Whether the row sets a property of springs.
-bool sets_springs(const Parameter& row);
-
-// Calls `visit(spring)` with each spring that a slider sets: those of the selection if it has any, else all.
-template <class Visit>
-void for_each_affected(const System& system, const AffectedParts& parts, const Visit& visit) {
-  if (parts.springs.empty())
-    for (const Spring& spring : system.springs()) visit(spring);
-  for (const Index s : parts.springs) visit(system.springs()[s]);
-}
 
 }  // namespace hooke

@@ -4,6 +4,7 @@
 #include "base/printable.h"
 #include "formats/open_file.h"
 #include "formats/scene_file.h"
+#include "lab/recording.h"
 #include "ui/file_browser.h"
 #include "ui/widgets.h"
 
@@ -22,15 +23,18 @@ double height() { return std::clamp(ImGui::GetIO().DisplaySize.y / units(1.0) - 
 constexpr double stale_after = 2.0;
 
 bool is_readable(const fs::path& file) {
+  if (file.extension() == recording_extension) return true;
   const FileKind* kind = find_file_kind(file);
   return kind != nullptr && kind->parse != nullptr;
 }
 
-void refresh(Browser& browser, FileDialogMode mode) {
+void refresh(Browser& browser, FileDialogMode mode, bool picks_mesh) {
   const double now = ImGui::GetTime();
   if (browser.listing.folder == browser.folder && now < browser.listed_at + stale_after) return;
-  browser.listing = list_folder(
-      browser.folder, [&](const fs::path& file) { return mode == FileDialogMode::Open ? is_readable(file) : is_scene_file(file); });
+  browser.listing = list_folder(browser.folder, [&](const fs::path& file) {
+    if (picks_mesh) return file.extension() == ".obj";
+    return mode == FileDialogMode::Open ? is_readable(file) : is_scene_file(file);
+  });
   browser.listed_at = now;
 }
 
@@ -68,7 +72,7 @@ void place_row(Dialog& dialog, const char* name, Browser::Place which) {
 
 void places(const PanelInput& input, Dialog& dialog, FileDialogMode mode) {
   ImGui::BeginChild("places", {units(places_width), units(height())});
-  if (mode == FileDialogMode::Open) {
+  if (mode == FileDialogMode::Open && !dialog.picks_mesh) {
     ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32(0, 0, 0, 0));
     place_row(dialog, "Recent", Browser::Place::Recent);
     place_row(dialog, "Shipped with Hooke", Browser::Place::Shipped);
@@ -112,9 +116,10 @@ void breadcrumbs(Dialog& dialog, FileDialogMode mode) {
 
 bool folder_list(Dialog& dialog, FileDialogMode mode) {
   Browser& browser = dialog.browser;
-  refresh(browser, mode);
+  refresh(browser, mode, dialog.picks_mesh);
   if (!browser.listing.error.empty()) text_in(palette::warning, "Cannot read this folder: " + browser.listing.error);
-  if (browser.listing.items.empty() && browser.listing.error.empty()) dim_text("No folders or scenes here.");
+  if (browser.listing.items.empty() && browser.listing.error.empty())
+    dim_text(dialog.picks_mesh ? "No folders or meshes here." : "No folders, scenes or recordings here.");
 
   const fs::path folder = browser.folder, chosen_path = resolved_path(dialog);
   fs::path next;
@@ -166,7 +171,16 @@ bool shipped_list(Dialog& dialog) {
 
 }  // namespace
 
-fs::path resolved_path(const Dialog& dialog) { return resolve_typed_path(dialog.typed, dialog.browser.folder); }
+// A path typed in place of the selected name is a path of its own: "/home/ada//tmp/net.json" is /tmp/net.json, and an extension that was
+// typed before the one that is there counts once.
+fs::path resolved_path(const Dialog& dialog) {
+  std::string typed = dialog.typed;
+  if (const std::size_t at = typed.rfind("//"); at != std::string::npos) typed.erase(0, at + 1);
+  if (const std::size_t at = typed.rfind("/~/"); at != std::string::npos) typed.erase(0, at + 1);
+  if (const fs::path name = fs::path(typed).stem(); typed.ends_with(".json") && find_file_kind(name) != nullptr)
+    typed.resize(typed.size() - 5);
+  return resolve_typed_path(typed, dialog.browser.folder);
+}
 
 void go_to_folder(Dialog& dialog, const fs::path& folder, FileDialogMode mode) {
   const fs::path name = resolved_path(dialog).filename();

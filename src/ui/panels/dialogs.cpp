@@ -3,6 +3,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/printable.h"
 #include "ui/file_browser.h"
@@ -39,13 +40,29 @@ void close(Panels& panels) {
   ImGui::CloseCurrentPopup();
 }
 
+// The name without folder and extension is what is usually changed.
+int select_name(ImGuiInputTextCallbackData* data) {
+  bool& wanted = *static_cast<bool*>(data->UserData);
+  if (!std::exchange(wanted, false)) return 0;
+  const std::string_view path(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+  const std::size_t folder = path.rfind('/'), name = folder == std::string_view::npos ? 0 : folder + 1, dot = path.rfind('.');
+  const std::size_t end = dot == std::string_view::npos || dot <= name ? path.size() : dot;
+  data->SelectionStart = static_cast<int>(name);
+  data->SelectionEnd = data->CursorPos = static_cast<int>(end);
+  return 0;
+}
+
 void path_line(Panels& panels) {
   int& shown = *ImGui::GetStateStorage()->GetIntRef(ImGui::GetID("anew"), -1);
-  if (ImGui::IsWindowAppearing() || shown != panels.dialog.text_version) ImGui::SetKeyboardFocusHere();
+  if (ImGui::IsWindowAppearing() || shown != panels.dialog.text_version) {
+    ImGui::SetKeyboardFocusHere();
+    panels.dialog.selects_name = panels.dialog.kind == Dialog::Kind::Save;
+  }
   shown = panels.dialog.text_version;
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::PushID(shown);
-  ImGui::InputTextWithHint("##path", "Name or path", &panels.dialog.typed);
+  ImGui::InputTextWithHint("##path", "Name or path", &panels.dialog.typed, ImGuiInputTextFlags_CallbackAlways, select_name,
+                           &panels.dialog.selects_name);
   ImGui::PopID();
 }
 
@@ -94,9 +111,15 @@ void open_box(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::Spacing();
   chosen = accepted(input, "Open") || chosen;
   if (canceled(input)) return close(panels);
-  desktop_button(input, panels, requests, false);
+  if (!panels.dialog.picks_mesh) desktop_button(input, panels, requests, false);
   if (!chosen || panels.dialog.typed.empty() || goes_to_folder(panels, FileDialogMode::Open)) return;
-  requests.emplace_back(OpenFile{resolved_path(panels.dialog)});
+  const std::filesystem::path chosen_path = resolved_path(panels.dialog);
+  if (panels.dialog.picks_mesh) {
+    panels.placement.mesh_path = chosen_path.string();
+    requests.emplace_back(LoadMesh{chosen_path});
+  } else {
+    requests.emplace_back(OpenFile{chosen_path});
+  }
   close(panels);
 }
 
@@ -119,7 +142,9 @@ void save_box(const PanelInput& input, Panels& panels, Requests& requests) {
 }
 
 void unsaved_box(const PanelInput& input, Panels& panels, Requests& requests) {
-  ImGui::TextUnformatted("Unsaved changes will be lost otherwise.");
+  ImGui::PushTextWrapPos(box_width(480.0));
+  ImGui::TextUnformatted(panels.dialog.text.c_str());
+  ImGui::PopTextWrapPos();
   ImGui::Spacing();
   struct Button {
     const char* label;

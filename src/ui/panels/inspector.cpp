@@ -25,7 +25,7 @@ struct Inspected {
   const Spring& spring(Index s) const { return snapshot.system->springs()[s]; }
 };
 
-// Fills in the common value of all items, or marks the field as mixed.
+// Fills in the common value of all items, or their mean, and marks the field as mixed.
 TypedField field_of(TypedField field, const Common<double>& now) {
   field.value = now.value;
   field.mixed = now.mixed;

@@ -97,17 +97,15 @@ void scenes_menu(const PanelInput& input, Panels&, Requests& requests) {
   scenes_column(input, true, requests);
 }
 
-void add_menu(const PanelInput& input, Panels&, Requests& requests) {
+void add_menu(const PanelInput& input, Panels& panels, Requests& requests) {
   if (sections(Menu::Add, 1, last_section, input, requests)) ImGui::Separator();
-  const bool is_flat = input.status.snapshot->system->dimensions == 2;
   for (const ShapeKind& kind : placeable_shapes()) {
-    if (ImGui::MenuItem((std::string(kind.label) + "...").c_str(), nullptr, false, !kind.is_3d_only || !is_flat))
-      requests.emplace_back(StartPlacement{&kind});
-    tooltip(std::string(kind.description) + (kind.is_3d_only && is_flat ? " Not in a flat scene." : ""));
+    if (ImGui::MenuItem((std::string(kind.label) + "...").c_str())) start_placement(&kind, input, panels, requests);
+    tooltip(std::string(kind.description));
   }
   ImGui::Separator();
-  if (ImGui::MenuItem("From a mesh...", nullptr, false, !is_flat)) requests.emplace_back(StartPlacement{nullptr});
-  tooltip(is_flat ? "An .obj file as cloth. Not in a flat scene." : "An .obj file as cloth.");
+  if (ImGui::MenuItem("From a mesh...")) start_placement(nullptr, input, panels, requests);
+  tooltip("An .obj file as cloth.");
 }
 
 void edit_menu(const PanelInput& input, Panels&, Requests& requests) { sections(Menu::Edit, 1, last_section, input, requests); }
@@ -222,6 +220,18 @@ void clock(const PanelInput& input, float buttons_end) {
 }
 
 }  // namespace
+
+// What needs space asks first whether a flat scene may become 3-D.
+void start_placement(const ShapeKind* shape, const PanelInput& input, Panels& panels, Requests& requests) {
+  const bool needs_space = shape == nullptr || shape->is_3d_only;
+  if (!needs_space || input.status.snapshot->system->dimensions == 3) {
+    requests.emplace_back(StartPlacement{shape});
+    return;
+  }
+  const std::string name = shape == nullptr ? "A mesh" : std::string(shape->label);
+  panels.show_message("Make the scene 3-D?", name + " needs a 3-D scene, and this one is flat. What it contains stays where it is.",
+                      {{"Make it 3-D", StartPlacement{shape, true}}, {"Cancel", CloseDialog{}}});
+}
 
 void build_menu(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(6.0), 0.0f});

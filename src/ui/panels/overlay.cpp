@@ -1,10 +1,15 @@
 // Drawn over the scene: the strain legend, the hint for an empty scene, the selection box, short messages, and banners, such as the one
 // that explains why a run stopped.
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
 
 #include "scene/parameters.h"
 #include "sim/integrator.h"
 #include "ui/panels.h"
+#include "ui/strain_legend.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
 
@@ -15,47 +20,16 @@ constexpr double toast_seconds = 1.8;
 
 ImVec2 place(const Rect& scene, double x, double y) { return {static_cast<float>(scene.x + x), static_cast<float>(scene.y + y)}; }
 
-ImU32 strain_rgba(double relative) { return to_imgui(View::strain_color(relative)); }
-
-// A strain in percent: "+2 %".
-std::string percent(double strain) {
-  std::string text = strain > 0.0 ? "+" : "";
-  return text.append(number(100.0 * strain)).append(" %");
-}
-
+// Without the side panel, which has the legend otherwise. Not in a window so small that it would cover the scene.
 void legend(const PanelInput& input, const Panels& panels, ImDrawList& list) {
-  const Snapshot& snapshot = *input.status.snapshot;
-  const bool is_colored = panels.view.springs || (panels.view.surface && !snapshot.system->faces.empty());
-  if (snapshot.system->springs().empty() || !is_colored || !panels.view.strain_colors) return;
-  // not in a window so small that it would cover the scene
   const Rect& scene = input.layout.scene;
-  if (scene.width < units(240.0) || scene.height < units(200.0)) return;
-  const ImVec2 at = place(scene, units(18.0), scene.height - units(44.0));
-  const float width = units(180.0), height = units(8.0);
-
+  if (!panels.panels_hidden || !shows_strain_colors(input, panels) || scene.width < units(240.0) || scene.height < units(200.0)) return;
+  const ImVec2 at = place(scene, units(18.0), scene.height - units(68.0));
+  const float width = units(180.0), edge = units(10.0);
   // legible over any scene
-  const float left = units(10.0), top = units(24.0), bottom = units(28.0);
-  list.AddRectFilled({at.x - left, at.y - top}, {at.x + width + left, at.y + bottom}, palette::shade, units(6.0));
-
-  constexpr int bands = 32;
-  for (int i = 0; i < bands; ++i) {
-    const float from = at.x + width * static_cast<float>(i) / bands, to = at.x + width * static_cast<float>(i + 1) / bands;
-    const ImU32 less = strain_rgba(2.0 * i / bands - 1.0), more = strain_rgba(2.0 * (i + 1) / bands - 1.0);
-    list.AddRectFilledMultiColor({from, at.y}, {to, at.y + height}, less, more, more, less);
-  }
-
-  const double scale = View::strain_scale(snapshot);
-  ImGui::PushFont(fonts().small);
-  const auto label = [&](float x, float align, float y, const std::string& text, ImU32 text_color) {
-    list.AddText({x - align * ImGui::CalcTextSize(text.c_str()).x, y}, text_color, text.c_str());
-  };
-  const float below = at.y + height + units(4.0), above = at.y - units(19.0);
-  label(at.x, 0.0f, above, "Strain", palette::text);
-  label(at.x + width, 1.0f, above, percent(snapshot.min_strain) + " to " + percent(snapshot.max_strain), palette::dim);
-  label(at.x, 0.0f, below, percent(-scale), palette::dim);
-  label(at.x + 0.5f * width, 0.5f, below, "0", palette::dim);
-  label(at.x + width, 1.0f, below, percent(scale), palette::dim);
-  ImGui::PopFont();
+  list.AddRectFilled({at.x - edge, at.y - units(4.0)}, {at.x + width + edge, at.y + units(strain_legend_height + 4.0)}, palette::shade,
+                     units(6.0));
+  draw_strain_legend(*input.status.snapshot, at, width, list);
 }
 
 void hint_of_empty_scene(const PanelInput& input, ImDrawList& list) {
@@ -66,6 +40,65 @@ void hint_of_empty_scene(const PanelInput& input, ImDrawList& list) {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, max_width);
   list.AddText(nullptr, 0.0f, place(scene, 0.5 * (scene.width - size.x), 0.36 * scene.height), palette::dim, text.c_str(), nullptr,
                max_width);
+}
+
+// Whether any point is within the picture; of a large scene, some hundred are looked at.
+bool is_in_view(const PanelInput& input) {
+  const Snapshot& snapshot = *input.status.snapshot;
+  const Rect& scene = input.layout.scene;
+  const glm::dmat4 transform = input.camera.projection_matrix(scene.width / scene.height) * input.camera.view_matrix();
+  constexpr std::size_t some = 512;
+  const std::vector<Vec3>& positions = snapshot.state.position;
+  for (std::size_t i = 0; i < positions.size(); i += 1 + positions.size() / some) {
+    const glm::dvec4 at = transform * glm::dvec4(positions[i], 1.0);
+    if (at.w > 0.0 && std::abs(at.x) <= at.w && std::abs(at.y) <= at.w) return true;
+  }
+  return positions.empty();
+}
+
+void hint_out_of_view(const PanelInput& input, ImDrawList& list) {
+  if (is_in_view(input)) return;
+  const Rect& scene = input.layout.scene;
+  const std::string text = "Out of view: press " + key_text(shortcut_of(Action::FrameAll));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at = place(scene, 0.5 * (scene.width - size.x), 0.36 * scene.height);
+  const float dx = units(14.0), dy = units(8.0);
+  list.AddRectFilled({at.x - dx, at.y - dy}, {at.x + size.x + dx, at.y + size.y + dy}, palette::shade, units(8.0));
+  list.AddText(at, palette::text, text.c_str());
+}
+
+// The length of the spring that is being attached, beside its middle.
+void live_length(const PanelInput& input, ImDrawList& list) {
+  if (!input.new_spring) return;
+  const auto& [from, to] = *input.new_spring;
+  const Rect& scene = input.layout.scene;
+  const Vec3 middle = input.camera.project(0.5 * (from + to), {scene.width, scene.height});
+  const std::string text = number(glm::distance(from, to)) + " m";
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const ImVec2 at = place(scene, middle.x - 0.5 * size.x, middle.y - size.y - units(10.0));
+  list.AddRectFilled({at.x - units(5.0), at.y - units(2.0)}, {at.x + size.x + units(5.0), at.y + size.y + units(2.0)}, palette::shade,
+                     units(4.0));
+  list.AddText(at, palette::text, text.c_str());
+}
+
+// A round length as it appears at the camera's target.
+void scale_bar(const PanelInput& input, ImDrawList& list) {
+  constexpr double longest = 120.0;  // [design units]
+  const Rect& scene = input.layout.scene;
+  if (!input.camera.orthographic || scene.width < 3.0 * units(longest) || scene.height < units(120.0)) return;
+  const double meters = input.camera.meters_per_pixel(input.camera.target, {scene.width, scene.height});
+  const double room = units(longest) * meters, decade = std::pow(10.0, std::floor(std::log10(room)));
+  const double length = decade * (room >= 5.0 * decade ? 5.0 : room >= 2.0 * decade ? 2.0 : 1.0);
+  const auto width = static_cast<float>(length / meters);
+  const ImVec2 end = place(scene, scene.width - units(18.0), scene.height - units(16.0)), begin{end.x - width, end.y};
+  const float tick = units(4.0);
+  const ImVec2 line[] = {{begin.x, begin.y - tick}, begin, end, {end.x, end.y - tick}};
+  list.AddPolyline(line, 4, palette::dim, 0, units(1.5));
+  ImGui::PushFont(fonts().small);
+  const std::string text = number(length) + " m";
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  list.AddText({0.5f * (begin.x + end.x - size.x), end.y - units(3.0) - size.y}, palette::dim, text.c_str());
+  ImGui::PopFont();
 }
 
 void rubber_band(const PanelInput& input, ImDrawList& list) {
@@ -206,6 +239,9 @@ void build_overlays(const PanelInput& input, Panels& panels, Requests& requests)
   list.PushClipRect(corner(scene), place(scene, scene.width, scene.height));
   legend(input, panels, list);
   hint_of_empty_scene(input, list);
+  hint_out_of_view(input, list);
+  scale_bar(input, list);
+  live_length(input, list);
   rubber_band(input, list);
   stroke(input, list);
   toast(input, panels, list);

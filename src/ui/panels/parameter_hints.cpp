@@ -35,7 +35,19 @@ constexpr const char* nothing = "\u2013";
 // Negligible values are shown as 0.
 std::string ratio_text(double ratio) { return ratio < 5e-5 ? "0" : two_digits(ratio); }
 
-// A small line below a slider: a name and a value, with a colored dot if it is good or bad.
+// Shortened to the width, by whole characters.
+std::string shortened(std::string text, float width) {
+  constexpr const char* rest = "\u2026";
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  while (!text.empty() && ImGui::CalcTextSize((text + rest).c_str()).x > width) {
+    while (!text.empty() && (text.back() & 0xc0) == 0x80) text.pop_back();
+    if (!text.empty()) text.pop_back();
+  }
+  return text + rest;
+}
+
+// A small line under a slider: a name and a value, with a colored dot if it is good or bad. It keeps its height, so that the rows below do
+// not move under the mouse: what does not fit is in the tooltip.
 void remark(const std::string& name, const std::string& text, const std::string& description, ImU32 dot = 0,
             ImU32 text_color = palette::dim) {
   ImGui::PushFont(fonts().small);
@@ -47,11 +59,10 @@ void remark(const std::string& name, const std::string& text, const std::string&
     ImGui::SetCursorScreenPos({at.x + units(14.0), at.y});
     ImGui::AlignTextToFramePadding();
   }
-  ImGui::PushTextWrapPos(0.0f);
-  text_in(text_color, text);
-  ImGui::PopTextWrapPos();
+  const std::string shown = shortened(text, ImGui::GetContentRegionAvail().x);
+  text_in(text_color, shown);
   ImGui::PopFont();
-  tooltip(description);
+  tooltip(shown == text ? description : text + "\n" + description);
 }
 
 // The step, and omega h relative to the limit of the method.
@@ -79,7 +90,10 @@ void step_remark(const Snapshot& snapshot) {
 }
 
 void sag_remark(const Forecast& forecast) {
-  remark("sag", forecast.sag ? length_text(*forecast.sag) : nothing,
+  remark("sag",
+         forecast.sag                  ? length_text(*forecast.sag)
+         : forecast.why_no_sag.empty() ? nothing
+                                       : forecast.why_no_sag,
          "Largest displacement that gravity causes at rest, compared with the unloaded shape. Not available if nothing carries the "
          "weight, if colliders or other forces act, or for more than 1,700 points.");
 }

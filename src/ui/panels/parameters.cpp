@@ -3,10 +3,12 @@
 #include <cmath>
 #include <optional>
 
+#include "scene/flatness.h"
 #include "scene/parameters.h"
 #include "sim/integrator.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
+#include "ui/panels/mixed_values.h"
 #include "ui/panels/parameter_hints.h"
 #include "ui/widgets.h"
 
@@ -27,7 +29,8 @@ NumberField field_of(const Parameter& row, const ControlRanges& controls, double
                     .default_value = row.default_value,
                     .value = value,
                     .integer = row.kind == Parameter::Kind::Integer,
-                    .logarithmic = row.logarithmic};
+                    .logarithmic = row.logarithmic,
+                    .zero_text = row.zero_text};
   const bool is_stiffness = &row == &stiffness_parameter || &row == &new_stiffness_parameter;
   if (is_stiffness && controls.stiffness_max > 0.0) {
     field.min = controls.stiffness_min;
@@ -39,22 +42,36 @@ NumberField field_of(const Parameter& row, const ControlRanges& controls, double
   return field;
 }
 
-// The mean value of the affected springs, or `value_without` if there are none.
-void spring_row(const Parameter& row, double value_without, const CommonValue& common, const AffectedParts& parts, const PanelInput& input,
-                Panels& panels, Requests& requests) {
-  NumberField field = field_of(row, input.status.document->controls, common.value_or(value_without));
-  field.mixed = common.is_mixed();
-  field.enabled = !common.is_empty();
-  const auto value = number_row(field, panels);
-  if (!value) return;
-  if (parts.springs.empty()) return edit(SetParameter{&row, *value}, panels, requests);
-  const bool stiffness = row.scope == Parameter::Scope::SpringStiffness;
-  SetSpringProperty set{stiffness ? SpringProperty::Stiffness : SpringProperty::Damping, {}};
-  for_each_affected(*input.status.snapshot->system, parts, [&](const Spring& spring) {
-    if (const double weight = weight_of(row, input.status.document->sheet.get(), spring); weight > 0.0)
-      set.values.emplace_back(spring.id, weight * *value);
-  });
+// Sets equal values; scales different ones, if the slider is dragged. A drag always scales what it began with, so that values survive a
+// visit to the end of the slider.
+void change(const Parameter& row, const NumberChange& change, const CommonValue& values, const AffectedSprings& affected,
+            const PanelInput& input, Panels& panels, Requests& requests) {
+  const auto& now = input.status.snapshot->system;
+  const SheetWeights* sheet = input.status.document->sheet.get();
+  const bool continues = panels.edit_in_progress && panels.tuned_from != nullptr;
+  const bool scales = change.is_drag && (continues || values.is_mixed());
+  if (scales) {
+    if (!continues) panels.tuned_from = now;
+    if (auto scaled = scaled_values(row, *panels.tuned_from, *now, sheet, affected, change.value))
+      return edit(*std::move(scaled), panels, requests);
+  }
+  const bool is_stiffness = row.scope == Parameter::Scope::SpringStiffness, is_damping = row.scope == Parameter::Scope::SpringDamping;
+  if (affected.all || (!is_stiffness && !is_damping)) return edit(SetParameter{&row, change.value}, panels, requests);
+  SetSpringProperty set{is_stiffness ? SpringProperty::Stiffness : SpringProperty::Damping, {}};
+  for (const SpringId id : affected.selected)
+    if (const Index s = now->index_of(id); s != no_index)
+      if (const double weight = weight_of(row, sheet, now->springs()[s]); weight > 0.0) set.values.emplace_back(id, weight * change.value);
   edit(std::move(set), panels, requests);
+}
+
+// A number of the scene, or one that many springs, points or colliders have; the mean where they differ.
+void value_row(const Parameter& row, double value, const AffectedParts& parts, const PanelInput& input, Panels& panels,
+               Requests& requests) {
+  const CommonValue& values = parts.slider_values[static_cast<std::size_t>(&row - parameters().data())];
+  NumberField field = field_of(row, input.status.document->controls, values.value_or(value));
+  field.mixed = values.is_mixed();
+  field.enabled = !values.is_empty() || !has_many_values(row);
+  if (const auto changed = changed_row(field, panels)) change(row, *changed, values, parts.slider_springs, input, panels, requests);
 }
 
 void switch_row(const Parameter& row, double value, Panels& panels, Requests& requests) {
@@ -64,14 +81,23 @@ void switch_row(const Parameter& row, double value, Panels& panels, Requests& re
   tooltip(std::string(row.description));
 }
 
-void choice_row(const Parameter& row, double value, Panels& panels, Requests& requests) {
+// Why a choice is not available; empty if it is.
+std::string reason_against(const Parameter& row, std::size_t choice, const PanelInput& input) {
+  if (&row != &dimensions_parameter || choice != 0) return {};
+  const std::string reason = why_not_flat(*input.status.snapshot->system, input.status.snapshot->state);
+  return reason.empty() ? "" : "Not possible: " + reason;
+}
+
+void choice_row(const Parameter& row, double value, const PanelInput& input, Panels& panels, Requests& requests) {
   const auto now = static_cast<std::size_t>(value);
   begin_row(std::string(row.label));
   ImGui::SetNextItemWidth(-1.0f);
   if (ImGui::BeginCombo("##choice", row.choices[now].label.data())) {
     for (std::size_t i = 0; i < row.choices.size(); ++i) {
-      const bool chosen = ImGui::Selectable(row.choices[i].label.data(), i == now);
-      tooltip(std::string(row.choices[i].description));
+      const std::string reason = i == now ? "" : reason_against(row, i, input);
+      const ImGuiSelectableFlags flags = reason.empty() ? 0 : ImGuiSelectableFlags_Disabled;
+      const bool chosen = ImGui::Selectable(row.choices[i].label.data(), i == now, flags);
+      tooltip(reason.empty() ? std::string(row.choices[i].description) : reason);
       if (chosen && i != now) edit(SetParameter{&row, static_cast<double>(i)}, panels, requests);
     }
     ImGui::EndCombo();
@@ -98,32 +124,20 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
   build_accuracy_line(input, panels);
 }
 
-void parameter_row(const Parameter& row, double value, const PanelInput& input, Panels& panels, Requests& requests) {
-  if (sets_springs(row)) {
-    const AffectedParts& parts = panels.affected_parts.of(input.status, input.selection);
-    const CommonValue& common = parts.slider_values[static_cast<std::size_t>(&row - parameters().data())];
-    spring_row(row, value, common, parts, input, panels, requests);
-  } else if (row.kind == Parameter::Kind::Switch) {
+void parameter_row(const Parameter& row, double value, const AffectedParts& parts, const PanelInput& input, Panels& panels,
+                   Requests& requests) {
+  if (row.kind == Parameter::Kind::Switch)
     switch_row(row, value, panels, requests);
-  } else if (row.kind == Parameter::Kind::Choice) {
-    choice_row(row, value, panels, requests);
-  } else {
-    NumberField field = field_of(row, input.status.document->controls, value);
-    if (row.scope == Parameter::Scope::Colliders) {
-      const auto& colliders = input.status.snapshot->system->colliders;
-      const auto property = &row == &friction_parameter ? &Collider::friction : &Collider::restitution;
-      field.enabled = std::ranges::any_of(colliders, &Collider::solid);
-      field.mixed = std::ranges::any_of(colliders, [&](const Collider& each) { return each.*property != value; });
-    }
-    if (const auto changed = number_row(field, panels)) edit(SetParameter{&row, *changed}, panels, requests);
-  }
+  else if (row.kind == Parameter::Kind::Choice)
+    choice_row(row, value, input, panels, requests);
+  else
+    value_row(row, value, parts, input, panels, requests);
 }
 
-// The remark on the right of the heading of a section.
-std::string scope_of(std::string_view group, const PanelInput& input, Panels& panels) {
+// The remark at the right of a section's heading.
+std::string scope_of(std::string_view group, const AffectedSprings& affected, const System& system) {
   if (group != "Springs") return {};
-  const std::size_t selected = panels.affected_parts.of(input.status, input.selection).springs.size();
-  return selected > 0 ? std::to_string(selected) + " selected" : "all " + std::to_string(input.status.snapshot->system->springs().size());
+  return affected.all ? "all " + std::to_string(system.spring_count()) : std::to_string(affected.selected.size()) + " selected";
 }
 
 }  // namespace
@@ -132,16 +146,17 @@ void build_parameters(const PanelInput& input, Panels& panels, Requests& request
   std::string_view group;
   bool open = false;
   const auto rows = parameters();
+  const AffectedParts& parts = panels.affected_parts.of(input.status, input.selection);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Parameter& row = rows[i];
     if (row.group != group) {
       group = row.group;
-      open = section(std::string(group), scope_of(group, input, panels), group != "Hand" && group != "Points");
+      open = section(std::string(group), scope_of(group, parts.slider_springs, *input.status.snapshot->system), group != "Hand" && group != "Points");
       if (open && group == "Simulation") method_row(input, panels, requests);
     }
     if (!open || std::isnan(input.status.document->parameter_values[i])) continue;
     ImGui::PushID(row.name.data());
-    parameter_row(row, input.status.document->parameter_values[i], input, panels, requests);
+    parameter_row(row, input.status.document->parameter_values[i], parts, input, panels, requests);
     ImGui::PopID();
     parameter_hint_row(row, input);
   }

@@ -55,22 +55,52 @@ void angle_rows(Shape& shape, Panels& panels) {
   }
 }
 
-void mesh_rows(Placement& placement, Panels& panels, Requests& requests) {
+void mesh_rows(const PanelInput& input, Placement& placement, Panels& panels, Requests& requests) {
   dim_text("Path of an .obj file");
-  ImGui::SetNextItemWidth(-1.0f);
-  const bool entered = ImGui::InputText("##mesh", &placement.mesh_path, ImGuiInputTextFlags_EnterReturnsTrue);
-  if (ImGui::Button("Load") || entered) requests.emplace_back(LoadMesh{placement.mesh_path});
+  constexpr const char* browse = "Browse...";
+  const float button = ImGui::CalcTextSize(browse).x + units(24.0);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - units(8.0));
+  ImGui::InputText("##mesh", &placement.mesh_path);
+  if (ImGui::IsItemDeactivatedAfterEdit() && !placement.mesh_path.empty()) requests.emplace_back(LoadMesh{placement.mesh_path});
   ImGui::SameLine();
-  dim_text(placement.mesh_info);
-  const NumberField field{.label = "Size",
-                          .unit = "m",
-                          .description = {},
-                          .min = 0.01,
-                          .max = 100.0,
-                          .default_value = 1.0,
-                          .value = placement.mesh_size,
-                          .logarithmic = true};
-  if (const auto value = number_row(field, panels)) placement.mesh_size = *value;
+  if (ImGui::Button(browse, {button, 0.0f})) {
+    panels.open_file_dialog(Dialog::Kind::Open, input.folder);
+    panels.dialog.picks_mesh = true;
+    panels.dialog.title = "Choose a mesh";
+  }
+  dim_text(placement.mesh_info.empty() ? "No mesh yet" : placement.mesh_info);
+  struct Number {
+    NumberField field;
+    double& value;
+  };
+  const Number numbers[] = {
+      {{.label = "Size", .unit = "m", .description = "Length of the longest side.", .min = 0.01, .max = 100.0, .default_value = 1.0},
+       placement.mesh_size},
+      {{.label = "Stretch E t",
+        .unit = "N/m",
+        .description = "Young's modulus times thickness.",
+        .min = 0.01,
+        .max = 1e6,
+        .default_value = placement.mesh_stiffness},
+       placement.mesh_stiffness},
+      {{.label = "Density", .unit = "kg/m^2", .description = "Mass per area.", .min = 0.001, .max = 100.0, .default_value = 0.2},
+       placement.mesh_density},
+      {{.label = "Damping \u03b7",
+        .unit = "N s/m",
+        .description = "Viscosity times thickness.",
+        .min = 0.0,
+        .max = 1e4,
+        .default_value = placement.mesh_damping},
+       placement.mesh_damping},
+  };
+  for (const Number& number : numbers) {
+    NumberField field = number.field;
+    field.value = number.value;
+    field.logarithmic = true;
+    ImGui::PushID(field.label.data());
+    if (const auto value = number_row(field, panels)) number.value = *value;
+    ImGui::PopID();
+  }
 }
 
 }  // namespace
@@ -99,7 +129,7 @@ void build_placement(const PanelInput& input, Panels& panels, Requests& requests
   ImGui::PopTextWrapPos();
   ImGui::Dummy({0.0f, units(3.0)});
   if (placement.is_mesh) {
-    mesh_rows(placement, panels, requests);
+    mesh_rows(input, placement, panels, requests);
   } else {
     support_row(placement.shape);
     number_rows(placement.shape, is_flat, panels);
@@ -110,9 +140,13 @@ void build_placement(const PanelInput& input, Panels& panels, Requests& requests
   ImGui::PushTextWrapPos(0.0f);
   dim_text("Click or drag in the scene to move it.");
   ImGui::PopTextWrapPos();
+  const bool is_empty = placement.is_mesh && placement.mesh_info.empty();
+  ImGui::BeginDisabled(is_empty);
   ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);
   if (ImGui::Button("Place", {units(96.0), units(30.0)})) requests.emplace_back(Place{});
   ImGui::PopStyleColor();
+  ImGui::EndDisabled();
+  if (is_empty) tooltip("Choose an .obj file first");
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {units(96.0), units(30.0)})) placement.stop();
   ImGui::End();

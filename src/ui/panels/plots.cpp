@@ -12,8 +12,9 @@ namespace hooke {
 namespace {
 
 // Distinguishable with color vision deficiencies (Okabe and Ito), with contrast on dark and on light backgrounds.
+// Neighbors in the list differ in hue and in lightness: blue, orange, green, mauve, vermilion, gray.
 constexpr ImU32 inks[] = {IM_COL32(0x56, 0xb4, 0xe9, 255), IM_COL32(0xe6, 0x9f, 0x00, 255), IM_COL32(0x00, 0x9e, 0x73, 255),
-                          IM_COL32(0xd5, 0x5e, 0x00, 255), IM_COL32(0xcc, 0x79, 0xa7, 255), IM_COL32(0x80, 0x80, 0x80, 255)};
+                          IM_COL32(0xcc, 0x79, 0xa7, 255), IM_COL32(0xd5, 0x5e, 0x00, 255), IM_COL32(0x80, 0x80, 0x80, 255)};
 
 // The quantities of the whole scene, in the order of the list.
 constexpr std::string_view of_the_scene[] = {"kinetic",    "elastic",    "gravitational", "total",          "dissipated", "momentum_x",
@@ -62,11 +63,16 @@ PlotAxis axis_of_values(const Plot& plot, const Span& span) {
   return fit_axis(min, max, 4);
 }
 
-// At most one pair of extremes per pixel, so that thousands of samples are drawn with hundreds of points.
+// At most one pair of extremes per pixel, so that thousands of samples are drawn with hundreds of points. A line ends where the time jumps.
 void draw_line(ImDrawList& list, const TraceTable& table, const Trace& trace, const Span& span, const PlotAxis& x_axis,
                const PlotAxis& y_axis, ImVec2 min, ImVec2 max, ImU32 text_color) {
   std::vector<ImVec2> points;
+  const auto draw = [&] {
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), text_color, 0, units(1.6));
+    points.clear();
+  };
   for (std::size_t i = span.begin; i < span.end; ++i) {
+    if (table.continues[i] == 0) draw();
     if (!std::isfinite(trace.values[i])) continue;
     const ImVec2 at{min.x + static_cast<float>(x_axis.fraction(table.times[i])) * (max.x - min.x),
                     max.y - static_cast<float>(y_axis.fraction(trace.values[i])) * (max.y - min.y)};
@@ -78,7 +84,7 @@ void draw_line(ImDrawList& list, const TraceTable& table, const Trace& trace, co
     }
     points.push_back(at);
   }
-  list.AddPolyline(points.data(), static_cast<int>(points.size()), text_color, 0, units(1.6));
+  draw();
 }
 
 // The accumulated error as a band about a coordinate of a point.
@@ -99,30 +105,42 @@ void draw_error_band(ImDrawList& list, const TraceTable& table, const Trace& tra
                          (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 60));
 }
 
-// The time under the mouse: a line, and the values of all traces.
-void draw_readout(ImDrawList& list, const TraceTable& table, const Plot& plot, const PlotAxis& x_axis, ImVec2 min, ImVec2 max) {
-  const float mouse = ImGui::GetIO().MousePos.x;
-  const double time = x_axis.min + (mouse - min.x) / (max.x - min.x) * (x_axis.max - x_axis.min);
+// A line at a time that is visible.
+void draw_cursor(ImDrawList& list, const PlotAxis& x_axis, double time, ImVec2 min, ImVec2 max, ImU32 color) {
+  const float x = min.x + static_cast<float>(x_axis.fraction(time)) * (max.x - min.x);
+  if (x >= min.x && x <= max.x) list.AddLine({x, min.y}, {x, max.y}, color, units(1.0));
+}
+
+double time_under_mouse(const PlotAxis& x_axis, ImVec2 min, ImVec2 max) {
+  return x_axis.min + (ImGui::GetIO().MousePos.x - min.x) / (max.x - min.x) * (x_axis.max - x_axis.min);
+}
+
+// The values of all traces at a time.
+void show_readout(const TraceTable& table, const Plot& plot, double time) {
   const auto after = std::ranges::lower_bound(table.times, time);
   const std::size_t i = std::min(static_cast<std::size_t>(after - table.times.begin()), table.times.size() - 1);
-  list.AddLine({mouse, min.y}, {mouse, max.y}, palette::edge);
   std::string text = "t = " + number(table.times[i]) + " s";
   for (const auto& [trace, text_color] : plot.lines)
     text += "\n" + trace->quantity.name() + " = " + number(trace->values[i]) + " " + std::string(plot.unit);
   ImGui::SetTooltip("%s", text.c_str());
 }
 
-// The wheel zooms the time axis, a drag moves it.
-void move_span(const TraceTable& table, const Span& span, float width, Panels& panels) {
+// The wheel zooms the time axis, a drag moves it, and a click goes to the time under the mouse.
+void handle_mouse(const TraceTable& table, const Span& span, double time, float width, Panels& panels, Requests& requests) {
   const ImGuiIO& io = ImGui::GetIO();
   const double length = span.last - span.first;
   if (ImGui::IsItemHovered() && io.MouseWheel != 0.0f) panels.plot_seconds = std::clamp(length * std::pow(0.8, io.MouseWheel), 1e-3, 1e9);
-  if (!ImGui::IsItemActive() || io.MouseDelta.x == 0.0f) return;
+  constexpr double drag = 4.0;  // [design units]
+  if (ImGui::IsItemActivated()) panels.plot_is_dragged = false;
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, units(drag))) panels.plot_is_dragged = true;
+  if (ImGui::IsItemDeactivated() && !panels.plot_is_dragged) requests.emplace_back(Scrub{time});
+  if (!ImGui::IsItemActive() || !panels.plot_is_dragged || io.MouseDelta.x == 0.0f) return;
   const double end = span.last - io.MouseDelta.x / width * length;
   panels.plot_end = end < table.times.back() ? std::optional(end) : std::nullopt;
 }
 
-void draw_plot(const TraceTable& table, const Plot& plot, const Rect& place, int number_of_plot, Panels& panels) {
+void draw_plot(const PanelInput& input, const Plot& plot, const Rect& place, int number_of_plot, Panels& panels, Requests& requests) {
+  const TraceTable& table = *input.status.timeline.traces;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 min{static_cast<float>(place.x) + units(56.0), static_cast<float>(place.y) + units(24.0)};
   const ImVec2 max{static_cast<float>(place.x + place.width) - units(10.0), static_cast<float>(place.y + place.height) - units(20.0)};
@@ -151,6 +169,8 @@ void draw_plot(const TraceTable& table, const Plot& plot, const Rect& place, int
   for (const auto& [trace, color] : plot.lines) draw_error_band(list, table, *trace, span, x_axis, y_axis, min, max, color);
   for (const auto& [trace, text_color] : plot.lines) draw_line(list, table, *trace, span, x_axis, y_axis, min, max, text_color);
   list.PopClipRect();
+  draw_cursor(list, x_axis, input.status.snapshot->state.time, min, max, palette::text);
+  if (panels.time_under_mouse) draw_cursor(list, x_axis, *panels.time_under_mouse, min, max, palette::dim);
 
   // names above the plot, each in its color; the unit above the axis
   const float names_y = static_cast<float>(place.y) + units(6.0);
@@ -158,6 +178,8 @@ void draw_plot(const TraceTable& table, const Plot& plot, const Rect& place, int
   float x = min.x;
   for (const auto& [trace, text_color] : plot.lines) {
     const std::string name = trace->quantity.name();
+    // the rest is in the readout under the mouse
+    if (x + units(17.0) + ImGui::CalcTextSize(name.c_str()).x > max.x) break;
     list.AddRectFilled({x, names_y + units(6.0)}, {x + units(12.0), names_y + units(9.0)}, text_color);
     list.AddText({x + units(17.0), names_y}, palette::text, name.c_str());
     x += units(30.0) + ImGui::CalcTextSize(name.c_str()).x;
@@ -167,8 +189,11 @@ void draw_plot(const TraceTable& table, const Plot& plot, const Rect& place, int
   ImGui::PushID(number_of_plot);
   ImGui::InvisibleButton("plot", {max.x - min.x, max.y - min.y});
   ImGui::PopID();
-  move_span(table, span, max.x - min.x, panels);
-  if (ImGui::IsItemHovered()) draw_readout(list, table, plot, x_axis, min, max);
+  const double time = time_under_mouse(x_axis, min, max);
+  handle_mouse(table, span, time, max.x - min.x, panels, requests);
+  if (!ImGui::IsItemHovered()) return;
+  panels.next_time_under_mouse = time;
+  show_readout(table, plot, time);
 }
 
 // An entry of the list of quantities.
@@ -233,6 +258,8 @@ void buttons(const PanelInput& input, const Rect& place, Panels& panels, Request
   }
   if (ImGui::BeginPopup("choose")) {
     choices(input, requests);
+    panels.menu_is_open = input.presses(PanelKey::Target::Menu, Key::Escape) == 0;
+    if (!panels.menu_is_open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
 }
@@ -267,7 +294,8 @@ void build_plots(const PanelInput& input, Panels& panels, Requests& requests) {
   }
   for (std::size_t i = 0; i < plots.size() && !table.times.empty(); ++i) {
     const double fraction = width / static_cast<double>(plots.size());
-    draw_plot(table, plots[i], {left + static_cast<double>(i) * fraction, dock.y, fraction, dock.height}, static_cast<int>(i), panels);
+    draw_plot(input, plots[i], {left + static_cast<double>(i) * fraction, dock.y, fraction, dock.height}, static_cast<int>(i), panels,
+              requests);
   }
   ImGui::PopFont();
   ImGui::End();

@@ -1,8 +1,10 @@
 // The panel on the right: the scene, the selection, the parameters, the forces, the energy, the history.
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "base/printable.h"
 #include "ui/panels.h"
+#include "ui/strain_legend.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
 
@@ -18,6 +20,14 @@ void scene_section(const PanelInput& input) {
   if (!input.status.document->description.empty()) dim_text(printable(input.status.document->description));
   ImGui::PopTextWrapPos();
   dim_text(count(system.point_count(), "point") + ", " + count(system.spring_count(), "spring") + (system.dimensions == 2 ? ", flat" : ""));
+}
+
+void legend_section(const PanelInput& input, const Panels& panels) {
+  if (!shows_strain_colors(input, panels)) return;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x;
+  draw_strain_legend(*input.status.snapshot, {at.x, at.y + units(4.0)}, width, *ImGui::GetWindowDrawList());
+  ImGui::Dummy({width, units(strain_legend_height + 4.0)});
 }
 
 void energy_row(const char* name, const std::string& value, ImU32 text_color = palette::text) {
@@ -47,7 +57,10 @@ void build_side(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(14.0), units(12.0)});
   begin_panel("side", input.layout.side);
   ImGui::PopStyleVar();
+  // another scene is read from its top
+  if (std::exchange(panels.side_to_top, false)) ImGui::SetScrollY(0.0f);
   scene_section(input);
+  legend_section(input, panels);
   build_inspector(input, panels, requests);
   build_parameters(input, panels, requests);
   build_forces(input, panels, requests);

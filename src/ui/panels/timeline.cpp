@@ -25,12 +25,15 @@ struct Track {
   double time_at(float x) const { return first + std::clamp(static_cast<double>((x - at.x) / size.x), 0.0, 1.0) * (last - first); }
 };
 
-void draw_track(const Track& track, double now, bool is_hovered) {
+void draw_track(const Track& track, double now, std::optional<double> under_mouse, bool is_hovered) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float middle = track.at.y + 0.5f * track.size.y, half = units(2.0);
   const float here = track.x_of(now);
   list.AddRectFilled({track.at.x, middle - half}, {track.at.x + track.size.x, middle + half}, palette::pressed, half);
   list.AddRectFilled({track.at.x, middle - half}, {here, middle + half}, palette::accent, half);
+  if (under_mouse && *under_mouse >= track.first && *under_mouse <= track.last)
+    list.AddLine({track.x_of(*under_mouse), middle - units(8.0)}, {track.x_of(*under_mouse), middle + units(8.0)}, palette::dim,
+                 units(1.0));
   list.AddCircleFilled({here, middle}, units(is_hovered ? 7.0 : 5.5), palette::text);
 }
 
@@ -47,10 +50,13 @@ void scrubber(const PanelInput& input, const Track& track, Panels& panels, Reque
     requests.emplace_back(Scrub{target, std::exchange(panels.scrub_in_progress, true)});
   } else {
     panels.scrub_in_progress = false;
-    if (has_past && ImGui::IsItemHovered()) tooltip("Go to " + seconds(track.time_at(ImGui::GetIO().MousePos.x)));
+    if (has_past && ImGui::IsItemHovered()) {
+      panels.next_time_under_mouse = track.time_at(ImGui::GetIO().MousePos.x);
+      tooltip("Go to " + seconds(*panels.next_time_under_mouse));
+    }
     if (!has_past) tooltip("Recorded frames of the run; drag to return to one");
   }
-  draw_track(track, status.snapshot->state.time, has_past && (ImGui::IsItemHovered() || ImGui::IsItemActive()));
+  draw_track(track, status.snapshot->state.time, panels.time_under_mouse, has_past && (ImGui::IsItemHovered() || ImGui::IsItemActive()));
 }
 
 // "Run to [10 s]", or the progress of such a run.
@@ -76,12 +82,11 @@ void run_to(const PanelInput& input, float x, float width, Panels& panels, Reque
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {units(6.0), units(2.0)});
   const bool entered = ImGui::InputDouble("##run_to", &panels.run_to, 0.0, 0.0, "%.6g s", ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::PopStyleVar();
-  tooltip("Simulation time: Enter runs to it as fast as possible");
-  if (!entered) return;
-  if (std::isfinite(panels.run_to) && panels.run_to > status.snapshot->state.time)
-    requests.emplace_back(Control(RunTo{panels.run_to}));
-  else
-    panels.show_toast("The scene is already at " + seconds(status.snapshot->state.time));
+  tooltip("Simulation time: Enter runs to it as fast as possible, or goes back to it");
+  if (!entered || !std::isfinite(panels.run_to)) return;
+  requests.emplace_back(Control(RunTo{panels.run_to}));
+  // older frames are not kept
+  if (panels.run_to < status.timeline.start) panels.show_toast("The oldest recorded frame is at " + seconds(status.timeline.start));
 }
 
 }  // namespace

@@ -1,0 +1,94 @@
+// Flat scenes and scenes in space: new ones of both kinds, and the way from one to the other.
+#include <gtest/gtest.h>
+
+#include "scene/flatness.h"
+#include "scene/parameters.h"
+#include "support/flat_scene.h"
+#include "support/gui_trial.h"
+
+namespace hooke {
+namespace {
+
+constexpr Modifiers control{.control = true}, control_shift{.control = true, .shift = true};
+
+Scene two_points() {
+  Trial trial;
+  trial.join(trial.nail({-0.5, 0.0, 0.0}), trial.add({0.5, 0.0, 0.0}), 100.0, 1.0);
+  return flat_scene("Two points", trial);
+}
+
+SetParameter set_dimensions(int dimensions) { return {&dimensions_parameter, dimensions == 3 ? 1.0 : 0.0}; }
+
+TEST(NewScenes, AreFlatOrInSpace) {
+  GuiTrial gui;
+  gui.key(letter('N'), control);
+  EXPECT_EQ(gui.system().dimensions, 2);
+  gui.key(letter('N'), control_shift);
+  EXPECT_EQ(gui.system().dimensions, 3);
+  EXPECT_FALSE(gui.app().camera().orthographic);
+  // something can be built at once, in front of the camera and above the floor
+  gui.key(letter('A'));
+  const Rect& view = gui.app().layout().scene;
+  gui.click({view.x + 0.5 * view.width, view.y + 0.5 * view.height});
+  ASSERT_EQ(gui.system().point_count(), 1);
+  EXPECT_GT(gui.status().snapshot->state.position[0].y, -1.0);
+}
+
+TEST(Dimensions, AFlatSceneBecomesSpatialAndFlatAgain) {
+  GuiTrial gui(two_points());
+  gui.app().handle(Request(Edit{set_dimensions(3)}));
+  gui.frames(2);
+  EXPECT_EQ(gui.system().dimensions, 3);
+  EXPECT_FALSE(gui.app().camera().orthographic);
+  gui.key(letter('3'));  // from the side
+  gui.app().handle(Request(Edit{set_dimensions(2)}));
+  gui.frames(2);
+  EXPECT_EQ(gui.system().dimensions, 2);
+  EXPECT_TRUE(gui.app().camera().orthographic);
+  EXPECT_EQ(gui.app().camera().back, (Vec3{0.0, 0.0, 1.0}));
+  gui.key(letter('Z'), control);
+  EXPECT_EQ(gui.system().dimensions, 3);
+  gui.key(letter('Z'), control);
+  EXPECT_EQ(gui.system().dimensions, 2);
+}
+
+TEST(Dimensions, WhatDoesNotLieInThePlaneKeepsASceneInSpace) {
+  GuiTrial gui(two_points());
+  gui.app().handle(Request(Edit{set_dimensions(3)}));
+  gui.app().handle(Request(Edit{Move{{{gui.system().points()[1].id, {0.5, 0.0, 0.2}, Vec3(0.0)}}}}));
+  gui.app().handle(Request(Edit{set_dimensions(2)}));
+  EXPECT_EQ(gui.system().dimensions, 3);
+  EXPECT_EQ(why_not_flat(gui.system(), gui.status().snapshot->state), "point 1 is not at z = 0");
+}
+
+TEST(Dimensions, EachThingThatLeavesThePlaneIsNamed) {
+  const auto reason = [](auto change) {
+    Scene scene = two_points();
+    scene.system.dimensions = 3;
+    change(scene);
+    return why_not_flat(scene.system, scene.state);
+  };
+  EXPECT_EQ(reason([](Scene&) {}), "");
+  EXPECT_EQ(reason([](Scene& s) { s.state.velocity[1].z = 1.0; }), "point 1 moves along z");
+  EXPECT_EQ(reason([](Scene& s) { s.system.gravity.z = 1.0; }), "gravity acts along z");
+  EXPECT_NE(reason([](Scene& s) { s.system.colliders = {{.shape = Sphere{{0.0, 0.0, 0.1}, 0.5}}}; }), "");
+  EXPECT_NE(reason([](Scene& s) { s.system.colliders = {{.shape = Plane{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}}}; }), "");
+  EXPECT_EQ(reason([](Scene& s) { s.system.colliders = {{.shape = Box{Vec3(-1.0), Vec3(1.0)}}}; }), "");
+}
+
+TEST(AddMenu, AShapeThatNeedsSpaceOffersToMakeTheSceneSpatial) {
+  GuiTrial gui(two_points());
+  Panels& panels = gui.app().panels();
+  Requests requests;
+  start_placement(find_shape_kind("curtain"), gui.app().panel_input({}), panels, requests);
+  EXPECT_TRUE(requests.empty());
+  ASSERT_EQ(panels.dialog.kind, Dialog::Kind::Message);
+  gui.frames(2);
+  gui.key(Key::Enter);
+  EXPECT_EQ(gui.system().dimensions, 3);
+  EXPECT_TRUE(panels.placement.is_on());
+  EXPECT_FALSE(gui.app().marks().ghost_lines.empty());
+}
+
+}  // namespace
+}  // namespace hooke

@@ -1,0 +1,97 @@
+// What the open and save dialogs show, the notice of an opened scene, and replays.
+#include "app/app.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/document/files.h"
+#include "formats/scene_file.h"
+#include "lab/recording.h"
+#include "support/gui_trial.h"
+#include "support/own_home.h"
+#include "support/scratch_folder.h"
+
+namespace hooke {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(OpenDialog, ListsRecordingsToo) {
+  const OwnDesk desk;
+  OwnDesk::write(desk.folder / "run.hookelog", "");
+  GuiTrial gui = desk.open();
+  gui.key(letter('O'), control);
+  gui.frames(3);
+  EXPECT_NE(gui.words().find("run.hookelog"), std::string::npos) << gui.words();
+}
+
+TEST(SaveAsDialog, SelectsTheNameWithoutFolderAndExtension) {
+  const OwnDesk desk;
+  GuiTrial gui = desk.open();
+  gui.key(letter('S'), control_shift);
+  gui.frames(3);
+  gui.type("other");
+  EXPECT_EQ(gui.app().panels().dialog.typed, (desk.folder / "other.json").string());
+}
+
+TEST(SaveAsDialog, APathTypedInPlaceOfTheNameIsAPathOfItsOwn) {
+  const OwnDesk desk;
+  GuiTrial gui = desk.open();
+  gui.key(letter('S'), control_shift);
+  gui.frames(3);
+  gui.type((desk.folder / "config" / "other.json").string());
+  gui.key(Key::Enter);
+  gui.frames(2);
+  EXPECT_TRUE(fs::exists(desk.folder / "config" / "other.json"));
+  EXPECT_EQ(gui.app().document().file(), desk.folder / "config" / "other.json");
+}
+
+TEST(Replay, ShowsTheTextureOfTheSceneAndChangesNoDocument) {
+  const ScratchFolder scratch;
+  Scene scene = load_scene(find_scene("cloth")).scene;
+  ASSERT_EQ(scene.view.texture, "tartan");
+  {
+    GuiTrial gui(scene, scratch.folder / "cloth.json");
+    gui.key(letter('R'), control_shift);
+    gui.key(Key::Period);
+    gui.key(Key::Up);
+    gui.key(Key::Period);
+    gui.key(letter('R'), control_shift);
+  }
+  const auto recording = std::make_shared<const Recording>(read_recording(scratch.folder / "cloth.hookelog"));
+  GuiTrial replay;
+  replay.app().document().play(recording);
+  ASSERT_TRUE(wait_for(replay, [&] { return !replay.status().run.running && replay.status().run.frames == 2; }));
+  EXPECT_EQ(replay.status().recording.difference, "");
+  ASSERT_TRUE(replay.status().document->cloth_texture.picture);
+  EXPECT_EQ(replay.status().document->view.texture, "tartan");
+  EXPECT_EQ(replay.app().title(), "Hooke - Cloth");
+}
+
+TEST(OpeningNotice, OfASceneAboutInstabilityIsItsLesson) {
+  const fs::path file = find_scene("unstable");
+  const LoadedScene loaded = load_scene(file);
+  ASSERT_FALSE(loaded.warnings.empty());
+  EXPECT_EQ(opening_notice(loaded.scene, loaded.warnings, file), loaded.scene.description);
+  GuiTrial gui;
+  gui.app().document().open(file);
+  gui.frames(2);
+  EXPECT_EQ(gui.app().panels().file_warnings, loaded.scene.description);
+  EXPECT_EQ(gui.words().find(".json"), std::string::npos);
+}
+
+TEST(OpeningNotice, OfAnotherSceneWarnsWithoutThePathOfItsFile) {
+  const OwnDesk desk;
+  OwnDesk::write(desk.folder / "odd.json", R"({"hooke": 1, "colour": 3, "points": [{"position": [0, 0, 0]}]})");
+  GuiTrial gui = desk.open();
+  gui.app().document().open(desk.folder / "odd.json");
+  gui.frames(2);
+  const std::string& notice = gui.app().panels().file_warnings;
+  EXPECT_NE(notice.find("colour"), std::string::npos);
+  EXPECT_EQ(notice.find(desk.folder.string()), std::string::npos) << notice;
+}
+
+}  // namespace
+}  // namespace hooke
