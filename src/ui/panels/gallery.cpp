@@ -14,12 +14,12 @@ namespace {
 constexpr double margin = 28.0, gap = 16.0, min_card = 250.0;  // [design units]
 constexpr int description_lines = 6;
 
-struct Grid {
+struct CardGrid {
   int columns;
   float card, picture;  // width of a card, height of its picture
 };
 
-Grid grid_for(float width) {
+CardGrid grid_for(float width) {
   const int columns = std::max(1, static_cast<int>((width + units(gap)) / units(min_card + gap)));
   const float card = std::floor((width - static_cast<float>(columns - 1) * units(gap)) / static_cast<float>(columns));
   return {columns, card, card * thumbnail_height / thumbnail_width};
@@ -41,7 +41,7 @@ std::string shortened(const std::string& text, float width, int lines) {
   return some + " ...";
 }
 
-void picture(const Panels& panels, std::size_t number, const ImVec2& min, const Grid& grid) {
+void picture(const Panels& panels, std::size_t number, const ImVec2& min, const CardGrid& grid) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 max{min.x + grid.card, min.y + grid.picture};
   const float round = units(7.0);
@@ -57,7 +57,7 @@ void picture(const Panels& panels, std::size_t number, const ImVec2& min, const 
 }
 
 // Returns whether it was clicked.
-bool card(const PanelInput& input, Panels& panels, std::size_t number, const Grid& grid, float height) {
+bool card(const PanelInput& input, Panels& panels, std::size_t number, const CardGrid& grid, float height) {
   const GalleryCard& shown = gallery_cards()[number];
   const ImVec2 min = ImGui::GetCursorScreenPos(), max{min.x + grid.card, min.y + height};
   const bool clicked = ImGui::InvisibleButton(shown.scene->id.c_str(), {grid.card, height});
@@ -86,7 +86,7 @@ bool card(const PanelInput& input, Panels& panels, std::size_t number, const Gri
   return clicked;
 }
 
-float card_height(std::size_t number, const Grid& grid) {
+float card_height(std::size_t number, const CardGrid& grid) {
   ImGui::PushFont(fonts().small);
   const float width = grid.card - units(24.0);
   const std::string some = shortened(printable(gallery_cards()[number].description, 2000), width, description_lines);
@@ -104,7 +104,7 @@ void heading(const std::string& title) {
 }
 
 // The cards of a group; the highest card determines the height of its row. Returns the end of the group.
-std::size_t group(const PanelInput& input, Panels& panels, std::size_t first, const Grid& grid, Requests& requests) {
+std::size_t group(const PanelInput& input, Panels& panels, std::size_t first, const CardGrid& grid, Requests& requests) {
   const std::vector<GalleryCard>& cards = gallery_cards();
   std::size_t end = first;
   while (end < cards.size() && cards[end].scene->group == cards[first].scene->group) ++end;
@@ -149,7 +149,7 @@ void build_gallery(const PanelInput& input, Panels& panels, Requests& requests) 
   ImGui::PushTextWrapPos(0.0f);
   dim_text("Open a scene to run, change and save it under another name. Arrow keys and Enter select one, Esc returns.");
   ImGui::PopTextWrapPos();
-  const Grid grid = grid_for(static_cast<float>(page.width) - 2.0f * units(margin));
+  const CardGrid grid = grid_for(static_cast<float>(page.width) - 2.0f * units(margin));
   for (std::size_t first = 0; first < gallery_cards().size();) first = group(input, panels, first, grid, requests);
   panels.gallery.follows = false;
   ImGui::End();
