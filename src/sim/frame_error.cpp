@@ -38,7 +38,7 @@ Settings refined(const System& system, const Settings& settings) {
 
 double refinement_weight(const System& system, const Settings& settings) {
   if (settings.integrator->stability == Stability::Adaptive && !has_contact(system)) return 1.0;
-  const double factor = std::exp2(effective_order(system, *settings.integrator));
+  const double factor = std::ldexp(1.0, effective_order(system, *settings.integrator));
   return factor / (factor - 1.0);
 }
 

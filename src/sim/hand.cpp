@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/motion.h"
+#include "sim/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -24,7 +25,7 @@ Vec3 position_at(const ScriptedHand& hand, double time) {
   const Vec3 &n = hand.axis, d = hand.from - hand.center;
   const Vec3 along = glm::dot(n, d) * n, p = d - along;
   const double angle = hand.speed * (time - hand.begin) / glm::length(p);
-  return hand.center + along + std::cos(angle) * p + std::sin(angle) * glm::cross(n, d);
+  return hand.center + along + portable::cos(angle) * p + portable::sin(angle) * glm::cross(n, d);
 }
 
 std::optional<ActiveGrab> active_grab(const System& system, const State& state, double duration) {

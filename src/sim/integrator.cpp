@@ -62,7 +62,8 @@ const Integrator& stiff_integrator() { return tr_bdf2; }
 
 Amplification amplification_from(std::complex<double> (*r)(std::complex<double>), const Oscillator& oscillator) {
   const double damping = oscillator.h_lambda + oscillator.h_drag + oscillator.h_rate;
-  const std::complex<double> root = std::sqrt(std::complex<double>(0.25 * damping * damping - oscillator.h_omega_squared, 0.0));
+  const double discriminant = 0.25 * damping * damping - oscillator.h_omega_squared, size = std::sqrt(std::abs(discriminant));
+  const std::complex<double> root = discriminant >= 0.0 ? std::complex(size, 0.0) : std::complex(0.0, size);
   const std::complex<double> r1 = r(-0.5 * damping + root), r2 = r(-0.5 * damping - root);
   return {(r1 + r2).real(), (r1 * r2).real()};
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/forces/field_kernel.h"
+#include "sim/portable_math.h"
 #include "sim/state.h"
 
 namespace hooke {
@@ -58,7 +59,7 @@ void kick(const Plan& plan, const Field& a, double h, Field& velocity) {
 
   Vec3 held{0.0};
   for (int c = 0; plan.held && c < plan.dimensions; ++c) held[c] = v[static_cast<std::size_t>(c) * plan.points + *plan.held];
-  const double decay = std::exp(-plan.drag * h), weight = -std::expm1(-plan.drag * h) / plan.drag;
+  const double decay = portable::exp(-plan.drag * h), weight = -portable::expm1(-plan.drag * h) / plan.drag;
   scale_and_add_scaled(v, decay, weight, a.data(), velocity.size());
   for (int c = 0; plan.held && c < plan.dimensions; ++c) v[static_cast<std::size_t>(c) * plan.points + *plan.held] = held[c];
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/overloaded.h"
+#include "sim/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -34,12 +35,12 @@ Index look_up(const IdTable& ids, std::uint32_t id) { return id < ids.index_by_i
 }  // namespace
 
 Vec3 ColliderPath::offset(double time) const {
-  return amplitude == Vec3(0.0) ? amplitude : std::sin(2.0 * std::numbers::pi * frequency * time + phase) * amplitude;
+  return amplitude == Vec3(0.0) ? amplitude : portable::sin(2.0 * std::numbers::pi * frequency * time + phase) * amplitude;
 }
 
 Vec3 ColliderPath::velocity(double time) const {
   const double omega = 2.0 * std::numbers::pi * frequency;
-  return amplitude == Vec3(0.0) ? amplitude : omega * std::cos(omega * time + phase) * amplitude;
+  return amplitude == Vec3(0.0) ? amplitude : omega * portable::cos(omega * time + phase) * amplitude;
 }
 
 ColliderShape translated(ColliderShape shape, const Vec3& displacement) {

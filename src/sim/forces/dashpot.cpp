@@ -5,6 +5,7 @@
 // fewer springs than the stride share no points, so that a vector of them gives the same result as one by one. In a row (stride 1), every
 // other spring comes first, then those between, which share no points either. A backward sweep is the exact reverse.
 #include "sim/forces/dashpot.h"
+#include "sim/portable_math.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/forces/dashpot.cpp"
@@ -212,7 +213,7 @@ void plan_dashpot_decay(const Plan& plan, double duration, std::vector<double>& 
       const double exponent = plan.damping[run.begin + e] * duration * inverse;
       if (exponent != previous_exponent) {
         previous_exponent = exponent;
-        decay_fraction = -std::expm1(-exponent);
+        decay_fraction = -portable::expm1(-exponent);
       }
       if (inverse != 0.0) decay[run.begin + e] = decay_fraction / inverse;
     }

@@ -6,6 +6,7 @@
 #include "sim/forces/forces.h"
 #include "sim/forces/grid_kernel.h"
 #include "sim/forces/spring_kernel.h"
+#include "sim/portable_math.h"
 #include "sim/spring_limits.h"
 
 namespace hooke {
@@ -13,8 +14,8 @@ namespace {
 
 // v' = decay v + weight a of a kick over h, as in motion.h.
 void set_kick(const Plan& plan, double h, GridPass& pass) {
-  pass.decay = plan.drag == 0.0 ? 1.0 : std::exp(-plan.drag * h);
-  pass.weight = plan.drag == 0.0 ? h : -std::expm1(-plan.drag * h) / plan.drag;
+  pass.decay = plan.drag == 0.0 ? 1.0 : portable::exp(-plan.drag * h);
+  pass.weight = plan.drag == 0.0 ? h : -portable::expm1(-plan.drag * h) / plan.drag;
 }
 
 void record(const GridWatch& watch, double drift, Flight& flight) {

@@ -188,7 +188,7 @@ void NewtonSolver::restart_from_rest_if_lower(const Plan& plan, const Stage& sta
 // dominates.
 double NewtonSolver::round_off(const Plan& plan, const Stage& stage, const Field& V) const {
   constexpr double epsilon = 2e-16;
-  const double stiffness = std::pow(stage.b * plan.spectrum.omega, 2);
+  const double stiffness = stage.b * plan.spectrum.omega * (stage.b * plan.spectrum.omega);
   return epsilon * (root_mean_square(plan, V) + max_coordinate_ / stage.b * stiffness / (1.0 + stiffness));
 }
 

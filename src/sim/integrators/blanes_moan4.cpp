@@ -10,6 +10,7 @@
 #include "sim/forces/dashpot.h"
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
+#include "sim/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -63,9 +64,9 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
 
 // The columns of the step's matrix on (x, h v): kicks v' = E v + phi a, E = e^(-c b h), phi = (1 - E) / c.
 Amplification amplification(const Oscillator& oscillator) {
-  const double drag = oscillator.h_drag, dashpot = std::exp(-0.5 * oscillator.h_lambda);
-  const auto decay = [&](double weight) { return std::exp(-drag * weight); };
-  const auto phi = [&](double weight) { return drag == 0.0 ? weight : -std::expm1(-drag * weight) / drag; };
+  const double drag = oscillator.h_drag, dashpot = portable::exp(-0.5 * oscillator.h_lambda);
+  const auto decay = [&](double weight) { return portable::exp(-drag * weight); };
+  const auto phi = [&](double weight) { return drag == 0.0 ? weight : -portable::expm1(-drag * weight) / drag; };
   double x[] = {1.0, 0.0}, v[] = {0.0, dashpot};
   for (int column = 0; column < 2; ++column) {
     double a = 0.0;
@@ -78,7 +79,7 @@ Amplification amplification(const Oscillator& oscillator) {
     }
   }
   // kicks and drifts preserve areas, except with drag, dashpots and forces that depend on velocity
-  const double determinant = oscillator.h_rate == 0.0 ? dashpot * dashpot * std::exp(-drag) : dashpot * (x[0] * v[1] - x[1] * v[0]);
+  const double determinant = oscillator.h_rate == 0.0 ? dashpot * dashpot * portable::exp(-drag) : dashpot * (x[0] * v[1] - x[1] * v[0]);
   return {.trace = x[0] + dashpot * v[1], .determinant = determinant};
 }
 

@@ -5,6 +5,7 @@
 
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
+#include "sim/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -28,8 +29,8 @@ void fly(const Plan& plan, Motion& motion, Workspace&, double h, int count, Flig
 
 // v' = E v - phi h (omega^2 x + (lambda + q) v), x' = x + h v', with E = e^(-h c), phi = (1 - E) / (h c)
 Amplification amplification(const Oscillator& oscillator) {
-  const double decay = std::exp(-oscillator.h_drag);
-  const double phi = oscillator.h_drag == 0.0 ? 1.0 : -std::expm1(-oscillator.h_drag) / oscillator.h_drag;
+  const double decay = portable::exp(-oscillator.h_drag);
+  const double phi = oscillator.h_drag == 0.0 ? 1.0 : -portable::expm1(-oscillator.h_drag) / oscillator.h_drag;
   const double determinant = decay - phi * (oscillator.h_lambda + oscillator.h_rate);
   return {.trace = 1.0 + determinant - phi * oscillator.h_omega_squared, .determinant = determinant};
 }

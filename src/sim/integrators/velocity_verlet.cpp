@@ -8,6 +8,7 @@
 #include "sim/forces/dashpot.h"
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
+#include "sim/portable_math.h"
 #include "sim/spring_limits.h"
 
 namespace hooke {
@@ -72,8 +73,8 @@ void fly(const Plan& plan, Motion& motion, Workspace& work, double h, int count,
 
 // The columns of the step's matrix on (x, h v), with E and phi per half step.
 Amplification amplification(const Oscillator& oscillator) {
-  const double decay = std::exp(-0.5 * oscillator.h_drag), dashpot = std::exp(-0.5 * oscillator.h_lambda);
-  const double phi = oscillator.h_drag == 0.0 ? 0.5 : -std::expm1(-0.5 * oscillator.h_drag) / oscillator.h_drag;
+  const double decay = portable::exp(-0.5 * oscillator.h_drag), dashpot = portable::exp(-0.5 * oscillator.h_lambda);
+  const double phi = oscillator.h_drag == 0.0 ? 0.5 : -portable::expm1(-0.5 * oscillator.h_drag) / oscillator.h_drag;
   double x[] = {1.0, 0.0}, v[] = {0.0, dashpot};
   for (int column = 0; column < 2; ++column) {
     const double start = -oscillator.h_omega_squared * x[column] - oscillator.h_rate * v[column];

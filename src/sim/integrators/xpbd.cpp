@@ -16,6 +16,7 @@
 
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
+#include "sim/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -64,7 +65,7 @@ class ColoredSprings : public Structure {
   }
 };
 
-double drag_weight(double drag, double h) { return drag == 0.0 ? h : -std::expm1(-drag * h) / drag; }
+double drag_weight(double drag, double h) { return drag == 0.0 ? h : -portable::expm1(-drag * h) / drag; }
 
 void prepare(const Plan& plan, double h, const Motion&, Workspace& work) {
   const double phi = drag_weight(plan.drag, h);
@@ -139,7 +140,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
 
 // x' = x + h v',  v' = ((E - phi q) v - phi omega^2 x) / (1 + phi (h omega^2 + lambda))
 Amplification amplification(const Oscillator& oscillator) {
-  const double phi = drag_weight(oscillator.h_drag, 1.0), decay = std::exp(-oscillator.h_drag) - phi * oscillator.h_rate;
+  const double phi = drag_weight(oscillator.h_drag, 1.0), decay = portable::exp(-oscillator.h_drag) - phi * oscillator.h_rate;
   const double denominator = 1.0 + phi * (oscillator.h_omega_squared + oscillator.h_lambda);
   return {.trace = 1.0 + (decay - phi * oscillator.h_omega_squared) / denominator, .determinant = decay / denominator};
 }

@@ -9,6 +9,7 @@
 #include "sim/forces/terms/power_law.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
+#include "sim/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -26,20 +27,20 @@ struct Law {
   double alpha() const { return 0.5 * (power + 3.0); }
   double beta() const { return -0.5 * (power + 1.0); }
   double over_distance(double r) const {
-    if (r >= core) return std::pow(r, -power - 1.0);
+    if (r >= core) return portable::pow(r, -power - 1.0);
     const double u = r / core;
-    return std::pow(core, -power - 1.0) * (alpha() + beta() * u * u);
+    return portable::pow(core, -power - 1.0) * (alpha() + beta() * u * u);
   }
   double slope(double r) const {
-    if (r >= core) return -power * std::pow(r, -power - 1.0);
+    if (r >= core) return -power * portable::pow(r, -power - 1.0);
     const double u = r / core;
-    return std::pow(core, -power - 1.0) * (alpha() + 3.0 * beta() * u * u);
+    return portable::pow(core, -power - 1.0) * (alpha() + 3.0 * beta() * u * u);
   }
   // the integral of a from the core radius to r
   double potential(double r) const {
     if (r < core) {
       const double u = r / core;
-      return std::pow(core, 1.0 - power) * (0.5 * alpha() * (u * u - 1.0) + 0.25 * beta() * (u * u * u * u - 1.0));
+      return portable::pow(core, 1.0 - power) * (0.5 * alpha() * (u * u - 1.0) + 0.25 * beta() * (u * u * u * u - 1.0));
     }
     return power_law_integral(power, core, r);
   }
@@ -67,7 +68,7 @@ void add(const Plan& plan, const ForceValues& values, double, const double* x, c
 // at r = 0 and r = r0.
 ForceBound bound(const System&, const ForceValues& values) {
   const Law law = law_of(values);
-  const double strength = std::abs(values[3]), at_core = strength * std::pow(law.core, -law.power - 1.0);
+  const double strength = std::abs(values[3]), at_core = strength * portable::pow(law.core, -law.power - 1.0);
   ForceBound bound{.stiffness = at_core * std::max({law.alpha(), std::abs(law.power), 1.0})};
   // the highest value of alpha u + beta u^3 on [0, 1] is below alpha, or 1
   const double max_acceleration = at_core * law.core * std::max(law.alpha(), 1.0);

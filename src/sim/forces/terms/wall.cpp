@@ -7,6 +7,7 @@
 #include "sim/forces/terms/power_law.h"
 #include "sim/forces/terms/rows.h"
 #include "sim/plan.h"
+#include "sim/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -35,7 +36,7 @@ void for_each_distance(const Plan& plan, double time, const double* x, const Use
 
 void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, double* f) {
   for_each_distance(plan, time, x, [&](const Vec3& normal, Index i, double distance) {
-    const double push = plan.mass[i] * values[0] / std::pow(std::max(distance, values[2]), values[1]);
+    const double push = plan.mass[i] * values[0] / portable::pow(std::max(distance, values[2]), values[1]);
     for (int c = 0; c < plan.dimensions; ++c) f[static_cast<std::size_t>(c) * plan.points + i] += push * normal[c];
   });
 }
@@ -52,14 +53,14 @@ ForceBound bound(const System& system, const ForceValues& values) {
     for (const Vec3& b : normals) row += std::abs(glm::dot(a, b));
     gain = std::max(gain, row);
   }
-  const double at_core = std::abs(values[0]) * std::pow(values[2], -values[1]);
+  const double at_core = std::abs(values[0]) * portable::pow(values[2], -values[1]);
   return {.stiffness = gain * at_core * values[1] / values[2], .acceleration = static_cast<double>(normals.size()) * at_core};
 }
 
 void add_tangent(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, ForceTangent& tangent) {
   for_each_distance(plan, time, x, [&](const Vec3& normal, Index i, double distance) {
     if (distance > values[2])
-      tangent.add_stiffness(i, normal, plan.mass[i] * values[0] * values[1] * std::pow(distance, -values[1] - 1.0), 0.0);
+      tangent.add_stiffness(i, normal, plan.mass[i] * values[0] * values[1] * portable::pow(distance, -values[1] - 1.0), 0.0);
   });
 }
 
@@ -69,7 +70,7 @@ double potential(const Plan& plan, const ForceValues& values, double time, const
   double energy = 0.0;
   for_each_distance(plan, time, x, [&](const Vec3&, Index i, double distance) {
     if (plan.inverse_mass[i] == 0.0) return;
-    const double integral = distance <= core ? (distance - core) * std::pow(core, -power) : power_law_integral(power, core, distance);
+    const double integral = distance <= core ? (distance - core) * portable::pow(core, -power) : power_law_integral(power, core, distance);
     energy -= plan.mass[i] * values[0] * integral;
   });
   return energy;
