@@ -39,6 +39,10 @@ std::string describe(const Divergence& divergence, const System& system) {
              location + ".";
     case Divergence::Kind::Implausible:
       return when + location + " is " + rounded(divergence.distance) + " m away, farther than any motion can have taken it.";
+    case Divergence::Kind::StepTooShort:
+      return when + "the method finds no step short enough, first at " + location + ".";
+    case Divergence::Kind::TooManySteps:
+      return when + "the method needs more than " + std::to_string(max_own_steps) + " steps in one substep; fastest is " + location + ".";
   }
   return when + location + ".";
 }

@@ -248,6 +248,13 @@ double Lab::hand_lag() const {
   return scene_.system.grab ? glm::distance(hand.target, hand.position) : 0.0;
 }
 
+// A recorded state of some time before the energy began to grow without cause.
+std::shared_ptr<const State> Lab::state_before_failure() const {
+  const Timeline& timeline = frame_history_.timeline();
+  constexpr double margin = 0.5;  // [s]
+  return timeline.empty() ? nullptr : timeline.at(timeline.find(std::min(explained_until_, scene_.state.time) - margin));
+}
+
 // Checks the frame just computed and adopts it; if it diverged, keeps the previous state and stops.
 bool Lab::finish_frame() {
   next_ = scene_.state;
@@ -256,9 +263,10 @@ bool Lab::finish_frame() {
   std::optional<Insert> torn = tear();
 
   const Energy energy = compute_energy(scene_.system, next_);
-  divergence_ = find_divergence(scene_.system, next_, energy);
+  divergence_ = find_divergence(scene_.system, next_, energy, frame_.failure());
   if (divergence_) {
     was_unstable_ = scene_.settings.substep() > largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
+    before_failure_ = state_before_failure();
     Effect effect;
     if (torn) apply(scene_, *torn, effect);
     if (effect.structure) update_plan(effect);
@@ -272,6 +280,9 @@ bool Lab::finish_frame() {
   meter_frame(energy.total(), torn.has_value());
   std::swap(scene_.state, next_);
   energy_ = energy;
+  constexpr double explained_fraction = 0.02;
+  const EnergyLedger& ledger = scene_.state.ledger;
+  if (energy.total() - ledger.net_input <= explained_fraction * ledger.scale) explained_until_ = scene_.state.time;
   ++frames_;
   if (torn) record_tear(*std::move(torn));
   hand_lag_ = hand_lag();

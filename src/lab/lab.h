@@ -137,6 +137,7 @@ class Lab {
   std::optional<Insert> tear();
   void record_tear(Insert pieces);
   void drop_frame();
+  std::shared_ptr<const State> state_before_failure() const;
   void record_edit(const Command& command);
   void record_held_edits();
   double hand_lag() const;
@@ -160,12 +161,14 @@ class Lab {
   Plan plan_;
   Frame frame_;
   bool frame_in_progress_ = false;
-  bool must_finish_frame_ = false;        // an edit discarded the previous frame
-  std::vector<Command> held_edits_;       // applied while a frame that they do not affect is in progress; recorded after it
-  State next_;                            // result of the frame in progress
-  Energy energy_;                         // of the last frame that did not diverge
-  std::optional<Divergence> divergence_;  // of the last frame, until it is resolved
-  bool was_unstable_ = false;             // its step was beyond the limit of the method
+  bool must_finish_frame_ = false;               // an edit discarded the previous frame
+  std::vector<Command> held_edits_;              // applied while a frame that they do not affect is in progress; recorded after it
+  State next_;                                   // result of the frame in progress
+  Energy energy_;                                // of the last frame that did not diverge
+  std::optional<Divergence> divergence_;         // of the last frame, until it is resolved
+  bool was_unstable_ = false;                    // its step was beyond the limit of the method
+  std::shared_ptr<const State> before_failure_;  // a recorded state from before its energy grew; null: none
+  double explained_until_ = 0.0;                 // [s], the last frame whose energy was supplied to the scene
   bool running_ = false;
   std::optional<double> run_to_;  // [s]
   double run_from_ = 0.0;         // [s]

@@ -30,7 +30,7 @@ Index worst_point(const System& system, const State& state) {
   const std::vector<double> rate = any_lost ? stiffness_rates(system) : std::vector<double>();
 
   Index worst = no_index;
-  double highest = -1.0;
+  double highest = -2.0;  // nailed points only where there are no others
   for (Index i = 0; i < system.point_count(); ++i) {
     if (any_lost && !is_lost(i)) continue;
     const double badness = system.points()[i].nailed ? (any_lost ? -0.5 : -1.0) : any_lost ? rate[i] : glm::length(state.velocity[i]);
@@ -114,7 +114,7 @@ void record_edit_energy(const System& system, double before, State& state) {
   record_extent(state);
 }
 
-std::optional<Divergence> find_divergence(const System& system, const State& state, const Energy& energy) {
+std::optional<Divergence> find_divergence(const System& system, const State& state, const Energy& energy, StepFailure failure) {
   Divergence divergence{.time = state.time, .scale = state.ledger.scale};
 
   // moving air accelerates points up to its speed
@@ -126,6 +126,8 @@ std::optional<Divergence> find_divergence(const System& system, const State& sta
   const double present = energy.kinetic + energy.elastic;
   if (!is_finite(state) || !std::isfinite(energy.total()))
     divergence.kind = Divergence::Kind::NotFinite;
+  else if (failure != StepFailure::None)
+    divergence.kind = failure == StepFailure::TooShort ? Divergence::Kind::StepTooShort : Divergence::Kind::TooManySteps;
   else if (divergence.energy > divergence_factor * divergence.scale + state.ledger.hand_stretch &&
            divergence.energy > divergence_fraction * present)
     divergence.kind = Divergence::Kind::EnergyGain;

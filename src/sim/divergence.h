@@ -1,16 +1,18 @@
-// Detects that a run diverged: a state that is not finite, an unexplained gain of energy, or points implausibly far away.
+// Detects that a run diverged: a state that is not finite, an unexplained gain of energy, points implausibly far away, or an adaptive
+// method that finds no step.
 #pragma once
 
 #include <optional>
 
 #include "sim/energy.h"
 #include "sim/settings.h"
+#include "sim/step.h"
 
 namespace hooke {
 
 // Why a frame was rejected, and what diverged first.
 struct Divergence {
-  enum class Kind { NotFinite, EnergyGain, Implausible };
+  enum class Kind { NotFinite, EnergyGain, Implausible, StepTooShort, TooManySteps };
   Kind kind = Kind::NotFinite;
   double time = 0.0;               // [s], end of the rejected frame
   double energy = 0.0;             // [J], beyond what was supplied; not finite for NotFinite
@@ -36,7 +38,8 @@ void initialize_ledger(const System& system, State& state);
 // Records that an edit took the energy from `before` [J] to that of (system, state).
 void record_edit_energy(const System& system, double before, State& state);
 
-// Checks the frame that ended in `state`; none if it did not diverge.
-std::optional<Divergence> find_divergence(const System& system, const State& state, const Energy& energy);
+// Checks the frame that ended in `state`, or before its end with a `failure`; none if it did not diverge.
+std::optional<Divergence> find_divergence(const System& system, const State& state, const Energy& energy,
+                                          StepFailure failure = StepFailure::None);
 
 }  // namespace hooke

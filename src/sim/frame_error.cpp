@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "sim/step.h"
 
@@ -29,15 +30,15 @@ Settings refined(const System& system, const Settings& settings) {
     fine.substeps *= 2;
     return fine;
   }
-  constexpr double tighter = 1e-3, min = 1e-15;
+  // a tolerance that is set applies to contact too, where a tighter one is expensive: friction is of first order
+  const double tighter = has_contact(system) ? 0.1 : 1e-3;
+  constexpr double min = 1e-15;
   fine.tolerance = std::max(min, tighter * settings.tolerance.value_or(default_tolerance));
-  // contact is resolved once a substep whatever the tolerance
-  if (has_contact(system)) fine.substeps *= 2;
   return fine;
 }
 
 double refinement_weight(const System& system, const Settings& settings) {
-  if (settings.integrator->stability == Stability::Adaptive && !has_contact(system)) return 1.0;
+  if (settings.integrator->stability == Stability::Adaptive) return 1.0;
   const double factor = std::ldexp(1.0, effective_order(system, *settings.integrator));
   return factor / (factor - 1.0);
 }
@@ -56,6 +57,7 @@ FrameError weighted_distance(const std::vector<Vec3>& first, const std::vector<V
 
 double estimate_frame_error(const System& system, const Settings& settings, const State& state) {
   if (system.point_count() == 0) return 0.0;
+  bool failed = false;
   const auto step = [&](const Settings& with) {
     Plan plan = make_plan(system);
     Frame frame;
@@ -63,9 +65,12 @@ double estimate_frame_error(const System& system, const Settings& settings, cons
     frame.begin(plan, system, with, state);
     while (!frame.done()) frame.substep(plan);
     frame.end(plan, to);
+    failed = failed || frame.failure() != StepFailure::None;
     return to;
   };
-  return weighted_distance(step(settings).position, step(refined(system, settings)).position, refinement_weight(system, settings)).rms;
+  const State coarse = step(settings), fine = step(refined(system, settings));
+  if (failed) return std::numeric_limits<double>::infinity();
+  return weighted_distance(coarse.position, fine.position, refinement_weight(system, settings)).rms;
 }
 
 }  // namespace hooke

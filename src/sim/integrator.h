@@ -58,8 +58,8 @@ struct Integrator {
   int order;                 // of positions and velocities, undamped
   int order_drag;            // with drag alone
   int order_damped;          // with dashpots
-  int order_contact;         // undamped, through an impact
-  int order_friction;        // through an impact without restitution, and sliding under friction
+  int order_contact;         // undamped, through an impact of any restitution, and sliding without friction
+  int order_friction;        // through an impact and sliding under friction, on planes and spheres
   int order_force_terms;     // with listed forces, those that depend on velocity included
   Stability stability;
   EnergyTrend energy;
@@ -73,7 +73,11 @@ struct Integrator {
   bool for_production;
   // Called once per frame, before its first step of h: sizes the workspace and computes what is common to all steps. May be null.
   void (*prepare)(const Plan& plan, double h, const Motion& motion, Workspace& work);
-  void (*step)(const Plan& plan, Motion& motion, Workspace& work, double h);
+  // One step of h; null: the method chooses its own steps.
+  void (*step)(const Plan& plan, Motion& motion, Workspace& work, double h) = nullptr;
+  // One step of the method's own length, at most `interval` [s], from motion.time, which stays. Returns its length, `interval` itself if
+  // it reaches the end; 0: no step is short enough for a finite error. Null: the method takes the step it is given.
+  double (*advance)(const Plan& plan, Motion& motion, Workspace& work, double interval) = nullptr;
   Amplification (*amplification)(const Oscillator& oscillator);  // closed form of one step
   // `count` steps with nothing between them (flight.h), where can_fly(plan), equal to that many calls of `step` to round-off; ends early
   // when the flight is interrupted. The time at the end is the caller's. Null: a step is no cheaper for it.

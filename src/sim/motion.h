@@ -49,6 +49,7 @@ inline constexpr double default_tolerance = 1e-8;  // [m], of adaptive methods
 struct Workspace {
   std::vector<Field> fields;
   std::optional<double> tolerance;  // [m], from the settings; none: default_tolerance
+  double min_step = 0.0;            // [s], the shortest step that an adaptive method takes
   std::unique_ptr<Structure> structure;
 
   // Provides `count` fields of the motion's size with unspecified contents; allocates only if there were fewer or smaller ones.

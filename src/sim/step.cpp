@@ -27,8 +27,11 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   integrator_ = settings.integrator;
   substeps_ = settings.substeps;
   substeps_done_ = one_by_one_until_ = 0;
+  failure_ = StepFailure::None;
   duration_ = 1.0 / settings.frame_rate;
   h_ = duration_ / substeps_;
+  left_ = h_;
+  own_steps_ = 0;
   start_ = state.time;
   prepare_hand(plan, system, state, duration_);
   pack(plan, state, motion_);
@@ -51,8 +54,10 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   broken_.clear();
   broken_.reserve(plan.break_length.size());
   work_.tolerance = settings.tolerance;
+  work_.min_step = 1e-9 * h_;
   force_work_.begin_frame(plan, motion_);
   if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
+  if (integrator_->advance != nullptr) adaptive_step_.begin_frame(plan, motion_);
 }
 
 // Several substeps at once, so many that they take about a millisecond, or more if there are more springs. Whether anything acts
@@ -95,7 +100,8 @@ void Frame::substep(Plan& plan) {
     return;
   }
 
-  if (!plan.colliders.empty()) {
+  const bool is_adaptive = integrator_->advance != nullptr;
+  if (!plan.colliders.empty() && !is_adaptive) {
     before_.time = motion_.time;
     before_.x = motion_.x;
     before_.v = motion_.v;
@@ -104,28 +110,47 @@ void Frame::substep(Plan& plan) {
   force_work_.begin_substep(plan, motion_);
   const bool has_hand = plan.held || plan.pull;
   const double power = hand_power(plan, motion_);
-  integrator_->step(plan, motion_, work_, h_);
-  ++substeps_done_;
-  motion_.time = start_ + substeps_done_ * h_;
+  double length = h_;
+  if (is_adaptive)
+    length = adaptive_step_.advance(plan, *integrator_, motion_, work_, left_);
+  else
+    integrator_->step(plan, motion_, work_, h_);
+  if (length == 0.0) {
+    failure_ = StepFailure::TooShort;
+    return;
+  }
+  const bool ends = length == left_;
+  left_ = ends ? h_ : left_ - length;
+  substeps_done_ += ends ? 1 : 0;
+  own_steps_ = ends ? 0 : own_steps_ + 1;
+  if (own_steps_ == max_own_steps) failure_ = StepFailure::TooMany;
+  motion_.time = ends ? start_ + substeps_done_ * h_ : motion_.time + length;
 
   // trapezoidal rule for the power of the hand
   if (has_hand) {
-    const double work = 0.5 * h_ * (power + hand_power(plan, motion_));
+    const double work = 0.5 * length * (power + hand_power(plan, motion_));
     motion_.hand_work += work;
     motion_.abs_hand_work += std::abs(work);
   }
-  act(plan, true);
-  motion_.force_work += force_work_.end_substep(plan, motion_, h_);
+  // an adaptive step includes the strain limit and contact
+  if (!is_adaptive)
+    act(plan, true);
+  else if (ends)
+    break_long_springs(plan);
+  motion_.force_work += force_work_.end_substep(plan, motion_, length);
 }
 
 // What acts between two substeps: strain limit first, then contact, and only then do springs break.
 void Frame::act(Plan& plan, bool may_touch) {
   if (!plan.max_length.empty() && limit_strain(plan, motion_)) motion_.acceleration_is_current = false;
   if (may_touch && !plan.colliders.empty() && resolve_contacts(plan, before_, motion_, h_)) motion_.acceleration_is_current = false;
-  if (!plan.break_length.empty() && break_springs(plan, motion_, broken_)) {
-    motion_.acceleration_is_current = false;
-    if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
-  }
+  break_long_springs(plan);
+}
+
+void Frame::break_long_springs(Plan& plan) {
+  if (plan.break_length.empty() || !break_springs(plan, motion_, broken_)) return;
+  motion_.acceleration_is_current = false;
+  if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
 }
 
 void Frame::end(const Plan& plan, State& state) const {

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "sim/adaptive_step.h"
 #include "sim/contact/contact.h"
 #include "sim/forces/force_work.h"
 #include "sim/integrator.h"
@@ -10,6 +11,10 @@
 #include "sim/state.h"
 
 namespace hooke {
+
+// Why an adaptive method gave up: no step is short enough for a finite error, or a substep takes more than max_own_steps.
+enum class StepFailure { None, TooShort, TooMany };
+inline constexpr long max_own_steps = 1'000'000;
 
 // A frame in progress. Reused from frame to frame, so that stepping does not allocate:
 //   frame.begin(plan, system, settings, state); while (!frame.done()) frame.substep(plan); frame.end(plan, state);
@@ -19,9 +24,12 @@ class Frame {
  public:
   // Sets the motion of the hand and packs the state. The plan must be current.
   void begin(Plan& plan, const System& system, const Settings& settings, const State& state);
-  // One substep or, where nothing acts between them, several: as many in every run.
+  // One substep; where nothing acts between them several, as many in every run; or, of an adaptive method, one of its own steps, so that
+  // the time that a call takes is bounded.
   void substep(Plan& plan);
-  bool done() const { return substeps_done_ >= substeps_; }
+  bool done() const { return substeps_done_ >= substeps_ || failure_ != StepFailure::None; }
+  // Why the frame ended early; its state is then one within the frame.
+  StepFailure failure() const { return failure_; }
   int substeps_done() const { return substeps_done_; }
   // Writes time, positions, velocities and the hand with the collider it carries, and adds their work to the ledger. The caller checks the
   // result (divergence.h) before showing it.
@@ -38,17 +46,22 @@ class Frame {
  private:
   bool fly(Plan& plan);
   void act(Plan& plan, bool may_touch);
+  void break_long_springs(Plan& plan);
 
   const Integrator* integrator_ = nullptr;
   double start_ = 0.0, duration_ = 0.0, h_ = 0.0;  // [s]
   int substeps_ = 0, substeps_done_ = 0;
   int one_by_one_until_ = 0;  // substep before which something acts between them
+  double left_ = 0.0;         // [s], of the substep in progress
+  long own_steps_ = 0;        // of an adaptive method, in the substep in progress
+  StepFailure failure_ = StepFailure::None;
   Vec3 target_{0.0};
   double hand_stretch_ = 0.0;  // [J], of this frame (EnergyLedger)
   double hand_speed_ = 0.0;    // [m/s], of this frame
   Motion motion_;
   Workspace work_;
   ContactWorkspace before_;
+  AdaptiveStep adaptive_step_;
   ForceWork force_work_;
   std::vector<Index> broken_;
   Vec3 collider_displacement_{0.0};  // [m], of the carried collider in this frame

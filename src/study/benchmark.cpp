@@ -70,6 +70,10 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
       }
     }
     frame_.end(plan_, state);
+    if (frame_.failure() != StepFailure::None) {
+      result.end = RunResult::End::Diverged;
+      return result;
+    }
     result.cpu_seconds += cpu_seconds() - begin;
     add(result, frame_.motion());
 
@@ -82,24 +86,14 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
   return result;
 }
 
-Setting Benchmark::adaptive_setting(const Integrator& method, double tolerance) const {
-  const double limit = largest_stable_step(method, plan_.spectrum);
-  const double steps = plan_.spectrum.contact && limit > 0.0 ? problem_.seconds / snapshot_count / limit : 1.0;
-  constexpr double min_contact_steps = 16.0, max_steps = 1e6;
-  return {.steps = plan_.spectrum.contact ? static_cast<int>(std::ceil(std::clamp(steps, min_contact_steps, max_steps))) : 1,
-          .tolerance = tolerance};
-}
-
 Setting Benchmark::finer(const Setting& setting) const {
   if (!setting.tolerance) return {.steps = 2 * setting.steps};
-  return {.steps = plan_.spectrum.contact ? 2 * setting.steps : setting.steps, .tolerance = 0.1 * *setting.tolerance};
+  return {.steps = setting.steps, .tolerance = 0.1 * *setting.tolerance};
 }
 
 std::string Benchmark::name(const Setting& setting) const {
   char text[64];
-  if (setting.tolerance && setting.steps > 1)
-    std::snprintf(text, sizeof text, "tolerance %.0e, %.10g steps/s", *setting.tolerance, 1.0 / step(setting));
-  else if (setting.tolerance)
+  if (setting.tolerance)
     std::snprintf(text, sizeof text, "tolerance %.0e", *setting.tolerance);
   else
     std::snprintf(text, sizeof text, "%.10g steps/s", 1.0 / step(setting));

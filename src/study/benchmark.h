@@ -19,8 +19,7 @@ inline constexpr int snapshot_count = 4;
 // Whether the method chooses its own steps by a tolerance.
 bool is_adaptive(const Integrator& method);
 
-// Steps between two snapshots, and the tolerance [m] of an adaptive method. An adaptive method takes more than one such step only if there
-// are contacts, which are resolved once per step, whatever the tolerance.
+// Steps between two snapshots, or the tolerance [m] of an adaptive method.
 struct Setting {
   int steps = 1;
   std::optional<double> tolerance;
@@ -55,11 +54,9 @@ class Benchmark {
   const Spectrum& spectrum() const { return plan_.spectrum; }
   // [s]; for an adaptive method the longest step it may take.
   double step(const Setting& setting) const { return problem_.seconds / snapshot_count / setting.steps; }
-  // The setting with `tolerance` [m] of an adaptive method, in steps that resolve contacts if there are any.
-  Setting adaptive_setting(const Integrator& method, double tolerance) const;
-  // Half the step; a tenth of the tolerance, and half the step if there are contacts.
+  // Half the step; a tenth of the tolerance.
   Setting finer(const Setting& setting) const;
-  // "64 steps/s", "tolerance 1e-06", "tolerance 1e-06, 64 steps/s".
+  // "64 steps/s", "tolerance 1e-06".
   std::string name(const Setting& setting) const;
 
  private:

@@ -52,7 +52,7 @@ std::pair<int, int> convergence_orders(const Integrator& method, const Problem& 
 }
 
 Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
-  if (is_adaptive(method)) return benchmark.adaptive_setting(method, 1e-8 * benchmark.problem().size);
+  if (is_adaptive(method)) return {.tolerance = 1e-8 * benchmark.problem().size};
   const double limit = largest_stable_step(method, benchmark.spectrum());
   const double part = benchmark.problem().seconds / snapshot_count;
   if (!(limit > 0.0) || !std::isfinite(limit)) return {.steps = 64};
@@ -85,9 +85,8 @@ std::optional<Refinement> refine(Benchmark& benchmark, const Integrator& method,
                           .coarser = coarse.snapshots};
       if (gap < round_off || has_stalled) break;
     }
-    // with contacts, the steps still matter when the tolerance no longer does
-    const bool has_contact = benchmark.spectrum().contact;
-    if (setting.tolerance && !has_contact && *setting.tolerance < round_off * problem.size) break;
+    if (setting.tolerance && *setting.tolerance < round_off * problem.size) break;
+    if (best && fine.end != RunResult::End::Finished) break;
     coarse = std::move(fine);
   }
   return best;

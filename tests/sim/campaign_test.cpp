@@ -30,7 +30,7 @@ TEST_P(Campaign, NoRunFailsSilently) {
       frame.begin(plan, trial.system, settings, trial.state);
       while (!frame.done()) frame.substep(plan);
       frame.end(plan, trial.state);
-      is_reported = find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state)).has_value();
+      is_reported = find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state), frame.failure()).has_value();
     }
     reported += is_reported ? 1 : 0;
     if (is_reported || !std::isfinite(plausible_reach(trial.system, plan.spectrum, 1.0, 1.0, 1.0))) continue;

@@ -170,8 +170,7 @@ class Bench {
     if (sweep.reference_failure() != NotFinished && sweep.reference_failure() != Disagreement) return;
     progress_.clear();
     std::cerr << problem.id << ": no reference, nothing measured: " << sweep.reference_failure_reason() << "\n";
-    if (exit_code_ == exit_code::success)
-      exit_code_ = sweep.reference_failure() == NotFinished ? exit_code::diverged : exit_code::check_failed;
+    exit_code_ = exit_code::check_failed;
   }
 
   void save() {

@@ -18,6 +18,8 @@ void FrameRepetition::begin(const Plan& plan, const System& system, const Settin
 void FrameRepetition::substep(const System& system) {
   run_.substep();
   if (run_.is_in_frame()) return;
+  result_.reset();
+  if (run_.failed()) return;
   result_ = Result{.error = weighted_distance(end_, run_.state().position, weight_),
                    .time = time_,
                    .numerical_gain = weight_ * (energy_ - compute_energy(system, run_.state()).total())};

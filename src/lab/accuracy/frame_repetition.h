@@ -18,14 +18,14 @@ class FrameRepetition {
 
   // The frame that led from `before` to `after`, whose energy is `energy` [J]; `plan` is that of `system`.
   void begin(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after, double energy);
-  // Computes a substep; with the last one there is a result.
+  // Computes a substep; with the last one there is a result, unless the method found no step.
   void substep(const System& system);
   bool is_in_progress() const { return run_.is_in_frame(); }
   // Abandons the repetition in progress: the System is not the same any more.
   void cancel() { run_.stop(); }
   void reset();
 
-  // Of the last repetition; none before the first one.
+  // Of the last repetition; none before the first one, or if its method found no step.
   const std::optional<Result>& result() const { return result_; }
 
  private:

@@ -111,13 +111,13 @@ void SecondRuns::finish_frame(Run& run, const System& system) {
   const State& state = run.shadow.state();
   if (&run == &refined_) {
     error_ = Error{weighted_distance(input.end, state.position, refinement_weight(system, input.settings)).rms, input.end_time};
-    diverged_ = !is_finite(state);
+    diverged_ = run.shadow.failed() || !is_finite(state);
     if (diverged_) run.is_on = false;
   } else {
     ++measured_frames_;
     measurement_.add(weighted_distance(input.end, state.position, 1.0).rms, max_small * size_);
     if (measurement_.result()) growth_ = measurement_.result();
-    if (measurement_.is_finished()) {
+    if (measurement_.is_finished() || run.shadow.failed()) {
       run.is_on = false;
       pause_ = pause_factor * measured_frames_;
     }

@@ -16,6 +16,8 @@ class ShadowRun {
   // A frame from its own state, with the clock and the hand of the run that it follows.
   void begin_frame(const System& system, const Settings& settings, double time, const Hand& hand);
   void substep();
+  // Whether the last frame ended early, and its state is one within the frame.
+  bool failed() const { return frame_.failure() != StepFailure::None; }
   bool is_in_frame() const { return is_in_frame_; }
 
   // After the last finished frame.

@@ -8,9 +8,11 @@
 #include <array>
 #include <cmath>
 
+#include "sim/adaptive_step.h"
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
+#include "sim/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -102,7 +104,7 @@ void compute_slopes(const Plan& plan, Motion& motion, Workspace& work, double ti
 
 // The method's estimate from those of order 5 and 3: of order 8.
 double combine_errors(double error_5, double error_3) {
-  return error_5 == 0.0 ? 0.0 : error_5 * error_5 / std::hypot(error_5, 0.1 * error_3);
+  return error_5 == 0.0 ? 0.0 : error_5 * error_5 / std::sqrt(error_5 * error_5 + 0.01 * error_3 * error_3);
 }
 
 struct LocalError {
@@ -125,74 +127,61 @@ double first_step(const Plan& plan, double interval) {
   return rate * interval > 1.0 ? 1.0 / rate : interval;
 }
 
-// Unit of the error [m], [m/s]: the tolerance, a velocity error counting by its effect within a second; at least the rounding
-// error of coordinates and of forces.
-struct ErrorScale {
-  double position, velocity;
-  ErrorScale(const Plan& plan, const Motion& motion, double tolerance) {
-    double max_coordinate = 0.0;
-    for (const double x : motion.x) max_coordinate = std::max(max_coordinate, std::abs(x));
-    constexpr double round_off = 1e-14;
-    position = std::max(tolerance, round_off * max_coordinate);
-    velocity = std::max(tolerance, round_off * max_coordinate * (plan.spectrum.omega + plan.spectrum.dashpot_rate));
-  }
-};
-
 constexpr double min_factor = 1.0 / 3.0, greatest_factor = 6.0;
 
 // Hairer's controller (II.4 and DOP853): step *= safety error^-alpha (previous error)^beta, within bounds.
 double step_factor(double error, double error_before) {
   constexpr double beta = 0.04, alpha = 1.0 / 8.0 - 0.75 * beta, safety = 0.9;
   if (!std::isfinite(error)) return min_factor;
-  return std::clamp(safety * std::pow(error, -alpha) * std::pow(error_before, beta), min_factor, greatest_factor);
+  if (error == 0.0) return greatest_factor;
+  return std::clamp(safety * portable::pow(error, -alpha) * portable::pow(error_before, beta), min_factor, greatest_factor);
 }
 
-void step(const Plan& plan, Motion& motion, Workspace& work, double interval) {
-  constexpr double min_error = 1e-4, min_step = 1e-9;
+// One step of its own, at most `interval`.
+double advance(const Plan& plan, Motion& motion, Workspace& work, double interval) {
+  constexpr double min_error = 1e-4;
   const ErrorScale error_scale(plan, motion, work.tolerance.value_or(default_tolerance));
   MethodMemory& memory = motion.memory;
-  if (memory.step == 0.0) memory = {.step = first_step(plan, interval), .error = min_error};
+  if (!(memory.step > 0.0) || !(memory.error > 0.0)) memory = {.step = first_step(plan, interval), .error = min_error};
 
   bool rejected = false;
-  for (double remaining = interval, time = motion.time; remaining > 0.0;) {
+  while (true) {
     // equal steps to the end of the interval, none longer than the stored step
-    const double steps = std::ceil(remaining / memory.step * (1.0 - 1e-12));
-    const bool last = steps <= 1.0;
-    const double h = last ? remaining : remaining / steps;
+    const double steps = std::ceil(interval / memory.step * (1.0 - 1e-12));
+    const double h = steps <= 1.0 ? interval : interval / steps;
 
     if (!motion.acceleration_is_current) {
-      compute_forces(plan, time, motion.x, motion.v, motion.a);
+      compute_forces(plan, motion.time, motion.x, motion.v, motion.a);
       divide_by_mass(plan, motion.a);
       ++motion.force_evaluations;
       motion.acceleration_is_current = true;
     }
-    compute_slopes(plan, motion, work, time, h);
+    compute_slopes(plan, motion, work, motion.time, h);
     const LocalError local = estimate_error(plan, motion, work, h);
-    const double error = std::hypot(local.position / error_scale.position, local.velocity / error_scale.velocity);
+    const double error = error_scale.relative(local.position, local.velocity);
 
-    // the error is too large: repeat with a shorter step; if no step is short enough, the scene is no longer finite and is returned as it
-    // is
-    const bool step_too_small = h < min_step * interval;
-    if (!(error <= 1.0) && !step_too_small) {
-      memory.step = h * std::min(1.0, step_factor(error, 1.0));
+    // the error is too large: repeat with a shorter step. The shortest step is taken whatever its error, since a force may be
+    // discontinuous; the error counts in local_error
+    const bool is_shortest = h <= work.min_step;
+    if (!(error <= 1.0) && !is_shortest) {
+      memory.step = std::max(work.min_step, h * std::min(1.0, step_factor(error, 1.0)));
       rejected = true;
       continue;
     }
+    if (!std::isfinite(error)) return 0.0;
 
     add_scaled(motion.x.data(), h, motion.v.data(), motion.x.size());
     add_slopes(motion.x, h * h, b_times_a, motion, work);
     add_slopes(motion.v, h, b, motion, work);
     motion.acceleration_is_current = false;
     motion.local_error += local.position;
-    remaining = last || step_too_small ? 0.0 : remaining - h;
-    time += h;
 
     // a step truncated by the end of the interval says little about the next one
     const double factor = step_factor(error, memory.error);
-    memory.step = factor == greatest_factor ? std::max(memory.step, factor * h) : factor * h;
+    memory.step = factor == greatest_factor ? std::max(memory.step, factor * h) : std::max(work.min_step, factor * h);
     if (rejected) memory.step = std::min(memory.step, h);
     memory.error = std::max(error, min_error);
-    rejected = false;
+    return h;
   }
 }
 
@@ -235,7 +224,8 @@ constinit const Integrator dop853{
     .implicit_force_terms = false,
     .for_production = true,
     .prepare = prepare,
-    .step = step,
+    .step = nullptr,
+    .advance = advance,
     .amplification = amplification,
 };
 

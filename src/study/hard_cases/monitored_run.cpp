@@ -25,8 +25,7 @@ Scene make_scene(const TestNetwork& network, const Settings& settings) {
   return scene;
 }
 
-// "diverged at 0.3 s: ...", if the last good state was kept and the status reports what diverged, where, and which setting to try;
-// otherwise empty.
+// "diverged at 0.3 s: ...", if the last good state was kept and the status reports what diverged and where; else nothing.
 std::string describe_stop(Lab& lab, const State& before) {
   lab.publish();
   const Status& status = *lab.status();
@@ -34,10 +33,23 @@ std::string describe_stop(Lab& lab, const State& before) {
   const auto& divergence = status.snapshot->divergence;
   const bool named = divergence && (divergence->point || system.point_count() == 0) && (divergence->spring || system.spring_count() == 0);
   const bool kept = lab.scene().state.position == before.position && lab.scene().state.velocity == before.velocity && is_finite(before);
-  if (!named || !kept || status.diagnosis.message.empty() || !status.diagnosis.advice) return {};
+  if (!named || !kept || status.diagnosis.message.empty()) return {};
 
-  const bool numbers = divergence->kind == Divergence::Kind::NotFinite;
-  std::string name = formatted("diverged at %.3g s: %s", divergence->time, numbers ? "infinite or NaN" : "energy gain");
+  const auto kind = [&] {
+    switch (divergence->kind) {
+      case Divergence::Kind::NotFinite:
+        return "infinite or NaN";
+      case Divergence::Kind::EnergyGain:
+        return "energy gain";
+      case Divergence::Kind::Implausible:
+        return "implausible distance";
+      case Divergence::Kind::StepTooShort:
+      case Divergence::Kind::TooManySteps:
+        return "no feasible step";
+    }
+    return "";
+  };
+  std::string name = formatted("diverged at %.3g s: %s", divergence->time, kind());
   if (divergence->point) name += ", point " + std::to_string(system.index_of(*divergence->point));
   if (divergence->spring) name += ", spring " + std::to_string(system.index_of(*divergence->spring));
   return name;

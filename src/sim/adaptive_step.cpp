@@ -1,0 +1,144 @@
+#include "sim/adaptive_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/portable_math.h"
+#include "sim/spring_limits.h"
+
+namespace hooke {
+namespace {
+
+// What a step adds to or overwrites besides positions and velocities.
+struct Counters {
+  MethodMemory memory;
+  double collider_work, limit_work, local_error;
+  explicit Counters(const Motion& motion)
+      : memory(motion.memory), collider_work(motion.collider_work), limit_work(motion.limit_work), local_error(motion.local_error) {}
+  void restore(Motion& motion) const {
+    motion.memory = memory;
+    motion.collider_work = collider_work;
+    motion.limit_work = limit_work;
+    motion.local_error = local_error;
+  }
+};
+
+void store(const Motion& motion, ContactWorkspace& state) {
+  state.time = motion.time;
+  std::ranges::copy(motion.x, state.x.begin());
+  std::ranges::copy(motion.v, state.v.begin());
+}
+
+void restore(const ContactWorkspace& state, Motion& motion) {
+  motion.time = state.time;
+  std::ranges::copy(state.x, motion.x.begin());
+  std::ranges::copy(state.v, motion.v.begin());
+  motion.acceleration_is_current = false;
+}
+
+// Without a collider and a strain limit a step needs no correction.
+bool has_corrections(const Plan& plan) { return !plan.colliders.empty() || !plan.max_length.empty(); }
+
+}  // namespace
+
+ErrorScale::ErrorScale(const Plan& plan, const Motion& motion, double tolerance) {
+  double max_coordinate = 0.0;
+  for (const double x : motion.x) max_coordinate = std::max(max_coordinate, std::abs(x));
+  constexpr double round_off = 1e-14;
+  position = std::max(tolerance, round_off * max_coordinate);
+  velocity = std::max(tolerance, round_off * max_coordinate * (plan.spectrum.omega + plan.spectrum.dashpot_rate));
+}
+
+double ErrorScale::relative(double position_error, double velocity_error) const {
+  const double x = position_error / position, v = velocity_error / velocity;
+  return std::sqrt(x * x + v * v);
+}
+
+void AdaptiveStep::begin_frame(const Plan& plan, const Motion& motion) {
+  if (!has_corrections(plan)) return;
+  for (Field* field : {&before_.x, &before_.v, &piece_.x, &piece_.v, &coarse_x_, &coarse_v_}) field->resize(motion.x.size());
+}
+
+// Strain limit first, then contact. Returns whether anything touched.
+bool AdaptiveStep::correct(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, bool ends) {
+  if (ends && !plan.max_length.empty() && limit_strain(plan, motion)) motion.acceleration_is_current = false;
+  if (plan.colliders.empty() || !resolve_contacts(plan, before, motion, h)) return false;
+  motion.acceleration_is_current = false;
+  return true;
+}
+
+// RMS over the free points of the distance between two fields. Overwrites `coarse`.
+double AdaptiveStep::difference(const Plan& plan, Field& coarse, const Field& fine) const {
+  for (std::size_t i = 0; i < fine.size(); ++i) coarse[i] -= fine[i];
+  return root_mean_square(plan, coarse);
+}
+
+// The same step in two halves. Returns h, or 0 where no step is short enough.
+double AdaptiveStep::advance_in_halves(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends) {
+  const double start = motion.time;
+  for (int half = 0; half < 2; ++half) {
+    const double begin = half == 0 ? 0.0 : 0.5 * h, end = half == 0 ? 0.5 * h : h;
+    for (double done = begin; done < end;) {
+      store(motion, piece_);
+      const double left = end - done, length = method.advance(plan, motion, work, left);
+      if (length == 0.0) return 0.0;
+      const bool reaches_end = length == left;
+      correct(plan, piece_, motion, length, ends && half == 1 && reaches_end);
+      done = reaches_end ? end : done + length;
+      motion.time = start + done;
+    }
+  }
+  motion.time = start;
+  return h;
+}
+
+double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval) {
+  if (!has_corrections(plan)) return method.advance(plan, motion, work, interval);
+
+  if (!work.tolerance) {
+    store(motion, before_);
+    const double h = method.advance(plan, motion, work, interval);
+    if (h != 0.0) correct(plan, before_, motion, h, h == interval);
+    return h;
+  }
+
+  // contact is resolved to about 1e-13 of the coordinates, and the velocity after an impact to that over its duration
+  ErrorScale scale(plan, motion, *work.tolerance);
+  constexpr double contact_round_off = 1e-12;  // [m], [m/s]
+  scale.position = std::max(scale.position, contact_round_off);
+  scale.velocity = std::max(scale.velocity, 10.0 * contact_round_off);
+  store(motion, before_);
+  while (true) {
+    const Counters before(motion);
+    const double h = method.advance(plan, motion, work, interval);
+    if (h == 0.0) return 0.0;
+    const bool ends = h == interval;
+    if (!correct(plan, before_, motion, h, ends)) return h;
+
+    std::ranges::copy(motion.x, coarse_x_.begin());
+    std::ranges::copy(motion.v, coarse_v_.begin());
+    const double free_step = motion.memory.step;
+    restore(before_, motion);
+    before.restore(motion);
+    motion.memory.step = 0.5 * h;
+    if (advance_in_halves(plan, method, motion, work, h, ends) == 0.0) return 0.0;
+
+    const double position = difference(plan, coarse_x_, motion.x) / 3.0, velocity = difference(plan, coarse_v_, motion.v) / 3.0;
+    const double error = scale.relative(position, velocity);
+    if (!std::isfinite(error)) return 0.0;
+    constexpr double safety = 0.9, min_factor = 0.1, max_factor = 2.0;
+    const double factor = error == 0.0 ? max_factor : std::clamp(safety * portable::pow(error, -1.0 / 3.0), min_factor, max_factor);
+    if (error <= 1.0 || h <= work.min_step) {
+      motion.local_error += position;
+      // a step truncated by the end of the interval says little about the next one
+      const double contact_step = factor == max_factor ? std::max(before.memory.step, max_factor * h) : factor * h;
+      motion.memory.step = std::max(work.min_step, std::min(free_step, contact_step));
+      return h;
+    }
+    restore(before_, motion);
+    before.restore(motion);
+    motion.memory.step = std::max(work.min_step, factor * h);
+  }
+}
+
+}  // namespace hooke

@@ -1,0 +1,41 @@
+// Steps of methods that choose their own, with the contacts in them under the same error control.
+#pragma once
+
+#include "sim/contact/contact.h"
+#include "sim/integrator.h"
+#include "sim/motion.h"
+
+namespace hooke {
+
+// Unit of the error [m], [m/s]: the tolerance, a velocity error counting by its effect within a second; at least the rounding
+// error of coordinates and of forces.
+struct ErrorScale {
+  double position, velocity;
+  ErrorScale(const Plan& plan, const Motion& motion, double tolerance);
+  // [1]; 1: as large as the tolerance
+  double relative(double position_error, double velocity_error) const;
+};
+
+// Where nothing touches a collider, the method's own error estimate decides. If a tolerance is set, it applies to contact too: a step in
+// which anything touches is repeated in two halves. Contact is resolved to second order in the step, so a third of their difference is the
+// error of the finer result, which is kept if that is within the tolerance; otherwise the step is repeated, shorter. The steps become
+// shorter around each impact, and grow again after it. Friction, which is of first order, makes this expensive: without a tolerance,
+// contact is resolved once per step.
+class AdaptiveStep {
+ public:
+  // Once a frame; a step never allocates.
+  void begin_frame(const Plan& plan, const Motion& motion);
+  // Advances the motion by one step of at most `interval` [s], to the end of the substep, with contacts and, at that end, the strain
+  // limit. Leaves motion.time. Returns the length of the step; 0: no step is short enough for a finite error.
+  double advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval);
+
+ private:
+  bool correct(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, bool ends);
+  double advance_in_halves(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends);
+  double difference(const Plan& plan, Field& coarse, const Field& fine) const;
+
+  ContactWorkspace before_, piece_;
+  Field coarse_x_, coarse_v_;
+};
+
+}  // namespace hooke
