@@ -1,6 +1,7 @@
 #include "edit/resume_state.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "edit/apply.h"
 #include "edit/text_form.h"
@@ -107,6 +108,9 @@ void restore_resume_state(const JsonField& field, Scene& scene) {
   for (std::size_t i = 0; i < rest.tears.size(); ++i)
     if (rest.tears[i]->before > i) field.refuse("tears: each must come after an earlier one");
   if (rest.torn > rest.tears.size()) field.refuse("torn: must be one of the tears");
+  const EnergyLedger& ledger = rest.ledger;
+  for (const double value : {ledger.net_input, ledger.scale, ledger.hand_stretch, ledger.extent.value_or(0.0), ledger.speed.value_or(0.0)})
+    if (!std::isfinite(value)) field.refuse("ledger: must be numbers below 1.8e308");
   restore_ids(rest, scene);
   scene.state.torn = rest.torn;
   scene.tears = rest.tears;

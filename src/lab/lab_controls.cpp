@@ -26,6 +26,8 @@ void Lab::reset_session() {
   must_finish_frame_ = false;
   history_.clear();
   divergence_.reset();
+  before_failure_.reset();
+  explained_until_ = scene_.state.time;
   running_ = start_is_edited_ = false;
   playback_.stop();
   playback_.clear_difference();
@@ -141,6 +143,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                  },
                  [&](const Open& open_scene) {
                    open(open_scene.scene);
+                   recorder_.record_scene(scene_);
                    if (open_scene.unsaved) history_.record_unsaved_change("restored from an autosave");
                  },
                  [&](const MarkSaved&) {
@@ -157,6 +160,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                  [&](const Play& play) {
                    open(play.recording->start);
                    scene_.state.ledger = opened_->state.ledger;
+                   recorder_.record_scene(scene_);
                    playback_.start(play.recording);
                    if (play.recording->frames == 0) play_edits();
                  },

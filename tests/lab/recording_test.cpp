@@ -148,6 +148,37 @@ class Recordings : public testing::Test {
   const Session session = record_session(scratch.folder / "session.hookelog");
 };
 
+TEST_F(Recordings, ContinueWithADocumentOpenedMeanwhile) {
+  const std::filesystem::path file = scratch.folder / "two.hookelog";
+  Lab lab(load_scene(find_scene("cloth_on_ball")).scene);
+  lab.submit(Record{std::make_shared<const std::filesystem::path>(file)});
+  for (int i = 0; i < 3; ++i) lab.step();
+  lab.submit(Open{std::make_shared<const Scene>(load_scene(find_scene("rope_64")).scene)});
+  for (int i = 0; i < 3; ++i) lab.step();
+  lab.submit(Record{});
+  apply_now(lab);
+  const Lab played = play(contents(file));
+  EXPECT_EQ(played.difference(), "");
+  EXPECT_EQ(hash_state(played.scene().state), hash_state(lab.scene().state));
+  EXPECT_EQ(played.scene().system.point_count(), 64);
+}
+
+TEST_F(Recordings, ContinueWithARecordingPlayedMeanwhile) {
+  const std::filesystem::path file = scratch.folder / "played.hookelog";
+  Lab lab(load_scene(find_scene("rope_64")).scene);
+  lab.submit(Record{std::make_shared<const std::filesystem::path>(file)});
+  for (int i = 0; i < 3; ++i) lab.step();
+  lab.submit(Play{std::make_shared<const Recording>(parse_recording(session.text, "test"))});
+  apply_now(lab);
+  while (lab.is_playing()) lab.step();
+  lab.submit(Record{});
+  apply_now(lab);
+  EXPECT_EQ(hash_state(lab.scene().state), session.hash);
+  const Lab played = play(contents(file));
+  EXPECT_EQ(played.difference(), "");
+  EXPECT_EQ(hash_state(played.scene().state), session.hash);
+}
+
 TEST_F(Recordings, ReplayWithTheSameBits) {
   const Lab lab = play(session.text);
   EXPECT_EQ(lab.difference(), "");

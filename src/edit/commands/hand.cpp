@@ -3,6 +3,7 @@
 
 #include "base/finite.h"
 #include "edit/command.h"
+#include "edit/commands/validity.h"
 #include "edit/in_plane.h"
 
 namespace hooke {
@@ -23,7 +24,10 @@ bool is_valid(const GrabPoint::Item& grab) {
 void release_collider(Scene& scene, Effect& effect) {
   auto& carried = scene.state.hand.collider;
   if (!carried) return;
-  scene.system.colliders[static_cast<std::size_t>(carried->collider)].shape = carried->shape;
+  Collider moved = scene.system.colliders[static_cast<std::size_t>(carried->collider)];
+  moved.shape = carried->shape;
+  // a hand far out of range may have moved it to no finite place
+  if (is_valid(moved)) scene.system.colliders[static_cast<std::size_t>(carried->collider)] = moved;
   carried.reset();
   effect.values = true;
 }

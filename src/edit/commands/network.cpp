@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
+#include "base/file_limits.h"
 #include "base/finite.h"
 #include "base/text_lines.h"
 #include "edit/command.h"
+#include "edit/commands/validity.h"
 #include "edit/in_plane.h"
 
 namespace hooke {
@@ -56,10 +59,13 @@ Inverse Insert::apply(Scene& scene, Effect& effect) const {
 
   std::vector<std::pair<Index, Point>> new_points;
   std::vector<std::pair<Index, Vec3>> positions, velocities;
+  std::set<PointId> point_ids;
   for (const PlacedPoint& placed : points) {
-    if (system.index_of(placed.point.id) != no_index || !is_valid(placed.point) || !is_finite(placed.position) ||
-        !is_finite(placed.velocity))
+    if (system.points().size() + new_points.size() == max_points) break;
+    if (system.index_of(placed.point.id) != no_index || point_ids.contains(placed.point.id) || !is_valid(placed.point) ||
+        !is_finite(placed.position) || !is_finite(placed.velocity))
       continue;
+    point_ids.insert(placed.point.id);
     new_points.emplace_back(placed.at, placed.point);
     positions.emplace_back(placed.at, in_plane(system, placed.position));
     velocities.emplace_back(placed.at, in_plane(system, placed.velocity));
@@ -73,10 +79,13 @@ Inverse Insert::apply(Scene& scene, Effect& effect) const {
   }
 
   std::vector<std::pair<Index, Spring>> new_springs;
+  std::set<SpringId> spring_ids;
   for (const PlacedSpring& placed : springs) {
+    if (system.springs().size() + new_springs.size() == max_springs) break;
     const Spring& spring = placed.spring;
     const bool has_ends = system.index_of(spring.first) != no_index && system.index_of(spring.second) != no_index;
-    if (system.index_of(spring.id) != no_index || !has_ends || !is_valid(spring)) continue;
+    if (system.index_of(spring.id) != no_index || spring_ids.contains(spring.id) || !has_ends || !is_valid(spring)) continue;
+    spring_ids.insert(spring.id);
     new_springs.emplace_back(placed.at, spring);
     inverse.springs.push_back(spring.id);
     if (is_sheet_weight(placed.sheet_weight)) sheet.set(spring.id, placed.sheet_weight);
@@ -85,6 +94,7 @@ Inverse Insert::apply(Scene& scene, Effect& effect) const {
 
   std::vector<std::pair<Index, Face>> new_faces;
   for (const PlacedFace& placed : faces) {
+    if (system.faces.size() + new_faces.size() == max_faces) break;
     const auto& corners = placed.face.points;
     const bool is_triangle = corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
     if (is_triangle && std::all_of(corners.begin(), corners.end(), [&](PointId id) { return system.index_of(id) != no_index; }))

@@ -4,6 +4,7 @@
 #include "base/finite.h"
 #include "base/text_lines.h"
 #include "edit/command.h"
+#include "edit/commands/validity.h"
 #include "edit/commands/value_text.h"
 #include "edit/in_plane.h"
 
@@ -16,15 +17,6 @@ bool same_ids(const std::vector<std::pair<Id, Value>>& a, const std::vector<std:
 }
 
 }  // namespace
-
-bool is_valid(const Point& point) {
-  return point.mass > 0.0 && std::isfinite(point.mass) && point.radius >= 0.0 && std::isfinite(point.radius);
-}
-
-bool is_valid(const Spring& spring) {
-  return spring.first != spring.second && spring.stiffness >= 0.0 && std::isfinite(spring.stiffness) && spring.damping >= 0.0 &&
-         std::isfinite(spring.damping) && spring.rest_length >= 0.0 && std::isfinite(spring.rest_length) && spring.break_strain > 0.0;
-}
 
 std::string SetNailed::describe() const {
   const bool nailed = !items.empty() && items.front().nailed;

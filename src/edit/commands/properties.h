@@ -77,8 +77,4 @@ struct SetSpringProperty {
   bool is_undone_with(const SetSpringProperty& earlier) const;
 };
 
-// Whether a point or spring with these values may be part of a scene.
-bool is_valid(const Point& point);
-bool is_valid(const Spring& spring);
-
 }  // namespace hooke

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/file_limits.h"
 #include "base/finite.h"
 #include "edit/command.h"
+#include "edit/commands/validity.h"
 #include "edit/commands/value_text.h"
 #include "edit/in_plane.h"
 #include "formats/texture.h"
@@ -10,11 +12,8 @@
 #include "sim/integrator.h"
 
 namespace hooke {
-namespace {
 
-bool is_valid(const Force& force) {
-  return force.term != nullptr && std::all_of(force.values.begin(), force.values.end(), [](double value) { return std::isfinite(value); });
-}
+namespace {
 
 // "set Stiffness k to 185 N/m", "switch Shear springs off", "set Given as to Each spring: k, d"
 std::string describe_value(const Parameter& parameter, double value) {
@@ -64,24 +63,28 @@ Inverse inverse_of(const Parameter& parameter, const Scene& scene) {
   return {RestoreParameter{&parameter, parameter.read(scene)}};
 }
 
+Inverse set(const Parameter& parameter, double value, Scene& scene, Effect& effect) {
+  const Inverse inverse = inverse_of(parameter, scene);
+  parameter.write(scene, value);
+  if (!is_valid_after(parameter, scene)) {
+    for (const Command& command : inverse) std::visit([&](const auto& each) { each.apply(scene, effect); }, command);
+    return {};
+  }
+  add_effect_of(parameter, effect);
+  return inverse;
+}
+
 }  // namespace
 
 std::string SetParameter::describe() const { return describe_value(*parameter, clamp_to(*parameter, value)); }
 
-Inverse SetParameter::apply(Scene& scene, Effect& effect) const {
-  const Inverse inverse = inverse_of(*parameter, scene);
-  parameter->write(scene, clamp_to(*parameter, value));
-  add_effect_of(*parameter, effect);
-  return inverse;
-}
+Inverse SetParameter::apply(Scene& scene, Effect& effect) const { return set(*parameter, clamp_to(*parameter, value), scene, effect); }
 
 std::string RestoreParameter::describe() const { return describe_value(*parameter, value); }
 
 Inverse RestoreParameter::apply(Scene& scene, Effect& effect) const {
-  const Inverse inverse = inverse_of(*parameter, scene);
-  parameter->write(scene, value);
-  add_effect_of(*parameter, effect);
-  return inverse;
+  if (!is_valid(*parameter, value)) return {};
+  return set(*parameter, value, scene, effect);
 }
 
 std::string SetIntegrator::describe() const { return "use " + std::string(integrator->label); }
@@ -93,13 +96,16 @@ Inverse SetIntegrator::apply(Scene& scene, Effect&) const {
 }
 
 Inverse SetGravity::apply(Scene& scene, Effect& effect) const {
+  if (!is_finite(gravity)) return {};
   const SetGravity inverse{scene.system.gravity};
-  if (is_finite(gravity)) scene.system.gravity = in_plane(scene.system, gravity);
+  scene.system.gravity = in_plane(scene.system, gravity);
   effect.values = true;
   return {inverse};
 }
 
 Inverse SetColliders::apply(Scene& scene, Effect& effect) const {
+  if (colliders.size() > max_colliders || !std::ranges::all_of(colliders, [](const Collider& collider) { return is_valid(collider); }))
+    return {};
   const SetColliders inverse{carried_colliders(scene.system, scene.state)};
   scene.system.colliders = colliders;
   if (auto& carried = scene.state.hand.collider) {
@@ -114,15 +120,15 @@ Inverse SetColliders::apply(Scene& scene, Effect& effect) const {
 }
 
 Inverse SetForces::apply(Scene& scene, Effect& effect) const {
+  if (forces.size() > max_forces || !std::ranges::all_of(forces, [](const Force& force) { return is_valid(force); })) return {};
   const SetForces inverse{scene.system.forces};
-  scene.system.forces.clear();
-  for (const Force& force : forces)
-    if (is_valid(force)) scene.system.forces.push_back(force);
+  scene.system.forces = forces;
   effect.values = true;
   return {inverse};
 }
 
 Inverse SetTexture::apply(Scene& scene, Effect&) const {
+  if (!is_valid(*this)) return {};
   const SetTexture inverse{scene.view.texture, scene.view.texture_size, {.picture = nullptr, .restored = scene.cloth_texture}};
   scene.view.texture = texture;
   scene.view.texture_size = size;

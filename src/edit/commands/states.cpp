@@ -33,6 +33,7 @@ Inverse GoToState::apply(Scene& scene, Effect& effect) const {
     return list.size() == scene.system.points().size() && std::ranges::all_of(list, is_finite);
   };
   if (!fits(target.position) || !fits(target.velocity) || !std::isfinite(target.time) || target.torn > scene.tears.size()) return {};
+  if (!is_finite(target.hand.position) || !is_finite(target.hand.target)) return {};
   const GoToState before{std::make_shared<const State>(scene.state)};
   // the ledger and a carried collider belong to the present
   const EnergyLedger ledger = scene.state.ledger;
@@ -40,6 +41,8 @@ Inverse GoToState::apply(Scene& scene, Effect& effect) const {
   Inverse inverse = apply_tears_until(target.torn, scene, effect);
   inverse.push_back(before);
   scene.state = target;
+  for (std::vector<Vec3>* list : {&scene.state.position, &scene.state.velocity})
+    for (Vec3& v : *list) v = in_plane(scene.system, v);
   scene.state.ledger = ledger;
   scene.state.hand.collider = carried;
   scene.system.grab.reset();
@@ -53,6 +56,7 @@ Inverse SetTorn::apply(Scene& scene, Effect& effect) const {
 }
 
 Inverse MarkTorn::apply(Scene& scene, Effect&) const {
+  if (torn > scene.tears.size()) return {};
   const MarkTorn inverse{scene.state.torn};
   scene.state.torn = torn;
   return {inverse};
