@@ -24,6 +24,7 @@
 #include "app/work/file_task.h"
 #include "app/work/forecaster.h"
 #include "app/work/method_advisor.h"
+#include "app/work/remedy_search.h"
 #include "ui/panels.h"
 
 namespace hooke {
@@ -114,6 +115,7 @@ class App {
   MouseInput mouse_;
   Forecaster forecaster_;
   MethodAdvisor method_advisor_;
+  RemedySearch remedy_search_;
   Document document_;
   Captures captures_;
   Exporter exporter_;

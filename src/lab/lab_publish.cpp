@@ -100,8 +100,10 @@ void Lab::publish() {
   if (playback_.is_on()) status->recording.playback_progress = playback_.progress();
   status->recording.difference = playback_.difference();
   if (divergence_) {
-    status->diagnosis.advice = suggest_stepping(plan_.spectrum, scene_.settings);
     status->diagnosis.message = describe(*divergence_, scene_.system);
+    if (start_)
+      status->diagnosis.failed = FailedRun{
+          .start = start_, .system = published_system(), .before = before_failure_, .settings = scene_.settings, .time = divergence_->time};
   }
   status->next_point_id = scene_.system.next_point_id();
   status->next_spring_id = scene_.system.next_spring_id();

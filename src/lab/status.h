@@ -8,7 +8,6 @@
 #include "edit/history_list.h"
 #include "lab/traces.h"
 #include "scene/scene.h"
-#include "scene/step_limits.h"
 #include "sim/accuracy.h"
 #include "sim/snapshot.h"
 
@@ -54,9 +53,18 @@ struct RecordingStatus {
   std::string difference;          // where a playback differs from its recording; empty: nowhere so far
 };
 
+// A run that diverged, from which remedies are tested on copies (study/remedy.h).
+struct FailedRun {
+  std::shared_ptr<const Scene> start;    // what GoToStart restores, except its settings
+  std::shared_ptr<const System> system;  // at the failure
+  std::shared_ptr<const State> before;   // a recorded state from before the energy grew; null: none
+  Settings settings;
+  double time = 0.0;  // [s], of the failure
+};
+
 struct DiagnosisStatus {
-  std::string message;           // why the run stopped; empty: nothing to report
-  std::optional<Advice> advice;  // a setting to try, applied by a click; not tested on the scene
+  std::string message;              // why the run stopped; empty: nothing to report
+  std::optional<FailedRun> failed;  // none: nothing to report, or the laboratory keeps no start
 };
 
 struct Status {

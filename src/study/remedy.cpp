@@ -125,21 +125,33 @@ std::vector<Advice> candidates(const Scene& start) {
   return list;
 }
 
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
 }  // namespace
 
-Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work) {
+Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work, const RemedyProgress& progress) {
+  const auto report = [&](const std::string& test) {
+    if (progress) progress(test);
+  };
   // a quarter of the work is for the cause, and no setting takes more than half of the rest
   Remedy remedy;
   Budget diagnosis{0.25 * max_work, stop};
+  report("Repeating the run");
   const Trial original = run_copy(start, seconds, any_gain, diagnosis);
   if (original.end != Trial::End::Diverged) return remedy;
   const double frame = 1.0 / start.settings.frame_rate, diverged_after = original.seconds + frame;
+  report("Looking for the cause");
   remedy.cause = find_cause(start, diverged_after, diagnosis);
 
   double left = max_work - (0.25 * max_work - std::max(0.0, diagnosis.left));
   std::optional<Advice> partly_tested;
   for (const Advice& advice : candidates(start)) {
     if (stop || left <= 0.0) break;
+    report("Testing " + describe(advice));
     Scene scene = start;
     scene.settings.integrator = advice.integrator;
     scene.settings.substeps = advice.substeps;
@@ -165,11 +177,28 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
   return remedy;
 }
 
+Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const RemedyProgress& report) {
+  const auto search_from = [&](Scene scene) {
+    scene.settings = run.settings;
+    const double seconds_to_failure = std::max(0.0, run.time - scene.state.time);
+    return find_remedy(scene, 2.0 * seconds_to_failure + 1.0, stop, default_remedy_work, report);
+  };
+  Remedy remedy = search_from(*run.start);
+  if (remedy.cause != Remedy::Cause::NotReproduced || !run.before || stop) return remedy;
+  Scene before;
+  before.system = *run.system;
+  before.state = *run.before;
+  remedy = search_from(std::move(before));
+  remedy.from = run.before->time;
+  return remedy;
+}
+
 std::string describe(const Remedy& remedy, const Settings& settings) {
   const auto cause = [&]() -> std::string {
     switch (remedy.cause) {
       case Remedy::Cause::NotReproduced:
-        return "The divergence could not be reproduced from the start.";
+        return "No remedy was tested: copies from the start" + (remedy.from ? " and from t = " + number(*remedy.from) + " s" : "") +
+               " do not diverge.";
       case Remedy::Cause::StepTooLong:
         return "Cause: the step is beyond the linear stability limit of " + std::string(settings.integrator->label) + ".";
       case Remedy::Cause::Force:
@@ -185,9 +214,8 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
   };
   if (remedy.cause == Remedy::Cause::NotReproduced) return cause();
   if (!remedy.advice) return cause() + " No remedy found: " + std::to_string(remedy.settings_tried) + " other settings were tried.";
-  char seconds[32];
-  std::snprintf(seconds, sizeof seconds, "%.3g", remedy.tested_seconds);
-  return cause() + " " + describe(*remedy.advice) + " does not diverge (tested for " + seconds + " s).";
+  const std::string from = remedy.from ? " from t = " + number(*remedy.from) + " s" : "";
+  return cause() + " " + describe(*remedy.advice) + " does not diverge (tested for " + number(remedy.tested_seconds) + " s" + from + ").";
 }
 
 }  // namespace hooke

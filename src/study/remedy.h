@@ -2,9 +2,11 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <optional>
 #include <string>
 
+#include "lab/status.h"
 #include "scene/scene.h"
 #include "scene/step_limits.h"
 
@@ -23,17 +25,25 @@ struct Remedy {
   std::optional<Advice> advice;  // a setting that was run and did not diverge; none if none was found
   double tested_seconds = 0.0;   // [s], simulated with it
   int settings_tried = 0;
+  std::optional<double> from;  // [s], of the recorded state that the copies started from; none: the start of the run
 };
 
 // A limit on the work: approximately the number of springs and points times the force evaluations of all copies. The default takes a second
 // or two.
 inline constexpr double default_remedy_work = 4e8;
 
+// Receives what is being tested: "Testing Velocity Verlet with 80 substeps per frame". Called on the thread of the search.
+using RemedyProgress = std::function<void(const std::string& test)>;
+
 // Runs copies of `start` (a state before the divergence, best the start of the run) with its own settings, without its forces, colliders
 // and hand, and with other settings: each for `seconds` or until the divergence. A setting is accepted when it neither diverges nor gains
 // energy for `seconds` or, where the work allows less, for at least twice the time that the divergence took. Deterministic. Can run on
 // any thread; `stop` ends it early.
-Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work = default_remedy_work);
+Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work = default_remedy_work,
+                   const RemedyProgress& report = {});
+
+// From the start of the run or, where that does not diverge again because it was edited since, from the state before the failure.
+Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const RemedyProgress& report = {});
 
 // "Cause: ... Tested for 2 s: Velocity Verlet with 80 substeps per frame runs through." One line.
 std::string describe(const Remedy& remedy, const Settings& settings);

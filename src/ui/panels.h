@@ -14,6 +14,7 @@
 #include "lab/status.h"
 #include "scene/selection.h"
 #include "study/cheaper_method.h"
+#include "study/remedy.h"
 #include "ui/export_state.h"
 #include "ui/icons.h"
 #include "ui/layout.h"
@@ -53,6 +54,12 @@ struct ExportWork {
   bool is_running = false;
 };
 
+// The search for a remedy of a run that diverged.
+struct RemedyStatus {
+  std::string test;             // what is being tested; empty: no search is in progress
+  std::optional<Remedy> found;  // its result
+};
+
 // The input of the panels, constant while a frame is built.
 struct PanelInput {
   const Status& status;
@@ -76,6 +83,7 @@ struct PanelInput {
   Camera camera{};
   const Forecast* forecast = nullptr;      // null if there is none
   std::optional<CheaperMethod> cheaper{};  // than the present one, for the same error
+  RemedyStatus remedy{};
   // The spring that is being attached.
   std::optional<std::pair<Vec3, Vec3>> new_spring{};
 

@@ -135,25 +135,19 @@ void toast(const PanelInput& input, Panels& panels, ImDrawList& list) {
   list.AddText(nullptr, 0.0f, at, palette::text, panels.toast.c_str(), nullptr, max_width);
 }
 
-// The recommendation, except that another method keeps at least the current number of substeps.
-Advice fitted(const Advice& advice, const Settings& settings) {
-  if (advice.integrator == settings.integrator) return advice;
-  return {advice.integrator, std::max(advice.substeps, settings.substeps)};
+std::string remedy_label(const Remedy& remedy, const Settings& settings) {
+  const Advice& advice = *remedy.advice;
+  std::string text = remedy.from ? "Continue from t = " + number(*remedy.from) + " s with " : "Start over with ";
+  if (advice.integrator != settings.integrator) text.append(advice.integrator->label).append(" and ");
+  return text.append(count(advice.substeps, "substep"));
 }
 
-std::string display_text(const Advice& advice, const Settings& settings) {
-  std::string text = "Start over with ";
-  if (advice.integrator != settings.integrator) text.append(advice.integrator->label);
-  if (advice.integrator != settings.integrator && advice.substeps != settings.substeps) text.append(" and ");
-  return advice.substeps == settings.substeps ? text : text.append(count(advice.substeps, "substep"));
-}
-
-// Applies the recommendation, beyond the range of the slider if necessary, and runs from the start.
-void take_advice(const Advice& advice, const Settings& settings, Requests& requests) {
-  const bool changes_method = advice.integrator != settings.integrator;
-  if (changes_method) requests.emplace_back(Edit{SetIntegrator{advice.integrator}});
-  requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(advice.substeps)}, changes_method});
-  requests.emplace_back(Control(GoToStart{}));
+// Sets what was tested, beyond the slider's range if needed, and runs from the state that it was tested from.
+void take_remedy(const Remedy& remedy, const Settings& settings, Requests& requests) {
+  const bool changes_method = remedy.advice->integrator != settings.integrator;
+  if (changes_method) requests.emplace_back(Edit{SetIntegrator{remedy.advice->integrator}});
+  requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(remedy.advice->substeps)}, changes_method});
+  requests.emplace_back(remedy.from ? Control(GoToTime{*remedy.from}) : Control(GoToStart{}));
   requests.emplace_back(Control(SetRunning{true}));
 }
 
@@ -197,11 +191,18 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
   // why the run stopped
   if (divergence && !status.diagnosis.message.empty() && panels.dismissed != divergence->time) {
     begin_banner("stopped", scene, down, status.diagnosis.message, palette::alarm, palette::bad, panels);
-    if (status.diagnosis.advice) {
-      const Settings& settings = status.snapshot->settings;
-      const Advice advice = fitted(*status.diagnosis.advice, settings);
-      if (ImGui::Button(display_text(advice, settings).c_str())) {
-        take_advice(advice, settings, requests);
+    const Settings& settings = status.snapshot->settings;
+    const auto& [test, found] = input.remedy;
+    const std::string outcome = found ? describe(*found, settings) : test.empty() ? "" : test + "...";
+    if (!outcome.empty()) {
+      ImGui::PushTextWrapPos(0.0f);
+      ImGui::TextUnformatted(outcome.c_str());
+      ImGui::PopTextWrapPos();
+      ImGui::Spacing();
+    }
+    if (found && found->advice) {
+      if (ImGui::Button(remedy_label(*found, settings).c_str())) {
+        take_remedy(*found, settings, requests);
         panels.file_warnings.clear();
       }
       same_line_for("Dismiss");
