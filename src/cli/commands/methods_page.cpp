@@ -53,17 +53,25 @@ std::string limit_of(const Integrator& method, const Spectrum& spectrum, const c
   return std::isinf(limit) ? "any" : std::string("h ") + rate + " < " + rounded(limit);
 }
 
-void add_summary(std::string& text) {
+// Wind and mass_center are the listed forces that depend on velocity.
+void add_orders(std::string& text) {
   text +=
-      "| method | order: undamped, drag, dashpots, contact, friction, listed forces | undamped modes | dashpots alone | energy, undamped "
-      "|\n"
-      "|---|---|---|---|---|\n";
+      "| method | undamped | `drag` | dashpots | contact | friction | `wind` | `mass_center` |\n"
+      "|---|---|---|---|---|---|---|---|\n";
   for (const Integrator& method : integrators()) {
-    const auto order = [](int p) { return std::to_string(p); };
-    text += "| [`" + std::string(method.id) + "`](#" + std::string(method.id) + ") | " + order(method.order) + ", " +
-            order(method.order_drag) + ", " + order(method.order_damped) + ", " + order(method.order_contact) + ", " +
-            order(method.order_friction) + ", " + order(method.order_force_terms) + " | " + limit_of(method, {.omega = 1.0}, "omega") +
-            " | " + limit_of(method, {.dashpot_rate = 1.0}, "lambda") + " | " + std::string(describe(method.energy)) +
+    text += "| `" + std::string(method.id) + "` |";
+    for (const int order : {method.order, method.order_drag, method.order_damped, method.order_contact, method.order_friction,
+                            method.order_force_terms, method.order_force_terms})
+      text += " " + std::to_string(order) + " |";
+    text += "\n";
+  }
+}
+
+void add_summary(std::string& text) {
+  text += "| method | undamped modes | dashpots alone | energy, undamped |\n|---|---|---|---|\n";
+  for (const Integrator& method : integrators()) {
+    text += "| [`" + std::string(method.id) + "`](#" + std::string(method.id) + ") | " + limit_of(method, {.omega = 1.0}, "omega") + " | " +
+            limit_of(method, {.dashpot_rate = 1.0}, "lambda") + " | " + std::string(describe(method.energy)) +
             (method.symplectic ? "; symplectic" : "") + " |\n";
   }
 }
@@ -135,6 +143,12 @@ std::string methods_page(const Results& results) {
       "rate\n"
       "of a dashpot. Orders are of positions and velocities, measured by the tests from both sides.\n\n";
   add_summary(text);
+  text += "\n## Order of convergence\n\n";
+  add_orders(text);
+  text +=
+      "\nContact is an impact of any restitution, and sliding without friction. A tolerance that is set for `dop853` applies to contact "
+      "too; "
+      "these orders are those of steps of a given length.\n";
   text += recommended_step;
   text +=
       "\n## Measured\n\nCPU time of each method to reach an error, as a multiple of that of the cheapest method; errors are relative to "
