@@ -200,14 +200,16 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
       ImGui::PopTextWrapPos();
       ImGui::Spacing();
     }
+    // first, so that it stays where it is when the tests end
+    if (ImGui::Button("Dismiss")) panels.dismissed = divergence->time;
     if (found && found->advice) {
-      if (ImGui::Button(remedy_label(*found, settings).c_str())) {
+      const std::string label = remedy_label(*found, settings);
+      same_line_for(label.c_str());
+      if (ImGui::Button((label + "###remedy").c_str())) {
         take_remedy(*found, settings, requests);
         panels.file_warnings.clear();
       }
-      same_line_for("Dismiss");
     }
-    if (ImGui::Button("Dismiss")) panels.dismissed = divergence->time;
     down += end_banner() + units(8.0);
   }
 
