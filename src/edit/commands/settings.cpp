@@ -12,7 +12,6 @@
 #include "sim/integrator.h"
 
 namespace hooke {
-
 namespace {
 
 // "set Stiffness k to 185 N/m", "switch Shear springs off", "set Given as to Each spring: k, d"

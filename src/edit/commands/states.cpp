@@ -4,6 +4,7 @@
 #include "base/bounds.h"
 #include "base/finite.h"
 #include "edit/command.h"
+#include "edit/in_plane.h"
 #include "edit/tears.h"
 
 namespace hooke {

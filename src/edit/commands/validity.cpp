@@ -99,6 +99,7 @@ bool is_valid_after(const Parameter& parameter, const Scene& scene) {
       return std::ranges::all_of(system.points(), [](const Point& point) { return is_valid(point); });
     case Number:
     case Setting:
+    case Structure:
       return true;
   }
   return false;
