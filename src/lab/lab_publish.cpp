@@ -101,9 +101,12 @@ void Lab::publish() {
   status->recording.difference = playback_.difference();
   if (divergence_) {
     status->diagnosis.message = describe(*divergence_, scene_.system);
-    if (start_)
-      status->diagnosis.failed = FailedRun{
-          .start = start_, .system = published_system(), .before = before_failure_, .settings = scene_.settings, .time = divergence_->time};
+    if (start_.scene())
+      status->diagnosis.failed = FailedRun{.start = start_.scene(),
+                                           .system = published_system(),
+                                           .before = before_failure_,
+                                           .settings = scene_.settings,
+                                           .time = divergence_->time};
   }
   status->next_point_id = scene_.system.next_point_id();
   status->next_spring_id = scene_.system.next_spring_id();
