@@ -173,6 +173,23 @@ TEST(EnergyAccounts, TheLossOfTheMethodIsToldFromThatOfTheScene) {
   EXPECT_EQ(balance.dashpots, 0.0);
 }
 
+// The shares are not evaluated in every frame.
+TEST(EnergyAccounts, DragAndDashpotsAreToldApart) {
+  Trial trial = net(8, 1e2, 0.5);
+  trial.system.drag = 1.0;
+  Lab lab = measured_lab(scene_of(trial, {.integrator = find_integrator("velocity_verlet"), .substeps = 8}), AccuracyMode::Frame);
+  double by_drag = 0.0, power = 0.0;
+  for (int frame = 0; frame < 120; ++frame) {
+    ASSERT_TRUE(lab.step());
+    const double before = power;
+    power = 2.0 * compute_energy(lab.scene().system, lab.scene().state).kinetic;
+    by_drag += 0.5 * (before + power) / 60.0;
+  }
+  const EnergyBalance balance = lab.accuracy().energy;
+  EXPECT_NEAR(balance.drag, -by_drag, 0.1 * by_drag);
+  EXPECT_LT(balance.dashpots, 0.0);
+}
+
 TEST(AccuracyMeter, AfterAnEditItSaysThatItWaits) {
   const Trial trial = net(8, 1e2, 0.0);
   Lab lab = measured_lab(scene_of(trial, {}));

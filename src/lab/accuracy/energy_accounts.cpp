@@ -1,10 +1,14 @@
 #include "lab/accuracy/energy_accounts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace hooke {
 namespace {
+
+// The shares of drag and dashpots are evaluated in one frame in so many, because that visits every spring.
+constexpr int share_period = 8;
 
 // Powers [W] at a state.
 struct Dissipation {
@@ -42,6 +46,7 @@ void EnergyAccounts::start(const State& state, double energy) {
   start_ = energy_ = energy;
   net_input_ = state.ledger.net_input;
   numerical_gain_ = 0.0;
+  frames_since_share_ = share_period;
 }
 
 void EnergyAccounts::add_frame(const System& system, const State& before, const State& after, const Motion& motion, double energy) {
@@ -63,14 +68,17 @@ void EnergyAccounts::add_frame(const System& system, const State& before, const 
   } else {
     balance_.method += numerical_gain_;
     rest -= numerical_gain_;
-    double drag = drags ? 1.0 : 0.0;
-    if (drags && damps) {
+    if (!drags || !damps) {
+      drag_share_ = drags ? 1.0 : 0.0;
+      frames_since_share_ = share_period;
+    } else if (++frames_since_share_ >= share_period) {
+      frames_since_share_ = 0;
       const Dissipation start = dissipation_at(system, before), end = dissipation_at(system, after);
       const double by_drag = std::abs(start.drag + end.drag), by_dashpots = start.dashpots + end.dashpots;
-      drag = by_drag + by_dashpots > 0.0 ? by_drag / (by_drag + by_dashpots) : 0.5;
+      drag_share_ = by_drag + by_dashpots > 0.0 ? by_drag / (by_drag + by_dashpots) : 0.5;
     }
-    balance_.drag += drag * rest;
-    balance_.dashpots += (1.0 - drag) * rest;
+    balance_.drag += drag_share_ * rest;
+    balance_.dashpots += (1.0 - drag_share_) * rest;
   }
   balance_.change = energy - start_;
   energy_ = energy;

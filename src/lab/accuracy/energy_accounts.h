@@ -23,6 +23,8 @@ class EnergyAccounts {
   double start_ = 0.0, energy_ = 0.0;  // [J]
   double net_input_ = 0.0;             // [J], of the ledger after the last frame
   double numerical_gain_ = 0.0;        // [J] per frame
+  double drag_share_ = 0.0;            // of what drag and dashpots dissipate together
+  int frames_since_share_ = 0;         // since it was evaluated
 };
 
 }  // namespace hooke
