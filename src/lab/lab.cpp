@@ -267,6 +267,7 @@ bool Lab::finish_frame() {
   if (divergence_) {
     was_unstable_ = scene_.settings.substep() > largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
     before_failure_ = state_before_failure();
+    failed_start_.reset();
     Effect effect;
     if (torn) apply(scene_, *torn, effect);
     if (effect.structure) update_plan(effect);

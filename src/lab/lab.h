@@ -168,6 +168,8 @@ class Lab {
   std::optional<Divergence> divergence_;         // of the last frame, until it is resolved
   bool was_unstable_ = false;                    // its step was beyond the limit of the method
   std::shared_ptr<const State> before_failure_;  // a recorded state from before its energy grew; null: none
+  std::shared_ptr<const Scene> failed_start_;    // the start of the run that diverged, with the edits since then; null: not computed
+  long failed_start_edits_ = 0;                  // the number of edits in it
   double explained_until_ = 0.0;                 // [s], the last frame whose energy was supplied to the scene
   bool running_ = false;
   std::optional<double> run_to_;  // [s]

@@ -101,12 +101,18 @@ void Lab::publish() {
   status->recording.difference = playback_.difference();
   if (divergence_) {
     status->diagnosis.message = describe(*divergence_, scene_.system);
-    if (start_.scene())
-      status->diagnosis.failed = FailedRun{.start = start_.scene(),
+    if (start_.scene() != nullptr) {
+      // a copy of the scene, made once for each edit
+      if (failed_start_ == nullptr || failed_start_edits_ != edits_) {
+        failed_start_ = std::make_shared<const Scene>(start_.return_from(scene_));
+        failed_start_edits_ = edits_;
+      }
+      status->diagnosis.failed = FailedRun{.start = failed_start_,
                                            .system = published_system(),
                                            .before = before_failure_,
                                            .settings = scene_.settings,
                                            .time = divergence_->time};
+    }
   }
   status->next_point_id = scene_.system.next_point_id();
   status->next_spring_id = scene_.system.next_spring_id();

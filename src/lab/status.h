@@ -55,7 +55,7 @@ struct RecordingStatus {
 
 // A run that diverged, from which remedies are tested on copies (study/remedy.h).
 struct FailedRun {
-  std::shared_ptr<const Scene> start;    // what GoToStart restores, except its settings
+  std::shared_ptr<const Scene> start;    // the scene as GoToStart leaves it
   std::shared_ptr<const System> system;  // at the failure
   std::shared_ptr<const State> before;   // a recorded state from before the energy grew; null: none
   Settings settings;
