@@ -13,7 +13,7 @@ namespace {
 TEST(Parameters, ThatOtherModulesReferToAreRowsOfTheTable) {
   EXPECT_EQ(&substeps_parameter, find_parameter("substeps"));
   EXPECT_EQ(&stiffness_parameter, find_parameter("stiffness"));
-  EXPECT_EQ(&substeps_parameter, &parameters()[0]);
+  EXPECT_EQ(&dimensions_parameter, &parameters()[0]);
 }
 
 TEST(Parameters, ReadBackWhatWasWrittenWithinTheirRange) {
