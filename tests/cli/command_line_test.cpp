@@ -92,7 +92,7 @@ TEST(Headless, WrongUsageIsCodeTwoWithOneLineOnStderr) {
            {{"run", "two_masses", "--seconds", "1", "--integrator", "magic"},
             "--integrator magic: must be one of explicit_euler, symplectic_euler, velocity_verlet"},
            {{"run", "two_masses", "--seconds", "1", "--set", "drag"}, "--set drag: must be NAME=VALUE"},
-           {{"run", "two_masses", "--seconds", "1", "--set", "dreg=1"}, "--set dreg=1: must name one of substeps, "},
+           {{"run", "two_masses", "--seconds", "1", "--set", "dreg=1"}, "--set dreg=1: must name one of dimensions, substeps, "},
            {{"run", "two_masses", "--seconds", "1", "--set", "drag=-1"}, "--set drag=-1: must be from 0 to 100 [1/s]"},
            {{"run", "two_masses", "--seconds", "1", "--set", "drag=1x"}, "--set drag=1x: must be from 0 to 100"},
            {{"run", "two_masses", "--seconds", "1", "--set", "substeps=2.5"}, "--set substeps=2.5: must be whole"},

@@ -319,7 +319,7 @@ TEST_F(Recordings, WithUnknownOptionalMembersPlayTheSame) {
 // recordings/version_N.hookelog was written by the first program that wrote version N and is never changed. Each frame must have the same
 // bits on machines with the same arithmetic as the one that wrote it, up to the first change of the physics since then: dop853, which
 // version 1 uses from frame 30 on, took powers from the C library.
-constexpr const char* first_difference[] = {"frame 30, at 0.55 s: point 1 is not where recorded"};
+constexpr const char* known_differences[] = {"frame 30, at 0.55 s: point 1 is not where recorded"};
 
 TEST(OldRecordings, OfEveryVersionPlayTheSame) {
   for (int version = 1; version <= newest_recording_version; ++version) {
@@ -331,7 +331,7 @@ TEST(OldRecordings, OfEveryVersionPlayTheSame) {
     lab.submit(Play{recording});
     lab.apply_pending();
     while (lab.is_playing()) ASSERT_TRUE(lab.step()) << file;
-    EXPECT_EQ(lab.difference(), first_difference[version - 1]) << file;
+    EXPECT_EQ(lab.difference(), known_differences[version - 1]) << file;
   }
 }
 

@@ -413,7 +413,9 @@ void click_remedy(GuiTrial& gui) {
 }
 
 void expect_to_run_through(GuiTrial& gui, double until) {
-  for (int i = 0; i < 6000 && gui.status().diagnosis.message.empty() && gui.status().snapshot->state.time < until; ++i) gui.frame();
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (gui.status().diagnosis.message.empty() && gui.status().snapshot->state.time < until && std::chrono::steady_clock::now() < deadline)
+    gui.frame();
   EXPECT_EQ(gui.status().diagnosis.message, "");
   EXPECT_GE(gui.status().snapshot->state.time, until);
 }
@@ -434,7 +436,8 @@ TEST(Banner, ExplainsWhyTheRunStoppedAndRestartsWithATestedSetting) {
   expect_to_run_through(gui, 1.0);
 }
 
-TEST(Banner, AfterAnEditContinuesFromAStateBeforeTheFailure) {
+// Back to start keeps parameters that were changed during the run, and the remedy is tested with them.
+TEST(Banner, AfterAnEditDuringTheRunStartsOverWithTheEditedParameters) {
   Scene scene = unstable_springs();
   for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 100.0;
   GuiTrial gui(scene);
@@ -444,12 +447,10 @@ TEST(Banner, AfterAnEditContinuesFromAStateBeforeTheFailure) {
   for (int i = 0; i < 2000 && gui.status().diagnosis.message.empty(); ++i) gui.frame();
   ASSERT_FALSE(gui.status().diagnosis.message.empty());
   const std::string words = words_with_remedy(gui);
-  ASSERT_NE(words.find("Continue from t = "), std::string::npos) << words;
+  ASSERT_NE(words.find("Start over with "), std::string::npos) << words;
   click_remedy(gui);
-  const double resumed_at = gui.status().snapshot->state.time;
-  EXPECT_GT(resumed_at, 0.0);
   EXPECT_EQ(gui.status().snapshot->system->springs()[0].stiffness, 1e5);
-  expect_to_run_through(gui, resumed_at + 1.0);
+  expect_to_run_through(gui, 1.0);
 }
 
 TEST(Banner, StaysWhileParametersAreTunedUntilTheyResolveTheProblem) {
