@@ -24,12 +24,16 @@ bool has_component_along_z(const Force& force) {
 
 }  // namespace
 
-std::string why_not_flat(const System& system, const State& state) {
+std::string why_not_in_plane(const System& system, const State& state) {
   for (Index i = 0; i < system.point_count(); ++i) {
     if (state.position[i].z != 0.0) return "point " + std::to_string(i) + " is not at z = 0";
     if (state.velocity[i].z != 0.0) return "point " + std::to_string(i) + " moves along z";
   }
-  if (system.gravity.z != 0.0) return "gravity acts along z";
+  return system.gravity.z != 0.0 ? "gravity acts along z" : "";
+}
+
+std::string why_not_flat(const System& system, const State& state) {
+  if (std::string reason = why_not_in_plane(system, state); !reason.empty()) return reason;
   for (std::size_t c = 0; c < system.colliders.size(); ++c)
     if (!is_flat(system.colliders[c])) return "collider " + std::to_string(c) + " does not stand upright on the plane";
   for (const Force& force : system.forces)

@@ -19,11 +19,12 @@ constexpr std::array dimensions_choices{
     ParameterChoice{"2", "Flat (2-D)", "Everything stays in the plane z = 0 and is viewed from the front."},
     ParameterChoice{"3", "3-D", "Points move in space; cloths, bodies and meshes can be added."},
 };
-// What does not lie in the plane stays where it is, and with it the scene in space.
+// What does not lie in the plane stays where it is, and with it the scene in space. Undo must restore any flat scene that a file may
+// contain, also one with a collider out of the plane.
 void write_dimensions(Scene& scene, double value) {
   if (value != 0.0)
     scene.system.dimensions = 3;
-  else if (why_not_flat(scene.system, scene.state).empty())
+  else if (why_not_in_plane(scene.system, scene.state).empty())
     scene.system.dimensions = 2;
 }
 
