@@ -95,7 +95,8 @@ double AdaptiveStep::advance_in_halves(const Plan& plan, const Integrator& metho
 double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval) {
   if (!has_corrections(plan)) return method.advance(plan, motion, work, interval);
 
-  if (!work.tolerance) {
+  // the strain limit is imposed once per substep and does not converge with the step, so that no step would be short enough for it
+  if (!work.tolerance || !plan.max_length.empty()) {
     store(motion, before_);
     const double h = method.advance(plan, motion, work, interval);
     if (h != 0.0) correct(plan, before_, motion, h, h == interval);
