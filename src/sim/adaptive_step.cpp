@@ -15,8 +15,10 @@ struct Counters {
   double collider_work, limit_work, local_error;
   explicit Counters(const Motion& motion)
       : memory(motion.memory), collider_work(motion.collider_work), limit_work(motion.limit_work), local_error(motion.local_error) {}
-  void restore(Motion& motion) const {
-    motion.memory = memory;
+  // For another attempt with this step [s]. A memory without an error stands for a first step, whose length the method chooses itself:
+  // each attempt would be that step again.
+  void restore(Motion& motion, double step) const {
+    motion.memory = {.step = step, .error = memory.error > 0.0 ? memory.error : motion.memory.error};
     motion.collider_work = collider_work;
     motion.limit_work = limit_work;
     motion.local_error = local_error;
@@ -120,8 +122,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
     std::ranges::copy(motion.v, coarse_v_.begin());
     const double free_step = motion.memory.step;
     restore(before_, motion);
-    before.restore(motion);
-    motion.memory.step = 0.5 * h;
+    before.restore(motion, 0.5 * h);
     if (advance_in_halves(plan, method, motion, work, h, ends) == 0.0) return 0.0;
 
     const double position = difference(plan, coarse_x_, motion.x) / 3.0, velocity = difference(plan, coarse_v_, motion.v) / 3.0;
@@ -137,8 +138,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
       return h;
     }
     restore(before_, motion);
-    before.restore(motion);
-    motion.memory.step = std::max(work.min_step, factor * h);
+    before.restore(motion, std::max(work.min_step, factor * h));
   }
 }
 

@@ -52,7 +52,8 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
                          const std::function<bool()>& should_continue) {
   const Settings settings{
       .integrator = &method, .frame_rate = snapshot_count / problem_.seconds, .substeps = setting.steps, .tolerance = setting.tolerance};
-  const int steps_per_poll = std::max(1, setting.steps / 256);
+  // an adaptive method takes an unknown number of its own steps, one per call
+  const int calls_per_poll = is_adaptive(method) ? 16 : std::max(1, setting.steps / 256);
   RunResult result;
   State state = start;
   if (!plan_.break_length.empty()) refresh_values(plan_, problem_.system);  // restores springs that broke in the previous run
@@ -60,11 +61,9 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
   for (int i = 0; i < snapshot_count; ++i) {
     const double begin = cpu_seconds();
     frame_.begin(plan_, problem_.system, settings, state);
-    for (int polled_at = 0; !frame_.done();) {
+    for (int calls = 1; !frame_.done(); ++calls) {
       frame_.substep(plan_);
-      if (frame_.substeps_done() < polled_at + steps_per_poll) continue;
-      polled_at = frame_.substeps_done();
-      if (!should_continue()) {
+      if (calls % calls_per_poll == 0 && !should_continue()) {
         result.end = RunResult::End::Stopped;
         return result;
       }

@@ -45,7 +45,7 @@ class Benchmark {
  public:
   explicit Benchmark(const Problem& problem);  // `problem` must outlive it
 
-  // Runs a method. `should_continue` is called at most a few hundred times between two snapshots.
+  // Runs a method. `should_continue` is called a few hundred times between two snapshots, of an adaptive method after every few steps.
   RunResult run(const Integrator& method, const Setting& setting, const std::function<bool()>& should_continue);
   // The same from another initial state.
   RunResult run(const Integrator& method, const Setting& setting, const State& start, const std::function<bool()>& should_continue);

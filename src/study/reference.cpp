@@ -13,8 +13,9 @@
 namespace hooke {
 namespace {
 
-constexpr double round_off = 1e-14;     // relative: further refinement has no effect
-constexpr double perturbation = 1e-10;  // relative to the size of the problem
+constexpr double round_off = 1e-14;        // relative: further refinement has no effect
+constexpr double perturbation = 1e-10;     // relative to the size of the problem
+constexpr std::size_t max_candidates = 4;  // methods tried for the two solutions
 
 Vec3 center_of_mass(const System& system, const State& state) {
   Vec3 sum(0.0);
@@ -59,17 +60,21 @@ Setting first_setting(const Benchmark& benchmark, const Integrator& method) {
   return {.steps = std::max(4, static_cast<int>(std::ceil(2.0 * part / limit)))};
 }
 
-// Refines until the solution no longer changes, round-off dominates or the time limit is reached.
+// Refines until the solution no longer changes, round-off dominates or the time limit is reached. A run that exceeds it is abandoned: with
+// contact an adaptive method may need any number of steps.
 std::optional<Refinement> refine(Benchmark& benchmark, const Integrator& method, double seconds,
                                  const std::function<bool()>& should_continue) {
   const Problem& problem = benchmark.problem();
+  const double begin = cpu_seconds();
+  const auto within_time = [&] { return cpu_seconds() - begin < 2.0 * seconds && should_continue(); };
   Setting setting = first_setting(benchmark, method);
-  RunResult coarse = benchmark.run(method, setting, should_continue);
+  RunResult coarse = benchmark.run(method, setting, within_time);
+  if (coarse.end == RunResult::End::Stopped) return std::nullopt;
   std::optional<Refinement> best;
-  for (double spent = 0.0, next = 0.0; spent + next < seconds; setting = benchmark.finer(setting)) {
+  for (double spent = coarse.cpu_seconds, next = 0.0; spent + next < seconds; setting = benchmark.finer(setting)) {
     const Setting finer = benchmark.finer(setting);
-    RunResult fine = benchmark.run(method, finer, should_continue);
-    if (fine.end == RunResult::End::Stopped) return std::nullopt;
+    RunResult fine = benchmark.run(method, finer, within_time);
+    if (fine.end == RunResult::End::Stopped) break;
     spent += fine.cpu_seconds;
     next = 2.0 * fine.cpu_seconds;
     if (coarse.end == RunResult::End::Finished && fine.end == RunResult::End::Finished) {
@@ -185,12 +190,19 @@ ReferenceResult compute_reference(Benchmark& benchmark, double seconds, const st
   const Problem& problem = benchmark.problem();
   const std::vector<const Integrator*> methods = most_accurate_methods(problem);
   std::vector<Refinement> refinements;
-  for (int i = 0; i < 2; ++i) {
+  std::string failed;  // ids of methods
+  for (std::size_t i = 0; i < std::min(max_candidates, methods.size()) && refinements.size() < 2; ++i) {
     std::optional<Refinement> refinement = refine(benchmark, *methods[i], seconds, should_continue);
     if (!should_continue()) return {.failure = Interrupted};
-    if (!refinement)
-      return {.failure = NotFinished, .reason = std::string(methods[i]->id) + " reached the end at no two successive settings"};
-    refinements.push_back(*std::move(refinement));
+    if (refinement)
+      refinements.push_back(*std::move(refinement));
+    else
+      failed += (failed.empty() ? "" : ", ") + std::string(methods[i]->id);
+  }
+  if (refinements.size() < 2) {
+    char limit[32];
+    std::snprintf(limit, sizeof limit, "%.3g", seconds);
+    return {.failure = NotFinished, .reason = "no two successive settings reached the end within " + std::string(limit) + " s: " + failed};
   }
 
   Reference reference{.own = std::move(refinements[0]), .other = std::move(refinements[1]), .measure = problem.measure};

@@ -84,6 +84,21 @@ Trial bouncing(double restitution, double friction) {
   return trial;
 }
 
+TEST(AdaptiveStep, EndsWhenTheFirstStepTouches) {
+  for (const double step : {0.0, 1e-3}) {
+    Trial trial = bouncing(0.0, 0.5);
+    trial.state.position[0].y = 0.0;
+    trial.state.velocity[0] = {0.7, -3.0, 0.0};
+    trial.state.memory.step = step;
+    Plan plan = make_plan(trial.system);
+    Frame frame;
+    frame.begin(plan, trial.system, {.integrator = &dop853, .substeps = 1, .tolerance = 1e-8}, trial.state);
+    while (!frame.done()) frame.substep(plan);
+    EXPECT_EQ(frame.failure(), StepFailure::None);
+    EXPECT_LT(frame.force_evaluations(), 20'000);
+  }
+}
+
 // against another method at a fine step, as far as that one has converged itself
 TEST(AdaptiveStep, KeepsItsToleranceThroughImpacts) {
   for (const auto& [restitution, friction] : {std::pair(1.0, 0.0), {0.6, 0.0}, {0.5, 0.4}, {0.0, 0.3}}) {
