@@ -4,7 +4,7 @@
 
 #include "question.h"
 #include "sim/integrator.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -16,13 +16,13 @@ double decay_rate(int n, double damping, double drag) {
   const double side = length / (n - 1), mass = density * side * side;
   const double q = M_PI / (2.0 * length);
   const double omega = 2.0 * std::sqrt(stiffness / mass) * std::sin(0.5 * q * side);
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
-  trial.system.drag = drag;
-  PointId above = trial.nail({0.0, 0.0, 0.0});
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  sim.system.drag = drag;
+  PointId above = sim.nail({0.0, 0.0, 0.0});
   for (int i = 1; i < n; ++i) {
-    const PointId point = trial.add({0.0, -i * side, 0.0}, i == n - 1 ? 0.5 * mass : mass, {0.0, 0.01 * std::sin(q * i * side), 0.0});
-    trial.join(above, point, stiffness, side, damping);
+    const PointId point = sim.add({0.0, -i * side, 0.0}, i == n - 1 ? 0.5 * mass : mass, {0.0, 0.01 * std::sin(q * i * side), 0.0});
+    sim.join(above, point, stiffness, side, damping);
     above = point;
   }
 
@@ -30,15 +30,15 @@ double decay_rate(int n, double damping, double drag) {
   const auto amplitude = [&] {
     double x = 0.0, v = 0.0;
     for (int i = 1; i < n; ++i) {
-      const double weight = trial.system.points()[i].mass * std::sin(q * i * side);
-      x += weight * (trial.state.position[i].y + i * side);
-      v += weight * trial.state.velocity[i].y;
+      const double weight = sim.system.points()[i].mass * std::sin(q * i * side);
+      x += weight * (sim.state.position[i].y + i * side);
+      v += weight * sim.state.velocity[i].y;
     }
     return std::hypot(omega * x, v);
   };
   const double start = amplitude();
   const double period = 2.0 * M_PI / omega;
-  trial.run(*find_integrator("runge_kutta4"), 4.0 * period, 4000 * (n - 1) / 4);
+  sim.run(*find_integrator("runge_kutta4"), 4.0 * period, 4000 * (n - 1) / 4);
   return std::log(start / amplitude()) / (4.0 * period);
 }
 

@@ -4,7 +4,7 @@
 
 #include "question.h"
 #include "sim/integrator.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 
@@ -26,12 +26,12 @@ Answer why_drag_is_an_exponential() {
       linear *= 1.0 - c * h;
       exponential *= std::exp(-c * h);
     }
-    Trial trial;
-    trial.system.gravity = Vec3(0.0);
-    trial.system.drag = c;
-    const PointId point = trial.add({0.0, 0.0, 0.0}, 1.0, {1.0, 0.0, 0.0});
-    trial.run(*find_integrator("symplectic_euler"), 1.0, steps);
-    const double measured = trial.velocity(point).x;
+    TestSim sim;
+    sim.system.gravity = Vec3(0.0);
+    sim.system.drag = c;
+    const PointId point = sim.add({0.0, 0.0, 0.0}, 1.0, {1.0, 0.0, 0.0});
+    sim.run(*find_integrator("symplectic_euler"), 1.0, steps);
+    const double measured = sim.velocity(point).x;
     worst = std::max({worst, std::abs(exponential / exact - 1.0), std::abs(measured / exact - 1.0)});
 
     auto& series = answer.chart.series;

@@ -4,7 +4,7 @@
 #include "question.h"
 #include "sim/energy.h"
 #include "sim/integrator.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 
@@ -17,15 +17,15 @@ Answer why_explicit_euler_gains_energy() {
                  .series = {}},
                 {}};
   for (const char* id : {"explicit_euler", "symplectic_euler", "velocity_verlet", "runge_kutta4", "implicit_midpoint", "implicit_euler"}) {
-    Trial trial;
-    trial.system.gravity = Vec3(0.0);
-    const PointId nail = trial.nail({0.0, 0.0, 0.0}), mass = trial.add({0.1, 0.0, 0.0});
-    trial.join(nail, mass, stiffness, 0.0);
-    const double start = compute_energy(trial.system, trial.state).total();
+    TestSim sim;
+    sim.system.gravity = Vec3(0.0);
+    const PointId nail = sim.nail({0.0, 0.0, 0.0}), mass = sim.add({0.1, 0.0, 0.0});
+    sim.join(nail, mass, stiffness, 0.0);
+    const double start = compute_energy(sim.system, sim.state).total();
     Series series{id, {{0.0, 1.0}}};
     for (double t = h_omega; t < 20.0 * 2.0 * M_PI; t += h_omega) {
-      trial.run(*find_integrator(id), h_omega, 1);
-      series.points.push_back({t / (2.0 * M_PI), compute_energy(trial.system, trial.state).total() / start});
+      sim.run(*find_integrator(id), h_omega, 1);
+      series.points.push_back({t / (2.0 * M_PI), compute_energy(sim.system, sim.state).total() / start});
     }
     answer.chart.series.push_back(std::move(series));
   }

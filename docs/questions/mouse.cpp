@@ -6,28 +6,28 @@
 #include "question.h"
 #include "sim/energy.h"
 #include "sim/integrator.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
 
 // n x n free points of 0.01 kg with a spacing of 0.1 m and structural springs.
-Trial net(int n, double stiffness) {
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
+TestSim net(int n, double stiffness) {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
   std::vector<PointId> ids;
-  for (int i = 0; i < n * n; ++i) ids.push_back(trial.add({0.1 * (i % n), -0.1 * (i / n), 0.0}, 0.01));
+  for (int i = 0; i < n * n; ++i) ids.push_back(sim.add({0.1 * (i % n), -0.1 * (i / n), 0.0}, 0.01));
   for (int i = 0; i < n * n; ++i) {
-    if (i % n + 1 < n) trial.join(ids[i], ids[i + 1], stiffness, 0.1);
-    if (i / n + 1 < n) trial.join(ids[i], ids[i + n], stiffness, 0.1);
+    if (i % n + 1 < n) sim.join(ids[i], ids[i + 1], stiffness, 0.1);
+    if (i / n + 1 < n) sim.join(ids[i], ids[i + n], stiffness, 0.1);
   }
-  return trial;
+  return sim;
 }
 
-double largest_strain(const Trial& trial) {
+double largest_strain(const TestSim& sim) {
   double max = 0.0;
-  for (const Spring& spring : trial.system.springs()) {
-    const double now = std::abs(strain(trial.system, trial.state, spring));
+  for (const Spring& spring : sim.system.springs()) {
+    const double now = std::abs(strain(sim.system, sim.state, spring));
     max = std::isfinite(now) ? std::max(max, now) : 1e9;
   }
   return std::min(max, 1e9);
@@ -35,31 +35,31 @@ double largest_strain(const Trial& trial) {
 
 // The largest strain while a net whose top row is nailed falls for one second.
 double max_strain_falling(const char* method, double stiffness, int substeps) {
-  Trial trial = net(8, stiffness);
-  trial.system.gravity = Vec3(0.0, -9.81, 0.0);
-  for (int i = 0; i < 8; ++i) trial.system.point(i).nailed = true;
+  TestSim sim = net(8, stiffness);
+  sim.system.gravity = Vec3(0.0, -9.81, 0.0);
+  for (int i = 0; i < 8; ++i) sim.system.point(i).nailed = true;
   double max = 0.0;
   for (int frame = 0; frame < 60 && max < 1e6; ++frame) {
-    trial.run(*find_integrator(method), 1.0 / 60.0, substeps);
-    max = std::max(max, largest_strain(trial));
+    sim.run(*find_integrator(method), 1.0 / 60.0, substeps);
+    max = std::max(max, largest_strain(sim));
   }
   return max;
 }
 
 // The largest strain while a hand moves a corner by 0.5 m at `speed`, exactly or with limited speed.
 double max_strain_pulled(GrabKind kind, double speed, double top_speed) {
-  Trial trial = net(8, 1e4);
-  const Vec3 start = trial.state.position[0];
-  trial.system.grab = Grab{.point = trial.system.points()[0].id, .kind = kind, .stiffness = 200.0};
-  trial.state.hand = {.position = start, .target = start};
+  TestSim sim = net(8, 1e4);
+  const Vec3 start = sim.state.position[0];
+  sim.system.grab = Grab{.point = sim.system.points()[0].id, .kind = kind, .stiffness = 200.0};
+  sim.state.hand = {.position = start, .target = start};
   double max = 0.0;
   constexpr double frame_time = 1.0 / 60.0;
   for (int frame = 0; frame < 60; ++frame) {
     const double mouse = std::min(speed * (frame + 1) * frame_time, 0.5);
-    Vec3& target = trial.state.hand.target;
+    Vec3& target = sim.state.hand.target;
     target = start + Vec3(-std::min(mouse, start.x - target.x + top_speed * frame_time), 0.0, 0.0);
-    trial.run(*find_integrator("velocity_verlet"), frame_time, 80);
-    max = std::max(max, largest_strain(trial));
+    sim.run(*find_integrator("velocity_verlet"), frame_time, 80);
+    max = std::max(max, largest_strain(sim));
   }
   return max;
 }

@@ -10,16 +10,16 @@
 
 #include "app/document/files.h"
 #include "formats/scene_file.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 #include "support/hanging_scene.h"
 #include "support/scratch_folder.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
 
 TEST(Keys, SelectTheTools) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   for (const ToolRow& row : tools()) {
     const Shortcut& shortcut = shortcut_of(row.action);
     gui.key(shortcut.key, shortcut.modifiers);
@@ -28,7 +28,7 @@ TEST(Keys, SelectTheTools) {
 }
 
 TEST(Keys, RunPauseStepAndGoBackToStart) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(Key::Period);
   EXPECT_EQ(gui.status().run.frames, 1);
   EXPECT_FALSE(gui.status().run.running);
@@ -42,7 +42,7 @@ TEST(Keys, RunPauseStepAndGoBackToStart) {
 }
 
 TEST(Keys, StepBackAndSetTheSpeed) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(Key::Period);
   const double time = gui.status().snapshot->state.time;
   gui.key(Key::Period);
@@ -55,7 +55,7 @@ TEST(Keys, StepBackAndSetTheSpeed) {
 }
 
 TEST(TimelineStrip, IsDraggedToAFrameAndBackInOneUndoStep) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   for (int frame = 0; frame < 20; ++frame) gui.key(Key::Period);
   const double last = gui.status().snapshot->state.time;
   const Rect& strip = gui.app().layout().timeline;
@@ -70,7 +70,7 @@ TEST(TimelineStrip, IsDraggedToAFrameAndBackInOneUndoStep) {
 }
 
 TEST(TimelineStrip, RunsToATypedTime) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.click(gui.find("timeline", {"##run_to"}));
   ASSERT_TRUE(ImGui::GetIO().WantTextInput);
   ImGui::GetIO().KeyCtrl = true;
@@ -91,7 +91,7 @@ TEST(Recordings, AreStartedByAKeyAndReplayWithTheSameBits) {
   const ScratchFolder scratch;
   Scene scene = hanging();
   save_scene(scene, scratch.folder / "net.json");
-  GuiTrial gui(scene, scratch.folder / "net.json");
+  GuiFixture gui(scene, scratch.folder / "net.json");
   gui.key(letter('R'), {.control = true, .shift = true});
   for (int frame = 0; frame < 5; ++frame) gui.key(Key::Period);
   gui.key(letter('R'));
@@ -122,32 +122,32 @@ TEST(FreeNames, ComeFromTheDocumentAndReplaceNoFile) {
 }
 
 TEST(Plots, ShowTheEnergiesAndTheChosenQuantities) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(letter('P'));
   gui.app().resize({1280.0, 800.0}, 1.0);
   for (int frame = 0; frame < 5; ++frame) gui.key(Key::Period);
   const TraceTable& table = *gui.status().timeline.traces;
   ASSERT_EQ(table.traces.size(), 4u);
   EXPECT_EQ(table.times.size(), 6u);
-  for (const char* word : {"kinetic", "gravitational", "[J]"}) EXPECT_NE(gui.words().find(word), std::string::npos) << word;
+  for (const char* word : {"kinetic", "gravitational", "[J]"}) EXPECT_NE(gui.text().find(word), std::string::npos) << word;
   // the values at the mouse are shown
   const Rect& plots = gui.app().layout().plots;
   ASSERT_GT(plots.height, 100.0);
   gui.move({plots.x + 0.6 * plots.width, plots.y + 0.5 * plots.height});
-  EXPECT_NE(gui.words().find("total = "), std::string::npos);
+  EXPECT_NE(gui.text().find("total = "), std::string::npos);
   gui.key(letter('P'));
   gui.app().resize({1280.0, 800.0}, 1.0);
   EXPECT_EQ(gui.app().layout().plots.height, 0.0);
 }
 
 TEST(Keys, TabHidesThePanels) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   const Rect before = gui.app().layout().scene;
   gui.key(Key::Tab);
   gui.app().resize({1280.0, 800.0}, 1.0);
   EXPECT_EQ(gui.app().layout().scene.width, 1280.0);
   gui.frame();
-  EXPECT_EQ(gui.words().find("Substeps"), std::string::npos);
+  EXPECT_EQ(gui.text().find("Substeps"), std::string::npos);
   gui.key(Key::Tab);
   gui.app().resize({1280.0, 800.0}, 1.0);
   EXPECT_EQ(gui.app().layout().scene, before);
@@ -167,7 +167,7 @@ double contrast(ImU32 a, ImU32 b) {
 }
 
 TEST(Themes, AreReadableDarkAndLight) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   const ImU32 dark = palette::panel;
   for (int look = 0; look < 2; ++look) {
     for (const ImU32 words : {palette::text, palette::dim, palette::accent, palette::good, palette::warning, palette::bad})
@@ -178,7 +178,7 @@ TEST(Themes, AreReadableDarkAndLight) {
 }
 
 TEST(Keys, ReleaseEveryNailAndUndoNailsThemAgain) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(letter('R'));
   for (const Point& point : gui.system().points()) EXPECT_FALSE(point.nailed);
   gui.key(letter('Z'), control);
@@ -192,7 +192,7 @@ TEST(Keys, ReleaseEveryNailAndUndoNailsThemAgain) {
 }
 
 TEST(Keys, AHeldArrowIsOneUndoStepAndShowsTheValue) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(Key::Up);
   gui.key(Key::Up, {}, true);
   gui.key(Key::Up, {}, true);
@@ -203,7 +203,7 @@ TEST(Keys, AHeldArrowIsOneUndoStepAndShowsTheValue) {
 }
 
 TEST(Keys, QuickPressesOfTheKeysOfOneValueAreOneStepOfUndo) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   for (const Key key : {Key::Up, Key::Up, Key::Down, Key::Up}) gui.key(key);
   gui.key(Key::Right);
   EXPECT_EQ(gui.status().history.list->names.size(), 2u);
@@ -215,7 +215,7 @@ TEST(Keys, QuickPressesOfTheKeysOfOneValueAreOneStepOfUndo) {
 }
 
 TEST(UnsavedChanges, AreNotAskedAboutAfterPlaying) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(Key::Period);
   gui.key(letter('R'));
   gui.key(letter('R'), control);
@@ -224,7 +224,7 @@ TEST(UnsavedChanges, AreNotAskedAboutAfterPlaying) {
 }
 
 TEST(UnsavedChanges, AreNamedWhereTheyWouldBeLost) {
-  GuiTrial tuned(hanging());
+  GuiFixture tuned(hanging());
   tuned.key(Key::Up);
   tuned.key(Key::Right);
   tuned.key(letter('N'), control);
@@ -234,7 +234,7 @@ TEST(UnsavedChanges, AreNamedWhereTheyWouldBeLost) {
 }
 
 TEST(Keys, SetTheStartAndResetTheParameters) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(Key::Up);
   gui.key(Key::Period);
   const State there = gui.status().snapshot->state;
@@ -248,7 +248,7 @@ TEST(Keys, SetTheStartAndResetTheParameters) {
 }
 
 TEST(Keys, AHeldKeyDoesNotRepeatOneShotActions) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(Key::Space);
   gui.key(Key::Space, {}, true);
   EXPECT_TRUE(gui.status().run.running);
@@ -258,7 +258,7 @@ TEST(Keys, AHeldKeyDoesNotRepeatOneShotActions) {
 }
 
 TEST(Keys, SelectAllAndDelete) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(letter('A'), control);
   EXPECT_EQ(gui.app().selection().points.size(), 3u);
   gui.key(Key::Delete);
@@ -269,7 +269,7 @@ TEST(Keys, SelectAllAndDelete) {
 }
 
 TEST(Keys, EscLeavesTheInnermostModeAndNeverQuits) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(letter('A'), control);
   gui.key(letter('N'));
   gui.key(Key::F1);
@@ -286,7 +286,7 @@ TEST(Keys, EscLeavesTheInnermostModeAndNeverQuits) {
 }
 
 TEST(Mouse, BuildsDuringARun) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(Key::Space);
   gui.key(letter('A'));
   gui.click(gui.seen({0.25, 0.4, 0.0}));
@@ -295,7 +295,7 @@ TEST(Mouse, BuildsDuringARun) {
 }
 
 TEST(Mouse, TwoClicksWithinOneFrameBothCount) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(letter('A'));
   const glm::dvec2 first = gui.seen({0.25, 0.4, 0.0}), second = gui.seen({0.4, 0.1, 0.0});
   for (const glm::dvec2& at : {first, second}) {
@@ -312,7 +312,7 @@ TEST(Mouse, TwoClicksWithinOneFrameBothCount) {
 }
 
 TEST(Mouse, APressOnAPanelDoesNotReachTheScene) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(letter('A'));
   const Rect& side = gui.app().layout().side;
   gui.click({side.x + 20.0, side.y + 500.0});

@@ -7,9 +7,9 @@
 #include <chrono>
 
 #include "formats/scene_file.h"
+#include "support/document_fixture.h"
 #include "support/flat_scene.h"
-#include "support/gui_trial.h"
-#include "support/own_home.h"
+#include "support/gui_fixture.h"
 
 namespace hooke {
 namespace {
@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 
 // A file size limit has the same effect as a full disk.
 TEST(Saving, OnAFullDiskLosesNothingAndReportsIt) {
-  const OwnDesk desk;
-  GuiTrial gui = desk.open();
+  const DocumentFixture fixture;
+  GuiFixture gui = fixture.open();
   gui.unnail(0);
-  const auto size = fs::file_size(desk.file);
+  const auto size = fs::file_size(fixture.file);
   rlimit before{};
   ::getrlimit(RLIMIT_FSIZE, &before);
   const rlimit tight{100, before.rlim_max};
@@ -31,12 +31,12 @@ TEST(Saving, OnAFullDiskLosesNothingAndReportsIt) {
   ::setrlimit(RLIMIT_FSIZE, &before);
   ::signal(SIGXFSZ, handler);
   ASSERT_EQ(open_dialog(gui), Dialog::Kind::Message);
-  const std::string words = gui.words();
+  const std::string words = gui.text();
   EXPECT_NE(words.find("Nothing is lost"), std::string::npos) << words;
   EXPECT_NE(words.find("cannot be written"), std::string::npos) << words;
   EXPECT_EQ(gui.app().title(), "Hooke - net*");
-  EXPECT_EQ(fs::file_size(desk.file), size);
-  EXPECT_TRUE(load_scene(desk.file).scene.system.points()[0].nailed);
+  EXPECT_EQ(fs::file_size(fixture.file), size);
+  EXPECT_TRUE(load_scene(fixture.file).scene.system.points()[0].nailed);
   // once there is space again, saving succeeds
   gui.key(Key::Escape);
   gui.key(letter('S'), control);
@@ -44,13 +44,13 @@ TEST(Saving, OnAFullDiskLosesNothingAndReportsIt) {
 }
 
 TEST(Saving, WithAnUnknownExtensionIsRefusedWithAMessage) {
-  const OwnDesk desk;
-  GuiTrial gui = desk.open();
+  const DocumentFixture fixture;
+  GuiFixture gui = fixture.open();
   gui.key(letter('S'), control_shift);
-  gui.type((desk.folder / "net.xsp").string());
+  gui.type((fixture.folder / "net.xsp").string());
   gui.key(Key::Enter);
   EXPECT_EQ(open_dialog(gui), Dialog::Kind::Message);
-  EXPECT_FALSE(fs::exists(desk.folder / "net.xsp"));
+  EXPECT_FALSE(fs::exists(fixture.folder / "net.xsp"));
 }
 
 // Unconnected points, so many that reading and writing them takes many frames.
@@ -68,7 +68,7 @@ Scene many_points() {
 }
 
 // In a window that keeps drawing frames meanwhile.
-void drop_large(GuiTrial& gui, const fs::path& large) {
+void drop_large(GuiFixture& gui, const fs::path& large) {
   save_scene(many_points(), large);
   gui.app().set_task_patience(std::chrono::milliseconds(0));
   gui.waits_for_work = false;
@@ -76,12 +76,12 @@ void drop_large(GuiTrial& gui, const fs::path& large) {
 }
 
 TEST(BackgroundTask, OpensALargeFileWhileTheWindowKeepsDrawing) {
-  const OwnDesk desk;
-  const fs::path large = desk.folder / "dust.json";
-  GuiTrial gui = desk.open();
+  const DocumentFixture fixture;
+  const fs::path large = fixture.folder / "dust.json";
+  GuiFixture gui = fixture.open();
   drop_large(gui, large);
   std::string words;
-  for (int i = 0; i < 5; ++i) words = gui.words();
+  for (int i = 0; i < 5; ++i) words = gui.text();
   EXPECT_NE(words.find("Opening dust.json"), std::string::npos) << words;
   EXPECT_EQ(gui.status().snapshot->system->point_count(), 2) << "the document stays until the new one is read";
   ASSERT_TRUE(wait_for(gui, [&] { return gui.status().snapshot->system->point_count() == 100'000; }));
@@ -91,9 +91,9 @@ TEST(BackgroundTask, OpensALargeFileWhileTheWindowKeepsDrawing) {
 }
 
 TEST(BackgroundTask, CanBeCanceledAndLeavesTheDocumentUnchanged) {
-  const OwnDesk desk;
-  const fs::path large = desk.folder / "dust.json";
-  GuiTrial gui = desk.open();
+  const DocumentFixture fixture;
+  const fs::path large = fixture.folder / "dust.json";
+  GuiFixture gui = fixture.open();
   drop_large(gui, large);
   gui.frames(2);
   ASSERT_EQ(open_dialog(gui), Dialog::Kind::Working);
@@ -109,11 +109,11 @@ TEST(BackgroundTask, CanBeCanceledAndLeavesTheDocumentUnchanged) {
 }
 
 TEST(BackgroundTask, OfSavingCanBeCanceledBeforeTheOldFileIsTouched) {
-  const OwnDesk desk;
-  const fs::path large = desk.folder / "dust.json";
+  const DocumentFixture fixture;
+  const fs::path large = fixture.folder / "dust.json";
   save_scene(many_points(), large);
   const auto written = fs::last_write_time(large);
-  GuiTrial gui(load_scene(large).scene, large, desk.home);
+  GuiFixture gui(load_scene(large).scene, large, fixture.home);
   gui.key(letter('A'), control);
   gui.key(Key::Delete);
   gui.key(letter('Z'), control);
@@ -128,7 +128,7 @@ TEST(BackgroundTask, OfSavingCanBeCanceledBeforeTheOldFileIsTouched) {
   ASSERT_TRUE(wait_for(gui, [&] { return open_dialog(gui) == Dialog::Kind::None; }));
   EXPECT_EQ(gui.app().title(), "Hooke - dust*");
   EXPECT_EQ(fs::last_write_time(large), written);
-  EXPECT_EQ(std::distance(fs::directory_iterator(desk.folder), {}), 4) << "net, dust, config, state: no partial file";
+  EXPECT_EQ(std::distance(fs::directory_iterator(fixture.folder), {}), 4) << "net, dust, config, state: no partial file";
   // if it is not canceled, the file is saved and the dialog closes itself
   gui.app().handle(KeyPress{letter('S'), control});
   ASSERT_TRUE(wait_for(gui, [&] { return gui.app().title() == "Hooke - dust"; }));
@@ -136,10 +136,10 @@ TEST(BackgroundTask, OfSavingCanBeCanceledBeforeTheOldFileIsTouched) {
 }
 
 TEST(Opening, OfAnImportFormatMakesAnUntitledDocument) {
-  const OwnDesk desk;
-  OwnDesk::write(desk.folder / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  GuiTrial gui = desk.open();
-  gui.app().handle(FileDrop{desk.folder / "sheet.obj"});
+  const DocumentFixture fixture;
+  DocumentFixture::write(fixture.folder / "sheet.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  GuiFixture gui = fixture.open();
+  gui.app().handle(FileDrop{fixture.folder / "sheet.obj"});
   gui.frames(2);
   EXPECT_EQ(gui.system().point_count(), 3);
   gui.key(letter('S'), control);

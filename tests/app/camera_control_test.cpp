@@ -6,15 +6,15 @@
 #include <glm/geometric.hpp>
 
 #include "formats/scene_file.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 #include "support/hanging_scene.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
 
 TEST(Camera, OrbitsPansAndZoomsToTheCursor) {
-  GuiTrial gui(hanging(3));
+  GuiFixture gui(hanging(3));
   const Vec3 back = gui.app().camera().back, target = gui.app().camera().target;
   gui.drag({400.0, 400.0}, {480.0, 420.0}, Button::Right);
   EXPECT_GT(glm::distance(gui.app().camera().back, back), 0.1);
@@ -34,7 +34,7 @@ TEST(Camera, OrbitsPansAndZoomsToTheCursor) {
 }
 
 TEST(Camera, StaysPerpendicularToAFlatScene) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   const Vec3 back = gui.app().camera().back, target = gui.app().camera().target;
   gui.drag({400.0, 400.0}, {480.0, 420.0}, Button::Right);
   EXPECT_EQ(gui.app().camera().back, back);
@@ -42,7 +42,7 @@ TEST(Camera, StaysPerpendicularToAFlatScene) {
 }
 
 TEST(Camera, LooksAlongTheAxesAndFromTheOppositeSideOnRepetition) {
-  GuiTrial gui(hanging(3));
+  GuiFixture gui(hanging(3));
   const auto from = [&](char key) {
     gui.key(letter(key));
     return gui.app().camera().back;
@@ -68,11 +68,11 @@ TEST(Camera, LooksAlongTheAxesAndFromTheOppositeSideOnRepetition) {
 
 TEST(Camera, AClickOnAnAxisLooksAlongIt) {
   {
-    GuiTrial flat(hanging(2));
+    GuiFixture flat(hanging(2));
     flat.frames(2);
     EXPECT_EQ(ImGui::FindWindowByName("axes"), nullptr);
   }
-  GuiTrial gui(hanging(3));
+  GuiFixture gui(hanging(3));
   gui.frames(2);
   const ImGuiWindow* axes = ImGui::FindWindowByName("axes");
   ASSERT_NE(axes, nullptr);
@@ -85,7 +85,7 @@ TEST(Camera, AClickOnAnAxisLooksAlongIt) {
 }
 
 TEST(Camera, IsCopiedAndPastedAsText) {
-  GuiTrial gui(hanging(3));
+  GuiFixture gui(hanging(3));
   gui.drag({400.0, 400.0}, {480.0, 420.0}, Button::Right);
   gui.key(letter('5'));
   const Camera camera = gui.app().camera();

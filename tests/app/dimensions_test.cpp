@@ -4,7 +4,7 @@
 #include "scene/flatness.h"
 #include "scene/parameters.h"
 #include "support/flat_scene.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 
 namespace hooke {
 namespace {
@@ -12,15 +12,15 @@ namespace {
 constexpr Modifiers control{.control = true}, control_shift{.control = true, .shift = true};
 
 Scene two_points() {
-  Trial trial;
-  trial.join(trial.nail({-0.5, 0.0, 0.0}), trial.add({0.5, 0.0, 0.0}), 100.0, 1.0);
-  return flat_scene("Two points", trial);
+  TestSim sim;
+  sim.join(sim.nail({-0.5, 0.0, 0.0}), sim.add({0.5, 0.0, 0.0}), 100.0, 1.0);
+  return flat_scene("Two points", sim);
 }
 
 SetParameter set_dimensions(int dimensions) { return {&dimensions_parameter, dimensions == 3 ? 1.0 : 0.0}; }
 
 TEST(NewScenes, AreFlatOrInSpace) {
-  GuiTrial gui;
+  GuiFixture gui;
   gui.key(letter('N'), control);
   EXPECT_EQ(gui.system().dimensions, 2);
   gui.key(letter('N'), control_shift);
@@ -35,7 +35,7 @@ TEST(NewScenes, AreFlatOrInSpace) {
 }
 
 TEST(Dimensions, AFlatSceneBecomesSpatialAndFlatAgain) {
-  GuiTrial gui(two_points());
+  GuiFixture gui(two_points());
   gui.app().handle(Request(Edit{set_dimensions(3)}));
   gui.frames(2);
   EXPECT_EQ(gui.system().dimensions, 3);
@@ -53,7 +53,7 @@ TEST(Dimensions, AFlatSceneBecomesSpatialAndFlatAgain) {
 }
 
 TEST(Dimensions, WhatDoesNotLieInThePlaneKeepsASceneInSpace) {
-  GuiTrial gui(two_points());
+  GuiFixture gui(two_points());
   gui.app().handle(Request(Edit{set_dimensions(3)}));
   gui.app().handle(Request(Edit{Move{{{gui.system().points()[1].id, {0.5, 0.0, 0.2}, Vec3(0.0)}}}}));
   gui.app().handle(Request(Edit{set_dimensions(2)}));
@@ -77,7 +77,7 @@ TEST(Dimensions, EachThingThatLeavesThePlaneIsNamed) {
 }
 
 TEST(AddMenu, AShapeThatNeedsSpaceOffersToMakeTheSceneSpatial) {
-  GuiTrial gui(two_points());
+  GuiFixture gui(two_points());
   Panels& panels = gui.app().panels();
   Requests requests;
   start_placement(find_shape_kind("curtain"), gui.app().panel_input({}), panels, requests);

@@ -7,8 +7,8 @@
 #include "formats/scene_file.h"
 #include "scene/shape.h"
 #include "sim/integrator.h"
-#include "support/gui_trial.h"
-#include "support/trial.h"
+#include "support/gui_fixture.h"
+#include "support/test_sim.h"
 #include "ui/search_results.h"
 
 namespace hooke {
@@ -18,20 +18,20 @@ constexpr Modifiers control{.control = true}, control_shift{.control = true, .sh
 
 // A pair of points connected by a spring, and a separate point.
 Scene pair_and_one(int dimensions = 2) {
-  Trial trial;
-  const PointId nail = trial.nail({-0.3, 0.4, 0.0}), bob = trial.add({0.1, 0.0, 0.0}, 2.0, {0.5, 0.0, 0.0});
-  trial.add({0.5, 0.3, 0.0});
-  trial.join(nail, bob, 70.0, 0.4);
+  TestSim sim;
+  const PointId nail = sim.nail({-0.3, 0.4, 0.0}), bob = sim.add({0.1, 0.0, 0.0}, 2.0, {0.5, 0.0, 0.0});
+  sim.add({0.5, 0.3, 0.0});
+  sim.join(nail, bob, 70.0, 0.4);
   Scene scene;
   scene.name = "Pair";
-  scene.system = trial.system;
+  scene.system = sim.system;
   scene.system.dimensions = dimensions;
-  scene.state = trial.state;
+  scene.state = sim.state;
   return scene;
 }
 
 TEST(Selecting, ADoubleClickSelectsEverythingConnected) {
-  GuiTrial gui(pair_and_one());
+  GuiFixture gui(pair_and_one());
   const glm::dvec2 at = gui.seen({0.1, 0.0, 0.0});
   gui.click(at);
   EXPECT_EQ(gui.app().selection().points.size(), 1u);
@@ -42,7 +42,7 @@ TEST(Selecting, ADoubleClickSelectsEverythingConnected) {
 }
 
 TEST(Selecting, IsInvertedAndExtendedByKeys) {
-  GuiTrial gui(pair_and_one());
+  GuiFixture gui(pair_and_one());
   gui.click(gui.seen({-0.3, 0.4, 0.0}));
   gui.key(letter('L'), control);
   EXPECT_EQ(gui.app().selection().points.size(), 2u);
@@ -57,7 +57,7 @@ TEST(Selecting, IsInvertedAndExtendedByKeys) {
 
 TEST(Selecting, ReachesEightPixelsAtEveryScale) {
   for (const double scale : {0.75, 1.0, 2.0, 3.0}) {
-    GuiTrial gui(pair_and_one());
+    GuiFixture gui(pair_and_one());
     gui.app().resize({1280.0, 800.0}, scale);
     gui.frames(2);
     gui.key(Key::Home);
@@ -72,7 +72,7 @@ TEST(Selecting, ReachesEightPixelsAtEveryScale) {
 
 TEST(Copies, DuplicatesAreDisplacedAndSelected) {
   for (const int dimensions : {2, 3}) {
-    GuiTrial gui(pair_and_one(dimensions));
+    GuiFixture gui(pair_and_one(dimensions));
     gui.click(gui.seen({0.1, 0.0, 0.0}));
     gui.key(letter('L'), control);
     gui.key(letter('D'), control);
@@ -98,7 +98,7 @@ TEST(Copies, PassBetweenTwoInstancesAsText) {
   std::string board;
   const Clipboard shared{.put = [&](const std::string& text) { board = text; }, .take = [&] { return board; }};
   {
-    GuiTrial gui(pair_and_one());
+    GuiFixture gui(pair_and_one());
     gui.app().use(shared);
     gui.key(letter('C'), control);
     EXPECT_EQ(gui.app().panels().toast, "Nothing is selected");
@@ -109,7 +109,7 @@ TEST(Copies, PassBetweenTwoInstancesAsText) {
   }
   // the text on the clipboard is a regular scene
   EXPECT_EQ(parse_scene(board, "board").scene.system.point_count(), 3);
-  GuiTrial gui(pair_and_one(3));
+  GuiFixture gui(pair_and_one(3));
   gui.app().use(shared);
   const glm::dvec2 cursor(500.0, 300.0);
   gui.move(cursor);
@@ -123,7 +123,7 @@ TEST(Copies, PassBetweenTwoInstancesAsText) {
 }
 
 TEST(Copies, OfOtherClipboardContentAreRefusedWithAMessage) {
-  GuiTrial gui(pair_and_one());
+  GuiFixture gui(pair_and_one());
   std::string board;
   gui.app().use({.put = [&](const std::string& text) { board = text; }, .take = [&] { return board; }});
   for (const char* text : {"", "hello", "{}", "{\"hooke\": 1}", "{\"hooke\": 1, \"points\": [{\"position\": [0,0,1e999]}]}", "\xff"}) {
@@ -135,7 +135,7 @@ TEST(Copies, OfOtherClipboardContentAreRefusedWithAMessage) {
 }
 
 TEST(HistoryPanel, NamesEveryStepAndGoesToIt) {
-  GuiTrial gui(pair_and_one());
+  GuiFixture gui(pair_and_one());
   ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
   gui.app().resize({1280.0, 2000.0}, 1.0);
   gui.key(letter('R'));
@@ -144,7 +144,7 @@ TEST(HistoryPanel, NamesEveryStepAndGoesToIt) {
   gui.key(Key::Delete);
   gui.click(gui.find("side", {"History"}));
   gui.frames(3);
-  const std::string words = gui.words();
+  const std::string words = gui.text();
   for (const char* step : {"As opened", "Release 1 point", "Add 3 points and 1 spring", "Delete 3 points and 1 spring", "3 of 3"})
     EXPECT_NE(words.find(step), std::string::npos) << step << " in\n" << words;
 
@@ -162,13 +162,13 @@ TEST(HistoryPanel, NamesEveryStepAndGoesToIt) {
   EXPECT_EQ(gui.system().point_count(), 6);
 }
 
-std::vector<SearchResult> found_by(GuiTrial& gui, const std::string& typed) {
+std::vector<SearchResult> found_by(GuiFixture& gui, const std::string& typed) {
   gui.settled();
   return find_results(gui.app().panel_input({}), typed);
 }
 
 TEST(Search, FindsEveryActionByItsWords) {
-  GuiTrial gui(pair_and_one());
+  GuiFixture gui(pair_and_one());
   for (const ActionRow& row : actions()) {
     const auto found = found_by(gui, std::string(row.text));
     ASSERT_FALSE(found.empty()) << row.text;
@@ -181,7 +181,7 @@ TEST(Search, FindsEveryActionByItsWords) {
 TEST(Search, FindsScenesPartsMethodsAndParametersWithValues) {
   Scene scene = pair_and_one();
   scene.system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}}};
-  GuiTrial gui(scene);
+  GuiFixture gui(scene);
   const auto first = [&](const std::string& typed) {
     const auto found = found_by(gui, typed);
     return found.empty() ? std::string() : found.front().text;
@@ -209,7 +209,7 @@ TEST(Search, FindsScenesPartsMethodsAndParametersWithValues) {
 }
 
 TEST(Search, SetsAParameterThatIsChosenAndThenTyped) {
-  GuiTrial gui(pair_and_one());
+  GuiFixture gui(pair_and_one());
   gui.key(letter('P'), control_shift);
   gui.frames(2);
   gui.type("substeps");
@@ -223,12 +223,12 @@ TEST(Search, SetsAParameterThatIsChosenAndThenTyped) {
 }
 
 TEST(Search, RunsTheChosenCommand) {
-  GuiTrial gui(pair_and_one());
+  GuiFixture gui(pair_and_one());
   gui.key(letter('P'), control_shift);
   gui.frames(2);
-  EXPECT_NE(gui.words().find("Commands, scenes, parts"), std::string::npos);
+  EXPECT_NE(gui.text().find("Commands, scenes, parts"), std::string::npos);
   gui.type("release");
-  EXPECT_NE(gui.words().find("Release all nails"), std::string::npos);
+  EXPECT_NE(gui.text().find("Release all nails"), std::string::npos);
   EXPECT_TRUE(gui.system().points()[0].nailed);
   gui.key(Key::Enter);
   EXPECT_FALSE(gui.system().points()[0].nailed);

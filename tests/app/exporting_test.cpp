@@ -5,7 +5,7 @@
 
 #include "formats/open_file.h"
 #include "support/contents.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
@@ -24,7 +24,7 @@ class Export {
   }
   std::filesystem::path file(std::string_view extension) const { return scratch_.folder / ("out" + std::string(extension)); }
   ExportState& box() { return gui_.app().panels().export_state; }
-  GuiTrial& gui() { return gui_; }
+  GuiFixture& gui() { return gui_; }
   Dialog& dialog() { return gui_.app().panels().dialog; }
   bool is_running() { return gui_.app().exporter().is_running(); }
   // No text field is active, so that values set by a test stay.
@@ -40,13 +40,13 @@ class Export {
 
  private:
   ScratchFolder scratch_;
-  GuiTrial gui_;
+  GuiFixture gui_;
 };
 
 TEST(Export, TheDialogOffersEveryFormatAndSetsTheExtension) {
-  GuiTrial gui(load_scene(find_scene("two_masses")).scene);
+  GuiFixture gui(load_scene(find_scene("two_masses")).scene);
   gui.key(letter('E'), {.control = true});
-  const std::string words = gui.words();
+  const std::string words = gui.text();
   for (const FileKind& kind : export_kinds()) EXPECT_NE(words.find(kind.label), std::string::npos) << kind.label;
   EXPECT_TRUE(gui.app().panels().export_state.path.ends_with("untitled.obj")) << gui.app().panels().export_state.path;
   gui.click(gui.find("export", {"Table (.csv)"}));

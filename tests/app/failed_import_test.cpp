@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "formats/scene_file.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
@@ -40,7 +40,7 @@ class OpenDocument {
     before_ = gui_.status().snapshot;
     title_ = gui_.app().title();
   }
-  GuiTrial& gui() { return gui_; }
+  GuiFixture& gui() { return gui_; }
 
   void expect_as_it_was(const std::string& what) {
     const Status& status = gui_.status();
@@ -63,7 +63,7 @@ class OpenDocument {
   }
 
  private:
-  GuiTrial gui_;
+  GuiFixture gui_;
   std::shared_ptr<const Snapshot> before_;
   std::string title_;
 };
@@ -96,7 +96,7 @@ TEST(FailedImport, OfADirectoryOrMissingFileLeavesItUnchangedToo) {
 TEST(FailedImport, OfAPictureLeavesTheTextureUnchanged) {
   const ScratchFolder scratch;
   std::ofstream(scratch.folder / "scene.json") << format_scene(load_scene(find_scene("cloth")).scene);
-  GuiTrial gui(load_scene(scratch.folder / "scene.json").scene, scratch.folder / "scene.json");
+  GuiFixture gui(load_scene(scratch.folder / "scene.json").scene, scratch.folder / "scene.json");
   std::ofstream(scratch.folder / "broken.png") << "\x89PNG\r\n\x1a\n and then nothing";
   gui.app().handle(FileDrop{scratch.folder / "broken.png"});
   gui.frames(2);

@@ -4,7 +4,7 @@
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "support/flat_scene.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 
 namespace hooke {
 namespace {
@@ -50,26 +50,26 @@ TEST(ShippedScenes, StayInTheWindowWhileTheyMove) {
 }
 
 Scene falling_pair(bool nailed = false) {
-  Trial trial;
-  const PointId first = nailed ? trial.nail({-0.2, 0.0, 0.0}) : trial.add({-0.2, 0.0, 0.0});
-  trial.join(first, trial.add({0.2, 0.0, 0.0}), 100.0, 0.4);
-  return flat_scene("Pair", trial);
+  TestSim sim;
+  const PointId first = nailed ? sim.nail({-0.2, 0.0, 0.0}) : sim.add({-0.2, 0.0, 0.0});
+  sim.join(first, sim.add({0.2, 0.0, 0.0}), 100.0, 0.4);
+  return flat_scene("Pair", sim);
 }
 
 TEST(OutOfView, IsSaidAndHomeLeadsBack) {
-  GuiTrial gui(falling_pair(true));
-  EXPECT_EQ(gui.words().find("Out of view"), std::string::npos);
+  GuiFixture gui(falling_pair(true));
+  EXPECT_EQ(gui.text().find("Out of view"), std::string::npos);
   const Rect& view = gui.app().layout().scene;
   const glm::dvec2 middle{view.x + 0.5 * view.width, view.y + 0.5 * view.height};
   for (int i = 0; i < 3; ++i) gui.drag(middle, middle + glm::dvec2(0.45 * view.width, 0.0), Button::Right);
-  EXPECT_NE(gui.words().find("Out of view: press Home"), std::string::npos);
+  EXPECT_NE(gui.text().find("Out of view: press Home"), std::string::npos);
   gui.key(Key::Home);
-  EXPECT_EQ(gui.words().find("Out of view"), std::string::npos);
+  EXPECT_EQ(gui.text().find("Out of view"), std::string::npos);
 }
 
 TEST(Home, FollowsWhatNothingHolds) {
   for (const bool nailed : {false, true}) {
-    GuiTrial gui(falling_pair(nailed));
+    GuiFixture gui(falling_pair(nailed));
     gui.key(Key::Space);
     gui.key(Key::Home);
     EXPECT_EQ(gui.app().camera().follows, !nailed);
@@ -77,14 +77,14 @@ TEST(Home, FollowsWhatNothingHolds) {
 }
 
 TEST(OpeningCloth, FallsOnAFloorInSight) {
-  GuiTrial gui(load_scene(find_scene("cloth")).scene);
+  GuiFixture gui(load_scene(find_scene("cloth")).scene);
   gui.key(letter('R'));
   gui.app().handle(Request(Control(RunTo{2.0})));
   for (int i = 0; i < 2000 && (gui.status().run.running || gui.status().run.frames == 0); ++i) gui.frame();
   const Snapshot& snapshot = *gui.status().snapshot;
   const glm::dvec2 size = view_size(1280.0, 800.0);
   EXPECT_EQ(fraction_outside(gui.app().camera(), *snapshot.system, snapshot.state, size), 0.0);
-  EXPECT_EQ(gui.words().find("Out of view"), std::string::npos);
+  EXPECT_EQ(gui.text().find("Out of view"), std::string::npos);
   gui.key(letter('R'), control);
   EXPECT_TRUE(gui.system().points()[0].nailed);
   EXPECT_FALSE(gui.status().history.unsaved);

@@ -6,7 +6,7 @@
 
 #include "cli/thumbnail.h"
 #include "formats/gallery.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 #include "support/picture.h"
 
 namespace hooke {
@@ -53,13 +53,13 @@ TEST(Thumbnails, TheContactSheetContainsAllInOrder) {
 }
 
 TEST(GalleryPage, ShowsEveryGroupAndTheInstructionsOfItsScenes) {
-  GuiTrial gui;
-  EXPECT_EQ(gui.words().find("Gallery"), std::string::npos);
+  GuiFixture gui;
+  EXPECT_EQ(gui.text().find("Gallery"), std::string::npos);
   gui.key(letter('G'));
   ImGui::GetIO().DisplaySize = {1280.0f, 6000.0f};
   gui.app().resize({1280.0, 6000.0}, 1.0);
   gui.frames(2);
-  const std::string words = gui.words();
+  const std::string words = gui.text();
   for (const GalleryCard& card : gallery_cards()) {
     EXPECT_NE(words.find(card.scene->group), std::string::npos) << card.scene->group;
     EXPECT_NE(words.find(card.scene->title), std::string::npos) << card.scene->title;
@@ -69,11 +69,11 @@ TEST(GalleryPage, ShowsEveryGroupAndTheInstructionsOfItsScenes) {
     EXPECT_NE(words.find(begin), std::string::npos) << begin;
   }
   gui.key(Key::Escape);
-  EXPECT_EQ(gui.words().find("Gallery"), std::string::npos);
+  EXPECT_EQ(gui.text().find("Gallery"), std::string::npos);
 }
 
 TEST(GalleryPage, AClickOnACardOpensItsSceneAndClosesThePage) {
-  GuiTrial gui;
+  GuiFixture gui;
   gui.key(letter('G'));
   gui.click(gui.find("gallery", {"cloth_swing"}));
   EXPECT_EQ(gui.status().document->name, "Cloth swing");
@@ -81,7 +81,7 @@ TEST(GalleryPage, AClickOnACardOpensItsSceneAndClosesThePage) {
 }
 
 TEST(GalleryPage, ArrowKeysAndEnterOpenAScene) {
-  GuiTrial gui;
+  GuiFixture gui;
   gui.key(letter('G'));
   gui.key(Key::Right);
   gui.key(Key::Right);
@@ -91,7 +91,7 @@ TEST(GalleryPage, ArrowKeysAndEnterOpenAScene) {
 }
 
 TEST(GalleryPage, AsksBeforeChangesAreLost) {
-  GuiTrial gui;
+  GuiFixture gui;
   gui.key(letter('A'));
   gui.click({500.0, 400.0});
   ASSERT_TRUE(gui.status().history.unsaved);
@@ -105,7 +105,7 @@ TEST(GalleryPage, AsksBeforeChangesAreLost) {
 }
 
 TEST(GalleryPage, KeepsKeysAndClicksFromTheScene) {
-  GuiTrial gui;
+  GuiFixture gui;
   gui.key(letter('A'));
   gui.key(letter('G'));
   gui.click({500.0, 60.0});

@@ -2,21 +2,21 @@
 #include "app/input/key_handlers.h"
 
 #include "formats/open_file.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 
 namespace hooke {
 namespace {
 
 Scene two_masses() { return load_scene(find_scene("two_masses")).scene; }
 
-std::string_view press(GuiTrial& gui, Key key, Modifiers modifiers = {}) {
+std::string_view press(GuiFixture& gui, Key key, Modifiers modifiers = {}) {
   const std::string_view taken_by = dispatch(gui.app().key_handlers(), {key, modifiers});
   gui.frames(2);
   return taken_by;
 }
 
 TEST(KeyHandlers, AreCalledFromTheTopmostPanelDownToTheShortcuts) {
-  GuiTrial gui;
+  GuiFixture gui;
   std::vector<std::string_view> names;
   for (const KeyHandler& handler : gui.app().key_handlers()) names.push_back(handler.name);
   EXPECT_EQ(names, (std::vector<std::string_view>{"dialog", "search", "menu", "export", "text field", "placement", "shortcut overlay",
@@ -35,7 +35,7 @@ TEST(KeyHandlers, TheFirstToHandleAKeyKeepsItFromTheOthers) {
 }
 
 TEST(KeyHandlers, EscapeClosesOnePanelAfterAnother) {
-  GuiTrial gui(two_masses());
+  GuiFixture gui(two_masses());
   gui.app().handle(Request(Action::SelectAll));
   gui.app().handle(Request(StartPlacement{find_shape_kind("net")}));
   gui.app().handle(Request(Action::ShowKeys));
@@ -53,7 +53,7 @@ TEST(KeyHandlers, EscapeClosesOnePanelAfterAnother) {
 }
 
 TEST(KeyHandlers, ADialogAndTheCommandPaletteTakeEveryKey) {
-  GuiTrial gui(two_masses());
+  GuiFixture gui(two_masses());
   gui.app().panels().search = {.shown = true, .is_new = true};
   gui.frames(2);
   for (const Shortcut& row : shortcuts())
@@ -69,7 +69,7 @@ TEST(KeyHandlers, ADialogAndTheCommandPaletteTakeEveryKey) {
 }
 
 TEST(KeyHandlers, AMenuTakesEscapeBeforeTheSelection) {
-  GuiTrial gui(two_masses());
+  GuiFixture gui(two_masses());
   gui.key(letter('A'), {.control = true});
   gui.click(gui.find("menu", {"Edit"}));
   ASSERT_TRUE(gui.app().panels().menu_is_open);
@@ -79,7 +79,7 @@ TEST(KeyHandlers, AMenuTakesEscapeBeforeTheSelection) {
 }
 
 TEST(KeyHandlers, ATextFieldPassesOnOnlyF1AndControlCombinations) {
-  GuiTrial gui(two_masses());
+  GuiFixture gui(two_masses());
   gui.app().handle(Request(StartPlacement{nullptr}));
   gui.app().panels().text_in_progress = true;
   const KeyHandlers& handlers = gui.app().key_handlers();
@@ -90,7 +90,7 @@ TEST(KeyHandlers, ATextFieldPassesOnOnlyF1AndControlCombinations) {
 }
 
 TEST(KeyHandlers, TheGalleryKeepsKeysFromTheHiddenScene) {
-  GuiTrial gui(two_masses());
+  GuiFixture gui(two_masses());
   gui.app().panels().gallery.is_shown = true;
   for (const Key key : {Key::Right, Key::Down, Key::Left, Key::Up}) EXPECT_EQ(press(gui, key), "gallery");
   for (const Shortcut& row : shortcuts())

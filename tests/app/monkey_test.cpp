@@ -5,7 +5,7 @@
 #include <random>
 
 #include "formats/scene_file.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 #include "support/scratch_folder.h"
 #include "support/valid_scene.h"
 
@@ -14,7 +14,7 @@ namespace {
 
 class Monkey {
  public:
-  Monkey(GuiTrial& gui, unsigned seed) : gui_(gui), random_(seed) {}
+  Monkey(GuiFixture& gui, unsigned seed) : gui_(gui), random_(seed) {}
 
   void act() {
     // must not overwrite files of the user
@@ -73,7 +73,7 @@ class Monkey {
       gui_.key(row.key, row.modifiers, below(5) == 0);
   }
 
-  GuiTrial& gui_;
+  GuiFixture& gui_;
   std::mt19937 random_;
 };
 
@@ -85,7 +85,7 @@ TEST(Monkey, BreaksNothing) {
   const char* given_seed = std::getenv("HOOKE_SEED");
   unsigned seed = given_seed != nullptr ? 4 * static_cast<unsigned>(std::atoi(given_seed)) : 0;
   for (const char* scene : {"two_masses", "cloth_on_ball", "assignment", "grid_4x4"}) {
-    GuiTrial gui(load_scene(find_scene(scene)).scene, {}, {scratch.folder / "config", scratch.folder / "state"});
+    GuiFixture gui(load_scene(find_scene(scene)).scene, {}, {scratch.folder / "config", scratch.folder / "state"});
     Monkey monkey(gui, ++seed);
     for (int i = 0; i < actions; ++i) {
       // repeated copying doubles the scene until it takes longer than a test should
@@ -107,7 +107,7 @@ TEST(Monkey, BreaksNothing) {
 TEST(Keys, EveryKeyOfTheTableActsWithEveryTool) {
   for (const Shortcut& tool : shortcuts()) {
     if (tool.group != "Tools") continue;
-    GuiTrial gui(load_scene(find_scene("three_masses")).scene);
+    GuiFixture gui(load_scene(find_scene("three_masses")).scene);
     for (const Shortcut& row : shortcuts()) {
       if (row.action == Action::Quit) continue;
       gui.key(tool.key, tool.modifiers);

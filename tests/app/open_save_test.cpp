@@ -9,17 +9,17 @@
 #include "app/document/files.h"
 #include "draw/view.h"
 #include "formats/scene_file.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 #include "support/hanging_scene.h"
 #include "support/scratch_folder.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
 
 TEST(Documents, CanBeSavedAtATypedPathAndReopened) {
   const ScratchFolder scratch;
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   EXPECT_EQ(gui.app().title(), "Hooke - Hanging");
   gui.unnail(0);
   EXPECT_EQ(gui.app().title(), "Hooke - Hanging*");
@@ -51,7 +51,7 @@ TEST(Documents, CanBeSavedAtATypedPathAndReopened) {
 
 TEST(Documents, AShippedSceneIsNeverOverwritten) {
   const ShippedScene& shipped = shipped_scenes().front();
-  GuiTrial gui(load_scene(shipped.file).scene, shipped.file);
+  GuiFixture gui(load_scene(shipped.file).scene, shipped.file);
   gui.key(letter('S'), control);
   EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Save);
   EXPECT_NE(gui.app().panels().dialog.typed, shipped.file.string());
@@ -60,12 +60,12 @@ TEST(Documents, AShippedSceneIsNeverOverwritten) {
 TEST(Documents, ARefusedFileIsNamedAndTheOpenDocumentIsUnchanged) {
   const ScratchFolder scratch;
   std::ofstream(scratch.folder / "bad.json") << R"({"hooke": 1, "points": [{"position": [0, 0, 0], "mass": -1}]})";
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(letter('O'), control);
   gui.type((scratch.folder / "bad.json").string());
   gui.key(Key::Enter);
   ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
-  const std::string words = gui.words();
+  const std::string words = gui.text();
   for (const char* part : {"bad.json", "mass", "-1"}) EXPECT_NE(words.find(part), std::string::npos) << part;
   gui.key(Key::Enter);
   EXPECT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::None);
@@ -74,13 +74,13 @@ TEST(Documents, ARefusedFileIsNamedAndTheOpenDocumentIsUnchanged) {
 }
 
 TEST(Documents, AFailedSaveIsReportedAndTheDocumentStaysModified) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.unnail(0);
   gui.key(letter('S'), control_shift);
   gui.type("/nowhere/at/all.json");
   gui.key(Key::Enter);
   ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
-  EXPECT_NE(gui.words().find("/nowhere/at/all.json"), std::string::npos);
+  EXPECT_NE(gui.text().find("/nowhere/at/all.json"), std::string::npos);
   EXPECT_EQ(gui.app().title(), "Hooke - Hanging*");
 }
 
@@ -97,7 +97,7 @@ struct Draped {
 
 TEST(Textures, AreChosenSavedAndUndone) {
   const Draped draped;
-  GuiTrial gui(load_scene(draped.file).scene, draped.file);
+  GuiFixture gui(load_scene(draped.file).scene, draped.file);
   EXPECT_FALSE(gui.app().view_options().springs);
   gui.app().handle(FileDrop{draped.scratch.folder / "mine.png"});
   EXPECT_EQ(gui.status().document->view.texture, "mine.png");
@@ -118,7 +118,7 @@ TEST(Textures, AreChosenSavedAndUndone) {
 
 TEST(Textures, OutsideTheFolderAreRefusedWithTheReason) {
   const Draped draped;
-  GuiTrial gui(load_scene(draped.file).scene, draped.file);
+  GuiFixture gui(load_scene(draped.file).scene, draped.file);
   gui.app().handle(FileDrop{draped.scratch.folder.parent_path() / "other.png"});
   ASSERT_EQ(gui.app().panels().dialog.kind, Dialog::Kind::Message);
   EXPECT_NE(gui.app().panels().dialog.text.find("\"../other.png\": must be in the folder of the scene, " + draped.scratch.folder.string()),
@@ -129,14 +129,14 @@ TEST(Textures, OutsideTheFolderAreRefusedWithTheReason) {
 
 TEST(Textures, OfAnUnsavedDocumentRequireSavingItFirst) {
   const Draped draped;
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.app().handle(FileDrop{draped.scratch.folder / "mine.png"});
   EXPECT_NE(gui.app().panels().dialog.text.find("save the scene there first"), std::string::npos);
 }
 
 TEST(Documents, AskBeforeChangesAreLost) {
   const ScratchFolder scratch;
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.unnail(0);
   gui.app().handle(CloseRequest{});
   gui.frames(2);
@@ -158,13 +158,13 @@ TEST(Documents, AskBeforeChangesAreLost) {
 }
 
 TEST(Documents, QuitAtOnceWithoutUnsavedChanges) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(letter('Q'), control);
   EXPECT_TRUE(gui.app().is_finished());
 }
 
 TEST(Dialogs, ReceiveAllKeysWhileOpen) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(letter('O'), control);
   gui.key(letter('R'));
   gui.key(Key::Space);
@@ -177,7 +177,7 @@ TEST(Dialogs, ReceiveAllKeysWhileOpen) {
 }
 
 TEST(Dialogs, AcceptATypedPath) {
-  GuiTrial gui(hanging());
+  GuiFixture gui(hanging());
   gui.key(letter('O'), control);
   gui.frames(2);
   gui.type("some/path.json");

@@ -9,8 +9,8 @@
 #include "app/document/files.h"
 #include "formats/scene_file.h"
 #include "lab/recording.h"
-#include "support/gui_trial.h"
-#include "support/own_home.h"
+#include "support/document_fixture.h"
+#include "support/gui_fixture.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
@@ -19,33 +19,33 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(OpenDialog, ListsRecordingsToo) {
-  const OwnDesk desk;
-  OwnDesk::write(desk.folder / "run.hookelog", "");
-  GuiTrial gui = desk.open();
+  const DocumentFixture fixture;
+  DocumentFixture::write(fixture.folder / "run.hookelog", "");
+  GuiFixture gui = fixture.open();
   gui.key(letter('O'), control);
   gui.frames(3);
-  EXPECT_NE(gui.words().find("run.hookelog"), std::string::npos) << gui.words();
+  EXPECT_NE(gui.text().find("run.hookelog"), std::string::npos) << gui.text();
 }
 
 TEST(SaveAsDialog, SelectsTheNameWithoutFolderAndExtension) {
-  const OwnDesk desk;
-  GuiTrial gui = desk.open();
+  const DocumentFixture fixture;
+  GuiFixture gui = fixture.open();
   gui.key(letter('S'), control_shift);
   gui.frames(3);
   gui.type("other");
-  EXPECT_EQ(gui.app().panels().dialog.typed, (desk.folder / "other.json").string());
+  EXPECT_EQ(gui.app().panels().dialog.typed, (fixture.folder / "other.json").string());
 }
 
 TEST(SaveAsDialog, APathTypedInPlaceOfTheNameIsAPathOfItsOwn) {
-  const OwnDesk desk;
-  GuiTrial gui = desk.open();
+  const DocumentFixture fixture;
+  GuiFixture gui = fixture.open();
   gui.key(letter('S'), control_shift);
   gui.frames(3);
-  gui.type((desk.folder / "config" / "other.json").string());
+  gui.type((fixture.folder / "config" / "other.json").string());
   gui.key(Key::Enter);
   gui.frames(2);
-  EXPECT_TRUE(fs::exists(desk.folder / "config" / "other.json"));
-  EXPECT_EQ(gui.app().document().file(), desk.folder / "config" / "other.json");
+  EXPECT_TRUE(fs::exists(fixture.folder / "config" / "other.json"));
+  EXPECT_EQ(gui.app().document().file(), fixture.folder / "config" / "other.json");
 }
 
 TEST(Replay, ShowsTheTextureOfTheSceneAndChangesNoDocument) {
@@ -53,7 +53,7 @@ TEST(Replay, ShowsTheTextureOfTheSceneAndChangesNoDocument) {
   Scene scene = load_scene(find_scene("cloth")).scene;
   ASSERT_EQ(scene.view.texture, "tartan");
   {
-    GuiTrial gui(scene, scratch.folder / "cloth.json");
+    GuiFixture gui(scene, scratch.folder / "cloth.json");
     gui.key(letter('R'), control_shift);
     gui.key(Key::Period);
     gui.key(Key::Up);
@@ -61,7 +61,7 @@ TEST(Replay, ShowsTheTextureOfTheSceneAndChangesNoDocument) {
     gui.key(letter('R'), control_shift);
   }
   const auto recording = std::make_shared<const Recording>(read_recording(scratch.folder / "cloth.hookelog"));
-  GuiTrial replay;
+  GuiFixture replay;
   replay.app().document().play(recording);
   ASSERT_TRUE(wait_for(replay, [&] { return !replay.status().run.running && replay.status().run.frames == 2; }));
   EXPECT_EQ(replay.status().recording.difference, "");
@@ -75,22 +75,22 @@ TEST(OpeningNotice, OfASceneAboutInstabilityIsItsLesson) {
   const LoadedScene loaded = load_scene(file);
   ASSERT_FALSE(loaded.warnings.empty());
   EXPECT_EQ(opening_notice(loaded.scene, loaded.warnings, file), loaded.scene.description);
-  GuiTrial gui;
+  GuiFixture gui;
   gui.app().document().open(file);
   gui.frames(2);
   EXPECT_EQ(gui.app().panels().file_warnings, loaded.scene.description);
-  EXPECT_EQ(gui.words().find(".json"), std::string::npos);
+  EXPECT_EQ(gui.text().find(".json"), std::string::npos);
 }
 
 TEST(OpeningNotice, OfAnotherSceneWarnsWithoutThePathOfItsFile) {
-  const OwnDesk desk;
-  OwnDesk::write(desk.folder / "odd.json", R"({"hooke": 1, "colour": 3, "points": [{"position": [0, 0, 0]}]})");
-  GuiTrial gui = desk.open();
-  gui.app().document().open(desk.folder / "odd.json");
+  const DocumentFixture fixture;
+  DocumentFixture::write(fixture.folder / "odd.json", R"({"hooke": 1, "colour": 3, "points": [{"position": [0, 0, 0]}]})");
+  GuiFixture gui = fixture.open();
+  gui.app().document().open(fixture.folder / "odd.json");
   gui.frames(2);
   const std::string& notice = gui.app().panels().file_warnings;
   EXPECT_NE(notice.find("colour"), std::string::npos);
-  EXPECT_EQ(notice.find(desk.folder.string()), std::string::npos) << notice;
+  EXPECT_EQ(notice.find(fixture.folder.string()), std::string::npos) << notice;
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "formats/open_file.h"
 #include "scene/shape.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
@@ -18,32 +18,32 @@ Scene is_3d_only() {
   return scene;
 }
 
-Placement& choose(GuiTrial& gui, std::string_view id) {
+Placement& choose(GuiFixture& gui, std::string_view id) {
   gui.app().handle(Request(StartPlacement{find_shape_kind(id)}));
   gui.frames(2);
   return gui.app().panels().placement;
 }
 
 TEST(Placement, TheMenuOffersEveryShapeOfTheTable) {
-  GuiTrial gui(is_3d_only());
+  GuiFixture gui(is_3d_only());
   gui.click(gui.find("menu", {"Add"}));
   gui.frames(3);
-  const std::string words = gui.words();
+  const std::string words = gui.text();
   for (const ShapeKind& kind : placeable_shapes()) EXPECT_NE(words.find(kind.label), std::string::npos) << kind.label;
   EXPECT_NE(words.find("From a mesh"), std::string::npos);
 }
 
 TEST(Placement, ThePanelHasAFieldForEveryParameter) {
   for (const ShapeKind& kind : placeable_shapes()) {
-    GuiTrial gui(is_3d_only());
+    GuiFixture gui(is_3d_only());
     choose(gui, kind.id);
-    const std::string words = gui.words();
+    const std::string words = gui.text();
     for (const ShapeNumber& number : kind.numbers) EXPECT_NE(words.find(number.label), std::string::npos) << kind.id << ' ' << number.label;
   }
 }
 
 TEST(Placement, ThePreviewShowsTheResultAndChangesNothing) {
-  GuiTrial gui(is_3d_only());
+  GuiFixture gui(is_3d_only());
   Placement& placement = choose(gui, "sheet");
   EXPECT_EQ(gui.app().marks().ghost_lines.size(), element_count_of(placement.shape).springs);
   EXPECT_EQ(gui.app().marks().ghost_nails.size(), 2u);
@@ -61,7 +61,7 @@ TEST(Placement, StartsOutsideColliders) {
   Scene scene = is_3d_only();
   scene.system.colliders.push_back({.shape = Sphere{{0.4, 0.0, 0.0}, 0.7}});
   for (const ShapeKind& kind : placeable_shapes()) {
-    GuiTrial gui(scene);
+    GuiFixture gui(scene);
     choose(gui, kind.id);
     for (const auto& [from, to] : gui.app().marks().ghost_lines) {
       EXPECT_GT(std::min(from.y, to.y), -1.0) << kind.id;
@@ -71,7 +71,7 @@ TEST(Placement, StartsOutsideColliders) {
 }
 
 TEST(Placement, ThePreviewFollowsASliderAtOnce) {
-  GuiTrial gui(is_3d_only());
+  GuiFixture gui(is_3d_only());
   Placement& placement = choose(gui, "hanging_rope");
   const glm::dvec2 slider = gui.find("placing", {"points", "##value"});
   ASSERT_GT(slider.x, 0.0);
@@ -82,7 +82,7 @@ TEST(Placement, ThePreviewFollowsASliderAtOnce) {
 }
 
 TEST(Placement, EnterPlacesItAsOneUndoStep) {
-  GuiTrial gui(is_3d_only());
+  GuiFixture gui(is_3d_only());
   const ElementCount element_count = element_count_of(choose(gui, "jelly").shape);
   gui.key(Key::Enter);
   EXPECT_EQ(gui.system().points().size(), element_count.points);
@@ -97,7 +97,7 @@ TEST(Placement, EnterPlacesItAsOneUndoStep) {
 
 TEST(Placement, EveryShapeIsInsertedAsGenerated) {
   for (const ShapeKind& kind : placeable_shapes()) {
-    GuiTrial gui(is_3d_only());
+    GuiFixture gui(is_3d_only());
     const ElementCount element_count = element_count_of(choose(gui, kind.id).shape);
     gui.key(Key::Enter);
     EXPECT_EQ(gui.system().points().size(), element_count.points) << kind.id;
@@ -107,7 +107,7 @@ TEST(Placement, EveryShapeIsInsertedAsGenerated) {
 
 TEST(Placement, AClothHasTheSameMaterialAsInAFile) {
   for (const char* id : {"sheet", "curtain", "flag", "net"}) {
-    GuiTrial gui(is_3d_only());
+    GuiFixture gui(is_3d_only());
     const Shape shape = choose(gui, id).shape;
     gui.key(Key::Enter);
     Network network;
@@ -121,14 +121,14 @@ TEST(Placement, AClothHasTheSameMaterialAsInAFile) {
       EXPECT_EQ(sheet->sheet_weight_of(gui.system().springs()[s].id),
                 static_cast<std::size_t>(s) < network.sheet_weights.size() ? network.sheet_weights[s] : 0.0);
   }
-  GuiTrial gui(is_3d_only());
+  GuiFixture gui(is_3d_only());
   choose(gui, "bridge");
   gui.key(Key::Enter);
   EXPECT_EQ(gui.status().document->sheet, nullptr);
 }
 
 TEST(Placement, EscLeavesTheSceneUnchanged) {
-  GuiTrial gui(is_3d_only());
+  GuiFixture gui(is_3d_only());
   choose(gui, "net");
   gui.key(Key::Escape);
   EXPECT_FALSE(gui.app().panels().placement.is_on());
@@ -137,7 +137,7 @@ TEST(Placement, EscLeavesTheSceneUnchanged) {
 }
 
 TEST(Placement, AClickInTheSceneMovesItThereInsteadOfUsingTheTool) {
-  GuiTrial gui(is_3d_only());
+  GuiFixture gui(is_3d_only());
   gui.key(letter('A'));
   Placement& placement = choose(gui, "net");
   const Layout& layout = gui.app().layout();
@@ -152,7 +152,7 @@ TEST(Placement, AClickInTheSceneMovesItThereInsteadOfUsingTheTool) {
 TEST(Placement, InAFlatSceneIsFlat) {
   Scene flat = empty_scene();
   flat.system.dimensions = 2;
-  GuiTrial gui(flat);
+  GuiFixture gui(flat);
   choose(gui, "bridge").shape.tilt = 30.0;
   gui.key(Key::Enter);
   EXPECT_EQ(gui.system().points().size(), 21u) << "a truss without width";
@@ -162,7 +162,7 @@ TEST(Placement, InAFlatSceneIsFlat) {
 TEST(Placement, IsUprightForAnyUpDirection) {
   Scene scene = is_3d_only();
   scene.system.gravity = {0.0, 0.0, -9.81};
-  GuiTrial gui(scene);
+  GuiFixture gui(scene);
   Placement& placement = choose(gui, "sheet");
   gui.key(Key::Enter);
   const auto& places = gui.status().snapshot->state.position;
@@ -173,7 +173,7 @@ TEST(Placement, IsUprightForAnyUpDirection) {
 TEST(Placement, AMeshIsPlacedAtTheRequestedSize) {
   ScratchFolder scratch;
   std::ofstream(scratch.folder / "square.obj") << "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nf 1 2 3 4\n";
-  GuiTrial gui(is_3d_only());
+  GuiFixture gui(is_3d_only());
   Placement& placement = gui.app().panels().placement;
   gui.app().handle(Request(StartPlacement{nullptr}));
   placement.mesh_size = 3.0;
@@ -196,12 +196,12 @@ TEST(Placement, AMeshIsPlacedAtTheRequestedSize) {
 TEST(Placement, AMeshHasItsOwnMaterial) {
   ScratchFolder scratch;
   std::ofstream(scratch.folder / "square.obj") << "v 0 0 0\nv 4 0 0\nv 4 2 0\nv 0 2 0\nf 1 2 3 4\n";
-  GuiTrial gui(is_3d_only());
+  GuiFixture gui(is_3d_only());
   gui.app().handle(Request(StartPlacement{nullptr}));
   gui.frames(2);
   // nothing to place yet, and the button says why
-  EXPECT_NE(gui.words().find("No mesh yet"), std::string::npos);
-  EXPECT_NE(gui.words().find("Browse..."), std::string::npos);
+  EXPECT_NE(gui.text().find("No mesh yet"), std::string::npos);
+  EXPECT_NE(gui.text().find("Browse..."), std::string::npos);
   gui.app().handle(Request(LoadMesh{scratch.folder / "square.obj"}));
   gui.frames(2);
   Placement& placement = gui.app().panels().placement;
@@ -223,7 +223,7 @@ TEST(Placement, AMeshHasItsOwnMaterial) {
 TEST(Placement, ABrokenMeshIsReportedAndNothingIsInserted) {
   ScratchFolder scratch;
   std::ofstream(scratch.folder / "broken.obj") << "v 0 0 zero\n";
-  GuiTrial gui(is_3d_only());
+  GuiFixture gui(is_3d_only());
   gui.app().handle(Request(StartPlacement{nullptr}));
   gui.app().handle(Request(LoadMesh{scratch.folder / "broken.obj"}));
   gui.frames(2);

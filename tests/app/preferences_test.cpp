@@ -11,9 +11,9 @@
 #include "app/document/system_dialog.h"
 #include "formats/scene_file.h"
 #include "support/contents.h"
+#include "support/document_fixture.h"
 #include "support/flat_scene.h"
-#include "support/gui_trial.h"
-#include "support/own_home.h"
+#include "support/gui_fixture.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
@@ -22,91 +22,91 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(Preferences, ArePersistentAndACorruptFileIsIgnoredWithOneMessage) {
-  const OwnDesk desk;
+  const DocumentFixture fixture;
   const Preferences mine{1.5, 20.0, true, true};
-  save_preferences(mine, desk.home.config);
-  EXPECT_EQ(load_preferences(desk.home.config).preferences, mine);
+  save_preferences(mine, fixture.home.config);
+  EXPECT_EQ(load_preferences(fixture.home.config).preferences, mine);
   for (const char* bad :
        {"{", "[]", "", "{\"interface_scale\": 99}", "{\"interface_scale\": \"large\"}", "\xff\xfe", "{\"a\":1,\"a\":2}"}) {
-    OwnDesk::write(desk.home.config / "settings.json", bad);
+    DocumentFixture::write(fixture.home.config / "settings.json", bad);
     {
-      GuiTrial gui(two_points(), {}, desk.home);
+      GuiFixture gui(two_points(), {}, fixture.home);
       ASSERT_EQ(open_dialog(gui), Dialog::Kind::Message) << bad;
-      const std::string words = gui.words();
+      const std::string words = gui.text();
       EXPECT_NE(words.find("Settings ignored; using defaults"), std::string::npos);
       EXPECT_NE(words.find("settings.json.bad"), std::string::npos);
       EXPECT_EQ(gui.app().interface_scale(), 1.0);
     }
     std::string aside;
-    std::getline(std::ifstream(desk.home.config / "settings.json.bad"), aside);
+    std::getline(std::ifstream(fixture.home.config / "settings.json.bad"), aside);
     EXPECT_EQ(aside, bad);
-    GuiTrial again(two_points(), {}, desk.home);
+    GuiFixture again(two_points(), {}, fixture.home);
     EXPECT_EQ(open_dialog(again), Dialog::Kind::None) << bad;
   }
 }
 
 TEST(Preferences, ThatAreAFolderOrCannotBeWrittenDoNotStopTheProgram) {
-  const OwnDesk desk;
-  fs::remove(desk.home.config / "settings.json");
-  fs::create_directories(desk.home.config / "settings.json");
-  EXPECT_FALSE(load_preferences(desk.home.config).message.empty());
-  GuiTrial gui(two_points(), {}, {"/proc/nowhere", "/proc/nowhere"});
+  const DocumentFixture fixture;
+  fs::remove(fixture.home.config / "settings.json");
+  fs::create_directories(fixture.home.config / "settings.json");
+  EXPECT_FALSE(load_preferences(fixture.home.config).message.empty());
+  GuiFixture gui(two_points(), {}, {"/proc/nowhere", "/proc/nowhere"});
   gui.key(letter('='), control);
   EXPECT_EQ(gui.app().interface_scale(), 1.15);
   EXPECT_FALSE(gui.app().is_finished());
 }
 
 TEST(Preferences, TheThemeIsPersistent) {
-  const OwnDesk desk;
-  { GuiTrial(two_points(), {}, desk.home).key(letter('L'), control_shift); }
-  EXPECT_EQ(GuiTrial(two_points(), {}, desk.home).app().panels().look, Look::Light);
+  const DocumentFixture fixture;
+  { GuiFixture(two_points(), {}, fixture.home).key(letter('L'), control_shift); }
+  EXPECT_EQ(GuiFixture(two_points(), {}, fixture.home).app().panels().look, Look::Light);
 }
 
 TEST(Preferences, PanelWidthsAreLimitedToTheirRange) {
-  const OwnDesk desk;
+  const DocumentFixture fixture;
   {
-    GuiTrial gui(two_points(), {}, desk.home);
+    GuiFixture gui(two_points(), {}, fixture.home);
     for (int i = 0; i < 20; ++i) gui.key(letter('='), control);
     EXPECT_EQ(gui.app().interface_scale(), 3.0);
     for (int i = 0; i < 40; ++i) gui.key(letter('-'), control);
     EXPECT_EQ(gui.app().interface_scale(), 0.75);
   }
-  EXPECT_EQ(GuiTrial(two_points(), {}, desk.home).app().interface_scale(), 0.75);
+  EXPECT_EQ(GuiFixture(two_points(), {}, fixture.home).app().interface_scale(), 0.75);
 }
 
 TEST(RecentFiles, AreTheNewestWithoutDuplicates) {
-  const OwnDesk desk;
+  const DocumentFixture fixture;
   {
-    RecentFiles recent(desk.home.state);
-    for (int i = 0; i < 20; ++i) recent.add(desk.folder / (std::to_string(i) + ".json"));
-    recent.add(desk.folder / "15.json");
-    recent.forget(desk.folder / "19.json");
+    RecentFiles recent(fixture.home.state);
+    for (int i = 0; i < 20; ++i) recent.add(fixture.folder / (std::to_string(i) + ".json"));
+    recent.add(fixture.folder / "15.json");
+    recent.forget(fixture.folder / "19.json");
   }
-  const RecentFiles recent(desk.home.state);
+  const RecentFiles recent(fixture.home.state);
   ASSERT_EQ(recent.files().size(), RecentFiles::max - 1);
-  EXPECT_EQ(recent.files()[0], desk.folder / "15.json");
-  EXPECT_EQ(recent.files()[1], desk.folder / "18.json");
-  OwnDesk::write(desk.home.state / "recent.json", "{\"files\": 7}");
-  EXPECT_TRUE(RecentFiles(desk.home.state).files().empty());
+  EXPECT_EQ(recent.files()[0], fixture.folder / "15.json");
+  EXPECT_EQ(recent.files()[1], fixture.folder / "18.json");
+  DocumentFixture::write(fixture.home.state / "recent.json", "{\"files\": 7}");
+  EXPECT_TRUE(RecentFiles(fixture.home.state).files().empty());
 }
 
 TEST(RecentFiles, AreListedInTheMenuAndOpen) {
-  const OwnDesk desk;
-  { const GuiTrial gui = desk.open(); }
-  GuiTrial gui({}, {}, desk.home);
+  const DocumentFixture fixture;
+  { const GuiFixture gui = fixture.open(); }
+  GuiFixture gui({}, {}, fixture.home);
   gui.click({24.0, 18.0});  // File
   gui.frames(3);
-  EXPECT_NE(gui.words().find("Open recent"), std::string::npos) << gui.words();
+  EXPECT_NE(gui.text().find("Open recent"), std::string::npos) << gui.text();
   gui.key(Key::Escape);
   gui.key(letter('O'), control);
   gui.frames(2);
-  EXPECT_EQ(gui.app().panels().dialog.browser.folder, desk.folder);
-  EXPECT_NE(gui.words().find("net.json"), std::string::npos);
+  EXPECT_EQ(gui.app().panels().dialog.browser.folder, fixture.folder);
+  EXPECT_NE(gui.text().find("net.json"), std::string::npos);
 }
 
 TEST(Browser, ListsFoldersFirstAndOnlyReadableFormats) {
   const ScratchFolder scratch;
-  for (const char* name : {"b.json", "A.xsp", "c.txt", "d.ply", ".hidden.json"}) OwnDesk::write(scratch.folder / name, "");
+  for (const char* name : {"b.json", "A.xsp", "c.txt", "d.ply", ".hidden.json"}) DocumentFixture::write(scratch.folder / name, "");
   fs::create_directories(scratch.folder / "zoo");
   const auto wanted = [](const fs::path& file) { return file.extension() != ".txt"; };
   const FolderListing listing = list_folder(scratch.folder, wanted);
@@ -118,18 +118,18 @@ TEST(Browser, ListsFoldersFirstAndOnlyReadableFormats) {
 }
 
 TEST(Browser, EntersFoldersAndOpensByDoubleClick) {
-  const OwnDesk desk;
-  fs::create_directories(desk.folder / "inner");
-  save_scene(two_points(), desk.folder / "inner" / "deep.json");
-  GuiTrial gui = desk.open();
+  const DocumentFixture fixture;
+  fs::create_directories(fixture.folder / "inner");
+  save_scene(two_points(), fixture.folder / "inner" / "deep.json");
+  GuiFixture gui = fixture.open();
   gui.key(letter('O'), control);
   gui.frames(2);
   // a typed folder is shown, not opened
-  gui.type((desk.folder / "inner").string());
+  gui.type((fixture.folder / "inner").string());
   gui.key(Key::Enter);
   ASSERT_EQ(open_dialog(gui), Dialog::Kind::Open);
-  EXPECT_EQ(gui.app().panels().dialog.browser.folder, desk.folder / "inner");
-  EXPECT_NE(gui.words().find("deep.json"), std::string::npos);
+  EXPECT_EQ(gui.app().panels().dialog.browser.folder, fixture.folder / "inner");
+  EXPECT_NE(gui.text().find("deep.json"), std::string::npos);
   // a name is relative to it
   gui.frames(2);
   gui.type("deep");
@@ -140,7 +140,7 @@ TEST(Browser, EntersFoldersAndOpensByDoubleClick) {
 TEST(Paths, AreRelativeToTheFolderShown) {
   const ScratchFolder scratch;
   fs::create_directories(scratch.folder / "some.folder");
-  OwnDesk::write(scratch.folder / "bare", "");
+  DocumentFixture::write(scratch.folder / "bare", "");
   EXPECT_EQ(resolve_typed_path("net", scratch.folder), scratch.folder / "net.json");
   EXPECT_EQ(resolve_typed_path("../x.xsp", "/a/b"), "/a/x.xsp");
   EXPECT_EQ(resolve_typed_path("/a/net", "/b"), "/a/net.json");
@@ -154,8 +154,8 @@ struct FakeDialog {
   std::string path = std::getenv("PATH");
   FakeDialog(const char* name, const std::string& answer, int code) {
     const fs::path program = scratch.folder / name;
-    OwnDesk::write(program, "#!/bin/sh\nprintf '%s\\n' \"$@\" > '" + (scratch.folder / "called").string() + "'\necho '" + answer +
-                                "'\nexit " + std::to_string(code) + "\n");
+    DocumentFixture::write(program, "#!/bin/sh\nprintf '%s\\n' \"$@\" > '" + (scratch.folder / "called").string() + "'\necho '" + answer +
+                                        "'\nexit " + std::to_string(code) + "\n");
     ::chmod(program.c_str(), 0700);
     ::setenv("PATH", (scratch.folder.string() + ":" + path).c_str(), 1);
   }
@@ -164,9 +164,9 @@ struct FakeDialog {
 };
 
 TEST(DesktopDialog, ReturnsAFile) {
-  const OwnDesk desk;
-  const FakeDialog fake("zenity", desk.file.string(), 0);
-  GuiTrial gui({}, {}, desk.home);
+  const DocumentFixture fixture;
+  const FakeDialog fake("zenity", fixture.file.string(), 0);
+  GuiFixture gui({}, {}, fixture.home);
   gui.key(letter('O'), control);
   press_button(gui, "Open scene", "System dialog");
   EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
@@ -175,7 +175,7 @@ TEST(DesktopDialog, ReturnsAFile) {
 }
 
 TEST(DesktopDialog, IfCanceledChangesNothing) {
-  const OwnDesk desk;
+  const DocumentFixture fixture;
   const FakeDialog fake("zenity", "/somewhere.json", 1);
   SystemDialog dialog;
   ASSERT_TRUE(dialog.start(SystemDialog::Kind::Save, "/a; rm -rf $HOME.json"));
@@ -194,7 +194,7 @@ TEST(DesktopDialog, IfCanceledChangesNothing) {
 TEST(DesktopDialog, IsClosedTogetherWithItsOwner) {
   ScratchFolder scratch;
   const FakeDialog fake("zenity", "/x.json", 0);
-  OwnDesk::write(fake.scratch.folder / "zenity", "#!/bin/sh\nexec sleep 1000\n");
+  DocumentFixture::write(fake.scratch.folder / "zenity", "#!/bin/sh\nexec sleep 1000\n");
   SystemDialog dialog;
   ASSERT_TRUE(dialog.start(SystemDialog::Kind::Open, "/"));
   EXPECT_FALSE(dialog.take_answer());

@@ -6,9 +6,9 @@
 
 #include "app/document/session.h"
 #include "formats/scene_file.h"
+#include "support/document_fixture.h"
 #include "support/flat_scene.h"
-#include "support/gui_trial.h"
-#include "support/own_home.h"
+#include "support/gui_fixture.h"
 
 namespace hooke {
 namespace {
@@ -24,22 +24,22 @@ int copies_in(const Home& home) {
 }
 
 TEST(Recovery, OffersTheAutosaveOfAKilledRunBitForBit) {
-  const OwnDesk desk;
+  const DocumentFixture fixture;
   State state;
   {
-    GuiTrial gui = desk.open();
+    GuiFixture gui = fixture.open();
     gui.unnail(0);
     gui.key(Key::Period);
-    ASSERT_TRUE(wait_for(gui, [&] { return copies_in(desk.home) == 1; }));
+    ASSERT_TRUE(wait_for(gui, [&] { return copies_in(fixture.home) == 1; }));
     // without a regular exit, as if it were killed
     state = gui.status().snapshot->state;
   }
-  GuiTrial gui({}, {}, desk.home);
+  GuiFixture gui({}, {}, fixture.home);
   ASSERT_EQ(open_dialog(gui), Dialog::Kind::Recovery);
-  const std::string words = gui.words();
+  const std::string words = gui.text();
   EXPECT_NE(words.find("net, autosaved at "), std::string::npos) << words;
   press_button(gui, "Unsaved work found", "Later");
-  EXPECT_EQ(copies_in(desk.home), 1);
+  EXPECT_EQ(copies_in(fixture.home), 1);
 
   // the next start offers it again
   gui.app().panels().open_dialog(Dialog::Kind::Recovery);
@@ -52,20 +52,20 @@ TEST(Recovery, OffersTheAutosaveOfAKilledRunBitForBit) {
   EXPECT_EQ(gui.status().snapshot->state.velocity, state.velocity);
   EXPECT_EQ(gui.status().snapshot->state.time, state.time);
   // this run autosaves it now, until it is saved
-  EXPECT_EQ(copies_in(desk.home), 1);
+  EXPECT_EQ(copies_in(fixture.home), 1);
   gui.key(letter('S'), control);
-  EXPECT_EQ(copies_in(desk.home), 0);
-  EXPECT_FALSE(load_scene(desk.file).scene.system.points()[0].nailed);
+  EXPECT_EQ(copies_in(fixture.home), 0);
+  EXPECT_FALSE(load_scene(fixture.file).scene.system.points()[0].nailed);
 }
 
 TEST(Recovery, DiscardedWorkIsNotOfferedAgain) {
-  const OwnDesk desk;
+  const DocumentFixture fixture;
   {
-    GuiTrial gui = desk.open();
+    GuiFixture gui = fixture.open();
     gui.unnail(0);
-    ASSERT_TRUE(wait_for(gui, [&] { return copies_in(desk.home) == 1; }));
+    ASSERT_TRUE(wait_for(gui, [&] { return copies_in(fixture.home) == 1; }));
   }
-  GuiTrial gui({}, {}, desk.home);
+  GuiFixture gui({}, {}, fixture.home);
   gui.frames(2);
   ASSERT_EQ(open_dialog(gui), Dialog::Kind::Recovery);
   const ImGuiWindow* box = ImGui::FindWindowByName("Unsaved work found");
@@ -79,63 +79,63 @@ TEST(Recovery, DiscardedWorkIsNotOfferedAgain) {
       gui.move(at);
       if (ImGui::GetCurrentContext()->HoveredId != button) continue;
       gui.click(at);
-      deleted = copies_in(desk.home) == 0;
+      deleted = copies_in(fixture.home) == 0;
     }
   EXPECT_TRUE(deleted);
   gui.frames(3);
   EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
-  EXPECT_EQ(copies_in(desk.home), 0);
+  EXPECT_EQ(copies_in(fixture.home), 0);
 }
 
 TEST(Recovery, NoAutosaveIsKeptOfSavedOrDiscardedWork) {
-  const OwnDesk desk;
-  GuiTrial gui = desk.open();
+  const DocumentFixture fixture;
+  GuiFixture gui = fixture.open();
   gui.frames(5);
-  EXPECT_EQ(copies_in(desk.home), 0);
+  EXPECT_EQ(copies_in(fixture.home), 0);
   gui.unnail(0);
-  ASSERT_TRUE(wait_for(gui, [&] { return copies_in(desk.home) == 1; }));
+  ASSERT_TRUE(wait_for(gui, [&] { return copies_in(fixture.home) == 1; }));
   gui.key(letter('S'), control);
-  EXPECT_EQ(copies_in(desk.home), 0);
+  EXPECT_EQ(copies_in(fixture.home), 0);
   gui.key(letter('Z'), control);
-  ASSERT_TRUE(wait_for(gui, [&] { return copies_in(desk.home) == 1; }));
+  ASSERT_TRUE(wait_for(gui, [&] { return copies_in(fixture.home) == 1; }));
   gui.key(letter('Q'), control);
   gui.frames(2);
   press_button(gui, "Save changes?", "Discard");
   EXPECT_TRUE(gui.app().is_finished());
-  EXPECT_TRUE(fs::is_empty(desk.home.state / "runs") || copies_in(desk.home) == 0);
+  EXPECT_TRUE(fs::is_empty(fixture.home.state / "runs") || copies_in(fixture.home) == 0);
 }
 
 TEST(Recovery, AnUnreadableAutosaveIsReportedAndKept) {
-  const OwnDesk desk;
+  const DocumentFixture fixture;
   {
-    GuiTrial gui = desk.open();
+    GuiFixture gui = fixture.open();
     gui.unnail(0);
-    ASSERT_TRUE(wait_for(gui, [&] { return copies_in(desk.home) == 1; }));
+    ASSERT_TRUE(wait_for(gui, [&] { return copies_in(fixture.home) == 1; }));
   }
-  for (const fs::directory_entry& run : fs::directory_iterator(desk.home.state / "runs"))
-    if (run.is_directory()) OwnDesk::write(run.path() / "scene.json", "{\"hooke\": 1, ");
-  GuiTrial gui({}, {}, desk.home);
+  for (const fs::directory_entry& run : fs::directory_iterator(fixture.home.state / "runs"))
+    if (run.is_directory()) DocumentFixture::write(run.path() / "scene.json", "{\"hooke\": 1, ");
+  GuiFixture gui({}, {}, fixture.home);
   gui.key(Key::Enter);
   EXPECT_EQ(open_dialog(gui), Dialog::Kind::Message);
-  EXPECT_NE(gui.words().find("Cannot restore"), std::string::npos);
-  EXPECT_EQ(copies_in(desk.home), 1);
+  EXPECT_NE(gui.text().find("Cannot restore"), std::string::npos);
+  EXPECT_EQ(copies_in(fixture.home), 1);
 }
 
 TEST(Sessions, OfRunningWindowsAreNotOfferedForRecovery) {
-  const OwnDesk desk;
-  Session other(desk.home.state / "runs");
-  other.set_document(desk.file, "Net");
+  const DocumentFixture fixture;
+  Session other(fixture.home.state / "runs");
+  other.set_document(fixture.file, "Net");
   other.keep("{}");
   {
-    const Session session(desk.home.state / "runs");
-    EXPECT_TRUE(session.is_open_elsewhere(desk.file));
-    EXPECT_TRUE(session.is_open_elsewhere(desk.folder / "state" / ".." / "net.json"));
-    EXPECT_FALSE(session.is_open_elsewhere(desk.folder / "other.json"));
+    const Session session(fixture.home.state / "runs");
+    EXPECT_TRUE(session.is_open_elsewhere(fixture.file));
+    EXPECT_TRUE(session.is_open_elsewhere(fixture.folder / "state" / ".." / "net.json"));
+    EXPECT_FALSE(session.is_open_elsewhere(fixture.folder / "other.json"));
     EXPECT_TRUE(session.recoverable_scenes().empty());
   }
   other.end();
-  const Session session(desk.home.state / "runs");
-  EXPECT_FALSE(session.is_open_elsewhere(desk.file));
+  const Session session(fixture.home.state / "runs");
+  EXPECT_FALSE(session.is_open_elsewhere(fixture.file));
 }
 
 TEST(Sessions, WithoutAFolderKeepNothingAndContinue) {
@@ -151,37 +151,37 @@ TEST(Sessions, WithoutAFolderKeepNothingAndContinue) {
 }
 
 TEST(SecondInstance, OnTheSameFileIsReportedAndAsks) {
-  const OwnDesk desk;
-  Session other(desk.home.state / "runs");
-  other.set_document(desk.file, "Net");
+  const DocumentFixture fixture;
+  Session other(fixture.home.state / "runs");
+  other.set_document(fixture.file, "Net");
   {
-    GuiTrial gui = desk.open();
+    GuiFixture gui = fixture.open();
     ASSERT_EQ(open_dialog(gui), Dialog::Kind::Message);
-    EXPECT_NE(gui.words().find("net.json is open in another Hooke window"), std::string::npos);
+    EXPECT_NE(gui.text().find("net.json is open in another Hooke window"), std::string::npos);
     gui.key(Key::Escape);
     // a copy: saving asks for a name
     gui.key(letter('S'), control);
     EXPECT_EQ(open_dialog(gui), Dialog::Kind::Save);
   }
-  GuiTrial gui = desk.open();
+  GuiFixture gui = fixture.open();
   press_button(gui, "Message", "Open here too");
   gui.unnail(0);
   gui.key(letter('S'), control);
   EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
-  EXPECT_FALSE(load_scene(desk.file).scene.system.points()[0].nailed);
+  EXPECT_FALSE(load_scene(fixture.file).scene.system.points()[0].nailed);
 }
 
 TEST(ChangedFile, IsReportedAndReloadedOrKept) {
-  const OwnDesk desk;
-  GuiTrial gui = desk.open();
+  const DocumentFixture fixture;
+  GuiFixture gui = fixture.open();
   Scene larger = two_points();
   const PointId id = larger.system.new_point_id();
   larger.system.append_point({.id = id});
   larger.state.position.emplace_back(0.4, 0.4, 0.0);
   larger.state.velocity.emplace_back(0.0);
-  save_scene(larger, desk.file);
+  save_scene(larger, fixture.file);
   ASSERT_TRUE(wait_for(gui, [&] { return !gui.app().panels().file_notice.empty(); }));
-  EXPECT_NE(gui.words().find("net.json was changed by another program."), std::string::npos);
+  EXPECT_NE(gui.text().find("net.json was changed by another program."), std::string::npos);
   EXPECT_EQ(gui.system().point_count(), 2);
   press_button(gui, "file", "Reload");
   EXPECT_EQ(gui.system().point_count(), 3);
@@ -189,34 +189,34 @@ TEST(ChangedFile, IsReportedAndReloadedOrKept) {
 }
 
 TEST(ChangedFile, IsNotReplacedWithoutAsking) {
-  const OwnDesk desk;
-  GuiTrial gui = desk.open();
-  OwnDesk::write(desk.file, "changed elsewhere");
+  const DocumentFixture fixture;
+  GuiFixture gui = fixture.open();
+  DocumentFixture::write(fixture.file, "changed elsewhere");
   gui.unnail(0);
   gui.key(letter('S'), control);
   ASSERT_EQ(open_dialog(gui), Dialog::Kind::Message);
   gui.key(Key::Escape);
   EXPECT_EQ(gui.app().title(), "Hooke - net*");
   std::string text;
-  std::getline(std::ifstream(desk.file), text);
+  std::getline(std::ifstream(fixture.file), text);
   EXPECT_EQ(text, "changed elsewhere");
   gui.key(letter('S'), control);
   press_button(gui, "Message", "Replace");
   EXPECT_EQ(gui.app().title(), "Hooke - net");
-  EXPECT_EQ(load_scene(desk.file).scene.system.point_count(), 2);
+  EXPECT_EQ(load_scene(fixture.file).scene.system.point_count(), 2);
 }
 
 TEST(ChangedFile, ThatWasDeletedIsReportedAndCanBeWrittenAgain) {
-  const OwnDesk desk;
-  GuiTrial gui = desk.open();
-  fs::remove(desk.file);
+  const DocumentFixture fixture;
+  GuiFixture gui = fixture.open();
+  fs::remove(fixture.file);
   ASSERT_TRUE(wait_for(gui, [&] { return !gui.app().panels().file_notice.empty(); }));
-  EXPECT_NE(gui.words().find("net.json no longer exists"), std::string::npos);
+  EXPECT_NE(gui.text().find("net.json no longer exists"), std::string::npos);
   gui.key(letter('S'), control);
   EXPECT_EQ(open_dialog(gui), Dialog::Kind::None);
-  EXPECT_TRUE(fs::exists(desk.file));
+  EXPECT_TRUE(fs::exists(fixture.file));
   gui.frames(2);
-  EXPECT_EQ(gui.words().find("no longer exists"), std::string::npos);
+  EXPECT_EQ(gui.text().find("no longer exists"), std::string::npos);
 }
 
 }  // namespace

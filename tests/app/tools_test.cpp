@@ -6,21 +6,21 @@
 #include <glm/geometric.hpp>
 
 #include "formats/scene_file.h"
+#include "support/tool_fixture.h"
 #include "support/tool_scenes.h"
-#include "support/tool_trial.h"
 
 namespace hooke {
 namespace {
 
 TEST(AddTool, PutsAPointUnderTheCursorInThePlaneOfAFlatScene) {
-  ToolTrial trial(flat_scene({}));
-  trial.context.camera.orbit(0.5, 0.3);  // even in an oblique view
+  ToolFixture fixture(flat_scene({}));
+  fixture.context.camera.orbit(0.5, 0.3);  // even in an oblique view
   const auto tool = make_add_tool();
-  trial.click(*tool, b);
-  ASSERT_EQ(trial.system().point_count(), 1);
-  EXPECT_NEAR(distance(trial.position(0), b), 0.0, 1e-9);
-  EXPECT_EQ(trial.position(0).z, 0.0);
-  EXPECT_EQ(trial.system().points()[0].mass, trial.context.status->document->defaults.mass);
+  fixture.click(*tool, b);
+  ASSERT_EQ(fixture.system().point_count(), 1);
+  EXPECT_NEAR(distance(fixture.position(0), b), 0.0, 1e-9);
+  EXPECT_EQ(fixture.position(0).z, 0.0);
+  EXPECT_EQ(fixture.system().points()[0].mass, fixture.context.status->document->defaults.mass);
 }
 
 Scene deep_scene() {
@@ -32,38 +32,38 @@ Scene deep_scene() {
 }
 
 TEST(AddTool, In3DUsesThePlaneThroughTheTargetThatFacesTheViewer) {
-  ToolTrial trial(deep_scene());
-  trial.context.camera.orbit(0.6, 0.2);
+  ToolFixture fixture(deep_scene());
+  fixture.context.camera.orbit(0.6, 0.2);
   const auto tool = make_add_tool();
   const glm::dvec2 cursor(500.0, 120.0);  // above the horizon
-  tool->press({cursor, {}}, trial.context);
-  trial.settle();
-  const Vec3 place = trial.position(0);
-  EXPECT_NEAR(distance(Vec3(trial.seen(place), 0.0), Vec3(cursor, 0.0)), 0.0, 1e-6);
-  EXPECT_NEAR(glm::dot(place - trial.context.camera.target, trial.context.camera.back), 0.0, 1e-9);
+  tool->press({cursor, {}}, fixture.context);
+  fixture.settle();
+  const Vec3 place = fixture.position(0);
+  EXPECT_NEAR(distance(Vec3(fixture.seen(place), 0.0), Vec3(cursor, 0.0)), 0.0, 1e-6);
+  EXPECT_NEAR(glm::dot(place - fixture.context.camera.target, fixture.context.camera.back), 0.0, 1e-9);
 }
 
 TEST(AddTool, PlacesOnTheBallUnderTheCursor) {
-  ToolTrial trial(deep_scene());
+  ToolFixture fixture(deep_scene());
   const auto tool = make_add_tool();
-  trial.click(*tool, {0.1, 0.1, -2.0});  // behind the target plane
-  EXPECT_NEAR(distance(trial.position(0), {0.0, 0.0, -2.0}), 0.5 + 0.03, 1e-9);
+  fixture.click(*tool, {0.1, 0.1, -2.0});  // behind the target plane
+  EXPECT_NEAR(distance(fixture.position(0), {0.0, 0.0, -2.0}), 0.5 + 0.03, 1e-9);
 }
 
 TEST(AddTool, PlacesOnTheGroundOnlyInFrontOfTheTargetPlane) {
-  ToolTrial trial(deep_scene());
-  trial.context.camera.orbit(0.0, 0.5);
+  ToolFixture fixture(deep_scene());
+  fixture.context.camera.orbit(0.0, 0.5);
   const auto tool = make_add_tool();
-  trial.click(*tool, {0.6, -1.0, 1.0});
-  EXPECT_NEAR(trial.position(0).y, -1.0 + 0.03, 1e-9);
-  trial.click(*tool, {1.5, -1.0, -4.0});
-  EXPECT_GT(trial.position(1).y, -0.9);
+  fixture.click(*tool, {0.6, -1.0, 1.0});
+  EXPECT_NEAR(fixture.position(0).y, -1.0 + 0.03, 1e-9);
+  fixture.click(*tool, {1.5, -1.0, -4.0});
+  EXPECT_GT(fixture.position(1).y, -0.9);
 }
 
 TEST(AddTool, ShowsWhereThePointWillBe) {
-  ToolTrial trial(flat_scene({}));
+  ToolFixture fixture(flat_scene({}));
   Marks marks;
-  make_add_tool()->mark(trial.pointer(c), trial.context, marks);
+  make_add_tool()->mark(fixture.pointer(c), fixture.context, marks);
   ASSERT_TRUE(marks.ghost_point);
   EXPECT_NEAR(distance(*marks.ghost_point, c), 0.0, 1e-9);
 }
@@ -72,91 +72,91 @@ TEST(AttachTool, TwoClicksMakeASpringAtItsDrawnLength) {
   Scene scene = flat_scene({a, b});
   scene.defaults.stiffness = 7.0;
   scene.defaults.damping = 0.5;
-  ToolTrial trial(scene);
+  ToolFixture fixture(scene);
   const auto tool = make_attach_tool();
-  trial.click(*tool, a);
-  EXPECT_NE(tool->next_step(trial.context).find("next point"), std::string::npos);
-  trial.click(*tool, b);
-  ASSERT_EQ(trial.system().spring_count(), 1);
-  const Spring& spring = trial.system().springs()[0];
+  fixture.click(*tool, a);
+  EXPECT_NE(tool->next_step(fixture.context).find("next point"), std::string::npos);
+  fixture.click(*tool, b);
+  ASSERT_EQ(fixture.system().spring_count(), 1);
+  const Spring& spring = fixture.system().springs()[0];
   EXPECT_NEAR(spring.rest_length, distance(a, b), 1e-12);
   EXPECT_EQ(spring.stiffness, 7.0);
   EXPECT_EQ(spring.damping, 0.5);
   // and the chain goes on from there until Esc
-  EXPECT_NE(tool->next_step(trial.context).find("next point"), std::string::npos);
-  EXPECT_TRUE(tool->cancel(trial.context));
-  EXPECT_NE(tool->next_step(trial.context).find("first point"), std::string::npos);
+  EXPECT_NE(tool->next_step(fixture.context).find("next point"), std::string::npos);
+  EXPECT_TRUE(tool->cancel(fixture.context));
+  EXPECT_NE(tool->next_step(fixture.context).find("first point"), std::string::npos);
 }
 
 TEST(AttachTool, ADragFromPointToPointMakesASpringAndEndsThere) {
-  ToolTrial trial(flat_scene({a, b, c}));
+  ToolFixture fixture(flat_scene({a, b, c}));
   const auto tool = make_attach_tool();
-  trial.drag(*tool, a, b);
-  EXPECT_EQ(trial.system().spring_count(), 1);
-  trial.click(*tool, c);  // a first point again
-  EXPECT_EQ(trial.system().spring_count(), 1);
+  fixture.drag(*tool, a, b);
+  EXPECT_EQ(fixture.system().spring_count(), 1);
+  fixture.click(*tool, c);  // a first point again
+  EXPECT_EQ(fixture.system().spring_count(), 1);
 }
 
 TEST(AttachTool, ADragIntoEmptySpaceAddsAndAttachesTheNextPointInOneStep) {
   for (const auto& make : {make_attach_tool, make_add_tool}) {
-    ToolTrial trial(flat_scene({a, b}));
+    ToolFixture fixture(flat_scene({a, b}));
     const auto tool = make();
-    trial.drag(*tool, a, nowhere);
-    ASSERT_EQ(trial.system().point_count(), 3);
-    ASSERT_EQ(trial.system().spring_count(), 1);
-    EXPECT_NEAR(distance(trial.position(2), nowhere), 0.0, 1e-9);
-    EXPECT_NEAR(trial.system().springs()[0].rest_length, distance(a, nowhere), 1e-9);
-    trial.submit(Undo{});
-    EXPECT_EQ(trial.system().point_count(), 2);
-    EXPECT_EQ(trial.system().spring_count(), 0);
+    fixture.drag(*tool, a, nowhere);
+    ASSERT_EQ(fixture.system().point_count(), 3);
+    ASSERT_EQ(fixture.system().spring_count(), 1);
+    EXPECT_NEAR(distance(fixture.position(2), nowhere), 0.0, 1e-9);
+    EXPECT_NEAR(fixture.system().springs()[0].rest_length, distance(a, nowhere), 1e-9);
+    fixture.submit(Undo{});
+    EXPECT_EQ(fixture.system().point_count(), 2);
+    EXPECT_EQ(fixture.system().spring_count(), 0);
   }
 }
 
 TEST(AttachTool, PlainClicksContinueTheChainAndAddThePointsThatAreMissing) {
-  ToolTrial trial(flat_scene({a, b}));
+  ToolFixture fixture(flat_scene({a, b}));
   const auto tool = make_attach_tool();
-  trial.click(*tool, a);
-  trial.click(*tool, nowhere);
-  trial.click(*tool, c);
-  trial.click(*tool, b);
-  ASSERT_EQ(trial.system().point_count(), 4);
-  ASSERT_EQ(trial.system().spring_count(), 3);
-  for (Index s = 0; s + 1 < 3; ++s) EXPECT_EQ(trial.system().springs()[s].second, trial.system().springs()[s + 1].first);
-  EXPECT_TRUE(tool->cancel(trial.context));
+  fixture.click(*tool, a);
+  fixture.click(*tool, nowhere);
+  fixture.click(*tool, c);
+  fixture.click(*tool, b);
+  ASSERT_EQ(fixture.system().point_count(), 4);
+  ASSERT_EQ(fixture.system().spring_count(), 3);
+  for (Index s = 0; s + 1 < 3; ++s) EXPECT_EQ(fixture.system().springs()[s].second, fixture.system().springs()[s + 1].first);
+  EXPECT_TRUE(tool->cancel(fixture.context));
 }
 
 TEST(AttachTool, TheSamePointTwiceOrEscEndsTheChain) {
-  ToolTrial trial(flat_scene({a, b}));
+  ToolFixture fixture(flat_scene({a, b}));
   const auto tool = make_attach_tool();
-  trial.click(*tool, nowhere);  // no point to begin with
-  EXPECT_FALSE(tool->cancel(trial.context));
-  trial.click(*tool, a);
-  trial.click(*tool, a);
-  EXPECT_FALSE(tool->cancel(trial.context));
-  trial.click(*tool, a);
-  EXPECT_TRUE(tool->cancel(trial.context));
-  trial.click(*tool, b);
-  EXPECT_EQ(trial.system().spring_count(), 0);
-  EXPECT_EQ(trial.system().point_count(), 2);
+  fixture.click(*tool, nowhere);  // no point to begin with
+  EXPECT_FALSE(tool->cancel(fixture.context));
+  fixture.click(*tool, a);
+  fixture.click(*tool, a);
+  EXPECT_FALSE(tool->cancel(fixture.context));
+  fixture.click(*tool, a);
+  EXPECT_TRUE(tool->cancel(fixture.context));
+  fixture.click(*tool, b);
+  EXPECT_EQ(fixture.system().spring_count(), 0);
+  EXPECT_EQ(fixture.system().point_count(), 2);
 }
 
 TEST(BuildingTools, SnapToTheDrawnGridWithCtrl) {
-  ToolTrial trial(flat_scene({a}));
-  const double spacing = grid_spacing(trial.context.camera);
-  Pointer pointer = trial.pointer({0.237, -0.118, 0.0});
+  ToolFixture fixture(flat_scene({a}));
+  const double spacing = grid_spacing(fixture.context.camera);
+  Pointer pointer = fixture.pointer({0.237, -0.118, 0.0});
   pointer.modifiers.control = true;
   const auto add = make_add_tool(), attach = make_attach_tool();
-  add->press(pointer, trial.context);
-  trial.settle();
-  const Vec3 place = trial.position(1);
+  add->press(pointer, fixture.context);
+  fixture.settle();
+  const Vec3 place = fixture.position(1);
   EXPECT_NEAR(std::remainder(place.x, spacing), 0.0, 1e-12);
   EXPECT_NEAR(std::remainder(place.y, spacing), 0.0, 1e-12);
   EXPECT_LT(distance(place, {0.237, -0.118, 0.0}), spacing);
   EXPECT_NE(place, Vec3(0.237, -0.118, 0.0));
   Marks marks;
-  trial.click(*attach, a);
-  pointer.at = trial.seen({0.52, 0.31, 0.0});
-  attach->mark(pointer, trial.context, marks);
+  fixture.click(*attach, a);
+  pointer.at = fixture.seen({0.52, 0.31, 0.0});
+  attach->mark(pointer, fixture.context, marks);
   ASSERT_TRUE(marks.ghost_spring);
   EXPECT_NEAR(std::remainder(marks.ghost_spring->second.x, spacing), 0.0, 1e-12);
 }
@@ -199,51 +199,51 @@ TEST(NewScenes, HaveDefaultsWithWhichATrussStands) {
 }
 
 TEST(AttachTool, SurvivesDeletionOfItsFirstPoint) {
-  ToolTrial trial(flat_scene({a, b}));
+  ToolFixture fixture(flat_scene({a, b}));
   const auto tool = make_attach_tool();
-  trial.click(*tool, a);
-  trial.lab.submit(Remove{.points = {trial.system().points()[0].id}});
-  trial.settle();
+  fixture.click(*tool, a);
+  fixture.lab.submit(Remove{.points = {fixture.system().points()[0].id}});
+  fixture.settle();
   Marks marks;
-  tool->mark(trial.pointer(b), trial.context, marks);
-  trial.click(*tool, b);
-  EXPECT_EQ(trial.system().spring_count(), 0);
+  tool->mark(fixture.pointer(b), fixture.context, marks);
+  fixture.click(*tool, b);
+  EXPECT_EQ(fixture.system().spring_count(), 0);
 }
 
 TEST(NailTool, NailsAndReleasesThePointUnderTheCursorDuringARun) {
-  ToolTrial trial(flat_scene({a, b}));
-  trial.submit(SetRunning{true});
+  ToolFixture fixture(flat_scene({a, b}));
+  fixture.submit(SetRunning{true});
   const auto tool = make_nail_tool();
-  trial.click(*tool, b);
-  EXPECT_FALSE(trial.system().points()[0].nailed);
-  EXPECT_TRUE(trial.system().points()[1].nailed);
-  trial.click(*tool, b);
-  EXPECT_FALSE(trial.system().points()[1].nailed);
+  fixture.click(*tool, b);
+  EXPECT_FALSE(fixture.system().points()[0].nailed);
+  EXPECT_TRUE(fixture.system().points()[1].nailed);
+  fixture.click(*tool, b);
+  EXPECT_FALSE(fixture.system().points()[1].nailed);
 }
 
 TEST(DeleteTool, DeletesAPointWithItsSpringsOrASingleSpring) {
-  ToolTrial trial(flat_scene({a, b, c}));
+  ToolFixture fixture(flat_scene({a, b, c}));
   const auto attach = make_attach_tool(), tool = make_delete_tool();
-  trial.drag(*attach, a, b);
-  trial.drag(*attach, b, c);
-  trial.click(*tool, 0.5 * (a + b));
-  EXPECT_EQ(trial.system().spring_count(), 1);
-  EXPECT_EQ(trial.system().point_count(), 3);
-  trial.click(*tool, c);
-  EXPECT_EQ(trial.system().spring_count(), 0);
-  EXPECT_EQ(trial.system().point_count(), 2);
+  fixture.drag(*attach, a, b);
+  fixture.drag(*attach, b, c);
+  fixture.click(*tool, 0.5 * (a + b));
+  EXPECT_EQ(fixture.system().spring_count(), 1);
+  EXPECT_EQ(fixture.system().point_count(), 3);
+  fixture.click(*tool, c);
+  EXPECT_EQ(fixture.system().spring_count(), 0);
+  EXPECT_EQ(fixture.system().point_count(), 2);
 }
 
 TEST(CutTool, CutsTheSpringsItIsDraggedAcrossAsOneStep) {
-  ToolTrial trial(flat_scene({a, b, c}));
+  ToolFixture fixture(flat_scene({a, b, c}));
   const auto attach = make_attach_tool(), tool = make_cut_tool();
-  trial.drag(*attach, a, b);
-  trial.drag(*attach, a, c);
-  trial.drag(*attach, b, c);
-  trial.drag(*tool, {-0.25, 0.6, 0.0}, {-0.15, -0.7, 0.0});
-  EXPECT_EQ(trial.system().spring_count(), 1);
-  trial.submit(Undo{});
-  EXPECT_EQ(trial.system().spring_count(), 3);
+  fixture.drag(*attach, a, b);
+  fixture.drag(*attach, a, c);
+  fixture.drag(*attach, b, c);
+  fixture.drag(*tool, {-0.25, 0.6, 0.0}, {-0.15, -0.7, 0.0});
+  EXPECT_EQ(fixture.system().spring_count(), 1);
+  fixture.submit(Undo{});
+  EXPECT_EQ(fixture.system().spring_count(), 3);
 }
 
 TEST(CutTool, RemovesTheFacesAlongCutSpringsDuringARun) {
@@ -251,25 +251,25 @@ TEST(CutTool, RemovesTheFacesAlongCutSpringsDuringARun) {
     "down": [0, -0.8, 0], "points": [5, 5], "stiffness": 100, "nail": ["border"]}]})",
                             "test")
                     .scene;
-  ToolTrial trial(scene);
-  trial.submit(SetRunning{true});
+  ToolFixture fixture(scene);
+  fixture.submit(SetRunning{true});
   const auto tool = make_cut_tool();
-  trial.press(*tool, {-0.12, 0.7, 0.0});
-  trial.follow(*tool, {-0.12, 0.1, 0.0});
+  fixture.press(*tool, {-0.12, 0.7, 0.0});
+  fixture.follow(*tool, {-0.12, 0.1, 0.0});
   EXPECT_EQ(tool->stroke().size(), 2u);
-  trial.release(*tool, {-0.12, -0.05, 0.0});
+  fixture.release(*tool, {-0.12, -0.05, 0.0});
   EXPECT_TRUE(tool->stroke().empty());
   // down through the second column of cells to the center: three rows of springs across, and the diagonals of the cells between
-  EXPECT_EQ(scene.system.spring_count() - trial.system().spring_count(), 3 + 4);
-  EXPECT_EQ(trial.system().faces.size(), scene.system.faces.size() - 5);
-  trial.submit(Undo{});
-  EXPECT_EQ(trial.system(), scene.system);
+  EXPECT_EQ(scene.system.spring_count() - fixture.system().spring_count(), 3 + 4);
+  EXPECT_EQ(fixture.system().faces.size(), scene.system.faces.size() - 5);
+  fixture.submit(Undo{});
+  EXPECT_EQ(fixture.system(), scene.system);
 }
 
 TEST(Tools, EachDescribesItsNextStepAndIsInTheTableOnce) {
-  ToolTrial trial(flat_scene({a}));
+  ToolFixture fixture(flat_scene({a}));
   for (const ToolRow& row : tools()) {
-    EXPECT_FALSE(row.make()->next_step(trial.context).empty()) << shortcut_of(row.action).text;
+    EXPECT_FALSE(row.make()->next_step(fixture.context).empty()) << shortcut_of(row.action).text;
     EXPECT_EQ(std::ranges::count(tools(), row.action, &ToolRow::action), 1);
   }
 }

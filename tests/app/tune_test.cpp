@@ -6,8 +6,8 @@
 #include "app/tools/tune.h"
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
+#include "support/tool_fixture.h"
 #include "support/tool_scenes.h"
-#include "support/tool_trial.h"
 
 namespace hooke {
 namespace {
@@ -15,89 +15,89 @@ namespace {
 // The effect of the arrow keys.
 
 Scene sprung_scene(std::initializer_list<double> stiffnesses) {
-  Trial trial;
-  std::vector<PointId> points = {trial.add(Vec3(0.0))};
+  TestSim sim;
+  std::vector<PointId> points = {sim.add(Vec3(0.0))};
   for (const double k : stiffnesses) {
-    points.push_back(trial.add({0.1 * static_cast<double>(points.size()), 0.0, 0.0}));
-    trial.join(points[points.size() - 2], points.back(), k, 0.1);
+    points.push_back(sim.add({0.1 * static_cast<double>(points.size()), 0.0, 0.0}));
+    sim.join(points[points.size() - 2], points.back(), k, 0.1);
   }
   Scene scene;
-  scene.system = trial.system;
-  scene.state = trial.state;
+  scene.system = sim.system;
+  scene.state = sim.state;
   return scene;
 }
 
-void submit_all(ToolTrial& trial, const Tuning& tuning) {
-  const Gesture gesture = trial.context.begin_gesture();
-  for (const Command& command : tuning.commands) trial.lab.submit(command, gesture);
-  trial.settle();
+void submit_all(ToolFixture& fixture, const Tuning& tuning) {
+  const Gesture gesture = fixture.context.begin_gesture();
+  for (const Command& command : tuning.commands) fixture.lab.submit(command, gesture);
+  fixture.settle();
 }
 
 TEST(Tune, StiffnessScalesEverySpringByATenthAsOneStepAndLeavesNewOnes) {
-  ToolTrial trial(sprung_scene({100.0, 40.0}));
-  const Tuning tuning = tune_stiffness(*trial.context.status, {}, +1);
+  ToolFixture fixture(sprung_scene({100.0, 40.0}));
+  const Tuning tuning = tune_stiffness(*fixture.context.status, {}, +1);
   EXPECT_EQ(tuning.message, "k = 44 to 110 N/m (all springs)");
-  submit_all(trial, tuning);
-  EXPECT_DOUBLE_EQ(trial.system().springs()[0].stiffness, 110.0);
-  EXPECT_DOUBLE_EQ(trial.system().springs()[1].stiffness, 44.0);
-  EXPECT_EQ(trial.context.status->document->defaults.stiffness, 100.0);
-  trial.submit(Undo{});
-  EXPECT_EQ(trial.system().springs()[0].stiffness, 100.0);
-  EXPECT_EQ(trial.system().springs()[1].stiffness, 40.0);
+  submit_all(fixture, tuning);
+  EXPECT_DOUBLE_EQ(fixture.system().springs()[0].stiffness, 110.0);
+  EXPECT_DOUBLE_EQ(fixture.system().springs()[1].stiffness, 44.0);
+  EXPECT_EQ(fixture.context.status->document->defaults.stiffness, 100.0);
+  fixture.submit(Undo{});
+  EXPECT_EQ(fixture.system().springs()[0].stiffness, 100.0);
+  EXPECT_EQ(fixture.system().springs()[1].stiffness, 40.0);
 }
 
 TEST(Tune, StiffnessKeepsTheRatioOfDifferentValuesAtTheEndsOfTheRange) {
-  ToolTrial trial(sprung_scene({2e5, 1e5}));
-  const auto ratio = [&] { return trial.system().springs()[0].stiffness / trial.system().springs()[1].stiffness; };
-  for (int i = 0; i < 40; ++i) submit_all(trial, tune_stiffness(*trial.context.status, {}, +1));
-  EXPECT_NEAR(trial.system().springs()[0].stiffness, 1e6, 1e-3);
+  ToolFixture fixture(sprung_scene({2e5, 1e5}));
+  const auto ratio = [&] { return fixture.system().springs()[0].stiffness / fixture.system().springs()[1].stiffness; };
+  for (int i = 0; i < 40; ++i) submit_all(fixture, tune_stiffness(*fixture.context.status, {}, +1));
+  EXPECT_NEAR(fixture.system().springs()[0].stiffness, 1e6, 1e-3);
   EXPECT_NEAR(ratio(), 2.0, 1e-9);
-  for (int i = 0; i < 250; ++i) submit_all(trial, tune_stiffness(*trial.context.status, {}, -1));
-  EXPECT_NEAR(trial.system().springs()[1].stiffness, 0.01, 1e-9);
+  for (int i = 0; i < 250; ++i) submit_all(fixture, tune_stiffness(*fixture.context.status, {}, -1));
+  EXPECT_NEAR(fixture.system().springs()[1].stiffness, 0.01, 1e-9);
   EXPECT_NEAR(ratio(), 2.0, 1e-9);
 }
 
 TEST(Tune, StiffnessOfASelectionLeavesOtherSpringsUnchanged) {
-  ToolTrial trial(sprung_scene({100.0, 40.0}));
-  submit_all(trial, tune_stiffness(*trial.context.status, {{}, {trial.system().springs()[1].id}}, -1));
-  EXPECT_EQ(trial.system().springs()[0].stiffness, 100.0);
-  EXPECT_DOUBLE_EQ(trial.system().springs()[1].stiffness, 40.0 / 1.1);
-  EXPECT_EQ(trial.context.status->document->defaults.stiffness, 100.0);
+  ToolFixture fixture(sprung_scene({100.0, 40.0}));
+  submit_all(fixture, tune_stiffness(*fixture.context.status, {{}, {fixture.system().springs()[1].id}}, -1));
+  EXPECT_EQ(fixture.system().springs()[0].stiffness, 100.0);
+  EXPECT_DOUBLE_EQ(fixture.system().springs()[1].stiffness, 40.0 / 1.1);
+  EXPECT_EQ(fixture.context.status->document->defaults.stiffness, 100.0);
 }
 
 TEST(Tune, StiffnessFollowsTheStepsAndLimitsOfTheScene) {
   Scene scene = sprung_scene({});
   scene.controls = {0.1, 10.0, 0.1};
   scene.defaults.stiffness = 9.9;
-  ToolTrial trial(scene);
+  ToolFixture fixture(scene);
   for (const double expected : {10.0, 10.0}) {
-    submit_all(trial, tune_stiffness(*trial.context.status, {}, +1));
-    EXPECT_DOUBLE_EQ(trial.context.status->document->defaults.stiffness, expected);
+    submit_all(fixture, tune_stiffness(*fixture.context.status, {}, +1));
+    EXPECT_DOUBLE_EQ(fixture.context.status->document->defaults.stiffness, expected);
   }
-  for (int i = 0; i < 120; ++i) submit_all(trial, tune_stiffness(*trial.context.status, {}, -1));
-  EXPECT_DOUBLE_EQ(trial.context.status->document->defaults.stiffness, 0.1);
+  for (int i = 0; i < 120; ++i) submit_all(fixture, tune_stiffness(*fixture.context.status, {}, -1));
+  EXPECT_DOUBLE_EQ(fixture.context.status->document->defaults.stiffness, 0.1);
 }
 
 TEST(Tune, SubstepsChangeByFivesFromOneToAThousand) {
-  ToolTrial trial(sprung_scene({}));
-  const auto substeps = [&] { return trial.context.snapshot().settings.substeps; };
+  ToolFixture fixture(sprung_scene({}));
+  const auto substeps = [&] { return fixture.context.snapshot().settings.substeps; };
   const auto set = [&](double value) {
-    trial.lab.submit(SetParameter{find_parameter("substeps"), value});
-    trial.settle();
+    fixture.lab.submit(SetParameter{find_parameter("substeps"), value});
+    fixture.settle();
   };
   set(1);
-  submit_all(trial, tune_substeps(*trial.context.status, +1));
+  submit_all(fixture, tune_substeps(*fixture.context.status, +1));
   EXPECT_EQ(substeps(), 5);
-  submit_all(trial, tune_substeps(*trial.context.status, +1));
+  submit_all(fixture, tune_substeps(*fixture.context.status, +1));
   EXPECT_EQ(substeps(), 10);
   set(7);
-  submit_all(trial, tune_substeps(*trial.context.status, -1));
+  submit_all(fixture, tune_substeps(*fixture.context.status, -1));
   EXPECT_EQ(substeps(), 5);
-  submit_all(trial, tune_substeps(*trial.context.status, -1));
+  submit_all(fixture, tune_substeps(*fixture.context.status, -1));
   EXPECT_EQ(substeps(), 1);
   set(998);
-  const Tuning tuning = tune_substeps(*trial.context.status, +1);
-  submit_all(trial, tuning);
+  const Tuning tuning = tune_substeps(*fixture.context.status, +1);
+  submit_all(fixture, tuning);
   EXPECT_EQ(substeps(), 1000);
   EXPECT_EQ(tuning.message, "1000 substeps per frame");
 }

@@ -6,7 +6,7 @@
 
 #include "draw/camera.h"
 #include "draw/camera_text.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -168,18 +168,18 @@ TEST(Camera, ComputesTheMetersPerPixel) {
   }
 }
 
-Trial scattered(int dimensions) {
-  Trial trial;
-  trial.system.dimensions = dimensions;
-  trial.add({-3.0, 1.0, 0.0});
-  trial.add({2.0, 4.0, dimensions == 3 ? 5.0 : 0.0});
-  trial.add({0.0, -2.0, 0.0});
-  return trial;
+TestSim scattered(int dimensions) {
+  TestSim sim;
+  sim.system.dimensions = dimensions;
+  sim.add({-3.0, 1.0, 0.0});
+  sim.add({2.0, 4.0, dimensions == 3 ? 5.0 : 0.0});
+  sim.add({0.0, -2.0, 0.0});
+  return sim;
 }
 
-void expect_all_seen(const Camera& camera, const Trial& trial, const glm::dvec2& picture) {
+void expect_all_seen(const Camera& camera, const TestSim& sim, const glm::dvec2& picture) {
   glm::dvec2 min(1e9), max(-1e9);
-  for (const Vec3& place : trial.state.position) {
+  for (const Vec3& place : sim.state.position) {
     const Vec3 seen = camera.project(place, picture);
     min = glm::min(min, glm::dvec2(seen.x, seen.y));
     max = glm::max(max, glm::dvec2(seen.x, seen.y));
@@ -196,68 +196,68 @@ void expect_all_seen(const Camera& camera, const Trial& trial, const glm::dvec2&
 TEST(Camera, FramesTheWholeScene) {
   for (const int dimensions : {2, 3})
     for (const glm::dvec2 picture : {glm::dvec2(1280, 720), glm::dvec2(300, 900)}) {
-      const Trial trial = scattered(dimensions);
-      const Camera camera = make_camera({}, trial.system, trial.state, picture.x / picture.y);
+      const TestSim sim = scattered(dimensions);
+      const Camera camera = make_camera({}, sim.system, sim.state, picture.x / picture.y);
       EXPECT_EQ(camera.orthographic, dimensions == 2);
-      expect_all_seen(camera, trial, picture);
+      expect_all_seen(camera, sim, picture);
     }
 }
 
 TEST(Camera, FramesWithoutRotating) {
-  const Trial trial = scattered(3);
+  const TestSim sim = scattered(3);
   for (Camera camera : cameras()) {
     const Vec3 back = camera.back;
-    frame_scene(camera, trial.system, trial.state, size.x / size.y);
+    frame_scene(camera, sim.system, sim.state, size.x / size.y);
     EXPECT_EQ(camera.back, back);
-    expect_all_seen(camera, trial, size);
+    expect_all_seen(camera, sim, size);
   }
 }
 
 TEST(Camera, FramesEmptySinglePointAndNonFiniteScenes) {
-  Trial trial;
+  TestSim sim;
   for (int i = 0; i < 3; ++i) {
-    const Camera camera = make_camera({}, trial.system, trial.state, 1.0);
+    const Camera camera = make_camera({}, sim.system, sim.state, 1.0);
     EXPECT_TRUE(std::isfinite(camera.distance));
     EXPECT_GT(camera.distance, 0.0);
     EXPECT_TRUE(std::isfinite(glm::length(camera.target)));
-    trial.add(i == 0 ? Vec3(1.0, 2.0, 3.0) : Vec3(std::nan("")));
+    sim.add(i == 0 ? Vec3(1.0, 2.0, 3.0) : Vec3(std::nan("")));
   }
 }
 
 TEST(Camera, FramesTheWholePathOfACollider) {
-  Trial trial;
-  trial.add(Vec3(0.0));
-  trial.system.colliders = {{.shape = Sphere{{0.0, 0.0, 0.0}, 0.2}, .path = {.amplitude = {3.0, 0.0, 0.0}, .frequency = 0.5}}};
-  Camera home = make_camera({}, trial.system, trial.state, size.x / size.y);
+  TestSim sim;
+  sim.add(Vec3(0.0));
+  sim.system.colliders = {{.shape = Sphere{{0.0, 0.0, 0.0}, 0.2}, .path = {.amplitude = {3.0, 0.0, 0.0}, .frequency = 0.5}}};
+  Camera home = make_camera({}, sim.system, sim.state, size.x / size.y);
   for (int i = 0; i < 2; ++i) {
     for (const double x : {-3.2, 3.2}) {
       const Vec3 seen = home.project({x, 0.0, 0.0}, size);
       EXPECT_GT(seen.x, 0.0) << x;
       EXPECT_LT(seen.x, size.x) << x;
     }
-    frame_scene(home, trial.system, trial.state, size.x / size.y);
+    frame_scene(home, sim.system, sim.state, size.x / size.y);
   }
 
   // a collider displaced from its initial position is shown there
-  trial.system.colliders[0].path = {.amplitude = {0.0, 5.0, 0.0}, .frequency = 0.0, .phase = 1.5707963267948966};
-  const Camera still = make_camera({}, trial.system, trial.state, size.x / size.y);
+  sim.system.colliders[0].path = {.amplitude = {0.0, 5.0, 0.0}, .frequency = 0.0, .phase = 1.5707963267948966};
+  const Camera still = make_camera({}, sim.system, sim.state, size.x / size.y);
   EXPECT_GT(still.project({0.0, 5.2, 0.0}, size).y, 0.0);
 }
 
 TEST(Camera, FollowsByTheSmallestNecessaryMove) {
-  Trial trial = scattered(3);
-  Camera camera = make_camera({}, trial.system, trial.state, size.x / size.y);
+  TestSim sim = scattered(3);
+  Camera camera = make_camera({}, sim.system, sim.state, size.x / size.y);
   const auto move_all = [&](const Vec3& displacement) {
-    for (Vec3& place : trial.state.position) place += displacement;
+    for (Vec3& place : sim.state.position) place += displacement;
   };
   const Vec3 before = camera.target;
   move_all({1e3, 0.0, 0.0});
-  follow_scene(camera, trial.state);
+  follow_scene(camera, sim.state);
   EXPECT_EQ(camera.target, before);  // following is off
 
   camera.follows = true;
-  follow_scene(camera, trial.state);
-  const auto middle = [&] { return (trial.state.position[0] + trial.state.position[1] + trial.state.position[2]) / 3.0; };
+  follow_scene(camera, sim.state);
+  const auto middle = [&] { return (sim.state.position[0] + sim.state.position[1] + sim.state.position[2]) / 3.0; };
   const Vec3 seen = camera.project(middle(), size), there = camera.target;
   EXPECT_NEAR(seen.x, 0.5 * size.x + 0.3 * size.y, 1.0);  // the point moved to the right, and is shown there
   EXPECT_GT(seen.y, 0.19 * size.y);
@@ -265,16 +265,16 @@ TEST(Camera, FollowsByTheSmallestNecessaryMove) {
 
   // the camera does not move while the point is in the middle of the picture
   move_all(0.5 * (camera.target - middle()));
-  follow_scene(camera, trial.state);
+  follow_scene(camera, sim.state);
   EXPECT_NEAR(glm::distance(camera.target, there), 0.0, 1e-9);
 
-  trial.state.position[0] = Vec3(std::nan(""));
-  follow_scene(camera, trial.state);
+  sim.state.position[0] = Vec3(std::nan(""));
+  follow_scene(camera, sim.state);
   EXPECT_TRUE(std::isfinite(glm::length(camera.target)));
 }
 
 TEST(Camera, LeavesSpaceForTheExpectedSag) {
-  Trial rope;
+  TestSim rope;
   rope.nail({0.0, 0.0, 0.0});
   rope.add({1.0, 0.0, 0.0});
   const Camera camera = make_camera({}, rope.system, rope.state, size.x / size.y);
@@ -283,9 +283,9 @@ TEST(Camera, LeavesSpaceForTheExpectedSag) {
 }
 
 TEST(Camera, StartsAtTheViewpointOfTheScene) {
-  const Trial trial = scattered(3);
+  const TestSim sim = scattered(3);
   const CameraPose pose{.eye = {1.0, 2.0, 5.0}, .target = {1.0, 0.0, 1.0}, .up = Vec3(0.0, 0.0, 1.0), .orthographic = true};
-  const Camera camera = make_camera({.camera = pose}, trial.system, trial.state, 1.5);
+  const Camera camera = make_camera({.camera = pose}, sim.system, sim.state, 1.5);
   expect_near(camera.eye(), pose.eye, 1e-12);
   expect_near(camera.target, pose.target, 1e-12);
   EXPECT_TRUE(camera.orthographic);
@@ -298,9 +298,9 @@ TEST(Camera, StartsAtTheViewpointOfTheScene) {
 }
 
 TEST(Camera, UpIsAgainstGravity) {
-  Trial trial = scattered(3);
-  trial.system.gravity = {0.0, 0.0, -9.81};
-  const Camera camera = make_camera({}, trial.system, trial.state, 1.5);
+  TestSim sim = scattered(3);
+  sim.system.gravity = {0.0, 0.0, -9.81};
+  const Camera camera = make_camera({}, sim.system, sim.state, 1.5);
   EXPECT_GT(camera.up.z, 0.9);
   EXPECT_GT(camera.back.z, 0.0);
 }

@@ -84,8 +84,8 @@ TEST(SoftShadowMap, IgnoresNonFiniteAndDistantTriangles) {
 }
 
 // A horizontal sheet of side 1 m at `height` above the plane y = 0.
-Trial sheet_over_floor(double height) {
-  Trial scene;
+TestSim sheet_over_floor(double height) {
+  TestSim scene;
   for (const Vec3& corner : {Vec3(-0.5, 0.0, -0.5), Vec3(-0.5, 0.0, 0.5), Vec3(0.5, 0.0, 0.5), Vec3(0.5, 0.0, -0.5)})
     scene.add(corner + Vec3(0.0, height, 0.0));
   scene.system.faces = {{{PointId{0}, PointId{1}, PointId{2}}}, {{PointId{0}, PointId{2}, PointId{3}}}};
@@ -102,7 +102,7 @@ constexpr int width = 480, height = 300;
 int brightness(const Color& color) { return color.red + color.green + color.blue; }
 
 // The reduction in brightness by shadows at a position, in percent.
-int shade_at(const Trial& scene, const Vec3& place, ViewOptions options = {}, const Vec3& eye = aside) {
+int shade_at(const TestSim& scene, const Vec3& place, ViewOptions options = {}, const Vec3& eye = aside) {
   options.grid = false;
   const Camera camera = camera_from(eye);
   const int with = brightness(at(draw(scene, {}, camera, options, width, height), camera, place));
@@ -131,7 +131,7 @@ TEST(Shadow, IsDrawnWithAndWithoutMultisampling) {
 }
 
 TEST(Shadow, IsCastOnlyByVisibleItems) {
-  Trial net = sheet_over_floor(0.15);
+  TestSim net = sheet_over_floor(0.15);
   net.join(PointId{1}, PointId{2}, 100.0, 1.0);
   for (Index i = 0; i < 4; ++i) net.system.point(i).radius = 0.06;
   const Vec3 under_spring(0.1, 0.0, 0.5), under_point(0.5, 0.0, 0.5), under_sheet(0.0, 0.0, 0.42);
@@ -146,7 +146,7 @@ TEST(Shadow, IsCastOnlyByVisibleItems) {
 }
 
 TEST(Shadow, OfABallFallsOnTheFloorAndOfASheetOnTheBall) {
-  Trial scene = sheet_over_floor(1.1);
+  TestSim scene = sheet_over_floor(1.1);
   scene.system.colliders.push_back({.shape = Sphere{{0.0, 0.5, 0.0}, 0.4}});
   const Vec3 on_ball = Vec3(0.0, 0.5, 0.0) + 0.4 * glm::normalize(Vec3(0.0, 0.8, 1.0));
   EXPECT_GT(shade_at(scene, on_ball), 10);
@@ -156,7 +156,7 @@ TEST(Shadow, OfABallFallsOnTheFloorAndOfASheetOnTheBall) {
 }
 
 TEST(Shadow, FallsOnTheTopOfABoxAndEndsAtItsEdge) {
-  Trial scene = sheet_over_floor(0.5);
+  TestSim scene = sheet_over_floor(0.5);
   scene.system.colliders = {{.shape = Box{{-0.5, -1.0, -1.0}, {0.1, 0.0, 1.0}}}};
   EXPECT_GT(shade_at(scene, {-0.2, 0.0, 0.3}), 15);
   EXPECT_EQ(shade_at(scene, {0.3, 0.0, 0.3}), 0);  // in the air
@@ -164,10 +164,10 @@ TEST(Shadow, FallsOnTheTopOfABoxAndEndsAtItsEdge) {
 
 TEST(Shadow, IsAbsentWhereNothingIsNear) {
   const Camera camera = camera_from(aside);
-  const auto both = [&](const Trial& scene) {
+  const auto both = [&](const TestSim& scene) {
     return std::pair(draw(scene, {}, camera, {}, width, height).pixels, draw(scene, {}, camera, {.shadows = false}, width, height).pixels);
   };
-  Trial scene = sheet_over_floor(60.0);
+  TestSim scene = sheet_over_floor(60.0);
   const auto far = both(scene);
   EXPECT_TRUE(far.first == far.second);
 
@@ -182,11 +182,11 @@ TEST(Shadow, IsAbsentWhereNothingIsNear) {
 }
 
 TEST(Shadow, IsUnaffectedByPointsAtNonFinitePositions) {
-  Trial scene = sheet_over_floor(0.4);
+  TestSim scene = sheet_over_floor(0.4);
   const Camera camera = camera_from(aside);
   const Image valid = draw(scene, {}, camera, {}, width, height);
   for (const double nowhere : {std::nan(""), std::numeric_limits<double>::infinity(), 1e300}) {
-    Trial broken = scene;
+    TestSim broken = scene;
     broken.add(Vec3(nowhere));
     EXPECT_LE(difference(draw(broken, {}, camera, {}, width, height), valid), 0.0005) << nowhere;
   }

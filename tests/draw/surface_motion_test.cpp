@@ -13,7 +13,7 @@ constexpr double quarter = 0.25;  // [s], a quarter of a period at one revolutio
 Collider spinning(const Vec3& axis) { return {.shape = Sphere{Vec3(0.0), 0.8}, .path = {.spin = 2.0 * std::numbers::pi * axis}}; }
 
 Image picture_at(const Collider& collider, double time, int dimensions = 3) {
-  Trial scene;
+  TestSim scene;
   scene.system.dimensions = dimensions;
   scene.system.colliders = {collider};
   scene.state.time = time;
@@ -36,7 +36,7 @@ TEST(SurfaceMotion, ASpinningBallChangesInThePicture) {
 // Features drawn at an angle about the axis move by the rotation angle of the ball, in the direction of rotation.
 TEST(SurfaceMotion, ABallRotatesInTheDirectionOfItsSpin) {
   const auto shade_at = [](double time, double angle) {
-    Trial scene;
+    TestSim scene;
     scene.system.colliders = {spinning({0.0, 1.0, 0.0})};
     scene.state.time = time;
     const Camera camera = make_camera({.camera = CameraPose{.eye = {0.0, 3.0, 0.01}, .target = Vec3(0.0), .up = Vec3(0.0, 0.0, -1.0)}},

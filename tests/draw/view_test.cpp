@@ -16,8 +16,8 @@ constexpr Color background{32, 36, 40};
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 // A wavy net of 6 x 6 points, nailed at two corners, with faces.
-Trial wavy_net(const Vec3& origin = Vec3(0.0)) {
-  Trial net;
+TestSim wavy_net(const Vec3& origin = Vec3(0.0)) {
+  TestSim net;
   std::vector<PointId> ids;
   constexpr int n = 6;
   for (int i = 0; i < n; ++i)
@@ -39,8 +39,8 @@ Trial wavy_net(const Vec3& origin = Vec3(0.0)) {
 }
 
 // Every kind of item that is drawn, in 3-D.
-Trial spatial_scene() {
-  Trial scene = wavy_net();
+TestSim spatial_scene() {
+  TestSim scene = wavy_net();
   scene.system.colliders = {{Plane{{0.0, -0.8, 0.0}, {0.0, 1.0, 0.0}}},
                             {Sphere{{0.7, -0.5, 0.4}, 0.3}},
                             {Box{{-1.0, -0.8, 0.2}, {-0.7, -0.5, 0.5}}},
@@ -49,8 +49,8 @@ Trial spatial_scene() {
   return scene;
 }
 
-Trial flat_scene() {
-  Trial scene;
+TestSim flat_scene() {
+  TestSim scene;
   scene.system.dimensions = 2;
   const PointId pink = scene.nail({0.0, 0.5, 0.0}), yellow = scene.add({0.5, 0.5, 0.0}), plain = scene.add({-0.4, 0.1, 0.0});
   scene.system.point(0).color = Color{255, 105, 180};
@@ -66,7 +66,7 @@ Trial flat_scene() {
   return scene;
 }
 
-Marks marks_on(const Trial& scene) {
+Marks marks_on(const TestSim& scene) {
   const auto& points = scene.system.points();
   return {.selected_points = {points[1].id, points[0].id},
           .selected_springs = {scene.system.springs()[0].id},
@@ -76,7 +76,7 @@ Marks marks_on(const Trial& scene) {
           .ghost_spring = std::pair(scene.state.position[2], Vec3(0.2, -0.2, 0.0))};
 }
 
-Camera camera_on(const Trial& scene, double aspect) { return make_camera({}, scene.system, scene.state, aspect); }
+Camera camera_on(const TestSim& scene, double aspect) { return make_camera({}, scene.system, scene.state, aspect); }
 
 // A picture must equal the golden picture. One that does not is written to the working folder of the test.
 void expect_golden(const Image& image, const std::string& name) {
@@ -86,22 +86,22 @@ void expect_golden(const Image& image, const std::string& name) {
 }
 
 TEST(Picture, OfA3DSceneMatchesTheGoldenPicture) {
-  const Trial scene = spatial_scene();
+  const TestSim scene = spatial_scene();
   expect_golden(draw(scene, marks_on(scene), camera_on(scene, 1.6), {}, 480, 300), "spatial.png");
 }
 
 TEST(Picture, OfAFlatSceneMatchesTheGoldenPicture) {
-  const Trial scene = flat_scene();
+  const TestSim scene = flat_scene();
   expect_golden(draw(scene, marks_on(scene), camera_on(scene, 1.6), {}, 480, 300), "flat.png");
 }
 
 TEST(Picture, OnALightBackgroundMatchesTheGoldenPicture) {
-  const Trial scene = flat_scene();
+  const TestSim scene = flat_scene();
   expect_golden(draw(scene, marks_on(scene), camera_on(scene, 1.6), {.background = {250, 250, 250}}, 480, 300), "light.png");
 }
 
 TEST(Picture, OfAnEmptySceneIsTheBackground) {
-  const Trial empty;
+  const TestSim empty;
   const Image image = draw(empty, {}, camera_on(empty, 1.0), {.grid = false}, 16, 16);
   ASSERT_EQ(image.pixels.size(), 3u * 16 * 16);
   for (int y = 0; y < 16; ++y)
@@ -109,7 +109,7 @@ TEST(Picture, OfAnEmptySceneIsTheBackground) {
 }
 
 TEST(Picture, CanHaveAnySizeFromOnePixelTo4096) {
-  const Trial scene = spatial_scene();
+  const TestSim scene = spatial_scene();
   for (const auto& [width, height] : {std::pair(1, 1), std::pair(4096, 1), std::pair(3, 700), std::pair(4096, 4096)}) {
     const Image image = draw(scene, marks_on(scene), camera_on(scene, double(width) / height), {}, width, height);
     EXPECT_EQ(image.width, width);
@@ -120,7 +120,7 @@ TEST(Picture, CanHaveAnySizeFromOnePixelTo4096) {
 
 TEST(Picture, IsTheSameFarFromTheOrigin) {
   const Vec3 far(1e5, 2e5, -1e5);
-  const Trial here = wavy_net(), there = wavy_net(far);
+  const TestSim here = wavy_net(), there = wavy_net(far);
   const Camera near_camera = camera_on(here, 1.6);
   Camera far_camera = near_camera;
   far_camera.target += far;
@@ -132,7 +132,7 @@ TEST(Picture, IsTheSameFarFromTheOrigin) {
 
 TEST(Picture, KeepsTheGroundFarFromTheOrigin) {
   const Vec3 far(1e5, 0.0, -2e5);
-  Trial here = wavy_net(), there = wavy_net(far);
+  TestSim here = wavy_net(), there = wavy_net(far);
   here.system.colliders = {{Plane{{0.0, -0.8, 0.0}, {0.0, 1.0, 0.0}}}};
   there.system.colliders = here.system.colliders;
   const Camera near_camera = camera_on(here, 1.6);
@@ -145,8 +145,8 @@ TEST(Picture, KeepsTheGroundFarFromTheOrigin) {
 TEST(Picture, IgnoresPointsAtNonFinitePositions) {
   const double places[] = {not_a_number, std::numeric_limits<double>::infinity(), -1e300, 1e40};
   for (const double nowhere : places) {
-    const Trial valid = wavy_net();
-    Trial broken = wavy_net();
+    const TestSim valid = wavy_net();
+    TestSim broken = wavy_net();
     const PointId lost = broken.add({nowhere, nowhere, 0.0});
     broken.system.faces.push_back({{lost, PointId{0}, PointId{1}}});
     Marks marks{.selected_points = {lost}, .hovered_point = lost, .ghost_point = Vec3(nowhere)};
@@ -162,7 +162,7 @@ TEST(Picture, IgnoresPointsAtNonFinitePositions) {
 }
 
 TEST(Picture, IsUnaffectedByAViewFromInside) {
-  const Trial scene = spatial_scene();
+  const TestSim scene = spatial_scene();
   for (const double distance : {0.01, 0.3, 1.0}) {
     Camera camera = camera_on(scene, 1.6);
     camera.distance = distance;
@@ -174,8 +174,8 @@ TEST(Picture, IsUnaffectedByAViewFromInside) {
 bool is_red(const Color& color) { return color.red > 150 && color.green < 110 && color.blue < 110; }
 bool is_yellow(const Color& color) { return color.red > 150 && color.green > 110 && color.blue < 110; }
 
-Trial two_points() {
-  Trial scene;
+TestSim two_points() {
+  TestSim scene;
   scene.system.dimensions = 2;
   scene.nail({-0.5, 0.0, 0.0});
   scene.add({0.5, 0.0, 0.0});
@@ -184,7 +184,7 @@ Trial two_points() {
 }
 
 TEST(Picture, ShowsNailsAsYellowSquares) {
-  const Trial scene = two_points();
+  const TestSim scene = two_points();
   const Camera camera = camera_on(scene, 1.6);
   const Image image = draw(scene, {}, camera, {.grid = false}, 480, 300);
   EXPECT_TRUE(is_yellow(at(image, camera, {-0.5, 0.0, 0.0})));
@@ -194,7 +194,7 @@ TEST(Picture, ShowsNailsAsYellowSquares) {
 }
 
 TEST(Picture, ShowsTheColorOfANailedPointInsideTheYellowSquare) {
-  Trial scene = two_points();
+  TestSim scene = two_points();
   scene.system.point(0).color = Color{0, 0, 255};
   const Camera camera = camera_on(scene, 1.6);
   const Color seen = at(draw(scene, {}, camera, {}, 480, 300), camera, {-0.5, 0.0, 0.0});
@@ -203,7 +203,7 @@ TEST(Picture, ShowsTheColorOfANailedPointInsideTheYellowSquare) {
 }
 
 TEST(Picture, ShowsSelectedPointsInRed) {
-  const Trial scene = two_points();
+  const TestSim scene = two_points();
   const Camera camera = camera_on(scene, 1.6);
   const Image image = draw(scene, {.selected_points = {PointId{0}, PointId{1}}}, camera, {}, 480, 300);
   EXPECT_TRUE(is_red(at(image, camera, {0.5, 0.0, 0.0})));
@@ -217,7 +217,7 @@ TEST(Picture, ShowsSelectedPointsInRed) {
 
 TEST(Picture, ShowsStrainInBlueAndOrange) {
   for (const double rest : {0.5, 2.0}) {
-    Trial scene = two_points();
+    TestSim scene = two_points();
     scene.join(PointId{0}, PointId{1}, 100.0, rest);
     const Camera camera = camera_on(scene, 1.6);
     const Color seen = at(draw(scene, {}, camera, {.grid = false}, 480, 300), camera, Vec3(0.0));
@@ -227,7 +227,7 @@ TEST(Picture, ShowsStrainInBlueAndOrange) {
 }
 
 TEST(Picture, DrawsSpringsAtTheLineWidthOfTheScreenScale) {
-  Trial scene = two_points();
+  TestSim scene = two_points();
   scene.join(PointId{0}, PointId{1}, 100.0, 1.0);
   const Camera camera = camera_on(scene, 1.6);
   for (const double scale : {1.0, 2.0, 4.0}) {
@@ -243,7 +243,7 @@ TEST(Picture, DrawsSpringsEquallyWideAtAnySlopeWithAndWithoutMultisampling) {
     for (const double scale : {1.0, 2.0})
       for (const double degrees : {0.0, 9.0, 30.0, 45.0, 77.0, 90.0}) {
         const double angle = degrees * 3.14159265358979 / 180.0;
-        Trial scene;
+        TestSim scene;
         scene.system.dimensions = 2;
         const Vec3 half = 0.4 * Vec3(std::cos(angle), std::sin(angle), 0.0);
         scene.join(scene.add(-half), scene.add(half), 100.0, 0.8);
@@ -267,7 +267,7 @@ TEST(Picture, DrawsSpringsEquallyWideAtAnySlopeWithAndWithoutMultisampling) {
 // A near spring over a far one along almost the same line, in both orders: no gap of background between them.
 TEST(Picture, BlendsTheEdgeOfANearSpringWithTheFarOne) {
   const auto picture = [](bool near_first) {
-    Trial scene;
+    TestSim scene;
     const auto add = [&](double z, double rise) {
       const PointId a = scene.add({-0.5, -rise, z});
       scene.join(a, scene.add({0.5, rise, z}), 100.0, std::hypot(1.0, 2.0 * rise));
@@ -281,7 +281,7 @@ TEST(Picture, BlendsTheEdgeOfANearSpringWithTheFarOne) {
 }
 
 TEST(Picture, AntialiasesPolygonsByMultisampling) {
-  Trial scene;
+  TestSim scene;
   for (const Vec3& corner : {Vec3(-0.5, -0.4, 0.0), Vec3(0.6, -0.2, 0.0), Vec3(0.0, 0.5, 0.0)}) scene.add(corner);
   scene.system.faces = {{{PointId{0}, PointId{1}, PointId{2}}}};
   const auto count_shades = [&](int samples) {
@@ -294,7 +294,7 @@ TEST(Picture, AntialiasesPolygonsByMultisampling) {
 }
 
 TEST(Picture, OmitsWhatIsSwitchedOff) {
-  const Trial scene = spatial_scene();
+  const TestSim scene = spatial_scene();
   const ViewOptions nothing{.points = false, .springs = false, .surface = false, .colliders = false, .grid = false};
   const Image image = draw(scene, {}, camera_on(scene, 1.6), nothing, 160, 100);
   for (int y = 0; y < 100; ++y)
@@ -302,7 +302,7 @@ TEST(Picture, OmitsWhatIsSwitchedOff) {
 }
 
 TEST(Picture, IsDrawnIntoItsRectangleOfTheFramebuffer) {
-  const Trial scene = two_points();
+  const TestSim scene = two_points();
   const Camera camera = camera_on(scene, 1.6);
   ViewOptions options{.grid = false};
   const Image alone = draw(scene, {}, camera, options, 160, 100);
@@ -322,7 +322,7 @@ TEST(Picture, HasThePanelsOnTop) {
   ImGui::NewFrame();
   ImGui::GetForegroundDrawList()->AddRectFilled({10, 4}, {30, 20}, IM_COL32(255, 0, 0, 255));
   ImGui::Render();
-  const Trial empty;
+  const TestSim empty;
   view.draw(snapshot_of(empty), {}, camera_on(empty, 2.0), {.grid = false}, 64, 32, ImGui::GetDrawData());
   const Image image = view.read();
   ImGui::DestroyContext();
@@ -333,7 +333,7 @@ TEST(Picture, HasThePanelsOnTop) {
 }
 
 TEST(Picture, CanBeWrittenAsPngAndReadBack) {
-  const Trial scene = flat_scene();
+  const TestSim scene = flat_scene();
   const Image image = draw(scene, {}, camera_on(scene, 1.6), {}, 160, 100);
   write_png(image, "written.png");
   const Image again = read_png("written.png");

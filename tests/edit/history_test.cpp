@@ -6,17 +6,17 @@
 #include "lab/lab.h"
 #include "scene/parameters.h"
 #include "support/apply_now.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
 
 Scene row_of(int points) {
-  Trial trial;
-  for (int i = 0; i < points; ++i) trial.add({0.1 * i, 0.0, 0.0});
+  TestSim sim;
+  for (int i = 0; i < points; ++i) sim.add({0.1 * i, 0.0, 0.0});
   Scene scene;
-  scene.system = trial.system;
-  scene.state = trial.state;
+  scene.system = sim.system;
+  scene.state = sim.state;
   return scene;
 }
 

@@ -143,10 +143,10 @@ class Hostile {
 // The finite numbers of a scene file, whatever was done.
 TEST(HostileCommands, NeverMakeASceneThatCannotBeReadAgain) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const Trial trial = random_trial(seed, 6, 8, seed % 3 == 0 ? 2 : 3, 1.0);
+    const TestSim sim = random_sim(seed, 6, 8, seed % 3 == 0 ? 2 : 3, 1.0);
     Scene scene;
-    scene.system = trial.system;
-    scene.state = trial.state;
+    scene.system = sim.system;
+    scene.state = sim.state;
     Hostile hostile(seed);
     for (int i = 0; i < 60; ++i) {
       const Command command = hostile.command(scene);
@@ -164,10 +164,10 @@ TEST(HostileCommands, NeverMakeASceneThatCannotBeReadAgain) {
 }
 
 TEST(HostileCommands, ChangeNothingWhereTheyAreRefused) {
-  const Trial trial = random_trial(1, 6, 8);
+  const TestSim sim = random_sim(1, 6, 8);
   Scene scene;
-  scene.system = trial.system;
-  scene.state = trial.state;
+  scene.system = sim.system;
+  scene.state = sim.state;
   scene.system.colliders = {{.shape = Sphere{{0.0, -2.0, 0.0}, 0.5}}};
   const System before = scene.system;
   const auto expect_refused = [&](const Command& command) {

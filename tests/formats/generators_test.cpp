@@ -8,7 +8,7 @@
 #include "formats/scene_file.h"
 #include "sim/integrator.h"
 #include "support/parse_text.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -80,12 +80,12 @@ TEST(Generators, AMaterialClothSagsByHalfItsWeightOverItsStiffnessAtEveryResolut
     const Scene scene = parse(generated(R"({"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0], "density": 1.3,
         "stiffness": 200, "shear_stiffness": 0, "nail": ["top"], "points": [)" +
                                         std::to_string(n) + ", " + std::to_string(n) + "]}"));
-    Trial trial{scene.system, scene.state};
-    trial.system.drag = 5.0;
-    trial.run(*find_integrator("baraff_witkin"), 20.0, 400);
+    TestSim sim{scene.system, scene.state};
+    sim.system.drag = 5.0;
+    sim.run(*find_integrator("baraff_witkin"), 20.0, 400);
     for (int column = 0; column < n; ++column) {
       const Vec3 lowest(column / (n - 1.0), -1.0 - 1.3 * 9.81 / (2.0 * 200.0), 0.0);
-      EXPECT_LT(glm::distance(trial.state.position[(n - 1) * n + column], lowest), 1e-11) << "N = " << n;
+      EXPECT_LT(glm::distance(sim.state.position[(n - 1) * n + column], lowest), 1e-11) << "N = " << n;
     }
   }
 }

@@ -14,10 +14,10 @@
 namespace hooke {
 namespace {
 
-Scene scene_of(const Trial& trial, const Settings& settings) {
+Scene scene_of(const TestSim& sim, const Settings& settings) {
   Scene scene;
-  scene.system = trial.system;
-  scene.state = trial.state;
+  scene.system = sim.system;
+  scene.state = sim.state;
   scene.settings = settings;
   return scene;
 }
@@ -35,9 +35,9 @@ INSTANTIATE_TEST_SUITE_P(Methods, MeasuredAccuracy, testing::ValuesIn(every_meth
 TEST_P(MeasuredAccuracy, TheAccumulatedErrorIsTheDistanceToTheExactRun) {
   for (const AccuracyScene& row : accuracy_scenes()) {
     if (row.has_contact) continue;
-    const Trial trial = row.make();
-    Lab lab = measured_lab(scene_of(trial, accuracy_settings(method(), trial.system)));
-    Lab exact(scene_of(trial, {.integrator = find_integrator("dop853"), .substeps = 4, .tolerance = 1e-13}), KeepStart::No);
+    const TestSim sim = row.make();
+    Lab lab = measured_lab(scene_of(sim, accuracy_settings(method(), sim.system)));
+    Lab exact(scene_of(sim, {.integrator = find_integrator("dop853"), .substeps = 4, .tolerance = 1e-13}), KeepStart::No);
     bool diverged = false;
     for (int frame = 0; frame < 60 && !diverged; ++frame) {
       diverged = !lab.step();
@@ -61,8 +61,8 @@ TEST_P(MeasuredAccuracy, TheAccumulatedErrorIsTheDistanceToTheExactRun) {
 
 TEST_P(MeasuredAccuracy, TheEnergyBalanceSumsToTheChange) {
   for (const AccuracyScene& row : accuracy_scenes()) {
-    const Trial trial = row.make();
-    Lab lab = measured_lab(scene_of(trial, accuracy_settings(method(), trial.system)), AccuracyMode::Frame);
+    const TestSim sim = row.make();
+    Lab lab = measured_lab(scene_of(sim, accuracy_settings(method(), sim.system)), AccuracyMode::Frame);
     const double start = compute_energy(lab.scene().system, lab.scene().state).total();
     double largest = std::abs(start);
     for (int frame = 0; frame < 30; ++frame) {
@@ -80,8 +80,8 @@ TEST_P(MeasuredAccuracy, TheEnergyBalanceSumsToTheChange) {
 // The same states with the meter and without it
 TEST_P(MeasuredAccuracy, MeasuringDoesNotChangeTheRun) {
   for (const AccuracyScene& row : accuracy_scenes()) {
-    const Trial trial = row.make();
-    const Scene scene = scene_of(trial, accuracy_settings(method(), trial.system));
+    const TestSim sim = row.make();
+    const Scene scene = scene_of(sim, accuracy_settings(method(), sim.system));
     Lab measured = measured_lab(scene), plain(scene, KeepStart::No);
     for (int frame = 0; frame < 10; ++frame) {
       measured.step();
@@ -94,22 +94,22 @@ TEST_P(MeasuredAccuracy, MeasuringDoesNotChangeTheRun) {
 }
 
 // A chain of links from a nail, started level or in any other direction [rad].
-Trial pendulum(int links, double angle, double speed = 0.0) {
-  Trial trial;
+TestSim pendulum(int links, double angle, double speed = 0.0) {
+  TestSim sim;
   const Vec3 along(std::cos(angle), std::sin(angle), 0.0), across(-along.y, along.x, 0.0);
-  PointId last = trial.nail(Vec3(0.0));
+  PointId last = sim.nail(Vec3(0.0));
   for (int i = 1; i <= links; ++i) {
-    const PointId next = trial.add(0.5 * i * along, 1.0, speed * i * across);
-    trial.join(last, next, 1e4, 0.5);
+    const PointId next = sim.add(0.5 * i * along, 1.0, speed * i * across);
+    sim.join(last, next, 1e4, 0.5);
     last = next;
   }
-  return trial;
+  return sim;
 }
 
 // The rate of growth that is measured within 4 s [1/s].
-double growth_rate_of(const Trial& trial) {
+double growth_rate_of(const TestSim& sim) {
   const Integrator& verlet = default_integrator();
-  Lab lab = measured_lab(scene_of(trial, accuracy_settings(verlet, trial.system)));
+  Lab lab = measured_lab(scene_of(sim, accuracy_settings(verlet, sim.system)));
   double rate = 0.0;
   for (int frame = 0; frame < 240; ++frame) {
     EXPECT_TRUE(lab.step());
@@ -119,7 +119,7 @@ double growth_rate_of(const Trial& trial) {
 }
 
 TEST(Predictability, TenOfTenChaoticScenesAreRecognized) {
-  const std::vector<std::pair<const char*, Trial>> scenes{
+  const std::vector<std::pair<const char*, TestSim>> scenes{
       {"double pendulum", pendulum(2, 1.5)},
       {"drum without tension", accuracy_scene::drum()},
       {"triple pendulum", pendulum(3, 0.4)},
@@ -131,16 +131,16 @@ TEST(Predictability, TenOfTenChaoticScenesAreRecognized) {
       {"cloth", cloth(8)},
       {"cloth moved by a hand", accuracy_scene::held()},
   };
-  for (const auto& [name, trial] : scenes) EXPECT_GT(growth_rate_of(trial), 0.5) << name;
+  for (const auto& [name, sim] : scenes) EXPECT_GT(growth_rate_of(sim), 0.5) << name;
 }
 
 TEST(Predictability, TenOfTenRegularScenesAreRecognized) {
-  Trial orbit;  // two masses on a spring that turn about each other
+  TestSim orbit;  // two masses on a spring that turn about each other
   orbit.system.gravity = Vec3(0.0);
   orbit.join(orbit.add({-0.5, 0.0, 0.0}, 1.0, {0.0, 1.0, 0.0}), orbit.add({0.5, 0.0, 0.0}, 1.0, {0.0, -1.0, 0.0}), 100.0, 0.9);
-  Trial fall;
+  TestSim fall;
   fall.join(fall.add(Vec3(0.0)), fall.add({1.0, 0.0, 0.0}, 2.0), 50.0, 0.8);
-  const std::vector<std::pair<const char*, Trial>> scenes{
+  const std::vector<std::pair<const char*, TestSim>> scenes{
       {"net", net(8, 1e2, 0.0)},
       {"stiff net", net(8, 1e4, 0.0)},
       {"damped net", net(8, 1e3, 0.5)},
@@ -152,14 +152,14 @@ TEST(Predictability, TenOfTenRegularScenesAreRecognized) {
       {"orbit", orbit},
       {"fall", fall},
   };
-  for (const auto& [name, trial] : scenes) EXPECT_EQ(growth_rate_of(trial), 0.0) << name;
+  for (const auto& [name, sim] : scenes) EXPECT_EQ(growth_rate_of(sim), 0.0) << name;
 }
 
 // Implicit Euler damps: the balance separates what it loses from what drag takes.
 TEST(EnergyAccounts, TheLossOfTheMethodIsToldFromThatOfTheScene) {
-  Trial trial = net(8, 1e2, 0.0);
-  trial.system.drag = 1.0;
-  Lab lab = measured_lab(scene_of(trial, {.integrator = find_integrator("implicit_euler"), .substeps = 4}), AccuracyMode::Frame);
+  TestSim sim = net(8, 1e2, 0.0);
+  sim.system.drag = 1.0;
+  Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("implicit_euler"), .substeps = 4}), AccuracyMode::Frame);
   double by_drag = 0.0, power = 0.0;
   for (int frame = 0; frame < 60; ++frame) {
     ASSERT_TRUE(lab.step());
@@ -175,9 +175,9 @@ TEST(EnergyAccounts, TheLossOfTheMethodIsToldFromThatOfTheScene) {
 
 // The shares are not evaluated in every frame.
 TEST(EnergyAccounts, DragAndDashpotsAreToldApart) {
-  Trial trial = net(8, 1e2, 0.5);
-  trial.system.drag = 1.0;
-  Lab lab = measured_lab(scene_of(trial, {.integrator = find_integrator("velocity_verlet"), .substeps = 8}), AccuracyMode::Frame);
+  TestSim sim = net(8, 1e2, 0.5);
+  sim.system.drag = 1.0;
+  Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("velocity_verlet"), .substeps = 8}), AccuracyMode::Frame);
   double by_drag = 0.0, power = 0.0;
   for (int frame = 0; frame < 120; ++frame) {
     ASSERT_TRUE(lab.step());
@@ -191,8 +191,8 @@ TEST(EnergyAccounts, DragAndDashpotsAreToldApart) {
 }
 
 TEST(AccuracyMeter, AfterAnEditItSaysThatItWaits) {
-  const Trial trial = net(8, 1e2, 0.0);
-  Lab lab = measured_lab(scene_of(trial, {}));
+  const TestSim sim = net(8, 1e2, 0.0);
+  Lab lab = measured_lab(scene_of(sim, {}));
   lab.apply_pending();
   EXPECT_EQ(lab.accuracy().frame.reason, "no frame has been computed yet");
   for (int frame = 0; frame < 5; ++frame) lab.step();
@@ -209,10 +209,10 @@ TEST(AccuracyMeter, AfterAnEditItSaysThatItWaits) {
 
 // The order says what half the error costs, and half the error is what that gives.
 TEST(AccuracyMeter, HalfTheErrorCostsWhatItSays) {
-  const Trial trial = net(8, 1e2, 0.0);
+  const TestSim sim = net(8, 1e2, 0.0);
   for (const char* id : {"velocity_verlet", "implicit_euler", "tr_bdf2", "runge_kutta4"}) {
     const auto error_with = [&](int substeps, int& half) {
-      Lab lab = measured_lab(scene_of(trial, {.integrator = find_integrator(id), .substeps = substeps}), AccuracyMode::Frame);
+      Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator(id), .substeps = substeps}), AccuracyMode::Frame);
       for (int frame = 0; frame < 25; ++frame) lab.step();
       half = lab.accuracy().half_error_substeps;
       EXPECT_NEAR(lab.accuracy().half_error_cost, static_cast<double>(half) / substeps, 1e-12);

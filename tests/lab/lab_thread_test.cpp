@@ -8,7 +8,7 @@
 
 #include "scene/parameters.h"
 #include "sim/hash.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -17,13 +17,13 @@ using namespace std::chrono_literals;
 
 // A rope of `count` points that hangs from its first point.
 Scene rope(int count) {
-  Trial trial;
+  TestSim sim;
   std::vector<PointId> points;
-  for (int i = 0; i < count; ++i) points.push_back(i == 0 ? trial.nail(Vec3(0.0)) : trial.add({0.01 * i, 0.0, 0.0}, 0.01));
-  for (int i = 1; i < count; ++i) trial.join(points[i - 1], points[i], 1000.0, 0.01);
+  for (int i = 0; i < count; ++i) points.push_back(i == 0 ? sim.nail(Vec3(0.0)) : sim.add({0.01 * i, 0.0, 0.0}, 0.01));
+  for (int i = 1; i < count; ++i) sim.join(points[i - 1], points[i], 1000.0, 0.01);
   Scene scene;
-  scene.system = trial.system;
-  scene.state = trial.state;
+  scene.system = sim.system;
+  scene.state = sim.state;
   return scene;
 }
 

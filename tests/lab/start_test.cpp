@@ -15,17 +15,17 @@ const Parameter& row(std::string_view name) { return *find_parameter(name); }
 
 // A pendulum of two springs of different stiffness, and a floor.
 Scene pendulum() {
-  Trial trial;
-  const PointId nail = trial.nail({0.0, 0.5, 0.0}), middle = trial.add({0.2, 0.3, 0.0}), bob = trial.add({0.4, 0.1, 0.0});
-  trial.join(nail, middle, 242.0, 0.3);
-  trial.join(middle, bob, 125.0, 0.3);
-  Scene scene = flat_scene("Pendulum", trial);
+  TestSim sim;
+  const PointId nail = sim.nail({0.0, 0.5, 0.0}), middle = sim.add({0.2, 0.3, 0.0}), bob = sim.add({0.4, 0.1, 0.0});
+  sim.join(nail, middle, 242.0, 0.3);
+  sim.join(middle, bob, 125.0, 0.3);
+  Scene scene = flat_scene("Pendulum", sim);
   scene.system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}}};
   return scene;
 }
 
-struct LabTrial {
-  explicit LabTrial(Scene scene = pendulum()) : start(scene), lab(std::move(scene)) {}
+struct StartFixture {
+  explicit StartFixture(Scene scene = pendulum()) : start(scene), lab(std::move(scene)) {}
 
   template <class Request>
   void ask(Request request, Gesture gesture = 0) {
@@ -53,7 +53,7 @@ struct LabTrial {
 };
 
 TEST(BackToStart, RestoresTheStateAndKeepsTheParametersTunedDuringTheRun) {
-  LabTrial run;
+  StartFixture run;
   run.frames(10);
   run.edit(SetParameter{&row("stiffness"), 300.0});
   run.edit(SetParameter{&row("substeps"), 77.0});
@@ -74,7 +74,7 @@ TEST(BackToStart, RestoresTheStateAndKeepsTheParametersTunedDuringTheRun) {
 }
 
 TEST(BackToStart, RunsToTheSameBitsAgain) {
-  LabTrial run;
+  StartFixture run;
   run.frames(30);
   const std::uint64_t first = hash_state(run.state());
   run.ask(GoToStart{});
@@ -83,7 +83,7 @@ TEST(BackToStart, RunsToTheSameBitsAgain) {
 }
 
 TEST(BackToStart, KeepsWhatWasBuiltDuringTheRunWhereItWasPut) {
-  LabTrial run;
+  StartFixture run;
   run.frames(10);
   const PointId added = run.lab.new_point_id();
   run.edit(Insert{.points = {{.point = {.id = added}, .position = {-0.4, 0.2, 0.0}}}});
@@ -100,7 +100,7 @@ TEST(BackToStart, KeepsWhatWasBuiltDuringTheRunWhereItWasPut) {
 }
 
 TEST(BackToStart, BringsBackWhatTheHandChangedInTheRun) {
-  LabTrial run;
+  StartFixture run;
   run.frames(5);
   run.ask(ReleaseNails{});
   run.edit(GrabCollider{{0, {0.0, -0.8, 0.0}}});
@@ -121,7 +121,7 @@ TEST(BackToStart, BringsBackWhatTheHandChangedInTheRun) {
 }
 
 TEST(BackToStart, KeepsWhatIsBuiltBeforeTheFirstFrame) {
-  LabTrial run;
+  StartFixture run;
   run.edit(Move{{{run.point(2), {0.5, 0.0, 0.0}, Vec3(0.0)}}});
   run.ask(ReleaseNails{});
   run.edit(SetNailed{{{run.point(1), true}}});
@@ -136,7 +136,7 @@ TEST(BackToStart, KeepsWhatIsBuiltBeforeTheFirstFrame) {
 }
 
 TEST(BackToStart, AStartMovedAfterAnEarlierRunIsKeptWhenTheTimelineIsUsed) {
-  LabTrial run;
+  StartFixture run;
   run.frames(20);
   run.ask(GoToTime{0.0});
   ASSERT_EQ(run.state().time, 0.0);
@@ -147,7 +147,7 @@ TEST(BackToStart, AStartMovedAfterAnEarlierRunIsKeptWhenTheTimelineIsUsed) {
 }
 
 TEST(SetAsStart, MakesTheStateOnScreenTheOneToGoBackTo) {
-  LabTrial run;
+  StartFixture run;
   run.frames(12);
   run.ask(ReleaseNails{});
   const State state = run.state();
@@ -162,7 +162,7 @@ TEST(SetAsStart, MakesTheStateOnScreenTheOneToGoBackTo) {
 }
 
 TEST(ResetParameters, RestoresThoseOfTheFileInOneStepAndKeepsTheState) {
-  LabTrial run;
+  StartFixture run;
   const System opened = run.system();
   run.edit(SetParameter{&row("stiffness"), 300.0});
   run.frames(10);
@@ -186,7 +186,7 @@ TEST(ResetParameters, RestoresThoseOfTheFileInOneStepAndKeepsTheState) {
 }
 
 TEST(UnsavedChanges, AreNotMadeByPlayingWithARunningScene) {
-  LabTrial run;
+  StartFixture run;
   run.frames(3);
   run.edit(GrabPoint{{.point = run.point(2), .kind = GrabKind::Hold, .target = {0.5, 0.5, 0.0}}});
   run.frames(3);
@@ -204,12 +204,12 @@ TEST(UnsavedChanges, AreNotMadeByPlayingWithARunningScene) {
 
 TEST(UnsavedChanges, AreThoseOfStructureParametersAndStart) {
   const auto after = [](bool runs, const Command& command) {
-    LabTrial run;
+    StartFixture run;
     if (runs) run.frames(3);
     run.edit(command);
     return run.changes();
   };
-  LabTrial ids;
+  StartFixture ids;
   for (const bool runs : {false, true}) {
     EXPECT_EQ(after(runs, SetParameter{&row("stiffness"), 185.0}), std::vector<std::string>{"set Stiffness k to 185 N/m"});
     EXPECT_EQ(after(runs, Remove{.points = {ids.point(2)}}), std::vector<std::string>{"delete 1 point"});
@@ -222,7 +222,7 @@ TEST(UnsavedChanges, AreThoseOfStructureParametersAndStart) {
 }
 
 TEST(UnsavedChanges, EndWhereTheSavedDocumentIsReachedAgain) {
-  LabTrial run;
+  StartFixture run;
   run.edit(SetParameter{&row("drag"), 1.0});
   run.ask(MarkSaved{});
   EXPECT_FALSE(run.unsaved());
@@ -242,7 +242,7 @@ TEST(UnsavedChanges, EndWhereTheSavedDocumentIsReachedAgain) {
 }
 
 TEST(UnsavedChanges, AreMadeByADragThatGoesOnAfterSaving) {
-  LabTrial run;
+  StartFixture run;
   run.ask(Command(SetParameter{&row("drag"), 1.0}), 5);
   run.ask(MarkSaved{});
   run.ask(Command(SetParameter{&row("drag"), 2.0}), 5);
@@ -250,7 +250,7 @@ TEST(UnsavedChanges, AreMadeByADragThatGoesOnAfterSaving) {
 }
 
 TEST(RunTo, AnEarlierTimeGoesBackToIt) {
-  LabTrial run;
+  StartFixture run;
   run.frames(30);
   run.ask(RunTo{0.25});
   EXPECT_NEAR(run.state().time, 0.25, 1e-9);

@@ -8,7 +8,7 @@
 #include "scene/parameters.h"
 #include "support/apply_now.h"
 #include "support/run_lab.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -35,46 +35,46 @@ TEST(StrainLimit, LimitsEverySpringAndReportsTheRemovedEnergy) {
 
 // both ends move in proportion to their inverse masses: the center of mass moves as before
 TEST(StrainLimit, ConservesMomentum) {
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
-  const PointId light = trial.add(Vec3(0.0), 1.0, {-3.0, 1.0, 0.0}), heavy = trial.add({1.0, 0.0, 0.0}, 4.0, {2.0, 0.0, 0.5});
-  trial.join(light, heavy, 1.0, 1.0);
-  trial.system.strain_limit = 0.05;
-  const auto momentum = [&] { return compute_momentum(trial.system, trial.state); };
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  const PointId light = sim.add(Vec3(0.0), 1.0, {-3.0, 1.0, 0.0}), heavy = sim.add({1.0, 0.0, 0.0}, 4.0, {2.0, 0.0, 0.5});
+  sim.join(light, heavy, 1.0, 1.0);
+  sim.system.strain_limit = 0.05;
+  const auto momentum = [&] { return compute_momentum(sim.system, sim.state); };
   const Momentum before = momentum();
-  const double energy = compute_energy(trial.system, trial.state).total();
-  trial.run(*find_integrator("velocity_verlet"), 0.5, 60);
-  EXPECT_LT(glm::distance(trial.state.position[0], trial.state.position[1]), 1.05 * (1.0 + 1e-9));
+  const double energy = compute_energy(sim.system, sim.state).total();
+  sim.run(*find_integrator("velocity_verlet"), 0.5, 60);
+  EXPECT_LT(glm::distance(sim.state.position[0], sim.state.position[1]), 1.05 * (1.0 + 1e-9));
   EXPECT_LT(glm::distance(momentum().linear, before.linear), 1e-12);
   // the difference is recorded in the ledger
-  const double now = compute_energy(trial.system, trial.state).total();
+  const double now = compute_energy(sim.system, sim.state).total();
   EXPECT_LT(now, energy);
-  EXPECT_NEAR(trial.state.ledger.net_input, now - energy, 0.02 * (energy - now));
+  EXPECT_NEAR(sim.state.ledger.net_input, now - energy, 0.02 * (energy - now));
 }
 
 // four points rotate about each other, each limited by its neighbors: no torque acts on the whole, and only the first jerk dissipates
 // energy
 TEST(StrainLimit, ConservesAngularMomentum) {
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
   const Vec3 spin(0.5, 1.0, 8.0);
   std::vector<PointId> points;
   for (const Vec3& place : {Vec3(0.5, 0.0, 0.0), Vec3(0.0, 0.5, 0.0), Vec3(-0.5, 0.0, 0.1), Vec3(0.0, -0.5, 0.0)})
-    points.push_back(trial.add(place, 1.0 + place.x, glm::cross(spin, place)));
+    points.push_back(sim.add(place, 1.0 + place.x, glm::cross(spin, place)));
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = i + 1; j < 4; ++j) {
-      const Vec3 apart = trial.position(points[i]) - trial.position(points[j]);
-      trial.join(points[i], points[j], 5.0, glm::length(apart));
+      const Vec3 apart = sim.position(points[i]) - sim.position(points[j]);
+      sim.join(points[i], points[j], 5.0, glm::length(apart));
     }
-  trial.system.strain_limit = 0.01;
-  const Momentum before = compute_momentum(trial.system, trial.state);
-  trial.run(*find_integrator("velocity_verlet"), 0.2, 400);
-  const double energy = compute_energy(trial.system, trial.state).kinetic;
-  trial.run(*find_integrator("velocity_verlet"), 2.0, 4000);
-  const Momentum after = compute_momentum(trial.system, trial.state);
+  sim.system.strain_limit = 0.01;
+  const Momentum before = compute_momentum(sim.system, sim.state);
+  sim.run(*find_integrator("velocity_verlet"), 0.2, 400);
+  const double energy = compute_energy(sim.system, sim.state).kinetic;
+  sim.run(*find_integrator("velocity_verlet"), 2.0, 4000);
+  const Momentum after = compute_momentum(sim.system, sim.state);
   EXPECT_LT(glm::distance(after.angular, before.angular), 1e-11 * glm::length(before.angular));
   EXPECT_LT(glm::distance(after.linear, before.linear), 1e-12);
-  EXPECT_NEAR(compute_energy(trial.system, trial.state).kinetic, energy, 0.01 * energy);
+  EXPECT_NEAR(compute_energy(sim.system, sim.state).kinetic, energy, 0.01 * energy);
 }
 
 TEST(StrainLimit, DoesNotHideADivergence) {

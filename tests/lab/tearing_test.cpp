@@ -10,7 +10,7 @@
 #include "support/convergence.h"
 #include "support/run_lab.h"
 #include "support/scratch_folder.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -22,31 +22,31 @@ INSTANTIATE_TEST_SUITE_P(Methods, Tearing, testing::ValuesIn(every_method()), me
 
 // the spring breaks in the first substep at whose end it exceeds its strain; then its end falls freely
 TEST_P(Tearing, ASpringBreaksAtItsStrainAndExertsNoForceAfterwards) {
-  Trial trial;
-  const PointId top = trial.nail(Vec3(0.0)), weight = trial.add({0.0, -1.0, 0.0}, 1.0, {0.0, -3.0, 0.0});
-  const SpringId spring = trial.join(top, weight, 50.0, 1.0);
-  trial.system.spring(0).break_strain = 0.2;
-  Plan plan = make_plan(trial.system);
+  TestSim sim;
+  const PointId top = sim.nail(Vec3(0.0)), weight = sim.add({0.0, -1.0, 0.0}, 1.0, {0.0, -3.0, 0.0});
+  const SpringId spring = sim.join(top, weight, 50.0, 1.0);
+  sim.system.spring(0).break_strain = 0.2;
+  Plan plan = make_plan(sim.system);
   Frame step;
   const Settings settings{.integrator = &method(), .substeps = 20};
   double broke = 0.0;
   Vec3 v(0.0);
   for (int i = 0; i < 20; ++i) {
-    step.begin(plan, trial.system, settings, trial.state);
+    step.begin(plan, sim.system, settings, sim.state);
     while (!step.done()) step.substep(plan);
-    step.end(plan, trial.state);
+    step.end(plan, sim.state);
     if (step.broken().empty()) continue;
     EXPECT_EQ(broke, 0.0) << "a spring breaks only once";
-    EXPECT_EQ(trial.system.springs()[step.broken()[0]].id, spring);
-    EXPECT_GE(-trial.state.position[1].y, 1.2);
-    broke = trial.state.time;
-    v = trial.state.velocity[1];
+    EXPECT_EQ(sim.system.springs()[step.broken()[0]].id, spring);
+    EXPECT_GE(-sim.state.position[1].y, 1.2);
+    broke = sim.state.time;
+    v = sim.state.velocity[1];
     // at least 1/2 k (l - l0)^2
-    EXPECT_LE(trial.state.ledger.net_input, -0.5 * 50.0 * 0.2 * 0.2);
-    EXPECT_GT(trial.state.ledger.net_input, -0.5 * 50.0 * 0.22 * 0.22);
+    EXPECT_LE(sim.state.ledger.net_input, -0.5 * 50.0 * 0.2 * 0.2);
+    EXPECT_GT(sim.state.ledger.net_input, -0.5 * 50.0 * 0.22 * 0.22);
   }
   ASSERT_GT(broke, 0.0);
-  EXPECT_NEAR(trial.state.velocity[1].y, v.y - 9.81 * (trial.state.time - broke), 1e-9);
+  EXPECT_NEAR(sim.state.velocity[1].y, v.y - 9.81 * (sim.state.time - broke), 1e-9);
 }
 
 TEST_P(Tearing, ASheetTearsWithItsFacesAndUndoRestoresItExactly) {

@@ -11,7 +11,7 @@
 #include "scene/parameters.h"
 #include "sim/energy.h"
 #include "sim/forces/forces.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -105,7 +105,7 @@ TEST(Families, SwitchedOffBehaveAsIfAbsent) {
     EXPECT_NEAR(compute_energy(off.system, off.state).total(), compute_energy(without.system, without.state).total(), 1e-12);
     EXPECT_NEAR(bound_spectrum(off.system).omega, bound_spectrum(without.system).omega, 1e-12);
     for (const Integrator& method : integrators()) {
-      Trial a{off.system, off.state}, b{without.system, without.state};
+      TestSim a{off.system, off.state}, b{without.system, without.state};
       a.run(method, 0.02, 4);
       b.run(method, 0.02, 4);
       for (Index i = 0; i < a.system.point_count(); ++i) {

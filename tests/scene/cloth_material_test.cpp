@@ -14,7 +14,7 @@
 #include "sim/integrator.h"
 #include "support/apply_now.h"
 #include "support/scratch_folder.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -42,18 +42,18 @@ struct Swing {
   double decay = 0.0;   // [1/s]
 };
 Swing measure(const Scene& scene) {
-  Trial trial{scene.system, scene.state};
-  const auto n = static_cast<Index>(trial.system.points().size());
+  TestSim sim{scene.system, scene.state};
+  const auto n = static_cast<Index>(sim.system.points().size());
   const auto mode = [](const Vec3& place) { return std::sin(-0.5 * std::numbers::pi * place.y); };
-  const std::vector<Vec3> flat = trial.state.position;
+  const std::vector<Vec3> flat = sim.state.position;
   const Integrator& verlet = *find_integrator("velocity_verlet");
-  const double h = 0.7 / bound_spectrum(trial.system).omega;
+  const double h = 0.7 / bound_spectrum(sim.system).omega;
 
   // to rest, with drag slightly above the critical damping of the mode
-  const double drag = trial.system.drag;
-  trial.system.drag = 50.0;
-  trial.run(verlet, 0.6, static_cast<int>(0.6 / h));
-  const std::vector<Vec3> rest = trial.state.position;
+  const double drag = sim.system.drag;
+  sim.system.drag = 50.0;
+  sim.run(verlet, 0.6, static_cast<int>(0.6 / h));
+  const std::vector<Vec3> rest = sim.state.position;
   Swing swing;
   int edge = 0;
   for (Index i = 0; i < n; ++i)
@@ -61,15 +61,15 @@ Swing measure(const Scene& scene) {
   swing.sag /= edge;
 
   // released from there
-  trial.system.drag = drag;
-  for (Index i = 0; i < n; ++i) trial.state.velocity[i].y = trial.system.points()[i].nailed ? 0.0 : 0.02 * mode(flat[i]);
+  sim.system.drag = drag;
+  for (Index i = 0; i < n; ++i) sim.state.velocity[i].y = sim.system.points()[i].nailed ? 0.0 : 0.02 * mode(flat[i]);
   constexpr double sample = 1e-3;
   double before = 0.0, top = 0.0;
   std::vector<double> crossings, tops;
   for (int s = 1; crossings.size() < 5; ++s) {
-    trial.run(verlet, sample, static_cast<int>(sample / h) + 1);
+    sim.run(verlet, sample, static_cast<int>(sample / h) + 1);
     double now = 0.0;
-    for (Index i = 0; i < n; ++i) now += trial.system.points()[i].mass * mode(flat[i]) * (trial.state.position[i].y - rest[i].y);
+    for (Index i = 0; i < n; ++i) now += sim.system.points()[i].mass * mode(flat[i]) * (sim.state.position[i].y - rest[i].y);
     top = std::max(top, std::abs(now));
     if (before * now < 0.0) {
       crossings.push_back(sample * (s - now / (now - before)));

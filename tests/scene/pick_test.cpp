@@ -8,7 +8,7 @@
 
 #include "draw/camera.h"
 #include "scene/selection.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -16,19 +16,19 @@ namespace {
 constexpr double reach = 10.0;
 
 struct Scenery {
-  Trial trial;
+  TestSim sim;
   Camera camera;
   glm::dvec2 size{800.0, 600.0};
 
   PointId ball(const Vec3& at, double radius) {
-    const PointId id = trial.add(at);
-    trial.system.point(trial.system.index_of(id)).radius = radius;
+    const PointId id = sim.add(at);
+    sim.system.point(sim.system.index_of(id)).radius = radius;
     return id;
   }
   Snapshot snapshot() const {
     Snapshot snapshot;
-    snapshot.system = std::make_shared<const System>(trial.system);
-    snapshot.state = trial.state;
+    snapshot.system = std::make_shared<const System>(sim.system);
+    snapshot.state = sim.state;
     return snapshot;
   }
   ViewTransform view_transform() const { return {camera.projection_matrix(size.x / size.y) * camera.view_matrix(), size}; }
@@ -81,8 +81,8 @@ TEST(Pick, FindsTheNearestPointWithinReach) {
   for (int i = 0; i < 60; ++i) scenery.ball({uniform(random), uniform(random), uniform(random)}, 0.0);
   const Snapshot snapshot = scenery.snapshot();
   int hits = 0;
-  for (int trial = 0; trial < 400; ++trial) {
-    scenery.camera = oblique(trial % 2 == 0);
+  for (int sim = 0; sim < 400; ++sim) {
+    scenery.camera = oblique(sim % 2 == 0);
     scenery.camera.orbit(3.0 * uniform(random), uniform(random));
     const glm::dvec2 cursor = scenery.size * (0.5 + 0.3 * glm::dvec2(uniform(random), uniform(random)));
     std::optional<PointId> nearest;
@@ -104,7 +104,7 @@ TEST(Pick, TakesTheFrontBallWhereBallsOverlap) {
   // over both, and closer to the center of the one behind
   const glm::dvec2 cursor = scenery.seen({0.0, 0.0, -0.5});
   EXPECT_EQ(pick_point(scenery.snapshot(), scenery.view_transform(), cursor, reach), before);
-  scenery.trial.state.position[0].z = 0.9;
+  scenery.sim.state.position[0].z = 0.9;
   EXPECT_EQ(pick_point(scenery.snapshot(), scenery.view_transform(), cursor, reach), behind);
 }
 
@@ -121,17 +121,17 @@ TEST(Pick, DoesNotFindPointsBehindACollider) {
   const PointId point = scenery.ball(-0.8 * scenery.camera.back, 0.02);
   const auto pick = [&] { return pick_point(scenery.snapshot(), scenery.view_transform(), 0.5 * scenery.size, reach); };
   EXPECT_EQ(pick(), point);
-  scenery.trial.system.colliders = {{.shape = Sphere{Vec3(0.0), 0.5}}};
+  scenery.sim.system.colliders = {{.shape = Sphere{Vec3(0.0), 0.5}}};
   EXPECT_FALSE(pick());
   // points on the near side can be picked, and so can those behind a collider that is only drawn
-  scenery.trial.state.position[0] = 0.52 * scenery.camera.back;
+  scenery.sim.state.position[0] = 0.52 * scenery.camera.back;
   EXPECT_EQ(pick(), point);
-  scenery.trial.state.position[0] = -0.8 * scenery.camera.back;
-  scenery.trial.system.colliders[0].solid = false;
+  scenery.sim.state.position[0] = -0.8 * scenery.camera.back;
+  scenery.sim.system.colliders[0].solid = false;
   EXPECT_EQ(pick(), point);
   // in a flat scene, the silhouette of a ball hides nothing
-  scenery.trial.system.colliders[0].solid = true;
-  scenery.trial.system.dimensions = 2;
+  scenery.sim.system.colliders[0].solid = true;
+  scenery.sim.system.dimensions = 2;
   EXPECT_EQ(pick(), point);
 }
 
@@ -139,7 +139,7 @@ TEST(Pick, FindsASpringNearItsMiddleAndNotBeyondItsEnds) {
   Scenery scenery;
   scenery.camera = oblique();
   const Vec3 from(-0.4, 0.1, 0.0), to(0.5, 0.2, 0.3);
-  const SpringId spring = scenery.trial.join(scenery.ball(from, 0.0), scenery.ball(to, 0.0), 1.0, 1.0);
+  const SpringId spring = scenery.sim.join(scenery.ball(from, 0.0), scenery.ball(to, 0.0), 1.0, 1.0);
   const glm::dvec2 along = glm::normalize(scenery.seen(to) - scenery.seen(from)), beside(-along.y, along.x);
   const glm::dvec2 middle = scenery.seen(0.5 * (from + to));
   const auto pick = [&](const glm::dvec2& cursor) { return pick_spring(scenery.snapshot(), scenery.view_transform(), cursor, reach); };
@@ -151,7 +151,7 @@ TEST(Pick, FindsASpringNearItsMiddleAndNotBeyondItsEnds) {
 TEST(Pick, FindsASpringThatExtendsBehindTheViewer) {
   Scenery scenery;
   const Vec3 from = scenery.camera.eye() + Vec3(0.1, 0.1, 1.0), to(0.0, 0.0, -1.0);
-  const SpringId spring = scenery.trial.join(scenery.ball(from, 0.0), scenery.ball(to, 0.0), 1.0, 1.0);
+  const SpringId spring = scenery.sim.join(scenery.ball(from, 0.0), scenery.ball(to, 0.0), 1.0, 1.0);
   const glm::dvec2 cursor = scenery.seen(glm::mix(to, from, 0.3));
   EXPECT_EQ(pick_spring(scenery.snapshot(), scenery.view_transform(), cursor, 2.0), spring);
 }
@@ -184,19 +184,19 @@ TEST(Pick, IntersectsEachKindOfColliderAtItsSurface) {
 TEST(Pick, ABoxSelectsThePointsInsideAndTheSpringsBetweenThem) {
   Scenery scenery;
   const PointId a = scenery.ball({-0.2, 0.1, 0.0}, 0.0), b = scenery.ball({0.2, -0.1, 0.5}, 0.0), c = scenery.ball({0.9, 0.0, 0.0}, 0.0);
-  const SpringId inside = scenery.trial.join(a, b, 1.0, 1.0);
-  scenery.trial.join(b, c, 1.0, 1.0);
+  const SpringId inside = scenery.sim.join(a, b, 1.0, 1.0);
+  scenery.sim.join(b, c, 1.0, 1.0);
   // corners in any order
   const auto points =
       points_in_box(scenery.snapshot(), scenery.view_transform(), scenery.seen({0.5, -0.5, 0.0}), scenery.seen({-0.5, 0.5, 0.0}));
   EXPECT_EQ(points, (std::vector{a, b}));
-  EXPECT_EQ(select_with_springs_between(scenery.trial.system, points).springs, std::vector{inside});
+  EXPECT_EQ(select_with_springs_between(scenery.sim.system, points).springs, std::vector{inside});
 }
 
 TEST(Pick, ACutCrossesOnlyTheSpringsBetweenItsEnds) {
   Scenery scenery;
-  const SpringId crossed = scenery.trial.join(scenery.ball({-0.5, 0.0, 0.0}, 0.0), scenery.ball({0.5, 0.0, 0.0}, 0.0), 1.0, 1.0);
-  scenery.trial.join(scenery.ball({-0.5, 0.6, 0.0}, 0.0), scenery.ball({0.5, 0.6, 0.0}, 0.0), 1.0, 1.0);
+  const SpringId crossed = scenery.sim.join(scenery.ball({-0.5, 0.0, 0.0}, 0.0), scenery.ball({0.5, 0.0, 0.0}, 0.0), 1.0, 1.0);
+  scenery.sim.join(scenery.ball({-0.5, 0.6, 0.0}, 0.0), scenery.ball({0.5, 0.6, 0.0}, 0.0), 1.0, 1.0);
   const auto cut =
       springs_across(scenery.snapshot(), scenery.view_transform(), scenery.seen({0.1, 0.3, 0.0}), scenery.seen({0.0, -0.3, 0.0}));
   EXPECT_EQ(cut, std::vector{crossed});
@@ -210,7 +210,7 @@ struct Layers : Scenery {
     for (const double z : {0.0, -0.6})
       for (const Vec3& corner : {Vec3(-0.8, -0.6, z), Vec3(0.9, -0.7, z), Vec3(0.0, 0.8, z)}) ball(corner, 0.0);
     // the far one first, each with a different orientation: neither matters
-    trial.system.faces = {{{PointId{3}, PointId{5}, PointId{4}}}, {{PointId{0}, PointId{1}, PointId{2}}}};
+    sim.system.faces = {{{PointId{3}, PointId{5}, PointId{4}}}, {{PointId{0}, PointId{1}, PointId{2}}}};
     behind = ball(-0.5 * camera.back, 0.02);
   }
   ViewTransform lens_with_surface() const {
@@ -233,7 +233,7 @@ TEST(Pick, FindsTheVisibleSurfaceWithItsBarycentricWeights) {
     for (std::size_t p = 0; p < 3; ++p) {
       EXPECT_GE(hit->patch.weights[p], 0.0);
       whole += hit->patch.weights[p];
-      sum += hit->patch.weights[p] * layers.trial.position(hit->patch.points[p]);
+      sum += hit->patch.weights[p] * layers.sim.position(hit->patch.points[p]);
     }
     EXPECT_NEAR(whole, 1.0, 1e-15);
     EXPECT_LT(glm::distance(sum, place), 1e-9);
@@ -251,7 +251,7 @@ TEST(Pick, FindsASurfaceFromBehindAndOneThatExtendsBehindTheViewer) {
   // a face that extends behind the viewer
   Scenery scenery;
   for (const Vec3& corner : {Vec3(-1.0, -0.1, -5.0), Vec3(1.0, -0.1, -5.0), Vec3(0.0, -0.1, 50.0)}) scenery.ball(corner, 0.0);
-  scenery.trial.system.faces = {{{PointId{0}, PointId{1}, PointId{2}}}};
+  scenery.sim.system.faces = {{{PointId{0}, PointId{1}, PointId{2}}}};
   EXPECT_TRUE(pick_surface(scenery.snapshot(), scenery.view_transform(), scenery.seen({0.0, -0.1, 1.0})));
 }
 
@@ -260,16 +260,16 @@ TEST(Pick, FindsNoGapBetweenAdjacentFaces) {
   scenery.camera = oblique();
   const PointId a = scenery.ball({-0.7, -0.6, 0.1}, 0.0), b = scenery.ball({0.8, 0.5, -0.2}, 0.0);
   const PointId c = scenery.ball({0.5, -0.7, 0.0}, 0.0), d = scenery.ball({-0.4, 0.9, 0.3}, 0.0);
-  scenery.trial.system.faces = {{{a, c, b}}, {{a, b, d}}};
+  scenery.sim.system.faces = {{{a, c, b}}, {{a, b, d}}};
   for (int i = 1; i < 1000; ++i) {
-    const Vec3 edge_on_occlusion = glm::mix(scenery.trial.position(a), scenery.trial.position(b), i / 1000.0);
+    const Vec3 edge_on_occlusion = glm::mix(scenery.sim.position(a), scenery.sim.position(b), i / 1000.0);
     EXPECT_TRUE(pick_surface(scenery.snapshot(), scenery.view_transform(), scenery.seen(edge_on_occlusion))) << i;
   }
 }
 
 TEST(Pick, DoesNotFindPointsBehindAVisibleSurface) {
   const Layers layers;
-  const glm::dvec2 cursor = layers.seen(layers.trial.position(layers.behind));
+  const glm::dvec2 cursor = layers.seen(layers.sim.position(layers.behind));
   EXPECT_EQ(pick_point(layers.snapshot(), layers.view_transform(), cursor, reach), layers.behind);
   EXPECT_FALSE(pick_point(layers.snapshot(), layers.lens_with_surface(), cursor, reach));
   // a surface hides none of its own corners, from either side
@@ -278,7 +278,7 @@ TEST(Pick, DoesNotFindPointsBehindAVisibleSurface) {
     turned.camera.back = side * layers.camera.back;
     const std::uint32_t first = side > 0.0 ? 0 : 3;
     for (std::uint32_t i = first; i < first + 3; ++i) {
-      const glm::dvec2 corner = turned.seen(turned.trial.position(PointId{i}));
+      const glm::dvec2 corner = turned.seen(turned.sim.position(PointId{i}));
       EXPECT_EQ(pick_point(turned.snapshot(), turned.lens_with_surface(), corner, reach), PointId{i}) << side;
     }
   }
@@ -287,7 +287,7 @@ TEST(Pick, DoesNotFindPointsBehindAVisibleSurface) {
 TEST(Pick, AColliderInFrontHidesTheSurface) {
   Layers layers;
   const glm::dvec2 cursor = layers.seen({0.1, -0.2, 0.0});
-  layers.trial.system.colliders = {{.shape = Sphere{Vec3(0.1, -0.2, 0.0) + 0.5 * layers.camera.back, 0.2}}};
+  layers.sim.system.colliders = {{.shape = Sphere{Vec3(0.1, -0.2, 0.0) + 0.5 * layers.camera.back, 0.2}}};
   EXPECT_FALSE(pick_surface(layers.snapshot(), layers.view_transform(), cursor));
 }
 
@@ -303,12 +303,12 @@ TEST(Selection, ContainsEachIdOnceInOrder) {
 }
 
 TEST(Selection, DropsRemovedItems) {
-  Trial trial;
-  const PointId a = trial.add({0.0, 0.0, 0.0}), b = trial.add({1.0, 0.0, 0.0});
-  const SpringId spring = trial.join(a, b, 1.0, 1.0);
-  const Selection all = select_all(trial.system);
-  trial.system.set_springs({});
-  EXPECT_EQ(existing_part_of(trial.system, all), (Selection{{a, b}, {}}));
+  TestSim sim;
+  const PointId a = sim.add({0.0, 0.0, 0.0}), b = sim.add({1.0, 0.0, 0.0});
+  const SpringId spring = sim.join(a, b, 1.0, 1.0);
+  const Selection all = select_all(sim.system);
+  sim.system.set_springs({});
+  EXPECT_EQ(existing_part_of(sim.system, all), (Selection{{a, b}, {}}));
   EXPECT_EQ(all.springs, std::vector{spring});
 }
 

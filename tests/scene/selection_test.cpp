@@ -8,23 +8,23 @@
 #include "lab/lab.h"
 #include "support/apply_now.h"
 #include "support/random_scene.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
 
 // Two chains of three points, and a face from the end of the second to a separate point.
 Scene two_chains() {
-  Trial trial;
+  TestSim sim;
   std::vector<PointId> points;
-  for (int i = 0; i < 7; ++i) points.push_back(trial.add({0.1 * i, 0.0, 0.0}, 1.0, {0.0, 1.0 * i, 0.0}));
-  for (const int i : {0, 1, 3, 4}) trial.join(points[i], points[i + 1], 10.0 + i, 0.1);
+  for (int i = 0; i < 7; ++i) points.push_back(sim.add({0.1 * i, 0.0, 0.0}, 1.0, {0.0, 1.0 * i, 0.0}));
+  for (const int i : {0, 1, 3, 4}) sim.join(points[i], points[i + 1], 10.0 + i, 0.1);
   Scene scene;
-  scene.system = trial.system;
+  scene.system = sim.system;
   scene.system.faces.push_back({{points[4], points[5], points[6]}});
   scene.system.point(1).color = Color{10, 20, 30};
   scene.system.spring(1).break_strain = 0.25;
-  scene.state = trial.state;
+  scene.state = sim.state;
   return scene;
 }
 
@@ -77,9 +77,9 @@ TEST(Excerpt, ContainsSpringsBetweenSelectedPointsAndEndsOfSelectedSprings) {
 TEST(Excerpt, IsReadBackFromItsTextBitForBit) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     Scene scene;
-    const Trial trial = random_trial(seed, 12, 30, 2 + seed % 2, 1.0);
-    scene.system = trial.system;
-    scene.state = trial.state;
+    const TestSim sim = random_sim(seed, 12, 30, 2 + seed % 2, 1.0);
+    scene.system = sim.system;
+    scene.state = sim.state;
     Lab lab(scene);
     const Snapshot& snapshot = *lab.status()->snapshot;
     const Selection all = select_all(scene.system);

@@ -10,21 +10,21 @@ namespace {
 
 // A square of 1 m in the plane z = 0, 3 x 3 points, textured once with a picture of 2 x 2 pixels.
 struct Sheet {
-  Trial trial;
+  TestSim sim;
   ViewOptions options{.points = false, .springs = false, .colliders = false, .grid = false, .strain_colors = false, .samples = 0};
   ClothCoordinates cloth_coordinates;
 
   Sheet() {
     for (int row = 0; row < 3; ++row)
       for (int column = 0; column < 3; ++column) {
-        trial.add({0.5 * column - 0.5, 0.5 - 0.5 * row, 0.0});
+        sim.add({0.5 * column - 0.5, 0.5 - 0.5 * row, 0.0});
         cloth_coordinates.emplace_back(0.5 * column, 0.5 * row);
       }
     for (std::uint32_t row = 0; row < 2; ++row)
       for (std::uint32_t column = 0; column < 2; ++column) {
         const std::uint32_t at = 3 * row + column;
-        trial.system.faces.push_back({{PointId{at}, PointId{at + 3}, PointId{at + 1}}});
-        trial.system.faces.push_back({{PointId{at + 1}, PointId{at + 3}, PointId{at + 4}}});
+        sim.system.faces.push_back({{PointId{at}, PointId{at + 3}, PointId{at + 1}}});
+        sim.system.faces.push_back({{PointId{at + 1}, PointId{at + 3}, PointId{at + 4}}});
       }
   }
   void cloth_texture(std::vector<std::uint8_t> pixels, double width = 1.0) {
@@ -37,7 +37,7 @@ struct Sheet {
     if (from_behind) camera.back = {0.0, 0.0, -1.0};
     return camera;
   }
-  Image draw(bool from_behind = false) const { return hooke::draw(trial, {}, camera(from_behind), options, 300, 300); }
+  Image draw(bool from_behind = false) const { return hooke::draw(sim, {}, camera(from_behind), options, 300, 300); }
 };
 
 int brightness(const Color& color) { return color.red + color.green + color.blue; }
@@ -70,7 +70,7 @@ TEST(Surface, RepeatsTheTextureByItsWidth) {
 TEST(Surface, IsTintedByTheColorOfItsPoints) {
   Sheet sheet;
   sheet.cloth_texture({255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255});
-  for (Index i = 0; i < 9; ++i) sheet.trial.system.point(i).color = Color{255, 0, 0};
+  for (Index i = 0; i < 9; ++i) sheet.sim.system.point(i).color = Color{255, 0, 0};
   const Color seen = at(sheet.draw(), sheet.camera(), Vec3(0.1, 0.1, 0.0));
   EXPECT_GT(seen.red, 180);
   EXPECT_LT(std::max(seen.green, seen.blue), 40);
@@ -85,7 +85,7 @@ TEST(Surface, IsLitFromBothSidesAndDarkerOnTheBack) {
 
   // a light from behind makes the back brighter: neither side is preferred
   Sheet leaning;
-  for (Vec3& place : leaning.trial.state.position) place.z = 0.6 * place.y;
+  for (Vec3& place : leaning.sim.state.position) place.z = 0.6 * place.y;
   const Color lower = at(leaning.draw(), leaning.camera(), Vec3(0.0));
   const Color upper = at(leaning.draw(true), leaning.camera(true), Vec3(0.0));
   EXPECT_GT(brightness(upper), brightness(lower));
@@ -94,7 +94,7 @@ TEST(Surface, IsLitFromBothSidesAndDarkerOnTheBack) {
 // A roof of two slopes: with smooth normals the brightness changes gradually across the ridge.
 TEST(Surface, HasSmoothNormals) {
   Sheet roof;
-  for (Vec3& place : roof.trial.state.position) place.z = -0.5 * std::abs(place.x);
+  for (Vec3& place : roof.sim.state.position) place.z = -0.5 * std::abs(place.x);
   const Image image = roof.draw();
   const Vec3 ridge = roof.camera().project(Vec3(0.0, 0.1, 0.0), {300, 300});
   int largest = 0;
@@ -109,7 +109,7 @@ TEST(Surface, HasSmoothNormals) {
 TEST(Surface, ShowsStrainWhereSpringsAreHidden) {
   Sheet sheet;
   sheet.cloth_texture(four_colors);
-  for (std::uint32_t i = 0; i < 8; ++i) sheet.trial.join(PointId{i}, PointId{i + 1}, 1.0, 1e-2);
+  for (std::uint32_t i = 0; i < 8; ++i) sheet.sim.join(PointId{i}, PointId{i + 1}, 1.0, 1e-2);
   sheet.options.strain_colors = true;
   const Color stretched = at(sheet.draw(), sheet.camera(), Vec3(0.1, 0.1, 0.0));
   EXPECT_GT(stretched.red, stretched.blue + 60);
@@ -123,7 +123,7 @@ TEST(Surface, ShowsStrainWhereSpringsAreHidden) {
 
 TEST(Surface, ShowsItsNailsWhenDrawnAlone) {
   Sheet sheet;
-  sheet.trial.system.point(4).nailed = true;
+  sheet.sim.system.point(4).nailed = true;
   const Color nail = at(sheet.draw(), sheet.camera(), Vec3(0.0));
   EXPECT_GT(nail.red, nail.blue + 100);
   EXPECT_GT(nail.green, nail.blue + 80);
@@ -141,7 +141,7 @@ TEST(Surface, CanChangeAndRemoveItsTexture) {
   const Offscreen offscreen;
   View view;
   const auto seen = [&] {
-    view.draw(snapshot_of(sheet.trial), {}, sheet.camera(), sheet.options, 300, 300, nullptr);
+    view.draw(snapshot_of(sheet.sim), {}, sheet.camera(), sheet.options, 300, 300, nullptr);
     return at(view.read(), sheet.camera(), Vec3(-0.25, 0.25, 0.0));
   };
   const Color plain = seen();

@@ -16,17 +16,17 @@ namespace {
 constexpr double frame_time = 1.0 / 60.0;
 
 // A mass on a spring and a dashpot so strong that a frame takes millions of steps.
-Trial overdamped(double damping) {
-  Trial trial;
-  trial.join(trial.add({1.1, 0.0, 0.0}), trial.nail(Vec3(0.0)), 100.0, 1.0, damping);
-  return trial;
+TestSim overdamped(double damping) {
+  TestSim sim;
+  sim.join(sim.add({1.1, 0.0, 0.0}), sim.nail(Vec3(0.0)), 100.0, 1.0, damping);
+  return sim;
 }
 
 TEST(AdaptiveStep, GivesUpAfterAMillionStepsInASubstep) {
-  Trial trial = overdamped(1e11);
-  Plan plan = make_plan(trial.system);
+  TestSim sim = overdamped(1e11);
+  Plan plan = make_plan(sim.system);
   Frame frame;
-  frame.begin(plan, trial.system, {.integrator = &dop853, .substeps = 1}, trial.state);
+  frame.begin(plan, sim.system, {.integrator = &dop853, .substeps = 1}, sim.state);
   long calls = 0;
   for (; !frame.done(); ++calls) frame.substep(plan);
   EXPECT_EQ(frame.failure(), StepFailure::TooMany);
@@ -35,10 +35,10 @@ TEST(AdaptiveStep, GivesUpAfterAMillionStepsInASubstep) {
 }
 
 TEST(AdaptiveStep, IsOneCallEachSoThatAFrameCanBeInterrupted) {
-  Trial trial = overdamped(1e6);
-  Plan plan = make_plan(trial.system);
+  TestSim sim = overdamped(1e6);
+  Plan plan = make_plan(sim.system);
   Frame frame;
-  frame.begin(plan, trial.system, {.integrator = &dop853, .substeps = 2}, trial.state);
+  frame.begin(plan, sim.system, {.integrator = &dop853, .substeps = 2}, sim.state);
   long calls = 0, evaluations = 0, most = 0;
   for (; !frame.done(); ++calls) {
     frame.substep(plan);
@@ -51,22 +51,22 @@ TEST(AdaptiveStep, IsOneCallEachSoThatAFrameCanBeInterrupted) {
 }
 
 TEST(AdaptiveStep, FindsNoStepWhereForcesAreNotFinite) {
-  Trial trial = overdamped(0.0);
-  trial.state.velocity[0].x = 1e300;
-  trial.system.spring(0).damping = 1e300;
-  Plan plan = make_plan(trial.system);
+  TestSim sim = overdamped(0.0);
+  sim.state.velocity[0].x = 1e300;
+  sim.system.spring(0).damping = 1e300;
+  Plan plan = make_plan(sim.system);
   Frame frame;
-  frame.begin(plan, trial.system, {.integrator = &dop853, .substeps = 1}, trial.state);
+  frame.begin(plan, sim.system, {.integrator = &dop853, .substeps = 1}, sim.state);
   for (long calls = 0; !frame.done() && calls < 1000; ++calls) frame.substep(plan);
   EXPECT_EQ(frame.failure(), StepFailure::TooShort);
 }
 
 TEST(AdaptiveStep, IgnoresAMemoryThatIsNoStep) {
   const auto run = [](const MethodMemory& memory) {
-    Trial trial = overdamped(1.0);
-    trial.state.memory = memory;
-    trial.run(dop853, frame_time, 1, 1e-8);
-    return trial.state.position;
+    TestSim sim = overdamped(1.0);
+    sim.state.memory = memory;
+    sim.run(dop853, frame_time, 1, 1e-8);
+    return sim.state.position;
   };
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto expected = run({});
@@ -74,25 +74,25 @@ TEST(AdaptiveStep, IgnoresAMemoryThatIsNoStep) {
 }
 
 // A mass that bounces on a floor, hanging from a spring that swings and pulls it aside.
-Trial bouncing(double restitution, double friction) {
-  Trial trial;
-  const PointId mass = trial.add({0.0, 0.4, 0.0}, 0.5, {0.7, 0.0, 0.0});
-  trial.join(mass, trial.nail({0.3, 1.2, 0.0}), 40.0, 0.9);
-  const PointId second = trial.add({0.4, 0.6, 0.1}, 0.3, {0.0, 0.5, 0.0});
-  trial.join(mass, second, 60.0, 0.4);
-  trial.system.colliders = {{.shape = Plane{}, .restitution = restitution, .friction = friction}};
-  return trial;
+TestSim bouncing(double restitution, double friction) {
+  TestSim sim;
+  const PointId mass = sim.add({0.0, 0.4, 0.0}, 0.5, {0.7, 0.0, 0.0});
+  sim.join(mass, sim.nail({0.3, 1.2, 0.0}), 40.0, 0.9);
+  const PointId second = sim.add({0.4, 0.6, 0.1}, 0.3, {0.0, 0.5, 0.0});
+  sim.join(mass, second, 60.0, 0.4);
+  sim.system.colliders = {{.shape = Plane{}, .restitution = restitution, .friction = friction}};
+  return sim;
 }
 
 TEST(AdaptiveStep, EndsWhenTheFirstStepTouches) {
   for (const double step : {0.0, 1e-3}) {
-    Trial trial = bouncing(0.0, 0.5);
-    trial.state.position[0].y = 0.0;
-    trial.state.velocity[0] = {0.7, -3.0, 0.0};
-    trial.state.memory.step = step;
-    Plan plan = make_plan(trial.system);
+    TestSim sim = bouncing(0.0, 0.5);
+    sim.state.position[0].y = 0.0;
+    sim.state.velocity[0] = {0.7, -3.0, 0.0};
+    sim.state.memory.step = step;
+    Plan plan = make_plan(sim.system);
     Frame frame;
-    frame.begin(plan, trial.system, {.integrator = &dop853, .substeps = 1, .tolerance = 1e-8}, trial.state);
+    frame.begin(plan, sim.system, {.integrator = &dop853, .substeps = 1, .tolerance = 1e-8}, sim.state);
     while (!frame.done()) frame.substep(plan);
     EXPECT_EQ(frame.failure(), StepFailure::None);
     EXPECT_LT(frame.force_evaluations(), 20'000);
@@ -102,15 +102,15 @@ TEST(AdaptiveStep, EndsWhenTheFirstStepTouches) {
 // against another method at a fine step, as far as that one has converged itself
 TEST(AdaptiveStep, KeepsItsToleranceThroughImpacts) {
   for (const auto& [restitution, friction] : {std::pair(1.0, 0.0), {0.6, 0.0}, {0.5, 0.4}, {0.0, 0.3}}) {
-    Trial reference = bouncing(restitution, friction), coarser = reference;
+    TestSim reference = bouncing(restitution, friction), coarser = reference;
     reference.run(runge_kutta4, 1.0, 1 << 17);
     coarser.run(runge_kutta4, 1.0, 1 << 16);
     const double uncertainty = 2.0 * distance(reference.state, coarser.state);
     double before = 1.0;
     for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
-      Trial trial = bouncing(restitution, friction);
-      trial.run(dop853, 1.0, 1, tolerance);
-      const double error = distance(trial.state, reference.state);
+      TestSim sim = bouncing(restitution, friction);
+      sim.run(dop853, 1.0, 1, tolerance);
+      const double error = distance(sim.state, reference.state);
       EXPECT_LT(error, 1e3 * tolerance + uncertainty) << "restitution " << restitution << ", friction " << friction << ", " << tolerance;
       EXPECT_LT(error, 0.3 * before + uncertainty) << "restitution " << restitution << ", friction " << friction << ", " << tolerance;
       before = error;
@@ -120,7 +120,7 @@ TEST(AdaptiveStep, KeepsItsToleranceThroughImpacts) {
 
 // the number of substeps only says how often the caller looks: it changes the steps, but not the accuracy
 TEST(AdaptiveStep, DoesNotDependOnTheSubstepsThroughImpacts) {
-  Trial coarse = bouncing(0.6, 0.2), fine = bouncing(0.6, 0.2);
+  TestSim coarse = bouncing(0.6, 0.2), fine = bouncing(0.6, 0.2);
   coarse.run(dop853, 1.0, 1, 1e-9);
   fine.run(dop853, 1.0, 600, 1e-9);
   EXPECT_LT(distance(coarse.state, fine.state), 1e-6);

@@ -44,25 +44,25 @@ INSTANTIATE_TEST_SUITE_P(Methods, Allocation, testing::ValuesIn(every_method()),
 // and breakable springs that do not break
 TEST_P(Allocation, DoesNotHappenAfterTheFirstFrame) {
   for (const GrabKind kind : {GrabKind::Hold, GrabKind::Pull}) {
-    Trial trial = net(32, 1e4, 0.5);
-    trial.system.drag = 0.3;
-    trial.system.colliders.push_back({.shape = Sphere{.center = {0.5, -0.6, 0.1}, .radius = 0.1},
-                                      .friction = 0.3,
-                                      .path = {.amplitude = {0.1, 0.0, 0.0}, .spin = {0.0, 1.0, 0.0}}});
-    trial.system.break_strain = 50.0;
-    trial.system.strain_limit = 0.05;
-    trial.system.faces.push_back({.points = {trial.system.points()[1].id, trial.system.points()[2].id, trial.system.points()[33].id}});
-    for (const ForceTerm& term : force_terms()) trial.system.forces.push_back({.term = &term, .values = default_values(term)});
-    trial.system.grab = Grab{.point = trial.system.points()[500].id, .kind = kind};
-    State state = trial.state;
+    TestSim sim = net(32, 1e4, 0.5);
+    sim.system.drag = 0.3;
+    sim.system.colliders.push_back({.shape = Sphere{.center = {0.5, -0.6, 0.1}, .radius = 0.1},
+                                    .friction = 0.3,
+                                    .path = {.amplitude = {0.1, 0.0, 0.0}, .spin = {0.0, 1.0, 0.0}}});
+    sim.system.break_strain = 50.0;
+    sim.system.strain_limit = 0.05;
+    sim.system.faces.push_back({.points = {sim.system.points()[1].id, sim.system.points()[2].id, sim.system.points()[33].id}});
+    for (const ForceTerm& term : force_terms()) sim.system.forces.push_back({.term = &term, .values = default_values(term)});
+    sim.system.grab = Grab{.point = sim.system.points()[500].id, .kind = kind};
+    State state = sim.state;
     state.hand = {.position = state.position[500], .target = state.position[500] + Vec3(0.01)};
 
     const Settings settings{.integrator = &method(), .frame_rate = 60.0, .substeps = method().stability == Stability::Conditional ? 20 : 2};
-    Plan plan = make_plan(trial.system);
+    Plan plan = make_plan(sim.system);
     Frame frame;
     for (int i = 0; i < 3; ++i) {
       const long before = allocations;
-      frame.begin(plan, trial.system, settings, state);
+      frame.begin(plan, sim.system, settings, state);
       while (!frame.done()) frame.substep(plan);
       frame.end(plan, state);
       if (i > 0) {

@@ -14,12 +14,12 @@ namespace {
 constexpr double g = 9.81, frame = 1.0 / 60.0;
 
 // A ball of radius 0.05 m released at `height` above a floor at y = -1.
-Trial falling_ball(double height, double restitution, double radius = 0.05) {
-  Trial trial;
-  trial.add({0.2, -1.0 + radius + height, 0.1});
-  trial.system.point(0).radius = radius;
-  trial.system.colliders = {{.shape = Plane{.point = {0.0, -1.0, 0.0}}, .restitution = restitution}};
-  return trial;
+TestSim falling_ball(double height, double restitution, double radius = 0.05) {
+  TestSim sim;
+  sim.add({0.2, -1.0 + radius + height, 0.1});
+  sim.system.point(0).radius = radius;
+  sim.system.colliders = {{.shape = Plane{.point = {0.0, -1.0, 0.0}}, .restitution = restitution}};
+  return sim;
 }
 
 // Height above the floor and velocity at time t: flights of 2 e^n v0 / g after the first impact at v0 = sqrt(2 g h).
@@ -48,12 +48,12 @@ INSTANTIATE_TEST_SUITE_P(Methods, Bounce, testing::ValuesIn(every_method()), met
 TEST(Bounce, IsExactThroughManyImpactsAtOneSubstepPerFrame) {
   const Integrator& verlet = *find_integrator("velocity_verlet");
   for (const double restitution : {0.5, 0.8, 0.95}) {
-    Trial trial = falling_ball(1.0, restitution);
+    TestSim sim = falling_ball(1.0, restitution);
     for (int i = 1; i <= 130; ++i) {
-      trial.run(verlet, frame, 1);
+      sim.run(verlet, frame, 1);
       const Bouncing exact(1.0, restitution, i * frame);
-      EXPECT_NEAR(trial.state.position[0].y, -0.95 + exact.height, 1e-9) << "e = " << restitution << ", frame " << i;
-      EXPECT_NEAR(trial.state.velocity[0].y, exact.velocity, 1e-8) << "e = " << restitution << ", frame " << i;
+      EXPECT_NEAR(sim.state.position[0].y, -0.95 + exact.height, 1e-9) << "e = " << restitution << ", frame " << i;
+      EXPECT_NEAR(sim.state.velocity[0].y, exact.velocity, 1e-8) << "e = " << restitution << ", frame " << i;
     }
   }
 }
@@ -62,9 +62,9 @@ TEST(Bounce, IsExactThroughManyImpactsAtOneSubstepPerFrame) {
 TEST_P(Bounce, MeetsTheOrderOfTheMethodAfterTheThirdImpact) {
   const double e = 0.8, t1 = std::sqrt(2.0 / g), t = t1 * (1.0 + 2.0 * e + 2.0 * e * e + 0.6 * e * e * e);
   const auto error = [&](int steps) {
-    Trial trial = falling_ball(1.0, e);
-    trial.run(method(), t, steps);
-    return std::abs(trial.state.position[0].y + 0.95 - Bouncing(1.0, e, t).height);
+    TestSim sim = falling_ball(1.0, e);
+    sim.run(method(), t, steps);
+    return std::abs(sim.state.position[0].y + 0.95 - Bouncing(1.0, e, t).height);
   };
   if (method().order == 1) {
     expect_order(error, 2000, 1.0);
@@ -81,16 +81,16 @@ TEST_P(Bounce, WithASpringMeetsTheOrderDeclaredForContact) {
   const auto error = [&](int steps) {
     double sum = 0.0;
     for (double height = 0.3; height < 0.5; height += 0.002) {
-      Trial trial;
-      const PointId mass = trial.add({0.0, height, 0.0}, m);
-      trial.join(mass, trial.nail({0.0, 1.0, 0.0}), m * w * w, 1.0);
-      trial.system.colliders = {{.shape = Plane{}, .restitution = e}};
-      trial.run(method(), seconds, steps);
+      TestSim sim;
+      const PointId mass = sim.add({0.0, height, 0.0}, m);
+      sim.join(mass, sim.nail({0.0, 1.0, 0.0}), m * w * w, 1.0);
+      sim.system.colliders = {{.shape = Plane{}, .restitution = e}};
+      sim.run(method(), seconds, steps);
 
       const double fall = std::acos(-rest / (height - rest)) / w, speed = (height - rest) * w * std::sin(w * fall);
       const double exact = rest - rest * std::cos(w * (seconds - fall)) + e * speed / w * std::sin(w * (seconds - fall));
       EXPECT_GT(exact, 0.0);
-      sum += std::pow(trial.position(mass).y - exact, 2);
+      sum += std::pow(sim.position(mass).y - exact, 2);
     }
     return std::sqrt(sum);
   };
@@ -101,56 +101,56 @@ TEST_P(Bounce, WithASpringMeetsTheOrderDeclaredForContact) {
 TEST(Bounce, EndsAtTheSumOfTheGeometricSeries) {
   const Integrator& verlet = *find_integrator("velocity_verlet");
   for (const double e : {0.0, 0.3, 0.5, 0.9, 0.97}) {
-    Trial trial = falling_ball(0.5, e);
+    TestSim sim = falling_ball(0.5, e);
     const int frames = static_cast<int>(std::ceil(std::sqrt(1.0 / g) * (1.0 + e) / (1.0 - e) / frame));
     for (int i = 1; i < frames; ++i) {
-      trial.run(verlet, frame, 1);
-      ASSERT_NE(trial.state.velocity[0].y, 0.0) << "e = " << e << ", frame " << i << " of " << frames;
+      sim.run(verlet, frame, 1);
+      ASSERT_NE(sim.state.velocity[0].y, 0.0) << "e = " << e << ", frame " << i << " of " << frames;
     }
-    trial.run(verlet, frame, 1);
-    EXPECT_EQ(trial.state.velocity[0].y, 0.0) << "e = " << e;
-    EXPECT_NEAR(trial.state.position[0].y, -0.95, 1e-13) << "e = " << e;
+    sim.run(verlet, frame, 1);
+    EXPECT_EQ(sim.state.velocity[0].y, 0.0) << "e = " << e;
+    EXPECT_NEAR(sim.state.position[0].y, -0.95, 1e-13) << "e = " << e;
   }
 }
 
 TEST_P(Bounce, EndsAtRestUnderEveryMethod) {
   for (const double e : {0.0, 0.5, 0.9})
     for (const int substeps : {1, 20}) {
-      Trial trial = falling_ball(0.1, e);
+      TestSim sim = falling_ball(0.1, e);
       const double rest = std::sqrt(0.2 / g) * (1.0 + e) / (1.0 - e);
-      for (int i = 0; i * frame < 1.2 * rest + 5.0 * frame; ++i) trial.run(method(), frame, substeps);
-      EXPECT_EQ(trial.state.velocity[0].y, 0.0) << "e = " << e << ", " << substeps << " substeps";
-      EXPECT_NEAR(trial.state.position[0].y, -0.95, 1e-13) << "e = " << e << ", " << substeps << " substeps";
+      for (int i = 0; i * frame < 1.2 * rest + 5.0 * frame; ++i) sim.run(method(), frame, substeps);
+      EXPECT_EQ(sim.state.velocity[0].y, 0.0) << "e = " << e << ", " << substeps << " substeps";
+      EXPECT_NEAR(sim.state.position[0].y, -0.95, 1e-13) << "e = " << e << ", " << substeps << " substeps";
     }
 }
 
 TEST(Bounce, WithRestitutionOneKeepsItsHeightForAThousandImpacts) {
-  Trial trial = falling_ball(0.05, 1.0);
-  trial.system.drag = 0.0;
+  TestSim sim = falling_ball(0.05, 1.0);
+  sim.system.drag = 0.0;
   const int frames = static_cast<int>(2000.0 * std::sqrt(0.1 / g) / frame);
-  for (int i = 0; i < frames; ++i) trial.run(*find_integrator("velocity_verlet"), frame, 1);
-  const double height = trial.state.position[0].y + 0.95 + 0.5 * trial.state.velocity[0].y * trial.state.velocity[0].y / g;
+  for (int i = 0; i < frames; ++i) sim.run(*find_integrator("velocity_verlet"), frame, 1);
+  const double height = sim.state.position[0].y + 0.95 + 0.5 * sim.state.velocity[0].y * sim.state.velocity[0].y / g;
   EXPECT_NEAR(height, 0.05, 1e-9);
 }
 
 // symplectic Euler's positions are those of Verlet and its velocities are half a step off: nothing is lost from impact to impact
 TEST(Bounce, WithRestitutionOneNeitherGrowsNorDecaysUnderSymplecticEuler) {
-  Trial trial = falling_ball(0.05, 1.0);
+  TestSim sim = falling_ball(0.05, 1.0);
   const int frames = static_cast<int>(2000.0 * std::sqrt(0.1 / g) / frame);
-  for (int i = 0; i < frames; ++i) trial.run(*find_integrator("symplectic_euler"), frame, 4);
-  const double height = trial.state.position[0].y + 0.95 + 0.5 * trial.state.velocity[0].y * trial.state.velocity[0].y / g;
+  for (int i = 0; i < frames; ++i) sim.run(*find_integrator("symplectic_euler"), frame, 4);
+  const double height = sim.state.position[0].y + 0.95 + 0.5 * sim.state.velocity[0].y * sim.state.velocity[0].y / g;
   // the error of v is g h / 2
   EXPECT_NEAR(height, 0.05, std::sqrt(2.0 * g * 0.05) * frame / 4.0);
 }
 
 TEST(Bounce, AtHighSpeedReboundsToTheSquareOfRestitution) {
-  Trial trial = falling_ball(0.0, 0.7);
-  trial.state.position[0].y += 3.0;
-  trial.state.velocity[0].y = -100.0;
+  TestSim sim = falling_ball(0.0, 0.7);
+  sim.state.position[0].y += 3.0;
+  sim.state.velocity[0].y = -100.0;
   double highest = -1.0;
   for (int i = 0; i < 600; ++i) {
-    trial.run(*find_integrator("velocity_verlet"), frame, 1);
-    if (trial.state.velocity[0].y > 0.0) highest = trial.state.position[0].y + 0.5 * std::pow(trial.state.velocity[0].y, 2) / g;
+    sim.run(*find_integrator("velocity_verlet"), frame, 1);
+    if (sim.state.velocity[0].y > 0.0) highest = sim.state.position[0].y + 0.5 * std::pow(sim.state.velocity[0].y, 2) / g;
     if (i > 10) break;
   }
   EXPECT_NEAR(highest + 0.95, 0.49 * (1e4 + 2.0 * g * 3.0) / (2.0 * g), 1e-9);
@@ -159,14 +159,14 @@ TEST(Bounce, AtHighSpeedReboundsToTheSquareOfRestitution) {
 // Coulomb: the tangential velocity falls by mu (1 + e) |v_n|, at most to zero
 TEST(Bounce, LosesTangentialSpeedToFriction) {
   for (const double friction : {0.1, 5.0}) {
-    Trial trial = falling_ball(0.0, 0.5);
-    trial.system.gravity = Vec3(0.0);
-    trial.system.colliders[0].friction = friction;
-    trial.state.position[0].y += 0.01;
-    trial.state.velocity[0] = {3.0, -4.0, 4.0};
-    trial.run(*find_integrator("velocity_verlet"), frame, 1);
+    TestSim sim = falling_ball(0.0, 0.5);
+    sim.system.gravity = Vec3(0.0);
+    sim.system.colliders[0].friction = friction;
+    sim.state.position[0].y += 0.01;
+    sim.state.velocity[0] = {3.0, -4.0, 4.0};
+    sim.run(*find_integrator("velocity_verlet"), frame, 1);
     const double left = std::max(0.0, 5.0 - friction * 1.5 * 4.0) / 5.0;
-    EXPECT_LT(glm::distance(trial.state.velocity[0], Vec3(3.0 * left, 2.0, 4.0 * left)), 1e-12) << "mu = " << friction;
+    EXPECT_LT(glm::distance(sim.state.velocity[0], Vec3(3.0 * left, 2.0, 4.0 * left)), 1e-12) << "mu = " << friction;
   }
 }
 
@@ -175,36 +175,36 @@ TEST_P(Bounce, OffABallIsAReflectionAtAnyImpactParameter) {
   const double combined_radius = 0.3;
   for (const double radius : {0.0, 0.1})
     for (const double b : {0.0, 0.1, 0.5, 0.9, 0.99, 0.9999}) {
-      Trial trial;
-      trial.system.gravity = Vec3(0.0);
-      trial.system.colliders = {{.shape = Sphere{.center = {0.1, 0.2, 0.3}, .radius = combined_radius - radius}, .restitution = 1.0}};
-      trial.add(Vec3(0.1 - 0.8, 0.2 + b * combined_radius, 0.3), 1.0, {100.0, 0.0, 0.0});
-      trial.system.point(0).radius = radius;
-      trial.run(method(), frame, 1);
+      TestSim sim;
+      sim.system.gravity = Vec3(0.0);
+      sim.system.colliders = {{.shape = Sphere{.center = {0.1, 0.2, 0.3}, .radius = combined_radius - radius}, .restitution = 1.0}};
+      sim.add(Vec3(0.1 - 0.8, 0.2 + b * combined_radius, 0.3), 1.0, {100.0, 0.0, 0.0});
+      sim.system.point(0).radius = radius;
+      sim.run(method(), frame, 1);
 
       const double cosine = std::sqrt(1.0 - b * b), path_length = 0.8 - combined_radius * cosine;
       const Vec3 normal(-cosine, b, 0.0), out = Vec3(1.0, 0.0, 0.0) - 2.0 * -cosine * normal;
       const Vec3 expected = Vec3(0.1, 0.2, 0.3) + combined_radius * normal + (100.0 * frame - path_length) * out;
-      EXPECT_LT(glm::distance(trial.state.position[0], expected), 1e-9 / std::max(cosine, 0.01)) << "b = " << b << ", radius " << radius;
-      EXPECT_LT(glm::distance(trial.state.velocity[0], 100.0 * out), 1e-8 / std::max(cosine, 0.01)) << "b = " << b;
+      EXPECT_LT(glm::distance(sim.state.position[0], expected), 1e-9 / std::max(cosine, 0.01)) << "b = " << b << ", radius " << radius;
+      EXPECT_LT(glm::distance(sim.state.velocity[0], 100.0 * out), 1e-8 / std::max(cosine, 0.01)) << "b = " << b;
     }
 }
 
 TEST(Bounce, RequiresContact) {
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
-  trial.system.colliders = {{.shape = Sphere{.center = Vec3(0.0), .radius = 0.3}, .restitution = 1.0}};
-  trial.add(Vec3(-0.8, 0.3 + 1e-9, 0.0), 1.0, {100.0, 0.0, 0.0});
-  trial.run(*find_integrator("velocity_verlet"), frame, 1);
-  EXPECT_EQ(trial.state.velocity[0], Vec3(100.0, 0.0, 0.0));
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  sim.system.colliders = {{.shape = Sphere{.center = Vec3(0.0), .radius = 0.3}, .restitution = 1.0}};
+  sim.add(Vec3(-0.8, 0.3 + 1e-9, 0.0), 1.0, {100.0, 0.0, 0.0});
+  sim.run(*find_integrator("velocity_verlet"), frame, 1);
+  EXPECT_EQ(sim.state.velocity[0], Vec3(100.0, 0.0, 0.0));
 }
 
 // A box of 2 m with walls of 1 mm that contains a ball and a block. Points moving at 100 m/s must stay inside the box and outside the ball
 // and the block.
-Trial closed_box(double restitution) {
-  Trial trial;
+TestSim closed_box(double restitution) {
+  TestSim sim;
   const auto box = [&](const Vec3& min, const Vec3& max) {
-    trial.system.colliders.push_back({.shape = Box{min, max}, .restitution = restitution});
+    sim.system.colliders.push_back({.shape = Box{min, max}, .restitution = restitution});
   };
   const double w = 1.001;
   for (int c = 0; c < 3; ++c)
@@ -214,28 +214,28 @@ Trial closed_box(double restitution) {
       max[c] = side > 0.0 ? w : -1.0;
       box(min, max);
     }
-  trial.system.colliders.push_back({.shape = Sphere{.center = {0.3, 0.0, 0.0}, .radius = 0.3}, .restitution = restitution});
+  sim.system.colliders.push_back({.shape = Sphere{.center = {0.3, 0.0, 0.0}, .radius = 0.3}, .restitution = restitution});
   box({-0.8, -1.0, -0.5}, {-0.5, -0.2, 0.5});
-  trial.system.colliders.push_back({.shape = Plane{.point = {0.0, -0.9, 0.0}}, .restitution = restitution});
-  return trial;
+  sim.system.colliders.push_back({.shape = Plane{.point = {0.0, -0.9, 0.0}}, .restitution = restitution});
+  return sim;
 }
 
 TEST_P(Bounce, NothingPassesThroughWallsAtAHundredMetersPerSecond) {
   Random random(5);
   for (const double restitution : {0.0, 0.6, 1.0}) {
-    Trial trial = closed_box(restitution);
+    TestSim sim = closed_box(restitution);
     for (int i = 0; i < 100; ++i) {
       const Vec3 direction = glm::normalize(Vec3(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)));
-      trial.add({-0.2, 0.3, random.uniform(-0.3, 0.3)}, 1.0, 100.0 * direction);
-      trial.system.point(i).radius = i % 2 == 0 ? 0.0 : 0.03;
+      sim.add({-0.2, 0.3, random.uniform(-0.3, 0.3)}, 1.0, 100.0 * direction);
+      sim.system.point(i).radius = i % 2 == 0 ? 0.0 : 0.03;
     }
     for (int f = 0; f < 60; ++f) {
-      trial.run(method(), frame, 1);
-      for (std::size_t i = 0; i < trial.state.position.size(); ++i) {
-        const Vec3& x = trial.state.position[i];
+      sim.run(method(), frame, 1);
+      for (std::size_t i = 0; i < sim.state.position.size(); ++i) {
+        const Vec3& x = sim.state.position[i];
         ASSERT_LT(std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)}), 1.0 + 1e-12) << "point " << i << ", frame " << f;
-        for (const Collider& collider : trial.system.colliders)
-          ASSERT_GT(gap_to(collider, trial.system.points()[i].radius, x).distance, -1e-12) << "point " << i << ", frame " << f;
+        for (const Collider& collider : sim.system.colliders)
+          ASSERT_GT(gap_to(collider, sim.system.points()[i].radius, x).distance, -1e-12) << "point " << i << ", frame " << f;
       }
     }
   }

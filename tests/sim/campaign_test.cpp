@@ -20,21 +20,21 @@ TEST_P(Campaign, NoRunFailsSilently) {
   constexpr std::uint64_t scenes = 200;
   int reported = 0;
   for (std::uint64_t seed = 0; seed < scenes; ++seed) {
-    Trial trial = random_force_scene(seed, ForceSceneKind::Any);
-    initialize_ledger(trial.system, trial.state);
-    Plan plan = make_plan(trial.system);
+    TestSim sim = random_force_scene(seed, ForceSceneKind::Any);
+    initialize_ledger(sim.system, sim.state);
+    Plan plan = make_plan(sim.system);
     const Settings settings{.integrator = &method(), .substeps = 5};
     Frame frame;
     bool is_reported = false;
     for (int i = 0; i < 60 && !is_reported; ++i) {
-      frame.begin(plan, trial.system, settings, trial.state);
+      frame.begin(plan, sim.system, settings, sim.state);
       while (!frame.done()) frame.substep(plan);
-      frame.end(plan, trial.state);
-      is_reported = find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state), frame.failure()).has_value();
+      frame.end(plan, sim.state);
+      is_reported = find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state), frame.failure()).has_value();
     }
     reported += is_reported ? 1 : 0;
-    if (is_reported || !std::isfinite(plausible_reach(trial.system, plan.spectrum, 1.0, 1.0, 1.0))) continue;
-    for (const Vec3& x : trial.state.position) ASSERT_LT(glm::length(x), far) << "scene " << seed;
+    if (is_reported || !std::isfinite(plausible_reach(sim.system, plan.spectrum, 1.0, 1.0, 1.0))) continue;
+    for (const Vec3& x : sim.state.position) ASSERT_LT(glm::length(x), far) << "scene " << seed;
   }
   if (method().implicit_force_terms) {
     EXPECT_LT(reported, static_cast<int>(scenes) / 50);

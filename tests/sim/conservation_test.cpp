@@ -16,17 +16,17 @@ namespace hooke {
 namespace {
 
 // A free network of 20 points, without nails or gravity.
-Trial free_network(double max_damping) {
-  Trial trial = random_trial(3, 20, 60, 3, max_damping);
-  trial.system.gravity = Vec3(0.0);
-  for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).nailed = false;
-  return trial;
+TestSim free_network(double max_damping) {
+  TestSim sim = random_sim(3, 20, 60, 3, max_damping);
+  sim.system.gravity = Vec3(0.0);
+  for (Index i = 0; i < sim.system.point_count(); ++i) sim.system.point(i).nailed = false;
+  return sim;
 }
 
-double momentum_scale(const Trial& trial) {
+double momentum_scale(const TestSim& sim) {
   double scale = 0.0;
-  for (Index i = 0; i < trial.system.point_count(); ++i)
-    scale += trial.system.points()[i].mass * (1.0 + glm::length(trial.state.velocity[i])) * (1.0 + glm::length(trial.state.position[i]));
+  for (Index i = 0; i < sim.system.point_count(); ++i)
+    scale += sim.system.points()[i].mass * (1.0 + glm::length(sim.state.velocity[i])) * (1.0 + glm::length(sim.state.position[i]));
   return scale;
 }
 
@@ -35,11 +35,11 @@ INSTANTIATE_TEST_SUITE_P(Methods, Conservation, testing::ValuesIn(every_method()
 
 TEST_P(Conservation, OfMomentumToRoundOff) {
   for (const double damping : {0.0, 2.0}) {
-    Trial trial = free_network(damping);
-    const Momentum before = compute_momentum(trial.system, trial.state);
-    trial.run(method(), 1.0, 2000);
-    const Momentum after = compute_momentum(trial.system, trial.state);
-    EXPECT_LT(glm::distance(after.linear, before.linear), 1e-13 * momentum_scale(trial)) << "d up to " << damping;
+    TestSim sim = free_network(damping);
+    const Momentum before = compute_momentum(sim.system, sim.state);
+    sim.run(method(), 1.0, 2000);
+    const Momentum after = compute_momentum(sim.system, sim.state);
+    EXPECT_LT(glm::distance(after.linear, before.linear), 1e-13 * momentum_scale(sim)) << "d up to " << damping;
   }
 }
 
@@ -47,15 +47,15 @@ TEST_P(Conservation, OfMomentumToRoundOff) {
 // the points, and XPBD does so with its corrections, so their error in angular momentum is of the order of their accuracy.
 TEST_P(Conservation, OfAngularMomentumToRoundOffOnlyIfSymplectic) {
   for (const double damping : {0.0, 2.0}) {
-    Trial trial = free_network(damping);
-    const Momentum before = compute_momentum(trial.system, trial.state);
+    TestSim sim = free_network(damping);
+    const Momentum before = compute_momentum(sim.system, sim.state);
     const auto [seconds, steps] = method().symplectic ? std::pair(1.0, 2000) : std::pair(0.2, 20);
-    trial.run(method(), seconds, steps);
-    const double lost = glm::distance(compute_momentum(trial.system, trial.state).angular, before.angular);
+    sim.run(method(), seconds, steps);
+    const double lost = glm::distance(compute_momentum(sim.system, sim.state).angular, before.angular);
     if (method().symplectic) {
-      EXPECT_LT(lost, 1e-13 * momentum_scale(trial)) << "d up to " << damping;
+      EXPECT_LT(lost, 1e-13 * momentum_scale(sim)) << "d up to " << damping;
     } else {
-      EXPECT_GT(lost, 1e-9 * momentum_scale(trial)) << "d up to " << damping;
+      EXPECT_GT(lost, 1e-9 * momentum_scale(sim)) << "d up to " << damping;
     }
   }
 }
@@ -64,8 +64,8 @@ TEST_P(Conservation, OfAngularMomentumToRoundOffOnlyIfSymplectic) {
 // to the second by about its spread within the first half, or by half of that if it decays; if the energy is bounded, its mean hardly
 // changes.
 TEST_P(Conservation, OfEnergyIsAsDeclared) {
-  Trial trial = net(8, 1e2, 0.0);
-  const double omega = make_plan(trial.system).spectrum.omega;
+  TestSim sim = net(8, 1e2, 0.0);
+  const double omega = make_plan(sim.system).spectrum.omega;
   const auto steps_per_frame = [&] {
     switch (method().stability) {
       case Stability::None:
@@ -82,8 +82,8 @@ TEST_P(Conservation, OfEnergyIsAsDeclared) {
   constexpr int frames = 160;
   std::vector<double> energy;
   for (int frame = 0; frame < frames; ++frame) {
-    trial.run(method(), 0.1, steps_per_frame());
-    energy.push_back(compute_energy(trial.system, trial.state).total());
+    sim.run(method(), 0.1, steps_per_frame());
+    energy.push_back(compute_energy(sim.system, sim.state).total());
   }
 
   const auto half = energy.begin() + frames / 2;
@@ -109,12 +109,12 @@ TEST_P(Conservation, OfEnergyIsAsDeclared) {
 
 // the range of the energy within 8 s of the swinging net, in frames of 1/50 s
 double energy_fluctuation(const Integrator& method, int substeps) {
-  Trial trial = net(8, 1e2, 0.0);
-  const double start = compute_energy(trial.system, trial.state).total();
+  TestSim sim = net(8, 1e2, 0.0);
+  const double start = compute_energy(sim.system, sim.state).total();
   double max = 0.0;
   for (int frame = 0; frame < 400; ++frame) {
-    trial.run(method, 0.02, substeps);
-    max = std::max(max, std::abs(compute_energy(trial.system, trial.state).total() - start));
+    sim.run(method, 0.02, substeps);
+    max = std::max(max, std::abs(compute_energy(sim.system, sim.state).total() - start));
   }
   return max;
 }
@@ -128,19 +128,19 @@ TEST(Energy, FluctuatesByTheOrderOfTheMethodUnderSymplecticMethods) {
 }
 
 TEST(Energy, IsTheSumOfItsParts) {
-  Trial trial;
-  const PointId first = trial.add({1.0, 2.0, 3.0}, 2.0, {3.0, 0.0, 4.0}), second = trial.add({1.0, 2.0, 5.0}, 0.5);
-  trial.join(first, second, 100.0, 1.5);
-  trial.nail({0.0, 7.0, 0.0});
-  trial.system.grab = Grab{.point = second, .kind = GrabKind::Pull, .stiffness = 8.0};
-  trial.state.hand.position = {1.0, 2.0, 6.0};
-  const Energy energy = compute_energy(trial.system, trial.state);
+  TestSim sim;
+  const PointId first = sim.add({1.0, 2.0, 3.0}, 2.0, {3.0, 0.0, 4.0}), second = sim.add({1.0, 2.0, 5.0}, 0.5);
+  sim.join(first, second, 100.0, 1.5);
+  sim.nail({0.0, 7.0, 0.0});
+  sim.system.grab = Grab{.point = second, .kind = GrabKind::Pull, .stiffness = 8.0};
+  sim.state.hand.position = {1.0, 2.0, 6.0};
+  const Energy energy = compute_energy(sim.system, sim.state);
   EXPECT_DOUBLE_EQ(energy.kinetic, 25.0);
   EXPECT_DOUBLE_EQ(energy.elastic, 0.5 * 100.0 * 0.25 + 0.5 * 8.0);
   EXPECT_DOUBLE_EQ(energy.gravitational, 9.81 * 2.0 * 2.5);
   EXPECT_DOUBLE_EQ(energy.total(), energy.kinetic + energy.elastic + energy.gravitational);
 
-  const Momentum momentum = compute_momentum(trial.system, trial.state);
+  const Momentum momentum = compute_momentum(sim.system, sim.state);
   EXPECT_LT(glm::distance(momentum.linear, Vec3(6.0, 0.0, 8.0)), 1e-14);
   EXPECT_LT(glm::distance(momentum.angular, Vec3(16.0, 10.0, -12.0)), 1e-14);
 }
@@ -162,18 +162,18 @@ double dissipation(const System& system, const State& state) {
 // E(t) - E(0) = - integral of the dissipation, by the trapezoidal rule: at best second order
 TEST_P(Conservation, OfEnergyMinusDissipation) {
   const auto missing = [&](int frames) {
-    Trial trial = net(6, 1e2, 0.3);
-    trial.system.drag = 0.7;
-    const Energy start = compute_energy(trial.system, trial.state);
-    double lost = 0.0, before = dissipation(trial.system, trial.state);
+    TestSim sim = net(6, 1e2, 0.3);
+    sim.system.drag = 0.7;
+    const Energy start = compute_energy(sim.system, sim.state);
+    double lost = 0.0, before = dissipation(sim.system, sim.state);
     for (int frame = 0; frame < frames; ++frame) {
-      trial.run(method(), 1.0 / frames, 4);
-      const double after = dissipation(trial.system, trial.state);
+      sim.run(method(), 1.0 / frames, 4);
+      const double after = dissipation(sim.system, sim.state);
       lost += 0.5 * (before + after) / frames;
       before = after;
     }
     EXPECT_GT(lost, 0.1 * start.kinetic);
-    return std::abs(compute_energy(trial.system, trial.state).total() + lost - start.total());
+    return std::abs(compute_energy(sim.system, sim.state).total() + lost - start.total());
   };
   const int order = std::min({2, method().order_damped, method().order_drag});
   expect_order(missing, order == 1 ? 800 : 100, order, 0.2);

@@ -14,11 +14,11 @@ namespace {
 class DivergenceDetection : public EveryMethod {
  protected:
   // The number of frames until a divergence is detected, or `max` if there is none.
-  int frames_until_divergence(Trial& trial, int substeps, int max) {
-    initialize_ledger(trial.system, trial.state);
+  int frames_until_divergence(TestSim& sim, int substeps, int max) {
+    initialize_ledger(sim.system, sim.state);
     for (int frame = 0; frame < max; ++frame) {
-      trial.run(method(), 1.0 / 60.0, substeps);
-      if (find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state))) return frame;
+      sim.run(method(), 1.0 / 60.0, substeps);
+      if (find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state))) return frame;
     }
     return max;
   }
@@ -27,66 +27,66 @@ INSTANTIATE_TEST_SUITE_P(Methods, DivergenceDetection, testing::ValuesIn(every_m
 
 // a point has no extent, and the only energy supplied is potential energy from its height
 TEST_P(DivergenceDetection, AcceptsASinglePointThatFallsAndBounces) {
-  Trial trial;
-  trial.add({0.0, 1.0, 0.0});
-  trial.system.colliders = {{.shape = Plane{}, .restitution = 0.9}};
-  EXPECT_EQ(frames_until_divergence(trial, 4, 300), 300);
+  TestSim sim;
+  sim.add({0.0, 1.0, 0.0});
+  sim.system.colliders = {{.shape = Plane{}, .restitution = 0.9}};
+  EXPECT_EQ(frames_until_divergence(sim, 4, 300), 300);
 }
 
 // after 20 s of falling the energy is 2e5 times what a scene of 0.1 mm can store, and the error of explicit Euler is h / t of it
 TEST_P(DivergenceDetection, AcceptsALongFallOfATinyScene) {
-  Trial trial;
-  trial.join(trial.add({0.0, 0.0, 0.0}), trial.add({1e-4, 0.0, 0.0}), 1.0, 1e-4);
-  EXPECT_EQ(frames_until_divergence(trial, 1, 1200), 1200);
+  TestSim sim;
+  sim.join(sim.add({0.0, 0.0, 0.0}), sim.add({1e-4, 0.0, 0.0}), 1.0, 1e-4);
+  EXPECT_EQ(frames_until_divergence(sim, 1, 1200), 1200);
 }
 
 TEST_P(DivergenceDetection, StopsASpringThatIsFarTooStiffForTheStep) {
   if (method().stability != Stability::None && method().stability != Stability::Conditional) return;
-  Trial trial;
-  trial.join(trial.nail(Vec3(0.0)), trial.add({0.0, -1.1, 0.0}), 1e8, 1.0);
-  EXPECT_LT(frames_until_divergence(trial, 1, 60), 10);
+  TestSim sim;
+  sim.join(sim.nail(Vec3(0.0)), sim.add({0.0, -1.1, 0.0}), 1e8, 1.0);
+  EXPECT_LT(frames_until_divergence(sim, 1, 60), 10);
 }
 
 TEST_P(DivergenceDetection, AcceptsAnEndlessFall) {
-  Trial trial;
-  trial.add({0.0, 1.0, 0.0});
-  EXPECT_EQ(frames_until_divergence(trial, 1, 20000), 20000);
+  TestSim sim;
+  sim.add({0.0, 1.0, 0.0});
+  EXPECT_EQ(frames_until_divergence(sim, 1, 20000), 20000);
 }
 
 // without a nail, the whole net keeps accelerating
 TEST_P(DivergenceDetection, AcceptsANetThatFallsForAHundredSeconds) {
-  Trial trial = net(5, 1e2, 0.1);
-  for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).nailed = false;
+  TestSim sim = net(5, 1e2, 0.1);
+  for (Index i = 0; i < sim.system.point_count(); ++i) sim.system.point(i).nailed = false;
   // explicit Euler amplifies transverse vibrations, which dashpots do not damp
   const bool holds = method().stability != Stability::None;
-  EXPECT_EQ(frames_until_divergence(trial, holds ? 4 : 20, holds ? 6000 : 60), holds ? 6000 : 60);
+  EXPECT_EQ(frames_until_divergence(sim, holds ? 4 : 20, holds ? 6000 : 60), holds ? 6000 : 60);
 }
 
 TEST_P(DivergenceDetection, AcceptsEnergyLossThroughDrag) {
-  Trial trial = net(4, 1e2, 0.1);
-  trial.system.drag = 1.0;
-  trial.system.wind = {20.0, 0.0, 0.0};
-  EXPECT_EQ(frames_until_divergence(trial, 20, 600), 600);
+  TestSim sim = net(4, 1e2, 0.1);
+  sim.system.drag = 1.0;
+  sim.system.wind = {20.0, 0.0, 0.0};
+  EXPECT_EQ(frames_until_divergence(sim, 20, 600), 600);
 }
 
 // 8 x 8 points 0.1 m apart, 0.01 kg each, k = 10 N/m, the top row nailed
-Trial square_net() {
-  Trial trial;
+TestSim square_net() {
+  TestSim sim;
   for (int i = 0; i < 64; ++i) {
-    trial.add({0.1 * (i % 8), -0.1 * (i / 8), 0.0}, 0.01);
-    trial.system.point(i).nailed = i < 8;
+    sim.add({0.1 * (i % 8), -0.1 * (i / 8), 0.0}, 0.01);
+    sim.system.point(i).nailed = i < 8;
   }
-  const auto join = [&](int from, int to) { trial.join(trial.system.points()[from].id, trial.system.points()[to].id, 10.0, 0.1); };
+  const auto join = [&](int from, int to) { sim.join(sim.system.points()[from].id, sim.system.points()[to].id, 10.0, 0.1); };
   for (int i = 0; i < 64; ++i) {
     if (i % 8 < 7) join(i, i + 1);
     if (i < 56) join(i, i + 8);
   }
-  return trial;
+  return sim;
 }
 
 TEST_P(DivergenceDetection, StopsTheNetThatOnlyExplicitEulerBlowsUp) {
-  Trial trial = square_net();
-  const int frames = frames_until_divergence(trial, 10, 1200);
+  TestSim sim = square_net();
+  const int frames = frames_until_divergence(sim, 10, 1200);
   if (method().stability == Stability::None) {
     EXPECT_LT(frames, 1200);
   } else {
@@ -98,25 +98,25 @@ TEST_P(DivergenceDetection, StopsTheNetThatOnlyExplicitEulerBlowsUp) {
 TEST_P(DivergenceDetection, AcceptsErraticGrabsAndParameterChanges) {
   if (method().stability == Stability::None) return;
   Random random(9);
-  Trial trial = net(5, 1e2, 0.0);
-  initialize_ledger(trial.system, trial.state);
+  TestSim sim = net(5, 1e2, 0.0);
+  initialize_ledger(sim.system, sim.state);
   for (int frame = 0; frame < 400; ++frame) {
-    const double energy = compute_energy(trial.system, trial.state).total();
+    const double energy = compute_energy(sim.system, sim.state).total();
     if (frame % 40 == 0) {
       // release, change every k and d by a factor of a hundred up or down, grab another point
-      trial.system.grab.reset();
-      for (Index s = 0; s < trial.system.spring_count(); ++s) {
-        trial.system.spring(s).stiffness = random.one_in(2) ? 1e2 : 1e4;
-        trial.system.spring(s).damping = random.one_in(2) ? 0.0 : 0.5;
+      sim.system.grab.reset();
+      for (Index s = 0; s < sim.system.spring_count(); ++s) {
+        sim.system.spring(s).stiffness = random.one_in(2) ? 1e2 : 1e4;
+        sim.system.spring(s).damping = random.one_in(2) ? 0.0 : 0.5;
       }
       const Index point = 5 + random.below(20);
-      trial.system.grab = Grab{.point = trial.system.points()[point].id, .kind = frame % 80 == 0 ? GrabKind::Hold : GrabKind::Pull};
-      trial.state.hand.position = trial.state.position[point];
-      record_edit_energy(trial.system, energy, trial.state);
+      sim.system.grab = Grab{.point = sim.system.points()[point].id, .kind = frame % 80 == 0 ? GrabKind::Hold : GrabKind::Pull};
+      sim.state.hand.position = sim.state.position[point];
+      record_edit_energy(sim.system, energy, sim.state);
     }
-    trial.state.hand.target = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
-    trial.run(method(), 1.0 / 60.0, 60);
-    ASSERT_FALSE(find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state))) << "frame " << frame;
+    sim.state.hand.target = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+    sim.run(method(), 1.0 / 60.0, 60);
+    ASSERT_FALSE(find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state))) << "frame " << frame;
   }
 }
 
@@ -128,28 +128,28 @@ struct Swing {
 };
 Swing swing_stiff_sheet(const Integrator& method, int substeps) {
   constexpr int n = 12;
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
-  trial.system.drag = 2.0;
-  for (int i = 0; i < n * n; ++i) trial.add({i % n / 11.0, -(i / n) / 11.0, 0.0}, 1.0 / (n * n));
-  const auto join = [&](int from, int to) { trial.join(trial.system.points()[from].id, trial.system.points()[to].id, 1e6, 1.0 / 11.0); };
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  sim.system.drag = 2.0;
+  for (int i = 0; i < n * n; ++i) sim.add({i % n / 11.0, -(i / n) / 11.0, 0.0}, 1.0 / (n * n));
+  const auto join = [&](int from, int to) { sim.join(sim.system.points()[from].id, sim.system.points()[to].id, 1e6, 1.0 / 11.0); };
   for (int i = 0; i < n * n; ++i) {
     if (i % n < n - 1) join(i, i + 1);
     if (i < n * (n - 1)) join(i, i + n);
   }
-  initialize_ledger(trial.system, trial.state);
+  initialize_ledger(sim.system, sim.state);
 
   Swing swing;
   for (; swing.frames < 30; ++swing.frames) {
     const double angle = 50.0 / 60.0 * (swing.frames + 1);
-    trial.system.grab.reset();
-    if (swing.frames < 10) trial.system.grab = Grab{.point = trial.system.points()[0].id, .kind = GrabKind::Hold};
-    trial.state.hand = {.position = trial.state.position[0], .target = {std::cos(angle) - 1.0, std::sin(angle), 0.0}};
-    trial.run(method, 1.0 / 60.0, substeps);
-    const Energy energy = compute_energy(trial.system, trial.state);
-    if (find_divergence(trial.system, trial.state, energy)) break;
+    sim.system.grab.reset();
+    if (swing.frames < 10) sim.system.grab = Grab{.point = sim.system.points()[0].id, .kind = GrabKind::Hold};
+    sim.state.hand = {.position = sim.state.position[0], .target = {std::cos(angle) - 1.0, std::sin(angle), 0.0}};
+    sim.run(method, 1.0 / 60.0, substeps);
+    const Energy energy = compute_energy(sim.system, sim.state);
+    if (find_divergence(sim.system, sim.state, energy)) break;
     swing.max_energy = std::max(swing.max_energy, energy.total());
-    swing.max_gain = std::max(swing.max_gain, energy.total() - trial.state.ledger.net_input);
+    swing.max_gain = std::max(swing.max_gain, energy.total() - sim.state.ledger.net_input);
   }
   return swing;
 }
@@ -171,68 +171,68 @@ TEST(DivergenceDetection, StopsAStiffSheetThatBlowsUpUnderAFastHand) {
 }
 
 TEST(DivergenceDetection, AcceptsRestWithoutGravity) {
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
-  trial.join(trial.add(Vec3(0.0)), trial.add({1.0, 0.0, 0.0}), 100.0, 1.0 - 1e-16);
-  trial.add({5.0, 0.0, 0.0});
-  initialize_ledger(trial.system, trial.state);
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  sim.join(sim.add(Vec3(0.0)), sim.add({1.0, 0.0, 0.0}), 100.0, 1.0 - 1e-16);
+  sim.add({5.0, 0.0, 0.0});
+  initialize_ledger(sim.system, sim.state);
   for (int frame = 0; frame < 100; ++frame) {
-    trial.run(default_integrator(), 1.0 / 60.0, 1);
-    ASSERT_FALSE(find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state))) << "frame " << frame;
+    sim.run(default_integrator(), 1.0 / 60.0, 1);
+    ASSERT_FALSE(find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state))) << "frame " << frame;
   }
 }
 
 TEST(DivergenceDetection, NamesTheNonFinitePointAndItsSpring) {
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
     for (const bool in_velocity : {false, true}) {
-      Trial trial = net(4, 1e2, 0.0);
-      initialize_ledger(trial.system, trial.state);
-      (in_velocity ? trial.state.velocity : trial.state.position)[9].y = bad;
-      EXPECT_FALSE(is_finite(trial.state));
-      const auto found = find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state));
+      TestSim sim = net(4, 1e2, 0.0);
+      initialize_ledger(sim.system, sim.state);
+      (in_velocity ? sim.state.velocity : sim.state.position)[9].y = bad;
+      EXPECT_FALSE(is_finite(sim.state));
+      const auto found = find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state));
       ASSERT_TRUE(found);
       EXPECT_EQ(found->kind, Divergence::Kind::NotFinite);
-      EXPECT_EQ(found->point, trial.system.points()[9].id);
+      EXPECT_EQ(found->point, sim.system.points()[9].id);
       ASSERT_TRUE(found->spring);
-      const Spring& spring = trial.system.springs()[trial.system.index_of(*found->spring)];
+      const Spring& spring = sim.system.springs()[sim.system.index_of(*found->spring)];
       EXPECT_TRUE(spring.first == *found->point || spring.second == *found->point);
     }
 }
 
 // an unstable point can drive the others to infinity within one frame
 TEST(DivergenceDetection, NamesTheLightPointOfAChainThatDivergesInOneFrame) {
-  Trial trial;
-  PointId last = trial.add(Vec3(0.0));
+  TestSim sim;
+  PointId last = sim.add(Vec3(0.0));
   for (int i = 1; i < 12; ++i) {
-    const PointId next = trial.add({0.1 * i, 0.01 * (i % 2), 0.0}, i == 7 ? 1e-6 : 1.0);
-    trial.join(last, next, 1e4, 0.1);
+    const PointId next = sim.add({0.1 * i, 0.01 * (i % 2), 0.0}, i == 7 ? 1e-6 : 1.0);
+    sim.join(last, next, 1e4, 0.1);
     last = next;
   }
-  initialize_ledger(trial.system, trial.state);
-  trial.run(*find_integrator("blanes_moan4"), 1.0 / 60.0, 40);
-  ASSERT_FALSE(is_finite(trial.state));
-  const auto found = find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state));
+  initialize_ledger(sim.system, sim.state);
+  sim.run(*find_integrator("blanes_moan4"), 1.0 / 60.0, 40);
+  ASSERT_FALSE(is_finite(sim.state));
+  const auto found = find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state));
   ASSERT_TRUE(found);
-  EXPECT_EQ(trial.system.index_of(*found->point), 7);
+  EXPECT_EQ(sim.system.index_of(*found->point), 7);
 }
 
 TEST(DivergenceDetection, NamesTheFastestPointAndItsMostStretchedSpring) {
-  Trial trial = net(4, 1e2, 0.0);
-  initialize_ledger(trial.system, trial.state);
-  trial.state.velocity[9] = {1e5, 0.0, 0.0};
-  trial.state.velocity[1] = {1e6, 0.0, 0.0};  // nailed
-  trial.system.spring(3).stiffness = 1e9;
-  trial.state.position[9].x += 3.0;
-  const auto found = find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state));
+  TestSim sim = net(4, 1e2, 0.0);
+  initialize_ledger(sim.system, sim.state);
+  sim.state.velocity[9] = {1e5, 0.0, 0.0};
+  sim.state.velocity[1] = {1e6, 0.0, 0.0};  // nailed
+  sim.system.spring(3).stiffness = 1e9;
+  sim.state.position[9].x += 3.0;
+  const auto found = find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->kind, Divergence::Kind::EnergyGain);
-  EXPECT_EQ(found->point, trial.system.points()[9].id);
+  EXPECT_EQ(found->point, sim.system.points()[9].id);
   EXPECT_GT(found->energy, divergence_factor * found->scale);
   double highest = 0.0;
   SpringId stretched{};
-  for (const Spring& spring : trial.system.springs()) {
+  for (const Spring& spring : sim.system.springs()) {
     if (spring.first != *found->point && spring.second != *found->point) continue;
-    const double energy = spring.stiffness * std::pow(strain(trial.system, trial.state, spring) * spring.rest_length, 2);
+    const double energy = spring.stiffness * std::pow(strain(sim.system, sim.state, spring) * spring.rest_length, 2);
     if (energy > highest) {
       highest = energy;
       stretched = spring.id;

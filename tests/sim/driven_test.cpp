@@ -9,7 +9,7 @@
 
 #include "sim/energy.h"
 #include "support/convergence.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -19,14 +19,14 @@ constexpr double g = 9.81;
 
 // A mass on a spring that hangs from a nail, displaced horizontally by `x` and downwards by `z` from its rest position at l = l0 + m g / k.
 struct Pendulum {
-  Trial trial;
+  TestSim sim;
   PointId mass;
   double length;
-  Pendulum(double m, double k, double l0, double x, double z) : mass(trial.add({x, -l0 - m * g / k - z, 0.0}, m)), length(l0 + m * g / k) {
-    trial.join(trial.nail(Vec3(0.0)), mass, k, l0);
+  Pendulum(double m, double k, double l0, double x, double z) : mass(sim.add({x, -l0 - m * g / k - z, 0.0}, m)), length(l0 + m * g / k) {
+    sim.join(sim.nail(Vec3(0.0)), mass, k, l0);
   }
-  double horizontal_position() const { return trial.position(mass).x; }
-  double below() const { return -trial.position(mass).y - length; }
+  double horizontal_position() const { return sim.position(mass).x; }
+  double below() const { return -sim.position(mass).y - length; }
 };
 
 class SpringPendulum : public EveryMethod {};
@@ -37,7 +37,7 @@ TEST_P(SpringPendulum, BouncesAtTheFrequencyOfItsStiffness) {
   const double m = 0.4, k = 90.0, w = std::sqrt(k / m), seconds = 2.3 / w;
   const auto error = [&](int steps) {
     Pendulum pendulum(m, k, 0.5, 0.0, 0.2);
-    pendulum.trial.run(method(), seconds, steps);
+    pendulum.sim.run(method(), seconds, steps);
     EXPECT_EQ(pendulum.horizontal_position(), 0.0);
     return std::abs(pendulum.below() - 0.2 * std::cos(w * seconds));
   };
@@ -50,7 +50,7 @@ TEST_P(SpringPendulum, SwingsAtTheFrequencyOfItsLength) {
   const auto error = [&](int steps) {
     Pendulum pendulum(m, k, 0.5, x, 0.0);
     const double w = std::sqrt(g / pendulum.length), seconds = 2.3 / w;
-    pendulum.trial.run(method(), seconds, steps);
+    pendulum.sim.run(method(), seconds, steps);
     return std::abs(pendulum.horizontal_position() / x - std::cos(w * seconds));
   };
   // positions have a resolution of 1e-10 relative to x
@@ -68,16 +68,16 @@ TEST(SpringPendulum, ExchangesEnergyOnlyAtTheTwoToOneResonance) {
     // l = l0 + m g / k with k / m = ratio^2 g / l: m g / k = l / ratio^2
     const double m = 0.4, l = 1.0, k = m * ratio * ratio * g / l;
     Pendulum pendulum(m, k, l - l / (ratio * ratio), 1e-3, 0.08);
-    const double start = compute_energy(pendulum.trial.system, pendulum.trial.state).total();
+    const double start = compute_energy(pendulum.sim.system, pendulum.sim.state).total();
     double widest = 0.0, min_bounce = 1.0;
     for (int i = 0; i < 600; ++i) {
-      pendulum.trial.run(*find_integrator("blanes_moan4"), 0.1, 20);
-      const Vec3 v = pendulum.trial.velocity(pendulum.mass);
+      pendulum.sim.run(*find_integrator("blanes_moan4"), 0.1, 20);
+      const Vec3 v = pendulum.sim.velocity(pendulum.mass);
       // the amplitudes that correspond to position and velocity
       widest = std::max(widest, std::hypot(pendulum.horizontal_position(), v.x / std::sqrt(g / l)));
       min_bounce = std::min(min_bounce, std::hypot(pendulum.below(), v.y / std::sqrt(k / m)));
     }
-    EXPECT_NEAR(compute_energy(pendulum.trial.system, pendulum.trial.state).total(), start, 1e-9) << "ratio " << ratio;
+    EXPECT_NEAR(compute_energy(pendulum.sim.system, pendulum.sim.state).total(), start, 1e-9) << "ratio " << ratio;
     if (ratio == 2.0) {
       // m w^2 X^2 / 2 = m (2 w)^2 Z^2 / 2: the swing is twice as wide as the bounce was high, to first order in the amplitudes
       EXPECT_NEAR(widest, 2.0 * 0.08, 0.1 * 0.16);
@@ -99,18 +99,18 @@ class Shaken : public EveryMethod {
   double gain(double r, double d, double c, int substeps) const {
     constexpr int frames = 40;
     const double period = 2.0 * pi / (r * w0), dt = period / frames, s = pi / frames;
-    Trial trial;
-    trial.system.gravity = Vec3(0.0);
-    trial.system.drag = c;
-    const PointId held = trial.add(Vec3(0.0)), mass = trial.add({1.0, 0.0, 0.0}, m);
-    trial.join(held, mass, m * w0 * w0, 1.0, d);
-    trial.system.grab = Grab{.point = held, .kind = GrabKind::Hold};
+    TestSim sim;
+    sim.system.gravity = Vec3(0.0);
+    sim.system.drag = c;
+    const PointId held = sim.add(Vec3(0.0)), mass = sim.add({1.0, 0.0, 0.0}, m);
+    sim.join(held, mass, m * w0 * w0, 1.0, d);
+    sim.system.grab = Grab{.point = held, .kind = GrabKind::Hold};
     const int periods = static_cast<int>(std::log(1e12) / (zeta * w0) / period) + 2;
     std::complex<double> sum = 0.0;
     for (int i = 1; i <= periods * frames; ++i) {
-      trial.state.hand.target = {hand_amplitude * std::sin(2.0 * pi * i / frames), 0.0, 0.0};
-      trial.run(method(), dt, substeps);
-      if (i > (periods - 1) * frames) sum += (trial.position(mass).x - 1.0) * std::polar(2.0 / frames, -2.0 * pi * i / frames);
+      sim.state.hand.target = {hand_amplitude * std::sin(2.0 * pi * i / frames), 0.0, 0.0};
+      sim.run(method(), dt, substeps);
+      if (i > (periods - 1) * frames) sum += (sim.position(mass).x - 1.0) * std::polar(2.0 / frames, -2.0 * pi * i / frames);
     }
     return std::abs(sum) / hand_amplitude / std::pow(std::sin(s) / s, 2);
   }

@@ -23,9 +23,9 @@ struct Outcome {
 };
 
 // `frames` frames of `per_frame` substeps each; a frame of one substep is never taken at once.
-Outcome run(const Trial& trial, const Integrator& method, int frames, int per_frame) {
-  Outcome result{trial.state};
-  System system = trial.system;
+Outcome run(const TestSim& sim, const Integrator& method, int frames, int per_frame) {
+  Outcome result{sim.state};
+  System system = sim.system;
   Plan plan = make_plan(system);
   Frame frame;
   for (int i = 0; i < frames; ++i) {
@@ -59,41 +59,41 @@ std::vector<const Integrator*> flying_methods() {
   return methods;
 }
 
-void expect_equal_to_rounding(const Trial& trial, const char* what) {
+void expect_equal_to_rounding(const TestSim& sim, const char* what) {
   for (const Integrator* method : flying_methods()) {
-    const Outcome at_once = run(trial, *method, 1, substeps), one_by_one = run(trial, *method, substeps, 1);
+    const Outcome at_once = run(sim, *method, 1, substeps), one_by_one = run(sim, *method, substeps, 1);
     EXPECT_LT(largest_difference(at_once.state, one_by_one.state), 1e-12) << method->id << ", " << what;
-    EXPECT_GT(largest_difference(at_once.state, trial.state), 1e-4) << method->id << ", " << what;
+    EXPECT_GT(largest_difference(at_once.state, sim.state), 1e-4) << method->id << ", " << what;
   }
 }
 
-Trial swinging_net(double damping = 0.0) {
-  Trial trial = net(17, 500.0, damping);
-  for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).radius = 0.01;
-  return trial;
+TestSim swinging_net(double damping = 0.0) {
+  TestSim sim = net(17, 500.0, damping);
+  for (Index i = 0; i < sim.system.point_count(); ++i) sim.system.point(i).radius = 0.01;
+  return sim;
 }
 
 TEST(Flight, EqualsStepsOneByOne) {
   expect_equal_to_rounding(swinging_net(), "undamped");
   expect_equal_to_rounding(swinging_net(0.2), "dashpots");
   expect_equal_to_rounding(curtain(12, 300.0, 0.0), "diagonals");
-  Trial trial = swinging_net();
-  trial.system.drag = 3.0;
-  trial.system.wind = {2.0, 0.0, 1.0};
-  expect_equal_to_rounding(trial, "drag");
-  trial.system.forces.push_back({.term = &center_force, .values = default_values(center_force)});
-  expect_equal_to_rounding(trial, "a listed force");
-  for (Index i = 0; i < 50; ++i) trial.join(trial.system.points()[3 * i].id, trial.system.points()[4 * i + 7].id, 30.0, 0.3);
-  expect_equal_to_rounding(trial, "springs across the net");
-  expect_equal_to_rounding(random_trial(4, 40, 90), "a graph without a grid");
+  TestSim sim = swinging_net();
+  sim.system.drag = 3.0;
+  sim.system.wind = {2.0, 0.0, 1.0};
+  expect_equal_to_rounding(sim, "drag");
+  sim.system.forces.push_back({.term = &center_force, .values = default_values(center_force)});
+  expect_equal_to_rounding(sim, "a listed force");
+  for (Index i = 0; i < 50; ++i) sim.join(sim.system.points()[3 * i].id, sim.system.points()[4 * i + 7].id, 30.0, 0.3);
+  expect_equal_to_rounding(sim, "springs across the net");
+  expect_equal_to_rounding(random_sim(4, 40, 90), "a graph without a grid");
 }
 
 TEST(Flight, TakesFewerForceEvaluationsThanTwiceTheSteps) {
-  const Trial trial = swinging_net();
+  const TestSim sim = swinging_net();
   for (const Integrator* method : flying_methods()) {
-    Plan plan = make_plan(trial.system);
+    Plan plan = make_plan(sim.system);
     Frame frame;
-    frame.begin(plan, trial.system, {.integrator = method, .frame_rate = 60.0, .substeps = substeps}, trial.state);
+    frame.begin(plan, sim.system, {.integrator = method, .frame_rate = 60.0, .substeps = substeps}, sim.state);
     int calls = 0;
     for (; !frame.done(); ++calls) frame.substep(plan);
     EXPECT_LT(calls, 4) << method->id;
@@ -103,42 +103,42 @@ TEST(Flight, TakesFewerForceEvaluationsThanTwiceTheSteps) {
 
 // A floor that the net falls on within the frame, and one that it only nearly reaches.
 TEST(Flight, IsTakenBackWhenAPointTouchesACollider) {
-  Trial trial = swinging_net();
+  TestSim sim = swinging_net();
   double lowest = 0.0;
-  for (Index i = 0; i < trial.system.point_count(); ++i) {
-    trial.system.point(i).nailed = false;
-    trial.state.velocity[i] = {0.0, -3.0, 0.0};
-    lowest = std::min(lowest, trial.state.position[i].y);
+  for (Index i = 0; i < sim.system.point_count(); ++i) {
+    sim.system.point(i).nailed = false;
+    sim.state.velocity[i] = {0.0, -3.0, 0.0};
+    lowest = std::min(lowest, sim.state.position[i].y);
   }
   const auto floor_at = [](double y) { return Collider{.shape = Plane{{0.0, y, 0.0}}, .restitution = 0.5, .friction = 0.3}; };
   const Collider ball{.shape = Sphere{{0.5, lowest - 0.33, 0.0}, 0.3}, .restitution = 0.5};
   const Collider box{.shape = Box{{0.2, lowest - 1.0, -1.0}, {0.4, lowest - 0.03, 1.0}}, .restitution = 0.5};
   for (const Collider& collider : {floor_at(lowest - 0.03), floor_at(lowest - 0.045), floor_at(lowest - 0.08), ball, box}) {
-    trial.system.colliders = {collider};
-    expect_equal_to_rounding(trial, "a collider");
+    sim.system.colliders = {collider};
+    expect_equal_to_rounding(sim, "a collider");
   }
-  trial.system.colliders = {floor_at(lowest - 0.03)};
-  const State touched = run(trial, default_integrator(), 1, substeps).state;
-  trial.system.colliders.clear();
-  EXPECT_GT(largest_difference(touched, run(trial, default_integrator(), 1, substeps).state), 1e-3);
+  sim.system.colliders = {floor_at(lowest - 0.03)};
+  const State touched = run(sim, default_integrator(), 1, substeps).state;
+  sim.system.colliders.clear();
+  EXPECT_GT(largest_difference(touched, run(sim, default_integrator(), 1, substeps).state), 1e-3);
 }
 
 TEST(Flight, IsTakenBackWhenASpringBreaksOrIsTooLong) {
-  Trial trial = swinging_net();
-  for (Vec3& velocity : trial.state.velocity) velocity *= 40.0;
+  TestSim sim = swinging_net();
+  for (Vec3& velocity : sim.state.velocity) velocity *= 40.0;
   for (const double strain : {0.05, 0.1, 3.0}) {
-    trial.system.break_strain = strain;
+    sim.system.break_strain = strain;
     for (const Integrator* method : flying_methods()) {
-      const Outcome at_once = run(trial, *method, 1, substeps), one_by_one = run(trial, *method, substeps, 1);
+      const Outcome at_once = run(sim, *method, 1, substeps), one_by_one = run(sim, *method, substeps, 1);
       EXPECT_LT(largest_difference(at_once.state, one_by_one.state), 1e-12) << method->id;
       EXPECT_EQ(at_once.broken, one_by_one.broken) << method->id;
       EXPECT_EQ(at_once.broken > 0, strain < 1.0) << method->id << ", " << strain;
     }
   }
-  trial.system.break_strain = 0.0;
+  sim.system.break_strain = 0.0;
   for (const double strain : {0.05, 0.2, 3.0}) {
-    trial.system.strain_limit = strain;
-    expect_equal_to_rounding(trial, "a strain limit");
+    sim.system.strain_limit = strain;
+    expect_equal_to_rounding(sim, "a strain limit");
   }
 }
 

@@ -59,10 +59,10 @@ TEST(ForceBounds, AreNeverBelowTheTrueValues) {
   constexpr double round_off = 1e-4;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
     Random random(seed);
-    Trial trial = random_force_scene(seed, ForceSceneKind::Bounded);
-    const Plan plan = make_plan(trial.system);
+    TestSim sim = random_force_scene(seed, ForceSceneKind::Bounded);
+    const Plan plan = make_plan(sim.system);
     Motion motion;
-    pack(plan, trial.state, motion);
+    pack(plan, sim.state, motion);
     const double stiffness = largest_eigenvalue(plan, motion, false, random), rate = largest_eigenvalue(plan, motion, true, random);
     EXPECT_LE(stiffness, plan.spectrum.omega * plan.spectrum.omega * (1.0 + round_off) + round_off) << "scene " << seed;
     EXPECT_LE(rate, plan.spectrum.force_rate * (1.0 + round_off) + round_off) << "scene " << seed;
@@ -73,12 +73,12 @@ TEST(ForceBounds, AreNeverBelowTheTrueValues) {
 // within the core of the force law, where its slope is largest
 TEST(ForceBounds, OfForceLawsAreTight) {
   for (const double power : {0.0, 1.0, 2.0, 4.0}) {
-    Trial trial;
-    trial.add({0.5 + 1e-9, 0.0, 0.0});
-    trial.system.forces = {{.term = &center_force, .values = {0.5, 0.0, 0.0, 3.0, power, 0.2}}};
-    const Plan plan = make_plan(trial.system);
+    TestSim sim;
+    sim.add({0.5 + 1e-9, 0.0, 0.0});
+    sim.system.forces = {{.term = &center_force, .values = {0.5, 0.0, 0.0, 3.0, power, 0.2}}};
+    const Plan plan = make_plan(sim.system);
     Motion motion;
-    pack(plan, trial.state, motion);
+    pack(plan, sim.state, motion);
     Random random(1);
     const double at_center = 0.5 * (power + 3.0) * 3.0 * std::pow(0.2, -power - 1.0);
     EXPECT_NEAR(largest_eigenvalue(plan, motion, false, random), at_center, 1e-3 * at_center);
@@ -88,45 +88,45 @@ TEST(ForceBounds, OfForceLawsAreTight) {
 }
 
 TEST(ForceBounds, AForceWithoutABoundIsReportedAsUnbounded) {
-  Trial trial;
-  trial.add(Vec3(1.0));
-  trial.system.forces = {{.term = &wind_force, .values = default_values(wind_force)}};
-  EXPECT_FALSE(bound_spectrum(trial.system).is_bounded);
-  trial.system.forces = {{.term = &center_force, .values = {0.0, 0.0, 0.0, 1.0, -2.0, 0.1}}};
-  EXPECT_FALSE(bound_spectrum(trial.system).is_bounded);
-  trial.system.forces[0].on = false;
-  EXPECT_TRUE(bound_spectrum(trial.system).is_bounded);
+  TestSim sim;
+  sim.add(Vec3(1.0));
+  sim.system.forces = {{.term = &wind_force, .values = default_values(wind_force)}};
+  EXPECT_FALSE(bound_spectrum(sim.system).is_bounded);
+  sim.system.forces = {{.term = &center_force, .values = {0.0, 0.0, 0.0, 1.0, -2.0, 0.1}}};
+  EXPECT_FALSE(bound_spectrum(sim.system).is_bounded);
+  sim.system.forces[0].on = false;
+  EXPECT_TRUE(bound_spectrum(sim.system).is_bounded);
 }
 
 // One point, damped at 1035 /s by a force on the center of mass, at steps of 1/300 s.
-Trial overdamped_point() {
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
-  trial.system.drag = 0.001;
-  trial.add({0.1, 0.0, 0.0}, 0.5, {1.0, 0.0, 0.0});
-  trial.system.forces = {{.term = &mass_center_force, .values = {0.0, 0.0, 0.0, 100.0, 517.5}}};
-  return trial;
+TestSim overdamped_point() {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  sim.system.drag = 0.001;
+  sim.add({0.1, 0.0, 0.0}, 0.5, {1.0, 0.0, 0.0});
+  sim.system.forces = {{.term = &mass_center_force, .values = {0.0, 0.0, 0.0, 100.0, 517.5}}};
+  return sim;
 }
 
 class Overdamped : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, Overdamped, testing::ValuesIn(every_method()), method_name);
 
 TEST_P(Overdamped, APointIsEitherStableOrReportedWithAWarning) {
-  Trial trial = overdamped_point();
-  initialize_ledger(trial.system, trial.state);
+  TestSim sim = overdamped_point();
+  initialize_ledger(sim.system, sim.state);
   bool is_reported = false;
   for (int frame = 0; frame < 120 && !is_reported; ++frame) {
-    trial.run(method(), 1.0 / 60.0, 5, 1e-8);
-    is_reported = find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state)).has_value();
+    sim.run(method(), 1.0 / 60.0, 5, 1e-8);
+    is_reported = find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state)).has_value();
   }
   const bool must_be_stable = method().implicit_force_terms || method().stability == Stability::Adaptive;
-  const bool is_stable = 1.0 / 300.0 <= largest_stable_step(method(), bound_spectrum(trial.system));
+  const bool is_stable = 1.0 / 300.0 <= largest_stable_step(method(), bound_spectrum(sim.system));
   if (must_be_stable) {
     EXPECT_TRUE(is_stable);
   }
   EXPECT_EQ(is_reported, !is_stable);
   if (is_stable) {
-    EXPECT_LT(glm::length(trial.state.position[0]), 0.2);
+    EXPECT_LT(glm::length(sim.state.position[0]), 0.2);
   }
 }
 
@@ -135,27 +135,27 @@ TEST_P(Overdamped, ANetIsStableUnderImplicitMethods) {
   for (const double scale : {1.0, 1e4}) {
     // only these methods damp modes that are far too fast for the step
     if (scale > 1.0 && method().stability != Stability::LStable) continue;
-    Trial trial = net(8, 1e3, 0.0);
-    for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).nailed = false;
-    trial.system.forces = {{.term = &mass_center_force, .values = {0.5, -0.5, 0.0, 20.0 * scale, 500.0 * scale}}};
-    initialize_ledger(trial.system, trial.state);
+    TestSim sim = net(8, 1e3, 0.0);
+    for (Index i = 0; i < sim.system.point_count(); ++i) sim.system.point(i).nailed = false;
+    sim.system.forces = {{.term = &mass_center_force, .values = {0.5, -0.5, 0.0, 20.0 * scale, 500.0 * scale}}};
+    initialize_ledger(sim.system, sim.state);
     for (int frame = 0; frame < 60; ++frame) {
-      trial.run(method(), 1.0 / 60.0, 1);
-      ASSERT_FALSE(find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state))) << frame << ", " << scale;
+      sim.run(method(), 1.0 / 60.0, 1);
+      ASSERT_FALSE(find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state))) << frame << ", " << scale;
     }
   }
 }
 
 // a step of implicit Euler on the center of mass has the closed form (1 + h q / M + h^2 p / M) V = v - h p X / M
 TEST(ImplicitForces, ActOnTheCenterOfMassExactly) {
-  Trial trial = net(6, 1e2, 0.0);
-  for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).nailed = false;
-  trial.system.gravity = Vec3(0.0);
-  for (Vec3& v : trial.state.velocity) v = {0.3, 0.0, 0.0};
+  TestSim sim = net(6, 1e2, 0.0);
+  for (Index i = 0; i < sim.system.point_count(); ++i) sim.system.point(i).nailed = false;
+  sim.system.gravity = Vec3(0.0);
+  for (Vec3& v : sim.state.velocity) v = {0.3, 0.0, 0.0};
   const double p = 300.0, q = 80.0, h = 0.02;
-  trial.system.forces = {{.term = &mass_center_force, .values = {0.0, 0.0, 0.0, p, q}}};
+  sim.system.forces = {{.term = &mass_center_force, .values = {0.0, 0.0, 0.0, p, q}}};
   for (const char* id : {"implicit_euler", "baraff_witkin"}) {
-    Trial stepped = trial;
+    TestSim stepped = sim;
     double place = 0.0, speed = 0.0;
     for (const Vec3& x : stepped.state.position) place += x.x / 36.0;
     stepped.run(*find_integrator(id), h, 1);
@@ -166,31 +166,31 @@ TEST(ImplicitForces, ActOnTheCenterOfMassExactly) {
 
 // A scene in which no mechanism can move a point that far.
 TEST(Reach, StopsPointsThatAreImplausiblyFarAway) {
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
-  trial.add({0.1, 0.0, 0.0}, 1.0, {1.0, 0.0, 0.0});
-  initialize_ledger(trial.system, trial.state);
-  trial.state.time = 2.0;
-  trial.state.position[0].x = 50.0;
-  EXPECT_FALSE(find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state)));
-  trial.state.position[0].x = -1e9;
-  const auto found = find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state));
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  sim.add({0.1, 0.0, 0.0}, 1.0, {1.0, 0.0, 0.0});
+  initialize_ledger(sim.system, sim.state);
+  sim.state.time = 2.0;
+  sim.state.position[0].x = 50.0;
+  EXPECT_FALSE(find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state)));
+  sim.state.position[0].x = -1e9;
+  const auto found = find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->kind, Divergence::Kind::Implausible);
   EXPECT_EQ(found->distance, 1e9);
 }
 
 TEST(Reach, AcceptsAPointDrivenAwayByAGrowingForce) {
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
-  trial.add({0.1, 0.0, 0.0}, 1.0);
-  trial.system.forces = {{.term = &center_force, .values = {0.0, 0.0, 0.0, -400.0, -1.0, 0.1}}};
-  initialize_ledger(trial.system, trial.state);
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  sim.add({0.1, 0.0, 0.0}, 1.0);
+  sim.system.forces = {{.term = &center_force, .values = {0.0, 0.0, 0.0, -400.0, -1.0, 0.1}}};
+  initialize_ledger(sim.system, sim.state);
   for (int frame = 0; frame < 120; ++frame) {
-    trial.run(*find_integrator("dop853"), 1.0 / 60.0, 1, 1e-8);
-    ASSERT_FALSE(find_divergence(trial.system, trial.state, compute_energy(trial.system, trial.state))) << frame;
+    sim.run(*find_integrator("dop853"), 1.0 / 60.0, 1, 1e-8);
+    ASSERT_FALSE(find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state))) << frame;
   }
-  EXPECT_NEAR(std::log(trial.state.position[0].x / 0.05), 40.0, 1e-6);
+  EXPECT_NEAR(std::log(sim.state.position[0].x / 0.05), 40.0, 1e-6);
 }
 
 }  // namespace

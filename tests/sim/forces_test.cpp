@@ -21,9 +21,9 @@ namespace {
 struct Packed {
   Plan plan;
   Motion motion;
-  explicit Packed(const Trial& trial) : plan(make_plan(trial.system)) {
-    prepare_hand(plan, trial.system, trial.state, 1.0 / 60.0);
-    pack(plan, trial.state, motion);
+  explicit Packed(const TestSim& sim) : plan(make_plan(sim.system)) {
+    prepare_hand(plan, sim.system, sim.state, 1.0 / 60.0);
+    pack(plan, sim.state, motion);
   }
   // [N] on every point
   Field forces() const {
@@ -40,38 +40,38 @@ struct Packed {
 };
 
 // -(k (l - l0) + d w) u on the first end of every spring, computed by a plain loop over the System.
-std::vector<Vec3> plain_spring_forces(const Trial& trial, std::vector<double>& size) {
-  std::vector<Vec3> forces(trial.state.position.size(), Vec3(0.0));
+std::vector<Vec3> plain_spring_forces(const TestSim& sim, std::vector<double>& size) {
+  std::vector<Vec3> forces(sim.state.position.size(), Vec3(0.0));
   size.assign(forces.size(), 0.0);
-  for (const Spring& spring : trial.system.springs()) {
-    const Index i = trial.system.index_of(spring.first), j = trial.system.index_of(spring.second);
-    const Vec3 along = trial.state.position[i] - trial.state.position[j];
+  for (const Spring& spring : sim.system.springs()) {
+    const Index i = sim.system.index_of(spring.first), j = sim.system.index_of(spring.second);
+    const Vec3 along = sim.state.position[i] - sim.state.position[j];
     const double length = glm::length(along);
     if (length == 0.0) continue;
     const Vec3 u = along / length;
-    const double w = glm::dot(trial.state.velocity[i] - trial.state.velocity[j], u);
-    const Vec3 force = -(spring.stiffness * (length - spring.rest_length) + trial.system.damping_of(spring) * w) * u;
+    const double w = glm::dot(sim.state.velocity[i] - sim.state.velocity[j], u);
+    const Vec3 force = -(spring.stiffness * (length - spring.rest_length) + sim.system.damping_of(spring) * w) * u;
     forces[i] += force;
     forces[j] -= force;
     for (const Index end : {i, j})
-      size[end] += spring.stiffness * (length + spring.rest_length) + trial.system.damping_of(spring) * std::abs(w);
+      size[end] += spring.stiffness * (length + spring.rest_length) + sim.system.damping_of(spring) * std::abs(w);
   }
   return forces;
 }
 
 // A square net in grid order, crumpled, with springs of different values: long runs and remainders.
-Trial crumpled_net(int n, int dimensions, double max_damping) {
+TestSim crumpled_net(int n, int dimensions, double max_damping) {
   Random random(n);
-  Trial trial;
-  trial.system.dimensions = dimensions;
+  TestSim sim;
+  sim.system.dimensions = dimensions;
   for (int i = 0; i < n * n; ++i) {
     const Vec3 away(random.uniform(-0.3, 0.3), random.uniform(-0.3, 0.3), dimensions == 3 ? random.uniform(-0.3, 0.3) : 0.0);
     const Vec3 velocity(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), dimensions == 3 ? random.uniform(-1.0, 1.0) : 0.0);
-    trial.add(Vec3(i % n, -(i / n), 0.0) + away, 1.0, velocity);
+    sim.add(Vec3(i % n, -(i / n), 0.0) + away, 1.0, velocity);
   }
   const auto join = [&](int from, int to) {
-    trial.join(trial.system.points()[from].id, trial.system.points()[to].id, random.uniform(1.0, 100.0), random.uniform(0.0, 2.0),
-               random.uniform(0.0, max_damping));
+    sim.join(sim.system.points()[from].id, sim.system.points()[to].id, random.uniform(1.0, 100.0), random.uniform(0.0, 2.0),
+             random.uniform(0.0, max_damping));
   };
   for (int i = 0; i < n * n; ++i) {
     if (i % n + 1 < n) join(i, i + 1);
@@ -79,25 +79,25 @@ Trial crumpled_net(int n, int dimensions, double max_damping) {
     if (i % n + 1 < n && i / n + 1 < n) join(i, i + n + 1);
     if (i % n > 0 && i / n + 1 < n) join(i, i + n - 1);
   }
-  return trial;
+  return sim;
 }
 
-std::vector<Trial> assorted_trials() {
-  std::vector<Trial> trials;
+std::vector<TestSim> assorted_sims() {
+  std::vector<TestSim> sims;
   for (const int dimensions : {2, 3})
     for (const double damping : {0.0, 5.0}) {
-      trials.push_back(random_trial(11, 30, 120, dimensions, damping));
-      for (const int n : {2, 3, 9, 20}) trials.push_back(crumpled_net(n, dimensions, damping));
+      sims.push_back(random_sim(11, 30, 120, dimensions, damping));
+      for (const int n : {2, 3, 9, 20}) sims.push_back(crumpled_net(n, dimensions, damping));
     }
-  return trials;
+  return sims;
 }
 
 TEST(SpringForces, EqualAPlainLoop) {
-  for (const Trial& trial : assorted_trials()) {
-    const Packed packed(trial);
+  for (const TestSim& sim : assorted_sims()) {
+    const Packed packed(sim);
     const Field f = packed.spring_forces();
     std::vector<double> size;
-    const std::vector<Vec3> plain = plain_spring_forces(trial, size);
+    const std::vector<Vec3> plain = plain_spring_forces(sim, size);
     for (Index i = 0; i < packed.plan.points; ++i)
       EXPECT_LE(glm::distance(packed.at(f, i), plain[i]), 1e-15 * size[i]) << "point " << i << " of " << packed.plan.points;
   }
@@ -110,7 +110,7 @@ TEST(SpringForces, HaveTheSameBitsOnEveryVectorTarget) {
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().DeInit();
     std::vector<Field> forces;
-    for (const Trial& trial : assorted_trials()) forces.push_back(Packed(trial).spring_forces());
+    for (const TestSim& sim : assorted_sims()) forces.push_back(Packed(sim).spring_forces());
     if (first.empty()) first = forces;
     EXPECT_EQ(forces, first) << hwy::TargetName(target);
   }
@@ -151,21 +151,21 @@ void add_plain_forces(const Packed& packed, Field& f) {
 }
 
 // Triangles between n x n points, with a random diagonal in each cell: runs of every length up to that of a row.
-Trial triangle_mesh(int n, int dimensions, double max_damping, bool shuffled) {
+TestSim triangle_mesh(int n, int dimensions, double max_damping, bool shuffled) {
   Random random(n);
-  Trial trial;
-  trial.system.dimensions = dimensions;
+  TestSim sim;
+  sim.system.dimensions = dimensions;
   std::vector<Index> at;
   for (Index i = 0; i < n * n; ++i) at.push_back(i);
   for (Index i = n * n; shuffled && i > 1; --i) std::swap(at[i - 1], at[random.below(i)]);
   for (int i = 0; i < n * n; ++i) {
     const Vec3 position(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), dimensions == 3 ? random.uniform(-1.0, 1.0) : 0.0);
     // some points coincide with the previous one
-    trial.add(i > 0 && random.one_in(5) ? trial.state.position.back() : position, 1.0, 2.0 * position);
+    sim.add(i > 0 && random.one_in(5) ? sim.state.position.back() : position, 1.0, 2.0 * position);
   }
   const auto join = [&](int from, int to) {
-    trial.join(trial.system.points()[at[from]].id, trial.system.points()[at[to]].id, random.uniform(1.0, 100.0), random.uniform(0.0, 2.0),
-               random.uniform(0.0, max_damping));
+    sim.join(sim.system.points()[at[from]].id, sim.system.points()[at[to]].id, random.uniform(1.0, 100.0), random.uniform(0.0, 2.0),
+             random.uniform(0.0, max_damping));
   };
   for (int i = 0; i < n * n; ++i) {
     const bool right = i % n + 1 < n, down = i / n + 1 < n;
@@ -173,7 +173,7 @@ Trial triangle_mesh(int n, int dimensions, double max_damping, bool shuffled) {
     if (down) join(i, i + n);
     if (right && down) random.one_in(2) ? join(i, i + n + 1) : join(i + 1, i + n);
   }
-  return trial;
+  return sim;
 }
 
 // including the signs of zeros
@@ -184,16 +184,16 @@ std::vector<std::uint64_t> next_bits(const Field& f) {
 }
 
 TEST(SpringForces, EqualAPlainLoopOverAnyGraphBitForBitOnEveryVectorTarget) {
-  std::vector<Trial> trials = assorted_trials();
+  std::vector<TestSim> sims = assorted_sims();
   for (const int dimensions : {2, 3})
     for (const double damping : {0.0, 5.0}) {
-      for (Index springs = 1; springs < 20; ++springs) trials.push_back(random_trial(springs, 12, springs, dimensions, damping));
-      trials.push_back(random_trial(7, 200, 800, dimensions, damping));
+      for (Index springs = 1; springs < 20; ++springs) sims.push_back(random_sim(springs, 12, springs, dimensions, damping));
+      sims.push_back(random_sim(7, 200, 800, dimensions, damping));
       for (const int n : {2, 3, 4, 6, 9, 17, 40})
-        for (const bool shuffled : {false, true}) trials.push_back(triangle_mesh(n, dimensions, damping, shuffled));
+        for (const bool shuffled : {false, true}) sims.push_back(triangle_mesh(n, dimensions, damping, shuffled));
     }
   // forces that are all zero, added to signed zeros below, with and without a run along a row
-  Trial& still = trials.emplace_back();
+  TestSim& still = sims.emplace_back();
   for (int i = 0; i < 5; ++i) still.add(Vec3(0.0));
   for (const auto& [i, j] : {std::pair{0, 1}, std::pair{2, 4}})
     still.join(still.system.points()[i].id, still.system.points()[j].id, 1.0, 1.0);
@@ -201,8 +201,8 @@ TEST(SpringForces, EqualAPlainLoopOverAnyGraphBitForBitOnEveryVectorTarget) {
   for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().DeInit();
-    for (const Trial& trial : trials) {
-      Packed packed(trial);
+    for (const TestSim& sim : sims) {
+      Packed packed(sim);
       packed.plan.grids.clear();  // grid_test.cpp has theirs
       packed.plan.loose_runs = packed.plan.runs;
       Field f(packed.motion.x.size(), -0.0), plain = f;
@@ -218,8 +218,8 @@ TEST(SpringForces, EqualAPlainLoopOverAnyGraphBitForBitOnEveryVectorTarget) {
 
 TEST(SpringForces, AreEqualAndOppositeInAPair) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Trial trial = random_trial(seed, 2, 1, 3, 5.0);
-    const Packed packed(trial);
+    TestSim sim = random_sim(seed, 2, 1, 3, 5.0);
+    const Packed packed(sim);
     const Field f = packed.spring_forces();
     EXPECT_EQ(packed.at(f, 0), -packed.at(f, 1)) << "seed " << seed;
   }
@@ -227,17 +227,17 @@ TEST(SpringForces, AreEqualAndOppositeInAPair) {
 
 // over the whole scene: no net force and no net torque, up to round-off
 TEST(SpringForces, SumToZeroForceAndTorqueOverTheScene) {
-  for (const Trial& trial : assorted_trials()) {
-    const Packed packed(trial);
+  for (const TestSim& sim : assorted_sims()) {
+    const Packed packed(sim);
     const Field f = packed.spring_forces();
     std::vector<double> size;
-    plain_spring_forces(trial, size);
+    plain_spring_forces(sim, size);
     Vec3 force(0.0), torque(0.0);
     double scale = 0.0;
     for (Index i = 0; i < packed.plan.points; ++i) {
       force += packed.at(f, i);
-      torque += glm::cross(trial.state.position[i], packed.at(f, i));
-      scale += size[i] * (1.0 + glm::length(trial.state.position[i]));
+      torque += glm::cross(sim.state.position[i], packed.at(f, i));
+      scale += size[i] * (1.0 + glm::length(sim.state.position[i]));
     }
     EXPECT_LT(glm::length(force), 1e-15 * scale);
     EXPECT_LT(glm::length(torque), 1e-15 * scale);
@@ -247,22 +247,22 @@ TEST(SpringForces, SumToZeroForceAndTorqueOverTheScene) {
 // f = -dE/dx by central differences of step s: error s^2 f'' / 6 + round-off E eps / s
 TEST(Forces, AreMinusTheGradientOfTheEnergy) {
   for (const int dimensions : {2, 3}) {
-    Trial trial = random_trial(21, 9, 25, dimensions);
-    trial.system.gravity = {1.0, -9.81, dimensions == 3 ? 2.0 : 0.0};
-    for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).nailed = false;
-    trial.system.grab = Grab{.point = trial.system.points()[2].id, .kind = GrabKind::Pull, .stiffness = 37.0};
-    trial.state.hand = {.position = {0.4, 0.5, 0.0}, .target = {0.4, 0.5, 0.0}};
-    for (Vec3& v : trial.state.velocity) v = Vec3(0.0);
-    const Packed packed(trial);
+    TestSim sim = random_sim(21, 9, 25, dimensions);
+    sim.system.gravity = {1.0, -9.81, dimensions == 3 ? 2.0 : 0.0};
+    for (Index i = 0; i < sim.system.point_count(); ++i) sim.system.point(i).nailed = false;
+    sim.system.grab = Grab{.point = sim.system.points()[2].id, .kind = GrabKind::Pull, .stiffness = 37.0};
+    sim.state.hand = {.position = {0.4, 0.5, 0.0}, .target = {0.4, 0.5, 0.0}};
+    for (Vec3& v : sim.state.velocity) v = Vec3(0.0);
+    const Packed packed(sim);
     const Field f = packed.forces();
 
     const double s = 1e-5;
-    for (Index i = 0; i < trial.system.point_count(); ++i)
+    for (Index i = 0; i < sim.system.point_count(); ++i)
       for (int c = 0; c < dimensions; ++c) {
-        State ahead = trial.state, behind = trial.state;
+        State ahead = sim.state, behind = sim.state;
         ahead.position[i][c] += s;
         behind.position[i][c] -= s;
-        const double slope = (compute_energy(trial.system, ahead).total() - compute_energy(trial.system, behind).total()) / (2.0 * s);
+        const double slope = (compute_energy(sim.system, ahead).total() - compute_energy(sim.system, behind).total()) / (2.0 * s);
         EXPECT_NEAR(packed.at(f, i)[c], -slope, 1e-6) << "point " << i << ", component " << c;
       }
   }
@@ -271,11 +271,11 @@ TEST(Forces, AreMinusTheGradientOfTheEnergy) {
 TEST(Forces, BetweenCoincidentPointsAreZero) {
   for (const double damping : {0.0, 3.0})
     for (const double rest_length : {0.0, 1.0}) {
-      Trial trial;
-      trial.system.gravity = Vec3(0.0);
-      const PointId first = trial.add({0.3, 0.2, 0.1}, 1.0, {1.0, 2.0, 3.0}), second = trial.add({0.3, 0.2, 0.1}, 2.0);
-      trial.join(first, second, 100.0, rest_length, damping);
-      const Packed packed(trial);
+      TestSim sim;
+      sim.system.gravity = Vec3(0.0);
+      const PointId first = sim.add({0.3, 0.2, 0.1}, 1.0, {1.0, 2.0, 3.0}), second = sim.add({0.3, 0.2, 0.1}, 2.0);
+      sim.join(first, second, 100.0, rest_length, damping);
+      const Packed packed(sim);
       const Field f = packed.forces();
       EXPECT_EQ(packed.at(f, 0), Vec3(0.0));
       EXPECT_EQ(packed.at(f, 1), Vec3(0.0));
@@ -284,22 +284,22 @@ TEST(Forces, BetweenCoincidentPointsAreZero) {
 
 TEST(Forces, BetweenAlmostCoincidentPointsAreFinite) {
   for (const double distance : {1e-12, 1e-100, 1e-160, 1e-300}) {
-    Trial trial;
-    trial.system.gravity = Vec3(0.0);
-    const PointId first = trial.add(Vec3(0.0), 1.0, {1.0, 0.0, 0.0}), second = trial.add({distance, 0.0, 0.0}, 1.0);
-    trial.join(first, second, 100.0, 1.0, 3.0);
-    const Packed packed(trial);
+    TestSim sim;
+    sim.system.gravity = Vec3(0.0);
+    const PointId first = sim.add(Vec3(0.0), 1.0, {1.0, 0.0, 0.0}), second = sim.add({distance, 0.0, 0.0}, 1.0);
+    sim.join(first, second, 100.0, 1.0, 3.0);
+    const Packed packed(sim);
     const double force = glm::length(packed.at(packed.forces(), 0));
     EXPECT_LE(force, 104.0) << "distance " << distance;
   }
 }
 
 TEST(Forces, OfGravityAndDragAreProportionalToMass) {
-  Trial trial;
-  trial.system.drag = 0.5;
-  trial.system.wind = {2.0, 0.0, 0.0};
-  trial.add(Vec3(0.0), 3.0, {1.0, 4.0, 0.0});
-  const Packed packed(trial);
+  TestSim sim;
+  sim.system.drag = 0.5;
+  sim.system.wind = {2.0, 0.0, 0.0};
+  sim.add(Vec3(0.0), 3.0, {1.0, 4.0, 0.0});
+  const Packed packed(sim);
   // m g - c m (v - wind)
   EXPECT_LT(glm::distance(packed.at(packed.forces(), 0), 3.0 * (Vec3(0.0, -9.81, 0.0) - 0.5 * Vec3(-1.0, 4.0, 0.0))), 1e-14);
 }

@@ -37,21 +37,21 @@ struct Spread {
 };
 
 Spread spread_of(const AccuracyScene& scene, const Integrator& method) {
-  Trial trial = scene.make();
-  Plan plan = make_plan(trial.system);
-  const Settings settings = accuracy_settings(method, trial.system);
+  TestSim sim = scene.make();
+  Plan plan = make_plan(sim.system);
+  const Settings settings = accuracy_settings(method, sim.system);
   std::vector<double> ratios, errors;
   constexpr double round_off = 5e-14, diverged = 0.1;  // [m]
   for (int frame = 0; frame < 60; ++frame) {
-    const State after = next_frame(plan, trial.system, settings, trial.state);
-    const State truth = next_frame(plan, trial.system, exact(scene), trial.state);
+    const State after = next_frame(plan, sim.system, settings, sim.state);
+    const State truth = next_frame(plan, sim.system, exact(scene), sim.state);
     const double error = distance(after, truth);
     if (!(error < diverged)) break;
     if (error > round_off && frame % 3 == 0) {
-      ratios.push_back(estimate_frame_error(trial.system, settings, trial.state) / error);
+      ratios.push_back(estimate_frame_error(sim.system, settings, sim.state) / error);
       errors.push_back(error);
     }
-    trial.state = after;
+    sim.state = after;
   }
   if (ratios.empty()) return {};
   std::ranges::sort(ratios);
@@ -74,10 +74,10 @@ TEST_P(FrameErrors, TheMedianEstimateIsTheDistanceToTheConvergedFrame) {
 }
 
 TEST_P(FrameErrors, IsZeroWhereNothingMoves) {
-  Trial trial;
-  EXPECT_EQ(estimate_frame_error(trial.system, {.integrator = &method()}, trial.state), 0.0);
-  trial.join(trial.nail(Vec3(0.0)), trial.nail({1.0, 0.0, 0.0}), 1e6, 0.5);
-  EXPECT_EQ(estimate_frame_error(trial.system, {.integrator = &method()}, trial.state), 0.0);
+  TestSim sim;
+  EXPECT_EQ(estimate_frame_error(sim.system, {.integrator = &method()}, sim.state), 0.0);
+  sim.join(sim.nail(Vec3(0.0)), sim.nail({1.0, 0.0, 0.0}), 1e6, 0.5);
+  EXPECT_EQ(estimate_frame_error(sim.system, {.integrator = &method()}, sim.state), 0.0);
 }
 
 }  // namespace

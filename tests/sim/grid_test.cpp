@@ -28,27 +28,27 @@ struct Net {
   bool coincident = false;  // some points at the same place
 };
 
-Trial make_net(const Net& net) {
+TestSim make_net(const Net& net) {
   Random random(static_cast<std::uint64_t>(100 * net.rows + net.columns));
   const auto uniform = [&](double min, double max) { return random.uniform(min, max); };
-  Trial trial;
-  trial.system.dimensions = net.dimensions;
+  TestSim sim;
+  sim.system.dimensions = net.dimensions;
   const double depth = net.dimensions == 3 ? 0.3 : 0.0;
   for (int r = 0; r < net.rows; ++r)
     for (int c = 0; c < net.columns; ++c) {
       const Vec3 away(uniform(-0.3, 0.3), uniform(-0.3, 0.3), uniform(-depth, depth));
       const Vec3 velocity(uniform(-1.0, 1.0), uniform(-1.0, 1.0), uniform(-depth, depth));
       const bool coincides = net.coincident && c > 0 && random.one_in(6);
-      trial.add(coincides ? trial.state.position.back() : Vec3(c, -r, 0.0) + away, net.uniform ? 0.5 : uniform(0.2, 2.0), velocity);
-      if (random.one_in(9)) trial.system.point(r * net.columns + c).nailed = true;
+      sim.add(coincides ? sim.state.position.back() : Vec3(c, -r, 0.0) + away, net.uniform ? 0.5 : uniform(0.2, 2.0), velocity);
+      if (random.one_in(9)) sim.system.point(r * net.columns + c).nailed = true;
     }
   const auto join = [&](int from, int to, int direction) {
     const bool is_missing = net.missing > 0 && random.one_in(net.missing);
     if (is_missing) return;
-    const PointId first = trial.system.points()[from].id, second = trial.system.points()[to].id;
+    const PointId first = sim.system.points()[from].id, second = sim.system.points()[to].id;
     const double k = net.uniform ? 10.0 + direction : uniform(1.0, 100.0),
                  rest_length = net.uniform ? 1.0 + 0.1 * direction : uniform(0.0, 2.0);
-    trial.join(first, second, k, rest_length, uniform(0.0, net.max_damping));
+    sim.join(first, second, k, rest_length, uniform(0.0, net.max_damping));
   };
   for (int r = 0; r < net.rows; ++r)
     for (int c = 0; c < net.columns; ++c) {
@@ -60,10 +60,10 @@ Trial make_net(const Net& net) {
       if (net.extra && c + 2 < net.columns && random.one_in(3)) join(i, i + 2, 4);
     }
   if (net.extra) {
-    trial.add({0.5, 2.0, 0.0});
+    sim.add({0.5, 2.0, 0.0});
     join(net.rows * net.columns, 1, 5);
   }
-  return trial;
+  return sim;
 }
 
 // rows and columns below, at and above the widths of vectors
@@ -97,7 +97,7 @@ Plan make_plan_with_grids(const System& system) {
 struct Packed {
   Plan plan;
   Motion motion;
-  explicit Packed(const Trial& trial) : plan(make_plan_with_grids(trial.system)) { pack(plan, trial.state, motion); }
+  explicit Packed(const TestSim& sim) : plan(make_plan_with_grids(sim.system)) { pack(plan, sim.state, motion); }
   const double* velocities() const { return plan.has_dashpots() ? motion.v.data() : nullptr; }
   Field forces() const {
     Field f(motion.x.size(), 0.0);
@@ -159,13 +159,13 @@ TEST(Grids, LeaveTheSpringsTheyHaveNoPlaceFor) {
 }
 
 TEST(Grids, AreTheSameInWhateverOrderTheSpringsWereMade) {
-  const Trial trial = make_net({.rows = 7, .columns = 13, .missing = 20});
-  Trial reversed = trial;
-  std::vector<Spring> springs = trial.system.springs();
+  const TestSim sim = make_net({.rows = 7, .columns = 13, .missing = 20});
+  TestSim reversed = sim;
+  std::vector<Spring> springs = sim.system.springs();
   std::ranges::reverse(springs);
   for (Spring& spring : springs) std::swap(spring.first, spring.second);
   reversed.system.set_springs(springs);
-  EXPECT_EQ(Packed(trial).forces(), Packed(reversed).forces());
+  EXPECT_EQ(Packed(sim).forces(), Packed(reversed).forces());
 }
 
 TEST(Grids, StoreOneRowOfNumbersWhereAllAreTheSame) {
@@ -178,18 +178,18 @@ TEST(Grids, StoreOneRowOfNumbersWhereAllAreTheSame) {
 }
 
 TEST(Grids, TakeSeveralSheetsAndRopesOfAScene) {
-  Trial trial = make_net({.rows = 5, .columns = 9});
-  const Trial more = make_net({.rows = 4, .columns = 6});
-  const auto append = [&](const Trial& other) {
-    const Index first = trial.system.point_count();
-    for (const Vec3& position : other.state.position) trial.add(position + Vec3(20.0));
+  TestSim sim = make_net({.rows = 5, .columns = 9});
+  const TestSim more = make_net({.rows = 4, .columns = 6});
+  const auto append = [&](const TestSim& other) {
+    const Index first = sim.system.point_count();
+    for (const Vec3& position : other.state.position) sim.add(position + Vec3(20.0));
     for (const Spring& spring : other.system.springs())
-      trial.join(trial.system.points()[first + other.system.index_of(spring.first)].id,
-                 trial.system.points()[first + other.system.index_of(spring.second)].id, spring.stiffness, spring.rest_length);
+      sim.join(sim.system.points()[first + other.system.index_of(spring.first)].id,
+               sim.system.points()[first + other.system.index_of(spring.second)].id, spring.stiffness, spring.rest_length);
   };
   append(more);
   append(make_net({.rows = 1, .columns = 30}));
-  const Plan plan = make_plan_with_grids(trial.system);
+  const Plan plan = make_plan_with_grids(sim.system);
   ASSERT_EQ(plan.grids.size(), 3u);
   EXPECT_EQ(plan.grids[1].columns, 6);
   EXPECT_EQ(plan.grids[2].rows, 1);
@@ -210,14 +210,14 @@ TEST(GridForces, EqualThoseOfRunsToRounding) {
 
 // k (1 - l0 / l) is zero where l is l0, as k (l - l0) / l is.
 TEST(GridForces, AreZeroInASheetAtRest) {
-  Trial trial = make_net({.rows = 9, .columns = 21});
-  std::vector<Spring> springs = trial.system.springs();
+  TestSim sim = make_net({.rows = 9, .columns = 21});
+  std::vector<Spring> springs = sim.system.springs();
   for (Spring& spring : springs) {
-    const Vec3 u = trial.position(spring.first) - trial.position(spring.second);
+    const Vec3 u = sim.position(spring.first) - sim.position(spring.second);
     spring.rest_length = std::sqrt(u.x * u.x + u.y * u.y + u.z * u.z);
   }
-  trial.system.set_springs(springs);
-  const Packed packed(trial);
+  sim.system.set_springs(springs);
+  const Packed packed(sim);
   ASSERT_EQ(packed.plan.grids.size(), 1u);
   for (const double component : packed.forces()) EXPECT_EQ(component, 0.0);
 }
@@ -299,12 +299,12 @@ TEST(GridPass, HasTheSameBitsForEveryVectorUnit) {
 
 TEST(GridPass, TellsWhetherAnySpringIsAtItsLimit) {
   for (const Net& net : assorted_nets()) {
-    Trial trial = make_net(net);
+    TestSim sim = make_net(net);
     for (const bool reached : {false, true}) {
       double longest = 0.0;
-      for (const Spring& spring : trial.system.springs())
-        longest = std::max(longest, glm::distance(trial.position(spring.first), trial.position(spring.second)) - spring.rest_length);
-      Packed packed(trial);
+      for (const Spring& spring : sim.system.springs())
+        longest = std::max(longest, glm::distance(sim.position(spring.first), sim.position(spring.second)) - spring.rest_length);
+      Packed packed(sim);
       packed.plan.break_length.clear();
       for (Index s = 0; s < packed.plan.springs; ++s)
         packed.plan.break_length.push_back(packed.plan.rest_length[s] + (reached ? longest : 1.000001 * longest));

@@ -12,9 +12,9 @@ namespace {
 
 // Whether the mean energy of the third second exceeds that of the first by 20 % of the initial energy, or the run diverges.
 bool gains_energy(const Integrator& method, std::uint64_t seed, double margin) {
-  Trial trial = rotating_net(seed);
-  initialize_ledger(trial.system, trial.state);
-  Plan plan = make_plan(trial.system);
+  TestSim sim = rotating_net(seed);
+  initialize_ledger(sim.system, sim.state);
+  Plan plan = make_plan(sim.system);
   const double step = largest_stable_step(method, plan.spectrum) / margin;
   // exactly this step, in frames of about 1/60 s
   const int substeps = std::max(1, static_cast<int>(std::ceil(1.0 / (60.0 * step))));
@@ -23,15 +23,15 @@ bool gains_energy(const Integrator& method, std::uint64_t seed, double margin) {
   Frame frame;
   constexpr int seconds = 3, frames = 60;
   for (int i = 0; i < seconds * frames; ++i) {
-    frame.begin(plan, trial.system, settings, trial.state);
+    frame.begin(plan, sim.system, settings, sim.state);
     while (!frame.done()) frame.substep(plan);
-    frame.end(plan, trial.state);
-    const Energy energy = compute_energy(trial.system, trial.state);
-    if (find_divergence(trial.system, trial.state, energy)) return true;
+    frame.end(plan, sim.state);
+    const Energy energy = compute_energy(sim.system, sim.state);
+    if (find_divergence(sim.system, sim.state, energy)) return true;
     if (i < frames) first += energy.total() / frames;
     if (i >= (seconds - 1) * frames) last += energy.total() / frames;
   }
-  return last - first > 0.2 * trial.state.ledger.scale;
+  return last - first > 0.2 * sim.state.ledger.scale;
 }
 
 int count_gains(const Integrator& method, int nets, double margin) {

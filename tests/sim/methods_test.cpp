@@ -30,18 +30,18 @@ Amplification stepped(const Integrator& row, const Oscillator& oscillator, doubl
   const double s = 0.01;
   double column[2][2];
   for (int i = 0; i < 2; ++i) {
-    Trial trial;
-    trial.system.dimensions = 2;
-    trial.system.gravity = Vec3(0.0);
-    trial.system.drag = oscillator.h_drag / h;
+    TestSim sim;
+    sim.system.dimensions = 2;
+    sim.system.gravity = Vec3(0.0);
+    sim.system.drag = oscillator.h_drag / h;
     // a nail adds to the mass of the scene but not to the damped mass
     if (oscillator.h_rate > 0.0)
-      trial.system.forces = {{.term = &mass_center_force, .values = {0.0, 0.0, 0.0, 0.0, oscillator.h_rate / h * 3.0 * 3.0 / 2.0}}};
-    const PointId point = trial.add({i == 0 ? s : 0.0, 0.0, 0.0}, 2.0, {i == 1 ? s / h : 0.0, 0.0, 0.0});
-    trial.join(point, trial.nail({-0.5, 0.0, 0.0}), 2.0 * oscillator.h_omega_squared / (h * h), 0.5, 2.0 * oscillator.h_lambda / h);
-    trial.run(row, h, 1);
-    column[i][0] = trial.position(point).x / s;
-    column[i][1] = h * trial.velocity(point).x / s;
+      sim.system.forces = {{.term = &mass_center_force, .values = {0.0, 0.0, 0.0, 0.0, oscillator.h_rate / h * 3.0 * 3.0 / 2.0}}};
+    const PointId point = sim.add({i == 0 ? s : 0.0, 0.0, 0.0}, 2.0, {i == 1 ? s / h : 0.0, 0.0, 0.0});
+    sim.join(point, sim.nail({-0.5, 0.0, 0.0}), 2.0 * oscillator.h_omega_squared / (h * h), 0.5, 2.0 * oscillator.h_lambda / h);
+    sim.run(row, h, 1);
+    column[i][0] = sim.position(point).x / s;
+    column[i][1] = h * sim.velocity(point).x / s;
   }
   return {column[0][0] + column[1][1], column[0][0] * column[1][1] - column[0][1] * column[1][0]};
 }
@@ -105,11 +105,11 @@ TEST_P(Method, IsAsStableAsItDeclares) {
 
 // one step of 1/60 s on a net that is stretched and sheared: linear systems are solved as often as the row says
 TEST_P(Method, SolvesItsEquationsAsItDeclares) {
-  Trial trial = net(5, 1e5, 0.2);
-  for (Vec3& x : trial.state.position) x = {1.3 * x.x + 0.2 * x.y, 1.2 * x.y, 0.1 * x.x};
-  Plan plan = make_plan(trial.system);
+  TestSim sim = net(5, 1e5, 0.2);
+  for (Vec3& x : sim.state.position) x = {1.3 * x.x + 0.2 * x.y, 1.2 * x.y, 0.1 * x.x};
+  Plan plan = make_plan(sim.system);
   Frame frame;
-  frame.begin(plan, trial.system, {.integrator = &method(), .frame_rate = 60.0, .substeps = 1}, trial.state);
+  frame.begin(plan, sim.system, {.integrator = &method(), .frame_rate = 60.0, .substeps = 1}, sim.state);
   while (!frame.done()) frame.substep(plan);
   switch (method().implicit_solve) {
     case ImplicitSolve::None:
@@ -126,20 +126,20 @@ TEST_P(Method, SolvesItsEquationsAsItDeclares) {
 
 // a new frame, plan and workspace for every frame gives the same result as reusing them
 TEST_P(Method, KeepsNoHiddenStateOutsideState) {
-  Trial trial = net(5, 1e3, 0.2);
-  trial.system.drag = 0.5;
+  TestSim sim = net(5, 1e3, 0.2);
+  sim.system.drag = 0.5;
   const Settings settings{.integrator = &method(), .frame_rate = 100.0, .substeps = 3};
-  State reused = trial.state, fresh = trial.state;
-  Plan reused_plan = make_plan(trial.system);
+  State reused = sim.state, fresh = sim.state;
+  Plan reused_plan = make_plan(sim.system);
   Frame reused_frame;
   for (int frame = 0; frame < 10; ++frame) {
-    reused_frame.begin(reused_plan, trial.system, settings, reused);
+    reused_frame.begin(reused_plan, sim.system, settings, reused);
     while (!reused_frame.done()) reused_frame.substep(reused_plan);
     reused_frame.end(reused_plan, reused);
 
-    Plan plan = make_plan(trial.system);
+    Plan plan = make_plan(sim.system);
     Frame fresh_frame;
-    fresh_frame.begin(plan, trial.system, settings, fresh);
+    fresh_frame.begin(plan, sim.system, settings, fresh);
     while (!fresh_frame.done()) fresh_frame.substep(plan);
     fresh_frame.end(plan, fresh);
   }
@@ -149,10 +149,10 @@ TEST_P(Method, KeepsNoHiddenStateOutsideState) {
 // compared with Verlet at the same number of force evaluations
 TEST(BlanesMoan, IsMoreAccurateThanVerletAtTheSameCost) {
   const auto error = [](const Integrator& row, int steps) {
-    Trial trial = net(8, 1e2, 0.0), exact = trial;
-    trial.run(row, 0.5, steps);
+    TestSim sim = net(8, 1e2, 0.0), exact = sim;
+    sim.run(row, 0.5, steps);
     exact.run(method("runge_kutta4"), 0.5, 20000);
-    return distance(trial.state, exact.state);
+    return distance(sim.state, exact.state);
   };
   EXPECT_LT(error(method("blanes_moan4"), 100), 1e-3 * error(method("velocity_verlet"), 600));
 }
@@ -163,11 +163,11 @@ struct Adapted {
   double local_error;
 };
 
-Adapted run_adaptive(const Trial& trial, double seconds, int substeps, double tolerance) {
-  Plan plan = make_plan(trial.system);
+Adapted run_adaptive(const TestSim& sim, double seconds, int substeps, double tolerance) {
+  Plan plan = make_plan(sim.system);
   Frame frame;
-  State state = trial.state;
-  frame.begin(plan, trial.system,
+  State state = sim.state;
+  frame.begin(plan, sim.system,
               {.integrator = &method("dop853"), .frame_rate = 1.0 / seconds, .substeps = substeps, .tolerance = tolerance}, state);
   while (!frame.done()) frame.substep(plan);
   frame.end(plan, state);
@@ -176,54 +176,54 @@ Adapted run_adaptive(const Trial& trial, double seconds, int substeps, double to
 
 TEST(Dop853, MeetsItsTolerance) {
   for (const double d : {0.0, 0.9}) {
-    const Trial trial = net(8, 1e4, d);
-    Trial exact = trial;
+    const TestSim sim = net(8, 1e4, d);
+    TestSim exact = sim;
     exact.run(method("runge_kutta4"), 0.5, 50000);
     for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
-      const Adapted adapted = run_adaptive(trial, 0.5, 1, tolerance);
+      const Adapted adapted = run_adaptive(sim, 0.5, 1, tolerance);
       EXPECT_LT(distance(adapted.state, exact.state), tolerance) << "d = " << d;
       EXPECT_GT(adapted.local_error, 0.0);
       EXPECT_EQ(adapted.state.time, 0.5);
     }
-    EXPECT_LT(run_adaptive(trial, 0.5, 1, 1e-6).force_evaluations, 12000) << "d = " << d;
+    EXPECT_LT(run_adaptive(sim, 0.5, 1, 1e-6).force_evaluations, 12000) << "d = " << d;
   }
 }
 
 // a thousand ends of substeps cost one step each and do not change the result
 TEST(Dop853, EndsExactlyOnEverySubstep) {
-  const Trial trial = net(8, 1e2, 0.0);
-  const Adapted whole = run_adaptive(trial, 0.5, 1, 1e-9), cut = run_adaptive(trial, 0.5, 1000, 1e-9);
+  const TestSim sim = net(8, 1e2, 0.0);
+  const Adapted whole = run_adaptive(sim, 0.5, 1, 1e-9), cut = run_adaptive(sim, 0.5, 1000, 1e-9);
   EXPECT_LT(distance(whole.state, cut.state), 1e-9);
   EXPECT_LT(cut.force_evaluations, 12100);
 }
 
 TEST(Dop853, RemembersItsStepFromFrameToFrame) {
-  Trial trial = net(8, 1e2, 0.0);
-  const Adapted first = run_adaptive(trial, 0.5, 1, 1e-9);
+  TestSim sim = net(8, 1e2, 0.0);
+  const Adapted first = run_adaptive(sim, 0.5, 1, 1e-9);
   EXPECT_GT(first.state.memory.step, 1e-3);
   EXPECT_GT(first.state.memory.error, 0.0);
-  trial.system.point(9).mass *= 1e-4;  // a sudden increase in stiffness is detected within the frame
-  trial.state = first.state;
-  const Adapted second = run_adaptive(trial, 0.1, 1, 1e-9);
+  sim.system.point(9).mass *= 1e-4;  // a sudden increase in stiffness is detected within the frame
+  sim.state = first.state;
+  const Adapted second = run_adaptive(sim, 0.1, 1, 1e-9);
   EXPECT_LT(second.state.memory.step, 0.1 * first.state.memory.step);
 }
 
 TEST(Dop853, TerminatesWhereNoStepIsShortEnough) {
-  Trial trial = net(4, 1e2, 0.0);
-  trial.state.velocity[9].x = 1e308;
-  const Adapted adapted = run_adaptive(trial, 1.0 / 60.0, 1, 1e-6);
+  TestSim sim = net(4, 1e2, 0.0);
+  sim.state.velocity[9].x = 1e308;
+  const Adapted adapted = run_adaptive(sim, 1.0 / 60.0, 1, 1e-6);
   EXPECT_LT(adapted.force_evaluations, 10000);
 }
 
 // One sweep per step is enough for convergence: the error against the exact motion decreases with the step.
 TEST(Xpbd, IsOfFirstOrderWithDashpotsAndDrag) {
-  Trial trial = net(6, 1e2, 0.05);
-  trial.system.drag = 0.5;
-  Trial exact = trial;
+  TestSim sim = net(6, 1e2, 0.05);
+  sim.system.drag = 0.5;
+  TestSim exact = sim;
   exact.run(method("dop853"), 0.25, 64);
   expect_order(
       [&](int steps) {
-        Trial simulated = trial;
+        TestSim simulated = sim;
         simulated.run(method("xpbd"), 0.25, steps);
         return distance(simulated.state, exact.state);
       },
@@ -233,24 +233,24 @@ TEST(Xpbd, IsOfFirstOrderWithDashpotsAndDrag) {
 // points may hang only as far from the nails as the cloth allows: it is 1 m wide, its diagonal 1.41 m
 TEST(Xpbd, StaysBoundedOnAFineClothFarBeyondTheExplicitLimit) {
   for (const double hertz : {1000.0, 2000.0, 4000.0}) {
-    Trial trial = cloth(128);
-    EXPECT_GT(1.0 / hertz, 2.7 * largest_stable_step(method("velocity_verlet"), make_plan(trial.system).spectrum));
-    trial.run(method("xpbd"), 0.4, static_cast<int>(0.4 * hertz));
+    TestSim sim = cloth(128);
+    EXPECT_GT(1.0 / hertz, 2.7 * largest_stable_step(method("velocity_verlet"), make_plan(sim.system).spectrum));
+    sim.run(method("xpbd"), 0.4, static_cast<int>(0.4 * hertz));
     double max_distance = 0.0, speed = 0.0;
-    for (const Vec3& x : trial.state.position) max_distance = std::max(max_distance, glm::length(x));
-    for (const Vec3& v : trial.state.velocity) speed = std::max(speed, glm::length(v));
+    for (const Vec3& x : sim.state.position) max_distance = std::max(max_distance, glm::length(x));
+    for (const Vec3& v : sim.state.velocity) speed = std::max(speed, glm::length(v));
     EXPECT_LT(max_distance, 2.0) << hertz << " Hz";
     EXPECT_LT(speed, 10.0) << hertz << " Hz";
   }
 }
 
 TEST(Xpbd, HangsAtTheEquilibriumOfItsSpringsWithDragAndDashpots) {
-  Trial trial;
-  trial.system.drag = 50.0;
-  const PointId point = trial.add({0.0, -1.3, 0.0}, 0.5);
-  trial.join(trial.nail({0.0, 0.0, 0.0}), point, 40.0, 1.0, 3.0);
-  trial.run(method("xpbd"), 60.0, 3600);
-  EXPECT_NEAR(trial.position(point).y, -1.0 - 0.5 * 9.81 / 40.0, 1e-12);
+  TestSim sim;
+  sim.system.drag = 50.0;
+  const PointId point = sim.add({0.0, -1.3, 0.0}, 0.5);
+  sim.join(sim.nail({0.0, 0.0, 0.0}), point, 40.0, 1.0, 3.0);
+  sim.run(method("xpbd"), 60.0, 3600);
+  EXPECT_NEAR(sim.position(point).y, -1.0 - 0.5 * 9.81 / 40.0, 1e-12);
 }
 
 }  // namespace

@@ -33,15 +33,15 @@ class Row : public EveryMethod {
   // Forces that start suddenly excite faster modes, so first-order implicit methods need smaller steps to reach their asymptotic range.
   int refinement() const { return method().order == 1 && method().implicit_force_terms ? 2 : 1; }
 
-  State after(const Trial& start, int count) const {
-    Trial trial = start;
-    trial.run(method(), 0.25, count);
-    return trial.state;
+  State after(const TestSim& start, int count) const {
+    TestSim sim = start;
+    sim.run(method(), 0.25, count);
+    return sim.state;
   }
 
   // Richardson: the change when the step is halved falls by 2^p. The order of a method is the minimum of its orders in position and
   // velocity; the positions of symplectic Euler are those of Verlet.
-  void expect_measured(const Trial& start, int order, int refinement = 1) const {
+  void expect_measured(const TestSim& start, int order, int refinement = 1) const {
     const int count = refinement * steps(order);
     const State coarse = after(start, count), middle = after(start, 2 * count), fine = after(start, 4 * count);
     const auto measured = [&](auto change) { return std::log2(change(coarse, middle) / change(middle, fine)); };
@@ -66,74 +66,74 @@ TEST_P(Row, MeetsItsOrder) { expect_measured(net(16, 1e2, 0.0), method().order);
 TEST_P(Row, MeetsItsOrderWithDashpots) { expect_measured(net(16, 1e2, 0.03), method().order_damped); }
 
 TEST_P(Row, MeetsItsOrderWithDrag) {
-  Trial trial = net(16, 1e2, 0.0);
-  trial.system.drag = 3.0;
-  expect_measured(trial, method().order_drag);
+  TestSim sim = net(16, 1e2, 0.0);
+  sim.system.drag = 3.0;
+  expect_measured(sim, method().order_drag);
 }
 
 TEST_P(Row, MeetsItsOrderWithDashpotsAndDrag) {
-  Trial trial = net(16, 1e2, 0.03);
-  trial.system.drag = 3.0;
-  expect_measured(trial, std::min(method().order_damped, method().order_drag));
+  TestSim sim = net(16, 1e2, 0.03);
+  sim.system.drag = 3.0;
+  expect_measured(sim, std::min(method().order_damped, method().order_drag));
 }
 
 // The net with wind on its points and a pull on its center of mass.
-Trial windy_net() {
-  Trial trial = net(16, 1e2, 0.0);
-  for (Index i = 0; i < trial.system.point_count(); ++i) trial.system.point(i).radius = 0.03;
-  trial.system.forces = {{.term = &wind_force, .values = {1.5, 0.0, 1.0, 2.0, 0.0, 0.0, 1.0, 1.0}}};
-  return trial;
+TestSim windy_net() {
+  TestSim sim = net(16, 1e2, 0.0);
+  for (Index i = 0; i < sim.system.point_count(); ++i) sim.system.point(i).radius = 0.03;
+  sim.system.forces = {{.term = &wind_force, .values = {1.5, 0.0, 1.0, 2.0, 0.0, 0.0, 1.0, 1.0}}};
+  return sim;
 }
 
 TEST_P(Row, MeetsItsOrderWithWind) { expect_measured(windy_net(), method().order_force_terms, refinement()); }
 
 TEST_P(Row, MeetsItsOrderWithAPullOnTheCenterOfMass) {
-  Trial trial = net(16, 1e2, 0.0);
+  TestSim sim = net(16, 1e2, 0.0);
   Vec3 center(0.0);
-  for (const Vec3& x : trial.state.position) center += x / static_cast<double>(trial.system.point_count());
-  trial.system.forces = {{.term = &mass_center_force, .values = {center.x, center.y, center.z - 0.02, 4.0, 6.0}}};
-  expect_measured(trial, method().order_force_terms, refinement());
+  for (const Vec3& x : sim.state.position) center += x / static_cast<double>(sim.system.point_count());
+  sim.system.forces = {{.term = &mass_center_force, .values = {center.x, center.y, center.z - 0.02, 4.0, 6.0}}};
+  expect_measured(sim, method().order_force_terms, refinement());
 }
 
 TEST_P(Row, MeetsItsOrderWithWindAndDashpots) {
-  Trial trial = windy_net();
-  for (Index s = 0; s < trial.system.spring_count(); ++s) trial.system.spring(s).damping = 0.03;
-  trial.system.drag = 1.0;
-  expect_measured(trial, std::min({method().order_force_terms, method().order_damped, method().order_drag}), refinement());
+  TestSim sim = windy_net();
+  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s).damping = 0.03;
+  sim.system.drag = 1.0;
+  expect_measured(sim, std::min({method().order_force_terms, method().order_damped, method().order_drag}), refinement());
 }
 
 // Two masses connected by a spring fall onto a floor without restitution, stop falling, and slide on it under friction while the spring
 // oscillates.
-Trial sliding_pair() {
-  Trial trial;
-  const PointId first = trial.add({0.0, 0.05, 0.0}, 1.0, {2.0, 0.0, 0.3}), second = trial.add({1.0, 0.05, 0.1}, 0.5, {2.0, 0.0, -0.4});
-  trial.join(first, second, 20.0, 0.9);
-  trial.system.colliders = {{.shape = Plane{}, .restitution = 0.0, .friction = 0.3}};
-  return trial;
+TestSim sliding_pair() {
+  TestSim sim;
+  const PointId first = sim.add({0.0, 0.05, 0.0}, 1.0, {2.0, 0.0, 0.3}), second = sim.add({1.0, 0.05, 0.1}, 0.5, {2.0, 0.0, -0.4});
+  sim.join(first, second, 20.0, 0.9);
+  sim.system.colliders = {{.shape = Plane{}, .restitution = 0.0, .friction = 0.3}};
+  return sim;
 }
 
 // The same on the top of a sphere, on which they slide down.
-Trial sliding_pair_on_sphere() {
-  Trial trial = sliding_pair();
-  trial.system.colliders = {{.shape = Sphere{.center = {0.5, -2.0, 0.0}, .radius = 2.0}, .restitution = 0.0, .friction = 0.3}};
-  return trial;
+TestSim sliding_pair_on_sphere() {
+  TestSim sim = sliding_pair();
+  sim.system.colliders = {{.shape = Sphere{.center = {0.5, -2.0, 0.0}, .radius = 2.0}, .restitution = 0.0, .friction = 0.3}};
+  return sim;
 }
 
 // The same floor without friction: only the impact is inelastic.
-Trial falling_pair() {
-  Trial trial = sliding_pair();
-  trial.system.colliders[0].friction = 0.0;
-  return trial;
+TestSim falling_pair() {
+  TestSim sim = sliding_pair();
+  sim.system.colliders[0].friction = 0.0;
+  return sim;
 }
 
 // The order through an impact without restitution and the motion on the surface after it. The place of the impact within a step varies with
 // the number of steps, and the error with it: a fit over many numbers of steps.
-double order_after_impact(const Integrator& method, Trial (*make)()) {
-  static std::map<Trial (*)(), State> references;
+double order_after_impact(const Integrator& method, TestSim (*make)()) {
+  static std::map<TestSim (*)(), State> references;
   if (!references.contains(make)) {
-    Trial trial = make();
-    trial.run(runge_kutta4, 0.5, 1 << 18);
-    references[make] = trial.state;
+    TestSim sim = make();
+    sim.run(runge_kutta4, 0.5, 1 << 18);
+    references[make] = sim.state;
   }
   const State& reference = references[make];
   const auto error_at = [&](int count) {
@@ -141,9 +141,9 @@ double order_after_impact(const Integrator& method, Trial (*make)()) {
     double sum = 0.0;
     constexpr int neighbors = 24;
     for (int i = 0; i < neighbors; ++i) {
-      Trial trial = make();
-      trial.run(method, 0.5, count + i * count / neighbors);
-      sum += std::pow(distance(trial.state, reference), 2);
+      TestSim sim = make();
+      sim.run(method, 0.5, count + i * count / neighbors);
+      sum += std::pow(distance(sim.state, reference), 2);
     }
     return std::sqrt(sum / neighbors);
   };
@@ -167,13 +167,13 @@ double growth(const Integrator& method, const Oscillator& oscillator) {
 
 // x'' = -w^2 x - lambda x' - c x', a spring without rest length attached to a nail: growth of (x, v / w) over `count` steps.
 double growth_after(const Integrator& method, double omega, double lambda, double drag, double h, int count) {
-  Trial trial;
-  trial.system.gravity = Vec3(0.0);
-  trial.system.drag = drag;
-  const PointId point = trial.add({1.0, 0.0, 0.0});
-  trial.join(point, trial.nail(Vec3(0.0)), omega * omega, 0.0, lambda);
-  trial.run(method, h * count, count);
-  return std::hypot(trial.position(point).x, trial.velocity(point).x / omega);
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  sim.system.drag = drag;
+  const PointId point = sim.add({1.0, 0.0, 0.0});
+  sim.join(point, sim.nail(Vec3(0.0)), omega * omega, 0.0, lambda);
+  sim.run(method, h * count, count);
+  return std::hypot(sim.position(point).x, sim.velocity(point).x / omega);
 }
 
 // just below the limit the motion stays bounded, just above it grows; the limit reported for a whole scene does not exceed it

@@ -17,28 +17,28 @@ namespace {
 constexpr std::array weights{0.2, 0.5, 0.3};
 constexpr double stiffness = 60.0;
 
-Grab pull(const Trial& trial, std::array<Index, 3> points) {
-  Grab grab{.point = trial.system.points()[points[1]].id, .kind = GrabKind::Pull, .stiffness = stiffness};
+Grab pull(const TestSim& sim, std::array<Index, 3> points) {
+  Grab grab{.point = sim.system.points()[points[1]].id, .kind = GrabKind::Pull, .stiffness = stiffness};
   grab.patch = Patch{.weights = weights};
-  for (std::size_t p = 0; p < 3; ++p) grab.patch->points[p] = trial.system.points()[points[p]].id;
+  for (std::size_t p = 0; p < 3; ++p) grab.patch->points[p] = sim.system.points()[points[p]].id;
   return grab;
 }
 
 // Three points of different masses without springs between them, pulled by a hand at rest.
 struct ThreePointScene {
-  Trial trial;
+  TestSim sim;
   std::array<double, 3> mass{0.5, 0.8, 1.5};
   ThreePointScene(bool first_is_nailed = false) {
-    trial.system.gravity = Vec3(0.0);
+    sim.system.gravity = Vec3(0.0);
     const Vec3 places[] = {{0.1, 0.0, 0.2}, {1.0, 0.3, -0.1}, {0.2, 0.9, 0.4}};
-    for (int i = 0; i < 3; ++i) trial.add(places[i], mass[i]);
-    trial.system.point(0).nailed = first_is_nailed;
-    trial.state.hand = {.position = {0.3, -0.2, 0.1}, .target = {0.3, -0.2, 0.1}};
-    trial.system.grab = pull(trial, {0, 1, 2});
+    for (int i = 0; i < 3; ++i) sim.add(places[i], mass[i]);
+    sim.system.point(0).nailed = first_is_nailed;
+    sim.state.hand = {.position = {0.3, -0.2, 0.1}, .target = {0.3, -0.2, 0.1}};
+    sim.system.grab = pull(sim, {0, 1, 2});
   }
   double give() const {  // [1/kg], acceleration of the grabbed position per force on it
     double sum = 0.0;
-    for (Index i = 0; i < 3; ++i) sum += trial.system.points()[i].nailed ? 0.0 : weights[i] * weights[i] / mass[i];
+    for (Index i = 0; i < 3; ++i) sum += sim.system.points()[i].nailed ? 0.0 : weights[i] * weights[i] / mass[i];
     return sum;
   }
 };
@@ -51,15 +51,15 @@ TEST_P(PulledPatch, OscillatesAboutTheHand) {
   for (const bool nailed : {false, true}) {
     const auto error = [&](int steps) {
       ThreePointScene three(nailed);
-      const State start = three.trial.state;
-      const Vec3 reach = grabbed_position(three.trial.system, start) - start.hand.position;
+      const State start = three.sim.state;
+      const Vec3 reach = grabbed_position(three.sim.system, start) - start.hand.position;
       const double w = std::sqrt(stiffness * three.give()), seconds = 3.0 / w;
-      three.trial.run(method(), seconds, steps);
+      three.sim.run(method(), seconds, steps);
       double worst = 0.0;
       for (Index i = 0; i < 3; ++i) {
         const double part = nailed && i == 0 ? 0.0 : weights[i] / three.mass[i] / three.give();
         const Vec3 exact = start.position[i] + part * (std::cos(3.0) - 1.0) * reach;
-        worst = std::max(worst, glm::distance(three.trial.state.position[i], exact));
+        worst = std::max(worst, glm::distance(three.sim.state.position[i], exact));
       }
       return worst;
     };
@@ -69,36 +69,36 @@ TEST_P(PulledPatch, OscillatesAboutTheHand) {
 
 TEST_P(PulledPatch, InTwoDimensionsStaysInThePlane) {
   ThreePointScene three;
-  three.trial.system.dimensions = 2;
-  for (Vec3& place : three.trial.state.position) place.z = 0.0;
-  three.trial.state.hand.position.z = three.trial.state.hand.target.z = 0.0;
-  const double before = compute_energy(three.trial.system, three.trial.state).total();
-  three.trial.run(method(), 0.1, 400);
-  for (const Vec3& place : three.trial.state.position) EXPECT_EQ(place.z, 0.0);
-  const double after = compute_energy(three.trial.system, three.trial.state).total();
+  three.sim.system.dimensions = 2;
+  for (Vec3& place : three.sim.state.position) place.z = 0.0;
+  three.sim.state.hand.position.z = three.sim.state.hand.target.z = 0.0;
+  const double before = compute_energy(three.sim.system, three.sim.state).total();
+  three.sim.run(method(), 0.1, 400);
+  for (const Vec3& place : three.sim.state.position) EXPECT_EQ(place.z, 0.0);
+  const double after = compute_energy(three.sim.system, three.sim.state).total();
   EXPECT_NEAR(after / before, 1.0, 0.02);
 }
 
 TEST(Patch, ForceIsMinusTheGradientOfTheEnergy) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
-    Trial trial = random_trial(seed, 8, 12);
-    trial.state.hand = {.position = {0.4, -0.3, 0.8}, .target = {0.4, -0.3, 0.8}};
-    trial.system.grab = pull(trial, {1, 4, 6});
-    Plan plan = make_plan(trial.system);
-    prepare_hand(plan, trial.system, trial.state, 1.0);
+    TestSim sim = random_sim(seed, 8, 12);
+    sim.state.hand = {.position = {0.4, -0.3, 0.8}, .target = {0.4, -0.3, 0.8}};
+    sim.system.grab = pull(sim, {1, 4, 6});
+    Plan plan = make_plan(sim.system);
+    prepare_hand(plan, sim.system, sim.state, 1.0);
     Motion motion;
-    pack(plan, trial.state, motion);
+    pack(plan, sim.state, motion);
     Field f(motion.x.size());
     compute_position_forces(plan, 0.0, motion.x, motion.v, f);
 
     constexpr double small = 1e-5;
     for (Index i = 0; i < 8; ++i) {
-      if (trial.system.points()[i].nailed) continue;
+      if (sim.system.points()[i].nailed) continue;
       for (int c = 0; c < 3; ++c) {
         const auto energy_at = [&](double shift) {
-          State moved = trial.state;
+          State moved = sim.state;
           moved.position[i][c] += shift;
-          return compute_energy(trial.system, moved).total();
+          return compute_energy(sim.system, moved).total();
         };
         EXPECT_NEAR(f[c * 8 + i], -(energy_at(small) - energy_at(-small)) / (2.0 * small), 1e-6);
       }
@@ -109,23 +109,22 @@ TEST(Patch, ForceIsMinusTheGradientOfTheEnergy) {
 // Momentum changes by the force of the hand, applied at the grabbed position.
 TEST(Patch, TransmitsTheForceAndTorqueOfTheHand) {
   const ThreePointScene three;
-  Plan plan = make_plan(three.trial.system);
-  prepare_hand(plan, three.trial.system, three.trial.state, 1.0);
+  Plan plan = make_plan(three.sim.system);
+  prepare_hand(plan, three.sim.system, three.sim.state, 1.0);
   Motion motion;
-  pack(plan, three.trial.state, motion);
+  pack(plan, three.sim.state, motion);
   Field f(motion.x.size());
   compute_position_forces(plan, 0.0, motion.x, motion.v, f);
   Vec3 force(0.0), torque(0.0);
   for (Index i = 0; i < 3; ++i) {
     const Vec3 on_point(f[i], f[3 + i], f[6 + i]);
     force += on_point;
-    torque += glm::cross(three.trial.state.position[i], on_point);
+    torque += glm::cross(three.sim.state.position[i], on_point);
   }
   const Vec3 hand = hand_force(plan, motion);
-  EXPECT_LT(glm::distance(hand, stiffness * (three.trial.state.hand.position - grabbed_position(three.trial.system, three.trial.state))),
-            1e-12);
+  EXPECT_LT(glm::distance(hand, stiffness * (three.sim.state.hand.position - grabbed_position(three.sim.system, three.sim.state))), 1e-12);
   EXPECT_LT(glm::distance(force, hand), 1e-12);
-  EXPECT_LT(glm::distance(torque, glm::cross(grabbed_position(three.trial.system, three.trial.state), hand)), 1e-12);
+  EXPECT_LT(glm::distance(torque, glm::cross(grabbed_position(three.sim.system, three.sim.state), hand)), 1e-12);
 }
 
 // Springs without rest length and the pull are linear: implicit Euler needs one Newton iteration with the exact matrix at any stiffness,
@@ -134,21 +133,21 @@ TEST(Patch, IsFullyRepresentedInTheMatrixOfImplicitMethods) {
   for (const int dimensions : {2, 3})
     for (const double k : {60.0, 1e7}) {
       ThreePointScene three;
-      three.trial.system.dimensions = dimensions;
-      const PointId nail = three.trial.nail({0.5, -0.5, 0.0}), beside = three.trial.add({0.6, 0.2, 0.0}, 0.7);
-      three.trial.join(nail, PointId{1}, 90.0, 0.0);
-      three.trial.join(beside, PointId{2}, 40.0, 0.0);
-      three.trial.system.grab->stiffness = k;
+      three.sim.system.dimensions = dimensions;
+      const PointId nail = three.sim.nail({0.5, -0.5, 0.0}), beside = three.sim.add({0.6, 0.2, 0.0}, 0.7);
+      three.sim.join(nail, PointId{1}, 90.0, 0.0);
+      three.sim.join(beside, PointId{2}, 40.0, 0.0);
+      three.sim.system.grab->stiffness = k;
       if (dimensions == 2)
-        for (Vec3& place : three.trial.state.position) place.z = 0.0;
-      Trial converged = three.trial;
-      three.trial.run(*find_integrator("baraff_witkin"), 0.2, 1);
+        for (Vec3& place : three.sim.state.position) place.z = 0.0;
+      TestSim converged = three.sim;
+      three.sim.run(*find_integrator("baraff_witkin"), 0.2, 1);
       converged.run(*find_integrator("implicit_euler"), 0.2, 1);
-      for (Index i = 0; i < 5; ++i) EXPECT_LT(glm::distance(three.trial.state.position[i], converged.state.position[i]), 1e-8) << k;
+      for (Index i = 0; i < 5; ++i) EXPECT_LT(glm::distance(three.sim.state.position[i], converged.state.position[i]), 1e-8) << k;
 
       // the grabbed position moves as k alone would move it: v' = h k (target - p') sum s^2/m, since the other springs are soft
       if (k > 1e6) {
-        const Vec3 place = grabbed_position(three.trial.system, three.trial.state);
+        const Vec3 place = grabbed_position(three.sim.system, three.sim.state);
         EXPECT_LT(std::hypot(place.x - 0.3, place.y + 0.2), 1e-4);
       }
     }
@@ -158,18 +157,18 @@ TEST(Patch, ReachesTheHandInOneStepAtInfiniteStiffness) {
   for (const char* id : {"xpbd", "baraff_witkin", "implicit_euler", "tr_bdf2"})
     for (const bool nailed : {false, true}) {
       ThreePointScene three(nailed);
-      three.trial.system.grab->stiffness = 1e11;
-      three.trial.run(*find_integrator(id), 0.02, 1);
-      EXPECT_LT(glm::distance(grabbed_position(three.trial.system, three.trial.state), three.trial.state.hand.position), 1e-5) << id;
+      three.sim.system.grab->stiffness = 1e11;
+      three.sim.run(*find_integrator(id), 0.02, 1);
+      EXPECT_LT(glm::distance(grabbed_position(three.sim.system, three.sim.state), three.sim.state.hand.position), 1e-5) << id;
     }
 }
 
 TEST(Patch, BoundsTheFrequencyItAdds) {
   const ThreePointScene three;
-  EXPECT_GE(bound_spectrum(three.trial.system).omega, std::sqrt(stiffness * three.give()) * (1.0 - 1e-12));
+  EXPECT_GE(bound_spectrum(three.sim.system).omega, std::sqrt(stiffness * three.give()) * (1.0 - 1e-12));
   const ThreePointScene nailed(true);
-  EXPECT_GE(bound_spectrum(nailed.trial.system).omega, std::sqrt(stiffness * nailed.give()) * (1.0 - 1e-12));
-  EXPECT_LT(bound_spectrum(nailed.trial.system).omega, bound_spectrum(three.trial.system).omega);
+  EXPECT_GE(bound_spectrum(nailed.sim.system).omega, std::sqrt(stiffness * nailed.give()) * (1.0 - 1e-12));
+  EXPECT_LT(bound_spectrum(nailed.sim.system).omega, bound_spectrum(three.sim.system).omega);
 }
 
 // energy = initial energy + work of a moving hand, up to the error of the substeps
@@ -177,14 +176,14 @@ TEST(Patch, TheWorkOfTheHandIsRecorded) {
   const auto missing = [](int steps) {
     constexpr int frames = 8;
     ThreePointScene three;
-    Trial& trial = three.trial;
-    initialize_ledger(trial.system, trial.state);
+    TestSim& sim = three.sim;
+    initialize_ledger(sim.system, sim.state);
     for (int i = 1; i <= frames; ++i) {
-      trial.state.hand.target = Vec3(0.3, -0.2, 0.1) + 0.3 * std::pow(std::sin(3.0 * i / frames), 2) * Vec3(1.0, 0.5, 0.2);
-      trial.run(*find_integrator("velocity_verlet"), 1.0 / frames, steps / frames);
+      sim.state.hand.target = Vec3(0.3, -0.2, 0.1) + 0.3 * std::pow(std::sin(3.0 * i / frames), 2) * Vec3(1.0, 0.5, 0.2);
+      sim.run(*find_integrator("velocity_verlet"), 1.0 / frames, steps / frames);
     }
-    EXPECT_GT(trial.state.ledger.scale, 0.1);
-    return std::abs(compute_energy(trial.system, trial.state).total() - trial.state.ledger.net_input);
+    EXPECT_GT(sim.state.ledger.scale, 0.1);
+    return std::abs(compute_energy(sim.system, sim.state).total() - sim.state.ledger.net_input);
   };
   expect_order(missing, 512, 2, 0.2);
 }

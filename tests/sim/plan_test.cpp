@@ -15,18 +15,18 @@ namespace hooke {
 namespace {
 
 // n x n points in rows, with springs to the right, down and along both diagonals.
-Trial grid(int n) {
-  Trial trial;
+TestSim grid(int n) {
+  TestSim sim;
   for (int row = 0; row < n; ++row)
-    for (int column = 0; column < n; ++column) trial.add({0.1 * column, -0.1 * row, 0.0});
+    for (int column = 0; column < n; ++column) sim.add({0.1 * column, -0.1 * row, 0.0});
   const auto join = [&](int row, int column, int down, int right) {
     const int r = row + down, c = column + right;
-    if (r < n && c >= 0 && c < n) trial.join(trial.system.points()[row * n + column].id, trial.system.points()[r * n + c].id, 100.0, 0.1);
+    if (r < n && c >= 0 && c < n) sim.join(sim.system.points()[row * n + column].id, sim.system.points()[r * n + c].id, 100.0, 0.1);
   };
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column)
       for (const auto& [down, right] : {std::pair{0, 1}, {1, 0}, {1, 1}, {1, -1}}) join(row, column, down, right);
-  return trial;
+  return sim;
 }
 
 // The spring of the System that each packed spring refers to, with the ends given by its run.
@@ -49,7 +49,7 @@ std::set<std::tuple<Index, Index, Index>> system_springs(const System& system) {
 TEST(Plan, ContainsEverySpringOfAnyGraphOnce) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Index points = 2 + static_cast<Index>(seed);
-    const System system = random_trial(seed, points, 3 * points).system;
+    const System system = random_sim(seed, points, 3 * points).system;
     const Plan plan = make_plan(system);
     EXPECT_EQ(plan.spring_index.size(), system.springs().size());
     EXPECT_EQ(packed_springs(plan), system_springs(system)) << "seed " << seed;
@@ -78,11 +78,11 @@ TEST(Plan, RecognizesTheRowsOfAGrid) {
 }
 
 TEST(Plan, StoresTheValuesOfEachSpring) {
-  Trial trial = random_trial(7, 20, 60, 3, 5.0);
-  Plan plan = make_plan(trial.system);
+  TestSim sim = random_sim(7, 20, 60, 3, 5.0);
+  Plan plan = make_plan(sim.system);
   const auto expect_values = [&] {
     for (Index s = 0; s < plan.springs; ++s) {
-      const Spring& spring = trial.system.springs()[plan.spring_index[s]];
+      const Spring& spring = sim.system.springs()[plan.spring_index[s]];
       EXPECT_EQ(plan.stiffness[s], spring.stiffness);
       EXPECT_EQ(plan.rest_length[s], spring.rest_length);
       EXPECT_EQ(plan.damping[s], spring.damping);
@@ -91,24 +91,24 @@ TEST(Plan, StoresTheValuesOfEachSpring) {
   expect_values();
 
   // refreshed in place after edits of values
-  for (Index s = 0; s < trial.system.spring_count(); ++s) {
-    trial.system.spring(s).stiffness *= 2.0;
-    trial.system.spring(s).rest_length += 0.1;
-    trial.system.spring(s).damping *= 0.5;
+  for (Index s = 0; s < sim.system.spring_count(); ++s) {
+    sim.system.spring(s).stiffness *= 2.0;
+    sim.system.spring(s).rest_length += 0.1;
+    sim.system.spring(s).damping *= 0.5;
   }
-  trial.system.point(3).nailed = !trial.system.point(3).nailed;
-  refresh_values(plan, trial.system);
+  sim.system.point(3).nailed = !sim.system.point(3).nailed;
+  refresh_values(plan, sim.system);
   expect_values();
   for (Index i = 0; i < plan.points; ++i)
-    EXPECT_EQ(plan.inverse_mass[i], trial.system.points()[i].nailed ? 0.0 : 1.0 / trial.system.points()[i].mass);
+    EXPECT_EQ(plan.inverse_mass[i], sim.system.points()[i].nailed ? 0.0 : 1.0 / sim.system.points()[i].mass);
 }
 
 TEST(Plan, ContainsOnlyWhatTheSceneNeeds) {
-  Trial trial = random_trial(8, 10, 20, 3, 5.0);
-  trial.system.drag = 2.0;
-  trial.system.colliders = {{.shape = Plane{}, .solid = false}};
-  trial.system.drag_on = trial.system.dashpots_on = false;
-  const Plan plan = make_plan(trial.system);
+  TestSim sim = random_sim(8, 10, 20, 3, 5.0);
+  sim.system.drag = 2.0;
+  sim.system.colliders = {{.shape = Plane{}, .solid = false}};
+  sim.system.drag_on = sim.system.dashpots_on = false;
+  const Plan plan = make_plan(sim.system);
   EXPECT_FALSE(plan.has_dashpots());
   EXPECT_EQ(plan.drag, 0.0);
   EXPECT_TRUE(plan.colliders.empty());
@@ -124,16 +124,16 @@ TEST(Plan, OfAnEmptySceneIsEmpty) {
 
 // The largest eigenvalue of M^-1/2 A M^-1/2 over the free points, where spring s adds blocks +-block(s) to A.
 template <class Block>
-double highest_eigenvalue(const Trial& trial, Block block) {
-  const Index n = trial.system.point_count();
+double highest_eigenvalue(const TestSim& sim, Block block) {
+  const Index n = sim.system.point_count();
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * n, 3 * n);
   const auto inverse_root = [&](Index i) {
-    const Point& point = trial.system.points()[i];
+    const Point& point = sim.system.points()[i];
     return point.nailed ? 0.0 : 1.0 / std::sqrt(point.mass);
   };
-  for (const Spring& spring : trial.system.springs()) {
-    const Index i = trial.system.index_of(spring.first), j = trial.system.index_of(spring.second);
-    const Vec3 along = trial.state.position[i] - trial.state.position[j];
+  for (const Spring& spring : sim.system.springs()) {
+    const Index i = sim.system.index_of(spring.first), j = sim.system.index_of(spring.second);
+    const Vec3 along = sim.state.position[i] - sim.state.position[j];
     const Eigen::Matrix3d b = block(spring, Eigen::Vector3d(along.x, along.y, along.z));
     for (const auto& [row, column, sign] : {std::tuple{i, i, 1.0}, {j, j, 1.0}, {i, j, -1.0}, {j, i, -1.0}})
       matrix.block<3, 3>(3 * row, 3 * column) += sign * inverse_root(row) * inverse_root(column) * b;
@@ -156,9 +156,9 @@ Eigen::Matrix3d dashpot_block(const Spring& spring, const Eigen::Vector3d& along
 TEST(Spectrum, IsNeverBelowTheTrueRatesForAnyDeformation) {
   double tightest = 1e300;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    Trial trial = random_trial(seed, 12, 30, 3, 5.0);
+    TestSim sim = random_sim(seed, 12, 30, 3, 5.0);
     for (const double stretch : {0.2, 1.0, 20.0}) {
-      Trial stretched = trial;
+      TestSim stretched = sim;
       for (Vec3& x : stretched.state.position) x *= stretch;
       const Spectrum spectrum = bound_spectrum(stretched.system);
       const double omega = std::sqrt(highest_eigenvalue(stretched, stiffness_block));
@@ -171,23 +171,23 @@ TEST(Spectrum, IsNeverBelowTheTrueRatesForAnyDeformation) {
 }
 
 TEST(Spectrum, IsExactForOneSpring) {
-  Trial trial;
-  const PointId first = trial.add({0.0, 0.0, 0.0}, 0.5), second = trial.add({1.0, 0.0, 0.0}, 0.5);
-  trial.join(first, second, 9.0, 1.0, 3.0);
+  TestSim sim;
+  const PointId first = sim.add({0.0, 0.0, 0.0}, 0.5), second = sim.add({1.0, 0.0, 0.0}, 0.5);
+  sim.join(first, second, 9.0, 1.0, 3.0);
   // w^2 = k (1/m1 + 1/m2)
-  EXPECT_DOUBLE_EQ(bound_spectrum(trial.system).omega, 6.0);
-  EXPECT_DOUBLE_EQ(bound_spectrum(trial.system).dashpot_rate, 12.0);
+  EXPECT_DOUBLE_EQ(bound_spectrum(sim.system).omega, 6.0);
+  EXPECT_DOUBLE_EQ(bound_spectrum(sim.system).dashpot_rate, 12.0);
 
-  trial.system.point(0).nailed = true;
-  EXPECT_DOUBLE_EQ(bound_spectrum(trial.system).omega, std::sqrt(18.0));
-  EXPECT_DOUBLE_EQ(bound_spectrum(trial.system).dashpot_rate, 6.0);
+  sim.system.point(0).nailed = true;
+  EXPECT_DOUBLE_EQ(bound_spectrum(sim.system).omega, std::sqrt(18.0));
+  EXPECT_DOUBLE_EQ(bound_spectrum(sim.system).dashpot_rate, 6.0);
 }
 
 TEST(Spectrum, IncludesThePullOfTheHand) {
-  Trial trial;
-  const PointId point = trial.add(Vec3(0.0), 0.25);
-  trial.system.grab = Grab{.point = point, .kind = GrabKind::Pull, .stiffness = 100.0};
-  EXPECT_DOUBLE_EQ(bound_spectrum(trial.system).omega, 20.0);
+  TestSim sim;
+  const PointId point = sim.add(Vec3(0.0), 0.25);
+  sim.system.grab = Grab{.point = point, .kind = GrabKind::Pull, .stiffness = 100.0};
+  EXPECT_DOUBLE_EQ(bound_spectrum(sim.system).omega, 20.0);
 }
 
 }  // namespace

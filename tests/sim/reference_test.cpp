@@ -13,23 +13,23 @@ namespace {
 
 constexpr double certain = 1e-9;
 
-Trial drum(int n) {
-  Trial trial = cloth(n);
+TestSim drum(int n) {
+  TestSim sim = cloth(n);
   for (int i = 0; i < n * n; ++i) {
     const int row = i / n, column = i % n;
-    trial.system.point(i).nailed = row == 0 || column == 0 || row == n - 1 || column == n - 1;
+    sim.system.point(i).nailed = row == 0 || column == 0 || row == n - 1 || column == n - 1;
   }
-  return trial;
+  return sim;
 }
 
 // x = i / 63, 0.1 kg, k = 1e4 N/m, held at one end and released horizontally
-Trial rope(int n) {
-  Trial trial;
-  trial.system.gravity = {0.0, 0.0, -9.81};
-  for (int i = 0; i < n; ++i) trial.add({static_cast<double>(i) / (n - 1), 0.0, 0.0}, 0.1 / n);
-  trial.system.point(0).nailed = true;
-  for (int i = 1; i < n; ++i) trial.join(trial.system.points()[i - 1].id, trial.system.points()[i].id, 1e4, 1.0 / (n - 1));
-  return trial;
+TestSim rope(int n) {
+  TestSim sim;
+  sim.system.gravity = {0.0, 0.0, -9.81};
+  for (int i = 0; i < n; ++i) sim.add({static_cast<double>(i) / (n - 1), 0.0, 0.0}, 0.1 / n);
+  sim.system.point(0).nailed = true;
+  for (int i = 1; i < n; ++i) sim.join(sim.system.points()[i - 1].id, sim.system.points()[i].id, 1e4, 1.0 / (n - 1));
+  return sim;
 }
 
 Vec3 mean(const State& state) {
@@ -38,10 +38,10 @@ Vec3 mean(const State& state) {
   return sum / static_cast<double>(state.position.size());
 }
 
-State after(const Trial& start, const char* method, double seconds, double hertz) {
-  Trial trial = start;
-  trial.run(*find_integrator(method), seconds, static_cast<int>(std::lround(seconds * hertz)));
-  return trial.state;
+State after(const TestSim& start, const char* method, double seconds, double hertz) {
+  TestSim sim = start;
+  sim.run(*find_integrator(method), seconds, static_cast<int>(std::lround(seconds * hertz)));
+  return sim.state;
 }
 
 // The Richardson extrapolation from two runs, at steps of 1 / hertz and half that; its error is far smaller than that of either run.

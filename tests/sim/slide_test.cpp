@@ -7,7 +7,7 @@
 #include "sim/contact/gap.h"
 #include "sim/energy.h"
 #include "support/convergence.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -18,17 +18,17 @@ const Integrator& verlet() { return *find_integrator("velocity_verlet"); }
 
 // A point on a plane through the origin that slopes down towards +x at `angle`; `down` is the direction of sliding.
 struct Incline {
-  Trial trial;
+  TestSim sim;
   Vec3 down;
   Incline(double angle, double friction, double speed_down, double restitution = 0.0) : down(std::cos(angle), -std::sin(angle), 0.0) {
     const Vec3 normal(std::sin(angle), std::cos(angle), 0.0);
-    trial.system.colliders = {{.shape = Plane{.point = Vec3(0.0), .normal = normal}, .restitution = restitution, .friction = friction}};
-    trial.add(0.02 * normal, 0.3, speed_down * down);
-    trial.system.point(0).radius = 0.02;
+    sim.system.colliders = {{.shape = Plane{.point = Vec3(0.0), .normal = normal}, .restitution = restitution, .friction = friction}};
+    sim.add(0.02 * normal, 0.3, speed_down * down);
+    sim.system.point(0).radius = 0.02;
   }
-  double displacement() const { return glm::dot(trial.state.position[0], down); }
-  double speed() const { return glm::dot(trial.state.velocity[0], down); }
-  double gap() const { return gap_to(trial.system.colliders[0], 0.02, trial.state.position[0]).distance; }
+  double displacement() const { return glm::dot(sim.state.position[0], down); }
+  double speed() const { return glm::dot(sim.state.velocity[0], down); }
+  double gap() const { return gap_to(sim.system.colliders[0], 0.02, sim.state.position[0]).distance; }
 };
 
 class Slide : public EveryMethod {};
@@ -38,13 +38,13 @@ TEST_P(Slide, SticksUpToTheFrictionAngleAndNotBeyond) {
   for (const double angle : {0.1, 0.5, 1.2}) {
     Incline sticks(angle, std::tan(angle) * (1.0 + 1e-9), 0.0);
     Incline slips(angle, std::tan(angle) * (1.0 - 1e-6), 0.0);
-    const Vec3 start = sticks.trial.state.position[0];
+    const Vec3 start = sticks.sim.state.position[0];
     for (int i = 0; i < 60; ++i) {
-      sticks.trial.run(method(), frame, 3);
-      slips.trial.run(method(), frame, 3);
+      sticks.sim.run(method(), frame, 3);
+      slips.sim.run(method(), frame, 3);
     }
-    EXPECT_EQ(sticks.trial.state.position[0], start) << "angle " << angle;
-    EXPECT_EQ(sticks.trial.state.velocity[0], Vec3(0.0)) << "angle " << angle;
+    EXPECT_EQ(sticks.sim.state.position[0], start) << "angle " << angle;
+    EXPECT_EQ(sticks.sim.state.velocity[0], Vec3(0.0)) << "angle " << angle;
     EXPECT_GT(slips.displacement(), 0.0) << "angle " << angle;
   }
 }
@@ -56,7 +56,7 @@ TEST_P(Slide, DownAnInclineFollowsTheClosedForm) {
     const double a = g * (std::sin(angle) - friction * std::cos(angle));
     const auto error = [&](int steps) {
       Incline incline(angle, friction, v0);
-      incline.trial.run(method(), seconds, steps);
+      incline.sim.run(method(), seconds, steps);
       EXPECT_NEAR(incline.speed(), v0 + a * seconds, 1e-11);
       EXPECT_NEAR(incline.gap(), 0.0, 1e-13);
       return std::abs(incline.displacement() - v0 * seconds - 0.5 * a * seconds * seconds);
@@ -74,7 +74,7 @@ TEST(Slide, UphillStopsAndStaysOrSlidesBack) {
   const double angle = 0.4, v0 = 2.0, sine = std::sin(angle), cosine = std::cos(angle);
   for (const double friction : {0.6, 0.2}) {
     Incline incline(angle, friction, -v0);
-    for (int i = 0; i < 60; ++i) incline.trial.run(verlet(), frame, 1);
+    for (int i = 0; i < 60; ++i) incline.sim.run(verlet(), frame, 1);
     const double slowing = g * (sine + friction * cosine), top = -0.5 * v0 * v0 / slowing, left = 1.0 - v0 / slowing;
     const double back = std::max(0.0, g * (sine - friction * cosine));
     EXPECT_NEAR(incline.displacement(), top + 0.5 * back * left * left, 1e-12) << "mu = " << friction;
@@ -87,24 +87,24 @@ TEST_P(Slide, OnAHorizontalPlaneStopsAfterTheStoppingDistance) {
   for (const double friction : {0.1, 0.5, 2.0})
     for (const int substeps : {1, 7}) {
       Incline flat(0.0, friction, 3.0);
-      for (int i = 0; i < 240; ++i) flat.trial.run(method(), frame, substeps);
+      for (int i = 0; i < 240; ++i) flat.sim.run(method(), frame, substeps);
       EXPECT_NEAR(flat.displacement(), 9.0 / (2.0 * friction * g), 1e-11) << "mu = " << friction;
-      EXPECT_EQ(flat.trial.state.velocity[0], Vec3(0.0)) << "mu = " << friction;
+      EXPECT_EQ(flat.sim.state.velocity[0], Vec3(0.0)) << "mu = " << friction;
     }
 }
 
 // a surface without friction does not affect the motion along it, including forces
 TEST_P(Slide, WithoutFrictionMovesAsIfThePlaneWereAbsent) {
   const auto swinging = [&](bool on_plane) {
-    Trial trial;
-    const PointId point = trial.add({0.5, 0.0, 0.2}, 0.5, {0.0, 0.0, 1.0});
-    trial.join(point, trial.nail({0.0, 0.0, 0.0}), 60.0, 0.3, 0.2);
+    TestSim sim;
+    const PointId point = sim.add({0.5, 0.0, 0.2}, 0.5, {0.0, 0.0, 1.0});
+    sim.join(point, sim.nail({0.0, 0.0, 0.0}), 60.0, 0.3, 0.2);
     if (on_plane)
-      trial.system.colliders = {{.shape = Plane{}}};
+      sim.system.colliders = {{.shape = Plane{}}};
     else
-      trial.system.gravity = Vec3(0.0);
-    trial.run(method(), 1.0, 600);
-    return trial.state;
+      sim.system.gravity = Vec3(0.0);
+    sim.run(method(), 1.0, 600);
+    return sim.state;
   };
   // the forces within a step are evaluated up to y = g h^2 below the plane, where the spring is y^2 / 2l longer
   const double below = g / 360000.0, bound = 0.5 * 60.0 / 0.5 * below * below / 0.5;
@@ -116,32 +116,32 @@ INSTANTIATE_TEST_SUITE_P(Methods, Rest, testing::ValuesIn(every_method()), metho
 
 TEST_P(Rest, LastsTenThousandFrames) {
   for (const double restitution : {0.0, 0.5, 0.9, 1.0}) {
-    std::vector<Trial> trials;
-    trials.push_back(Incline(0.0, 0.0, 0.0, restitution).trial);
-    trials.push_back(Incline(0.3, 0.4, 0.0, restitution).trial);
+    std::vector<TestSim> sims;
+    sims.push_back(Incline(0.0, 0.0, 0.0, restitution).sim);
+    sims.push_back(Incline(0.3, 0.4, 0.0, restitution).sim);
 
     // on top of a ball and of a block, and in a groove
     for (const auto& shape : {std::variant<Plane, Sphere, Box>(Sphere{.center = {0.0, -0.52, 0.0}, .radius = 0.5}),
                               std::variant<Plane, Sphere, Box>(Box{.min = {-1.0, -1.0, -1.0}, .max = {1.0, -0.02, 1.0}})}) {
-      Trial trial;
-      trial.add(Vec3(0.0));
-      trial.system.point(0).radius = 0.02;
-      trial.system.colliders = {{.shape = shape, .restitution = restitution, .friction = 0.1}};
-      trials.push_back(trial);
+      TestSim sim;
+      sim.add(Vec3(0.0));
+      sim.system.point(0).radius = 0.02;
+      sim.system.colliders = {{.shape = shape, .restitution = restitution, .friction = 0.1}};
+      sims.push_back(sim);
     }
-    Trial groove;
+    TestSim groove;
     groove.add(Vec3(0.0, 0.02 * std::sqrt(2.0), 0.0));
     groove.system.point(0).radius = 0.02;
     for (const double side : {-1.0, 1.0})
       groove.system.colliders.push_back({.shape = Plane{.normal = glm::normalize(Vec3(side, 1.0, 0.0))}, .restitution = restitution});
-    trials.push_back(groove);
+    sims.push_back(groove);
 
-    for (std::size_t which = 0; which < trials.size(); ++which) {
-      Trial& trial = trials[which];
-      const Vec3 start = trial.state.position[0];
-      for (int i = 0; i < 10000; i += 20) trial.run(method(), 20.0 * frame, 20);
-      EXPECT_LT(glm::distance(trial.state.position[0], start), 1e-12) << "scene " << which << ", e = " << restitution;
-      EXPECT_EQ(trial.state.velocity[0], Vec3(0.0)) << "scene " << which << ", e = " << restitution;
+    for (std::size_t which = 0; which < sims.size(); ++which) {
+      TestSim& sim = sims[which];
+      const Vec3 start = sim.state.position[0];
+      for (int i = 0; i < 10000; i += 20) sim.run(method(), 20.0 * frame, 20);
+      EXPECT_LT(glm::distance(sim.state.position[0], start), 1e-12) << "scene " << which << ", e = " << restitution;
+      EXPECT_EQ(sim.state.velocity[0], Vec3(0.0)) << "scene " << which << ", e = " << restitution;
     }
   }
 }
@@ -149,14 +149,14 @@ TEST_P(Rest, LastsTenThousandFrames) {
 // pressed against the floor by a spring: no penetration, whatever the force of the spring
 TEST_P(Rest, UnderASpringIsOnTheFloor) {
   for (const double stiffness : {1.0, 1e3, 1e5}) {
-    Trial trial;
-    trial.system.drag = 30.0;
-    const PointId point = trial.add({0.0, 0.3, 0.0}, 1.0);
-    trial.join(point, trial.nail({0.0, 1.0, 0.0}), stiffness, 1.5);
-    trial.system.colliders = {{.shape = Plane{}, .restitution = 0.3, .friction = 0.2}};
-    for (int i = 0; i < 60; ++i) trial.run(method(), frame, 200);
-    EXPECT_NEAR(trial.position(point).y, 0.0, 1e-13) << "k = " << stiffness;
-    EXPECT_EQ(trial.velocity(point).y, 0.0) << "k = " << stiffness;
+    TestSim sim;
+    sim.system.drag = 30.0;
+    const PointId point = sim.add({0.0, 0.3, 0.0}, 1.0);
+    sim.join(point, sim.nail({0.0, 1.0, 0.0}), stiffness, 1.5);
+    sim.system.colliders = {{.shape = Plane{}, .restitution = 0.3, .friction = 0.2}};
+    for (int i = 0; i < 60; ++i) sim.run(method(), frame, 200);
+    EXPECT_NEAR(sim.position(point).y, 0.0, 1e-13) << "k = " << stiffness;
+    EXPECT_EQ(sim.velocity(point).y, 0.0) << "k = " << stiffness;
   }
 }
 
@@ -166,42 +166,42 @@ TEST_P(Rest, FrictionIncludesTheForceOfTheSpring) {
   const double m = 0.5, k = 200.0, friction = 0.4;
   for (const double factor : {0.998, 1.002})
     for (const double squeezed : {0.0, 0.3}) {
-      Trial trial;
-      const PointId point = trial.add(Vec3(0.0), m);
-      trial.join(point, trial.nail({0.0, 1.0, 0.0}), k, 1.0 + squeezed);
-      trial.system.colliders = {{.shape = Plane{}, .friction = friction}};
-      trial.system.gravity.x = factor * friction * (g + k * squeezed / m);
-      trial.run(method(), 0.05, 30);
+      TestSim sim;
+      const PointId point = sim.add(Vec3(0.0), m);
+      sim.join(point, sim.nail({0.0, 1.0, 0.0}), k, 1.0 + squeezed);
+      sim.system.colliders = {{.shape = Plane{}, .friction = friction}};
+      sim.system.gravity.x = factor * friction * (g + k * squeezed / m);
+      sim.run(method(), 0.05, 30);
       if (factor < 1.0) {
-        EXPECT_EQ(trial.position(point), Vec3(0.0)) << "squeezed by " << squeezed;
+        EXPECT_EQ(sim.position(point), Vec3(0.0)) << "squeezed by " << squeezed;
       } else {
-        EXPECT_GT(trial.position(point).x, 0.0) << "squeezed by " << squeezed;
+        EXPECT_GT(sim.position(point).x, 0.0) << "squeezed by " << squeezed;
       }
     }
 }
 
 // A point released from rest on a ball of radius R, `angle` from the top, without friction.
-Trial on_ball(double angle, double radius, double friction = 0.0) {
-  Trial trial;
-  trial.add(Vec3(std::sin(angle), std::cos(angle), 0.0) * radius);
-  trial.system.colliders = {{.shape = Sphere{.center = Vec3(0.0), .radius = radius}, .restitution = 0.5, .friction = friction}};
-  return trial;
+TestSim on_ball(double angle, double radius, double friction = 0.0) {
+  TestSim sim;
+  sim.add(Vec3(std::sin(angle), std::cos(angle), 0.0) * radius);
+  sim.system.colliders = {{.shape = Sphere{.center = Vec3(0.0), .radius = radius}, .restitution = 0.5, .friction = friction}};
+  return sim;
 }
 
 // the point leaves where the cosine is 2/3 of its initial value, within the angle of one step
 TEST_P(Slide, DownABallLosesContactAtTwoThirds) {
   const double radius = 0.5, start = 0.05;
   for (const int substeps : {1, 10, 100, 1000}) {
-    Trial trial = on_ball(start, radius);
+    TestSim sim = on_ball(start, radius);
     const double h = frame / substeps;
     double cosine = 1.0, speed = 0.0;
     for (int i = 0; i < 120 * substeps; ++i) {
-      trial.run(method(), h, 1);
-      const double distance = glm::length(trial.state.position[0]) / radius;
+      sim.run(method(), h, 1);
+      const double distance = glm::length(sim.state.position[0]) / radius;
       if (distance > 1.0 + 1e-12) break;
       EXPECT_NEAR(distance, 1.0, 1e-12);
-      cosine = trial.state.position[0].y / radius;
-      speed = glm::length(trial.state.velocity[0]);
+      cosine = sim.state.position[0].y / radius;
+      speed = glm::length(sim.state.velocity[0]);
     }
     const double turned = speed * h / radius;
     EXPECT_NEAR(cosine, 2.0 / 3.0 * std::cos(start), 2.0 * turned) << substeps << " substeps";
@@ -212,28 +212,28 @@ TEST_P(Slide, DownABallLosesContactAtTwoThirds) {
 // v^2 = 2 g R (cos a0 - cos a): second order in the step
 TEST(Slide, DownABallConservesEnergyToSecondOrder) {
   const auto error = [&](int steps) {
-    Trial trial = on_ball(0.2, 0.5);
-    const double start = compute_energy(trial.system, trial.state).total();
-    trial.run(verlet(), 0.35, steps);
-    EXPECT_NEAR(glm::length(trial.state.position[0]), 0.5, 1e-12);
-    return std::abs(compute_energy(trial.system, trial.state).total() - start);
+    TestSim sim = on_ball(0.2, 0.5);
+    const double start = compute_energy(sim.system, sim.state).total();
+    sim.run(verlet(), 0.35, steps);
+    EXPECT_NEAR(glm::length(sim.state.position[0]), 0.5, 1e-12);
+    return std::abs(compute_energy(sim.system, sim.state).total() - start);
   };
   expect_order(error, 100, 2.0);
 }
 
 TEST(Slide, DownABallWithFrictionConverges) {
   const auto end = [&](int steps) {
-    Trial trial = on_ball(0.5, 0.5, 0.2);
-    trial.run(verlet(), 0.3, steps);
-    EXPECT_NEAR(glm::length(trial.state.position[0]), 0.5, 1e-12);
-    return trial.state.position[0];
+    TestSim sim = on_ball(0.5, 0.5, 0.2);
+    sim.run(verlet(), 0.3, steps);
+    EXPECT_NEAR(glm::length(sim.state.position[0]), 0.5, 1e-12);
+    return sim.state.position[0];
   };
   const Vec3 coarse = end(50), middle = end(100), fine = end(200);
   EXPECT_NEAR(std::log2(glm::distance(coarse, middle) / glm::distance(middle, fine)), 2.0, 0.15);
 }
 
 TEST(Slide, OnABallSticksUpToTheFrictionAngle) {
-  Trial sticks = on_ball(0.5, 0.5, std::tan(0.5) * 1.000001), slips = on_ball(0.5, 0.5, std::tan(0.5) * 0.999);
+  TestSim sticks = on_ball(0.5, 0.5, std::tan(0.5) * 1.000001), slips = on_ball(0.5, 0.5, std::tan(0.5) * 0.999);
   const Vec3 start = sticks.state.position[0];
   sticks.run(verlet(), 1.0, 60);
   slips.run(verlet(), 1.0, 60);
@@ -243,49 +243,49 @@ TEST(Slide, OnABallSticksUpToTheFrictionAngle) {
 
 // on a ball of 1 mm the path turns by more than a right angle in one step
 TEST_P(Slide, DownATinyBallIsFinite) {
-  Trial trial = on_ball(0.01, 1e-3);
+  TestSim sim = on_ball(0.01, 1e-3);
   for (int i = 0; i < 120; ++i) {
-    trial.run(method(), frame, 1);
-    ASSERT_GT(glm::length(trial.state.position[0]), 1e-3 - 1e-13);
+    sim.run(method(), frame, 1);
+    ASSERT_GT(glm::length(sim.state.position[0]), 1e-3 - 1e-13);
   }
-  EXPECT_LT(trial.state.position[0].y, -1.0);
+  EXPECT_LT(sim.state.position[0].y, -1.0);
 }
 
 // off a table: a parabola from the edge, to within the step in which the point leaves
 TEST_P(Slide, OffATableFalls) {
   const double v0 = 2.0, seconds = 0.5, edge = 0.3;
   const auto distance = [&](int steps) {
-    Trial trial;
-    trial.add(Vec3(0.0), 1.0, {v0, 0.0, 0.0});
-    trial.system.colliders = {{.shape = Box{.min = {-1.0, -0.1, -1.0}, .max = {edge, 0.0, 1.0}}}};
-    trial.run(method(), seconds, steps);
+    TestSim sim;
+    sim.add(Vec3(0.0), 1.0, {v0, 0.0, 0.0});
+    sim.system.colliders = {{.shape = Box{.min = {-1.0, -0.1, -1.0}, .max = {edge, 0.0, 1.0}}}};
+    sim.run(method(), seconds, steps);
     const double falling = seconds - edge / v0;
-    return glm::distance(trial.state.position[0], Vec3(v0 * seconds, -0.5 * g * falling * falling, 0.0));
+    return glm::distance(sim.state.position[0], Vec3(v0 * seconds, -0.5 * g * falling * falling, 0.0));
   };
   for (const int steps : {30, 300}) EXPECT_LT(distance(steps), 2.0 * g * seconds * seconds / steps) << steps << " steps";
 }
 
 TEST_P(Slide, OffATableWithARadiusFallsAroundTheEdge) {
-  Trial trial;
-  trial.add({0.0, 0.05, 0.0}, 1.0, {0.3, 0.0, 0.0});
-  trial.system.point(0).radius = 0.05;
-  trial.system.colliders = {{.shape = Box{.min = {-1.0, -0.1, -1.0}, .max = {0.1, 0.0, 1.0}}, .restitution = 0.5}};
+  TestSim sim;
+  sim.add({0.0, 0.05, 0.0}, 1.0, {0.3, 0.0, 0.0});
+  sim.system.point(0).radius = 0.05;
+  sim.system.colliders = {{.shape = Box{.min = {-1.0, -0.1, -1.0}, .max = {0.1, 0.0, 1.0}}, .restitution = 0.5}};
   for (int i = 0; i < 60; ++i) {
-    trial.run(method(), frame, 4);
-    ASSERT_GT(gap_to(trial.system.colliders[0], 0.05, trial.state.position[0]).distance, -1e-12);
+    sim.run(method(), frame, 4);
+    ASSERT_GT(gap_to(sim.system.colliders[0], 0.05, sim.state.position[0]).distance, -1e-12);
   }
-  EXPECT_LT(trial.state.position[0].y, -1.0);
+  EXPECT_LT(sim.state.position[0].y, -1.0);
 }
 
 // a lifted point leaves as if there were no floor; the first step of explicit Euler differs from the parabola by h^2 a / 2
 TEST_P(Rest, EndsWithoutABounceWhenLifted) {
   const auto lifted = [&](bool on_floor) {
-    Trial trial;
-    trial.system.gravity = {0.0, 0.5, 0.0};
-    trial.add(Vec3(0.0));
-    if (on_floor) trial.system.colliders = {{.shape = Plane{}, .restitution = 0.5, .friction = 0.5}};
-    trial.run(method(), 0.5, 30);
-    return trial.state;
+    TestSim sim;
+    sim.system.gravity = {0.0, 0.5, 0.0};
+    sim.add(Vec3(0.0));
+    if (on_floor) sim.system.colliders = {{.shape = Plane{}, .restitution = 0.5, .friction = 0.5}};
+    sim.run(method(), 0.5, 30);
+    return sim.state;
   };
   EXPECT_LT(glm::distance(lifted(true).position[0], lifted(false).position[0]), method().order == 1 ? 0.25 / 3600.0 + 1e-14 : 1e-14);
   EXPECT_LT(glm::distance(lifted(true).velocity[0], lifted(false).velocity[0]), 1e-14);
@@ -293,75 +293,75 @@ TEST_P(Rest, EndsWithoutABounceWhenLifted) {
 
 // down a ball into the corner between the ball and a floor
 TEST_P(Slide, DownABallOntoAFloorEndsInTheCorner) {
-  Trial trial = on_ball(0.2, 0.5, 0.05);
-  trial.system.colliders.push_back({.shape = Plane{.point = {0.0, 0.4, 0.0}}, .friction = 0.5});
-  trial.system.colliders.push_back({.shape = Plane{.point = {0.35, 0.0, 0.0}, .normal = {-1.0, 0.0, 0.0}}, .friction = 0.5});
+  TestSim sim = on_ball(0.2, 0.5, 0.05);
+  sim.system.colliders.push_back({.shape = Plane{.point = {0.0, 0.4, 0.0}}, .friction = 0.5});
+  sim.system.colliders.push_back({.shape = Plane{.point = {0.35, 0.0, 0.0}, .normal = {-1.0, 0.0, 0.0}}, .friction = 0.5});
   for (int i = 0; i < 180; ++i) {
-    trial.run(method(), frame, 1);
-    for (const Collider& collider : trial.system.colliders)
-      ASSERT_GT(gap_to(collider, 0.0, trial.state.position[0]).distance, -1e-13) << "frame " << i;
+    sim.run(method(), frame, 1);
+    for (const Collider& collider : sim.system.colliders)
+      ASSERT_GT(gap_to(collider, 0.0, sim.state.position[0]).distance, -1e-13) << "frame " << i;
   }
-  EXPECT_EQ(trial.state.velocity[0], Vec3(0.0));
-  EXPECT_NEAR(trial.state.position[0].y, 0.4, 1e-13);
+  EXPECT_EQ(sim.state.velocity[0], Vec3(0.0));
+  EXPECT_NEAR(sim.state.position[0].y, 0.4, 1e-13);
 }
 
 // A groove formed by two planes along z, each at `angle` from the vertical.
-Trial groove(double angle, double restitution, double friction) {
-  Trial trial;
+TestSim groove(double angle, double restitution, double friction) {
+  TestSim sim;
   for (const double side : {-1.0, 1.0})
-    trial.system.colliders.push_back(
+    sim.system.colliders.push_back(
         {.shape = Plane{.normal = {side * std::cos(angle), std::sin(angle), 0.0}}, .restitution = restitution, .friction = friction});
-  return trial;
+  return sim;
 }
 
 TEST_P(Rest, InAGrooveIsReachedFromAbove) {
   for (const double angle : {0.3, 0.8, 1.4})
     for (const double restitution : {0.0, 0.5}) {
-      Trial trial = groove(angle, restitution, 0.3);
-      trial.add({0.1, 0.8, 0.0}, 1.0, {0.3, 0.0, 0.0});
-      trial.system.point(0).radius = 0.05;
-      for (int i = 0; i < 1200; ++i) trial.run(method(), frame, 1);
-      for (const Collider& collider : trial.system.colliders)
-        EXPECT_GT(gap_to(collider, 0.05, trial.state.position[0]).distance, -1e-12) << "angle " << angle << ", e = " << restitution;
-      EXPECT_LT(glm::length(trial.state.velocity[0]), 1e-9) << "angle " << angle << ", e = " << restitution;
+      TestSim sim = groove(angle, restitution, 0.3);
+      sim.add({0.1, 0.8, 0.0}, 1.0, {0.3, 0.0, 0.0});
+      sim.system.point(0).radius = 0.05;
+      for (int i = 0; i < 1200; ++i) sim.run(method(), frame, 1);
+      for (const Collider& collider : sim.system.colliders)
+        EXPECT_GT(gap_to(collider, 0.05, sim.state.position[0]).distance, -1e-12) << "angle " << angle << ", e = " << restitution;
+      EXPECT_LT(glm::length(sim.state.velocity[0]), 1e-9) << "angle " << angle << ", e = " << restitution;
       // friction may hold the point on one side if the groove is shallow enough
       if (std::tan(0.5 * std::numbers::pi - angle) > 0.3) {
-        EXPECT_NEAR(trial.state.position[0].y, 0.05 / std::sin(angle), 1e-9) << "angle " << angle << ", e = " << restitution;
+        EXPECT_NEAR(sim.state.position[0].y, 0.05 / std::sin(angle), 1e-9) << "angle " << angle << ", e = " << restitution;
       }
     }
 }
 
 // without friction, motion along the groove continues
 TEST_P(Slide, AlongAGrooveIsUnimpeded) {
-  Trial trial = groove(0.7, 0.5, 0.0);
-  trial.add({0.0, 0.05 / std::sin(0.7), 0.0}, 1.0, {0.0, 0.0, 1.5});
-  trial.system.point(0).radius = 0.05;
-  for (int i = 0; i < 60; ++i) trial.run(method(), frame, 1);
-  EXPECT_LT(glm::distance(trial.state.position[0], Vec3(0.0, 0.05 / std::sin(0.7), 1.5)), 1e-12);
+  TestSim sim = groove(0.7, 0.5, 0.0);
+  sim.add({0.0, 0.05 / std::sin(0.7), 0.0}, 1.0, {0.0, 0.0, 1.5});
+  sim.system.point(0).radius = 0.05;
+  for (int i = 0; i < 60; ++i) sim.run(method(), frame, 1);
+  EXPECT_LT(glm::distance(sim.state.position[0], Vec3(0.0, 0.05 / std::sin(0.7), 1.5)), 1e-12);
 }
 
 // both sides of a groove exert a normal force g / (2 sin a) per mass, and friction
 TEST(Slide, AlongAGrooveIsSlowedByTheFrictionOfBothSides) {
   const double angle = 0.7, friction = 0.1, slowing = friction * g / std::sin(angle);
-  Trial trial = groove(angle, 0.0, friction);
-  trial.add({0.0, 0.05 / std::sin(angle), 0.0}, 1.0, {0.0, 0.0, 1.5});
-  trial.system.point(0).radius = 0.05;
-  trial.run(verlet(), 0.5, 30);
-  EXPECT_NEAR(trial.state.position[0].z, 1.5 * 0.5 - 0.5 * slowing * 0.25, 1e-12);
+  TestSim sim = groove(angle, 0.0, friction);
+  sim.add({0.0, 0.05 / std::sin(angle), 0.0}, 1.0, {0.0, 0.0, 1.5});
+  sim.system.point(0).radius = 0.05;
+  sim.run(verlet(), 0.5, 30);
+  EXPECT_NEAR(sim.state.position[0].z, 1.5 * 0.5 - 0.5 * slowing * 0.25, 1e-12);
 }
 
 // a wall stops a sliding point, even if the whole path is within one step
 TEST_P(Slide, IntoAWallStopsAtTheWall) {
   for (const double restitution : {0.0, 0.5}) {
-    Trial trial;
-    trial.add({0.0, 0.0, 0.0}, 1.0, {100.0, 0.0, 0.0});
-    trial.system.colliders = {{.shape = Plane{}},
-                              {.shape = Box{.min = {0.5, -1.0, -1.0}, .max = {0.501, 1.0, 1.0}}, .restitution = restitution}};
-    trial.run(method(), frame, 1);
+    TestSim sim;
+    sim.add({0.0, 0.0, 0.0}, 1.0, {100.0, 0.0, 0.0});
+    sim.system.colliders = {{.shape = Plane{}},
+                            {.shape = Box{.min = {0.5, -1.0, -1.0}, .max = {0.501, 1.0, 1.0}}, .restitution = restitution}};
+    sim.run(method(), frame, 1);
     const double left = frame - 0.5 / 100.0;
-    EXPECT_NEAR(trial.state.position[0].x, 0.5 - restitution * 100.0 * left, 1e-12);
-    EXPECT_NEAR(trial.state.velocity[0].x, -restitution * 100.0, 1e-10);
-    EXPECT_NEAR(trial.state.position[0].y, 0.0, 1e-13);
+    EXPECT_NEAR(sim.state.position[0].x, 0.5 - restitution * 100.0 * left, 1e-12);
+    EXPECT_NEAR(sim.state.velocity[0].x, -restitution * 100.0, 1e-10);
+    EXPECT_NEAR(sim.state.position[0].y, 0.0, 1e-13);
   }
 }
 

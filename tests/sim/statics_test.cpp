@@ -17,16 +17,16 @@ namespace {
 constexpr double g = 9.81;
 
 // Strong drag and a method that never blows up, with enough steps for all motion to decay.
-void run_to_rest(Trial& trial, double seconds) {
-  trial.system.drag = 5.0;
-  trial.run(*find_integrator("baraff_witkin"), seconds, static_cast<int>(std::lround(seconds / 0.05)));
+void run_to_rest(TestSim& sim, double seconds) {
+  sim.system.drag = 5.0;
+  sim.run(*find_integrator("baraff_witkin"), seconds, static_cast<int>(std::lround(seconds / 0.05)));
 }
 
 // The largest force on a free point, relative to its own weight.
-double max_residual(const Trial& trial) {
-  const Plan plan = make_plan(trial.system);
+double max_residual(const TestSim& sim) {
+  const Plan plan = make_plan(sim.system);
   Motion motion;
-  pack(plan, trial.state, motion);
+  pack(plan, sim.state, motion);
   Field force(motion.x.size());
   compute_forces(plan, 0.0, motion.x, motion.v, force);
   double greatest = 0.0;
@@ -53,21 +53,21 @@ struct HangingChain {
     return sum;
   }
 
-  static Trial hanging(double factor) {  // of the equilibrium depths
-    Trial trial;
-    PointId above = trial.nail(Vec3(0.0));
+  static TestSim hanging(double factor) {  // of the equilibrium depths
+    TestSim sim;
+    PointId above = sim.nail(Vec3(0.0));
     for (int i = 0; i < static_cast<int>(m.size()); ++i) {
-      const PointId mass = trial.add({0.0, -factor * depth(i), 0.0}, m[i]);
-      trial.join(above, mass, k[i], l0[i], 0.1);
+      const PointId mass = sim.add({0.0, -factor * depth(i), 0.0}, m[i]);
+      sim.join(above, mass, k[i], l0[i], 0.1);
       above = mass;
     }
-    return trial;
+    return sim;
   }
 
-  static double off(const Trial& trial) {  // relative to its length
+  static double off(const TestSim& sim) {  // relative to its length
     double worst = 0.0;
     for (int i = 0; i < static_cast<int>(m.size()); ++i)
-      worst = std::max(worst, glm::distance(trial.state.position[i + 1], Vec3(0.0, -depth(i), 0.0)));
+      worst = std::max(worst, glm::distance(sim.state.position[i + 1], Vec3(0.0, -depth(i), 0.0)));
     return worst / depth(static_cast<int>(m.size()) - 1);
   }
 };
@@ -79,9 +79,9 @@ INSTANTIATE_TEST_SUITE_P(Methods, Hanging, testing::ValuesIn(every_method()), me
 // all masses below
 TEST_P(Hanging, ChainStaysAtItsEquilibriumLengths) {
   const auto off = [&](int steps) {
-    Trial trial = HangingChain::hanging(1.0);
-    trial.run(method(), 1.0, steps);
-    return HangingChain::off(trial);
+    TestSim sim = HangingChain::hanging(1.0);
+    sim.run(method(), 1.0, steps);
+    return HangingChain::off(sim);
   };
   if (method().stability == Stability::EachSpring) {
     EXPECT_LT(off(2000), 2e-4);
@@ -92,21 +92,21 @@ TEST_P(Hanging, ChainStaysAtItsEquilibriumLengths) {
 }
 
 TEST(Hanging, ChainReachesItsEquilibriumLengths) {
-  Trial trial = HangingChain::hanging(0.7);
-  EXPECT_GT(HangingChain::off(trial), 0.1);
-  run_to_rest(trial, 60.0);
-  EXPECT_LT(HangingChain::off(trial), 1e-12);
+  TestSim sim = HangingChain::hanging(0.7);
+  EXPECT_GT(HangingChain::off(sim), 0.1);
+  run_to_rest(sim, 60.0);
+  EXPECT_LT(HangingChain::off(sim), 1e-12);
 }
 
 TEST(Hanging, NetComesToRestWithoutResidual) {
-  Trial trial = net(12, 1e3, 0.0);
+  TestSim sim = net(12, 1e3, 0.0);
   Random random(7);
-  for (Index i = 0; i < trial.system.point_count(); ++i)
-    if (!trial.system.points()[i].nailed)
-      trial.state.position[i] += 0.03 * Vec3(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
-  EXPECT_GT(max_residual(trial), 1.0);
-  run_to_rest(trial, 40.0);
-  EXPECT_LT(max_residual(trial), 1e-10);
+  for (Index i = 0; i < sim.system.point_count(); ++i)
+    if (!sim.system.points()[i].nailed)
+      sim.state.position[i] += 0.03 * Vec3(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+  EXPECT_GT(max_residual(sim), 1.0);
+  run_to_rest(sim, 40.0);
+  EXPECT_LT(max_residual(sim), 1e-10);
 }
 
 // The elastic catenary between two nails (H. M. Irvine, Cable Structures, 1981): p the unstretched length from the lowest point, H the
@@ -149,21 +149,21 @@ TEST(Hanging, RopeConvergesToTheElasticCatenary) {
     Catenary exact{length, mass * g / length, EA};
     exact.span(apart);
     const auto error = [&](int springs) {
-      Trial trial;
-      PointId last = trial.nail(Vec3(0.0));
+      TestSim sim;
+      PointId last = sim.nail(Vec3(0.0));
       for (int j = 1; j <= springs; ++j) {
         const Vec3 x = static_cast<double>(j) / springs * apart;
         const PointId next =
-            j == springs ? trial.nail(x) : trial.add(x - Vec3(0.0, 0.1 * std::sin(std::numbers::pi * j / springs), 0.0), mass / springs);
-        trial.join(last, next, EA * springs / length, length / springs);
+            j == springs ? sim.nail(x) : sim.add(x - Vec3(0.0, 0.1 * std::sin(std::numbers::pi * j / springs), 0.0), mass / springs);
+        sim.join(last, next, EA * springs / length, length / springs);
         last = next;
       }
-      run_to_rest(trial, 60.0);
+      run_to_rest(sim, 60.0);
       double sum = 0.0;
       for (int j = 0; j <= springs; ++j) {
         const double p = exact.start + length * j / springs;
         const Vec3 there(exact.x(p) - exact.x(exact.start), exact.y(p) - exact.y(exact.start), 0.0);
-        sum += std::pow(glm::distance(trial.state.position[j], there), 2) / (springs + 1);
+        sum += std::pow(glm::distance(sim.state.position[j], there), 2) / (springs + 1);
       }
       return std::sqrt(sum);
     };

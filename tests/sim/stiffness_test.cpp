@@ -14,9 +14,9 @@ namespace {
 
 constexpr double b = 0.01;
 
-Motion packed(const Plan& plan, const Trial& trial) {
+Motion packed(const Plan& plan, const TestSim& sim) {
   Motion motion;
-  pack(plan, trial.state, motion);
+  pack(plan, sim.state, motion);
   return motion;
 }
 
@@ -33,10 +33,10 @@ Field residual(const Plan& plan, const Field& x, const Field& V) {
 }
 
 // A^-1 (dR/dV e) = e for every unit vector e of a free point. At V = 0 the omitted part of the dashpots is zero.
-void expect_derivative(const Trial& trial) {
-  Plan plan = make_plan(trial.system);
-  Motion motion = packed(plan, trial);
-  if (plan.pull) plan.pull->from = trial.state.hand.position;
+void expect_derivative(const TestSim& sim) {
+  Plan plan = make_plan(sim.system);
+  Motion motion = packed(plan, sim);
+  if (plan.pull) plan.pull->from = sim.state.hand.position;
   Field V(motion.x.size(), 0.0);
   StiffnessMatrix matrix(plan);
   matrix.assemble(plan, b, motion.x, V, Curvature::Exact);
@@ -59,32 +59,32 @@ void expect_derivative(const Trial& trial) {
 TEST(StiffnessMatrix, IsTheDerivativeOfTheForces) {
   for (const int dimensions : {2, 3})
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-      Trial trial = random_trial(seed, 12, 30, dimensions, 3.0);
-      trial.system.drag = 0.7;
-      expect_derivative(trial);
+      TestSim sim = random_sim(seed, 12, 30, dimensions, 3.0);
+      sim.system.drag = 0.7;
+      expect_derivative(sim);
     }
 }
 
 TEST(StiffnessMatrix, IncludesTheGrab) {
   for (const GrabKind kind : {GrabKind::Pull, GrabKind::Hold}) {
-    Trial trial = random_trial(7, 12, 30);
+    TestSim sim = random_sim(7, 12, 30);
     Index free = 0;
-    while (trial.system.points()[free].nailed) ++free;
-    trial.system.grab = Grab{.point = trial.system.points()[free].id, .kind = kind, .stiffness = 500.0};
-    expect_derivative(trial);
+    while (sim.system.points()[free].nailed) ++free;
+    sim.system.grab = Grab{.point = sim.system.points()[free].id, .kind = kind, .stiffness = 500.0};
+    expect_derivative(sim);
   }
 }
 
 // k (l0 - l) / l = 8 in the transverse direction, k along the spring: the exact matrix is indefinite, the clamped one has zeros for the
 // negative eigenvalues
 TEST(StiffnessMatrix, ClampedIsTheNearestPositiveSemidefiniteMatrix) {
-  Trial trial;
+  TestSim sim;
   const Vec3 u(0.48, 0.6, 0.64);
-  const PointId first = trial.add(Vec3(0.0), 1.0), second = trial.add(0.1 * u, 2.0);
+  const PointId first = sim.add(Vec3(0.0), 1.0), second = sim.add(0.1 * u, 2.0);
   const double k = 3e4, l0 = 0.9;
-  trial.join(first, second, k, l0);
-  const Plan plan = make_plan(trial.system);
-  const Motion motion = packed(plan, trial);
+  sim.join(first, second, k, l0);
+  const Plan plan = make_plan(sim.system);
+  const Motion motion = packed(plan, sim);
 
   Eigen::Matrix<double, 6, 6> stiffness;
   const Eigen::Vector3d along(u.x, u.y, u.z);
@@ -117,11 +117,11 @@ TEST(StiffnessMatrix, ClampedIsTheNearestPositiveSemidefiniteMatrix) {
 // k I, with or without a rest length, because there is no direction along the spring
 TEST(StiffnessMatrix, OfCoincidentPointsIsIsotropic) {
   for (const double l0 : {0.0, 1.0}) {
-    Trial trial;
-    const PointId point = trial.add(Vec3(0.3), 2.0);
-    trial.join(trial.nail(Vec3(0.3)), point, 5e4, l0, 1.0);
-    const Plan plan = make_plan(trial.system);
-    const Motion motion = packed(plan, trial);
+    TestSim sim;
+    const PointId point = sim.add(Vec3(0.3), 2.0);
+    sim.join(sim.nail(Vec3(0.3)), point, 5e4, l0, 1.0);
+    const Plan plan = make_plan(sim.system);
+    const Motion motion = packed(plan, sim);
     StiffnessMatrix matrix(plan);
     matrix.assemble(plan, b, motion.x, motion.v, Curvature::Exact);
     ASSERT_TRUE(matrix.factorize());

@@ -17,8 +17,8 @@ struct Swept {
   Plan plan;
   Motion motion;
   std::vector<double> decay;
-  Swept(const Trial& trial, double duration) : plan(make_plan(trial.system)) {
-    pack(plan, trial.state, motion);
+  Swept(const TestSim& sim, double duration) : plan(make_plan(sim.system)) {
+    pack(plan, sim.state, motion);
     plan_dashpot_decay(plan, duration, decay);
   }
   Field velocities_after(Sweep sweep) const {
@@ -68,40 +68,40 @@ Field plain_velocities_after(const Swept& swept, Sweep sweep) {
 }
 
 // `count` springs, each from point i to point i + `stride`: one run. Some points are nailed, some ends coincide.
-Trial band(Index stride, Index count, int dimensions) {
-  Trial trial = random_trial(static_cast<std::uint64_t>(100 * stride + count), count + stride, 0, dimensions);
+TestSim band(Index stride, Index count, int dimensions) {
+  TestSim sim = random_sim(static_cast<std::uint64_t>(100 * stride + count), count + stride, 0, dimensions);
   Random random(5);
   for (Index e = 0; e < count; ++e) {
-    if (random.one_in(7)) trial.state.position[e + stride] = trial.state.position[e];
-    trial.join(trial.system.points()[e].id, trial.system.points()[e + stride].id, 1.0, 1.0, random.uniform(0.0, 20.0));
+    if (random.one_in(7)) sim.state.position[e + stride] = sim.state.position[e];
+    sim.join(sim.system.points()[e].id, sim.system.points()[e + stride].id, 1.0, 1.0, random.uniform(0.0, 20.0));
   }
-  return trial;
+  return sim;
 }
 
 // runs shorter and longer than any vector, at strides below, at and above the number of lanes, and any graph
-std::vector<Trial> assorted_trials() {
-  std::vector<Trial> trials;
+std::vector<TestSim> assorted_sims() {
+  std::vector<TestSim> sims;
   for (const int dimensions : {2, 3}) {
     for (Index stride = 1; stride <= 10; ++stride)
-      for (const Index count : {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 30, 33, 70}) trials.push_back(band(stride, count, dimensions));
-    for (std::uint64_t seed = 0; seed < 10; ++seed) trials.push_back(random_trial(seed, 30, 90, dimensions, 20.0));
+      for (const Index count : {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 30, 33, 70}) sims.push_back(band(stride, count, dimensions));
+    for (std::uint64_t seed = 0; seed < 10; ++seed) sims.push_back(random_sim(seed, 30, 90, dimensions, 20.0));
   }
   for (const int n : {2, 3, 5, 9, 16, 33}) {
-    trials.push_back(curtain(n, 1.0, 0.9));
-    for (Vec3& velocity : trials.back().state.velocity) velocity = velocity.z * Vec3(1.0, -2.0, 3.0);
+    sims.push_back(curtain(n, 1.0, 0.9));
+    for (Vec3& velocity : sims.back().state.velocity) velocity = velocity.z * Vec3(1.0, -2.0, 3.0);
   }
-  return trials;
+  return sims;
 }
 
 constexpr double duration = 0.05;
 
 TEST(DashpotSweep, EqualsAPlainLoopBitForBitOnEveryVectorTarget) {
-  const std::vector<Trial> trials = assorted_trials();
+  const std::vector<TestSim> sims = assorted_sims();
   for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
     hwy::SetSupportedTargetsForTest(target);
     hwy::GetChosenTarget().DeInit();
-    for (const Trial& trial : trials) {
-      const Swept swept(trial, duration);
+    for (const TestSim& sim : sims) {
+      const Swept swept(sim, duration);
       for (const Sweep sweep : {Sweep::Forward, Sweep::Backward})
         EXPECT_EQ(swept.velocities_after(sweep), plain_velocities_after(swept, sweep))
             << hwy::TargetName(target) << ", " << swept.plan.points << " points, " << swept.plan.springs << " springs, "
@@ -114,8 +114,8 @@ TEST(DashpotSweep, EqualsAPlainLoopBitForBitOnEveryVectorTarget) {
 
 // over a negative duration; round-off grows by the factor of the damping
 TEST(DashpotSweep, BackwardUndoesForward) {
-  for (const Trial& trial : assorted_trials()) {
-    Swept swept(trial, 1e-4);
+  for (const TestSim& sim : assorted_sims()) {
+    Swept swept(sim, 1e-4);
     const Field start = swept.motion.v;
     swept.motion.v = swept.velocities_after(Sweep::Forward);
     plan_dashpot_decay(swept.plan, -1e-4, swept.decay);
@@ -134,10 +134,10 @@ TEST(DashpotSweep, BackwardUndoesForward) {
 
 TEST(DashpotSweep, OfAlmostCoincidentPointsIsFinite) {
   for (const double distance : {0.0, 1e-300, 1e-160, 1e-150, 1e-139, 1e-100, 1e-12}) {
-    Trial trial;
-    const PointId first = trial.add(Vec3(0.0), 1e3, {1.0, 0.0, 2.0}), second = trial.add({distance, 0.0, 0.0}, 1e3);
-    trial.join(first, second, 1.0, 1.0, 1e9);
-    const Field v = Swept(trial, 1.0).velocities_after(Sweep::Forward);
+    TestSim sim;
+    const PointId first = sim.add(Vec3(0.0), 1e3, {1.0, 0.0, 2.0}), second = sim.add({distance, 0.0, 0.0}, 1e3);
+    sim.join(first, second, 1.0, 1.0, 1e9);
+    const Field v = Swept(sim, 1.0).velocities_after(Sweep::Forward);
     // moving as one body along the spring or, if it is too short to have a direction, as if there were no dashpot
     const double expected = distance < 1e-140 ? 1.0 : 0.5;
     EXPECT_NEAR(v[0], expected, 1e-15) << "distance " << distance;

@@ -1,18 +1,18 @@
 // Ids and indices of points and springs.
 #include <gtest/gtest.h>
 
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
 
 // Points 0..3 and springs 0..2 between consecutive points.
-Trial chain() {
-  Trial trial;
+TestSim chain() {
+  TestSim sim;
   std::vector<PointId> points;
-  for (int i = 0; i < 4; ++i) points.push_back(trial.add({i, 0.0, 0.0}));
-  for (int i = 0; i < 3; ++i) trial.join(points[i], points[i + 1], 100.0, 1.0);
-  return trial;
+  for (int i = 0; i < 4; ++i) points.push_back(sim.add({i, 0.0, 0.0}));
+  for (int i = 0; i < 3; ++i) sim.join(points[i], points[i + 1], 100.0, 1.0);
+  return sim;
 }
 
 template <class Item>

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "support/convergence.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -25,16 +25,16 @@ TEST_P(Ring, WavesFollowTheDispersionRelation) {
   for (int n = 1; n <= masses / 2; ++n) {
     const double q = 2.0 * pi * n / masses, w = 2.0 * std::sqrt(k / m) * std::sin(0.5 * q), seconds = 2.5 / w;
     const auto error = [&](int steps) {
-      Trial trial;
-      trial.system.gravity = Vec3(0.0);
+      TestSim sim;
+      sim.system.gravity = Vec3(0.0);
       for (int j = 0; j < masses; ++j)
-        trial.add(radius * Vec3(std::cos(q * j), std::sin(q * j), 0.0), m, w * radius * Vec3(std::sin(q * j), -std::cos(q * j), 0.0));
-      for (int j = 0; j < masses; ++j) trial.join(trial.system.points()[j].id, trial.system.points()[(j + 1) % masses].id, k, 0.0);
-      trial.run(method(), seconds, steps);
+        sim.add(radius * Vec3(std::cos(q * j), std::sin(q * j), 0.0), m, w * radius * Vec3(std::sin(q * j), -std::cos(q * j), 0.0));
+      for (int j = 0; j < masses; ++j) sim.join(sim.system.points()[j].id, sim.system.points()[(j + 1) % masses].id, k, 0.0);
+      sim.run(method(), seconds, steps);
       double worst = 0.0;
       for (int j = 0; j < masses; ++j) {
         const double phase = q * j - w * seconds;
-        worst = std::max(worst, glm::distance(trial.state.position[j], radius * Vec3(std::cos(phase), std::sin(phase), 0.0)));
+        worst = std::max(worst, glm::distance(sim.state.position[j], radius * Vec3(std::cos(phase), std::sin(phase), 0.0)));
       }
       return worst;
     };
@@ -67,16 +67,16 @@ struct Lattice {
     const Vec3 direction(std::cos(angle), std::sin(angle), 0.0), shake = shakes_along ? direction : Vec3(-direction.y, direction.x, 0.0);
     const int reach = static_cast<int>(1.2 * quarter * std::max(along(), along_diagonal()) / a) + 4, side = 2 * reach + 1;
 
-    Trial trial;
-    trial.system.dimensions = 2;
-    trial.system.gravity = Vec3(0.0);
+    TestSim sim;
+    sim.system.dimensions = 2;
+    sim.system.gravity = Vec3(0.0);
     for (int row = 0; row < side; ++row)
       for (int column = 0; column < side; ++column) {
         const Vec3 x = a * Vec3(column - reach, row - reach, 0.0);
-        trial.add(x + amplitude * std::cos(q * glm::dot(direction, x)) * shake, m);
+        sim.add(x + amplitude * std::cos(q * glm::dot(direction, x)) * shake, m);
       }
     const auto join = [&](int first, int second, double k, double length) {
-      trial.join(trial.system.points()[first].id, trial.system.points()[second].id, k, length);
+      sim.join(sim.system.points()[first].id, sim.system.points()[second].id, k, length);
     };
     for (int row = 0; row < side; ++row)
       for (int column = 0; column < side; ++column) {
@@ -86,8 +86,8 @@ struct Lattice {
         if (row + 1 < side && column + 1 < side) join(here, here + side + 1, k2, std::numbers::sqrt2 * a);
         if (row + 1 < side && column > 0) join(here, here + side - 1, k2, std::numbers::sqrt2 * a);
       }
-    trial.run(*find_integrator("runge_kutta4"), quarter, 6 * cells);
-    const double left = glm::dot(trial.state.position[reach * side + reach], shake) / amplitude;
+    sim.run(*find_integrator("runge_kutta4"), quarter, 6 * cells);
+    const double left = glm::dot(sim.state.position[reach * side + reach], shake) / amplitude;
     return std::acos(left) / (quarter * q);
   }
 

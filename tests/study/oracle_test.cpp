@@ -15,7 +15,7 @@
 namespace hooke {
 namespace {
 
-Trial start_of(const std::string& scene) {
+TestSim start_of(const std::string& scene) {
   if (scene == "rope_64" || scene == "drum_32") {
     const Scene shipped = load_scene(find_scene(scene)).scene;
     return {shipped.system, shipped.state};
@@ -25,7 +25,7 @@ Trial start_of(const std::string& scene) {
 }
 
 // The steps of a non-adaptive method are halved until the sum of its estimated errors is within the tolerance.
-State follow(const Integrator& method, const Trial& start, double seconds, double tolerance) {
+State follow(const Integrator& method, const TestSim& start, double seconds, double tolerance) {
   Plan plan = make_plan(start.system);
   Frame frame;
   for (int steps = method.stability == Stability::Adaptive ? 1 : 16;; steps *= 2) {
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, OracleTest,
 
 TEST_P(OracleTest, AgreesWithinTheCommonTolerance) {
   const auto [scene, oracle, id, seconds] = GetParam();
-  const Trial start = start_of(scene);
+  const TestSim start = start_of(scene);
   const auto gap = [&, oracle = oracle, id = id, seconds = seconds](double tolerance) {
     return distance(ask_oracle(oracle, start.system, start.state, seconds, tolerance),
                     follow(*find_integrator(id), start, seconds, tolerance));

@@ -11,45 +11,45 @@
 namespace hooke {
 namespace {
 
-Trial shipped(const char* id) {
+TestSim shipped(const char* id) {
   const Scene scene = load_scene(find_scene(id)).scene;
   return {scene.system, scene.state};
 }
 
-Trial fine_net(double stiffness) {
+TestSim fine_net(double stiffness) {
   const InitialState start = make_net(64, stiffness, 0.0);
   return {start.system, start.state};
 }
 
-State after(const Trial& start, const char* method, double seconds, double hertz) {
-  Trial trial = start;
-  trial.run(*find_integrator(method), seconds, static_cast<int>(std::lround(seconds * hertz)));
-  return trial.state;
+State after(const TestSim& start, const char* method, double seconds, double hertz) {
+  TestSim sim = start;
+  sim.run(*find_integrator(method), seconds, static_cast<int>(std::lround(seconds * hertz)));
+  return sim.state;
 }
 
 // In these scenes tolerances of 1e-10 m and 1e-13 m give the same steps, because stability is more restrictive.
-State converged(const Trial& start, double seconds) {
-  Trial trial = start;
-  trial.run(*find_integrator("dop853"), seconds, 1, 1e-10);
-  return trial.state;
+State converged(const TestSim& start, double seconds) {
+  TestSim sim = start;
+  sim.run(*find_integrator("dop853"), seconds, 1, 1e-10);
+  return sim.state;
 }
 
 // Each bound is the published figure plus rounding.
 
 TEST(PromisedErrors, OfVerletAndRungeKuttaOnTheDrum) {
-  const Trial drum = shipped("drum_32");
+  const TestSim drum = shipped("drum_32");
   const State exact = converged(drum, 1.0);
   EXPECT_LT(distance(after(drum, "velocity_verlet", 1.0, 3200.0), exact), 1.65e-5);
   EXPECT_LT(distance(after(drum, "runge_kutta4", 1.0, 12800.0), exact), 3.05e-10);
 }
 
 TEST(PromisedErrors, OfRungeKuttaOnTheRope) {
-  const Trial rope = shipped("rope_64");
+  const TestSim rope = shipped("rope_64");
   EXPECT_LT(distance(after(rope, "runge_kutta4", 0.5, 12800.0), converged(rope, 0.5)), 3.75e-9);
 }
 
 TEST(PromisedErrors, OfRungeKuttaOnTheCloth) {
-  const Trial cloth = shipped("cloth_32");
+  const TestSim cloth = shipped("cloth_32");
   EXPECT_LT(distance(after(cloth, "runge_kutta4", 0.5, 6400.0), converged(cloth, 0.5)), 5.65e-8);
 }
 
@@ -58,7 +58,7 @@ struct OneStepAFrame {
   State state;
   long unconverged_solves = 0, max_factorizations = 0;
 
-  explicit OneStepAFrame(const Trial& start) : state(start.state) {
+  explicit OneStepAFrame(const TestSim& start) : state(start.state) {
     Plan plan = make_plan(start.system);
     Frame frame;
     for (int i = 0; i < 30; ++i) {
@@ -72,7 +72,7 @@ struct OneStepAFrame {
 };
 
 TEST(PromisedErrors, OfTrBdf2OnAFineNetWithAtMostThreeFactorizationsPerStep) {
-  const Trial net = fine_net(1e4);
+  const TestSim net = fine_net(1e4);
   const OneStepAFrame run(net);
   EXPECT_LT(distance(run.state, converged(net, 0.5)), 1.25e-5);
   EXPECT_EQ(run.unconverged_solves, 0);
@@ -81,7 +81,7 @@ TEST(PromisedErrors, OfTrBdf2OnAFineNetWithAtMostThreeFactorizationsPerStep) {
 
 // converged: the error of Verlet with 3.4 times the steps of its limit is 4e-10 m
 TEST(PromisedErrors, OfTrBdf2AndXpbdOnAStiffFineNet) {
-  const Trial net = fine_net(1e6);
+  const TestSim net = fine_net(1e6);
   const State exact = after(net, "velocity_verlet", 0.5, 96000.0);
   const OneStepAFrame run(net);
   EXPECT_LT(distance(run.state, exact), 1.25e-5);

@@ -12,66 +12,66 @@ namespace hooke {
 
 struct AccuracyScene {
   std::string_view name;
-  Trial (*make)();
+  TestSim (*make)();
   bool has_contact = false;
 };
 
 namespace accuracy_scene {
 
-inline Trial drum() {
-  Trial trial = cloth(8);
-  for (Index i = 0; i < 64; ++i) trial.system.point(i).nailed = i < 8 || i >= 56 || i % 8 == 0 || i % 8 == 7;
-  return trial;
+inline TestSim drum() {
+  TestSim sim = cloth(8);
+  for (Index i = 0; i < 64; ++i) sim.system.point(i).nailed = i < 8 || i >= 56 || i % 8 == 0 || i % 8 == 7;
+  return sim;
 }
 
-inline Trial rope() {
-  Trial trial;
-  PointId last = trial.nail(Vec3(0.0));
+inline TestSim rope() {
+  TestSim sim;
+  PointId last = sim.nail(Vec3(0.0));
   for (int i = 1; i < 16; ++i) {
-    const PointId next = trial.add({i / 15.0, 0.0, 0.0}, 0.1 / 16);
-    trial.join(last, next, 1e3, 1.0 / 15.0);
+    const PointId next = sim.add({i / 15.0, 0.0, 0.0}, 0.1 / 16);
+    sim.join(last, next, 1e3, 1.0 / 15.0);
     last = next;
   }
-  return trial;
+  return sim;
 }
 
 // A cloth that falls on a ball.
-inline Trial contact() {
-  Trial trial = cloth(8);
-  for (Index i = 0; i < 64; ++i) trial.system.point(i).nailed = false;
-  trial.system.colliders.push_back({.shape = Sphere{{0.5, -0.5, -0.35}, 0.3}, .restitution = 0.0, .friction = 0.3});
-  return trial;
+inline TestSim contact() {
+  TestSim sim = cloth(8);
+  for (Index i = 0; i < 64; ++i) sim.system.point(i).nailed = false;
+  sim.system.colliders.push_back({.shape = Sphere{{0.5, -0.5, -0.35}, 0.3}, .restitution = 0.0, .friction = 0.3});
+  return sim;
 }
 
-inline Trial wind() {
-  Trial trial = net(8, 1e2, 0.0);
-  trial.system.drag = 0.3;
+inline TestSim wind() {
+  TestSim sim = net(8, 1e2, 0.0);
+  sim.system.drag = 0.3;
   const ForceTerm* term = find_force_term("wind");
-  trial.system.forces.push_back({.term = term, .values = default_values(*term)});
-  for (Index i = 0; i < 64; ++i) trial.system.point(i).radius = 0.03;
-  return trial;
+  sim.system.forces.push_back({.term = term, .values = default_values(*term)});
+  for (Index i = 0; i < 64; ++i) sim.system.point(i).radius = 0.03;
+  return sim;
 }
 
 // A scripted hand takes a point of a cloth, moves and releases it.
-inline Trial held() {
-  Trial trial = cloth(8);
-  trial.system.scripted_hand = ScriptedHand{.point = trial.system.points()[60].id,
-                                            .from = trial.state.position[60],
-                                            .center = {0.5, -0.9, 0.2},
-                                            .axis = {0.0, 0.0, 1.0},
-                                            .speed = 1.0,
-                                            .begin = 0.2,
-                                            .seconds = 0.5};
-  return trial;
+inline TestSim held() {
+  TestSim sim = cloth(8);
+  sim.system.scripted_hand = ScriptedHand{.point = sim.system.points()[60].id,
+                                          .from = sim.state.position[60],
+                                          .center = {0.5, -0.9, 0.2},
+                                          .axis = {0.0, 0.0, 1.0},
+                                          .speed = 1.0,
+                                          .begin = 0.2,
+                                          .seconds = 0.5};
+  return sim;
 }
 
-inline Trial pulled() {
-  Trial trial = net(8, 1e2, 0.0);
-  const Vec3 from = trial.state.position[60];
-  trial.system.grab = Grab{.point = trial.system.points()[60].id, .stiffness = 50.0};
-  trial.state.hand = {.position = from, .target = from + Vec3(0.2, 0.0, 0.3)};
-  trial.system.hand_speed = 1.0;
-  return trial;
+inline TestSim pulled() {
+  TestSim sim = net(8, 1e2, 0.0);
+  const Vec3 from = sim.state.position[60];
+  sim.system.grab = Grab{.point = sim.system.points()[60].id, .stiffness = 50.0};
+  sim.state.hand = {.position = from, .target = from + Vec3(0.2, 0.0, 0.3)};
+  sim.system.hand_speed = 1.0;
+  return sim;
 }
 
 }  // namespace accuracy_scene

@@ -1,19 +1,19 @@
-// A trial as a 2-D scene.
+// A test system as a 2-D scene.
 #pragma once
 
 #include <string>
 
 #include "scene/scene.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 
-inline Scene flat_scene(std::string name, const Trial& trial) {
+inline Scene flat_scene(std::string name, const TestSim& sim) {
   Scene scene;
   scene.name = std::move(name);
-  scene.system = trial.system;
+  scene.system = sim.system;
   scene.system.dimensions = 2;
-  scene.state = trial.state;
+  scene.state = sim.state;
   return scene;
 }
 

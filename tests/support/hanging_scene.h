@@ -3,20 +3,20 @@
 
 #include "scene/scene.h"
 #include "support/modifiers.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 
 inline Scene hanging(int dimensions = 2) {
-  Trial trial;
-  const PointId nail = trial.nail({0.0, 0.5, 0.0}), other = trial.nail({0.5, 0.5, 0.0}), bob = trial.add({0.2, 0.0, 0.0});
-  trial.join(nail, bob, 100.0, 0.5);
-  trial.join(other, bob, 100.0, 0.5);
+  TestSim sim;
+  const PointId nail = sim.nail({0.0, 0.5, 0.0}), other = sim.nail({0.5, 0.5, 0.0}), bob = sim.add({0.2, 0.0, 0.0});
+  sim.join(nail, bob, 100.0, 0.5);
+  sim.join(other, bob, 100.0, 0.5);
   Scene scene;
   scene.name = "Hanging";
-  scene.system = trial.system;
+  scene.system = sim.system;
   scene.system.dimensions = dimensions;
-  scene.state = trial.state;
+  scene.state = sim.state;
   return scene;
 }
 

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 
@@ -11,22 +11,22 @@ namespace sheet {
 
 inline Index at(int n, int row, int column) { return row * n + column; }
 
-inline void join(Trial& trial, Index first, Index second, double k, double d, double rest_length) {
-  trial.join(trial.system.points()[first].id, trial.system.points()[second].id, k, rest_length, d);
+inline void join(TestSim& sim, Index first, Index second, double k, double d, double rest_length) {
+  sim.join(sim.system.points()[first].id, sim.system.points()[second].id, k, rest_length, d);
 }
 
 // springs right and down, and optionally both diagonals, with the lengths of the undeformed sheet of 1 m
-inline void join_neighbors(Trial& trial, int n, double k, double k_diagonal, double d) {
+inline void join_neighbors(TestSim& sim, int n, double k, double k_diagonal, double d) {
   const double a = 1.0 / (n - 1), diagonal = std::numbers::sqrt2 * a;
-  trial.system.reserve(n * n, 4 * n * n);
+  sim.system.reserve(n * n, 4 * n * n);
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column) {
       const Index here = at(n, row, column);
-      if (column + 1 < n) join(trial, here, at(n, row, column + 1), k, d, a);
-      if (row + 1 < n) join(trial, here, at(n, row + 1, column), k, d, a);
+      if (column + 1 < n) join(sim, here, at(n, row, column + 1), k, d, a);
+      if (row + 1 < n) join(sim, here, at(n, row + 1, column), k, d, a);
       if (k_diagonal == 0.0 || row + 1 == n) continue;
-      if (column + 1 < n) join(trial, here, at(n, row + 1, column + 1), k_diagonal, d, diagonal);
-      if (column > 0) join(trial, here, at(n, row + 1, column - 1), k_diagonal, d, diagonal);
+      if (column + 1 < n) join(sim, here, at(n, row + 1, column + 1), k_diagonal, d, diagonal);
+      if (column > 0) join(sim, here, at(n, row + 1, column - 1), k_diagonal, d, diagonal);
     }
 }
 
@@ -35,49 +35,49 @@ inline void join_neighbors(Trial& trial, int n, double k, double k_diagonal, dou
 // 1 m x 1 m, vertical, 1 kg distributed equally over the points, the top row nailed, springs k [N/m] and dashpots d [N s/m] right and down;
 // starts in hanging equilibrium with v_z = s (1 + cos(pi u)) / 4 [m/s], s below the top row, u to the right. It swings under tension, which
 // is smooth and predictable motion.
-inline Trial net(int n, double k, double d) {
-  Trial trial;
+inline TestSim net(int n, double k, double d) {
+  TestSim sim;
   const double a = 1.0 / (n - 1), m = 1.0 / (n * n);
   double y = 0.0;
   for (int row = 0; row < n; ++row) {
     if (row > 0) y -= a + (n - row) * m * 9.81 / k;
     for (int column = 0; column < n; ++column) {
       const double u = a * column, s = a * row;
-      const PointId id = trial.add({u, y, 0.0}, m, {0.0, 0.0, 0.25 * s * (1.0 + std::cos(std::numbers::pi * u))});
-      trial.system.point(trial.system.index_of(id)).nailed = row == 0;
+      const PointId id = sim.add({u, y, 0.0}, m, {0.0, 0.0, 0.25 * s * (1.0 + std::cos(std::numbers::pi * u))});
+      sim.system.point(sim.system.index_of(id)).nailed = row == 0;
     }
   }
-  sheet::join_neighbors(trial, n, k, 0.0, d);
-  return trial;
+  sheet::join_neighbors(sim, n, k, 0.0, d);
+  return sim;
 }
 
 // The same but undeformed and with diagonals, v_z = s (1 + cos(pi u)) / 2: it buckles.
-inline Trial curtain(int n, double k, double d) {
-  Trial trial;
+inline TestSim curtain(int n, double k, double d) {
+  TestSim sim;
   const double a = 1.0 / (n - 1), m = 1.0 / (n * n);
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column) {
       const double u = a * column, s = a * row;
-      const PointId id = trial.add({u, -s, 0.0}, m, {0.0, 0.0, 0.5 * s * (1.0 + std::cos(std::numbers::pi * u))});
-      trial.system.point(trial.system.index_of(id)).nailed = row == 0;
+      const PointId id = sim.add({u, -s, 0.0}, m, {0.0, 0.0, 0.5 * s * (1.0 + std::cos(std::numbers::pi * u))});
+      sim.system.point(sim.system.index_of(id)).nailed = row == 0;
     }
-  sheet::join_neighbors(trial, n, k, k, d);
-  return trial;
+  sheet::join_neighbors(sim, n, k, k, d);
+  return sim;
 }
 
 // 1 m x 1 m, flat in the plane of the screen, with gravity perpendicular to it, 0.2 kg, k = 1000 N/m and 500 N/m on diagonals, at rest and
 // nailed at two corners.
-inline Trial cloth(int n) {
-  Trial trial;
-  trial.system.gravity = {0.0, 0.0, -9.81};
+inline TestSim cloth(int n) {
+  TestSim sim;
+  sim.system.gravity = {0.0, 0.0, -9.81};
   const double a = 1.0 / (n - 1);
   for (int row = 0; row < n; ++row)
     for (int column = 0; column < n; ++column) {
-      const PointId id = trial.add({a * column, -a * row, 0.0}, 0.2 / (n * n));
-      trial.system.point(trial.system.index_of(id)).nailed = row == 0 && (column == 0 || column == n - 1);
+      const PointId id = sim.add({a * column, -a * row, 0.0}, 0.2 / (n * n));
+      sim.system.point(sim.system.index_of(id)).nailed = row == 0 && (column == 0 || column == n - 1);
     }
-  sheet::join_neighbors(trial, n, 1000.0, 500.0, 0.0);
-  return trial;
+  sheet::join_neighbors(sim, n, 1000.0, 500.0, 0.0);
+  return sim;
 }
 
 // RMS distance of the points between two states of the same scene [m].

@@ -10,14 +10,14 @@
 #include "cli/offscreen.h"
 #include "draw/gl/gl.h"
 #include "draw/view.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 
-inline Snapshot snapshot_of(const Trial& trial) {
-  Snapshot snapshot{.system = std::make_shared<const System>(trial.system), .state = trial.state};
-  for (const Spring& spring : trial.system.springs()) {
-    const double stretched = strain(trial.system, trial.state, spring);
+inline Snapshot snapshot_of(const TestSim& sim) {
+  Snapshot snapshot{.system = std::make_shared<const System>(sim.system), .state = sim.state};
+  for (const Spring& spring : sim.system.springs()) {
+    const double stretched = strain(sim.system, sim.state, spring);
     if (!std::isfinite(stretched)) continue;
     snapshot.min_strain = std::min(snapshot.min_strain, stretched);
     snapshot.max_strain = std::max(snapshot.max_strain, stretched);
@@ -25,10 +25,10 @@ inline Snapshot snapshot_of(const Trial& trial) {
   return snapshot;
 }
 
-inline Image draw(const Trial& trial, const Marks& marks, const Camera& camera, const ViewOptions& options, int width, int height) {
+inline Image draw(const TestSim& sim, const Marks& marks, const Camera& camera, const ViewOptions& options, int width, int height) {
   const Offscreen offscreen;
   View view;
-  view.draw(snapshot_of(trial), marks, camera, options, width, height, nullptr);
+  view.draw(snapshot_of(sim), marks, camera, options, width, height, nullptr);
   Image image = view.read();
   EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
   return image;

@@ -17,11 +17,11 @@ enum class ForceSceneKind {
 
 // A network of up to twelve points with up to three listed forces with random, sometimes extreme parameters; some scenes have walls, a pull
 // by the hand or a scripted hand.
-inline Trial random_force_scene(std::uint64_t seed, ForceSceneKind kind) {
+inline TestSim random_force_scene(std::uint64_t seed, ForceSceneKind kind) {
   Random random(seed + 0x5eed);
   const Index points = 2 + random.below(11);
-  Trial trial = random_trial(seed, points, random.below(3 * points), random.one_in(4) ? 2 : 3, random.one_in(2) ? 20.0 : 0.0);
-  System& system = trial.system;
+  TestSim sim = random_sim(seed, points, random.below(3 * points), random.one_in(4) ? 2 : 3, random.one_in(2) ? 20.0 : 0.0);
+  System& system = sim.system;
   for (Index i = 0; i < points; ++i) system.point(i).radius = 0.02;
   if (random.one_in(3)) system.drag = random.uniform(0.0, 5.0);
   if (random.one_in(3)) system.gravity = Vec3(0.0);
@@ -54,16 +54,16 @@ inline Trial random_force_scene(std::uint64_t seed, ForceSceneKind kind) {
   if (random.one_in(4)) {
     system.grab = Grab{
         .point = point, .kind = random.one_in(2) ? GrabKind::Pull : GrabKind::Hold, .stiffness = std::pow(10.0, random.uniform(0.0, 4.0))};
-    trial.state.hand = {.position = trial.position(point), .target = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.0}};
+    sim.state.hand = {.position = sim.position(point), .target = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.0}};
   } else if (random.one_in(4)) {
-    const Vec3 from = trial.position(point);
+    const Vec3 from = sim.position(point);
     system.scripted_hand = ScriptedHand{.point = point,
                                         .from = from,
                                         .center = from + Vec3(0.3, 0.0, 0.0),
                                         .speed = random.uniform(0.1, 10.0),
                                         .seconds = random.uniform(0.1, 1.0)};
   }
-  return trial;
+  return sim;
 }
 
 }  // namespace hooke

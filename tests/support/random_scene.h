@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <iterator>
 
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 
@@ -34,10 +34,10 @@ class Random {
 
 // Points in a cube of 2 m, a quarter of them nailed on average, and springs between arbitrary points (some twice), some without rest
 // length, stretched and compressed.
-inline Trial random_trial(std::uint64_t seed, Index points, Index springs, int dimensions = 3, double max_damping = 0.0) {
+inline TestSim random_sim(std::uint64_t seed, Index points, Index springs, int dimensions = 3, double max_damping = 0.0) {
   Random random(seed);
-  Trial trial;
-  trial.system.dimensions = dimensions;
+  TestSim sim;
+  sim.system.dimensions = dimensions;
   const auto vector = [&](double size) {
     const double x = random.uniform(-size, size), y = random.uniform(-size, size), z = random.uniform(-size, size);
     return Vec3(x, y, dimensions == 3 ? z : 0.0);
@@ -46,28 +46,28 @@ inline Trial random_trial(std::uint64_t seed, Index points, Index springs, int d
     const Vec3 position = vector(1.0), velocity = vector(2.0);
     const double mass = random.uniform(0.1, 2.0);
     if (random.one_in(4))
-      trial.nail(position);
+      sim.nail(position);
     else
-      trial.add(position, mass, velocity);
+      sim.add(position, mass, velocity);
   }
   for (Index s = 0; s < springs; ++s) {
     const Index first = random.below(points), other = random.below(points - 1);
     const Index second = other < first ? other : other + 1;
     const double stiffness = random.uniform(1.0, 200.0), rest_length = random.one_in(8) ? 0.0 : random.uniform(0.1, 2.0);
-    trial.join(trial.system.points()[first].id, trial.system.points()[second].id, stiffness, rest_length, random.uniform(0.0, max_damping));
+    sim.join(sim.system.points()[first].id, sim.system.points()[second].id, stiffness, rest_length, random.uniform(0.0, max_damping));
   }
-  return trial;
+  return sim;
 }
 
 // A connected net of 3 to 22 points of 0.1 to 10 kg with springs of 100 to 1e5 N/m, stretched or compressed by up to 30 %, rotating at up
 // to 5 rad/s about each axis; an eighth of the points nailed on average.
-inline Trial rotating_net(std::uint64_t seed) {
+inline TestSim rotating_net(std::uint64_t seed) {
   Random random(seed * 7919 + 3);
-  Trial trial;
+  TestSim sim;
   const Index points = 3 + random.below(20);
   const bool is_flat = random.one_in(4);
-  trial.system.dimensions = is_flat ? 2 : 3;
-  if (random.one_in(2)) trial.system.gravity = Vec3(0.0);
+  sim.system.dimensions = is_flat ? 2 : 3;
+  if (random.one_in(2)) sim.system.gravity = Vec3(0.0);
   const auto vector = [&](double size) {
     const double x = random.uniform(-size, size), y = random.uniform(-size, size), z = random.uniform(-size, size);
     return Vec3(x, y, z);
@@ -78,20 +78,20 @@ inline Trial rotating_net(std::uint64_t seed) {
     Vec3 x = vector(1.0);
     if (is_flat) x.z = 0.0;
     const Vec3 v(spin.y * x.z - spin.z * x.y, spin.z * x.x - spin.x * x.z, spin.x * x.y - spin.y * x.x);
-    trial.add(x, std::pow(10.0, random.uniform(-1.0, 1.0)), v);
-    trial.system.point(i).nailed = random.one_in(8);
+    sim.add(x, std::pow(10.0, random.uniform(-1.0, 1.0)), v);
+    sim.system.point(i).nailed = random.one_in(8);
   }
   const auto join = [&](Index i, Index j) {
-    const Vec3 d = trial.state.position[i] - trial.state.position[j];
+    const Vec3 d = sim.state.position[i] - sim.state.position[j];
     const double length = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z), stiffness = std::pow(10.0, random.uniform(2.0, 5.0));
-    trial.join(trial.system.points()[i].id, trial.system.points()[j].id, stiffness, length * random.uniform(0.7, 1.3));
+    sim.join(sim.system.points()[i].id, sim.system.points()[j].id, stiffness, length * random.uniform(0.7, 1.3));
   };
   for (Index i = 1; i < points; ++i) join(i, random.below(i));
   for (Index s = 0; s < 2 * points; ++s) {
     const Index i = random.below(points), j = random.below(points);
     if (i != j) join(i, j);
   }
-  return trial;
+  return sim;
 }
 
 }  // namespace hooke

@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "support/tool_trial.h"
+#include "support/tool_fixture.h"
 
 namespace hooke {
 

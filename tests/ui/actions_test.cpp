@@ -2,7 +2,7 @@
 #include "ui/actions.h"
 
 #include "formats/open_file.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 
 namespace hooke {
 namespace {
@@ -19,7 +19,7 @@ TEST(Actions, EachHasOneRowWithAKeyATextAndAGroup) {
 }
 
 // Found by moving the mouse along the menu bar.
-void open_menu(GuiTrial& gui, const char* name) {
+void open_menu(GuiFixture& gui, const char* name) {
   const Rect& bar = gui.app().layout().menu;
   const ImGuiID id = ImHashStr(name, 0, ImGui::FindWindowByName("menu")->ID);
   for (double x = 4.0; x < bar.width; x += 8.0) {
@@ -34,11 +34,11 @@ void open_menu(GuiTrial& gui, const char* name) {
 TEST(Actions, EachIsInItsMenuWithItsKey) {
   const std::pair<Menu, const char*> menus[] = {{Menu::File, "File"}, {Menu::Scenes, "Scenes"}, {Menu::Edit, "Edit"},
                                                 {Menu::Add, "Add"},   {Menu::Run, "Run"},       {Menu::View, "View"}};
-  GuiTrial gui(load_scene(find_scene("two_masses")).scene);
+  GuiFixture gui(load_scene(find_scene("two_masses")).scene);
   for (const auto& [menu, name] : menus) {
     open_menu(gui, name);
     gui.frames(3);
-    const std::string words = gui.words();
+    const std::string words = gui.text();
     for (const ActionRow& row : actions()) {
       if (row.position.menu != menu) continue;
       EXPECT_NE(words.find(row.text), std::string::npos) << name << ": " << row.text;

@@ -2,21 +2,21 @@
 #include <gtest/gtest.h>
 
 #include "support/flat_scene.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 
 namespace hooke {
 namespace {
 
 Scene two_springs() {
-  Trial trial;
-  const PointId a = trial.nail({-0.5, 0.0, 0.0}), b = trial.add({0.0, 0.0, 0.0}), c = trial.add({0.5, 0.0, 0.0});
-  trial.join(a, b, 100.0, 0.5);
-  trial.join(b, c, 300.0, 0.5);
-  return flat_scene("Two springs", trial);
+  TestSim sim;
+  const PointId a = sim.nail({-0.5, 0.0, 0.0}), b = sim.add({0.0, 0.0, 0.0}), c = sim.add({0.5, 0.0, 0.0});
+  sim.join(a, b, 100.0, 0.5);
+  sim.join(b, c, 300.0, 0.5);
+  return flat_scene("Two springs", sim);
 }
 
 TEST(AffectedParts, AreComputedOnceForAnyNumberOfFrames) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   gui.key(letter('A'), {.control = true});
   for (const bool running : {false, true}) {
     if (running) gui.key(Key::Space);
@@ -33,7 +33,7 @@ TEST(AffectedParts, AreComputedOnceForAnyNumberOfFrames) {
 }
 
 TEST(AffectedParts, AreComputedOnceMoreAfterAnEditOrAnotherSelection) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   const AffectedPartsCache& cache = gui.app().panels().affected_parts;
   const long before = cache.computations();
   gui.app().handle(Request(Edit{SetSpringProperty{SpringProperty::Stiffness, {{SpringId{0}, 200.0}}}}));
@@ -45,7 +45,7 @@ TEST(AffectedParts, AreComputedOnceMoreAfterAnEditOrAnotherSelection) {
 }
 
 TEST(AffectedParts, OfASelectionAreItsPointsAndTheSpringsBetweenThemAsTheyAreNow) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   AffectedPartsCache cache;
   const auto stiffness_slider = static_cast<std::size_t>(&stiffness_parameter - parameters().data());
   const AffectedParts& all = cache.of(gui.status(), {});

@@ -5,8 +5,8 @@
 
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
-#include "support/gui_trial.h"
-#include "support/trial.h"
+#include "support/gui_fixture.h"
+#include "support/test_sim.h"
 #include "support/valid_scene.h"
 #include "ui/typed_field.h"
 
@@ -17,16 +17,16 @@ constexpr Modifiers control{.control = true};
 
 // Three points and two springs with different properties.
 Scene chain(int dimensions = 3) {
-  Trial trial;
-  const PointId a = trial.nail({-0.3, 0.4, 0.0}), b = trial.add({0.1, 0.0, 0.0}, 2.0, {0.5, 0.0, 0.0}), c = trial.add({0.5, 0.3, 0.0}, 4.0);
-  trial.join(a, b, 70.0, 0.4);
-  trial.join(b, c, 90.0, 0.3, 1.0);
+  TestSim sim;
+  const PointId a = sim.nail({-0.3, 0.4, 0.0}), b = sim.add({0.1, 0.0, 0.0}, 2.0, {0.5, 0.0, 0.0}), c = sim.add({0.5, 0.3, 0.0}, 4.0);
+  sim.join(a, b, 70.0, 0.4);
+  sim.join(b, c, 90.0, 0.3, 1.0);
   Scene scene;
   scene.name = "Chain";
-  scene.system = trial.system;
+  scene.system = sim.system;
   scene.system.dimensions = dimensions;
   scene.system.point(2).color = Color{1, 2, 3};
-  scene.state = trial.state;
+  scene.state = sim.state;
   return scene;
 }
 
@@ -40,9 +40,9 @@ constexpr Field fields[] = {{"points", "", 0},        {"points", "", 1},        
                             {"springs", "Damping d"}, {"springs", "Rest length"}, {"springs", "Breaks at"}};
 
 // With a window so tall that nothing scrolls, and everything selected.
-class Inspector : public GuiTrial {
+class Inspector : public GuiFixture {
  public:
-  explicit Inspector(const Scene& scene) : GuiTrial(scene) {
+  explicit Inspector(const Scene& scene) : GuiFixture(scene) {
     ImGui::GetIO().DisplaySize = {1280.0f, 2400.0f};
     app().resize({1280.0, 2400.0}, 1.0);
     key(letter('A'), control);
@@ -77,8 +77,8 @@ class Inspector : public GuiTrial {
 TEST(Inspector, SetsAPropertyOfAllAndUndoRestoresEachValue) {
   const Scene scene = chain();
   Inspector gui(scene);
-  EXPECT_NE(gui.words().find("3 points, 2 springs"), std::string::npos);
-  EXPECT_NE(gui.words().find("varies, ~"), std::string::npos);
+  EXPECT_NE(gui.text().find("3 points, 2 springs"), std::string::npos);
+  EXPECT_NE(gui.text().find("varies, ~"), std::string::npos);
   gui.type_into({"points", "mass"}, "3.5");
   for (const Point& point : gui.system().points()) EXPECT_EQ(point.mass, 3.5);
   EXPECT_EQ(gui.status().history.undo_name, "mass of 3 points to 3.5 kg");
@@ -123,9 +123,9 @@ TEST(Inspector, NailsAndColorsAll) {
 
 TEST(Inspector, IsShownOnlyForASelectionAndFollowsIt) {
   Inspector gui(chain(2));
-  EXPECT_EQ(gui.words().find("Position z"), std::string::npos);
+  EXPECT_EQ(gui.text().find("Position z"), std::string::npos);
   gui.key(Key::Escape);
-  EXPECT_EQ(gui.words().find("Position x"), std::string::npos);
+  EXPECT_EQ(gui.text().find("Position x"), std::string::npos);
 }
 
 TEST(Inspector, EscWhileTypingKeepsTheSelection) {
@@ -148,7 +148,7 @@ TEST(TypedNumbers, AreParsedAsDocumented) {
 }
 
 // The scene as published.
-Scene scene_of(GuiTrial& gui) {
+Scene scene_of(GuiFixture& gui) {
   Scene scene;
   scene.system = gui.system();
   scene.state = gui.status().snapshot->state;
@@ -207,7 +207,7 @@ TEST(BadInput, WindowsOfOnePixelAndOfEightThousandHaveTheirPanels) {
   for (const glm::dvec2 size :
        {glm::dvec2(1.0), glm::dvec2(8000.0), glm::dvec2(8000.0, 1.0), glm::dvec2(1.0, 8000.0), glm::dvec2(640.0, 420.0)}) {
     for (const double scale : {0.75, 1.0, 3.0}) {
-      GuiTrial gui(chain());
+      GuiFixture gui(chain());
       ImGui::GetIO().DisplaySize = {static_cast<float>(size.x), static_cast<float>(size.y)};
       gui.app().resize(size, scale);
       gui.frames(2);

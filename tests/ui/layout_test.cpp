@@ -9,8 +9,8 @@
 #include "scene/parameters.h"
 #include "scene/shape.h"
 #include "sim/forces/force_term.h"
-#include "support/gui_trial.h"
-#include "support/trial.h"
+#include "support/gui_fixture.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -131,7 +131,7 @@ Scene full_scene() {
 }
 
 TEST(LayoutFaults, AreDetectedInATestWindow) {
-  GuiTrial gui;
+  GuiFixture gui;
   const auto faults_of = [](ImVec2 at, ImVec2 size) {
     ImGui::NewFrame();
     ImGui::SetNextWindowPos({10.0f, 10.0f});
@@ -165,14 +165,14 @@ std::string name_of(const testing::TestParamInfo<Place>& info) {
 class Layouts : public testing::TestWithParam<Place> {
  protected:
   // `words`: text that shows whether it is open
-  void expect_in_order(GuiTrial& gui, const char* when, const char* words) {
+  void expect_in_order(GuiFixture& gui, const char* when, const char* words) {
     SCOPED_TRACE(when);
     resize(gui);
     EXPECT_NE(all_letters(*ImGui::GetDrawData()).find(without_spaces(words)), std::string::npos);
     EXPECT_EQ(faults(*ImGui::GetDrawData()), std::set<std::string>());
     EXPECT_EQ(outside(), std::set<std::string>());
   }
-  void resize(GuiTrial& gui) { gui.resize({GetParam().width, GetParam().height}, GetParam().scale); }
+  void resize(GuiFixture& gui) { gui.resize({GetParam().width, GetParam().height}, GetParam().scale); }
 };
 INSTANTIATE_TEST_SUITE_P(Sizes, Layouts,
                          testing::Values(Place{640, 420, 1}, Place{700, 450, 1}, Place{700, 450, 2}, Place{960, 600, 1},
@@ -182,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Layouts,
                          name_of);
 
 TEST_P(Layouts, ThePanelsLeaveTheSceneVisibleAndTheirTextUnclipped) {
-  GuiTrial gui(full_scene());
+  GuiFixture gui(full_scene());
   resize(gui);
   expect_in_order(gui, "at the start", "Substeps");
   EXPECT_EQ(over_the_scene(gui.app().layout().scene), std::set<std::string>());
@@ -200,7 +200,7 @@ TEST_P(Layouts, ThePanelsLeaveTheSceneVisibleAndTheirTextUnclipped) {
 }
 
 TEST_P(Layouts, DialogsAreWithinTheWindow) {
-  GuiTrial gui(full_scene());
+  GuiFixture gui(full_scene());
   resize(gui);
   Panels& panels = gui.app().panels();
   gui.key(Key::F1);
@@ -246,7 +246,7 @@ TEST_P(Layouts, DialogsAreWithinTheWindow) {
 }
 
 TEST_P(Layouts, EveryMenuIsReadable) {
-  GuiTrial gui(full_scene());
+  GuiFixture gui(full_scene());
   resize(gui);
   const std::pair<const char*, const char*> menus[] = {{"File", "Save as"},       {"Scenes", "Flag in the wind"}, {"Edit", "Paste"},
                                                        {"Add", "Chain of links"}, {"Run", "Back to start"},       {"View", "Frame all"}};
@@ -282,7 +282,7 @@ double contrast(ImU32 a, ImU32 b) {
 
 // WCAG AA: 4.5 for text. Each color of text on each ground that it is drawn on.
 TEST(Contrast, OfAllTextIsSufficientInBothThemes) {
-  GuiTrial gui;
+  GuiFixture gui;
   for (const Look look : {Look::Dark, Look::Light}) {
     use_look(look);
     SCOPED_TRACE(look == Look::Dark ? "dark" : "light");
@@ -298,7 +298,7 @@ TEST(Contrast, OfAllTextIsSufficientInBothThemes) {
 }
 
 TEST_P(Layouts, EveryTooltipIsWithinTheWindowAndUnclipped) {
-  GuiTrial gui(full_scene());
+  GuiFixture gui(full_scene());
   resize(gui);
   // over the side panel, the tools and the menu bar, where everything explains itself
   const Layout& layout = gui.app().layout();
@@ -317,7 +317,7 @@ TEST_P(Layouts, EveryTooltipIsWithinTheWindowAndUnclipped) {
 }
 
 TEST(Labels, OfRowsFitBesideTheirFields) {
-  GuiTrial gui(full_scene());
+  GuiFixture gui(full_scene());
   const auto check = [](std::string_view label) {
     constexpr float column = 132.0f - 14.0f;
     const ImFont& small = *fonts().small;
@@ -332,7 +332,7 @@ TEST(Labels, OfRowsFitBesideTheirFields) {
 }
 
 TEST(AnySizeOfTheWindow, IsHandled) {
-  GuiTrial gui(full_scene());
+  GuiFixture gui(full_scene());
   const auto try_all = [&](const glm::dvec2& size) {
     for (const double scale : {1.0, 2.0}) {
       gui.resize(size, scale);
@@ -353,7 +353,7 @@ TEST(AnySizeOfTheWindow, IsHandled) {
     for (const Vec3& x : gui.status().snapshot->state.position) ASSERT_TRUE(std::isfinite(x.x + x.y + x.z));
   }
   gui.resize({1280.0, 720.0}, 1.0);
-  EXPECT_NE(gui.words().find("Stiffness k"), std::string::npos);
+  EXPECT_NE(gui.text().find("Stiffness k"), std::string::npos);
 }
 
 }  // namespace

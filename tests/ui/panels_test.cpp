@@ -9,20 +9,20 @@
 #include "sim/forces/force_term.h"
 #include "sim/integrator.h"
 #include "support/flat_scene.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 
 namespace hooke {
 namespace {
 
 Scene two_springs() {
-  Trial trial;
-  const PointId a = trial.nail({-0.5, 0.0, 0.0}), b = trial.add({0.0, 0.0, 0.0}), c = trial.add({0.5, 0.0, 0.0});
-  trial.join(a, b, 100.0, 0.5);
-  trial.join(b, c, 100.0, 0.5);
-  return flat_scene("Two springs", trial);
+  TestSim sim;
+  const PointId a = sim.nail({-0.5, 0.0, 0.0}), b = sim.add({0.0, 0.0, 0.0}), c = sim.add({0.5, 0.0, 0.0});
+  sim.join(a, b, 100.0, 0.5);
+  sim.join(b, c, 100.0, 0.5);
+  return flat_scene("Two springs", sim);
 }
 
-double value_of(GuiTrial& gui, std::string_view name) {
+double value_of(GuiFixture& gui, std::string_view name) {
   const auto rows = parameters();
   const Status& status = gui.status();
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -46,17 +46,17 @@ TEST(Shortcuts, EachRowIsFoundByItsKeyAndDescribed) {
 }
 
 TEST(Shortcuts, TheOverlayShowsEveryRow) {
-  GuiTrial gui;
-  EXPECT_EQ(gui.words().find("Ctrl+Shift+Z"), std::string::npos);
+  GuiFixture gui;
+  EXPECT_EQ(gui.text().find("Ctrl+Shift+Z"), std::string::npos);
   gui.key(Key::F1);
-  const std::string words = gui.words();
+  const std::string words = gui.text();
   for (const Shortcut& row : shortcuts()) {
     EXPECT_NE(words.find(key_text(row)), std::string::npos) << key_text(row);
     EXPECT_NE(words.find(row.text), std::string::npos) << row.text;
   }
   for (const MouseHint& hint : mouse_hints()) EXPECT_NE(words.find(hint.gesture), std::string::npos);
   gui.key(Key::Escape);
-  EXPECT_EQ(gui.words().find("Ctrl+Shift+Z"), std::string::npos);
+  EXPECT_EQ(gui.text().find("Ctrl+Shift+Z"), std::string::npos);
 }
 
 TEST(Sliders, EachParameterHasOne) {
@@ -73,7 +73,7 @@ TEST(Sliders, EachParameterHasOne) {
   std::set<std::string_view> shown;
   for (int parameterization = 0; parameterization < 4; ++parameterization) {
     scene.parameterization = static_cast<SpringParameterization>(parameterization);
-    GuiTrial gui(scene);
+    GuiFixture gui(scene);
     ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
     gui.app().resize({1280.0, 2000.0}, 1.0);
     gui.frames(2);
@@ -88,13 +88,13 @@ TEST(Sliders, EachParameterHasOne) {
 }
 
 TEST(Sliders, OfFamiliesThatTheSceneLacksAreHidden) {
-  GuiTrial gui(two_springs());
-  EXPECT_NE(gui.words().find("Stiffness k"), std::string::npos);
-  EXPECT_EQ(gui.words().find("Shear"), std::string::npos);
+  GuiFixture gui(two_springs());
+  EXPECT_NE(gui.text().find("Stiffness k"), std::string::npos);
+  EXPECT_EQ(gui.text().find("Shear"), std::string::npos);
 }
 
 TEST(Sliders, ADragIsOneUndoStep) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   const glm::dvec2 slider = gui.find("side", {"substeps", "##value"});
   ASSERT_GT(slider.x, 0.0);
   gui.drag(slider, slider + glm::dvec2(-60.0, 0.0));
@@ -109,7 +109,7 @@ TEST(Sliders, ADragIsOneUndoStep) {
 }
 
 TEST(Sliders, RightClickRestoresTheDefault) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   const glm::dvec2 slider = gui.find("side", {"gravity", "##value"});
   gui.drag(slider, slider + glm::dvec2(-500.0, 0.0));
   EXPECT_EQ(value_of(gui, "gravity"), 0.0);
@@ -118,7 +118,7 @@ TEST(Sliders, RightClickRestoresTheDefault) {
 }
 
 TEST(Sliders, ATypedNumberIsAppliedWhenFinishedAndClampedWithAMessage) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   const glm::dvec2 slider = gui.find("side", {"stiffness", "##value"});
   gui.click(slider, Button::Left, {.control = true});
   gui.type("250");
@@ -137,14 +137,14 @@ TEST(Sliders, ATypedNumberIsAppliedWhenFinishedAndClampedWithAMessage) {
 }
 
 TEST(Sliders, StiffnessAppliesToTheSelectionIfThereIsOne) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   gui.key(letter('V'));
   const Layout& layout = gui.app().layout();
   // between the second and the third point
   const Vec3 middle = gui.app().camera().project({0.25, 0.0, 0.0}, {layout.scene.width, layout.scene.height});
   gui.click({layout.scene.x + middle.x, layout.scene.y + middle.y});
   ASSERT_EQ(gui.app().selection().springs.size(), 1u);
-  EXPECT_NE(gui.words().find("Stiffness k"), std::string::npos);
+  EXPECT_NE(gui.text().find("Stiffness k"), std::string::npos);
   const glm::dvec2 slider = gui.find("side", {"stiffness", "##value"});
   gui.drag(slider, slider + glm::dvec2(-300.0, 0.0));
   EXPECT_EQ(gui.system().springs()[0].stiffness, 100.0);
@@ -159,8 +159,8 @@ Scene uneven_springs() {
 }
 
 TEST(Sliders, ScaleDifferentValuesByOneFactor) {
-  GuiTrial gui(uneven_springs());
-  EXPECT_NE(gui.words().find("varies, ~184 N/m"), std::string::npos) << gui.words();
+  GuiFixture gui(uneven_springs());
+  EXPECT_NE(gui.text().find("varies, ~184 N/m"), std::string::npos) << gui.text();
   const auto k = [&](Index s) { return gui.system().springs()[s].stiffness; };
   const glm::dvec2 slider = gui.find("side", {"stiffness", "##value"});
   gui.drag(slider, slider + glm::dvec2(30.0, 0.0));
@@ -191,7 +191,7 @@ TEST(Sliders, ScaleDampingWithZerosAndFrictionWithinItsRange) {
   scene.system.spring(1).damping = 3.0;
   const Plane floor{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}};
   scene.system.colliders = {{.shape = floor, .friction = 0.2}, {.shape = floor, .friction = 0.8}};
-  GuiTrial gui(scene);
+  GuiFixture gui(scene);
   gui.resize({1280.0, 2000.0}, 1.0);
   glm::dvec2 slider = gui.find("side", {"damping", "##value"});
   gui.drag(slider, slider + glm::dvec2(30.0, 0.0));
@@ -206,7 +206,7 @@ TEST(Sliders, ScaleDampingWithZerosAndFrictionWithinItsRange) {
 }
 
 TEST(Sliders, JumpToAClickOnlyNearTheHandle) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   const glm::dvec2 slider = gui.find("side", {"gravity", "##value"});
   const double before = value_of(gui, "gravity");
   const double end = gui.app().layout().side.x + gui.app().layout().side.width - 34.0;
@@ -223,7 +223,7 @@ TEST(Sliders, JumpToAClickOnlyNearTheHandle) {
 TEST(Sliders, StiffnessFollowsTheStepsOfTheScene) {
   Scene scene = two_springs();
   scene.controls = {0.1, 10.0, 0.1};
-  GuiTrial gui(scene);
+  GuiFixture gui(scene);
   const glm::dvec2 slider = gui.find("side", {"stiffness", "##value"});
   gui.drag(slider, slider + glm::dvec2(-30.0, 0.0));
   const double k = gui.system().springs()[0].stiffness;
@@ -233,7 +233,7 @@ TEST(Sliders, StiffnessFollowsTheStepsOfTheScene) {
 }
 
 TEST(Switches, TurnDashpotsOffAndOn) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   const glm::dvec2 box = gui.find("side", {"damped_springs", "##switch"});
   gui.click(box);
   EXPECT_FALSE(gui.system().dashpots_on);
@@ -245,7 +245,7 @@ TEST(Forces, AreSwitchedSetAndRemovedInTheirPanel) {
   Scene scene = two_springs();
   scene.system.forces = {{find_force_term("wind"), false, default_values(*find_force_term("wind"))},
                          {find_force_term("buoyancy"), true, default_values(*find_force_term("buoyancy"))}};
-  GuiTrial gui(scene);
+  GuiFixture gui(scene);
   ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
   gui.app().resize({1280.0, 2000.0}, 1.0);
   gui.frames(2);
@@ -272,7 +272,7 @@ TEST(Forces, AreSwitchedSetAndRemovedInTheirPanel) {
 
 TEST(Forces, EachCanBeAddedFromTheList) {
   for (const ForceTerm& term : force_terms()) {
-    GuiTrial gui(two_springs());
+    GuiFixture gui(two_springs());
     ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
     gui.app().resize({1280.0, 2000.0}, 1.0);
     gui.frames(2);
@@ -288,65 +288,65 @@ TEST(Forces, EachCanBeAddedFromTheList) {
 }
 
 TEST(Methods, EachCanBeChosenFromTheList) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   gui.click(gui.find("side", {"##method"}));
   gui.frames(2);
-  const std::string words = gui.words();
+  const std::string words = gui.text();
   for (const Integrator& method : integrators()) EXPECT_NE(words.find(method.label), std::string::npos) << method.label;
 }
 
 TEST(Stability, IsShownBelowTheSubstepsWithARecommendation) {
   Scene scene = two_springs();
-  EXPECT_NE(GuiTrial(scene).words().find("(limit 2)"), std::string::npos);
+  EXPECT_NE(GuiFixture(scene).text().find("(limit 2)"), std::string::npos);
   scene.settings.substeps = 1;
   for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 1e5;
   const double h = largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system));
   const auto needed = static_cast<int>(std::ceil(1.0 / (60.0 * h)));
-  EXPECT_NE(GuiTrial(scene).words().find("needs " + std::to_string(needed) + " substeps"), std::string::npos);
+  EXPECT_NE(GuiFixture(scene).text().find("needs " + std::to_string(needed) + " substeps"), std::string::npos);
 }
 
 // Predictions are computed in another thread and appear when they are ready.
-bool eventually_shows(GuiTrial& gui, const char* words) {
+bool eventually_shows(GuiFixture& gui, const char* words) {
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (gui.words().find(words) == std::string::npos)
+  while (gui.text().find(words) == std::string::npos)
     if (std::chrono::steady_clock::now() > until) return false;
   return true;
 }
 
 TEST(Predictions, AreShownBelowTheSlidersAndFollowThem) {
   // a mass of 1 kg on a spring of 100 N/m below a nail
-  Trial trial;
-  const PointId nail = trial.nail(Vec3(0.0)), bob = trial.add({0.0, -0.5, 0.0});
-  trial.join(nail, bob, 100.0, 0.5, 4.0);
-  Scene scene = flat_scene("Bob", trial);
+  TestSim sim;
+  const PointId nail = sim.nail(Vec3(0.0)), bob = sim.add({0.0, -0.5, 0.0});
+  sim.join(nail, bob, 100.0, 0.5, 4.0);
+  Scene scene = flat_scene("Bob", sim);
   scene.system.drag = 2.0;
-  GuiTrial gui(scene);
+  GuiFixture gui(scene);
   EXPECT_TRUE(eventually_shows(gui, "~ 98 mm"));
   // d / (2 sqrt(k m)), c / (2 omega) with omega = 10 and sqrt(g / l)
   EXPECT_TRUE(eventually_shows(gui, "0 slowest, 0.2 fastest"));
   EXPECT_TRUE(eventually_shows(gui, "0.25 slowest, 0.1 fastest"));
-  EXPECT_NE(gui.words().find("step 0.833 ms"), std::string::npos);
+  EXPECT_NE(gui.text().find("step 0.833 ms"), std::string::npos);
 
   const glm::dvec2 slider = gui.find("side", {"gravity", "##value"});
   gui.drag(slider, slider + glm::dvec2(-500.0, 0.0));
   EXPECT_EQ(value_of(gui, "gravity"), 0.0);
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (gui.words().find("98 mm") != std::string::npos) ASSERT_LT(std::chrono::steady_clock::now(), until);
-  EXPECT_NE(gui.words().find("sag"), std::string::npos);
-  EXPECT_NE(gui.words().find("0.2 fastest"), std::string::npos);
+  while (gui.text().find("98 mm") != std::string::npos) ASSERT_LT(std::chrono::steady_clock::now(), until);
+  EXPECT_NE(gui.text().find("sag"), std::string::npos);
+  EXPECT_NE(gui.text().find("0.2 fastest"), std::string::npos);
 }
 
 TEST(Predictions, AreHiddenWhereTheyDoNotApply) {
   for (const Scene& scene : {Scene{}, empty_scene()}) {
-    GuiTrial gui(scene);
+    GuiFixture gui(scene);
     gui.frames(20);
-    EXPECT_EQ(gui.words().find("sag"), std::string::npos);
-    EXPECT_EQ(gui.words().find("slowest"), std::string::npos);
+    EXPECT_EQ(gui.text().find("sag"), std::string::npos);
+    EXPECT_EQ(gui.text().find("slowest"), std::string::npos);
   }
 }
 
 TEST(ToolBar, AClickSelectsTheToolAndItsNextStepIsShown) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   for (const ToolRow& row : tools()) {
     const int action = static_cast<int>(row.action);
     // an item by number, found by its position in the bar
@@ -354,31 +354,31 @@ TEST(ToolBar, AClickSelectsTheToolAndItsNextStepIsShown) {
     const double index = static_cast<double>(&row - tools().data());
     gui.click({bar.x + 0.5 * bar.width, bar.y + 30.0 + 58.0 * index});
     EXPECT_EQ(gui.app().tool(), row.action) << action;
-    EXPECT_NE(gui.words().find(shortcut_of(row.action).text), std::string::npos);
+    EXPECT_NE(gui.text().find(shortcut_of(row.action).text), std::string::npos);
   }
 }
 
 TEST(Menus, OpenUnderTheirNamesAndCloseOnEsc) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   gui.click(gui.find("menu", {"Scenes"}));
   gui.frames(3);
-  EXPECT_NE(gui.words().find("Cloth on a ball"), std::string::npos);
+  EXPECT_NE(gui.text().find("Cloth on a ball"), std::string::npos);
   gui.key(Key::Escape);
-  EXPECT_EQ(gui.words().find("Cloth on a ball"), std::string::npos);
+  EXPECT_EQ(gui.text().find("Cloth on a ball"), std::string::npos);
 }
 
 TEST(Menus, ShowWhatUndoWillUndo) {
-  GuiTrial gui(two_springs());
+  GuiFixture gui(two_springs());
   gui.key(letter('R'));
   gui.click(gui.find("menu", {"Edit"}));
   gui.frames(3);
-  EXPECT_NE(gui.words().find("Undo: release 1 point"), std::string::npos);
+  EXPECT_NE(gui.text().find("Undo: release 1 point"), std::string::npos);
 }
 
 // Builds frames until the search for a remedy is over.
-std::string words_with_remedy(GuiTrial& gui) {
+std::string words_with_remedy(GuiFixture& gui) {
   for (int i = 0; i < 6000; ++i) {
-    const std::string words = gui.words();
+    const std::string words = gui.text();
     for (const char* outcome : {"Start over with ", "Continue from ", "No remedy"})
       if (words.find(outcome) != std::string::npos) return words;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -396,14 +396,14 @@ Scene unstable_springs() {
   return scene;
 }
 
-void run_until_it_stops(GuiTrial& gui) {
+void run_until_it_stops(GuiFixture& gui) {
   gui.key(Key::Space);
   for (int i = 0; i < 2000 && gui.status().diagnosis.message.empty(); ++i) gui.frame();
   ASSERT_FALSE(gui.status().diagnosis.message.empty());
   gui.frames(3);
 }
 
-void click_remedy(GuiTrial& gui) {
+void click_remedy(GuiFixture& gui) {
   gui.frames(3);
   const Rect banner = gui.app().panels().floating.at(0);
   EXPECT_TRUE(panels_cover(gui.app().panels(), gui.app().layout(), banner.x + 5.0, banner.y + 5.0));
@@ -412,7 +412,7 @@ void click_remedy(GuiTrial& gui) {
   EXPECT_TRUE(gui.status().run.running);
 }
 
-void expect_to_run_through(GuiTrial& gui, double until) {
+void expect_to_run_through(GuiFixture& gui, double until) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   while (gui.status().diagnosis.message.empty() && gui.status().snapshot->state.time < until && std::chrono::steady_clock::now() < deadline)
     gui.frame();
@@ -426,7 +426,7 @@ TEST(Banner, ExplainsWhyTheRunStoppedAndRestartsWithATestedSetting) {
   scene.settings.substeps = 2;
   for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 1e4;
   scene.state.position[2].x = 0.6;
-  GuiTrial gui(scene);
+  GuiFixture gui(scene);
   run_until_it_stops(gui);
   const std::string words = words_with_remedy(gui);
   EXPECT_NE(words.find("Start over with "), std::string::npos) << words;
@@ -440,7 +440,7 @@ TEST(Banner, ExplainsWhyTheRunStoppedAndRestartsWithATestedSetting) {
 TEST(Banner, AfterAnEditDuringTheRunStartsOverWithTheEditedParameters) {
   Scene scene = unstable_springs();
   for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 100.0;
-  GuiTrial gui(scene);
+  GuiFixture gui(scene);
   gui.key(Key::Space);
   while (gui.status().snapshot->state.time < 1.0) gui.frame();
   gui.app().handle(Request(Edit{RestoreParameter{find_parameter("stiffness"), 1e5}}));
@@ -454,40 +454,40 @@ TEST(Banner, AfterAnEditDuringTheRunStartsOverWithTheEditedParameters) {
 }
 
 TEST(Banner, StaysWhileParametersAreTunedUntilTheyResolveTheProblem) {
-  GuiTrial gui(unstable_springs());
+  GuiFixture gui(unstable_springs());
   run_until_it_stops(gui);
   const std::string message = gui.status().diagnosis.message.substr(0, 7);
   gui.key(Key::Up);
-  EXPECT_NE(gui.words().find(message), std::string::npos);
+  EXPECT_NE(gui.text().find(message), std::string::npos);
   gui.key(letter('Z'), {.control = true});
-  EXPECT_NE(gui.words().find(message), std::string::npos);
+  EXPECT_NE(gui.text().find(message), std::string::npos);
   gui.app().handle(Request(Edit{SetParameter{find_parameter("substeps"), 1000.0}}));
   gui.frames(2);
-  EXPECT_EQ(gui.words().find(message), std::string::npos);
+  EXPECT_EQ(gui.text().find(message), std::string::npos);
 }
 
 TEST(Banner, OnceDismissedStaysHiddenWhileParametersAreTuned) {
-  GuiTrial gui(unstable_springs());
+  GuiFixture gui(unstable_springs());
   run_until_it_stops(gui);
   words_with_remedy(gui);
   gui.frames(3);
   gui.click(gui.find("stopped", {"Dismiss"}));
-  EXPECT_EQ(gui.words().find("Stopped at "), std::string::npos);
+  EXPECT_EQ(gui.text().find("Stopped at "), std::string::npos);
   gui.key(Key::Up);
-  EXPECT_EQ(gui.words().find("Stopped at "), std::string::npos);
+  EXPECT_EQ(gui.text().find("Stopped at "), std::string::npos);
 }
 
 TEST(Legend, ShowsTheStrainsOfItsColors) {
-  GuiTrial gui(two_springs());
-  EXPECT_NE(gui.words().find("Strain"), std::string::npos);
-  EXPECT_NE(gui.words().find("+0.01 %"), std::string::npos);
+  GuiFixture gui(two_springs());
+  EXPECT_NE(gui.text().find("Strain"), std::string::npos);
+  EXPECT_NE(gui.text().find("+0.01 %"), std::string::npos);
   gui.app().panels().view.strain_colors = false;
-  EXPECT_EQ(gui.words().find("+0.01 %"), std::string::npos);
+  EXPECT_EQ(gui.text().find("+0.01 %"), std::string::npos);
 }
 
 TEST(EmptyScene, ShowsInstructions) {
-  EXPECT_NE(GuiTrial(Scene{}).words().find("Press A and click to add points"), std::string::npos);
-  EXPECT_EQ(GuiTrial(two_springs()).words().find("Press A and click to add points"), std::string::npos);
+  EXPECT_NE(GuiFixture(Scene{}).text().find("Press A and click to add points"), std::string::npos);
+  EXPECT_EQ(GuiFixture(two_springs()).text().find("Press A and click to add points"), std::string::npos);
 }
 
 }  // namespace

@@ -2,19 +2,19 @@
 #include <gtest/gtest.h>
 
 #include "support/flat_scene.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 
 namespace hooke {
 namespace {
 
 Scene swinging() {
-  Trial trial;
-  trial.join(trial.nail({0.0, 0.5, 0.0}), trial.add({0.4, 0.3, 0.0}), 100.0, 0.4);
-  return flat_scene("Swinging", trial);
+  TestSim sim;
+  sim.join(sim.nail({0.0, 0.5, 0.0}), sim.add({0.4, 0.3, 0.0}), 100.0, 0.4);
+  return flat_scene("Swinging", sim);
 }
 
 // With plots of two seconds.
-void run_with_plots(GuiTrial& gui) {
+void run_with_plots(GuiFixture& gui) {
   gui.key(letter('P'));
   gui.app().handle(Request(Control(RunTo{2.0})));
   for (int i = 0; i < 2000 && (gui.status().run.running || gui.status().run.frames == 0); ++i) gui.frame();
@@ -23,14 +23,14 @@ void run_with_plots(GuiTrial& gui) {
 }
 
 // Where a time is in the only plot.
-glm::dvec2 place_of(GuiTrial& gui, double fraction) {
+glm::dvec2 place_of(GuiFixture& gui, double fraction) {
   const Rect& dock = gui.app().layout().plots;
   const double left = dock.x + 78.0 + 56.0, right = dock.x + dock.width - 10.0;
   return {left + fraction * (right - left), dock.y + 0.5 * dock.height};
 }
 
 TEST(Plots, AClickGoesToTheTimeUnderTheMouseAndADragDoesNot) {
-  GuiTrial gui(swinging());
+  GuiFixture gui(swinging());
   run_with_plots(gui);
   gui.click(place_of(gui, 0.25));
   EXPECT_NEAR(gui.status().snapshot->state.time, 0.5, 0.02);
@@ -41,7 +41,7 @@ TEST(Plots, AClickGoesToTheTimeUnderTheMouseAndADragDoesNot) {
 }
 
 TEST(Plots, TheTimeUnderTheMouseIsMarkedOnTheTimelineTooAndBack) {
-  GuiTrial gui(swinging());
+  GuiFixture gui(swinging());
   run_with_plots(gui);
   gui.move(place_of(gui, 0.5));
   gui.frame();
@@ -58,7 +58,7 @@ TEST(Plots, TheTimeUnderTheMouseIsMarkedOnTheTimelineTooAndBack) {
 }
 
 TEST(Plots, NoLineLeadsAcrossAJumpInTime) {
-  GuiTrial gui(swinging());
+  GuiFixture gui(swinging());
   run_with_plots(gui);
   gui.app().handle(Request(Control(GoToTime{0.5})));
   gui.key(Key::Period);
@@ -76,7 +76,7 @@ TEST(Plots, NoLineLeadsAcrossAJumpInTime) {
 }
 
 TEST(Plots, EscClosesTheListOfQuantities) {
-  GuiTrial gui(swinging());
+  GuiFixture gui(swinging());
   run_with_plots(gui);
   const glm::dvec2 button = gui.find("plots", {"Choose"});
   ASSERT_GT(button.x, 0.0);

@@ -16,9 +16,9 @@
 
 namespace hooke {
 
-class GuiTrial {
+class GuiFixture {
  public:
-  explicit GuiTrial(Scene scene = {}, std::filesystem::path file = {}, const Home& home = {}) {
+  explicit GuiFixture(Scene scene = {}, std::filesystem::path file = {}, const Home& home = {}) {
     // without a document, settings would be written to the home and working folders of the user
     ::setenv("HOME", scratch_.folder.c_str(), 1);
     std::filesystem::current_path(scratch_.folder);
@@ -34,7 +34,7 @@ class GuiTrial {
     app_->resize({1280.0, 800.0}, 1.0);
     frames(3);
   }
-  ~GuiTrial() {
+  ~GuiFixture() {
     std::filesystem::current_path(std::filesystem::temp_directory_path());
     ImGui::DestroyContext();
   }
@@ -70,7 +70,7 @@ class GuiTrial {
   bool waits_for_work = true;
 
   // All text of a frame.
-  std::string words() {
+  std::string text() {
     frame();
     return read_text(*ImGui::GetDrawData());
   }

@@ -7,7 +7,7 @@
 
 namespace hooke {
 
-struct Trial {
+struct TestSim {
   System system;
   State state;
 

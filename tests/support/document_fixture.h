@@ -9,37 +9,37 @@
 #include "app/document/session.h"
 #include "formats/scene_file.h"
 #include "support/flat_scene.h"
-#include "support/gui_trial.h"
+#include "support/gui_fixture.h"
 #include "support/modifiers.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
 
 inline Scene two_points() {
-  Trial trial;
-  const PointId nail = trial.nail({0.0, 0.5, 0.0}), bob = trial.add({0.2, 0.0, 0.0});
-  trial.join(nail, bob, 100.0, 0.5);
-  return flat_scene("Two points", trial);
+  TestSim sim;
+  const PointId nail = sim.nail({0.0, 0.5, 0.0}), bob = sim.add({0.2, 0.0, 0.0});
+  sim.join(nail, bob, 100.0, 0.5);
+  return flat_scene("Two points", sim);
 }
 
 // The folders of a user; unsaved work is autosaved after one second.
-struct OwnDesk {
+struct DocumentFixture {
   ScratchFolder scratch;
   std::filesystem::path folder = scratch.folder;
   Home home{folder / "config", folder / "state"};
   std::filesystem::path file = folder / "net.json";
-  OwnDesk() {
+  DocumentFixture() {
     std::filesystem::create_directories(home.config);
     write(home.config / "settings.json", R"({"autosave_seconds": 1})");
     save_scene(two_points(), file);
   }
   static void write(const std::filesystem::path& path, const std::string& text) { std::ofstream(path) << text; }
-  GuiTrial open() const { return GuiTrial(load_scene(file).scene, file, home); }
+  GuiFixture open() const { return GuiFixture(load_scene(file).scene, file, home); }
 };
 
 // Builds frames until the condition holds, for at most some seconds.
 template <class Condition>
-bool wait_for(GuiTrial& gui, Condition condition) {
+bool wait_for(GuiFixture& gui, Condition condition) {
   for (int i = 0; i < 1000; ++i) {
     if (condition()) return true;
     gui.frame();
@@ -48,13 +48,13 @@ bool wait_for(GuiTrial& gui, Condition condition) {
   return false;
 }
 
-inline Dialog::Kind open_dialog(GuiTrial& gui) { return gui.app().panels().dialog.kind; }
+inline Dialog::Kind open_dialog(GuiFixture& gui) { return gui.app().panels().dialog.kind; }
 
 // Presses a button of a dialog by its label.
-inline void press_button(GuiTrial& gui, const char* box, const char* label) {
+inline void press_button(GuiFixture& gui, const char* box, const char* label) {
   gui.frames(2);
   const glm::dvec2 at = gui.find(box, {label});
-  ASSERT_GT(at.x, 0.0) << label << " in\n" << gui.words();
+  ASSERT_GT(at.x, 0.0) << label << " in\n" << gui.text();
   gui.click(at);
   gui.frames(2);
 }

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "app/tools/tools.h"
-#include "support/trial.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 
@@ -21,8 +21,8 @@ bool wait_for(Condition condition) {
   return false;
 }
 
-struct ToolTrial {
-  explicit ToolTrial(Scene scene) : lab(std::move(scene)), context{lab, selection, gesture, lab.status(), {}} {
+struct ToolFixture {
+  explicit ToolFixture(Scene scene) : lab(std::move(scene)), context{lab, selection, gesture, lab.status(), {}} {
     context.size = {800.0, 600.0};
     context.camera.distance = 4.0;
   }
@@ -71,13 +71,13 @@ struct ToolTrial {
 
 // Points in a flat scene without gravity.
 inline Scene flat_scene(std::initializer_list<Vec3> places) {
-  Trial trial;
-  for (const Vec3& place : places) trial.add(place);
+  TestSim sim;
+  for (const Vec3& place : places) sim.add(place);
   Scene scene;
-  scene.system = trial.system;
+  scene.system = sim.system;
   scene.system.dimensions = 2;
   scene.system.gravity = Vec3(0.0);
-  scene.state = trial.state;
+  scene.state = sim.state;
   return scene;
 }
 
