@@ -56,7 +56,7 @@ class Hand {
 // the autosave interval allows. HOOKE_KILLS and HOOKE_AUTOSAVE lengthen the test and HOOKE_SEED sets
 // its sequence, for scripts/campaign.
 TEST(KilledWindow, LosesOnlyTheLastMomentsAndOffersTheRest) {
-  const int kills = static_cast<int>(number_from_environment("HOOKE_KILLS", 3.0));
+  const int kills = static_cast<int>(number_from_environment("HOOKE_KILLS", 2.0));
   const double autosave = number_from_environment("HOOKE_AUTOSAVE", 1.0);
   const double may_be_lost = autosave >= 30.0 ? 60.0 : 5.0 * autosave;  // [s]
   std::mt19937 random(7 + static_cast<unsigned>(number_from_environment("HOOKE_SEED", 0.0)));

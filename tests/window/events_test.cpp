@@ -41,91 +41,114 @@ std::string named_for_hands(const Shortcut& row) {
   return before + (text.size() == 1 ? std::string(1, static_cast<char>(std::tolower(text[0]))) : text);
 }
 
-// The window with a scene in which every key has an effect: a point is selected and copied, there are steps to undo and redo, an earlier
-// time to return to, and a changed view.
-class Bench {
+// The keys pressed before an action so that it has an effect, and those that revert the effect.
+struct KeysAround {
+  Action action;
+  const char *before, *after;
+};
+constexpr KeysAround all_keys_around[] = {
+    {Action::SelectTool, "a", ""},
+    {Action::RunOrPause, "", "space ctrl+r"},
+    {Action::StepOnce, "", "ctrl+r"},
+    {Action::StepBack, "period", "ctrl+r"},
+    {Action::GoToStart, "period", ""},
+    {Action::ResetParameters, "Up", "ctrl+z"},
+    {Action::ReleaseNails, "", "ctrl+z"},
+    {Action::Undo, "Up", ""},
+    {Action::Redo, "Up ctrl+z", ""},
+    {Action::Cut, "", "ctrl+z"},
+    {Action::Paste, "ctrl+c", "ctrl+z"},
+    {Action::Duplicate, "", "ctrl+z"},
+    {Action::DeleteSelection, "", "ctrl+z"},
+    {Action::LargerPanels, "", "ctrl+minus"},
+    {Action::SmallerPanels, "", "ctrl+equal"},
+    {Action::ShowPlots, "", "p"},
+    {Action::ShowAccuracy, "", "m"},
+    {Action::HidePanels, "", "Tab"},
+    {Action::FilmOnOff, "", "F12"},
+    {Action::RecordOnOff, "", "ctrl+shift+r"},
+};
+KeysAround keys_around(Action action) {
+  const auto found = std::ranges::find(all_keys_around, action, &KeysAround::action);
+  return found == std::end(all_keys_around) ? KeysAround{action, "", ""} : *found;
+}
+
+// The window with a scene in which every key has an effect: a point is selected, and the picture does not change by itself.
+class KeyFixture {
  public:
-  Bench() : folder_(desktop.folder() / "work") {
+  KeyFixture() : folder_(desktop.folder() / "work") {
     fs::create_directories(folder_);
     ::setenv("HOME", folder_.c_str(), 1);
     start();
   }
 
-  void start() {
-    program = Process();
-    fs::remove_all(desktop.folder() / "state");
-    fs::remove_all(desktop.folder() / "config");
-    std::ofstream(file()) << four_points;
-    program = Process({HOOKE_PROGRAM, file().string()}, output());
-    ASSERT_TRUE(desktop.wait_for_title("Hooke - four"));
-    ASSERT_TRUE(wait_for([&] { return is_steady(); }));
-    select();
-    press("ctrl+c ctrl+a Up Up ctrl+z period period");
-    desktop.run_xdotool("click 4");
-    ready_ = ready();
-    ASSERT_FALSE(ready_.empty()) << contents(output());
+  // Whether the picture changes. A used window is tried first, since a new one takes seconds; it may lack, say, something to undo.
+  bool responds_to(const Shortcut& row) {
+    for (const bool is_new : {false, true}) {
+      if (HasFatalFailure() || !make_ready(keys_around(row.action).before)) continue;
+      const std::string before = shown();
+      press(named_for_hands(row));
+      if (wait_for([&] { return shown() != before; }, is_new ? 5.0 : 1.0)) return true;
+    }
+    return false;
   }
-
-  // Restores the state before the key, by input or else by restarting.
-  void make_ready(const std::string& key) {
-    if (ready() == ready_) return;
-    press(key);
-    if (ready() != ready_) start();
+  void restore(const Shortcut& row) {
+    if (const std::string keys = keys_around(row.action).after; !keys.empty()) press(keys);
   }
-  bool changes_by(const std::string& keys) {
-    const std::string before = shown();
-    press(keys);
-    return wait_for([&] { return shown() != before; }, 5.0);
+  // Another document is open, or the camera has moved away from the point.
+  void restart_if_needed(const Shortcut& row) {
+    const bool needed = row.action == Action::FrameAll || row.action == Action::NewFlatScene || row.action == Action::NewSpatialScene;
+    if (needed) start();
   }
-
-  void press(const std::string& keys) const {
-    desktop.run_xdotool("key --clearmodifiers --delay 15 " + keys);
-    rest(0.1);
-  }
-  fs::path file() const { return folder_ / "four.json"; }
   fs::path output() const { return desktop.folder() / "output"; }
-  const fs::path& folder() const { return folder_; }
 
   Desktop desktop;
   Process program;
 
  private:
-  // The bottom corner shows frame counts and milliseconds, which change.
+  static bool HasFatalFailure() { return testing::Test::HasFatalFailure(); }
+  void start() {
+    program = Process();
+    fs::remove_all(desktop.folder() / "state");
+    fs::remove_all(desktop.folder() / "config");
+    const fs::path file = folder_ / "four.json";
+    std::ofstream(file) << four_points;
+    program = Process({HOOKE_PROGRAM, file.string()}, output());
+    ASSERT_TRUE(desktop.wait_for_title("Hooke - four"));
+    ASSERT_TRUE(wait_for([&] { return is_steady(); })) << contents(output());
+  }
+  // Esc closes dialogs, hides messages and ends tools. The point at the center is selected.
+  bool make_ready(const std::string& keys) {
+    const Rect scene = lay_out(Desktop::width, Desktop::height, 1.0).scene;
+    desktop.run_xdotool("key --clearmodifiers --delay 15 Escape Escape Escape Escape mousemove " +
+                        std::to_string(static_cast<int>(scene.x + 0.5 * scene.width)) + " " +
+                        std::to_string(static_cast<int>(scene.y + 0.5 * scene.height)) + " mousedown 1 sleep 0.06 mouseup 1");
+    if (!keys.empty()) press(keys);
+    return wait_for([&] { return is_steady(); }, 2.0);
+  }
+  void press(const std::string& keys) const { desktop.run_xdotool("key --clearmodifiers --delay 15 " + keys); }
+  // Without the bottom corner, which shows frame counts and milliseconds.
   std::string shown() const { return desktop.digest(340, 28); }
   bool is_steady() const {
     const std::string once = shown();
     rest(0.1);
     return shown() == once;
   }
-  void select() const {
-    const Rect scene = lay_out(Desktop::width, Desktop::height, 1.0).scene;
-    desktop.run_xdotool("mousemove " + std::to_string(static_cast<int>(scene.x + 0.5 * scene.width)) + " " +
-                        std::to_string(static_cast<int>(scene.y + 0.5 * scene.height)) + " mousedown 1 sleep 0.06 mouseup 1");
-  }
-  // No key pressed, no dialog open, one point selected. Returns the picture, or nothing if it keeps changing.
-  std::string ready() {
-    press("Escape Escape Escape Escape");
-    select();
-    return wait_for([&] { return is_steady(); }, 5.0) ? shown() : std::string();
-  }
 
   fs::path folder_;
-  std::string ready_;
 };
 
 TEST(Window, RespondsToEveryKeyOfTheTable) {
-  Bench context;
+  KeyFixture window;
   ASSERT_FALSE(HasFatalFailure());
   for (const Shortcut& row : shortcuts()) {
-    const std::string key = named_for_hands(row);
-    // selecting the tool that is already active would not be visible
-    if (row.action == Action::SelectTool) context.press("a");
-    EXPECT_TRUE(context.changes_by(key)) << key_text(row) << ": " << row.text;
-    EXPECT_TRUE(context.program.is_running() || row.action == Action::Quit) << key_text(row) << ": " << contents(context.output());
-    context.make_ready(key);
+    EXPECT_TRUE(window.responds_to(row)) << key_text(row) << ": " << row.text;
+    EXPECT_TRUE(window.program.is_running() || row.action == Action::Quit) << key_text(row) << ": " << contents(window.output());
+    window.restore(row);
+    window.restart_if_needed(row);
     ASSERT_FALSE(HasFatalFailure());
   }
-  EXPECT_EQ(contents(context.output()), "");
+  EXPECT_EQ(contents(window.output()), "");
 }
 
 TEST(Window, OpensADroppedFile) {
@@ -166,7 +189,7 @@ TEST(Window, AsksBeforeClosingWithUnsavedChanges) {
 // HOOKE_EVENTS sets the number of events and HOOKE_SEED the sequence, for scripts/campaign.
 TEST(Window, SurvivesRandomKeysAndMouseEvents) {
   const char* requested = std::getenv("HOOKE_EVENTS");
-  const int events = requested != nullptr ? std::atoi(requested) : 1000;
+  const int events = requested != nullptr ? std::atoi(requested) : 400;
   Desktop desktop;
   const fs::path work = desktop.folder() / "work";
   fs::create_directories(work);
