@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "sim/energy.h"
+#include "sim/forces/force_term.h"
 #include "sim/frame_error.h"
 
 namespace hooke {
@@ -14,9 +15,10 @@ double unexplained_energy(const System& system, const State& state) {
   return compute_energy(system, state).total() - state.ledger.net_input;
 }
 
-// Whether the scene itself dissipates energy.
+// Whether the scene itself dissipates energy: then a loss is not known to be an error of the method.
 bool loses_energy(const System& system) {
-  return system.drag_rate() > 0.0 || !system.colliders.empty() ||
+  const auto may_dissipate = [](const Force& force) { return force.on && force.term->power != nullptr; };
+  return std::ranges::any_of(system.forces, may_dissipate) || system.drag_rate() > 0.0 || !system.colliders.empty() ||
          std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; });
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "sim/divergence.h"
 #include "sim/forces/force_term.h"
 #include "study/benchmark.h"
@@ -68,6 +70,45 @@ TEST(RunMonitor, DoesNotWarnAboutCorrectRuns) {
   EXPECT_GE(stable, 250);
   EXPECT_LT(warned, scenes / 10);
   EXPECT_EQ(false_warnings, "");
+}
+
+// Nets at rest that a pull on the center of mass moves, damped up to a hundred times faster than a substep resolves: all energy is the work
+// of the pull.
+TEST(RunMonitor, DoesNotWarnAboutForcesFasterThanASubstep) {
+  constexpr double seconds = 1.0, correct = 2e-2;  // [s], [m]
+  const ForceTerm& term = *find_force_term("mass_center");
+  int checked = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    TestNetwork network = random_scene(seed);
+    Random random(seed);
+    for (Index i = 0; i < network.system.point_count(); ++i) {
+      network.system.point(i).mass *= 0.1;
+      network.system.point(i).nailed = false;
+    }
+    for (Index s = 0; s < network.system.spring_count(); ++s) {
+      Spring& spring = network.system.spring(s);
+      spring.rest_length += strain(network.system, network.state, spring) * spring.rest_length;
+      spring.damping = 0.0;
+    }
+    network.state.velocity.assign(network.state.velocity.size(), Vec3(0.0));
+    network.system.gravity = Vec3(0.0);
+    network.system.drag = 0.0;
+    Force pull{.term = &term, .values = default_values(term)};
+    pull.values[3] = random.uniform(0.0, 1000.0);
+    pull.values[4] = 1000.0 * std::pow(10.0, -random.uniform(0.0, 3.0));
+    network.system.forces = {pull};
+    initialize_ledger(network.system, network.state);
+    const State exact = exact_end(network, seconds);
+    for (const char* id : {"dop853", "implicit_midpoint", "tr_bdf2", "esdirk4", "implicit_euler"}) {
+      MonitoredRun run(network, {.integrator = find_integrator(id), .substeps = 20});
+      run.run(seconds);
+      if (run.stopped() || rms_distance(run.state(), exact) > correct) continue;
+      ++checked;
+      const auto warnings = run.monitor().warnings(run.system(), {});
+      EXPECT_TRUE(warnings.empty()) << "scene " << seed << ", " << id << ": " << warnings.front();
+    }
+  }
+  EXPECT_GT(checked, 80);
 }
 
 // A net at rest in moving air, which carries it away.
