@@ -79,7 +79,8 @@ double ForceWork::end_substep(const Plan& plan, const Motion& motion, double h) 
 
   const double start = power_;
   power_ = power_of(plan, time_ + h, motion.x, motion.v);
-  // With a larger product Simpson's rule books more than implicit methods dissipate, by a share of (rate h)^2 / 12: a gain that there is not.
+  // With a larger product Simpson's rule books more than implicit methods dissipate, by a share of (rate h)^2 / 12: a gain that there is
+  // not.
   constexpr double max_resolved = 0.3;
   if (plan.spectrum.force_rate * h > max_resolved) {
     for (std::size_t i = 0; i < x_.size(); ++i) {
