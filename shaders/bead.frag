@@ -22,8 +22,10 @@ void main() {
   float bulge = is_square > 0.5 ? 0.8 : sqrt(max(1.0 - dot(slope, slope), 0.0));
   vec3 normal = is_square > 0.5 ? normalize(vec3(0.25 * slope, 1.0)) : vec3(slope, bulge);
   float facing = max(dot(normal, light), 0.0);
+  // a dark edge makes nails visible on light backgrounds
+  float rim = is_square > 0.5 ? clamp(edge + min(0.75 * ring_width, 0.3 * radius) + 0.5, 0.0, 1.0) : 0.0;
   float shine = is_square > 0.5 ? 0.0 : 0.22 * pow(facing, 24.0);
-  vec4 color = vec4(body.rgb * (0.66 + 0.34 * facing) + shine, body.a * inside);
+  vec4 color = vec4(body.rgb * (0.66 + 0.34 * facing) * (1.0 - 0.7 * rim) + shine, body.a * inside);
 
   // the ring on top of the body
   float outer = clamp(radii.y - from_center + 0.5, 0.0, 1.0);

@@ -8,8 +8,11 @@
 namespace hooke {
 namespace {
 
+// The same on every background: the drawn square has a dark edge.
+constexpr Color nail{247, 201, 72};
+
 constexpr Palette on_dark{.point = {205, 214, 222},
-                          .nailed = {247, 201, 72},
+                          .nailed = nail,
                           .selected = {255, 82, 82},
                           .spring = {139, 155, 170},
                           .face = {88, 82, 104},
@@ -19,7 +22,7 @@ constexpr Palette on_dark{.point = {205, 214, 222},
                           .shadow = {8, 10, 13, 140}};
 
 constexpr Palette on_light{.point = {70, 82, 94},
-                           .nailed = {214, 150, 0},
+                           .nailed = nail,
                            .selected = {214, 30, 40},
                            .spring = {112, 124, 136},
                            .face = {196, 190, 208},
