@@ -1,5 +1,7 @@
 #include "lab/divergence_message.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace hooke {
@@ -26,25 +28,35 @@ std::string describe_location(const Divergence& divergence, const System& system
   return location.empty() ? "the scene" : location;
 }
 
+// "600,000-fold" to two digits, "10^12-fold" for more than a billion.
+std::string describe_growth(double factor) {
+  if (!std::isfinite(factor)) return "without limit";
+  if (factor >= 1e9) return "10^" + format("%.0f", std::floor(std::log10(factor))) + "-fold";
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(factor)) - 1.0));
+  std::string digits = format("%.0f", unit * std::round(factor / unit));
+  for (std::size_t end = digits.size(); end > 3; end -= 3) digits.insert(end - 3, ",");
+  return digits + "-fold";
+}
+
 }  // namespace
 
 std::string describe(const Divergence& divergence, const System& system) {
-  const std::string location = describe_location(divergence, system), when = "Stopped at t = " + format("%.4g", divergence.time) + " s: ";
-  const auto rounded = [](double value) { return format(value < 1e4 ? "%.0f" : "%.2g", value); };
+  const std::string location = describe_location(divergence, system), blew_up = "The simulation blew up: ";
+  const std::string when = " Stopped at t = " + format("%.4g", divergence.time) + " s.";
   switch (divergence.kind) {
     case Divergence::Kind::NotFinite:
-      return when + location + " became infinite or NaN.";
+      return blew_up + location + " became infinite or NaN." + when;
     case Divergence::Kind::EnergyGain:
-      return when + "the energy grew by " + rounded(divergence.energy / divergence.scale) + " times the energy supplied, first at " +
-             location + ".";
+      return blew_up + "energy grew " + describe_growth(divergence.energy / divergence.scale) + ", first at " + location + "." + when;
     case Divergence::Kind::Implausible:
-      return when + location + " is " + rounded(divergence.distance) + " m away, farther than any motion can have taken it.";
+      return blew_up + location + " is " + format(divergence.distance < 1e4 ? "%.0f" : "%.2g", divergence.distance) +
+             " m away, farther than any motion can have taken it." + when;
     case Divergence::Kind::StepTooShort:
-      return when + "the method finds no step short enough, first at " + location + ".";
+      return "The method finds no step short enough, first at " + location + "." + when;
     case Divergence::Kind::TooManySteps:
-      return when + "the method needs more than " + std::to_string(max_own_steps) + " steps in one substep; fastest is " + location + ".";
+      return "The method needs more than " + std::to_string(max_own_steps) + " steps in one substep; fastest is " + location + "." + when;
   }
-  return when + location + ".";
+  return location + "." + when;
 }
 
 }  // namespace hooke

@@ -113,7 +113,7 @@ TEST(BadScenes, SyntaxIsRefusedWithTheLine) {
 
 TEST(BadScenes, TheVersionMustBeSupported) {
   expect_refused({
-      {"{}", "hooke: not a Hooke scene: \"hooke\": 1 is missing"},
+      {"{}", "Not a Hooke scene: \"hooke\": 1 is missing"},
       {R"({"hooke": 2})", "hooke: 2: must be at most 1: scenes of version 2 need a newer Hooke"},
       {R"({"hooke": 1.5})", "hooke: 1.5: must be at most 1: scenes of version 1.5 need a newer Hooke"},
       {R"({"hooke": 0})", "hooke: 0: must be a whole number from 1 to 1"},

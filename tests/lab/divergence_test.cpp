@@ -1,4 +1,5 @@
 // Divergence stops a run and is explained.
+#include "lab/divergence_message.h"
 #include "lab/lab.h"
 
 #include <gtest/gtest.h>
@@ -40,6 +41,19 @@ TEST(Divergence, PausesAtTheLastGoodFrameAndNamesWhatDiverged) {
   EXPECT_EQ(status.diagnosis.failed->start->state.time, 0.0);
 }
 
+TEST(Divergence, IsExplainedWithTheGrowthOfTheEnergyToTwoDigits) {
+  const Scene scene = small_net();
+  const auto message = [&](double growth) {
+    return describe(
+        {.kind = Divergence::Kind::EnergyGain, .time = 0.5, .energy = 2.0 * growth, .scale = 2.0, .point = scene.system.points()[1].id},
+        scene.system);
+  };
+  EXPECT_EQ(message(6.04e5), "The simulation blew up: energy grew 600,000-fold, first at point 1. Stopped at t = 0.5 s.");
+  EXPECT_EQ(message(123.0), "The simulation blew up: energy grew 120-fold, first at point 1. Stopped at t = 0.5 s.");
+  EXPECT_EQ(message(1.26e7), "The simulation blew up: energy grew 13,000,000-fold, first at point 1. Stopped at t = 0.5 s.");
+  EXPECT_EQ(message(3e40), "The simulation blew up: energy grew 10^40-fold, first at point 1. Stopped at t = 0.5 s.");
+}
+
 TEST(Divergence, OfUndampedExplicitEulerRecommendsAStableMethod) {
   Scene scene = small_net();
   scene.settings.integrator = find_integrator("explicit_euler");
@@ -48,7 +62,8 @@ TEST(Divergence, OfUndampedExplicitEulerRecommendsAStableMethod) {
   for (int i = 0; i < 6000 && held; ++i) held = lab.step();
   ASSERT_FALSE(held);
   lab.publish();
-  EXPECT_NE(lab.status()->diagnosis.message.find("the energy grew by"), std::string::npos) << lab.status()->diagnosis.message;
+  EXPECT_NE(lab.status()->diagnosis.message.find("The simulation blew up: energy grew "), std::string::npos)
+      << lab.status()->diagnosis.message;
   EXPECT_NE(suggest_stepping(bound_spectrum(scene.system), scene.settings).integrator, find_integrator("explicit_euler"));
 }
 
@@ -65,7 +80,8 @@ TEST(Divergence, OfDampedExplicitEulerWithinItsLimitRecommendsAStableMethod) {
   for (int i = 0; i < 6000 && held; ++i) held = lab.step();
   ASSERT_FALSE(held);
   lab.publish();
-  EXPECT_NE(lab.status()->diagnosis.message.find("the energy grew by"), std::string::npos) << lab.status()->diagnosis.message;
+  EXPECT_NE(lab.status()->diagnosis.message.find("The simulation blew up: energy grew "), std::string::npos)
+      << lab.status()->diagnosis.message;
   EXPECT_NE(suggest_stepping(bound_spectrum(scene.system), scene.settings).integrator, find_integrator("explicit_euler"));
 }
 

@@ -76,7 +76,7 @@ LoadedScene SceneReader::read() {
             {.is_list = [](std::string_view key) { return find_list(key) != nullptr; },
              .item = [this](std::string_view key, std::size_t index, std::string_view text) { read_item(key, index, text); },
              .member = [this](std::string_view key, std::string_view text) { read_member(key, text); }});
-  if (!has_version_) refuse("hooke", "not a Hooke scene: \"hooke\": 1 is missing");
+  if (!has_version_) throw InputError(name_ + ": Not a Hooke scene: \"hooke\": 1 is missing");
   fields_.check_dimensions(scene_.system.dimensions);
 
   Network network = network_.take(scene_.system.dimensions);
