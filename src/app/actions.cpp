@@ -38,7 +38,11 @@ void App::handle(const Request& request) {
                    if (!scrub.continues) ++last_gesture_;
                    lab_.submit(GoToTime{scrub.time}, last_gesture_);
                  },
-                 [this](const Control& control) { lab_.submit(control); },
+                 [this](const Control& control) {
+                   if (const auto* accuracy = std::get_if<SetAccuracy>(&control))
+                     settings_.set_measure_accuracy(accuracy->mode != AccuracyMode::Off);
+                   lab_.submit(control);
+                 },
                  [this](Action action) { perform(action); },
                  [this](const OpenFile& open_file) { document_.open(typed_path(open_file.file)); },
                  [this](const SaveFile& save_file) { document_.save_to(typed_path(save_file.file)); },

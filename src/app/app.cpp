@@ -21,6 +21,7 @@ App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const H
       key_handlers_(make_key_handlers()),
       scene_to_frame_(std::move(scene)) {
   take_switches(status().document->view);
+  if (!settings_.values().measure_accuracy) lab_.submit(SetAccuracy{AccuracyMode::Off});
 }
 
 void App::resize(const glm::dvec2& size, double scale) {

@@ -56,6 +56,24 @@ TEST(Preferences, ThatAreAFolderOrCannotBeWrittenDoNotStopTheProgram) {
   EXPECT_FALSE(gui.app().is_finished());
 }
 
+TEST(Preferences, WhetherTheAccuracyIsMeasuredIsPersistent) {
+  const DocumentFixture desk;
+  {
+    GuiFixture gui(two_points(), {}, desk.home);
+    EXPECT_TRUE(gui.status().accuracy.is_on);
+    gui.app().handle(Request(Control(SetAccuracy{AccuracyMode::Off})));
+    gui.frames(2);
+    EXPECT_FALSE(gui.status().accuracy.is_on);
+  }
+  {
+    GuiFixture again(two_points(), {}, desk.home);
+    EXPECT_FALSE(again.status().accuracy.is_on);
+    again.app().handle(Request(Control(SetAccuracy{AccuracyMode::Full})));
+  }
+  GuiFixture last(two_points(), {}, desk.home);
+  EXPECT_TRUE(last.status().accuracy.is_on);
+}
+
 TEST(Preferences, TheThemeIsPersistent) {
   const DocumentFixture fixture;
   { GuiFixture(two_points(), {}, fixture.home).key(letter('L'), control_shift); }

@@ -18,13 +18,17 @@ TEST(SettingsVersions, AFileOfEachIsRead) {
   EXPECT_EQ(read("settings_0_1_0.json"), kept) << "0.1 wrote no version";
   for (int version = 1; version <= newest_settings_version; ++version)
     EXPECT_EQ(read("settings_" + std::to_string(version) + ".json"), kept) << version;
+  Preferences quiet = kept;
+  quiet.measure_accuracy = false;
+  EXPECT_EQ(read("settings_1_measure_accuracy.json"), quiet) << "a preference that was added later";
 }
 
 TEST(SettingsVersions, TheNewestIsWrittenAsItIsKept) {
   const ScratchFolder scratch;
-  save_preferences(kept, scratch.folder);
-  EXPECT_EQ(contents(scratch.folder / "settings.json"),
-            contents(HOOKE_OLD_SETTINGS "/settings_" + std::to_string(newest_settings_version) + ".json"));
+  Preferences quiet = kept;
+  quiet.measure_accuracy = false;
+  save_preferences(quiet, scratch.folder);
+  EXPECT_EQ(contents(scratch.folder / "settings.json"), contents(HOOKE_OLD_SETTINGS "/settings_1_measure_accuracy.json"));
 }
 
 TEST(SettingsVersions, ALaterOneIsNamed) {

@@ -27,6 +27,7 @@ constexpr std::array rows{
 constexpr std::array switches{
     PreferenceSwitch{"light", &Preferences::light},
     PreferenceSwitch{"system_dialogs", &Preferences::system_dialogs},
+    PreferenceSwitch{"measure_accuracy", &Preferences::measure_accuracy},
 };
 
 constexpr std::string_view settings_name = "settings.json", recent_name = "recent.json", version_name = "hooke_settings";

@@ -14,6 +14,7 @@ struct Preferences {
   double autosave_seconds = 30.0;  // [s], time from a change to the autosave
   bool light = false;              // light theme
   bool system_dialogs = false;     // use the file dialog of the desktop if there is one
+  bool measure_accuracy = true;    // of every run
   bool operator==(const Preferences&) const = default;
 };
 
@@ -31,7 +32,7 @@ struct PreferenceSwitch {
 std::span<const PreferenceSwitch> preference_switches();
 
 // Version of the settings that this program writes; it reads every version up to this one. Settings without a version were written by
-// Hooke 0.1 and are read as version 1.
+// Hooke 0.1 and are read as version 1. A new preference needs no new version: programs that do not know it ignore it.
 inline constexpr int newest_settings_version = 1;
 
 // Parses a settings file; `name` is its name in messages. Throws InputError.

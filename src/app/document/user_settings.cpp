@@ -27,6 +27,11 @@ void UserSettings::switch_look() {
   save();
 }
 
+void UserSettings::set_measure_accuracy(bool on) {
+  values_.measure_accuracy = on;
+  save();
+}
+
 void UserSettings::save() {
   try {
     save_preferences(values_, folder_);

@@ -17,6 +17,7 @@ class UserSettings {
   void scale_interface(double factor);
   // Switches between the dark and light themes.
   void switch_look();
+  void set_measure_accuracy(bool on);
 
  private:
   void save();
