@@ -75,13 +75,13 @@ bool invisible_slider(const NumberField& field, double& value, bool typing) {
   return changed;
 }
 
-// Where the text stands: at the right end, or left of the handle where that would cross it.
-float text_start(ImVec2 min, ImVec2 max, float width, float handle) {
-  const float gap = units(8.0), right = max.x - width - gap;
-  if (handle < right - units(3.0) || handle > right + width + units(3.0)) return right;
-  const float left = handle - width - gap;
-  // in the middle of a short slider there is room on neither side
-  return left >= min.x + units(3.0) ? left : std::min(handle + gap, right);
+// A line at the value. Where the text is, only its ends, so that it does not cross the digits.
+void draw_handle(ImDrawList& list, float x, ImVec2 min, ImVec2 max, ImVec2 text_min, ImVec2 text_max) {
+  const float half = units(1.0), inset = units(2.0), gap = units(3.0);
+  const auto line = [&](float from, float to) { list.AddRectFilled({x - half, from}, {x + half, to}, palette::accent, half); };
+  if (x < text_min.x - gap || x > text_max.x + gap) return line(min.y + inset, max.y - inset);
+  line(min.y, text_min.y + units(1.0));
+  line(text_max.y - units(1.0), max.y);
 }
 
 // A bar filled up to the value, with a line at the value and the value as text.
@@ -93,15 +93,13 @@ void draw_slider(const NumberField& field) {
   list.AddRectFilled(min, max, highlighted ? palette::hovered : palette::raised, rounding);
   const std::string text = fitted_text(field, max.x - min.x - units(16.0));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  ImVec2 at{max.x - size.x - units(8.0), 0.5f * (min.y + max.y - size.y)};
+  const ImVec2 at{max.x - size.x - units(8.0), 0.5f * (min.y + max.y - size.y)};
   if (field.enabled) {
     const float end = min.x + static_cast<float>(fraction_of(field)) * (max.x - min.x);
     list.PushClipRect(min, {end, max.y}, true);
     list.AddRectFilled(min, max, palette::tinted, rounding);
     list.PopClipRect();
-    const float handle = std::clamp(end, min.x + units(1.0), max.x - units(1.0)), half = units(1.0);
-    list.AddRectFilled({handle - half, min.y + units(2.0)}, {handle + half, max.y - units(2.0)}, palette::accent, half);
-    at.x = text_start(min, max, size.x, handle);
+    draw_handle(list, std::clamp(end, min.x + units(1.0), max.x - units(1.0)), min, max, at, {at.x + size.x, at.y + size.y});
   }
   list.AddText(at, field.enabled ? palette::text : palette::dim, text.c_str());
 }

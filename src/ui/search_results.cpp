@@ -111,7 +111,12 @@ class ResultFinder {
   void add_number(const Parameter& row, double value) {
     const std::string label(row.label);
     const int score = match(label + " " + std::string(row.name) + " parameter", parts_.name);
-    if (score == 0 || (has_many_values(row) && has_no_values(row))) return;
+    if (score == 0) return;
+    if (has_many_values(row) && has_no_values(row)) {
+      const char* what = row.scope == Parameter::Scope::Colliders ? "collider" : "spring";
+      found_.push_back({label + ": the scene has no " + what, "parameter", {}, {}, score});
+      return;
+    }
     const std::string range = number(row.min) + " to " + with_unit(row.max, row.unit);
     if (!parts_.number) {
       found_.push_back({label + ": " + value_text(row, value), range, {}, label + " ", score});

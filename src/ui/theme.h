@@ -11,6 +11,7 @@ namespace hooke {
 namespace palette {
 inline ImU32 panel, raised, hovered, pressed, line, box, text, dim, accent, tinted, good, warning, bad, edge, shade, alarm, notice;
 inline ImU32 axis_x, axis_y, axis_z;  // their labels are drawn in palette::panel
+inline ImU32 inks[6];                 // of the lines in a plot, in this order
 }  // namespace palette
 
 enum class Look { Dark, Light };

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "ui/wrapped_text.h"
+
 namespace hooke {
 
 Rect current_window() {
@@ -61,9 +63,7 @@ void tooltip(const std::string& text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(8.0), units(6.0)});
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(units(280.0));
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  ImGui::TextUnformatted(wrapped(text, units(280.0)).c_str());
   ImGui::EndTooltip();
   ImGui::PopStyleVar();
 }

@@ -178,6 +178,14 @@ TEST(Search, FindsEveryActionByItsWords) {
   EXPECT_EQ(found_by(gui, "").size(), actions().size());
 }
 
+TEST(Search, NamesTheReasonWhyAParameterHasNoValue) {
+  GuiFixture gui(pair_and_one());
+  const auto found = found_by(gui, "friction 0");
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front().text, "Friction: the scene has no collider");
+  EXPECT_TRUE(found.front().requests.empty());
+}
+
 TEST(Search, FindsScenesPartsMethodsAndParametersWithValues) {
   Scene scene = pair_and_one();
   scene.system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}}};

@@ -38,6 +38,7 @@ TEST(Recovery, OffersTheAutosaveOfAKilledRunBitForBit) {
   ASSERT_EQ(open_dialog(gui), Dialog::Kind::Recovery);
   const std::string words = gui.text();
   EXPECT_NE(words.find("net, autosaved at "), std::string::npos) << words;
+  EXPECT_NE(words.find("You can restore the last autosave"), std::string::npos) << words;
   press_button(gui, "Unsaved work found", "Later");
   EXPECT_EQ(copies_in(fixture.home), 1);
 

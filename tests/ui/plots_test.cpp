@@ -3,6 +3,9 @@
 
 #include "support/flat_scene.h"
 #include "support/gui_fixture.h"
+#include "support/gui_sheets.h"
+
+#include <glm/mat3x3.hpp>
 
 namespace hooke {
 namespace {
@@ -27,6 +30,46 @@ glm::dvec2 place_of(GuiFixture& gui, double fraction) {
   const Rect& dock = gui.app().layout().plots;
   const double left = dock.x + 78.0 + 56.0, right = dock.x + dock.width - 10.0;
   return {left + fraction * (right - left), dock.y + 0.5 * dock.height};
+}
+
+// In CIE L*a*b*, of linear sRGB.
+glm::dvec3 lab(const glm::dvec3& color) {
+  const glm::dmat3 to_xyz(0.4124, 0.2126, 0.0193, 0.3576, 0.7152, 0.1192, 0.1805, 0.0722, 0.9505);
+  const glm::dvec3 xyz = to_xyz * glm::clamp(color, 0.0, 1.0) / glm::dvec3(0.9505, 1.0, 1.089);
+  const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; };
+  return {116.0 * f(xyz.y) - 16.0, 500.0 * (f(xyz.x) - f(xyz.y)), 200.0 * (f(xyz.y) - f(xyz.z))};
+}
+glm::dvec3 linear(ImU32 color) {
+  const auto channel = [&](int shift) { return std::pow(static_cast<double>((color >> shift) & 0xff) / 255.0, 2.2); };
+  return {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT)};
+}
+
+// Simulated by the matrices of Machado, Oliveira and Fernandes 2009 for linear sRGB, severity 1; a difference of 2.3 is just noticeable.
+TEST(Plots, TheColorsOfTheEnergiesDifferWithEveryColorVision) {
+  const GuiFixture gui;
+  const glm::dmat3 normal(1.0);
+  const glm::dmat3 protanopia(0.152286, 0.114503, -0.003882, 1.052583, 0.786281, -0.048116, -0.204868, 0.099216, 1.051998);
+  const glm::dmat3 deuteranopia(0.367322, 0.280085, -0.011820, 0.860646, 0.672501, 0.042940, -0.227968, 0.047413, 0.968881);
+  const glm::dmat3 tritanopia(1.255528, -0.078411, 0.004733, -0.076749, 0.930809, 0.691367, -0.178779, 0.147602, 0.303900);
+  const int elastic = 1, total = 3;
+  for (const Look look : {Look::Light, Look::Dark}) {
+    use_look(look);
+    for (const glm::dmat3& vision : {normal, protanopia, deuteranopia, tritanopia})
+      for (int a = 0; a < 4; ++a)
+        for (int b = a + 1; b < 4; ++b) {
+          const double difference = glm::distance(lab(vision * linear(palette::inks[a])), lab(vision * linear(palette::inks[b])));
+          EXPECT_GE(difference, 12.0) << a << " and " << b;
+          if (a == elastic && b == total && vision != tritanopia) {
+            EXPECT_GE(difference, 60.0);
+          }
+        }
+  }
+}
+
+TEST(Plots, LabelsOfTicksAtTheEndOfTheAxisAreNotClipped) {
+  GuiFixture gui(swinging());
+  run_with_plots(gui);
+  EXPECT_EQ(faults(*ImGui::GetDrawData()), std::set<std::string>());
 }
 
 TEST(Plots, AClickGoesToTheTimeUnderTheMouseAndADragDoesNot) {

@@ -32,7 +32,10 @@ double common_factor(double min, double max, int direction) {
   return direction > 0 ? std::max(1.0, std::min(factor, row.max / max)) : std::min(1.0, std::max(1.0 / factor, row.min / min));
 }
 
-std::string value_text(double min, double max) { return "k = " + number(min) + (min < max ? " to " + number(max) : "") + " N/m"; }
+// "49.05", "116600"
+std::string digits(double k) { return k >= 1000.0 && k < 1e7 ? std::to_string(std::lround(k)) : number(k); }
+
+std::string value_text(double min, double max) { return "k = " + digits(min) + (min < max ? " to " + digits(max) : "") + " N/m"; }
 
 }  // namespace
 

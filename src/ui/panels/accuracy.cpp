@@ -11,6 +11,7 @@
 #include "ui/panels.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
@@ -131,11 +132,11 @@ void build_accuracy_line(const PanelInput& input, Panels& panels) {
   ImGui::PushStyleColor(ImGuiCol_Text, is_chaotic ? palette::warning : palette::dim);
   std::string line = accuracy_line(accuracy);
   if (line.starts_with("error ") || line.starts_with("error: ")) line.erase(0, line.find(' ') + 1);
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(line.c_str());
-  ImGui::PopTextWrapPos();
+  // one line, so that the rows below do not move under the mouse
+  const std::string shown = shortened(line, ImGui::GetContentRegionAvail().x);
+  ImGui::TextUnformatted(shown.c_str());
   if (ImGui::IsItemClicked()) panels.accuracy_shown = !panels.accuracy_shown;
-  tooltip("How wrong the run is. Click for more.");
+  tooltip((shown == line ? "" : line + "\n") + "How wrong the run is. Click for more.");
   ImGui::PopStyleColor();
   ImGui::PopFont();
 }

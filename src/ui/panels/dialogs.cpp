@@ -10,6 +10,7 @@
 #include "ui/panels.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
@@ -66,10 +67,11 @@ void path_line(Panels& panels) {
   ImGui::PopID();
 }
 
+// Of the text in a dialog of a width [design units].
+float text_width(double wished) { return std::max(1.0f, box_width(wished) - 2.0f * ImGui::GetStyle().WindowPadding.x); }
+
 void message_box(const PanelInput& input, Panels& panels, Requests& requests) {
-  ImGui::PushTextWrapPos(box_width(480.0));
-  ImGui::TextUnformatted(panels.dialog.text.c_str());
-  ImGui::PopTextWrapPos();
+  ImGui::TextUnformatted(wrapped(panels.dialog.text, text_width(480.0)).c_str());
   ImGui::Spacing();
   std::vector<Choice>& choices = panels.dialog.choices;
   if (choices.empty()) {
@@ -142,9 +144,7 @@ void save_box(const PanelInput& input, Panels& panels, Requests& requests) {
 }
 
 void unsaved_box(const PanelInput& input, Panels& panels, Requests& requests) {
-  ImGui::PushTextWrapPos(box_width(480.0));
-  ImGui::TextUnformatted(panels.dialog.text.c_str());
-  ImGui::PopTextWrapPos();
+  ImGui::TextUnformatted(wrapped(panels.dialog.text, text_width(480.0)).c_str());
   ImGui::Spacing();
   struct Button {
     const char* label;
@@ -173,18 +173,16 @@ void texture_box(const PanelInput& input, Panels& panels, Requests& requests) {
 }
 
 void recovery_box(const PanelInput& input, Panels& panels, Requests& requests) {
-  ImGui::PushTextWrapPos(box_width(520.0));
-  ImGui::TextUnformatted(input.recovered.size() == 1 ? "Hooke ended before this scene was saved. You can restore the last autosave."
-                                                     : "Hooke ended before these scenes were saved. You can restore the last autosaves.");
-  ImGui::PopTextWrapPos();
+  const float width = text_width(520.0);
+  const char* text = input.recovered.size() == 1 ? "Hooke ended before this scene was saved. You can restore the last autosave."
+                                                 : "Hooke ended before these scenes were saved. You can restore the last autosaves.";
+  ImGui::TextUnformatted(wrapped(text, width).c_str());
   ImGui::Spacing();
   std::optional<Request> request;
   for (std::size_t i = 0; i < input.recovered.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    ImGui::PushTextWrapPos(box_width(520.0));
-    ImGui::TextUnformatted(input.recovered[i].title.c_str());
-    dim_text(input.recovered[i].detail);
-    ImGui::PopTextWrapPos();
+    ImGui::TextUnformatted(wrapped(input.recovered[i].title, width).c_str());
+    dim_text(wrapped(input.recovered[i].detail, width));
     if (push_button("Restore") || (i == 0 && enter_pressed(input))) request = Recover{i};
     ImGui::SameLine();
     if (push_button("Delete")) requests.emplace_back(DiscardRecovery{i});

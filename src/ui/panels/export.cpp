@@ -7,6 +7,7 @@
 #include "ui/number_field.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
@@ -49,11 +50,9 @@ void over_time(ExportState& export_state, Panels& panels) {
   dim_text("Quantities, separated by commas");
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputText("##quantities", &export_state.quantities);
-  ImGui::PushTextWrapPos(0.0f);
   ImGui::PushFont(fonts().small);
-  dim_text(quantity_names() + ".");
+  paragraph(quantity_names() + ".", palette::dim);
   ImGui::PopFont();
-  ImGui::PopTextWrapPos();
 }
 
 void buttons(const PanelInput& input, ExportState& export_state, Requests& requests) {
@@ -95,9 +94,7 @@ void build_export(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::BeginDisabled(input.export_work.is_running);
   kinds(export_state, input.status.snapshot->system->dimensions == 2);
   ImGui::Dummy({0.0f, units(2.0)});
-  ImGui::PushTextWrapPos(0.0f);
-  dim_text(std::string(export_kinds()[export_state.kind].description));
-  ImGui::PopTextWrapPos();
+  paragraph(export_kinds()[export_state.kind].description, palette::dim);
   over_time(export_state, panels);
   dim_text("Path");
   if (export_state.is_new) ImGui::SetKeyboardFocusHere();

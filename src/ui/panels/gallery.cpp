@@ -7,11 +7,12 @@
 #include "base/printable.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
 
-constexpr double margin = 28.0, gap = 16.0, min_card = 250.0;  // [design units]
+constexpr double margin = 28.0, gap = 16.0, min_card = 250.0, inner = 12.0;  // [design units]
 constexpr int description_lines = 6;
 
 struct CardGrid {
@@ -25,20 +26,8 @@ CardGrid grid_for(float width) {
   return {columns, card, card * thumbnail_height / thumbnail_width};
 }
 
-// Truncated to a number of lines.
-std::string shortened(const std::string& text, float width, int lines) {
-  const ImFont& font = *ImGui::GetFont();
-  const float scale = ImGui::GetFontSize() / font.FontSize;
-  const char *at = text.c_str(), *const end = at + text.size();
-  for (int line = 0; line < lines && at < end; ++line) {
-    at = std::max(font.CalcWordWrapPositionA(scale, at, end, width), at + 1);
-    while (at < end && *at == ' ') ++at;
-  }
-  if (at >= end) return text;
-  std::string some(text.c_str(), at);
-  const std::size_t word = some.find_last_of(' ', some.size() - std::min<std::size_t>(some.size(), 6));
-  some.resize(word == std::string::npos ? 0 : word);
-  return some + " ...";
+std::string some_lines(const std::string& description, const CardGrid& grid) {
+  return wrapped(description, grid.card - 2.0f * units(inner), description_lines);
 }
 
 void picture(const Panels& panels, std::size_t number, const ImVec2& min, const CardGrid& grid) {
@@ -67,30 +56,25 @@ bool card(const PanelInput& input, Panels& panels, std::size_t number, const Car
   if (is_chosen && panels.gallery.follows) ImGui::SetScrollHereY(0.5f);
 
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float round = units(7.0), inner = units(12.0);
+  const float round = units(7.0), left = min.x + units(inner);
   list.AddRectFilled(min, max, is_chosen ? palette::hovered : palette::box, round);
   picture(panels, number, min, grid);
   list.AddRect(min, max, is_chosen ? palette::accent : palette::line, round, 0, is_chosen ? units(2.0) : 1.0f);
 
   ImGui::PushFont(fonts().strong);
-  list.AddText({min.x + inner, min.y + grid.picture + units(9.0)}, is_open ? palette::accent : palette::text,
-               printable(shown.scene->title).c_str());
+  list.AddText({left, min.y + grid.picture + units(9.0)}, is_open ? palette::accent : palette::text, printable(shown.scene->title).c_str());
   ImGui::PopFont();
   ImGui::PushFont(fonts().small);
-  const float width = grid.card - 2.0f * inner;
-  const std::string text = printable(shown.description, 2000), some = shortened(text, width, description_lines);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {min.x + inner, min.y + grid.picture + units(31.0)}, palette::dim, some.c_str(),
-               nullptr, width);
+  const std::string text = printable(shown.description, 2000), lines = some_lines(text, grid);
+  list.AddText({left, min.y + grid.picture + units(31.0)}, palette::dim, lines.c_str());
   ImGui::PopFont();
-  if (some != text) tooltip(text);
+  if (lines.ends_with("...")) tooltip(text);
   return clicked;
 }
 
 float card_height(std::size_t number, const CardGrid& grid) {
   ImGui::PushFont(fonts().small);
-  const float width = grid.card - units(24.0);
-  const std::string some = shortened(printable(gallery_cards()[number].description, 2000), width, description_lines);
-  const float text = ImGui::CalcTextSize(some.c_str(), nullptr, false, width).y;
+  const float text = ImGui::CalcTextSize(some_lines(printable(gallery_cards()[number].description, 2000), grid).c_str()).y;
   ImGui::PopFont();
   return grid.picture + units(31.0) + text + units(13.0);
 }
@@ -146,9 +130,7 @@ void build_gallery(const PanelInput& input, Panels& panels, Requests& requests) 
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Gallery");
   ImGui::PopFont();
-  ImGui::PushTextWrapPos(0.0f);
-  dim_text("Open a scene to run, change and save it under another name. Arrow keys and Enter select one, Esc returns.");
-  ImGui::PopTextWrapPos();
+  paragraph("Open a scene to run, change and save it under another name. Arrow keys and Enter select one, Esc returns.", palette::dim);
   const CardGrid grid = grid_for(static_cast<float>(page.width) - 2.0f * units(margin));
   for (std::size_t first = 0; first < gallery_cards().size();) first = group(input, panels, first, grid, requests);
   panels.gallery.follows = false;

@@ -12,6 +12,7 @@
 #include "ui/strain_legend.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
@@ -32,14 +33,13 @@ void legend(const PanelInput& input, const Panels& panels, ImDrawList& list) {
   draw_strain_legend(*input.status.snapshot, at, width, list);
 }
 
-void hint_of_empty_scene(const PanelInput& input, ImDrawList& list) {
-  if (input.status.snapshot->system->point_count() > 0) return;
+void hint_of_empty_scene(const PanelInput& input, const Panels& panels, ImDrawList& list) {
+  if (input.status.snapshot->system->point_count() > 0 || panels.placement.is_on()) return;
   const Rect& scene = input.layout.scene;
-  const std::string text = "Press A and click to add points, T to attach springs, Space to run.";
-  const float max_width = std::max(1.0f, static_cast<float>(scene.width) - units(32.0));
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, max_width);
-  list.AddText(nullptr, 0.0f, place(scene, 0.5 * (scene.width - size.x), 0.36 * scene.height), palette::dim, text.c_str(), nullptr,
-               max_width);
+  const std::string text = wrapped("Press A and click to add points, T to attach springs, Space to run.",
+                                   std::max(1.0f, static_cast<float>(scene.width) - units(32.0)));
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  list.AddText(place(scene, 0.5 * (scene.width - size.x), 0.36 * scene.height), palette::dim, text.c_str());
 }
 
 // Whether any point is within the picture; of a large scene, some hundred are looked at.
@@ -129,10 +129,11 @@ void toast(const PanelInput& input, Panels& panels, ImDrawList& list) {
   }
   const Rect& scene = input.layout.scene;
   const float dx = units(14.0), dy = units(8.0), max_width = std::max(1.0f, static_cast<float>(scene.width) - 2.0f * (dx + units(8.0)));
-  const ImVec2 size = ImGui::CalcTextSize(panels.toast.c_str(), nullptr, false, max_width);
+  const std::string text = wrapped(panels.toast, max_width);
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at = place(scene, 0.5 * (scene.width - size.x), scene.height - units(70.0) - size.y);
   list.AddRectFilled({at.x - dx, at.y - dy}, {at.x + size.x + dx, at.y + size.y + dy}, palette::shade, units(8.0));
-  list.AddText(nullptr, 0.0f, at, palette::text, panels.toast.c_str(), nullptr, max_width);
+  list.AddText(at, palette::text, text.c_str());
 }
 
 std::string remedy_label(const Remedy& remedy, const Settings& settings) {
@@ -167,9 +168,7 @@ void begin_banner(const char* name, const Rect& scene, double down, const std::s
   ImGui::PushClipRect(min, {min.x + size.x, min.y + size.y}, false);
   ImGui::GetWindowDrawList()->AddRectFilled(min, {min.x + units(5.0), min.y + size.y}, edge, units(6.0), ImDrawFlags_RoundCornersLeft);
   ImGui::PopClipRect();
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(text);
   ImGui::Spacing();
 }
 
@@ -195,9 +194,7 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
     const auto& [test, found] = input.remedy;
     const std::string outcome = found ? describe(*found, settings) : test.empty() ? "" : test + "...";
     if (!outcome.empty()) {
-      ImGui::PushTextWrapPos(0.0f);
-      ImGui::TextUnformatted(outcome.c_str());
-      ImGui::PopTextWrapPos();
+      paragraph(outcome);
       ImGui::Spacing();
     }
     // first, so that it stays where it is when the tests end
@@ -241,7 +238,7 @@ void build_overlays(const PanelInput& input, Panels& panels, Requests& requests)
   const Rect& scene = input.layout.scene;
   list.PushClipRect(corner(scene), place(scene, scene.width, scene.height));
   legend(input, panels, list);
-  hint_of_empty_scene(input, list);
+  hint_of_empty_scene(input, panels, list);
   hint_out_of_view(input, list);
   scale_bar(input, list);
   live_length(input, list);

@@ -6,6 +6,7 @@
 #include "ui/number_field.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
@@ -29,22 +30,11 @@ std::string length_text(double length) {
   return length < 1.0 ? "~ " + two_digits(1e3 * length) + " mm" : "~ " + two_digits(length) + " m";
 }
 
-// Shown if there is no value, so that sliders do not move when one appears.
-constexpr const char* nothing = "\u2013";
+// The reason where a forecast is not there yet.
+constexpr const char* computing = "computing...";
 
 // Negligible values are shown as 0.
 std::string ratio_text(double ratio) { return ratio < 5e-5 ? "0" : two_digits(ratio); }
-
-// Shortened to the width, by whole characters.
-std::string shortened(std::string text, float width) {
-  constexpr const char* rest = "\u2026";
-  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-  while (!text.empty() && ImGui::CalcTextSize((text + rest).c_str()).x > width) {
-    while (!text.empty() && (text.back() & 0xc0) == 0x80) text.pop_back();
-    if (!text.empty()) text.pop_back();
-  }
-  return text + rest;
-}
 
 // A small line under a slider: a name and a value, with a colored dot if it is good or bad. It keeps its height, so that the rows below do
 // not move under the mouse: what does not fit is in the tooltip.
@@ -65,7 +55,7 @@ void remark(const std::string& name, const std::string& text, const std::string&
   tooltip(shown == text ? description : text + "\n" + description);
 }
 
-// The step, and omega h relative to the limit of the method.
+// The step, or the number of substeps that is needed; and omega h with the limit of the method.
 void step_remark(const Snapshot& snapshot) {
   const double h = snapshot.settings.substep(), limit = snapshot.largest_stable_step;
   const double fraction = limit > 0.0 ? h / limit : INFINITY;
@@ -73,26 +63,26 @@ void step_remark(const Snapshot& snapshot) {
   const ImU32 text_color = !anything ? palette::dim : fraction > 1.0 ? palette::bad : fraction > 0.8 ? palette::warning : palette::good;
 
   std::string text = "\u03c9h = " + three_digits(snapshot.omega * h);
+  char name[32];
+  std::snprintf(name, sizeof name, "step %.3g ms", 1000.0 * h);
   if (!anything)
     text = "\u03c9h = 0 (no oscillation)";
   else if (limit == 0.0)
     text += " (always unstable)";
   else if (std::isinf(limit))
     text += " (no limit)";
-  else if (fraction > 1.0)
-    text += ", needs " + number(std::ceil(1.0 / (snapshot.settings.frame_rate * limit))) + " substeps";
   else
     text += " (limit " + three_digits(snapshot.omega * limit) + ")";
-  char step[32];
-  std::snprintf(step, sizeof step, "step %.3g ms", 1000.0 * h);
-  remark(step, text, "Highest angular frequency of the scene times the step. Beyond the limit of the method, the simulation can blow up.",
+  if (anything && limit > 0.0 && fraction > 1.0)
+    std::snprintf(name, sizeof name, "min %.6g substeps", std::ceil(1.0 / (snapshot.settings.frame_rate * limit)));
+  remark(name, text, "Highest angular frequency of the scene times the step. Beyond the limit of the method, the simulation can blow up.",
          text_color, anything && fraction > 0.8 ? text_color : palette::dim);
 }
 
 void sag_remark(const Forecast& forecast) {
   remark("sag",
          forecast.sag                  ? length_text(*forecast.sag)
-         : forecast.why_no_sag.empty() ? nothing
+         : forecast.why_no_sag.empty() ? computing
                                        : forecast.why_no_sag,
          "Largest displacement that gravity causes at rest, compared with the unloaded shape. Not available if nothing carries the "
          "weight, if colliders or other forces act, or for more than 1,700 points.");
@@ -106,7 +96,7 @@ void ratio_remark(double (*ratio)(const Forecast&, const Mode&), const std::stri
   };
   const std::string slowest = of_mode(forecast.slowest, "slowest"), fastest = of_mode(forecast.fastest, "fastest");
   std::string text = slowest.empty() ? fastest : slowest + ", " + fastest;
-  if (fastest.empty()) text = nothing;
+  if (fastest.empty()) text = forecast.system == nullptr ? computing : "no oscillation";
   if (slowest == "slowest varies" && fastest == "fastest varies") text = "varies between parts";
   if (fastest == "0 fastest" && (slowest.empty() || slowest == "0 slowest")) text = "0";
   const auto period = [](const Mode& mode) { return number(2.0 * 3.14159265358979323846 / mode.omega) + " s"; };

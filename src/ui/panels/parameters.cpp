@@ -151,7 +151,8 @@ void build_parameters(const PanelInput& input, Panels& panels, Requests& request
     const Parameter& row = rows[i];
     if (row.group != group) {
       group = row.group;
-      open = section(std::string(group), scope_of(group, parts.slider_springs, *input.status.snapshot->system), group != "Hand" && group != "Points");
+      open = section(std::string(group), scope_of(group, parts.slider_springs, *input.status.snapshot->system),
+                     group != "Hand" && group != "Points");
       if (open && group == "Simulation") method_row(input, panels, requests);
     }
     if (!open || std::isnan(input.status.document->parameter_values[i])) continue;

@@ -5,6 +5,7 @@
 #include "ui/number_field.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
@@ -123,10 +124,8 @@ void build_placement(const PanelInput& input, Panels& panels, Requests& requests
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted(placement.is_mesh ? "From a mesh" : placement.shape.kind->label.data());
   ImGui::PopFont();
-  ImGui::PushTextWrapPos(0.0f);
-  dim_text(placement.is_mesh ? "Triangles and quads become cloth, in the orientation of the file."
-                             : std::string(placement.shape.kind->description));
-  ImGui::PopTextWrapPos();
+  paragraph(placement.is_mesh ? "Triangles and quads become cloth, in the orientation of the file." : placement.shape.kind->description,
+            palette::dim);
   ImGui::Dummy({0.0f, units(3.0)});
   if (placement.is_mesh) {
     mesh_rows(input, placement, panels, requests);
@@ -137,9 +136,7 @@ void build_placement(const PanelInput& input, Panels& panels, Requests& requests
   if (!is_flat) angle_rows(placement.shape, panels);
 
   ImGui::Dummy({0.0f, units(4.0)});
-  ImGui::PushTextWrapPos(0.0f);
-  dim_text("Click or drag in the scene to move it.");
-  ImGui::PopTextWrapPos();
+  paragraph("Click or drag in the scene to move it.", palette::dim);
   const bool is_empty = placement.is_mesh && placement.mesh_info.empty();
   ImGui::BeginDisabled(is_empty);
   ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);

@@ -7,14 +7,10 @@
 #include "ui/plot_axis.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
-
-// Distinguishable with color vision deficiencies (Okabe and Ito), with contrast on dark and on light backgrounds.
-// Neighbors in the list differ in hue and in lightness: blue, orange, green, mauve, vermilion, gray.
-constexpr ImU32 inks[] = {IM_COL32(0x56, 0xb4, 0xe9, 255), IM_COL32(0xe6, 0x9f, 0x00, 255), IM_COL32(0x00, 0x9e, 0x73, 255),
-                          IM_COL32(0xcc, 0x79, 0xa7, 255), IM_COL32(0xd5, 0x5e, 0x00, 255), IM_COL32(0x80, 0x80, 0x80, 255)};
 
 // The quantities of the whole scene, in the order of the list.
 constexpr std::string_view of_the_scene[] = {"kinetic",    "elastic",    "gravitational", "total",          "dissipated", "momentum_x",
@@ -32,7 +28,7 @@ std::vector<Plot> plots_of(const TraceTable& table) {
   for (const Trace& trace : table.traces) {
     auto plot = std::ranges::find(plots, trace.quantity.row->unit, &Plot::unit);
     if (plot == plots.end()) plot = plots.insert(plots.end(), {trace.quantity.row->unit, {}});
-    plot->lines.emplace_back(&trace, inks[plot->lines.size() % std::size(inks)]);
+    plot->lines.emplace_back(&trace, palette::inks[plot->lines.size() % std::size(palette::inks)]);
   }
   return plots;
 }
@@ -162,7 +158,9 @@ void draw_plot(const PanelInput& input, const Plot& plot, const Rect& place, int
     const float x = min.x + static_cast<float>(x_axis.fraction(tick)) * (max.x - min.x);
     const std::string text = x_axis.label(tick) + " s";
     list.AddLine({x, min.y}, {x, max.y}, palette::line);
-    list.AddText({x - 0.5f * ImGui::CalcTextSize(text.c_str()).x, max.y + units(4.0)}, palette::dim, text.c_str());
+    // the label of the last tick ends within the panel
+    const float width = ImGui::CalcTextSize(text.c_str()).x, end = static_cast<float>(place.x + place.width) - units(2.0);
+    list.AddText({std::min(x - 0.5f * width, end - width), max.y + units(4.0)}, palette::dim, text.c_str());
   }
 
   list.PushClipRect(min, max, true);
@@ -288,9 +286,7 @@ void build_plots(const PanelInput& input, Panels& panels, Requests& requests) {
   const double left = dock.x + units(78.0), width = dock.width - units(78.0);
   if (table.times.empty() || plots.empty()) {
     ImGui::SetCursorScreenPos({static_cast<float>(left) + units(12.0), static_cast<float>(dock.y) + units(12.0)});
-    ImGui::PushTextWrapPos(0.0f);
-    dim_text(plots.empty() ? "Choose what to plot" : "Press Space to run the scene");
-    ImGui::PopTextWrapPos();
+    paragraph(plots.empty() ? "Choose what to plot" : "Press Space to run the scene", palette::dim);
   }
   for (std::size_t i = 0; i < plots.size() && !table.times.empty(); ++i) {
     const double fraction = width / static_cast<double>(plots.size());

@@ -7,6 +7,7 @@
 #include "ui/strain_legend.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
@@ -14,11 +15,9 @@ namespace {
 void scene_section(const PanelInput& input) {
   const System& system = *input.status.snapshot->system;
   ImGui::PushFont(fonts().strong);
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(printable(input.status.document->name.empty() ? "Untitled" : input.status.document->name).c_str());
+  paragraph(printable(input.status.document->name.empty() ? "Untitled" : input.status.document->name));
   ImGui::PopFont();
-  if (!input.status.document->description.empty()) dim_text(printable(input.status.document->description));
-  ImGui::PopTextWrapPos();
+  if (!input.status.document->description.empty()) paragraph(printable(input.status.document->description), palette::dim);
   dim_text(count(system.point_count(), "point") + ", " + count(system.spring_count(), "spring") + (system.dimensions == 2 ? ", flat" : ""));
 }
 

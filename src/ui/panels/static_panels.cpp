@@ -6,6 +6,7 @@
 
 #include "ui/theme.h"
 #include "ui/tool_buttons.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
@@ -17,10 +18,11 @@ constexpr int frames_to_settle = 3;
 void draw_stamp(const std::string& text, const Rect& place) {
   ImDrawList& list = *ImGui::GetForegroundDrawList();
   const float dx = units(8.0), dy = units(5.0), room = std::max(1.0f, static_cast<float>(place.width) - 4.0f * dx);
-  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
+  const std::string lines = wrapped(text, room);
+  const ImVec2 size = ImGui::CalcTextSize(lines.c_str());
   const ImVec2 at{static_cast<float>(place.x) + 2.0f * dx, static_cast<float>(place.y + place.height) - size.y - 3.0f * dy};
   list.AddRectFilled({at.x - dx, at.y - dy}, {at.x + size.x + dx, at.y + size.y + dy}, palette::shade, units(4.0));
-  list.AddText(nullptr, 0.0f, at, palette::text, text.c_str(), nullptr, room);
+  list.AddText(at, palette::text, lines.c_str());
 }
 
 }  // namespace

@@ -1,0 +1,94 @@
+// Sentences of the window in the words that users know from other programs, each where it belongs.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "formats/scene_file.h"
+#include "support/document_fixture.h"
+#include "support/gui_fixture.h"
+
+namespace hooke {
+namespace {
+
+// On one line.
+std::string text_of(GuiFixture& gui) {
+  std::string text = gui.text();
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+bool eventually_shows(GuiFixture& gui, const std::string& text) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (text_of(gui).find(text) == std::string::npos)
+    if (std::chrono::steady_clock::now() > until) return false;
+  return true;
+}
+testing::AssertionResult shows(GuiFixture& gui, const std::string& text) {
+  const std::string all = text_of(gui);
+  if (all.find(text) != std::string::npos) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << text << " is not in " << all;
+}
+
+TEST(Wording, OfTheHintsBelowTheSliders) {
+  GuiFixture gui(load_scene(find_scene("cloth")).scene);
+  EXPECT_TRUE(shows(gui, "\u03c9h = 1.7 (limit 2)"));
+}
+
+// Of two springs that oscillate equally fast, with different dashpots.
+TEST(Wording, OfADampingRatioThatDiffers) {
+  TestSim sim;
+  for (const double x : {0.0, 1.0}) sim.join(sim.nail({x, 0.0, 0.0}), sim.add({x, -0.5, 0.0}), 100.0, 0.5, 1.0 + x);
+  sim.system.gravity = Vec3(0.0);
+  GuiFixture gui(flat_scene("Two dampers", sim));
+  EXPECT_TRUE(eventually_shows(gui, "varies between parts")) << gui.text();
+}
+
+TEST(Wording, OfTooltips) {
+  GuiFixture gui(two_points());
+  gui.find("side", {"stiffness", "##value"});
+  gui.frames(2);
+  EXPECT_TRUE(shows(gui, "right-click resets to 100 N/m."));
+  gui.find("side", {"reading", "##choice"});
+  gui.frames(2);
+  EXPECT_TRUE(shows(gui, "a finer mesh behaves differently."));
+}
+
+TEST(Wording, OfTheSearchThatFindsNothing) {
+  GuiFixture gui(two_points());
+  gui.key(letter('P'), {.control = true, .shift = true});
+  gui.type("no such thing");
+  EXPECT_TRUE(shows(gui, "No matching command"));
+}
+
+TEST(Wording, OfTheKeysForTheSpeed) {
+  EXPECT_EQ(shortcut_of(Action::Slower).text, "Half speed");
+  EXPECT_EQ(shortcut_of(Action::Faster).text, "Double speed");
+}
+
+TEST(Wording, OfSavingAndRecording) {
+  const DocumentFixture fixture;
+  GuiFixture gui = fixture.open();
+  std::ofstream(fixture.folder / "other.json") << "{}";
+  gui.key(letter('S'), {.control = true, .shift = true});
+  gui.frames(2);
+  EXPECT_FALSE(shows(gui, "A file with this name"));
+  // the field is created anew, since the one that has the keyboard keeps its text
+  gui.app().panels().dialog.typed = (fixture.folder / "other.json").string();
+  ++gui.app().panels().dialog.text_version;
+  gui.frames(2);
+  EXPECT_TRUE(shows(gui, "A file with this name exists and will be replaced"));
+  EXPECT_TRUE(shows(gui, "Replace"));
+  gui.key(Key::Escape);
+
+  gui.key(letter('R'), {.control = true, .shift = true});
+  gui.key(letter('R'), {.control = true, .shift = true});
+  EXPECT_TRUE(shows(gui, "Recording saved to "));
+
+  gui.unnail(0);
+  gui.app().handle(CloseRequest{});
+  gui.frames(2);
+  EXPECT_TRUE(shows(gui, "Save changes to \"net\"?"));
+}
+
+}  // namespace
+}  // namespace hooke
