@@ -1,4 +1,4 @@
-# Desktop integration files and the Debian package: cpack --config build/release/CPackConfig.cmake.
+# Desktop integration files and the Debian packages: cpack --config build/release/CPackConfig.cmake.
 
 find_program(GZIP gzip REQUIRED)
 set(id org.hooke.Hooke)
@@ -31,21 +31,63 @@ install(FILES ${packaging}/${id}.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/
 install(FILES ${packaging}/copyright ${made}/changelog.gz ${PROJECT_SOURCE_DIR}/CHANGELOG.md
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/hooke)
 
+# Files of libhooke-dev: the package for find_package(hooke), and the one for pkg-config.
+include(CMakePackageConfigHelpers)
+set(cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/hooke)
+configure_package_config_file(${packaging}/hooke-config.cmake.in ${made}/hooke-config.cmake INSTALL_DESTINATION ${cmake_folder})
+write_basic_package_version_file(${made}/hooke-config-version.cmake COMPATIBILITY SameMajorVersion)
+file(RELATIVE_PATH HOOKE_PREFIX_FROM_PKGCONFIG /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+configure_file(${packaging}/hooke.pc.in ${made}/hooke.pc @ONLY)
+install(EXPORT hooke-targets NAMESPACE hooke:: DESTINATION ${cmake_folder} COMPONENT development)
+install(FILES ${made}/hooke-config.cmake ${made}/hooke-config-version.cmake DESTINATION ${cmake_folder} COMPONENT development)
+install(FILES ${made}/hooke.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+foreach(pair library:libhooke1 development:libhooke-dev python:python3-hooke)
+  string(REGEX MATCH "^([a-z]+):(.*)$" ignored ${pair})
+  if(CMAKE_MATCH_1 STREQUAL python AND NOT hooke_python_found)
+    continue()
+  endif()
+  install(FILES ${packaging}/copyright ${made}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CMAKE_MATCH_2}
+          COMPONENT ${CMAKE_MATCH_1})
+endforeach()
+
 set(CPACK_GENERATOR DEB)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL hooke library development)
+if(hooke_python_found)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+set(CPACK_DEBIAN_HOOKE_PACKAGE_NAME hooke)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libhooke1)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libhooke-dev)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-hooke)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS ffmpeg)
-set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_HOOKE_PACKAGE_DEPENDS fonts-dejavu-core)
+set(CPACK_DEBIAN_HOOKE_PACKAGE_RECOMMENDS gnuplot-nox)
+set(CPACK_DEBIAN_HOOKE_PACKAGE_SUGGESTS ffmpeg)
+set(CPACK_DEBIAN_HOOKE_PACKAGE_SECTION science)
+# the shipped scenes are in the package hooke
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS hooke)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libhooke1 (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "hooke (= ${PROJECT_VERSION}), python3 (>= 3.11~), python3 (<< 3.12), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-matplotlib)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-tqdm, python3-scipy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The Hooke authors <hooke@hooke.example>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "laboratory for networks of point masses and springs")
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Add points, attach springs, nail, drag and release them while they move;
+set(CPACK_COMPONENT_HOOKE_DESCRIPTION "laboratory for networks of point masses and springs
+Add points, attach springs, nail, drag and release them while they move;
 load ropes and cloths; choose among twelve integration methods, and
 render pictures without a display. Hooke reports its own error, and the
 cost of a smaller one.")
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "networks of point masses and springs, as a library\nThe modules of Hooke behind one stable interface for C++: load or build a scene,\nstep it, read it, and ask how wrong it is.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "networks of point masses and springs, development files\nThe header hooke/hooke.h, and the files for find_package(hooke) and pkg-config.")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "networks of point masses and springs, for Python\nThe laboratory of Hooke as a Python module with NumPy arrays: scenes, runs, the\nerror of a run, benchmarks, and pictures without a display.")
 include(CPack)

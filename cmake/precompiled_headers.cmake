@@ -7,9 +7,9 @@ option(HOOKE_PRECOMPILED_HEADERS "Build faster: precompile common headers, join 
 set(common_headers <algorithm> <array> <atomic> <chrono> <cmath> <filesystem> <functional> <glm/geometric.hpp> <memory> <optional> <span>
     <string> <string_view> <variant> <vector>)
 
-# precompile(NAME HEADERS header... [LIBS target...] [OPTIONS option...]): a library NAME that contains only precompiled headers.
+# precompile(NAME HEADERS header... [LIBS target...] [OPTIONS option...] [PROPERTIES name value...]): a library NAME that contains only precompiled headers.
 function(precompile name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LIBS;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;LIBS;OPTIONS;PROPERTIES")
   if(NOT HOOKE_PRECOMPILED_HEADERS)
     return()
   endif()
@@ -18,6 +18,9 @@ function(precompile name)
   target_link_libraries(${name} PRIVATE hooke_options glm::glm ${arg_LIBS})
   target_compile_options(${name} PRIVATE ${arg_OPTIONS})
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
+  if(arg_PROPERTIES)
+    set_target_properties(${name} PROPERTIES ${arg_PROPERTIES})
+  endif()
 endfunction()
 
 # use_precompiled(NAME target...): compiles the targets with the headers of NAME, which must have the same compiler options.

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "base/errors.h"
-#include "cli/offscreen.h"
+#include "batch/offscreen.h"
 #include "cli/thumbnail.h"
 
 int main(int count, char** arguments) {

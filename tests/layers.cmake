@@ -19,7 +19,7 @@ endforeach()
 
 # Owners of headers: a pattern of header names, and the files that may include them. The first match decides.
 set(owners
-  "^GL/osmesa[.]h$"                     "^cli/offscreen[.]cpp$"
+  "^GL/osmesa[.]h$"                     "^batch/offscreen[.]cpp$"
   "^GL/"                                "^draw/"
   "^GLFW/"                              "^app/window/"
   "^(imgui|imstb|misc/|backends/).*"    "^(ui/|draw/gl/gui_renderer[.]|app/window/imgui_backend[.])"
@@ -27,13 +27,14 @@ set(owners
   "^rapidjson/"                         "^(base/|study/work_precision_file[.]cpp$)"
   "^tiny_obj_loader[.]h$"               "^formats/mesh/obj_text[.]cpp$"
   "^CLI/"                               "^(cli/|app/window/main[.]cpp$)"
+  "^pybind11/"                          "^python/"
   "^hwy/"                               "^sim/"
   "^Eigen/"                             "^sim/"
   "^glm/"                               "."
   "^malloc[.]h$"                        "^draw/gl/gl[.]cpp$"
-  "^(chrono|ctime|random|thread|iostream|fstream|filesystem|unordered_map|unordered_set)$"  "^(base|formats|lab|study|draw|ui|app|cli)/"
-  "^cstdio$"                            "^(base|scene|formats|lab|study|draw|ui|app|cli)/"
-  "^(unistd|fcntl|dirent|signal|spawn|sys/[a-z]+)[.]h$"  "^(base|formats|lab|study|app|cli)/"
+  "^(chrono|ctime|random|thread|iostream|fstream|filesystem|unordered_map|unordered_set)$"  "^(base|formats|lab|study|draw|ui|app|batch|cli|python)/"
+  "^cstdio$"                            "^(base|scene|formats|lab|study|draw|ui|app|batch|cli|python)/"
+  "^(unistd|fcntl|dirent|signal|spawn|dlfcn|link|sys/[a-z]+)[.]h$"  "^(base|formats|lab|study|app|batch|cli)/"
   "^[a-z_]+$"                           "."  # the C++ standard library
 )
 

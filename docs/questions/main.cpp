@@ -6,7 +6,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "cli/gnuplot.h"
+#include "batch/gnuplot.h"
 #include "question.h"
 
 namespace hooke {

@@ -15,4 +15,9 @@ struct FileError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// A wrong option or argument (exit code 2): what() is one line that names it.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 }  // namespace hooke

@@ -4,8 +4,8 @@
 
 #include "base/errors.h"
 #include "base/printable.h"
+#include "batch/output_file.h"
 #include "cli/command_line.h"
-#include "cli/output_file.h"
 
 namespace hooke {
 namespace {

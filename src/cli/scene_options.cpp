@@ -1,92 +1,13 @@
 #include "cli/scene_options.h"
 
-#include <charconv>
 #include <cmath>
 #include <iostream>
 
 #include "base/file_limits.h"
 #include "base/printable.h"
-#include "edit/apply.h"
-#include "formats/open_file.h"
-#include "formats/scene_file.h"
-#include "scene/flatness.h"
-#include "scene/parameters.h"
-#include "scene/step_limits.h"
-#include "sim/integrator.h"
-#include "study/remedy.h"
+#include "formats/file_kind.h"
 
 namespace hooke {
-namespace {
-
-std::string ids_of_integrators() {
-  std::string ids;
-  for (const Integrator& integrator : integrators()) ids += (ids.empty() ? "" : ", ") + std::string(integrator.id);
-  return ids;
-}
-
-std::string names_of_parameters() {
-  std::string names;
-  for (const Parameter& parameter : parameters()) names += (names.empty() ? "" : ", ") + std::string(parameter.name);
-  return names;
-}
-
-std::string ids_of_adaptive_integrators() {
-  std::string ids;
-  for (const Integrator& integrator : integrators())
-    if (integrator.stability == Stability::Adaptive) ids += (ids.empty() ? "" : ", ") + std::string(integrator.id);
-  return ids;
-}
-
-void set_tolerance(Settings& settings, double tolerance) {
-  if (settings.integrator->stability != Stability::Adaptive)
-    throw UsageError("--tolerance " + format_exact(tolerance) + ": requires an adaptive method: --integrator " +
-                     ids_of_adaptive_integrators());
-  settings.tolerance = tolerance;
-}
-
-std::string ids_of_choices(const Parameter& parameter) {
-  std::string ids;
-  for (const ParameterChoice& choice : parameter.choices) ids += (ids.empty() ? "" : ", ") + std::string(choice.id);
-  return ids;
-}
-
-// The id of a choice; "0.5", and for switches also "on" and "off".
-std::optional<double> parse_value(const Parameter& parameter, std::string_view text) {
-  if (parameter.kind == Parameter::Kind::Switch) {
-    if (text == "on" || text == "true" || text == "1") return 1.0;
-    if (text == "off" || text == "false" || text == "0") return 0.0;
-    return std::nullopt;
-  }
-  if (parameter.kind == Parameter::Kind::Choice) {
-    for (std::size_t i = 0; i < parameter.choices.size(); ++i)
-      if (text == parameter.choices[i].id) return static_cast<double>(i);
-    return std::nullopt;
-  }
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-// NAME=VALUE. A value out of range is an error here, not clamped.
-SetParameter parse_setting(const std::string& setting) {
-  const std::string shown = "--set " + printable(setting, 80);
-  const std::size_t equals = setting.find('=');
-  if (equals == std::string::npos) throw UsageError(shown + ": must be NAME=VALUE");
-  const Parameter* parameter = find_parameter(setting.substr(0, equals));
-  if (parameter == nullptr) throw UsageError(shown + ": must name one of " + names_of_parameters());
-
-  const auto value = parse_value(*parameter, std::string_view(setting).substr(equals + 1));
-  if (parameter->kind == Parameter::Kind::Switch && !value) throw UsageError(shown + ": must be on or off");
-  if (parameter->kind == Parameter::Kind::Choice && !value) throw UsageError(shown + ": must be one of " + ids_of_choices(*parameter));
-  const Bounds range{.min = parameter->min, .max = parameter->max};
-  if (!value || !range.contains(*value) || clamp_to(*parameter, *value) != *value)
-    throw UsageError(shown + ": " + (parameter->kind == Parameter::Kind::Integer ? "must be whole, and " : "") + range.text() +
-                     (parameter->unit.empty() ? "" : " [" + std::string(parameter->unit) + "]"));
-  return {.parameter = parameter, .value = *value};
-}
-
-}  // namespace
 
 CLI::Validator within(const Bounds& bounds) {
   const auto check = [bounds](std::string& text) {
@@ -125,46 +46,17 @@ std::optional<std::string> first_stepping_option(const CLI::App& app) {
 }
 
 Scene open_scene(const SceneOptions& options) {
-  // check the command line before reading a large file
-  const Integrator* integrator = options.integrator ? find_integrator(*options.integrator) : nullptr;
-  if (options.integrator && integrator == nullptr)
-    throw UsageError("--integrator " + printable(*options.integrator, 80) + ": must be one of " + ids_of_integrators());
-  std::vector<SetParameter> settings;
-  for (const std::string& setting : options.settings) settings.push_back(parse_setting(setting));
-
-  LoadedScene loaded = load_file(find_scene(options.scene));
-  Scene& scene = loaded.scene;
-  // the warning about the step in the file does not apply once options change it
-  if (const auto warning = step_warning(scene.system, scene.settings))
-    std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
-  Effect effect;
-  for (const SetParameter& setting : settings) {
-    if (setting.parameter == &dimensions_parameter && setting.value == 0.0)
-      if (const std::string reason = why_not_flat(scene.system, scene.state); !reason.empty())
-        throw InputError(printable(options.scene, 80) + ": dimensions: 2: " + reason);
-    apply(scene, setting, effect);
-  }
-  if (integrator != nullptr) scene.settings.integrator = integrator;
-  if (options.substeps) scene.settings.substeps = *options.substeps;
-  if (options.frame_rate) scene.settings.frame_rate = *options.frame_rate;
-  if (options.tolerance) set_tolerance(scene.settings, *options.tolerance);
-
-  if (!options.quiet) {
+  LoadedScene loaded = load_with_options(options);
+  if (!options.quiet)
     for (const std::string& warning : loaded.warnings) std::cerr << "warning: " << warning << "\n";
-    if (const auto warning = step_warning(scene.system, scene.settings)) std::cerr << "warning: " << *warning << "\n";
-  }
   return std::move(loaded.scene);
 }
 
 std::string explain_divergence(Lab& lab, const SceneOptions& options, double seconds) {
-  lab.publish();
-  std::string message = lab.status()->diagnosis.message;
-  if (options.quiet) return message;
-  SceneOptions again = options;
-  again.quiet = true;
-  const std::atomic<bool> never = false;
-  const Scene start = open_scene(again);
-  return message + " " + describe(find_remedy(start, seconds, never), start.settings);
+  if (options.quiet) return explain_divergence(lab, nullptr, seconds);
+  // opened again, because a copy of a large scene is not kept during the run
+  const Scene start = load_with_options(options).scene;
+  return explain_divergence(lab, &start, seconds);
 }
 
 }  // namespace hooke

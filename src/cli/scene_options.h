@@ -1,26 +1,14 @@
-// The options common to all subcommands that run a scene.
+// The options common to all subcommands that run a scene, on the command line.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "batch/scene_options.h"
 #include "cli/subcommand.h"
-#include "lab/lab.h"
-#include "scene/scene.h"
 
 namespace hooke {
-
-struct SceneOptions {
-  std::string scene;  // a file, or the id of a shipped scene
-  std::optional<std::string> integrator;
-  std::optional<int> substeps;
-  std::optional<double> frame_rate;   // [1/s]
-  std::optional<double> tolerance;    // [m]
-  std::vector<std::string> settings;  // NAME=VALUE
-  bool quiet = false;
-};
 
 // Declares SCENE, --integrator, --substeps, --frame-rate, --tolerance, --set and --quiet.
 enum class SceneIs { Required, Optional };

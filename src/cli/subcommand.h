@@ -3,10 +3,10 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <stdexcept>
 #include <string>
 
 #include "base/bounds.h"
+#include "base/errors.h"
 
 namespace hooke {
 
@@ -25,11 +25,6 @@ inline constexpr int refused = 3;     // Refused: the input
 inline constexpr int diverged = 4;    // or the tolerance was not met
 inline constexpr int file_error = 5;  // FileError, or another failure of the system
 }  // namespace exit_code
-
-// An invalid command line, detected after parsing: what() is one line.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 // Validates a number: finite and within the bounds.
 CLI::Validator within(const Bounds& bounds);

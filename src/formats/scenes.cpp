@@ -1,11 +1,13 @@
 // Finds the shipped scenes. Their titles, groups and order are in their files.
 
 #include <algorithm>
+#include <optional>
 #include <system_error>
 
 #include "base/build_info.h"
 #include "base/json_field.h"
 #include "base/json_text.h"
+#include "base/own_library.h"
 #include "base/printable.h"
 #include "base/read_file.h"
 #include "formats/gallery.h"
@@ -21,10 +23,23 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
   return !relative_path.empty() && *relative_path.begin() != "..";
 }
 
-// A program in the build tree uses the scenes of the source tree. An installed one uses those at the relative path of the installation,
-// even if it was moved, or those at the configured path.
+// The folder of an installation that contains the library, at any depth.
+std::optional<fs::path> scenes_beside(const fs::path& library) {
+  const fs::path relative = fs::path("share") / "hooke" / "scenes";
+  std::error_code error;
+  for (fs::path folder = library.parent_path(); folder != folder.parent_path(); folder = folder.parent_path())
+    if (fs::is_directory(folder / relative, error)) return folder / relative;
+  return std::nullopt;
+}
+
+// A program or library in the build tree uses the scenes of the source tree. An installed one uses those at the relative path of the
+// installation, even if it was moved, or those at the configured path.
 fs::path find_folder() {
   std::error_code error;
+  if (const fs::path library = own_library(); !library.empty()) {
+    if (is_inside(library, build_folder)) return fs::path(source_scenes);
+    return scenes_beside(library).value_or(fs::path(installed_scenes));
+  }
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
     if (is_inside(program, build_folder)) return fs::path(source_scenes);

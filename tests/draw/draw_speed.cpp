@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "cli/offscreen.h"
+#include "batch/offscreen.h"
 #include "draw/gl/gl.h"
 #include "draw/view.h"
 #include "formats/open_file.h"

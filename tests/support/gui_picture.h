@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "cli/offscreen.h"
+#include "batch/offscreen.h"
 #include "draw/view.h"
 #include "support/gui_fixture.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "cli/offscreen.h"
+#include "batch/offscreen.h"
 #include "draw/gl/gl.h"
 #include "draw/view.h"
 #include "support/test_sim.h"

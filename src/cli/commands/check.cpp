@@ -1,13 +1,13 @@
 #include "cli/commands/check.h"
 
-#include <algorithm>
 #include <iostream>
-#include <thread>
 
 #include "base/printable.h"
+#include "batch/bench.h"
+#include "batch/check.h"
+#include "batch/machine.h"
+#include "batch/output_file.h"
 #include "cli/interrupt.h"
-#include "cli/machine.h"
-#include "cli/output_file.h"
 #include "cli/progress_bar.h"
 #include "formats/open_file.h"
 #include "formats/scene_file.h"
@@ -25,25 +25,6 @@ struct CheckOptions {
   int threads = 0;  // 0: one per core
   bool hard = false, quick = false, strict = false, quiet = false;
 };
-
-std::vector<const HardCase*> chosen_cases(const CheckOptions& options) {
-  std::vector<const HardCase*> chosen;
-  for (const HardCase& row : hard_cases())
-    if (options.cases.empty() || std::ranges::find(options.cases, row.number) != options.cases.end()) chosen.push_back(&row);
-  for (const int number : options.cases)
-    if (std::ranges::none_of(chosen, [&](const HardCase* row) { return row->number == number; }))
-      throw UsageError("--cases: " + std::to_string(number) + ": no such case");
-  return chosen;
-}
-
-std::vector<const Integrator*> chosen_methods(const CheckOptions& options) {
-  for (const std::string& id : options.methods)
-    if (find_integrator(id) == nullptr) throw UsageError("--methods: " + printable(id, 80) + ": no such method");
-  std::vector<const Integrator*> chosen;
-  for (const Integrator& row : integrators())
-    if (options.methods.empty() || std::ranges::find(options.methods, row.id) != options.methods.end()) chosen.push_back(&row);
-  return chosen;
-}
 
 void write(const std::optional<std::string>& file, const std::string& text) {
   if (!file) return;
@@ -68,16 +49,15 @@ std::string command_of(const CheckOptions& options) {
 }
 
 int check_hard_cases(const CheckOptions& options) {
-  const auto cases = chosen_cases(options);
-  const auto methods = chosen_methods(options);
+  const auto cases = chosen_cases(options.cases);
+  const auto methods = chosen_methods(options.methods);
   std::vector<CaseResult> results = list_cases(cases, methods, options.quick);
   if (results.empty()) throw UsageError("--quick excludes all of these cases");
 
-  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   catch_interrupts();
   {
     ProgressBar progress(static_cast<long>(results.size()), !options.quiet);
-    run_cases(results, threads, [&](long done, long) {
+    run_cases(results, options.threads > 0 ? options.threads : default_threads(), [&](long done, long) {
       if (done > 0) progress.show(done);
       return !was_interrupted();
     });
@@ -96,12 +76,8 @@ int check_hard_cases(const CheckOptions& options) {
 }
 
 int check_scenes(const CheckOptions& options) {
-  std::vector<std::string> names = options.scenes;
-  if (names.empty())
-    for (const ShippedScene& shipped : shipped_scenes()) names.push_back(shipped.id);
-
   int failed = 0;
-  for (const std::string& name : names)
+  for (const std::string& name : options.scenes.empty() ? shipped_scene_ids() : options.scenes)
     for (const CheckResult& result : check_scene(load_file(find_scene(name)).scene)) {
       failed += result.passed ? 0 : 1;
       if (!options.quiet)

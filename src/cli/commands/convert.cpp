@@ -2,8 +2,8 @@
 
 #include <iostream>
 
-#include "base/printable.h"
-#include "formats/open_file.h"
+#include "batch/convert.h"
+#include "formats/file_kind.h"
 
 namespace hooke {
 namespace {
@@ -14,14 +14,9 @@ struct ConvertOptions {
 };
 
 int convert(const ConvertOptions& options) {
-  const FileKind* kind = find_file_kind(options.out);
-  if (kind == nullptr || kind->format == nullptr) throw UsageError(printable(options.out) + ": must end in " + writable_extensions());
-
-  const LoadedScene loaded = load_file(find_scene(options.in));
-  const std::vector<std::string> losses = write_scene_as(loaded.scene, options.out);
-  if (options.quiet) return exit_code::success;
-  for (const std::string& warning : loaded.warnings) std::cerr << "warning: " << warning << "\n";
-  for (const std::string& what : losses) std::cerr << "warning: " << what << "\n";
+  const std::vector<std::string> warnings = convert_file(options.in, options.out);
+  if (!options.quiet)
+    for (const std::string& warning : warnings) std::cerr << "warning: " << warning << "\n";
   return exit_code::success;
 }
 

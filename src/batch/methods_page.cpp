@@ -1,4 +1,4 @@
-#include "cli/commands/methods_page.h"
+#include "batch/methods_page.h"
 
 #include <array>
 #include <cmath>

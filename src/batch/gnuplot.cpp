@@ -1,4 +1,4 @@
-#include "cli/gnuplot.h"
+#include "batch/gnuplot.h"
 
 #include <spawn.h>
 #include <sys/wait.h>

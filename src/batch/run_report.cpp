@@ -1,9 +1,11 @@
-#include "cli/commands/run_report.h"
+#include "batch/run_report.h"
 
 #include <cstdio>
 #include <utility>
 
-#include "cli/commands/accuracy_json.h"
+#include "base/errors.h"
+#include "base/printable.h"
+#include "batch/accuracy_json.h"
 #include "sim/integrator.h"
 
 namespace hooke {
@@ -84,6 +86,53 @@ CsvReport::CsvReport(const std::string& file, std::vector<Quantity> quantities) 
 
 void CsvReport::add_sample(const System& system, const State& state, const Accuracy& accuracy) {
   file_.write(csv_row(quantities_, system, state, &accuracy));
+}
+
+namespace {
+
+std::vector<Quantity> wanted_quantities(const std::optional<std::string>& list, const std::vector<Index>& points, const System& system) {
+  std::vector<Quantity> quantities;
+  if (list) {
+    const std::string unknown = parse_quantities(*list, system.point_count(), system.spring_count(), quantities);
+    if (!unknown.empty()) throw UsageError("--quantities " + printable(unknown, 80) + ": must be one of " + quantity_names());
+    return quantities;
+  }
+  parse_quantities("time,kinetic,elastic,gravitational,total", system.point_count(), system.spring_count(), quantities);
+  for (const Index i : points)
+    for (const char* component : {"x", "y", "z"})
+      quantities.push_back(*find_quantity(component + std::to_string(i), system.point_count(), system.spring_count()));
+  return quantities;
+}
+
+}  // namespace
+
+RunOutput::RunOutput(const RunFiles& files, const std::string& scene_name, const Scene& scene, const std::vector<Index>& points)
+    : scene_(scene), points_(points), has_chosen_quantities_(files.quantities.has_value()) {
+  if (files.json) json_.emplace(*files.json, scene_name, scene);
+  if (files.csv) csv_.emplace(*files.csv, wanted_quantities(files.quantities, points, scene.system));
+  if (files.pc2) pc2_.emplace(*files.pc2, scene.system.point_count());
+}
+
+bool RunOutput::needs_accuracy() const { return json_ || (csv_ && has_chosen_quantities_ && csv_->needs_accuracy()); }
+
+RunHooks RunOutput::hooks() {
+  RunHooks hooks;
+  hooks.sample = [this](const State& state, const Accuracy& accuracy) {
+    if (json_) json_->add_sample(scene_.system, state, accuracy, points_);
+    if (csv_) csv_->add_sample(scene_.system, state, accuracy);
+  };
+  if (pc2_)
+    hooks.frame = [this] {
+      pc2_->add(scene_.state.position);
+      return true;
+    };
+  return hooks;
+}
+
+void RunOutput::finish(const RunTotals& totals) {
+  if (json_) json_->finish(totals);
+  if (csv_) csv_->finish();
+  if (pc2_) pc2_->close();
 }
 
 }  // namespace hooke

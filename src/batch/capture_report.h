@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/json_writer.h"
-#include "cli/output_file.h"
+#include "batch/output_file.h"
 #include "lab/lab.h"
 
 namespace hooke {

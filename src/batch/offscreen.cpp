@@ -1,4 +1,4 @@
-#include "cli/offscreen.h"
+#include "batch/offscreen.h"
 
 #include <GL/osmesa.h>
 
@@ -10,15 +10,15 @@
 #include "draw/view.h"
 
 // GLEW, built for GLX, looks up every entry point with this function; a program that links OSMesa instead of libGL looks it up there.
-// OSMesa returns stubs for glX names, which must not be called: they are reported as missing.
-extern "C" void (*glXGetProcAddressARB(const GLubyte* name))() {
+// So it is exported. OSMesa returns stubs for glX names, which must not be called: they are reported as missing.
+extern "C" __attribute__((visibility("default"))) void (*glXGetProcAddressARB(const GLubyte* name))() {
   const auto* text = reinterpret_cast<const char*>(name);
   return std::strncmp(text, "glX", 3) == 0 ? nullptr : OSMesaGetProcAddress(text);
 }
 
 namespace hooke {
 
-// The context's own image is one pixel: everything is drawn into framebuffer objects (draw/target.h).
+// The context's own image is one pixel: everything is drawn into framebuffer objects (draw/gl/render_target.h).
 struct Offscreen::Context {
   OSMesaContext name = nullptr;
   std::array<std::uint8_t, 4> pixel{};

@@ -5,14 +5,11 @@
 #include <optional>
 #include <string>
 
-#include "cli/scene_options.h"
 #include "draw/camera.h"
 
 namespace hooke {
 
 struct CaptureOptions {
-  std::shared_ptr<SceneOptions> scene;
-  std::optional<std::string> replay;  // a recording, instead of a scene
   std::string out;
   std::optional<double> seconds;  // [s]
   std::optional<long> frames;

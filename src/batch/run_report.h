@@ -7,22 +7,14 @@
 #include <vector>
 
 #include "base/json_writer.h"
-#include "cli/output_file.h"
+#include "batch/output_file.h"
+#include "batch/run_frames.h"
+#include "formats/point_cache.h"
 #include "scene/quantity.h"
 #include "scene/scene.h"
 #include "sim/energy.h"
 
 namespace hooke {
-
-// Totals of a finished run.
-struct RunTotals {
-  double seconds = 0.0;                          // simulated
-  double cpu_seconds = 0.0, wall_seconds = 0.0;  // of the run, without measuring its accuracy
-  double accuracy_cpu_seconds = 0.0;             // of that
-  bool diverged = false;
-  long force_evaluations = 0, factorizations = 0;
-  std::uint64_t hash = 0;  // of the last state
-};
 
 // The JSON object of `run --json`. Unknown members are null.
 class JsonReport {
@@ -50,6 +42,32 @@ class CsvReport {
  private:
   OutputFile file_;
   std::vector<Quantity> quantities_;
+};
+
+// The files that a run writes; "-" is stdout.
+struct RunFiles {
+  std::optional<std::string> json, csv, pc2;
+  std::optional<std::string> quantities;  // columns of the CSV file, "time,y5"; none: time, energies, positions of the points
+};
+
+// Writes the files of a run. All members throw FileError.
+class RunOutput {
+ public:
+  // Opens the files for samples of these points. The scene must outlive it. Throws UsageError for an unknown quantity.
+  RunOutput(const RunFiles& files, const std::string& scene_name, const Scene& scene, const std::vector<Index>& points);
+  // Whether the files contain errors.
+  bool needs_accuracy() const;
+  // Writes samples and frames; must not outlive this object.
+  RunHooks hooks();
+  void finish(const RunTotals& totals);
+
+ private:
+  const Scene& scene_;
+  std::vector<Index> points_;
+  bool has_chosen_quantities_;
+  std::optional<JsonReport> json_;
+  std::optional<CsvReport> csv_;
+  std::optional<PointCacheWriter> pc2_;
 };
 
 // 16 hexadecimal digits.

@@ -1,13 +1,14 @@
-#include "cli/commands/capture_options.h"
+#include "batch/capture_options.h"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 
+#include "base/bounds.h"
 #include "base/errors.h"
 #include "base/printable.h"
-#include "cli/output_file.h"
+#include "batch/output_file.h"
 #include "draw/camera_text.h"
 
 namespace hooke {

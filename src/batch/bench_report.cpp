@@ -1,4 +1,4 @@
-#include "cli/commands/bench_report.h"
+#include "batch/bench_report.h"
 
 #include <cmath>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "cli/output_file.h"
+#include "batch/output_file.h"
 
 #include <cerrno>
 #include <cstring>

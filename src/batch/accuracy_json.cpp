@@ -1,4 +1,4 @@
-#include "cli/commands/accuracy_json.h"
+#include "batch/accuracy_json.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cli/commands/capture_report.h"
+#include "batch/capture_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include "base/bounds.h"
 #include "base/errors.h"
 #include "base/printable.h"
-#include "cli/commands/accuracy_json.h"
-#include "cli/commands/run_report.h"
+#include "batch/accuracy_json.h"
+#include "batch/run_report.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"
 

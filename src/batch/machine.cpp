@@ -1,4 +1,4 @@
-#include "cli/machine.h"
+#include "batch/machine.h"
 
 #include <algorithm>
 #include <ctime>

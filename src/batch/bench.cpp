@@ -1,0 +1,155 @@
+#include "batch/bench.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "base/atomic_write.h"
+#include "base/build_info.h"
+#include "base/own_library.h"
+#include "base/printable.h"
+#include "base/read_file.h"
+#include "batch/bench_report.h"
+#include "batch/gnuplot.h"
+#include "batch/machine.h"
+#include "batch/methods_page.h"
+#include "batch/run_report.h"
+#include "formats/scene_file.h"
+#include "sim/hash.h"
+#include "study/work_precision_chart.h"
+
+namespace hooke {
+namespace {
+
+// Hash of the file of the program or library: figures of different builds are not mixed.
+std::string build() {
+  const std::filesystem::path library = own_library();
+  std::ifstream program(library.empty() ? "/proc/self/exe" : library, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(program), {});
+  return to_hexadecimal(hash_bytes(bytes));
+}
+
+class Bench {
+ public:
+  Bench(const BenchRequest& request, const BenchHooks& hooks) : request_(request), hooks_(hooks) {
+    results_.conditions = {program_version, build(), machine(), request.effort_name};
+    if (!request_.folder) return;
+    make_folder(*request_.folder);
+    load_earlier_results();
+  }
+
+  BenchResults run() {
+    for (const Problem& problem : request_.problems) {
+      if (!should_continue()) break;
+      measure(problem);
+    }
+    return {std::move(results_), should_continue(), has_failed_};
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool should_continue() const { return hooks_.should_continue() && !(request_.limit && Clock::now() - start_ > *request_.limit); }
+
+  // Rows measured under the same conditions are not measured again.
+  void load_earlier_results() {
+    const std::filesystem::path file = *request_.folder / "bench.json";
+    if (!std::filesystem::exists(file)) return;
+    Results earlier = parse_results(read_file(file), printable(file.native()));
+    if (earlier.conditions == results_.conditions)
+      results_ = std::move(earlier);
+    else
+      hooks_.note(printable(file.native()) + ": from another build, machine or effort; measuring again");
+  }
+
+  ProblemRecord& find_or_add_record(const Problem& problem) {
+    for (ProblemRecord& record : results_.problems)
+      if (record.id == problem.id) {
+        if (record.fingerprint != fingerprint(problem)) record = make_record(problem);
+        return record;
+      }
+    return results_.problems.emplace_back(make_record(problem));
+  }
+
+  void measure(const Problem& problem) {
+    ProblemRecord& record = find_or_add_record(problem);
+    PrecisionSweep sweep(problem, request_.effort, record);
+    sweep.should_continue = [this] { return should_continue(); };
+    sweep.row_done = [&] { hooks_.row_done(record.rows.back().setting); };
+    for (const Integrator* method : request_.methods) {
+      hooks_.begin_part(problem.id + "  " + std::string(method->id));
+      const std::size_t rows = record.rows.size();
+      const bool finished = sweep.run(*method);
+      const bool is_new = record.rows.size() > rows;
+      hooks_.end_part(is_new);
+      if (is_new) save();
+      if (!finished) break;
+    }
+    using enum ReferenceResult::Failure;
+    if (sweep.reference_failure() != NotFinished && sweep.reference_failure() != Disagreement) return;
+    hooks_.failure(problem.id + ": no reference, nothing measured: " + sweep.reference_failure_reason());
+    has_failed_ = true;
+  }
+
+  void save() {
+    results_.date = time_text("%Y-%m-%dT%H:%M:%SZ");
+    if (request_.folder) save_results(results_, *request_.folder);
+  }
+
+  const BenchRequest& request_;
+  const BenchHooks& hooks_;
+  Results results_;
+  bool has_failed_ = false;
+  const Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+BenchResults run_bench(const BenchRequest& request, const BenchHooks& hooks) { return Bench(request, hooks).run(); }
+
+std::vector<Problem> default_problems(bool quick) {
+  std::vector<Problem> chosen;
+  for (const BuiltInProblem& row : built_in_problems())
+    if (row.quick || !quick) chosen.push_back(row.make());
+  return chosen;
+}
+
+Problem problem_named(const std::string& name) {
+  if (const BuiltInProblem* row = find_problem(name)) return row->make();
+  return make_problem(printable(std::filesystem::path(name).stem().native(), 80), load_scene(find_scene(name)).scene);
+}
+
+std::vector<const Integrator*> chosen_methods(const std::vector<std::string>& ids) {
+  for (const std::string& id : ids)
+    if (find_integrator(id) == nullptr) throw UsageError("--methods: " + printable(id, 80) + ": no such method");
+  std::vector<const Integrator*> chosen;
+  for (const Integrator& method : integrators())
+    if (ids.empty() || std::ranges::find(ids, method.id) != ids.end()) chosen.push_back(&method);
+  return chosen;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw FileError(printable(folder.native()) + ": cannot be created: " + failure.message());
+}
+
+void write_pages(const Results& results, const std::filesystem::path& folder) {
+  write_atomically(folder / "bench.md", markdown_report(results));
+  write_atomically(folder / "methods.md", methods_page(results));
+}
+
+void save_results(const Results& results, const std::filesystem::path& folder) {
+  make_folder(folder);
+  write_atomically(folder / "bench.json", format_results(results));
+  write_atomically(folder / "bench.csv", format_csv(results));
+  write_pages(results, folder);
+}
+
+std::optional<std::string> draw_charts(const Results& results, const std::filesystem::path& folder) {
+  for (const auto& [format, file] : {std::pair{ChartFormat::Svg, "bench.svg"}, std::pair{ChartFormat::Png, "bench.png"}})
+    if (std::optional<std::string> failure = run_gnuplot(chart_script(results, format, file), folder)) return failure;
+  return std::nullopt;
+}
+
+}  // namespace hooke

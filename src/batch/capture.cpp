@@ -1,0 +1,125 @@
+#include "batch/capture.h"
+
+#include <array>
+#include <cstdio>
+
+#include "batch/capture_report.h"
+#include "batch/offscreen.h"
+#include "draw/view.h"
+#include "formats/video_encoder.h"
+#include "lab/accuracy/accuracy_text.h"
+#include "ui/panels/static_panels.h"
+
+namespace hooke {
+namespace {
+
+// Draws frames of the laboratory and writes them to the destination.
+class FrameCapture {
+ public:
+  FrameCapture(const Destination& destination, const PictureSize& size, const CaptureSchedule& schedule, const Scene& scene,
+               std::optional<CameraPose> pose, const CaptureOptions& options)
+      : destination_(destination), size_(size), place_{0.0, 0.0, static_cast<double>(size.width), static_cast<double>(size.height)} {
+    ViewSettings settings = scene.view;
+    if (pose) settings.camera = pose;
+    view_options_ = options_for(settings, scene.cloth_texture);
+    view_options_.scale = options.scale;
+    has_stamp_ = options.stamp;
+    if (options.panels || options.stamp) {
+      panels_.emplace(size.width, size.height, view_options_,
+                      StaticPanels::Shown{.panels = options.panels, .accuracy = options.measures_accuracy()});
+      if (options.panels) place_ = panels_->layout().scene;
+      view_.upload_fonts();
+    }
+    const double aspect = place_.width / place_.height;
+    camera_ =
+        pose ? make_camera(settings, scene.system, scene.state, aspect) : make_scene_camera(settings, scene.system, scene.state, aspect);
+    view_options_.place = {static_cast<int>(place_.x), static_cast<int>(place_.y), static_cast<int>(place_.width),
+                           static_cast<int>(place_.height)};
+    if (destination.kind == Destination::Kind::VideoEncoder)
+      film_.emplace(destination.path, size.width, size.height, schedule.video_frame_rate());
+  }
+
+  bool takes_every_picture() const { return destination_.kind != Destination::Kind::Picture; }
+  void take(Lab& lab, long number) {
+    lab.publish();
+    const Status& status = *lab.status();
+    follow_scene(camera_, status.snapshot->state);
+    const ImDrawData* panels = panels_ ? panels_->build(status, camera_, {}, has_stamp_ ? stamp_of(status) : "") : nullptr;
+    view_.draw(*status.snapshot, {}, camera_, view_options_, size_.width, size_.height, panels);
+    if (film_)
+      film_->add(view_.read());
+    else
+      write_png(view_.read(), destination_.file(number));
+  }
+  std::string file_name(long number) const { return destination_.file(number).filename().string(); }
+  void finish() {
+    if (film_) film_->close();
+  }
+
+ private:
+  // One line about the picture.
+  static std::string stamp_of(const Status& status) {
+    const Snapshot& snapshot = *status.snapshot;
+    std::array<char, 32> time{};
+    std::snprintf(time.data(), time.size(), "t = %.3f s", snapshot.state.time);
+    return std::string(time.data()) + "    " + accuracy_line(status.accuracy) + "    " + std::string(snapshot.settings.integrator->id) +
+           ", " + std::to_string(snapshot.settings.substeps) + (snapshot.settings.substeps == 1 ? " substep" : " substeps");
+  }
+
+  Destination destination_;
+  PictureSize size_;
+  Offscreen offscreen_;
+  View view_;
+  std::optional<StaticPanels> panels_;
+  bool has_stamp_ = false;
+  Rect place_;  // of the scene
+  Camera camera_;
+  ViewOptions view_options_;
+  std::optional<VideoEncoder> film_;
+};
+
+}  // namespace
+
+CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double length,
+                              const std::function<bool(long done, long all)>& should_continue) {
+  const PictureSize size = parse_size(options.size);
+  const Destination destination = parse_destination(options.out);
+  std::optional<CameraPose> pose;
+  if (options.camera) pose = parse_camera(*options.camera);
+  const CaptureSchedule schedule(options, lab.scene().settings.frame_rate, length);
+  prepare(destination);
+
+  FrameCapture frame_capture(destination, size, schedule, lab.scene(), pose, options);
+  if (options.measures_accuracy()) lab.submit(SetAccuracy{AccuracyMode::Full});
+  lab.apply_pending();
+  std::optional<CaptureReport> report;
+  if (options.report) report.emplace(*options.report, lab.scene());
+  std::optional<ErrorLimit> limit;
+  if (options.fail_above) limit.emplace(*options.fail_above);
+  const long last = schedule.pictures() - 1;
+  const long frames = schedule.frame_of(last);
+  CaptureResults results;
+  results.seconds = static_cast<double>(frames) / lab.scene().settings.frame_rate;
+  bool is_running = true;
+  long frame = 0;
+  for (long picture = 0; picture <= last && is_running; ++picture) {
+    for (; frame < schedule.frame_of(picture) && is_running; ++frame) {
+      results.diverged = !lab.step();
+      // stop a replay at the first difference from the recording
+      is_running = !results.diverged && lab.difference().empty();
+      if (limit && is_running) limit->check(lab, frame + 1);
+      if (!should_continue(frame + 1, frames)) return results;
+    }
+    // a single picture shows the end, or the last valid frame of a run that stopped early
+    const bool is_shown = frame_capture.takes_every_picture() ? is_running : picture == last || !is_running;
+    if (is_shown) frame_capture.take(lab, picture);
+    if (report && is_running)
+      report->add(lab, frame_capture.takes_every_picture() || picture == last ? frame_capture.file_name(picture) : "");
+  }
+  frame_capture.finish();
+  if (report) report->finish();
+  if (limit) results.error_limit = limit->message();
+  return results;
+}
+
+}  // namespace hooke

@@ -1,0 +1,24 @@
+// Draws a scene as it moves, without a display: `hooke capture`, and `capture` of the Python module.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "batch/capture_options.h"
+#include "lab/lab.h"
+
+namespace hooke {
+
+struct CaptureResults {
+  double seconds = 0.0;     // [s], from the first picture to the last, if nothing ended the run
+  bool diverged = false;    // pictures end with the last valid frame
+  std::string error_limit;  // the first frame that exceeded the limit `fail_above`; empty: none
+};
+
+// Draws the scene of the laboratory, which steps or replays a recording, from its present frame on. `length` [s] applies where the options
+// give neither seconds nor frames. `should_continue` is called after every frame; false ends the capture. Throws UsageError, InputError,
+// FileError.
+CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double length,
+                              const std::function<bool(long done, long all)>& should_continue);
+
+}  // namespace hooke

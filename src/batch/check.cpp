@@ -1,0 +1,29 @@
+#include "batch/check.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "base/errors.h"
+#include "formats/scene_file.h"
+
+namespace hooke {
+
+std::vector<std::string> shipped_scene_ids() {
+  std::vector<std::string> ids;
+  for (const ShippedScene& shipped : shipped_scenes()) ids.push_back(shipped.id);
+  return ids;
+}
+
+std::vector<const HardCase*> chosen_cases(const std::vector<int>& numbers) {
+  std::vector<const HardCase*> chosen;
+  for (const HardCase& row : hard_cases())
+    if (numbers.empty() || std::ranges::find(numbers, row.number) != numbers.end()) chosen.push_back(&row);
+  for (const int number : numbers)
+    if (std::ranges::none_of(chosen, [&](const HardCase* row) { return row->number == number; }))
+      throw UsageError("--cases: " + std::to_string(number) + ": no such case");
+  return chosen;
+}
+
+int default_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
+
+}  // namespace hooke

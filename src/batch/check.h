@@ -1,0 +1,20 @@
+// What `hooke check` runs by default, and its choices.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/hard_cases/run_cases.h"
+
+namespace hooke {
+
+// The ids of all shipped scenes.
+std::vector<std::string> shipped_scene_ids();
+
+// The hard cases with these numbers; all if there are none. Throws UsageError.
+std::vector<const HardCase*> chosen_cases(const std::vector<int>& numbers);
+
+// One per core.
+int default_threads();
+
+}  // namespace hooke

@@ -1,0 +1,92 @@
+#include "batch/run_frames.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/errors.h"
+#include "batch/scene_options.h"
+#include "sim/hash.h"
+#include "study/benchmark.h"
+#include "study/run_monitor.h"
+
+namespace hooke {
+namespace {
+
+double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+constexpr double round_off = 1e-9;
+
+}  // namespace
+
+long count_frames(double seconds, double frame_rate) {
+  check_option("--seconds", seconds, not_negative);
+  constexpr double max = 1e15;
+  const double frames = seconds * frame_rate;
+  if (!(frames <= max)) throw UsageError("--seconds " + format_exact(seconds) + ": must be at most 1e15 frames");
+  return static_cast<long>(std::ceil(frames * (1.0 - round_off) - round_off));
+}
+
+SampleClock::SampleClock(std::optional<double> spacing, double frame_rate, long frames)
+    : frames_per_sample_(spacing ? *spacing * frame_rate : 0.0), last_(frames) {}
+
+bool SampleClock::is_due(long frame) {
+  if (frames_per_sample_ == 0.0) return frame == last_;
+  if (static_cast<double>(frame) < next_ * frames_per_sample_ * (1.0 - round_off)) return false;
+  // at most one sample per frame: multiples within the same frame share it
+  next_ = std::floor(static_cast<double>(frame) / frames_per_sample_ * (1.0 + round_off)) + 1.0;
+  return true;
+}
+
+long SampleClock::count(std::optional<double> spacing, double frame_rate, long frames) {
+  SampleClock clock(spacing, frame_rate, frames);
+  long samples = 0;
+  for (long frame = 0; frame <= frames; ++frame) samples += clock.is_due(frame) ? 1 : 0;
+  return samples;
+}
+
+RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks) {
+  if (request.sample) check_option("--sample", *request.sample, positive);
+  const Scene& scene = lab.scene();
+  const double start = scene.state.time;
+  const long frames = count_frames(request.seconds, scene.settings.frame_rate);
+  lab.submit(SetAccuracy{request.accuracy});
+  lab.apply_pending();
+
+  RunResults results;
+  RunTotals& totals = results.totals;
+  RunMonitor monitor(scene.system, scene.state, 0);
+  const auto add_sample = [&] {
+    if (hooks.sample) hooks.sample(scene.state, lab.accuracy());
+  };
+  SampleClock samples(request.sample, scene.settings.frame_rate, frames);
+  for (long frame = 0;; ++frame) {
+    const bool is_sampled = samples.is_due(frame);
+    if (is_sampled) add_sample();
+    const bool is_ended = hooks.frame && !hooks.frame();
+    if (is_ended && !is_sampled) add_sample();
+    if (is_ended || frame == frames) break;
+
+    const double cpu = cpu_seconds(), wall = wall_now();
+    totals.diverged = !lab.step();
+    const double measuring = lab.accuracy_cpu_seconds() - totals.accuracy_cpu_seconds;
+    totals.cpu_seconds += std::max(0.0, cpu_seconds() - cpu - measuring);
+    totals.wall_seconds += std::max(0.0, wall_now() - wall - measuring);
+    totals.accuracy_cpu_seconds += measuring;
+    totals.force_evaluations += lab.last_frame().force_evaluations();
+    totals.factorizations += lab.last_frame().factorizations();
+    if (totals.diverged) {
+      // the last good state, unless it was already sampled
+      if (!is_sampled) add_sample();
+      break;
+    }
+    monitor.end_frame(scene.system, scene.state, lab.last_frame().motion());
+    if (hooks.progress) hooks.progress(frame + 1, frames);
+  }
+  totals.seconds = scene.state.time - start;
+  totals.hash = hash_state(scene.state);
+  results.warnings = monitor.warnings(scene.system, {});
+  return results;
+}
+
+}  // namespace hooke

@@ -1,0 +1,63 @@
+// Runs a scene for some time and reports samples of it: `hooke run`, and `run` of the Python module.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/lab.h"
+
+namespace hooke {
+
+struct RunRequest {
+  double seconds = 0.0;  // [s], rounded up to whole frames
+  // [s]: samples at the start and at the end of the first frame at or after each multiple, without interpolation; none: only the last state
+  std::optional<double> sample{};
+  AccuracyMode accuracy = AccuracyMode::Off;
+};
+
+// Totals of a finished run.
+struct RunTotals {
+  double seconds = 0.0;                          // simulated
+  double cpu_seconds = 0.0, wall_seconds = 0.0;  // of the run, without measuring its accuracy
+  double accuracy_cpu_seconds = 0.0;             // of that
+  bool diverged = false;
+  long force_evaluations = 0, factorizations = 0;
+  std::uint64_t hash = 0;  // of the last state
+};
+
+struct RunHooks {
+  // Receives each sample. After a divergence the last sample is the last valid state.
+  std::function<void(const State& state, const Accuracy& accuracy)> sample{};
+  // Called at the start and after every frame; false ends the run with a sample of the present state.
+  std::function<bool()> frame{};
+  // Called after every frame.
+  std::function<void(long done, long all)> progress{};
+};
+
+struct RunResults {
+  RunTotals totals;
+  std::vector<std::string> warnings;  // of the monitored energy and solves, one clause each
+};
+
+// The number of frames that cover `seconds`, tolerating rounding errors. Throws UsageError if there are too many.
+long count_frames(double seconds, double frame_rate);
+
+// Whether `sample` is called for this frame, counted from 0 at the start.
+class SampleClock {
+ public:
+  SampleClock(std::optional<double> spacing, double frame_rate, long frames);
+  bool is_due(long frame);
+  // The number of samples of a run that does not diverge.
+  static long count(std::optional<double> spacing, double frame_rate, long frames);
+
+ private:
+  double frames_per_sample_, next_ = 0.0;
+  long last_;
+};
+
+// Runs the scene of the laboratory from its present state. The hooks may submit commands.
+RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks);
+
+}  // namespace hooke

@@ -1,0 +1,76 @@
+#include "batch/scene_options.h"
+
+#include <atomic>
+
+#include "base/file_limits.h"
+#include "edit/apply.h"
+#include "formats/open_file.h"
+#include "scene/parameters.h"
+#include "scene/step_limits.h"
+#include "sim/integrator.h"
+#include "study/remedy.h"
+
+namespace hooke {
+
+std::string ids_of_adaptive_integrators() {
+  std::string ids;
+  for (const Integrator& integrator : integrators())
+    if (integrator.stability == Stability::Adaptive) ids += (ids.empty() ? "" : ", ") + std::string(integrator.id);
+  return ids;
+}
+
+namespace {
+
+void set_tolerance(Settings& settings, double tolerance) {
+  if (settings.integrator->stability != Stability::Adaptive)
+    throw UsageError("--tolerance " + format_exact(tolerance) + ": requires an adaptive method: --integrator " +
+                     ids_of_adaptive_integrators());
+  settings.tolerance = tolerance;
+}
+
+struct ParsedOptions {
+  const Integrator* integrator;
+  std::vector<SetParameter> settings;
+};
+
+ParsedOptions parse(const SteppingOptions& options) {
+  ParsedOptions parsed{options.integrator ? &parse_integrator(*options.integrator) : nullptr, {}};
+  if (options.substeps) check_option("--substeps", *options.substeps, {.min = 1, .max = max_substeps});
+  if (options.frame_rate) check_option("--frame-rate", *options.frame_rate, positive);
+  if (options.tolerance) check_option("--tolerance", *options.tolerance, positive);
+  for (const std::string& setting : options.settings) parsed.settings.push_back(parse_setting(setting));
+  return parsed;
+}
+
+}  // namespace
+
+void apply_options(LoadedScene& loaded, const SteppingOptions& options, const std::string& name) {
+  const auto [integrator, settings] = parse(options);
+  Scene& scene = loaded.scene;
+  // the warning about the step in the file does not apply once options change it
+  if (const auto warning = step_warning(scene.system, scene.settings))
+    std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
+  for (const SetParameter& setting : settings) apply_setting(scene, setting, name);
+  if (integrator != nullptr) scene.settings.integrator = integrator;
+  if (options.substeps) scene.settings.substeps = *options.substeps;
+  if (options.frame_rate) scene.settings.frame_rate = *options.frame_rate;
+  if (options.tolerance) set_tolerance(scene.settings, *options.tolerance);
+  if (const auto warning = step_warning(scene.system, scene.settings)) loaded.warnings.push_back(*warning);
+}
+
+LoadedScene load_with_options(const SceneOptions& options) {
+  parse(options);
+  LoadedScene loaded = load_file(find_scene(options.scene));
+  apply_options(loaded, options, options.scene);
+  return loaded;
+}
+
+std::string explain_divergence(Lab& lab, const Scene* start, double seconds) {
+  lab.publish();
+  const std::string& message = lab.status()->diagnosis.message;
+  if (start == nullptr) return message;
+  const std::atomic<bool> never = false;
+  return message + " " + describe(find_remedy(*start, seconds, never), start->settings);
+}
+
+}  // namespace hooke

@@ -1,0 +1,41 @@
+// The options common to all commands that run a scene.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "edit/setting_text.h"
+#include "formats/scene_file.h"
+#include "lab/lab.h"
+
+namespace hooke {
+
+// How a scene is stepped, where it differs from its file.
+struct SteppingOptions {
+  std::optional<std::string> integrator;
+  std::optional<int> substeps;
+  std::optional<double> frame_rate;   // [1/s]
+  std::optional<double> tolerance;    // [m]
+  std::vector<std::string> settings;  // NAME=VALUE
+};
+
+struct SceneOptions : SteppingOptions {
+  std::string scene;  // a file, or the id of a shipped scene
+  bool quiet = false;
+};
+
+// "dop853, ..."
+std::string ids_of_adaptive_integrators();
+
+// Applies the options to a scene that was loaded from `name`, and replaces the warning about its step. Throws UsageError, InputError.
+void apply_options(LoadedScene& loaded, const SteppingOptions& options, const std::string& name);
+
+// Loads the scene and applies the options. Throws UsageError, before reading a large file, InputError, FileError.
+LoadedScene load_with_options(const SceneOptions& options);
+
+// Why the run stopped, in one line. With `start`, the scene as it was opened, also the cause and a remedy tested on copies for up to
+// `seconds` [s]: takes a second or two.
+std::string explain_divergence(Lab& lab, const Scene* start, double seconds);
+
+}  // namespace hooke

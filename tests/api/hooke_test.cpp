@@ -1,0 +1,111 @@
+// The interface for programs in C++, against the laboratory itself.
+#include "api/hooke.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "formats/open_file.h"
+#include "lab/lab.h"
+#include "sim/hash.h"
+
+namespace hooke {
+namespace {
+
+TEST(Interface, HasTheBitsOfTheLaboratory) {
+  v1::Scene scene = v1::Scene::load("cloth");
+  v1::Simulation simulation(scene);
+  Lab lab(load_file(find_scene("cloth")).scene, KeepStart::No);
+  for (int frame = 0; frame < 5; ++frame) {
+    EXPECT_TRUE(simulation.step());
+    lab.step();
+  }
+  EXPECT_EQ(simulation.hash(), hash_state(lab.scene().state));
+  EXPECT_EQ(simulation.energy().total(), compute_energy(lab.scene().system, lab.scene().state).total());
+  ASSERT_EQ(simulation.positions().size(), 3 * lab.scene().state.position.size());
+  EXPECT_EQ(simulation.positions()[4], lab.scene().state.position[1].y);
+}
+
+TEST(Interface, BuildsAScene) {
+  v1::Scene scene;
+  EXPECT_EQ(scene.add_point({0, 0, 0}, 1.0, true), 0);
+  EXPECT_EQ(scene.add_point({0, -1, 0}, 2.0), 1);
+  EXPECT_EQ(scene.add_spring(0, 1, 100.0), 0);
+  scene.add(R"("colliders": [{"type": "plane", "point": [0, -9, 0], "normal": [0, 1, 0]}])");
+  scene.set_substeps(400);
+  v1::Simulation simulation(scene);
+  for (int frame = 0; frame < 30; ++frame) simulation.step();
+  // m x'' = m g - k x from rest: x = m g / k (1 - cos(omega t))
+  EXPECT_NEAR(simulation.positions()[4], -1 - 2 * 9.81 / 100 * (1 - std::cos(std::sqrt(50.0) * simulation.time())), 1e-5);
+  EXPECT_EQ(v1::Scene::parse(scene.json()).json(), scene.json());
+}
+
+TEST(Interface, ReportsErrorsInOneLine) {
+  const auto kind_of = [](auto work) {
+    try {
+      work();
+    } catch (const v1::Error& error) {
+      EXPECT_EQ(std::string_view(error.what()).find('\n'), std::string_view::npos);
+      return static_cast<int>(error.kind());
+    }
+    return -1;
+  };
+  using enum v1::Error::Kind;
+  v1::Scene scene = v1::Scene::load("two_masses");
+  v1::Simulation simulation(scene);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(kind_of([] { v1::Scene::load("nowhere"); }), static_cast<int>(File));
+  EXPECT_EQ(kind_of([] { v1::Scene::parse("{}"); }), static_cast<int>(Input));
+  EXPECT_EQ(kind_of([&] { scene.set("stiffness=-1"); }), static_cast<int>(Usage));
+  EXPECT_EQ(kind_of([&] { scene.set_substeps(0); }), static_cast<int>(Usage));
+  EXPECT_EQ(kind_of([&] { scene.set_integrator("euler"); }), static_cast<int>(Usage));
+  EXPECT_EQ(kind_of([&] { scene.add_point({nan, 0, 0}, 1); }), static_cast<int>(Input));
+  EXPECT_EQ(kind_of([&] { scene.add_spring(0, 0, 1); }), static_cast<int>(Input));
+  EXPECT_EQ(kind_of([&] { simulation.grab(99, {}); }), static_cast<int>(Input));
+  EXPECT_EQ(kind_of([&] { simulation.set("nothing=1"); }), static_cast<int>(Usage));
+}
+
+TEST(Interface, CommandsTakeEffectAndAreUndone) {
+  v1::Simulation simulation(v1::Scene::load("two_masses"));
+  simulation.set("stiffness=321");
+  const std::string changed = simulation.scene().json();
+  simulation.undo();
+  const std::string before = simulation.scene().json();
+  EXPECT_NE(before, changed);
+  simulation.redo();
+  EXPECT_EQ(simulation.scene().json(), changed);
+
+  simulation.grab(1, {0.1, 0.2, 0});
+  simulation.step();
+  EXPECT_DOUBLE_EQ(simulation.positions()[3], 0.1);
+  EXPECT_DOUBLE_EQ(simulation.positions()[4], 0.2);
+  simulation.release();
+}
+
+TEST(Interface, EstimatesTheErrorOnRequest) {
+  v1::Simulation measured(v1::Scene::load("two_masses"), v1::Simulation::Accuracy::Full), plain(v1::Scene::load("two_masses"));
+  for (int frame = 0; frame < 60; ++frame) {
+    measured.step();
+    plain.step();
+  }
+  EXPECT_GT(measured.error(), 0.0);
+  EXPECT_TRUE(std::isnan(plain.error()));
+  EXPECT_EQ(measured.hash(), plain.hash());
+}
+
+TEST(Interface, ADivergenceKeepsTheLastValidState) {
+  v1::Scene scene = v1::Scene::load("two_masses");
+  scene.set_integrator("explicit_euler");
+  scene.set_substeps(1);
+  scene.set_frame_rate(2);
+  v1::Simulation simulation(scene);
+  int frames = 0;
+  while (simulation.step() && frames < 1000) ++frames;
+  EXPECT_LT(frames, 1000);
+  EXPECT_FALSE(simulation.diagnosis().empty());
+  for (const double component : simulation.positions()) EXPECT_TRUE(std::isfinite(component));
+}
+
+}  // namespace
+}  // namespace hooke
