@@ -127,6 +127,9 @@ void plan_forces(Plan& plan, const System& system) {
   for (const ForceTerm& term : force_terms())
     for (const Force& force : system.forces)
       if (force.on && force.term == &term) plan.forces.push_back(force);
+  // forces of an embedding program are not in the table
+  for (const Force& force : system.forces)
+    if (force.on && find_force_term(force.term->id) != force.term) plan.forces.push_back(force);
   plan.forces_depend_on_velocity = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->depends_on_velocity; });
 
   plan.faces.clear();

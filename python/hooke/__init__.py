@@ -1,0 +1,26 @@
+"""Hooke: a laboratory for networks of point masses and springs that reports its own error.
+
+    import hooke
+    scene = hooke.load("cloth")
+    scene["stiffness"] = 200
+    run = scene.run(seconds=2, sample=1 / 60)
+    run.positions            # (samples, points, 3) [m]
+    run.error[-1]            # [m]: the estimated error of the last sample
+
+SI units throughout. Everything is computed by the modules that the command line uses: the same options and defaults give the same bits.
+Errors are exceptions with the message that the command line prints: InputError, UsageError and FileError, all of them Error.
+"""
+
+from ._hooke import Error, FileError, InputError, UsageError
+from ._hooke import version as __version__
+from .commands import HardCases, bench, check, check_hard, convert, replay, render_recording
+from .lab import Lab
+from .results import Chart, Check, Energy, Replay, Run
+from .scene import CaptureResult, HookeWarning, Scene, load
+from .tables import methods, parameters, quantities, scenes, shapes
+
+__all__ = [
+    "CaptureResult", "Chart", "Check", "Energy", "Error", "FileError", "HardCases", "HookeWarning", "InputError", "Lab", "Replay", "Run",
+    "Scene", "UsageError", "bench", "check", "check_hard", "convert", "load", "methods", "parameters", "quantities", "render_recording",
+    "replay", "scenes", "shapes",
+]

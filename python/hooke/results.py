@@ -1,0 +1,161 @@
+"""What runs, benchmarks and checks return."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import math
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _hooke
+
+if TYPE_CHECKING:
+    from .lab import Lab
+
+Array = NDArray[np.float64]
+
+
+@dataclasses.dataclass(frozen=True)
+class Energy:
+    """Energies [J], each of shape (samples,). Gravitational energy is zero at the origin."""
+
+    kinetic: Array
+    elastic: Array
+    gravitational: Array
+    total: Array
+
+
+class Run:
+    """The samples of a run, and what it cost.
+
+    time: (samples,) [s]
+    positions, velocities: (samples, points, 3) [m], [m/s], float64, C-contiguous
+    energy: Energy, of shape (samples,) [J]
+    error: (samples,) [m], estimated RMS over the points of the distance from the exact motion; NaN where it is not known
+    frame_error: (samples,) [m], the part of it that the last measured frame added
+    amplification: (samples,) [1], by which a small difference grows in a second
+    diverged: whether the run stopped because it became unstable; then the last sample is the last valid state
+    hash: of the last state; equal to that of `hooke run` with the same options
+    seconds, cpu_seconds, wall_seconds: simulated time, and time taken without measuring the error [s]
+    force_evaluations, factorizations: the work done
+    warnings: clauses about the energy balance and about solves that did not converge
+    lab: the laboratory at the end of the run
+    """
+
+    def __init__(self, values: dict[str, Any], lab: Lab, start: _hooke.Scene, asked_seconds: float) -> None:
+        self.time: Array = values["time"]
+        self.positions: Array = values["positions"]
+        self.velocities: Array = values["velocities"]
+        self.energy = Energy(*(values[name] for name in ("kinetic", "elastic", "gravitational", "total")))
+        self.error: Array = values["error"]
+        self.frame_error: Array = values["frame_error"]
+        self.amplification: Array = values["amplification"]
+        self.diverged: bool = values["diverged"]
+        self.hash: str = values["hash"]
+        self.seconds: float = values["seconds"]
+        self.cpu_seconds: float = values["cpu_seconds"]
+        self.wall_seconds: float = values["wall_seconds"]
+        self.accuracy_cpu_seconds: float = values["accuracy_cpu_seconds"]
+        self.force_evaluations: int = values["force_evaluations"]
+        self.factorizations: int = values["factorizations"]
+        self.warnings: list[str] = values["warnings"]
+        self.lab = lab
+        self._start = start
+        self._asked_seconds = asked_seconds
+        self._diagnosis: str | None = None
+
+    @property
+    def diagnosis(self) -> str | None:
+        """Why the run diverged, and a setting that does not, tested on copies; None if it did not. Takes a second or two, once."""
+        if self.diverged and self._diagnosis is None:
+            self._diagnosis = self.lab._lab.diagnosis(self._start, self._asked_seconds)
+        return self._diagnosis
+
+    def __repr__(self) -> str:
+        samples, points = self.positions.shape[:2]
+        end = "diverged" if self.diverged else f"hash {self.hash}"
+        return f"Run({samples} samples of {points} points, {self.seconds:g} s simulated in {self.wall_seconds:.3g} s, {end})"
+
+
+class Check(NamedTuple):
+    """One method of the check that a scene file contains."""
+
+    scene: str
+    method: str
+    passed: bool
+    measured: str
+
+
+class Replay(NamedTuple):
+    """A replayed recording. difference: the first frame and point that differ from the recorded ones; empty if every frame is equal."""
+
+    frames: int
+    hash: str
+    difference: str
+
+
+class Chart:
+    """Speed against error of methods on scenes.
+
+    rows: dictionaries as in bench.json, with scene, method, setting, step_s [s], tolerance_m [m], error_m [m], relative_error [1] (of the
+        size of the scene), cpu_ms_per_s [ms/s], energy_drift [1], work counts and status; None where a number is unknown
+    problems: the same by scene, with the reference that errors are measured against
+    is_complete: whether every method was measured; False after the time limit of a quick benchmark
+    messages: why something is missing, one line each
+    """
+
+    def __init__(self, text: str, is_complete: bool, messages: list[str], largest_error: float = math.inf) -> None:
+        self._text = text
+        self.is_complete = is_complete
+        self.messages = messages
+        self.problems: list[dict[str, Any]] = json.loads(text)["scenes"]
+        self.rows: list[dict[str, Any]] = []
+        for problem in self.problems:
+            for row in problem["rows"]:
+                error = row["relative_error"]
+                if error is None or error <= largest_error:
+                    self.rows.append({"scene": problem["scene"], **row})
+
+    def front(self, scene: str | None = None) -> list[dict[str, Any]]:
+        """The rows that no other row beats in both error and cost, cheapest first. Scene: by default the first one."""
+        scene = scene or self.problems[0]["scene"]
+        known = [row for row in self.rows if row["scene"] == scene and row["error_m"] is not None and row["cpu_ms_per_s"] is not None]
+        front: list[dict[str, Any]] = []
+        for row in sorted(known, key=lambda row: (row["cpu_ms_per_s"], row["error_m"])):
+            if not front or row["error_m"] < front[-1]["error_m"]:
+                front.append(row)
+        return front
+
+    def cheapest(self, error: float, scene: str | None = None) -> dict[str, Any] | None:
+        """The cheapest row whose error [m] is at most this; None if there is none."""
+        return next((row for row in self.front(scene) if row["error_m"] <= error), None)
+
+    def save(self, folder: str) -> None:
+        """Writes bench.json, .csv, .md, methods.md and, with gnuplot, bench.svg and bench.png, as `hooke bench --out FOLDER` does."""
+        message = _hooke.save_bench(self._text, str(folder))
+        if message:
+            self.messages.append(message)
+
+    def plot(self, ax: Any = None, scene: str | None = None) -> Any:
+        """Draws error against cost on logarithmic axes with Matplotlib, a line for each method, and returns the axes."""
+        import matplotlib.pyplot as plt
+
+        scene = scene or self.problems[0]["scene"]
+        if ax is None:
+            _, ax = plt.subplots(figsize=(7, 4.5), layout="constrained")
+        rows = [row for row in self.rows if row["scene"] == scene and row["error_m"] and row["cpu_ms_per_s"] is not None]
+        for method in dict.fromkeys(row["method"] for row in rows):
+            own = sorted((row["cpu_ms_per_s"], row["error_m"]) for row in rows if row["method"] == method)
+            ax.loglog(*zip(*own), marker="o", markersize=3, label=method)
+        front = [row for row in self.front(scene) if row["error_m"]]
+        ax.loglog([row["cpu_ms_per_s"] for row in front], [row["error_m"] for row in front], color="0.5", linewidth=5, alpha=0.3, zorder=0,
+                  label="cheapest")
+        ax.set(xlabel="cost [CPU ms per simulated s]", ylabel="error [m]", title=scene)
+        ax.legend(fontsize="small")
+        return ax
+
+    def __repr__(self) -> str:
+        return f"Chart({len(self.rows)} measurements of {', '.join(problem['scene'] for problem in self.problems)})"

@@ -1,0 +1,67 @@
+"""The tables of Hooke: what can be set, and with which values."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import _hooke
+
+
+def parameters() -> list[dict[str, Any]]:
+    """The parameters of a scene: name, unit, description, kind, min, max, default, choices."""
+    return _hooke.parameters()
+
+
+def methods() -> list[dict[str, Any]]:
+    """The integration methods: id, label, summary, cost, order, adaptive."""
+    return _hooke.methods()
+
+
+def shapes() -> list[dict[str, Any]]:
+    """The shapes that Scene.add_shape generates: id, description, fields (name, unit or format, default), nails."""
+    return _hooke.shapes()
+
+
+def quantities() -> list[dict[str, Any]]:
+    """The quantities of `hooke run --csv` and of sweeps: name, unit, description."""
+    return _hooke.quantities()
+
+
+def scenes() -> list[dict[str, str]]:
+    """The shipped scenes: id, title, group, description."""
+    return _hooke.scenes()
+
+
+def _number(value: float) -> str:
+    return f"{value:g}"
+
+
+def parameter_text() -> str:
+    """A line for each parameter: name, range, unit, description."""
+    lines = []
+    for row in parameters():
+        if row["kind"] == "switch":
+            values = "True or False"
+        elif row["kind"] == "choice":
+            values = " | ".join(row["choices"])
+        else:
+            values = f"{_number(row['min'])} ... {_number(row['max'])}"
+        unit = f" [{row['unit']}]" if row["unit"] else ""
+        lines.append(f"    {row['name']}: {values}{unit}\n        {row['description']}")
+    return "\n".join(lines)
+
+
+def method_text() -> str:
+    """A line for each integration method."""
+    return "\n".join(f"    {row['id']}: {row['summary']}" for row in methods())
+
+
+def shape_text(row: dict[str, Any]) -> str:
+    """The documentation of one shape."""
+    lines = [row["description"], ""]
+    for name, unit, default in row["fields"]:
+        value = "" if default is None else f", default {_number(default)}"
+        lines.append(f"    {name}: [{unit}]{value}" if unit and not unit.startswith("[") else f"    {name}: {unit}{value}")
+    if row["nails"]:
+        lines.append(f"    nail: a list of {', '.join(row['nails'])}, or of numbers of points within the shape")
+    return "\n".join(lines)

@@ -1,0 +1,130 @@
+"""bench, check, convert, capture, replay: as on the command line."""
+
+import json
+import pathlib
+
+import numpy as np
+import pytest
+
+import hooke
+
+
+@pytest.fixture(scope="module")
+def chart() -> hooke.Chart:
+    return hooke.load("two_masses").bench(["velocity_verlet", "runge_kutta4"], tolerance_range=(1e-1, 1e-5), quick=True)
+
+
+def test_a_benchmark_measures_the_methods_and_its_front(chart):
+    assert {row["method"] for row in chart.rows} == {"velocity_verlet", "runge_kutta4"}
+    errors = [row["relative_error"] for row in chart.rows if row["relative_error"] is not None]
+    assert min(errors) <= 1e-4 and max(errors) <= 1e-1
+    front = chart.front()
+    assert all(a["cpu_ms_per_s"] <= b["cpu_ms_per_s"] and a["error_m"] > b["error_m"] for a, b in zip(front, front[1:]))
+    assert chart.cheapest(1e9) == front[0] and chart.cheapest(0) is None
+
+
+def test_a_chart_is_drawn_with_matplotlib(chart):
+    import matplotlib
+
+    matplotlib.use("Agg")
+    axes = chart.plot()
+    assert axes.get_xscale() == axes.get_yscale() == "log" and len(axes.lines) == 3
+
+
+def test_a_chart_is_saved_as_the_command_line_does(chart, tmp_path):
+    chart.save(tmp_path)
+    assert json.loads((tmp_path / "bench.json").read_text())["scenes"][0]["scene"] == "two_masses"
+    assert (tmp_path / "bench.csv").read_text().startswith("scene,method,setting,step_s,error_m")
+
+
+def test_unknown_methods_have_the_message_of_the_command_line(command_line):
+    with pytest.raises(hooke.UsageError) as error:
+        hooke.bench(["two_masses"], ["euler"])
+    assert command_line("bench", "two_masses", "--methods", "euler").stderr == f"hooke-headless: {error.value}\n"
+
+
+def test_checks_are_those_of_the_command_line(command_line):
+    results = hooke.check(["two_masses"])
+    lines = [f"{'passed' if each.passed else 'FAILED'}  {each.scene}, {each.method}: {each.measured}" for each in results]
+    assert results and command_line("check", "two_masses").stdout.splitlines() == lines
+
+
+def test_hard_cases_are_those_of_the_command_line(command_line):
+    def without_times(cases):
+        return [{**case, "results": [{**result, "cpu_seconds": 0} for result in case["results"]]} for case in cases]
+
+    printed = json.loads(command_line("check", "--hard", "--cases", "1", "--methods", "velocity_verlet", "--json", "-").stdout)
+    ours = hooke.check_hard([1], ["velocity_verlet"])
+    assert without_times(ours.cases) == without_times(printed["cases"]) and ours.broken == printed["broken"]
+    with pytest.raises(hooke.UsageError, match="no such case"):
+        hooke.check_hard([9999])
+
+
+def test_a_converted_file_is_that_of_the_command_line(command_line, tmp_path):
+    ours, theirs = tmp_path / "ours.xsp", tmp_path / "theirs.xsp"
+    warnings = hooke.convert("two_masses", ours)
+    printed = command_line("convert", "two_masses", str(theirs)).stderr
+    assert ours.read_bytes() == theirs.read_bytes() and printed == "".join(f"warning: {line}\n" for line in warnings)
+
+
+def test_a_picture_is_that_of_the_command_line(command_line, tmp_path):
+    ours, theirs = tmp_path / "ours.png", tmp_path / "theirs.png"
+    assert not hooke.load("two_masses").capture(ours, size=(160, 100), seconds=0.1).diverged
+    command_line("capture", "two_masses", "--out", str(theirs), "--size", "160x100", "--seconds", "0.1")
+    assert ours.read_bytes() == theirs.read_bytes()
+
+
+def test_jupyter_shows_a_picture():
+    assert hooke.load("two_masses")._repr_png_().startswith(b"\x89PNG")
+
+
+def test_capture_options_are_refused_with_the_message_of_the_command_line(command_line, tmp_path):
+    out = str(tmp_path / "picture.png")
+    with pytest.raises(hooke.UsageError) as error:
+        hooke.load("two_masses").capture(out, size=(0, 10))
+    assert command_line("capture", "two_masses", "--out", out, "--size", "0x10").stderr == f"hooke-headless: {error.value}\n"
+    with pytest.raises(TypeError, match="unknown option 'colour'"):
+        hooke.load("two_masses").capture(out, colour=1)
+
+
+def test_a_recording_replays_to_the_same_bits(command_line, tmp_path):
+    log = tmp_path / "run.hookelog"
+    lab = hooke.load("two_masses").lab()
+    lab.record(log)
+    lab["stiffness"] = 150
+    lab.step(10)
+    lab.stop_recording()
+    replayed = hooke.replay(log)
+    assert replayed == (10, lab.hash, "")
+    assert f"hash {lab.hash}: every frame as recorded" in command_line("replay", str(log), "--verify").stdout
+
+
+def test_the_stub_lists_what_the_extension_defines():
+    import ast
+
+    from hooke import _hooke
+
+    stub = ast.parse((pathlib.Path(hooke.__file__).parent / "_hooke.pyi").read_text())
+    classes = {node.name: node for node in stub.body if isinstance(node, ast.ClassDef)}
+    functions = {node.name for node in stub.body if isinstance(node, ast.FunctionDef)}
+    public = {name for name in dir(_hooke) if not name.startswith("_")}
+    assert functions | set(classes) | {"version"} == public
+    for name in ("Scene", "Lab"):
+        members = {node.name for node in classes[name].body if isinstance(node, ast.FunctionDef)} - {"__init__"}
+        members |= {node.target.id for node in classes[name].body if isinstance(node, ast.AnnAssign)}
+        assert members == {member for member in dir(getattr(_hooke, name)) if not member.startswith("_")}
+
+
+def test_everything_public_is_documented():
+    for name in hooke.__all__:
+        thing = getattr(hooke, name)
+        assert thing.__doc__, name
+        if isinstance(thing, type):
+            for member, value in vars(thing).items():
+                if not member.startswith("_") and (callable(value) or isinstance(value, property)):
+                    assert value.__doc__, f"{name}.{member}"
+
+
+def test_arrays_of_a_run_agree_with_its_lab():
+    run = hooke.load("two_masses").run(0.2)
+    assert np.array_equal(run.positions[-1], run.lab.positions) and run.hash == run.lab.hash

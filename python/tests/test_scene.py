@@ -1,0 +1,132 @@
+"""Scenes: loading, building, properties, messages."""
+
+import numpy as np
+import pytest
+
+import hooke
+
+
+def hanging_pair() -> hooke.Scene:
+    scene = hooke.Scene()
+    scene.add_points([[0, 0, 0], [0, -1, 0]], mass=[1.0, 2.0], nailed=[True, False])
+    scene.add_spring(0, 1, stiffness=100)
+    return scene
+
+
+def test_a_built_scene_moves_as_the_closed_form_says():
+    # x'' = g - k/m x from rest at the rest length: x(t) = m g / k (1 - cos(omega t))
+    scene = hanging_pair()
+    run = scene.run(1.0, sample=0.1, substeps=400, accuracy="off")
+    omega, sag = np.sqrt(100 / 2), 2 * 9.81 / 100
+    assert np.allclose(run.positions[:, 1, 1], -1 - sag * (1 - np.cos(omega * run.time)), atol=1e-5)
+
+
+def test_shapes_of_the_table_have_methods_with_the_result_of_a_scene_file():
+    built = hooke.Scene()
+    points = built.add_cloth(corner=(0, 0, 0), across=(1, 0, 0), down=(0, -1, 0), points=(8, 8), mass=0.2, stiffness=1000,
+                             nail=["top_left", "top_right"])
+    assert points == range(64) and built.nailed.sum() == 2
+    text = built.to_json()
+    assert '"generators"' in text and '"points": [{' not in text
+    read = hooke.Scene.from_json(text)
+    assert read.run(0.2, accuracy="off").hash == built.run(0.2, accuracy="off").hash
+    for row in hooke.shapes():
+        assert row["description"] in getattr(hooke.Scene, f"add_{row['id']}").__doc__
+
+
+def test_parts_are_added_after_the_present_ones():
+    scene = hanging_pair()
+    rope = scene.add_rope(**{"from": (0, 0, 1), "to": (1, 0, 1)}, points=4, mass=0.1, stiffness=100)
+    cloth = scene.add_cloth(corner=(0, 0, 2), across=(1, 0, 0), down=(0, -1, 0), points=(3, 3), mass=0.2, stiffness=10)
+    assert (rope, cloth) == (range(2, 6), range(6, 15))
+    joining = scene.add_springs([(1, 2), (5, 6)], stiffness=[1, 2], rest_length=0.5)
+    assert scene.springs[joining.start].tolist() == [1, 2] and scene.rest_length[joining.stop - 1] == 0.5
+    scene.add_collider("sphere", center=(0, -3, 0), radius=0.5)
+    assert hooke.Scene.from_json(scene.to_json()).hash == scene.hash
+
+
+def test_properties_are_arrays_that_can_be_assigned():
+    scene = hanging_pair()
+    assert scene.positions.shape == (2, 3) and scene.positions.dtype == np.float64 and scene.positions.flags.c_contiguous
+    scene.positions = scene.positions + [1, 0, 0]
+    scene.velocities = np.ones((2, 3))
+    scene.masses = 3
+    scene.stiffness = [50]
+    assert scene.positions[1].tolist() == [1, -1, 0] and scene.velocities[1, 2] == 1
+    assert scene.masses.tolist() == [3, 3] and scene["stiffness"] == 50
+    scene.nailed = [False, True]
+    assert scene.nailed.tolist() == [False, True]
+
+
+def test_a_copy_is_independent():
+    scene = hanging_pair()
+    other = scene.copy()
+    other["stiffness"] = 7
+    assert scene["stiffness"] == 100
+
+
+def test_every_parameter_is_in_the_help_with_its_unit_and_range():
+    for row in hooke.parameters():
+        assert f"    {row['name']}: " in hooke.Scene.__doc__ or hooke.Scene.__doc__.find(row["name"] + ": ") > 0
+        assert row["description"] in hooke.Scene.__doc__
+        if row["unit"] and row["kind"] in ("number", "integer"):
+            assert f"{row['max']:g} [{row['unit']}]" in hooke.Scene.__doc__
+
+
+@pytest.mark.parametrize("setting", ["stiffness=-5", "nothing=1", "substeps=1.5", "gravity=1e9"])
+def test_a_refused_setting_has_the_message_of_the_command_line(setting, command_line):
+    name, value = setting.split("=")
+    with pytest.raises(hooke.UsageError) as error:
+        hooke.load("cloth")[name] = value
+    assert command_line("run", "cloth", "--seconds", "0", "--set", setting).stderr == f"hooke-headless: {error.value}\n"
+
+
+def test_a_missing_file_has_the_message_of_the_command_line(command_line):
+    with pytest.raises(hooke.FileError) as error:
+        hooke.load("nowhere.json")
+    assert command_line("run", "nowhere.json", "--seconds", "0").stderr == f"hooke-headless: {error.value}\n"
+    assert isinstance(error.value, OSError) and isinstance(error.value, hooke.Error)
+
+
+def test_invalid_files_have_the_message_of_the_command_line(command_line, tmp_path):
+    file = tmp_path / "bad.json"
+    file.write_text('{"hooke": 1, "points": [{"position": [0, 0, 0], "mass": -1}]}')
+    with pytest.raises(hooke.InputError) as error:
+        hooke.load(file)
+    assert command_line("run", str(file), "--seconds", "0").stderr == f"hooke-headless: {error.value}\n"
+
+
+@pytest.mark.parametrize("change, message", [
+    (lambda scene: scene.add_point((0, 0, 0), mass=-1), "masses[0]: -1: must be more than 0"),
+    (lambda scene: scene.add_point((0, float("nan"), 0)), "positions[0]: must be numbers"),
+    (lambda scene: scene.add_spring(0, 7), "points[0]: 7: must be the number of one of the 2 points"),
+    (lambda scene: scene.add_spring(1, 1), "points[0]: must be two different points"),
+    (lambda scene: setattr(scene, "positions", np.zeros((3, 3))), "positions: shape (3, 3): must be (2, 3)"),
+    (lambda scene: setattr(scene, "stiffness", -1), "stiffness[0]: -1: must be at least 0"),
+    (lambda scene: scene.add_shape("clothe"), "generators[0].type"),
+    (lambda scene: scene.add_cloth(points=(2, 2)), "generators[0]"),
+])
+def test_invalid_parts_are_refused_and_change_nothing(change, message):
+    scene = hanging_pair()
+    before = scene.to_json()
+    with pytest.raises(hooke.InputError) as error:
+        change(scene)
+    assert message in str(error.value) and "\n" not in str(error.value)
+    assert scene.to_json() == before
+
+
+def test_points_of_a_flat_scene_stay_in_the_plane():
+    scene = hooke.Scene(2)
+    with pytest.raises(hooke.InputError, match="must be 0 in a 2-D scene"):
+        scene.add_point((0, 0, 1))
+
+
+def test_save_and_load_keep_every_bit(tmp_path):
+    scene = hooke.load("cloth")
+    scene["stiffness"] = 123.456
+    scene.save(tmp_path / "scene.json")
+    assert hooke.load(tmp_path / "scene.json").run(0.1, accuracy="off").hash == scene.run(0.1, accuracy="off").hash
+
+
+def test_shipped_scenes_are_listed():
+    assert {"cloth", "two_masses"} <= {row["id"] for row in hooke.scenes()}

@@ -1,0 +1,40 @@
+// The extension module hooke._hooke. The package in python/hooke wraps it and holds the documentation.
+#include <pybind11/pybind11.h>
+
+#include "base/build_info.h"
+#include "base/errors.h"
+#include "python/scene_binding.h"
+
+PYBIND11_MODULE(_hooke, module) {
+  using namespace hooke;
+  namespace py = pybind11;
+  module.doc() = "The modules of Hooke; use the package hooke.";
+  module.attr("version") = program_version;
+
+  static py::exception<std::runtime_error> error(module, "Error", PyExc_Exception);
+  error.attr("__doc__") = "An error of Hooke: one line, as on the command line.";
+  static py::exception<InputError> input(module, "InputError", py::make_tuple(error, py::handle(PyExc_ValueError)));
+  input.attr("__doc__") = "Invalid input: a file or a value that a scene may not have.";
+  static py::exception<UsageError> usage(module, "UsageError", py::make_tuple(error, py::handle(PyExc_ValueError)));
+  usage.attr("__doc__") = "A wrong option or argument.";
+  static py::exception<FileError> file(module, "FileError", py::make_tuple(error, py::handle(PyExc_OSError)));
+  file.attr("__doc__") = "A file that could not be read or written.";
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const InputError& what) {
+      input(what.what());
+    } catch (const UsageError& what) {
+      usage(what.what());
+    } catch (const FileError& what) {
+      file(what.what());
+    }
+  });
+
+  python::bind_tables(module);
+  python::bind_scene(module);
+  python::bind_lab(module);
+  python::bind_run(module);
+  python::bind_study(module);
+  python::bind_capture(module);
+}

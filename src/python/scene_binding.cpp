@@ -1,0 +1,299 @@
+#include "python/scene_binding.h"
+
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "base/file_limits.h"
+#include "batch/run_report.h"
+#include "edit/append_parts.h"
+#include "edit/apply.h"
+#include "formats/open_file.h"
+#include "python/force_callback.h"
+#include "scene/parameters.h"
+#include "sim/hash.h"
+#include "sim/integrator.h"
+
+namespace hooke::python {
+namespace {
+
+void change(NamedScene& scene, const Command& command) {
+  Effect effect;
+  apply(scene.scene(), command, effect);
+}
+
+const std::vector<Point>& points_of(const NamedScene& scene) { return scene.scene().system.points(); }
+const std::vector<Spring>& springs_of(const NamedScene& scene) { return scene.scene().system.springs(); }
+
+std::string at(const std::string& name, std::size_t index) { return name + "[" + std::to_string(index) + "]"; }
+
+void check_value(const std::string& field, double value, const Bounds& bounds) {
+  if (!std::isfinite(value) || !bounds.contains(value)) throw InputError(field + ": " + format_exact(value) + ": " + bounds.text());
+}
+
+void check_flat(const NamedScene& scene, const std::string& name, const std::vector<Vec3>& vectors) {
+  if (scene.scene().system.dimensions == 3) return;
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    if (vectors[i].z != 0.0) throw InputError(at(name, i) + ": z = " + format_exact(vectors[i].z) + ": must be 0 in a 2-D scene");
+}
+
+NamedScene load(const std::string& name) { return {name, load_file(find_scene(name))}; }
+
+NamedScene parse(const std::string& text, const std::string& name) { return {name, parse_scene(text, name)}; }
+
+// The members of a scene file that list parts: "generators": [...], "colliders": [...].
+void add(NamedScene& scene, const std::string& members, const std::string& name) {
+  const std::string dimensions = std::to_string(scene.scene().system.dimensions);
+  append_parts(scene.scene(), parse_scene("{\"hooke\": 1, \"dimensions\": " + dimensions + ", " + members + "}", name).scene);
+}
+
+Index add_points(NamedScene& scene, const Doubles& positions, const Doubles& masses, const Doubles& velocities, const Doubles& radii,
+                 const std::vector<bool>& nailed) {
+  const std::size_t count = positions.ndim() == 2 ? static_cast<std::size_t>(positions.shape(0)) : 0;
+  const std::vector<Vec3> position = to_vectors("positions", positions, count);
+  const std::vector<Vec3> velocity = to_vectors("velocities", velocities, count);
+  const std::vector<double> mass = to_values("masses", masses, count), radius = to_values("radii", radii, count);
+  check_flat(scene, "positions", position);
+  check_flat(scene, "velocities", velocity);
+  if (points_of(scene).size() + count > max_points)
+    throw InputError("points: " + std::to_string(points_of(scene).size() + count) + ": must be at most " + std::to_string(max_points));
+  Insert insert;
+  const Index first = scene.scene().system.point_count();
+  for (std::size_t i = 0; i < count; ++i) {
+    check_value(at("masses", i), mass[i], positive);
+    check_value(at("radii", i), radius[i], not_negative);
+    const Point point{.id = scene.scene().system.new_point_id(), .nailed = nailed[i], .mass = mass[i], .radius = radius[i]};
+    insert.points.push_back({.point = point, .position = position[i], .velocity = velocity[i]});
+  }
+  change(scene, insert);
+  return first;
+}
+
+Index add_springs(NamedScene& scene, const Integers& ends, const Doubles& stiffnesses, const Doubles& dampings,
+                  const py::object& rest_lengths, const py::object& break_strains) {
+  if (ends.ndim() != 2 || ends.shape(1) != 2) throw InputError("points: must have the shape (springs, 2)");
+  const auto count = static_cast<std::size_t>(ends.shape(0));
+  const std::vector<double> stiffness = to_values("stiffness", stiffnesses, count), damping = to_values("damping", dampings, count);
+  const auto optional_values = [&](const char* name, const py::object& values) {
+    return values.is_none() ? std::vector<double>() : to_values(name, values.cast<Doubles>(), count);
+  };
+  const std::vector<double> rest_length = optional_values("rest_length", rest_lengths);
+  const std::vector<double> break_strain = optional_values("break_strain", break_strains);
+  if (springs_of(scene).size() + count > max_springs)
+    throw InputError("springs: " + std::to_string(springs_of(scene).size() + count) + ": must be at most " + std::to_string(max_springs));
+  const Index first = scene.scene().system.spring_count();
+  Insert insert;
+  const State& state = scene.scene().state;
+  for (std::size_t s = 0; s < count; ++s) {
+    const std::int64_t i = *ends.data(static_cast<py::ssize_t>(s), 0), j = *ends.data(static_cast<py::ssize_t>(s), 1);
+    for (const std::int64_t end : {i, j})
+      if (end < 0 || end >= scene.scene().system.point_count())
+        throw InputError(at("points", s) + ": " + std::to_string(end) + ": must be the number of one of the " +
+                         std::to_string(points_of(scene).size()) + " points, from 0");
+    if (i == j) throw InputError(at("points", s) + ": must be two different points");
+    check_value(at("stiffness", s), stiffness[s], not_negative);
+    check_value(at("damping", s), damping[s], not_negative);
+    const Vec3 apart = state.position[static_cast<std::size_t>(j)] - state.position[static_cast<std::size_t>(i)];
+    // as drawn, with the formula that reads files
+    Spring spring{.id = scene.scene().system.new_spring_id(),
+                  .first = points_of(scene)[static_cast<std::size_t>(i)].id,
+                  .second = points_of(scene)[static_cast<std::size_t>(j)].id,
+                  .stiffness = stiffness[s],
+                  .damping = damping[s],
+                  .rest_length = rest_length.empty() ? glm::length(apart) : rest_length[s]};
+    check_value(at("rest_length", s), spring.rest_length, not_negative);
+    if (!break_strain.empty()) {
+      if (!(break_strain[s] > 0.0)) check_value(at("break_strain", s), break_strain[s], positive);
+      spring.break_strain = break_strain[s];
+    }
+    insert.springs.push_back({.spring = spring});
+  }
+  change(scene, insert);
+  return first;
+}
+
+template <class Item, class Value>
+py::array_t<Value> column(const std::vector<Item>& items, const std::function<Value(const Item&)>& read) {
+  py::array_t<Value> array(static_cast<py::ssize_t>(items.size()));
+  Value* to = array.mutable_data();
+  for (const Item& item : items) *to++ = read(item);
+  return array;
+}
+
+void set_motion(NamedScene& scene, const std::vector<Vec3>& position, const std::vector<Vec3>& velocity) {
+  Move move;
+  for (std::size_t i = 0; i < position.size(); ++i) move.items.push_back({points_of(scene)[i].id, position[i], velocity[i]});
+  change(scene, move);
+}
+
+void set_positions(NamedScene& scene, const Doubles& array) {
+  const std::vector<Vec3> position = to_vectors("positions", array, points_of(scene).size());
+  check_flat(scene, "positions", position);
+  set_motion(scene, position, scene.scene().state.velocity);
+}
+
+void set_velocities(NamedScene& scene, const Doubles& array) {
+  const std::vector<Vec3> velocity = to_vectors("velocities", array, points_of(scene).size());
+  check_flat(scene, "velocities", velocity);
+  set_motion(scene, scene.scene().state.position, velocity);
+}
+
+void set_nailed(NamedScene& scene, const std::vector<bool>& nailed) {
+  if (nailed.size() != points_of(scene).size())
+    throw InputError("nailed: " + std::to_string(nailed.size()) + " values: must be " + std::to_string(points_of(scene).size()));
+  SetNailed set;
+  for (std::size_t i = 0; i < nailed.size(); ++i)
+    if (points_of(scene)[i].nailed != nailed[i]) set.items.push_back({points_of(scene)[i].id, nailed[i]});
+  change(scene, set);
+}
+
+void set_points(NamedScene& scene, PointProperty property, const std::string& name, const Bounds& bounds, const Doubles& array) {
+  const std::vector<double> values = to_values(name, array, points_of(scene).size());
+  SetPointProperty set{.property = property, .values = {}};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    check_value(at(name, i), values[i], bounds);
+    set.values.emplace_back(points_of(scene)[i].id, values[i]);
+  }
+  change(scene, set);
+}
+
+void set_springs(NamedScene& scene, SpringProperty property, const std::string& name, const Doubles& array) {
+  const std::vector<double> values = to_values(name, array, springs_of(scene).size());
+  SetSpringProperty set{.property = property, .values = {}};
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    check_value(at(name, s), values[s], not_negative);
+    set.values.emplace_back(springs_of(scene)[s].id, values[s]);
+  }
+  change(scene, set);
+}
+
+py::array_t<std::int64_t> ends_of(const NamedScene& scene) {
+  const System& system = scene.scene().system;
+  py::array_t<std::int64_t> array({static_cast<py::ssize_t>(system.springs().size()), py::ssize_t{2}});
+  std::int64_t* to = array.mutable_data();
+  for (const Spring& spring : system.springs()) {
+    *to++ = system.index_of(spring.first);
+    *to++ = system.index_of(spring.second);
+  }
+  return array;
+}
+
+py::array_t<std::int64_t> faces_of(const NamedScene& scene) {
+  const System& system = scene.scene().system;
+  py::array_t<std::int64_t> array({static_cast<py::ssize_t>(system.faces.size()), py::ssize_t{3}});
+  std::int64_t* to = array.mutable_data();
+  for (const Face& face : system.faces)
+    for (const PointId corner : face.points) *to++ = system.index_of(corner);
+  return array;
+}
+
+std::vector<std::string> save(const NamedScene& scene, const std::string& file) {
+  if (has_force_callback(scene.scene())) throw InputError(file + ": forces: a Python function cannot be written to a file");
+  return write_scene_as(scene.scene(), file);
+}
+
+py::object get_parameter(const NamedScene& scene, const std::string& name) {
+  const Parameter* row = find_parameter(name);
+  if (row == nullptr) throw UsageError("--set " + name + ": must name one of " + names_of_parameters());
+  const double value = row->read(scene.scene());
+  switch (row->kind) {
+    case Parameter::Kind::Switch:
+      return py::bool_(value != 0.0);
+    case Parameter::Kind::Choice:
+      return py::str(std::string(row->choices[static_cast<std::size_t>(value)].id));
+    case Parameter::Kind::Integer:
+      return py::int_(static_cast<long>(value));
+    case Parameter::Kind::Number:
+      break;
+  }
+  return py::float_(value);
+}
+
+}  // namespace
+
+SteppingOptions options_from(const py::dict& options) {
+  SteppingOptions parsed;
+  const auto take = [&](const char* name, auto& field) {
+    using Value = typename std::remove_reference_t<decltype(field)>::value_type;
+    if (options.contains(name) && !options[name].is_none()) field = options[name].cast<Value>();
+  };
+  take("integrator", parsed.integrator);
+  take("substeps", parsed.substeps);
+  take("frame_rate", parsed.frame_rate);
+  take("tolerance", parsed.tolerance);
+  if (options.contains("settings")) parsed.settings = options["settings"].cast<std::vector<std::string>>();
+  return parsed;
+}
+
+NamedScene with_options(const NamedScene& scene, const py::dict& options) {
+  NamedScene copy = scene;
+  apply_options(copy.loaded, options_from(options), copy.name);
+  return copy;
+}
+
+void bind_scene(py::module_& module) {
+  using P = PointProperty;
+  using S = SpringProperty;
+  const auto point_column = [](auto member) {
+    return [member](const NamedScene& scene) {
+      return column<Point, double>(points_of(scene), [member](const Point& point) { return point.*member; });
+    };
+  };
+  const auto spring_column = [](auto member) {
+    return [member](const NamedScene& scene) {
+      return column<Spring, double>(springs_of(scene), [member](const Spring& spring) { return spring.*member; });
+    };
+  };
+  const auto point_setter = [](P property, const char* name, Bounds bounds) {
+    return [=](NamedScene& scene, const Doubles& array) { set_points(scene, property, name, bounds, array); };
+  };
+  const auto spring_setter = [](S property, const char* name) {
+    return [=](NamedScene& scene, const Doubles& array) { set_springs(scene, property, name, array); };
+  };
+  py::class_<NamedScene>(module, "Scene")
+      .def_static("load", &load)
+      .def_static("parse", &parse)
+      .def("copy", [](const NamedScene& scene) { return scene; })
+      .def("with_options", &with_options)
+      .def("json",
+           [](const NamedScene& scene) {
+             if (has_force_callback(scene.scene())) throw InputError("forces: a Python function cannot be written to a file");
+             return format_scene(scene.scene());
+           })
+      .def("save", &save)
+      .def("add", &add)
+      .def("add_points", &add_points)
+      .def("add_springs", &add_springs)
+      .def("add_force", [](NamedScene& scene, py::function function) { add_force_callback(scene.scene(), std::move(function)); })
+      .def("get", &get_parameter)
+      .def("set", [](NamedScene& scene, const std::string& setting) { apply_setting(scene.scene(), parse_setting(setting), scene.name); })
+      .def_property_readonly("name", [](const NamedScene& scene) { return scene.name; })
+      .def_property_readonly("title", [](const NamedScene& scene) { return scene.scene().name; })
+      .def_property_readonly("description", [](const NamedScene& scene) { return scene.scene().description; })
+      .def_property_readonly("warnings", [](const NamedScene& scene) { return scene.loaded.warnings; })
+      .def_property_readonly("dimensions", [](const NamedScene& scene) { return scene.scene().system.dimensions; })
+      .def_property_readonly("time", [](const NamedScene& scene) { return scene.scene().state.time; })
+      .def_property_readonly("integrator", [](const NamedScene& scene) { return std::string(scene.scene().settings.integrator->id); })
+      .def_property_readonly("frame_rate", [](const NamedScene& scene) { return scene.scene().settings.frame_rate; })
+      .def_property_readonly("substeps", [](const NamedScene& scene) { return scene.scene().settings.substeps; })
+      .def_property_readonly("tolerance", [](const NamedScene& scene) { return scene.scene().settings.tolerance; })
+      .def_property_readonly("hash", [](const NamedScene& scene) { return to_hexadecimal(hash_state(scene.scene().state)); })
+      .def_property(
+          "positions", [](const NamedScene& scene) { return to_array(scene.scene().state.position); }, &set_positions)
+      .def_property(
+          "velocities", [](const NamedScene& scene) { return to_array(scene.scene().state.velocity); }, &set_velocities)
+      .def_property(
+          "nailed",
+          [](const NamedScene& scene) { return column<Point, bool>(points_of(scene), [](const Point& point) { return point.nailed; }); },
+          &set_nailed)
+      .def_property("masses", point_column(&Point::mass), point_setter(P::Mass, "masses", positive))
+      .def_property("radii", point_column(&Point::radius), point_setter(P::Radius, "radii", not_negative))
+      .def_property("stiffness", spring_column(&Spring::stiffness), spring_setter(S::Stiffness, "stiffness"))
+      .def_property("damping", spring_column(&Spring::damping), spring_setter(S::Damping, "damping"))
+      .def_property("rest_length", spring_column(&Spring::rest_length), spring_setter(S::RestLength, "rest_length"))
+      .def_property_readonly("springs", &ends_of)
+      .def_property_readonly("faces", &faces_of);
+}
+
+}  // namespace hooke::python

@@ -1,0 +1,105 @@
+// The tables of Hooke as lists of dictionaries: parameters, methods, shapes, forces, quantities.
+#include <pybind11/stl.h>
+
+#include "formats/scene_file.h"
+#include "python/scene_binding.h"
+#include "scene/parameters.h"
+#include "scene/quantity.h"
+#include "scene/shape.h"
+#include "sim/integrator.h"
+
+namespace hooke::python {
+namespace {
+
+py::object optional_number(double value) { return std::isnan(value) ? py::object(py::none()) : py::object(py::float_(value)); }
+
+py::list list_parameters() {
+  py::list rows;
+  for (const Parameter& row : parameters()) {
+    py::list choices;
+    for (const ParameterChoice& choice : row.choices) choices.append(py::str(std::string(choice.id)));
+    static constexpr const char* kinds[] = {"number", "integer", "switch", "choice"};
+    py::dict entry;
+    entry["name"] = std::string(row.name);
+    entry["unit"] = std::string(row.unit);
+    entry["description"] = std::string(row.description);
+    entry["kind"] = kinds[static_cast<std::size_t>(row.kind)];
+    entry["min"] = row.min;
+    entry["max"] = row.max;
+    entry["default"] = row.default_value;
+    entry["choices"] = choices;
+    rows.append(entry);
+  }
+  return rows;
+}
+
+py::list list_methods() {
+  py::list rows;
+  for (const Integrator& row : integrators()) {
+    py::dict entry;
+    entry["id"] = std::string(row.id);
+    entry["label"] = std::string(row.label);
+    entry["summary"] = std::string(row.summary);
+    entry["cost"] = std::string(row.cost);
+    entry["order"] = row.order;
+    entry["adaptive"] = row.stability == Stability::Adaptive;
+    rows.append(entry);
+  }
+  return rows;
+}
+
+py::list list_shapes() {
+  py::list rows;
+  for (const ShapeKind& row : shape_kinds()) {
+    py::list fields, nails;
+    for (const ShapeVector& vector : row.vectors)
+      fields.append(py::make_tuple(std::string(vector.name), std::string(vector.format), py::none()));
+    for (const ShapeNumber& number : row.numbers)
+      fields.append(py::make_tuple(std::string(number.name), std::string(number.unit), optional_number(number.default_value)));
+    for (const NailKeyword& nail : row.nail_keywords) nails.append(std::string(nail.word));
+    py::dict entry;
+    entry["id"] = std::string(row.id);
+    entry["description"] = std::string(row.description);
+    entry["fields"] = fields;
+    entry["nails"] = nails;
+    rows.append(entry);
+  }
+  return rows;
+}
+
+py::list list_quantities() {
+  py::list rows;
+  for (const QuantityRow& row : quantity_rows()) {
+    py::dict entry;
+    entry["name"] = std::string(row.name);
+    entry["unit"] = std::string(row.unit);
+    entry["description"] = std::string(row.description);
+    rows.append(entry);
+  }
+  return rows;
+}
+
+py::list list_scenes() {
+  py::list rows;
+  for (const ShippedScene& row : shipped_scenes()) {
+    py::dict entry;
+    entry["id"] = row.id;
+    entry["title"] = row.title;
+    entry["group"] = row.group;
+    entry["description"] = row.description;
+    rows.append(entry);
+  }
+  return rows;
+}
+
+}  // namespace
+
+void bind_tables(py::module_& module) {
+  module.def("parameters", &list_parameters);
+  module.def("methods", &list_methods);
+  module.def("shapes", &list_shapes);
+  module.def("quantities", &list_quantities);
+  module.def("scenes", &list_scenes);
+}
+
+}  // namespace hooke::python

@@ -1,0 +1,34 @@
+// Long calls: they release the interpreter lock, show progress, and stop on Ctrl+C.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <chrono>
+
+namespace hooke::python {
+
+namespace py = pybind11;
+
+// Created while the lock is held; checks for signals ten times a second.
+class Watch {
+ public:
+  // `progress` is None, or is called with (done, all).
+  explicit Watch(py::object progress) : progress_(std::move(progress)) {}
+
+  // Called without the lock. Throws what a signal handler or `progress` raises, such as KeyboardInterrupt.
+  void check(long done, long all) {
+    const auto now = Clock::now();
+    if (now - last_ < std::chrono::milliseconds(100) && done != all) return;
+    last_ = now;
+    const py::gil_scoped_acquire lock;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (!progress_.is_none()) progress_(done, all);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  py::object progress_;
+  Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace hooke::python
