@@ -57,6 +57,7 @@ void App::build_frame(const FrameStatistics& frame_statistics) {
   poll_background_work();
   forecaster_.follow(status());
   method_advisor_.follow(status(), panels_.accuracy_shown);
+  comparison_.follow(status(), panels_);
   const auto& divergence = status().snapshot->divergence;
   remedy_search_.follow(status(), divergence && panels_.dismissed != divergence->time);
   if (tool_.is_pressed())
@@ -106,6 +107,7 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
           .forecast = &forecaster_.newest(),
           .cheaper = method_advisor_.newest(),
           .remedy = remedy_search_.status(),
+          .comparison = comparison_.status(),
           .new_spring = tool_.action() == Action::DragTool ? std::nullopt : marks_.ghost_spring};
 }
 
@@ -153,7 +155,8 @@ ViewOptions App::view_options() const {
 
 bool App::is_idle() const {
   return !file_task_.is_running() && !exporter_.is_running() && !captures_.is_busy() && !remedy_search_.is_running() &&
-         !status().run.running && panels_.toast.empty() && !tool_.is_pressed() && !camera_control_.is_dragging();
+         !comparison_.is_running() && !status().run.running && panels_.toast.empty() && !tool_.is_pressed() &&
+         !camera_control_.is_dragging();
 }
 
 void App::finish() {

@@ -21,6 +21,7 @@
 #include "app/tools/tune.h"
 #include "app/view/camera_control.h"
 #include "app/window/event.h"
+#include "app/work/comparison_task.h"
 #include "app/work/file_task.h"
 #include "app/work/forecaster.h"
 #include "app/work/method_advisor.h"
@@ -116,6 +117,7 @@ class App {
   Forecaster forecaster_;
   MethodAdvisor method_advisor_;
   RemedySearch remedy_search_;
+  ComparisonTask comparison_;
   Document document_;
   Captures captures_;
   Exporter exporter_;

@@ -36,6 +36,7 @@ void write_error(JsonWriter& json, const Accuracy& accuracy) {
   };
   write_time("frame_time", accuracy.frame.value.has_value(), accuracy.frame_time);
   write_time("accumulated_since", accuracy.accumulated.value.has_value(), accuracy.since);
+  if (!accuracy.is_on) reasons += "; energy_balance: switched off";
   json.key("reason");
   if (reasons.empty())
     json.null();

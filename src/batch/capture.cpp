@@ -90,7 +90,9 @@ CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double le
   prepare(destination);
 
   FrameCapture frame_capture(destination, size, schedule, lab.scene(), pose, options);
-  if (options.measures_accuracy()) lab.submit(SetAccuracy{AccuracyMode::Full});
+  // the panels show the error of a frame
+  if (options.measures_accuracy() || options.panels)
+    lab.submit(SetAccuracy{options.measures_accuracy() ? AccuracyMode::Full : AccuracyMode::Frame});
   lab.apply_pending();
   std::optional<CaptureReport> report;
   if (options.report) report.emplace(*options.report, lab.scene());

@@ -52,8 +52,9 @@ void CaptureReport::add(const Lab& lab, const std::string& file) {
   const std::string hash = to_hexadecimal(hash_state(scene.state));
   std::string row = csv_row(report_quantities(), scene.system, scene.state, &accuracy);
   row.pop_back();
-  csv_.write(file + "," + row + "," + std::to_string(accuracy.half_error_substeps) + "," + format_exact(accuracy.half_error_cost) + "," +
-             hash + "\n");
+  const std::string half =
+      accuracy.half_error_substeps > 0 ? std::to_string(accuracy.half_error_substeps) + "," + format_exact(accuracy.half_error_cost) : ",";
+  csv_.write(file + "," + row + "," + half + "," + hash + "\n");
 
   json_.begin_object(JsonWriter::Layout::Line);
   json_.text("file", file);
@@ -64,8 +65,16 @@ void CaptureReport::add(const Lab& lab, const std::string& file) {
   write_energy_balance(json_, accuracy);
   json_.key("half_error");
   json_.begin_object(JsonWriter::Layout::Line);
-  json_.integer("substeps", accuracy.half_error_substeps);
-  json_.number("cost", accuracy.half_error_cost);
+  if (accuracy.half_error_substeps > 0) {
+    json_.integer("substeps", accuracy.half_error_substeps);
+    json_.number("cost", accuracy.half_error_cost);
+  } else {
+    json_.key("substeps");
+    json_.null();
+    json_.key("cost");
+    json_.null();
+    json_.text("reason", "no frame has been computed yet");
+  }
   json_.end();
   json_.text("hash", hash);
   json_.end();

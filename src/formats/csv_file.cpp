@@ -12,8 +12,8 @@ class TableSink : public FrameSink {
   TableSink(const std::filesystem::path& file, const std::vector<Quantity>& quantities)
       : file_(file), quantities_(quantities), text_(csv_heading(quantities)) {}
 
-  void add(const System& system, const State& state) override {
-    text_ += csv_row(quantities_, system, state);
+  void add(const System& system, const State& state, const Accuracy* accuracy) override {
+    text_ += csv_row(quantities_, system, state, accuracy);
     if (text_.size() > max_file_bytes) throw InputError(printable(file_.native()) + ": more than 256 MiB: use fewer quantities or seconds");
   }
   void finish() override { write_atomically(file_, text_); }

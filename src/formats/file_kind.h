@@ -18,7 +18,8 @@ namespace hooke {
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
-  virtual void add(const System& system, const State& state) = 0;
+  // `accuracy`: of the run; null where nothing measures it.
+  virtual void add(const System& system, const State& state, const Accuracy* accuracy) = 0;
   // Moves the file to its final path. Without this call no file is left.
   virtual void finish() = 0;
 };

@@ -63,7 +63,7 @@ namespace {
 class CacheSink : public FrameSink {
  public:
   CacheSink(const std::filesystem::path& file, Index points) : writer_(file, points) {}
-  void add(const System&, const State& state) override { writer_.add(state.position); }
+  void add(const System&, const State& state, const Accuracy*) override { writer_.add(state.position); }
   void finish() override { writer_.close(); }
 
  private:

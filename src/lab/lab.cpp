@@ -24,8 +24,8 @@ using Clock = std::chrono::steady_clock;
 
 double milliseconds_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
 
-// So that a frame repeated with half the step, of twice the substeps, is done before the next one is, 24 frames later.
-constexpr long substeps_per_repeated = 12;
+// So that a frame repeated with half the step, of twice the substeps, is done before the next one is, 40 frames later.
+constexpr long substeps_per_repeated = 20;
 
 // Weight of the newest value in the displayed time per frame.
 constexpr double smoothing = 0.1;

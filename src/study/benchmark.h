@@ -68,7 +68,7 @@ class Benchmark {
 // RMS over the points of the distance between two states [m].
 double rms_distance(const State& first, const State& second);
 
-// CPU time used by this process [s].
+// CPU time used by this thread [s]: the window compares methods while others of its threads work.
 double cpu_seconds();
 
 }  // namespace hooke

@@ -1,5 +1,6 @@
 #include "study/frame_export.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/errors.h"
@@ -19,11 +20,18 @@ void write_frames(Scene scene, const FrameExport& request, const Progress& progr
   const long frames = std::max(0l, static_cast<long>(std::ceil(std::min(exact_frames, 1e9) * (1.0 - round_off) - round_off)));
   Lab lab(std::move(scene), KeepStart::No);
   std::string stop_reason;
-  sink->add(lab.scene().system, lab.scene().state);
+  const bool has_accuracy = std::ranges::any_of(request.quantities, [](const Quantity& each) { return each.row->needs_accuracy; });
+  lab.submit(SetAccuracy{has_accuracy ? AccuracyMode::Full : AccuracyMode::Off});
+  lab.apply_pending();
+  const auto add = [&] {
+    const Accuracy accuracy = lab.accuracy();
+    sink->add(lab.scene().system, lab.scene().state, &accuracy);
+  };
+  add();
   for (long frame = 0; frame < frames && stop_reason.empty(); ++frame) {
     if (!progress(static_cast<double>(frame) / static_cast<double>(frames))) return;
     if (lab.step()) {
-      sink->add(lab.scene().system, lab.scene().state);
+      add();
     } else {
       lab.publish();
       stop_reason = lab.status()->diagnosis.message;

@@ -26,6 +26,7 @@ void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
     build_axes(input, panels, requests);
     build_placement(input, panels, requests);
     build_accuracy(input, panels, requests);
+    build_comparison(input, panels, requests);
   }
   build_export(input, panels, requests);
   build_keys(input, panels);

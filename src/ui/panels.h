@@ -14,6 +14,7 @@
 #include "lab/status.h"
 #include "scene/selection.h"
 #include "study/cheaper_method.h"
+#include "study/compare_methods.h"
 #include "study/remedy.h"
 #include "ui/export_state.h"
 #include "ui/icons.h"
@@ -60,6 +61,13 @@ struct RemedyStatus {
   std::optional<Remedy> found;  // its result
 };
 
+// The comparison of methods on the scene.
+struct ComparisonStatus {
+  bool is_running = false;
+  double fraction = 0.0, seconds = 0.0;            // done, and taken so far
+  std::shared_ptr<const MethodComparison> result;  // of the last one; null: none
+};
+
 // The input of the panels, constant while a frame is built.
 struct PanelInput {
   const Status& status;
@@ -84,6 +92,7 @@ struct PanelInput {
   const Forecast* forecast = nullptr;      // null if there is none
   std::optional<CheaperMethod> cheaper{};  // than the present one, for the same error
   RemedyStatus remedy{};
+  ComparisonStatus comparison{};
   // The spring that is being attached.
   std::optional<std::pair<Vec3, Vec3>> new_spring{};
 
@@ -135,6 +144,13 @@ struct Search {
   int highlighted = 0;  // the row that Enter chooses
 };
 
+// The chart of cost against error.
+struct ComparisonPanel {
+  bool is_shown = false;
+  bool is_wanted = false;    // to be started
+  bool is_canceled = false;  // the one in progress
+};
+
 struct Panels {
   ViewOptions view;
   Dialog dialog;
@@ -160,6 +176,7 @@ struct Panels {
   bool panels_hidden = false;  // all but the menu and status bars
   bool plots_shown = false;
   bool accuracy_shown = false;
+  ComparisonPanel comparison;
   double plot_seconds = 1e9;                                      // [s], maximum time span of the plots
   std::optional<double> plot_end;                                 // [s], end of the time span; without a value it follows the newest time
   bool plot_is_dragged = false;                                   // since the mouse was pressed over a plot
@@ -219,6 +236,7 @@ void build_placement(const PanelInput& input, Panels& panels, Requests& requests
 // The line below the method; a click shows or hides the panel.
 void build_accuracy_line(const PanelInput& input, Panels& panels);
 void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests);
+void build_comparison(const PanelInput& input, Panels& panels, Requests& requests);
 void build_status_bar(const PanelInput& input);
 void build_axes(const PanelInput& input, Panels& panels, Requests& requests);
 void build_overlays(const PanelInput& input, Panels& panels, Requests& requests);

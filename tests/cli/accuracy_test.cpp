@@ -64,6 +64,7 @@ TEST(AccuracyReports, WhatIsNotMeasuredSaysSo) {
   EXPECT_TRUE(off["samples"][0]["error"]["frame"].IsNull());
   EXPECT_NE(std::string(off["samples"][0]["error"]["reason"].GetString()).find("switched off"), std::string::npos);
   EXPECT_TRUE(off["samples"][0]["energy_balance"].IsNull());
+  EXPECT_NE(std::string(off["samples"][0]["error"]["reason"].GetString()).find("energy_balance: switched off"), std::string::npos);
   EXPECT_EQ(off["accuracy_cpu_seconds"].GetDouble(), 0.0);
   const rapidjson::Document frame = parse(headless("run cloth --seconds 0.1 --points 0 --json - --accuracy frame").out);
   EXPECT_GE(frame["samples"][0]["error"]["frame"].GetDouble(), 0.0);
@@ -93,6 +94,9 @@ TEST(AccuracyReports, CaptureWritesTheAccuracyOfEveryPicture) {
   const rapidjson::Document json = parse(contents(scratch.folder / "report/report.json"));
   ASSERT_EQ(json["frames"].Size(), 3u);
   EXPECT_GT(json["frames"][2]["error"]["frame"].GetDouble(), 0.0);
+  EXPECT_GT(json["frames"][2]["half_error"]["cost"].GetDouble(), 1.0);
+  EXPECT_TRUE(json["frames"][0]["half_error"]["cost"].IsNull());
+  EXPECT_STREQ(json["frames"][0]["half_error"]["reason"].GetString(), "no frame has been computed yet");
   const std::string hash = json["frames"][2]["hash"].GetString();
   EXPECT_TRUE(lines[3].ends_with(hash));
   const rapidjson::Document run = parse(headless("run cloth --seconds 0.2 --points 0 --json - --accuracy full").out);

@@ -190,6 +190,28 @@ TEST(EnergyAccounts, DragAndDashpotsAreToldApart) {
   EXPECT_LT(balance.dashpots, 0.0);
 }
 
+// What measuring costs, in substeps instead of seconds.
+TEST(AccuracyMeter, RepeatsATwentiethOfTheSubsteps) {
+  TestSim sim = net(8, 1e2, 0.0);
+  const Settings settings{.integrator = &default_integrator(), .substeps = 10};
+  Plan plan = make_plan(sim.system);
+  Frame frame;
+  AccuracyMeter meter;
+  meter.set_mode(AccuracyMode::Frame);
+  long substeps = 0, repeated = 0;
+  for (int i = 0; i < 400; ++i) {
+    State after = sim.state;
+    frame.begin(plan, sim.system, settings, sim.state);
+    for (; !frame.done(); ++substeps) frame.substep(plan);
+    frame.end(plan, after);
+    meter.add_frame(plan, sim.system, settings, sim.state, after, frame.motion(), 0.0, 0.0);
+    for (; meter.is_repeating(); ++repeated) meter.repeat(sim.system);
+    sim.state = after;
+  }
+  EXPECT_GE(static_cast<double>(repeated), 0.04 * static_cast<double>(substeps));
+  EXPECT_LE(static_cast<double>(repeated), 0.051 * static_cast<double>(substeps));
+}
+
 TEST(AccuracyMeter, AfterAnEditItSaysThatItWaits) {
   const TestSim sim = net(8, 1e2, 0.0);
   Lab lab = measured_lab(scene_of(sim, {}));

@@ -329,6 +329,39 @@ TEST(Methods, EachCanBeChosenFromTheList) {
   for (const Integrator& method : integrators()) EXPECT_NE(words.find(method.label), std::string::npos) << method.label;
 }
 
+// Predictions are computed in another thread and appear when they are ready.
+bool eventually_shows(GuiFixture& gui, const char* words) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (gui.text().find(words) == std::string::npos)
+    if (std::chrono::steady_clock::now() > until) return false;
+  return true;
+}
+
+// The chart of cost against error is computed beside the window, and Cancel ends the work.
+TEST(Comparison, RunsInTheBackgroundUntilCanceled) {
+  GuiFixture gui(two_springs());
+  gui.key(letter('M'), {.control = true, .shift = true});
+  EXPECT_NE(gui.text().find("Compare methods on this scene"), std::string::npos);
+  EXPECT_TRUE(gui.app().panel_input({}).comparison.is_running);
+  EXPECT_FALSE(gui.app().is_idle());
+  gui.click(gui.find("comparison", {"Cancel"}));
+  EXPECT_TRUE(eventually_shows(gui, "Stopped."));
+  EXPECT_FALSE(gui.app().panel_input({}).comparison.is_running);
+  gui.click(gui.find("comparison", {"Close"}));
+  EXPECT_EQ(gui.text().find("Compare methods on this scene"), std::string::npos);
+}
+
+TEST(Comparison, ThePaletteFindsIt) {
+  for (const char* word : {"compare", "error", "accuracy"}) {
+    GuiFixture gui(two_springs());
+    gui.key(letter('P'), {.control = true, .shift = true});
+    gui.type(word);
+    const std::string words = gui.text();
+    const char* expected = std::string_view(word) == "accuracy" ? "Accuracy" : "Compare methods";
+    EXPECT_NE(words.find(expected), std::string::npos) << word << ": " << words;
+  }
+}
+
 TEST(Stability, IsShownBelowTheSubstepsWithARecommendation) {
   Scene scene = two_springs();
   EXPECT_NE(GuiFixture(scene).text().find("(limit 2)"), std::string::npos);
@@ -337,14 +370,6 @@ TEST(Stability, IsShownBelowTheSubstepsWithARecommendation) {
   const double h = largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system));
   const auto needed = static_cast<int>(std::ceil(1.0 / (60.0 * h)));
   EXPECT_NE(GuiFixture(scene).text().find("min " + std::to_string(needed) + " substeps"), std::string::npos);
-}
-
-// Predictions are computed in another thread and appear when they are ready.
-bool eventually_shows(GuiFixture& gui, const char* words) {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (gui.text().find(words) == std::string::npos)
-    if (std::chrono::steady_clock::now() > until) return false;
-  return true;
 }
 
 TEST(Predictions, AreShownBelowTheSlidersAndFollowThem) {

@@ -8,8 +8,8 @@
 namespace hooke {
 namespace {
 
-// A frame in so many is repeated, at twice its cost: 8 % of the run. After an edit, sooner.
-constexpr int repetition_period = 24, period_after_edit = 12;
+// A frame in so many is repeated, at twice its cost: 5 % of the run. After an edit, sooner.
+constexpr int repetition_period = 40, period_after_edit = 12;
 // Errors of this fraction of the scene's size are no longer small: its trajectory is not predicted beyond.
 constexpr double max_error = 0.1;
 // Rounding errors, relative to the size.

@@ -170,6 +170,9 @@ void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests)
   }
   ImGui::PopTextWrapPos();
   ImGui::Dummy({0.0f, units(2.0)});
+  if (ImGui::Button("Compare methods", {units(144.0), 0.0f})) panels.comparison = {.is_shown = true, .is_wanted = true};
+  tooltip(Action::CompareMethods);
+  ImGui::SameLine();
   if (ImGui::Button("Close", {units(96.0), 0.0f})) panels.accuracy_shown = false;
   ImGui::End();
   ImGui::PopStyleColor();

@@ -1,0 +1,29 @@
+#include "app/work/comparison_task.h"
+
+namespace hooke {
+
+void ComparisonTask::follow(const Status& status, Panels& panels) {
+  task_.follow();
+  if (panels.comparison.is_canceled || !panels.comparison.is_shown) task_.stop();
+  panels.comparison.is_canceled = false;
+  if (!panels.comparison.is_wanted || task_.is_running()) return;
+  panels.comparison.is_wanted = false;
+  if (status.snapshot->system->point_count() == 0) return;
+  newest_.reset();
+  settings_ = status.snapshot->settings;
+  task_.start("Comparing methods", [this, snapshot = status.snapshot](const Progress& progress) -> BackgroundTask::Completion {
+    constexpr double seconds = 1.0;
+    auto result =
+        std::make_shared<const MethodComparison>(compare_methods(*snapshot->system, snapshot->state, seconds, comparison_effort, progress));
+    return [this, result] { newest_ = result; };
+  });
+}
+
+ComparisonStatus ComparisonTask::status() const {
+  return {.is_running = task_.is_running(),
+          .fraction = task_.is_running() ? task_.fraction() : 0.0,
+          .seconds = task_.is_running() ? task_.seconds() : 0.0,
+          .result = newest_};
+}
+
+}  // namespace hooke

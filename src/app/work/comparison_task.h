@@ -1,0 +1,23 @@
+// Compares the methods on the scene on screen in a background thread: the window never waits for it.
+#pragma once
+
+#include "app/work/background_task.h"
+#include "ui/panels.h"
+
+namespace hooke {
+
+class ComparisonTask {
+ public:
+  // Once per frame: starts a comparison of the present state when one is asked for, and takes the result of a finished one.
+  void follow(const Status& status, Panels& panels);
+  bool is_running() const { return task_.is_running(); }
+  // For the panel.
+  ComparisonStatus status() const;
+
+ private:
+  std::shared_ptr<const MethodComparison> newest_;
+  Settings settings_;    // at its start
+  BackgroundTask task_;  // last: the destructor waits for it before anything that it uses is destroyed
+};
+
+}  // namespace hooke

@@ -1,0 +1,82 @@
+#include "study/compare_methods.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "base/file_limits.h"
+
+namespace hooke {
+namespace {
+
+constexpr std::array horizons{1.0, 0.5, 0.25, 0.125};  // [1], of the time wanted
+
+// Growth of a perturbation beyond which small errors of a method become large ones within the compared time.
+constexpr double max_amplification = 1e3;
+
+std::string seconds_text(double seconds) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g s", seconds);
+  return text.data();
+}
+
+bool is_predictable(const ReferenceRecord& reference) {
+  return reference.measure == Measure::Trajectory && reference.amplification <= max_amplification;
+}
+
+}  // namespace
+
+MethodComparison compare_methods(const System& system, const State& state, double seconds, const Effort& effort, const Progress& progress) {
+  MethodComparison comparison;
+  Scene scene;
+  scene.system = system;
+  scene.state = state;
+  const auto methods = integrators();
+  for (const double part : horizons) {
+    Problem problem = make_problem("scene", scene);
+    problem.start.time = state.time;
+    problem.seconds = part * seconds;
+    comparison.record = make_record(problem);
+    PrecisionSweep sweep(problem, effort, comparison.record);
+    double done = 0.0;
+    bool is_stopped = false;
+    sweep.should_continue = [&] {
+      is_stopped = is_stopped || !progress(done);
+      return !is_stopped;
+    };
+    bool has_failed = false;
+    for (const Integrator& method : methods) {
+      if (!sweep.run(method)) {
+        has_failed = true;
+        break;
+      }
+      const bool is_last = part == horizons.back();
+      if (!is_last && !is_predictable(*comparison.record.reference)) break;
+      done += 1.0 / static_cast<double>(methods.size());
+    }
+    const auto& reference = comparison.record.reference;
+    if (is_stopped) {
+      comparison.note = "Stopped.";
+      return comparison;
+    }
+    if (!has_failed && (is_predictable(*reference) || part == horizons.back())) {
+      if (!is_predictable(*reference))
+        comparison.note = "The motion cannot be predicted even for " + seconds_text(problem.seconds) + ": errors are those of averages.";
+      else if (part < 1.0)
+        comparison.note =
+            "Compared over " + seconds_text(problem.seconds) + ": the motion cannot be predicted for " + seconds_text(seconds) + ".";
+      return comparison;
+    }
+    if (has_failed && part == horizons.back()) comparison.note = "No reference to compare with: " + sweep.reference_failure_reason() + ".";
+  }
+  return comparison;
+}
+
+std::optional<int> substeps_of(const Row& row, double frame_rate) {
+  if (!row.step || !(*row.step > 0.0)) return std::nullopt;
+  const double substeps = std::ceil(1.0 / (frame_rate * *row.step) * (1.0 - 1e-9));
+  return static_cast<int>(std::clamp(substeps, 1.0, static_cast<double>(max_substeps)));
+}
+
+}  // namespace hooke

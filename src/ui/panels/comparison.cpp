@@ -1,0 +1,279 @@
+// Cost against error of the methods on this scene: a chart whose points are settings to choose.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <vector>
+
+#include "lab/accuracy/accuracy_text.h"
+#include "scene/parameters.h"
+#include "sim/integrator.h"
+#include "study/work_precision_file.h"
+#include "ui/panels.h"
+#include "ui/text.h"
+#include "ui/widgets.h"
+
+namespace hooke {
+namespace {
+
+// The lines have the colors of plots; the methods after the first six repeat them with smaller markers.
+constexpr std::size_t color_count = std::size(palette::inks);
+ImU32 color_of(std::size_t method) { return palette::inks[method % color_count]; }
+float radius_of(std::size_t method) { return units(method < color_count ? 3.5 : 2.0); }
+
+std::string short_name(const Integrator& method) { return std::string(method.label.substr(0, method.label.find(" ("))); }
+
+bool is_drawn(const Row& row) {
+  return row.error && row.cpu_ms_per_s && *row.error > 0.0 && *row.cpu_ms_per_s > 0.0 && row.relative_error < 1.0;
+}
+
+// Decades, from floor to ceiling.
+struct LogAxis {
+  int min = 0, max = 1;
+  void include(double value) {
+    const double decade = std::log10(value);
+    min = is_empty ? static_cast<int>(std::floor(decade)) : std::min(min, static_cast<int>(std::floor(decade)));
+    max = is_empty ? static_cast<int>(std::ceil(decade)) : std::max(max, static_cast<int>(std::ceil(decade)));
+    max = std::max(max, min + 1);
+    is_empty = false;
+  }
+  float fraction(double value) const { return static_cast<float>((std::log10(value) - min) / (max - min)); }
+  bool is_empty = true;
+};
+
+std::string cost_label(int decade) {
+  const double ms = std::pow(10.0, decade);
+  return ms >= 1000.0 ? number(ms / 1000.0) + " s" : number(ms) + " ms";
+}
+
+struct Chart {
+  Chart(const PanelInput& panel_input, const MethodComparison& compared, ImVec2 corner, ImVec2 size)
+      : input(panel_input), record(compared.record), list(*ImGui::GetWindowDrawList()) {
+    for (const Row& row : record.rows)
+      if (is_drawn(row)) error.include(*row.error), cost.include(*row.cpu_ms_per_s);
+    at = {corner.x + units(58.0), corner.y + units(22.0)};
+    end = {corner.x + size.x - units(12.0), corner.y + size.y - units(42.0)};
+  }
+
+  ImVec2 place(double ms_per_s, double meters) const {
+    return {at.x + (end.x - at.x) * cost.fraction(ms_per_s), end.y - (end.y - at.y) * error.fraction(meters)};
+  }
+
+  void draw_grid() const {
+    ImGui::PushFont(fonts().small);
+    const int skipped = std::max(1, (error.max - error.min) / 6);
+    for (int decade = error.min; decade <= error.max; decade += skipped) {
+      const float y = place(std::pow(10.0, cost.min), std::pow(10.0, decade)).y;
+      list.AddLine({at.x, y}, {end.x, y}, palette::line);
+      const std::string label = length_text(std::pow(10.0, decade) * (1.0 + 1e-9));
+      const ImVec2 wide = ImGui::CalcTextSize(label.c_str());
+      list.AddText({at.x - wide.x - units(6.0), y - 0.5f * wide.y}, palette::dim, label.c_str());
+    }
+    for (int decade = cost.min; decade <= cost.max; ++decade) {
+      const float x = place(std::pow(10.0, decade), std::pow(10.0, error.min)).x;
+      list.AddLine({x, at.y}, {x, end.y}, palette::line);
+      const std::string label = cost_label(decade);
+      const float wide = ImGui::CalcTextSize(label.c_str()).x;
+      list.AddText({std::min(x - 0.5f * wide, end.x - wide), end.y + units(4.0)}, palette::dim, label.c_str());
+    }
+    list.AddText({at.x, at.y - units(19.0)}, palette::dim, "Error after the compared time (RMS over the points)");
+    const char* below = "CPU time per simulated second";
+    list.AddText({end.x - ImGui::CalcTextSize(below).x, end.y + units(20.0)}, palette::dim, below);
+    ImGui::PopFont();
+  }
+
+  // Right of it, the scene is slower than the clock that it is to follow.
+  void draw_budget() const {
+    const double budget = 1000.0 / input.status.snapshot->settings.speed;
+    if (budget < std::pow(10.0, cost.min) || budget > std::pow(10.0, cost.max)) return;
+    const float x = place(budget, std::pow(10.0, error.min)).x;
+    list.AddLine({x, at.y}, {x, end.y}, palette::warning, units(1.5));
+    ImGui::PushFont(fonts().small);
+    const char* text = "real time";
+    const float wide = ImGui::CalcTextSize(text).x;
+    list.AddText({x + wide + units(8.0) > end.x ? x - wide - units(4.0) : x + units(4.0), at.y + units(2.0)}, palette::warning, text);
+    ImGui::PopFont();
+  }
+
+  // Returns the row under the mouse, or null.
+  const Row* draw_curves() const {
+    const Row* under_mouse = nullptr;
+    float nearest = units(9.0);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    std::size_t number_of_method = 0;
+    for (const Integrator& method : integrators()) {
+      const ImU32 color = color_of(number_of_method);
+      const float radius = radius_of(number_of_method++);
+      const ImVec2* last = nullptr;
+      ImVec2 previous{};
+      for (const Row& row : record.rows) {
+        if (row.method != method.id || !is_drawn(row)) continue;
+        const ImVec2 here = place(*row.cpu_ms_per_s, *row.error);
+        if (last != nullptr) list.AddLine(previous, here, color, units(1.5));
+        list.AddCircleFilled(here, radius, color);
+        previous = here;
+        last = &previous;
+        const float distance = std::hypot(here.x - mouse.x, here.y - mouse.y);
+        if (distance < nearest) nearest = distance, under_mouse = &row;
+      }
+    }
+    return under_mouse;
+  }
+
+  // A ring around the setting of the method in use that is closest to the present one.
+  void draw_present() const {
+    const Settings& settings = input.status.snapshot->settings;
+    const Row* nearest = nullptr;
+    double apart = std::numeric_limits<double>::infinity();
+    for (const Row& row : record.rows) {
+      if (row.method != settings.integrator->id || !is_drawn(row)) continue;
+      const double distance = row.step ? std::abs(std::log(*row.step / settings.substep()))
+                                       : std::abs(std::log(row.tolerance.value_or(1.0) / settings.tolerance.value_or(1e-8)));
+      if (distance < apart) apart = distance, nearest = &row;
+    }
+    if (nearest == nullptr) return;
+    const ImVec2 here = place(*nearest->cpu_ms_per_s, *nearest->error);
+    list.AddCircle(here, units(8.0), palette::text, 0, units(2.0));
+    ImGui::PushFont(fonts().small);
+    const char* text = "now";
+    const float wide = ImGui::CalcTextSize(text).x;
+    list.AddText({here.x + units(11.0) + wide > end.x ? here.x - wide - units(11.0) : here.x + units(11.0), here.y - units(7.0)},
+                 palette::text, text);
+    ImGui::PopFont();
+  }
+
+  const PanelInput& input;
+  const ProblemRecord& record;
+  ImDrawList& list;
+  LogAxis error, cost;
+  ImVec2 at{}, end{};
+};
+
+std::string setting_text(const Row& row, double frame_rate) {
+  const Integrator* method = find_integrator(row.method);
+  const std::string name = method != nullptr ? short_name(*method) : row.method;
+  const auto substeps = substeps_of(row, frame_rate);
+  return substeps ? name + ", " + count(*substeps, "substep") : name + ", " + row.setting;
+}
+
+// The tolerance of an adaptive method is not a parameter of the window.
+bool can_be_used(const Row& row, const Settings& settings) { return substeps_of(row, settings.frame_rate).has_value(); }
+
+void use(const Row& row, const Settings& settings, Requests& requests) {
+  requests.emplace_back(Edit{SetIntegrator{find_integrator(row.method)}});
+  const int substeps = substeps_of(row, settings.frame_rate).value();
+  requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(substeps)}, true});
+}
+
+void legend(const ProblemRecord& record) {
+  ImGui::PushFont(fonts().small);
+  std::size_t number_of_method = 0;
+  bool is_first = true;
+  for (const Integrator& method : integrators()) {
+    const std::size_t style = number_of_method++;
+    if (std::ranges::none_of(record.rows, [&](const Row& row) { return row.method == method.id && is_drawn(row); })) continue;
+    const std::string name = short_name(method);
+    if (!is_first) {
+      ImGui::SameLine(0.0f, units(14.0));
+      if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(name.c_str()).x + units(12.0)) ImGui::NewLine();
+    }
+    is_first = false;
+    const ImVec2 here = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddCircleFilled({here.x + units(4.0), here.y + 0.5f * ImGui::GetTextLineHeight()}, radius_of(style),
+                                                color_of(style));
+    ImGui::SetCursorScreenPos({here.x + units(12.0), here.y});
+    text_in(palette::dim, name);
+  }
+  ImGui::PopFont();
+}
+
+// Methods of which nothing is in the chart.
+void missing_methods(const ProblemRecord& record) {
+  std::string names;
+  for (const Integrator& method : integrators())
+    if (std::ranges::none_of(record.rows, [&](const Row& row) { return row.method == method.id && is_drawn(row); }))
+      names += (names.empty() ? "" : ", ") + short_name(method);
+  if (names.empty()) return;
+  ImGui::PushFont(fonts().small);
+  dim_text("Too slow or unstable here: " + names);
+  ImGui::PopFont();
+}
+
+void chart(const PanelInput& input, const MethodComparison& comparison, float width, float height, Requests& requests) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos(), size{width, height};
+  ImGui::InvisibleButton("chart", size);
+  const bool is_over = ImGui::IsItemHovered(), is_clicked = ImGui::IsItemClicked();
+  const Chart chart(input, comparison, corner, size);
+  chart.draw_grid();
+  chart.draw_budget();
+  const Row* row = chart.draw_curves();
+  chart.draw_present();
+  if (row == nullptr || !is_over) return;
+  const Settings& settings = input.status.snapshot->settings;
+  chart.list.AddCircle(chart.place(*row->cpu_ms_per_s, *row->error), units(6.0), palette::accent, 0, units(2.0));
+  ImGui::SetTooltip("%s\nerror %s\n%s ms per simulated second%s", setting_text(*row, settings.frame_rate).c_str(),
+                    length_text(*row->error).c_str(), number(*row->cpu_ms_per_s).c_str(),
+                    can_be_used(*row, settings) ? "\nClick to use it" : "");
+  if (is_clicked && can_be_used(*row, settings)) use(*row, settings, requests);
+}
+
+void buttons(const ComparisonStatus& status, Panels& panels) {
+  if (status.is_running) {
+    if (ImGui::Button("Cancel", {units(96.0), 0.0f})) panels.comparison.is_canceled = true;
+  } else if (ImGui::Button("Compare again", {units(128.0), 0.0f})) {
+    panels.comparison.is_wanted = true;
+  }
+  if (status.result && !status.result->record.rows.empty()) {
+    ImGui::SameLine();
+    if (ImGui::Button("Copy as CSV", {units(112.0), 0.0f})) {
+      ImGui::SetClipboardText(format_csv({.conditions = {}, .date = {}, .problems = {status.result->record}}).c_str());
+      panels.show_toast("Copied " + count(static_cast<int>(status.result->record.rows.size()), "row"));
+    }
+  }
+  ImGui::SameLine(ImGui::GetWindowWidth() - units(96.0) - ImGui::GetStyle().WindowPadding.x);
+  if (ImGui::Button("Close", {units(96.0), 0.0f})) panels.comparison.is_shown = false;
+}
+
+}  // namespace
+
+void build_comparison(const PanelInput& input, Panels& panels, Requests& requests) {
+  if (!panels.comparison.is_shown) return;
+  const Rect& scene = input.layout.scene;
+  const float width = std::min(units(600.0), std::max(1.0f, static_cast<float>(scene.width) - units(28.0)));
+  ImGui::SetNextWindowPos({static_cast<float>(scene.x) + units(14.0), static_cast<float>(scene.y) + units(14.0)}, ImGuiCond_Always);
+  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(1.0f, static_cast<float>(scene.height) - units(28.0))});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(16.0), units(12.0)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
+  ImGui::Begin("comparison", nullptr, front_box);
+  panels.floating.push_back(current_window());
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::PushFont(fonts().strong);
+  ImGui::TextUnformatted("Compare methods on this scene");
+  ImGui::PopFont();
+
+  const ComparisonStatus& status = input.comparison;
+  const bool has_rows = status.result && std::ranges::any_of(status.result->record.rows, is_drawn);
+  if (status.is_running) {
+    dim_text("Runs every method from the present state, on a copy, against a reference that two methods agree on.");
+    progress_bar(status.fraction, status.seconds, ImGui::GetContentRegionAvail().x);
+  } else if (!status.result) {
+    dim_text("Nothing compared yet.");
+  }
+  if (status.result && !status.result->note.empty()) text_in(palette::warning, status.result->note);
+  if (has_rows) {
+    const float height = std::clamp(static_cast<float>(scene.height) - units(210.0), units(120.0), units(330.0));
+    chart(input, *status.result, ImGui::GetContentRegionAvail().x, height, requests);
+    legend(status.result->record);
+    if (!status.is_running && status.result->note != "Stopped.") missing_methods(status.result->record);
+  }
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy({0.0f, units(4.0)});
+  buttons(status, panels);
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace hooke
