@@ -1,6 +1,7 @@
 // Sequences of actions never corrupt the scene, and undo and redo are exact.
 
 #include <algorithm>
+#include <set>
 
 #include "base/json_writer.h"
 #include "campaign/check.h"
@@ -157,8 +158,20 @@ class Session {
   std::string last_;
 };
 
+// A kind of command that is added must be drawn too.
+void expect_every_kind() {
+  RandomCommands commands(0);
+  Lab lab(load_scene(find_scene("grid_4x4")).scene);
+  std::set<std::size_t> kinds;
+  for (int i = 0; i < 2000; ++i) kinds.insert(commands.next(lab).index());
+  expect(kinds.size() == RandomCommands::kinds, "not every kind of command is drawn");
+}
+
 }  // namespace
 
-const Check actions{"actions", "actions", 120, [](std::uint64_t number) { return Session(number).run(); }};
+const Check actions{"actions", "actions", 120, [](std::uint64_t number) {
+                      if (number == 0) expect_every_kind();
+                      return Session(number).run();
+                    }};
 
 }  // namespace hooke

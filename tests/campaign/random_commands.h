@@ -12,8 +12,9 @@ namespace hooke {
 class RandomCommands {
  public:
   explicit RandomCommands(std::uint64_t seed) : random_(seed) {}
-  // Any command except Replace, which follows from a control (GoToStart). New points and springs take their ids from the lab.
+  // Any command except MarkTorn and Replace, which only follow from others. New points and springs take their ids from the lab.
   Command next(Lab& lab);
+  static constexpr std::size_t kinds = std::variant_size_v<CommandVariant> - 2;
   Random& random() { return random_; }
 
  private:
