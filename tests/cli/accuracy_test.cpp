@@ -6,35 +6,21 @@
 #include <sstream>
 
 #include "support/contents.h"
-#include "support/process.h"
+#include "support/headless.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
 namespace {
 
-Outcome headless(const std::string& arguments, const std::filesystem::path& folder = ".") {
+Outcome run_headless(const std::string& arguments, const std::filesystem::path& folder = ".") {
   std::vector<std::string> words{"/usr/bin/env", "-C", folder.string(), "-u", "DISPLAY", HOOKE_HEADLESS};
   std::istringstream text(arguments);
   for (std::string word; text >> word;) words.push_back(word);
   return run_process(words);
 }
 
-rapidjson::Document parse(const std::string& text) {
-  rapidjson::Document json;
-  json.Parse(text.c_str());
-  EXPECT_FALSE(json.HasParseError()) << text;
-  return json;
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 TEST(AccuracyReports, EverySampleHasItsErrorsOrAReason) {
-  const rapidjson::Document json = parse(headless("run cloth --seconds 1.2 --sample 0.4 --points 0 --json -").out);
+  const rapidjson::Document json = parse_json(run_headless("run cloth --seconds 1.2 --sample 0.4 --points 0 --json -").out);
   ASSERT_EQ(json["samples"].Size(), 4u);
   EXPECT_GT(json["accuracy_cpu_seconds"].GetDouble(), 0.0);
   for (rapidjson::SizeType i = 0; i < 4; ++i) {
@@ -60,22 +46,22 @@ TEST(AccuracyReports, EverySampleHasItsErrorsOrAReason) {
 }
 
 TEST(AccuracyReports, WhatIsNotMeasuredSaysSo) {
-  const rapidjson::Document off = parse(headless("run cloth --seconds 0.1 --points 0 --json - --accuracy off").out);
+  const rapidjson::Document off = parse_json(run_headless("run cloth --seconds 0.1 --points 0 --json - --accuracy off").out);
   EXPECT_TRUE(off["samples"][0]["error"]["frame"].IsNull());
   EXPECT_NE(std::string(off["samples"][0]["error"]["reason"].GetString()).find("switched off"), std::string::npos);
   EXPECT_TRUE(off["samples"][0]["energy_balance"].IsNull());
   EXPECT_NE(std::string(off["samples"][0]["error"]["reason"].GetString()).find("energy_balance: switched off"), std::string::npos);
   EXPECT_EQ(off["accuracy_cpu_seconds"].GetDouble(), 0.0);
-  const rapidjson::Document frame = parse(headless("run cloth --seconds 0.1 --points 0 --json - --accuracy frame").out);
+  const rapidjson::Document frame = parse_json(run_headless("run cloth --seconds 0.1 --points 0 --json - --accuracy frame").out);
   EXPECT_GE(frame["samples"][0]["error"]["frame"].GetDouble(), 0.0);
   EXPECT_TRUE(frame["samples"][0]["error"]["accumulated"].IsNull());
   EXPECT_STREQ(off["hash"].GetString(), frame["hash"].GetString());
-  EXPECT_EQ(headless("run cloth --seconds 0.1 --accuracy some").code, 2);
+  EXPECT_EQ(run_headless("run cloth --seconds 0.1 --accuracy some").code, 2);
 }
 
 TEST(AccuracyReports, ColumnsOfCsvAreEmptyWhereNothingIsKnown) {
   const auto lines =
-      lines_of(headless("run cloth --seconds 0.2 --sample 0.1 --csv - --quantities time,error,accumulated_error,energy_method").out);
+      lines_of(run_headless("run cloth --seconds 0.2 --sample 0.1 --csv - --quantities time,error,accumulated_error,energy_method").out);
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_EQ(lines[0], "time [s],error [m],accumulated_error [m],energy_method [J]");
   EXPECT_EQ(lines[1].substr(0, 4), "0,,,");
@@ -85,13 +71,13 @@ TEST(AccuracyReports, ColumnsOfCsvAreEmptyWhereNothingIsKnown) {
 TEST(AccuracyReports, CaptureWritesTheAccuracyOfEveryPicture) {
   const ScratchFolder scratch;
   const std::string common = "capture cloth --out frames --seconds 0.2 --fps 10 --size 160x90 --report report --quiet";
-  EXPECT_EQ(headless(common, scratch.folder).code, 0);
+  EXPECT_EQ(run_headless(common, scratch.folder).code, 0);
   const auto lines = lines_of(contents(scratch.folder / "report/report.csv"));
   ASSERT_EQ(lines.size(), 4u);
   EXPECT_TRUE(lines[0].starts_with("file,time [s],")) << lines[0];
   EXPECT_TRUE(lines[0].ends_with(",hash")) << lines[0];
   EXPECT_TRUE(lines[3].starts_with("frame_00002.png,0.2")) << lines[3];
-  const rapidjson::Document json = parse(contents(scratch.folder / "report/report.json"));
+  const rapidjson::Document json = parse_json(contents(scratch.folder / "report/report.json"));
   ASSERT_EQ(json["frames"].Size(), 3u);
   EXPECT_GT(json["frames"][2]["error"]["frame"].GetDouble(), 0.0);
   EXPECT_GT(json["frames"][2]["half_error"]["cost"].GetDouble(), 1.0);
@@ -99,25 +85,25 @@ TEST(AccuracyReports, CaptureWritesTheAccuracyOfEveryPicture) {
   EXPECT_STREQ(json["frames"][0]["half_error"]["reason"].GetString(), "no frame has been computed yet");
   const std::string hash = json["frames"][2]["hash"].GetString();
   EXPECT_TRUE(lines[3].ends_with(hash));
-  const rapidjson::Document run = parse(headless("run cloth --seconds 0.2 --points 0 --json - --accuracy full").out);
+  const rapidjson::Document run = parse_json(run_headless("run cloth --seconds 0.2 --points 0 --json - --accuracy full").out);
   EXPECT_EQ(hash, run["hash"].GetString());
   EXPECT_EQ(json["frames"][2]["error"]["accumulated"].GetDouble(), run["samples"][0]["error"]["accumulated"].GetDouble());
 }
 
 TEST(AccuracyReports, FailAboveNamesTheFirstFrameAndExitsWithOne) {
   const ScratchFolder scratch;
-  const Outcome failed = headless("capture cloth --out a.png --seconds 0.2 --size 80x60 --fail-above 1e-15 --quiet", scratch.folder);
+  const Outcome failed = run_headless("capture cloth --out a.png --seconds 0.2 --size 80x60 --fail-above 1e-15 --quiet", scratch.folder);
   EXPECT_EQ(failed.code, 1);
   EXPECT_TRUE(failed.err.starts_with("frame ")) << failed.err;
   EXPECT_NE(failed.err.find("m, limit 1e-15 m"), std::string::npos) << failed.err;
-  EXPECT_EQ(headless("capture cloth --out a.png --seconds 0.2 --size 80x60 --fail-above 1 --quiet", scratch.folder).code, 0);
-  EXPECT_EQ(headless("capture cloth --out a.png --fail-above 0", scratch.folder).code, 2);
+  EXPECT_EQ(run_headless("capture cloth --out a.png --seconds 0.2 --size 80x60 --fail-above 1 --quiet", scratch.folder).code, 0);
+  EXPECT_EQ(run_headless("capture cloth --out a.png --fail-above 0", scratch.folder).code, 2);
 }
 
 TEST(AccuracyReports, TheStampChangesACornerOfThePicture) {
   const ScratchFolder scratch;
-  EXPECT_EQ(headless("capture cloth --out plain.png --seconds 0.1 --size 640x360 --quiet", scratch.folder).code, 0);
-  EXPECT_EQ(headless("capture cloth --out stamped.png --seconds 0.1 --size 640x360 --stamp --quiet", scratch.folder).code, 0);
+  EXPECT_EQ(run_headless("capture cloth --out plain.png --seconds 0.1 --size 640x360 --quiet", scratch.folder).code, 0);
+  EXPECT_EQ(run_headless("capture cloth --out stamped.png --seconds 0.1 --size 640x360 --stamp --quiet", scratch.folder).code, 0);
   EXPECT_NE(contents(scratch.folder / "plain.png"), contents(scratch.folder / "stamped.png"));
 }
 

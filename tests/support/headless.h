@@ -1,0 +1,47 @@
+// hooke-headless as scripts use it, and what it writes.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <rapidjson/document.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/process.h"
+
+namespace hooke {
+
+inline Outcome headless(std::vector<std::string> words) {
+  words.insert(words.begin(), HOOKE_HEADLESS);
+  return run_process(words);
+}
+
+// Returns the path as an argument.
+inline std::string write_file(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+  return file.string();
+}
+
+inline rapidjson::Document parse_json(const std::string& text) {
+  rapidjson::Document document;
+  document.Parse<rapidjson::kParseFullPrecisionFlag>(text.c_str());
+  EXPECT_FALSE(document.HasParseError()) << text.substr(0, 500);
+  return document;
+}
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+// One free point with a speed of 1 m/s, so that results can be computed by hand.
+inline constexpr const char* free_point =
+    R"({"hooke": 1, "gravity": [0, 0, 0], "points": [{"position": [0, 0, 0], "velocity": [1, 0, 0], "mass": 2}],
+  "simulation": {"frame_rate": 10, "substeps": 1}})";
+
+}  // namespace hooke
