@@ -132,7 +132,7 @@ void App::show(const Scene& scene) {
   placer_.stop();
   camera_control_.show(scene);
   take_switches(scene.view);
-  forecaster_.forget();
+  forecaster_.clear();
 }
 
 // Applies the view settings of the scene; the user may change them afterwards.

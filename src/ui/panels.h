@@ -166,7 +166,7 @@ struct Panels {
   std::optional<double> dismissed;  // time of the divergence whose banner was closed [s]
   std::string file_warnings;        // about the opened file
   std::string file_notice;          // the file changed on disk
-  bool file_is_gone = false;
+  bool file_is_missing = false;
   bool text_in_progress = false;             // a text field has the keyboard
   bool edit_in_progress = false;             // the active slider has already made an edit
   std::shared_ptr<const System> tuned_from;  // by a drag that scales different values; null: there is none

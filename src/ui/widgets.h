@@ -25,7 +25,7 @@ inline ImVec2 corner(const Rect& rect) { return {static_cast<float>(rect.x), sta
 inline ImVec2 extent(const Rect& rect) { return {static_cast<float>(rect.width), static_cast<float>(rect.height)}; }
 Rect current_window();
 // The desired width [design units], limited to that of the window.
-inline float box_width(double wished) { return std::min(units(wished), std::max(1.0f, ImGui::GetIO().DisplaySize.x - units(16.0))); }
+inline float box_width(double desired) { return std::min(units(desired), std::max(1.0f, ImGui::GetIO().DisplaySize.x - units(16.0))); }
 
 // The x of the center of a dialog over the scene, shifted if necessary to keep it within the window.
 inline float middle_for(const Rect& scene, float width) {

@@ -98,7 +98,7 @@ TEST(RecentFiles, AreTheNewestWithoutDuplicates) {
     RecentFiles recent(fixture.home.state);
     for (int i = 0; i < 20; ++i) recent.add(fixture.folder / (std::to_string(i) + ".json"));
     recent.add(fixture.folder / "15.json");
-    recent.forget(fixture.folder / "19.json");
+    recent.remove(fixture.folder / "19.json");
   }
   const RecentFiles recent(fixture.home.state);
   ASSERT_EQ(recent.files().size(), RecentFiles::max - 1);

@@ -126,7 +126,7 @@ TEST(Sessions, OfRunningWindowsAreNotOfferedForRecovery) {
   const DocumentFixture fixture;
   Session other(fixture.home.state / "runs");
   other.set_document(fixture.file, "Net");
-  other.keep("{}");
+  other.write_autosave("{}");
   {
     const Session session(fixture.home.state / "runs");
     EXPECT_TRUE(session.is_open_elsewhere(fixture.file));
@@ -144,8 +144,8 @@ TEST(Sessions, WithoutAFolderKeepNothingAndContinue) {
     Session session(folder);
     EXPECT_FALSE(session.is_enabled());
     session.set_document("/a.json", "a");
-    session.keep("{}");
-    session.forget();
+    session.write_autosave("{}");
+    session.delete_autosave();
     EXPECT_TRUE(session.recoverable_scenes().empty());
     session.end();
   }

@@ -41,7 +41,7 @@ void Autosave::start_writing(const std::function<void(Scene&)>& add_view_setting
     try {
       Scene scene_with_view = *scene;
       add_view_settings(scene_with_view);
-      session.keep(format_scene(scene_with_view));
+      session.write_autosave(format_scene(scene_with_view));
       return std::string();
     } catch (const std::exception& error) {  // FileError, or out of memory
       return std::string(error.what());
@@ -55,12 +55,12 @@ void Autosave::finish_writing() {
   saved_ = asked_;
 }
 
-void Autosave::forget() {
+void Autosave::discard() {
   copying_ = {};
   if (writing_.valid()) writing_.get();
   changed_since_.reset();
   saved_ = {-1, -1};
-  session_.forget();
+  session_.delete_autosave();
 }
 
 }  // namespace hooke

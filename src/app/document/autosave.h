@@ -24,7 +24,7 @@ class Autosave {
   // Once per frame, at `now` [s]. `add_view_settings` adds the view of the window to a copy of the scene.
   void follow(const Status& status, LabThread& lab, double now, const std::function<void(Scene&)>& add_view_settings);
   // Deletes the copy: the changes were saved or discarded.
-  void forget();
+  void discard();
   // The last error, once.
   std::string take_error() { return std::exchange(error_, {}); }
 

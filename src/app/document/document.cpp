@@ -101,7 +101,7 @@ void Document::replace(std::shared_ptr<const Scene> scene, std::filesystem::path
   file_ = std::move(file);
   show_(*scene);
   context_.lab.submit(Open{std::move(scene), unsaved});
-  autosave_.forget();
+  autosave_.discard();
   context_.settle();
   begin();
 }
@@ -143,12 +143,12 @@ void Document::report_replay_difference() {
 // The notice stays until the user responds.
 void Document::check_file() {
   const FileWatch::Change change = watch_.check();
-  panels_.file_is_gone = change == FileWatch::Change::Gone;
+  panels_.file_is_missing = change == FileWatch::Change::Deleted;
   if (change == FileWatch::Change::None)
     panels_.file_notice.clear();
   else
     panels_.file_notice = printable(file_.filename().native(), 60) +
-                          (panels_.file_is_gone ? " no longer exists. Saving creates it again." : " was changed by another program.");
+                          (panels_.file_is_missing ? " no longer exists. Saving creates it again." : " was changed by another program.");
 }
 
 void Document::poll_system_dialog() {
@@ -164,7 +164,7 @@ void Document::poll_system_dialog() {
 }
 
 void Document::end() {
-  autosave_.forget();
+  autosave_.discard();
   session_.end();
 }
 

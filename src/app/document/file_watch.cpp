@@ -12,8 +12,8 @@ void FileWatch::take(const std::filesystem::path& file) {
 FileWatch::Change FileWatch::check() const {
   if (file_.empty() || !stamp_.exists) return Change::None;
   const FileStamp now = stamp_of(file_);
-  if (!now.exists) return Change::Gone;
-  return now == stamp_ ? Change::None : Change::Other;
+  if (!now.exists) return Change::Deleted;
+  return now == stamp_ ? Change::None : Change::Modified;
 }
 
 FileWatch::FileStamp FileWatch::stamp_of(const std::filesystem::path& file) {

@@ -8,7 +8,7 @@ namespace hooke {
 
 class FileWatch {
  public:
-  enum class Change { None, Gone, Other };
+  enum class Change { None, Deleted, Modified };
 
   // Watches this file from its current state on; no file if the path is empty.
   void take(const std::filesystem::path& file);

@@ -48,7 +48,7 @@ void Document::read_scene(const std::filesystem::path& file) {
       if (task_.was_stopped()) return panels_.show_toast("Canceled: nothing was opened");
       if (!opened.scene) {
         std::error_code error;
-        if (!std::filesystem::exists(file, error)) recent_.forget(file);
+        if (!std::filesystem::exists(file, error)) recent_.remove(file);
         return panels_.show_message("Cannot open the scene", opened.error);
       }
       // a file of another format is imported: the document has no file
@@ -91,7 +91,7 @@ void Document::save_to(const std::filesystem::path& file) {
   }
   saving_to_ = file;
   const std::vector<Choice> choices = {{"Save as...", Answer::SaveAs}, {"Replace", Answer::Overwrite}, {"Cancel", Answer::Cancel}};
-  if (file == file_ && watch_.check() == FileWatch::Change::Other)
+  if (file == file_ && watch_.check() == FileWatch::Change::Modified)
     return panels_.show_message("File changed",
                                 name_of(file) + " was changed by another program after it was opened here. Saving replaces those changes.",
                                 choices);
@@ -122,7 +122,7 @@ void Document::finish_saving(const std::filesystem::path& file, const std::strin
   const bool moved = file_ != file;
   file_ = file;
   context_.lab.submit(MarkSaved{});
-  autosave_.forget();
+  autosave_.discard();
   context_.settle();
   panels_.file_notice.clear();
   watch_.take(file_);

@@ -116,7 +116,7 @@ void RecentFiles::add(const fs::path& file) {
   save();
 }
 
-void RecentFiles::forget(const fs::path& file) {
+void RecentFiles::remove(const fs::path& file) {
   if (std::erase(files_, file) > 0) save();
 }
 

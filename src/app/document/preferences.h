@@ -57,7 +57,7 @@ class RecentFiles {
 
   // Errors of writing the file are ignored.
   void add(const std::filesystem::path& file);
-  void forget(const std::filesystem::path& file);
+  void remove(const std::filesystem::path& file);
   const std::vector<std::filesystem::path>& files() const { return files_; }
 
   static constexpr std::size_t max = 12;

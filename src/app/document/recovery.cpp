@@ -24,7 +24,7 @@ void Document::recover(std::size_t which) {
     const std::string text = read_file(left.copy());
     replace(std::make_shared<const Scene>(std::move(loaded.scene)), left.file, true);
     // autosaved by this run before the old copy is deleted
-    session_.keep(text);
+    session_.write_autosave(text);
     session_.discard(left);
     panels_.show_toast("Restored from autosave; not saved yet");
   } catch (const std::runtime_error& error) {  // Refused or FileError

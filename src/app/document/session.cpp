@@ -134,11 +134,11 @@ void Session::set_document(const fs::path& file, const std::string& name) {
   }
 }
 
-void Session::keep(std::string_view scene) const {
+void Session::write_autosave(std::string_view scene) const {
   if (is_enabled()) write_atomically(folder_ / scene_name, scene);
 }
 
-void Session::forget() const {
+void Session::delete_autosave() const {
   std::error_code ignored;
   if (is_enabled()) fs::remove(folder_ / scene_name, ignored);
 }

@@ -33,9 +33,9 @@ class Session {
   // Names the open document.
   void set_document(const std::filesystem::path& file, const std::string& name);
   // Writes the autosave atomically. Throws FileError.
-  void keep(std::string_view scene) const;
+  void write_autosave(std::string_view scene) const;
   // Deletes the autosave.
-  void forget() const;
+  void delete_autosave() const;
   // The run ends normally: deletes the folder.
   void end();
 

@@ -69,8 +69,8 @@ void Placer::place_in_sight() {
   const Box box = bounding_box(preview);
   const double step = std::max(0.05 * glm::length(box.max - box.min), 1e-3);
   Vec3 shift(0.0);
-  constexpr int most = 200;
-  for (int i = 0; i < most && is_inside_collider(context_.system(), {box.min + shift, box.max + shift}); ++i)
+  constexpr int max_steps = 200;
+  for (int i = 0; i < max_steps && is_inside_collider(context_.system(), {box.min + shift, box.max + shift}); ++i)
     shift += step * context_.camera.pole;
   at += shift;
 }

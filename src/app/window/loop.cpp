@@ -60,9 +60,9 @@ class LoopPacer {
 // Reloads style and fonts when the scale of the screen or of the interface changes.
 class Scale {
  public:
-  void follow(const Window& window, double wished, View& view) {
+  void follow(const Window& window, double desired, View& view) {
     const glm::dvec2 size = window.size();
-    const double scale = fitting_scale(wished * window.content_scale(), size.x, size.y),
+    const double scale = fitting_scale(desired * window.content_scale(), size.x, size.y),
                  density = window.framebuffer_size().x / std::max(1.0, window.size().x);
     if (scale == scale_ && density == density_) return;
     scale_ = scale;

@@ -20,7 +20,7 @@ void Forecaster::follow(const Status& status) {
   });
 }
 
-void Forecaster::forget() {
+void Forecaster::clear() {
   newest_ = {};
   key_ = {};
   is_stale_ = pending_.valid();

@@ -15,7 +15,7 @@ class Forecaster {
   // Once per frame: takes a finished forecast, and starts another if the scene was edited since.
   void follow(const Status& status);
   // Another document replaces the scene: earlier forecasts no longer apply.
-  void forget();
+  void clear();
   const Forecast& newest() const { return newest_; }
 
  private:

@@ -13,7 +13,7 @@ void attach(GLenum place, GLenum format, const GlName& store, int width, int hei
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, store);
 }
 
-void forget_errors() {
+void clear_errors() {
   while (glGetError() != GL_NO_ERROR) continue;
 }
 
@@ -21,7 +21,7 @@ void forget_errors() {
 
 bool RenderTarget::Layer::allocate(int new_width, int new_height, int new_samples) {
   *this = {GlName(GlKind::Framebuffer), GlName(GlKind::Renderbuffer), GlName(GlKind::Renderbuffer), new_width, new_height, new_samples};
-  forget_errors();
+  clear_errors();
   glBindFramebuffer(GL_FRAMEBUFFER, frame);
   attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, color, width, height, samples);
   attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, depth, width, height, samples);

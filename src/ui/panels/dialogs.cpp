@@ -68,7 +68,7 @@ void path_line(Panels& panels) {
 }
 
 // Of the text in a dialog of a width [design units].
-float text_width(double wished) { return std::max(1.0f, box_width(wished) - 2.0f * ImGui::GetStyle().WindowPadding.x); }
+float text_width(double desired) { return std::max(1.0f, box_width(desired) - 2.0f * ImGui::GetStyle().WindowPadding.x); }
 
 void message_box(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::TextUnformatted(wrapped(panels.dialog.text, text_width(480.0)).c_str());

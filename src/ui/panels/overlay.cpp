@@ -214,11 +214,11 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
   if (!panels.file_notice.empty()) {
     begin_banner("file", scene, down, panels.file_notice, palette::notice, palette::warning, panels);
     std::optional<Answer> answer;
-    if (!panels.file_is_gone) {
+    if (!panels.file_is_missing) {
       if (ImGui::Button("Reload")) answer = Answer::Reload;
       same_line_for("Keep mine");
     }
-    if (ImGui::Button(panels.file_is_gone ? "OK" : "Keep mine")) answer = Answer::KeepMine;
+    if (ImGui::Button(panels.file_is_missing ? "OK" : "Keep mine")) answer = Answer::KeepMine;
     down += end_banner() + units(8.0);
     if (answer) requests.emplace_back(*answer);
   }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "scene/flatness.h"
+#include "scene/parameter_groups.h"
 #include "scene/parameters.h"
 #include "sim/integrator.h"
 #include "ui/number_field.h"
@@ -136,7 +137,7 @@ void parameter_row(const Parameter& row, double value, const AffectedParts& part
 
 // The remark at the right of a section's heading.
 std::string scope_of(std::string_view group, const AffectedSprings& affected, const System& system) {
-  if (group != "Springs") return {};
+  if (group != parameter_group::springs) return {};
   return affected.all ? "all " + std::to_string(system.spring_count()) : std::to_string(affected.selected.size()) + " selected";
 }
 
@@ -151,9 +152,9 @@ void build_parameters(const PanelInput& input, Panels& panels, Requests& request
     const Parameter& row = rows[i];
     if (row.group != group) {
       group = row.group;
-      open = section(std::string(group), scope_of(group, parts.slider_springs, *input.status.snapshot->system),
-                     group != "Hand" && group != "Points");
-      if (open && group == "Simulation") method_row(input, panels, requests);
+      const bool starts_open = group != parameter_group::hand && group != parameter_group::points;
+      open = section(std::string(group), scope_of(group, parts.slider_springs, *input.status.snapshot->system), starts_open);
+      if (open && group == parameter_group::simulation) method_row(input, panels, requests);
     }
     if (!open || std::isnan(input.status.document->parameter_values[i])) continue;
     ImGui::PushID(row.name.data());

@@ -71,10 +71,10 @@ void build_status_bar(const PanelInput& input) {
   // the most detailed figures that leave space for the text, which is truncated otherwise
   const float edge = units(14.0), gap = units(16.0), line = static_cast<float>(bar.width) - 2.0f * edge;
   const float left = width_of(tool) + units(8.0),
-              wished = left + width_of(input.next_step) + gap + (hand.empty() ? 0.0f : width_of(hand) + gap);
+              desired = left + width_of(input.next_step) + gap + (hand.empty() ? 0.0f : width_of(hand) + gap);
   const auto all = figures(input);
   const auto text =
-      std::ranges::find_if(all.begin(), all.end() - 1, [&](const std::string& each) { return wished + width_of(taken + each) <= line; });
+      std::ranges::find_if(all.begin(), all.end() - 1, [&](const std::string& each) { return desired + width_of(taken + each) <= line; });
   const float right = width_of(taken + *text);
 
   text_in(palette::accent, tool);
