@@ -220,7 +220,9 @@ TEST(BenchReference, AMethodThatTakesTooLongIsReplacedByTheNext) {
   const ReferenceResult result = compute_reference(benchmark, 0.5, always);
   EXPECT_NE(result.failure, ReferenceResult::Failure::Interrupted);
   EXPECT_TRUE(result.reference.has_value() != !result.reason.empty());
-  if (result.reference) EXPECT_NE(result.reference->own.method->id, "dop853");
+  if (result.reference) {
+    EXPECT_NE(result.reference->own.method->id, "dop853");
+  }
   EXPECT_EQ(result.reason.find("dop853"), std::string::npos) << result.reason;
 }
 
