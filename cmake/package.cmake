@@ -60,7 +60,11 @@ set(CPACK_DEBIAN_HOOKE_PACKAGE_NAME hooke)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libhooke1)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libhooke-dev)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-hooke)
-set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+# Which package provides the library, and that the cache of libraries is updated.
+file(CONFIGURE OUTPUT ${made}/shlibs CONTENT "libhooke 1 libhooke1 (>= ${PROJECT_VERSION})\n")
+file(CONFIGURE OUTPUT ${made}/triggers CONTENT "activate-noawait ldconfig\n")
+install(FILES ${packaging}/libhooke1.lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT library RENAME libhooke1)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${made}/shlibs ${made}/triggers)
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR})
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -81,13 +85,14 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-matplotlib)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-tqdm, python3-scipy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The Hooke authors <hooke@hooke.example>")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "laboratory for networks of point masses and springs")
+# The first line of each description is its summary, so there is no common one.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(CPACK_COMPONENT_HOOKE_DESCRIPTION "laboratory for networks of point masses and springs
 Add points, attach springs, nail, drag and release them while they move;
 load ropes and cloths; choose among twelve integration methods, and
 render pictures without a display. Hooke reports its own error, and the
 cost of a smaller one.")
-set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "networks of point masses and springs, as a library\nThe modules of Hooke behind one stable interface for C++: load or build a scene,\nstep it, read it, and ask how wrong it is.")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "networks of point masses and springs, development files\nThe header hooke/hooke.h, and the files for find_package(hooke) and pkg-config.")
-set(CPACK_COMPONENT_PYTHON_DESCRIPTION "networks of point masses and springs, for Python\nThe laboratory of Hooke as a Python module with NumPy arrays: scenes, runs, the\nerror of a run, benchmarks, and pictures without a display.")
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "networks of point masses and springs, as a library\nThe modules of Hooke behind one stable interface for C++: load or build\na scene, step it, read it, and ask how wrong it is.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "networks of point masses and springs, development files\nThe header hooke/hooke.h, and the files for find_package(hooke) and\npkg-config.")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "networks of point masses and springs, for Python\nThe laboratory of Hooke as a Python module with NumPy arrays: scenes,\nruns, the error of a run, benchmarks, and pictures without a display.")
 include(CPack)

@@ -63,8 +63,11 @@ need("the installed program" ${place}/root/usr/bin/hooke check two_masses --quie
 
 # the module of the package, with the scenes beside it
 if(names MATCHES "python3-hooke")
-  need("the Python module" ${CMAKE_COMMAND} -E env PYTHONPATH=${place}/root/usr/lib/python3/dist-packages /usr/bin/python3 -c
-    "import hooke; assert hooke.__file__.startswith('${place}'); print(hooke.load('two_masses').run(0.1, accuracy='off').hash, hooke.__version__)")
+  file(WRITE ${place}/module.py "import hooke
+assert hooke.__file__.startswith('${place}')
+print(hooke.load('two_masses').run(0.1, accuracy='off').hash, hooke.__version__)
+")
+  need("the Python module" ${CMAKE_COMMAND} -E env PYTHONPATH=${place}/root/usr/lib/python3/dist-packages /usr/bin/python3 ${place}/module.py)
   if(NOT output MATCHES "^[0-9a-f]+ ${VERSION}\n$")
     message(FATAL_ERROR "the Python module prints: ${output}")
   endif()
