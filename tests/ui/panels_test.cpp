@@ -7,6 +7,7 @@
 
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
+#include "scene/shape.h"
 #include "sim/forces/force_term.h"
 #include "sim/integrator.h"
 #include "study/forecast.h"
@@ -82,9 +83,11 @@ TEST(Sliders, EachParameterHasOne) {
     gui.frames(2);
     gui.click(gui.find("side", {"Hand"}));  // expands the group
     gui.click(gui.find("side", {"Points"}));
+    const std::set<ImGuiID> items = gui.items_in("side");
     for (const Parameter& row : parameters()) {
       const bool is_switch = row.kind == Parameter::Kind::Switch, is_choice = row.kind == Parameter::Kind::Choice;
-      if (gui.find("side", {row.name.data(), is_switch ? "##switch" : is_choice ? "##choice" : "##value"}).x > 0.0) shown.insert(row.name);
+      if (items.contains(GuiFixture::id_of("side", {row.name.data(), is_switch ? "##switch" : is_choice ? "##choice" : "##value"})))
+        shown.insert(row.name);
     }
   }
   for (const Parameter& row : parameters()) EXPECT_TRUE(shown.contains(row.name)) << row.name;
@@ -360,6 +363,26 @@ TEST(Comparison, ThePaletteFindsIt) {
     const char* expected = std::string_view(word) == "accuracy" ? "Accuracy" : "Compare methods";
     EXPECT_NE(words.find(expected), std::string::npos) << word << ": " << words;
   }
+}
+
+TEST(Lists, AreClosedByEsc) {
+  const auto is_open = [] { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel); };
+  GuiFixture gui(two_springs());
+  for (const std::initializer_list<const char*> list : {std::initializer_list<const char*>{"##method"}, {"dimensions", "##choice"}}) {
+    gui.click(gui.find("side", list));
+    gui.frames(2);
+    EXPECT_TRUE(is_open());
+    gui.key(Key::Escape);
+    EXPECT_FALSE(is_open());
+  }
+  gui.app().handle(Request(StartPlacement{find_shape_kind("hanging_rope")}));
+  gui.frames(2);
+  gui.click(gui.find("placing", {"##held"}));
+  gui.frames(2);
+  EXPECT_TRUE(is_open());
+  gui.key(Key::Escape);
+  EXPECT_FALSE(is_open());
+  EXPECT_TRUE(gui.app().panels().placement.is_on());
 }
 
 TEST(Stability, IsShownBelowTheSubstepsWithARecommendation) {

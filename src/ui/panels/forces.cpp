@@ -3,6 +3,7 @@
 #include "sim/system.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
+#include "ui/panels/open_list.h"
 #include "ui/widgets.h"
 
 namespace hooke {
@@ -46,6 +47,7 @@ void build_forces(const PanelInput& input, Panels& panels, Requests& requests) {
 
   ImGui::SetNextItemWidth(-1.0f);
   if (ImGui::BeginCombo("##add", "Add a force...", ImGuiComboFlags_HeightLarge)) {
+    close_on_escape(input, panels);
     for (const ForceTerm& term : force_terms()) {
       if (ImGui::Selectable(term.label.data())) wanted.push_back({&term, true, default_values(term)});
       tooltip(std::string(term.description));

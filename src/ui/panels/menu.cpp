@@ -5,6 +5,7 @@
 #include "formats/scene_file.h"
 #include "formats/texture.h"
 #include "ui/panels.h"
+#include "ui/panels/open_list.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
 
@@ -170,8 +171,7 @@ float build_one(const MenuRow& menu, float x, const PanelInput& input, Panels& p
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {units(10.0), units(7.0)});
   if (ImGui::BeginPopup(menu.name, ImGuiWindowFlags_NoMove)) {
     menu.build(input, panels, requests);
-    panels.menu_is_open = input.presses(PanelKey::Target::Menu, Key::Escape) == 0;
-    if (!panels.menu_is_open) ImGui::CloseCurrentPopup();
+    close_on_escape(input, panels);
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar();

@@ -10,6 +10,7 @@
 #include "ui/number_field.h"
 #include "ui/panels.h"
 #include "ui/panels/mixed_values.h"
+#include "ui/panels/open_list.h"
 #include "ui/panels/parameter_hints.h"
 #include "ui/widgets.h"
 
@@ -94,6 +95,7 @@ void choice_row(const Parameter& row, double value, const PanelInput& input, Pan
   begin_row(std::string(row.label));
   ImGui::SetNextItemWidth(-1.0f);
   if (ImGui::BeginCombo("##choice", row.choices[now].label.data())) {
+    close_on_escape(input, panels);
     for (std::size_t i = 0; i < row.choices.size(); ++i) {
       const std::string reason = i == now ? "" : reason_against(row, i, input);
       const ImGuiSelectableFlags flags = reason.empty() ? 0 : ImGuiSelectableFlags_Disabled;
@@ -114,6 +116,7 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
   // other names of the method appear only in the list
   const std::string name(now.label.substr(0, now.label.find(" (")));
   if (ImGui::BeginCombo("##method", name.c_str(), ImGuiComboFlags_HeightLarge)) {
+    close_on_escape(input, panels);
     for (const Integrator& method : integrators()) {
       if (ImGui::Selectable(method.label.data(), &method == &now) && &method != &now) edit(SetIntegrator{&method}, panels, requests);
       tooltip(std::string(method.summary));

@@ -4,6 +4,7 @@
 
 #include "ui/number_field.h"
 #include "ui/panels.h"
+#include "ui/panels/open_list.h"
 #include "ui/widgets.h"
 #include "ui/wrapped_text.h"
 
@@ -17,11 +18,12 @@ std::string display_text(std::string_view support_name) {
   return text;
 }
 
-void support_row(Shape& shape) {
+void support_row(const PanelInput& input, Shape& shape, Panels& panels) {
   if (shape.kind->supports.size() < 2) return;
   begin_row("Supports");
   ImGui::SetNextItemWidth(-1.0f);
   if (!ImGui::BeginCombo("##held", display_text(shape.support_name()).c_str())) return;
+  close_on_escape(input, panels);
   for (std::size_t i = 0; i < shape.kind->supports.size(); ++i)
     if (ImGui::Selectable(display_text(shape.kind->supports[i]).c_str(), i == shape.support)) shape.support = i;
   ImGui::EndCombo();
@@ -130,7 +132,7 @@ void build_placement(const PanelInput& input, Panels& panels, Requests& requests
   if (placement.is_mesh) {
     mesh_rows(input, placement, panels, requests);
   } else {
-    support_row(placement.shape);
+    support_row(input, placement.shape, panels);
     number_rows(placement.shape, is_flat, panels);
   }
   if (!is_flat) angle_rows(placement.shape, panels);

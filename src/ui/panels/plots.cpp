@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ui/panels.h"
+#include "ui/panels/open_list.h"
 #include "ui/plot_axis.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
@@ -256,8 +257,7 @@ void buttons(const PanelInput& input, const Rect& place, Panels& panels, Request
   }
   if (ImGui::BeginPopup("choose")) {
     choices(input, requests);
-    panels.menu_is_open = input.presses(PanelKey::Target::Menu, Key::Escape) == 0;
-    if (!panels.menu_is_open) ImGui::CloseCurrentPopup();
+    close_on_escape(input, panels);
     ImGui::EndPopup();
   }
 }
