@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 #include <initializer_list>
+#include <set>
 #include <string>
 
 #include "app/app.h"
@@ -127,21 +128,40 @@ class GuiFixture {
 
   // The center of an item with this path of ids, found by moving the mouse over its whole window.
   glm::dvec2 find(const char* window, std::initializer_list<const char*> names) {
+    const ImGuiID id = id_of(window, names);
+    glm::dvec2 found(-1.0);
+    scan(window, [&](ImGuiID hovered) {
+      if (hovered == id) found = at_;
+      return hovered != id;
+    });
+    return found;
+  }
+  // All items of a window that the mouse reaches.
+  std::set<ImGuiID> items_in(const char* window) {
+    std::set<ImGuiID> items;
+    scan(window, [&](ImGuiID hovered) { return items.insert(hovered), true; });
+    return items;
+  }
+  static ImGuiID id_of(const char* window, std::initializer_list<const char*> names) {
     const ImGuiWindow* found = ImGui::FindWindowByName(window);
-    if (found == nullptr) return {-1.0, -1.0};
-    ImGuiID id = found->ID;
+    ImGuiID id = found != nullptr ? found->ID : 0;
     for (const char* name : names) id = ImHashStr(name, 0, id);
-    const glm::dvec2 min(found->Pos.x, found->Pos.y), size(found->Size.x, found->Size.y);
-    for (double y = 2.0; y < size.y; y += 5.0) {
-      for (const double fraction : {0.7, 0.42, 0.1, 0.06, 0.13, 0.92}) {
-        move(min + glm::dvec2(fraction * size.x, y));
-        if (ImGui::GetCurrentContext()->HoveredId == id) return at_;
-      }
-    }
-    return {-1.0, -1.0};
+    return id;
   }
 
  private:
+  // Moves the mouse over a window until `visit` returns false for the item below it.
+  template <class Visit>
+  void scan(const char* window, const Visit& visit) {
+    const ImGuiWindow* found = ImGui::FindWindowByName(window);
+    if (found == nullptr) return;
+    const glm::dvec2 min(found->Pos.x, found->Pos.y), size(found->Size.x, found->Size.y);
+    for (double y = 2.0; y < size.y; y += 5.0)
+      for (const double fraction : {0.7, 0.42, 0.1, 0.06, 0.13, 0.92}) {
+        move(min + glm::dvec2(fraction * size.x, y));
+        if (!visit(ImGui::GetCurrentContext()->HoveredId)) return;
+      }
+  }
   // Far longer than any machine needs, so that a slow machine does not fail the test.
   static constexpr auto patience = std::chrono::seconds(60);
 
