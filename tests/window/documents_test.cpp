@@ -35,9 +35,9 @@ std::vector<fs::path> copies(const Desktop& desktop) {
   return found;
 }
 
-class Hand {
+class Mouse {
  public:
-  explicit Hand(Desktop& desktop) : desktop_(desktop), scene_(lay_out(Desktop::width, Desktop::height, 1.0).scene) {}
+  explicit Mouse(Desktop& desktop) : desktop_(desktop), scene_(lay_out(Desktop::width, Desktop::height, 1.0).scene) {}
   // A position without a point.
   void add_point() {
     const int column = next_ % 20, row = next_ / 20 % 20;
@@ -64,7 +64,7 @@ TEST(KilledWindow, LosesOnlyTheLastMomentsAndOffersTheRest) {
 
   Desktop desktop;
   ASSERT_TRUE(desktop.is_up());
-  Hand hand(desktop);
+  Mouse mouse(desktop);
   const fs::path file = desktop.folder() / "net.json";
   write(file, R"({"hooke": 1, "name": "Net", "dimensions": 2, "points": []})");
   write(desktop.folder() / "config" / "hooke" / "settings.json", "{\"autosave_seconds\": " + std::to_string(autosave) + "}");
@@ -84,7 +84,7 @@ TEST(KilledWindow, LosesOnlyTheLastMomentsAndOffersTheRest) {
     const auto start = Clock::now();
     for (const double until = may_be_lost + more(random); seconds_between(start, Clock::now()) < until;) {
       added.push_back(Clock::now());
-      hand.add_point();
+      mouse.add_point();
       rest(0.2);
     }
     const auto end = Clock::now();
