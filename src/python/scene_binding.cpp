@@ -43,7 +43,7 @@ NamedScene load(const std::string& name) { return {name, load_file(find_scene(na
 NamedScene parse(const std::string& text, const std::string& name) { return {name, parse_scene(text, name)}; }
 
 // The members of a scene file that list parts: "generators": [...], "colliders": [...].
-void add(NamedScene& scene, const std::string& members, const std::string& name) {
+void add_part(NamedScene& scene, const std::string& members, const std::string& name) {
   const std::string dimensions = std::to_string(scene.scene().system.dimensions);
   append_parts(scene.scene(), parse_scene("{\"hooke\": 1, \"dimensions\": " + dimensions + ", " + members + "}", name).scene);
 }
@@ -262,7 +262,7 @@ void bind_scene(py::module_& module) {
              return format_scene(scene.scene());
            })
       .def("save", &save)
-      .def("add", &add)
+      .def("add", &add_part)
       .def("add_points", &add_points)
       .def("add_springs", &add_springs)
       .def("add_force", [](NamedScene& scene, py::function function) { add_force_callback(scene.scene(), std::move(function)); })

@@ -22,10 +22,10 @@
 namespace hooke {
 namespace {
 
-// [s] per format: five formats take a minute in total. HOOKE_FUZZ_SECONDS overrides it.
+// [s] per format; scripts/fuzz takes longer. HOOKE_FUZZ_SECONDS overrides it.
 double budget() {
   const char* given = std::getenv("HOOKE_FUZZ_SECONDS");
-  return given != nullptr ? std::atof(given) : 12.0;
+  return given != nullptr ? std::atof(given) : 4.0;
 }
 
 std::vector<std::string> read_all(const std::filesystem::path& folder, std::uintmax_t max_bytes) {
