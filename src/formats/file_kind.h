@@ -41,6 +41,9 @@ struct FileKind {
   LoadedScene (*parse)(std::string_view text, const std::string& file) = nullptr;
   // Appends to `losses` what the format cannot represent, one sentence each. Throws InputError. Null: cannot be written from a scene.
   std::string (*format)(const Scene& scene, const std::string& file, std::vector<std::string>& losses) = nullptr;
+  // A second file that the first one refers to, of the same name with this extension, written before it. Empty, null: there is none.
+  std::string_view companion_extension = {};
+  std::string (*format_companion)(const Scene& scene) = nullptr;
   // Null: cannot be written over time.
   std::unique_ptr<FrameSink> (*open_frames)(const std::filesystem::path& file, const System& system,
                                             const std::vector<Quantity>& quantities) = nullptr;

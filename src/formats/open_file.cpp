@@ -21,7 +21,10 @@ std::vector<std::string> write_scene_as(const Scene& scene, const std::filesyste
   if (kind == nullptr || kind->format == nullptr)
     throw InputError(name + ": file format: \"" + printable(file.extension().native()) + "\": must be " + writable_extensions());
   std::vector<std::string> losses;
-  write_atomically(file, kind->format(scene, name, losses));
+  const std::string text = kind->format(scene, name, losses);
+  if (kind->format_companion != nullptr)
+    write_atomically(std::filesystem::path(file).replace_extension(kind->companion_extension), kind->format_companion(scene));
+  write_atomically(file, text);
   return losses;
 }
 

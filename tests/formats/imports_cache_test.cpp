@@ -104,7 +104,7 @@ TEST(OpenFile, WritesEachExtensionWithItsWriter) {
             folder.folder.string() + "/b.xsp: dimensions: 3: must be 2 to be written as .xsp");
   EXPECT_EQ(read_file(folder.folder / "b.xsp"), "old");
   EXPECT_EQ(refusal([&] { write_scene_as(scene, folder.folder / "b.stl"); }),
-            folder.folder.string() + "/b.stl: file format: \".stl\": must be .json, .obj, .ply or .xsp");
+            folder.folder.string() + "/b.stl: file format: \".stl\": must be .json, .obj, .ply, .xsp or .lmp");
 
   Scene flat = load_file(folder.file("c.xsp", "#1.0\nmass 1 100 0 0 0 1 1\nmass 2 50 0 0 0 1 1\nspng 1 1 2 5 1 50\n")).scene;
   flat.system.spring(0).break_strain = 0.5;

@@ -1,0 +1,70 @@
+// What of a scene can be written for LAMMPS.
+#include <gtest/gtest.h>
+
+#include "formats/lammps/lammps_model.h"
+#include "formats/open_file.h"
+#include "support/contents.h"
+#include "support/scratch_folder.h"
+
+namespace hooke {
+namespace {
+
+Scene two_points(const std::string& members) {
+  return parse_scene(R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0], "nailed": true}], )" + members + "}",
+                     "scene.json")
+      .scene;
+}
+
+std::string with_spring(const std::string& members) { return R"("springs": [{"points": [0, 1], "stiffness": 30)" + members + "}]"; }
+
+struct RefusedByLammps {
+  std::string members, message;
+};
+
+TEST(LammpsExport, RefusesWhatLammpsCannotRepresentByName) {
+  for (const RefusedByLammps& refused : {
+           RefusedByLammps{with_spring(R"(, "damping": 1)"), "dashpots"},
+           {with_spring(R"(, "break_strain": 0.5)"), "springs that break"},
+           {with_spring("") + R"(, "strain_limit_percent": 10)", "the strain limit"},
+           {with_spring("") + R"(, "forces": [{"type": "center"}])", "the force center"},
+           {R"("colliders": [{"type": "sphere", "center": [0, -3, 0], "radius": 1}])", "a sphere (colliders[0])"},
+           {R"("colliders": [{"type": "box", "min": [0, -3, 0], "max": [1, -2, 1]}])", "a box (colliders[0])"},
+           {R"("colliders": [{"type": "plane", "point": [0, -3, 0], "normal": [1, 1, 0], "restitution": 1, "friction": 0}])",
+            "a plane that is not perpendicular to an axis (colliders[0])"},
+           {R"("colliders": [{"type": "plane", "point": [0, -3, 0], "normal": [0, 1, 0], "restitution": 0.5, "friction": 0}])",
+            "a plane with restitution 0.5 instead of 1 (colliders[0])"},
+           {R"("colliders": [{"type": "plane", "point": [0, -3, 0], "normal": [0, 1, 0], "restitution": 1, "friction": 0.3}])",
+            "a plane with friction 0.3 instead of 0 (colliders[0])"},
+       }) {
+    const Scene scene = two_points(refused.members);
+    EXPECT_EQ(unsupported_by_lammps(scene), std::vector{refused.message});
+    const ScratchFolder scratch;
+    const std::filesystem::path file = scratch.folder / "scene.lmp";
+    try {
+      write_scene_as(scene, file);
+      ADD_FAILURE() << refused.message;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(), file.string() + ": LAMMPS cannot represent " + refused.message);
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(scratch.folder));
+  }
+}
+
+TEST(LammpsExport, WritesTheScriptAndTheDataFile) {
+  const ScratchFolder scratch;
+  const Scene scene =
+      two_points(with_spring(R"(, "rest_length": 0.5)") + R"(, "gravity": [0, -2, 0], "simulation": {"integrator": "xpbd"})");
+  const std::vector<std::string> losses = write_scene_as(scene, scratch.folder / "net.lmp");
+  ASSERT_EQ(losses.size(), 1u);
+  EXPECT_NE(losses[0].find("LAMMPS runs velocity_verlet with the same step, not xpbd"), std::string::npos);
+  const std::string script = contents(scratch.folder / "net.lmp"), data = contents(scratch.folder / "net.data");
+  EXPECT_NE(script.find("read_data \"net.data\"\n"), std::string::npos);
+  EXPECT_NE(script.find("fix gravity free gravity 2 vector 0 -2 0\n"), std::string::npos);
+  EXPECT_NE(data.find("2 atoms\n1 bonds\n"), std::string::npos);
+  // half the stiffness, as LAMMPS defines it; the second point is nailed
+  EXPECT_NE(data.find("Bond Coeffs # harmonic\n\n1 15 0.5\n"), std::string::npos);
+  EXPECT_NE(data.find("2 1 2 1 0 0\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hooke
