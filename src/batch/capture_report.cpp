@@ -73,7 +73,7 @@ void CaptureReport::add(const Lab& lab, const std::string& file) {
     json_.null();
     json_.key("cost");
     json_.null();
-    json_.text("reason", "no frame has been computed yet");
+    json_.text("reason", "no frame yet");
   }
   json_.end();
   json_.text("hash", hash);

@@ -82,7 +82,7 @@ TEST(AccuracyReports, CaptureWritesTheAccuracyOfEveryPicture) {
   EXPECT_GT(json["frames"][2]["error"]["frame"].GetDouble(), 0.0);
   EXPECT_GT(json["frames"][2]["half_error"]["cost"].GetDouble(), 1.0);
   EXPECT_TRUE(json["frames"][0]["half_error"]["cost"].IsNull());
-  EXPECT_STREQ(json["frames"][0]["half_error"]["reason"].GetString(), "no frame has been computed yet");
+  EXPECT_STREQ(json["frames"][0]["half_error"]["reason"].GetString(), "no frame yet");
   const std::string hash = json["frames"][2]["hash"].GetString();
   EXPECT_TRUE(lines[3].ends_with(hash));
   const rapidjson::Document run = parse_json(run_headless("run cloth --seconds 0.2 --points 0 --json - --accuracy full").out);

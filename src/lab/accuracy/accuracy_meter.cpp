@@ -76,7 +76,7 @@ void AccuracyMeter::measure_frame(Accuracy& accuracy) const {
   const auto& result = repetition_.result();
   std::string_view reason;
   if (!is_started_ || !result)
-    reason = "no frame has been computed yet";
+    reason = "no frame yet";
   else if (is_edited_)
     reason = "not yet measured since the last edit";
   else if (!std::isfinite(result->error.rms))
@@ -99,7 +99,7 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
     accuracy.accumulated.reason = accuracy.amplification.reason = "the second runs are switched off";
   } else {
     if (!is_started_ || !error)
-      accuracy.accumulated.reason = "no frame has been computed yet";
+      accuracy.accumulated.reason = "no frame yet";
     else if (second_runs_.diverged())
       accuracy.accumulated.reason = "the run with half the step diverged";
     else if (is_chaotic && error->rms > max_error * size_)
