@@ -34,7 +34,7 @@ function(use_precompiled name)
 endfunction()
 
 # Unity builds: several sources are compiled as one, so that what they have in common, such as the templates of the commands, is compiled
-# once. That halves the CPU time of a fresh build, but a change of one source compiles those joined with it again.
+# once. That shortens a fresh build, but a change of one source compiles those joined with it again.
 # join_sources(TARGET SOURCES source... SEPARATE prefix...): joins the sources of the target, except those whose path begins with one of these
 # prefixes: they define names in anonymous namespaces that others of the target define too.
 function(join_sources target)

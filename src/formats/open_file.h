@@ -9,8 +9,8 @@ namespace hooke {
 // except a texture in the folder of the file. Only scenes report progress.
 LoadedScene load_file(const std::filesystem::path& file, const Progress& progress = {});
 
-// Writes the file atomically, after the second file of formats that have one. Returns what the format cannot represent. Throws InputError or FileError, and leaves the old
-// file unchanged.
+// Writes the file atomically, after the second file of formats that have one. Returns what the format cannot represent. Throws InputError
+// or FileError, and leaves the old file unchanged.
 std::vector<std::string> write_scene_as(const Scene& scene, const std::filesystem::path& file);
 
 }  // namespace hooke

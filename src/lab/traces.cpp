@@ -24,8 +24,7 @@ void Traces::watch(const std::vector<Quantity>& quantities, const Timeline& time
   published_.reset();
   for (const Quantity& quantity : quantities) table_.traces.push_back({quantity, {}});
   if (quantities.empty()) return;
-  for (std::size_t moment = 0; moment < timeline.count(); ++moment)
-    add(system, *timeline.at(moment), nullptr, timeline.continues(moment));
+  for (std::size_t moment = 0; moment < timeline.count(); ++moment) add(system, *timeline.at(moment), nullptr, timeline.continues(moment));
 }
 
 void Traces::record(const Timeline& timeline, const System& system, const State& state, const Accuracy& accuracy) {

@@ -56,8 +56,8 @@ struct ReferenceResult {
   std::string reason;  // of the failure, in one line
 };
 
-// Refines two methods, each for about `seconds` of CPU time at most, and perturbs the initial state. A method that reaches no result in that
-// time is replaced by the next. If the two do not agree on the trajectory they must agree on the observables; otherwise there is no
+// Refines two methods, each for about `seconds` of CPU time at most, and perturbs the initial state. A method that reaches no result in
+// that time is replaced by the next. If the two do not agree on the trajectory they must agree on the observables; otherwise there is no
 // reference.
 ReferenceResult compute_reference(Benchmark& benchmark, double seconds, const std::function<bool()>& should_continue);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "lab/accuracy/accuracy_text.h"
@@ -257,6 +258,9 @@ void build_comparison(const PanelInput& input, Panels& panels, Requests& request
   const bool has_rows = status.result && std::ranges::any_of(status.result->record.rows, is_drawn);
   if (status.is_running) {
     dim_text("Runs every method from the present state, on a copy, against a reference that two methods agree on.");
+    // the reference takes longest, by a number of runs that is not known before
+    const std::string elapsed = std::to_string(static_cast<int>(status.seconds));
+    dim_text(status.fraction > 0.0 ? "Measuring the methods." : "Computing the reference, for " + elapsed + " s so far.");
     progress_bar(status.fraction, status.seconds, ImGui::GetContentRegionAvail().x);
   } else if (!status.result) {
     dim_text("Nothing compared yet.");
