@@ -22,4 +22,7 @@ expect mine.json hooke mi
 expect --integrator hooke run cloth --integ
 expect tr_bdf2 hooke run --integrator tr
 expect substeps= hooke-headless run --set substep
+expect sweep hooke sw
+expect substeps= hooke sweep rope --vary substep
+expect --measure hooke sweep rope --mea
 rm -r "$PWD"

@@ -14,6 +14,7 @@
 #include "batch/gnuplot.h"
 #include "batch/machine.h"
 #include "batch/methods_page.h"
+#include "batch/output_folder.h"
 #include "batch/run_report.h"
 #include "formats/scene_file.h"
 #include "sim/hash.h"
@@ -126,12 +127,6 @@ std::vector<const Integrator*> chosen_methods(const std::vector<std::string>& id
   for (const Integrator& method : integrators())
     if (ids.empty() || std::ranges::find(ids, method.id) != ids.end()) chosen.push_back(&method);
   return chosen;
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure) throw FileError(printable(folder.native()) + ": cannot be created: " + failure.message());
 }
 
 void write_pages(const Results& results, const std::filesystem::path& folder) {

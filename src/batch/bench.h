@@ -55,6 +55,5 @@ std::vector<const Integrator*> chosen_methods(const std::vector<std::string>& id
 void save_results(const Results& results, const std::filesystem::path& folder);
 void write_pages(const Results& results, const std::filesystem::path& folder);
 std::optional<std::string> draw_charts(const Results& results, const std::filesystem::path& folder);
-void make_folder(const std::filesystem::path& folder);
 
 }  // namespace hooke

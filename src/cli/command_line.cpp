@@ -10,6 +10,7 @@
 #include "cli/commands/convert.h"
 #include "cli/commands/replay.h"
 #include "cli/commands/run.h"
+#include "cli/commands/sweep.h"
 
 namespace hooke {
 namespace {
@@ -18,6 +19,7 @@ namespace {
 constexpr std::array subcommands{
     Subcommand{"run", "Simulate a scene and report the result", declare_run},
     Subcommand{"bench", "Measure speed and error of every method", declare_bench},
+    Subcommand{"sweep", "Run a scene with many parameter values and tabulate results", declare_sweep},
     Subcommand{"capture", "Render a scene to pictures or video, without a display", declare_capture},
     Subcommand{"check", "Run the checks of scenes, or every method on the hard cases", declare_check},
     Subcommand{"convert", "Convert a scene file to another format", declare_convert},

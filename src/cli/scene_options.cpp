@@ -45,6 +45,12 @@ std::optional<std::string> first_stepping_option(const CLI::App& app) {
   return std::nullopt;
 }
 
+void add_shard_option(CLI::App& app, std::string& shard) {
+  app.add_option("--shard", shard,
+                 "Do only part I of N; run the parts in any order, on any machines, each with its own --out, and combine them with --merge")
+      ->type_name("I/N");
+}
+
 Scene open_scene(const SceneOptions& options) {
   LoadedScene loaded = load_with_options(options);
   if (!options.quiet)

@@ -17,6 +17,9 @@ std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene = S
 // The first option given that changes how a scene is stepped, such as "--substeps"; none if only SCENE and --quiet are given.
 std::optional<std::string> first_stepping_option(const CLI::App& app);
 
+// Declares --shard I/N, of which `shard` gets the text.
+void add_shard_option(CLI::App& app, std::string& shard);
+
 // Loads the scene and applies the options; warnings go to stderr. Throws UsageError, InputError, FileError.
 Scene open_scene(const SceneOptions& options);
 

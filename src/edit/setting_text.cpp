@@ -1,43 +1,14 @@
 #include "edit/setting_text.h"
 
-#include <charconv>
 #include <cmath>
-#include <optional>
 
 #include "base/printable.h"
 #include "edit/apply.h"
 #include "scene/flatness.h"
-#include "scene/parameters.h"
+#include "scene/parameter_value.h"
 #include "sim/integrator.h"
 
 namespace hooke {
-namespace {
-
-std::string ids_of_choices(const Parameter& parameter) {
-  std::string ids;
-  for (const ParameterChoice& choice : parameter.choices) ids += (ids.empty() ? "" : ", ") + std::string(choice.id);
-  return ids;
-}
-
-// The id of a choice; "0.5", and for switches also "on" and "off".
-std::optional<double> parse_value(const Parameter& parameter, std::string_view text) {
-  if (parameter.kind == Parameter::Kind::Switch) {
-    if (text == "on" || text == "true" || text == "1") return 1.0;
-    if (text == "off" || text == "false" || text == "0") return 0.0;
-    return std::nullopt;
-  }
-  if (parameter.kind == Parameter::Kind::Choice) {
-    for (std::size_t i = 0; i < parameter.choices.size(); ++i)
-      if (text == parameter.choices[i].id) return static_cast<double>(i);
-    return std::nullopt;
-  }
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-}  // namespace
 
 std::string ids_of_integrators() {
   std::string ids;
@@ -65,12 +36,7 @@ SetParameter parse_setting(const std::string& setting) {
   if (parameter == nullptr) throw UsageError(shown + ": must name one of " + names_of_parameters());
 
   const auto value = parse_value(*parameter, std::string_view(setting).substr(equals + 1));
-  if (parameter->kind == Parameter::Kind::Switch && !value) throw UsageError(shown + ": must be on or off");
-  if (parameter->kind == Parameter::Kind::Choice && !value) throw UsageError(shown + ": must be one of " + ids_of_choices(*parameter));
-  const Bounds range{.min = parameter->min, .max = parameter->max};
-  if (!value || !range.contains(*value) || clamp_to(*parameter, *value) != *value)
-    throw UsageError(shown + ": " + (parameter->kind == Parameter::Kind::Integer ? "must be whole, and " : "") + range.text() +
-                     (parameter->unit.empty() ? "" : " [" + std::string(parameter->unit) + "]"));
+  if (!value) throw UsageError(shown + ": " + limit_text(*parameter));
   return {.parameter = parameter, .value = *value};
 }
 

@@ -165,7 +165,11 @@ std::string Quantity::heading() const { return name() + " [" + std::string(row->
 
 std::optional<Quantity> find_quantity(std::string_view name, Index points, Index springs) {
   const std::size_t digits = std::min(name.find_first_of("0123456789"), name.size());
-  const std::string_view letters = name.substr(0, digits), number = name.substr(digits);
+  std::string_view letters = name.substr(0, digits);
+  const std::string_view number = name.substr(digits);
+  // the standard terms, which are also understood
+  if (letters == "max_strain") letters = "largest_strain";
+  if (letters == "min_strain") letters = "least_strain";
   const auto row = std::ranges::find(rows, letters, &QuantityRow::name);
   if (row == rows.end() || (row->of == Of::Scene) != number.empty()) return std::nullopt;
   if (row->of == Of::Scene) return Quantity{&*row};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/formatted.h"
+#include "study/gnuplot_text.h"
 #include "study/label_placement.h"
 
 namespace hooke {
@@ -25,16 +26,6 @@ constexpr std::array colors{"#0072B2", "#D55E00", "#009E73", "#000000", "#CC79A7
 // the same colors, darker, for text
 constexpr std::array text_colors{"#005A8E", "#A84A00", "#007A59", "#000000", "#9C4A77", "#9A6A00", "#2A7CAE"};
 constexpr std::array markers{7, 5, 9, 13, 11, 15, 6, 4, 8, 12, 10, 14, 2, 1};
-
-// In single quotes, gnuplot interprets nothing except a doubled quote.
-std::string in_quotes(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'') out += '\'';
-    out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
-  return out + '\'';
-}
 
 struct Line {
   std::string method;
@@ -121,7 +112,7 @@ void print_labels(std::string& script, const std::vector<Line>& lines, const Axe
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const ChartPoint &at = places[i].at, &end = labels[i].anchor;
     const char* color = text_colors[lines[i].style % text_colors.size()];
-    script += "set label " + in_quotes(lines[i].method);
+    script += "set label " + gnuplot_text(lines[i].method);
     append_formatted(script, " at graph %.4f,%.4f %s front noenhanced textcolor rgb '%s' font ',13'\n", at.x / width, at.y / height,
                      places[i].justify == Justify::Left ? "left" : "right", color);
     // an arrow connects a name that is not at the end of its line with that end
@@ -167,8 +158,8 @@ void print_panel(std::string& script, const ProblemRecord& record, std::size_t p
   append_formatted(script, "set xrange [%.6g:%.6g]\nset yrange [1e%d:1e%d]\nunset label\nunset arrow\n", axes.min_cost, axes.max_cost,
                    best_decade, worst_decade);
   if (place == 0) print_header(script, columns, rows);
-  script += "set label " + in_quotes(record.id + ": " + record.title) + " at graph 0,1.065 left noenhanced font ',15'\n";
-  script += "set label " + in_quotes(subtitle(record)) + " at graph 0,1.025 left noenhanced textcolor rgb '#555555' font ',12'\n";
+  script += "set label " + gnuplot_text(record.id + ": " + record.title) + " at graph 0,1.065 left noenhanced font ',15'\n";
+  script += "set label " + gnuplot_text(subtitle(record)) + " at graph 0,1.025 left noenhanced textcolor rgb '#555555' font ',12'\n";
   if (lines.empty()) {
     script += "set label 'nothing measured' at graph 0.5,0.5 center\nplot 1e-30 notitle\n";
     return;
@@ -195,7 +186,7 @@ std::string chart_script(const Results& results, ChartFormat format, const std::
   std::string script;
   append_formatted(script, "set terminal %s size %d,%d font 'DejaVu Sans,12' background '#ffffff'\n",
                    format == ChartFormat::Svg ? "svg" : "pngcairo", columns * panel_width, rows * panel_height + header_height);
-  script += "set output " + in_quotes(file) + '\n';
+  script += "set output " + gnuplot_text(file) + '\n';
   script +=
       "set encoding utf8\n"
       "set multiplot\n"

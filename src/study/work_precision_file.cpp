@@ -8,6 +8,8 @@
 #include <cmath>
 #include <concepts>
 
+#include "base/csv_field.h"
+
 namespace hooke {
 namespace {
 
@@ -196,14 +198,6 @@ void append(std::string& line, std::optional<double> number) {
   line.append(text, std::to_chars(text, text + sizeof text, *number).ptr);
 }
 
-// quoted if a name contains a comma or a quote (RFC 4180)
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 }  // namespace
 
 std::string format_results(const Results& results) {
@@ -243,7 +237,7 @@ std::string format_csv(const Results& results) {
       "scene,method,setting,step_s,error_m,relative_error,cpu_ms_per_s,force_evaluations,factorizations,energy_drift,status\n";
   for (const ProblemRecord& record : results.problems)
     for (const Row& row : record.rows) {
-      text += field(record.id) + ',' + row.method + ',' + row.setting;
+      text += csv_field(record.id) + ',' + row.method + ',' + row.setting;
       append(text, row.step);
       append(text, row.error);
       append(text, row.relative_error);

@@ -19,7 +19,7 @@ namespace hooke {
 namespace {
 
 constexpr int exit_usage = 2, exit_refused = 3, exit_io = 5;
-constexpr std::string_view commands[] = {"run", "capture", "bench", "check", "convert", "replay"};
+constexpr std::string_view commands[] = {"run", "capture", "bench", "check", "convert", "replay", "sweep"};
 constexpr const char* start_scene = "cloth";
 
 int print_error(int code, const std::string& line) {

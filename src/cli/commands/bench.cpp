@@ -7,6 +7,7 @@
 #include "base/read_file.h"
 #include "batch/bench.h"
 #include "batch/bench_report.h"
+#include "batch/output_folder.h"
 #include "cli/commands/bench_progress.h"
 #include "cli/interrupt.h"
 

@@ -178,10 +178,10 @@ std::string bash_completion() {
             "    --integrator|--methods) COMPREPLY=($(compgen -W '"
          << joined(methods)
          << "' -- \"$cur\")); return ;;\n"
-            "    --set) COMPREPLY=($(compgen -W '"
+            "    --set|--vary) COMPREPLY=($(compgen -W '"
          << joined(settings)
          << "' -- \"$cur\")); compopt -o nospace; return ;;\n"
-            "    --json|--csv|--pc2|--out|--markdown|--report) _filedir; return ;;\n"
+            "    --json|--csv|--pc2|--out|--markdown|--report|--merge) _filedir; return ;;\n"
             "  esac\n"
             "  local options\n"
             "  case ${words[1]} in\n";

@@ -1,0 +1,11 @@
+// The folder that a command writes its results to.
+#pragma once
+
+#include <filesystem>
+
+namespace hooke {
+
+// Creates it with its parents if it does not exist. Throws FileError.
+void make_folder(const std::filesystem::path& folder);
+
+}  // namespace hooke

@@ -1,0 +1,110 @@
+#include "batch/sweep/sweep_report.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/csv_field.h"
+#include "base/json_writer.h"
+#include "scene/parameter_value.h"
+
+namespace hooke {
+namespace {
+
+using Status = SweepRow::Status;
+using Layout = JsonWriter::Layout;
+
+constexpr std::array status_names{std::pair{Status::Ok, std::string_view("ok")}, std::pair{Status::Warning, std::string_view("warning")},
+                                  std::pair{Status::Diverged, std::string_view("diverged")}};
+
+std::string in_brackets(std::string_view unit) { return unit.empty() ? "" : " [" + std::string(unit) + "]"; }
+
+bool has_numbers(const Parameter& parameter) {
+  return parameter.kind == Parameter::Kind::Number || parameter.kind == Parameter::Kind::Integer;
+}
+
+void write_value(JsonWriter& json, const Parameter& parameter, double value) {
+  if (has_numbers(parameter))
+    json.number(value);
+  else
+    json.text(value_text(parameter, value));
+}
+
+}  // namespace
+
+std::string_view status_name(Status status) {
+  return std::ranges::find(status_names, status, &std::pair<Status, std::string_view>::first)->second;
+}
+
+std::optional<Status> find_status(std::string_view name) {
+  const auto at = std::ranges::find(status_names, name, &std::pair<Status, std::string_view>::second);
+  return at == status_names.end() ? std::nullopt : std::optional(at->first);
+}
+
+std::string format_sweep_csv(const Sweep& sweep, const SweepRows& rows) {
+  std::string text;
+  for (const SweepAxis& axis : sweep.axes) text += std::string(axis.parameter->name) + in_brackets(axis.parameter->unit) + ',';
+  for (const SweepMeasure& measure : sweep.measures) text += measure.name + in_brackets(measure.unit()) + ',';
+  text += "status,note\n";
+  for (const auto& [number, row] : rows) {
+    const std::vector<double> values = sweep.values_of(number);
+    for (std::size_t i = 0; i < values.size(); ++i) text += value_text(*sweep.axes[i].parameter, values[i]) + ',';
+    for (const std::optional<double>& value : row.values) text += (value ? format_exact(*value) : std::string()) + ',';
+    text += std::string(status_name(row.status)) + ',' + csv_field(row.note) + '\n';
+  }
+  return text;
+}
+
+std::string format_sweep_json(const Sweep& sweep, const SweepRows& rows) {
+  JsonWriter json;
+  json.begin_object(Layout::Lines);
+  json.integer("hooke_sweep", 1);
+  json.text("scene", sweep.scene);
+  json.number("seconds", sweep.seconds);
+  json.key("vary");
+  json.begin_list(Layout::Lines);
+  for (const SweepAxis& axis : sweep.axes) {
+    json.begin_object(Layout::Line);
+    json.text("name", axis.parameter->name);
+    json.text("unit", axis.parameter->unit);
+    json.key("values");
+    json.begin_list(Layout::Line);
+    for (const double value : axis.values) write_value(json, *axis.parameter, value);
+    json.end();
+    json.end();
+  }
+  json.end();
+  json.key("measures");
+  json.begin_list(Layout::Lines);
+  for (const SweepMeasure& measure : sweep.measures) {
+    json.begin_object(Layout::Line);
+    json.text("name", measure.name);
+    json.text("unit", measure.unit());
+    json.end();
+  }
+  json.end();
+  json.integer("row_count", static_cast<std::int64_t>(sweep.row_count()));
+  json.key("rows");
+  json.begin_list(Layout::Lines);
+  for (const auto& [number, row] : rows) {
+    json.begin_object(Layout::Line);
+    json.integer("row", static_cast<std::int64_t>(number));
+    const std::vector<double> values = sweep.values_of(number);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      json.key(sweep.axes[i].parameter->name);
+      write_value(json, *sweep.axes[i].parameter, values[i]);
+    }
+    // a quantity may have the name of a parameter
+    json.key("values");
+    json.begin_list(Layout::Line);
+    for (const std::optional<double>& value : row.values) value ? json.number(*value) : json.null();
+    json.end();
+    json.text("status", status_name(row.status));
+    json.text("note", row.note);
+    json.end();
+  }
+  json.end();
+  json.end();
+  return json.take() + "\n";
+}
+
+}  // namespace hooke
