@@ -6,8 +6,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "formats/lammps/lammps_dump.h"
 #include "support/contents.h"
-#include "support/lammps_dump.h"
 #include "support/process.h"
 #include "support/scratch_folder.h"
 

@@ -1,4 +1,4 @@
-#include "support/lammps_dump.h"
+#include "formats/lammps/lammps_dump.h"
 
 #include <cerrno>
 #include <charconv>
