@@ -28,7 +28,7 @@ std::string format_row(const SweepRow& row) {
   JsonWriter json;
   json.begin_object(JsonWriter::Layout::Line);
   json.integer("row", static_cast<std::int64_t>(row.row));
-  json.text("status", status_name(row.status));
+  json.text("status", sweep_status_name(row.status));
   json.text("note", row.note);
   json.key("values");
   json.begin_list(JsonWriter::Layout::Line);
@@ -97,7 +97,7 @@ bool read_row(const JsonField& field, const Sweep& sweep, SweepRow& row) {
   if (field.is("row")) {
     row.row = static_cast<std::size_t>(field.integer(0, static_cast<std::int64_t>(sweep.row_count()) - 1));
   } else if (field.is("status")) {
-    const std::optional<SweepRow::Status> status = find_status(field.text());
+    const std::optional<SweepRow::Status> status = find_sweep_status(field.text());
     if (!status) field.refuse("must be ok, warning or diverged");
     row.status = *status;
   } else if (field.is("note")) {

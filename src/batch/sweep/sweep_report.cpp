@@ -10,11 +10,11 @@
 namespace hooke {
 namespace {
 
-using Status = SweepRow::Status;
-using Layout = JsonWriter::Layout;
+using TableLayout = JsonWriter::Layout;
 
-constexpr std::array status_names{std::pair{Status::Ok, std::string_view("ok")}, std::pair{Status::Warning, std::string_view("warning")},
-                                  std::pair{Status::Diverged, std::string_view("diverged")}};
+constexpr std::array sweep_statuses{std::pair{SweepRow::Status::Ok, std::string_view("ok")},
+                                    std::pair{SweepRow::Status::Warning, std::string_view("warning")},
+                                    std::pair{SweepRow::Status::Diverged, std::string_view("diverged")}};
 
 std::string in_brackets(std::string_view unit) { return unit.empty() ? "" : " [" + std::string(unit) + "]"; }
 
@@ -31,13 +31,13 @@ void write_value(JsonWriter& json, const Parameter& parameter, double value) {
 
 }  // namespace
 
-std::string_view status_name(Status status) {
-  return std::ranges::find(status_names, status, &std::pair<Status, std::string_view>::first)->second;
+std::string_view sweep_status_name(SweepRow::Status status) {
+  return std::ranges::find(sweep_statuses, status, &std::pair<SweepRow::Status, std::string_view>::first)->second;
 }
 
-std::optional<Status> find_status(std::string_view name) {
-  const auto at = std::ranges::find(status_names, name, &std::pair<Status, std::string_view>::second);
-  return at == status_names.end() ? std::nullopt : std::optional(at->first);
+std::optional<SweepRow::Status> find_sweep_status(std::string_view name) {
+  const auto at = std::ranges::find(sweep_statuses, name, &std::pair<SweepRow::Status, std::string_view>::second);
+  return at == sweep_statuses.end() ? std::nullopt : std::optional(at->first);
 }
 
 std::string format_sweep_csv(const Sweep& sweep, const SweepRows& rows) {
@@ -49,34 +49,34 @@ std::string format_sweep_csv(const Sweep& sweep, const SweepRows& rows) {
     const std::vector<double> values = sweep.values_of(number);
     for (std::size_t i = 0; i < values.size(); ++i) text += value_text(*sweep.axes[i].parameter, values[i]) + ',';
     for (const std::optional<double>& value : row.values) text += (value ? format_exact(*value) : std::string()) + ',';
-    text += std::string(status_name(row.status)) + ',' + csv_field(row.note) + '\n';
+    text += std::string(sweep_status_name(row.status)) + ',' + csv_field(row.note) + '\n';
   }
   return text;
 }
 
 std::string format_sweep_json(const Sweep& sweep, const SweepRows& rows) {
   JsonWriter json;
-  json.begin_object(Layout::Lines);
+  json.begin_object(TableLayout::Lines);
   json.integer("hooke_sweep", 1);
   json.text("scene", sweep.scene);
   json.number("seconds", sweep.seconds);
   json.key("vary");
-  json.begin_list(Layout::Lines);
+  json.begin_list(TableLayout::Lines);
   for (const SweepAxis& axis : sweep.axes) {
-    json.begin_object(Layout::Line);
+    json.begin_object(TableLayout::Line);
     json.text("name", axis.parameter->name);
     json.text("unit", axis.parameter->unit);
     json.key("values");
-    json.begin_list(Layout::Line);
+    json.begin_list(TableLayout::Line);
     for (const double value : axis.values) write_value(json, *axis.parameter, value);
     json.end();
     json.end();
   }
   json.end();
   json.key("measures");
-  json.begin_list(Layout::Lines);
+  json.begin_list(TableLayout::Lines);
   for (const SweepMeasure& measure : sweep.measures) {
-    json.begin_object(Layout::Line);
+    json.begin_object(TableLayout::Line);
     json.text("name", measure.name);
     json.text("unit", measure.unit());
     json.end();
@@ -84,9 +84,9 @@ std::string format_sweep_json(const Sweep& sweep, const SweepRows& rows) {
   json.end();
   json.integer("row_count", static_cast<std::int64_t>(sweep.row_count()));
   json.key("rows");
-  json.begin_list(Layout::Lines);
+  json.begin_list(TableLayout::Lines);
   for (const auto& [number, row] : rows) {
-    json.begin_object(Layout::Line);
+    json.begin_object(TableLayout::Line);
     json.integer("row", static_cast<std::int64_t>(number));
     const std::vector<double> values = sweep.values_of(number);
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -95,10 +95,10 @@ std::string format_sweep_json(const Sweep& sweep, const SweepRows& rows) {
     }
     // a quantity may have the name of a parameter
     json.key("values");
-    json.begin_list(Layout::Line);
+    json.begin_list(TableLayout::Line);
     for (const std::optional<double>& value : row.values) value ? json.number(*value) : json.null();
     json.end();
-    json.text("status", status_name(row.status));
+    json.text("status", sweep_status_name(row.status));
     json.text("note", row.note);
     json.end();
   }

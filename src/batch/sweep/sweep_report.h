@@ -10,8 +10,8 @@
 namespace hooke {
 
 // "ok", "warning", "diverged".
-std::string_view status_name(SweepRow::Status status);
-std::optional<SweepRow::Status> find_status(std::string_view name);
+std::string_view sweep_status_name(SweepRow::Status status);
+std::optional<SweepRow::Status> find_sweep_status(std::string_view name);
 
 // A heading with units, and one line per finished row: the parameters, the measures, status and note. Empty: not known.
 std::string format_sweep_csv(const Sweep& sweep, const SweepRows& rows);

@@ -27,8 +27,8 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   return parts;
 }
 
-// To 12 digits: the same on every machine, whatever its powers and logarithms round to, and readable.
-double rounded(double value) {
+// The same on every machine, whatever its powers and logarithms round to, and readable.
+double to_twelve_digits(double value) {
   const std::string text = formatted("%.12g", value);
   std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
@@ -55,7 +55,7 @@ std::string parse_range(const std::vector<std::string_view>& parts, SweepAxis& a
   for (std::size_t i = 0; i < count; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(count - 1);
     double value = is_log ? *first * std::pow(*last / *first, part) : *first + part * (*last - *first);
-    value = i == 0 ? *first : i == count - 1 ? *last : clamp_to(parameter, rounded(value));
+    value = i == 0 ? *first : i == count - 1 ? *last : clamp_to(parameter, to_twelve_digits(value));
     // whole numbers that are close together round to the same one
     if (axis.values.empty() || axis.values.back() != value) axis.values.push_back(value);
   }
