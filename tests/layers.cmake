@@ -28,13 +28,13 @@ set(owners
   "^tiny_obj_loader[.]h$"               "^formats/mesh/obj_text[.]cpp$"
   "^CLI/"                               "^(cli/|app/window/main[.]cpp$)"
   "^pybind11/"                          "^python/"
-  "^hwy/"                               "^sim/"
+  "^hwy/"                               "^(sim/|study/kernels/machine_loops[.]cpp$)"
   "^Eigen/"                             "^sim/"
   "^glm/"                               "."
   "^malloc[.]h$"                        "^draw/gl/gl[.]cpp$"
   "^(chrono|ctime|random|thread|iostream|fstream|filesystem|unordered_map|unordered_set)$"  "^(base|formats|lab|study|draw|ui|app|batch|cli|python)/"
   "^cstdio$"                            "^(base|scene|formats|lab|study|draw|ui|app|batch|cli|python)/"
-  "^(unistd|fcntl|dirent|signal|spawn|dlfcn|link|sys/[a-z]+)[.]h$"  "^(base|formats|lab|study|app|batch|cli)/"
+  "^(unistd|fcntl|dirent|poll|signal|spawn|dlfcn|link|sys/[a-z]+)[.]h$"  "^(base|formats|lab|study|app|batch|cli)/"
   "^[a-z_]+$"                           "."  # the C++ standard library
 )
 

@@ -19,6 +19,7 @@
 #include "formats/scene_file.h"
 #include "sim/hash.h"
 #include "study/work_precision_chart.h"
+#include "study/work_precision_merge.h"
 
 namespace hooke {
 namespace {
@@ -73,11 +74,15 @@ class Bench {
   }
 
   void measure(const Problem& problem) {
+    std::vector<const Integrator*> methods;
+    for (const Integrator* method : request_.methods)
+      if (request_.shard.has(parts_++)) methods.push_back(method);
+    if (methods.empty()) return;
     ProblemRecord& record = find_or_add_record(problem);
     PrecisionSweep sweep(problem, request_.effort, record);
     sweep.should_continue = [this] { return should_continue(); };
     sweep.row_done = [&] { hooks_.row_done(record.rows.back().setting); };
-    for (const Integrator* method : request_.methods) {
+    for (const Integrator* method : methods) {
       hooks_.begin_part(problem.id + "  " + std::string(method->id));
       const std::size_t rows = record.rows.size();
       const bool finished = sweep.run(*method);
@@ -100,6 +105,7 @@ class Bench {
   const BenchRequest& request_;
   const BenchHooks& hooks_;
   Results results_;
+  std::size_t parts_ = 0;  // pairs of a problem and a method so far
   bool has_failed_ = false;
   const Clock::time_point start_ = Clock::now();
 };
@@ -107,6 +113,16 @@ class Bench {
 }  // namespace
 
 BenchResults run_bench(const BenchRequest& request, const BenchHooks& hooks) { return Bench(request, hooks).run(); }
+
+Results merge_benches(const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::pair<std::string, Results>> parts;
+  for (const std::filesystem::path& folder : folders) {
+    const std::filesystem::path file = folder / "bench.json";
+    const std::string name = printable(file.native());
+    parts.emplace_back(name, parse_results(read_file(file), name));
+  }
+  return merge_results(parts);
+}
 
 std::vector<Problem> default_problems(bool quick) {
   std::vector<Problem> chosen;

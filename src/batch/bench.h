@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/shard.h"
 #include "study/work_precision_file.h"
 
 namespace hooke {
@@ -22,6 +23,7 @@ struct BenchRequest {
   Effort effort{};
   std::string effort_name = "full";
   std::optional<std::chrono::seconds> limit{};
+  Shard shard{};                                  // of the pairs of a problem and a method
   std::optional<std::filesystem::path> folder{};  // resumes from the results in it and saves after every method; none: nothing is written
 };
 
@@ -42,6 +44,9 @@ struct BenchResults {
 
 // Throws InputError, FileError.
 BenchResults run_bench(const BenchRequest& request, const BenchHooks& hooks);
+
+// The results in these folders together. Throws InputError if they were measured under different conditions, FileError.
+Results merge_benches(const std::vector<std::filesystem::path>& folders);
 
 // The built-in problems, for quick ones only those that are fast.
 std::vector<Problem> default_problems(bool quick);

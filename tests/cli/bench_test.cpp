@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -72,6 +73,85 @@ TEST(Bench, WritesItsFilesAndKeepsExistingRows) {
   const Results second = results_in(scratch.folder);
   EXPECT_EQ(first.problems.at(0).rows, second.problems.at(0).rows);
   EXPECT_EQ(first.date, second.date);
+}
+
+TEST(Bench, PartsAreMergedIntoOneTable) {
+  const ScratchFolder scratch;
+  const std::vector<std::string> arguments{"net_w2", "--quick", "--methods", "velocity_verlet,xpbd,runge_kutta4"};
+  for (const char* part : {"1/2", "2/2"}) {
+    fs::create_directories(scratch.folder / part);
+    std::vector<std::string> words = arguments;
+    words.insert(words.end(), {"--shard", part});
+    ASSERT_EQ(run(scratch.folder / part, words), 0);
+  }
+  ASSERT_EQ(run(scratch.folder, {"--merge", scratch.folder / "1/2", scratch.folder / "2/2"}), 0);
+  const Results merged = results_in(scratch.folder), first = results_in(scratch.folder / "1/2"),
+                second = results_in(scratch.folder / "2/2");
+  ASSERT_EQ(merged.problems.size(), 1u);
+  // in the order of the table of methods: the first and the third are those of the first part
+  std::vector<std::string> methods;
+  for (const Row& row : merged.problems[0].rows)
+    if (methods.empty() || methods.back() != row.method) methods.push_back(row.method);
+  EXPECT_EQ(methods, (std::vector<std::string>{"velocity_verlet", "runge_kutta4", "xpbd"}));
+  EXPECT_EQ(merged.problems[0].rows.size(), first.problems.at(0).rows.size() + second.problems.at(0).rows.size());
+  EXPECT_TRUE(merged.problems[0].reference);
+  EXPECT_TRUE(fs::exists(scratch.folder / "bench.svg"));
+
+  // figures of another build are not mixed with these
+  Results other = second;
+  other.conditions.build = "0";
+  std::ofstream(scratch.folder / "2/2" / "bench.json") << format_results(other);
+  const Process refused(scratch.folder, {"--merge", scratch.folder / "1/2", scratch.folder / "2/2"});
+  EXPECT_EQ(refused.wait(), 3);
+  EXPECT_NE(refused.errors().find("measured with another build"), std::string::npos) << refused.errors();
+}
+
+TEST(Bench, ScalingMeasuresTimeAndMemoryOfEachSize) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run(scratch.folder, {"--scaling", "--quick"}), 0);
+  std::ifstream csv(scratch.folder / "scaling.csv");
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line, "points,springs,step_ms,ns_per_spring,peak_mib,bytes_per_spring");
+  for (const long springs : {930L, 3906L, 16002L, 64770L}) {
+    ASSERT_TRUE(std::getline(csv, line));
+    std::istringstream row(line);
+    double points = 0.0, measured = 0.0, step = 0.0, each = 0.0, mib = 0.0, bytes = 0.0;
+    char comma = 0;
+    row >> points >> comma >> measured >> comma >> step >> comma >> each >> comma >> mib >> comma >> bytes;
+    EXPECT_EQ(measured, static_cast<double>(springs));
+    EXPECT_NEAR(each, step * 1e6 / measured, 0.01 * each);
+    EXPECT_NEAR(bytes, mib * (1 << 20) / measured, 0.01 * bytes + 1.0);
+    // the positions, velocities and springs alone take more
+    if (springs > 60'000) {
+      EXPECT_GT(bytes, 40.0);
+    }
+  }
+  EXPECT_NE(contents(scratch.folder / "report").find("slope of log(time) over log(springs): "), std::string::npos);
+}
+
+TEST(Bench, KernelsAreComparedWithTheLimitsOfTheMachine) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run(scratch.folder, {"--kernels", "--quick"}), 0);
+  const std::string report = contents(scratch.folder / "report");
+  for (const char* line : {"| fused multiply-adds | ", "| square root of a vector | ", "| division of a vector | ", "| triad in L2 ",
+                           "| triad in memory ", "| grid | ", "| at rest on a plane | ", "| dashpots | ", "| shuffled | "})
+    EXPECT_NE(report.find(line), std::string::npos) << line << report;
+  std::istringstream csv(contents(scratch.folder / "kernels.csv"));
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line, "case,points,springs,ns_per_spring,limit_ns_per_spring,part_of_limit");
+  int rows = 0;
+  for (; std::getline(csv, line); ++rows) {
+    std::istringstream row(line.substr(line.find(',') + 1));
+    double points = 0.0, springs = 0.0, each = 0.0, limit = 0.0, part = 0.0;
+    char comma = 0;
+    row >> points >> comma >> springs >> comma >> each >> comma >> limit >> comma >> part;
+    EXPECT_GT(springs, 3 * points) << line;
+    EXPECT_GT(limit, 0.0) << line;
+    EXPECT_NEAR(part, limit / each, 0.01 * part) << line;
+  }
+  EXPECT_EQ(rows, 14);
 }
 
 TEST(Bench, CtrlCKeepsFinishedResults) {

@@ -8,8 +8,11 @@
 #include "batch/bench.h"
 #include "batch/bench_report.h"
 #include "batch/output_folder.h"
+#include "cli/commands/bench_kernels.h"
 #include "cli/commands/bench_progress.h"
+#include "cli/commands/bench_scaling.h"
 #include "cli/interrupt.h"
+#include "cli/scene_options.h"
 
 namespace hooke {
 namespace {
@@ -19,7 +22,9 @@ struct BenchOptions {
   std::vector<std::string> methods;  // ids; empty: all
   std::filesystem::path folder = ".";
   std::filesystem::path report_of;  // results to write a report of, without measuring
-  bool quick = false, quiet = false;
+  bool quick = false, quiet = false, scaling = false, kernels = false;
+  std::string shard = "1/1";
+  std::vector<std::filesystem::path> merge;  // folders of parts; empty: measure
 };
 
 void draw_charts_or_warn(const Results& results, const std::filesystem::path& folder) {
@@ -36,11 +41,21 @@ int rewrite_report(const BenchOptions& options) {
   return exit_code::success;
 }
 
+int merge_parts(const BenchOptions& options) {
+  const Results results = merge_benches(options.merge);
+  save_results(results, options.folder);
+  draw_charts_or_warn(results, options.folder);
+  if (!options.quiet)
+    for (const ProblemRecord& record : results.problems) std::cout << report(record);
+  return exit_code::success;
+}
+
 BenchRequest request_of(const BenchOptions& options) {
   BenchRequest request{.problems = options.scenes.empty() ? default_problems(options.quick) : std::vector<Problem>(),
                        .methods = {},
                        .effort = options.quick ? quick_effort : Effort{},
                        .effort_name = options.quick ? "quick" : "full",
+                       .shard = parse_shard(options.shard),
                        .folder = options.folder};
   for (const std::string& name : options.scenes) request.problems.push_back(problem_named(name));
   request.methods = chosen_methods(options.methods);
@@ -50,7 +65,7 @@ BenchRequest request_of(const BenchOptions& options) {
 
 int bench(const BenchOptions& options) {
   const BenchRequest request = request_of(options);
-  BenchProgress progress(request.problems.size() * request.methods.size(), !options.quiet);
+  BenchProgress progress(request.shard.count_of(request.problems.size() * request.methods.size()), !options.quiet);
   bool is_interrupted = false;
   BenchHooks hooks;
   hooks.should_continue = [&] { return !(is_interrupted = was_interrupted()); };
@@ -90,11 +105,30 @@ std::function<int()> declare_bench(CLI::App& app) {
   app.add_option("--out", options->folder, "Folder for bench.json, .csv, .md, .svg, .png and methods.md; resumes from existing results")
       ->type_name("DIR")
       ->capture_default_str();
-  app.add_option("--report", options->report_of, "Write the tables and charts of these results to DIR again, without measuring")
-      ->type_name("bench.json");
   app.add_flag("--quick", options->quick, "Fewer problems, coarser, in at most a minute");
   app.add_flag("-q,--quiet", options->quiet, "Print neither report nor progress");
-  return [options] { return options->report_of.empty() ? bench(*options) : rewrite_report(*options); };
+  add_shard_option(app, options->shard);
+  // what is done instead of measuring the scenes, one at a time
+  std::vector<CLI::Option*> instead{
+      app.add_option("--report", options->report_of, "Write the tables and charts of these results to DIR again, without measuring")
+          ->type_name("bench.json"),
+      app.add_option("--merge", options->merge, "Write one table of the parts in these folders, without measuring")->type_name("DIR"),
+      app.add_flag("--scaling", options->scaling,
+                   "Measure the time and the memory of cloths of 1e3 to 4e6 springs instead, and write them to scaling.csv"),
+      app.add_flag("--kernels", options->kernels,
+                   "Measure the limits of this machine and how close the steps of several kinds of cloth come to them instead, and write "
+                   "them to kernels.csv")};
+  for (CLI::Option* option : instead) {
+    for (const char* other : {"SCENE", "--methods", "--shard"}) option->excludes(other);
+    for (CLI::Option* other : instead)
+      if (other != option) option->excludes(other);
+  }
+  return [options] {
+    if (options->kernels) return bench_kernels(options->folder, options->quick, options->quiet);
+    if (options->scaling) return bench_scaling(options->folder, options->quick, options->quiet);
+    if (!options->merge.empty()) return merge_parts(*options);
+    return options->report_of.empty() ? bench(*options) : rewrite_report(*options);
+  };
 }
 
 }  // namespace hooke

@@ -1,0 +1,107 @@
+#include "batch/scaling.h"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/formatted.h"
+#include "formats/scene_file.h"
+#include "lab/lab.h"
+#include "study/benchmark.h"
+
+namespace hooke {
+namespace {
+
+constexpr std::array sizes{16, 32, 64, 128, 256, 512, 1024};
+constexpr std::size_t quick_sizes = 4;
+
+// Hangs from two corners, at a quarter of the step at which it becomes unstable. A frame has so many steps that what is done once per frame
+// hardly counts.
+Scene make_cloth(int n) {
+  const long springs = 4L * n * n, substeps = std::max(50L, 10'000'000L / springs);
+  const double frame_rate = 4.0 * 86.6 * n / static_cast<double>(substeps);
+  const std::string text = formatted(
+      R"({"hooke": 1, "name": "cloth %d", "gravity": [0, 0, -9.81], "generators": [{"type": "cloth", "corner": [0, 0, 0],
+          "across": [1, 0, 0], "down": [0, -1, 0], "points": [%d, %d], "density": 0.2, "stiffness": 1000, "shear_stiffness": 500,
+          "mass_model": "equal", "nail": ["top_left", "top_right"]}],
+          "simulation": {"integrator": "velocity_verlet", "frame_rate": %.17g, "substeps": %ld}})",
+      n, n, n, frame_rate, substeps);
+  return parse_scene(text, "cloth").scene;
+}
+
+struct Figures {
+  long springs = 0;
+  double step_seconds = 0.0;
+};
+
+Figures step_cloth(int n) {
+  constexpr int frames = 6;
+  Lab lab(make_cloth(n), KeepStart::No);
+  Figures figures{.springs = lab.scene().system.spring_count(), .step_seconds = HUGE_VAL};
+  for (int frame = 0; frame < frames; ++frame) {
+    const double start = cpu_seconds();
+    lab.step();
+    figures.step_seconds = std::min(figures.step_seconds, (cpu_seconds() - start) / lab.scene().settings.substeps);
+  }
+  return figures;
+}
+
+[[noreturn]] void fail(const std::string& what) { throw FileError("bench: " + what + ": " + std::strerror(errno)); }
+
+// What `work` returns in a process of its own, and the peak memory of that process [bytes].
+std::pair<Figures, double> in_own_process(const std::function<Figures()>& work) {
+  int ends[2];
+  if (pipe(ends) != 0) fail("no pipe");
+  const pid_t child = fork();
+  if (child < 0) fail("no process");
+  if (child == 0) {
+    const Figures figures = work();
+    const bool is_written = write(ends[1], &figures, sizeof figures) == static_cast<ssize_t>(sizeof figures);
+    _exit(is_written ? 0 : 1);
+  }
+  close(ends[1]);
+  Figures figures;
+  const bool is_read = read(ends[0], &figures, sizeof figures) == static_cast<ssize_t>(sizeof figures);
+  close(ends[0]);
+  rusage usage{};
+  int status = 0;
+  while (wait4(child, &status, 0, &usage) < 0)
+    if (errno != EINTR) fail("no exit status");
+  if (!is_read || !WIFEXITED(status) || WEXITSTATUS(status) != 0) throw FileError("bench: a run failed: out of memory?");
+  return {figures, 1024.0 * static_cast<double>(usage.ru_maxrss)};
+}
+
+}  // namespace
+
+std::span<const int> scaling_sizes(bool quick) { return std::span(sizes).first(quick ? quick_sizes : sizes.size()); }
+
+ScalingRow measure_scaling(int n) {
+  const double bare = in_own_process([] { return Figures{}; }).second;
+  const auto [figures, peak] = in_own_process([n] { return step_cloth(n); });
+  return {.n = n, .springs = figures.springs, .step_ms = 1e3 * figures.step_seconds, .peak_bytes = peak - bare};
+}
+
+double scaling_slope(const std::vector<ScalingRow>& rows) {
+  double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+  const auto count = static_cast<double>(rows.size());
+  for (const ScalingRow& row : rows) {
+    const double springs = std::log(static_cast<double>(row.springs)), time = std::log(row.step_ms);
+    x += springs;
+    y += time;
+    xx += springs * springs;
+    xy += springs * time;
+  }
+  return (count * xy - x * y) / (count * xx - x * x);
+}
+
+}  // namespace hooke

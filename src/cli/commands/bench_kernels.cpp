@@ -1,0 +1,62 @@
+#include "cli/commands/bench_kernels.h"
+
+#include <iostream>
+#include <vector>
+
+#include "base/atomic_write.h"
+#include "base/formatted.h"
+#include "batch/machine.h"
+#include "batch/output_folder.h"
+#include "cli/interrupt.h"
+#include "cli/subcommand.h"
+#include "study/kernels/kernel_cases.h"
+#include "study/kernels/machine_limits.h"
+
+namespace hooke {
+namespace {
+
+std::string limits_table(const MachineLimits& limits) {
+  std::string text = machine() + "\n\n| limit of one core, double precision | |\n|---|---|\n";
+  append_formatted(text, "| values in a vector | %d |\n", limits.lanes);
+  append_formatted(text, "| fused multiply-adds | %.1f GFLOP/s |\n", 2e-9 * limits.fma_rate);
+  append_formatted(text, "| square root of a vector | %.2f ns |\n", 1e9 * limits.sqrt_time * limits.lanes);
+  append_formatted(text, "| division of a vector | %.2f ns |\n", 1e9 * limits.division_time * limits.lanes);
+  for (const TriadLimit& triad : limits.triads)
+    append_formatted(text, "| triad in %s (%.3g MiB), 1 / 2 threads | %.1f / %.1f GB/s |\n", triad.level.c_str(), triad.bytes / (1 << 20),
+                     1e-9 * triad.one_thread, 1e-9 * triad.two_threads);
+  return text;
+}
+
+}  // namespace
+
+int bench_kernels(const std::filesystem::path& folder, bool quick, bool quiet) {
+  make_folder(folder);
+  catch_interrupts();
+  const MachineLimits limits = measure_machine_limits(quick);
+  const std::vector<int> sizes = quick ? std::vector{32, 64} : std::vector{32, 64, 128, 256, 512, 1024};
+  std::string csv = "case,points,springs,ns_per_spring,limit_ns_per_spring,part_of_limit\n";
+  if (!quiet) {
+    std::cout << limits_table(limits) << "\n| velocity_verlet, ns per spring and step (part of the limit) |";
+    for (const int n : sizes) std::cout << " " << n << " x " << n << " |";
+    std::cout << "\n|---|";
+    for (std::size_t i = 0; i < sizes.size(); ++i) std::cout << "---|";
+    std::cout << "\n";
+  }
+  for (const KernelCase& row : kernel_cases()) {
+    if (!quiet) std::cout << "| " << row.name << " |" << std::flush;
+    for (const int n : sizes) {
+      if (was_interrupted()) return exit_interrupted;
+      const KernelTime time = measure_kernel(row, n, quick);
+      const double each = time.step_seconds / static_cast<double>(time.springs);
+      const double limit = shortest_time_per_spring(limits, static_cast<double>(time.points), static_cast<double>(time.springs));
+      append_formatted(csv, "%s,%ld,%ld,%.4g,%.4g,%.3g\n", std::string(row.name).c_str(), time.points, time.springs, 1e9 * each,
+                       1e9 * limit, limit / each);
+      if (!quiet) std::cout << formatted(" %.2f (%.0f %%) |", 1e9 * each, 100.0 * limit / each) << std::flush;
+    }
+    if (!quiet) std::cout << "\n";
+  }
+  write_atomically(folder / "kernels.csv", csv);
+  return exit_code::success;
+}
+
+}  // namespace hooke
