@@ -113,8 +113,6 @@ RunOutput::RunOutput(const RunFiles& files, const std::string& scene_name, const
   if (files.pc2) pc2_.emplace(*files.pc2, scene.system.point_count());
 }
 
-bool RunOutput::needs_accuracy() const { return json_ || (csv_ && has_chosen_quantities_ && csv_->needs_accuracy()); }
-
 RunHooks RunOutput::hooks() {
   RunHooks hooks;
   hooks.sample = [this](const State& state, const Accuracy& accuracy) {

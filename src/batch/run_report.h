@@ -55,8 +55,9 @@ class RunOutput {
  public:
   // Opens the files for samples of these points. The scene must outlive it. Throws UsageError for an unknown quantity.
   RunOutput(const RunFiles& files, const std::string& scene_name, const Scene& scene, const std::vector<Index>& points);
-  // Whether the files contain errors.
-  bool needs_accuracy() const;
+  // Whether the files contain errors; whether a chosen quantity is one, which is then not null only if they are measured.
+  bool needs_accuracy() const { return json_ || has_chosen_errors(); }
+  bool has_chosen_errors() const { return csv_ && has_chosen_quantities_ && csv_->needs_accuracy(); }
   // Writes samples and frames; must not outlive this object.
   RunHooks hooks();
   void finish(const RunTotals& totals);

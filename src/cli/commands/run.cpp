@@ -1,5 +1,6 @@
 #include "cli/commands/run.h"
 
+#include <algorithm>
 #include <charconv>
 #include <iostream>
 #include <map>
@@ -7,8 +8,10 @@
 
 #include "base/printable.h"
 #include "base/text_lines.h"
+#include "batch/engine/run_with_engine.h"
 #include "batch/run_frames.h"
 #include "batch/run_report.h"
+#include "cli/interrupt.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
 #include "lab/lab.h"
@@ -24,6 +27,7 @@ struct RunOptions {
   std::optional<std::string> points;  // "0,5,9"; none: all
   RunFiles files;
   std::optional<AccuracyMode> accuracy;  // none: full if an output contains it
+  std::optional<std::string> engine;     // "mpirun -np 2 lmp"; none: this program computes the frames
 };
 
 // "0,5,9", or all of them.
@@ -60,7 +64,41 @@ void print_summary(const RunOptions& options, const Scene& scene, const RunTotal
             << "hash " << to_hexadecimal(totals.hash) << "\n";
 }
 
+// Writes the end of the files, or the summary if there are none.
+void finish(const RunOptions& options, const Scene& scene, RunOutput& output, const RunTotals& totals) {
+  output.finish(totals);
+  if (!options.files.json && !options.files.csv && !options.scene->quiet) print_summary(options, scene, totals);
+}
+
+int run_engine(const RunOptions& options) {
+  Scene scene = open_scene(*options.scene);
+  const EngineRequest request{
+      .command = *options.engine,
+      .scene = options.scene->scene,
+      .run = {.seconds = options.seconds, .sample = options.sample, .accuracy = options.accuracy.value_or(AccuracyMode::Off)}};
+  RunOutput output(options.files, options.scene->scene, scene, parse_points(options.points, scene.system.point_count()));
+  if (output.has_chosen_errors()) throw UsageError("--quantities: the accuracy is not measured with --engine");
+  RunHooks hooks = output.hooks();
+  std::optional<ProgressBar> progress;
+  progress.emplace(count_frames(options.seconds, scene.settings.frame_rate), !options.scene->quiet);
+  hooks.progress = [&](long done, long) { progress->show(std::max(1l, done)); };
+
+  // the engine has to be ended, and its files removed
+  catch_interrupts();
+  const EngineResults results = run_with_engine(scene, request, hooks, [] { return !was_interrupted(); });
+  progress.reset();
+  if (results.is_stopped) {
+    std::cerr << "Interrupted: the engine was ended and nothing was written.\n";
+    return exit_interrupted;
+  }
+  finish(options, scene, output, results.totals);
+  if (!results.totals.diverged) return exit_code::success;
+  std::cerr << results.divergence << "\n";
+  return exit_code::diverged;
+}
+
 int run(const RunOptions& options) {
+  if (options.engine) return run_engine(options);
   Lab lab(open_scene(*options.scene), KeepStart::No);
   const Scene& scene = lab.scene();
   RunRequest request{.seconds = options.seconds, .sample = options.sample};
@@ -77,8 +115,7 @@ int run(const RunOptions& options) {
   const RunResults results = run_frames(lab, request, hooks);
   progress.reset();
 
-  output.finish(results.totals);
-  if (!options.files.json && !options.files.csv && !options.scene->quiet) print_summary(options, scene, results.totals);
+  finish(options, scene, output, results.totals);
   if (!options.scene->quiet)
     for (const std::string& warning : results.warnings) std::cerr << "warning: " << warning << "\n";
   if (!results.totals.diverged) return exit_code::success;
@@ -113,6 +150,9 @@ std::function<int()> declare_run(CLI::App& app) {
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, AccuracyMode>{{"off", AccuracyMode::Off}, {"frame", AccuracyMode::Frame}, {"full", AccuracyMode::Full}}));
   app.add_option("--pc2", options->files.pc2, "Write the positions of all points in every frame as a point cache")->type_name("FILE");
+  app.add_option("--engine", options->engine,
+                 "Let LAMMPS compute the frames: a command such as \"mpirun -np 8 lmp\", whose words are separated by blanks")
+      ->type_name("COMMAND");
   return [options] { return run(*options); };
 }
 
