@@ -17,6 +17,7 @@
 
 #include "study/work_precision_file.h"
 #include "support/contents.h"
+#include "support/headless.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
@@ -104,6 +105,25 @@ TEST(Bench, PartsAreMergedIntoOneTable) {
   const Process refused(scratch.folder, {"--merge", scratch.folder / "1/2", scratch.folder / "2/2"});
   EXPECT_EQ(refused.wait(), 3);
   EXPECT_NE(refused.errors().find("measured with another build"), std::string::npos) << refused.errors();
+}
+
+TEST(Bench, InvalidPartsAreOneLine) {
+  const ScratchFolder scratch;
+  const std::string none = scratch.folder / "none";
+  struct RefusedParts {
+    std::vector<std::string> words;
+    int code;
+    std::string message;
+  };
+  for (const RefusedParts& refused : {RefusedParts{{"net_w2", "--shard", "0/4"}, 2, "--shard 0/4: must be I/N with I from 1 to N"},
+                                      {{"--merge", none, "--shard", "1/2"}, 2, "excludes"},
+                                      {{"--scaling", "--kernels"}, 2, "excludes"},
+                                      {{"--merge", none}, 5, none + "/bench.json: "}}) {
+    const Process process(scratch.folder, refused.words);
+    EXPECT_EQ(process.wait(), refused.code);
+    EXPECT_EQ(lines_of(process.errors()).size(), 1u);
+    EXPECT_NE(process.errors().find(refused.message), std::string::npos) << process.errors();
+  }
 }
 
 TEST(Bench, ScalingMeasuresTimeAndMemoryOfEachSize) {
