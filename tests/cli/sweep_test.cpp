@@ -61,6 +61,25 @@ TEST(Sweep, MeasuresWhatARunMeasures) {
   for (const char* file : {"sweep.json", "sweep.svg", "sweep.png"}) EXPECT_GT(fs::file_size(fs::path(out) / file), 1000u) << file;
 }
 
+TEST(Sweep, ChartsHaveAtMostEightLinesElseCells) {
+  const ScratchFolder scratch;
+  const auto charted = [&](const std::string& name, const std::vector<std::string>& axes) {
+    const fs::path out = scratch.folder / name;
+    std::vector<std::string> words{"sweep", "rope", "--measure", "lowest", "--seconds", "0", "-q", "--out", out};
+    for (const std::string& axis : axes) words.insert(words.end(), {"--vary", axis});
+    const Outcome outcome = headless(words);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.err + contents(out / "sweep.svg");
+  };
+  const std::string eight = charted("eight", {"substeps=1:9:lin:9", "gravity=1:8:lin:8"});
+  EXPECT_NE(eight.find("gravity 8"), std::string::npos) << "the key of a line";
+  const std::string nine = charted("nine", {"substeps=1:9:lin:9", "gravity=1:9:lin:9"});
+  EXPECT_EQ(nine.find("gravity 8"), std::string::npos);
+  EXPECT_NE(nine.find("gravity [m/s^2]"), std::string::npos) << "the label of an axis";
+  const std::string three = charted("three", {"substeps=1:9:lin:9", "gravity=1:5:lin:5", "damping=0,1"});
+  EXPECT_EQ(three, "no chart: too many combinations of more than two parameters\n");
+}
+
 TEST(Sweep, AnyDivisionIntoPartsGivesTheSameTable) {
   const ScratchFolder scratch;
   const auto in = [&](const std::string& name) { return (scratch.folder / name).string(); };
