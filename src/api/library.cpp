@@ -25,6 +25,8 @@ auto guarded(Work work) {
     return work();
   } catch (const InputError& error) {
     throw Error(Error::Kind::Input, error.what());
+  } catch (const OptionError& error) {
+    throw Error(Error::Kind::Usage, error.as_argument());
   } catch (const UsageError& error) {
     throw Error(Error::Kind::Usage, error.what());
   } catch (const FileError& error) {
@@ -34,13 +36,13 @@ auto guarded(Work work) {
 
 Vec3 to_vec3(const char* name, const Vector& vector) {
   const Vec3 result(vector.x, vector.y, vector.z);
-  if (!is_finite(result)) throw InputError(std::string(name) + ": must be numbers below 1.8e308");
+  if (!is_finite(result)) throw InputError(std::string(name) + ": must be finite numbers");
   return result;
 }
 
 void check(const char* field, double value, const Bounds& bounds) {
-  if (!std::isfinite(value) || !bounds.contains(value))
-    throw InputError(std::string(field) + ": " + format_exact(value) + ": " + bounds.text());
+  if (const std::string reason = why_refused(value, bounds); !reason.empty())
+    throw InputError(std::string(field) + ": " + format_exact(value) + ": " + reason);
 }
 
 PointId id_of(const System& system, std::int64_t point) {
@@ -148,14 +150,14 @@ void Scene::set_integrator(const std::string& id) {
 
 void Scene::set_substeps(int substeps) {
   guarded([&] {
-    check_option("--substeps", substeps, {.min = 1, .max = max_substeps});
+    check_option("substeps", substeps, {.min = 1, .max = max_substeps});
     data_->scene.settings.substeps = substeps;
   });
 }
 
 void Scene::set_frame_rate(double frame_rate) {
   guarded([&] {
-    check_option("--frame-rate", frame_rate, positive);
+    check_option("frame-rate", frame_rate, positive);
     data_->scene.settings.frame_rate = frame_rate;
   });
 }

@@ -7,6 +7,7 @@
 
 #include "base/atomic_write.h"
 #include "base/build_info.h"
+#include "base/option_error.h"
 #include "base/own_library.h"
 #include "base/printable.h"
 #include "base/read_file.h"
@@ -16,6 +17,7 @@
 #include "batch/methods_page.h"
 #include "batch/output_folder.h"
 #include "batch/run_report.h"
+#include "edit/setting_text.h"
 #include "formats/scene_file.h"
 #include "sim/hash.h"
 #include "study/work_precision_chart.h"
@@ -138,7 +140,8 @@ Problem problem_named(const std::string& name) {
 
 std::vector<const Integrator*> chosen_methods(const std::vector<std::string>& ids) {
   for (const std::string& id : ids)
-    if (find_integrator(id) == nullptr) throw UsageError("--methods: " + printable(id, 80) + ": no such method");
+    if (find_integrator(id) == nullptr)
+      throw OptionError("methods", printable(id, 80), "no such method: " + must_be_one_of(ids_of_integrators(), id));
   std::vector<const Integrator*> chosen;
   for (const Integrator& method : integrators())
     if (ids.empty() || std::ranges::find(ids, method.id) != ids.end()) chosen.push_back(&method);

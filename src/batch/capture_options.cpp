@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "base/bounds.h"
-#include "base/errors.h"
+#include "base/option_error.h"
 #include "base/printable.h"
 #include "batch/output_file.h"
 #include "draw/camera_text.h"
@@ -38,13 +37,13 @@ PictureSize parse_size(const std::string& text) {
   const auto is_side = [](int pixels) { return pixels >= 1 && pixels <= max_pixels; };
   const bool is_size = take(rest, size.width) && take(rest, 'x') && take(rest, size.height) && rest.empty();
   if (!is_size || !is_side(size.width) || !is_side(size.height))
-    throw UsageError("--size " + printable(text, 80) + ": must be WIDTHxHEIGHT, each from 1 to " + std::to_string(max_pixels));
+    throw OptionError("size", printable(text, 80), "must be WIDTHxHEIGHT, each from 1 to " + std::to_string(max_pixels));
   return size;
 }
 
 CameraPose parse_camera(const std::string& text) {
   if (const auto pose = camera_from_text(text)) return *pose;
-  throw UsageError("--camera " + printable(text, 80) + ": must be six comma-separated numbers: eye and target [m]");
+  throw OptionError("camera", printable(text, 80), "must be six numbers, of the eye and a different target [m]");
 }
 
 std::filesystem::path Destination::file(long number) const {
@@ -60,8 +59,8 @@ Destination parse_destination(const std::string& out) {
   if (std::filesystem::is_directory(path, ignored) || (!out.empty() && !path.has_extension())) return {path, Destination::Kind::Folder};
   if (path.extension() == ".png") return {path, Destination::Kind::Picture};
   if (path.extension() == ".mp4") return {path, Destination::Kind::VideoEncoder};
-  throw UsageError("--out " + printable(out, 200) +
-                   ": must end in .png or .mp4, or be a folder (a new one with a dot in its name must end in /)");
+  throw OptionError("out", printable(out, 200),
+                    "must end in .png or .mp4, or be a folder (a new one with a dot in its name must end in /)");
 }
 
 void prepare(const Destination& destination) {
@@ -78,14 +77,13 @@ void prepare(const Destination& destination) {
 CaptureSchedule::CaptureSchedule(const CaptureOptions& options, double frame_rate, double length) {
   const double fps = pictures_per_second_ = options.fps.value_or(std::min(60.0, frame_rate));
   if (fps > frame_rate * (1.0 + frame_tolerance))
-    throw UsageError("--fps " + format_exact(fps) + ": must be at most the frame rate of the scene, " + format_exact(frame_rate) +
-                     " (--frame-rate sets it)");
+    throw OptionError("fps", format_exact(fps), "must be at most the frame rate of the scene, " + format_exact(frame_rate));
   frames_per_picture_ = frame_rate / fps;
   constexpr double max = 1e15;
   const double last = options.frames ? static_cast<double>(*options.frames - 1)
                                      : std::floor(options.seconds.value_or(length) * fps * (1.0 + frame_tolerance) + frame_tolerance);
   if (!(last * frames_per_picture_ <= max))
-    throw UsageError("--seconds " + format_exact(options.seconds.value_or(length)) + ": must be at most 1e15 frames");
+    throw OptionError("seconds", format_exact(options.seconds.value_or(length)), "must be at most 1e15 frames");
   pictures_ = static_cast<long>(last) + 1;
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "base/errors.h"
+#include "base/option_error.h"
 #include "formats/scene_file.h"
 
 namespace hooke {
@@ -20,7 +20,7 @@ std::vector<const HardCase*> chosen_cases(const std::vector<int>& numbers) {
     if (numbers.empty() || std::ranges::find(numbers, row.number) != numbers.end()) chosen.push_back(&row);
   for (const int number : numbers)
     if (std::ranges::none_of(chosen, [&](const HardCase* row) { return row->number == number; }))
-      throw UsageError("--cases: " + std::to_string(number) + ": no such case");
+      throw OptionError("cases", std::to_string(number), "no such case: must be from 1 to " + std::to_string(hard_cases().size()));
   return chosen;
 }
 

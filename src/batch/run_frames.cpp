@@ -20,10 +20,10 @@ constexpr double round_off = 1e-9;
 }  // namespace
 
 long count_frames(double seconds, double frame_rate) {
-  check_option("--seconds", seconds, not_negative);
+  check_option("seconds", seconds, not_negative);
   constexpr double max = 1e15;
   const double frames = seconds * frame_rate;
-  if (!(frames <= max)) throw UsageError("--seconds " + format_exact(seconds) + ": must be at most 1e15 frames");
+  if (!(frames <= max)) throw OptionError("seconds", format_exact(seconds), "must be at most 1e15 frames");
   return static_cast<long>(std::ceil(frames * (1.0 - round_off) - round_off));
 }
 
@@ -38,15 +38,15 @@ bool SampleClock::is_due(long frame) {
   return true;
 }
 
-long SampleClock::count(std::optional<double> spacing, double frame_rate, long frames) {
-  SampleClock clock(spacing, frame_rate, frames);
-  long samples = 0;
-  for (long frame = 0; frame <= frames; ++frame) samples += clock.is_due(frame) ? 1 : 0;
-  return samples;
+long SampleClock::max_count(std::optional<double> spacing, double frame_rate, long frames) {
+  if (!spacing) return 1;
+  // at most one sample per frame and per multiple of the spacing
+  const double multiples = std::floor(static_cast<double>(frames) / (*spacing * frame_rate) * (1.0 + round_off)) + 1.0;
+  return std::min(frames + 1, static_cast<long>(std::min(multiples + 1.0, 1e18)));
 }
 
 RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks) {
-  if (request.sample) check_option("--sample", *request.sample, positive);
+  if (request.sample) check_option("sample", *request.sample, positive);
   const Scene& scene = lab.scene();
   const double start = scene.state.time;
   const long frames = count_frames(request.seconds, scene.settings.frame_rate);

@@ -49,8 +49,8 @@ class SampleClock {
  public:
   SampleClock(std::optional<double> spacing, double frame_rate, long frames);
   bool is_due(long frame);
-  // The number of samples of a run that does not diverge.
-  static long count(std::optional<double> spacing, double frame_rate, long frames);
+  // At least the number of samples of a run that does not diverge, and at most two more.
+  static long max_count(std::optional<double> spacing, double frame_rate, long frames);
 
  private:
   double frames_per_sample_, next_ = 0.0;

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <utility>
 
-#include "base/errors.h"
+#include "base/option_error.h"
 #include "base/printable.h"
 #include "batch/accuracy_json.h"
 #include "sim/integrator.h"
@@ -94,7 +94,7 @@ std::vector<Quantity> wanted_quantities(const std::optional<std::string>& list, 
   std::vector<Quantity> quantities;
   if (list) {
     const std::string unknown = parse_quantities(*list, system.point_count(), system.spring_count(), quantities);
-    if (!unknown.empty()) throw UsageError("--quantities " + printable(unknown, 80) + ": must be one of " + quantity_names());
+    if (!unknown.empty()) throw OptionError("quantities", printable(unknown, 80), must_be_one_of(quantity_names(), unknown));
     return quantities;
   }
   parse_quantities("time,kinetic,elastic,gravitational,total", system.point_count(), system.spring_count(), quantities);

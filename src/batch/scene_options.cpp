@@ -23,8 +23,7 @@ namespace {
 
 void set_tolerance(Settings& settings, double tolerance) {
   if (settings.integrator->stability != Stability::Adaptive)
-    throw UsageError("--tolerance " + format_exact(tolerance) + ": requires an adaptive method: --integrator " +
-                     ids_of_adaptive_integrators());
+    throw OptionError("tolerance", format_exact(tolerance), "requires an adaptive method: " + ids_of_adaptive_integrators());
   settings.tolerance = tolerance;
 }
 
@@ -35,9 +34,9 @@ struct ParsedOptions {
 
 ParsedOptions parse(const SteppingOptions& options) {
   ParsedOptions parsed{options.integrator ? &parse_integrator(*options.integrator) : nullptr, {}};
-  if (options.substeps) check_option("--substeps", *options.substeps, {.min = 1, .max = max_substeps});
-  if (options.frame_rate) check_option("--frame-rate", *options.frame_rate, positive);
-  if (options.tolerance) check_option("--tolerance", *options.tolerance, positive);
+  if (options.substeps) check_option("substeps", static_cast<double>(*options.substeps), {.min = 1, .max = max_substeps});
+  if (options.frame_rate) check_option("frame-rate", *options.frame_rate, positive);
+  if (options.tolerance) check_option("tolerance", *options.tolerance, positive);
   for (const std::string& setting : options.settings) parsed.settings.push_back(parse_setting(setting));
   return parsed;
 }
@@ -52,7 +51,7 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
     std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
   for (const SetParameter& setting : settings) apply_setting(scene, setting, name);
   if (integrator != nullptr) scene.settings.integrator = integrator;
-  if (options.substeps) scene.settings.substeps = *options.substeps;
+  if (options.substeps) scene.settings.substeps = static_cast<int>(*options.substeps);
   if (options.frame_rate) scene.settings.frame_rate = *options.frame_rate;
   if (options.tolerance) set_tolerance(scene.settings, *options.tolerance);
   if (const auto warning = step_warning(scene.system, scene.settings)) loaded.warnings.push_back(*warning);
@@ -65,12 +64,15 @@ LoadedScene load_with_options(const SceneOptions& options) {
   return loaded;
 }
 
-std::string explain_divergence(Lab& lab, const Scene* start, double seconds) {
+std::string explain_divergence(Lab& lab, const Scene* start, double seconds, const std::function<void()>& progress) {
   lab.publish();
   const std::string& message = lab.status()->diagnosis.message;
   if (start == nullptr) return message;
   const std::atomic<bool> never = false;
-  return message + " " + describe(find_remedy(*start, seconds, never), start->settings);
+  const auto report = [&](const std::string&) {
+    if (progress) progress();
+  };
+  return message + " " + describe(find_remedy(*start, seconds, never, default_remedy_work, report), start->settings);
 }
 
 }  // namespace hooke

@@ -1,6 +1,8 @@
 // The options common to all commands that run a scene.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +16,7 @@ namespace hooke {
 // How a scene is stepped, where it differs from its file.
 struct SteppingOptions {
   std::optional<std::string> integrator;
-  std::optional<int> substeps;
+  std::optional<std::int64_t> substeps;
   std::optional<double> frame_rate;   // [1/s]
   std::optional<double> tolerance;    // [m]
   std::vector<std::string> settings;  // NAME=VALUE
@@ -35,7 +37,7 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
 LoadedScene load_with_options(const SceneOptions& options);
 
 // Why the run stopped, in one line. With `start`, the scene as it was opened, also the cause and a remedy tested on copies for up to
-// `seconds` [s]: takes a second or two.
-std::string explain_divergence(Lab& lab, const Scene* start, double seconds);
+// `seconds` [s]: takes a second or two. `progress` is called before every test, and may throw.
+std::string explain_divergence(Lab& lab, const Scene* start, double seconds, const std::function<void()>& progress = {});
 
 }  // namespace hooke

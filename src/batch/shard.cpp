@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "base/errors.h"
+#include "base/option_error.h"
 #include "base/printable.h"
 
 namespace hooke {
@@ -16,7 +16,7 @@ Shard parse_shard(const std::string& text) {
   const auto [last, count_error] = has_slash ? std::from_chars(slash + 1, end, shard.count) : std::from_chars_result{begin, std::errc()};
   const bool is_valid = has_slash && count_error == std::errc() && last == end && shard.number >= 1 && shard.number <= shard.count &&
                         shard.count <= max_shards;
-  if (!is_valid) throw UsageError("--shard " + printable(text, 80) + ": must be I/N with I from 1 to N, and N at most 1000000");
+  if (!is_valid) throw OptionError("shard", printable(text, 80), "must be I/N with I from 1 to N, and N at most 1000000");
   return shard;
 }
 

@@ -24,20 +24,28 @@ std::string names_of_parameters() {
 
 const Integrator& parse_integrator(const std::string& id) {
   const Integrator* integrator = find_integrator(id);
-  if (integrator == nullptr) throw UsageError("--integrator " + printable(id, 80) + ": must be one of " + ids_of_integrators());
+  if (integrator == nullptr) throw OptionError("integrator", printable(id, 80), must_be_one_of(ids_of_integrators(), id));
   return *integrator;
 }
 
-SetParameter parse_setting(const std::string& setting) {
-  const std::string shown = "--set " + printable(setting, 80);
-  const std::size_t equals = setting.find('=');
-  if (equals == std::string::npos) throw UsageError(shown + ": must be NAME=VALUE");
-  const Parameter* parameter = find_parameter(setting.substr(0, equals));
-  if (parameter == nullptr) throw UsageError(shown + ": must name one of " + names_of_parameters());
+const Parameter& parse_parameter(const std::string& name) {
+  const Parameter* parameter = find_parameter(name);
+  if (parameter == nullptr)
+    throw OptionError("set", printable(name, 80), "no such parameter: " + must_be_one_of(names_of_parameters(), name));
+  return *parameter;
+}
 
-  const auto value = parse_value(*parameter, std::string_view(setting).substr(equals + 1));
-  if (!value) throw UsageError(shown + ": " + limit_text(*parameter));
-  return {.parameter = parameter, .value = *value};
+SetParameter parse_setting(const std::string& name, const std::string& value) {
+  const Parameter& parameter = parse_parameter(name);
+  const std::optional<double> parsed = parse_value(parameter, value);
+  if (!parsed) throw OptionError("set", printable(name + "=" + value, 80), limit_text(parameter));
+  return {.parameter = &parameter, .value = *parsed};
+}
+
+SetParameter parse_setting(const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) throw OptionError("set", printable(setting, 80), "must be NAME=VALUE");
+  return parse_setting(setting.substr(0, equals), setting.substr(equals + 1));
 }
 
 void apply_setting(Scene& scene, const SetParameter& setting, const std::string& name) {
@@ -46,10 +54,6 @@ void apply_setting(Scene& scene, const SetParameter& setting, const std::string&
       throw InputError(printable(name, 80) + ": dimensions: 2: " + reason);
   Effect effect;
   apply(scene, setting, effect);
-}
-
-void check_option(const std::string& option, double value, const Bounds& bounds) {
-  if (!std::isfinite(value) || !bounds.contains(value)) throw UsageError(option + ": " + format_exact(value) + ": " + bounds.text());
 }
 
 }  // namespace hooke

@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include "base/bounds.h"
-#include "base/errors.h"
+#include "base/option_error.h"
 #include "edit/command.h"
 
 namespace hooke {
@@ -13,16 +12,17 @@ namespace hooke {
 std::string ids_of_integrators();
 std::string names_of_parameters();
 
-// Throws UsageError if there is no such method.
+// Throws OptionError if there is no such method.
 const Integrator& parse_integrator(const std::string& id);
 
-// NAME=VALUE. A value out of range is an error here, not clamped. Throws UsageError.
-SetParameter parse_setting(const std::string& setting);
+// Throws OptionError if there is no such parameter.
+const Parameter& parse_parameter(const std::string& name);
+
+// A value out of range is an error here, not clamped. Throws OptionError.
+SetParameter parse_setting(const std::string& name, const std::string& value);
+SetParameter parse_setting(const std::string& setting);  // NAME=VALUE
 
 // Applies a setting to a scene that was loaded from `name`. Throws InputError if the scene cannot become 2-D.
 void apply_setting(Scene& scene, const SetParameter& setting, const std::string& name);
-
-// Throws UsageError "--option: VALUE: must be ..." for a number that is not finite or not within the bounds.
-void check_option(const std::string& option, double value, const Bounds& bounds);
 
 }  // namespace hooke

@@ -7,6 +7,7 @@
 #include "base/build_info.h"
 #include "base/json_field.h"
 #include "base/json_text.h"
+#include "base/option_error.h"
 #include "base/own_library.h"
 #include "base/printable.h"
 #include "base/read_file.h"
@@ -113,7 +114,7 @@ fs::path find_scene(const std::string& name) {
   if (!fs::exists(status) || fs::is_directory(status))
     for (const ShippedScene& scene : shipped_scenes())
       if (scene.id == name) return scene.file;
-  if (!fs::exists(status)) throw FileError(printable(name) + ": no such file or shipped scene: the shipped scenes are " + ids());
+  if (!fs::exists(status)) throw FileError(printable(name) + ": no such file or shipped scene: " + must_be_one_of(ids(), name));
   return name;
 }
 

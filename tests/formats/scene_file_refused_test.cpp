@@ -370,7 +370,7 @@ TEST(BadSceneFiles, AFileThatCannotBeOpenedIsAFileError) {
     find_scene("no_such_scene");
     FAIL();
   } catch (const FileError& error) {
-    EXPECT_EQ(std::string(error.what()).find("no_such_scene: no such file or shipped scene: the shipped scenes are cloth, "), 0u);
+    EXPECT_EQ(std::string(error.what()).find("no_such_scene: no such file or shipped scene: must be one of cloth, "), 0u);
   }
 }
 

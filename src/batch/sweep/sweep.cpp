@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/option_error.h"
 #include "base/printable.h"
 #include "batch/run_frames.h"
 #include "batch/scene_options.h"
@@ -80,7 +81,7 @@ bool needs_accuracy(const Sweep& sweep) {
 
 // Throws UsageError if the scene does not have the parameter or cannot have one of its values.
 void check_axis(const SweepAxis& axis, const Scene& scene) {
-  const auto refuse = [&](const std::string& reason) { throw UsageError("--vary " + std::string(axis.parameter->name) + ": " + reason); };
+  const auto refuse = [&](const std::string& reason) { throw OptionError("vary", std::string(axis.parameter->name), reason); };
   if (axis.parameter->applies != nullptr && !axis.parameter->applies(scene)) refuse("the scene has nothing that it sets");
   if (axis.parameter == &dimensions_parameter && std::ranges::count(axis.values, 0.0) > 0)
     if (const std::string reason = why_not_flat(scene.system, scene.state); !reason.empty()) refuse("2: " + reason);
@@ -118,7 +119,7 @@ Sweep make_sweep(const std::string& name, const Scene& scene, const std::vector<
   if (measures.empty()) throw UsageError("--measure is required");
   Sweep sweep{.scene = name, .fingerprint = hash_bytes(format_scene(scene)), .seconds = seconds, .axes = {}, .measures = {}};
   for (const std::string& text : axes) {
-    const auto refuse = [&](const std::string& reason) { throw UsageError("--vary " + printable(text, 80) + ": " + reason); };
+    const auto refuse = [&](const std::string& reason) { throw OptionError("vary", printable(text, 80), reason); };
     SweepAxis axis;
     if (const std::string reason = parse_axis(text, axis); !reason.empty()) refuse(reason);
     if (std::ranges::count(sweep.axes, axis.parameter, &SweepAxis::parameter) > 0) refuse("varied twice");
@@ -126,7 +127,7 @@ Sweep make_sweep(const std::string& name, const Scene& scene, const std::vector<
     sweep.axes.push_back(std::move(axis));
   }
   const std::string reason = parse_measures(measures, scene.system.point_count(), scene.system.spring_count(), sweep.measures);
-  if (!reason.empty()) throw UsageError("--measure " + reason);
+  if (!reason.empty()) throw OptionError("measure", reason);
   check_size(sweep, scene);
   return sweep;
 }

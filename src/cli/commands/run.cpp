@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "base/option_error.h"
 #include "base/printable.h"
 #include "base/text_lines.h"
 #include "batch/engine/run_with_engine.h"
@@ -45,8 +46,7 @@ std::vector<Index> parse_points(const std::optional<std::string>& list, Index co
     const auto [after, error] = std::from_chars(at, end, point);
     const bool is_number = error == std::errc() && point >= 0 && point < count && (after == end || *after == ',');
     if (!is_number)
-      throw UsageError("--points " + printable(*list, 80) + ": must be numbers from 0 to " + std::to_string(count - 1) +
-                       ", separated by commas");
+      throw OptionError("points", printable(*list, 80), "must be numbers from 0 to " + std::to_string(count - 1) + ", separated by commas");
     points.push_back(point);
     if (after == end) return points;
     at = after + 1;

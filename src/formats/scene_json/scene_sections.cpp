@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/file_limits.h"
+#include "base/option_error.h"
 #include "formats/texture.h"
 #include "scene/parameters.h"
 #include "sim/integrator.h"
@@ -129,7 +130,7 @@ void read_force(const JsonField& field, SceneFields& fields, Scene& scene) {
   for (const JsonField member : field.members()) {
     if (!member.is("type")) continue;
     force.term = find_force_term(member.text());
-    if (force.term == nullptr) member.refuse("must be one of " + ids_of_forces());
+    if (force.term == nullptr) member.refuse(must_be_one_of(ids_of_forces(), member.text()));
   }
   if (force.term == nullptr) field.refuse_missing("type", "must be one of " + ids_of_forces());
 
@@ -176,7 +177,7 @@ void read_simulation(const JsonField& field, SceneFields& fields, Scene& scene) 
   for (const JsonField member : field.members()) {
     if (member.is("integrator")) {
       scene.settings.integrator = find_integrator(member.text());
-      if (scene.settings.integrator == nullptr) member.refuse("must be one of " + ids_of_integrators());
+      if (scene.settings.integrator == nullptr) member.refuse(must_be_one_of(ids_of_integrators(), member.text()));
     } else if (member.is("tolerance")) {
       if (!member.is_null()) scene.settings.tolerance = member.number(positive);
     } else if (!read_parameter(member, scene))

@@ -5,6 +5,7 @@
 
 #include "base/file_limits.h"
 #include "base/json_text.h"
+#include "base/option_error.h"
 
 namespace hooke {
 namespace {
@@ -37,7 +38,7 @@ Vec3 read_vector(const JsonField& field, const ShapeVector& vector, SceneFields&
 
 std::size_t read_support(const JsonField& field, const ShapeKind& kind) {
   const auto support = std::ranges::find(kind.supports, field.text());
-  if (support == kind.supports.end()) field.refuse("must be one of " + joined(kind.supports, ", "));
+  if (support == kind.supports.end()) field.refuse(must_be_one_of(joined(kind.supports, ", "), field.text()));
   return static_cast<std::size_t>(support - kind.supports.begin());
 }
 
@@ -114,9 +115,9 @@ void read_nails(const JsonField& field, Shape& shape) {
   shape.nails.assign(nails.begin(), nails.end());
 }
 
-std::string valid_types_message() {
+std::string ids_of_shapes() {
   std::string list;
-  for (const ShapeKind& kind : shape_kinds()) list += (list.empty() ? "must be one of " : ", ") + std::string(kind.id);
+  for (const ShapeKind& kind : shape_kinds()) list += (list.empty() ? "" : ", ") + std::string(kind.id);
   return list;
 }
 
@@ -124,9 +125,9 @@ std::string valid_types_message() {
 
 Shape read_shape(const JsonField& field, SceneFields& fields) {
   const auto type = find_member(field, "type");
-  if (!type) field.refuse_missing("type", valid_types_message());
+  if (!type) field.refuse_missing("type", "must be one of " + ids_of_shapes());
   const ShapeKind* kind = find_shape_kind(type->text());
-  if (kind == nullptr) type->refuse(valid_types_message());
+  if (kind == nullptr) type->refuse(must_be_one_of(ids_of_shapes(), type->text()));
 
   Shape shape = default_shape(*kind);
   std::string unknown;

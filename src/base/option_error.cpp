@@ -1,0 +1,70 @@
+#include "base/option_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace hooke {
+namespace {
+
+std::string with_underscores(std::string option) {
+  std::ranges::replace(option, '-', '_');
+  return option;
+}
+
+// The number of characters to insert, delete or replace (Levenshtein, 1966), row by row.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i + 1);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+// A lower value is more similar; a name that is part of the other one is similar, however long that is.
+std::size_t difference(std::string_view name, std::string_view choice) {
+  constexpr std::size_t min_part = 4;
+  if (name.size() >= min_part && choice.find(name) != std::string_view::npos) return 1;
+  return edit_distance(name, choice);
+}
+
+}  // namespace
+
+OptionError::OptionError(const std::string& option, const std::string& text)
+    : UsageError("--" + option + " " + text), reason_(text), as_argument_(with_underscores(option) + ": " + text) {}
+
+OptionError::OptionError(const std::string& option, const std::string& value, const std::string& reason)
+    : OptionError(option, value + ": " + reason) {
+  reason_ = reason;
+}
+
+std::string why_refused(double value, const Bounds& bounds) {
+  if (!std::isfinite(value)) return "must be a finite number";
+  return bounds.contains(value) ? "" : bounds.text();
+}
+
+void check_option(const std::string& option, double value, const Bounds& bounds) {
+  if (const std::string reason = why_refused(value, bounds); !reason.empty()) throw OptionError(option, format_exact(value), reason);
+}
+
+std::string must_be_one_of(const std::string& choices, std::string_view name) {
+  constexpr std::size_t max_length = 80;  // of a name that is compared
+  const std::size_t max_difference = std::max<std::size_t>(1, (name.size() + 1) / 3);
+  std::string_view nearest, rest = choices;
+  std::size_t least = max_difference + 1;
+  while (!rest.empty() && !name.empty() && name.size() <= max_length) {
+    const std::string_view choice = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(rest.size(), choice.size() + 2));
+    if (const std::size_t now = difference(name, choice); now < least) nearest = choice, least = now;
+  }
+  return "must be one of " + choices + (nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?");
+}
+
+}  // namespace hooke
