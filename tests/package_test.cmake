@@ -1,4 +1,5 @@
-# Builds the Debian package, checks it with lintian, and runs its programs: cmake -DBUILD=FOLDER -DVERSION=VERSION -P package_test.cmake
+# Builds the Debian packages, checks them with lintian, runs their programs, and builds programs with their library:
+# cmake -DBUILD=FOLDER -DVERSION=VERSION -DEXAMPLE=FOLDER -DDOCS=FILE -DLIBDIR=PATH -P package_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
 string(RANDOM LENGTH 12 name)
@@ -7,7 +8,7 @@ set(share ${place}/root/usr/share)
 
 # Runs a command; if it fails, the test ends with its output.
 function(need what)
-  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY / RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${place} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE errors)
   if(NOT code EQUAL 0)
     file(REMOVE_RECURSE ${place})
     message(FATAL_ERROR "${what}: ${code}\n${output}${errors}")
@@ -15,6 +16,7 @@ function(need what)
   set(output "${output}" PARENT_SCOPE)
 endfunction()
 
+file(MAKE_DIRECTORY ${place})
 need("cpack" ${CMAKE_CPACK_COMMAND} --config ${BUILD}/CPackConfig.cmake -B ${place})
 file(GLOB packages ${place}/*.deb)
 need("lintian" lintian --fail-on error,warning --allow-root ${packages})
@@ -71,5 +73,34 @@ print(hooke.load('two_masses').run(0.1, accuracy='off').hash, hooke.__version__)
   if(NOT output MATCHES "^[0-9a-f]+ ${VERSION}\n$")
     message(FATAL_ERROR "the Python module prints: ${output}")
   endif()
+endif()
+# The library of the packages: the example is built by find_package, the program of docs/embedding.md by pkg-config.
+set(usr ${place}/root/usr)
+need("configure" ${CMAKE_COMMAND} -S ${EXAMPLE} -B ${place}/example -DCMAKE_PREFIX_PATH=${usr})
+need("build" ${CMAKE_COMMAND} --build ${place}/example)
+need("run" ${place}/example/embed)
+if(NOT output MATCHES "1.00 s: sag 0[.]14[0-9]+ m, energy [-0-9.]+ J, error [0-9.e-]+ m\nlibhooke [0-9.]+, hash [0-9a-f]+\n$")
+  message(FATAL_ERROR "the example prints: ${output}")
+endif()
+
+# the first code block of the page
+file(READ ${DOCS} page)
+string(REGEX MATCH "```cpp\n([^`]*)```" block "${page}")
+file(WRITE ${place}/program.cpp "${CMAKE_MATCH_1}")
+set(ENV{PKG_CONFIG_PATH} ${usr}/${LIBDIR}/pkgconfig)
+need("pkg-config" sh -c "c++ -std=c++20 -Wall -Werror program.cpp $(pkg-config --cflags --libs hooke) -o program")
+set(ENV{LD_LIBRARY_PATH} ${usr}/${LIBDIR})
+need("run" ${place}/program)
+if(NOT output MATCHES "^point 0 at [-0-9.e]+ [-0-9.e]+ [-0-9.e]+ m\n$")
+  message(FATAL_ERROR "the program of the page prints: ${output}")
+endif()
+
+# nothing but the interface is exported
+need("nm" nm -DC --defined-only --format=just-symbols ${usr}/${LIBDIR}/libhooke.so)
+string(REGEX MATCHALL "[^\n]+" symbols "${output}")
+list(LENGTH symbols count)
+list(FILTER symbols EXCLUDE REGEX "^(hooke::v1::|HOOKE_1|(typeinfo( name)?|vtable) for hooke::v1::Error)")
+if(symbols OR count LESS 20)
+  message(FATAL_ERROR "${count} symbols are exported, among them: ${symbols}")
 endif()
 file(REMOVE_RECURSE ${place})

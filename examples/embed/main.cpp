@@ -4,31 +4,26 @@
 #include <cstdio>
 #include <span>
 
-int main() {
+int main() try {
   namespace hk = hooke::v1;
-  try {
-    hk::Scene scene;
-    scene.add(R"("generators": [{"type": "rope", "from": [0, 0, 0], "to": [1, 0, 0], "points": 21, "mass": 0.1, "stiffness": 1000,
-                                 "damping": 0.1, "nail": ["from", "to"]}])");
-    scene.set_substeps(40);
+  hk::Scene scene;
+  scene.add(R"("generators": [{"type": "rope", "from": [0, 0, 0], "to": [1, 0, 0], "points": 21, "mass": 0.1, "stiffness": 1000,
+                               "damping": 0.1, "nail": ["from", "to"]}])");
+  scene.set_substeps(40);
 
-    hk::Simulation simulation(scene, hk::Simulation::Accuracy::Full);
-    for (int frame = 1; frame <= 60; ++frame) {
-      if (!simulation.step()) {
-        std::puts(simulation.diagnosis().c_str());
-        return 1;
-      }
-      const std::span<const double> positions = simulation.positions();
-      if (frame % 20 == 0)
-        std::printf("%.2f s: sag %.4f m, energy %.4f J, error %.1e m\n", simulation.time(), -positions[3 * 10 + 1],
-                    simulation.energy().total(), simulation.error());
-    }
-    simulation.nail(20, false);  // let go of one end, then take that back
-    simulation.step();
-    simulation.undo();
-    std::printf("libhooke %s, hash %016llx\n", hk::version(), static_cast<unsigned long long>(simulation.hash()));
-  } catch (const hk::Error& error) {
-    std::puts(error.what());
-    return 3;
+  hk::Simulation simulation(scene, hk::Simulation::Accuracy::Full);
+  for (int frame = 1; frame <= 60; ++frame) {
+    if (!simulation.step()) return std::puts(simulation.diagnosis().c_str()), 1;
+    const std::span<const double> positions = simulation.positions();
+    if (frame % 20 == 0)
+      std::printf("%.2f s: sag %.4f m, energy %.4f J, error %.1e m\n", simulation.time(), -positions[3 * 10 + 1],
+                  simulation.energy().total(), simulation.error());
   }
+  simulation.nail(20, false);  // let go of one end, then take that back
+  simulation.step();
+  simulation.undo();
+  std::printf("libhooke %s, hash %016llx\n", hk::version(), static_cast<unsigned long long>(simulation.hash()));
+} catch (const hooke::v1::Error& error) {
+  std::puts(error.what());
+  return 3;
 }
