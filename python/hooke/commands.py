@@ -3,31 +3,48 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
+import numpy as np
+from numpy.typing import ArrayLike
+
 from . import _hooke
+from ._arguments import integer, names, path, text, optional, whole_numbers
 from ._progress import bar
-from .results import Chart, Check, Replay
+from .results import Chart, Check, Replay, Sweep
 from .scene import CaptureResult, _capture_options, load
 
 
-def bench(scenes: Sequence[str] = (), methods: Sequence[str] = (), *, quick: bool = False, out: str | None = None,
-          progress: bool | None = None) -> Chart:
+def bench(scenes: str | Sequence[str] = (), methods: str | Sequence[str] = (), *, quick: bool = False, shard: str = "1/1",
+          out: str | os.PathLike[str] | None = None, progress: bool | None = None) -> Chart:
     """Measures speed against error, as `hooke bench`: built-in problems, shipped scenes or files, one second of each.
 
     scenes: by default the built-in problems; methods: by default all of them
     quick: fewer problems, coarser, in at most a minute
+    shard: "2/8" measures the second of eight parts; merge_benches puts the folders of all parts together
     out: a folder for the results, from which the same call resumes
     """
+    arguments = (names("scenes", scenes), names("methods", methods), bool(quick), text("shard", shard), optional(path, "out", out))
     with bar("bench", progress, "part") as shown:
-        return Chart(*_hooke.bench_names(list(scenes), list(methods), quick, None if out is None else str(out), shown))
+        return Chart(*_hooke.bench_names(*arguments, shown))
 
 
-def check(scenes: Sequence[str] = ()) -> list[Check]:
+def merge_benches(folders: Sequence[str | os.PathLike[str]], out: str | os.PathLike[str]) -> Chart:
+    """Writes one table of the parts of a benchmark in these folders, as `hooke bench --merge`."""
+    return Chart(*_hooke.merge_benches([path("folders", folder) for folder in folders], path("out", out)))
+
+
+def merge_sweeps(folders: Sequence[str | os.PathLike[str]], out: str | os.PathLike[str]) -> Sweep:
+    """Writes one table of the parts of a sweep in these folders, as `hooke sweep --merge`."""
+    return Sweep(*_hooke.merge_sweeps([path("folders", folder) for folder in folders], path("out", out)))
+
+
+def check(scenes: str | Sequence[str] = ()) -> list[Check]:
     """Runs the checks that scene files contain, as `hooke check`; by default those of all shipped scenes."""
-    names = list(scenes) or [row["id"] for row in _hooke.scenes()]
-    return [result for name in names for result in load(name).check()]
+    chosen = names("scenes", scenes) or [row["id"] for row in _hooke.scenes()]
+    return [result for name in chosen for result in load(name).check()]
 
 
 class HardCases(NamedTuple):
@@ -37,26 +54,30 @@ class HardCases(NamedTuple):
     broken: int
 
 
-def check_hard(cases: Sequence[int] = (), methods: Sequence[str] = (), *, quick: bool = False, strict: bool = False, threads: int = 0,
+def check_hard(cases: ArrayLike = (), methods: str | Sequence[str] = (), *, quick: bool = False, strict: bool = False, threads: int = 0,
                progress: bool | None = None) -> HardCases:
     """Runs every method on the hard cases, as `hooke check --hard`. threads: by default one per core."""
+    chosen = np.atleast_1d(whole_numbers("cases", cases)).tolist()
+    arguments = (chosen, names("methods", methods), bool(quick), bool(strict), integer("threads", threads))
     with bar("hard cases", progress, "case") as shown:
-        text, broken = _hooke.check_hard(list(cases), list(methods), quick, strict, threads, shown)
-    return HardCases(json.loads(text)["cases"], broken)
+        document, broken = _hooke.check_hard(*arguments, shown)
+    return HardCases(json.loads(document)["cases"], broken)
 
 
-def convert(source: str, target: str) -> list[str]:
+def convert(source: str | os.PathLike[str], target: str | os.PathLike[str]) -> list[str]:
     """Converts a file, or a shipped scene, to the format of the extension of `target`, as `hooke convert`. Returns warnings."""
-    return _hooke.convert(str(source), str(target))
+    return _hooke.convert(path("source", source), path("target", target))
 
 
-def replay(file: str, *, progress: bool | None = None) -> Replay:
+def replay(file: str | os.PathLike[str], *, progress: bool | None = None) -> Replay:
     """Steps a recording and compares every frame with the recorded one, as `hooke replay --verify`."""
     with bar("replay", progress) as shown:
-        return Replay(*_hooke.replay(str(file), shown))
+        return Replay(*_hooke.replay(path("file", file), shown))
 
 
-def render_recording(file: str, out: str, *, progress: bool | None = None, **options: Any) -> CaptureResult:
-    """Draws a recording, by default to its end, as `hooke capture --replay`. Options: those of Scene.capture."""
+def render_recording(file: str | os.PathLike[str], out: str | os.PathLike[str], *, progress: bool | None = None,
+                     **options: Any) -> CaptureResult:
+    """Draws a recording, by default to its end, as `hooke capture --replay`. Options: those of Scene.capture for pictures."""
+    arguments = (path("file", file), path("out", out), _capture_options(**options))
     with bar("capture", progress) as shown:
-        return CaptureResult(*_hooke.capture_recording(str(file), str(out), _capture_options(options), shown))
+        return CaptureResult(*_hooke.capture_recording(*arguments, shown))

@@ -5,17 +5,28 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
+import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _hooke
+from ._arguments import path, text
 
 if TYPE_CHECKING:
     from .lab import Lab
 
 Array = NDArray[np.float64]
+
+
+def new_axes(count: int = 1) -> list[Any]:
+    """Axes of a new figure of Matplotlib, side by side."""
+    try:
+        import matplotlib.pyplot as plt
+    except ImportError:
+        raise ImportError("plot: requires Matplotlib (package python3-matplotlib)") from None
+    return list(plt.subplots(1, count, figsize=(7 if count == 1 else 5 * count, 4.5), layout="constrained", squeeze=False)[1][0])
 
 
 @dataclasses.dataclass(frozen=True)
@@ -32,7 +43,7 @@ class Run:
     """The samples of a run, and what it cost.
 
     time: (samples,) [s]
-    positions, velocities: (samples, points, 3) [m], [m/s], float64, C-contiguous
+    positions, velocities: (samples, points, 3) [m], [m/s], float64, C-contiguous: views of the memory that the run wrote to, no copies
     energy: Energy, of shape (samples,) [J]
     error: (samples,) [m], estimated RMS over the points of the distance from the exact motion; NaN where it is not known
     frame_error: (samples,) [m], the part of it that the last measured frame added
@@ -71,7 +82,7 @@ class Run:
     def diagnosis(self) -> str | None:
         """Why the run diverged, and a setting that does not, tested on copies; None if it did not. Takes a second or two, once."""
         if self.diverged and self._diagnosis is None:
-            self._diagnosis = self.lab._lab.diagnosis(self._start, self._asked_seconds)
+            self._diagnosis = self.lab._bound.diagnosis(self._start, self._asked_seconds)
         return self._diagnosis
 
     def __repr__(self) -> str:
@@ -133,19 +144,19 @@ class Chart:
         """The cheapest row whose error [m] is at most this; None if there is none."""
         return next((row for row in self.front(scene) if row["error_m"] <= error), None)
 
-    def save(self, folder: str) -> None:
+    def save(self, folder: str | os.PathLike[str]) -> None:
         """Writes bench.json, .csv, .md, methods.md and, with gnuplot, bench.svg and bench.png, as `hooke bench --out FOLDER` does."""
-        message = _hooke.save_bench(self._text, str(folder))
+        message = _hooke.save_bench(self._text, path("folder", folder))
         if message:
             self.messages.append(message)
 
     def plot(self, ax: Any = None, scene: str | None = None) -> Any:
-        """Draws error against cost on logarithmic axes with Matplotlib, a line for each method, and returns the axes."""
-        import matplotlib.pyplot as plt
+        """Draws error against cost on logarithmic axes with Matplotlib, a line for each method, and returns the axes.
 
+        Without Matplotlib it raises ImportError; `save` draws charts with gnuplot.
+        """
         scene = scene or self.problems[0]["scene"]
-        if ax is None:
-            _, ax = plt.subplots(figsize=(7, 4.5), layout="constrained")
+        ax = ax or new_axes()[0]
         rows = [row for row in self.rows if row["scene"] == scene and row["error_m"] and row["cpu_ms_per_s"] is not None]
         for method in dict.fromkeys(row["method"] for row in rows):
             own = sorted((row["cpu_ms_per_s"], row["error_m"]) for row in rows if row["method"] == method)
@@ -159,3 +170,85 @@ class Chart:
 
     def __repr__(self) -> str:
         return f"Chart({len(self.rows)} measurements of {', '.join(problem['scene'] for problem in self.problems)})"
+
+
+class Sweep:
+    """The table of a parameter sweep: a row for each run.
+
+    vary: the values of the parameters by name, measures: what was measured by name; arrays of shape (rows,)
+    units: by name; status: "ok", "warning" or "diverged" for each row; notes: why
+    rows: the numbers of the rows in the complete table; is_complete: whether all of them are there, which they are not in a shard
+    messages: why there are no charts in the folder
+
+    sweep["stiffness"] is a column, and NaN where a value is not known.
+    """
+
+    def __init__(self, csv: str, json_text: str, is_complete: bool, message: str | None) -> None:
+        self._csv = csv
+        self.is_complete = is_complete
+        self.messages = [message] if message else []
+        document = json.loads(json_text)
+        self.scene: str = document["scene"]
+        self.seconds: float = document["seconds"]
+        rows = document["rows"]
+        self.rows = np.array([row["row"] for row in rows], dtype=np.int64)
+        self.status: list[str] = [row["status"] for row in rows]
+        self.notes: list[str] = [row["note"] for row in rows]
+        self.units: dict[str, str] = {column["name"]: column["unit"] for column in document["vary"] + document["measures"]}
+        self.vary: dict[str, NDArray[Any]] = {axis["name"]: np.array([row[axis["name"]] for row in rows]) for axis in document["vary"]}
+        self.measures: dict[str, Array] = {
+            measure["name"]: np.array([math.nan if row["values"][i] is None else row["values"][i] for row in rows], dtype=float)
+            for i, measure in enumerate(document["measures"])}
+
+    @property
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """All columns by name, as pandas.DataFrame takes them."""
+        return {**self.vary, **self.measures}
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        """A column."""
+        columns = self.columns
+        if name not in columns:
+            raise KeyError(f"{name}: must be one of {', '.join(columns)}")
+        return columns[name]
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def to_csv(self, file: str | os.PathLike[str] | None = None) -> str:
+        """The table as `hooke sweep` writes it to sweep.csv, also written to the file if there is one."""
+        if file is not None:
+            _hooke.write_text(path("file", file), self._csv)
+        return self._csv
+
+    def plot(self, measure: str | None = None, ax: Any = None) -> Any:
+        """Draws a measure over the parameter with the most values with Matplotlib, a line for each combination of the others.
+
+        measure: by default all, side by side; ax: for one measure, the axes to draw on. Returns the axes, a list for several measures.
+        """
+        drawn = list(self.measures) if measure is None else [text("measure", measure)]
+        if unknown := [name for name in drawn if name not in self.measures]:
+            raise KeyError(f"{unknown[0]}: must be one of {', '.join(self.measures)}")
+        axes = new_axes(len(drawn)) if ax is None else [ax]
+        over = max(self.vary, key=lambda name: len(np.unique(self.vary[name])))
+        others = [name for name in self.vary if name != over]
+        lines: dict[tuple[Any, ...], list[int]] = {}
+        for row in range(len(self)):
+            lines.setdefault(tuple(self.vary[name][row] for name in others), []).append(row)
+        for one, name in zip(axes, drawn):
+            for values, at in lines.items():
+                label = ", ".join(f"{other} {value:g}" if isinstance(value, (int, float)) else f"{other} {value}"
+                                  for other, value in zip(others, values))
+                one.plot(self.vary[over][at], self.measures[name][at], marker="o", markersize=3, label=label)
+            one.set(xlabel=self._heading(over), ylabel=self._heading(name), title=self.scene)
+            if np.issubdtype(self.vary[over].dtype, np.number) and self.vary[over].min() > 0:
+                one.set_xscale("log")
+            if others:
+                one.legend(fontsize="small")
+        return axes[0] if len(axes) == 1 else axes
+
+    def _heading(self, name: str) -> str:
+        return f"{name} [{self.units[name]}]" if self.units[name] else name
+
+    def __repr__(self) -> str:
+        return f"Sweep({len(self)} runs of {self.scene}: {', '.join(self.columns)})"

@@ -2,42 +2,41 @@
 
 from __future__ import annotations
 
+import contextlib
+import difflib
 import json
 import math
 import os
 import tempfile
 import warnings
-from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _hooke
+from ._arguments import array, integer, json_value, names, number, optional, path, switches, text, whole_numbers
+from ._hooke import InputError
+from ._parameters import Array, Parameterized, setting_text
 from ._progress import bar
-from .lab import Lab, _setting
-from .results import Chart, Check, Run
+from .lab import Lab
+from .results import Chart, Check, Run, Sweep
 from .tables import method_text, parameter_text, shape_text
-
-Array = NDArray[np.float64]
 
 
 class HookeWarning(UserWarning):
     """What the command line prints as a warning: a step beyond the stability limit, an energy balance that does not add up."""
 
 
-def _warn(lines: Sequence[str]) -> None:
+def _warn(lines: Sequence[str], stacklevel: int) -> None:
     for line in lines:
-        warnings.warn(line, HookeWarning, stacklevel=3)
+        warnings.warn(line, HookeWarning, stacklevel=stacklevel + 1)
 
 
 def load(name: str | os.PathLike[str]) -> Scene:
     """Loads a shipped scene by its name, such as "cloth", or a file: .json, .obj, .xsp. See hooke.scenes()."""
-    return Scene._of(_hooke.Scene.load(os.fspath(name)))
-
-
-def _path(path: str | os.PathLike[str] | None) -> str | None:
-    return None if path is None else os.fspath(path)
+    return Scene._of(_hooke.Scene.load(path("name", name)))
 
 
 class CaptureResult(NamedTuple):
@@ -49,32 +48,56 @@ class CaptureResult(NamedTuple):
     diagnosis: str
 
 
-def _capture_options(options: dict[str, Any]) -> dict[str, Any]:
-    known = {"seconds", "frames", "fps", "size", "scale", "ui", "report", "stamp", "fail_above", "camera"}
-    if unknown := set(options) - known:
-        raise TypeError(f"unknown option {unknown.pop()!r}: must be one of {', '.join(sorted(known))}")
-    options = dict(options)
-    if "size" in options and not isinstance(options["size"], str):
-        options["size"] = "x".join(str(int(side)) for side in options["size"])
-    if options.get("camera") is not None and not isinstance(options["camera"], str):
-        options["camera"] = ",".join(repr(float(value)) for value in np.ravel(options["camera"]))
-    if options.get("report") is not None:
-        options["report"] = os.fspath(options["report"])
-    return options
+def _capture_options(*, seconds: float | None = None, frames: int | None = None, fps: float | None = None,
+                     size: tuple[int, int] = (1280, 720), scale: float = 1.0, ui: bool = False, stamp: bool = False,
+                     report: str | os.PathLike[str] | None = None, fail_above: float | None = None,
+                     camera: ArrayLike | None = None) -> dict[str, Any]:
+    return {
+        "seconds": optional(number, "seconds", seconds), "frames": optional(integer, "frames", frames), "fps": optional(number, "fps", fps),
+        "size": "x".join(str(side) for side in whole_numbers("size", size).ravel()), "scale": number("scale", scale), "ui": bool(ui),
+        "stamp": bool(stamp), "report": optional(path, "report", report), "fail_above": optional(number, "fail_above", fail_above),
+        "camera": None if camera is None else ",".join(repr(float(value)) for value in array("camera", camera).ravel()),
+    }
 
 
-def _plain(value: Any) -> Any:
-    """A value for a scene file: arrays as lists."""
-    if isinstance(value, (np.ndarray, np.generic)):
-        return value.tolist()
-    if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(item) for item in value]
-    return value
+@contextlib.contextmanager
+def _fields(part: str, name: str, known: Sequence[str] = ()) -> Iterator[None]:
+    """In errors, names of arguments instead of members of a file: "add_rope: points: ..." for "scene: generators[0].points: ..."."""
+    try:
+        yield
+    except InputError as error:
+        message = str(error).removeprefix("scene: ").removeprefix(part).removeprefix(".").removeprefix(": ")
+        if message.endswith(": unknown key"):
+            near = difflib.get_close_matches(message.split(":")[0], known, 1)
+            message = message.removesuffix("key") + "field" + (f"; did you mean {near[0]}?" if near else "")
+        raise InputError(f"{name}: {message}" if name else message) from None
 
 
-class Scene:
+def _nails(value: ArrayLike, count: int) -> list[bool]:
+    """True or False for each point."""
+    nails = switches("nailed", value)
+    if nails.ndim > 0 and nails.shape != (count,):
+        raise InputError(f"nailed: shape {nails.shape}: must be one value or ({count},)")
+    return [bool(nail) for nail in np.broadcast_to(nails, count)]
+
+
+class _Column:
+    """A property that is an array."""
+
+    def __init__(self, name: str, what: str, convert: Callable[[Scene, Any], Any] | None = None) -> None:
+        self._name = name
+        self._convert = convert or (lambda scene, value: array(name, value))
+        one = "" if name in ("positions", "velocities") else ", or one value for all,"
+        self.__doc__ = f"{what}: a copy, read-only. Assign an array{one} to change them."
+
+    def __get__(self, scene: Scene | None, owner: type[Scene]) -> NDArray[Any]:
+        return self if scene is None else getattr(scene._bound, self._name)  # type: ignore
+
+    def __set__(self, scene: Scene, value: ArrayLike) -> None:
+        setattr(scene._bound, self._name, self._convert(scene, value))
+
+
+class Scene(Parameterized):
     """A network of points and springs with everything that a scene file contains.
 
     scene = hooke.load("cloth")      # a shipped scene or a file
@@ -89,45 +112,74 @@ class Scene:
     {methods}
     """
 
+    __slots__ = ()
+    _bound: _hooke.Scene
+
     def __init__(self, dimensions: int = 3, *, gravity: ArrayLike = (0.0, -9.81, 0.0), integrator: str = "velocity_verlet",
                  substeps: int = 20, frame_rate: float = 60.0, name: str = "scene") -> None:
         """An empty scene without a floor. gravity [m/s^2], frame_rate [1/s]; dimensions 2: everything stays in the plane z = 0."""
-        simulation = {"integrator": integrator, "substeps": substeps, "frame_rate": frame_rate}
-        document = {"hooke": 1, "name": name, "dimensions": dimensions, "gravity": _plain(list(gravity)), "simulation": simulation}
-        self._scene = _hooke.Scene.parse(json.dumps(document), name)
+        simulation = {"integrator": text("integrator", integrator), "substeps": integer("substeps", substeps),
+                      "frame_rate": number("frame_rate", frame_rate)}
+        document = {"hooke": 1, "name": text("name", name), "dimensions": integer("dimensions", dimensions),
+                    "gravity": array("gravity", gravity).tolist(), "simulation": simulation}
+        with _fields("simulation", ""):
+            self._bound = _hooke.Scene.parse(json.dumps(json_value("", document)), "scene")
 
     @classmethod
     def _of(cls, scene: _hooke.Scene) -> Scene:
         made = cls.__new__(cls)
-        made._scene = scene
+        made._bound = scene
         return made
 
     @classmethod
-    def from_json(cls, text: str, name: str = "scene") -> Scene:
+    def from_json(cls, document: str, name: str = "scene") -> Scene:
         """A scene from the text of a scene file; see docs/scene-format.md. `name` stands for the file in messages."""
-        return cls._of(_hooke.Scene.parse(text, name))
+        return cls._of(_hooke.Scene.parse(text("document", document), text("name", name)))
 
     def to_json(self) -> str:
         """The text of the scene file, which reads back as the same scene, bit for bit."""
-        return self._scene.json()
+        return self._bound.json()
 
     def copy(self) -> Scene:
         """An independent copy."""
-        return self._of(self._scene.copy())
+        return self._of(self._bound.copy())
+
+    def __copy__(self) -> Scene:
+        return self.copy()
+
+    def __deepcopy__(self, memo: object) -> Scene:
+        return self.copy()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle and multiprocessing; not with a force that is a Python function."""
+        return Scene.from_json, (self.to_json(), self.name)
 
     def save(self, file: str | os.PathLike[str]) -> list[str]:
         """Writes the scene in the format of the extension, atomically. Returns what the format cannot represent."""
-        return self._scene.save(os.fspath(file))
+        return self._bound.save(path("file", file))
 
     # Building
 
     def add_shape(self, type: str, **fields: Any) -> range:
         """Adds a shape, as in the "generators" of a scene file: add_shape("rope", ...) is add_rope(...). Returns its points' numbers."""
-        return self._add("generators", {"type": type, **fields})
+        return self._add("generators", {"type": type, **fields}, f"add_{type}" if hasattr(Scene, f"add_{type}") else "add_shape")
+
+    if TYPE_CHECKING:  # one for each row of the table of shapes; see _add_shape_methods
+
+        def add_cloth(self, **fields: Any) -> range: ...
+        def add_rope(self, **fields: Any) -> range: ...
+        def add_hanging_rope(self, **fields: Any) -> range: ...
+        def add_chain(self, **fields: Any) -> range: ...
+        def add_sheet(self, **fields: Any) -> range: ...
+        def add_curtain(self, **fields: Any) -> range: ...
+        def add_flag(self, **fields: Any) -> range: ...
+        def add_net(self, **fields: Any) -> range: ...
+        def add_bridge(self, **fields: Any) -> range: ...
+        def add_jelly(self, **fields: Any) -> range: ...
 
     def add_collider(self, type: str, **fields: Any) -> None:
         """Adds a "plane" (point, normal), a "sphere" (center, radius) or a "box" (min, max) [m]; restitution, friction [1]."""
-        self._add("colliders", {"type": type, **fields})
+        self._add("colliders", {"type": type, **fields}, "add_collider")
 
     def add_force(self, force: str | Callable[[float, Array, Array], ArrayLike], **fields: Any) -> None:
         """Adds a force of the table in docs/scene-format.md, such as "wind", or a function.
@@ -137,29 +189,32 @@ class Scene:
         instead of nanoseconds. It must depend on its arguments only. A method's stability limit does not take it into account.
         """
         if callable(force):
-            self._scene.add_force(force)
+            function = force
+            self._bound.add_force(lambda time, positions, velocities: array("forces", function(time, positions, velocities)))
         else:
-            self._add("forces", {"type": force, **fields})
+            self._add("forces", {"type": force, **fields}, "add_force")
 
-    def _add(self, key: str, item: dict[str, Any]) -> range:
+    def _add(self, key: str, item: dict[str, Any], caller: str) -> range:
         first = self.point_count
-        self._scene.add(f"{json.dumps(key)}: [{json.dumps(_plain(item))}]", "scene")
+        known = [field[0] for row in _hooke.shapes() if row["id"] == item["type"] for field in row["fields"]] + ["nail", "color"]
+        with _fields(f"{key}[0]", caller, known):
+            self._bound.add(f"{json.dumps(key)}: [{json.dumps(json_value('', item))}]", "scene")
         return range(first, self.point_count)
 
     def add_points(self, positions: ArrayLike, *, mass: ArrayLike = 1.0, velocity: ArrayLike | None = None, radius: ArrayLike = 0.02,
-                   nailed: bool | Sequence[bool] = False) -> range:
-        """Adds points: positions (points, 3) [m]; mass [kg] and radius [m], one for all or for each; velocity (points, 3) [m/s]."""
-        positions = np.asarray(positions, dtype=float)
-        if positions.ndim == 1:
-            positions = positions[np.newaxis]
-        velocity = np.zeros_like(positions) if velocity is None else np.broadcast_to(np.asarray(velocity, float), positions.shape)
-        nails = np.broadcast_to(np.asarray(nailed, bool), positions.shape[:1]).tolist()
-        first = self._scene.add_points(positions, mass, velocity, radius, nails)
+                   nailed: ArrayLike = False) -> range:
+        """Adds points: positions (points, 3) [m]; mass [kg], radius [m] and nailed, one for all or for each; velocity (points, 3) [m/s]."""
+        positions = array("positions", positions)
+        if positions.ndim == 1:  # one point, or none
+            positions = positions[np.newaxis] if positions.size > 0 else positions.reshape(0, 3)
+        velocity = np.zeros_like(positions) if velocity is None else array("velocity", velocity)
+        nails = _nails(nailed, len(positions))
+        first = self._bound.add_points(positions, array("mass", mass), velocity, array("radius", radius), nails)
         return range(first, self.point_count)
 
     def add_point(self, position: ArrayLike, **properties: Any) -> int:
         """Adds a point at a position [m] and returns its number. Properties: those of add_points."""
-        return self.add_points(np.asarray(position, dtype=float)[np.newaxis], **properties)[0]
+        return self.add_points(array("position", position)[np.newaxis], **properties)[0]
 
     def add_springs(self, points: ArrayLike, *, stiffness: ArrayLike = 100.0, damping: ArrayLike = 0.0,
                     rest_length: ArrayLike | None = None, break_strain: ArrayLike | None = None) -> range:
@@ -167,7 +222,10 @@ class Scene:
 
         stiffness [N/m], damping [N s/m], rest_length [m] (None: as drawn) and break_strain [1] (None: never), one for all or for each.
         """
-        first = self._scene.add_springs(np.asarray(points).reshape(-1, 2), stiffness, damping, rest_length, break_strain)
+        ends = whole_numbers("points", points)
+        first = self._bound.add_springs(ends if ends.size > 0 else ends.reshape(0, 2), array("stiffness", stiffness),
+                                        array("damping", damping), optional(array, "rest_length", rest_length),
+                                        optional(array, "break_strain", break_strain))
         return range(first, self.spring_count)
 
     def add_spring(self, first: int, second: int, **properties: Any) -> int:
@@ -176,108 +234,84 @@ class Scene:
 
     # Properties
 
-    def __getitem__(self, name: str) -> Any:
-        """The value of a parameter."""
-        return self._scene.get(name)
-
-    def __setitem__(self, name: str, value: Any) -> None:
-        """Sets a parameter; a value out of its range is refused."""
-        self._scene.set(_setting(name, value))
-
-    positions: Array = property(lambda self: self._scene.positions, lambda self, value: setattr(self._scene, "positions", value),
-                                doc="Positions [m], (points, 3): a copy; assign to change them.")  # type: ignore[assignment]
-    velocities: Array = property(lambda self: self._scene.velocities, lambda self, value: setattr(self._scene, "velocities", value),
-                                 doc="Velocities [m/s], (points, 3): a copy; assign to change them.")  # type: ignore[assignment]
-    masses: Array = property(lambda self: self._scene.masses, lambda self, value: setattr(self._scene, "masses", value),
-                             doc="Masses [kg], (points,); assign one value or one for each.")  # type: ignore[assignment]
-    radii: Array = property(lambda self: self._scene.radii, lambda self, value: setattr(self._scene, "radii", value),
-                            doc="Radii [m], (points,); assign one value or one for each.")  # type: ignore[assignment]
-    nailed: NDArray[np.bool_] = property(lambda self: self._scene.nailed,
-                                         lambda self, value: setattr(self._scene, "nailed", np.asarray(value, bool).tolist()),
-                                         doc="Whether each point is nailed, (points,).")  # type: ignore[assignment]
-    stiffness: Array = property(lambda self: self._scene.stiffness, lambda self, value: setattr(self._scene, "stiffness", value),
-                                doc="Stiffness of each spring [N/m], (springs,); assign one value or one for each.")  # type: ignore
-    damping: Array = property(lambda self: self._scene.damping, lambda self, value: setattr(self._scene, "damping", value),
-                              doc="Damping of each spring [N s/m], (springs,); assign one value or one for each.")  # type: ignore
-    rest_length: Array = property(lambda self: self._scene.rest_length, lambda self, value: setattr(self._scene, "rest_length", value),
-                                  doc="Rest length of each spring [m], (springs,); assign one value or one for each.")  # type: ignore
+    positions = _Column("positions", "Positions [m], (points, 3)")
+    velocities = _Column("velocities", "Velocities [m/s], (points, 3)")
+    masses = _Column("masses", "Masses [kg], (points,)")
+    radii = _Column("radii", "Radii [m], (points,)")
+    nailed = _Column("nailed", "Whether each point is nailed, (points,)", lambda scene, value: _nails(value, scene.point_count))
+    stiffness = _Column("stiffness", "Stiffness of each spring [N/m], (springs,)")
+    damping = _Column("damping", "Damping of each spring [N s/m], (springs,)")
+    rest_length = _Column("rest_length", "Rest length of each spring [m], (springs,)")
 
     @property
     def springs(self) -> NDArray[np.int64]:
         """The points of each spring, (springs, 2)."""
-        return self._scene.springs
+        return self._bound.springs
 
     @property
     def faces(self) -> NDArray[np.int64]:
         """The points of each triangle of a surface, (faces, 3)."""
-        return self._scene.faces
+        return self._bound.faces
 
     @property
     def point_count(self) -> int:
         """Number of points."""
-        return len(self._scene.masses)
+        return len(self._bound.masses)
 
     @property
     def spring_count(self) -> int:
         """Number of springs."""
-        return len(self._scene.stiffness)
+        return len(self._bound.stiffness)
 
     @property
     def name(self) -> str:
         """The file or the name it was loaded by."""
-        return self._scene.name
+        return os.fsdecode(self._bound.name)
 
     @property
     def title(self) -> str:
         """The title in the scene file."""
-        return self._scene.title
+        return self._bound.title
 
     @property
     def description(self) -> str:
         """What to try, from the scene file."""
-        return self._scene.description
+        return self._bound.description
 
     @property
     def dimensions(self) -> int:
         """2: everything stays in the plane z = 0; or 3."""
-        return self._scene.dimensions
-
-    @property
-    def time(self) -> float:
-        """The time of the state [s]."""
-        return self._scene.time
+        return self._bound.dimensions
 
     @property
     def integrator(self) -> str:
         """The method of the scene file."""
-        return self._scene.integrator
+        return self._bound.integrator
 
     @property
     def substeps(self) -> int:
         """Integration steps per frame."""
-        return self._scene.substeps
+        return self._bound.substeps
 
     @property
     def frame_rate(self) -> float:
         """Frames per simulated second [1/s]."""
-        return self._scene.frame_rate
-
-    @property
-    def hash(self) -> str:
-        """Of the state: 16 hexadecimal digits, equal for equal bits."""
-        return self._scene.hash
+        return self._bound.frame_rate
 
     # Running
 
     def _stepped(self, integrator: str | None, substeps: int | None, frame_rate: float | None, tolerance: float | None) -> _hooke.Scene:
-        return self._scene.with_options(
-            {"integrator": integrator, "substeps": substeps, "frame_rate": frame_rate, "tolerance": tolerance})
+        """A copy with these options, whose warnings are given."""
+        scene = self._bound.with_options(optional(text, "integrator", integrator), optional(integer, "substeps", substeps),
+                                         optional(number, "frame_rate", frame_rate), optional(number, "tolerance", tolerance))
+        _warn(scene.warnings, 3)
+        return scene
 
     def run(self, seconds: float, *, sample: float | None = None, integrator: str | None = None, substeps: int | None = None,
             frame_rate: float | None = None, tolerance: float | None = None, accuracy: str = "full",
             json: str | os.PathLike[str] | None = None, csv: str | os.PathLike[str] | None = None,
-            quantities: Sequence[str] | None = None, pc2: str | os.PathLike[str] | None = None,
-            on_frame: Callable[[Lab], bool | None] | None = None, progress: bool | None = None) -> Run:
+            quantities: str | Sequence[str] | None = None, pc2: str | os.PathLike[str] | None = None, points: ArrayLike | None = None,
+            on_frame: Callable[[Lab], Any] | None = None, progress: bool | None = None) -> Run:
         """Runs a copy of the scene, as `hooke run --json`, with the same bits.
 
         seconds: simulated time, rounded up to whole frames [s]
@@ -285,67 +319,120 @@ class Scene:
         integrator, substeps (per frame), frame_rate [1/s], tolerance [m, of an adaptive method]: None: those of the scene
         accuracy: "full" measures run.error at two and a half times the cost; "frame" only run.frame_error, at a tenth; "off" nothing
         json, csv, pc2: files to write as `hooke run` does; quantities: the columns of the CSV file, see hooke.quantities()
-        on_frame: called with the Lab at the start and after every frame, to control it; False ends the run
+        points: the numbers of the points to sample; None: all
+        on_frame: called with the Lab at the start and after every frame, to control it; False (not None) ends the run
         progress: a tqdm bar, by default on terminals and in notebooks
         """
+        columns = None if quantities is None else ",".join(names("quantities", quantities))
+        arguments = (number("seconds", seconds), optional(number, "sample", sample), text("accuracy", accuracy),
+                     optional(path, "json", json), optional(path, "csv", csv), columns, optional(path, "pc2", pc2),
+                     None if points is None else np.atleast_1d(whole_numbers("points", points)).tolist())
+        if on_frame is not None and not callable(on_frame):
+            raise TypeError(f"on_frame: {on_frame!r}: must be a function")
+        control = None if on_frame is None else _control(on_frame)
         start = self._stepped(integrator, substeps, frame_rate, tolerance)
-        _warn(start.warnings)
-        callback = None if on_frame is None else lambda lab: on_frame(Lab(lab))
         with bar("run", progress) as shown:
-            columns = None if quantities is None else ",".join(quantities)
-            values, lab = _hooke.run(start, seconds, sample, accuracy, _path(json), _path(csv), columns, _path(pc2), callback, shown)
-        _warn(values["warnings"])
+            values, lab = _hooke.run(start, *arguments, control, shown)
+        _warn(values["warnings"], 2)
         return Run(values, Lab(lab), start, seconds)
 
     def lab(self, *, integrator: str | None = None, substeps: int | None = None, frame_rate: float | None = None,
             tolerance: float | None = None, accuracy: str = "off") -> Lab:
         """A laboratory with a copy of the scene, to step frame by frame. Options: those of run."""
-        return Lab(_hooke.Lab(self._stepped(integrator, substeps, frame_rate, tolerance), accuracy))
+        mode = text("accuracy", accuracy)
+        return Lab(_hooke.Lab(self._stepped(integrator, substeps, frame_rate, tolerance), mode))
 
     def bench(self, methods: Sequence[str] = (), *, tolerance_range: tuple[float, float] | None = None, quick: bool = False,
-              out: str | os.PathLike[str] | None = None, progress: bool | None = None) -> Chart:
+              shard: str = "1/1", out: str | os.PathLike[str] | None = None, progress: bool | None = None) -> Chart:
         """Measures speed against error of methods on one second of the scene, as `hooke bench`.
 
         methods: by default all of them
         tolerance_range: the largest and the smallest error of interest, relative to the size of the scene; no finer setting is measured,
             and rows with a larger error are left out
         quick: coarser, in at most a minute
+        shard: "2/8" measures the second of eight parts; hooke.merge_benches puts the folders of all parts together
         out: a folder for the results, from which the same call resumes
         """
-        largest, smallest = (math.inf, None) if tolerance_range is None else (max(tolerance_range), min(tolerance_range))
+        largest, smallest = math.inf, None
+        if tolerance_range is not None:
+            ends = array("tolerance_range", tolerance_range)
+            if ends.shape != (2,):
+                raise InputError(f"tolerance_range: shape {ends.shape}: must be (2,)")
+            if not np.isfinite(ends).all():
+                raise InputError(f"tolerance_range: {tolerance_range}: must be finite numbers")
+            largest, smallest = float(ends.max()), float(ends.min())
+        chosen = names("methods", methods)
         with bar("bench", progress, "method") as shown:
-            folder = None if out is None else os.fspath(out)
-            return Chart(*_hooke.bench_scene(self._scene, list(methods), quick, smallest, folder, shown), largest)
+            return Chart(*_hooke.bench_scene(self._bound, chosen, bool(quick), smallest, text("shard", shard), optional(path, "out", out),
+                                             shown), largest)
+
+    def sweep(self, vary: Mapping[str, ArrayLike | str], measure: str | Sequence[str], seconds: float, *, integrator: str | None = None,
+              substeps: int | None = None, frame_rate: float | None = None, tolerance: float | None = None, shard: str = "1/1",
+              out: str | os.PathLike[str] | None = None, progress: bool | None = None) -> Sweep:
+        """Runs a copy of the scene for every combination of parameter values, as `hooke sweep`, with the same values.
+
+        vary: the values of each parameter, {"stiffness": np.logspace(2, 4, 5), "substeps": [8, 16]}, or a range "100:1e4:log:20"
+        measure: columns of the table: hooke.quantities(), at the end of a run, or "max:", "min:" or "mean:" of one over it; and "cpu"
+        seconds: simulated time of each run [s]
+        shard: "2/8" runs the second of eight parts; hooke.merge_sweeps puts the folders of all parts together
+        out: a folder for the table and charts, from which the same call resumes
+        """
+        axes = []
+        for name, values in dict(vary).items():
+            listed = values if isinstance(values, str) else ",".join(setting_text(value) for value in np.atleast_1d(np.asarray(values)))
+            axes.append(f"{text('vary', name)}={listed}")
+        measures = ",".join(names("measure", measure))
+        for name, given in (("vary", axes), ("measure", measures)):
+            if not given:
+                raise InputError(f"{name}: must not be empty")
+        arguments = (axes, measures, number("seconds", seconds), text("shard", shard), optional(path, "out", out))
+        start = self._bound.with_options(optional(text, "integrator", integrator), optional(integer, "substeps", substeps),
+                                         optional(number, "frame_rate", frame_rate), optional(number, "tolerance", tolerance))
+        with bar("sweep", progress, "run") as shown:
+            return Sweep(*_hooke.sweep(start, *arguments, shown))
 
     def check(self) -> list[Check]:
         """Runs the check that the scene file contains, with every method that it names; an empty list if it has none."""
-        return [Check(self.name, *result) for result in _hooke.check(self._scene)]
+        return [Check(self.name, *result) for result in _hooke.check(self._bound)]
 
-    def capture(self, out: str | os.PathLike[str], *, integrator: str | None = None, substeps: int | None = None,
-                frame_rate: float | None = None, tolerance: float | None = None, progress: bool | None = None,
-                **options: Any) -> CaptureResult:
+    def capture(self, out: str | os.PathLike[str], *, seconds: float | None = None, frames: int | None = None, fps: float | None = None,
+                size: tuple[int, int] = (1280, 720), scale: float = 1.0, ui: bool = False, stamp: bool = False,
+                report: str | os.PathLike[str] | None = None, fail_above: float | None = None, camera: ArrayLike | None = None,
+                integrator: str | None = None, substeps: int | None = None, frame_rate: float | None = None,
+                tolerance: float | None = None, progress: bool | None = None) -> CaptureResult:
         """Draws the scene as it moves, without a display, as `hooke capture`.
 
         out: a .png for the last picture only, a folder for all, or a .mp4 (by ffmpeg)
         seconds: simulated time from the first picture to the last [s], default 0; or frames: the number of pictures
-        fps: pictures per simulated second [1/s]; size: (width, height) [px], default (1280, 720); scale: of points, lines and panels
+        fps: pictures per simulated second [1/s]; size: (width, height) [px]; scale: of points, lines and panels
         ui: include the panels; stamp: write time, error and method into each picture; report: a folder for report.csv and report.json
         fail_above: a limit of the accumulated error [m]; camera: the eye and its target, six numbers [m]
         """
+        options = _capture_options(seconds=seconds, frames=frames, fps=fps, size=size, scale=scale, ui=ui, stamp=stamp, report=report,
+                                   fail_above=fail_above, camera=camera)
+        file = path("out", out)
         start = self._stepped(integrator, substeps, frame_rate, tolerance)
         with bar("capture", progress) as shown:
-            return CaptureResult(*_hooke.capture(start, os.fspath(out), _capture_options(options), shown))
+            return CaptureResult(*_hooke.capture(start, file, options, shown))
 
     def _repr_png_(self) -> bytes:
         """The picture that Jupyter shows."""
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "scene.png")
-            self.capture(file, size=(640, 400), progress=False)
+            _hooke.capture(self._bound, os.fsencode(file), _capture_options(size=(640, 400)), None)
             with open(file, "rb") as picture:
                 return picture.read()
 
     def __repr__(self) -> str:
         return f"Scene({self.title or self.name!r}, {self.point_count} points, {self.spring_count} springs)"
+
+
+def _control(on_frame: Callable[[Lab], Any]) -> Callable[[_hooke.Lab], bool]:
+    def control(lab: _hooke.Lab) -> bool:
+        answer = on_frame(Lab(lab))
+        return answer is None or bool(answer)
+
+    return control
 
 
 def _add_shape_methods() -> None:
@@ -357,8 +444,7 @@ def _add_shape_methods() -> None:
         add.__name__ = f"add_{row['id']}"
         add.__qualname__ = f"Scene.{add.__name__}"
         add.__doc__ = f"{shape_text(row)}\n\nReturns the numbers of its points."
-        if not hasattr(Scene, add.__name__):
-            setattr(Scene, add.__name__, add)
+        setattr(Scene, add.__name__, add)
 
 
 _add_shape_methods()

@@ -18,7 +18,7 @@ def methods() -> list[dict[str, Any]]:
 
 
 def shapes() -> list[dict[str, Any]]:
-    """The shapes that Scene.add_shape generates: id, description, fields (name, unit or format, default), nails."""
+    """The shapes that Scene.add_shape generates: id, description, fields (name, unit, format or words, default), nails."""
     return _hooke.shapes()
 
 
@@ -59,9 +59,9 @@ def method_text() -> str:
 def shape_text(row: dict[str, Any]) -> str:
     """The documentation of one shape."""
     lines = [row["description"], ""]
-    for name, unit, default in row["fields"]:
-        value = "" if default is None else f", default {_number(default)}"
-        lines.append(f"    {name}: [{unit}]{value}" if unit and not unit.startswith("[") else f"    {name}: {unit}{value}")
+    for name, what, default in row["fields"]:
+        value = "" if default is None else f", default {default if isinstance(default, str) else _number(default)}"
+        lines.append(f"    {name}: {what if ' | ' in what or what.startswith('[') or not what else f'[{what}]'}{value}")
     if row["nails"]:
         lines.append(f"    nail: a list of {', '.join(row['nails'])}, or of numbers of points within the shape")
     return "\n".join(lines)

@@ -4,9 +4,6 @@ import subprocess
 
 import pytest
 
-# Warnings of Hooke are tested where they are expected.
-pytest_plugins: list[str] = []
-
 
 @pytest.fixture
 def command_line():
@@ -22,3 +19,18 @@ def command_line():
 def run_json(command_line):
     """The JSON of `hooke run`."""
     return lambda *arguments: json.loads(command_line("run", *arguments, "--quiet", "--json", "-").stdout)
+
+
+@pytest.fixture
+def refusal(command_line):
+    """The line by which the command line refuses its arguments, with the name of the argument in Python for that of the option."""
+
+    def line(*arguments: str) -> str:
+        text = command_line(*arguments).stderr.removesuffix("\n").removesuffix(" (see --help)").removeprefix("hooke-headless: ")
+        assert "\n" not in text
+        if not text.startswith("--"):
+            return text
+        option, rest = text.removeprefix("--").split(" ", 1)
+        return f"{option.removesuffix(':').replace('-', '_')}: {rest}"
+
+    return line

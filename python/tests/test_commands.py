@@ -37,10 +37,21 @@ def test_a_chart_is_saved_as_the_command_line_does(chart, tmp_path):
     assert (tmp_path / "bench.csv").read_text().startswith("scene,method,setting,step_s,error_m")
 
 
-def test_unknown_methods_have_the_message_of_the_command_line(command_line):
-    with pytest.raises(hooke.UsageError) as error:
-        hooke.bench(["two_masses"], ["euler"])
-    assert command_line("bench", "two_masses", "--methods", "euler").stderr == f"hooke-headless: {error.value}\n"
+def test_a_chart_without_matplotlib_names_the_package(chart, monkeypatch):
+    import sys
+
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)
+    with pytest.raises(ImportError, match="plot: requires Matplotlib .package python3-matplotlib."):
+        chart.plot()
+
+
+def test_the_parts_of_a_benchmark_are_merged_into_all_of_it(tmp_path):
+    methods = ["symplectic_euler", "velocity_verlet"]
+    for part in (1, 2):
+        chart = hooke.bench("net_w2", methods, quick=True, shard=f"{part}/2", out=tmp_path / str(part))
+        assert {row["method"] for row in chart.rows} == {methods[part - 1]}
+    merged = hooke.merge_benches([tmp_path / "1", tmp_path / "2"], tmp_path / "all")
+    assert {row["method"] for row in merged.rows} == set(methods) and (tmp_path / "all" / "bench.csv").exists()
 
 
 def test_checks_are_those_of_the_command_line(command_line):
@@ -78,13 +89,13 @@ def test_jupyter_shows_a_picture():
     assert hooke.load("two_masses")._repr_png_().startswith(b"\x89PNG")
 
 
-def test_capture_options_are_refused_with_the_message_of_the_command_line(command_line, tmp_path):
-    out = str(tmp_path / "picture.png")
-    with pytest.raises(hooke.UsageError) as error:
-        hooke.load("two_masses").capture(out, size=(0, 10))
-    assert command_line("capture", "two_masses", "--out", out, "--size", "0x10").stderr == f"hooke-headless: {error.value}\n"
-    with pytest.raises(TypeError, match="unknown option 'colour'"):
-        hooke.load("two_masses").capture(out, colour=1)
+def test_frames_in_a_folder_are_those_of_the_command_line(command_line, tmp_path):
+    ours, theirs = tmp_path / "ours", tmp_path / "theirs"
+    hooke.load("two_masses").capture(ours, size=(64, 40), frames=3, fps=30, camera=(0, 0, 2, 0, 0, 0), stamp=True)
+    command_line("capture", "two_masses", "--out", str(theirs), "--size", "64x40", "--frames", "3", "--fps", "30", "--camera",
+                 "0,0,2,0,0,0", "--stamp")
+    assert len(list(theirs.iterdir())) == 3
+    assert all((ours / file.name).read_bytes() == file.read_bytes() for file in theirs.iterdir())
 
 
 def test_a_recording_replays_to_the_same_bits(command_line, tmp_path):

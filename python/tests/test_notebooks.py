@@ -13,6 +13,7 @@ def test_there_are_three_notebooks():
     assert [file.stem for file in notebooks] == ["first_steps", "fit_stiffness", "speed_and_error"]
 
 
+@pytest.mark.filterwarnings("error::hooke.HookeWarning")
 @pytest.mark.parametrize("file", notebooks, ids=lambda file: file.stem)
 def test_the_notebook_runs(file, tmp_path, monkeypatch):
     import matplotlib

@@ -321,7 +321,15 @@ void Lab::measure_accuracy(const std::function<bool()>& should_continue) {
 bool Lab::step_frame() {
   begin_frame();
   const auto start = Clock::now();
-  while (!frame_.done()) frame_.substep(plan_);
+  try {
+    while (!frame_.done()) {
+      frame_.substep(plan_);
+      if (after_substep_) after_substep_();
+    }
+  } catch (...) {
+    drop_frame();
+    throw;
+  }
   frame_ms_ = milliseconds_since(start);
   return finish_frame();
 }

@@ -87,6 +87,9 @@ class Lab {
   // Applies the queue and computes exactly one frame. False if it diverged: the state is that of the previous frame.
   bool step();
 
+  // Called after every substep of `step`. What it throws passes through `step`, and discards the frame.
+  void watch_substeps(std::function<void()> after_substep) { after_substep_ = std::move(after_substep); }
+
   // Continues to measure the accuracy of the frames computed so far, until it is done or `should_continue` returns false.
   void measure_accuracy(const std::function<bool()>& should_continue);
   bool has_accuracy_to_measure() const { return meter_.is_repeating() || meter_.has_work(); }
@@ -151,6 +154,7 @@ class Lab {
   std::shared_ptr<const Scene> opened_;  // null: none is kept
   Start start_;
   std::vector<std::pair<std::variant<Command, Control>, Gesture>> queue_;
+  std::function<void()> after_substep_;
   History history_;
   FrameHistory frame_history_;
   Recorder recorder_;

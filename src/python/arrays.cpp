@@ -9,21 +9,26 @@
 namespace hooke::python {
 namespace {
 
-std::string shape_of(const py::array& array) {
-  std::string text = "(";
-  for (py::ssize_t d = 0; d < array.ndim(); ++d) text += (d > 0 ? ", " : "") + std::to_string(array.shape(d));
-  return text + (array.ndim() == 1 ? ",)" : ")");
-}
-
 [[noreturn]] void refuse_shape(const std::string& name, const py::array& array, const std::string& wanted) {
   throw InputError(name + ": shape " + shape_of(array) + ": must be " + wanted);
 }
 
 }  // namespace
 
+std::string shape_of(const py::array& array) {
+  std::string text = "(";
+  for (py::ssize_t d = 0; d < array.ndim(); ++d) text += (d > 0 ? ", " : "") + std::to_string(array.shape(d));
+  return text + (array.ndim() == 1 ? ",)" : ")");
+}
+
 py::array_t<double> to_array(std::span<const Vec3> vectors) {
   py::array_t<double> array({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}});
   if (!vectors.empty()) std::memcpy(array.mutable_data(), vectors.data(), vectors.size_bytes());
+  return array;
+}
+
+py::array read_only(py::array array) {
+  array.attr("setflags")(py::arg("write") = false);
   return array;
 }
 
@@ -37,7 +42,7 @@ std::vector<Vec3> to_vectors(const std::string& name, const Doubles& array, std:
   std::vector<Vec3> vectors(count);
   if (count > 0) std::memcpy(vectors.data(), array.data(), count * sizeof(Vec3));
   for (std::size_t i = 0; i < count; ++i)
-    if (!is_finite(vectors[i])) throw InputError(name + "[" + std::to_string(i) + "]: must be numbers below 1.8e308");
+    if (!is_finite(vectors[i])) throw InputError(name + "[" + std::to_string(i) + "]: must be finite numbers");
   return vectors;
 }
 

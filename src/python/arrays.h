@@ -21,10 +21,15 @@ static_assert(sizeof(Vec3) == 3 * sizeof(double));
 
 // A copy with the shape (n, 3).
 py::array_t<double> to_array(std::span<const Vec3> vectors);
+// Refuses assignments to its items, which would change a copy and not what it was copied from.
+py::array read_only(py::array array);
 py::array_t<double> to_array(const std::vector<double>& values);
 
-// Throws InputError "NAME: shape (2, 3): must be (N, 3)" or "NAME[i]: must be a number" if the shape differs or a value is not finite.
+// Throws InputError "NAME: shape (2, 3): must be (N, 3)" or "NAME[i]: must be finite numbers" if the shape differs or a value is not
+// finite.
 std::vector<Vec3> to_vectors(const std::string& name, const Doubles& array, std::size_t count);
+// "(2, 3)".
+std::string shape_of(const py::array& array);
 // One value for each of `count`; a single value counts for all.
 std::vector<double> to_values(const std::string& name, const Doubles& array, std::size_t count);
 

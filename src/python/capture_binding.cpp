@@ -23,17 +23,19 @@ CaptureOptions capture_options(const std::string& out, const py::dict& options) 
   take("stamp", parsed.stamp);
   take("fail_above", parsed.fail_above);
   take("camera", parsed.camera);
-  if (parsed.seconds) check_option("--seconds", *parsed.seconds, not_negative);
-  if (parsed.frames) check_option("--frames", static_cast<double>(*parsed.frames), {.min = 1, .max = 1e9});
-  if (parsed.fps) check_option("--fps", *parsed.fps, positive);
-  check_option("--scale", parsed.scale, {.min = 0.5, .max = 4.0});
-  if (parsed.fail_above) check_option("--fail-above", *parsed.fail_above, positive);
+  if (parsed.seconds) check_option("seconds", *parsed.seconds, not_negative);
+  if (parsed.frames) check_option("frames", static_cast<double>(*parsed.frames), {.min = 1, .max = 1e9});
+  if (parsed.frames && parsed.seconds) throw UsageError("frames: excludes seconds");
+  if (parsed.fps) check_option("fps", *parsed.fps, positive);
+  check_option("scale", parsed.scale, {.min = 0.5, .max = 4.0});
+  if (parsed.fail_above) check_option("fail-above", *parsed.fail_above, positive);
   return parsed;
 }
 
 // (diverged, the first frame beyond fail_above, the difference of a replay, the message of a divergence)
 py::tuple capture(Lab& lab, const CaptureOptions& options, double length, const Scene* start, const py::object& progress) {
   Watch watch(progress);
+  const WatchedLab watched(lab, watch);
   CaptureResults results;
   std::string message;
   {
@@ -42,7 +44,7 @@ py::tuple capture(Lab& lab, const CaptureOptions& options, double length, const 
       watch.check(done, all);
       return true;
     });
-    if (results.diverged) message = explain_divergence(lab, start, results.seconds);
+    if (results.diverged) message = explain_divergence(lab, start, results.seconds, [&] { watch.check(0, 0); });
   }
   return py::make_tuple(results.diverged, results.error_limit, lab.difference(), message);
 }

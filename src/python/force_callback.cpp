@@ -1,5 +1,8 @@
 #include "python/force_callback.h"
 
+#include <algorithm>
+#include <map>
+
 #include "base/errors.h"
 #include "base/file_limits.h"
 #include "edit/apply.h"
@@ -9,9 +12,9 @@
 namespace hooke::python {
 namespace {
 
-// The functions, referred to by the first value of a force. Never destroyed, because the interpreter ends first.
-std::vector<py::function>& functions() {
-  static auto* const all = new std::vector<py::function>;
+// The functions in use, by the first value of their force. Never destroyed, because the interpreter ends first.
+std::map<double, py::function>& functions() {
+  static auto* const all = new std::map<double, py::function>;
   return *all;
 }
 
@@ -26,9 +29,9 @@ py::array_t<double> packed_to_array(const Plan& plan, const double* field) {
 
 std::vector<Vec3> call(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v) {
   const py::gil_scoped_acquire lock;
-  const py::object result = functions()[static_cast<std::size_t>(values[0])](time, packed_to_array(plan, x), packed_to_array(plan, v));
+  const py::object result = functions().at(values[0])(time, packed_to_array(plan, x), packed_to_array(plan, v));
   const auto forces = Doubles::ensure(result);
-  if (!forces) throw py::error_already_set();
+  if (!forces) throw InputError("forces: must be numbers");
   return to_vectors("forces", forces, static_cast<std::size_t>(plan.points));
 }
 
@@ -68,15 +71,23 @@ constinit const ForceTerm callback{
 
 }  // namespace
 
-void add_force_callback(Scene& scene, py::function function) {
-  if (scene.system.forces.size() >= max_forces) throw InputError("forces: must be at most " + std::to_string(max_forces));
-  functions().push_back(std::move(function));
+ForceFunction add_force_callback(Scene& scene, py::function function) {
+  const std::size_t count = scene.system.forces.size() + 1;
+  if (count > max_forces) throw InputError("forces: " + std::to_string(count) + ": must be at most " + std::to_string(max_forces));
+  const double key = functions().empty() ? 0.0 : functions().rbegin()->first + 1.0;
+  functions().emplace(key, std::move(function));
+  ForceFunction kept(nullptr, [key](const void*) {
+    const py::gil_scoped_acquire lock;
+    // destroyed last, because that may run Python code
+    const auto released = functions().extract(key);
+  });
   Force force{.term = &callback};
-  force.values[0] = static_cast<double>(functions().size() - 1);
+  force.values[0] = key;
   SetForces set{scene.system.forces};
   set.forces.push_back(force);
   Effect effect;
   apply(scene, set, effect);
+  return kept;
 }
 
 bool has_force_callback(const Scene& scene) {

@@ -2,86 +2,161 @@
 
 #include <pybind11/stl.h>
 
+#include <chrono>
+
 #include "base/finite.h"
 #include "batch/run_report.h"
 #include "formats/open_file.h"
 #include "lab/recording.h"
+#include "scene/flatness.h"
+#include "scene/parameters.h"
 #include "sim/hash.h"
 
 namespace hooke::python {
 namespace {
 
-void submit(NamedLab& lab, Command command) {
-  lab.lab->submit(std::move(command));
-  lab.lab->apply_pending();
+// Applied at once, in effect from the next frame on.
+template <class Request>
+void submit(NamedLab& lab, Request request) {
+  lab.lab.submit(std::move(request));
+  lab.lab.apply_pending();
 }
 
-void control(NamedLab& lab, Control control) {
-  lab.lab->submit(std::move(control));
-  lab.lab->apply_pending();
+template <class Request>
+void change(NamedLab& lab, Request request) {
+  const Change guard(lab);
+  submit(lab, std::move(request));
 }
 
 PointId id_of(const NamedLab& lab, std::int64_t point) {
-  const System& system = lab.lab->scene().system;
+  const System& system = lab.lab.scene().system;
   if (point < 0 || point >= system.point_count())
     throw InputError("point: " + std::to_string(point) + ": must be the number of one of the " + std::to_string(system.point_count()) +
                      " points, from 0");
   return system.points()[static_cast<std::size_t>(point)].id;
 }
 
-Vec3 vector_from(const std::string& name, const std::array<double, 3>& values) {
-  const Vec3 vector(values[0], values[1], values[2]);
-  if (!is_finite(vector)) throw InputError(name + ": must be numbers below 1.8e308");
+SpringId spring_id_of(const NamedLab& lab, std::int64_t spring) {
+  const System& system = lab.lab.scene().system;
+  if (spring < 0 || spring >= system.spring_count())
+    throw InputError("spring: " + std::to_string(spring) + ": must be the number of one of the " + std::to_string(system.spring_count()) +
+                     " springs, from 0");
+  return system.springs()[static_cast<std::size_t>(spring)].id;
+}
+
+Vec3 vector_from(const std::string& name, const Doubles& values) {
+  if (values.ndim() != 1 || values.shape(0) != 3) throw InputError(name + ": shape " + shape_of(values) + ": must be (3,)");
+  const Vec3 vector(values.at(0), values.at(1), values.at(2));
+  if (!is_finite(vector)) throw InputError(name + ": must be finite numbers");
   return vector;
 }
 
 // False: the run diverged, and the state is that of the last valid frame.
-bool step(NamedLab& lab, long frames, py::object progress) {
+bool step(NamedLab& lab, std::int64_t frames, py::object progress) {
+  check_option("frames", static_cast<double>(frames), not_negative);
+  if (lab.is_in_run) throw UsageError("step: not allowed in on_frame: the run computes the frames");
+  const Change guard(lab);
   Watch watch(std::move(progress));
+  const WatchedLab watched(lab.lab, watch);
   const py::gil_scoped_release unlocked;
-  for (long frame = 0; frame < frames; ++frame) {
-    const bool is_valid = lab.lab->step();
+  for (std::int64_t frame = 0; frame < frames; ++frame) {
+    const bool is_valid = lab.lab.step();
     watch.check(frame + 1, frames);
     if (!is_valid) return false;
   }
   return true;
 }
 
-void grab(NamedLab& lab, std::int64_t point, const std::array<double, 3>& target, std::optional<double> pull) {
+void grab(NamedLab& lab, std::int64_t point, const Doubles& target, std::optional<double> pull) {
   if (pull) check_option("pull", *pull, not_negative);
+  const Change guard(lab);
   GrabPoint::Item item{.point = id_of(lab, point), .kind = pull ? GrabKind::Pull : GrabKind::Hold, .target = vector_from("target", target)};
   if (pull) item.stiffness = *pull;
   submit(lab, GrabPoint{item});
 }
 
 void nail(NamedLab& lab, const std::vector<std::int64_t>& points, bool nailed) {
+  const Change guard(lab);
   SetNailed set;
   for (const std::int64_t point : points) set.items.push_back({id_of(lab, point), nailed});
   submit(lab, set);
 }
 
+void remove(NamedLab& lab, const std::vector<std::int64_t>& points, const std::vector<std::int64_t>& springs) {
+  const Change guard(lab);
+  Remove remove;
+  for (const std::int64_t point : points) remove.points.push_back(id_of(lab, point));
+  for (const std::int64_t spring : springs) remove.springs.push_back(spring_id_of(lab, spring));
+  submit(lab, remove);
+}
+
 void set_state(NamedLab& lab, const Doubles& positions, const Doubles& velocities) {
-  const Scene& scene = lab.lab->scene();
+  const Change guard(lab);
+  const Scene& scene = lab.lab.scene();
   const std::size_t count = scene.system.points().size();
   const std::vector<Vec3> position = to_vectors("positions", positions, count), velocity = to_vectors("velocities", velocities, count);
+  check_flat(scene.system, "positions", position);
+  check_flat(scene.system, "velocities", velocity);
   Move move;
   for (std::size_t i = 0; i < count; ++i) move.items.push_back({scene.system.points()[i].id, position[i], velocity[i]});
   submit(lab, move);
 }
 
+void set(NamedLab& lab, const std::string& name, const std::string& value) {
+  const SetParameter setting = setting_of("lab", name, value);
+  const Change guard(lab);
+  if (setting.parameter == &dimensions_parameter && setting.value == 0.0)
+    if (const std::string reason = why_not_flat(lab.lab.scene().system, lab.lab.scene().state); !reason.empty())
+      throw InputError("lab[\"dimensions\"]: " + value + ": " + reason);
+  submit(lab, setting);
+}
+
+void record(NamedLab& lab, const std::string& file) {
+  const Use use(lab);
+  submit(lab, Record{std::make_shared<const std::filesystem::path>(file)});
+  lab.lab.publish();
+  if (const std::string& error = lab.lab.status()->recording.error; !error.empty()) throw FileError(error);
+}
+
+std::pair<std::string, std::string> history_of(NamedLab& lab) {
+  const Use use(lab);
+  lab.lab.publish();
+  return {lab.lab.status()->history.undo_name, lab.lab.status()->history.redo_name};
+}
+
+// Unfinished after an interrupt; the next call continues.
+void measure_accuracy(NamedLab& lab) {
+  const Use use(lab);
+  Watch watch((py::none()));
+  const py::gil_scoped_release unlocked;
+  lab.lab.measure_accuracy([&] {
+    watch.check();
+    return true;
+  });
+}
+
 py::object diagnosis_of(NamedLab& lab, const NamedScene* start, double seconds) {
+  const Use use(lab);
+  Watch watch((py::none()));
   std::string text;
   {
     const py::gil_scoped_release unlocked;
-    text = explain_divergence(*lab.lab, start == nullptr ? nullptr : &start->scene(), seconds);
+    text = explain_divergence(lab.lab, start == nullptr ? nullptr : &start->scene(), seconds, [&] { watch.check(0, 0); });
   }
   return text.empty() ? py::object(py::none()) : py::object(py::str(text));
 }
 
-}  // namespace
+// The array in `kept`, made if the state has changed since.
+py::object array_of(NamedLab& lab, py::object NamedLab::*kept, std::vector<Vec3> State::*field) {
+  const Use use(lab);
+  if (!(lab.*kept)) lab.*kept = read_only(to_array(lab.lab.scene().state.*field));
+  return lab.*kept;
+}
 
-py::dict energy_of(const Lab& lab) {
-  const Energy energy = compute_energy(lab.scene().system, lab.scene().state);
+// {"kinetic", ..., "total"} [J].
+py::dict energy_of(NamedLab& lab) {
+  const Use use(lab);
+  const Energy energy = compute_energy(lab.lab.scene().system, lab.lab.scene().state);
   py::dict entry;
   entry["kinetic"] = energy.kinetic;
   entry["elastic"] = energy.elastic;
@@ -90,7 +165,11 @@ py::dict energy_of(const Lab& lab) {
   return entry;
 }
 
-py::dict error_of(const Accuracy& accuracy) {
+// {"frame", "frame_max", "accumulated" [m], "amplification" [1], "predictable" [s]}; None: not known.
+py::dict error_of(NamedLab& lab) {
+  measure_accuracy(lab);
+  const Use use(lab);
+  const Accuracy accuracy = lab.lab.accuracy();
   py::dict entry;
   entry["frame"] = accuracy.frame.value;
   entry["frame_max"] = accuracy.frame_max.value;
@@ -100,81 +179,102 @@ py::dict error_of(const Accuracy& accuracy) {
   return entry;
 }
 
+// (frames, hash, difference)
+py::tuple replay(const std::string& file, py::object progress) {
+  const auto recording = std::make_shared<const Recording>(read_recording(file));
+  Lab lab(*recording->start, KeepStart::No);
+  lab.submit(Play{recording});
+  Watch watch(std::move(progress));
+  const WatchedLab watched(lab, watch);
+  long frames = 0;
+  {
+    const py::gil_scoped_release unlocked;
+    lab.advance(0.0, [] { return true; });
+    while (lab.is_playing()) {
+      lab.step();
+      watch.check(++frames, recording->frames);
+    }
+  }
+  return py::make_tuple(frames, to_hexadecimal(hash_state(lab.scene().state)), lab.difference());
+}
+
+}  // namespace
+
+Use::Use(NamedLab& lab) : lab_(lab) {
+  if (lab.user == std::this_thread::get_id()) throw UsageError("lab: is computing a frame: a force cannot use it");
+  for (bool is_locked = lab.mutex.try_lock(); !is_locked;) {
+    {
+      const py::gil_scoped_release unlocked;
+      is_locked = lab.mutex.try_lock_for(std::chrono::milliseconds(100));
+    }
+    if (!is_locked && PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  lab.user = std::this_thread::get_id();
+}
+
+Use::~Use() {
+  lab_.user = std::thread::id();
+  lab_.mutex.unlock();
+}
+
+AccuracyMode accuracy_named(const std::string& name) {
+  if (name == "off") return AccuracyMode::Off;
+  if (name == "frame") return AccuracyMode::Frame;
+  if (name == "full") return AccuracyMode::Full;
+  throw OptionError("accuracy", name, must_be_one_of("off, frame, full", name));
+}
+
 void bind_lab(py::module_& module) {
-  py::class_<NamedLab>(module, "Lab")
+  py::class_<NamedLab, std::shared_ptr<NamedLab>>(module, "Lab")
       .def(py::init([](const NamedScene& scene, const std::string& accuracy) {
-        NamedLab lab{scene.name, std::make_shared<Lab>(scene.scene())};
-        control(lab, SetAccuracy{accuracy == "full" ? AccuracyMode::Full : accuracy == "frame" ? AccuracyMode::Frame : AccuracyMode::Off});
+        const AccuracyMode mode = accuracy_named(accuracy);
+        auto lab = std::make_shared<NamedLab>(scene, KeepStart::Yes);
+        submit(*lab, SetAccuracy{mode});
         return lab;
       }))
       .def("step", &step)
-      .def("measure_accuracy",
-           [](NamedLab& lab) {
-             const py::gil_scoped_release unlocked;
-             lab.lab->measure_accuracy([] { return true; });
-           })
       .def("grab", &grab)
-      .def("move_hand", [](NamedLab& lab, const std::array<double, 3>& target) { submit(lab, MoveHand{vector_from("target", target)}); })
-      .def("release", [](NamedLab& lab) { submit(lab, ReleaseHand{}); })
+      .def("move_hand", [](NamedLab& lab, const Doubles& target) { change(lab, MoveHand{vector_from("target", target)}); })
+      .def("release", [](NamedLab& lab) { change(lab, ReleaseHand{}); })
       .def("nail", &nail)
-      .def("set", [](NamedLab& lab, const std::string& setting) { submit(lab, parse_setting(setting)); })
-      .def("set_integrator", [](NamedLab& lab, const std::string& id) { submit(lab, SetIntegrator{&parse_integrator(id)}); })
-      .def("remove",
-           [](NamedLab& lab, const std::vector<std::int64_t>& points, const std::vector<std::int64_t>& springs) {
-             Remove remove;
-             for (const std::int64_t point : points) remove.points.push_back(id_of(lab, point));
-             const std::vector<Spring>& all = lab.lab->scene().system.springs();
-             for (const std::int64_t spring : springs) {
-               if (spring < 0 || spring >= std::ssize(all))
-                 throw InputError("spring: " + std::to_string(spring) + ": must be less than " + std::to_string(all.size()));
-               remove.springs.push_back(all[static_cast<std::size_t>(spring)].id);
-             }
-             submit(lab, remove);
-           })
+      .def("remove", &remove)
       .def("set_state", &set_state)
-      .def("undo", [](NamedLab& lab) { control(lab, Undo{}); })
-      .def("redo", [](NamedLab& lab) { control(lab, Redo{}); })
-      .def("go_to_start", [](NamedLab& lab) { control(lab, GoToStart{}); })
-      .def("record",
-           [](NamedLab& lab, const std::string& file) {
-             control(lab, Record{std::make_shared<const std::filesystem::path>(file)});
-             lab.lab->publish();
-             if (const std::string& error = lab.lab->status()->recording.error; !error.empty()) throw FileError(error);
+      .def("get",
+           [](NamedLab& lab, const std::string& name) {
+             const Parameter& parameter = parameter_of("lab", name);
+             const Use use(lab);
+             return value_of(lab.lab.scene(), parameter);
            })
-      .def("stop_recording", [](NamedLab& lab) { control(lab, Record{}); })
-      .def("history",
-           [](const NamedLab& lab) {
-             lab.lab->publish();
-             return std::pair(lab.lab->status()->history.undo_name, lab.lab->status()->history.redo_name);
-           })
+      .def("set", &set)
+      .def("set_integrator", [](NamedLab& lab, const std::string& id) { change(lab, SetIntegrator{&parse_integrator(id)}); })
+      .def("undo", [](NamedLab& lab) { change(lab, Undo{}); })
+      .def("redo", [](NamedLab& lab) { change(lab, Redo{}); })
+      .def("go_to_start", [](NamedLab& lab) { change(lab, GoToStart{}); })
+      .def("record", &record)
+      .def("stop_recording", [](NamedLab& lab) { change(lab, Record{}); })
+      .def("history", &history_of)
       .def("scene",
-           [](const NamedLab& lab) {
-             return NamedScene{lab.name, {lab.lab->scene(), {}}};
+           [](NamedLab& lab) {
+             const Use use(lab);
+             return NamedScene{lab.name, {lab.lab.scene(), {}}, lab.functions};
            })
       .def("diagnosis", &diagnosis_of)
-      .def("energy", [](const NamedLab& lab) { return energy_of(*lab.lab); })
-      .def("error", [](const NamedLab& lab) { return error_of(lab.lab->accuracy()); })
-      .def_property_readonly("time", [](const NamedLab& lab) { return lab.lab->scene().state.time; })
-      .def_property_readonly("hash", [](const NamedLab& lab) { return to_hexadecimal(hash_state(lab.lab->scene().state)); })
-      .def_property_readonly("positions", [](const NamedLab& lab) { return to_array(lab.lab->scene().state.position); })
-      .def_property_readonly("velocities", [](const NamedLab& lab) { return to_array(lab.lab->scene().state.velocity); });
+      .def("energy", &energy_of)
+      .def("error", &error_of)
+      .def_property_readonly("time",
+                             [](NamedLab& lab) {
+                               const Use use(lab);
+                               return lab.lab.scene().state.time;
+                             })
+      .def_property_readonly("hash",
+                             [](NamedLab& lab) {
+                               const Use use(lab);
+                               return to_hexadecimal(hash_state(lab.lab.scene().state));
+                             })
+      .def_property_readonly("positions", [](NamedLab& lab) { return array_of(lab, &NamedLab::positions, &State::position); })
+      .def_property_readonly("velocities", [](NamedLab& lab) { return array_of(lab, &NamedLab::velocities, &State::velocity); });
 
-  module.def("replay", [](const std::string& file, py::object progress) {
-    const auto recording = std::make_shared<const Recording>(read_recording(file));
-    Lab lab(*recording->start, KeepStart::No);
-    lab.submit(Play{recording});
-    Watch watch(std::move(progress));
-    long frames = 0;
-    {
-      const py::gil_scoped_release unlocked;
-      lab.advance(0.0, [] { return true; });
-      while (lab.is_playing()) {
-        lab.step();
-        watch.check(++frames, recording->frames);
-      }
-    }
-    return py::make_tuple(frames, to_hexadecimal(hash_state(lab.scene().state)), lab.difference());
-  });
+  module.def("replay", &replay);
 }
 
 }  // namespace hooke::python

@@ -2,7 +2,7 @@
 #include <pybind11/pybind11.h>
 
 #include "base/build_info.h"
-#include "base/errors.h"
+#include "base/option_error.h"
 #include "python/scene_binding.h"
 
 PYBIND11_MODULE(_hooke, module) {
@@ -24,6 +24,8 @@ PYBIND11_MODULE(_hooke, module) {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const InputError& what) {
       input(what.what());
+    } catch (const OptionError& what) {
+      usage(what.as_argument().c_str());
     } catch (const UsageError& what) {
       usage(what.what());
     } catch (const FileError& what) {
@@ -36,5 +38,6 @@ PYBIND11_MODULE(_hooke, module) {
   python::bind_lab(module);
   python::bind_run(module);
   python::bind_study(module);
+  python::bind_sweep(module);
   python::bind_capture(module);
 }

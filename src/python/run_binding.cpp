@@ -1,8 +1,8 @@
 #include <pybind11/stl.h>
 
-#include <cstring>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include "batch/run_frames.h"
 #include "batch/run_report.h"
@@ -11,33 +11,24 @@
 namespace hooke::python {
 namespace {
 
-AccuracyMode mode_named(const std::string& name) {
-  if (name == "off") return AccuracyMode::Off;
-  if (name == "frame") return AccuracyMode::Frame;
-  if (name == "full") return AccuracyMode::Full;
-  throw UsageError("--accuracy " + name + ": must be one of off, frame, full");
-}
-
 // Arrays of all samples, filled in place while the run goes on.
 class Samples {
  public:
   // Throws MemoryError if they do not fit.
-  Samples(const Lab& lab, long count)
+  Samples(const Lab& lab, std::span<const Index> points, long count)
       : lab_(lab),
-        points_(lab.scene().system.point_count()),
-        positions_({static_cast<py::ssize_t>(count), static_cast<py::ssize_t>(points_), py::ssize_t{3}}),
-        velocities_({static_cast<py::ssize_t>(count), static_cast<py::ssize_t>(points_), py::ssize_t{3}}),
+        points_(points),
+        positions_({static_cast<py::ssize_t>(count), std::ssize(points_), py::ssize_t{3}}),
+        velocities_({static_cast<py::ssize_t>(count), std::ssize(points_), py::ssize_t{3}}),
         to_position_(positions_.mutable_data()),
         to_velocity_(velocities_.mutable_data()) {}
 
   void add(const State& state, const Accuracy& accuracy) {
-    const std::size_t bytes = static_cast<std::size_t>(points_) * sizeof(Vec3);
-    if (bytes > 0) {
-      std::memcpy(to_position_, state.position.data(), bytes);
-      std::memcpy(to_velocity_, state.velocity.data(), bytes);
-    }
-    to_position_ += 3 * static_cast<std::ptrdiff_t>(points_);
-    to_velocity_ += 3 * static_cast<std::ptrdiff_t>(points_);
+    for (const Index i : points_)
+      for (int c = 0; c < 3; ++c) {
+        *to_position_++ = state.position[i][c];
+        *to_velocity_++ = state.velocity[i][c];
+      }
     time_.push_back(state.time);
     energy_.push_back(compute_energy(lab_.scene().system, state));
     accuracy_.push_back(accuracy);
@@ -75,7 +66,7 @@ class Samples {
   }
 
   const Lab& lab_;
-  Index points_;
+  std::span<const Index> points_;
   py::array_t<double> positions_, velocities_;
   double *to_position_, *to_velocity_;
   std::vector<double> time_;
@@ -83,20 +74,37 @@ class Samples {
   std::vector<Accuracy> accuracy_;
 };
 
+// All of them, or those with these numbers.
+std::vector<Index> points_of(const std::optional<std::vector<std::int64_t>>& numbers, Index count) {
+  std::vector<Index> points(numbers ? numbers->size() : static_cast<std::size_t>(count));
+  if (!numbers) std::iota(points.begin(), points.end(), 0);
+  for (std::size_t i = 0; numbers && i < points.size(); ++i) {
+    const std::int64_t number = (*numbers)[i];
+    if (number < 0 || number >= count)
+      throw OptionError("points", std::to_string(number), "must be the number of one of the " + std::to_string(count) + " points, from 0");
+    points[i] = static_cast<Index>(number);
+  }
+  return points;
+}
+
 py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sample, const std::string& accuracy, const RunFiles& files,
-              py::object on_frame, py::object progress) {
-  NamedLab lab{scene.name, std::make_shared<Lab>(scene.scene(), KeepStart::No)};
-  RunRequest request{.seconds = seconds, .sample = sample, .accuracy = mode_named(accuracy)};
-  if (sample) check_option("--sample", *sample, positive);
+              const std::optional<std::vector<std::int64_t>>& sampled, py::object on_frame, py::object progress) {
+  RunRequest request{.seconds = seconds, .sample = sample, .accuracy = accuracy_named(accuracy)};
+  if (sample) check_option("sample", *sample, positive);
+  if (files.quantities && !files.csv) throw UsageError("quantities: requires csv");
   const double frame_rate = scene.scene().settings.frame_rate;
-  // a run that diverges between two samples adds one
-  Samples samples(*lab.lab, SampleClock::count(sample, frame_rate, count_frames(seconds, frame_rate)) + 1);
+  const long frames = count_frames(seconds, frame_rate);
+  const auto lab = std::make_shared<NamedLab>(scene, KeepStart::No);
+  const std::vector<Index> points = points_of(sampled, scene.scene().system.point_count());
+  // a run that ends between two samples adds one
+  Samples samples(lab->lab, points, SampleClock::max_count(sample, frame_rate, frames) + 1);
+  RunOutput output(files, scene.name, lab->lab.scene(), points);
 
-  std::vector<Index> points(scene.scene().system.points().size());
-  std::iota(points.begin(), points.end(), 0);
-  RunOutput output(files, scene.name, lab.lab->scene(), points);
-
+  std::optional<Change> guard(*lab);
+  lab->is_in_run = true;
+  const std::shared_ptr<void> end(nullptr, [&](void*) { lab->is_in_run = false; });
   Watch watch(std::move(progress));
+  const WatchedLab watched(lab->lab, watch);
   RunHooks hooks = output.hooks();
   hooks.sample = [&, write = hooks.sample](const State& state, const Accuracy& measured) {
     samples.add(state, measured);
@@ -106,14 +114,16 @@ py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sam
     hooks.frame = [&, write = hooks.frame] {
       if (write) write();
       const py::gil_scoped_acquire lock;
-      const py::object answer = on_frame(lab);
-      return !answer.is(py::bool_(false));
+      guard.reset();
+      const bool goes_on = on_frame(lab).cast<bool>();
+      guard.emplace(*lab);
+      return goes_on;
     };
   hooks.progress = [&](long done, long all) { watch.check(done, all); };
   RunResults results;
   {
     const py::gil_scoped_release unlocked;
-    results = run_frames(*lab.lab, request, hooks);
+    results = run_frames(lab->lab, request, hooks);
     output.finish(results.totals);
   }
   py::dict entry = samples.take();
@@ -133,13 +143,13 @@ py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sam
 }  // namespace
 
 void bind_run(py::module_& module) {
-  module.def("run",
-             [](const NamedScene& scene, double seconds, std::optional<double> sample, const std::string& accuracy,
-                const std::optional<std::string>& json, const std::optional<std::string>& csv, const std::optional<std::string>& quantities,
-                const std::optional<std::string>& pc2, py::object on_frame, py::object progress) {
-               return run(scene, seconds, sample, accuracy, {.json = json, .csv = csv, .pc2 = pc2, .quantities = quantities},
-                          std::move(on_frame), std::move(progress));
-             });
+  module.def("run", [](const NamedScene& scene, double seconds, std::optional<double> sample, const std::string& accuracy,
+                       const std::optional<std::string>& json, const std::optional<std::string>& csv,
+                       const std::optional<std::string>& quantities, const std::optional<std::string>& pc2,
+                       const std::optional<std::vector<std::int64_t>>& points, py::object on_frame, py::object progress) {
+    return run(scene, seconds, sample, accuracy, {.json = json, .csv = csv, .pc2 = pc2, .quantities = quantities}, points,
+               std::move(on_frame), std::move(progress));
+  });
 }
 
 }  // namespace hooke::python

@@ -2,15 +2,14 @@
 
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "base/file_limits.h"
+#include "base/printable.h"
 #include "batch/run_report.h"
 #include "edit/append_parts.h"
 #include "edit/apply.h"
 #include "formats/open_file.h"
-#include "python/force_callback.h"
 #include "scene/parameters.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"
@@ -29,13 +28,8 @@ const std::vector<Spring>& springs_of(const NamedScene& scene) { return scene.sc
 std::string at(const std::string& name, std::size_t index) { return name + "[" + std::to_string(index) + "]"; }
 
 void check_value(const std::string& field, double value, const Bounds& bounds) {
-  if (!std::isfinite(value) || !bounds.contains(value)) throw InputError(field + ": " + format_exact(value) + ": " + bounds.text());
-}
-
-void check_flat(const NamedScene& scene, const std::string& name, const std::vector<Vec3>& vectors) {
-  if (scene.scene().system.dimensions == 3) return;
-  for (std::size_t i = 0; i < vectors.size(); ++i)
-    if (vectors[i].z != 0.0) throw InputError(at(name, i) + ": z = " + format_exact(vectors[i].z) + ": must be 0 in a 2-D scene");
+  if (const std::string reason = why_refused(value, bounds); !reason.empty())
+    throw InputError(field + ": " + format_exact(value) + ": " + reason);
 }
 
 NamedScene load(const std::string& name) { return {name, load_file(find_scene(name))}; }
@@ -45,24 +39,28 @@ NamedScene parse(const std::string& text, const std::string& name) { return {nam
 // The members of a scene file that list parts: "generators": [...], "colliders": [...].
 void add_part(NamedScene& scene, const std::string& members, const std::string& name) {
   const std::string dimensions = std::to_string(scene.scene().system.dimensions);
-  append_parts(scene.scene(), parse_scene("{\"hooke\": 1, \"dimensions\": " + dimensions + ", " + members + "}", name).scene);
+  const LoadedScene part = parse_scene("{\"hooke\": 1, \"dimensions\": " + dimensions + ", " + members + "}", name);
+  // in a call an unknown field is a mistake; in a file it may be of a later version
+  for (const std::string& warning : part.warnings)
+    if (const std::size_t end = warning.find(", kept"); end != std::string::npos) throw InputError(warning.substr(0, end));
+  append_parts(scene.scene(), part.scene);
 }
 
 Index add_points(NamedScene& scene, const Doubles& positions, const Doubles& masses, const Doubles& velocities, const Doubles& radii,
                  const std::vector<bool>& nailed) {
-  const std::size_t count = positions.ndim() == 2 ? static_cast<std::size_t>(positions.shape(0)) : 0;
+  const std::size_t count = positions.ndim() > 0 ? static_cast<std::size_t>(positions.shape(0)) : 0;
   const std::vector<Vec3> position = to_vectors("positions", positions, count);
-  const std::vector<Vec3> velocity = to_vectors("velocities", velocities, count);
-  const std::vector<double> mass = to_values("masses", masses, count), radius = to_values("radii", radii, count);
-  check_flat(scene, "positions", position);
-  check_flat(scene, "velocities", velocity);
+  const std::vector<Vec3> velocity = to_vectors("velocity", velocities, count);
+  const std::vector<double> mass = to_values("mass", masses, count), radius = to_values("radius", radii, count);
+  check_flat(scene.scene().system, "positions", position);
+  check_flat(scene.scene().system, "velocity", velocity);
   if (points_of(scene).size() + count > max_points)
     throw InputError("points: " + std::to_string(points_of(scene).size() + count) + ": must be at most " + std::to_string(max_points));
   Insert insert;
   const Index first = scene.scene().system.point_count();
   for (std::size_t i = 0; i < count; ++i) {
-    check_value(at("masses", i), mass[i], positive);
-    check_value(at("radii", i), radius[i], not_negative);
+    check_value(at("mass", i), mass[i], positive);
+    check_value(at("radius", i), radius[i], not_negative);
     const Point point{.id = scene.scene().system.new_point_id(), .nailed = nailed[i], .mass = mass[i], .radius = radius[i]};
     insert.points.push_back({.point = point, .position = position[i], .velocity = velocity[i]});
   }
@@ -72,7 +70,7 @@ Index add_points(NamedScene& scene, const Doubles& positions, const Doubles& mas
 
 Index add_springs(NamedScene& scene, const Integers& ends, const Doubles& stiffnesses, const Doubles& dampings,
                   const py::object& rest_lengths, const py::object& break_strains) {
-  if (ends.ndim() != 2 || ends.shape(1) != 2) throw InputError("points: must have the shape (springs, 2)");
+  if (ends.ndim() != 2 || ends.shape(1) != 2) throw InputError("points: shape " + shape_of(ends) + ": must be (springs, 2)");
   const auto count = static_cast<std::size_t>(ends.shape(0));
   const std::vector<double> stiffness = to_values("stiffness", stiffnesses, count), damping = to_values("damping", dampings, count);
   const auto optional_values = [&](const char* name, const py::object& values) {
@@ -114,11 +112,11 @@ Index add_springs(NamedScene& scene, const Integers& ends, const Doubles& stiffn
 }
 
 template <class Item, class Value>
-py::array_t<Value> column(const std::vector<Item>& items, const std::function<Value(const Item&)>& read) {
+py::array column(const std::vector<Item>& items, const std::function<Value(const Item&)>& read) {
   py::array_t<Value> array(static_cast<py::ssize_t>(items.size()));
   Value* to = array.mutable_data();
   for (const Item& item : items) *to++ = read(item);
-  return array;
+  return read_only(array);
 }
 
 void set_motion(NamedScene& scene, const std::vector<Vec3>& position, const std::vector<Vec3>& velocity) {
@@ -129,13 +127,13 @@ void set_motion(NamedScene& scene, const std::vector<Vec3>& position, const std:
 
 void set_positions(NamedScene& scene, const Doubles& array) {
   const std::vector<Vec3> position = to_vectors("positions", array, points_of(scene).size());
-  check_flat(scene, "positions", position);
+  check_flat(scene.scene().system, "positions", position);
   set_motion(scene, position, scene.scene().state.velocity);
 }
 
 void set_velocities(NamedScene& scene, const Doubles& array) {
   const std::vector<Vec3> velocity = to_vectors("velocities", array, points_of(scene).size());
-  check_flat(scene, "velocities", velocity);
+  check_flat(scene.scene().system, "velocities", velocity);
   set_motion(scene, scene.scene().state.position, velocity);
 }
 
@@ -168,7 +166,7 @@ void set_springs(NamedScene& scene, SpringProperty property, const std::string& 
   change(scene, set);
 }
 
-py::array_t<std::int64_t> ends_of(const NamedScene& scene) {
+py::array ends_of(const NamedScene& scene) {
   const System& system = scene.scene().system;
   py::array_t<std::int64_t> array({static_cast<py::ssize_t>(system.springs().size()), py::ssize_t{2}});
   std::int64_t* to = array.mutable_data();
@@ -176,16 +174,16 @@ py::array_t<std::int64_t> ends_of(const NamedScene& scene) {
     *to++ = system.index_of(spring.first);
     *to++ = system.index_of(spring.second);
   }
-  return array;
+  return read_only(array);
 }
 
-py::array_t<std::int64_t> faces_of(const NamedScene& scene) {
+py::array faces_of(const NamedScene& scene) {
   const System& system = scene.scene().system;
   py::array_t<std::int64_t> array({static_cast<py::ssize_t>(system.faces.size()), py::ssize_t{3}});
   std::int64_t* to = array.mutable_data();
   for (const Face& face : system.faces)
     for (const PointId corner : face.points) *to++ = system.index_of(corner);
-  return array;
+  return read_only(array);
 }
 
 std::vector<std::string> save(const NamedScene& scene, const std::string& file) {
@@ -193,43 +191,56 @@ std::vector<std::string> save(const NamedScene& scene, const std::string& file) 
   return write_scene_as(scene.scene(), file);
 }
 
-py::object get_parameter(const NamedScene& scene, const std::string& name) {
-  const Parameter* row = find_parameter(name);
-  if (row == nullptr) throw UsageError("--set " + name + ": must name one of " + names_of_parameters());
-  const double value = row->read(scene.scene());
-  switch (row->kind) {
+NamedScene with_options(const NamedScene& scene, const std::optional<std::string>& integrator, std::optional<std::int64_t> substeps,
+                        std::optional<double> frame_rate, std::optional<double> tolerance) {
+  NamedScene copy = scene;
+  apply_options(copy.loaded,
+                {.integrator = integrator, .substeps = substeps, .frame_rate = frame_rate, .tolerance = tolerance, .settings = {}},
+                copy.name);
+  return copy;
+}
+
+// Calls `parse`, and names scene["NAME"] in its errors.
+template <class Parse>
+auto parse_item(const char* owner, const std::string& name, const std::string& value, Parse parse) {
+  try {
+    return parse();
+  } catch (const OptionError& error) {
+    const std::string shown = value.empty() ? "" : printable(value, 80) + ": ";
+    throw UsageError(std::string(owner) + "[\"" + printable(name, 80) + "\"]: " + shown + error.reason());
+  }
+}
+
+}  // namespace
+
+void check_flat(const System& system, const std::string& name, const std::vector<Vec3>& vectors) {
+  if (system.dimensions == 3) return;
+  for (std::size_t i = 0; i < vectors.size(); ++i)
+    if (vectors[i].z != 0.0) throw InputError(at(name, i) + ": z = " + format_exact(vectors[i].z) + ": must be 0 in a 2-D scene");
+}
+
+const Parameter& parameter_of(const char* owner, const std::string& name) {
+  return *parse_item(owner, name, "", [&] { return &parse_parameter(name); });
+}
+
+SetParameter setting_of(const char* owner, const std::string& name, const std::string& value) {
+  parameter_of(owner, name);
+  return parse_item(owner, name, value, [&] { return parse_setting(name, value); });
+}
+
+py::object value_of(const Scene& scene, const Parameter& parameter) {
+  const double value = parameter.read(scene);
+  switch (parameter.kind) {
     case Parameter::Kind::Switch:
       return py::bool_(value != 0.0);
     case Parameter::Kind::Choice:
-      return py::str(std::string(row->choices[static_cast<std::size_t>(value)].id));
+      return py::str(std::string(parameter.choices[static_cast<std::size_t>(value)].id));
     case Parameter::Kind::Integer:
       return py::int_(static_cast<long>(value));
     case Parameter::Kind::Number:
       break;
   }
   return py::float_(value);
-}
-
-}  // namespace
-
-SteppingOptions options_from(const py::dict& options) {
-  SteppingOptions parsed;
-  const auto take = [&](const char* name, auto& field) {
-    using Value = typename std::remove_reference_t<decltype(field)>::value_type;
-    if (options.contains(name) && !options[name].is_none()) field = options[name].cast<Value>();
-  };
-  take("integrator", parsed.integrator);
-  take("substeps", parsed.substeps);
-  take("frame_rate", parsed.frame_rate);
-  take("tolerance", parsed.tolerance);
-  if (options.contains("settings")) parsed.settings = options["settings"].cast<std::vector<std::string>>();
-  return parsed;
-}
-
-NamedScene with_options(const NamedScene& scene, const py::dict& options) {
-  NamedScene copy = scene;
-  apply_options(copy.loaded, options_from(options), copy.name);
-  return copy;
 }
 
 void bind_scene(py::module_& module) {
@@ -265,10 +276,12 @@ void bind_scene(py::module_& module) {
       .def("add", &add_part)
       .def("add_points", &add_points)
       .def("add_springs", &add_springs)
-      .def("add_force", [](NamedScene& scene, py::function function) { add_force_callback(scene.scene(), std::move(function)); })
-      .def("get", &get_parameter)
-      .def("set", [](NamedScene& scene, const std::string& setting) { apply_setting(scene.scene(), parse_setting(setting), scene.name); })
-      .def_property_readonly("name", [](const NamedScene& scene) { return scene.name; })
+      .def("add_force", [](NamedScene& scene,
+                           py::function function) { scene.functions.push_back(add_force_callback(scene.scene(), std::move(function))); })
+      .def("get", [](const NamedScene& scene, const std::string& name) { return value_of(scene.scene(), parameter_of("scene", name)); })
+      .def("set", [](NamedScene& scene, const std::string& name,
+                     const std::string& value) { apply_setting(scene.scene(), setting_of("scene", name, value), scene.name); })
+      .def_property_readonly("name", [](const NamedScene& scene) { return py::bytes(scene.name); })
       .def_property_readonly("title", [](const NamedScene& scene) { return scene.scene().name; })
       .def_property_readonly("description", [](const NamedScene& scene) { return scene.scene().description; })
       .def_property_readonly("warnings", [](const NamedScene& scene) { return scene.loaded.warnings; })
@@ -280,9 +293,9 @@ void bind_scene(py::module_& module) {
       .def_property_readonly("tolerance", [](const NamedScene& scene) { return scene.scene().settings.tolerance; })
       .def_property_readonly("hash", [](const NamedScene& scene) { return to_hexadecimal(hash_state(scene.scene().state)); })
       .def_property(
-          "positions", [](const NamedScene& scene) { return to_array(scene.scene().state.position); }, &set_positions)
+          "positions", [](const NamedScene& scene) { return read_only(to_array(scene.scene().state.position)); }, &set_positions)
       .def_property(
-          "velocities", [](const NamedScene& scene) { return to_array(scene.scene().state.velocity); }, &set_velocities)
+          "velocities", [](const NamedScene& scene) { return read_only(to_array(scene.scene().state.velocity)); }, &set_velocities)
       .def_property(
           "nailed",
           [](const NamedScene& scene) { return column<Point, bool>(points_of(scene), [](const Point& point) { return point.nailed; }); },

@@ -7,28 +7,33 @@
 
 #include "batch/scene_options.h"
 #include "python/arrays.h"
+#include "python/force_callback.h"
 #include "python/watch.h"
 
 namespace hooke::python {
 
-// A scene with the name it was loaded by, for messages, and the warnings about its file.
+// A scene with the name it was loaded by, for messages, the warnings about its file, and the Python functions that its forces call.
 struct NamedScene {
   std::string name;
   LoadedScene loaded;
+  std::vector<ForceFunction> functions{};
   Scene& scene() { return loaded.scene; }
   const Scene& scene() const { return loaded.scene; }
 };
 
-// integrator, substeps, frame_rate, tolerance, settings: as the options of the command line.
-SteppingOptions options_from(const py::dict& options);
+// The parameter of scene["NAME"] with the owner "scene", and its new value. Throws UsageError 'scene["NAME"]: VALUE: must be ...'.
+const Parameter& parameter_of(const char* owner, const std::string& name);
+SetParameter setting_of(const char* owner, const std::string& name, const std::string& value);
+py::object value_of(const Scene& scene, const Parameter& parameter);
 
-// A copy of the scene with the options applied.
-NamedScene with_options(const NamedScene& scene, const py::dict& options);
+// Throws InputError if the scene is 2-D and a vector leaves its plane.
+void check_flat(const System& system, const std::string& name, const std::vector<Vec3>& vectors);
 
 void bind_scene(py::module_& module);
 void bind_lab(py::module_& module);
 void bind_run(py::module_& module);
 void bind_study(py::module_& module);
+void bind_sweep(py::module_& module);
 void bind_capture(py::module_& module);
 void bind_tables(py::module_& module);
 

@@ -11,8 +11,6 @@
 namespace hooke::python {
 namespace {
 
-py::object optional_number(double value) { return std::isnan(value) ? py::object(py::none()) : py::object(py::float_(value)); }
-
 py::list list_parameters() {
   py::list rows;
   for (const Parameter& row : parameters()) {
@@ -48,14 +46,26 @@ py::list list_methods() {
   return rows;
 }
 
+// (name, unit or words, default)
+py::tuple field_of(const ShapeNumber& number) {
+  const bool has_default = !std::isnan(number.default_value);
+  if (number.choices.empty())
+    return py::make_tuple(std::string(number.name), std::string(number.unit),
+                          has_default ? py::object(py::float_(number.default_value)) : py::none());
+  std::string words;
+  for (const std::string_view choice : number.choices) words += (words.empty() ? "" : " | ") + std::string(choice);
+  return py::make_tuple(
+      std::string(number.name), words,
+      has_default ? py::object(py::str(std::string(number.choices[static_cast<std::size_t>(number.default_value)]))) : py::none());
+}
+
 py::list list_shapes() {
   py::list rows;
   for (const ShapeKind& row : shape_kinds()) {
     py::list fields, nails;
     for (const ShapeVector& vector : row.vectors)
       fields.append(py::make_tuple(std::string(vector.name), std::string(vector.format), py::none()));
-    for (const ShapeNumber& number : row.numbers)
-      fields.append(py::make_tuple(std::string(number.name), std::string(number.unit), optional_number(number.default_value)));
+    for (const ShapeNumber& number : row.numbers) fields.append(field_of(number));
     for (const NailKeyword& nail : row.nail_keywords) nails.append(std::string(nail.word));
     py::dict entry;
     entry["id"] = std::string(row.id);

@@ -54,13 +54,14 @@ class QuantityHistory {
   std::vector<TimeSeries> series_;
 };
 
-CheckResult run(const SceneCheck& check, Scene scene, const CheckedMethod& checked) {
+CheckResult run(const SceneCheck& check, Scene scene, const CheckedMethod& checked, const std::function<void()>& after_substep) {
   const Integrator& method = *checked.method;
   scene.settings.integrator = &method;
   if (checked.substeps) scene.settings.substeps = *checked.substeps;
   if (method.stability != Stability::Adaptive) scene.settings.tolerance.reset();
   const long frames = std::lround(std::ceil(check.seconds * scene.settings.frame_rate));
   Lab lab(std::move(scene), KeepStart::No);
+  lab.watch_substeps(after_substep);
   QuantityHistory history(check, lab.scene());
   history.add(lab.scene());
   constexpr int frames_per_estimate = 20;
@@ -85,10 +86,10 @@ CheckResult run(const SceneCheck& check, Scene scene, const CheckedMethod& check
 
 }  // namespace
 
-std::vector<CheckResult> check_scene(const Scene& scene) {
+std::vector<CheckResult> check_scene(const Scene& scene, const std::function<void()>& after_substep) {
   const SceneCheck check = check_of(scene);
   std::vector<CheckResult> results;
-  for (const CheckedMethod& method : check.methods) results.push_back(run(check, scene, method));
+  for (const CheckedMethod& method : check.methods) results.push_back(run(check, scene, method, after_substep));
   return results;
 }
 

@@ -1,6 +1,7 @@
 // Runs the check of a scene (formats/scene_check.h) with every method that it lists.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ struct CheckResult {
   std::string measured;  // one line: each criterion with its figure
 };
 
-// Runs the scene from its state with every method. A criterion about a missing item fails.
-std::vector<CheckResult> check_scene(const Scene& scene);
+// Runs the scene from its state with every method. A criterion about a missing item fails. `after_substep` may throw.
+std::vector<CheckResult> check_scene(const Scene& scene, const std::function<void()>& after_substep = {});
 
 }  // namespace hooke

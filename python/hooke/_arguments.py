@@ -1,0 +1,114 @@
+"""Arguments from users: converted, or refused in one line that names the argument and the value."""
+
+from __future__ import annotations
+
+import operator
+import os
+from collections.abc import Callable, Sequence
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._hooke import InputError, UsageError
+
+Value = TypeVar("Value")
+
+
+def _shown(value: Any) -> str:
+    text = " ".join(repr(value).split())
+    return text if len(text) <= 80 else text[:77] + "..."
+
+
+def optional(convert: Callable[[str, Any], Value], name: str, value: Any) -> Value | None:
+    """None stays None."""
+    return None if value is None else convert(name, value)
+
+
+def number(name: str, value: Any) -> float:
+    """A real number."""
+    if isinstance(value, (str, bytes, bool, np.bool_, complex)) or np.ndim(value) > 0:
+        raise TypeError(f"{name}: {_shown(value)}: must be a number")
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: {_shown(value)}: must be a number") from None
+
+
+def integer(name: str, value: Any) -> int:
+    """A whole number; 40.0 is one."""
+    if not isinstance(value, (bool, np.bool_)):
+        try:
+            whole = operator.index(int(value) if isinstance(value, (float, np.floating)) and value == np.floor(value) else value)
+        except (TypeError, ValueError, OverflowError):
+            pass
+        else:
+            if abs(whole) < 2**53:
+                return whole
+            raise UsageError(f"{name}: {whole:g}: must be less than 2^53")
+    raise TypeError(f"{name}: {_shown(value)}: must be a whole number")
+
+
+def text(name: str, value: Any) -> str:
+    """A string."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: {_shown(value)}: must be a string")
+    return value
+
+
+def path(name: str, value: Any) -> bytes:
+    """The name of a file, with any bytes that the system allows."""
+    try:
+        return os.fsencode(value)
+    except TypeError:
+        raise TypeError(f"{name}: {_shown(value)}: must be the path of a file") from None
+
+
+def names(name: str, value: str | Sequence[str]) -> list[str]:
+    """A list of strings; one string is a list of one."""
+    try:
+        return [value] if isinstance(value, str) else [text(name, item) for item in value]
+    except TypeError:
+        raise TypeError(f"{name}: {_shown(value)}: must be a list of strings") from None
+
+
+def _as_array(name: str, value: ArrayLike, kinds: str, wanted: str) -> NDArray[Any]:
+    try:
+        array = np.asarray(value)
+    except ValueError:  # rows of different lengths
+        array = np.empty(0, dtype=object)
+    if array.size == 0 and array.dtype.kind == "f":
+        return array
+    if array.dtype.kind not in kinds:
+        raise TypeError(f"{name}: {_shown(value)}: must be {wanted}")
+    return array
+
+
+def array(name: str, value: ArrayLike) -> NDArray[np.float64]:
+    """Numbers as float64, C-contiguous: without a copy if they are that already."""
+    return np.asarray(_as_array(name, value, "biuf", "numbers"), dtype=np.float64, order="C")
+
+
+def whole_numbers(name: str, value: ArrayLike) -> NDArray[np.int64]:
+    """Whole numbers, such as those of points."""
+    return np.asarray(_as_array(name, value, "iu", "whole numbers"), dtype=np.int64, order="C")
+
+
+def switches(name: str, value: ArrayLike) -> NDArray[np.bool_]:
+    """True or False for each."""
+    return np.asarray(_as_array(name, value, "b", "True or False"), dtype=bool)
+
+
+def json_value(name: str, value: Any) -> Any:
+    """A value for a scene file: arrays as lists."""
+    if isinstance(value, (np.ndarray, np.generic)):
+        value = value.tolist()
+    if isinstance(value, dict):
+        return {key: json_value(f"{name}.{key}" if name else str(key), item) for key, item in value.items()}
+    if isinstance(value, (list, tuple, range)):
+        return [json_value(f"{name}[{i}]", item) for i, item in enumerate(value)]
+    if isinstance(value, float) and not np.isfinite(value):
+        raise InputError(f"{name}: {value}: must be a finite number")
+    if value is None or isinstance(value, (str, bool, int, float)):
+        return value
+    raise TypeError(f"{name}: {_shown(value)}: must be a number, a string or a list")

@@ -1,0 +1,53 @@
+"""The package and a program that uses it have consistent types: mypy --strict."""
+
+import pathlib
+import subprocess
+
+import hooke
+
+program = """
+import numpy as np
+
+import hooke
+
+
+def control(lab: hooke.Lab) -> bool:
+    lab.move_hand(lab.positions[0] + [0.0, 0.0, 0.01])
+    return lab.time < 1.0
+
+
+scene = hooke.load("cloth")
+scene.add_cloth(corner=(0, 0, 0), across=(1, 0, 0), down=(0, -1, 0), points=(32, 32), mass=0.2, stiffness=1000, nail=["top_left"])
+scene["stiffness"] = 200
+scene.masses = 0.5
+scene.nailed = np.zeros(scene.point_count, dtype=bool)
+scene.add_force(lambda time, positions, velocities: -0.1 * velocities)
+run = scene.run(seconds=2, integrator="velocity_verlet", substeps=40, sample=1 / 60, on_frame=control)
+total = float(run.energy.total[-1] + run.error[-1] + run.time[-1])
+diagnosis: str | None = run.diagnosis
+lab = scene.lab()
+lab.grab(0, target=(0, 0, 1))
+is_valid: bool = lab.step()
+chart = scene.bench(methods=["velocity_verlet"], tolerance_range=(1e-2, 1e-8))
+chart.plot()
+table = scene.sweep({"stiffness": np.logspace(2, 3, 4), "substeps": [8, 16]}, "max_strain", 1.0)
+table["max_strain"].mean()
+
+# mistakes that are found: an error code that does not apply would be an error
+scene.run(seconds="2")  # type: ignore[arg-type]
+scene.add_clothe()  # type: ignore[attr-defined]
+"""
+
+
+def test_a_program_that_uses_the_module_has_consistent_types(tmp_path):
+    (tmp_path / "program.py").write_text(program)
+    packages = pathlib.Path(__file__).parents[1]
+    done = subprocess.run(["/usr/bin/mypy", "--strict", "--ignore-missing-imports", "--python-executable", "/usr/bin/python3", "program.py",
+                           str(packages / "hooke")], capture_output=True, text=True, cwd=tmp_path, env={"MYPYPATH": str(packages)}, check=False)
+    assert done.stdout.startswith("Success"), done.stdout + done.stderr
+
+
+def test_every_shape_has_a_typed_method():
+    source = (pathlib.Path(hooke.__file__).resolve().parent / "scene.py").read_text()
+    for row in hooke.shapes():
+        assert f"def add_{row['id']}(self, **fields: Any) -> range: ..." in source
