@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/number_text.h"
+
 namespace hooke {
 namespace {
 
@@ -42,15 +44,16 @@ std::string describe_growth(double factor) {
 
 std::string describe(const Divergence& divergence, const System& system) {
   const std::string location = describe_location(divergence, system), blew_up = "The simulation blew up: ";
-  const std::string when = " Stopped at t = " + format("%.4g", divergence.time) + " s.";
+  const std::string when = " Stopped at t = " + number_text(divergence.time) + " s.";
   switch (divergence.kind) {
     case Divergence::Kind::NotFinite:
       return blew_up + location + " became infinite or NaN." + when;
     case Divergence::Kind::EnergyGain:
       return blew_up + "energy grew " + describe_growth(divergence.energy / divergence.scale) + ", first at " + location + "." + when;
     case Divergence::Kind::Implausible:
-      return blew_up + location + " is " + format(divergence.distance < 1e4 ? "%.0f" : "%.2g", divergence.distance) +
-             " m away, farther than any motion can have taken it." + when;
+      return blew_up + location + " is " +
+             (divergence.distance < 1e4 ? format("%.0f m", divergence.distance) : quantity_text(divergence.distance, "m", 2)) +
+             " away, farther than any motion can have taken it." + when;
     case Divergence::Kind::StepTooShort:
       return "The method finds no step short enough, first at " + location + "." + when;
     case Divergence::Kind::TooManySteps:

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "base/file_limits.h"
+#include "base/number_text.h"
 
 namespace hooke {
 namespace {
@@ -14,12 +14,6 @@ constexpr std::array horizons{1.0, 0.5, 0.25, 0.125};  // [1], of the time wante
 
 // Growth of a perturbation beyond which small errors of a method become large ones within the compared time.
 constexpr double max_amplification = 1e3;
-
-std::string seconds_text(double seconds) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g s", seconds);
-  return text.data();
-}
 
 bool is_predictable(const ReferenceRecord& reference) {
   return reference.measure == Measure::Trajectory && reference.amplification <= max_amplification;
@@ -62,10 +56,11 @@ MethodComparison compare_methods(const System& system, const State& state, doubl
     }
     if (!has_failed && (is_predictable(*reference) || part == horizons.back())) {
       if (!is_predictable(*reference))
-        comparison.note = "The motion cannot be predicted even for " + seconds_text(problem.seconds) + ": errors are those of averages.";
-      else if (part < 1.0)
         comparison.note =
-            "Compared over " + seconds_text(problem.seconds) + ": the motion cannot be predicted for " + seconds_text(seconds) + ".";
+            "The motion cannot be predicted even for " + quantity_text(problem.seconds, "s", 3) + ": errors are those of averages.";
+      else if (part < 1.0)
+        comparison.note = "Compared over " + quantity_text(problem.seconds, "s", 3) + ": the motion cannot be predicted for " +
+                          quantity_text(seconds, "s", 3) + ".";
       return comparison;
     }
     if (has_failed && part == horizons.back()) comparison.note = "No reference to compare with: " + sweep.reference_failure_reason() + ".";

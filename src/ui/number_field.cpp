@@ -14,30 +14,18 @@ constexpr const char *dragged_digits = "%.3g", *typed_digits = "%.8g";
 // Where a logarithmic slider that includes zero snaps to it: ImGui's 10^-digits for the format of a drag.
 constexpr double min_of_logarithm = 1e-3;
 
-// "m/s^2" with a superscript.
-std::string pretty(std::string_view unit) {
-  std::string text(unit);
-  if (const auto at = text.find("^2"); at != std::string::npos) text.replace(at, 2, "\u00b2");
-  return text;
-}
-
 // "185 N/m"; "varies, ~185 N/m" for different values.
 std::string value_text(const NumberField& field) {
-  char mean[32];
-  std::snprintf(mean, sizeof mean, "%.3g", field.value);
-  const bool is_long = std::abs(field.value) >= 1000.0 && std::abs(field.value) < 1e7;
-  const std::string integer = std::to_string(std::lround(std::clamp(field.value, -1e7, 1e7)));
   if (field.value == 0.0 && !field.mixed && !field.zero_text.empty()) return std::string(field.zero_text);
-  std::string text = field.mixed ? "varies, ~" : "";
-  text += is_long ? integer : field.mixed ? mean : number(field.value);
-  return field.unit.empty() ? text : text + " " + pretty(field.unit);
+  const std::string text = field.mixed ? "varies, ~" + number_text(field.value, 3) : number_text(field.value);
+  return field.unit.empty() ? text : text + " " + unit_text(field.unit);
 }
 
 // The same, without the unit where it has no room.
 std::string fitted_text(const NumberField& field, float room) {
   std::string text = value_text(field);
   if (ImGui::CalcTextSize(text.c_str()).x <= room || field.unit.empty()) return text;
-  text.resize(text.size() - pretty(field.unit).size() - 1);
+  text.resize(text.size() - unit_text(field.unit).size() - 1);
   return text;
 }
 
@@ -52,8 +40,8 @@ double fitted(const NumberField& field, double value) {
 std::string hint_of(const NumberField& field) {
   std::string text(field.description);
   if (field.mixed) text += " Varies between parts: this is the mean. Dragging scales all by one factor, typing makes them equal.";
-  const std::string unit = field.unit.empty() ? "" : " " + pretty(field.unit);
-  return text + (text.empty() ? "" : "\n") + "Ctrl+click to type; right-click resets to " + number(field.default_value) + unit + ".";
+  return text + (text.empty() ? "" : "\n") + "Ctrl+click to type; right-click resets to " + with_unit(field.default_value, field.unit) +
+         ".";
 }
 
 // The position of the value between min and max, as computed by the slider of ImGui.
@@ -170,8 +158,8 @@ std::optional<NumberChange> changed_row(const NumberField& field, Panels& panels
     if (!changed)
       panels.show_toast("Not a number; " + std::string(field.label) + " is unchanged");
     else if (value < field.min || value > field.max)
-      panels.show_toast(std::string(field.label) + " must be between " + number(field.min) + " and " + number(field.max) + " " +
-                        pretty(field.unit));
+      panels.show_toast(std::string(field.label) + " must be between " + number_text(field.min) + " and " +
+                        with_unit(field.max, field.unit));
   }
 
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/number_text.h"
+
 namespace hooke {
 
 std::vector<double> PlotAxis::ticks() const {
@@ -16,11 +18,9 @@ std::vector<double> PlotAxis::ticks() const {
 
 std::string PlotAxis::label(double tick) const {
   const double largest = std::max(std::abs(min), std::abs(max));
+  if (largest >= 1e5 || largest < 1e-3) return number_text(tick, 3);
   char text[40];
-  if (largest >= 1e5 || largest < 1e-3)
-    std::snprintf(text, sizeof text, "%.3g", tick);
-  else
-    std::snprintf(text, sizeof text, "%.*f", std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9))), tick);
+  std::snprintf(text, sizeof text, "%.*f", std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9))), tick);
   return text;
 }
 

@@ -39,8 +39,6 @@ NameAndNumber split(const std::string& typed) {
   return number ? NameAndNumber{name, number} : NameAndNumber{typed, {}};
 }
 
-std::string with_unit(double value, std::string_view unit) { return number(value) + (unit.empty() ? "" : " " + std::string(unit)); }
-
 std::string value_text(const Parameter& row, double value) {
   return value == 0.0 && !row.zero_text.empty() ? std::string(row.zero_text) : with_unit(value, row.unit);
 }
@@ -117,7 +115,7 @@ class ResultFinder {
       found_.push_back({label + ": the scene has no " + what, "parameter", {}, {}, score});
       return;
     }
-    const std::string range = number(row.min) + " to " + with_unit(row.max, row.unit);
+    const std::string range = number_text(row.min) + " to " + with_unit(row.max, row.unit);
     if (!parts_.number) {
       found_.push_back({label + ": " + value_text(row, value), range, {}, label + " ", score});
       return;

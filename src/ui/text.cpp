@@ -1,13 +1,30 @@
 #include "ui/text.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace hooke {
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
+std::string with_unit(double value, std::string_view unit) { return number_text(value) + (unit.empty() ? "" : " " + unit_text(unit)); }
+
+std::string typed_text(double value) {
+  constexpr double min = 1e-12, max = 1e15;
+  constexpr int digits = 6;
+  const double size = std::abs(value);
+  char text[48];
+  if (!(size >= min && size < max)) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    return text;
+  }
+  const int decimals = std::max(0, digits - 1 - static_cast<int>(std::floor(std::log10(size))));
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  std::string all(text);
+  if (all.find('.') != all.npos) {
+    all.erase(all.find_last_not_of('0') + 1);
+    if (all.back() == '.') all.pop_back();
+  }
+  return all;
 }
 
 std::string count(long n, std::string_view noun) { return std::to_string(n) + " " + std::string(noun) + (n == 1 ? "" : "s"); }

@@ -4,10 +4,14 @@
 #include <string>
 #include <string_view>
 
+#include "base/number_text.h"
+
 namespace hooke {
 
-// Four significant digits: "1000", "0.1667", "2.5e+04".
-std::string number(double value);
+// "0.1667 m/s", without a prefix: a value as it is typed.
+std::string with_unit(double value, std::string_view unit);
+// Six digits that can be typed again: "1500000", "0.000025".
+std::string typed_text(double value);
 // "3 points", "1 point"
 std::string count(long n, std::string_view noun);
 

@@ -18,17 +18,14 @@ namespace {
 std::string shown(const TypedField& field) {
   if (field.mixed) return {};
   if (std::isinf(field.value) && !field.infinity_text.empty()) return std::string(field.infinity_text);
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", field.value);
-  return text;
+  return typed_text(field.value);
 }
 
-// Of different values: "varies, ~185".
-std::string hint_of(const TypedField& field) {
+// Of different values: "varies, ~185", or "varies" where that has no room.
+std::string hint_of(const TypedField& field, float room) {
   if (!field.mixed) return {};
-  char mean[48];
-  std::snprintf(mean, sizeof mean, "varies, ~%.3g", field.value);
-  return std::isfinite(field.value) ? mean : "varies";
+  const std::string text = "varies, ~" + number_text(field.value, 3);
+  return std::isfinite(field.value) && ImGui::CalcTextSize(text.c_str()).x <= room ? text : "varies";
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -47,8 +44,7 @@ std::optional<double> taken(const TypedField& field, const std::string& text, Pa
   if (std::isinf(*number) && !field.infinity_text.empty()) return number;
   const double value = std::clamp(*number, field.min, field.max);
   if (value != *number)
-    panels.show_toast(std::string(field.label) + " must be between " + hooke::number(field.min) + " and " + hooke::number(field.max) + " " +
-                      std::string(field.unit));
+    panels.show_toast(std::string(field.label) + " must be between " + number_text(field.min) + " and " + with_unit(field.max, field.unit));
   return value;
 }
 
@@ -72,9 +68,10 @@ std::optional<double> typed_row(const TypedField& field, Panels& panels) {
   const ImGuiID id = ImGui::GetID("##typed");
   const float unit_width =
       field.unit.empty() ? 0.0f : ImGui::CalcTextSize(field.unit.data(), field.unit.data() + field.unit.size()).x + units(10.0);
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit_width);
+  const float width = ImGui::GetContentRegionAvail().x - unit_width, room = width - 2.0f * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetNextItemWidth(width);
   std::string text = panels.typing == id ? panels.typed_text : shown(field);
-  const bool edited = ImGui::InputTextWithHint("##typed", hint_of(field).c_str(), &text, ImGuiInputTextFlags_AutoSelectAll);
+  const bool edited = ImGui::InputTextWithHint("##typed", hint_of(field, room).c_str(), &text, ImGuiInputTextFlags_AutoSelectAll);
   if (ImGui::IsItemActive() || edited) {
     panels.typing = id;
     panels.typed_text = text;

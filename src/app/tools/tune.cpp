@@ -32,10 +32,7 @@ double common_factor(double min, double max, int direction) {
   return direction > 0 ? std::max(1.0, std::min(factor, row.max / max)) : std::min(1.0, std::max(1.0 / factor, row.min / min));
 }
 
-// "49.05", "116600"
-std::string digits(double k) { return k >= 1000.0 && k < 1e7 ? std::to_string(std::lround(k)) : number(k); }
-
-std::string value_text(double min, double max) { return "k = " + digits(min) + (min < max ? " to " + digits(max) : "") + " N/m"; }
+std::string value_text(double min, double max) { return "k = " + number_text(min) + (min < max ? " to " + number_text(max) : "") + " N/m"; }
 
 }  // namespace
 
@@ -85,7 +82,7 @@ Tuning tune_substeps(const Status& status, int direction) {
 Tuning tune_speed(const Status& status, double times) {
   const Parameter& row = speed_parameter;
   const double next = clamp_to(row, times * status.snapshot->settings.speed);
-  return {{SetParameter{&row, next}}, number(next) + "\u00d7 real time"};
+  return {{SetParameter{&row, next}}, number_text(next) + "\u00d7 real time"};
 }
 
 }  // namespace hooke

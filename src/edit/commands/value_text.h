@@ -2,22 +2,20 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/number_text.h"
+
 namespace hooke {
 
-// Three digits, or the whole number from 1000 to a million: "185 N/m".
+// Three digits, or the whole number from 1000 on: "185 N/m".
 inline std::string value_text(double value, std::string_view unit) {
-  const bool is_long = std::abs(value) >= 1000.0 && std::abs(value) < 1e6;
-  char text[48];
-  const auto format = is_long ? std::chars_format::fixed : std::chars_format::general;
-  const std::string number(text, std::to_chars(text, text + sizeof text, value, format, is_long ? 0 : 3).ptr);
-  return unit.empty() ? number : number + " " + std::string(unit);
+  const std::string number = number_text(value, 3);
+  return unit.empty() ? number : number + " " + unit_text(unit);
 }
 
 // " to 185 N/m", or " to 90 ... 185 N/m" for several values.

@@ -4,17 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/number_text.h"
+
 namespace hooke {
 namespace {
-
-std::string two_digits(double value) {
-  std::array<char, 32> text{};
-  if (value >= 10.0 && value < 1e6)
-    std::snprintf(text.data(), text.size(), "%.0f", value);
-  else
-    std::snprintf(text.data(), text.size(), "%.2g", value);
-  return text.data();
-}
 
 // Fewer seconds than this are no prediction.
 constexpr double min_predictable = 0.1;  // [s]
@@ -27,21 +20,21 @@ std::string length_text(double length) {
     const char* name;
   };
   for (const Unit& unit : {Unit{1.0, " m"}, Unit{1e-3, " mm"}, Unit{1e-6, " \u03bcm"}, Unit{1e-9, " nm"}, Unit{1e-12, " pm"}})
-    if (length >= unit.size) return two_digits(length / unit.size) + unit.name;
+    if (length >= unit.size) return number_text(length / unit.size, 2) + unit.name;
   return "0";
 }
 
 std::string error_text(const Measured& error, double size) {
   if (!error.value) return std::string(error.reason);
   const double percent = 100.0 * *error.value / size;
-  return length_text(*error.value) + " (" + (percent < 1e-6 ? "< 1e-06" : two_digits(percent)) + " % of the size)";
+  return length_text(*error.value) + " (" + (percent < 1e-6 ? "< 0.000001" : number_text(percent, 2)) + " % of the size)";
 }
 
 std::string predictability_text(const Accuracy& accuracy) {
   if (!accuracy.predictable.value) return std::string(accuracy.predictable.reason);
   if (!std::isfinite(*accuracy.predictable.value)) return "predictable: small differences do not grow exponentially";
   if (*accuracy.predictable.value < min_predictable) return "chaotic: only averages are meaningful";
-  return "predictable for about " + two_digits(*accuracy.predictable.value) + " s more";
+  return "predictable for about " + number_text(*accuracy.predictable.value, 2) + " s more";
 }
 
 std::string cost_text(const Accuracy& accuracy) {
@@ -50,22 +43,26 @@ std::string cost_text(const Accuracy& accuracy) {
   std::snprintf(factor.data(), factor.size(), "%.1f", accuracy.half_error_cost);
   const std::string time = std::string(factor.data()) + "x the time";
   if (accuracy.half_error_tolerance > 0.0) {
-    std::array<char, 16> tolerance{};
-    std::snprintf(tolerance.data(), tolerance.size(), "%.1g", accuracy.half_error_tolerance);
-    return "half the error: tolerance " + std::string(tolerance.data()) + " m, " + time;
+    return "half the error: tolerance " + quantity_text(accuracy.half_error_tolerance, "m", 1) + ", " + time;
   }
   return "half the error: " + std::to_string(accuracy.half_error_substeps) + " substeps, " + time;
 }
 
-std::string accuracy_line(const Accuracy& accuracy) {
-  if (!accuracy.is_on) return "error not measured: switched off";
-  if (!accuracy.frame.value) return "error: " + std::string(accuracy.frame.reason);
-  std::string line = "error " + length_text(*accuracy.frame.value) + "/frame";
-  if (accuracy.accumulated.value) line += ", " + length_text(*accuracy.accumulated.value) + " in total";
-  if (!accuracy.predictable.value) return line;
-  if (!std::isfinite(*accuracy.predictable.value)) return line + ", predictable";
-  return line + (*accuracy.predictable.value < min_predictable ? ", chaotic"
-                                                               : ", predictable for " + two_digits(*accuracy.predictable.value) + " s");
+std::string accuracy_line(const Accuracy& accuracy) { return accuracy_lines(accuracy).front(); }
+
+std::vector<std::string> accuracy_lines(const Accuracy& accuracy) {
+  if (!accuracy.is_on) return {"error not measured: switched off", "error: off"};
+  if (!accuracy.frame.value) return {"error: " + std::string(accuracy.frame.reason), "error: not known"};
+  std::vector<std::string> lines{"error " + length_text(*accuracy.frame.value) + "/frame"};
+  // the more detailed go before the shorter
+  const auto add = [&](const std::string& part) { lines.insert(lines.begin(), lines.front() + part); };
+  if (accuracy.accumulated.value) add(", " + length_text(*accuracy.accumulated.value) + " in total");
+  if (!accuracy.predictable.value) return lines;
+  const double seconds = *accuracy.predictable.value;
+  add(!std::isfinite(seconds)     ? ", predictable"
+      : seconds < min_predictable ? ", chaotic"
+                                  : ", predictable for " + number_text(seconds, 2) + " s");
+  return lines;
 }
 
 }  // namespace hooke

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sim/accuracy.h"
 
@@ -19,5 +20,7 @@ std::string cost_text(const Accuracy& accuracy);
 
 // One line: "error 21 um/frame, 0.3 mm in total, predictable"
 std::string accuracy_line(const Accuracy& accuracy);
+// The same, followed by shorter lines for less space: without the predictability, and without the total.
+std::vector<std::string> accuracy_lines(const Accuracy& accuracy);
 
 }  // namespace hooke

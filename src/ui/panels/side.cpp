@@ -22,7 +22,7 @@ void scene_section(const PanelInput& input) {
 }
 
 void legend_section(const PanelInput& input, const Panels& panels) {
-  if (!shows_strain_colors(input, panels)) return;
+  if (!shows_strain_colors(*input.status.snapshot->system, panels.view)) return;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   draw_strain_legend(*input.status.snapshot, {at.x, at.y + units(4.0)}, width, *ImGui::GetWindowDrawList());
@@ -38,16 +38,17 @@ void energy_row(const char* name, const std::string& value, ImU32 text_color = p
 
 void energy_section(const Status& status) {
   const Snapshot& snapshot = *status.snapshot;
-  energy_row("Kinetic", number(snapshot.energy.kinetic) + " J");
-  energy_row("Elastic", number(snapshot.energy.elastic) + " J");
-  energy_row("Gravitational", number(snapshot.energy.gravitational) + " J");
-  energy_row("Total", number(snapshot.energy.total()) + " J");
+  energy_row("Kinetic", quantity_text(snapshot.energy.kinetic, "J"));
+  energy_row("Elastic", quantity_text(snapshot.energy.elastic, "J"));
+  energy_row("Gravitational", quantity_text(snapshot.energy.gravitational, "J"));
+  energy_row("Total", quantity_text(snapshot.energy.total(), "J"));
   if (snapshot.system->strain_limit > 0.0) {
     // the limit is not physical: the energy that it removes is shown next to that of the scene
     const ImU32 text_color = status.run.limit_power != 0.0 ? palette::warning : palette::text;
-    energy_row("Strain limit", number(status.run.limit_power) + " W, " + number(status.run.limit_work) + " J in total", text_color);
+    energy_row("Strain limit", quantity_text(status.run.limit_power, "W") + ", " + quantity_text(status.run.limit_work, "J") + " in total",
+               text_color);
   }
-  energy_row("Momentum", number(glm::length(snapshot.momentum.linear)) + " kg m/s");
+  energy_row("Momentum", quantity_text(glm::length(snapshot.momentum.linear), "kg m/s"));
 }
 
 }  // namespace
