@@ -1,11 +1,12 @@
 #include "study/remedy.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 #include <limits>
 #include <vector>
 
 #include "base/file_limits.h"
+#include "base/number_text.h"
 #include "lab/lab.h"
 
 namespace hooke {
@@ -125,11 +126,13 @@ std::vector<Advice> candidates(const Scene& start) {
   return list;
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
+std::optional<int> linear_limit(const Integrator& method, const Scene& scene) {
+  const Spectrum spectrum = bound_spectrum(scene.system);
+  if (!std::isfinite(largest_stable_step(method, spectrum))) return std::nullopt;
+  return min_stable_substeps(method, spectrum, scene.settings.frame_rate);
 }
+
+std::string seconds_text(double seconds) { return quantity_text(seconds, "s", 3); }
 
 }  // namespace
 
@@ -164,6 +167,7 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
     ++remedy.settings_tried;
     if (trial.end == Trial::End::Finished) {
       remedy.advice = advice;
+      remedy.linear_limit = linear_limit(*advice.integrator, start);
       remedy.tested_seconds = trial.seconds;
       return remedy;
     }
@@ -174,6 +178,7 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
     }
   }
   remedy.advice = partly_tested;
+  if (partly_tested) remedy.linear_limit = linear_limit(*partly_tested->integrator, start);
   return remedy;
 }
 
@@ -197,7 +202,7 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
   const auto cause = [&]() -> std::string {
     switch (remedy.cause) {
       case Remedy::Cause::NotReproduced:
-        return "No remedy was tested: copies from the start" + (remedy.from ? " and from t = " + number(*remedy.from) + " s" : "") +
+        return "No remedy was tested: copies from the start" + (remedy.from ? " and from t = " + seconds_text(*remedy.from) : "") +
                " do not diverge.";
       case Remedy::Cause::StepTooLong:
         return "Cause: the step is beyond the linear stability limit of " + std::string(settings.integrator->label) + ".";
@@ -214,8 +219,16 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
   };
   if (remedy.cause == Remedy::Cause::NotReproduced) return cause();
   if (!remedy.advice) return cause() + " No remedy found: " + std::to_string(remedy.settings_tried) + " other settings were tried.";
-  const std::string from = remedy.from ? " from t = " + number(*remedy.from) + " s" : "";
-  return cause() + " " + describe(*remedy.advice) + " does not diverge (tested for " + number(remedy.tested_seconds) + " s" + from + ").";
+  // why more substeps than the limit shown below the slider
+  std::string margin;
+  if (remedy.linear_limit) {
+    const double ratio = static_cast<double>(remedy.advice->substeps) / *remedy.linear_limit;
+    margin = ", " + number_text(ratio, 2) + " times the linear limit of " + std::to_string(*remedy.linear_limit) +
+             (remedy.advice->substeps == recommended_margin * *remedy.linear_limit ? " (a measured margin)" : "") + ",";
+  }
+  const std::string from = remedy.from ? " from t = " + seconds_text(*remedy.from) : "";
+  return cause() + " " + describe(*remedy.advice) + margin + " does not diverge (tested for " + seconds_text(remedy.tested_seconds) + from +
+         ").";
 }
 
 }  // namespace hooke

@@ -25,7 +25,8 @@ struct Remedy {
   std::optional<Advice> advice;  // a setting that was run and did not diverge; none if none was found
   double tested_seconds = 0.0;   // [s], simulated with it
   int settings_tried = 0;
-  std::optional<double> from;  // [s], of the recorded state that the copies started from; none: the start of the run
+  std::optional<int> linear_limit;  // of the method of the advice [substeps per frame]; none if it has no limit
+  std::optional<double> from;       // [s], of the recorded state that the copies started from; none: the start of the run
 };
 
 // A limit on the work: approximately the number of springs and points times the force evaluations of all copies. The default takes a second

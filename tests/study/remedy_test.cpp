@@ -148,6 +148,21 @@ TEST(Remedy, EveryRecommendedSettingIsStable) {
   EXPECT_GE(cured, 9 * diverged / 10);
 }
 
+// The number of substeps that is shown below the slider and the recommended one differ by a margin, which is named.
+TEST(Remedy, NamesTheLinearLimitAndTheMargin) {
+  const Scene scene = scene_of(shaken_sheet(1e5, 0.02, 1), "velocity_verlet", 2);
+  const Remedy remedy = find_remedy(scene, seconds, never);
+  ASSERT_TRUE(remedy.advice);
+  const auto limit = min_stable_substeps(*remedy.advice->integrator, bound_spectrum(scene.system), scene.settings.frame_rate);
+  ASSERT_EQ(remedy.linear_limit, limit);
+  const std::string description = describe(remedy, scene.settings);
+  EXPECT_EQ(remedy.advice->substeps, 4 * *limit);
+  EXPECT_NE(description.find(std::to_string(4 * *limit) + " substeps per frame, 4 times the linear limit of " + std::to_string(*limit) +
+                             " (a measured margin), does not diverge"),
+            std::string::npos)
+      << description;
+}
+
 TEST(Remedy, IsAbsentForAStableRun) {
   const Remedy remedy = find_remedy(scene_of(shaken_sheet(1e2, 0.02, 1), "velocity_verlet", 20), 0.5, never);
   EXPECT_EQ(remedy.cause, Remedy::Cause::NotReproduced);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/integrator.h"
 #include "study/forecast.h"
 #include "ui/number_field.h"
 #include "ui/text.h"
@@ -11,35 +12,24 @@
 namespace hooke {
 namespace {
 
-// Two digits, for estimates.
-std::string two_digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", value);
-  return value >= 100.0 && value < 1e6 ? std::to_string(std::lround(value)) : text;
-}
-
-std::string three_digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
-std::string length_text(double length) {
-  if (length < 1e-6) return "< 1 \u03bcm";
-  if (length < 1e-3) return "~ " + two_digits(1e6 * length) + " \u03bcm";
-  return length < 1.0 ? "~ " + two_digits(1e3 * length) + " mm" : "~ " + two_digits(length) + " m";
+// Two digits: an estimate.
+std::string sag_text(double sag) {
+  if (sag < 1e-6) return "< 1 \u03bcm";
+  return "~ " + (sag < 1e-3  ? number_text(1e6 * sag, 2) + " \u03bcm"
+                 : sag < 1.0 ? number_text(1e3 * sag, 2) + " mm"
+                             : quantity_text(sag, "m", 2));
 }
 
 // The reason where a forecast is not there yet.
 constexpr const char* computing = "computing...";
 
 // Negligible values are shown as 0.
-std::string ratio_text(double ratio) { return ratio < 5e-5 ? "0" : two_digits(ratio); }
+std::string ratio_text(double ratio) { return ratio < 5e-5 ? "0" : number_text(ratio, 2); }
 
 // A small line under a slider: a name and a value, with a colored dot if it is good or bad. It keeps its height, so that the rows below do
 // not move under the mouse: what does not fit is in the tooltip.
 void remark(const std::string& name, const std::string& text, const std::string& description, ImU32 dot = 0,
-            ImU32 text_color = palette::dim) {
+            ImU32 text_color = palette::dim, const std::string& short_text = {}) {
   ImGui::PushFont(fonts().small);
   begin_row(name);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -49,7 +39,9 @@ void remark(const std::string& name, const std::string& text, const std::string&
     ImGui::SetCursorScreenPos({at.x + units(14.0), at.y});
     ImGui::AlignTextToFramePadding();
   }
-  const std::string shown = shortened(text, ImGui::GetContentRegionAvail().x);
+  const float width = ImGui::GetContentRegionAvail().x;
+  const bool is_short = !short_text.empty() && ImGui::CalcTextSize(text.c_str()).x > width;
+  const std::string shown = shortened(is_short ? short_text : text, width);
   text_in(text_color, shown);
   ImGui::PopFont();
   tooltip(shown == text ? description : text + "\n" + description);
@@ -62,9 +54,8 @@ void step_remark(const Snapshot& snapshot) {
   const bool anything = snapshot.omega > 0.0;
   const ImU32 text_color = !anything ? palette::dim : fraction > 1.0 ? palette::bad : fraction > 0.8 ? palette::warning : palette::good;
 
-  std::string text = "\u03c9h = " + three_digits(snapshot.omega * h);
-  char name[32];
-  std::snprintf(name, sizeof name, "step %.3g ms", 1000.0 * h);
+  std::string text = "\u03c9h = " + number_text(snapshot.omega * h, 3);
+  std::string short_text, name = "step " + number_text(1000.0 * h, 3) + " ms";
   if (!anything)
     text = "\u03c9h = 0 (no oscillation)";
   else if (limit == 0.0)
@@ -72,16 +63,25 @@ void step_remark(const Snapshot& snapshot) {
   else if (std::isinf(limit))
     text += " (no limit)";
   else
-    text += " (limit " + three_digits(snapshot.omega * limit) + ")";
-  if (anything && limit > 0.0 && fraction > 1.0)
-    std::snprintf(name, sizeof name, "min %.6g substeps", std::ceil(1.0 / (snapshot.settings.frame_rate * limit)));
-  remark(name, text, "Highest angular frequency of the scene times the step. Beyond the limit of the method, the simulation can blow up.",
-         text_color, anything && fraction > 0.8 ? text_color : palette::dim);
+    text += " (limit " + number_text(snapshot.omega * limit, 3) + ")";
+  std::string description =
+      "Highest angular frequency of the scene times the step. Beyond the limit of the method, the simulation can blow up.";
+  if (anything && limit > 0.0 && fraction > 1.0) {
+    // the substeps that are needed, and why more are recommended
+    const double needed = std::ceil(1.0 / (snapshot.settings.frame_rate * limit)), recommended = recommended_margin * needed;
+    description = text + ". The linear stability limit is " + number_text(needed) + " substeps per frame; " + number_text(recommended) +
+                  " are recommended: " + std::to_string(recommended_margin) +
+                  " times as many, a measured margin for springs that stretch and rotate far.";
+    name = "linear limit " + number_text(needed);
+    short_text = "use " + number_text(recommended) + " (" + std::to_string(recommended_margin) + "\u00d7)";
+    text = "recommended " + short_text.substr(4);
+  }
+  remark(name, text, description, text_color, anything && fraction > 0.8 ? text_color : palette::dim, short_text);
 }
 
 void sag_remark(const Forecast& forecast) {
   remark("sag",
-         forecast.sag                  ? length_text(*forecast.sag)
+         forecast.sag                  ? sag_text(*forecast.sag)
          : forecast.why_no_sag.empty() ? computing
                                        : forecast.why_no_sag,
          "Largest displacement that gravity causes at rest, compared with the unloaded shape. Not available if nothing carries the "
@@ -99,7 +99,7 @@ void ratio_remark(double (*ratio)(const Forecast&, const Mode&), const std::stri
   if (fastest.empty()) text = forecast.system == nullptr ? computing : "no oscillation";
   if (slowest == "slowest varies" && fastest == "fastest varies") text = "varies between parts";
   if (fastest == "0 fastest" && (slowest.empty() || slowest == "0 slowest")) text = "0";
-  const auto period = [](const Mode& mode) { return number(2.0 * 3.14159265358979323846 / mode.omega) + " s"; };
+  const auto period = [](const Mode& mode) { return quantity_text(2.0 * 3.14159265358979323846 / mode.omega, "s"); };
   std::string description = "Damping ratio of the oscillations of the scene due to " + of +
                             " alone: 1 is critical damping; above it, motion decays without oscillating. ";
   if (forecast.slowest && forecast.fastest)
