@@ -69,8 +69,8 @@ void generate(const Shape& shape, Network& network) {
   shape.kind->make(shape, network);
   for (std::size_t i = first; i < network.points.size(); ++i) {
     if (shape.kind->vectors.empty()) network.position[i] = shape.at + rotated(shape, network.position[i]);
-    // nails have their own color
-    if (shape.color && !network.points[i].nailed) network.points[i].color = shape.color;
+    // nailed points show it when they are released
+    if (shape.color) network.points[i].color = shape.color;
   }
 }
 

@@ -193,13 +193,15 @@ TEST(Picture, ShowsNailsAsYellowSquares) {
   EXPECT_EQ(at(image, camera, {0.58, 0.08, 0.0}), background);
 }
 
-TEST(Picture, ShowsTheColorOfANailedPointInsideTheYellowSquare) {
+TEST(Picture, ShowsTheColorOfAPointOnlyWhileItIsNotNailed) {
   TestSim scene = two_points();
   scene.system.point(0).color = Color{0, 0, 255};
   const Camera camera = camera_on(scene, 1.6);
-  const Color seen = at(draw(scene, {}, camera, {}, 480, 300), camera, {-0.5, 0.0, 0.0});
-  EXPECT_GT(seen.blue, 150);
-  EXPECT_LT(seen.red, 60);
+  const auto seen = [&] { return at(draw(scene, {}, camera, {}, 480, 300), camera, {-0.5, 0.0, 0.0}); };
+  EXPECT_TRUE(is_yellow(seen()));
+  scene.system.point(0).nailed = false;
+  EXPECT_GT(seen().blue, 150);
+  EXPECT_LT(seen().red, 60);
 }
 
 TEST(Picture, ShowsSelectedPointsInRed) {

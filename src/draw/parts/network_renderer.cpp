@@ -14,6 +14,8 @@ constexpr double spring_width = 1.75;  // [px of the screen]
 constexpr double min_radius = 2.5;     // [px of the screen], of a point in an open network
 constexpr double mark_radius = 4.0;    // [px of the screen], minimum for a marked or nailed point
 constexpr double dense = 12.0;         // [px of the screen]: springs shorter than this are drawn thinner
+constexpr double mark_width = 5.0;     // [px of the screen], of a marked spring
+constexpr double ring_distance = 3.0;  // [px of the screen], of the ring around a selected point
 
 // Table of colors for strains from -1 to 1 of the scale.
 constexpr int strain_steps = 256;
@@ -106,8 +108,7 @@ std::vector<std::size_t> NetworkRenderer::far_to_near(const DrawContext& context
 }
 
 void NetworkRenderer::add_springs(const DrawContext& context, Subset subset, Strokes& strokes) const {
-  const double scale = context.options.scale;
-  const auto width = static_cast<float>(scale * spring_width * std::clamp(spacing_ / (scale * dense), 0.35, 1.0));
+  const float width = spring_stroke(context);
   const StrainColors& colors = fill_strain_colors();
   const auto steps = static_cast<float>(0.5 * strain_steps / View::strain_scale(context.snapshot));
   const Rgba plain = rgba(context.palette.spring);
@@ -128,6 +129,19 @@ void NetworkRenderer::add_springs(const DrawContext& context, Subset subset, Str
   }
 }
 
+// 1 for marks as large as they are drawn in an open network; less where many marks are so close together that they would cover it.
+double NetworkRenderer::emphasis(const DrawContext& context) const {
+  constexpr std::size_t few = 50;
+  constexpr double covered = 6.0, open = 24.0;  // [px of the screen], spacing
+  if (spacing_ == 0.0 || std::max(context.marks.selected_points.size(), context.marks.selected_springs.size()) <= few) return 1.0;
+  return std::clamp((spacing_ / context.options.scale - covered) / (open - covered), 0.0, 1.0);
+}
+
+float NetworkRenderer::spring_stroke(const DrawContext& context) const {
+  const double scale = context.options.scale;
+  return static_cast<float>(scale * spring_width * std::clamp(spacing_ / (scale * dense), 0.35, 1.0));
+}
+
 PointImpostor NetworkRenderer::impostor_of(const DrawContext& context, Index i) const {
   const Point& point = context.snapshot.system->points()[i];
   const double scale = context.options.scale;
@@ -139,11 +153,13 @@ PointImpostor NetworkRenderer::impostor_of(const DrawContext& context, Index i) 
   const double min = scale * std::min(min_radius, 0.22 * sparse);
   double radius = std::max(point.radius * projected_[i].scale, min);
   if (!is_outside_cloth(i)) radius = std::min(radius, max);
-  if (point.nailed || selected_[i]) radius = std::max(radius, mark_radius * scale * std::clamp(sparse / dense, 0.6, 1.0));
+  const double marked = mark_radius * scale * std::clamp(sparse / dense, 0.6, 1.0);
+  if (point.nailed) radius = std::max(radius, marked);
+  if (selected_[i]) radius = std::max(radius, radius + emphasis(context) * (marked - radius));
 
   PointImpostor impostor{.radius = static_cast<float>(radius), .square = point.nailed};
   const bool is_plain = !point.color && !point.nailed;
-  const Color color = point.color ? *point.color : point.nailed ? context.palette.nailed : context.palette.point;
+  const Color color = point.nailed ? context.palette.nailed : point.color.value_or(context.palette.point);
   impostor.body = rgba(selected_[i] && is_plain ? context.palette.selected : color);
   if (is_plain && !selected_[i]) impostor.body.opacity = static_cast<std::uint8_t>(255.0 * std::clamp((sparse - 5.0) / 8.0, 0.0, 1.0));
   return impostor;
@@ -162,15 +178,17 @@ void NetworkRenderer::add_points(const DrawContext& context, Subset subset, Poin
 
 void NetworkRenderer::add_marks(const DrawContext& context, Strokes& strokes, PointImpostors& impostors) const {
   const System& system = *context.snapshot.system;
-  const double scale = context.options.scale;
-  const auto add_spring = [&](SpringId id, Rgba color) {
+  const double scale = context.options.scale, emphasis_now = emphasis(context);
+  const auto full_width = static_cast<float>(mark_width * scale);
+  const auto add_spring = [&](SpringId id, Rgba color, float width) {
     const Index s = system.index_of(id);
     if (s == no_index) return;
     const auto [a, b] = ends_[s];
-    strokes.add(context.projection, clip_[a], projected_[a], clip_[b], projected_[b], color, static_cast<float>(5.0 * scale));
+    strokes.add(context.projection, clip_[a], projected_[a], clip_[b], projected_[b], color, width);
   };
-  for (const SpringId id : context.marks.selected_springs) add_spring(id, rgba(context.palette.selected, 0.7));
-  if (context.marks.hovered_spring) add_spring(*context.marks.hovered_spring, rgba(context.palette.hover, 0.35));
+  const float thin = spring_stroke(context), width = thin + static_cast<float>(emphasis_now) * (full_width - thin);
+  for (const SpringId id : context.marks.selected_springs) add_spring(id, rgba(context.palette.selected, 0.7), width);
+  if (context.marks.hovered_spring) add_spring(*context.marks.hovered_spring, rgba(context.palette.hover, 0.35), full_width);
 
   // Only rings: the points themselves are already drawn.
   const auto add_ring = [&](Index i, double distance, Rgba color) {
@@ -181,7 +199,12 @@ void NetworkRenderer::add_marks(const DrawContext& context, Strokes& strokes, Po
     impostors.add(context.projection, clip_[i], projected_[i], ring);
   };
   for (const PointId id : context.marks.selected_points)
-    if (const Index i = system.index_of(id); i != no_index) add_ring(i, 3.0, rgba(context.palette.selected));
+    if (const Index i = system.index_of(id); i != no_index) {
+      // plain points are red themselves
+      const bool is_plain = !system.points()[i].color && !system.points()[i].nailed;
+      const double distance = is_plain ? ring_distance * emphasis_now : std::max(1.0, ring_distance * emphasis_now);
+      if (distance >= 1.0) add_ring(i, distance, rgba(context.palette.selected));
+    }
   if (!context.marks.hovered_point) return;
   if (const Index i = system.index_of(*context.marks.hovered_point); i != no_index)
     add_ring(i, selected_[i] ? 6.0 : 4.0, rgba(context.palette.hover, 0.8));

@@ -55,6 +55,8 @@ class NetworkRenderer {
   void find_ends(const std::shared_ptr<const System>& system);
   void measure_springs(const DrawContext& context);
   std::vector<std::size_t> far_to_near(const DrawContext& context) const;
+  double emphasis(const DrawContext& context) const;
+  float spring_stroke(const DrawContext& context) const;  // [px], width
   PointImpostor impostor_of(const DrawContext& context, Index i) const;
 
   std::vector<glm::dvec4> clip_;               // per point

@@ -84,6 +84,9 @@ void color_row(const Inspected& inspected, Panels& panels, Requests& requests) {
     const auto byte = [](float fraction) { return static_cast<std::uint8_t>(std::lround(255.0f * std::clamp(fraction, 0.0f, 1.0f))); };
     set_all(Color{byte(channels[0]), byte(channels[1]), byte(channels[2])});
   }
+  const Common<bool>& nailed = inspected.parts.nailed;
+  tooltip(nailed.value && !nailed.mixed ? "Nails are yellow; this is the color of the points when they are released."
+                                        : "Color of the points");
   ImGui::SameLine();
   if (now.mixed) {
     dim_text("varies");
@@ -124,8 +127,8 @@ void length_line(const Inspected& inspected) {
   const Spring& spring = inspected.spring(inspected.parts.springs[0]);
   const double length = glm::distance(inspected.snapshot.position(spring.first), inspected.snapshot.position(spring.second));
   begin_row("Current length");
-  std::string text = number(length) + " m";
-  if (spring.rest_length > 0.0) text += ", strain " + number(100.0 * (length / spring.rest_length - 1.0)) + " %";
+  std::string text = quantity_text(length, "m");
+  if (spring.rest_length > 0.0) text += ", strain " + number_text(100.0 * (length / spring.rest_length - 1.0)) + " %";
   ImGui::TextUnformatted(text.c_str());
 }
 
