@@ -1,8 +1,8 @@
 // The status bar: the tool and its next step; the computing time of the scene and its speed.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 #include "lab/accuracy/accuracy_text.h"
 #include "ui/panels.h"
@@ -12,18 +12,22 @@
 namespace hooke {
 namespace {
 
-// From the most detailed to the shortest.
-std::array<std::string, 4> figures(const PanelInput& input) {
+// From the most detailed to the shortest. The error is the last part to be shortened.
+std::vector<std::string> figures(const PanelInput& input) {
   const Status& status = input.status;
   char text[160];
-  const std::string speed = !status.run.running ? "paused" : number(std::round(100.0 * status.run.speed) / 100.0) + "\u00d7 real time";
+  const std::string speed = !status.run.running ? "paused" : number_text(std::round(100.0 * status.run.speed) / 100.0) + "\u00d7 real time";
   std::snprintf(text, sizeof text, "simulate %.*f ms    ", status.run.simulate_ms < 1.0 ? 2 : 1, status.run.simulate_ms);
   const std::string simulate = text;
   std::snprintf(text, sizeof text, "draw %.1f ms    %.0f frames/s    ", input.draw_ms, input.frames_per_second);
   // a picture without a window has none
   const std::string draw = input.frames_per_second > 0.0 ? text : "";
-  const std::string error = accuracy_line(status.accuracy) + "    ";
-  return {error + simulate + draw + speed, error + simulate + speed, simulate + speed, speed};
+  std::vector<std::string> all;
+  for (const std::string& error : accuracy_lines(status.accuracy)) {
+    if (all.empty()) all = {error + "    " + simulate + draw + speed, error + "    " + simulate + speed};
+    all.push_back(error + "    " + speed);
+  }
+  return all;
 }
 
 float width_of(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
@@ -42,18 +46,19 @@ std::string shortened(std::string text, float width) {
 // What is being written to a file, shown in red.
 std::string recording_text(const PanelInput& input) {
   std::string taken;
-  if (input.film_seconds >= 0.0) taken = "\u25cf film " + number(std::floor(input.film_seconds)) + " s    ";
+  if (input.film_seconds >= 0.0) taken = "\u25cf film " + number_text(std::floor(input.film_seconds)) + " s    ";
   if (!input.status.recording.file.empty()) taken += "\u25cf recording    ";
   if (input.status.recording.playback_progress > 0.0)
-    taken += "replay " + number(std::round(100.0 * input.status.recording.playback_progress)) + " %    ";
+    taken += "replay " + number_text(std::round(100.0 * input.status.recording.playback_progress)) + " %    ";
   return taken;
 }
 
 // Shown while the hand cannot keep up with the cursor.
 std::string hand_text(const PanelInput& input) {
   constexpr double noticed = 1e-6;  // [m]
-  return input.status.run.hand_lag > noticed ? "hand " + number(input.status.run.hand_lag) + " m behind the cursor: speed limit reached"
-                                             : "";
+  return input.status.run.hand_lag > noticed
+             ? "hand " + quantity_text(input.status.run.hand_lag, "m") + " behind the cursor: speed limit reached"
+             : "";
 }
 
 }  // namespace
