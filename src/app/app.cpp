@@ -1,6 +1,7 @@
 #include "app/app.h"
 
 #include "base/overloaded.h"
+#include "ui/strain_legend.h"
 
 namespace hooke {
 
@@ -12,7 +13,7 @@ App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const H
       file_task_(panels_),
       tool_(tool_context_),
       camera_control_(tool_context_, panels_, clipboard_),
-      placer_(tool_context_, panels_, file_task_),
+      placer_(tool_context_, panels_, layout_, file_task_),
       mouse_(tool_context_, panels_, layout_, tool_, camera_control_, placer_),
       document_(tool_context_, panels_, file_task_, settings_, home, std::move(file), [this](const Scene& opened) { show(opened); }),
       captures_(tool_context_, panels_, document_),
@@ -25,7 +26,10 @@ App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const H
 }
 
 void App::resize(const glm::dvec2& size, double scale) {
-  layout_ = lay_out(size.x, size.y, scale, {.panels = !panels_.panels_hidden, .plots = panels_.plots_shown});
+  layout_ = lay_out(size.x, size.y, scale,
+                    {.panels = !panels_.panels_hidden,
+                     .plots = panels_.plots_shown,
+                     .strain_legend = shows_strain_colors(tool_context_.system(), panels_.view)});
   tool_context_.size = {layout_.scene.width, layout_.scene.height};
   tool_context_.scale = scale;
   if (const auto scene = std::exchange(scene_to_frame_, nullptr)) camera_control_.show(*scene);

@@ -57,6 +57,23 @@ TEST(Placement, ThePreviewShowsTheResultAndChangesNothing) {
   for (const auto& [from, to] : gui.app().marks().ghost_lines) EXPECT_GT(std::min(from.y, to.y), -1.0);
 }
 
+// Without the choice of another view, the one before comes back.
+TEST(Placement, OfALargePartIsSeenFromFartherAway) {
+  for (const bool is_placed : {false, true}) {
+    GuiFixture gui(is_3d_only());
+    gui.resize({700.0, 450.0}, 1.0);
+    const double before = gui.app().camera().distance;
+    choose(gui, "bridge");
+    const double during = gui.app().camera().distance;
+    EXPECT_GT(during, before);
+    const Rect& view = gui.app().layout().scene;
+    for (const auto& [from, to] : gui.app().marks().ghost_lines)
+      for (const Vec3& end : {from, to}) EXPECT_TRUE(view.contains(gui.seen(end).x, gui.seen(end).y));
+    gui.key(is_placed ? Key::Enter : Key::Escape);
+    EXPECT_EQ(gui.app().camera().distance, is_placed ? during : before);
+  }
+}
+
 TEST(Placement, StartsOutsideColliders) {
   Scene scene = is_3d_only();
   scene.system.colliders.push_back({.shape = Sphere{{0.4, 0.0, 0.0}, 0.7}});
@@ -73,7 +90,7 @@ TEST(Placement, StartsOutsideColliders) {
 TEST(Placement, ThePreviewFollowsASliderAtOnce) {
   GuiFixture gui(is_3d_only());
   Placement& placement = choose(gui, "hanging_rope");
-  const glm::dvec2 slider = gui.find("placing", {"points", "##value"});
+  const glm::dvec2 slider = gui.find("placing/rows", {"points", "##value"});
   ASSERT_GT(slider.x, 0.0);
   const std::size_t before = gui.app().marks().ghost_lines.size();
   gui.drag(slider, slider + glm::dvec2(40.0, 0.0));
@@ -125,6 +142,16 @@ TEST(Placement, AClothHasTheSameMaterialAsInAFile) {
   choose(gui, "bridge");
   gui.key(Key::Enter);
   EXPECT_EQ(gui.status().document->sheet, nullptr);
+}
+
+// Points that are released show the color of their shape.
+TEST(Placement, ColorsNailedPointsToo) {
+  Shape shape = default_shape(*find_shape_kind("hanging_rope"));
+  shape.color = Color{91, 192, 176};
+  Network network;
+  generate(shape, network);
+  ASSERT_TRUE(network.points.front().nailed);
+  for (const Point& point : network.points) EXPECT_EQ(point.color, shape.color);
 }
 
 TEST(Placement, EscLeavesTheSceneUnchanged) {

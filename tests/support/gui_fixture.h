@@ -126,6 +126,13 @@ class GuiFixture {
     frames(2);
   }
 
+  // By its name; "window/child" for a child, whose name continues with a number.
+  static const ImGuiWindow* find_window(const std::string& name) {
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+      if (window->Active && (window->Name == name || std::string_view(window->Name).starts_with(name + "_"))) return window;
+    return nullptr;
+  }
+
   // The center of an item with this path of ids, found by moving the mouse over its whole window.
   glm::dvec2 find(const char* window, std::initializer_list<const char*> names) {
     const ImGuiID id = id_of(window, names);
@@ -143,7 +150,7 @@ class GuiFixture {
     return items;
   }
   static ImGuiID id_of(const char* window, std::initializer_list<const char*> names) {
-    const ImGuiWindow* found = ImGui::FindWindowByName(window);
+    const ImGuiWindow* found = find_window(window);
     ImGuiID id = found != nullptr ? found->ID : 0;
     for (const char* name : names) id = ImHashStr(name, 0, id);
     return id;
@@ -153,7 +160,7 @@ class GuiFixture {
   // Moves the mouse over a window until `visit` returns false for the item below it.
   template <class Visit>
   void scan(const char* window, const Visit& visit) {
-    const ImGuiWindow* found = ImGui::FindWindowByName(window);
+    const ImGuiWindow* found = find_window(window);
     if (found == nullptr) return;
     const glm::dvec2 min(found->Pos.x, found->Pos.y), size(found->Size.x, found->Size.y);
     for (double y = 2.0; y < size.y; y += 5.0)

@@ -1,9 +1,11 @@
 #include "app/edit/placer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
+#include <utility>
 
 #include "app/document/files.h"
 #include "app/edit/placement_part.h"
@@ -58,21 +60,54 @@ void Placer::set_material_for_size() {
   placement.mesh_damping = material.damping;
 }
 
-// Starts in the middle of what the dialog leaves free, above the colliders that it would be in.
-void Placer::place_in_sight() {
-  constexpr double dialog_width = 324.0;  // [design units]
+// The middle of the preview to this position of the view, above the colliders that it would be in. Returns it.
+Scene Placer::preview_at(const glm::dvec2& cursor) {
   Vec3& at = panels_.placement.shape.at;
-  const double left = std::min(dialog_width * context_.scale, 0.5 * context_.size.x);
-  at = context_.point_in_view_plane({0.5 * (left + context_.size.x), 0.5 * context_.size.y}, context_.camera.target);
-  const Scene preview = part();
-  if (preview.system.points().empty()) return;
-  const Box box = bounding_box(preview);
+  at = context_.point_in_view_plane(cursor, context_.camera.target);
+  Scene preview = part();
+  if (preview.system.points().empty()) return preview;
+  Box box = bounding_box(preview);
+  // its middle, wherever its own origin is
+  Vec3 shift = at - 0.5 * (box.min + box.max);
   const double step = std::max(0.05 * glm::length(box.max - box.min), 1e-3);
-  Vec3 shift(0.0);
   constexpr int max_steps = 200;
   for (int i = 0; i < max_steps && is_inside_collider(context_.system(), {box.min + shift, box.max + shift}); ++i)
     shift += step * context_.camera.pole;
   at += shift;
+  for (Vec3& place : preview.state.position) place += shift;
+  return preview;
+}
+
+// Starts in the middle of what the panel leaves free; what is larger is seen from farther away.
+void Placer::place_in_sight() {
+  restore_view();
+  const Dock dock = placement_dock(layout_, context_.scale);
+  const double left = dock.is_over_scene ? dock.place.x + dock.place.width - layout_.scene.x : 0.0;
+  const glm::dvec2 middle{0.5 * (left + context_.size.x), 0.5 * context_.size.y};
+  const glm::dvec2 room{std::max(1.0, 0.5 * (context_.size.x - left)), middle.y};
+  const Camera before = context_.camera;
+  // more than once, since perspective is not proportional
+  constexpr int attempts = 4;
+  constexpr double margin = 1.1;
+  for (int i = 0; i < attempts; ++i) {
+    double excess = 0.0;
+    for (const Vec3& place : preview_at(middle).state.position) {
+      const Vec3 at = context_.camera.project(place, context_.size);
+      excess = std::max({excess, std::abs(at.x - middle.x) / room.x, std::abs(at.y - middle.y) / room.y});
+    }
+    if (!(excess > 1.0) || i + 1 == attempts) break;
+    context_.camera.distance *= std::min(margin * excess, 10.0);
+    view_before_ = before;
+    view_now_ = context_.camera;
+  }
+}
+
+// Unless it was changed since.
+void Placer::restore_view() {
+  const auto before = std::exchange(view_before_, std::nullopt);
+  const Camera& now = context_.camera;
+  if (before && now.target == view_now_.target && now.back == view_now_.back && now.distance == view_now_.distance)
+    context_.camera = *before;
 }
 
 void Placer::read_mesh(const std::filesystem::path& file) {
@@ -94,12 +129,14 @@ void Placer::place() {
   // a mesh that is alone looks as if its file were opened
   if (panels_.placement.is_mesh && context_.system().points().empty()) panels_.view.points = panels_.view.springs = false;
   LabThread& lab = context_.lab;
+  view_before_.reset();
   lab.submit(make_insert(placed, Vec3(0.0), {[&lab] { return lab.new_point_id(); }, [&lab] { return lab.new_spring_id(); }}));
   stop();
 }
 
 void Placer::follow(const Pointer& pointer) {
   if (!is_on()) {
+    restore_view();
     mesh_.reset();
     is_pressed_ = false;
     return;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/tools/tools.h"
 #include "app/work/file_task.h"
@@ -11,7 +12,8 @@ namespace hooke {
 
 class Placer {
  public:
-  Placer(ToolContext& context, Panels& panels, FileTask& task) : context_(context), panels_(panels), task_(task) {}
+  Placer(ToolContext& context, Panels& panels, const Layout& layout, FileTask& task)
+      : context_(context), panels_(panels), layout_(layout), task_(task) {}
 
   // Starts where the camera looks; a mesh if `shape` is null.
   void start(const ShapeKind* shape);
@@ -32,12 +34,17 @@ class Placer {
   Scene part() const;
   void set_material_for_size();
   void place_in_sight();
+  Scene preview_at(const glm::dvec2& cursor);
+  void restore_view();
 
   ToolContext& context_;
   Panels& panels_;
+  const Layout& layout_;
   FileTask& task_;
   std::shared_ptr<const Scene> mesh_;  // null until one is read
   bool is_pressed_ = false;
+  std::optional<Camera> view_before_;  // the preview needed another distance
+  Camera view_now_{};
 };
 
 }  // namespace hooke

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <string>
+#include <vector>
 
 #include "lab/accuracy/accuracy_text.h"
 #include "scene/parameters.h"
 #include "sim/integrator.h"
+#include "ui/docked_panel.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
 #include "ui/text.h"
@@ -25,14 +27,14 @@ void heading(const char* text) {
 
 void explanation(const char* text) {
   ImGui::PushFont(fonts().small);
-  dim_text(text);
+  paragraph(text, palette::dim);
   ImGui::PopFont();
 }
 
 void value_row(const char* name, const std::string& value, ImU32 color = palette::text) {
   dim_text(name);
   ImGui::SameLine(units(112.0));
-  text_in(color, value);
+  paragraph(value, color);
 }
 
 void error_section(const Accuracy& accuracy) {
@@ -40,21 +42,22 @@ void error_section(const Accuracy& accuracy) {
   value_row("RMS", error_text(accuracy.frame, accuracy.size));
   value_row("Maximum", error_text(accuracy.frame_max, accuracy.size));
   explanation(
-      "How far the method moves the points away from the exact motion within one frame: one is repeated now and then with half the step.");
+      "How far the method moves the points away from the exact motion within one frame; some frames are repeated with half the step.");
   heading("Accumulated error");
   value_row("RMS", error_text(accuracy.accumulated, accuracy.size));
-  if (accuracy.accumulated.value) value_row("Since", number(accuracy.since) + " s, known to " + number(accuracy.accumulated_time) + " s");
+  if (accuracy.accumulated.value)
+    value_row("Since", quantity_text(accuracy.since, "s") + ", known to " + quantity_text(accuracy.accumulated_time, "s"));
   explanation("Distance from a second run with half the step, computed in idle time.");
 }
 
 void predictability_section(const Accuracy& accuracy) {
   heading("Predictability");
   const bool is_chaotic = accuracy.growth_rate.value && *accuracy.growth_rate.value > 0.0;
-  text_in(is_chaotic ? palette::warning : palette::text, predictability_text(accuracy));
+  paragraph(predictability_text(accuracy), is_chaotic ? palette::warning : palette::text);
   if (is_chaotic)
-    value_row("Growth", "e-fold every " + number(1.0 / *accuracy.growth_rate.value) + " s");
+    value_row("Growth", "e-fold every " + quantity_text(1.0 / *accuracy.growth_rate.value, "s"));
   else if (accuracy.amplification.value)
-    value_row("Growth", number(*accuracy.amplification.value) + "-fold per second");
+    value_row("Growth", number_text(*accuracy.amplification.value) + "-fold per second");
   explanation("How fast a tiny difference at the start grows. Past this time no method predicts where the points are.");
 }
 
@@ -76,9 +79,7 @@ void energy_row(const Term& term, double scale) {
                      units(2.0));
   list.AddLine({middle, at.y}, {middle, at.y + height}, palette::line);
   ImGui::SetCursorScreenPos({at.x + 2.0f * width + units(10.0), at.y});
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g J", term.value);
-  ImGui::TextUnformatted(text.data());
+  ImGui::TextUnformatted(quantity_text(term.value, "J", 3).c_str());
 }
 
 void energy_section(const Accuracy& accuracy) {
@@ -104,19 +105,18 @@ void cost_section(const PanelInput& input, Requests& requests) {
   const Accuracy& accuracy = input.status.accuracy;
   heading("Cost of accuracy");
   const std::string text = cost_text(accuracy);
-  ImGui::TextUnformatted(text.empty() ? "not known yet" : text.c_str());
+  paragraph(text.empty() ? "not known yet" : text);
   if (!text.empty() && accuracy.half_error_tolerance == 0.0) {
-    ImGui::SameLine();
+    same_line_for("Use");
     if (ImGui::SmallButton("Use"))
       requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(accuracy.half_error_substeps)}});
   }
   if (!input.cheaper) return;
   const CheaperMethod& cheaper = *input.cheaper;
   const std::string name(cheaper.integrator->label.substr(0, cheaper.integrator->label.find(" (")));
-  ImGui::TextUnformatted((name + ", " + count(cheaper.substeps, "substep") + ": the same error, " +
-                          number(std::round(100.0 * cheaper.cost)) + " % of the time")
-                             .c_str());
-  ImGui::SameLine();
+  paragraph(name + ", " + count(cheaper.substeps, "substep") + ": the same error, " + number_text(std::round(100.0 * cheaper.cost)) +
+            " % of the time");
+  same_line_for("Use");
   if (!ImGui::SmallButton("Use##method")) return;
   requests.emplace_back(Edit{SetIntegrator{cheaper.integrator}});
   requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(cheaper.substeps)}, true});
@@ -130,53 +130,40 @@ void build_accuracy_line(const PanelInput& input, Panels& panels) {
   begin_row("Error");
   const bool is_chaotic = accuracy.growth_rate.value.value_or(0.0) > 0.0;
   ImGui::PushStyleColor(ImGuiCol_Text, is_chaotic ? palette::warning : palette::dim);
-  std::string line = accuracy_line(accuracy);
-  if (line.starts_with("error ") || line.starts_with("error: ")) line.erase(0, line.find(' ') + 1);
-  // one line, so that the rows below do not move under the mouse
-  const std::string shown = shortened(line, ImGui::GetContentRegionAvail().x);
-  ImGui::TextUnformatted(shown.c_str());
+  std::vector<std::string> lines = accuracy_lines(accuracy);
+  for (std::string& line : lines) line.erase(0, line.find(' ') + 1);
+  // one line, so that the rows below do not move under the mouse: what does not fit is in the tooltip
+  const float width = ImGui::GetContentRegionAvail().x;
+  const auto fits = [&](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x <= width; };
+  const auto shown = std::find_if(lines.begin(), lines.end() - 1, fits);
+  ImGui::TextUnformatted(shortened(*shown, width).c_str());
   if (ImGui::IsItemClicked()) panels.accuracy_shown = !panels.accuracy_shown;
-  tooltip((shown == line ? "" : line + "\n") + "How wrong the run is. Click for more.");
+  tooltip((shown == lines.begin() ? "" : lines.front() + "\n") + "How wrong the run is. Click for more.");
   ImGui::PopStyleColor();
   ImGui::PopFont();
 }
 
 void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests) {
   if (!panels.accuracy_shown) return;
-  const Rect& scene = input.layout.scene;
-  const float wide = std::min(units(360.0), std::max(1.0f, static_cast<float>(scene.width) - units(28.0)));
-  ImGui::SetNextWindowPos({static_cast<float>(scene.x + scene.width) - units(14.0), static_cast<float>(scene.y) + units(14.0)},
-                          ImGuiCond_Always, {1.0f, 0.0f});
-  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, std::max(1.0f, static_cast<float>(scene.height) - units(28.0))});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(16.0), units(12.0)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
-  ImGui::Begin("accuracy", nullptr, front_box);
-  panels.floating.push_back(current_window());
-  ImGui::PushTextWrapPos(0.0f);
-
+  DockedPanel panel("accuracy", dock_panel(input.layout, units(1.0), 360.0, 500.0, true), panels);
   bool is_on = input.status.accuracy.is_on;
   if (ImGui::Checkbox("Measure the accuracy", &is_on))
     requests.emplace_back(Control(SetAccuracy{is_on ? AccuracyMode::Full : AccuracyMode::Off}));
   tooltip("Costs less than a tenth of a frame, and idle time");
+  panel.begin_content();
   if (input.status.accuracy.is_on) {
     error_section(input.status.accuracy);
     predictability_section(input.status.accuracy);
     energy_section(input.status.accuracy);
     cost_section(input, requests);
   } else {
-    dim_text("Switched off: no error is shown.");
+    paragraph("Switched off: no error is shown.", palette::dim);
   }
-  ImGui::PopTextWrapPos();
-  ImGui::Dummy({0.0f, units(2.0)});
-  if (ImGui::Button("Compare methods", {units(144.0), 0.0f})) panels.comparison = {.is_shown = true, .is_wanted = true};
+  panel.end_content();
+  if (ImGui::Button("Compare methods", {units(144.0), units(30.0)})) panels.comparison = {.is_shown = true, .is_wanted = true};
   tooltip(Action::CompareMethods);
   ImGui::SameLine();
-  if (ImGui::Button("Close", {units(96.0), 0.0f})) panels.accuracy_shown = false;
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(3);
+  if (ImGui::Button("Close", {units(96.0), units(30.0)})) panels.accuracy_shown = false;
 }
 
 }  // namespace hooke

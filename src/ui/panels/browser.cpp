@@ -7,6 +7,7 @@
 #include "lab/recording.h"
 #include "ui/file_browser.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
@@ -114,12 +115,19 @@ void breadcrumbs(Dialog& dialog, FileDialogMode mode) {
   ImGui::PopStyleColor();
 }
 
+// A sentence in place of rows, or below them, aligned with them.
+void note(const std::string& text, ImU32 color = palette::dim) {
+  const float edge = units(8.0);
+  ImGui::SetCursorPos({ImGui::GetCursorPosX() + edge, ImGui::GetCursorPosY() + units(6.0)});
+  text_in(color, wrapped(text, ImGui::GetContentRegionAvail().x - edge));
+}
+
 bool folder_list(Dialog& dialog, FileDialogMode mode) {
   Browser& browser = dialog.browser;
   refresh(browser, mode, dialog.picks_mesh);
-  if (!browser.listing.error.empty()) text_in(palette::warning, "Cannot read this folder: " + browser.listing.error);
+  if (!browser.listing.error.empty()) note("Cannot read this folder: " + browser.listing.error, palette::warning);
   if (browser.listing.items.empty() && browser.listing.error.empty())
-    dim_text(dialog.picks_mesh ? "No folders or meshes here." : "No folders, scenes or recordings here.");
+    note(dialog.picks_mesh ? "No folders or meshes here." : "No folders, scenes or recordings here.");
 
   const fs::path folder = browser.folder, chosen_path = resolved_path(dialog);
   fs::path next;
@@ -139,13 +147,13 @@ bool folder_list(Dialog& dialog, FileDialogMode mode) {
     }
   }
   clipper.End();
-  if (browser.listing.truncated) dim_text("Not all files are shown; type a name to open others.");
+  if (browser.listing.truncated) note("Not all files are shown; type a name to open others.");
   if (!next.empty()) go_to_folder(dialog, next, mode);
   return confirmed;
 }
 
 bool recent_list(const PanelInput& input, Dialog& dialog) {
-  if (input.recent.empty()) dim_text("No files opened or saved yet.");
+  if (input.recent.empty()) note("No files opened or saved yet.");
   bool confirmed = false;
   for (const fs::path& file : input.recent) {
     bool twice = false;

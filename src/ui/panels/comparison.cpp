@@ -1,5 +1,6 @@
 // Cost against error of the methods on this scene: a chart whose points are settings to choose.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -10,9 +11,11 @@
 #include "scene/parameters.h"
 #include "sim/integrator.h"
 #include "study/work_precision_file.h"
+#include "ui/docked_panel.h"
 #include "ui/panels.h"
 #include "ui/text.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
@@ -42,9 +45,11 @@ struct LogAxis {
   bool is_empty = true;
 };
 
+// Of a power of ten [ms]: "10 ms", "100 \u03bcs".
 std::string cost_label(int decade) {
-  const double ms = std::pow(10.0, decade);
-  return ms >= 1000.0 ? number(ms / 1000.0) + " s" : number(ms) + " ms";
+  constexpr std::array units_of_time{"ns", "\u03bcs", "ms", "s"};
+  const int unit = std::clamp(2 + static_cast<int>(std::floor(decade / 3.0)), 0, 3);
+  return number_text(std::pow(10.0, decade - 3 * (unit - 2))) + " " + units_of_time[static_cast<std::size_t>(unit)];
 }
 
 struct Chart {
@@ -52,7 +57,7 @@ struct Chart {
       : input(panel_input), record(compared.record), list(*ImGui::GetWindowDrawList()) {
     for (const Row& row : record.rows)
       if (is_drawn(row)) error.include(*row.error), cost.include(*row.cpu_ms_per_s);
-    at = {corner.x + units(58.0), corner.y + units(22.0)};
+    at = {corner.x + units(58.0), corner.y + units(24.0)};
     end = {corner.x + size.x - units(12.0), corner.y + size.y - units(42.0)};
   }
 
@@ -70,14 +75,22 @@ struct Chart {
       const ImVec2 wide = ImGui::CalcTextSize(label.c_str());
       list.AddText({at.x - wide.x - units(6.0), y - 0.5f * wide.y}, palette::dim, label.c_str());
     }
+    // as many labels as have room
+    const float label_width = ImGui::CalcTextSize("100 ms").x + units(8.0);
+    const int every =
+        std::max(1, static_cast<int>(std::ceil(label_width * static_cast<float>(cost.max - cost.min) / std::max(1.0f, end.x - at.x))));
     for (int decade = cost.min; decade <= cost.max; ++decade) {
       const float x = place(std::pow(10.0, decade), std::pow(10.0, error.min)).x;
       list.AddLine({x, at.y}, {x, end.y}, palette::line);
+      if ((decade - cost.min) % every != 0) continue;
       const std::string label = cost_label(decade);
       const float wide = ImGui::CalcTextSize(label.c_str()).x;
       list.AddText({std::min(x - 0.5f * wide, end.x - wide), end.y + units(4.0)}, palette::dim, label.c_str());
     }
-    list.AddText({at.x, at.y - units(19.0)}, palette::dim, "Error after the compared time (RMS over the points)");
+    const char* above = "Error after the compared time (RMS over the points)";
+    const float left = at.x - units(52.0);
+    if (left + ImGui::CalcTextSize(above).x > end.x) above = "Error after the compared time";
+    list.AddText({left, at.y - units(21.0)}, palette::dim, above);
     const char* below = "CPU time per simulated second";
     list.AddText({end.x - ImGui::CalcTextSize(below).x, end.y + units(20.0)}, palette::dim, below);
     ImGui::PopFont();
@@ -137,9 +150,11 @@ struct Chart {
     list.AddCircle(here, units(8.0), palette::text, 0, units(2.0));
     ImGui::PushFont(fonts().small);
     const char* text = "now";
-    const float wide = ImGui::CalcTextSize(text).x;
-    list.AddText({here.x + units(11.0) + wide > end.x ? here.x - wide - units(11.0) : here.x + units(11.0), here.y - units(7.0)},
-                 palette::text, text);
+    // legible on the curves
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const ImVec2 corner{here.x + units(11.0) + size.x > end.x ? here.x - size.x - units(11.0) : here.x + units(11.0), here.y - units(7.0)};
+    list.AddRectFilled({corner.x - units(2.0), corner.y}, {corner.x + size.x + units(2.0), corner.y + size.y}, palette::box, units(2.0));
+    list.AddText(corner, palette::text, text);
     ImGui::PopFont();
   }
 
@@ -154,7 +169,8 @@ std::string setting_text(const Row& row, double frame_rate) {
   const Integrator* method = find_integrator(row.method);
   const std::string name = method != nullptr ? short_name(*method) : row.method;
   const auto substeps = substeps_of(row, frame_rate);
-  return substeps ? name + ", " + count(*substeps, "substep") : name + ", " + row.setting;
+  if (substeps) return name + ", " + count(*substeps, "substep");
+  return name + ", " + (row.tolerance ? "tolerance " + quantity_text(*row.tolerance, "m", 1) : row.setting);
 }
 
 // The tolerance of an adaptive method is not a parameter of the window.
@@ -196,7 +212,7 @@ void missing_methods(const ProblemRecord& record) {
       names += (names.empty() ? "" : ", ") + short_name(method);
   if (names.empty()) return;
   ImGui::PushFont(fonts().small);
-  dim_text("Too slow or unstable here: " + names);
+  paragraph("Too slow or unstable here: " + names, palette::dim);
   ImGui::PopFont();
 }
 
@@ -212,72 +228,62 @@ void chart(const PanelInput& input, const MethodComparison& comparison, float wi
   if (row == nullptr || !is_over) return;
   const Settings& settings = input.status.snapshot->settings;
   chart.list.AddCircle(chart.place(*row->cpu_ms_per_s, *row->error), units(6.0), palette::accent, 0, units(2.0));
-  ImGui::SetTooltip("%s\nerror %s\n%s ms per simulated second%s", setting_text(*row, settings.frame_rate).c_str(),
-                    length_text(*row->error).c_str(), number(*row->cpu_ms_per_s).c_str(),
+  ImGui::SetTooltip("%s\nerror %s\n%s of CPU time per simulated second%s", setting_text(*row, settings.frame_rate).c_str(),
+                    length_text(*row->error).c_str(), quantity_text(1e-3 * *row->cpu_ms_per_s, "s").c_str(),
                     can_be_used(*row, settings) ? "\nClick to use it" : "");
   if (is_clicked && can_be_used(*row, settings)) use(*row, settings, requests);
 }
 
 void buttons(const ComparisonStatus& status, Panels& panels) {
   if (status.is_running) {
-    if (ImGui::Button("Cancel", {units(96.0), 0.0f})) panels.comparison.is_canceled = true;
-  } else if (ImGui::Button("Compare again", {units(128.0), 0.0f})) {
+    if (ImGui::Button("Cancel", {units(84.0), units(30.0)})) panels.comparison.is_canceled = true;
+  } else if (ImGui::Button("Compare again", {units(118.0), units(30.0)})) {
     panels.comparison.is_wanted = true;
   }
   if (status.result && !status.result->record.rows.empty()) {
     ImGui::SameLine();
-    if (ImGui::Button("Copy as CSV", {units(112.0), 0.0f})) {
+    const bool is_copied = ImGui::Button("Copy", {units(54.0), units(30.0)});
+    tooltip("Copy the values as CSV");
+    if (is_copied) {
       ImGui::SetClipboardText(format_csv({.conditions = {}, .date = {}, .problems = {status.result->record}}).c_str());
       panels.show_toast("Copied " + count(static_cast<int>(status.result->record.rows.size()), "row"));
     }
   }
-  ImGui::SameLine(ImGui::GetWindowWidth() - units(96.0) - ImGui::GetStyle().WindowPadding.x);
-  if (ImGui::Button("Close", {units(96.0), 0.0f})) panels.comparison.is_shown = false;
+  ImGui::SameLine(ImGui::GetWindowWidth() - units(64.0) - ImGui::GetStyle().WindowPadding.x);
+  if (ImGui::Button("Close", {units(64.0), units(30.0)})) panels.comparison.is_shown = false;
 }
 
 }  // namespace
 
 void build_comparison(const PanelInput& input, Panels& panels, Requests& requests) {
   if (!panels.comparison.is_shown) return;
-  const Rect& scene = input.layout.scene;
-  const float width = std::min(units(600.0), std::max(1.0f, static_cast<float>(scene.width) - units(28.0)));
-  ImGui::SetNextWindowPos({static_cast<float>(scene.x) + units(14.0), static_cast<float>(scene.y) + units(14.0)}, ImGuiCond_Always);
-  ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {width, std::max(1.0f, static_cast<float>(scene.height) - units(28.0))});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(16.0), units(12.0)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
-  ImGui::Begin("comparison", nullptr, front_box);
-  panels.floating.push_back(current_window());
-  ImGui::PushTextWrapPos(0.0f);
+  const Dock dock = dock_panel(input.layout, units(1.0), 600.0, 400.0);
+  DockedPanel panel("comparison", dock, panels);
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Compare methods on this scene");
   ImGui::PopFont();
+  panel.begin_content();
 
   const ComparisonStatus& status = input.comparison;
   const bool has_rows = status.result && std::ranges::any_of(status.result->record.rows, is_drawn);
   if (status.is_running) {
-    dim_text("Runs every method from the present state, on a copy, against a reference that two methods agree on.");
+    paragraph("Runs every method from the present state, on a copy, against a reference that two methods agree on.", palette::dim);
     // the reference takes longest, by a number of runs that is not known before
     const std::string elapsed = std::to_string(static_cast<int>(status.seconds));
-    dim_text(status.fraction > 0.0 ? "Measuring the methods." : "Computing the reference, for " + elapsed + " s so far.");
+    paragraph(status.fraction > 0.0 ? "Measuring the methods." : "Computing the reference, for " + elapsed + " s so far.", palette::dim);
     progress_bar(status.fraction, status.seconds, ImGui::GetContentRegionAvail().x);
   } else if (!status.result) {
     dim_text("Nothing compared yet.");
   }
-  if (status.result && !status.result->note.empty()) text_in(palette::warning, status.result->note);
+  if (status.result && !status.result->note.empty()) paragraph(status.result->note, palette::warning);
   if (has_rows) {
-    const float height = std::clamp(static_cast<float>(scene.height) - units(210.0), units(120.0), units(330.0));
+    const float height = std::clamp(static_cast<float>(dock.place.height) - units(250.0), units(150.0), units(330.0));
     chart(input, *status.result, ImGui::GetContentRegionAvail().x, height, requests);
     legend(status.result->record);
     if (!status.is_running && status.result->note != "Stopped.") missing_methods(status.result->record);
   }
-  ImGui::PopTextWrapPos();
-  ImGui::Dummy({0.0f, units(4.0)});
+  panel.end_content();
   buttons(status, panels);
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(3);
 }
 
 }  // namespace hooke

@@ -1,4 +1,4 @@
-// Drawn over the scene: the strain legend, the hint for an empty scene, the selection box, short messages, and banners, such as the one
+// Drawn over the scene: the hint for an empty scene, the selection box, short messages, and banners, such as the one
 // that explains why a run stopped.
 #include <algorithm>
 #include <cmath>
@@ -21,16 +21,15 @@ constexpr double toast_seconds = 1.8;
 
 ImVec2 place(const Rect& scene, double x, double y) { return {static_cast<float>(scene.x + x), static_cast<float>(scene.y + y)}; }
 
-// Without the side panel, which has the legend otherwise. Not in a window so small that it would cover the scene.
-void legend(const PanelInput& input, const Panels& panels, ImDrawList& list) {
-  const Rect& scene = input.layout.scene;
-  if (!panels.panels_hidden || !shows_strain_colors(input, panels) || scene.width < units(240.0) || scene.height < units(200.0)) return;
-  const ImVec2 at = place(scene, units(18.0), scene.height - units(68.0));
-  const float width = units(180.0), edge = units(10.0);
-  // legible over any scene
-  list.AddRectFilled({at.x - edge, at.y - units(4.0)}, {at.x + width + edge, at.y + units(strain_legend_height + 4.0)}, palette::shade,
-                     units(6.0));
-  draw_strain_legend(*input.status.snapshot, at, width, list);
+// Below the scene, where the side panel does not have it.
+void legend(const PanelInput& input) {
+  const Rect& strip = input.layout.legend;
+  if (strip.height <= 0.0) return;
+  begin_panel("legend", strip, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddLine(corner(strip), {static_cast<float>(strip.x + strip.width), static_cast<float>(strip.y)}, palette::line);
+  draw_strain_legend(*input.status.snapshot, strip, list);
+  ImGui::End();
 }
 
 void hint_of_empty_scene(const PanelInput& input, const Panels& panels, ImDrawList& list) {
@@ -73,7 +72,7 @@ void live_length(const PanelInput& input, ImDrawList& list) {
   const auto& [from, to] = *input.new_spring;
   const Rect& scene = input.layout.scene;
   const Vec3 middle = input.camera.project(0.5 * (from + to), {scene.width, scene.height});
-  const std::string text = number(glm::distance(from, to)) + " m";
+  const std::string text = quantity_text(glm::distance(from, to), "m");
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at = place(scene, middle.x - 0.5 * size.x, middle.y - size.y - units(10.0));
   list.AddRectFilled({at.x - units(5.0), at.y - units(2.0)}, {at.x + size.x + units(5.0), at.y + size.y + units(2.0)}, palette::shade,
@@ -95,7 +94,7 @@ void scale_bar(const PanelInput& input, ImDrawList& list) {
   const ImVec2 line[] = {{begin.x, begin.y - tick}, begin, end, {end.x, end.y - tick}};
   list.AddPolyline(line, 4, palette::dim, 0, units(1.5));
   ImGui::PushFont(fonts().small);
-  const std::string text = number(length) + " m";
+  const std::string text = quantity_text(length, "m");
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   list.AddText({0.5f * (begin.x + end.x - size.x), end.y - units(3.0) - size.y}, palette::dim, text.c_str());
   ImGui::PopFont();
@@ -138,7 +137,7 @@ void toast(const PanelInput& input, Panels& panels, ImDrawList& list) {
 
 std::string remedy_label(const Remedy& remedy, const Settings& settings) {
   const Advice& advice = *remedy.advice;
-  std::string text = remedy.from ? "Continue from t = " + number(*remedy.from) + " s with " : "Start over with ";
+  std::string text = remedy.from ? "Continue from t = " + quantity_text(*remedy.from, "s") + " with " : "Start over with ";
   if (advice.integrator != settings.integrator) text.append(advice.integrator->label).append(" and ");
   return text.append(count(advice.substeps, "substep"));
 }
@@ -237,7 +236,6 @@ void build_overlays(const PanelInput& input, Panels& panels, Requests& requests)
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const Rect& scene = input.layout.scene;
   list.PushClipRect(corner(scene), place(scene, scene.width, scene.height));
-  legend(input, panels, list);
   hint_of_empty_scene(input, panels, list);
   hint_out_of_view(input, list);
   scale_bar(input, list);
@@ -246,6 +244,7 @@ void build_overlays(const PanelInput& input, Panels& panels, Requests& requests)
   stroke(input, list);
   toast(input, panels, list);
   list.PopClipRect();
+  legend(input);
   banners(input, panels, requests);
 }
 

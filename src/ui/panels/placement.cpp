@@ -2,6 +2,9 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
+#include "ui/docked_panel.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
 #include "ui/panels/open_list.h"
@@ -106,26 +109,8 @@ void mesh_rows(const PanelInput& input, Placement& placement, Panels& panels, Re
   }
 }
 
-}  // namespace
-
-void build_placement(const PanelInput& input, Panels& panels, Requests& requests) {
-  Placement& placement = panels.placement;
-  if (!placement.is_on()) return;
-  const Rect& scene = input.layout.scene;
+void placement_rows(const PanelInput& input, Placement& placement, Panels& panels, Requests& requests) {
   const bool is_flat = input.status.snapshot->system->dimensions == 2;
-  ImGui::SetNextWindowPos({static_cast<float>(scene.x) + units(14.0), static_cast<float>(scene.y) + units(14.0)});
-  const float wide = std::min(units(310.0), std::max(1.0f, static_cast<float>(scene.width) - units(28.0)));
-  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, std::max(1.0f, static_cast<float>(input.layout.page.height) - units(28.0))});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(8.0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(16.0), units(12.0)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, palette::box);
-  ImGui::Begin("placing", nullptr, front_box);
-  panels.floating.push_back(current_window());
-
-  ImGui::PushFont(fonts().strong);
-  ImGui::TextUnformatted(placement.is_mesh ? "From a mesh" : placement.shape.kind->label.data());
-  ImGui::PopFont();
   paragraph(placement.is_mesh ? "Triangles and quads become cloth, in the orientation of the file." : placement.shape.kind->description,
             palette::dim);
   ImGui::Dummy({0.0f, units(3.0)});
@@ -136,9 +121,11 @@ void build_placement(const PanelInput& input, Panels& panels, Requests& requests
     number_rows(placement.shape, is_flat, panels);
   }
   if (!is_flat) angle_rows(placement.shape, panels);
-
   ImGui::Dummy({0.0f, units(4.0)});
   paragraph("Click or drag in the scene to move it.", palette::dim);
+}
+
+void placement_buttons(Placement& placement, Requests& requests) {
   const bool is_empty = placement.is_mesh && placement.mesh_info.empty();
   ImGui::BeginDisabled(is_empty);
   ImGui::PushStyleColor(ImGuiCol_Button, palette::tinted);
@@ -148,9 +135,21 @@ void build_placement(const PanelInput& input, Panels& panels, Requests& requests
   if (is_empty) tooltip("Choose an .obj file first");
   ImGui::SameLine();
   if (ImGui::Button("Cancel", {units(96.0), units(30.0)})) placement.stop();
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(3);
+}
+
+}  // namespace
+
+void build_placement(const PanelInput& input, Panels& panels, Requests& requests) {
+  Placement& placement = panels.placement;
+  if (!placement.is_on()) return;
+  DockedPanel panel("placing", placement_dock(input.layout, units(1.0)), panels);
+  ImGui::PushFont(fonts().strong);
+  ImGui::TextUnformatted(placement.is_mesh ? "From a mesh" : placement.shape.kind->label.data());
+  ImGui::PopFont();
+  panel.begin_content();
+  placement_rows(input, placement, panels, requests);
+  panel.end_content();
+  placement_buttons(placement, requests);
 }
 
 }  // namespace hooke

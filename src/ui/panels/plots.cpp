@@ -116,9 +116,9 @@ double time_under_mouse(const PlotAxis& x_axis, ImVec2 min, ImVec2 max) {
 void show_readout(const TraceTable& table, const Plot& plot, double time) {
   const auto after = std::ranges::lower_bound(table.times, time);
   const std::size_t i = std::min(static_cast<std::size_t>(after - table.times.begin()), table.times.size() - 1);
-  std::string text = "t = " + number(table.times[i]) + " s";
+  std::string text = "t = " + quantity_text(table.times[i], "s");
   for (const auto& [trace, text_color] : plot.lines)
-    text += "\n" + trace->quantity.name() + " = " + number(trace->values[i]) + " " + std::string(plot.unit);
+    text += "\n" + trace->quantity.name() + " = " + quantity_text(trace->values[i], plot.unit);
   ImGui::SetTooltip("%s", text.c_str());
 }
 
@@ -136,10 +136,44 @@ void handle_mouse(const TraceTable& table, const Span& span, double time, float 
   panels.plot_end = end < table.times.back() ? std::optional(end) : std::nullopt;
 }
 
+// [design units]: height of a line of names, their distance from their lines and from the next name
+constexpr double name_line = 15.0, name_indent = 13.0, name_gap = 9.0;
+
+// Of the names above a plot: so many lines as they need, if there is room for them.
+int lines_of_names(const Plot& plot, float width, float height) {
+  int lines = 1;
+  float x = 0.0f;
+  for (const auto& [trace, color] : plot.lines) {
+    const float name = units(name_indent) + ImGui::CalcTextSize(trace->quantity.name().c_str()).x;
+    if (x > 0.0f && x + name > width) x = 0.0f, ++lines;
+    x += name + units(name_gap);
+  }
+  return std::clamp(static_cast<int>((height - units(90.0)) / units(name_line)), 1, lines);
+}
+
+// The names above the plot, each beside its color.
+void draw_names(ImDrawList& list, const Plot& plot, ImVec2 at, float width, int lines) {
+  float x = 0.0f, y = at.y;
+  for (const auto& [trace, color] : plot.lines) {
+    const std::string name = trace->quantity.name();
+    const float size = units(name_indent) + ImGui::CalcTextSize(name.c_str()).x;
+    if (x > 0.0f && x + size > width) {
+      // the rest is in the readout under the mouse
+      if (--lines == 0) return;
+      x = 0.0f, y += units(name_line);
+    }
+    list.AddRectFilled({at.x + x, y + units(6.0)}, {at.x + x + units(9.0), y + units(9.0)}, color);
+    list.AddText({at.x + x + units(name_indent), y}, palette::text, name.c_str());
+    x += size + units(name_gap);
+  }
+}
+
 void draw_plot(const PanelInput& input, const Plot& plot, const Rect& place, int number_of_plot, Panels& panels, Requests& requests) {
   const TraceTable& table = *input.status.timeline.traces;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 min{static_cast<float>(place.x) + units(56.0), static_cast<float>(place.y) + units(24.0)};
+  const float names_width = static_cast<float>(place.width) - units(66.0);
+  const int names = lines_of_names(plot, names_width, static_cast<float>(place.height));
+  const ImVec2 min{static_cast<float>(place.x) + units(56.0), static_cast<float>(place.y) + units(24.0 + (names - 1) * name_line)};
   const ImVec2 max{static_cast<float>(place.x + place.width) - units(10.0), static_cast<float>(place.y + place.height) - units(20.0)};
   if (max.x - min.x < units(40.0) || max.y - min.y < units(20.0)) return;
   const Span span = shown_span(table, panels);
@@ -148,10 +182,13 @@ void draw_plot(const PanelInput& input, const Plot& plot, const Rect& place, int
   x_axis.min = span.first;
   x_axis.max = span.last;
 
+  // the labels are in kJ where J would be long
+  const UnitScale unit = unit_scale(std::max(std::abs(y_axis.min), std::abs(y_axis.max)), plot.unit);
+  const PlotAxis labels{.min = y_axis.min / unit.factor, .max = y_axis.max / unit.factor, .step = y_axis.step / unit.factor};
   list.AddRectFilled(min, max, palette::box);
   for (const double tick : y_axis.ticks()) {
     const float y = max.y - static_cast<float>(y_axis.fraction(tick)) * (max.y - min.y);
-    const std::string text = y_axis.label(tick);
+    const std::string text = labels.label(tick / unit.factor);
     list.AddLine({min.x, y}, {max.x, y}, palette::line);
     list.AddText({min.x - units(6.0) - ImGui::CalcTextSize(text.c_str()).x, y - units(7.0)}, palette::dim, text.c_str());
   }
@@ -171,18 +208,10 @@ void draw_plot(const PanelInput& input, const Plot& plot, const Rect& place, int
   draw_cursor(list, x_axis, input.status.snapshot->state.time, min, max, palette::text);
   if (panels.time_under_mouse) draw_cursor(list, x_axis, *panels.time_under_mouse, min, max, palette::dim);
 
-  // names above the plot, each in its color; the unit above the axis
+  // the unit above the axis
   const float names_y = static_cast<float>(place.y) + units(6.0);
-  list.AddText({static_cast<float>(place.x) + units(10.0), names_y}, palette::dim, ("[" + std::string(plot.unit) + "]").c_str());
-  float x = min.x;
-  for (const auto& [trace, text_color] : plot.lines) {
-    const std::string name = trace->quantity.name();
-    // the rest is in the readout under the mouse
-    if (x + units(17.0) + ImGui::CalcTextSize(name.c_str()).x > max.x) break;
-    list.AddRectFilled({x, names_y + units(6.0)}, {x + units(12.0), names_y + units(9.0)}, text_color);
-    list.AddText({x + units(17.0), names_y}, palette::text, name.c_str());
-    x += units(30.0) + ImGui::CalcTextSize(name.c_str()).x;
-  }
+  list.AddText({static_cast<float>(place.x) + units(10.0), names_y}, palette::dim, ("[" + unit.unit + "]").c_str());
+  draw_names(list, plot, {min.x, names_y}, names_width, names);
 
   ImGui::SetCursorScreenPos(min);
   ImGui::PushID(number_of_plot);
@@ -209,7 +238,7 @@ void choice(const std::string& name, const PanelInput& input, Requests& requests
   }
   if (!is_watched) watched.push_back(*quantity);
   const std::string text = std::string(quantity->row->description) + (quantity->row->of == QuantityRow::Of::Scene ? "" : ": " + name);
-  if (ImGui::MenuItem(text.c_str(), std::string(quantity->row->unit).c_str(), is_watched))
+  if (ImGui::MenuItem(text.c_str(), unit_text(quantity->row->unit).c_str(), is_watched))
     requests.emplace_back(Control(Watch{std::move(watched)}));
 }
 
