@@ -12,8 +12,9 @@
 
 namespace hooke {
 
-// Writes NAME.png to the folder that the environment variable HOOKE_PICTURES names; does nothing without it.
-inline void save_picture(GuiFixture& gui, std::string name) {
+// Writes a frame as NAME.png to the folder that the environment variable HOOKE_PICTURES names; does nothing without it. `build`: the frame.
+template <class Build>
+void save_picture(GuiFixture& gui, std::string name, const Build& build) {
   const char* folder = std::getenv("HOOKE_PICTURES");
   if (folder == nullptr) return;
   std::ranges::replace(name, ' ', '_');
@@ -21,7 +22,7 @@ inline void save_picture(GuiFixture& gui, std::string name) {
   const Offscreen offscreen;
   View view;
   view.upload_fonts();
-  gui.frame();
+  build();
   ViewOptions options = gui.app().view_options();
   const Rect& scene = gui.app().layout().scene;
   options.place = {static_cast<int>(scene.x), static_cast<int>(scene.y), static_cast<int>(scene.width), static_cast<int>(scene.height)};

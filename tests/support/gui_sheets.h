@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/gui_text.h"
@@ -22,15 +23,24 @@ struct Letter {
   int run;  // glyphs of one piece of text
   ImU32 color;
   int vertex;  // its first in the list, which is in the order of drawing
+  float line_top, line_height;
   bool is_seen() const { return box.x < clip.z && box.z > clip.x && box.y < clip.w && box.w > clip.y; }
 };
 
 struct Sheet {
   std::string window;
-  bool scrolls = false;  // vertically, so that clipped text can be scrolled into view
+  bool scrolls = false;       // vertically, so that clipped text can be scrolled into view
+  std::set<std::string> cut;  // text that ends within a letter at the edge of an item
   std::vector<Letter> letters;
   const ImDrawList* list = nullptr;
 };
+
+inline std::string words_of(const Sheet& sheet, int run) {
+  std::string words;
+  for (const Letter& letter : sheet.letters)
+    if (letter.run == run) append_utf8(words, letter.code);
+  return words;
+}
 
 inline std::vector<Sheet> read_sheets(const ImDrawData& data) {
   const Glyphs glyphs = glyphs_by_texture();
@@ -42,30 +52,32 @@ inline std::vector<Sheet> read_sheets(const ImDrawData& data) {
       for (unsigned i = 0; i < command.ElemCount; ++i)
         clips[command.VtxOffset + list.IdxBuffer[static_cast<int>(command.IdxOffset + i)]] = command.ClipRect;
 
-    Sheet sheet{list._OwnerName, false, {}, &list};
+    Sheet sheet{.window = list._OwnerName, .list = &list};
     if (const ImGuiWindow* window = ImGui::FindWindowByName(list._OwnerName)) sheet.scrolls = window->ScrollMax.y > 0.0f;
     int run = 0;
     for (int i = 0; i + 3 < list.VtxBuffer.Size; ++i) {
       const ImDrawVert &min = list.VtxBuffer[i], &max = list.VtxBuffer[i + 2];
       const auto found = glyphs.find({min.uv.x, min.uv.y});
-      if (found == glyphs.end() || max.uv.x != found->second.u1 || max.uv.y != found->second.v1) continue;
+      if (found == glyphs.end()) continue;
+      if (max.uv.x < found->second.u1 && max.uv.y == found->second.v1 && max.pos.x > min.pos.x && !sheet.letters.empty())
+        sheet.cut.insert(words_of(sheet, run));
+      if (max.uv.x != found->second.u1 || max.uv.y != found->second.v1) continue;
       const bool progress = !sheet.letters.empty() && std::abs(max.pos.y - sheet.letters.back().box.w) < 12.0f &&
                             std::abs(min.pos.x - sheet.letters.back().box.z) < 14.0f;
       if (!progress) ++run;
-      sheet.letters.push_back(
-          {{min.pos.x, min.pos.y, max.pos.x, max.pos.y}, clips[static_cast<std::size_t>(i)], found->second.code, run, min.col, i});
+      sheet.letters.push_back({{min.pos.x, min.pos.y, max.pos.x, max.pos.y},
+                               clips[static_cast<std::size_t>(i)],
+                               found->second.code,
+                               run,
+                               min.col,
+                               i,
+                               min.pos.y - found->second.top,
+                               found->second.line});
       i += 3;
     }
     sheets.push_back(std::move(sheet));
   }
   return sheets;
-}
-
-inline std::string words_of(const Sheet& sheet, int run) {
-  std::string words;
-  for (const Letter& letter : sheet.letters)
-    if (letter.run == run) append_utf8(words, letter.code);
-  return words;
 }
 
 inline std::string all_letters(const ImDrawData& data) {
@@ -84,6 +96,7 @@ inline std::set<std::string> faults(const ImDrawData& data) {
   constexpr float slack = 1.5f;
   std::set<std::string> found;
   for (const Sheet& sheet : read_sheets(data)) {
+    for (const std::string& words : sheet.cut) found.insert(sheet.window + ": cut: " + words);
     for (const Letter& letter : sheet.letters) {
       if (!letter.is_seen()) continue;
       const bool is_cut = letter.box.x < letter.clip.x - slack || letter.box.z > letter.clip.z + slack ||
@@ -99,6 +112,36 @@ inline std::set<std::string> faults(const ImDrawData& data) {
         if (wide > slack && high > slack)
           found.insert(sheet.window + ": on each other: " + words_of(sheet, first.run) + " | " + words_of(sheet, second.run));
       }
+  }
+  return found;
+}
+
+// Lines of one text that separate a number from its unit, or its digits: "0." and "5 m", "5" and "m".
+inline std::set<std::string> split_quantities(const ImDrawData& data) {
+  static const std::set<std::string> units{"m", "mm", "\u03bcm", "s", "ms",    "kg",  "N",       "N/m",
+                                           "J", "kJ", "W",       "%", "N s/m", "m/s", "degrees", "substeps"};
+  std::set<std::string> found;
+  for (const Sheet& sheet : read_sheets(data)) {
+    std::size_t begin = 0;  // of the line
+    for (std::size_t i = 1; i < sheet.letters.size(); ++i) {
+      const Letter &last = sheet.letters[i - 1], &first = sheet.letters[i];
+      if (std::abs(first.line_top - last.line_top) < 1.0f && first.box.x > last.box.x) continue;
+      const Letter& start = sheet.letters[begin];
+      const std::size_t line_begin = std::exchange(begin, i);
+      // items have a gap between them, the lines of one text have none
+      const bool is_continued =
+          std::abs(first.line_top - last.line_top - last.line_height) < 0.6f && std::abs(first.box.x - start.box.x) < 3.0f;
+      if (!is_continued) continue;
+      std::string word;
+      for (std::size_t k = i;
+           k < sheet.letters.size() && (k == i || sheet.letters[k].box.x - sheet.letters[k - 1].box.z < 0.2f * first.line_height); ++k)
+        append_utf8(word, sheet.letters[k].code);
+      while (!word.empty() && std::string_view(".,;:)").find(word.back()) != std::string_view::npos) word.pop_back();
+      const auto is_digit = [](ImWchar code) { return code >= '0' && code <= '9'; };
+      const bool ends_in_point = last.code == '.' && i - line_begin > 1 && is_digit(sheet.letters[i - 2].code);
+      if ((ends_in_point && is_digit(first.code)) || (is_digit(last.code) && units.contains(word)))
+        found.insert(sheet.window + ": " + words_of(sheet, last.run) + " | " + words_of(sheet, first.run));
+    }
   }
   return found;
 }

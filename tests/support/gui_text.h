@@ -13,6 +13,7 @@ namespace hooke {
 struct Glyph {
   ImWchar code;
   float u1, v1;
+  float top, line;  // [px], below the top of its line, and the height of that
 };
 using Glyphs = std::map<std::pair<float, float>, Glyph>;
 
@@ -20,7 +21,8 @@ inline Glyphs glyphs_by_texture() {
   Glyphs glyphs;
   for (const ImFont* font : ImGui::GetIO().Fonts->Fonts)
     for (const ImFontGlyph& glyph : font->Glyphs)
-      if (glyph.Visible) glyphs[{glyph.U0, glyph.V0}] = {static_cast<ImWchar>(glyph.Codepoint), glyph.U1, glyph.V1};
+      if (glyph.Visible)
+        glyphs[{glyph.U0, glyph.V0}] = {static_cast<ImWchar>(glyph.Codepoint), glyph.U1, glyph.V1, glyph.Y0, font->FontSize};
   return glyphs;
 }
 

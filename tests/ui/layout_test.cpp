@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <regex>
 #include <set>
 
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
 #include "scene/shape.h"
 #include "sim/forces/force_term.h"
+#include "sim/integrator.h"
 #include "support/gui_fixture.h"
 #include "support/gui_picture.h"
 #include "support/gui_sheets.h"
@@ -84,18 +87,51 @@ class Layouts : public testing::TestWithParam<Place> {
  protected:
   // `words`: text that shows whether it is open
   void expect_in_order(GuiFixture& gui, const char* when, const char* words) {
+    expect_in_order(gui, when, words, [&] { gui.frame(); });
+  }
+  template <class Build>
+  void expect_in_order(GuiFixture& gui, const char* when, const char* words, const Build& build) {
     SCOPED_TRACE(when);
     resize(gui);
+    for (int frame = 0; frame < 3; ++frame) build();
     EXPECT_NE(all_letters(*ImGui::GetDrawData()).find(without_spaces(words)), std::string::npos);
     EXPECT_EQ(faults(*ImGui::GetDrawData()), std::set<std::string>());
+    EXPECT_EQ(split_quantities(*ImGui::GetDrawData()), std::set<std::string>());
     EXPECT_EQ(outside(), std::set<std::string>());
+    // numbers for people have no "1.505e+05"
+    EXPECT_FALSE(std::regex_search(read_text(*ImGui::GetDrawData()), std::regex("[0-9]e[+-]?[0-9]"))) << read_text(*ImGui::GetDrawData());
     for (const Look look : {Look::Light, Look::Dark}) {
       gui.app().panels().look = look;
-      gui.frame();
-      save_picture(gui, name_of({GetParam(), 0}) + (look == Look::Light ? "_light_" : "_dark_") + when);
+      build();
+      save_picture(gui, name_of({GetParam(), 0}) + (look == Look::Light ? "_light_" : "_dark_") + when, build);
       EXPECT_EQ(faint_text(*ImGui::GetDrawData(), to_imgui(background_of(look))), std::set<std::string>())
           << (look == Look::Light ? "light" : "dark");
     }
+  }
+  // The buttons of a panel that places something are visible without scrolling, and its preview is not below it.
+  static void expect_preview_beside_panel(GuiFixture& gui) {
+    const ImGuiWindow& panel = *ImGui::FindWindowByName("placing");
+    EXPECT_EQ(panel.ScrollMax.y, 0.0f);
+    EXPECT_EQ(crop_of(panel, "PlaceCancel"), "");
+    const Rect& scene = gui.app().layout().scene;
+    const ImRect box = panel.Rect();
+    int hidden = 0;
+    for (const auto& [from, to] : gui.app().marks().ghost_lines)
+      for (const Vec3& end : {from, to}) {
+        const glm::dvec2 at = gui.seen(end);
+        hidden += !scene.contains(at.x, at.y) || box.Contains({static_cast<float>(at.x), static_cast<float>(at.y)});
+      }
+    EXPECT_EQ(hidden, 0);
+  }
+  // What is missing in the letters that the window itself draws.
+  static std::string crop_of(const ImGuiWindow& window, const std::string& words) {
+    for (const Sheet& sheet : read_sheets(*ImGui::GetDrawData())) {
+      std::string letters;
+      for (const Letter& letter : sheet.letters)
+        if (letter.is_seen()) append_utf8(letters, letter.code);
+      if (sheet.window == window.Name) return letters.find(words) != letters.npos ? "" : words + " is not in " + letters;
+    }
+    return "no window";
   }
   void resize(GuiFixture& gui) { gui.resize({GetParam().width, GetParam().height}, GetParam().scale); }
 };
@@ -121,6 +157,9 @@ TEST_P(Layouts, ThePanelsLeaveTheSceneVisibleAndTheirTextUnclipped) {
   expect_in_order(gui, "with everything selected", "Selection");
   gui.app().panels().panels_hidden = true;
   expect_in_order(gui, "without panels", "File");
+  gui.key(Key::Escape);
+  gui.app().panels().view.springs = gui.app().panels().view.strain_colors = true;
+  expect_in_order(gui, "legend without panels", "Strain");
 }
 
 TEST_P(Layouts, DialogsAreWithinTheWindow) {
@@ -139,6 +178,7 @@ TEST_P(Layouts, DialogsAreWithinTheWindow) {
   for (const ShapeKind& kind : placeable_shapes()) {
     gui.app().handle(Request(StartPlacement{&kind}));
     expect_in_order(gui, kind.label.data(), kind.label.data());
+    expect_preview_beside_panel(gui);
     gui.key(Key::Escape);
   }
   gui.app().handle(Request(StartPlacement{nullptr}));
@@ -167,6 +207,68 @@ TEST_P(Layouts, DialogsAreWithinTheWindow) {
   expect_in_order(gui, "toast", "Stiffness of the springs");
   panels.file_warnings = "flag.json: points[3].color: unknown, kept unchanged; the scene needs so many substeps that it will run slowly";
   expect_in_order(gui, "banner", "Dismiss");
+}
+
+// As "Compare methods" finds them, over more decades of time than usual.
+MethodComparison compared_methods() {
+  MethodComparison comparison;
+  double cost = 1e-5;
+  for (const Integrator& method : integrators())
+    for (int i = 0; i < 4; ++i, cost *= 1.4)
+      comparison.record.rows.push_back({.method = std::string(method.id),
+                                        .setting = "960 steps/s",
+                                        .step = 1.0 / (960.0 * (1 << i)),
+                                        .error = 1e-2 / std::pow(8.0, i),
+                                        .relative_error = 1e-3,
+                                        .cpu_ms_per_s = cost,
+                                        .status = "ok"});
+  comparison.note = "Compared over 0.5 s: the motion cannot be predicted for 2 s.";
+  return comparison;
+}
+
+// Accuracy, comparison, the lesson about accuracy, the banner.
+TEST_P(Layouts, PanelsAboutErrorsAreReadable) {
+  GuiFixture gui(load_scene(find_scene("how_wrong")).scene);
+  resize(gui);
+  expect_in_order(gui, "lesson", "How wrong is it");
+  gui.app().handle(Request(Control(RunTo{0.5})));
+  for (int i = 0; i < 10000 && (gui.status().run.running || gui.status().run.frames == 0); ++i) gui.frame();
+  gui.app().panels().accuracy_shown = true;
+  expect_in_order(gui, "accuracy", "Error of a frame");
+  gui.app().handle(Request(Control(SetAccuracy{AccuracyMode::Off})));
+  gui.frames(2);
+  expect_in_order(gui, "accuracy off", "Switched off");
+  gui.app().panels().accuracy_shown = false;
+
+  gui.app().panels().comparison.is_shown = true;
+  ComparisonStatus comparison;
+  const auto build = [&] {
+    ImGui::NewFrame();
+    PanelInput input = gui.app().panel_input({});
+    input.comparison = comparison;
+    Requests requests;
+    build_panels(input, gui.app().panels(), requests);
+    ImGui::Render();
+  };
+  expect_in_order(gui, "comparison", "Nothing compared yet", build);
+  comparison = {.is_running = true, .fraction = 0.0, .seconds = 12.0};
+  expect_in_order(gui, "comparison reference", "for 12 s so far", build);
+  comparison = {
+      .is_running = true, .fraction = 0.4, .seconds = 12.0, .result = std::make_shared<const MethodComparison>(compared_methods())};
+  expect_in_order(gui, "comparison in progress", "Measuring the methods", build);
+  comparison.is_running = false;
+  expect_in_order(gui, "comparison result", "Compare again", build);
+}
+
+TEST_P(Layouts, TheBannerOfAFailedRunIsReadable) {
+  Scene scene = full_scene();
+  scene.settings.substeps = 1;
+  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).stiffness = 1e7;
+  GuiFixture gui(scene);
+  resize(gui);
+  gui.key(Key::Space);
+  for (int i = 0; i < 2000 && gui.status().diagnosis.message.empty(); ++i) gui.frame();
+  expect_in_order(gui, "banner", "The simulation blew up");
 }
 
 TEST_P(Layouts, EveryMenuIsReadable) {

@@ -17,7 +17,7 @@ std::string text_of(GuiFixture& gui) {
   std::ranges::replace(text, '\n', ' ');
   return text;
 }
-bool eventually_shows(GuiFixture& gui, const std::string& text) {
+bool is_shown_later(GuiFixture& gui, const std::string& text) {
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   while (text_of(gui).find(text) == std::string::npos)
     if (std::chrono::steady_clock::now() > until) return false;
@@ -40,7 +40,7 @@ TEST(Wording, OfADampingRatioThatDiffers) {
   for (const double x : {0.0, 1.0}) sim.join(sim.nail({x, 0.0, 0.0}), sim.add({x, -0.5, 0.0}), 100.0, 0.5, 1.0 + x);
   sim.system.gravity = Vec3(0.0);
   GuiFixture gui(flat_scene("Two dampers", sim));
-  EXPECT_TRUE(eventually_shows(gui, "varies between parts")) << gui.text();
+  EXPECT_TRUE(is_shown_later(gui, "varies between parts")) << gui.text();
 }
 
 TEST(Wording, OfTooltips) {

@@ -1,0 +1,93 @@
+// Lists of methods and forces, and the comparison of methods.
+#include <gtest/gtest.h>
+
+#include "scene/shape.h"
+#include "sim/forces/force_term.h"
+#include "sim/integrator.h"
+#include "support/two_springs.h"
+
+namespace hooke {
+namespace {
+
+TEST(Forces, AreSwitchedSetAndRemovedInTheirPanel) {
+  Scene scene = two_springs();
+  scene.system.forces = {{find_force_term("wind"), false, default_values(*find_force_term("wind"))},
+                         {find_force_term("buoyancy"), true, default_values(*find_force_term("buoyancy"))}};
+  GuiFixture gui(scene);
+  ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
+  gui.app().resize({1280.0, 2000.0}, 1.0);
+  gui.frames(2);
+  gui.frames(2);
+
+  // the parameters of a force that is off are hidden
+  EXPECT_LT(gui.find("side", {"wind 0", "x", "##value"}).x, 0.0);
+  const glm::dvec2 box = gui.find("side", {"wind 0", "##on"});
+  ASSERT_GT(box.x, 0.0);
+  gui.click(box);
+  EXPECT_TRUE(gui.system().forces[0].on);
+  EXPECT_GT(gui.find("side", {"wind 0", "x", "##value"}).x, 0.0);
+
+  const glm::dvec2 lift = gui.find("side", {"buoyancy 1", "lift", "##value"});
+  gui.drag(lift, lift + glm::dvec2(500.0, 0.0));
+  EXPECT_EQ(gui.system().forces[1].values[0], 2.0);
+  gui.key(letter('Z'), {.control = true});
+  EXPECT_EQ(gui.system().forces[1].values[0], 0.5);
+
+  gui.click(gui.find("side", {"wind 0", "remove"}));
+  ASSERT_EQ(gui.system().forces.size(), 1u);
+  EXPECT_EQ(gui.system().forces[0].term, find_force_term("buoyancy"));
+}
+
+TEST(Forces, EachCanBeAddedFromTheList) {
+  for (const ForceTerm& term : force_terms()) {
+    GuiFixture gui(two_springs());
+    ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
+    gui.app().resize({1280.0, 2000.0}, 1.0);
+    gui.frames(2);
+    gui.frames(2);
+    gui.click(gui.find("side", {"Forces"}));  // expands the group
+    gui.click(gui.find("side", {"##add"}));
+    gui.frames(2);
+    gui.click(gui.find("##Combo_00", {term.label.data()}));
+    ASSERT_EQ(gui.system().forces.size(), 1u) << term.id;
+    EXPECT_EQ(gui.system().forces[0].term, &term);
+    EXPECT_TRUE(gui.system().forces[0].on);
+  }
+}
+
+TEST(Methods, EachCanBeChosenFromTheList) {
+  GuiFixture gui(two_springs());
+  gui.click(gui.find("side", {"##method"}));
+  gui.frames(2);
+  const std::string words = gui.text();
+  for (const Integrator& method : integrators()) EXPECT_NE(words.find(method.label), std::string::npos) << method.label;
+}
+
+// The chart of cost against error is computed beside the window, and Cancel ends the work.
+TEST(Comparison, RunsInTheBackgroundUntilCanceled) {
+  GuiFixture gui(two_springs());
+  gui.key(letter('M'), {.control = true, .shift = true});
+  EXPECT_NE(gui.text().find("Compare methods on this scene"), std::string::npos);
+  EXPECT_TRUE(gui.app().panel_input({}).comparison.is_running);
+  EXPECT_FALSE(gui.app().is_idle());
+  gui.click(gui.find("comparison", {"Cancel"}));
+  EXPECT_TRUE(eventually_shows(gui, "Stopped."));
+  EXPECT_FALSE(gui.app().panel_input({}).comparison.is_running);
+  gui.frames(3);
+  gui.click(gui.find("comparison", {"Close"}));
+  EXPECT_EQ(gui.text().find("Compare methods on this scene"), std::string::npos);
+}
+
+TEST(Comparison, ThePaletteFindsIt) {
+  for (const char* word : {"compare", "error", "accuracy"}) {
+    GuiFixture gui(two_springs());
+    gui.key(letter('P'), {.control = true, .shift = true});
+    gui.type(word);
+    const std::string words = gui.text();
+    const char* expected = std::string_view(word) == "accuracy" ? "Accuracy" : "Compare methods";
+    EXPECT_NE(words.find(expected), std::string::npos) << word << ": " << words;
+  }
+}
+
+}  // namespace
+}  // namespace hooke
