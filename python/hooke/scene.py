@@ -185,7 +185,7 @@ class Scene(Parameterized):
         """Adds a force of the table in docs/scene-format.md, such as "wind", or a function.
 
         force(time, positions, velocities) receives the time [s] and arrays of shape (points, 3) [m], [m/s], and returns the forces [N] in
-        the same shape. It is called at every evaluation of the forces, at least twice per substep, which is slow: about 10 us per call
+        the same shape. It is called at every evaluation of the forces, at least twice per substep, which is slow: microseconds per call
         instead of nanoseconds. It must depend on its arguments only. A method's stability limit does not take it into account.
         """
         if callable(force):

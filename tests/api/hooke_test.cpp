@@ -66,6 +66,22 @@ TEST(Interface, ReportsErrorsInOneLine) {
   EXPECT_EQ(kind_of([&] { simulation.set("nothing=1"); }), static_cast<int>(Usage));
 }
 
+TEST(Interface, ErrorsNameTheArgumentAndNotAnOption) {
+  v1::Scene scene;
+  const auto refusal = [](auto work) -> std::string {
+    try {
+      work();
+    } catch (const v1::Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal([&] { scene.set_substeps(0); }), "substeps: 0: must be from 1 to 1000000");
+  EXPECT_EQ(refusal([&] { scene.set_frame_rate(-1); }), "frame_rate: -1: must be more than 0");
+  EXPECT_EQ(refusal([&] { scene.set("drag=-1"); }), "set: drag=-1: must be from 0 to 100 [1/s]");
+  EXPECT_EQ(refusal([&] { scene.set_integrator("verlet"); }).find("integrator: verlet: must be one of explicit_euler, "), 0u);
+}
+
 TEST(Interface, CommandsTakeEffectAndAreUndone) {
   v1::Simulation simulation(v1::Scene::load("two_masses"));
   simulation.set("stiffness=321");
