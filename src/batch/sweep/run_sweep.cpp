@@ -44,7 +44,7 @@ SweepResults merge_sweeps(const std::vector<std::filesystem::path>& parts, const
   const JournalContents merged = merge_journals(journals);
   make_folder(folder);
   write_atomically(target, format_journal(merged.sweep, merged.rows));
-  const SweepResults results{merged.sweep, merged.rows};
+  SweepResults results{merged.sweep, merged.rows};
   save_sweep(results, folder);
   return results;
 }
