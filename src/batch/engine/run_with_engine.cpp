@@ -14,10 +14,10 @@
 
 #include "base/atomic_write.h"
 #include "base/errors.h"
+#include "base/option_error.h"
 #include "base/printable.h"
 #include "base/text_lines.h"
 #include "batch/engine/child_process.h"
-#include "edit/setting_text.h"
 #include "formats/lammps/lammps_dump.h"
 #include "formats/lammps/lammps_model.h"
 #include "lab/divergence_message.h"
@@ -127,7 +127,7 @@ class EngineRun {
 
  private:
   void check() const {
-    if (request_.run.sample) check_option("--sample", *request_.run.sample, positive);
+    if (request_.run.sample) check_option("sample", *request_.run.sample, positive);
     if (request_.run.accuracy != AccuracyMode::Off) throw UsageError("--accuracy: is not measured with --engine");
     const std::string method(default_integrator().id);
     if (scene_.settings.integrator != &default_integrator())
