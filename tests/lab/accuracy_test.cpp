@@ -216,7 +216,7 @@ TEST(AccuracyMeter, AfterAnEditItSaysThatItWaits) {
   const TestSim sim = net(8, 1e2, 0.0);
   Lab lab = measured_lab(scene_of(sim, {}));
   lab.apply_pending();
-  EXPECT_EQ(lab.accuracy().frame.reason, "no frame yet");
+  EXPECT_EQ(lab.accuracy().frame.reason, "not measured yet");
   for (int frame = 0; frame < 5; ++frame) lab.step();
   ASSERT_TRUE(lab.accuracy().frame.value);
   EXPECT_EQ(lab.accuracy().frame_time, 1.0 / 60.0);

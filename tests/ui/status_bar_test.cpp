@@ -22,6 +22,7 @@ TEST(AccuracyLines, LeaveOutThePredictabilityAndThenTheTotal) {
             (std::vector<std::string>{"error 21 \u03bcm/frame, 300 \u03bcm in total, predictable",
                                       "error 21 \u03bcm/frame, 300 \u03bcm in total", "error 21 \u03bcm/frame"}));
   EXPECT_EQ(accuracy_lines(measured(2.1e-5, {}, {})), std::vector<std::string>{"error 21 \u03bcm/frame"});
+  EXPECT_EQ(accuracy_line(measured(3e-14, 0.0, {})), "error < 1 pm/frame, 0 m in total");
   EXPECT_EQ(accuracy_line(measured(1e-9, 1.0, 2.0)), "error 1 nm/frame, 1 m in total, predictable for 2 s");
 }
 

@@ -75,9 +75,7 @@ void AccuracyMeter::repeat(const System& system) {
 void AccuracyMeter::measure_frame(Accuracy& accuracy) const {
   const auto& result = repetition_.result();
   std::string_view reason;
-  if (!is_started_)
-    reason = "no frame yet";
-  else if (!result)
+  if (!is_started_ || !result)
     reason = "not measured yet";
   else if (is_edited_)
     reason = "not yet measured since the last edit";
@@ -100,9 +98,7 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
   if (mode_ != AccuracyMode::Full) {
     accuracy.accumulated.reason = accuracy.amplification.reason = "the second runs are switched off";
   } else {
-    if (!is_started_)
-      accuracy.accumulated.reason = "no frame yet";
-    else if (!error)
+    if (!is_started_ || !error)
       accuracy.accumulated.reason = "not measured yet";
     else if (second_runs_.diverged())
       accuracy.accumulated.reason = "the run with half the step diverged";

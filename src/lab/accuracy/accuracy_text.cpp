@@ -21,7 +21,7 @@ std::string length_text(double length) {
   };
   for (const Unit& unit : {Unit{1.0, " m"}, Unit{1e-3, " mm"}, Unit{1e-6, " \u03bcm"}, Unit{1e-9, " nm"}, Unit{1e-12, " pm"}})
     if (length >= unit.size) return number_text(length / unit.size, 2) + unit.name;
-  return "0";
+  return length > 0.0 ? "< 1 pm" : "0 m";
 }
 
 std::string error_text(const Measured& error, double size) {

@@ -8,7 +8,7 @@
 
 namespace hooke {
 
-// Two digits with a unit for the size: "21 um", "0.34 mm", "1.2 m"; "0" below a picometre.
+// Two digits with a unit for the size: "21 um", "0.34 mm", "1.2 m"; "< 1 pm" for what is less.
 std::string length_text(double length);
 
 // "21 um (0.002 % of the size)", or the reason why it is not known.
