@@ -90,5 +90,17 @@ TEST(Wording, OfSavingAndRecording) {
   EXPECT_TRUE(shows(gui, "Save changes to \"net\"?"));
 }
 
+TEST(Wording, OfAnEmptyFolderNamesWhatTheDialogLists) {
+  const ScratchFolder folder;
+  std::ofstream(folder.folder / "cloth.hookelog") << "a recording, which is opened but not saved over";
+  GuiFixture gui(two_points());
+  gui.app().panels().open_file_dialog(Dialog::Kind::Save, folder.folder);
+  gui.frames(3);
+  EXPECT_TRUE(shows(gui, "No folders or scenes here."));
+  gui.app().panels().open_file_dialog(Dialog::Kind::Open, folder.folder);
+  gui.frames(3);
+  EXPECT_TRUE(shows(gui, "cloth.hookelog"));
+}
+
 }  // namespace
 }  // namespace hooke

@@ -127,7 +127,9 @@ bool folder_list(Dialog& dialog, FileDialogMode mode) {
   refresh(browser, mode, dialog.picks_mesh);
   if (!browser.listing.error.empty()) note("Cannot read this folder: " + browser.listing.error, palette::warning);
   if (browser.listing.items.empty() && browser.listing.error.empty())
-    note(dialog.picks_mesh ? "No folders or meshes here." : "No folders, scenes or recordings here.");
+    note(dialog.picks_mesh              ? "No folders or meshes here."
+         : mode == FileDialogMode::Save ? "No folders or scenes here."
+                                        : "No folders, scenes or recordings here.");
 
   const fs::path folder = browser.folder, chosen_path = resolved_path(dialog);
   fs::path next;
