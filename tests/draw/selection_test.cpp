@@ -6,7 +6,7 @@
 namespace hooke {
 namespace {
 
-constexpr int size = 320;  // [px], width and height of the picture
+constexpr int picture_size = 320;  // [px], width and height of the picture
 
 // A square net of n x n points with diagonals, which fills the picture.
 TestSim square_net(int n) {
@@ -32,8 +32,9 @@ TestSim square_net(int n) {
 // The fraction of the net's pixels that are strongly red.
 double red_fraction(const TestSim& net, const Marks& marks) {
   const Camera camera = make_camera({}, net.system, net.state, 1.0);
-  const Image image = draw(net, marks, camera, {.grid = false}, size, size);
-  const Vec3 min = camera.project({0.0, 0.0, 0.0}, {size, size}), max = camera.project({1.0, -1.0, 0.0}, {size, size});
+  const Image image = draw(net, marks, camera, {.grid = false}, picture_size, picture_size);
+  const Vec3 min = camera.project({0.0, 0.0, 0.0}, {picture_size, picture_size}),
+             max = camera.project({1.0, -1.0, 0.0}, {picture_size, picture_size});
   int red = 0, all = 0;
   for (int y = static_cast<int>(min.y); y < static_cast<int>(max.y); ++y)
     for (int x = static_cast<int>(min.x); x < static_cast<int>(max.x); ++x, ++all) {
@@ -64,7 +65,7 @@ TEST(Selection, OfADenseNetLeavesItsSpringsVisible) {
 // A single point is found in any net.
 TEST(Selection, OfOnePointOfADenseNetIsLargerThanThePoint) {
   const TestSim net = square_net(49);
-  const double pixels = red_fraction(net, {.selected_points = {net.system.points()[24 * 49 + 24].id}}) * size * size;
+  const double pixels = red_fraction(net, {.selected_points = {net.system.points()[24 * 49 + 24].id}}) * picture_size * picture_size;
   EXPECT_GT(pixels, 25.0);
 }
 
