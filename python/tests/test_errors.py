@@ -59,7 +59,7 @@ refused = [
     (lambda: pair().lab().grab(1, (0, 0, 0), pull=-1), "pull: -1: must be at least 0", ""),
     (lambda: pair().lab().remove(springs=[1]), "spring: 1: must be the number of one of the 1 springs, from 0", ""),
     (lambda: pair().lab().set_state(np.zeros((3, 3)), np.zeros((2, 3))), "positions: shape (3, 3): must be (2, 3)", ""),
-    (lambda: pair().lab().record("/nowhere/a.hookelog"), "/nowhere/a.hookelog: cannot be written: ", ""),
+    (lambda: pair().lab().record("/nowhere/a.hookelog"), "/nowhere/a.hookelog: cannot be written: No such file", ""),
     (lambda: setattr(pair(), "positions", np.full((2, 3), inf)), "positions[0]: must be finite numbers", ""),
     (lambda: setattr(pair(), "masses", [1, inf]), "masses[1]: inf: must be a finite number", ""),
     (lambda: setattr(pair(), "masses", [1, 2, 3]), "masses: shape (3,): must be one number or (2,)", ""),
@@ -99,7 +99,7 @@ refused = [
     (lambda: pair().capture("a.png", fps=1000), "fps: 1000: must be at most the frame rate of the scene, 60", ""),
     (lambda: pair().capture("a.png", fail_above=0), "fail_above: 0: must be more than 0", ""),
     (lambda: pair().sweep({}, "max_strain", 1), "vary: must not be empty", ""),
-    (lambda: pair().sweep({"stifness": [1]}, "max_strain", 1), "vary: stifness=1: ", ""),
+    (lambda: pair().sweep({"stifness": [1]}, "max_strain", 1), "vary: stifness=1: no such parameter: ", "; did you mean stiffness?"),
     (lambda: pair().sweep({"stiffness": [1, nan]}, "max_strain", 1), "vary: stiffness=1.0,nan: nan: must be", ""),
     (lambda: pair().sweep({"stiffness": [1]}, "speed", 1), "measure: speed: must be one of ", ""),
 ]

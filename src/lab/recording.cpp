@@ -245,7 +245,17 @@ Recording read_recording(const std::filesystem::path& file) { return parse_recor
 
 Recording parse_recording(const std::string& text, const std::string& name) { return RecordingReader(text, name).read(); }
 
+namespace {
+
+// Throws FileError with the reason of the system.
+void check_written(const std::ofstream& out, const std::filesystem::path& file) {
+  if (!out) throw FileError(printable(file.native()) + ": cannot be written: " + std::strerror(errno != 0 ? errno : EIO));
+}
+
+}  // namespace
+
 RecordingWriter::RecordingWriter(const std::filesystem::path& file, const Scene& start) : file_(file), out_(file, std::ios::binary) {
+  check_written(out_, file_);
   write_line("{\"hooke_recording\": " + std::to_string(newest_recording_version) + ", \"program\": " + to_json(program_version) + "}");
   record_scene(start);
 }
@@ -279,13 +289,13 @@ void RecordingWriter::write_line(const std::string& line) {
     throw FileError(printable(file_.native()) + ": the recording is full: files of more than 256 MiB are not read");
   errno = 0;
   out_ << line << '\n';
-  if (!out_) throw FileError(printable(file_.native()) + ": cannot be written: " + std::strerror(errno != 0 ? errno : EIO));
+  check_written(out_, file_);
 }
 
 void RecordingWriter::close() {
   errno = 0;
   out_.close();
-  if (!out_) throw FileError(printable(file_.native()) + ": cannot be written: " + std::strerror(errno != 0 ? errno : EIO));
+  check_written(out_, file_);
 }
 
 }  // namespace hooke

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/formatted.h"
+#include "base/option_error.h"
 #include "base/printable.h"
 #include "batch/sweep/sweep.h"
 #include "edit/setting_text.h"
@@ -67,8 +68,9 @@ std::string parse_range(const std::vector<std::string_view>& parts, SweepAxis& a
 std::string parse_axis(std::string_view text, SweepAxis& axis) {
   const std::size_t equals = text.find('=');
   if (equals == std::string_view::npos) return "must be NAME=VALUES";
-  axis.parameter = find_parameter(text.substr(0, equals));
-  if (axis.parameter == nullptr) return "must name one of " + names_of_parameters();
+  const std::string_view name = text.substr(0, equals);
+  axis.parameter = find_parameter(name);
+  if (axis.parameter == nullptr) return "no such parameter: " + must_be_one_of(names_of_parameters(), name);
   text.remove_prefix(equals + 1);
   if (text.find(':') != std::string_view::npos) return parse_range(split(text, ':'), axis);
 
@@ -93,7 +95,7 @@ std::string parse_measures(std::string_view list, Index points, Index springs, s
     }
     if (name != "cpu" || measure.of != Of::End) {
       measure.quantity = find_quantity(name, points, springs);
-      if (!measure.quantity) return printable(word, 80) + ": must be one of " + measure_names();
+      if (!measure.quantity) return printable(word, 80) + ": " + must_be_one_of(measure_names(), name);
     }
     if (std::ranges::count(measures, measure.name, &SweepMeasure::name) > 0) return printable(word, 80) + ": is repeated";
     measures.push_back(std::move(measure));
