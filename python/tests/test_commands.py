@@ -45,13 +45,27 @@ def test_a_chart_without_matplotlib_names_the_package(chart, monkeypatch):
         chart.plot()
 
 
-def test_the_parts_of_a_benchmark_are_merged_into_all_of_it(tmp_path):
+def test_the_parts_of_a_benchmark_are_merged_into_that_of_the_command_line(tmp_path, command_line):
+    def measured(rows):
+        return {(row["method"], row["setting"]): row for row in rows}
+
     methods = ["symplectic_euler", "velocity_verlet"]
     for part in (1, 2):
         chart = hooke.bench("net_w2", methods, quick=True, shard=f"{part}/2", out=tmp_path / str(part))
         assert {row["method"] for row in chart.rows} == {methods[part - 1]}
     merged = hooke.merge_benches([tmp_path / "1", tmp_path / "2"], tmp_path / "all")
     assert {row["method"] for row in merged.rows} == set(methods) and (tmp_path / "all" / "bench.csv").exists()
+    command_line("bench", "net_w2", "--methods", ",".join(methods), "--quick", "--quiet", "--out", str(tmp_path / "printed"))
+    problem = json.loads((tmp_path / "printed" / "bench.json").read_text())["scenes"][0]
+    assert problem["fingerprint"] == merged.problems[0]["fingerprint"]
+    # how far each method and the reference get within the time depends on the machine; what a setting does, does not
+    ours, theirs = measured(merged.rows), measured(problem["rows"])
+    common = ours.keys() & theirs.keys()
+    assert common
+    for setting in common:
+        for column in ("step_s", "energy_drift", "strain_error", "status"):
+            assert ours[setting][column] == theirs[setting][column]
+        assert ours[setting]["error_m"] == pytest.approx(theirs[setting]["error_m"], rel=1e-6)
 
 
 def test_checks_are_those_of_the_command_line(command_line):
