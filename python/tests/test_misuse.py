@@ -34,6 +34,28 @@ def test_threads_that_step_the_same_lab_take_turns():
     assert lab.hash == expected.hash
 
 
+def test_threads_that_draw_take_turns(tmp_path):
+    def draw(number):
+        hooke.load("two_masses").capture(tmp_path / f"{number}.png", size=(320, 180), frames=3, ui=number % 2 == 0)
+
+    threads = [threading.Thread(target=draw, args=(number,)) for number in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    pictures = [(tmp_path / f"{number}.png").read_bytes() for number in range(4)]
+    assert pictures[0] == pictures[2] and pictures[1] == pictures[3]
+    draw(4)
+    assert (tmp_path / "4.png").read_bytes() == pictures[0]
+
+
+def test_a_force_cannot_draw_while_its_scene_is_drawn(tmp_path):
+    scene = falling_point()
+    scene.add_force(lambda time, positions, velocities: hooke.load("two_masses").capture(tmp_path / "other.png"))
+    with pytest.raises(hooke.UsageError, match="capture: is drawing"):
+        scene.capture(tmp_path / "a.png", seconds=1, size=(64, 40))
+
+
 def test_a_scene_can_be_changed_and_deleted_while_it_runs():
     scene = hooke.load("cloth")
     expected = scene.run(0.5, accuracy="off").hash

@@ -3,6 +3,7 @@
 #include "batch/capture.h"
 #include "lab/recording.h"
 #include "python/scene_binding.h"
+#include "python/turn.h"
 
 namespace hooke::python {
 namespace {
@@ -34,6 +35,9 @@ CaptureOptions capture_options(const std::string& out, const py::dict& options) 
 
 // (diverged, the first frame beyond fail_above, the difference of a replay, the message of a divergence)
 py::tuple capture(Lab& lab, const CaptureOptions& options, double length, const Scene* start, const py::object& progress) {
+  // OpenGL's functions and the context of the panels belong to the process
+  static Shared drawing;
+  const Turn turn(drawing, "capture: is drawing: a force cannot draw another picture");
   Watch watch(progress);
   const WatchedLab watched(lab, watch);
   CaptureResults results;

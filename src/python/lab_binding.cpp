@@ -2,8 +2,6 @@
 
 #include <pybind11/stl.h>
 
-#include <chrono>
-
 #include "base/finite.h"
 #include "batch/run_report.h"
 #include "formats/open_file.h"
@@ -199,23 +197,6 @@ py::tuple replay(const std::string& file, py::object progress) {
 }
 
 }  // namespace
-
-Use::Use(NamedLab& lab) : lab_(lab) {
-  if (lab.user == std::this_thread::get_id()) throw UsageError("lab: is computing a frame: a force cannot use it");
-  for (bool is_locked = lab.mutex.try_lock(); !is_locked;) {
-    {
-      const py::gil_scoped_release unlocked;
-      is_locked = lab.mutex.try_lock_for(std::chrono::milliseconds(100));
-    }
-    if (!is_locked && PyErr_CheckSignals() != 0) throw py::error_already_set();
-  }
-  lab.user = std::this_thread::get_id();
-}
-
-Use::~Use() {
-  lab_.user = std::thread::id();
-  lab_.mutex.unlock();
-}
 
 AccuracyMode accuracy_named(const std::string& name) {
   if (name == "off") return AccuracyMode::Off;

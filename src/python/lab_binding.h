@@ -1,15 +1,13 @@
 // The laboratory as Python holds it.
 #pragma once
 
-#include <atomic>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "lab/lab.h"
 #include "python/scene_binding.h"
+#include "python/turn.h"
 
 namespace hooke::python {
 
@@ -20,23 +18,18 @@ struct NamedLab {
   std::string name;
   std::vector<ForceFunction> functions;
   Lab lab;
-  bool is_in_run = false;             // `run` computes its frames
-  py::object positions, velocities;   // read-only arrays of the present state; null until they are read
-  std::timed_mutex mutex;             // locked while a thread uses it
-  std::atomic<std::thread::id> user;  // that thread
+  bool is_in_run = false;            // `run` computes its frames
+  py::object positions, velocities;  // read-only arrays of the present state; null until they are read
+  Shared shared;
 };
 
-// One thread uses a laboratory at a time. Waits for another one, without the interpreter lock, until Ctrl+C. Throws UsageError if this
-// thread uses it already: a force that is a Python function calls back.
+// One thread uses a laboratory at a time. Throws UsageError if a force that is a Python function uses the laboratory that calls it.
 class Use {
  public:
-  explicit Use(NamedLab& lab);
-  ~Use();
-  Use(const Use&) = delete;
-  Use& operator=(const Use&) = delete;
+  explicit Use(NamedLab& lab) : turn_(lab.shared, "lab: is computing a frame: a force cannot use it") {}
 
  private:
-  NamedLab& lab_;
+  Turn turn_;
 };
 
 // A use after which the state differs.
