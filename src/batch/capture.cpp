@@ -1,8 +1,10 @@
 #include "batch/capture.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
+#include "base/option_error.h"
 #include "batch/capture_report.h"
 #include "batch/offscreen.h"
 #include "draw/view.h"
@@ -83,6 +85,12 @@ class FrameCapture {
 CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double length,
                               const std::function<bool(long done, long all)>& should_continue) {
   const PictureSize size = parse_size(options.size);
+  // the panels need space
+  const int min_width = static_cast<int>(std::ceil(min_panel_size.width * options.scale));
+  const int min_height = static_cast<int>(std::ceil(min_panel_size.height * options.scale));
+  if (options.panels && (size.width < min_width || size.height < min_height))
+    throw OptionError("size", options.size,
+                      "must be at least " + std::to_string(min_width) + "x" + std::to_string(min_height) + " with panels of this scale");
   const Destination destination = parse_destination(options.out);
   std::optional<CameraPose> pose;
   if (options.camera) pose = parse_camera(*options.camera);

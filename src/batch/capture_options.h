@@ -30,6 +30,8 @@ struct PictureSize {
   int width, height;
 };
 
+inline constexpr PictureSize min_panel_size{320, 180};  // [px], of pictures with panels at scale 1
+
 // Throws UsageError.
 PictureSize parse_size(const std::string& text);
 CameraPose parse_camera(const std::string& text);

@@ -157,6 +157,7 @@ TEST(Capture, RefusesInOneLine) {
       {"two_masses --out a.png --size 640", 2, "--size 640:" + size},
       {"two_masses --out a.png --size 640x480x2", 2, "--size 640x480x2:" + size},
       {"two_masses --out a.png --size 8193x9", 2, "--size 8193x9:" + size},
+      {"two_masses --out a.png --ui --size 64x40", 2, "--size 64x40: must be at least 320x180 with panels of this scale\n"},
       {"two_masses --out a.png --camera 1,2,3", 2, "--camera 1,2,3:" + camera},
       {"two_masses --out a.png --camera 1,2,3,1,2,3", 2, "--camera 1,2,3,1,2,3:" + camera},
       {"two_masses --out a.png --camera nan,2,3,1,2,3", 2, "--camera nan,2,3,1,2,3:" + camera},
