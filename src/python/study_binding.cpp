@@ -89,7 +89,7 @@ std::optional<std::string> save_bench(const std::string& json, const std::string
 // (method, passed, measured) for each method of the scene's check.
 py::list check(const NamedScene& scene) {
   // a copy: other threads may change the scene meanwhile
-  const NamedScene checked = scene;
+  const NamedScene checked = scene;  // NOLINT(performance-unnecessary-copy-initialization)
   Watch watch((py::none()));
   std::vector<CheckResult> results;
   {
