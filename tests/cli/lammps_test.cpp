@@ -216,7 +216,7 @@ TEST(Lammps, CtrlCEndsTheEngineAndLeavesNoFiles) {
       if (entry.path().filename() == "scene.dump") return true;
     return false;
   };
-  while (!dump()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  for (int i = 0; i < 3000 && !dump(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   kill(child, SIGINT);
   EXPECT_EQ(wait_for(child), 130);
   unsetenv("TMPDIR");

@@ -126,7 +126,8 @@ pid_t start_long_sweep(const fs::path& out) {
   const pid_t child = start_process(
       {HOOKE_HEADLESS, "sweep", "rope", "--vary", "substeps=64:900:lin:500", "--measure", "cpu", "--seconds", "5", "-q", "--out", out},
       STDERR_FILENO, STDERR_FILENO);
-  while (std::ranges::count(contents(out / "sweep.jsonl"), '\n') < 3) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  for (int i = 0; i < 30'000 && std::ranges::count(contents(out / "sweep.jsonl"), '\n') < 3; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   return child;
 }
 
