@@ -61,12 +61,14 @@ struct Dock {
 };
 // `width`: of the panel; `min_scene`: of the scene, below which the panel takes the place of the side panel [design units].
 inline Dock dock_panel(const Layout& layout, double scale, double width, double min_scene, bool at_right = false) {
-  constexpr double edge = 14.0;
+  constexpr double edge = 14.0, min_height = 320.0;  // [design units]
   const Rect& scene = layout.scene;
   if (layout.side.width > 0.0 && scene.width < min_scene * scale) return {layout.side, false};
   const double wide = std::min(width * scale, std::max(1.0, scene.width - 2.0 * edge * scale));
   const double x = at_right ? scene.x + scene.width - wide - edge * scale : scene.x + edge * scale;
-  return {{x, scene.y + edge * scale, wide, std::max(1.0, layout.page.height - 2.0 * edge * scale)}, true};
+  // over plots and the timeline only where the scene is low
+  const double height = scene.height > min_height * scale ? scene.height : layout.page.height;
+  return {{x, scene.y + edge * scale, wide, std::max(1.0, height - 2.0 * edge * scale)}, true};
 }
 inline Dock placement_dock(const Layout& layout, double scale) { return dock_panel(layout, scale, 310.0, 620.0); }
 
