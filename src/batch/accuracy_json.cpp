@@ -61,7 +61,12 @@ void write_energy_balance(JsonWriter& json, const Accuracy& accuracy) {
            std::pair{"contact", balance.contact},
            std::pair{"method", balance.method},
        })
-    json.number(name, value);
+    if (std::isfinite(value)) {
+      json.number(name, value);
+    } else {
+      json.key(name);
+      json.null();
+    }
   json.end();
 }
 

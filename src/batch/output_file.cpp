@@ -50,6 +50,27 @@ void OutputFile::close() {
   if (std::fclose(stream) != 0) fail(display_name_, errno);
 }
 
+void require_separate_files(const std::string& input, std::initializer_list<NamedOutput> outputs) {
+  namespace fs = std::filesystem;
+  const auto is_same = [](const std::string& a, const std::string& b) {
+    std::error_code error;
+    if (a == "-" || b == "-") return a == b;
+    if (is_stream(a) || is_stream(b)) return false;
+    if (fs::equivalent(a, b, error) && !error) return true;
+    return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error) && !error;
+  };
+  for (const NamedOutput* output = outputs.begin(); output != outputs.end(); ++output) {
+    if (!output->file) continue;
+    const std::string name = std::string(output->option) + " " + printable(*output->file, 80);
+    // the name of a shipped scene is no file
+    if (std::error_code error; *output->file != "-" && fs::exists(input, error) && is_same(*output->file, input))
+      throw UsageError(name + ": would replace the scene");
+    for (const NamedOutput* earlier = outputs.begin(); earlier != output; ++earlier)
+      if (earlier->file && is_same(*earlier->file, *output->file))
+        throw UsageError(name + ": is the file of " + std::string(earlier->option) + " too");
+  }
+}
+
 void flush_stdout() {
   errno = 0;
   std::cout.flush();

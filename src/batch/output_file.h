@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdio>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,14 @@ class OutputFile {
   std::optional<AtomicFile> regular_;
   std::FILE* stream_ = nullptr;  // null: the file is a regular one
 };
+
+// The file of an option; none: not given.
+struct NamedOutput {
+  std::string_view option;  // "--json"
+  const std::optional<std::string>& file;
+};
+// Throws UsageError if two outputs are the same file, or one is the input, which it would replace. "-" is stdout.
+void require_separate_files(const std::string& input, std::initializer_list<NamedOutput> outputs);
 
 // Flushes stdout. Throws FileError if any output of the program to stdout is lost.
 void flush_stdout();

@@ -18,6 +18,21 @@ CLI::Validator within(const Bounds& bounds) {
   return CLI::Validator(check, "", "");
 }
 
+CLI::Validator one_of(std::vector<std::string> names) {
+  const auto check = [names = std::move(names)](std::string& text) {
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (text == names[i]) {
+        text = std::to_string(i);
+        return std::string();
+      }
+      list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+    }
+    return printable(text, 80) + ": must be " + list;
+  };
+  return CLI::Validator(check, "", "");
+}
+
 std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene) {
   auto options = std::make_shared<SceneOptions>();
   app.add_option("SCENE", options->scene, "A file (" + readable_extensions() + "), or the name of a shipped scene")

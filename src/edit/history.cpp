@@ -94,7 +94,7 @@ void History::mark_saved() {
   saved_ = done_.size();
   lost_.clear();
   list_.reset();
-  // what is still going on, as the drag of a slider, is another step from here on
+  // an edit in progress, such as the drag of a slider, is another step from here on
   if (!done_.empty()) done_.back().gesture = 0;
 }
 

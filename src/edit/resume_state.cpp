@@ -109,7 +109,8 @@ void restore_resume_state(const JsonField& field, Scene& scene) {
     if (rest.tears[i]->before > i) field.refuse("tears: each must come after an earlier one");
   if (rest.torn > rest.tears.size()) field.refuse("torn: must be one of the tears");
   const EnergyLedger& ledger = rest.ledger;
-  for (const double value : {ledger.net_input, ledger.scale, ledger.hand_stretch, ledger.extent.value_or(0.0), ledger.speed.value_or(0.0)})
+  for (const double value : {ledger.net_input, ledger.scale, ledger.hand_stretch, ledger.extent.value_or(0.0), ledger.speed.value_or(0.0),
+                             ledger.reversible.value_or(0.0), ledger.min_reversible.value_or(0.0), ledger.max_reversible.value_or(0.0)})
     if (!std::isfinite(value)) field.refuse("ledger: must be numbers below 1.8e308");
   restore_ids(rest, scene);
   scene.state.torn = rest.torn;

@@ -125,10 +125,10 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   ++edits_;
 }
 
-// The scene has not run yet, or has gone back: what is moved now, moves the start.
+// The scene has not run yet, or is back at its start: what is moved now is moved at the start too.
 bool Lab::is_at_start() const { return start_.scene() && !running_ && scene_.state.time == start_.scene()->state.time; }
 
-// Playing with a running scene changes no document: what the hand drags, tears or releases is back at the start.
+// Interaction with a running scene does not change the document: going back to the start restores what the hand dragged, tore or released.
 History::Of Lab::changed_by(const Command& command) const {
   using Of = History::Of;
   const Of of_places = is_at_start() || !start_.scene() ? Of::Document : Of::Run;

@@ -47,10 +47,12 @@ std::vector<Command> commands_to_reset_parameters(const Scene& now, const Scene&
   std::vector<Collider> colliders = carried_colliders(now.system, now.state);
   if (const auto& list = opened.system.colliders; list.size() == colliders.size()) {
     bool differs = false;
-    for (std::size_t c = 0; c < colliders.size(); ++c) {
-      differs = differs || colliders[c].restitution != list[c].restitution || colliders[c].friction != list[c].friction;
-      colliders[c].restitution = list[c].restitution;
-      colliders[c].friction = list[c].friction;
+    for (const Parameter& row : parameters()) {
+      if (row.scope != Parameter::Scope::Colliders) continue;
+      for (std::size_t c = 0; c < colliders.size(); ++c) {
+        differs = differs || colliders[c].*row.collider != list[c].*row.collider;
+        colliders[c].*row.collider = list[c].*row.collider;
+      }
     }
     if (differs) commands.emplace_back(SetColliders{std::move(colliders)});
   }

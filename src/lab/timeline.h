@@ -15,7 +15,7 @@ class Timeline {
   // Beyond this many states or bytes the oldest are discarded, but never the newest.
   static constexpr std::size_t max_states = 2000, max_bytes = std::size_t{100} << 20;
 
-  // Appends a state. States at its time or later are discarded: the run took another course from there. `continues`: it follows from the
+  // Appends a state. States at its time or later are discarded: the run continues differently from there. `continues`: it follows from the
   // state before it by a frame of the simulation.
   void record(const State& state, bool continues = true);
   void clear();

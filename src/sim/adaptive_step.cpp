@@ -63,9 +63,13 @@ void AdaptiveStep::begin_frame(const Plan& plan, const Motion& motion) {
 
 // Strain limit first, then contact. Returns whether anything touched.
 bool AdaptiveStep::correct(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, bool ends) {
-  if (ends && !plan.max_length.empty() && limit_strain(plan, motion)) motion.acceleration_is_current = false;
+  if (ends && !plan.max_length.empty() && limit_strain(plan, motion)) {
+    motion.acceleration_is_current = false;
+    was_corrected_ = true;
+  }
   if (plan.colliders.empty() || !resolve_contacts(plan, before, motion, h)) return false;
   motion.acceleration_is_current = false;
+  was_corrected_ = true;
   return true;
 }
 
@@ -95,6 +99,7 @@ double AdaptiveStep::advance_in_halves(const Plan& plan, const Integrator& metho
 }
 
 double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval) {
+  was_corrected_ = false;
   if (!has_corrections(plan)) return method.advance(plan, motion, work, interval);
 
   // the strain limit is imposed once per substep and does not converge with the step, so that no step would be short enough for it

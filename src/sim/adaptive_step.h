@@ -28,6 +28,8 @@ class AdaptiveStep {
   // Advances the motion by one step of at most `interval` [s], to the end of the substep, with contacts and, at that end, the strain
   // limit. Leaves motion.time. Returns the length of the step; 0: no step is short enough for a finite error.
   double advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval);
+  // Whether contact or the strain limit moved points in the last step.
+  bool was_corrected() const { return was_corrected_; }
 
  private:
   bool correct(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, bool ends);
@@ -36,6 +38,7 @@ class AdaptiveStep {
 
   ContactWorkspace before_, piece_;
   Field coarse_x_, coarse_v_;
+  bool was_corrected_ = false;
 };
 
 }  // namespace hooke

@@ -73,17 +73,26 @@ bool is_finite(const State& state) {
 
 namespace {
 
-// The minimum of the supplied energy [J]: M g L; without gravity, 1e-9 of sum k l0^2.
-double min_scale(const System& system, const State& state) {
-  double springs = 0.0;
-  for (const Spring& spring : system.springs()) springs += system.stiffness_of(spring) * spring.rest_length * spring.rest_length;
-  return std::max({reference_energy(system, state), 1e-9 * springs, 1e-300});
-}
-
 double max_length(const std::vector<Vec3>& vectors) {
   double max = 0.0;
   for (const Vec3& v : vectors) max = std::max(max, glm::dot(v, v));
   return std::sqrt(max);
+}
+
+double mass_of(const System& system) {
+  double mass = 0.0;
+  for (const Point& point : system.points()) mass += point.mass;
+  return mass;
+}
+
+// The minimum of the supplied energy [J]: M g L; without gravity, 1e-9 of sum k l0^2; where only listed forces act, 1e-20 of M (w L)^2,
+// because rounding moves points that are at rest in the center of a force.
+double min_scale(const System& system, const State& state) {
+  double springs = 0.0;
+  for (const Spring& spring : system.springs()) springs += system.stiffness_of(spring) * spring.rest_length * spring.rest_length;
+  const double w = bound_spectrum(system).force_omega, distance = max_length(state.position);
+  const double forces = std::isfinite(w) && std::isfinite(distance) ? 1e-20 * mass_of(system) * w * w * distance * distance : 0.0;
+  return std::max({reference_energy(system, state), 1e-9 * springs, forces, 1e-300});
 }
 
 void record_extent(State& state) {
@@ -118,13 +127,12 @@ std::optional<Divergence> find_divergence(const System& system, const State& sta
   Divergence divergence{.time = state.time, .scale = state.ledger.scale};
 
   // moving air accelerates points up to its speed
-  double mass = 0.0;
-  for (const Point& point : system.points()) mass += point.mass;
-  if (system.drag_rate() > 0.0) divergence.scale += mass * glm::dot(system.wind, system.wind);
+  if (system.drag_rate() > 0.0) divergence.scale += mass_of(system) * glm::dot(system.wind, system.wind);
 
   divergence.energy = energy.total() - state.ledger.net_input;
   const double present = energy.kinetic + energy.elastic;
-  if (!is_finite(state) || !std::isfinite(energy.total()))
+  // the work of a force may overflow before the state does
+  if (!is_finite(state) || !std::isfinite(divergence.energy) || !std::isfinite(divergence.scale))
     divergence.kind = Divergence::Kind::NotFinite;
   else if (failure != StepFailure::None)
     divergence.kind = failure == StepFailure::TooShort ? Divergence::Kind::StepTooShort : Divergence::Kind::TooManySteps;

@@ -167,7 +167,7 @@ void set_values(const Grid& grid, std::span<const double> per_spring, double mis
   for (std::size_t direction = 0; direction < Grid::directions; ++direction) {
     const std::vector<Index>& spring = grid.spring[direction];
     const auto number_of = [&](std::size_t cell) { return spring[cell] == no_index ? missing : per_spring[spring[cell]]; };
-    // the last row has springs to the right only; no kernel asks for its others
+    // the last row has springs to the right only; no kernel reads the others
     const std::size_t rows = grid.rows - (direction == Grid::Right ? 0 : 1);
     bool is_uniform = !each_row;
     for (std::size_t cell = pitch; is_uniform && cell < rows * pitch; ++cell) is_uniform = number_of(cell) == number_of(cell % pitch);

@@ -25,7 +25,8 @@ struct Motion {
   double collider_work = 0.0, break_work = 0.0, limit_work = 0.0;
   double contact_work = 0.0;                    // [J], of impacts and friction on colliders that do not move; negative: dissipated
   double hand_work = 0.0, abs_hand_work = 0.0;  // [J], of the hand, and the sum of the magnitudes over the substeps
-  double force_work = 0.0;                      // [J], of the listed forces
+  double force_work = 0.0;                      // [J], of the listed forces and moving air
+  double reversible_work = 0.0;                 // [J], the part of it that follows from potentials
   double local_error = 0.0;  // [m], sum over the steps of the error estimates of the method, RMS over the points; 0 if it has none
 };
 

@@ -316,6 +316,8 @@ double plausible_reach(const System& system, const Spectrum& spectrum, double ex
     acceleration += bound.acceleration;
     speed += bound.speed;
   }
+  // A repulsion that increases with the distance leads anywhere within a short time, and no method follows it there.
+  if (!std::isfinite(acceleration)) return std::max(1e9, 1e12 * (extent + time * speed));
   speed += glm::length(system.wind) + system.hand_speed + spectrum.omega * extent;
   return margin * (extent + time * (speed + time * acceleration));
 }

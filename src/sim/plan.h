@@ -127,8 +127,8 @@ struct Plan {
   }
 };
 
-// Springs from which on a scene is stepped in grids and flights (flight.h). Smaller ones take no time worth saving, and play recordings
-// of earlier versions to the same bits.
+// The number of springs from which a scene is stepped in grids and flights (flight.h). In smaller scenes there is little time to save, and
+// recordings of earlier versions replay with the same bits.
 inline constexpr Index min_springs_of_grids = 256;
 
 // Compiles the structure and the values. O(springs log springs).

@@ -1,6 +1,18 @@
 #include "sim/state.h"
 
+#include <algorithm>
+
 namespace hooke {
+
+void EnergyLedger::add_reversible(double work) {
+  if (work == 0.0) return;
+  net_input += work;
+  const double sum = reversible.value_or(0.0) + work, low = min_reversible.value_or(0.0), high = max_reversible.value_or(0.0);
+  scale += std::max(0.0, low - sum) + std::max(0.0, sum - high);
+  reversible = sum;
+  min_reversible = std::min(low, sum);
+  max_reversible = std::max(high, sum);
+}
 
 Collider carried_collider(const System& system, const State& state, std::size_t collider) {
   Collider result = system.colliders[collider];

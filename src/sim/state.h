@@ -17,6 +17,10 @@ struct EnergyLedger {
   // Bounds on the motion supplied so far, used to bound how far it can lead: the maximum distance from the origin [m] and the maximum speed
   // [m/s] at the start, after edits and of the hand. None: not recorded.
   std::optional<double> extent{}, speed{};
+  // Work of forces with a potential since the start, and its minimum and maximum [J]. It comes and goes, as on an orbit: the scale contains
+  // its range and not the sum. None: 0.
+  std::optional<double> reversible{}, min_reversible{}, max_reversible{};
+  void add_reversible(double work);
   bool operator==(const EnergyLedger&) const = default;
 };
 

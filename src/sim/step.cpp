@@ -95,8 +95,10 @@ bool Frame::fly(Plan& plan) {
 void Frame::substep(Plan& plan) {
   const int done_before = substeps_done_;
   if (fly(plan)) {
-    act(plan, false);
-    motion_.force_work += force_work_.end_substep(plan, motion_, (substeps_done_ - done_before) * h_);
+    const double flown = (substeps_done_ - done_before) * h_;
+    force_work_.integrate_power(plan, motion_, flown, false);
+    const bool is_moved = act(plan, false);
+    force_work_.end_substep(plan, motion_, flown, is_moved);
     return;
   }
 
@@ -133,18 +135,22 @@ void Frame::substep(Plan& plan) {
     motion_.abs_hand_work += std::abs(work);
   }
   // an adaptive step includes the strain limit and contact
+  force_work_.integrate_power(plan, motion_, length, is_adaptive && adaptive_step_.was_corrected());
+  bool is_moved = false;
   if (!is_adaptive)
-    act(plan, true);
+    is_moved = act(plan, true);
   else if (ends)
     break_long_springs(plan);
-  motion_.force_work += force_work_.end_substep(plan, motion_, length);
+  force_work_.end_substep(plan, motion_, length, is_moved);
 }
 
-// What acts between two substeps: strain limit first, then contact, and only then do springs break.
-void Frame::act(Plan& plan, bool may_touch) {
-  if (!plan.max_length.empty() && limit_strain(plan, motion_)) motion_.acceleration_is_current = false;
-  if (may_touch && !plan.colliders.empty() && resolve_contacts(plan, before_, motion_, h_)) motion_.acceleration_is_current = false;
+// What acts between two substeps: strain limit first, then contact, and only then do springs break. Returns whether points were moved.
+bool Frame::act(Plan& plan, bool may_touch) {
+  bool is_moved = !plan.max_length.empty() && limit_strain(plan, motion_);
+  if (may_touch && !plan.colliders.empty() && resolve_contacts(plan, before_, motion_, h_)) is_moved = true;
+  if (is_moved) motion_.acceleration_is_current = false;
   break_long_springs(plan);
+  return is_moved;
 }
 
 void Frame::break_long_springs(Plan& plan) {
@@ -161,10 +167,12 @@ void Frame::end(const Plan& plan, State& state) const {
   state.hand.position = target_;
   if (auto& carried = state.hand.collider) carried->shape = translated(carried->shape, collider_displacement_);
   // energy that they dissipate was present before: counted as supplied, it would hide a divergence that feeds on it
-  for (const double work : {motion_.collider_work, motion_.break_work, motion_.limit_work, motion_.force_work}) {
+  const double spent = motion_.force_work - motion_.reversible_work;
+  for (const double work : {motion_.collider_work, motion_.break_work, motion_.limit_work, spent}) {
     state.ledger.net_input += work;
     state.ledger.scale += std::max(0.0, work);
   }
+  state.ledger.add_reversible(motion_.reversible_work);
   state.ledger.net_input += motion_.hand_work;
   state.ledger.scale += motion_.abs_hand_work;
   state.ledger.hand_stretch = std::max(state.ledger.hand_stretch, hand_stretch_);

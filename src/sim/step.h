@@ -45,7 +45,7 @@ class Frame {
 
  private:
   bool fly(Plan& plan);
-  void act(Plan& plan, bool may_touch);
+  bool act(Plan& plan, bool may_touch);
   void break_long_springs(Plan& plan);
 
   const Integrator* integrator_ = nullptr;

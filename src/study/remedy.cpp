@@ -63,6 +63,7 @@ Trial run_copy(Scene scene, double seconds, double max_energy_gain, Budget& budg
     const double simulated = lab.scene().state.time - start;
     if (lab.status()->snapshot->divergence) return {Trial::End::Diverged, simulated};
     const double energy = unexplained_energy(lab.scene());
+    if (!std::isfinite(energy)) return {Trial::End::Diverged, simulated};
     if (energy - lowest > max_energy_gain * lab.scene().state.ledger.scale) return {Trial::End::GainedEnergy, simulated};
     lowest = std::min(lowest, energy);
     if (budget.is_spent()) return {Trial::End::OutOfBudget, simulated};

@@ -89,7 +89,7 @@ std::function<int()> declare_capture(CLI::App& app) {
   app.add_flag("--stamp", options->stamp, "Write the time, the error and the method into each picture");
   app.add_option("--fail-above", options->fail_above,
                  "Exit with 1 if the accumulated error exceeds this or is not known, and name the first such frame [m]")
-      ->type_name("METRES")
+      ->type_name("METERS")
       ->check(within(positive));
   app.add_option("--camera", options->camera, "Position of the eye and its target [m]; default: as in the scene, or showing all of it")
       ->type_name("X,Y,Z,X,Y,Z");

@@ -92,6 +92,7 @@ int check(const CheckOptions& options) {
                              !options.cases.empty() || options.threads > 0;
   if (of_hard_cases && !options.hard)
     throw UsageError("--quick, --strict, --cases, --methods, --threads, --json and --markdown require --hard");
+  require_separate_files({}, {{"--json", options.json}, {"--markdown", options.markdown}});
   if (options.hard && !options.scenes.empty()) throw UsageError("--hard has its own scenes and accepts no SCENE");
   return options.hard ? check_hard_cases(options) : check_scenes(options);
 }
@@ -108,7 +109,7 @@ std::function<int()> declare_check(CLI::App& app) {
   app.add_option("--methods", options->methods, "Only these methods, by id")->type_name("a,b")->delimiter(',');
   app.add_option("--threads", options->threads, "Number of cases to run in parallel; default: one per core")
       ->type_name("N")
-      ->check(CLI::Range(1, 256));
+      ->check(within({.min = 1, .max = 256}));
   app.add_option("--json", options->json, "Write the results as JSON; - for stdout")->type_name("FILE");
   app.add_option("--markdown", options->markdown, "Write the results in the format of docs/stability.md; - for stdout")->type_name("FILE");
   app.add_flag("-q,--quiet", options->quiet, "Print only errors");

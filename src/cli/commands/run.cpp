@@ -98,6 +98,8 @@ int run_engine(const RunOptions& options) {
 }
 
 int run(const RunOptions& options) {
+  require_separate_files(options.scene->scene,
+                         {{"--json", options.files.json}, {"--csv", options.files.csv}, {"--pc2", options.files.pc2}});
   if (options.engine) return run_engine(options);
   Lab lab(open_scene(*options.scene), KeepStart::No);
   const Scene& scene = lab.scene();
@@ -147,8 +149,7 @@ std::function<int()> declare_run(CLI::App& app) {
          "a tenth of the cost of the run); full (also the accumulated error and the growth of small differences, at two and a half "
          "times the cost); default: full where it is written")
       ->type_name("off|frame|full")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, AccuracyMode>{{"off", AccuracyMode::Off}, {"frame", AccuracyMode::Frame}, {"full", AccuracyMode::Full}}));
+      ->transform(one_of({"off", "frame", "full"}));  // as AccuracyMode lists them
   app.add_option("--pc2", options->files.pc2, "Write the positions of all points in every frame as a point cache")->type_name("FILE");
   app.add_option("--engine", options->engine,
                  "Let LAMMPS compute the frames: a command such as \"mpirun -np 8 lmp\", whose words are separated by blanks")

@@ -26,7 +26,7 @@ void release_collider(Scene& scene, Effect& effect) {
   if (!carried) return;
   Collider moved = scene.system.colliders[static_cast<std::size_t>(carried->collider)];
   moved.shape = carried->shape;
-  // a hand far out of range may have moved it to no finite place
+  // a hand far out of range may have moved it to a position that is not finite
   if (is_valid(moved)) scene.system.colliders[static_cast<std::size_t>(carried->collider)] = moved;
   carried.reset();
   effect.values = true;

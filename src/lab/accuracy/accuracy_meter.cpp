@@ -8,9 +8,9 @@
 namespace hooke {
 namespace {
 
-// A frame in so many is repeated, at twice its cost: 5 % of the run. After an edit, sooner.
+// One frame in this many is repeated, at twice its cost: 5 % of the run. Sooner after an edit.
 constexpr int repetition_period = 40, period_after_edit = 12;
-// Errors of this fraction of the scene's size are no longer small: its trajectory is not predicted beyond.
+// Errors of this fraction of the scene's size are no longer small: beyond it the trajectory is not predictable.
 constexpr double max_error = 0.1;
 // Rounding errors, relative to the size.
 constexpr double round_off = 1e-15;
@@ -61,6 +61,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   const bool is_due = !repetition_.result() || frames_since_repetition_ >= (is_edited_ ? period_after_edit : repetition_period);
   if (is_due && !repetition_.is_in_progress()) {
     repetition_.begin(plan, system, settings, before, after, energy);
+    energy_.begin_repetition();
     frames_since_repetition_ = 0;
     is_edited_ = false;
   }

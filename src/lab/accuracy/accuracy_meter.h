@@ -23,7 +23,7 @@ class AccuracyMeter {
 
   // Starts again with the next frame: the state was replaced, or points were added, removed or moved.
   void restart();
-  // Anything else that affects the motion was edited, besides the place of the hand.
+  // Anything else that affects the motion was edited, besides the position of the hand.
   void note_edit();
 
   // A finished frame of the run: the plan it was computed with, the states before and after it and their energies [J].

@@ -7,8 +7,8 @@
 namespace hooke {
 namespace {
 
-// The shares of drag and dashpots are evaluated in one frame in so many, because that visits every spring.
-constexpr int share_period = 8;
+// The fractions of drag and dashpots are evaluated in one frame in this many, because that visits every spring.
+constexpr int fraction_period = 8;
 
 // Powers [W] at a state.
 struct Dissipation {
@@ -45,8 +45,21 @@ void EnergyAccounts::start(const State& state, double energy) {
   balance_ = {.since = state.time};
   start_ = energy_ = energy;
   net_input_ = state.ledger.net_input;
-  numerical_gain_ = 0.0;
-  frames_since_share_ = share_period;
+  rest_ = repeated_rest_ = gain_ratio_ = dissipation_ = 0.0;
+  frames_since_fraction_ = fraction_period;
+}
+
+void EnergyAccounts::set_numerical_gain(double gain) {
+  dissipation_ = std::min(0.0, repeated_rest_ - gain);
+  gain_ratio_ = dissipation_ < 0.0 ? (repeated_rest_ - dissipation_) / dissipation_ : 0.0;
+}
+
+// As the motion decays, gain and dissipation keep their ratio. It determines neither if they nearly cancel: then the dissipation of the
+// repeated frame applies. Drag and dashpots never supply energy.
+double EnergyAccounts::dissipation_in(double rest) const {
+  constexpr double min_determined = 0.1;
+  if (1.0 + gain_ratio_ > min_determined) return std::min(0.0, rest / (1.0 + gain_ratio_));
+  return dissipation_;
 }
 
 void EnergyAccounts::add_frame(const System& system, const State& before, const State& after, const Motion& motion, double energy) {
@@ -59,26 +72,28 @@ void EnergyAccounts::add_frame(const System& system, const State& before, const 
   balance_.limits += motion.break_work + motion.limit_work;
   balance_.contact += motion.contact_work;
 
-  // what nothing of this explains is the method's, or else that of the scene's drag and dashpots
+  // the remainder is due to the method, or to the drag and the dashpots of the scene
   const double supplied = after.ledger.net_input - net_input_;
   double rest = energy - energy_ - supplied - motion.contact_work;
+  rest_ = rest;
   const bool drags = system.drag_rate() > 0.0, damps = has_dashpots(system);
   if (!drags && !damps) {
     balance_.method += rest;
   } else {
-    balance_.method += numerical_gain_;
-    rest -= numerical_gain_;
+    const double dissipated = dissipation_in(rest);
+    balance_.method += rest - dissipated;
+    rest = dissipated;
     if (!drags || !damps) {
-      drag_share_ = drags ? 1.0 : 0.0;
-      frames_since_share_ = share_period;
-    } else if (++frames_since_share_ >= share_period) {
-      frames_since_share_ = 0;
+      drag_fraction_ = drags ? 1.0 : 0.0;
+      frames_since_fraction_ = fraction_period;
+    } else if (++frames_since_fraction_ >= fraction_period) {
+      frames_since_fraction_ = 0;
       const Dissipation start = dissipation_at(system, before), end = dissipation_at(system, after);
       const double by_drag = std::abs(start.drag + end.drag), by_dashpots = start.dashpots + end.dashpots;
-      drag_share_ = by_drag + by_dashpots > 0.0 ? by_drag / (by_drag + by_dashpots) : 0.5;
+      drag_fraction_ = by_drag + by_dashpots > 0.0 ? by_drag / (by_drag + by_dashpots) : 0.5;
     }
-    balance_.drag += drag_share_ * rest;
-    balance_.dashpots += (1.0 - drag_share_) * rest;
+    balance_.drag += drag_fraction_ * rest;
+    balance_.dashpots += (1.0 - drag_fraction_) * rest;
   }
   balance_.change = energy - start_;
   energy_ = energy;

@@ -13,18 +13,23 @@ class EnergyAccounts {
   void start(const State& state, double energy);
   // The frame that led from `before` to `after`, whose energy is `energy` [J].
   void add_frame(const System& system, const State& before, const State& after, const Motion& motion, double energy);
-  // The numerical gain [J] in a frame like those to come, from repeating one with half the step.
-  void set_numerical_gain(double gain) { numerical_gain_ = gain; }
+  // The last frame is repeated with half the step; afterwards, the numerical gain [J] in it.
+  void begin_repetition() { repeated_rest_ = rest_; }
+  void set_numerical_gain(double gain);
 
   const EnergyBalance& balance() const { return balance_; }
 
  private:
+  double dissipation_in(double rest) const;
+
   EnergyBalance balance_;
-  double start_ = 0.0, energy_ = 0.0;  // [J]
-  double net_input_ = 0.0;             // [J], of the ledger after the last frame
-  double numerical_gain_ = 0.0;        // [J] per frame
-  double drag_share_ = 0.0;            // of what drag and dashpots dissipate together
-  int frames_since_share_ = 0;         // since it was evaluated
+  double start_ = 0.0, energy_ = 0.0;        // [J]
+  double net_input_ = 0.0;                   // [J], of the ledger after the last frame
+  double rest_ = 0.0, repeated_rest_ = 0.0;  // [J], of the last frame and the repeated one: by the method, drag and dashpots together
+  double gain_ratio_ = 0.0;                  // [1], of the gain of the method to the dissipation, which is negative
+  double dissipation_ = 0.0;                 // [J], in the repeated frame
+  double drag_fraction_ = 0.0;               // of what drag and dashpots dissipate together
+  int frames_since_fraction_ = 0;            // since it was evaluated
 };
 
 }  // namespace hooke

@@ -11,7 +11,7 @@ namespace {
 
 // Relative to the size of the scene: the perturbation, and the distance up to which differences count as small.
 constexpr double perturbation = 1e-7, max_small = 1e-3;
-// A measurement of growth is followed by a pause of so many times its length.
+// A measurement of growth is followed by a pause of this many times its length.
 constexpr int pause_factor = 3;
 // Frames that may wait, in number and in memory [bytes].
 constexpr std::size_t max_waiting = 600, max_waiting_bytes = std::size_t{1} << 26;
@@ -38,7 +38,7 @@ void SecondRuns::restart(double size) {
   pause_ = 0;
 }
 
-// Frames that wait belong to the scene as it was.
+// Waiting frames belong to the scene before the edit.
 void SecondRuns::note_edit() {
   is_edited_ = true;
   if (!inputs_.empty()) restart(size_);

@@ -20,7 +20,7 @@ class SecondRuns {
 
   // Both start again with the next frame. `size` [m] is the scene's.
   void restart(double size);
-  // The plan or the System differs from that of the frames before. Without frames that wait, the run with half the step goes on.
+  // The plan or the System differs from that of the frames before. If no frames are waiting, the run with half the step continues.
   void note_edit();
   void add_frame(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after);
 

@@ -34,66 +34,74 @@ double air_work(const Plan& plan, const Field& start, const Field& end) {
 }  // namespace
 
 void ForceWork::begin_frame(const Plan& plan, const Motion& motion) {
+  power_is_current_ = false;
+  has_power_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
   if (!has_work(plan)) return;
   x_.resize(motion.x.size());
   if (plan.forces.empty()) return;
-  for (Field* field : {&x_, &v_, &middle_x_, &middle_v_}) field->resize(motion.x.size());
-  power_ = power_of(plan, motion.time, motion.x, motion.v);
+  for (Field* field : {&v_, &middle_x_, &middle_v_}) field->resize(motion.x.size());
 }
 
 void ForceWork::begin_substep(const Plan& plan, const Motion& motion) {
   if (!has_work(plan)) return;
   time_ = motion.time;
+  power_work_ = 0.0;
   std::ranges::copy(motion.x, x_.begin());
-  if (plan.forces.empty()) return;
+  if (!has_power_) return;
   std::ranges::copy(motion.v, v_.begin());
+  if (!power_is_current_) power_ = power_of(plan, motion.time, motion.x, motion.v);
 }
 
-double ForceWork::end_substep(const Plan& plan, const Motion& motion, double h) {
-  if (!has_work(plan)) return 0.0;
-  double work = air_work(plan, x_, motion.x);
-  if (plan.forces.empty()) return work;
-  const double middle = time_ + 0.5 * h;
-  // A held point is moved by the hand, not by the forces: for the potentials, which may depend on all points together, it stays at the
-  // middle of its path.
-  Field& end_x = middle_x_;
-  Vec3 held_start(0.0);
-  std::ranges::copy(motion.x, end_x.begin());
-  if (plan.held)
-    for (int c = 0; c < plan.dimensions; ++c) {
-      const std::size_t held = static_cast<std::size_t>(c) * plan.points + static_cast<std::size_t>(*plan.held);
-      held_start[c] = x_[held];
-      x_[held] = end_x[held] = 0.5 * (x_[held] + motion.x[held]);
-    }
-  bool has_power = false;
-  for (const Force& force : plan.forces) {
-    has_power = has_power || force.term->power != nullptr;
-    if (force.term->potential == nullptr) continue;
-    const auto potential = [&](const Field& x) { return force.term->potential(plan, force.values, middle, x.data()); };
-    work += potential(x_) - potential(end_x);
-  }
-  if (!has_power) return work;
-  if (plan.held)
-    for (int c = 0; c < plan.dimensions; ++c)
-      x_[static_cast<std::size_t>(c) * plan.points + static_cast<std::size_t>(*plan.held)] = held_start[c];
-
-  const double start = power_;
+void ForceWork::integrate_power(const Plan& plan, const Motion& motion, double h, bool is_moved) {
+  if (!has_power_) return;
+  const double start = power_, middle = time_ + 0.5 * h;
   power_ = power_of(plan, time_ + h, motion.x, motion.v);
-  // With a larger product Simpson's rule books more than implicit methods dissipate, by a share of (rate h)^2 / 12: a gain that there is
-  // not.
+  power_is_current_ = true;
+  if (is_moved) {
+    power_work_ = 0.5 * h * (start + power_);
+    return;
+  }
+  // With a larger product Simpson's rule yields more than implicit methods dissipate, by a fraction of (rate h)^2 / 12, which would appear
+  // as a gain.
   constexpr double max_resolved = 0.3;
   if (plan.spectrum.force_rate * h > max_resolved) {
     for (std::size_t i = 0; i < x_.size(); ++i) {
       middle_x_[i] = 0.5 * (x_[i] + motion.x[i]);
       middle_v_[i] = (motion.x[i] - x_[i]) / h;
     }
-    return work + h * power_of(plan, middle, middle_x_, middle_v_);
+    power_work_ = h * power_of(plan, middle, middle_x_, middle_v_);
+    return;
   }
   for (std::size_t i = 0; i < x_.size(); ++i) {
     middle_x_[i] = 0.5 * (x_[i] + motion.x[i]) + 0.125 * h * (v_[i] - motion.v[i]);
     middle_v_[i] = 1.5 * (motion.x[i] - x_[i]) / h - 0.25 * (v_[i] + motion.v[i]);
   }
-  return work + h / 6.0 * (start + 4.0 * power_of(plan, middle, middle_x_, middle_v_) + power_);
+  power_work_ = h / 6.0 * (start + 4.0 * power_of(plan, middle, middle_x_, middle_v_) + power_);
+}
+
+void ForceWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_moved) {
+  if (!has_work(plan)) return;
+  if (is_moved) power_is_current_ = false;
+  double reversible = air_work(plan, x_, motion.x);
+  if (!plan.forces.empty()) {
+    const double middle = time_ + 0.5 * h;
+    // A held point is moved by the hand, not by the forces: for the potentials, which may depend on all points together, it stays at the
+    // middle of its path.
+    Field& end_x = middle_x_;
+    std::ranges::copy(motion.x, end_x.begin());
+    if (plan.held)
+      for (int c = 0; c < plan.dimensions; ++c) {
+        const std::size_t held = static_cast<std::size_t>(c) * plan.points + static_cast<std::size_t>(*plan.held);
+        x_[held] = end_x[held] = 0.5 * (x_[held] + motion.x[held]);
+      }
+    for (const Force& force : plan.forces) {
+      if (force.term->potential == nullptr) continue;
+      const auto potential = [&](const Field& x) { return force.term->potential(plan, force.values, middle, x.data()); };
+      reversible += potential(x_) - potential(end_x);
+    }
+  }
+  motion.force_work += reversible + power_work_;
+  motion.reversible_work += reversible;
 }
 
 }  // namespace hooke

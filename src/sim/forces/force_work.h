@@ -8,19 +8,23 @@ namespace hooke {
 // The part derived from a potential is exact, except for planes that move during the substep; for the rest, the power is integrated by
 // Simpson's rule along the cubic through both ends of the substep. Power instead of force times displacement, because a damping force that
 // makes a step unstable still dissipates energy at every point of the step, so that the gain stays unexplained. A substep that does
-// not resolve the rate of the forces books the power of the mean velocity instead, which is exact for the steady motion that remains and
+// not resolve the rate of the forces records the power of the mean velocity instead, which is exact for the steady motion that remains and
 // never more than is dissipated.
 class ForceWork {
  public:
   // Call once per frame; a step never allocates.
   void begin_frame(const Plan& plan, const Motion& motion);
   void begin_substep(const Plan& plan, const Motion& motion);
-  // [J], since begin_substep.
-  double end_substep(const Plan& plan, const Motion& motion, double h);
+  // Integrates the power over the substep. Call it before contact or the strain limit move points, whose displacements are not the motion
+  // along which the forces work. `is_moved`: this has happened already; then by the trapezoidal rule, from both ends alone.
+  void integrate_power(const Plan& plan, const Motion& motion, double h, bool is_moved);
+  // Adds the work since begin_substep to that of the motion. `is_moved`: positions or velocities were changed after integrate_power.
+  void end_substep(const Plan& plan, Motion& motion, double h, bool is_moved);
 
  private:
   Field x_, v_, middle_x_, middle_v_;
-  double time_ = 0.0, power_ = 0.0;
+  double time_ = 0.0, power_ = 0.0, power_work_ = 0.0;
+  bool has_power_ = false, power_is_current_ = false;
 };
 
 }  // namespace hooke

@@ -36,13 +36,12 @@ struct Law {
     const double u = r / core;
     return portable::pow(core, -power - 1.0) * (alpha() + 3.0 * beta() * u * u);
   }
-  // the integral of a from the core radius to r
+  // the integral of a to r, from infinity if it is finite, else from the core radius
   double potential(double r) const {
-    if (r < core) {
-      const double u = r / core;
-      return portable::pow(core, 1.0 - power) * (0.5 * alpha() * (u * u - 1.0) + 0.25 * beta() * (u * u * u * u - 1.0));
-    }
-    return power_law_integral(power, core, r);
+    if (r >= core) return power_law_potential(power, core, r);
+    const double u = r / core;
+    return power_law_potential(power, core, core) +
+           portable::pow(core, 1.0 - power) * (0.5 * alpha() * (u * u - 1.0) + 0.25 * beta() * (u * u * u * u - 1.0));
   }
 };
 

@@ -64,13 +64,14 @@ void add_tangent(const Plan& plan, const ForceValues& values, double time, const
   });
 }
 
-// minus the integral of a from the core radius to the distance
+// minus the integral of a to the distance
 double potential(const Plan& plan, const ForceValues& values, double time, const double* x) {
   const double power = values[1], core = values[2];
   double energy = 0.0;
   for_each_distance(plan, time, x, [&](const Vec3&, Index i, double distance) {
     if (plan.inverse_mass[i] == 0.0) return;
-    const double integral = distance <= core ? (distance - core) * portable::pow(core, -power) : power_law_integral(power, core, distance);
+    const double integral = distance > core ? power_law_potential(power, core, distance)
+                                            : power_law_potential(power, core, core) + (distance - core) * portable::pow(core, -power);
     energy -= plan.mass[i] * values[0] * integral;
   });
   return energy;
