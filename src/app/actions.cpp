@@ -52,12 +52,14 @@ void App::handle(const Request& request) {
                  [this](const Recover& wanted) { document_.recover(wanted.which); },
                  [this](const DiscardRecovery& unwanted) { document_.discard_recovery(unwanted.which); },
                  [this](const CancelWork&) { file_task_.stop(); },
+                 [this](const StopComparison&) { comparison_.stop(); },
                  [this](const StartExport&) { exporter_.start(); },
                  [this](const StopExport&) { exporter_.stop(); },
                  [this](const StartPlacement& start) { start_placement(start); },
                  [](const CloseDialog&) {},
                  [this](const LoadMesh& load) { placer_.read_mesh(typed_path(load.file)); },
                  [this](const Place&) { placer_.place(); },
+                 [this](const StopPlacement&) { placer_.stop(); },
                  [this](Answer given) { document_.answer(given); },
              },
              request);
@@ -95,6 +97,11 @@ void App::cancel() {
     selection_ = {};
   else
     tool_.take(Action::SelectTool);
+}
+
+void App::compare_methods() {
+  panels_.comparison_shown = true;
+  comparison_.start(status());
 }
 
 // Closes the gallery, because commands act on the scene.

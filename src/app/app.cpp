@@ -61,7 +61,7 @@ void App::build_frame(const FrameStatistics& frame_statistics) {
   poll_background_work();
   forecaster_.follow(status());
   method_advisor_.follow(status(), panels_.accuracy_shown);
-  comparison_.follow(status(), panels_);
+  comparison_.follow();
   const auto& divergence = status().snapshot->divergence;
   remedy_search_.follow(status(), divergence && panels_.dismissed != divergence->time);
   if (tool_.is_pressed())

@@ -89,6 +89,7 @@ class App {
   void tune(const Tuning& tuning, TunedBy keys, bool repeated);
   void start_placement(const StartPlacement& start);
   void set_start();
+  void compare_methods();
   void cancel();
   void open_search();
   void show_or_hide_plots();

@@ -144,13 +144,6 @@ struct Search {
   int highlighted = 0;  // the row that Enter chooses
 };
 
-// The chart of cost against error.
-struct ComparisonPanel {
-  bool is_shown = false;
-  bool is_wanted = false;    // to be started
-  bool is_canceled = false;  // the one in progress
-};
-
 struct Panels {
   ViewOptions view;
   Dialog dialog;
@@ -176,7 +169,7 @@ struct Panels {
   bool panels_hidden = false;  // all but the menu and status bars
   bool plots_shown = false;
   bool accuracy_shown = false;
-  ComparisonPanel comparison;
+  bool comparison_shown = false;
   double plot_seconds = 1e9;                                      // [s], maximum time span of the plots
   std::optional<double> plot_end;                                 // [s], end of the time span; without a value it follows the newest time
   bool plot_is_dragged = false;                                   // since the mouse was pressed over a plot

@@ -1,5 +1,5 @@
-// The requests of the panels. The app handles the requests of a frame after its panels are built; panels do not affect the app in any other
-// way.
+// The requests of the panels. The app handles the requests of a frame after its panels are built. Besides, it only reads which panels are
+// shown, to compute no more than they show.
 #pragma once
 
 #include <filesystem>
@@ -50,10 +50,12 @@ struct DiscardRecovery {
 };
 // Cancel the file operation whose progress is shown.
 struct CancelWork {};
+// Stop the comparison of methods in progress.
+struct StopComparison {};
 // Export what panels.export_state describes, or stop the export in progress.
 struct StartExport {};
 struct StopExport {};
-// Show a shape, or a mesh where `shape` is null, to be moved about before it is placed. `in_space`: first make a flat scene 3-D.
+// Show a shape, or a mesh where `shape` is null, which is moved before it is placed. `in_space`: first make a flat scene 3-D.
 struct StartPlacement {
   const ShapeKind* shape;
   bool in_space = false;
@@ -64,8 +66,9 @@ struct CloseDialog {};
 struct LoadMesh {
   std::filesystem::path file;
 };
-// Add the preview to the scene.
+// Add the preview to the scene, or discard it.
 struct Place {};
+struct StopPlacement {};
 // A button of a dialog or a banner about the document.
 enum class Answer {
   Save,       // save the changes, then continue
@@ -78,8 +81,9 @@ enum class Answer {
   KeepMine,   // keep the scene as it is
 };
 
-using Request = std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, OpenSystemDialog, LookFrom, Recover,
-                             DiscardRecovery, CancelWork, StartExport, StopExport, StartPlacement, CloseDialog, LoadMesh, Place, Answer>;
+using Request =
+    std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, OpenSystemDialog, LookFrom, Recover, DiscardRecovery,
+                 CancelWork, StopComparison, StartExport, StopExport, StartPlacement, CloseDialog, LoadMesh, Place, StopPlacement, Answer>;
 using Requests = std::vector<Request>;
 
 }  // namespace hooke

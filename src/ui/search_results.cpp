@@ -49,7 +49,7 @@ class ResultFinder {
 
   std::vector<SearchResult> results() {
     for (const ActionRow& row : actions()) add_action(row);
-    // everything else would bury the commands
+    // without a search text, only commands: other results would hide them
     if (typed_.find_first_not_of(' ') != std::string::npos) {
       const auto rows = parameters();
       for (std::size_t i = 0; i < rows.size(); ++i)

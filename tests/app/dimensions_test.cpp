@@ -1,4 +1,4 @@
-// Flat scenes and scenes in space: new ones of both kinds, and the way from one to the other.
+// Flat and 3-D scenes: new ones of both kinds, and conversion between them.
 #include <gtest/gtest.h>
 
 #include "scene/flatness.h"
@@ -19,7 +19,7 @@ Scene two_points() {
 
 SetParameter set_dimensions(int dimensions) { return {&dimensions_parameter, dimensions == 3 ? 1.0 : 0.0}; }
 
-TEST(NewScenes, AreFlatOrInSpace) {
+TEST(NewScenes, AreFlatOr3D) {
   GuiFixture gui;
   gui.key(letter('N'), control);
   EXPECT_EQ(gui.system().dimensions, 2);
@@ -52,7 +52,7 @@ TEST(Dimensions, AFlatSceneBecomesSpatialAndFlatAgain) {
   EXPECT_EQ(gui.system().dimensions, 2);
 }
 
-TEST(Dimensions, WhatDoesNotLieInThePlaneKeepsASceneInSpace) {
+TEST(Dimensions, AnythingOutOfThePlaneKeepsAScene3D) {
   GuiFixture gui(two_points());
   gui.app().handle(Request(Edit{set_dimensions(3)}));
   gui.app().handle(Request(Edit{Move{{{gui.system().points()[1].id, {0.5, 0.0, 0.2}, Vec3(0.0)}}}}));

@@ -1,4 +1,4 @@
-// What is seen of a scene: all of it when it is opened, and where it moves.
+// The initial view of a scene shows all of it, also while it moves.
 #include <gtest/gtest.h>
 
 #include "formats/scene_file.h"
@@ -28,7 +28,7 @@ double fraction_outside(const Camera& camera, const System& system, const State&
   return system.point_count() == 0 ? 0.0 : static_cast<double>(outside) / system.point_count();
 }
 
-// In the window as it opens. What comes loose may fly away, so it is the start and the coming seconds while nothing has torn.
+// In the window as it opens: at the start, and in the following seconds until something tears, because pieces may fly away.
 TEST(ShippedScenes, StayInTheWindowWhileTheyMove) {
   const glm::dvec2 size = view_size(1280.0, 800.0);
   for (const ShippedScene& shipped : shipped_scenes()) {
@@ -56,7 +56,7 @@ Scene falling_pair(bool nailed = false) {
   return flat_scene("Pair", sim);
 }
 
-TEST(OutOfView, IsSaidAndHomeLeadsBack) {
+TEST(OutOfView, IsReportedAndHomeShowsTheSceneAgain) {
   GuiFixture gui(falling_pair(true));
   EXPECT_EQ(gui.text().find("Out of view"), std::string::npos);
   const Rect& view = gui.app().layout().scene;
@@ -67,7 +67,7 @@ TEST(OutOfView, IsSaidAndHomeLeadsBack) {
   EXPECT_EQ(gui.text().find("Out of view"), std::string::npos);
 }
 
-TEST(Home, FollowsWhatNothingHolds) {
+TEST(Home, FollowsARunningSceneWithoutNails) {
   for (const bool nailed : {false, true}) {
     GuiFixture gui(falling_pair(nailed));
     gui.key(Key::Space);

@@ -226,7 +226,7 @@ TEST(Placement, AMeshHasItsOwnMaterial) {
   GuiFixture gui(is_3d_only());
   gui.app().handle(Request(StartPlacement{nullptr}));
   gui.frames(2);
-  // nothing to place yet, and the button says why
+  // nothing to place yet, and the button gives the reason
   EXPECT_NE(gui.text().find("No mesh yet"), std::string::npos);
   EXPECT_NE(gui.text().find("Browse..."), std::string::npos);
   gui.app().handle(Request(LoadMesh{scratch.folder / "square.obj"}));

@@ -240,7 +240,7 @@ TEST_P(Layouts, PanelsAboutErrorsAreReadable) {
   expect_in_order(gui, "accuracy off", "Switched off");
   gui.app().panels().accuracy_shown = false;
 
-  gui.app().panels().comparison.is_shown = true;
+  gui.app().panels().comparison_shown = true;
   ComparisonStatus comparison;
   const auto build = [&] {
     ImGui::NewFrame();
@@ -303,7 +303,7 @@ TEST(Contrast, OfAllTextIsSufficientInBothThemes) {
     for (const ImU32 ground : {panel, raised, hovered, box, tinted, shade}) EXPECT_GE(contrast(dim, ground), 4.5);
     // values and keys beside them
     for (const ImU32 ink : {accent, good, warning, bad}) EXPECT_GE(contrast(ink, panel), 4.5);
-    // what marks without words: 3
+    // graphics without text: 3
     for (const ImU32 axis : {axis_x, axis_y, axis_z}) EXPECT_GE(contrast(axis, panel), 3.0);
     for (const ImU32 ink : inks) EXPECT_GE(contrast(ink, box), 3.0);
   }

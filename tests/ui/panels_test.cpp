@@ -145,7 +145,7 @@ TEST(Energies, HavePrefixes) {
   EXPECT_NE(gui.text().find("[kJ]"), std::string::npos) << gui.text();
 }
 
-TEST(SidePanel, OfAnotherSceneIsReadFromItsTop) {
+TEST(SidePanel, OfAnotherSceneIsScrolledToItsTop) {
   GuiFixture gui(two_springs());
   gui.resize({1280.0, 500.0}, 1.0);
   ImGuiWindow& side = *ImGui::FindWindowByName("side");

@@ -1,4 +1,4 @@
-// Sentences of the window in the words that users know from other programs, each where it belongs.
+// Texts of the window, in terms that users know from other programs.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -37,7 +37,7 @@ Opened try_open(const std::filesystem::path& file, const Progress& progress) {
     LoadedScene loaded = load_file(file, progress);
     std::string notice = opening_notice(loaded.scene, loaded.warnings, file);
     return {std::make_shared<const Scene>(std::move(loaded.scene)), {}, std::move(notice)};
-  } catch (const std::runtime_error& refusal) {  // Refused or FileError
+  } catch (const std::runtime_error& refusal) {  // InputError or FileError
     return {nullptr, refusal.what(), {}};
   }
 }
@@ -69,7 +69,7 @@ ChosenTexture try_texture(const std::string& typed, const std::filesystem::path&
   if (const std::string limit = texture_limit(texture); !limit.empty()) return {{}, name + ": " + limit + ", " + folder.string()};
   try {
     return {{.texture = texture, .image = {read_texture(texture, folder, name)}}, {}};
-  } catch (const std::runtime_error& refusal) {  // Refused or FileError
+  } catch (const std::runtime_error& refusal) {  // InputError or FileError
     return {{}, refusal.what()};
   }
 }

@@ -66,7 +66,7 @@ void Document::read_recording_file(const std::filesystem::path& file) {
         if (task_.was_stopped()) return panels_.show_toast("Canceled: nothing was opened");
         play(recording);
       };
-    } catch (const std::runtime_error& error) {  // Refused or FileError
+    } catch (const std::runtime_error& error) {  // InputError or FileError
       return [this, message = std::string(error.what())] { panels_.show_message("Cannot open the recording", message); };
     }
   });

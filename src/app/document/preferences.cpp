@@ -74,7 +74,7 @@ LoadedPreferences load_preferences(const fs::path& folder) {
   if (folder.empty() || !fs::exists(fs::symlink_status(file, error))) return loaded;
   try {
     loaded.preferences = parse_preferences(read_file(file), printable(file.native()));
-  } catch (const std::runtime_error& refusal) {  // Refused or FileError
+  } catch (const std::runtime_error& refusal) {  // InputError or FileError
     const fs::path aside = file.string() + ".bad";
     fs::rename(file, aside, error);
     loaded.message =
@@ -104,7 +104,7 @@ RecentFiles::RecentFiles(fs::path folder) : folder_(std::move(folder)) {
       if (!field.is("files")) return;
       for (const JsonField item : field.items(0, max)) files_.emplace_back(std::string(item.text()));
     });
-  } catch (const std::runtime_error&) {  // Refused or FileError
+  } catch (const std::runtime_error&) {  // InputError or FileError
     files_.clear();
   }
 }

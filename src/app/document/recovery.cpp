@@ -27,7 +27,7 @@ void Document::recover(std::size_t which) {
     session_.write_autosave(text);
     session_.discard(left);
     panels_.show_toast("Restored from autosave; not saved yet");
-  } catch (const std::runtime_error& error) {  // Refused or FileError
+  } catch (const std::runtime_error& error) {  // InputError or FileError
     panels_.show_message("Cannot restore the scene", error.what());
   }
   list_recoverable();

@@ -79,7 +79,7 @@ RunInfo read_run_info(const fs::path& folder) {
                      if (field.is("file")) run_info.file = std::string(field.text());
                      if (field.is("name")) run_info.name = std::string(field.text());
                    }});
-  } catch (const std::runtime_error&) {  // Refused or FileError
+  } catch (const std::runtime_error&) {  // InputError or FileError
   }
   return run_info;
 }

@@ -88,14 +88,14 @@ void turn(Scene& part, double turn_degrees, double tilt_degrees) {
 MeshPart load_mesh_part(const std::filesystem::path& file, const Progress& progress) {
   try {
     const FileKind* kind = find_file_kind(file);
-    if (kind == nullptr || kind->extension != ".obj") return {nullptr, printable(file.native()) + ": must be an .obj file"};
+    if (kind == nullptr || !kind->is_mesh) return {nullptr, printable(file.native()) + ": must be an .obj file"};
     Scene scene = load_file(file, progress).scene;
     const Box box = box_around(scene.state.position);
     const Vec3 size = box.max - box.min;
     const double longest = std::max({size.x, size.y, size.z});
     for (Vec3& place : scene.state.position) place -= 0.5 * (box.min + box.max);
     return {std::make_shared<const Scene>(scaled(std::move(scene), 1.0 / longest)), {}};
-  } catch (const std::runtime_error& refusal) {  // Refused or FileError
+  } catch (const std::runtime_error& refusal) {  // InputError or FileError
     return {nullptr, refusal.what()};
   }
 }

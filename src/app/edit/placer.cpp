@@ -126,7 +126,7 @@ void Placer::read_mesh(const std::filesystem::path& file) {
 void Placer::place() {
   const Scene placed = part();
   if (placed.system.point_count() == 0) return panels_.show_toast("Nothing to place yet");
-  // a mesh that is alone looks as if its file were opened
+  // in an empty scene, the mesh looks as it does when its file is opened
   if (panels_.placement.is_mesh && context_.system().points().empty()) panels_.view.points = panels_.view.springs = false;
   LabThread& lab = context_.lab;
   view_before_.reset();

@@ -61,7 +61,7 @@ void Exporter::export_frames(const FileKind& kind) {
         return !shared->stop;
       });
       return {};
-    } catch (const std::runtime_error& refusal) {  // Refused or FileError
+    } catch (const std::runtime_error& refusal) {  // InputError or FileError
       return refusal.what();
     }
   });
@@ -76,7 +76,7 @@ void Exporter::export_state() {
                     finish({}, false);
                     if (!losses.empty()) panels_.show_message("Exported with losses", joined(losses));
                   };
-                } catch (const std::runtime_error& refusal) {  // Refused or FileError
+                } catch (const std::runtime_error& refusal) {  // InputError or FileError
                   return [this, message = std::string(refusal.what())] { finish(message, false); };
                 }
               });

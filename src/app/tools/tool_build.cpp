@@ -106,7 +106,7 @@ class AttachTool : public Tool {
     const bool is_drag = first_ && may_be_drag_ && context.is_drag(pressed_at_, pointer.at);
     may_be_drag_ = false;
     if (is_drag) attach(*first_, pointer, context);
-    // a drag stands for itself; the last point again ends the chain
+    // a drag adds a single spring; a click on the last point ends the chain
     if (is_drag || ends_) first_.reset();
   }
 

@@ -22,7 +22,7 @@ void CameraControl::show(const Scene& scene) {
   context_.camera = make_scene_camera(scene.view, scene.system, scene.state, aspect_ratio());
 }
 
-// What nothing holds would soon be out of view again: the camera follows it.
+// A running scene without nails would soon be out of view again: the camera follows it.
 void CameraControl::frame_all() {
   frame_scene(context_.camera, context_.system(), context_.snapshot().state, aspect_ratio());
   const bool is_held = std::ranges::any_of(context_.system().points(), &Point::nailed);

@@ -2,13 +2,8 @@
 
 namespace hooke {
 
-void ComparisonTask::follow(const Status& status, Panels& panels) {
-  task_.follow();
-  if (panels.comparison.is_canceled || !panels.comparison.is_shown) task_.stop();
-  panels.comparison.is_canceled = false;
-  if (!panels.comparison.is_wanted || task_.is_running()) return;
-  panels.comparison.is_wanted = false;
-  if (status.snapshot->system->point_count() == 0) return;
+void ComparisonTask::start(const Status& status) {
+  if (task_.is_running() || status.snapshot->system->point_count() == 0) return;
   newest_.reset();
   settings_ = status.snapshot->settings;
   task_.start("Comparing methods", [this, snapshot = status.snapshot](const Progress& progress) -> BackgroundTask::Completion {

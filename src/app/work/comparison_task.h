@@ -8,8 +8,13 @@ namespace hooke {
 
 class ComparisonTask {
  public:
-  // Once per frame: starts a comparison of the present state when one is asked for, and takes the result of a finished one.
-  void follow(const Status& status, Panels& panels);
+  // Of the present state, unless one is running.
+  void start(const Status& status);
+  void stop() {
+    if (task_.is_running()) task_.stop();
+  }
+  // Once per frame: takes the result of a finished comparison.
+  void follow() { task_.follow(); }
   bool is_running() const { return task_.is_running(); }
   // For the panel.
   ComparisonStatus status() const;

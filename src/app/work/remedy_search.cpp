@@ -24,7 +24,7 @@ void RemedySearch::follow(const Status& status, bool is_wanted) {
     }
   }
 
-  // the next search waits for the end of the one that was cancelled
+  // the next search waits for the end of the one that was canceled
   if (key == key_ || pending_.valid()) return;
   key_ = key;
   if (key) start(*status.diagnosis.failed);

@@ -97,7 +97,7 @@ void energy_section(const Accuracy& accuracy) {
   energy_row({"Method", balance.method}, scale);
   energy_row({"Sum", balance.change}, scale);
   explanation(
-      "Energy gained and lost since the start. What the method gains or loses no force explains. A closed balance does not prove that the "
+      "Energy gained and lost since the start. What no force explains is due to the method. A closed balance does not prove that the "
       "motion is right.");
 }
 
@@ -138,7 +138,7 @@ void build_accuracy_line(const PanelInput& input, Panels& panels) {
   const auto shown = std::find_if(lines.begin(), lines.end() - 1, fits);
   ImGui::TextUnformatted(shortened(*shown, width).c_str());
   if (ImGui::IsItemClicked()) panels.accuracy_shown = !panels.accuracy_shown;
-  tooltip((shown == lines.begin() ? "" : lines.front() + "\n") + "How wrong the run is. Click for more.");
+  tooltip((shown == lines.begin() ? "" : lines.front() + "\n") + "Estimated error of the run. Click for details.");
   ImGui::PopStyleColor();
   ImGui::PopFont();
 }
@@ -160,7 +160,7 @@ void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests)
     paragraph("Switched off: no error is shown.", palette::dim);
   }
   panel.end_content();
-  if (ImGui::Button("Compare methods", {units(144.0), units(30.0)})) panels.comparison = {.is_shown = true, .is_wanted = true};
+  if (ImGui::Button("Compare methods", {units(144.0), units(30.0)})) requests.emplace_back(Action::CompareMethods);
   tooltip(Action::CompareMethods);
   ImGui::SameLine();
   if (ImGui::Button("Close", {units(96.0), units(30.0)})) panels.accuracy_shown = false;

@@ -1,4 +1,4 @@
-// The file browser: places on the left, their content on the right.
+// The file browser: locations on the left, their content on the right.
 #include <algorithm>
 
 #include "base/printable.h"
@@ -33,7 +33,7 @@ void refresh(Browser& browser, FileDialogMode mode, bool picks_mesh) {
   const double now = ImGui::GetTime();
   if (browser.listing.folder == browser.folder && now < browser.listed_at + stale_after) return;
   browser.listing = list_folder(browser.folder, [&](const fs::path& file) {
-    if (picks_mesh) return file.extension() == ".obj";
+    if (const FileKind* kind = find_file_kind(file); picks_mesh) return kind != nullptr && kind->is_mesh;
     return mode == FileDialogMode::Open ? is_readable(file) : is_scene_file(file);
   });
   browser.listed_at = now;

@@ -96,7 +96,7 @@ struct Chart {
     ImGui::PopFont();
   }
 
-  // Right of it, the scene is slower than the clock that it is to follow.
+  // To the right of it, the scene runs slower than its speed setting requires.
   void draw_budget() const {
     const double budget = 1000.0 / input.status.snapshot->settings.speed;
     if (budget < std::pow(10.0, cost.min) || budget > std::pow(10.0, cost.max)) return;
@@ -234,11 +234,11 @@ void chart(const PanelInput& input, const MethodComparison& comparison, float wi
   if (is_clicked && can_be_used(*row, settings)) use(*row, settings, requests);
 }
 
-void buttons(const ComparisonStatus& status, Panels& panels) {
+void buttons(const ComparisonStatus& status, Panels& panels, Requests& requests) {
   if (status.is_running) {
-    if (ImGui::Button("Cancel", {units(84.0), units(30.0)})) panels.comparison.is_canceled = true;
+    if (ImGui::Button("Cancel", {units(84.0), units(30.0)})) requests.emplace_back(StopComparison{});
   } else if (ImGui::Button("Compare again", {units(118.0), units(30.0)})) {
-    panels.comparison.is_wanted = true;
+    requests.emplace_back(Action::CompareMethods);
   }
   if (status.result && !status.result->record.rows.empty()) {
     ImGui::SameLine();
@@ -250,13 +250,16 @@ void buttons(const ComparisonStatus& status, Panels& panels) {
     }
   }
   ImGui::SameLine(ImGui::GetWindowWidth() - units(64.0) - ImGui::GetStyle().WindowPadding.x);
-  if (ImGui::Button("Close", {units(64.0), units(30.0)})) panels.comparison.is_shown = false;
+  if (ImGui::Button("Close", {units(64.0), units(30.0)})) {
+    panels.comparison_shown = false;
+    requests.emplace_back(StopComparison{});
+  }
 }
 
 }  // namespace
 
 void build_comparison(const PanelInput& input, Panels& panels, Requests& requests) {
-  if (!panels.comparison.is_shown) return;
+  if (!panels.comparison_shown) return;
   const Dock dock = dock_panel(input.layout, units(1.0), 600.0, 400.0);
   DockedPanel panel("comparison", dock, panels);
   ImGui::PushFont(fonts().strong);
@@ -283,7 +286,7 @@ void build_comparison(const PanelInput& input, Panels& panels, Requests& request
     if (!status.is_running && status.result->note != "Stopped.") missing_methods(status.result->record);
   }
   panel.end_content();
-  buttons(status, panels);
+  buttons(status, panels, requests);
 }
 
 }  // namespace hooke

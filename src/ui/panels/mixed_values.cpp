@@ -12,9 +12,6 @@ bool is_of_springs(const Parameter& row) { return row.scope == Scope::SpringStif
 double Spring::*spring_property(const Parameter& row) {
   return row.scope == Scope::SpringStiffness ? &Spring::stiffness : &Spring::damping;
 }
-double Collider::*collider_property(const Parameter& row) {
-  return &row == &friction_parameter ? &Collider::friction : &Collider::restitution;
-}
 
 // Calls `use(spring, weight)` for each spring that the row sets.
 template <class Use>
@@ -47,7 +44,7 @@ CommonValue values_of(const Parameter& row, const System& system, const SheetWei
     for (const Point& point : system.points()) common.include(point.radius);
   if (row.scope == Scope::Colliders)
     for (const Collider& collider : system.colliders)
-      if (collider.solid) common.include(collider.*collider_property(row));
+      if (collider.solid) common.include(collider.*row.collider);
   return common;
 }
 
@@ -77,7 +74,7 @@ std::optional<Command> scaled_values(const Parameter& row, const System& before,
   if (row.scope == Scope::Colliders && before.colliders.size() == now.colliders.size()) {
     SetColliders set{now.colliders};
     for (std::size_t c = 0; c < set.colliders.size(); ++c)
-      set.colliders[c].*collider_property(row) = std::clamp(factor * (before.colliders[c].*collider_property(row)), row.min, row.max);
+      set.colliders[c].*row.collider = std::clamp(factor * (before.colliders[c].*row.collider), row.min, row.max);
     return set;
   }
   return std::nullopt;

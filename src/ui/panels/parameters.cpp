@@ -44,8 +44,8 @@ NumberField field_of(const Parameter& row, const ControlRanges& controls, double
   return field;
 }
 
-// Sets equal values; scales different ones, if the slider is dragged. A drag always scales what it began with, so that values survive a
-// visit to the end of the slider.
+// Sets equal values; scales different ones, if the slider is dragged. A drag always scales the values at its start, so that none is lost
+// at the end of the slider.
 void change(const Parameter& row, const NumberChange& change, const CommonValue& values, const AffectedSprings& affected,
             const PanelInput& input, Panels& panels, Requests& requests) {
   const auto& now = input.status.snapshot->system;

@@ -134,7 +134,7 @@ void placement_buttons(Placement& placement, Requests& requests) {
   ImGui::EndDisabled();
   if (is_empty) tooltip("Choose an .obj file first");
   ImGui::SameLine();
-  if (ImGui::Button("Cancel", {units(96.0), units(30.0)})) placement.stop();
+  if (ImGui::Button("Cancel", {units(96.0), units(30.0)})) requests.emplace_back(StopPlacement{});
 }
 
 }  // namespace
