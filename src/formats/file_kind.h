@@ -53,6 +53,7 @@ struct FileKind {
   std::string_view description = {};  // one sentence
   bool has_quantities = false;        // the dialog asks for quantities
   bool is_flat_only = false;          // only for 2-D scenes
+  bool is_mesh = false;               // can be placed as a part, of any size
 };
 
 Table<FileKind> file_kinds();

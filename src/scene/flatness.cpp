@@ -15,7 +15,7 @@ bool is_flat(const Collider& collider) {
   return true;
 }
 
-// Of a direction or a place, as wind has.
+// Whether the parameters of the force give a direction or a position out of the plane.
 bool has_component_along_z(const Force& force) {
   for (std::size_t i = 0; i < force.term->numbers.size(); ++i)
     if (force.term->numbers[i].name.ends_with("z") && force.values[i] != 0.0) return true;

@@ -20,7 +20,7 @@ constexpr std::array dimensions_choices{
     ParameterChoice{"2", "Flat (2-D)", "Everything stays in the plane z = 0 and is viewed from the front."},
     ParameterChoice{"3", "3-D", "Points move in space; cloths, bodies and meshes can be added."},
 };
-// What does not lie in the plane stays where it is, and with it the scene in space. Undo must restore any flat scene that a file may
+// The scene stays 3-D if something is not in the plane. Undo must restore any flat scene that a file may
 // contain, also one with a collider out of the plane.
 void write_dimensions(Scene& scene, double value) {
   if (value != 0.0)
@@ -174,12 +174,12 @@ constexpr std::array rows{
               .write = set_gravity},
     Parameter{.name = "restitution", .field = "", .group = parameter_group::surroundings, .label = "Restitution", .unit = "",
               .description = "Ratio of the normal speeds after and before an impact, of every collider.",
-              .min = 0, .max = 1, .default_value = 0, .scope = Scope::Colliders,
+              .min = 0, .max = 1, .default_value = 0, .scope = Scope::Colliders, .collider = &Collider::restitution,
               .read = [](const Scene& s) { return first_of_colliders(s, &Collider::restitution); },
               .write = [](Scene& s, double value) { set_colliders(s, &Collider::restitution, value); }},
     Parameter{.name = "friction", .field = "", .group = parameter_group::surroundings, .label = "Friction", .unit = "",
               .description = "Coulomb friction coefficient of every collider.",
-              .min = 0, .max = 2, .default_value = 0.3, .scope = Scope::Colliders,
+              .min = 0, .max = 2, .default_value = 0.3, .scope = Scope::Colliders, .collider = &Collider::friction,
               .read = [](const Scene& s) { return first_of_colliders(s, &Collider::friction); },
               .write = [](Scene& s, double value) { set_colliders(s, &Collider::friction, value); }},
     Parameter{.name = "new_stiffness", .field = "defaults.stiffness", .group = parameter_group::new_parts, .label = "New springs' k", .unit = "N/m",

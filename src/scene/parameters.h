@@ -40,6 +40,7 @@ struct Parameter {
   Scope scope = Scope::Number;
   std::optional<SpringFamily> family{};           // the springs that it sets; none: all
   Weight weight = Weight::One;                    // of those springs
+  double Collider::*collider = nullptr;           // with Scope::Colliders: what it sets of each
   std::span<const ParameterChoice> choices{};     // the value is an index of these
   bool (*applies)(const Scene& scene) = nullptr;  // whether the scene has what the row sets; null: always
   double (*read)(const Scene& scene) = nullptr;

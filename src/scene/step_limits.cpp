@@ -42,15 +42,24 @@ std::optional<std::string> step_warning(const System& system, const Settings& se
 
   const std::string id(method.id);
   const Advice advice = suggest_stepping(spectrum, settings);
-  if (const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate); limit && advice.integrator == &method)
+  if (const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate); limit && advice.integrator == &method) {
+    // the bound of a listed force is that of its strongest point, which the scene may never reach
+    const bool is_of_forces = spectrum.force_omega > 0.5 * spectrum.omega;
+    const bool has_margin = *limit <= max_substeps / recommended_margin;
     return "simulation.substeps: " + std::to_string(settings.substeps) + ": may be too few for " + id +
-           " here: its linear stability limit is " + count_substeps(*limit) + " per frame; " + std::to_string(advice.substeps) +
-           " are recommended";
+           " here: its linear stability limit is " + count_substeps(*limit) + " per frame" +
+           (is_of_forces ? " where the listed forces are strongest; " : "; ") +
+           (has_margin ? std::to_string(advice.substeps) + " are recommended" : "no number of substeps has the recommended margin");
+  }
   const std::string reason = method.stability == Stability::None
                                  ? "amplifies undamped motion at every step"
                                  : "needs more than " + std::to_string(max_substeps) + " substeps per frame";
-  return "simulation.integrator: " + id + ": " + reason + " here; " + std::string(advice.integrator->id) + " with " +
-         count_substeps(advice.substeps) + " per frame is recommended";
+  const std::string other(advice.integrator->id);
+  // only a bound on the step can be recommended without a test
+  if (!std::isfinite(largest_stable_step(*advice.integrator, spectrum)))
+    return "simulation.integrator: " + id + ": " + reason + " here; " + other + " has no linear limit, but is not tested on this scene";
+  return "simulation.integrator: " + id + ": " + reason + " here; " + other + " with " + count_substeps(advice.substeps) +
+         " per frame is recommended";
 }
 
 std::string describe(const Advice& advice) {

@@ -1,4 +1,4 @@
-// What of a scene can be written for LAMMPS.
+// Which scenes can be written for LAMMPS.
 #include <gtest/gtest.h>
 
 #include "formats/lammps/lammps_model.h"
@@ -21,7 +21,7 @@ struct RefusedByLammps {
   std::string members, message;
 };
 
-TEST(LammpsExport, RefusesWhatLammpsCannotRepresentByName) {
+TEST(LammpsExport, NamesWhatLammpsCannotRepresent) {
   for (const RefusedByLammps& refused : {
            RefusedByLammps{with_spring(R"(, "damping": 1)"), "dashpots"},
            {with_spring(R"(, "break_strain": 0.5)"), "springs that break"},

@@ -86,6 +86,26 @@ TEST(SceneFile, WarnsAboutAStepBeyondTheStabilityLimitAndRecommendsAStableOne) {
                                      "velocity_verlet with 36 substeps per frame is recommended"});
 }
 
+// The bound of a steep force is that of its core, which the scene may never reach: no large number is recommended, and no method untested.
+TEST(SceneFile, WarnsAboutTheStepOfASteepForceWithoutAnImpracticalRecommendation) {
+  const auto warnings_at = [](const std::string& strength) {
+    return warnings_of(
+        R"({"hooke": 1, "points": [{"position": [1, 0, 0]}], "forces": [{"type": "center", "power": 4, "core": 1e-3, "strength": )" +
+        strength + R"(}], "simulation": {"integrator": "velocity_verlet", "substeps": 20}})");
+  };
+  EXPECT_EQ(
+      warnings_at("1e-6"),
+      std::vector<std::string>{"test.json: simulation.substeps: 20: may be too few for velocity_verlet here: its linear stability limit "
+                               "is 528 substeps per frame where the listed forces are strongest; 2112 are recommended"});
+  EXPECT_EQ(warnings_at("1"), std::vector<std::string>{
+                                  "test.json: simulation.substeps: 20: may be too few for velocity_verlet here: its linear stability limit "
+                                  "is 527047 substeps per frame where the listed forces are strongest; no number of substeps has the "
+                                  "recommended margin"});
+  EXPECT_EQ(warnings_at("1000"),
+            std::vector<std::string>{"test.json: simulation.integrator: velocity_verlet: needs more than 1000000 substeps per frame here; "
+                                     "tr_bdf2 has no linear limit, but is not tested on this scene"});
+}
+
 TEST(SceneFile, UnknownKeysAreReportedAndKept) {
   const std::string text = R"({"hooke": 1, "mine": {"big": 12345678901234567890123, "list": [1, {"a": null}]},
     "points": [{"position": [0, 0, 0], "label": "A"}, {"position": [1, 0, 0], "label": "B\n"}],

@@ -114,7 +114,8 @@ constinit const FileKind obj_file{
     .format = [](const Scene& scene, const std::string&, std::vector<std::string>&) { return format_obj(scene); },
     .source = ExportSource::Scene,
     .label = "Mesh",
-    .description = "The current points, faces, and springs without faces, in the Wavefront format."};
+    .description = "The current points, faces, and springs without faces, in the Wavefront format.",
+    .is_mesh = true};
 
 constinit const FileKind ply_file{
     .extension = ".ply",

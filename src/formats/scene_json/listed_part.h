@@ -10,7 +10,7 @@ struct ListedCounts {
   std::size_t faces;
 };
 
-// Runs the generators of the scene again. Everything is listed unless what they make is what stands last in the scene, bit for bit.
+// Runs the generators of the scene again. Everything is listed unless the generated items equal the last ones of the scene, bit for bit.
 ListedCounts find_listed(const Scene& scene);
 
 }  // namespace hooke
