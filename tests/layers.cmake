@@ -1,5 +1,5 @@
-# Checks the structure of the sources: cmake -DSOURCES=DIRECTORY -P layers.cmake
-# SOURCES holds a folder for each module. Fails, with a line for each violation, when
+# Checks the structure of the sources: cmake -DSOURCES=DIRECTORY [-DTESTS=DIRECTORY] -P layers.cmake
+# SOURCES holds a folder for each module. In TESTS, only the length of files is checked. Fails, with a line for each violation, when
 #  - a file includes a module that its own module may not use,
 #  - a file includes a third-party or system header that belongs to another file, or that has no owner yet,
 #  - physics includes a clock, random numbers, files or an unordered container,
@@ -143,6 +143,16 @@ foreach(file IN LISTS files)
   check_lines("${file}" "${text}")
 endforeach()
 check_folders(${files})
+
+if(TESTS)
+  file(GLOB_RECURSE tests RELATIVE "${TESTS}" "${TESTS}/*.h" "${TESTS}/*.cpp")
+  foreach(file IN LISTS tests)
+    file(READ "${TESTS}/${file}" text)
+    string(REGEX REPLACE "[][;]" " " text "${text}")
+    check_lines("tests/${file}" "${text}")
+  endforeach()
+  list(APPEND files ${tests})
+endif()
 
 list(LENGTH files count)
 if(violations)

@@ -16,7 +16,8 @@ TestSim net(int n, double stiffness) {
   TestSim sim;
   sim.system.gravity = Vec3(0.0);
   std::vector<PointId> ids;
-  for (int i = 0; i < n * n; ++i) ids.push_back(sim.add({0.1 * (i % n), -0.1 * (i / n), 0.0}, 0.01));
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column) ids.push_back(sim.add({0.1 * column, -0.1 * row, 0.0}, 0.01));
   for (int i = 0; i < n * n; ++i) {
     if (i % n + 1 < n) sim.join(ids[i], ids[i + 1], stiffness, 0.1);
     if (i / n + 1 < n) sim.join(ids[i], ids[i + n], stiffness, 0.1);

@@ -22,9 +22,10 @@ struct Cloth {
   std::vector<Shared> x = std::vector<Shared>(3 * points), v = std::vector<Shared>(3 * points);
   Cloth() {
     for (int i = 0; i < points; ++i) {
-      x[3 * i] = (i % n) * side;
+      const int row = i / n, column = i % n;
+      x[3 * i] = column * side;
       x[3 * i + 1] = 0.0;
-      x[3 * i + 2] = (i / n) * side;
+      x[3 * i + 2] = row * side;
     }
   }
   static bool is_nailed(int i) { return i == 0 || i == n - 1; }
@@ -100,7 +101,8 @@ Answer why_a_pass_must_end() {
       for (int s = 0; s < samples; ++s) {
         const double gap = std::abs(heights_sampled[s] - first[s]);
         if (separate_passes) spread = std::max(spread, gap);
-        series.points.push_back({s * (steps / samples) * h, std::max(gap, 2e-17)});  // 0 cannot be shown on a logarithmic scale
+        constexpr int steps_per_sample = steps / samples;
+        series.points.push_back({s * steps_per_sample * h, std::max(gap, 2e-17)});  // 0 cannot be shown on a logarithmic scale
       }
       if (!separate_passes) racing.push_back(series.points.back().second);
       answer.chart.series.push_back(std::move(series));

@@ -19,7 +19,7 @@ int main() try {
       std::printf("%.2f s: sag %.4f m, energy %.4f J, error %.1e m\n", simulation.time(), -positions[3 * 10 + 1],
                   simulation.energy().total(), simulation.error());
   }
-  simulation.nail(20, false);  // let go of one end, then take that back
+  simulation.nail(20, false);  // release one end, and undo that
   simulation.step();
   simulation.undo();
   std::printf("libhooke %s, hash %016llx\n", hk::version(), static_cast<unsigned long long>(simulation.hash()));

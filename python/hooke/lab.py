@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Lab(Parameterized):
-    """A running scene. Commands take effect with the next frame and can be undone, while the run goes on.
+    """A running scene. Commands take effect with the next frame and can be undone while the run continues.
 
     lab = hooke.load("cloth").lab()
     lab.grab(0, target=(0.5, 0.5, 0.5))

@@ -1,4 +1,4 @@
-// Hooke as a library: load or build a network of point masses and springs, step it, read it, apply commands, and ask how wrong it is.
+// Hooke as a library: load or build a network of point masses and springs, step it, read its state, apply commands, and query its error.
 //
 //   hooke::v1::Scene scene = hooke::v1::Scene::load("cloth");
 //   hooke::v1::Simulation simulation(scene);

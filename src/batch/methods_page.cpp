@@ -141,7 +141,7 @@ std::string methods_page(const Results& results) {
       "rate, k, d and l0 stiffness, damping and rest length of a spring, u its direction, omega the frequency of an undamped mode and "
       "lambda the "
       "rate\n"
-      "of a dashpot. Orders are of positions and velocities, measured by the tests from both sides.\n\n";
+      "of a dashpot. Orders are of positions and velocities, measured by tests that reject both lower and higher orders.\n\n";
   add_summary(text);
   text += "\n## Order of convergence\n\n";
   add_orders(text);
@@ -154,7 +154,7 @@ std::string methods_page(const Results& results) {
       "\n## Measured\n\nCPU time of each method to reach an error, as a multiple of that of the cheapest method; errors are relative to "
       "the scene's "
       "size;\n"
-      "`-`: no setting that was tried does. Measured " +
+      "`-`: no tested setting reaches it. Measured " +
       results.date.substr(0, 10) + " on one thread of " + results.conditions.machine + ".\n";
   for (const int decade : decades) add_comparison(text, results, decade);
   for (const Integrator& method : integrators()) add_method(text, method, results);

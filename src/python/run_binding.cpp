@@ -11,7 +11,7 @@
 namespace hooke::python {
 namespace {
 
-// Arrays of all samples, filled in place while the run goes on.
+// Arrays of all samples, filled in place during the run.
 class Samples {
  public:
   // Throws MemoryError if they do not fit.

@@ -7,6 +7,7 @@
 #include "scene/step_limits.h"
 #include "sim/divergence.h"
 #include "sim/frame_error.h"
+#include "sim/integrators/rows.h"
 #include "sim/step.h"
 
 namespace hooke {
@@ -59,10 +60,9 @@ class Frames {
 // Far more accurate than the present settings.
 Settings exact(const System& system, const Settings& settings, const Spectrum& spectrum) {
   if (std::ranges::none_of(system.colliders, &Collider::solid))
-    return {.integrator = find_integrator("dop853"), .frame_rate = settings.frame_rate, .substeps = 1, .tolerance = 1e-13};
-  const Integrator* method = find_integrator("blanes_moan4");
-  const int stable = min_stable_substeps(*method, spectrum, settings.frame_rate).value_or(settings.substeps);
-  return {.integrator = method, .frame_rate = settings.frame_rate, .substeps = 8 * std::max(stable, settings.substeps)};
+    return {.integrator = &dop853, .frame_rate = settings.frame_rate, .substeps = 1, .tolerance = 1e-13};
+  const int stable = min_stable_substeps(blanes_moan4, spectrum, settings.frame_rate).value_or(settings.substeps);
+  return {.integrator = &blanes_moan4, .frame_rate = settings.frame_rate, .substeps = 8 * std::max(stable, settings.substeps)};
 }
 
 }  // namespace

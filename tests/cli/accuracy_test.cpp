@@ -45,7 +45,7 @@ TEST(AccuracyReports, EverySampleHasItsErrorsOrAReason) {
   EXPECT_NEAR(sum, change, 1e-9);
 }
 
-TEST(AccuracyReports, WhatIsNotMeasuredSaysSo) {
+TEST(AccuracyReports, WhatIsNotMeasuredHasAReason) {
   const rapidjson::Document off = parse_json(run_headless("run cloth --seconds 0.1 --points 0 --json - --accuracy off").out);
   EXPECT_TRUE(off["samples"][0]["error"]["frame"].IsNull());
   EXPECT_NE(std::string(off["samples"][0]["error"]["reason"].GetString()).find("switched off"), std::string::npos);

@@ -99,8 +99,6 @@ Camera camera_from(const Vec3& eye) { return make_camera({.camera = CameraPose{.
 const Vec3 aside(0.0, 0.9, 4.0);
 constexpr int width = 480, height = 300;
 
-int brightness(const Color& color) { return color.red + color.green + color.blue; }
-
 // The reduction in brightness by shadows at a position, in percent.
 int shade_at(const TestSim& scene, const Vec3& place, ViewOptions options = {}, const Vec3& eye = aside) {
   options.grid = false;

@@ -373,14 +373,12 @@ TEST(StrainScale, OfNonFiniteStrainIsOne) {
   EXPECT_DOUBLE_EQ(View::strain_scale({.min_strain = not_a_number}), 1.0);
 }
 
-int lightness(const Color& color) { return color.red + color.green + color.blue; }
-
 TEST(StrainColor, GoesFromBlueThroughGrayToOrange) {
   const Color pressed = View::strain_color(-1.0), rest = View::strain_color(0.0), pulled = View::strain_color(1.0);
   EXPECT_GT(pressed.blue, pressed.red + 100);
   EXPECT_GT(pulled.red, pulled.blue + 100);
   EXPECT_LT(std::abs(rest.red - rest.blue), 25);
-  EXPECT_LT(lightness(rest), lightness(pressed));
+  EXPECT_LT(brightness(rest), brightness(pressed));
   EXPECT_EQ(View::strain_color(-7.0), pressed);
   EXPECT_EQ(View::strain_color(7.0), pulled);
   EXPECT_EQ(View::strain_color(not_a_number), rest);

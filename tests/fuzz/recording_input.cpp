@@ -6,6 +6,7 @@
 #include "edit/command_text.h"
 #include "fuzz/invariants.h"
 #include "lab/lab.h"
+#include "support/command_text.h"
 #include "support/valid_scene.h"
 
 namespace hooke {
@@ -13,12 +14,6 @@ namespace {
 
 constexpr int max_played_frames = 20;
 constexpr std::size_t max_played_items = 100;
-
-std::string text_of(const Command& command) {
-  JsonWriter out;
-  write_command(out, command);
-  return out.take();
-}
 
 Command parse_command(const std::string& text) {
   std::optional<Command> command;

@@ -1,4 +1,4 @@
-// The accuracy that the laboratory measures while it runs, against what it claims to be.
+// The accuracy that the laboratory measures while it runs, compared with the true errors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ Lab measured_lab(const Scene& scene, AccuracyMode mode = AccuracyMode::Full) {
 class MeasuredAccuracy : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, MeasuredAccuracy, testing::ValuesIn(every_method()), method_name);
 
-// Without contact, or past the time for which the motion can be predicted, and said to be.
+// Without contact. Where the error is not known because the motion cannot be predicted, it must be large.
 TEST_P(MeasuredAccuracy, TheAccumulatedErrorIsTheDistanceToTheExactRun) {
   for (const AccuracyScene& row : accuracy_scenes()) {
     if (row.has_contact) continue;
@@ -156,7 +156,7 @@ TEST(Predictability, TenOfTenRegularScenesAreRecognized) {
 }
 
 // Implicit Euler damps: the balance separates what it loses from what drag takes.
-TEST(EnergyAccounts, TheLossOfTheMethodIsToldFromThatOfTheScene) {
+TEST(EnergyAccounts, TheLossOfTheMethodIsSeparatedFromThatOfTheScene) {
   TestSim sim = net(8, 1e2, 0.0);
   sim.system.drag = 1.0;
   Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("implicit_euler"), .substeps = 4}), AccuracyMode::Frame);
@@ -173,8 +173,8 @@ TEST(EnergyAccounts, TheLossOfTheMethodIsToldFromThatOfTheScene) {
   EXPECT_EQ(balance.dashpots, 0.0);
 }
 
-// The shares are not evaluated in every frame.
-TEST(EnergyAccounts, DragAndDashpotsAreToldApart) {
+// Their fractions are not evaluated in every frame.
+TEST(EnergyAccounts, DragAndDashpotsAreSeparated) {
   TestSim sim = net(8, 1e2, 0.5);
   sim.system.drag = 1.0;
   Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("velocity_verlet"), .substeps = 8}), AccuracyMode::Frame);
@@ -212,7 +212,7 @@ TEST(AccuracyMeter, RepeatsATwentiethOfTheSubsteps) {
   EXPECT_LE(static_cast<double>(repeated), 0.051 * static_cast<double>(substeps));
 }
 
-TEST(AccuracyMeter, AfterAnEditItSaysThatItWaits) {
+TEST(AccuracyMeter, AfterAnEditTheErrorIsUnknownUntilTheNextMeasurement) {
   const TestSim sim = net(8, 1e2, 0.0);
   Lab lab = measured_lab(scene_of(sim, {}));
   lab.apply_pending();
@@ -229,8 +229,8 @@ TEST(AccuracyMeter, AfterAnEditItSaysThatItWaits) {
   EXPECT_TRUE(lab.accuracy().frame.value);
 }
 
-// The order says what half the error costs, and half the error is what that gives.
-TEST(AccuracyMeter, HalfTheErrorCostsWhatItSays) {
+// The substeps reported for half the error give half the error.
+TEST(AccuracyMeter, HalfTheErrorCostsAsMuchAsReported) {
   const TestSim sim = net(8, 1e2, 0.0);
   for (const char* id : {"velocity_verlet", "implicit_euler", "tr_bdf2", "runge_kutta4"}) {
     const auto error_with = [&](int substeps, int& half) {

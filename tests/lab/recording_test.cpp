@@ -17,17 +17,12 @@
 #include "sim/hash.h"
 #include "sim/integrator.h"
 #include "support/apply_now.h"
+#include "support/command_text.h"
 #include "support/contents.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
 namespace {
-
-std::string text_of(const Command& command) {
-  JsonWriter out;
-  write_command(out, command);
-  return out.take();
-}
 
 // One of every command, with a non-default value in every field.
 std::vector<Command> one_of_each() {

@@ -130,7 +130,7 @@ TEST(BackToStart, KeepsWhatIsBuiltBeforeTheFirstFrame) {
   run.frames(5);
   run.ask(GoToStart{});
   EXPECT_EQ(run.state().position[2], (Vec3{0.5, 0.0, 0.0}));
-  // the key that releases all nails only plays, wherever it is pressed
+  // releasing all nails by its key never changes the start
   EXPECT_TRUE(run.system().points()[0].nailed);
   EXPECT_TRUE(run.system().points()[1].nailed);
 }
@@ -241,7 +241,7 @@ TEST(UnsavedChanges, EndWhereTheSavedDocumentIsReachedAgain) {
   EXPECT_FALSE(run.unsaved());
 }
 
-TEST(UnsavedChanges, AreMadeByADragThatGoesOnAfterSaving) {
+TEST(UnsavedChanges, AreMadeByADragThatContinuesAfterSaving) {
   StartFixture run;
   run.ask(Command(SetParameter{&row("drag"), 1.0}), 5);
   run.ask(MarkSaved{});

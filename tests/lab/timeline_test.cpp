@@ -8,11 +8,10 @@
 #include "scene/parameters.h"
 #include "sim/hash.h"
 #include "support/apply_now.h"
+#include "support/run_lab.h"
 
 namespace hooke {
 namespace {
-
-Lab lab_on(const char* scene) { return Lab(load_scene(find_scene(scene)).scene); }
 
 void step(Lab& lab, int frames) {
   for (int frame = 0; frame < frames; ++frame) lab.step();

@@ -11,11 +11,10 @@
 #include "scene/parameters.h"
 #include "sim/energy.h"
 #include "support/apply_now.h"
+#include "support/run_lab.h"
 
 namespace hooke {
 namespace {
-
-Lab lab_on(const char* scene) { return Lab(load_scene(find_scene(scene)).scene); }
 
 Quantity quantity(const Lab& lab, const char* name) {
   const System& system = lab.scene().system;

@@ -11,14 +11,13 @@
 #include "scene/parameters.h"
 #include "sim/energy.h"
 #include "sim/forces/forces.h"
+#include "support/parse_text.h"
 #include "support/test_sim.h"
 
 namespace hooke {
 namespace {
 
 constexpr std::array families{SpringFamily::Structural, SpringFamily::Shear, SpringFamily::Bend};
-
-Scene parse(const std::string& text) { return parse_scene(text, "test").scene; }
 
 // 5 x 4 points in square cells.
 Scene cloth(const std::string& members) {

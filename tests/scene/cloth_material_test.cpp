@@ -13,13 +13,12 @@
 #include "scene/parameters.h"
 #include "sim/integrator.h"
 #include "support/apply_now.h"
+#include "support/parse_text.h"
 #include "support/scratch_folder.h"
 #include "support/test_sim.h"
 
 namespace hooke {
 namespace {
-
-Scene parse(const std::string& text) { return parse_scene(text, "test").scene; }
 
 // A square meter of n x n points, hung by its first row.
 Scene sheet(int n, const std::string& members) {

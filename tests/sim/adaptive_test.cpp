@@ -118,7 +118,7 @@ TEST(AdaptiveStep, KeepsItsToleranceThroughImpacts) {
   }
 }
 
-// the number of substeps only says how often the caller looks: it changes the steps, but not the accuracy
+// the number of substeps only determines where steps must end: it changes the steps, but not the accuracy
 TEST(AdaptiveStep, DoesNotDependOnTheSubstepsThroughImpacts) {
   TestSim coarse = bouncing(0.6, 0.2), fine = bouncing(0.6, 0.2);
   coarse.run(dop853, 1.0, 1, 1e-9);

@@ -119,7 +119,8 @@ TEST_P(Contact, WithManyCollidersStaysFinite) {
 TEST(Contact, BetweenAClothAndABallAddsNoEnergy) {
   constexpr int n = 12;
   TestSim sim;
-  for (int i = 0; i < n * n; ++i) sim.add({0.1 * (i % n), 0.4, 0.1 * (i / n)}, 0.01);
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column) sim.add({0.1 * column, 0.4, 0.1 * row}, 0.01);
   for (int i = 0; i < n * n; ++i) {
     const auto join = [&](int to) {
       const double length = glm::distance(sim.state.position[i], sim.state.position[to]);

@@ -1,4 +1,4 @@
-// Several substeps at once equal the same substeps one by one: to rounding, whatever acts on the points, and when something acts
+// Several substeps at once equal the same substeps one by one to rounding, whatever acts on the points, also if something acts
 // between them.
 #include "sim/forces/flight.h"
 
@@ -101,7 +101,7 @@ TEST(Flight, TakesFewerForceEvaluationsThanTwiceTheSteps) {
   }
 }
 
-// A floor that the net falls on within the frame, and one that it only nearly reaches.
+// A floor that the net hits within the frame, and one that it nearly reaches.
 TEST(Flight, IsTakenBackWhenAPointTouchesACollider) {
   TestSim sim = swinging_net();
   double lowest = 0.0;

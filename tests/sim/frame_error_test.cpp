@@ -24,7 +24,7 @@ State next_frame(Plan& plan, const System& system, const Settings& settings, con
   return next;
 }
 
-// The frame without error in comparison, whatever the method under test.
+// The reference frame, whose error is negligible compared with that of the method under test.
 Settings exact(const AccuracyScene& scene) {
   if (scene.has_contact) return {.integrator = find_integrator("blanes_moan4"), .substeps = 1000};
   return {.integrator = find_integrator("dop853"), .substeps = 8, .tolerance = 1e-13};

@@ -17,14 +17,14 @@
 namespace hooke {
 namespace {
 
-// What a net of points in rows lacks or has in addition.
+// What is missing in a net of points in rows, or added to it.
 struct Net {
   int rows, columns;
   int dimensions = 3;
   double max_damping = 0.0;
   bool uniform = false;     // one mass, and one stiffness and rest length for each direction
   int missing = 0;          // one spring of so many; 0: none
-  bool extra = false;       // springs over the next point but one, and to a point outside
+  bool extra = false;       // springs to the second next point, and to a point outside
   bool coincident = false;  // some points at the same place
 };
 
@@ -121,7 +121,7 @@ Index springs_in_grids(const Plan& plan) {
   return count;
 }
 
-TEST(Grids, AreOfLargeScenesOnly) {
+TEST(Grids, AreMadeForLargeScenesOnly) {
   EXPECT_TRUE(make_plan(make_net({.rows = 8, .columns = 8}).system).grids.empty());
   EXPECT_EQ(make_plan(make_net({.rows = 10, .columns = 10}).system).grids.size(), 1u);
 }
@@ -145,7 +145,7 @@ TEST(Grids, KeepTheirShapeWhereSpringsAreMissing) {
   EXPECT_EQ(springs_in_grids(plan), plan.springs);
 }
 
-TEST(Grids, LeaveTheSpringsTheyHaveNoPlaceFor) {
+TEST(Grids, LeaveOutSpringsThatDoNotFit) {
   const Plan plan = make_plan_with_grids(make_net({.rows = 6, .columns = 20, .extra = true}).system);
   ASSERT_EQ(plan.grids.size(), 1u);
   Index loose = 0;
@@ -158,7 +158,7 @@ TEST(Grids, LeaveTheSpringsTheyHaveNoPlaceFor) {
   EXPECT_EQ(loose + springs_in_grids(plan), plan.springs);
 }
 
-TEST(Grids, AreTheSameInWhateverOrderTheSpringsWereMade) {
+TEST(Grids, DoNotDependOnTheOrderOfTheSprings) {
   const TestSim sim = make_net({.rows = 7, .columns = 13, .missing = 20});
   TestSim reversed = sim;
   std::vector<Spring> springs = sim.system.springs();
@@ -168,7 +168,7 @@ TEST(Grids, AreTheSameInWhateverOrderTheSpringsWereMade) {
   EXPECT_EQ(Packed(sim).forces(), Packed(reversed).forces());
 }
 
-TEST(Grids, StoreOneRowOfNumbersWhereAllAreTheSame) {
+TEST(Grids, StoreASingleRowOfNumbersIfAllRowsAreEqual) {
   const Grid uniform = make_plan_with_grids(make_net({.rows = 6, .columns = 9, .uniform = true}).system).grids.at(0);
   const Grid varied = make_plan_with_grids(make_net({.rows = 6, .columns = 9}).system).grids.at(0);
   for (std::size_t direction = 0; direction < Grid::directions; ++direction) {
@@ -177,7 +177,7 @@ TEST(Grids, StoreOneRowOfNumbersWhereAllAreTheSame) {
   }
 }
 
-TEST(Grids, TakeSeveralSheetsAndRopesOfAScene) {
+TEST(Grids, CoverSeveralSheetsAndRopesOfAScene) {
   TestSim sim = make_net({.rows = 5, .columns = 9});
   const TestSim more = make_net({.rows = 4, .columns = 6});
   const auto append = [&](const TestSim& other) {
@@ -297,7 +297,7 @@ TEST(GridPass, HasTheSameBitsForEveryVectorUnit) {
   });
 }
 
-TEST(GridPass, TellsWhetherAnySpringIsAtItsLimit) {
+TEST(GridPass, ReportsWhetherAnySpringIsAtItsLimit) {
   for (const Net& net : assorted_nets()) {
     TestSim sim = make_net(net);
     for (const bool reached : {false, true}) {

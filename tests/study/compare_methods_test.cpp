@@ -38,7 +38,7 @@ TEST(CompareMethods, TheErrorOfARowIsThatOfARun) {
   EXPECT_EQ(methods.size(), integrators().size());
 }
 
-TEST(CompareMethods, AChaoticMotionIsComparedForAShorterTimeAndItSaysSo) {
+TEST(CompareMethods, AChaoticMotionIsComparedForAShorterTimeAndThisIsReported) {
   const TestSim sim = curtain(6, 1e4, 0.0);
   const MethodComparison comparison = compare_methods(sim.system, sim.state, 2.0, quick, [](double) { return true; });
   EXPECT_LT(comparison.record.seconds, 2.0);

@@ -169,7 +169,7 @@ class GuiFixture {
         if (!visit(ImGui::GetCurrentContext()->HoveredId)) return;
       }
   }
-  // Far longer than any machine needs, so that a slow machine does not fail the test.
+  // Far longer than any machine needs, so that the test does not fail on a slow machine.
   static constexpr auto patience = std::chrono::seconds(60);
 
   // Waits until every submitted command has taken effect.

@@ -45,6 +45,8 @@ inline Color at(const Image& image, const Camera& camera, const Vec3& place) {
   return at(image, static_cast<int>(seen.x), static_cast<int>(seen.y));
 }
 
+inline int brightness(const Color& color) { return color.red + color.green + color.blue; }
+
 inline Image read_png(const std::filesystem::path& file) {
   png_image png{.version = PNG_IMAGE_VERSION};
   Image image;

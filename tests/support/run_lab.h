@@ -5,13 +5,13 @@
 
 #include <string>
 
-#include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "support/apply_now.h"
+#include "support/parse_text.h"
 
 namespace hooke {
 
-inline Scene parse(const std::string& text) { return parse_scene(text, "test").scene; }
+inline Lab lab_on(const char* scene) { return Lab(load_scene(find_scene(scene)).scene); }
 
 // A sheet of 8 x 8 points, hung by two corners, that tears under its own weight.
 inline Scene weak_sheet(const Integrator& method) {

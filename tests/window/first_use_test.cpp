@@ -1,4 +1,4 @@
-// What somebody does in the first minutes: watch, play, build something, save it. In the real window, with few clicks and keys.
+// What a new user does in the first minutes: watch, play, build something, save it. In the real window, with few clicks and keys.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -97,7 +97,7 @@ TEST(FirstUse, RunsDragsReleasesBuildsATrussAndSavesItWithFortyClicksAndKeys) {
   ASSERT_EQ(saved.system.point_count(), 8);
   EXPECT_EQ(saved.system.spring_count(), 13);
   EXPECT_EQ(std::ranges::count(saved.system.points(), true, &Point::nailed), 2);
-  // it stands
+  // the truss stands
   for (const Spring& spring : saved.system.springs()) {
     const double length = glm::distance(saved.state.position[saved.system.index_of(spring.first)],
                                         saved.state.position[saved.system.index_of(spring.second)]);

@@ -44,18 +44,18 @@ step rotate.
 
 ## Which method for which hard case
 
-* **Stiff springs at a step far beyond theirs** (1, 2, 7, 12, 16): `baraff_witkin` or `implicit_euler`, whose energy falls;
+* **Stiff springs at a step far beyond their stability limit** (1, 2, 7, 12, 16): `baraff_witkin` or `implicit_euler`, whose energy falls;
   `tr_bdf2` where the scene moves smoothly and the motion matters. Explicit methods take as many substeps as the limit
   requires and are then accurate; up to some thousand per frame that is cheaper (docs/accuracy.md).
 * **Heavy ends and long chains** (3, 4): `velocity_verlet` at its limit, or any implicit method at a few substeps. Never
   `xpbd`: one sweep does not transmit a weight through a thousand links.
-* **Strong dashpots** (11): `velocity_verlet` takes them exactly at any size; `tr_bdf2` and `esdirk4` at one step per frame.
+* **Strong dashpots** (11): `velocity_verlet` solves them exactly at any strength; `tr_bdf2` and `esdirk4` at one step per frame.
 * **A fast mouse** (8): `velocity_verlet`, which is by far the cheapest there; of the implicit ones `tr_bdf2` from 4 substeps per frame
   on. With fewer steps these stay bounded, damp the motion, and report that their solves do not converge.
 * **Contact of stiff cloth** (10, 19): `velocity_verlet`. Contacts are resolved after a step, for each point separately, so no method
   is better than its step: beyond 3 / omega the status warns, whatever the method.
 * **Impacts and rest** (20, 21): any method; flights and impacts are solved within the step.
-* **Chaotic motion** (17, 18): a closed energy balance is the best that can be had:
+* **Chaotic motion** (17, 18): a closed energy balance is the strongest available check:
   `velocity_verlet`, `blanes_moan4`.
 * **Resonance** (9): any method except the dissipative first-order ones.
 )";

@@ -40,8 +40,6 @@ struct Sheet {
   Image draw(bool from_behind = false) const { return hooke::draw(sim, {}, camera(from_behind), options, 300, 300); }
 };
 
-int brightness(const Color& color) { return color.red + color.green + color.blue; }
-
 const std::vector<std::uint8_t> four_colors{255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
 
 TEST(Surface, ShowsTheTextureUprightOnce) {

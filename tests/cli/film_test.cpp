@@ -1,0 +1,134 @@
+// Films and replays of hooke-headless, run as a separate process. A fake ffmpeg records its input and fails on request.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "formats/scene_file.h"
+#include "lab/lab.h"
+#include "lab/recording.h"
+#include "scene/parameters.h"
+#include "support/apply_now.h"
+#include "support/contents.h"
+#include "support/picture.h"
+#include "support/process.h"
+#include "support/scratch_folder.h"
+
+namespace hooke {
+namespace {
+
+class Films : public testing::Test {
+ protected:
+  // Runs in the scratch folder, with the programs in it first in the path.
+  Outcome run(const std::string& arguments, const std::string& path = "bin:/usr/bin:/bin") const {
+    std::vector<std::string> words{"/usr/bin/env", "-C", scratch.folder.string(), "-u", "DISPLAY", "PATH=" + path, HOOKE_HEADLESS};
+    std::istringstream text(arguments);
+    for (std::string word; text >> word;) words.push_back(word);
+    return run_process(words);
+  }
+  // Installs an ffmpeg with this script.
+  void install_ffmpeg(const std::string& script) const {
+    std::filesystem::create_directory(scratch.folder / "bin");
+    const std::filesystem::path program = scratch.folder / "bin" / "ffmpeg";
+    std::ofstream(program) << "#!/bin/sh\n" << script;
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  }
+  std::string contents(const std::string& name) const { return hooke::contents(scratch.folder / name); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(
+        std::distance(std::filesystem::directory_iterator(scratch.folder), std::filesystem::directory_iterator()));
+  }
+  const ScratchFolder scratch;
+};
+
+// The last argument is the output file.
+constexpr const char* honest_ffmpeg = "echo \"$@\" >arguments\nfor last; do :; done\nexec cat >\"${last#file:}\"\n";
+
+TEST_F(Films, ContainTheSamePicturesAsAFolder) {
+  install_ffmpeg(honest_ffmpeg);
+  const Outcome outcome = run("capture cloth --seconds 0.1 --fps 30 --size 64x36 --out a.mp4");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::string film = contents("a.mp4");
+  ASSERT_EQ(film.size(), 4u * 64 * 36 * 3);
+  EXPECT_NE(contents("arguments").find("-video_size 64x36 -framerate 30 "), std::string::npos) << contents("arguments");
+
+  ASSERT_EQ(run("capture cloth --seconds 0.1 --fps 30 --size 64x36 --out pictures").code, 0);
+  const Image last = read_png(scratch.folder / "pictures" / "frame_00003.png");
+  EXPECT_EQ(film.substr(3u * 64 * 36 * 3), std::string(last.pixels.begin(), last.pixels.end()));
+}
+
+TEST_F(Films, AreNotLeftIncomplete) {
+  install_ffmpeg("echo 'no space' >&2\nexit 7\n");
+  const Outcome outcome = run("capture cloth --seconds 0.5 --size 640x360 --out a.mp4");
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_EQ(outcome.err.rfind("hooke-headless: a.mp4: ffmpeg ended ", 0), 0u) << outcome.err;
+  EXPECT_NE(outcome.err.find("no space"), std::string::npos) << outcome.err;
+  EXPECT_EQ(files(), 1u);  // only the fake ffmpeg
+}
+
+TEST_F(Films, ReportAMissingFfmpegAndHowToInstallIt) {
+  const Outcome outcome = run("capture cloth --out a.mp4", "/nowhere");
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_EQ(outcome.err,
+            "hooke-headless: a.mp4: ffmpeg, which encodes films, cannot be started: No such file or directory (apt-get install ffmpeg)\n");
+  EXPECT_EQ(files(), 0u);
+}
+
+// A recording of half a second of a cloth after its nails are released.
+class Replays : public Films {
+ protected:
+  Replays() {
+    Lab lab(load_scene(find_scene("cloth")).scene);
+    lab.submit(Record{std::make_shared<const std::filesystem::path>(scratch.folder / "a.hookelog")});
+    for (int frame = 0; frame < 30; ++frame) {
+      if (frame == 10) lab.submit(SetParameter{find_parameter("gravity"), 3.0});
+      lab.step();
+    }
+    lab.submit(Record{});
+    apply_now(lab);
+  }
+};
+
+TEST_F(Replays, AreVerified) {
+  const Outcome outcome = run("replay a.hookelog --verify");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("30 frames to 0.5 s, hash ", 0), 0u) << outcome.out;
+  EXPECT_NE(outcome.out.find(": every frame as recorded"), std::string::npos) << outcome.out;
+}
+
+TEST_F(Replays, FailWhereAFrameDiffersFromTheRecording) {
+  std::string text = contents("a.hookelog");
+  const std::size_t at = text.find("\"set_parameter\"");
+  ASSERT_NE(at, std::string::npos);
+  text.replace(text.find("\"value\": 3", at), 10, "\"value\": 4");
+  std::ofstream(scratch.folder / "a.hookelog") << text;
+  const Outcome verified = run("replay a.hookelog --verify");
+  EXPECT_EQ(verified.code, 1);
+  EXPECT_EQ(verified.err.rfind("a.hookelog: frame 11, at ", 0), 0u) << verified.err;
+  const Outcome shown = run("replay a.hookelog");
+  EXPECT_EQ(shown.code, 0);
+  EXPECT_EQ(shown.err.rfind("warning: a.hookelog: frame 11, at ", 0), 0u) << shown.err;
+}
+
+TEST_F(Replays, RefuseOtherFiles) {
+  std::ofstream(scratch.folder / "a.hookelog") << "{\"hooke\": 1}\n";
+  const Outcome outcome = run("replay a.hookelog");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.err, "hooke-headless: a.hookelog: line 1: a scene: must be a recording, {\"hooke_recording\": 1, ...}\n");
+  EXPECT_EQ(run("replay none.hookelog").code, 5);
+}
+
+TEST_F(Replays, AreDrawnFromStartToEnd) {
+  install_ffmpeg(honest_ffmpeg);
+  EXPECT_EQ(run("capture --replay a.hookelog --size 64x36 --out a.mp4").code, 0);
+  EXPECT_EQ(contents("a.mp4").size(), 31u * 64 * 36 * 3);
+}
+
+TEST_F(Replays, RejectOptionsThatWouldChangeTheRun) {
+  EXPECT_EQ(run("capture --replay a.hookelog --out a.png --substeps 3").code, 2);
+  EXPECT_EQ(run("capture cloth --replay a.hookelog --out a.png").code, 2);
+  EXPECT_EQ(run("capture --out a.png").code, 2);
+}
+
+}  // namespace
+}  // namespace hooke
