@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "sim/hand.h"
+#include "sim/portable_math.h"
 #include "sim/state.h"
 
 namespace hooke {
@@ -316,9 +317,13 @@ double plausible_reach(const System& system, const Spectrum& spectrum, double ex
     acceleration += bound.acceleration;
     speed += bound.speed;
   }
-  // A repulsion that increases with the distance leads anywhere within a short time, and no method follows it there.
-  if (!std::isfinite(acceleration)) return std::max(1e9, 1e12 * (extent + time * speed));
   speed += glm::length(system.wind) + system.hand_speed + spectrum.omega * extent;
+  if (!std::isfinite(acceleration)) {
+    // A repulsion that increases with the distance leads away exponentially if its derivative is bounded. Otherwise it leads anywhere
+    // within a short time, and no method follows it there.
+    if (spectrum.is_bounded) return margin * (extent + time * speed) * portable::exp(spectrum.omega * time);
+    return std::max(1e9, 1e12 * (extent + time * speed));
+  }
   return margin * (extent + time * (speed + time * acceleration));
 }
 
