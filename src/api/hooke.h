@@ -11,8 +11,8 @@
 // its meaning and its binary interface in all versions of libhooke.so.1: programs built with an older version run with a newer one without
 // being compiled again. New functions and classes may be added. An incompatible interface would be hooke::v2 in libhooke.so.2.
 //
-// Errors are exceptions of the class Error: one line, as on the command line, that names the argument. A Simulation is used by one thread at a time; different ones
-// may be used at the same time.
+// Errors are exceptions of the class Error: one line, as on the command line, that names the argument. A Simulation is used by one thread
+// at a time; different ones may be used at the same time.
 #pragma once
 
 #include <cstdint>

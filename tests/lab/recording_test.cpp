@@ -242,7 +242,8 @@ TEST_F(Recordings, ThatCannotBeWrittenEndWithAnError) {
   lab.step();
   lab.publish();
   EXPECT_EQ(lab.status()->recording.file, "");
-  EXPECT_NE(lab.status()->recording.error.find("/nowhere/session.hookelog: cannot be written: No such file or directory"), std::string::npos)
+  EXPECT_NE(lab.status()->recording.error.find("/nowhere/session.hookelog: cannot be written: No such file or directory"),
+            std::string::npos)
       << lab.status()->recording.error;
   EXPECT_GT(lab.scene().state.time, 0.0);
 }
