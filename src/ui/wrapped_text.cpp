@@ -21,11 +21,12 @@ bool is_number(std::string_view word) {
   return first != word.npos && is_digit(word[first]) && is_digit(word.back());
 }
 
-// "m", "kg,", "N/m", "%": one or two letters, or a quotient.
+// "m", "kg,", "N/m", "%": one or two letters, or a quotient; and "substeps", "degrees".
 bool is_unit(std::string_view word) {
   const auto last = word.find_last_not_of(".,;:)\"");
   if (last == word.npos) return false;
   word = word.substr(0, last + 1);
+  if (word == "substep" || word == "substeps" || word == "degrees") return true;
   return length_of(word) <= 2 || (word.find('/') != word.npos && length_of(word) <= 6);
 }
 

@@ -49,6 +49,7 @@ TEST_F(WrappedText, BreaksAWordOnlyWhereItIsWiderThanALine) {
     EXPECT_EQ(again, path);
   }
   EXPECT_EQ(wrapped("one two", width_of("one ") + width_of("tw")), "one\ntwo");
+  EXPECT_EQ(wrapped("with 39716 substeps per frame", width_of("with 39716 sub")), "with\n39716 substeps\nper frame");
 }
 
 TEST_F(WrappedText, KeepsLineBreaksAndTheSpacesWithinALine) {
