@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
+#include <string>
+#include <vector>
 
 #include "scene/parameters.h"
 #include "sim/integrator.h"
@@ -151,24 +153,51 @@ void take_remedy(const Remedy& remedy, const Settings& settings, Requests& reque
   requests.emplace_back(Control(SetRunning{true}));
 }
 
-// A banner `down` below the top of the scene; its content is built between begin and end. end returns its height.
-void begin_banner(const char* name, const Rect& scene, double down, const std::string& text, ImU32 ground, ImU32 edge, Panels& panels) {
+// A message with buttons below it.
+struct Banner {
+  const char* name;
+  std::vector<std::string> texts, buttons;
+  ImU32 ground, edge;
+};
+
+// Computed, because ImGui fits a window to the content of the frame before, and a text that has become longer would cut the buttons.
+float height_of(const Banner& banner, ImVec2 padding, float width) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float inner = width - 2.0f * padding.x;
+  float height = 2.0f * padding.y + ImGui::GetFrameHeight();
+  for (const std::string& text : banner.texts) height += ImGui::CalcTextSize(wrapped(text, inner).c_str()).y + 2.0f * style.ItemSpacing.y;
+  float end = 0.0f;  // of the row of buttons
+  for (const std::string& label : banner.buttons) {
+    const float button = ImGui::CalcTextSize(label.c_str()).x + 2.0f * style.FramePadding.x;
+    const bool is_new_row = end > 0.0f && end + style.ItemSpacing.x + button > inner;
+    if (is_new_row) height += ImGui::GetFrameHeight() + style.ItemSpacing.y;
+    end = is_new_row || end == 0.0f ? button : end + style.ItemSpacing.x + button;
+  }
+  return height;
+}
+
+// Begins a banner `down` below the top of the scene with its texts; the buttons are built between begin and end. end returns its height.
+void begin_banner(const Banner& banner, const Rect& scene, double down, Panels& panels) {
   const float width = std::min(static_cast<float>(scene.width) - units(32.0), units(620.0));
+  const ImVec2 padding(units(18.0), units(12.0));
   ImGui::SetNextWindowPos(place(scene, 0.5 * (scene.width - width), units(14.0) + down));
-  ImGui::SetNextWindowSize({width, 0.0f});
+  ImGui::SetNextWindowSize({width, height_of(banner, padding, width)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, units(6.0));
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(18.0), units(12.0)});
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, banner.ground);
   ImGui::PushStyleColor(ImGuiCol_Button, palette::pressed);
-  ImGui::Begin(name, nullptr, fixed_panel | ImGuiWindowFlags_AlwaysAutoResize);
+  ImGui::Begin(banner.name, nullptr, fixed_panel);
   panels.floating.push_back(current_window());
 
   const ImVec2 min = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
   ImGui::PushClipRect(min, {min.x + size.x, min.y + size.y}, false);
-  ImGui::GetWindowDrawList()->AddRectFilled(min, {min.x + units(5.0), min.y + size.y}, edge, units(6.0), ImDrawFlags_RoundCornersLeft);
+  ImGui::GetWindowDrawList()->AddRectFilled(min, {min.x + units(5.0), min.y + size.y}, banner.edge, units(6.0),
+                                            ImDrawFlags_RoundCornersLeft);
   ImGui::PopClipRect();
-  paragraph(text);
-  ImGui::Spacing();
+  for (const std::string& text : banner.texts) {
+    paragraph(text);
+    ImGui::Spacing();
+  }
 }
 
 double end_banner() {
@@ -188,18 +217,16 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
 
   // why the run stopped
   if (divergence && !status.diagnosis.message.empty() && panels.dismissed != divergence->time) {
-    begin_banner("stopped", scene, down, status.diagnosis.message, palette::alarm, palette::bad, panels);
     const Settings& settings = status.snapshot->settings;
     const auto& [test, found] = input.remedy;
     const std::string outcome = found ? describe(*found, settings) : test.empty() ? "" : test + "...";
-    if (!outcome.empty()) {
-      paragraph(outcome);
-      ImGui::Spacing();
-    }
-    // first, so that it stays where it is when the tests end
+    const std::string label = found && found->advice ? remedy_label(*found, settings) : "";
+    Banner banner{"stopped", {status.diagnosis.message}, {"Dismiss"}, palette::alarm, palette::bad};
+    if (!outcome.empty()) banner.texts.push_back(outcome);
+    if (!label.empty()) banner.buttons.push_back(label);
+    begin_banner(banner, scene, down, panels);
     if (ImGui::Button("Dismiss")) panels.dismissed = divergence->time;
-    if (found && found->advice) {
-      const std::string label = remedy_label(*found, settings);
+    if (!label.empty()) {
       same_line_for(label.c_str());
       if (ImGui::Button((label + "###remedy").c_str())) {
         take_remedy(*found, settings, requests);
@@ -211,20 +238,22 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
 
   // the open file changed on disk
   if (!panels.file_notice.empty()) {
-    begin_banner("file", scene, down, panels.file_notice, palette::notice, palette::warning, panels);
+    const std::vector<std::string> buttons =
+        panels.file_is_missing ? std::vector<std::string>{"OK"} : std::vector<std::string>{"Reload", "Keep mine"};
+    begin_banner({"file", {panels.file_notice}, buttons, palette::notice, palette::warning}, scene, down, panels);
     std::optional<Answer> answer;
     if (!panels.file_is_missing) {
       if (ImGui::Button("Reload")) answer = Answer::Reload;
       same_line_for("Keep mine");
     }
-    if (ImGui::Button(panels.file_is_missing ? "OK" : "Keep mine")) answer = Answer::KeepMine;
+    if (ImGui::Button(buttons.back().c_str())) answer = Answer::KeepMine;
     down += end_banner() + units(8.0);
     if (answer) requests.emplace_back(*answer);
   }
 
   // warnings about the opened file
   if (!panels.file_warnings.empty() && down == 0.0) {
-    begin_banner("remarks", scene, down, panels.file_warnings, palette::notice, palette::warning, panels);
+    begin_banner({"remarks", {panels.file_warnings}, {"Dismiss"}, palette::notice, palette::warning}, scene, down, panels);
     if (ImGui::Button("Dismiss")) panels.file_warnings.clear();
     end_banner();
   }
