@@ -115,9 +115,9 @@ py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sam
       if (write) write();
       const py::gil_scoped_acquire lock;
       guard.reset();
-      const bool goes_on = on_frame(lab).cast<bool>();
+      const bool should_continue = on_frame(lab).cast<bool>();
       guard.emplace(*lab);
-      return goes_on;
+      return should_continue;
     };
   hooks.progress = [&](long done, long all) { watch.check(done, all); };
   RunResults results;

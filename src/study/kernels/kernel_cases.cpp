@@ -24,7 +24,7 @@ constexpr std::array rows{
     KernelCase{"at rest on a plane", "lies on a plane",
                R"(, "colliders": [{"type": "plane", "point": [0, 0, -0.004], "normal": [0, 0, 1], "friction": 0.5}])", ""},
     KernelCase{"dashpots", "with dashpots", "", R"(, "damping": 0.001)"},
-    KernelCase{"bend springs", "with springs to the second next point, which have no place in the grid", "", R"(, "bend_stiffness": 100)"},
+    KernelCase{"bend springs", "with springs to the second next point, which are not part of the grid", "", R"(, "bend_stiffness": 100)"},
     KernelCase{"shuffled", "points and springs in random order", "", "", true},
 };
 
