@@ -14,10 +14,9 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "base/formatted.h"
-#include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "study/benchmark.h"
+#include "study/kernels/kernel_cases.h"
 
 namespace hooke {
 namespace {
@@ -25,19 +24,8 @@ namespace {
 constexpr std::array sizes{16, 32, 64, 128, 256, 512, 1024};
 constexpr std::size_t quick_sizes = 4;
 
-// Hangs from two corners, at a quarter of the step at which it becomes unstable. A frame has so many steps that what is done once per frame
-// hardly counts.
-Scene make_cloth(int n) {
-  const long springs = 4L * n * n, substeps = std::max(50L, 10'000'000L / springs);
-  const double frame_rate = 4.0 * 86.6 * n / static_cast<double>(substeps);
-  const std::string text = formatted(
-      R"({"hooke": 1, "name": "cloth %d", "gravity": [0, 0, -9.81], "generators": [{"type": "cloth", "corner": [0, 0, 0],
-          "across": [1, 0, 0], "down": [0, -1, 0], "points": [%d, %d], "density": 0.2, "stiffness": 1000, "shear_stiffness": 500,
-          "mass_model": "equal", "nail": ["top_left", "top_right"]}],
-          "simulation": {"integrator": "velocity_verlet", "frame_rate": %.17g, "substeps": %ld}})",
-      n, n, n, frame_rate, substeps);
-  return parse_scene(text, "cloth").scene;
-}
+// A frame has so many steps that what is done once per frame hardly counts.
+Scene make_cloth(int n) { return make_kernel_scene(kernel_cases().front(), n, std::max(50, 10'000'000 / (4 * n * n))); }
 
 struct Figures {
   long springs = 0;

@@ -118,12 +118,28 @@ TEST(Bench, InvalidPartsAreOneLine) {
   for (const RefusedParts& refused : {RefusedParts{{"net_w2", "--shard", "0/4"}, 2, "--shard 0/4: must be I/N with I from 1 to N"},
                                       {{"--merge", none, "--shard", "1/2"}, 2, "excludes"},
                                       {{"--scaling", "--kernels"}, 2, "excludes"},
+                                      {{"--capacity", "net_w2"}, 2, "excludes"},
                                       {{"--merge", none}, 5, none + "/bench.json: "}}) {
     const Process process(scratch.folder, refused.words);
     EXPECT_EQ(process.wait(), refused.code);
     EXPECT_EQ(lines_of(process.errors()).size(), 1u);
     EXPECT_NE(process.errors().find(refused.message), std::string::npos) << process.errors();
   }
+}
+
+TEST(Bench, CapacityFindsTheLargestClothOfEachMethod) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run(scratch.folder, {"--capacity", "--quick", "--methods", "velocity_verlet,explicit_euler", "--error", "1e-3"}), 0);
+  const std::vector<std::string> rows = lines_of(contents(scratch.folder / "capacity.csv"));
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0], "method,points,springs,substeps,tolerance_m,relative_error,frame_ms,bounded");
+  EXPECT_EQ(rows[1].rfind("explicit_euler,", 0), 0u);
+  EXPECT_EQ(rows[2].rfind("velocity_verlet,256,930,", 0), 0u) << rows[2];
+  EXPECT_NE(contents(scratch.folder / "report").find("| `velocity_verlet` | at least 16 x 16 | 930 |"), std::string::npos);
+
+  const Process refused(scratch.folder, {"--error", "1e-3"});
+  EXPECT_EQ(refused.wait(), 2);
+  EXPECT_NE(refused.errors().find("--capacity"), std::string::npos) << refused.errors();
 }
 
 TEST(Bench, ScalingMeasuresTimeAndMemoryOfEachSize) {

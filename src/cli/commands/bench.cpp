@@ -8,6 +8,7 @@
 #include "batch/bench.h"
 #include "batch/bench_report.h"
 #include "batch/output_folder.h"
+#include "cli/commands/bench_capacity.h"
 #include "cli/commands/bench_kernels.h"
 #include "cli/commands/bench_progress.h"
 #include "cli/commands/bench_scaling.h"
@@ -22,7 +23,8 @@ struct BenchOptions {
   std::vector<std::string> methods;  // ids; empty: all
   std::filesystem::path folder = ".";
   std::filesystem::path report_of;  // results to write a report of, without measuring
-  bool quick = false, quiet = false, scaling = false, kernels = false;
+  bool quick = false, quiet = false, scaling = false, kernels = false, capacity = false;
+  double error = 1e-3;  // [1], of the cloths of --capacity, relative to their width
   std::string shard = "1/1";
   std::vector<std::filesystem::path> merge;  // folders of parts; empty: measure
 };
@@ -117,13 +119,24 @@ std::function<int()> declare_bench(CLI::App& app) {
                    "Measure the time and the memory of cloths of 1e3 to 4e6 springs instead, and write them to scaling.csv"),
       app.add_flag("--kernels", options->kernels,
                    "Measure the limits of this machine and how close the steps of several kinds of cloth come to them instead, and write "
-                   "them to kernels.csv")};
+                   "them to kernels.csv"),
+      app.add_flag("--capacity", options->capacity,
+                   "Measure the largest cloth that each method steps at 60 frames per second within --error instead, and write it to "
+                   "capacity.csv")};
+  CLI::Option* error = app.add_option("--error", options->error, "Of --capacity: RMS error of the positions, relative to the width")
+                           ->check(within({1e-9, 0.1}))
+                           ->type_name("E")
+                           ->capture_default_str();
+  error->needs("--capacity");
   for (CLI::Option* option : instead) {
-    for (const char* other : {"SCENE", "--methods", "--shard"}) option->excludes(other);
+    for (const char* other : {"SCENE", "--methods", "--shard"})
+      if (option != instead.back() || std::string_view(other) != "--methods") option->excludes(other);
     for (CLI::Option* other : instead)
       if (other != option) option->excludes(other);
   }
   return [options] {
+    if (options->capacity)
+      return bench_capacity(options->folder, chosen_methods(options->methods), options->error, options->quick, options->quiet);
     if (options->kernels) return bench_kernels(options->folder, options->quick, options->quiet);
     if (options->scaling) return bench_scaling(options->folder, options->quick, options->quiet);
     if (!options->merge.empty()) return merge_parts(*options);
