@@ -44,7 +44,7 @@ fs::path find_folder() {
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
     if (is_inside(program, build_folder)) return fs::path(source_scenes);
-    const fs::path relative_scenes = (program.parent_path() / scenes_from_programs).lexically_normal();
+    fs::path relative_scenes = (program.parent_path() / scenes_from_programs).lexically_normal();
     if (fs::is_directory(relative_scenes, error)) return relative_scenes;
   }
   return fs::path(installed_scenes);

@@ -1,5 +1,6 @@
 // Handling of controls: documents, undo, the timeline, recordings.
 #include <limits>
+#include <utility>
 
 #include "base/overloaded.h"
 #include "lab/lab.h"
@@ -8,12 +9,12 @@
 namespace hooke {
 
 void Lab::open(std::shared_ptr<const Scene> scene) {
-  opened_ = scene;
   start_.set(scene);
   scene_ = *scene;
+  opened_ = std::move(scene);
   reset_session();
   // until the first edit, readers share the System of the start, which avoids a copy
-  published_system_ = std::shared_ptr<const System>(scene, &scene->system);
+  published_system_ = std::shared_ptr<const System>(opened_, &opened_->system);
   published_system_revision_ = scene_.revision;
 }
 

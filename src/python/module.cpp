@@ -1,6 +1,9 @@
 // The extension module hooke._hooke. The package in python/hooke wraps it and holds the documentation.
 #include <pybind11/pybind11.h>
 
+#include <exception>
+#include <utility>
+
 #include "base/build_info.h"
 #include "base/option_error.h"
 #include "python/scene_binding.h"
@@ -21,7 +24,7 @@ PYBIND11_MODULE(_hooke, module) {
   file.attr("__doc__") = "A file that could not be read or written.";
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
-      if (thrown) std::rethrow_exception(thrown);
+      if (thrown) std::rethrow_exception(std::move(thrown));
     } catch (const InputError& what) {
       input(what.what());
     } catch (const OptionError& what) {

@@ -10,7 +10,7 @@
 namespace hooke {
 
 Table<Integrator> integrators() {
-#define ROW(name) &name,
+#define ROW(name) &(name),
   static constexpr const Integrator* rows[] = {
 #include "sim/integrators/list.inc"
   };

@@ -179,7 +179,8 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
 
 }  // namespace
 
-Forecast make_forecast(std::shared_ptr<const System> system, const State& state, const Forecast& before, const std::atomic<bool>& stop) {
+Forecast make_forecast(const std::shared_ptr<const System>& system, const State& state, const Forecast& before,
+                       const std::atomic<bool>& stop) {
   Forecast forecast{.drag = system->drag_rate(), .system = system};
   if (system->spring_count() == 0 || system->spring_count() > max_springs) return forecast;
   const bool has_external_forces = std::ranges::any_of(system->forces, &Force::on);

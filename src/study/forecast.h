@@ -30,6 +30,7 @@ inline double drag_ratio(const Mode& mode, double drag) { return 0.5 * drag / mo
 
 // Takes a second or two for a cloth of 40 x 40; beyond 1,700 points only the fastest mode is computed. The hand is ignored. `before`: an
 // earlier forecast, possibly of this scene with other parameters, or an empty one.
-Forecast make_forecast(std::shared_ptr<const System> system, const State& state, const Forecast& before, const std::atomic<bool>& stop);
+Forecast make_forecast(const std::shared_ptr<const System>& system, const State& state, const Forecast& before,
+                       const std::atomic<bool>& stop);
 
 }  // namespace hooke

@@ -149,8 +149,9 @@ void print_panel(std::string& script, const ProblemRecord& record, std::size_t p
   print_data(script, data + "front", best);
 
   const double width = columns * panel_width, height = rows * panel_height + header_height;
-  const double left = static_cast<double>(place % columns) * panel_width;
-  const double top = height - header_height - static_cast<double>(place / columns) * panel_height;
+  const auto column = place % columns, row = place / columns;
+  const double left = static_cast<double>(column) * panel_width;
+  const double top = height - header_height - static_cast<double>(row) * panel_height;
   append_formatted(script, "set lmargin at screen %.6f\nset rmargin at screen %.6f\n", (left + left_margin) / width,
                    (left + panel_width - right_margin) / width);
   append_formatted(script, "set tmargin at screen %.6f\nset bmargin at screen %.6f\n", (top - top_margin) / height,

@@ -44,8 +44,7 @@ bool section(const std::string& title, const std::string& remark, bool starts_op
   list.AddLine(at, {at.x + size.x, at.y}, palette::line);
   const float middle = at.y + 0.55f * size.y, u = units(3.5);
   const ImVec2 tip = open ? ImVec2{at.x + u, middle + 0.5f * u} : ImVec2{at.x + 1.5f * u, middle};
-  const ImVec2 ends[] = {open ? ImVec2{tip.x - u, tip.y - u} : ImVec2{tip.x - u, tip.y - u}, tip,
-                         open ? ImVec2{tip.x + u, tip.y - u} : ImVec2{tip.x - u, tip.y + u}};
+  const ImVec2 ends[] = {{tip.x - u, tip.y - u}, tip, open ? ImVec2{tip.x + u, tip.y - u} : ImVec2{tip.x - u, tip.y + u}};
   list.AddPolyline(ends, 3, text_color, 0, units(1.5));
   ImGui::PushFont(fonts().strong);
   const float title_end = units(16.0) + ImGui::CalcTextSize(title.c_str()).x;

@@ -12,7 +12,7 @@ using Kind = QueuedInput::Kind;
 
 class Typist {
  public:
-  void add(Kind kind, int key, std::string name) {
+  void add(Kind kind, int key, const std::string& name) {
     queue_.add({kind, key, [this, name] { seen_ += name + " "; }});
   }
   // An editing key, pressed and released.

@@ -84,7 +84,7 @@ int run(const Check& check, const Options& options) {
     waitpid(child, &status, 0);
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) continue;
     const bool is_late = WIFSIGNALED(status) && (WTERMSIG(status) == SIGPROF || WTERMSIG(status) == SIGALRM);
-    std::fprintf(stderr, "%s: case %llu: %s %d\n", check.name.data(), static_cast<unsigned long long>(options.from + progress.cases),
+    std::fprintf(stderr, "%s: case %llu: %s %d\n", check.name.data(), static_cast<unsigned long long>(options.from) + progress.cases,
                  is_late ? "exceeded the time limit, in seconds:" : "ended the process with status",
                  is_late ? static_cast<int>(check.max_seconds) : status);
     ++progress.findings;

@@ -70,12 +70,13 @@ TEST(Capture, DrawsThePanelsOnRequest) {
 // The mean of each tile of `side` pixels, channel by channel.
 std::vector<double> means(const Image& image, int side) {
   const int across = image.width / side;
-  std::vector<double> sums(static_cast<std::size_t>(3 * across * (image.height / side)));
+  const auto start_of = [](int pixel) { return 3 * static_cast<std::size_t>(pixel); };
+  std::vector<double> sums(start_of(across * (image.height / side)));
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       for (int c = 0; c < 3; ++c)
-        sums[static_cast<std::size_t>(3 * (y / side * across + x / side) + c)] +=
-            image.pixels[static_cast<std::size_t>(3 * (y * image.width + x) + c)];
+        sums[start_of(y / side * across + x / side) + static_cast<std::size_t>(c)] +=
+            image.pixels[start_of(y * image.width + x) + static_cast<std::size_t>(c)];
   for (double& sum : sums) sum /= side * side;
   return sums;
 }

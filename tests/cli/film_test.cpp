@@ -21,24 +21,24 @@ class Films : public testing::Test {
  protected:
   // Runs in the scratch folder, with the programs in it first in the path.
   Outcome run(const std::string& arguments, const std::string& path = "bin:/usr/bin:/bin") const {
-    std::vector<std::string> words{"/usr/bin/env", "-C", scratch.folder.string(), "-u", "DISPLAY", "PATH=" + path, HOOKE_HEADLESS};
+    std::vector<std::string> words{"/usr/bin/env", "-C", scratch_.folder.string(), "-u", "DISPLAY", "PATH=" + path, HOOKE_HEADLESS};
     std::istringstream text(arguments);
     for (std::string word; text >> word;) words.push_back(word);
     return run_process(words);
   }
   // Installs an ffmpeg with this script.
   void install_ffmpeg(const std::string& script) const {
-    std::filesystem::create_directory(scratch.folder / "bin");
-    const std::filesystem::path program = scratch.folder / "bin" / "ffmpeg";
+    std::filesystem::create_directory(scratch_.folder / "bin");
+    const std::filesystem::path program = scratch_.folder / "bin" / "ffmpeg";
     std::ofstream(program) << "#!/bin/sh\n" << script;
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   }
-  std::string contents(const std::string& name) const { return hooke::contents(scratch.folder / name); }
+  std::string contents(const std::string& name) const { return hooke::contents(scratch_.folder / name); }
   std::size_t files() const {
     return static_cast<std::size_t>(
-        std::distance(std::filesystem::directory_iterator(scratch.folder), std::filesystem::directory_iterator()));
+        std::distance(std::filesystem::directory_iterator(scratch_.folder), std::filesystem::directory_iterator()));
   }
-  const ScratchFolder scratch;
+  const ScratchFolder scratch_;
 };
 
 // The last argument is the output file.
@@ -53,7 +53,7 @@ TEST_F(Films, ContainTheSamePicturesAsAFolder) {
   EXPECT_NE(contents("arguments").find("-video_size 64x36 -framerate 30 "), std::string::npos) << contents("arguments");
 
   ASSERT_EQ(run("capture cloth --seconds 0.1 --fps 30 --size 64x36 --out pictures").code, 0);
-  const Image last = read_png(scratch.folder / "pictures" / "frame_00003.png");
+  const Image last = read_png(scratch_.folder / "pictures" / "frame_00003.png");
   EXPECT_EQ(film.substr(3u * 64 * 36 * 3), std::string(last.pixels.begin(), last.pixels.end()));
 }
 
@@ -79,7 +79,7 @@ class Replays : public Films {
  protected:
   Replays() {
     Lab lab(load_scene(find_scene("cloth")).scene);
-    lab.submit(Record{std::make_shared<const std::filesystem::path>(scratch.folder / "a.hookelog")});
+    lab.submit(Record{std::make_shared<const std::filesystem::path>(scratch_.folder / "a.hookelog")});
     for (int frame = 0; frame < 30; ++frame) {
       if (frame == 10) lab.submit(SetParameter{find_parameter("gravity"), 3.0});
       lab.step();
@@ -101,7 +101,7 @@ TEST_F(Replays, FailWhereAFrameDiffersFromTheRecording) {
   const std::size_t at = text.find("\"set_parameter\"");
   ASSERT_NE(at, std::string::npos);
   text.replace(text.find("\"value\": 3", at), 10, "\"value\": 4");
-  std::ofstream(scratch.folder / "a.hookelog") << text;
+  std::ofstream(scratch_.folder / "a.hookelog") << text;
   const Outcome verified = run("replay a.hookelog --verify");
   EXPECT_EQ(verified.code, 1);
   EXPECT_EQ(verified.err.rfind("a.hookelog: frame 11, at ", 0), 0u) << verified.err;
@@ -111,7 +111,7 @@ TEST_F(Replays, FailWhereAFrameDiffersFromTheRecording) {
 }
 
 TEST_F(Replays, RefuseOtherFiles) {
-  std::ofstream(scratch.folder / "a.hookelog") << "{\"hooke\": 1}\n";
+  std::ofstream(scratch_.folder / "a.hookelog") << "{\"hooke\": 1}\n";
   const Outcome outcome = run("replay a.hookelog");
   EXPECT_EQ(outcome.code, 3);
   EXPECT_EQ(outcome.err, "hooke-headless: a.hookelog: line 1: a scene: must be a recording, {\"hooke_recording\": 1, ...}\n");

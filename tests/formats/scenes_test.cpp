@@ -133,8 +133,9 @@ TEST(ShippedScenes, TheGridsConnectEveryPointToItsUpToEightNeighbors) {
     expect_plane_scene(scene);
     ASSERT_EQ(scene.system.point_count(), 16);
     for (Index i = 0; i < 16; ++i) {
-      EXPECT_NEAR(scene.state.position[i].x, -0.6 + 0.4 * (i % 4), 1e-15);
-      EXPECT_NEAR(scene.state.position[i].y, 0.6 - 0.4 * (i / 4), 1e-15);
+      const Index row = i / 4, column = i % 4;
+      EXPECT_NEAR(scene.state.position[i].x, -0.6 + 0.4 * column, 1e-15);
+      EXPECT_NEAR(scene.state.position[i].y, 0.6 - 0.4 * row, 1e-15);
       EXPECT_EQ(scene.system.points()[i].nailed, i == 0 || i == 3);
     }
     std::set<std::pair<Index, Index>> joined;

@@ -139,12 +139,12 @@ class Recordings : public testing::Test {
     while (lab.is_playing()) lab.step();
     return lab;
   }
-  const ScratchFolder scratch;
-  const Session session = record_session(scratch.folder / "session.hookelog");
+  const ScratchFolder scratch_;
+  const Session session_ = record_session(scratch_.folder / "session.hookelog");
 };
 
 TEST_F(Recordings, ContinueWithADocumentOpenedMeanwhile) {
-  const std::filesystem::path file = scratch.folder / "two.hookelog";
+  const std::filesystem::path file = scratch_.folder / "two.hookelog";
   Lab lab(load_scene(find_scene("cloth_on_ball")).scene);
   lab.submit(Record{std::make_shared<const std::filesystem::path>(file)});
   for (int i = 0; i < 3; ++i) lab.step();
@@ -159,46 +159,46 @@ TEST_F(Recordings, ContinueWithADocumentOpenedMeanwhile) {
 }
 
 TEST_F(Recordings, ContinueWithARecordingPlayedMeanwhile) {
-  const std::filesystem::path file = scratch.folder / "played.hookelog";
+  const std::filesystem::path file = scratch_.folder / "played.hookelog";
   Lab lab(load_scene(find_scene("rope_64")).scene);
   lab.submit(Record{std::make_shared<const std::filesystem::path>(file)});
   for (int i = 0; i < 3; ++i) lab.step();
-  lab.submit(Play{std::make_shared<const Recording>(parse_recording(session.text, "test"))});
+  lab.submit(Play{std::make_shared<const Recording>(parse_recording(session_.text, "test"))});
   apply_now(lab);
   while (lab.is_playing()) lab.step();
   lab.submit(Record{});
   apply_now(lab);
-  EXPECT_EQ(hash_state(lab.scene().state), session.hash);
+  EXPECT_EQ(hash_state(lab.scene().state), session_.hash);
   const Lab played = play(contents(file));
   EXPECT_EQ(played.difference(), "");
-  EXPECT_EQ(hash_state(played.scene().state), session.hash);
+  EXPECT_EQ(hash_state(played.scene().state), session_.hash);
 }
 
 TEST_F(Recordings, ReplayWithTheSameBits) {
-  const Lab lab = play(session.text);
+  const Lab lab = play(session_.text);
   EXPECT_EQ(lab.difference(), "");
-  EXPECT_EQ(hash_state(lab.scene().state), session.hash);
+  EXPECT_EQ(hash_state(lab.scene().state), session_.hash);
 }
 
 TEST_F(Recordings, OfAReplayAreIdenticalToTheOriginal) {
-  auto recording = std::make_shared<const Recording>(parse_recording(session.text, "test"));
+  auto recording = std::make_shared<const Recording>(parse_recording(session_.text, "test"));
   Lab lab(*recording->start);
   lab.submit(Play{recording});
-  lab.submit(Record{std::make_shared<const std::filesystem::path>(scratch.folder / "again.hookelog")});
+  lab.submit(Record{std::make_shared<const std::filesystem::path>(scratch_.folder / "again.hookelog")});
   apply_now(lab);
   while (lab.is_playing()) lab.step();
   lab.submit(Record{});
   apply_now(lab);
-  const Recording again = read_recording(scratch.folder / "again.hookelog");
+  const Recording again = read_recording(scratch_.folder / "again.hookelog");
   EXPECT_EQ(again.frames, recording->frames);
-  EXPECT_EQ(hash_state(play(session.text).scene().state), session.hash);
+  EXPECT_EQ(hash_state(play(session_.text).scene().state), session_.hash);
 }
 
 TEST_F(Recordings, NameTheFrameAndThePointsThatDiffer) {
   // the fingerprint of the fourth frame, with the byte of the third pair of points changed
   std::size_t at = 0;
-  for (int frame = 0; frame < 4; ++frame) at = session.text.find("{\"frame\": \"", at + 1);
-  std::string text = session.text;
+  for (int frame = 0; frame < 4; ++frame) at = session_.text.find("{\"frame\": \"", at + 1);
+  std::string text = session_.text;
   char& digit = text[at + std::string("{\"frame\": \"").size() + 16 + 2 * 2];
   digit = digit == '0' ? '1' : '0';
   const Lab lab = play(text);
@@ -208,7 +208,7 @@ TEST_F(Recordings, NameTheFrameAndThePointsThatDiffer) {
 }
 
 TEST_F(Recordings, WithOtherParametersDiffer) {
-  std::string text = session.text;
+  std::string text = session_.text;
   const std::string gravity = "\"gravity\": [0, -9.8";
   const std::size_t at = text.find(gravity);
   ASSERT_NE(at, std::string::npos) << text.substr(0, 400);
@@ -217,15 +217,15 @@ TEST_F(Recordings, WithOtherParametersDiffer) {
 }
 
 TEST_F(Recordings, ThatAreTruncatedPlayUpToTheirEnd) {
-  const std::string text = session.text.substr(0, session.text.size() - 7);
+  const std::string text = session_.text.substr(0, session_.text.size() - 7);
   const Recording recording = parse_recording(text, "test");
   EXPECT_TRUE(recording.is_truncated);
-  EXPECT_EQ(recording.frames, parse_recording(session.text, "test").frames - 1);
+  EXPECT_EQ(recording.frames, parse_recording(session_.text, "test").frames - 1);
   EXPECT_EQ(play(text).difference(), "");
 }
 
 TEST_F(Recordings, EndWhenAGrabIsSetFromOutside) {
-  auto recording = std::make_shared<const Recording>(parse_recording(session.text, "test"));
+  auto recording = std::make_shared<const Recording>(parse_recording(session_.text, "test"));
   Lab lab(*recording->start);
   lab.submit(Play{std::move(recording)});
   lab.step();
@@ -257,7 +257,7 @@ TEST_F(Recordings, AreRefusedWithTheLineOfTheError) {
     }
     return std::string("taken");
   };
-  const std::string first_lines = session.text.substr(0, session.text.find("{\"frame\""));
+  const std::string first_lines = session_.text.substr(0, session_.text.find("{\"frame\""));
   EXPECT_EQ(refusal(""), "x.hookelog: empty: must begin with \"hooke_recording\"");
   EXPECT_EQ(refusal("{\"hooke_recording\": 1}"), "x.hookelog: ends within its first line: must begin with \"hooke_recording\"");
   EXPECT_EQ(refusal("garbage\n"), "x.hookelog: line 1: value: garbage: must be a JSON value (numbers are finite)");
@@ -288,7 +288,7 @@ TEST_F(Recordings, OfANewerFormatNameTheRequiredProgram) {
   EXPECT_EQ(refusal("{\"program\": 3, \"hooke_recording\": 2}\n"), "x.hookelog: line 1: version 2 of the format: this is Hooke " + now +
                                                                        ", which reads up to version 1; a newer program is required");
   // the same version of the format, but a command of a later program
-  std::string text = session.text.substr(0, session.text.find("{\"frame\"")) + "{\"fly\": {}}\n";
+  std::string text = session_.text.substr(0, session_.text.find("{\"frame\"")) + "{\"fly\": {}}\n";
   EXPECT_EQ(refusal(text), "x.hookelog: line 4: fly: is unknown");
   text.replace(text.find("\"program\": \"" + now), 12 + now.size(), "\"program\": \"9.8.7");
   EXPECT_EQ(refusal(text), "x.hookelog: line 4: fly: is unknown; Hooke 9.8.7 wrote it: that version or a newer one is required");
@@ -297,7 +297,7 @@ TEST_F(Recordings, OfANewerFormatNameTheRequiredProgram) {
 // A newer program may add optional members anywhere.
 TEST_F(Recordings, WithUnknownOptionalMembersPlayTheSame) {
   std::string text;
-  std::istringstream lines(session.text);
+  std::istringstream lines(session_.text);
   for (std::string line; std::getline(lines, line);) {
     line.insert(1, "\"x-before\": [1, {\"frame\": 2}], ");
     line.insert(line.size() - 1, ", \"x-after\": \"rest\"");
@@ -309,7 +309,7 @@ TEST_F(Recordings, WithUnknownOptionalMembersPlayTheSame) {
     text.erase(at + 1, std::string("\"x-before\": [1, {\"frame\": 2}], ").size());
   const Lab lab = play(text);
   EXPECT_EQ(lab.difference(), "");
-  EXPECT_EQ(hash_state(lab.scene().state), session.hash);
+  EXPECT_EQ(hash_state(lab.scene().state), session_.hash);
 }
 
 // recordings/version_N.hookelog was written by the first program that wrote version N and is never changed. Each frame must have the same

@@ -86,9 +86,10 @@ TEST_P(Conservation, OfEnergyIsAsDeclared) {
     energy.push_back(compute_energy(sim.system, sim.state).total());
   }
 
-  const auto half = energy.begin() + frames / 2;
-  const double first = std::accumulate(energy.begin(), half, 0.0) / (frames / 2),
-               second = std::accumulate(half, energy.end(), 0.0) / (frames / 2);
+  const int half_frames = frames / 2;
+  const auto half = energy.begin() + half_frames;
+  const double first = std::accumulate(energy.begin(), half, 0.0) / half_frames,
+               second = std::accumulate(half, energy.end(), 0.0) / half_frames;
   const double spread = *std::max_element(energy.begin(), half) - *std::min_element(energy.begin(), half);
   EXPECT_GT(spread, 1e-13);
   switch (method().energy) {

@@ -73,7 +73,8 @@ TEST_P(DivergenceDetection, AcceptsEnergyLossThroughDrag) {
 TestSim square_net() {
   TestSim sim;
   for (int i = 0; i < 64; ++i) {
-    sim.add({0.1 * (i % 8), -0.1 * (i / 8), 0.0}, 0.01);
+    const int row = i / 8, column = i % 8;
+    sim.add({0.1 * column, -0.1 * row, 0.0}, 0.01);
     sim.system.point(i).nailed = i < 8;
   }
   const auto join = [&](int from, int to) { sim.join(sim.system.points()[from].id, sim.system.points()[to].id, 10.0, 0.1); };
@@ -131,7 +132,10 @@ Swing swing_stiff_sheet(const Integrator& method, int substeps) {
   TestSim sim;
   sim.system.gravity = Vec3(0.0);
   sim.system.drag = 2.0;
-  for (int i = 0; i < n * n; ++i) sim.add({i % n / 11.0, -(i / n) / 11.0, 0.0}, 1.0 / (n * n));
+  for (int i = 0; i < n * n; ++i) {
+    const int row = i / n, column = i % n;
+    sim.add({column / 11.0, -row / 11.0, 0.0}, 1.0 / (n * n));
+  }
   const auto join = [&](int from, int to) { sim.join(sim.system.points()[from].id, sim.system.points()[to].id, 1e6, 1.0 / 11.0); };
   for (int i = 0; i < n * n; ++i) {
     if (i % n < n - 1) join(i, i + 1);

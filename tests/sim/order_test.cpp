@@ -232,8 +232,9 @@ TEST(Amplification, OfAnUndampedModeMatchesTheTextbook) {
   // of orders four and eight: the difference from the exponential is z^(p + 1) times a constant; further terms are smaller by powers of
   // theta
   for (const auto& [id, order] : {std::pair("blanes_moan4", 4), {"esdirk4", 4}, {"dop853", 8}}) {
-    const auto off = [&](double theta) {
-      const auto [trace, determinant] = find_integrator(id)->amplification({.h_omega_squared = theta * theta});
+    const Integrator& method = *find_integrator(id);
+    const auto off = [&method](double theta) {
+      const auto [trace, determinant] = method.amplification({.h_omega_squared = theta * theta});
       return std::abs(std::complex<double>(0.5 * trace, std::sqrt(determinant - 0.25 * trace * trace)) - std::polar(1.0, theta));
     };
     const double theta = order == 4 ? 0.05 : 0.4;

@@ -153,7 +153,8 @@ TEST(LinearSolver, SolvesAnyGraph) {
           dense(i + r * points, i + c * points) += value;
           if (r != c) dense(i + c * points, i + r * points) += value;
         }
-    for (const auto& [i, j] : couplings)
+    for (const auto& coupling : couplings) {
+      const auto i = coupling.first, j = coupling.second;
       for (int c = 0; c < dimensions; ++c)
         for (int r = 0; r <= c; ++r) {
           const double value = random.uniform(-1.0, 1.0);
@@ -165,6 +166,7 @@ TEST(LinearSolver, SolvesAnyGraph) {
           add(r, c);
           if (r != c) add(c, r);
         }
+    }
 
     ASSERT_TRUE(solver.factorize());
     Field right(n);

@@ -69,7 +69,7 @@ Field plain_velocities_after(const Swept& swept, Sweep sweep) {
 
 // `count` springs, each from point i to point i + `stride`: one run. Some points are nailed, some ends coincide.
 TestSim band(Index stride, Index count, int dimensions) {
-  TestSim sim = random_sim(static_cast<std::uint64_t>(100 * stride + count), count + stride, 0, dimensions);
+  TestSim sim = random_sim(100 * static_cast<std::uint64_t>(stride) + static_cast<std::uint64_t>(count), count + stride, 0, dimensions);
   Random random(5);
   for (Index e = 0; e < count; ++e) {
     if (random.one_in(7)) sim.state.position[e + stride] = sim.state.position[e];

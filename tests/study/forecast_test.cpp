@@ -175,7 +175,8 @@ TEST(Forecast, AVerticalSheetSagsAsMeasured) {
     TestSim sim;
     const double a = 1.0 / (n - 1);
     for (Index i = 0; i < n * n; ++i) {
-      sim.add({a * (i % n), -a * (i / n), 0.0}, 1.0 / (n * n));
+      const Index row = i / n, column = i % n;
+      sim.add({a * column, -a * row, 0.0}, 1.0 / (n * n));
       sim.system.point(i).nailed = i < n;
     }
     sheet::join_neighbors(sim, n, 200.0, 100.0, 0.0);

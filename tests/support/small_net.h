@@ -16,7 +16,8 @@ inline Scene small_net() {
     const PointId id = scene.system.new_point_id();
     points.push_back(id);
     scene.system.append_point({.id = id, .nailed = i == 0 || i == 3, .mass = 0.01});
-    scene.state.position.emplace_back(0.1 * (i % 4), -0.1 * (i / 4), 0.0);
+    const int row = i / 4, column = i % 4;
+    scene.state.position.emplace_back(0.1 * column, -0.1 * row, 0.0);
     scene.state.velocity.emplace_back(0.0);
   }
   const auto attach = [&](int i, int j) {

@@ -13,7 +13,7 @@ namespace {
 // Builds frames until the search for a remedy is over.
 std::string words_with_remedy(GuiFixture& gui) {
   for (int i = 0; i < 6000; ++i) {
-    const std::string words = gui.text();
+    std::string words = gui.text();
     for (const char* outcome : {"Start over with ", "Continue from ", "No remedy"})
       if (words.find(outcome) != std::string::npos) return words;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

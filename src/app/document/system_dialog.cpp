@@ -25,7 +25,7 @@ fs::path find_program(const char* name) {
   const char* folders = std::getenv("PATH");
   std::istringstream list(folders != nullptr ? folders : "");
   for (std::string folder; std::getline(list, folder, ':');) {
-    const fs::path program = fs::path(folder) / name;
+    fs::path program = fs::path(folder) / name;
     if (!folder.empty() && folder.front() == '/' && ::access(program.c_str(), X_OK) == 0) return program;
   }
   return {};

@@ -16,8 +16,8 @@ void RemedySearch::follow(const Status& status, bool is_wanted) {
   if (pending_.valid()) {
     const bool is_stopped = search_->stop;
     if (pending_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-      Remedy found = pending_.get();
-      if (!is_stopped) shown_ = {.test = {}, .found = std::move(found)};
+      const Remedy found = pending_.get();
+      if (!is_stopped) shown_ = {.test = {}, .found = found};
     } else if (!is_stopped) {
       const std::lock_guard lock(search_->mutex);
       shown_.test = search_->test;

@@ -63,7 +63,7 @@ Inverse inverse_of(const Parameter& parameter, const Scene& scene) {
 }
 
 Inverse set(const Parameter& parameter, double value, Scene& scene, Effect& effect) {
-  const Inverse inverse = inverse_of(parameter, scene);
+  Inverse inverse = inverse_of(parameter, scene);
   parameter.write(scene, value);
   if (!is_valid_after(parameter, scene)) {
     for (const Command& command : inverse) std::visit([&](const auto& each) { each.apply(scene, effect); }, command);

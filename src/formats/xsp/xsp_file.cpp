@@ -14,7 +14,7 @@ namespace {
 
 constexpr double point_radius = 0.03;  // [m], of every mass
 constexpr double xsp_core = 0.01;      // [m]: forces do not grow within one pixel of their source
-enum ForceId { gravity_force = 0, mass_center_pull = 1, center_pull = 2, wall_push = 3 };
+enum ForceId { Gravity = 0, MassCenter = 1, Center = 2, Wall = 3 };
 
 struct Rectangle {
   double left = 0.0, right = xsp_window_width, bottom = 0.0, top = xsp_window_height;  // [pixels]
@@ -117,17 +117,17 @@ class Importer {
     bool uses_center = false;
     for (const auto& [id, force] : document_.forces) {
       if (!force.active) continue;
-      if (id == gravity_force) {
+      if (id == ForceId::Gravity) {
         // p2 rotates "down" towards +x
         const double angle = glm::radians(force.p2);
         system.gravity = force.p1 / xsp_pixels_per_meter * Vec3(std::sin(angle), -std::cos(angle), 0.0);
-      } else if (id == mass_center_pull) {
+      } else if (id == ForceId::MassCenter) {
         add_force(mass_center_force, {center_.x, center_.y, 0.0, force.p1, force.p2});
         uses_center = true;
-      } else if (id == center_pull) {
+      } else if (id == ForceId::Center) {
         add_force(center_force, {center_.x, center_.y, 0.0, scaled(force), force.p2, xsp_core});
         uses_center = true;
-      } else if (id == wall_push) {
+      } else if (id == ForceId::Wall) {
         add_force(wall_force, {scaled(force), force.p2, xsp_core});
       } else {
         warn("force " + std::to_string(id) + " is unknown and ignored");

@@ -174,7 +174,7 @@ std::optional<ShapeError> check_sheet(const Shape& shape) {
 std::optional<ShapeError> check(const Shape& shape) {
   if (shape.has("stencil") && shape.count("stencil") % 4 != 0) return ShapeError{"stencil", "must be 4, 8 or 12"};
   const bool is_sheet = shape.has("sheet_stiffness") || shape.has("sheet_damping");
-  if (const auto error = is_sheet ? check_sheet(shape) : check_fabric(shape)) return error;
+  if (auto error = is_sheet ? check_sheet(shape) : check_fabric(shape)) return error;
   if (shape.value_or("stencil", 8) < 8 && shape.value_or("shear_stiffness", 0.0) > 0.0)
     return ShapeError{{}, "must have a stencil of 8 or 12 for shear_stiffness"};
   if (shape.value_or("stencil", 12) < 12 && shape.value_or("bend_stiffness", 0.0) > 0.0)

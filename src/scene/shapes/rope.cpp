@@ -24,7 +24,7 @@ Rope rope_of(const Shape& shape) {
 }
 
 std::optional<ShapeError> check(const Shape& shape) {
-  if (const auto error = check_fabric(shape)) return error;
+  if (auto error = check_fabric(shape)) return error;
   if (!(glm::length(shape.vectors[1] - shape.vectors[0]) > 0.0)) return ShapeError{{}, "must have different positions for from and to"};
   return std::nullopt;
 }

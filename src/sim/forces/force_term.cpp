@@ -5,7 +5,7 @@
 namespace hooke {
 
 Table<ForceTerm> force_terms() {
-#define ROW(name) &name,
+#define ROW(name) &(name),
   static constexpr const ForceTerm* rows[] = {
 #include "sim/forces/terms/list.inc"
   };

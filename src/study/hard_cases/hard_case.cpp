@@ -65,7 +65,7 @@ std::string_view describe(Expectation expectation) {
 
 Table<HardCase> hard_cases() {
   static constexpr const HardCase* rows[] = {
-#define ROW(name) &name,
+#define ROW(name) &(name),
 #include "study/hard_cases/list.inc"
 #undef ROW
   };

@@ -36,8 +36,8 @@ void picture(const Panels& panels, std::size_t number, const ImVec2& min, const 
   const float round = units(7.0);
   if (panels.gallery.thumbnails == nullptr) return list.AddRectFilled(min, max, palette::raised, round, ImDrawFlags_RoundCornersTop);
   const auto count = static_cast<int>(gallery_cards().size()), rows = (count + thumbnail_columns - 1) / thumbnail_columns;
-  const auto column = static_cast<float>(static_cast<int>(number) % thumbnail_columns),
-             row = static_cast<float>(static_cast<int>(number) / thumbnail_columns);
+  const int column_index = static_cast<int>(number) % thumbnail_columns, row_index = static_cast<int>(number) / thumbnail_columns;
+  const auto column = static_cast<float>(column_index), row = static_cast<float>(row_index);
   // inset by half a pixel, to prevent bleeding from neighboring pictures
   const ImVec2 half{0.5f / (thumbnail_columns * thumbnail_width), 0.5f / static_cast<float>(rows * thumbnail_height)};
   const ImVec2 uv_min{column / thumbnail_columns + half.x, row / static_cast<float>(rows) + half.y};
