@@ -15,6 +15,7 @@
 #include "fuzz/png_input.h"
 #include "fuzz/recording_input.h"
 #include "fuzz/scene_input.h"
+#include "fuzz/settings_input.h"
 #include "fuzz/table_words.h"
 #include "fuzz/xsp_input.h"
 #include "support/contents.h"
@@ -75,6 +76,7 @@ TEST(Fuzzed, Scenes) {
 TEST(Fuzzed, Recordings) {
   fuzz("recording", read_all(FUZZ_FOLDER "/corpus/recording", 20'000), try_as_recording, recording_table_words());
 }
+TEST(Fuzzed, Settings) { fuzz("settings", read_all(FUZZ_FOLDER "/corpus/settings", 20'000), try_as_settings); }
 TEST(Fuzzed, Xsp) { fuzz("xsp", read_all(FUZZ_FOLDER "/corpus/xsp", 20'000), try_as_xsp); }
 TEST(Fuzzed, Obj) { fuzz("obj", read_all(FUZZ_FOLDER "/corpus/obj", 20'000), try_as_obj); }
 TEST(Fuzzed, Png) { fuzz("png", read_all(FUZZ_FOLDER "/corpus/png", 20'000), try_as_png); }
