@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/portable_math.h"
 #include "sim/spring_limits.h"
@@ -12,14 +13,19 @@ namespace {
 // What a step adds to or overwrites besides positions and velocities.
 struct Counters {
   MethodMemory memory;
-  double collider_work, limit_work, local_error;
+  double collider_work, contact_work, limit_work, local_error;
   explicit Counters(const Motion& motion)
-      : memory(motion.memory), collider_work(motion.collider_work), limit_work(motion.limit_work), local_error(motion.local_error) {}
+      : memory(motion.memory),
+        collider_work(motion.collider_work),
+        contact_work(motion.contact_work),
+        limit_work(motion.limit_work),
+        local_error(motion.local_error) {}
   // For another attempt with this step [s]. A memory without an error stands for a first step, whose length the method chooses itself:
   // each attempt would be that step again.
   void restore(Motion& motion, double step) const {
     motion.memory = {.step = step, .error = memory.error > 0.0 ? memory.error : motion.memory.error};
     motion.collider_work = collider_work;
+    motion.contact_work = contact_work;
     motion.limit_work = limit_work;
     motion.local_error = local_error;
   }
@@ -57,6 +63,7 @@ double ErrorScale::relative(double position_error, double velocity_error) const 
 }
 
 void AdaptiveStep::begin_frame(const Plan& plan, const Motion& motion) {
+  free_step_ = 0.0;
   if (!has_corrections(plan)) return;
   for (Field* field : {&before_.x, &before_.v, &piece_.x, &piece_.v, &coarse_x_, &coarse_v_}) field->resize(motion.x.size());
 }
@@ -82,6 +89,7 @@ double AdaptiveStep::difference(const Plan& plan, Field& coarse, const Field& fi
 // The same step in two halves. Returns h, or 0 where no step is short enough.
 double AdaptiveStep::advance_in_halves(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends) {
   const double start = motion.time;
+  first_touch_ = std::numeric_limits<double>::infinity();
   for (int half = 0; half < 2; ++half) {
     const double begin = half == 0 ? 0.0 : 0.5 * h, end = half == 0 ? 0.5 * h : h;
     for (double done = begin; done < end;) {
@@ -89,7 +97,9 @@ double AdaptiveStep::advance_in_halves(const Plan& plan, const Integrator& metho
       const double left = end - done, length = method.advance(plan, motion, work, left);
       if (length == 0.0) return 0.0;
       const bool reaches_end = length == left;
-      correct(plan, piece_, motion, length, ends && half == 1 && reaches_end);
+      const bool touches = correct(plan, piece_, motion, length, ends && half == 1 && reaches_end);
+      ends_free_ = !touches;
+      if (touches && std::isinf(first_touch_)) first_touch_ = done + piece_.first_touch;
       done = reaches_end ? end : done + length;
       motion.time = start + done;
     }
@@ -140,10 +150,31 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
       // a step truncated by the end of the interval says little about the next one
       const double contact_step = factor == max_factor ? std::max(before.memory.step, max_factor * h) : factor * h;
       motion.memory.step = std::max(work.min_step, std::min(free_step, contact_step));
+      if (ends_free_) motion.memory.step = std::max(motion.memory.step, free_step_);
+      free_step_ = 0.0;
       return h;
     }
+
+    // an impact: a step that ends before it, by a quarter of the length required for the contact, so that the impact is in the first half
+    // of the next step
+    const double contact_step = std::max(work.min_step, factor * h);
+    constexpr int max_attempts = 4;  // each with the impact located by the shorter step before
+    double impact = first_touch_;
+    for (int attempt = 0; attempt < max_attempts && std::isfinite(impact) && impact > 2.0 * contact_step; ++attempt) {
+      restore(before_, motion);
+      before.restore(motion, h);
+      const double jump = impact - 0.25 * contact_step, length = method.advance(plan, motion, work, jump);
+      if (length == 0.0) return 0.0;
+      if (!correct(plan, before_, motion, length, false)) {
+        was_corrected_ = false;
+        free_step_ = std::max(free_step_, h);
+        if (length == jump) motion.memory.step = contact_step;
+        return length;
+      }
+      impact = before_.first_touch;
+    }
     restore(before_, motion);
-    before.restore(motion, std::max(work.min_step, factor * h));
+    before.restore(motion, contact_step);
   }
 }
 

@@ -18,9 +18,10 @@ struct ErrorScale {
 
 // Where nothing touches a collider, the method's own error estimate decides. If a tolerance is set, it applies to contact too: a step in
 // which anything touches is repeated in two halves. Contact is resolved to second order in the step, so a third of their difference is the
-// error of the finer result, which is kept if that is within the tolerance; otherwise the step is repeated, shorter. The steps become
-// shorter around each impact, and grow again after it. Friction, which is of first order, makes this expensive: without a tolerance,
-// contact is resolved once per step.
+// error of the finer result, which is kept if that is within the tolerance. Otherwise an impact is an event: it is located, a step of the
+// method ends just before it, a short one leads through it, and the steps continue with the length that they had before. Where the first
+// contact is not an impact, such as a slide, the step is repeated, shorter. Friction, which is of first order, makes this expensive:
+// without a tolerance, contact is resolved once per step.
 class AdaptiveStep {
  public:
   // Once a frame; a step never allocates.
@@ -38,6 +39,9 @@ class AdaptiveStep {
 
   ContactWorkspace before_, piece_;
   Field coarse_x_, coarse_v_;
+  double first_touch_ = 0.0;  // [s], since the start of the last step in halves
+  bool ends_free_ = false;    // whether nothing touched in its last part
+  double free_step_ = 0.0;    // [s], step before the impact to which the last step led; 0: it led to none
   bool was_corrected_ = false;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/plan_energy.h"
+
 namespace hooke {
 namespace {
 
@@ -27,19 +29,13 @@ bool any_reaches_limit(const Plan& plan, const SpringRun& run, const std::vector
 
 // [J], without the energy of the hand and the listed forces.
 double energy_of(const Plan& plan, const Motion& motion) {
-  double energy = 0.0;
+  double kinetic = 0.0;
   for (int c = 0; c < plan.dimensions; ++c)
     for (Index i = 0; i < plan.points; ++i) {
-      if (plan.inverse_mass[i] == 0.0) continue;
-      const std::size_t at = static_cast<std::size_t>(c) * plan.points + i;
-      energy += plan.mass[i] * (0.5 * motion.v[at] * motion.v[at] - plan.gravity[c] * motion.x[at]);
+      const double v = motion.v[static_cast<std::size_t>(c) * plan.points + i];
+      if (plan.inverse_mass[i] != 0.0) kinetic += 0.5 * plan.mass[i] * v * v;
     }
-  for (const SpringRun& run : plan.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const double stretch = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e)) - plan.rest_length[run.begin + e];
-      energy += 0.5 * plan.stiffness[run.begin + e] * stretch * stretch;
-    }
-  return energy;
+  return kinetic + stored_energy(plan, motion.x);
 }
 
 // Moves the ends of one spring to the distance `max` and stops their separation. As the distance decreases, they rotate faster about their

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "sim/contact/point_contact.h"
+#include "sim/plan_energy.h"
 
 namespace hooke {
 namespace {
@@ -13,12 +15,28 @@ Vec3 vector_at(const Field& field, std::size_t n, std::size_t i, int dimensions)
   return {field[i], field[n + i], dimensions == 3 ? field[2 * n + i] : 0.0};
 }
 
+// [J], that moved points out of colliders: the difference of the stored energy with and without these displacements.
+double push_work(const Plan& plan, const ContactWorkspace& before, Motion& motion) {
+  const auto n = static_cast<std::size_t>(plan.points);
+  const double energy = stored_energy(plan, motion.x);
+  for (const ContactWorkspace::Pushed& each : before.pushed)
+    for (int c = 0; c < plan.dimensions; ++c) motion.x[c * n + each.point] -= each.displacement[c];
+  const double without = stored_energy(plan, motion.x);
+  for (const ContactWorkspace::Pushed& each : before.pushed)
+    for (int c = 0; c < plan.dimensions; ++c) motion.x[c * n + each.point] = each.position[c];
+  return energy - without;
+}
+
 }  // namespace
 
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
   const auto n = static_cast<std::size_t>(plan.points);
   const std::span<const Obstacle> obstacles = find_obstacles(plan, before.time, h, before.obstacles);
   bool touched = false;
+  before.first_touch = std::numeric_limits<double>::infinity();
+  before.pushed.clear();
+  before.pushed.reserve(n);
+  double contact_work = 0.0;  // [J], in addition to the work of the forces
   for (std::size_t i = 0; i < n; ++i) {
     if (plan.inverse_mass[i] == 0.0) continue;
     const Vec3 x0 = vector_at(before.x, n, i, plan.dimensions), x1 = vector_at(motion.x, n, i, plan.dimensions);
@@ -32,14 +50,16 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     if (!solver.advance(a, velocity_correction, h)) continue;
 
     touched = true;
-    // in addition to the work of the forces
-    (plan.colliders_move ? motion.collider_work : motion.contact_work) +=
-        plan.mass[i] * (0.5 * (glm::dot(solver.v, solver.v) - glm::dot(v1, v1)) - glm::dot(a, solver.x - x1));
+    before.first_touch = std::min(before.first_touch, solver.first_touch);
+    if (solver.push_out != Vec3(0.0)) before.pushed.push_back({i, solver.x, solver.push_out});
+    contact_work += plan.mass[i] * (0.5 * (glm::dot(solver.v, solver.v) - glm::dot(v1, v1)) - glm::dot(a, solver.x - x1 - solver.push_out));
     for (int c = 0; c < plan.dimensions; ++c) {
       motion.x[c * n + i] = solver.x[c];
       motion.v[c * n + i] = solver.v[c];
     }
   }
+  (plan.colliders_move ? motion.collider_work : motion.contact_work) += contact_work;
+  if (!before.pushed.empty()) motion.collider_work += push_work(plan, before, motion);
   return touched;
 }
 

@@ -12,6 +12,13 @@ struct ContactWorkspace {
   double time = 0.0;  // [s]
   Field x, v;
   std::vector<Obstacle> obstacles;
+  double first_touch = 0.0;  // [s], since the start of the substep, when the first point touched something; infinity: none did
+  // Points that were inside a collider before the substep, where they are after it, and how far they were moved out [m].
+  struct Pushed {
+    std::size_t point;
+    Vec3 position, displacement;
+  };
+  std::vector<Pushed> pushed;
 };
 
 // Corrects the step of h that led from (before.x, before.v) to (motion.x, motion.v). A point's path within the step is
@@ -21,8 +28,8 @@ struct ContactWorkspace {
 // passes through at any speed; a point that starts inside is moved to the surface; if all remaining bounces fall within the
 // step, it comes to rest; resting points keep their bits. All of this is relative to moving colliders, whose positions at
 // both ends of the step are exact, with parabolas between them; their work on the points is added to
-// motion.collider_work. A point sliding on several surfaces is carried by their mean velocity, weighted by friction.
-// Returns whether anything touched.
+// motion.collider_work, and so is the work of moving out points that start inside. A point sliding on several surfaces is carried by their
+// mean velocity, weighted by friction. Returns whether anything touched.
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h);
 
 }  // namespace hooke

@@ -7,7 +7,9 @@
 namespace hooke {
 
 bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction, double duration) {
+  const Vec3 start = x;
   bool touched = resolve_penetration();
+  push_out = x - start;
   Supports supports = find_supports(a, duration);
   constrain(supports.all(), a, v);
   touched = apply_velocity_correction(velocity_correction, supports) || touched;
@@ -21,6 +23,7 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
     const double speed = glm::length(v - segment.support.surface);
     const Obstacle* hit = advance_segment(segment, supports);
     remaining -= segment.time;
+    if (!touched && hit != nullptr && !supports.any_loaded()) first_touch = time_;
     touched = touched || hit != nullptr || supports.any_loaded();
 
     if (hit != nullptr) {

@@ -1,0 +1,58 @@
+// The energy that contact takes and supplies is booked.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/divergence.h"
+#include "sim/integrators/rows.h"
+#include "support/convergence.h"
+#include "support/test_sim.h"
+
+namespace hooke {
+namespace {
+
+class ContactWork : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, ContactWork, testing::ValuesIn(every_method()), method_name);
+
+// The floor moves the points up by 0.5 m and 0.2 m in the first step, which also shortens the spring from 0.5 m to 0.4 m. Only the error of
+// the method over the frame remains.
+TEST_P(ContactWork, ContainsTheWorkOfMovingOutPointsThatStartInside) {
+  for (const bool is_joined : {false, true}) {
+    TestSim sim;
+    const PointId deep = sim.add({0.0, -0.5, 0.0}, 2.0), shallow = sim.add({0.4, -0.2, 0.0}, 0.5);
+    if (is_joined) sim.join(deep, shallow, 50.0, 0.4);
+    sim.system.colliders = {{.shape = Plane{}}};
+    initialize_ledger(sim.system, sim.state);
+    const double before = compute_energy(sim.system, sim.state).elastic;
+    sim.run(method(), 1.0 / 60.0, 100, 1e-8);
+    const Energy energy = compute_energy(sim.system, sim.state);
+    const double supplied = 9.81 * (2.0 * 0.5 + 0.5 * 0.2) + energy.elastic - before;
+    EXPECT_LE(std::abs(energy.total() - sim.state.ledger.net_input), 1e-2 * supplied) << is_joined;
+    EXPECT_GT(sim.state.ledger.scale, 0.9 * supplied);
+  }
+}
+
+// A mass on a spring bounces on a floor: all that it loses is the work of the impacts, also where an adaptive step is repeated because of
+// them.
+TEST(ContactWork, OfRejectedStepsDoesNotCount) {
+  TestSim sim;
+  const PointId mass = sim.add({0.0, 0.4, 0.0}, 0.5);
+  sim.join(mass, sim.nail({0.0, 1.0, 0.0}), 0.5 * 36.0, 1.0);
+  sim.system.colliders = {{.shape = Plane{}, .restitution = 0.5}};
+  Plan plan = make_plan(sim.system);
+  const Settings settings{.integrator = &dop853, .substeps = 1, .tolerance = 1e-8};
+  const double start = compute_energy(sim.system, sim.state).total();
+  double work = 0.0;
+  Frame frame;
+  for (int i = 0; i < 60; ++i) {
+    frame.begin(plan, sim.system, settings, sim.state);
+    while (!frame.done()) frame.substep(plan);
+    frame.end(plan, sim.state);
+    work += frame.motion().contact_work;
+  }
+  EXPECT_LT(work, -0.5);
+  EXPECT_NEAR(compute_energy(sim.system, sim.state).total() - start, work, 1e-5);
+}
+
+}  // namespace
+}  // namespace hooke
