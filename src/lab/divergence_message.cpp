@@ -57,7 +57,8 @@ std::string describe(const Divergence& divergence, const System& system) {
     case Divergence::Kind::StepTooShort:
       return "The method finds no step short enough, first at " + location + "." + when;
     case Divergence::Kind::TooManySteps:
-      return "The method needs more than " + std::to_string(max_own_steps) + " steps in one substep; fastest is " + location + "." + when;
+      return "The method needs more than " + std::to_string(max_adaptive_evaluations / 1'000'000) +
+             " million force evaluations in one frame; fastest is " + location + "." + when;
   }
   return location + "." + when;
 }

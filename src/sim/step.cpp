@@ -31,7 +31,6 @@ void Frame::begin(Plan& plan, const System& system, const Settings& settings, co
   duration_ = 1.0 / settings.frame_rate;
   h_ = duration_ / substeps_;
   left_ = h_;
-  own_steps_ = 0;
   start_ = state.time;
   prepare_hand(plan, system, state, duration_);
   pack(plan, state, motion_);
@@ -124,8 +123,7 @@ void Frame::substep(Plan& plan) {
   const bool ends = length == left_;
   left_ = ends ? h_ : left_ - length;
   substeps_done_ += ends ? 1 : 0;
-  own_steps_ = ends ? 0 : own_steps_ + 1;
-  if (own_steps_ == max_own_steps) failure_ = StepFailure::TooMany;
+  if (is_adaptive && substeps_done_ < substeps_ && motion_.force_evaluations >= max_adaptive_evaluations) failure_ = StepFailure::TooMany;
   motion_.time = ends ? start_ + substeps_done_ * h_ : motion_.time + length;
 
   // trapezoidal rule for the power of the hand

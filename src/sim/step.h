@@ -12,9 +12,10 @@
 
 namespace hooke {
 
-// Why an adaptive method gave up: no step is short enough for a finite error, or a substep takes more than max_own_steps.
+// Why an adaptive method gave up: no step is short enough for a finite error, or a frame takes more than max_adaptive_evaluations force
+// evaluations, those of rejected steps included.
 enum class StepFailure { None, TooShort, TooMany };
-inline constexpr long max_own_steps = 1'000'000;
+inline constexpr long max_adaptive_evaluations = 2'000'000;
 
 // A frame in progress. Reused from frame to frame, so that stepping does not allocate:
 //   frame.begin(plan, system, settings, state); while (!frame.done()) frame.substep(plan); frame.end(plan, state);
@@ -53,7 +54,6 @@ class Frame {
   int substeps_ = 0, substeps_done_ = 0;
   int one_by_one_until_ = 0;  // substep before which something acts between them
   double left_ = 0.0;         // [s], of the substep in progress
-  long own_steps_ = 0;        // of an adaptive method, in the substep in progress
   StepFailure failure_ = StepFailure::None;
   Vec3 target_{0.0};
   double hand_stretch_ = 0.0;  // [J], of this frame (EnergyLedger)
