@@ -1,5 +1,7 @@
 #include "batch/output_file.h"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -75,8 +77,10 @@ void flush_stdout() {
   errno = 0;
   std::cout.flush();
   const bool is_flushed = std::fflush(stdout) == 0;
-  // an earlier write may have failed; its reason is then no longer known
-  if (!is_flushed || std::ferror(stdout) != 0 || !std::cout) fail("stdout", errno != 0 ? errno : EIO);
+  if (is_flushed && std::ferror(stdout) == 0 && std::cout) return;
+  // an earlier write failed, and its reason is no longer known: another write fails for the same one
+  if (errno == 0 && ::write(STDOUT_FILENO, "\n", 1) == 1) errno = EIO;
+  fail("stdout", errno);
 }
 
 }  // namespace hooke

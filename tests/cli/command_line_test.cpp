@@ -125,6 +125,9 @@ TEST(Headless, ADivergedRunIsCodeFourAndNamesTheSpringTheCauseAndATestedRemedy) 
   const Outcome loud = headless({"run", "unstable", "--seconds", "60"});
   EXPECT_EQ(loud.code, 4);
   for (const char* part : {"Cause: ", " does not diverge (tested for "}) EXPECT_NE(loud.err.find(part), std::string::npos) << loud.err;
+  // the search is announced before it starts
+  const std::size_t announced = loud.err.find("Looking for the cause"), found = loud.err.find("The simulation blew up");
+  EXPECT_LT(announced, found) << loud.err;
 }
 
 TEST(Headless, OutputThatDoesNotFitOnStdoutIsCodeFive) {

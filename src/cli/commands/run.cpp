@@ -15,6 +15,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
+#include "lab/accuracy/accuracy_text.h"
 #include "lab/lab.h"
 #include "sim/integrator.h"
 
@@ -53,7 +54,14 @@ std::vector<Index> parse_points(const std::optional<std::string>& list, Index co
   }
 }
 
-void print_summary(const RunOptions& options, const Scene& scene, const RunTotals& totals) {
+// The error of the run and, where only that of a frame was measured, how to measure the rest.
+std::string accuracy_summary(const Accuracy& accuracy, bool is_full) {
+  const std::string frame = "error of a frame: " + error_text(accuracy.frame, accuracy.size);
+  if (!is_full) return frame + "; accumulated, predictability: not measured without --accuracy full";
+  return frame + "; accumulated: " + error_text(accuracy.accumulated, accuracy.size) + "; " + predictability_text(accuracy);
+}
+
+void print_summary(const RunOptions& options, const Scene& scene, const RunTotals& totals, const Accuracy& accuracy) {
   const Settings& settings = scene.settings;
   const auto count = [](Index number, const char* one, const char* many) { return pluralize(static_cast<std::size_t>(number), one, many); };
   std::cout << printable(options.scene->scene) << ": " << count(scene.system.point_count(), "point", "points") << ", "
@@ -62,12 +70,21 @@ void print_summary(const RunOptions& options, const Scene& scene, const RunTotal
             << "simulated " << totals.seconds << " s in " << totals.wall_seconds << " s (" << totals.cpu_seconds << " s of CPU), "
             << totals.force_evaluations << " force evaluations\n"
             << "hash " << to_hexadecimal(totals.hash) << "\n";
+  if (accuracy.is_on) std::cout << accuracy_summary(accuracy, options.accuracy == AccuracyMode::Full) << "\n";
+}
+
+bool has_summary(const RunOptions& options) { return !options.files.json && !options.files.csv && !options.scene->quiet; }
+
+// What is measured by default: all of it for a file that contains it, the error of frames for the summary.
+AccuracyMode default_accuracy(const RunOptions& options, const RunOutput& output) {
+  if (output.needs_accuracy()) return AccuracyMode::Full;
+  return has_summary(options) ? AccuracyMode::Frame : AccuracyMode::Off;
 }
 
 // Writes the end of the files, or the summary if there are none.
-void finish(const RunOptions& options, const Scene& scene, RunOutput& output, const RunTotals& totals) {
+void finish(const RunOptions& options, const Scene& scene, RunOutput& output, const RunTotals& totals, const Accuracy& accuracy) {
   output.finish(totals);
-  if (!options.files.json && !options.files.csv && !options.scene->quiet) print_summary(options, scene, totals);
+  if (has_summary(options)) print_summary(options, scene, totals, accuracy);
 }
 
 int run_engine(const RunOptions& options) {
@@ -91,7 +108,7 @@ int run_engine(const RunOptions& options) {
     std::cerr << "Interrupted: the engine was ended and nothing was written.\n";
     return exit_interrupted;
   }
-  finish(options, scene, output, results.totals);
+  finish(options, scene, output, results.totals, {});
   if (!results.totals.diverged) return exit_code::success;
   std::cerr << results.divergence << "\n";
   return exit_code::diverged;
@@ -109,7 +126,7 @@ int run(const RunOptions& options) {
 
   // open the files first, so that an invalid path is reported before the work
   RunOutput output(options.files, options.scene->scene, scene, points);
-  request.accuracy = options.accuracy.value_or(output.needs_accuracy() ? AccuracyMode::Full : AccuracyMode::Off);
+  request.accuracy = options.accuracy.value_or(default_accuracy(options, output));
   RunHooks hooks = output.hooks();
   std::optional<ProgressBar> progress;
   progress.emplace(count_frames(request.seconds, scene.settings.frame_rate), !options.scene->quiet);
@@ -117,7 +134,7 @@ int run(const RunOptions& options) {
   const RunResults results = run_frames(lab, request, hooks);
   progress.reset();
 
-  finish(options, scene, output, results.totals);
+  finish(options, scene, output, results.totals, lab.accuracy());
   if (!options.scene->quiet)
     for (const std::string& warning : results.warnings) std::cerr << "warning: " << warning << "\n";
   if (!results.totals.diverged) return exit_code::success;
@@ -145,9 +162,9 @@ std::function<int()> declare_run(CLI::App& app) {
   app.add_option("--quantities", options->files.quantities, "Columns of --csv instead: " + quantity_names())->type_name("time,total,y5");
   app.add_option(
          "--accuracy", options->accuracy,
-         "What is measured for --json and for quantities such as error: off; frame (the error of a frame and the energy balance, at "
+         "What is measured for --json, for quantities such as error, and for the summary: off; frame (the error of a frame and the energy balance, at "
          "a tenth of the cost of the run); full (also the accumulated error and the growth of small differences, at two and a half "
-         "times the cost); default: full where it is written")
+         "times the cost); default: full where it is written, frame for the summary")
       ->type_name("off|frame|full")
       ->transform(one_of({"off", "frame", "full"}));  // as AccuracyMode lists them
   app.add_option("--pc2", options->files.pc2, "Write the positions of all points in every frame as a point cache")->type_name("FILE");
