@@ -80,7 +80,7 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
       if (!is_sampled) add_sample();
       break;
     }
-    monitor.end_frame(scene.system, scene.state, lab.last_frame().motion());
+    monitor.end_frame(lab.plan(), scene.settings, scene.system, scene.state, lab.last_frame().motion());
     if (hooks.progress) hooks.progress(frame + 1, frames);
   }
   totals.seconds = scene.state.time - start;

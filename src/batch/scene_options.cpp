@@ -47,14 +47,14 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
   const auto [integrator, settings] = parse(options);
   Scene& scene = loaded.scene;
   // the warning about the step in the file does not apply once options change it
-  if (const auto warning = step_warning(scene.system, scene.settings))
+  if (const auto warning = step_warning(scene.system, scene.state, scene.settings))
     std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
   for (const SetParameter& setting : settings) apply_setting(scene, setting, name);
   if (integrator != nullptr) scene.settings.integrator = integrator;
   if (options.substeps) scene.settings.substeps = static_cast<int>(*options.substeps);
   if (options.frame_rate) scene.settings.frame_rate = *options.frame_rate;
   if (options.tolerance) set_tolerance(scene.settings, *options.tolerance);
-  if (const auto warning = step_warning(scene.system, scene.settings)) loaded.warnings.push_back(*warning);
+  if (const auto warning = step_warning(scene.system, scene.state, scene.settings)) loaded.warnings.push_back(*warning);
 }
 
 LoadedScene load_with_options(const SceneOptions& options) {

@@ -105,6 +105,9 @@ class Lab {
   void publish();
   const Scene& scene() const { return scene_; }
 
+  // The scene compiled for stepping, as of the last frame or edit.
+  const Plan& plan() const { return plan_; }
+
   // Ids for the points and springs of an Insert.
   PointId new_point_id() { return scene_.system.new_point_id(); }
   SpringId new_spring_id() { return scene_.system.new_spring_id(); }

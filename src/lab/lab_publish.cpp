@@ -58,6 +58,10 @@ std::shared_ptr<const Snapshot> Lab::snapshot() {
   }
   snapshot->omega = plan_.spectrum.omega;
   snapshot->largest_stable_step = largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
+  if (scene_.settings.substep() > snapshot->largest_stable_step) {
+    const Scene& start = start_.scene() ? *start_.scene() : scene_;
+    snapshot->recommended_margin = recommended_margin(start.system, start.state);
+  }
   snapshot->divergence = divergence_;
   return snapshot;
 }

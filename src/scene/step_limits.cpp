@@ -10,7 +10,7 @@ namespace {
 
 std::string count_substeps(int substeps) { return std::to_string(substeps) + (substeps == 1 ? " substep" : " substeps"); }
 
-int with_margin(int substeps) { return std::min(max_substeps, recommended_margin * substeps); }
+int with_margin(int substeps, int margin) { return static_cast<int>(std::min<long>(max_substeps, static_cast<long>(margin) * substeps)); }
 
 }  // namespace
 
@@ -22,30 +22,32 @@ std::optional<int> min_stable_substeps(const Integrator& integrator, const Spect
   return std::max(1, static_cast<int>(substeps));
 }
 
-Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings) {
+Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int margin) {
   const Integrator& method = *settings.integrator;
   // a method that amplifies every undamped mode also amplifies transverse motion, which dashpots do not damp
   const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate);
   if (limit && method.stability != Stability::None) {
-    if (settings.substeps < with_margin(*limit)) return {&method, with_margin(*limit)};
+    if (settings.substeps < with_margin(*limit, margin)) return {&method, with_margin(*limit, margin)};
     return {&method, std::min(max_substeps, 4 * settings.substeps)};
   }
   const Integrator& fallback = default_integrator();
-  if (const auto substeps = min_stable_substeps(fallback, spectrum, settings.frame_rate)) return {&fallback, with_margin(*substeps)};
+  if (const auto substeps = min_stable_substeps(fallback, spectrum, settings.frame_rate))
+    return {&fallback, with_margin(*substeps, margin)};
   return {&stiff_integrator(), settings.substeps};
 }
 
-std::optional<std::string> step_warning(const System& system, const Settings& settings) {
+std::optional<std::string> step_warning(const System& system, const State& state, const Settings& settings) {
   const Spectrum spectrum = bound_spectrum(system);
   const Integrator& method = *settings.integrator;
   if (settings.substep() <= largest_stable_step(method, spectrum)) return std::nullopt;
 
   const std::string id(method.id);
-  const Advice advice = suggest_stepping(spectrum, settings);
+  const int margin = recommended_margin(system, state);
+  const Advice advice = suggest_stepping(spectrum, settings, margin);
   if (const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate); limit && advice.integrator == &method) {
     // the bound of a listed force is that of its strongest point, which the scene may never reach
-    const bool is_of_forces = spectrum.force_omega > 0.5 * spectrum.omega;
-    const bool has_margin = *limit <= max_substeps / recommended_margin;
+    const bool is_of_forces = std::hypot(spectrum.force_omega, spectrum.estimated_omega) > 0.5 * spectrum.omega;
+    const bool has_margin = *limit <= max_substeps / margin;
     return "simulation.substeps: " + std::to_string(settings.substeps) + ": may be too few for " + id +
            " here: its linear stability limit is " + count_substeps(*limit) + " per frame" +
            (is_of_forces ? " where the listed forces are strongest; " : "; ") +

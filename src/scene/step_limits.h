@@ -21,10 +21,11 @@ struct Advice {
 std::optional<int> min_stable_substeps(const Integrator& integrator, const Spectrum& spectrum, double frame_rate);
 
 // The current method with enough substeps or, if none are enough, another method. Not tested on the scene (study/remedy.h).
-Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings);
+// `margin`: recommended_margin of the state from which it runs.
+Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int margin = default_margin);
 
 // A warning about a step beyond the linear limit of the method on this scene: "FIELD: VALUE: ...", with names of the scene file.
-std::optional<std::string> step_warning(const System& system, const Settings& settings);
+std::optional<std::string> step_warning(const System& system, const State& state, const Settings& settings);
 
 // "Velocity Verlet with 80 substeps per frame"
 std::string describe(const Advice& advice);

@@ -42,6 +42,19 @@ double strain(const System& system, const State& state, const Spring& spring) {
   return spring.rest_length > 0.0 ? length / spring.rest_length - 1.0 : length;
 }
 
+bool can_collapse(const System& system, const State& state) {
+  return std::ranges::any_of(system.springs(), [&](const Spring& spring) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    const Point &first = system.points()[i], &second = system.points()[j];
+    const double inverse_mass = (first.nailed ? 0.0 : 1.0 / first.mass) + (second.nailed ? 0.0 : 1.0 / second.mass);
+    const double omega_squared = system.stiffness_of(spring) * inverse_mass;
+    if (!(omega_squared > 0.0) || spring.rest_length == 0.0) return false;
+    const double extension = glm::distance(state.position[i], state.position[j]) - spring.rest_length;
+    const Vec3 velocity = (second.nailed ? Vec3(0.0) : state.velocity[j]) - (first.nailed ? Vec3(0.0) : state.velocity[i]);
+    return extension * extension + glm::dot(velocity, velocity) / omega_squared >= spring.rest_length * spring.rest_length;
+  });
+}
+
 Vec3 grabbed_position(const System& system, const State& state) {
   const Grab& grab = *system.grab;
   if (!grab.patch) return state.position[system.index_of(grab.point)];

@@ -24,6 +24,10 @@ Momentum compute_momentum(const System& system, const State& state);
 // l / l0 - 1 of a spring [1]; for l0 = 0 the length [m] itself.
 double strain(const System& system, const State& state, const Spring& spring);
 
+// Whether the motion can compress a spring to zero length, where its direction reverses: the amplitude that its extension and the relative
+// velocity of its ends correspond to, with the frequency of the spring alone, is at least its rest length.
+bool can_collapse(const System& system, const State& state);
+
 // Position of the grabbed point, or patch [m]. There must be a grab.
 Vec3 grabbed_position(const System& system, const State& state);
 

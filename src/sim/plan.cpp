@@ -352,14 +352,19 @@ Spectrum bound_spectrum(const System& system) {
     spectrum.dashpot_rate = std::max(spectrum.dashpot_rate, dashpot_row[i]);
   }
   // eigenvalues of a sum of symmetric matrices are at most the sum of theirs
-  double force_stiffness = 0.0;
+  double force_stiffness = 0.0, estimated_stiffness = 0.0, omitted_stiffness = 0.0;
   for (const Force& force : system.forces) {
     if (!force.on) continue;
     const ForceBound bound = force.term->bound(system, force.values);
     spectrum.is_bounded = spectrum.is_bounded && std::isfinite(bound.stiffness) && std::isfinite(bound.rate);
     if (std::isfinite(bound.stiffness)) force_stiffness += bound.stiffness;
     if (std::isfinite(bound.rate)) spectrum.force_rate += bound.rate;
+    estimated_stiffness += bound.estimated_stiffness;
+    spectrum.estimated_rate += bound.estimated_rate;
+    omitted_stiffness += bound.omitted_stiffness;
   }
+  spectrum.estimated_omega = std::sqrt(estimated_stiffness);
+  spectrum.omitted_omega = std::sqrt(omitted_stiffness);
   spectrum.force_omega = std::sqrt(force_stiffness);
   spectrum.omega = std::sqrt(spectrum.omega + force_stiffness);
   spectrum.drag_rate = system.drag_rate();

@@ -71,6 +71,9 @@ struct Spectrum {
   double drag_rate = 0.0;          // [1/s]
   double min_dashpot_ratio = 0.0;  // [s], minimum of damping / stiffness over the springs
   bool contact = false;            // whether there are solid colliders
+  // Of the listed forces, for warnings: estimates where there is no bound [rad/s], [1/s]; and the highest frequency of the derivatives that
+  // implicit methods leave out [rad/s].
+  double estimated_omega = 0.0, estimated_rate = 0.0, omitted_omega = 0.0;
 };
 
 struct Plan {

@@ -22,6 +22,7 @@ struct Snapshot {
   double min_strain = 0.0, max_strain = 0.0;  // [1], over all springs
   double omega = 0.0;                         // [rad/s], bound on the highest frequency
   double largest_stable_step = 0.0;           // [s], linear limit of this method on this scene; 0: none, infinity: any step
+  int recommended_margin = 0;                 // (integrator.h) of the start of the run; 0: the step is within the limit
   std::optional<Divergence> divergence;       // the last frame was rejected; state is the one before it
 
   const Vec3& position(PointId id) const { return state.position[system->index_of(id)]; }

@@ -69,7 +69,7 @@ CheckResult run(const SceneCheck& check, Scene scene, const CheckedMethod& check
   for (long frame = 0; frame < frames; ++frame) {
     monitor.begin_frame(lab.scene().system, lab.scene().settings, lab.scene().state);
     if (lab.step()) {
-      monitor.end_frame(lab.scene().system, lab.scene().state, lab.last_frame().motion());
+      monitor.end_frame(lab.plan(), lab.scene().settings, lab.scene().system, lab.scene().state, lab.last_frame().motion());
       history.add(lab.scene());
       continue;
     }

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 #include <vector>
 
 #include "base/file_limits.h"
 #include "base/number_text.h"
 #include "lab/lab.h"
+#include "study/run_monitor.h"
 
 namespace hooke {
 namespace {
-
-constexpr double any_gain = std::numeric_limits<double>::infinity();
 
 // The work limit, shared by all copies.
 struct Budget {
@@ -37,38 +36,41 @@ double relative_cost(const Integrator& method) {
 }
 
 struct Trial {
-  enum class End { Finished, Diverged, GainedEnergy, OutOfBudget };
+  enum class End { Finished, Diverged, OutOfBudget };
   End end = End::Finished;
-  double seconds = 0.0;  // [s], simulated
+  double seconds = 0.0;               // [s], simulated
+  std::vector<std::string> warnings;  // of the run monitor
 };
 
-// [J], the gain beyond the supplied energy
-double unexplained_energy(const Scene& scene) { return compute_energy(scene.system, scene.state).total() - scene.state.ledger.net_input; }
+struct BudgetIsSpent {};
 
-// Ends early at a gain of more than `max_energy_gain` of the energy supplied [1].
-Trial run_copy(Scene scene, double seconds, double max_energy_gain, Budget& budget) {
-  constexpr int checks = 32;
+// Frame by frame, with the monitor of `hooke run`.
+Trial run_copy(Scene scene, double seconds, Budget& budget) {
   const double start = scene.state.time;
   const double cost = relative_cost(*scene.settings.integrator) * (scene.system.spring_count() + scene.system.point_count() + 10.0);
-  const auto spend = [&] {
-    budget.left -= cost;
-    return !budget.is_spent();
-  };
-
+  const long frames = std::lround(std::ceil(seconds * scene.settings.frame_rate * (1.0 - 1e-9)));
   Lab lab(std::move(scene), KeepStart::No);
-  double lowest = unexplained_energy(lab.scene());
-  for (int check = 1; check <= checks; ++check) {
-    lab.submit(RunTo{start + seconds * check / checks});
-    lab.advance(0.0, spend);
-    const double simulated = lab.scene().state.time - start;
-    if (lab.status()->snapshot->divergence) return {Trial::End::Diverged, simulated};
-    const double energy = unexplained_energy(lab.scene());
-    if (!std::isfinite(energy)) return {Trial::End::Diverged, simulated};
-    if (energy - lowest > max_energy_gain * lab.scene().state.ledger.scale) return {Trial::End::GainedEnergy, simulated};
-    lowest = std::min(lowest, energy);
-    if (budget.is_spent()) return {Trial::End::OutOfBudget, simulated};
+  lab.watch_substeps([&] {
+    budget.left -= cost;
+    if (budget.is_spent()) throw BudgetIsSpent{};
+  });
+  RunMonitor monitor(lab.scene().system, lab.scene().state, 0);
+  Trial trial;
+  const auto ended = [&](Trial::End end) {
+    trial.end = end;
+    trial.seconds = end == Trial::End::Finished ? seconds : lab.scene().state.time - start;
+    trial.warnings = monitor.warnings(lab.scene().system, {});
+    return trial;
+  };
+  try {
+    for (long frame = 0; frame < frames; ++frame) {
+      if (!lab.step()) return ended(Trial::End::Diverged);
+      monitor.end_frame(lab.plan(), lab.scene().settings, lab.scene().system, lab.scene().state, lab.last_frame().motion());
+    }
+  } catch (const BudgetIsSpent&) {
+    return ended(Trial::End::OutOfBudget);
   }
-  return {Trial::End::Finished, seconds};
+  return ended(Trial::End::Finished);
 }
 
 // Whether the scene no longer diverges without some of its parts.
@@ -76,7 +78,7 @@ template <class Remove>
 bool is_cured_without(const Scene& start, double seconds, Budget& budget, const Remove& remove) {
   Scene scene = start;
   remove(scene);
-  return run_copy(std::move(scene), seconds, any_gain, budget).end == Trial::End::Finished;
+  return run_copy(std::move(scene), seconds, budget).end == Trial::End::Finished;
 }
 
 Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
@@ -107,12 +109,13 @@ Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
 std::vector<Advice> candidates(const Scene& start) {
   const Settings& settings = start.settings;
   const Spectrum spectrum = bound_spectrum(start.system);
+  const int margin = recommended_margin(start.system, start.state);
   std::vector<Advice> list;
   const auto add_refinements = [&](const Integrator& method, int min_substeps) {
     const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate);
     if (!limit || method.stability == Stability::None) return;
     constexpr int refinements = 5;
-    double substeps = std::max<double>(min_substeps, static_cast<double>(recommended_margin) * *limit);
+    double substeps = std::max<double>(min_substeps, static_cast<double>(margin) * *limit);
     for (int i = 0; i < refinements && substeps <= max_substeps; ++i, substeps *= 2.0)
       list.push_back({&method, static_cast<int>(substeps)});
   };
@@ -145,14 +148,24 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
   Remedy remedy;
   Budget diagnosis{0.25 * max_work, stop};
   report("Repeating the run");
-  const Trial original = run_copy(start, seconds, any_gain, diagnosis);
+  const Trial original = run_copy(start, seconds, diagnosis);
   if (original.end != Trial::End::Diverged) return remedy;
   const double frame = 1.0 / start.settings.frame_rate, diverged_after = original.seconds + frame;
   report("Looking for the cause");
   remedy.cause = find_cause(start, diverged_after, diagnosis);
 
   double left = max_work - (0.25 * max_work - std::max(0.0, diagnosis.left));
-  std::optional<Advice> partly_tested;
+  // in the order of preference: no warning for all of the time, no warning for as long as the work allowed, and the first with a warning
+  std::optional<std::pair<Advice, Trial>> partly_tested, warned;
+  const auto recommend = [&](const Advice& advice, const Trial& trial) {
+    remedy.advice = advice;
+    remedy.linear_limit = linear_limit(*advice.integrator, start);
+    remedy.has_recommended_margin =
+        remedy.linear_limit && advice.substeps == recommended_margin(start.system, start.state) * *remedy.linear_limit;
+    remedy.tested_seconds = trial.seconds;
+    remedy.warnings = trial.warnings;
+    return remedy;
+  };
   for (const Advice& advice : candidates(start)) {
     if (stop || left <= 0.0) break;
     report("Testing " + describe(advice));
@@ -162,24 +175,17 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
     if (advice.integrator->stability != Stability::Adaptive) scene.settings.tolerance.reset();
     Budget budget{0.5 * left, stop};
     const double given = budget.left;
-    constexpr double max_energy_gain = 0.02;
-    const Trial trial = run_copy(std::move(scene), seconds, max_energy_gain, budget);
+    const Trial trial = run_copy(std::move(scene), seconds, budget);
     left -= given - std::max(0.0, budget.left);
     ++remedy.settings_tried;
-    if (trial.end == Trial::End::Finished) {
-      remedy.advice = advice;
-      remedy.linear_limit = linear_limit(*advice.integrator, start);
-      remedy.tested_seconds = trial.seconds;
-      return remedy;
-    }
-    const bool is_tested = trial.end == Trial::End::OutOfBudget && trial.seconds >= 2.0 * diverged_after;
-    if (is_tested && !partly_tested) {
-      partly_tested = advice;
-      remedy.tested_seconds = trial.seconds;
-    }
+    const bool is_tested =
+        trial.end == Trial::End::Finished || (trial.end == Trial::End::OutOfBudget && trial.seconds >= 2.0 * diverged_after);
+    if (!is_tested) continue;
+    if (trial.end == Trial::End::Finished && trial.warnings.empty()) return recommend(advice, trial);
+    std::optional<std::pair<Advice, Trial>>& kept = trial.warnings.empty() ? partly_tested : warned;
+    if (!kept) kept = {advice, trial};
   }
-  remedy.advice = partly_tested;
-  if (partly_tested) remedy.linear_limit = linear_limit(*partly_tested->integrator, start);
+  if (const auto& kept = partly_tested ? partly_tested : warned) return recommend(kept->first, kept->second);
   return remedy;
 }
 
@@ -225,11 +231,13 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
   if (remedy.linear_limit) {
     const double ratio = static_cast<double>(remedy.advice->substeps) / *remedy.linear_limit;
     margin = ", " + number_text(ratio, 2) + " times the linear limit of " + std::to_string(*remedy.linear_limit) +
-             (remedy.advice->substeps == recommended_margin * *remedy.linear_limit ? " (a measured margin)" : "") + ",";
+             (remedy.has_recommended_margin ? " (a measured margin)" : "") + ",";
   }
   const std::string from = remedy.from ? " from t = " + seconds_text(*remedy.from) : "";
+  std::string warnings;
+  for (const std::string& warning : remedy.warnings) warnings += (warnings.empty() ? ", but: " : "; ") + warning;
   return cause() + " " + describe(*remedy.advice) + margin + " does not diverge (tested for " + seconds_text(remedy.tested_seconds) + from +
-         ").";
+         ")" + warnings + ".";
 }
 
 }  // namespace hooke

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lab/status.h"
 #include "scene/scene.h"
@@ -25,8 +26,10 @@ struct Remedy {
   std::optional<Advice> advice;  // a setting that was run and did not diverge; none if none was found
   double tested_seconds = 0.0;   // [s], simulated with it
   int settings_tried = 0;
-  std::optional<int> linear_limit;  // of the method of the advice [substeps per frame]; none if it has no limit
-  std::optional<double> from;       // [s], of the recorded state that the copies started from; none: the start of the run
+  std::optional<int> linear_limit;      // of the method of the advice [substeps per frame]; none if it has no limit
+  bool has_recommended_margin = false;  // whether the advice has the measured margin below that limit
+  std::vector<std::string> warnings;  // of the run monitor about the test with it; only where every setting that does not diverge has some
+  std::optional<double> from;         // [s], of the recorded state that the copies started from; none: the start of the run
 };
 
 // A limit on the work: approximately the number of springs and points times the force evaluations of all copies. The default takes a second
@@ -37,8 +40,9 @@ inline constexpr double default_remedy_work = 4e8;
 using RemedyProgress = std::function<void(const std::string& test)>;
 
 // Runs copies of `start` (a state before the divergence, best the start of the run) with its own settings, without its forces, colliders
-// and hand, and with other settings: each for `seconds` or until the divergence. A setting is accepted when it neither diverges nor gains
-// energy for `seconds` or, where the work allows less, for at least twice the time that the divergence took. Deterministic. Can run on
+// and hand, and with other settings: each for `seconds` or until the divergence. A setting is accepted when it neither diverges nor is
+// warned about by the run monitor, as in `hooke run`, for `seconds` or, where the work allows less, for at least twice the time that the
+// divergence took; if there is none, the first one that does not diverge, with its warnings. Deterministic. Can run on
 // any thread; `stop` ends it early.
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work = default_remedy_work,
                    const RemedyProgress& report = {});

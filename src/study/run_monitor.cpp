@@ -7,6 +7,7 @@
 #include "sim/energy.h"
 #include "sim/forces/force_term.h"
 #include "sim/frame_error.h"
+#include "sim/integrator.h"
 
 namespace hooke {
 namespace {
@@ -32,22 +33,47 @@ std::string clause(const char* pattern, double value) {
 
 RunMonitor::RunMonitor(const System& system, const State& start, int frames_per_estimate)
     : frames_per_estimate_(frames_per_estimate),
-      start_energy_(unexplained_energy(system, start)),
-      energy_(start_energy_),
-      lowest_energy_(start_energy_),
+      start_{unexplained_energy(system, start), start},
+      lowest_(start_),
       scale_(start.ledger.scale) {}
 
 void RunMonitor::begin_frame(const System& system, const Settings& settings, const State& state) {
   if (estimate_is_due()) estimated_error_ += frames_per_estimate_ * estimate_frame_error(system, settings, state);
 }
 
-void RunMonitor::end_frame(const System& system, const State& state, const Motion& motion) {
+// [J], of the energy that the method conserves best. The modified energy costs some force evaluations, so that it is computed only where
+// the energy of the scene changed.
+double RunMonitor::modified_change(Reference& since, double energy, const Plan& plan, const Settings& settings, const State& state) {
+  const double change = energy - since.energy;
+  const auto modified_energy = settings.integrator->modified_energy;
+  const auto points = static_cast<std::size_t>(plan.points);
+  if (modified_energy == nullptr || state.position.size() != points || since.state.position.size() != points) return change;
+  const auto difference = [&](const State& at) {
+    pack(plan, at, motion_);
+    return modified_energy(plan, motion_, settings.substep());
+  };
+  if (!since.difference) since.difference = difference(since.state);
+  const double modified = change + difference(state) - *since.difference;
+  if (change * modified <= 0.0) return 0.0;
+  return std::abs(modified) < std::abs(change) ? modified : change;
+}
+
+void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const System& system, const State& state, const Motion& motion) {
   ++frames_;
   unconverged_solves_ += motion.unconverged_solves;
-  energy_ = unexplained_energy(system, state);
+  const double energy = unexplained_energy(system, state);
   scale_ = state.ledger.scale;
-  largest_rise_ = std::max(largest_rise_, energy_ - lowest_energy_);
-  lowest_energy_ = std::min(lowest_energy_, energy_);
+  if (energy - lowest_.energy > largest_rise_)
+    largest_rise_ = std::max(largest_rise_, modified_change(lowest_, energy, plan, settings, state));
+  if (energy < lowest_.energy) {
+    lowest_.energy = energy;
+    lowest_.difference.reset();
+    if (settings.integrator->modified_energy != nullptr) lowest_.state = state;
+  }
+  // a rise is reported above, and where the scene dissipates energy, a loss is no error
+  constexpr double min_loss = 0.01;  // of the supplied energy
+  const bool is_loss = start_.energy - energy > min_loss * scale_ && !loses_energy(system);
+  change_ = is_loss ? modified_change(start_, energy, plan, settings, state) : energy - start_.energy;
 }
 
 std::vector<std::string> RunMonitor::warnings(const System& system, const Tolerance& tolerance) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,14 +28,17 @@ class RunMonitor {
   bool estimate_is_due() const { return frames_per_estimate_ != 0 && frames_ % frames_per_estimate_ == 0; }
   // Must be called before and after a frame, with its edits already applied to `system`.
   void begin_frame(const System& system, const Settings& settings, const State& state);
-  void end_frame(const System& system, const State& state, const Motion& motion);
+  // `plan`: of `system` after the frame.
+  void end_frame(const Plan& plan, const Settings& settings, const System& system, const State& state, const Motion& motion);
 
   long unconverged_solves() const { return unconverged_solves_; }
   // Maximum rise of the energy, minus the work of the hand, forces and edits, above an earlier value, relative to the supplied energy [1].
-  // No physical process causes one.
+  // No physical process causes one. A symplectic method lets the energy oscillate about its modified energy, which is no error of the
+  // motion of that size: where the modified energy is known (Integrator::modified_energy), the smaller rise of the two counts.
   double energy_rise() const { return largest_rise_ / scale_; }
-  // Its change since the start, relative to the supplied energy [1]: without dissipation an error of the method.
-  double energy_change() const { return (energy_ - start_energy_) / scale_; }
+  // Its change since the start, relative to the supplied energy [1]: without dissipation an error of the method. Of the modified energy
+  // where that changed less.
+  double energy_change() const { return change_ / scale_; }
   // Sum of the estimated errors of the frames [m], ignoring their later growth or decay.
   double estimated_error() const { return estimated_error_; }
 
@@ -44,10 +48,19 @@ class RunMonitor {
  private:
   const int frames_per_estimate_;
   long frames_ = 0, unconverged_solves_ = 0;
-  double start_energy_, energy_, lowest_energy_;  // [J], minus the work done on the scene
-  double largest_rise_ = 0.0;                     // [J]
-  double scale_;                                  // [J]
-  double estimated_error_ = 0.0;                  // [m]
+  // A state with its energy, and by how much the modified energy exceeds it, once that is computed. [J], minus the work done on the scene
+  struct Reference {
+    double energy;
+    State state;
+    std::optional<double> difference{};
+  };
+  double modified_change(Reference& since, double energy, const Plan& plan, const Settings& settings, const State& state);
+
+  Reference start_, lowest_;
+  double largest_rise_ = 0.0, change_ = 0.0;  // [J]
+  Motion motion_;                             // scratch
+  double scale_;                              // [J]
+  double estimated_error_ = 0.0;              // [m]
 };
 
 }  // namespace hooke

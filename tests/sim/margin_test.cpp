@@ -11,8 +11,7 @@ namespace hooke {
 namespace {
 
 // Whether the mean energy of the third second exceeds that of the first by 20 % of the initial energy, or the run diverges.
-bool gains_energy(const Integrator& method, std::uint64_t seed, double margin) {
-  TestSim sim = rotating_net(seed);
+bool gains_energy(const Integrator& method, TestSim sim, double margin) {
   initialize_ledger(sim.system, sim.state);
   Plan plan = make_plan(sim.system);
   const double step = largest_stable_step(method, plan.spectrum) / margin;
@@ -34,19 +33,49 @@ bool gains_energy(const Integrator& method, std::uint64_t seed, double margin) {
   return last - first > 0.2 * sim.state.ledger.scale;
 }
 
-int count_gains(const Integrator& method, int nets, double margin) {
+using MakeNet = TestSim (*)(std::uint64_t seed);
+
+int count_gains(const Integrator& method, MakeNet make_net, int nets, double margin) {
   int count = 0;
-  for (int seed = 0; seed < nets; ++seed) count += gains_energy(method, static_cast<std::uint64_t>(seed), margin) ? 1 : 0;
+  for (int seed = 0; seed < nets; ++seed) count += gains_energy(method, make_net(static_cast<std::uint64_t>(seed)), margin) ? 1 : 0;
   return count;
 }
 
 TEST(Margin, NoRandomNetGainsEnergyAtTheRecommendedStep) {
   for (const Integrator* method : {&symplectic_euler, &velocity_verlet, &blanes_moan4})
-    EXPECT_EQ(count_gains(*method, 120, recommended_margin), 0) << method->id;
+    EXPECT_EQ(count_gains(*method, rotating_net, 120, default_margin), 0) << method->id;
 }
 
 TEST(Margin, ManyRandomNetsGainEnergyAtTheLinearLimitItself) {
-  for (const Integrator* method : {&symplectic_euler, &velocity_verlet}) EXPECT_GT(count_gains(*method, 120, 1.0), 30) << method->id;
+  for (const Integrator* method : {&symplectic_euler, &velocity_verlet})
+    EXPECT_GT(count_gains(*method, rotating_net, 120, 1.0), 30) << method->id;
+}
+
+TEST(Margin, IsLargerWhereSpringsPassThroughZeroLength) {
+  constexpr int nets = 60;
+  int collapsing = 0, others = 0;
+  for (std::uint64_t seed = 0; seed < nets; ++seed) {
+    const TestSim sim = collapsing_net(seed);
+    collapsing += recommended_margin(sim.system, sim.state) == collapse_margin ? 1 : 0;
+    const TestSim rotating = rotating_net(seed);
+    others += recommended_margin(rotating.system, rotating.state) == collapse_margin ? 1 : 0;
+  }
+  EXPECT_GT(collapsing, nets / 2);
+  EXPECT_LT(others, nets / 10);
+  for (const Integrator* method : {&symplectic_euler, &velocity_verlet}) {
+    EXPECT_GT(count_gains(*method, collapsing_net, nets, default_margin), 0) << method->id;
+    EXPECT_EQ(count_gains(*method, collapsing_net, nets, collapse_margin), 0) << method->id;
+  }
+}
+
+// two masses of 1 kg at 2 m on a spring of 1 m, at rest or with a relative speed of w l0
+TEST(Margin, ASpringCollapsesFromTwiceItsLengthOrFromTheSpeedThatCorresponds) {
+  for (const double fraction : {0.99, 1.01}) {
+    TestSim stretched, moving;
+    stretched.join(stretched.add(Vec3(0.0)), stretched.add({1.0 + fraction, 0.0, 0.0}), 50.0, 1.0);
+    moving.join(moving.add(Vec3(0.0)), moving.add({1.0, 0.0, 0.0}, 1.0, {10.0 * fraction, 0.0, 0.0}), 50.0, 1.0);
+    for (const TestSim& sim : {stretched, moving}) EXPECT_EQ(can_collapse(sim.system, sim.state), fraction > 1.0);
+  }
 }
 
 }  // namespace

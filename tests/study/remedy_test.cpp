@@ -8,6 +8,7 @@
 #include "lab/lab.h"
 #include "sim/forces/force_term.h"
 #include "study/hard_cases/test_network.h"
+#include "study/run_monitor.h"
 
 namespace hooke {
 namespace {
@@ -58,6 +59,15 @@ bool runs_through(const Scene& scene, double duration) {
   for (long frame = std::lround(duration * scene.settings.frame_rate); frame > 0; --frame)
     if (!lab.step()) return false;
   return true;
+}
+
+// Those of the run monitor, as `hooke run` prints them.
+std::vector<std::string> warnings_of(const Scene& scene, double duration) {
+  Lab lab(scene, KeepStart::No);
+  RunMonitor monitor(lab.scene().system, lab.scene().state, 0);
+  for (long frame = std::lround(duration * scene.settings.frame_rate); frame > 0 && lab.step(); --frame)
+    monitor.end_frame(lab.plan(), lab.scene().settings, lab.scene().system, lab.scene().state, lab.last_frame().motion());
+  return monitor.warnings(lab.scene().system, {});
 }
 
 // Diverging scenes of several kinds.
@@ -124,7 +134,7 @@ bool is_expected_cause(const std::string& kind, Remedy::Cause cause) {
 }
 
 TEST(Remedy, EveryRecommendedSettingIsStable) {
-  int diverged = 0, cured = 0;
+  int diverged = 0, cured = 0, without_warning = 0;
   std::map<std::string, int> stable;
   for (const DivergingScene& scene_case : diverging_scenes()) {
     if (runs_through(scene_case.scene, seconds)) {
@@ -141,11 +151,14 @@ TEST(Remedy, EveryRecommendedSettingIsStable) {
     scene.settings.integrator = remedy.advice->integrator;
     scene.settings.substeps = remedy.advice->substeps;
     EXPECT_TRUE(runs_through(scene, 2.0 * seconds)) << description;
+    EXPECT_EQ(warnings_of(scene, remedy.tested_seconds), remedy.warnings) << description;
+    without_warning += remedy.warnings.empty() ? 1 : 0;
   }
   std::string names;
   for (const auto& [name, count] : stable) names += name + " ";
   EXPECT_GE(diverged, 30) << "not diverged: " << names;
   EXPECT_GE(cured, 9 * diverged / 10);
+  EXPECT_GE(without_warning, 8 * diverged / 10);
 }
 
 // The number of substeps that is shown below the slider and the recommended one differ by a margin, which is named.

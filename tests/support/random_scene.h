@@ -94,4 +94,30 @@ inline TestSim rotating_net(std::uint64_t seed) {
   return sim;
 }
 
+// 3 to 8 points of 0.1 to 10 kg in a cube of 2 m, at up to 3 m/s along each axis, and springs of about equal stiffness with rest lengths
+// that have nothing to do with their lengths: most nets compress some to zero length.
+inline TestSim collapsing_net(std::uint64_t seed) {
+  Random random(seed * 7919 + 17);
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  constexpr Index sizes[] = {3, 4, 5, 6, 8};
+  const Index points = sizes[random.below(5)];
+  const double stiffness = std::pow(10.0, random.uniform(2.0, 5.0));
+  const auto vector = [&](double size) {
+    const double x = random.uniform(-size, size), y = random.uniform(-size, size), z = random.uniform(-size, size);
+    return Vec3(x, y, z);
+  };
+  for (Index i = 0; i < points; ++i) {
+    const Vec3 position = vector(1.0), velocity = vector(3.0);
+    sim.add(position, std::pow(10.0, random.uniform(-1.0, 1.0)), velocity);
+  }
+  for (Index i = 0; i < points; ++i)
+    for (Index j = 0; j < i; ++j) {
+      const bool is_joined = j == i - 1 || random.uniform(0.0, 1.0) < 0.6;
+      const double k = stiffness * random.uniform(0.3, 3.0), rest_length = random.uniform(0.3, 1.5);
+      if (is_joined) sim.join(sim.system.points()[j].id, sim.system.points()[i].id, k, rest_length);
+    }
+  return sim;
+}
+
 }  // namespace hooke

@@ -160,11 +160,11 @@ std::function<int()> declare_run(CLI::App& app) {
   app.add_option("--json", options->files.json, "Write the run and its samples as JSON; - for stdout")->type_name("FILE");
   app.add_option("--csv", options->files.csv, "Write one row per sample: time, energies, positions; - for stdout")->type_name("FILE");
   app.add_option("--quantities", options->files.quantities, "Columns of --csv instead: " + quantity_names())->type_name("time,total,y5");
-  app.add_option(
-         "--accuracy", options->accuracy,
-         "What is measured for --json, for quantities such as error, and for the summary: off; frame (the error of a frame and the energy balance, at "
-         "a tenth of the cost of the run); full (also the accumulated error and the growth of small differences, at two and a half "
-         "times the cost); default: full where it is written, frame for the summary")
+  app.add_option("--accuracy", options->accuracy,
+                 "What is measured for --json, for quantities such as error, and for the summary: off; frame (the error of a frame and the "
+                 "energy balance, at "
+                 "a tenth of the cost of the run); full (also the accumulated error and the growth of small differences, at two and a half "
+                 "times the cost); default: full where it is written, frame for the summary")
       ->type_name("off|frame|full")
       ->transform(one_of({"off", "frame", "full"}));  // as AccuracyMode lists them
   app.add_option("--pc2", options->files.pc2, "Write the positions of all points in every frame as a point cache")->type_name("FILE");

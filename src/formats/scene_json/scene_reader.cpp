@@ -92,7 +92,7 @@ LoadedScene SceneReader::read() {
   if (!network.sheet_areas.empty() || !network.sheet_weights.empty())
     scene_.sheet = std::make_shared<const SheetWeights>(SheetWeights{std::move(network.sheet_areas), std::move(network.sheet_weights)});
   set_print_layout(scene_);
-  if (const auto warning = step_warning(scene_.system, scene_.settings)) fields_.warn(*warning);
+  if (const auto warning = step_warning(scene_.system, scene_.state, scene_.settings)) fields_.warn(*warning);
   return {std::move(scene_), fields_.warnings(name_)};
 }
 

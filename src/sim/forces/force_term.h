@@ -27,13 +27,16 @@ struct ForceParameter {
 inline constexpr std::size_t max_force_parameters = 8;
 using ForceValues = std::array<double, max_force_parameters>;  // one for each parameter of the row, in its order
 
-// Upper bounds over all positions and velocities; infinity where there is none.
+// Upper bounds over all positions and velocities; infinity where there is none. Then there is an estimate, for warnings only: near the rest
+// lengths, in air at its full speed, and 1 m from a center.
 struct ForceBound {
   static constexpr double none = std::numeric_limits<double>::infinity();
   double stiffness = 0.0;     // [1/s^2], on the eigenvalues of M^-1/2 (df/dx) M^-1/2, in magnitude
   double rate = 0.0;          // [1/s], on those of M^-1/2 (df/dv) M^-1/2
   double acceleration = 0.0;  // [m/s^2], that can drive points away; an attraction that grows with distance does not count
   double speed = 0.0;         // [m/s], the speed towards which points are driven, for example by moving air
+  double estimated_stiffness = 0.0, estimated_rate = 0.0;  // [1/s^2], [1/s], where there is no bound
+  double omitted_stiffness = 0.0;  // [1/s^2], bound or estimate of the part of the stiffness that add_tangent leaves out
 };
 
 struct ForceTerm {

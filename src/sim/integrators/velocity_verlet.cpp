@@ -8,6 +8,7 @@
 #include "sim/forces/dashpot.h"
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
+#include "sim/plan_energy.h"
 #include "sim/portable_math.h"
 #include "sim/spring_limits.h"
 
@@ -39,6 +40,11 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   motion.acceleration_is_current = !plan.forces_depend_on_velocity;
 
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
+}
+
+// Drag and dashpots are left out: they do not conserve energy.
+double modified_energy(const Plan& plan, const Motion& motion, double h) {
+  return verlet_energy_difference(plan, motion.time, motion.x, motion.v, h);
 }
 
 // The last kick of a step and the first of the next are one of h; forces are evaluated within the pass that kicks and drifts.
@@ -118,6 +124,7 @@ constinit const Integrator velocity_verlet{
     .prepare = prepare,
     .step = step,
     .amplification = amplification,
+    .modified_energy = modified_energy,
     .fly = fly,
 };
 

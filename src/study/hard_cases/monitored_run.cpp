@@ -81,7 +81,7 @@ bool MonitoredRun::frame() {
     stop_reason_ = describe_stop(lab_, before);
     return false;
   }
-  monitor_->end_frame(system(), state(), lab_.last_frame().motion());
+  monitor_->end_frame(lab_.plan(), settings(), system(), state(), lab_.last_frame().motion());
   return true;
 }
 

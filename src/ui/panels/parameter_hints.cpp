@@ -68,12 +68,12 @@ void step_remark(const Snapshot& snapshot) {
       "Highest angular frequency of the scene times the step. Beyond the limit of the method, the simulation can blow up.";
   if (anything && limit > 0.0 && fraction > 1.0) {
     // the substeps that are needed, and why more are recommended
-    const double needed = std::ceil(1.0 / (snapshot.settings.frame_rate * limit)), recommended = recommended_margin * needed;
+    const double needed = std::ceil(1.0 / (snapshot.settings.frame_rate * limit)), recommended = snapshot.recommended_margin * needed;
     description = text + ". The linear stability limit is " + number_text(needed) + " substeps per frame; " + number_text(recommended) +
-                  " are recommended: " + std::to_string(recommended_margin) +
+                  " are recommended: " + std::to_string(snapshot.recommended_margin) +
                   " times as many, a measured margin for springs that stretch and rotate far.";
     name = "linear limit " + number_text(needed);
-    short_text = "use " + number_text(recommended) + " (" + std::to_string(recommended_margin) + "\u00d7)";
+    short_text = "use " + number_text(recommended) + " (" + std::to_string(snapshot.recommended_margin) + "\u00d7)";
     text = "recommended " + short_text.substr(4);
   }
   remark(name, text, description, text_color, anything && fraction > 0.8 ? text_color : palette::dim, short_text);

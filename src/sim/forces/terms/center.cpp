@@ -75,7 +75,16 @@ ForceBound bound(const System&, const ForceValues& values) {
     bound.acceleration = max_acceleration;
   else if (values[3] < 0.0)
     bound.acceleration = ForceBound::none;
-  if (law.power < -1.0 && strength > 0.0) bound.stiffness = ForceBound::none;
+  // an attraction that falls with the distance is negative along it, a repulsion across it and in the core
+  if (values[3] < 0.0)
+    bound.omitted_stiffness = bound.stiffness;
+  else if (law.power > 0.0)
+    bound.omitted_stiffness = at_core * law.power;
+  if (law.power < -1.0 && strength > 0.0) {
+    bound.stiffness = ForceBound::none;
+    bound.estimated_stiffness = strength * std::abs(law.power);
+    if (values[3] < 0.0) bound.omitted_stiffness = bound.estimated_stiffness;
+  }
   return bound;
 }
 

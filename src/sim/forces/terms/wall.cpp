@@ -54,7 +54,10 @@ ForceBound bound(const System& system, const ForceValues& values) {
     gain = std::max(gain, row);
   }
   const double at_core = std::abs(values[0]) * portable::pow(values[2], -values[1]);
-  return {.stiffness = gain * at_core * values[1] / values[2], .acceleration = static_cast<double>(normals.size()) * at_core};
+  const double stiffness = gain * at_core * values[1] / values[2];
+  return {.stiffness = stiffness,
+          .acceleration = static_cast<double>(normals.size()) * at_core,
+          .omitted_stiffness = values[0] < 0.0 ? stiffness : 0.0};
 }
 
 void add_tangent(const Plan& plan, const ForceValues& values, double time, const double* x, const double*, ForceTangent& tangent) {

@@ -1,9 +1,12 @@
 // Air that moves past faces: f = A (a |u.n| (u.n) n + b |u_t| u_t), u the wind relative to the mean velocity of the face, n its normal, u_t
 // the tangential part of u; a third acts on each corner. In scenes without faces: A = pi r^2 and n along u, for each point. Gusts: the wind
 // speed varies by smooth noise from a seed, the same in every run.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <limits>
+#include <vector>
 
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
@@ -103,11 +106,52 @@ void add(const Plan& plan, const ForceValues& values, double time, const double*
   for_each_force(plan, values, time, x, v, [&](Index i, const Vec3& force) { add_to(plan, f, i, force); });
 }
 
+// Near the rest lengths, of points at rest in the wind at its full speed u, in [1/s^2] and [1/s]. A face with edges of length l has the
+// area l^2 / 2. A displacement of a corner changes its force by up to (a + b) u^2 / 6 times the opposite edge; the sum over the three
+// corners contains the perimeter, 3.4 l. A velocity changes the forces by up to 2 (a + b) u times a third of the area.
+struct FaceEstimate {
+  double stiffness = 0.0, rate = 0.0;
+};
+FaceEstimate estimate_faces(const System& system, double coefficient, double speed) {
+  constexpr double perimeter = 3.4;  // [1], of an isosceles right triangle, relative to its short sides
+  std::vector<double> length(system.points().size(), std::numeric_limits<double>::infinity());
+  for (const Spring& spring : system.springs())
+    for (const PointId end : {spring.first, spring.second})
+      if (spring.rest_length > 0.0) length[system.index_of(end)] = std::min(length[system.index_of(end)], spring.rest_length);
+
+  std::vector<FaceEstimate> row(system.points().size());
+  for (const Face& face : system.faces) {
+    double edge = 0.0;
+    for (const PointId corner : face.points)
+      if (const double l = length[system.index_of(corner)]; std::isfinite(l)) edge = std::max(edge, l);
+    for (const PointId corner : face.points) {
+      const Index i = system.index_of(corner);
+      if (system.points()[i].nailed) continue;
+      row[i].stiffness += coefficient * speed * speed * perimeter * edge / (6.0 * system.points()[i].mass);
+      row[i].rate += coefficient * speed * edge * edge / (3.0 * system.points()[i].mass);
+    }
+  }
+  FaceEstimate max;
+  for (const FaceEstimate& each : row) max = {std::max(max.stiffness, each.stiffness), std::max(max.rate, each.rate)};
+  return max;
+}
+
 // Quadratic in the speed, and proportional to areas that grow as faces stretch: no bound exists.
-ForceBound bound(const System&, const ForceValues& values) {
-  return {.stiffness = ForceBound::none,
-          .rate = ForceBound::none,
-          .speed = (1.0 + values[5]) * glm::length(Vec3(values[0], values[1], values[2]))};
+ForceBound bound(const System& system, const ForceValues& values) {
+  ForceBound bound{.stiffness = ForceBound::none,
+                   .rate = ForceBound::none,
+                   .speed = (1.0 + values[5]) * glm::length(Vec3(values[0], values[1], values[2]))};
+  if (system.faces.empty()) {
+    for (const Point& point : system.points())
+      if (!point.nailed)
+        bound.estimated_rate =
+            std::max(bound.estimated_rate, 2.0 * values[3] * pi * point.radius * point.radius * bound.speed / point.mass);
+    return bound;
+  }
+  const FaceEstimate faces = estimate_faces(system, values[3] + values[4], bound.speed);
+  bound.estimated_stiffness = bound.omitted_stiffness = faces.stiffness;
+  bound.estimated_rate = faces.rate;
+  return bound;
 }
 
 // A face couples its corners: -df_i/dv_j = D / 9. Half the sum of a row on the diagonal, D / 6, is midway between the eigenvalues 0 and D /

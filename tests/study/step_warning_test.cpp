@@ -1,0 +1,120 @@
+// Steps that are too long for the listed forces are warned about before the run.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene/step_limits.h"
+#include "sim/divergence.h"
+#include "sim/forces/force_term.h"
+#include "study/hard_cases/monitored_run.h"
+
+namespace hooke {
+namespace {
+
+// 5 x 5 points at rest, 1 m, each of `mass` [kg], with faces.
+TestNetwork sheet_with_faces(double mass, double stiffness) {
+  TestNetwork sheet = make_sheet({.rows = 5,
+                                  .columns = 5,
+                                  .across = {0.25, 0.0, 0.0},
+                                  .down = {0.0, 0.0, 0.25},
+                                  .mass = mass,
+                                  .stiffness = stiffness,
+                                  .diagonal_stiffness = stiffness});
+  const auto id = [&](int row, int column) { return sheet.system.points()[row * 5 + column].id; };
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) {
+      sheet.system.faces.push_back({.points = {id(row, column), id(row, column + 1), id(row + 1, column)}});
+      sheet.system.faces.push_back({.points = {id(row, column + 1), id(row + 1, column + 1), id(row + 1, column)}});
+    }
+  return sheet;
+}
+
+Force force_with(const char* id, std::initializer_list<std::pair<const char*, double>> values) {
+  const ForceTerm& term = *find_force_term(id);
+  Force force{.term = &term, .values = default_values(term)};
+  for (const auto& [name, value] : values)
+    for (std::size_t i = 0; i < term.numbers.size(); ++i)
+      if (term.numbers[i].name == name) force.values[i] = value;
+  return force;
+}
+
+struct Outcome {
+  bool failed;  // diverged, or gained more than a tenth of the energy supplied
+  bool warned;  // before
+};
+
+Outcome outcome_of(TestNetwork network, const Settings& settings) {
+  initialize_ledger(network.system, network.state);
+  MonitoredRun run(network, settings);
+  run.run(0.2);
+  return {run.stopped() || run.monitor().energy_rise() > 0.1, step_warning(network.system, network.state, settings).has_value()};
+}
+
+std::vector<const Integrator*> implicit_methods() {
+  std::vector<const Integrator*> methods;
+  for (const Integrator& method : integrators())
+    if (method.implicit_force_terms) methods.push_back(&method);
+  return methods;
+}
+
+TEST(StepWarning, PrecedesEveryFailureOfAnImplicitMethodInWind) {
+  int failed = 0, quiet = 0;
+  for (std::uint64_t seed = 0; seed < 16; ++seed) {
+    Random random(seed);
+    TestNetwork sheet = sheet_with_faces(std::pow(10.0, random.uniform(-4.0, 0.0)), std::pow(10.0, random.uniform(0.0, 2.0)));
+    if (seed % 2 == 0) sheet.system.point(0).nailed = sheet.system.point(4).nailed = true;
+    TestNetwork calm = sheet;
+    const double strength = std::pow(10.0, random.uniform(-4.0, 0.0));
+    sheet.system.forces = {force_with("wind", {{"x", random.uniform(-50.0, 50.0)},
+                                               {"y", random.uniform(-50.0, 50.0)},
+                                               {"z", random.uniform(-50.0, 50.0)},
+                                               {"normal", 5.0 * strength},
+                                               {"tangential", strength},
+                                               {"gusts", random.uniform(0.0, 1.0)}})};
+    for (const Integrator* method : implicit_methods()) {
+      const Settings settings{.integrator = method, .frame_rate = seed % 3 == 0 ? 15.0 : 60.0, .substeps = 1};
+      // springs alone may be too stiff for a method that damps nothing
+      if (outcome_of(calm, settings).failed) continue;
+      const Outcome outcome = outcome_of(sheet, settings);
+      EXPECT_TRUE(!outcome.failed || outcome.warned) << "scene " << seed << ", " << method->id;
+      failed += outcome.failed ? 1 : 0;
+      quiet += outcome.warned ? 0 : 1;
+    }
+  }
+  EXPECT_GT(failed, 5);
+  EXPECT_GT(quiet, 10);
+}
+
+// A moderate wind needs no warning.
+TEST(StepWarning, IsAbsentInAWindThatIsSlowForTheStep) {
+  TestNetwork sheet = sheet_with_faces(0.05, 50.0);
+  sheet.system.forces = {force_with("wind", {{"x", 3.0}})};
+  for (const Integrator* method : implicit_methods())
+    EXPECT_FALSE(step_warning(sheet.system, sheet.state, {.integrator = method, .substeps = 1})) << method->id;
+}
+
+// The maximum of what implicit methods leave out: attractions that fall with the distance, and repulsions.
+TEST(StepWarning, CountsTheForcesThatImplicitMethodsLeaveOut) {
+  TestNetwork network;
+  network.add(Vec3(0.1));
+  network.system.colliders = {{.shape = Plane{.point = {0.0, -1.0, 0.0}}}};
+  const auto omitted = [&](const Force& force) {
+    network.system.forces = {force};
+    const double omega = bound_spectrum(network.system).omitted_omega;
+    return omega * omega;
+  };
+  EXPECT_EQ(omitted(force_with("center", {{"strength", 100.0}, {"power", -1.0}})), 0.0);
+  EXPECT_NEAR(omitted(force_with("center", {{"strength", 100.0}, {"power", 2.0}, {"core", 1.0}})), 200.0, 1e-10);
+  EXPECT_NEAR(omitted(force_with("center", {{"strength", -100.0}, {"power", -1.0}})), 100.0, 1e-10);
+  EXPECT_NEAR(omitted(force_with("center", {{"strength", -100.0}, {"power", -3.0}})), 300.0, 1e-10);
+  EXPECT_EQ(omitted(force_with("wall", {{"strength", 100.0}})), 0.0);
+  EXPECT_NEAR(omitted(force_with("wall", {{"strength", -100.0}, {"power", 1.0}, {"core", 1.0}})), 100.0, 1e-10);
+
+  // the step that a method with an implicit system may take
+  network.system.colliders.clear();
+  network.system.forces = {force_with("center", {{"strength", -100.0}, {"power", -1.0}})};
+  EXPECT_NEAR(largest_stable_step(*find_integrator("implicit_euler"), bound_spectrum(network.system)), 0.1, 1e-12);
+}
+
+}  // namespace
+}  // namespace hooke
