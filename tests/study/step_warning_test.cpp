@@ -116,5 +116,15 @@ TEST(StepWarning, CountsTheForcesThatImplicitMethodsLeaveOut) {
   EXPECT_NEAR(largest_stable_step(*find_integrator("implicit_euler"), bound_spectrum(network.system)), 0.1, 1e-12);
 }
 
+// Light points that reach the speed of the wind within a fraction of the step: the work of the wind is not a gain of energy.
+TEST(StepWarning, IsNotNeededForLightPointsThatTheWindCarriesAway) {
+  TestNetwork network;
+  network.join(network.add(Vec3(0.0), 2e-4), network.add({0.3, 0.0, 0.0}, 2e-4), 10.0);
+  for (Index i = 0; i < 2; ++i) network.system.point(i).radius = 0.02;
+  network.system.forces = {force_with("wind", {{"x", 35.0}, {"z", -22.0}, {"normal", 4.5}, {"gusts", 0.0}})};
+  for (const char* id : {"implicit_euler", "baraff_witkin"})
+    EXPECT_FALSE(outcome_of(network, {.integrator = find_integrator(id), .substeps = 1}).failed) << id;
+}
+
 }  // namespace
 }  // namespace hooke

@@ -64,7 +64,7 @@ void ForceWork::integrate_power(const Plan& plan, const Motion& motion, double h
   // With a larger product Simpson's rule yields more than implicit methods dissipate, by a fraction of (rate h)^2 / 12, which would appear
   // as a gain.
   constexpr double max_resolved = 0.3;
-  if (plan.spectrum.force_rate * h > max_resolved) {
+  if ((plan.spectrum.force_rate + plan.spectrum.estimated_rate) * h > max_resolved) {
     for (std::size_t i = 0; i < x_.size(); ++i) {
       middle_x_[i] = 0.5 * (x_[i] + motion.x[i]);
       middle_v_[i] = (motion.x[i] - x_[i]) / h;
