@@ -19,6 +19,7 @@
 #include "batch/run_report.h"
 #include "edit/setting_text.h"
 #include "formats/scene_file.h"
+#include "sim/automatic/automatic.h"
 #include "sim/hash.h"
 #include "study/work_precision_chart.h"
 #include "study/work_precision_merge.h"
@@ -145,6 +146,7 @@ std::vector<const Integrator*> chosen_methods(const std::vector<std::string>& id
   std::vector<const Integrator*> chosen;
   for (const Integrator& method : integrators())
     if (ids.empty() || std::ranges::find(ids, method.id) != ids.end()) chosen.push_back(&method);
+  if (std::ranges::find(ids, automatic_method().id) != ids.end()) chosen.push_back(&automatic_method());
   return chosen;
 }
 

@@ -10,6 +10,7 @@
 #include "draw/view.h"
 #include "formats/video_encoder.h"
 #include "lab/accuracy/accuracy_text.h"
+#include "sim/automatic/automatic.h"
 #include "ui/panels/static_panels.h"
 
 namespace hooke {
@@ -65,7 +66,9 @@ class FrameCapture {
     std::array<char, 32> time{};
     std::snprintf(time.data(), time.size(), "t = %.3f s", snapshot.state.time);
     return std::string(time.data()) + "    " + accuracy_line(status.accuracy) + "    " + std::string(snapshot.settings.integrator->id) +
-           ", " + std::to_string(snapshot.settings.substeps) + (snapshot.settings.substeps == 1 ? " substep" : " substeps");
+           (is_automatic(snapshot.settings) && snapshot.state.memory.choice
+                ? ": " + describe(*snapshot.state.memory.choice, snapshot.settings)
+                : ", " + std::to_string(snapshot.settings.substeps) + (snapshot.settings.substeps == 1 ? " substep" : " substeps"));
   }
 
   Destination destination_;
@@ -110,6 +113,7 @@ CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double le
   const long frames = schedule.frame_of(last);
   CaptureResults results;
   results.seconds = static_cast<double>(frames) / lab.scene().settings.frame_rate;
+  ToleranceMonitor tolerance;
   bool is_running = true;
   long frame = 0;
   for (long picture = 0; picture <= last && is_running; ++picture) {
@@ -117,6 +121,7 @@ CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double le
       results.diverged = !lab.step();
       // stop a replay at the first difference from the recording
       is_running = !results.diverged && lab.difference().empty();
+      if (is_running) tolerance.add_frame(lab.scene().settings, lab.scene().state);
       if (limit && is_running) limit->check(lab, frame + 1);
       if (!should_continue(frame + 1, frames)) return results;
     }
@@ -129,6 +134,7 @@ CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double le
   frame_capture.finish();
   if (report) report->finish();
   if (limit) results.error_limit = limit->message();
+  results.tolerance_warning = tolerance.warning();
   return results;
 }
 

@@ -10,9 +10,10 @@
 namespace hooke {
 
 struct CaptureResults {
-  double seconds = 0.0;     // [s], from the first picture to the last, if nothing ended the run
-  bool diverged = false;    // pictures end with the last valid frame
-  std::string error_limit;  // the first frame that exceeded the limit `fail_above`; empty: none
+  double seconds = 0.0;           // [s], from the first picture to the last, if nothing ended the run
+  bool diverged = false;          // pictures end with the last valid frame
+  std::string error_limit;        // the first frame that exceeded the limit `fail_above`; empty: none
+  std::string tolerance_warning;  // of the method `auto`; empty: it met its tolerance
 };
 
 // Draws the scene of the laboratory, which steps or replays a recording, from its present frame on. `length` [s] applies where the options

@@ -6,6 +6,7 @@
 
 #include "base/errors.h"
 #include "batch/scene_options.h"
+#include "sim/automatic/automatic.h"
 #include "sim/hash.h"
 #include "study/benchmark.h"
 #include "study/run_monitor.h"
@@ -55,6 +56,7 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
 
   RunResults results;
   RunTotals& totals = results.totals;
+  ToleranceMonitor tolerance;
   RunMonitor monitor(scene.system, scene.state, 0);
   const auto add_sample = [&] {
     if (hooks.sample) hooks.sample(scene.state, lab.accuracy());
@@ -80,12 +82,15 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
       if (!is_sampled) add_sample();
       break;
     }
-    monitor.end_frame(lab.plan(), scene.settings, scene.system, scene.state, lab.last_frame().motion());
+    tolerance.add_frame(scene.settings, scene.state);
+    monitor.end_frame(lab.plan(), settings_used(scene.settings, scene.state), scene.system, scene.state, lab.last_frame().motion());
     if (hooks.progress) hooks.progress(frame + 1, frames);
   }
   totals.seconds = scene.state.time - start;
   totals.hash = hash_state(scene.state);
+  if (is_automatic(scene.settings)) totals.frames_beyond_tolerance = tolerance.frames_beyond();
   results.warnings = monitor.warnings(scene.system, {});
+  if (tolerance.frames_beyond() > 0) results.warnings.push_back(tolerance.warning());
   return results;
 }
 

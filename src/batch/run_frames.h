@@ -23,6 +23,7 @@ struct RunTotals {
   double cpu_seconds = 0.0, wall_seconds = 0.0;  // of the run, without measuring its accuracy
   double accuracy_cpu_seconds = 0.0;             // of that
   bool diverged = false;
+  std::optional<long> frames_beyond_tolerance;  // with the method `auto` at the end
   long force_evaluations = 0, factorizations = 0;
   std::uint64_t hash = 0;  // of the last state
 };

@@ -6,6 +6,7 @@
 #include "base/option_error.h"
 #include "base/printable.h"
 #include "batch/accuracy_json.h"
+#include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
 
 namespace hooke {
@@ -28,6 +29,7 @@ JsonReport::JsonReport(const std::string& file, const std::string& scene_name, c
   json_.integer("springs", scene.system.spring_count());
   json_.text("integrator", scene.settings.integrator->id);
   json_.integer("substeps", scene.settings.substeps);
+  if (is_automatic(scene.settings)) json_.number("tolerance", automatic_tolerance(scene.settings));
   json_.number("frame_rate", scene.settings.frame_rate);
   json_.key("samples");
   json_.begin_list(JsonLayout::Lines);
@@ -57,6 +59,15 @@ void JsonReport::add_sample(const System& system, const State& state, const Accu
   json_.number("total", energy.total());
   json_.end();
 
+  if (const auto& choice = state.memory.choice) {
+    json_.key("choice");
+    json_.begin_object(JsonLayout::Line);
+    json_.text("integrator", choice->method->id);
+    json_.integer("substeps", choice->substeps);
+    json_.integer("min_substeps", choice->min_substeps);
+    json_.number("ratio", choice->ratio);
+    json_.end();
+  }
   json_.key("error");
   write_error(json_, accuracy);
   json_.key("energy_balance");
@@ -72,6 +83,7 @@ void JsonReport::finish(const RunTotals& totals) {
   json_.number("wall_seconds", totals.wall_seconds);
   json_.number("accuracy_cpu_seconds", totals.accuracy_cpu_seconds);
   json_.boolean("diverged", totals.diverged);
+  if (totals.frames_beyond_tolerance) json_.integer("frames_beyond_tolerance", *totals.frames_beyond_tolerance);
   json_.integer("force_evaluations", totals.force_evaluations);
   json_.integer("factorizations", totals.factorizations);
   json_.text("hash", to_hexadecimal(totals.hash));

@@ -7,6 +7,7 @@
 #include "formats/open_file.h"
 #include "scene/parameters.h"
 #include "scene/step_limits.h"
+#include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
 #include "study/remedy.h"
 
@@ -15,13 +16,15 @@ namespace hooke {
 std::string ids_of_adaptive_integrators() {
   std::string ids;
   for (const Integrator& integrator : integrators())
-    if (integrator.stability == Stability::Adaptive) ids += (ids.empty() ? "" : ", ") + std::string(integrator.id);
-  return ids;
+    if (integrator.stability == Stability::Adaptive) ids += std::string(integrator.id) + ", ";
+  return ids + std::string(automatic_method().id);
 }
 
 namespace {
 
-void set_tolerance(Settings& settings, double tolerance) {
+// Without a named method, the tolerance is that of `auto`.
+void set_tolerance(Settings& settings, double tolerance, bool is_method_named) {
+  if (settings.integrator->stability != Stability::Adaptive && !is_method_named) settings.integrator = &automatic_method();
   if (settings.integrator->stability != Stability::Adaptive)
     throw OptionError("tolerance", format_exact(tolerance), "requires an adaptive method: " + ids_of_adaptive_integrators());
   settings.tolerance = tolerance;
@@ -53,7 +56,7 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
   if (integrator != nullptr) scene.settings.integrator = integrator;
   if (options.substeps) scene.settings.substeps = static_cast<int>(*options.substeps);
   if (options.frame_rate) scene.settings.frame_rate = *options.frame_rate;
-  if (options.tolerance) set_tolerance(scene.settings, *options.tolerance);
+  if (options.tolerance) set_tolerance(scene.settings, *options.tolerance, integrator != nullptr);
   if (const auto warning = step_warning(scene.system, scene.state, scene.settings)) loaded.warnings.push_back(*warning);
 }
 

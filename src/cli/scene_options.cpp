@@ -42,8 +42,10 @@ std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene) {
       ->type_name("N")
       ->check(within({.min = 1, .max = max_substeps}));
   app.add_option("--frame-rate", options->frame_rate, "Frames per simulated second [1/s]")->type_name("RATE")->check(within(positive));
-  app.add_option("--tolerance", options->tolerance,
-                 "Local error tolerance per step of an adaptive method (" + ids_of_adaptive_integrators() + ") [m]")
+  app.add_option(
+         "--tolerance", options->tolerance,
+         "With auto, which it selects unless a method is named: RMS error of the positions that a simulated second may add; with dop853: "
+         "local error per step [m]")
       ->type_name("METERS")
       ->check(within(positive));
   app.add_option("--set", options->settings, "Set a parameter; may be repeated: " + names_of_parameters())

@@ -112,6 +112,12 @@ void restore_resume_state(const JsonField& field, Scene& scene) {
   for (const double value : {ledger.net_input, ledger.scale, ledger.hand_stretch, ledger.extent.value_or(0.0), ledger.speed.value_or(0.0),
                              ledger.reversible.value_or(0.0), ledger.min_reversible.value_or(0.0), ledger.max_reversible.value_or(0.0)})
     if (!std::isfinite(value)) field.refuse("ledger: must be numbers below 1.8e308");
+  if (const auto& choice = rest.memory.choice) {
+    const bool has_steps = choice->method->stability != Stability::Adaptive;
+    if (!has_steps || choice->substeps < 1 || choice->substeps > max_substeps || choice->min_substeps < 1 ||
+        choice->min_substeps > max_substeps || choice->period < 1 || choice->interval < 1)
+      field.refuse("memory: choice: must be of a method with fixed steps, and of 1 to " + std::to_string(max_substeps) + " substeps");
+  }
   restore_ids(rest, scene);
   scene.state.torn = rest.torn;
   scene.tears = rest.tears;

@@ -6,14 +6,15 @@
 #include "edit/apply.h"
 #include "scene/flatness.h"
 #include "scene/parameter_value.h"
+#include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
 
 namespace hooke {
 
 std::string ids_of_integrators() {
   std::string ids;
-  for (const Integrator& integrator : integrators()) ids += (ids.empty() ? "" : ", ") + std::string(integrator.id);
-  return ids;
+  for (const Integrator& integrator : integrators()) ids += std::string(integrator.id) + ", ";
+  return ids + std::string(automatic_method().id);
 }
 
 std::string names_of_parameters() {

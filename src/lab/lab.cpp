@@ -307,10 +307,18 @@ void Lab::meter_frame(double energy, bool is_torn) {
   if (meter_.mode() == AccuracyMode::Off) return;
   const double start = thread_cpu_seconds();
   if (is_torn) meter_.note_edit();
-  meter_.add_frame(plan_, scene_.system, scene_.settings, scene_.state, next_, frame_.motion(), energy_.total(), energy);
+  meter_.add_frame(plan_, scene_.system, settings_used(scene_.settings, next_), scene_.state, next_, frame_.motion(), energy_.total(),
+                   energy);
   if (start_.scene()) return;
   measure_accuracy([] { return true; });
   accuracy_cpu_seconds_ += thread_cpu_seconds() - start;
+}
+
+Accuracy Lab::accuracy() const {
+  Accuracy accuracy = meter_.accuracy(settings_used(scene_.settings, scene_.state));
+  if (is_automatic(scene_.settings) && accuracy.half_error_substeps > 0)
+    accuracy.half_error_tolerance = 0.5 * scene_.settings.tolerance.value_or(default_automatic_tolerance);
+  return accuracy;
 }
 
 void Lab::measure_accuracy(const std::function<bool()>& should_continue) {

@@ -93,7 +93,7 @@ class Lab {
   // Continues to measure the accuracy of the frames computed so far, until it is done or `should_continue` returns false.
   void measure_accuracy(const std::function<bool()>& should_continue);
   bool has_accuracy_to_measure() const { return meter_.is_repeating() || meter_.has_work(); }
-  Accuracy accuracy() const { return meter_.accuracy(scene_.settings); }
+  Accuracy accuracy() const;
   double accuracy_cpu_seconds() const { return accuracy_cpu_seconds_; }  // that measuring it took so far, where it is done at once
 
   // Whether submitted commands wait for the frame in progress; applies them without waiting.

@@ -133,6 +133,7 @@ py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sam
   entry["wall_seconds"] = totals.wall_seconds;
   entry["accuracy_cpu_seconds"] = totals.accuracy_cpu_seconds;
   entry["diverged"] = totals.diverged;
+  entry["frames_beyond_tolerance"] = totals.frames_beyond_tolerance;
   entry["force_evaluations"] = totals.force_evaluations;
   entry["factorizations"] = totals.factorizations;
   entry["hash"] = to_hexadecimal(totals.hash);

@@ -6,6 +6,7 @@
 #include "scene/parameters.h"
 #include "scene/quantity.h"
 #include "scene/shape.h"
+#include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
 
 namespace hooke::python {
@@ -33,7 +34,7 @@ py::list list_parameters() {
 
 py::list list_methods() {
   py::list rows;
-  for (const Integrator& row : integrators()) {
+  const auto add = [&](const Integrator& row) {
     py::dict entry;
     entry["id"] = std::string(row.id);
     entry["label"] = std::string(row.label);
@@ -42,7 +43,9 @@ py::list list_methods() {
     entry["order"] = row.order;
     entry["adaptive"] = row.stability == Stability::Adaptive;
     rows.append(entry);
-  }
+  };
+  for (const Integrator& row : integrators()) add(row);
+  add(automatic_method());
   return rows;
 }
 

@@ -8,6 +8,7 @@
 #include "scene/flatness.h"
 #include "scene/parameter_access.h"
 #include "scene/parameter_groups.h"
+#include "sim/automatic/automatic.h"
 
 namespace hooke {
 namespace {
@@ -40,6 +41,8 @@ constexpr std::array parameterizations{
         "keep their own k."},
 };
 
+bool has_automatic_method(const Scene& scene) { return is_automatic(scene.settings); }
+
 // Rows are formatted as a table, so clang-format is off.
 // clang-format off
 constexpr std::array rows{
@@ -52,6 +55,16 @@ constexpr std::array rows{
               .kind = Kind::Integer, .min = 1, .max = 1000, .default_value = 20, .physical = {.min = 1, .max = max_substeps}, .logarithmic = true,
               .scope = Scope::Setting, .read = [](const Scene& s) { return double(s.settings.substeps); },
               .write = [](Scene& s, double value) { s.settings.substeps = int(value); }},
+    Parameter{.name = "tolerance", .field = "", .group = parameter_group::simulation, .label = "Tolerance", .unit = "m/s",
+              .description = "Of the automatic method: RMS error of the positions [m] that a simulated second may add.",
+              .min = 1e-10, .max = 0.1, .default_value = default_automatic_tolerance, .physical = positive, .logarithmic = true, .scope = Scope::Setting, .applies = has_automatic_method,
+              .read = [](const Scene& s) { return automatic_tolerance(s.settings); }, .write = [](Scene& s, double value) { s.settings.tolerance = value; }},
+    Parameter{.name = "budget", .field = "simulation.budget", .group = parameter_group::simulation, .label = "Budget", .unit = "ms",
+              .description = "CPU time of a frame, by a fixed model, that the automatic method may use: if the tolerance needs more, the error is as small as the budget allows.",
+              .min = 0, .max = 1000, .default_value = 0, .physical = {.min = 0, .max = 1e6}, .zero_text = "no limit", .omit_if_default = true, .scope = Scope::Setting,
+              .applies = has_automatic_method,
+              .read = [](const Scene& s) { return s.settings.budget_ms; },
+              .write = [](Scene& s, double value) { s.settings.budget_ms = value; }},
     Parameter{.name = "frame_rate", .field = "simulation.frame_rate", .group = parameter_group::simulation, .label = "Frame rate", .unit = "1/s",
               .description = "Frames of simulated time per simulated second.",
               .min = 1, .max = 1000, .default_value = 60, .physical = positive, .logarithmic = true,
@@ -226,6 +239,7 @@ consteval const Parameter& row_named(std::string_view name) {
 
 constinit const Parameter& dimensions_parameter = row_named("dimensions");
 constinit const Parameter& substeps_parameter = row_named("substeps");
+constinit const Parameter& tolerance_parameter = row_named("tolerance");
 constinit const Parameter& speed_parameter = row_named("speed");
 constinit const Parameter& stiffness_parameter = row_named("stiffness");
 constinit const Parameter& new_stiffness_parameter = row_named("new_stiffness");

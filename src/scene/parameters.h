@@ -53,8 +53,8 @@ std::span<const Parameter> parameters();
 const Parameter* find_parameter(std::string_view name);
 
 // Rows that other modules refer to.
-extern const Parameter &dimensions_parameter, &substeps_parameter, &speed_parameter, &stiffness_parameter, &new_stiffness_parameter,
-    &drag_parameter, &friction_parameter;
+extern const Parameter &dimensions_parameter, &substeps_parameter, &tolerance_parameter, &speed_parameter, &stiffness_parameter,
+    &new_stiffness_parameter, &drag_parameter, &friction_parameter;
 
 // The k or d of the spring divided by the value of the parameter; 0: the parameter does not set this spring. `sheet` may be null.
 double weight_of(const Parameter& parameter, const SheetWeights* sheet, const Spring& spring);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/automatic/automatic.h"
 #include "sim/energy.h"
 #include "sim/integrators/rows.h"
 #include "sim/settings.h"
@@ -22,7 +23,7 @@ Table<Integrator> integrators() {
 const Integrator* find_integrator(std::string_view id) {
   for (const Integrator& row : integrators())
     if (row.id == id) return &row;
-  return nullptr;
+  return id == automatic_method().id ? &automatic_method() : nullptr;
 }
 
 std::string_view describe(Stability stability) {
@@ -130,6 +131,7 @@ double conditional_step(const Integrator& integrator, const Spectrum& spectrum, 
 }  // namespace
 
 double largest_stable_step(const Integrator& integrator, const Spectrum& bounds) {
+  if (&integrator == &automatic_method()) return std::numeric_limits<double>::infinity();
   Spectrum spectrum = bounds;
   spectrum.omega = std::hypot(bounds.omega, bounds.estimated_omega);
   spectrum.force_omega = std::hypot(bounds.force_omega, bounds.estimated_omega);

@@ -89,7 +89,7 @@ struct Integrator {
 
 Table<Integrator> integrators();
 
-// The row with this id, or null.
+// The row with this id, also `auto` (automatic.h), or null.
 const Integrator* find_integrator(std::string_view id);
 
 // The method for scenes so stiff that the default one would need more substeps than are allowed.

@@ -20,6 +20,7 @@ struct Motion {
   long factorizations = 0;
   long solves = 0;              // linear systems solved with a factorization
   long sweeps = 0;              // over all springs as constraints
+  long dashpot_sweeps = 0;      // over all dashpots
   long unconverged_solves = 0;  // nonlinear systems that reached the iteration limit
   // [J], of effects that are not forces: moving colliders, breaking springs, the strain limit
   double collider_work = 0.0, break_work = 0.0, limit_work = 0.0;

@@ -74,6 +74,7 @@ struct Spectrum {
   // Of the listed forces, for warnings: estimates where there is no bound [rad/s], [1/s]; and the highest frequency of the derivatives that
   // implicit methods leave out [rad/s].
   double estimated_omega = 0.0, estimated_rate = 0.0, omitted_omega = 0.0;
+  bool operator==(const Spectrum&) const = default;
 };
 
 struct Plan {

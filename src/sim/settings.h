@@ -12,10 +12,12 @@ const Integrator& default_integrator();
 
 struct Settings {
   const Integrator* integrator = &default_integrator();
-  double frame_rate = 60.0;         // [1/s], > 0: a frame is 1 / frame_rate of simulated time
-  int substeps = 20;                // per frame, >= 1
-  double speed = 1.0;               // simulated seconds per real second, > 0
-  std::optional<double> tolerance;  // [m], > 0: local error allowed a step of an adaptive method
+  double frame_rate = 60.0;  // [1/s], > 0: a frame is 1 / frame_rate of simulated time
+  int substeps = 20;         // per frame, >= 1
+  double speed = 1.0;        // simulated seconds per real second, > 0
+  // [m], > 0: local error allowed a step of an adaptive method; with `auto`, the error that a simulated second may add
+  std::optional<double> tolerance;
+  double budget_ms = 0.0;  // [ms], of a frame, by the model of the cost of `auto` (automatic/cost_model.h); 0: no limit
   bool operator==(const Settings&) const = default;
 
   double substep() const { return 1.0 / (frame_rate * substeps); }

@@ -24,10 +24,32 @@ struct EnergyLedger {
   bool operator==(const EnergyLedger&) const = default;
 };
 
+struct Integrator;
+
+// What the method `auto` (automatic/automatic.h) chose for a frame, and what it needs to choose for the next one.
+struct MethodChoice {
+  const Integrator* method = nullptr;
+  int substeps = 1;
+  int min_substeps = 1;                   // of the method, for stability
+  int period = 1, until_estimate = 0;     // [frames], between two estimates of the error, and until the next one
+  int interval = 1, until_selection = 0;  // [frames], between two comparisons of methods, and until the next one may be
+  int selected_substeps = 0;              // by the last comparison; 0: the scene was edited since
+  double ratio = 0.0;                     // [1], of the last estimate of the error to the target; infinity: the frame diverged
+  double selected_ratio = 0.0;            // [1], by the last comparison
+  double target = 0.0;                    // [m], the error aimed at in a frame
+  double cost = 0.0;                      // [ms], of a frame by the model of the cost
+  double budget = 0.0;                    // [ms], for which it was chosen; 0: none
+  double rates = 0.0;                     // of the scene, as one number, to notice edits
+  double speed = 0.0;                     // [m/s], of the points and the hand at the start of the frame
+  double estimated_speed = 0.0;           // [m/s], the same at the last estimate
+  bool operator==(const MethodChoice&) const = default;
+};
+
 // Step size control of adaptive methods. Zero: not yet set.
 struct MethodMemory {
-  double step = 0.0;   // [s], the next step
-  double error = 0.0;  // [1], of its last step, relative to the tolerance
+  double step = 0.0;                     // [s], the next step
+  double error = 0.0;                    // [1], of its last step, relative to the tolerance
+  std::optional<MethodChoice> choice{};  // none: another method, or not yet made
   bool operator==(const MethodMemory&) const = default;
 };
 

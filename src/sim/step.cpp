@@ -23,17 +23,26 @@ double stretch_energy(const System& system, double displacement) {
 
 }  // namespace
 
-void Frame::begin(Plan& plan, const System& system, const Settings& settings, const State& state) {
+void Frame::begin(Plan& plan, const System& system, const Settings& given, const State& state) {
+  duration_ = 1.0 / given.frame_rate;
+  prepare_hand(plan, system, state, duration_);
+  std::optional<MethodChoice> choice;
+  Settings settings = given;
+  if (is_automatic(given)) {
+    choice = automatic_.choose(plan, system, given, state);
+    settings.integrator = choice->method;
+    settings.substeps = choice->substeps;
+    settings.tolerance.reset();
+  }
   integrator_ = settings.integrator;
   substeps_ = settings.substeps;
   substeps_done_ = one_by_one_until_ = 0;
   failure_ = StepFailure::None;
-  duration_ = 1.0 / settings.frame_rate;
   h_ = duration_ / substeps_;
   left_ = h_;
   start_ = state.time;
-  prepare_hand(plan, system, state, duration_);
   pack(plan, state, motion_);
+  motion_.memory.choice = choice;
   collider_displacement_ = plan.grabbed_collider ? duration_ * plan.grabbed_collider->velocity : Vec3(0.0);
 
   // a held point moves in a straight line to the target, as a point of infinite mass with that velocity: exact for every method

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "sim/adaptive_step.h"
+#include "sim/automatic/automatic.h"
 #include "sim/contact/contact.h"
 #include "sim/forces/force_work.h"
 #include "sim/integrator.h"
@@ -43,12 +44,15 @@ class Frame {
   long factorizations() const { return motion_.factorizations; }
   // All cost counters, and the method's own error estimate.
   const Motion& motion() const { return motion_; }
+  // [ms], of the frames that `auto` computed on copies so far, by the model of the cost.
+  double trial_cost() const { return automatic_.trial_cost(); }
 
  private:
   bool fly(Plan& plan);
   bool act(Plan& plan, bool may_touch);
   void break_long_springs(Plan& plan);
 
+  AutomaticChoice automatic_;
   const Integrator* integrator_ = nullptr;
   double start_ = 0.0, duration_ = 0.0, h_ = 0.0;  // [s]
   int substeps_ = 0, substeps_done_ = 0;

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <glm/geometric.hpp>
 
+#include "sim/automatic/cost_model.h"
 #include "sim/divergence.h"
 
 namespace hooke {
@@ -50,15 +51,21 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
 
 RunResult Benchmark::run(const Integrator& method, const Setting& setting, const State& start,
                          const std::function<bool()>& should_continue) {
-  const Settings settings{
-      .integrator = &method, .frame_rate = snapshot_count / problem_.seconds, .substeps = setting.steps, .tolerance = setting.tolerance};
+  // `auto` chooses from frame to frame, and does so as in a laboratory; to other methods a snapshot is a frame
+  const bool is_auto = &method == &automatic_method();
+  const int frames = is_auto ? std::max(1, static_cast<int>(std::lround(60.0 * problem_.seconds / snapshot_count))) : 1;
+  const Settings settings{.integrator = &method,
+                          .frame_rate = frames * snapshot_count / problem_.seconds,
+                          .substeps = setting.steps,
+                          .tolerance = setting.tolerance};
+  const double trials_before = frame_.trial_cost();
   // an adaptive method takes an unknown number of its own steps, one per call
   const int calls_per_poll = is_adaptive(method) ? 16 : std::max(1, setting.steps / 256);
   RunResult result;
   State state = start;
   if (!plan_.break_length.empty()) refresh_values(plan_, problem_.system);  // restores springs that broke in the previous run
 
-  for (int i = 0; i < snapshot_count; ++i) {
+  for (int i = 0; i < frames * snapshot_count; ++i) {
     const double begin = cpu_seconds();
     frame_.begin(plan_, problem_.system, settings, state);
     for (int calls = 1; !frame_.done(); ++calls) {
@@ -75,13 +82,15 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
     }
     result.cpu_seconds += cpu_seconds() - begin;
     add(result, frame_.motion());
+    if (is_auto) result.model_ms += state.memory.choice ? CostModel(plan_).of(*state.memory.choice->method, frame_.motion()) : 0.0;
 
     if (!is_finite(state) || rms_distance(state, start) > out_of_bounds * problem_.size) {
       result.end = RunResult::End::Diverged;
       return result;
     }
-    result.snapshots.push_back(state);
+    if ((i + 1) % frames == 0) result.snapshots.push_back(state);
   }
+  result.model_ms += frame_.trial_cost() - trials_before;
   return result;
 }
 

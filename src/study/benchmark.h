@@ -39,6 +39,7 @@ struct RunResult {
   double cpu_seconds = 0.0;      // of stepping alone
   WorkCounts work;
   long unconverged_solves = 0;
+  double model_ms = 0.0;  // [ms], of `auto`: its cost by the model, with that of its choices
 };
 
 class Benchmark {

@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "scene/step_limits.h"
+#include "sim/automatic/automatic.h"
 #include "sim/divergence.h"
 #include "sim/frame_error.h"
 #include "sim/integrators/rows.h"
@@ -69,7 +70,7 @@ Settings exact(const System& system, const Settings& settings, const Spectrum& s
 
 std::optional<CheaperMethod> find_cheaper_method(const System& system, const State& state, const Settings& settings,
                                                  const std::atomic<bool>& stop) {
-  if (system.point_count() == 0) return std::nullopt;
+  if (system.point_count() == 0 || is_automatic(settings)) return std::nullopt;
   Frames frames(system, state, stop);
   const auto reference = frames.compute(exact(system, settings, frames.plan().spectrum));
   const auto present = frames.compute(settings);

@@ -8,6 +8,7 @@
 #include "base/file_limits.h"
 #include "base/number_text.h"
 #include "lab/lab.h"
+#include "sim/automatic/automatic.h"
 #include "study/run_monitor.h"
 
 namespace hooke {
@@ -119,7 +120,7 @@ std::vector<Advice> candidates(const Scene& start) {
     for (int i = 0; i < refinements && substeps <= max_substeps; ++i, substeps *= 2.0)
       list.push_back({&method, static_cast<int>(substeps)});
   };
-  add_refinements(*settings.integrator, 2 * std::min(settings.substeps, max_substeps / 2));
+  if (!is_automatic(settings)) add_refinements(*settings.integrator, 2 * std::min(settings.substeps, max_substeps / 2));
   if (settings.integrator != &default_integrator()) add_refinements(default_integrator(), settings.substeps);
   for (const Integrator& method : integrators()) {
     const bool is_implicit = method.stability == Stability::LStable || method.stability == Stability::AStable;

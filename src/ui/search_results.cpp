@@ -8,6 +8,7 @@
 #include "formats/scene_file.h"
 #include "scene/flatness.h"
 #include "scene/parameters.h"
+#include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
 #include "ui/panels/mixed_values.h"
 #include "ui/text.h"
@@ -57,6 +58,7 @@ class ResultFinder {
       for (const ShapeKind& kind : placeable_shapes()) add_shape(std::string(kind.label), &kind);
       add_shape("From a mesh", nullptr);
       for (const ShippedScene& scene : shipped_scenes()) add_scene(scene);
+      add("Use method " + std::string(automatic_method().label), "method tolerance auto", {Edit{SetIntegrator{&automatic_method()}}});
       for (const Integrator& method : integrators())
         add("Use method " + std::string(method.label), "method", {Edit{SetIntegrator{&method}}});
     }

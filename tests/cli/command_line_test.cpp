@@ -67,7 +67,7 @@ TEST(Headless, WrongUsageIsCodeTwoWithOneLineOnStderr) {
            {{"run", "two_masses", "--seconds", "1", "--set", "drag=1x"}, "--set drag=1x: must be from 0 to 100"},
            {{"run", "two_masses", "--seconds", "1", "--set", "substeps=2.5"}, "--set substeps=2.5: must be whole"},
            {{"run", "two_masses", "--seconds", "1", "--set", "point_damping=2"}, "--set point_damping=2: must be on or off"},
-           {{"run", "two_masses", "--seconds", "1", "--tolerance", "1e-6"}, "requires an adaptive method"},
+           {{"run", "two_masses", "--seconds", "1", "--integrator", "xpbd", "--tolerance", "1e-6"}, "requires an adaptive method"},
            {{"convert", "two_masses"}, "OUT is required"},
            {{"convert", "two_masses", "out.bin"}, "out.bin: must end in .json"},
        }) {

@@ -219,8 +219,8 @@ TEST(BadScenes, FieldsOfTheWrongKindAreRefused) {
                                                                    [] {
                                                                      std::string ids;
                                                                      for (const Integrator& row : integrators())
-                                                                       ids += (ids.empty() ? "" : ", ") + std::string(row.id);
-                                                                     return ids;
+                                                                       ids += std::string(row.id) + ", ";
+                                                                     return ids + "auto";
                                                                    }()},
       {scene_with(R"("simulation": [])"), "simulation: []: must be an object {...}"},
       {scene_with(R"("view": {"background": "black"})"), "view.background: \"black\": must be a color \"#rrggbb\""},

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "sim/automatic/automatic.h"
 #include "support/small_net.h"
 
 namespace hooke {
@@ -30,6 +31,9 @@ TEST(Parameters, ReadBackWhatWasWrittenWithinTheirRange) {
       scene.parameterization = static_cast<SpringParameterization>(parameterization);
       applies = applies || parameter.applies(scene);
     }
+    scene.settings.integrator = &automatic_method();
+    applies = applies || parameter.applies(scene);
+    scene.settings.integrator = &default_integrator();
     EXPECT_TRUE(applies) << parameter.name;
     for (const double value : {parameter.min, parameter.max, parameter.default_value}) {
       parameter.write(scene, value);

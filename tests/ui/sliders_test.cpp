@@ -5,6 +5,7 @@
 #include <set>
 
 #include "scene/parameters.h"
+#include "sim/automatic/automatic.h"
 #include "support/gui_sheets.h"
 #include "support/two_springs.h"
 
@@ -23,8 +24,10 @@ TEST(Sliders, EachParameterHasOne) {
   scene.system.set_springs(springs);
   scene.sheet = std::make_shared<const SheetWeights>(SheetWeights{{0.1, 0.1, 0.1}, {0.75, 0.75, 0.375, 0.0, 0.75}});
   std::set<std::string_view> shown;
-  for (int parameterization = 0; parameterization < 4; ++parameterization) {
-    scene.parameterization = static_cast<SpringParameterization>(parameterization);
+  for (int parameterization = 0; parameterization < 5; ++parameterization) {
+    // the tolerance is of the automatic method, which needs no number of substeps
+    scene.settings.integrator = parameterization == 4 ? &automatic_method() : &default_integrator();
+    scene.parameterization = static_cast<SpringParameterization>(parameterization % 4);
     GuiFixture gui(scene);
     ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
     gui.app().resize({1280.0, 2000.0}, 1.0);

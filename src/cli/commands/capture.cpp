@@ -47,6 +47,10 @@ int capture(const Options& options) {
 
   if (!results.error_limit.empty()) std::cerr << results.error_limit << "\n";
   if (!lab.difference().empty()) std::cerr << printable(*options.replay) << ": " << lab.difference() << "\n";
+  if (!results.diverged && lab.difference().empty() && results.error_limit.empty() && !results.tolerance_warning.empty()) {
+    std::cerr << results.tolerance_warning << "\n";
+    return exit_code::diverged;
+  }
   if (!results.diverged) return lab.difference().empty() && results.error_limit.empty() ? exit_code::success : exit_code::check_failed;
   if (options.replay)
     std::cerr << explain_divergence(lab, nullptr, 0.0) << "\n";

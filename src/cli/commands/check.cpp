@@ -1,7 +1,9 @@
 #include "cli/commands/check.h"
 
+#include <algorithm>
 #include <iostream>
 
+#include "base/option_error.h"
 #include "base/printable.h"
 #include "batch/bench.h"
 #include "batch/check.h"
@@ -11,6 +13,7 @@
 #include "cli/progress_bar.h"
 #include "formats/open_file.h"
 #include "formats/scene_file.h"
+#include "sim/automatic/automatic.h"
 #include "study/check_scene.h"
 #include "study/hard_cases/case_report.h"
 
@@ -51,6 +54,10 @@ std::string command_of(const CheckOptions& options) {
 int check_hard_cases(const CheckOptions& options) {
   const auto cases = chosen_cases(options.cases);
   const auto methods = chosen_methods(options.methods);
+  // their criteria are absolute, while its errors are as large as its tolerance allows
+  if (std::ranges::find(methods, &automatic_method()) != methods.end())
+    throw OptionError("methods", std::string(automatic_method().id),
+                      "has no hard cases of its own: its tolerance decides how large its errors are");
   std::vector<CaseResult> results = list_cases(cases, methods, options.quick);
   if (results.empty()) throw UsageError("--quick excludes all of these cases");
 

@@ -17,6 +17,7 @@
 #include "cli/scene_options.h"
 #include "lab/accuracy/accuracy_text.h"
 #include "lab/lab.h"
+#include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
 
 namespace hooke {
@@ -66,8 +67,12 @@ void print_summary(const RunOptions& options, const Scene& scene, const RunTotal
   const auto count = [](Index number, const char* one, const char* many) { return pluralize(static_cast<std::size_t>(number), one, many); };
   std::cout << printable(options.scene->scene) << ": " << count(scene.system.point_count(), "point", "points") << ", "
             << count(scene.system.spring_count(), "spring", "springs") << "; " << settings.integrator->id << ", "
-            << count(settings.substeps, "substep", "substeps") << " per frame, " << settings.frame_rate << " frames per second\n"
-            << "simulated " << totals.seconds << " s in " << totals.wall_seconds << " s (" << totals.cpu_seconds << " s of CPU), "
+            << (is_automatic(settings) ? "tolerance " + format_exact(automatic_tolerance(settings)) + " m/s"
+                                       : count(settings.substeps, "substep", "substeps") + " per frame")
+            << ", " << settings.frame_rate << " frames per second\n";
+  if (const auto& choice = scene.state.memory.choice; choice && is_automatic(settings))
+    std::cout << "last choice: " << describe(*choice, settings) << "\n";
+  std::cout << "simulated " << totals.seconds << " s in " << totals.wall_seconds << " s (" << totals.cpu_seconds << " s of CPU), "
             << totals.force_evaluations << " force evaluations\n"
             << "hash " << to_hexadecimal(totals.hash) << "\n";
   if (accuracy.is_on) std::cout << accuracy_summary(accuracy, options.accuracy == AccuracyMode::Full) << "\n";
@@ -137,7 +142,7 @@ int run(const RunOptions& options) {
   finish(options, scene, output, results.totals, lab.accuracy());
   if (!options.scene->quiet)
     for (const std::string& warning : results.warnings) std::cerr << "warning: " << warning << "\n";
-  if (!results.totals.diverged) return exit_code::success;
+  if (!results.totals.diverged) return results.totals.frames_beyond_tolerance.value_or(0) > 0 ? exit_code::diverged : exit_code::success;
   std::cerr << explain_divergence(lab, *options.scene, options.seconds) << "\n";
   return exit_code::diverged;
 }

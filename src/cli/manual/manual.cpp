@@ -7,6 +7,7 @@
 #include "formats/open_file.h"
 #include "formats/scene_file.h"
 #include "scene/parameters.h"
+#include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
 #include "ui/shortcuts.h"
 
@@ -136,6 +137,7 @@ std::string manual_page() {
   write_keys(page);
 
   section(page, "METHODS");
+  entry(page, automatic_method().id, automatic_method().summary);
   for (const Integrator& integrator : integrators()) entry(page, integrator.id, integrator.summary);
 
   section(page, "PARAMETERS");
@@ -162,6 +164,7 @@ std::string bash_completion() {
   const DeclaredCommands commands = declare_command_line(app);
   std::vector<std::string> names, methods, settings, scenes;
   for (const auto& [command, work] : commands) names.push_back(command->get_name());
+  methods.emplace_back(automatic_method().id);
   for (const Integrator& integrator : integrators()) methods.emplace_back(integrator.id);
   for (const Parameter& parameter : parameters()) settings.push_back(std::string(parameter.name) + "=");
   for (const ShippedScene& scene : shipped_scenes()) scenes.push_back(scene.id);

@@ -89,9 +89,18 @@ Inverse RestoreParameter::apply(Scene& scene, Effect& effect) const {
 std::string SetIntegrator::describe() const { return "use " + std::string(integrator->label); }
 
 Inverse SetIntegrator::apply(Scene& scene, Effect&) const {
-  const SetIntegrator inverse{scene.settings.integrator};
-  scene.settings.integrator = integrator;
-  return {inverse};
+  Settings& settings = scene.settings;
+  const SetIntegrator inverse{settings.integrator};
+  // the tolerance of one adaptive method means something else to another
+  const bool is_adaptive = integrator->stability == Stability::Adaptive && settings.integrator->stability == Stability::Adaptive;
+  if (!is_adaptive || integrator == settings.integrator || !settings.tolerance) {
+    settings.integrator = integrator;
+    return {inverse};
+  }
+  const RestoreParameter tolerance{&tolerance_parameter, *settings.tolerance};
+  settings.tolerance.reset();
+  settings.integrator = integrator;
+  return {inverse, tolerance};
 }
 
 Inverse SetGravity::apply(Scene& scene, Effect& effect) const {

@@ -8,6 +8,7 @@
 #include "base/option_error.h"
 #include "formats/texture.h"
 #include "scene/parameters.h"
+#include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
 
 namespace hooke {
@@ -96,8 +97,8 @@ std::size_t read_choice(const Parameter& row, const JsonField& field) {
 
 std::string ids_of_integrators() {
   std::string ids;
-  for (const Integrator& integrator : integrators()) ids += (ids.empty() ? "" : ", ") + std::string(integrator.id);
-  return ids;
+  for (const Integrator& integrator : integrators()) ids += std::string(integrator.id) + ", ";
+  return ids + std::string(automatic_method().id);
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   motion.acceleration_is_current = !plan.forces_depend_on_velocity;
 
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
+  motion.dashpot_sweeps += plan.has_dashpots() ? 2 : 0;
 }
 
 // The columns of the step's matrix on (x, h v): kicks v' = E v + phi a, E = e^(-c b h), phi = (1 - E) / c.

@@ -40,6 +40,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   motion.acceleration_is_current = !plan.forces_depend_on_velocity;
 
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
+  motion.dashpot_sweeps += plan.has_dashpots() ? 2 : 0;
 }
 
 // Drag and dashpots are left out: they do not conserve energy.
@@ -59,6 +60,7 @@ void fly_damped(const Plan& plan, Motion& motion, Workspace& work, double h, int
     kick(plan, motion, 0.5 * h);
     motion.acceleration_is_current = true;
     decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
+    motion.dashpot_sweeps += 2;
   }
 }
 

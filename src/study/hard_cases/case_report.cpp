@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/json_writer.h"
+#include "sim/automatic/automatic.h"
 #include "study/hard_cases/case_groups.h"
 
 namespace hooke {
@@ -20,6 +21,8 @@ std::vector<const Integrator*> methods_of(std::span<const CaseResult> results) {
   std::vector<const Integrator*> methods;
   for (const Integrator& method : integrators())
     if (std::ranges::any_of(results, [&](const CaseResult& result) { return result.method == &method; })) methods.push_back(&method);
+  if (std::ranges::any_of(results, [](const CaseResult& result) { return result.method == &automatic_method(); }))
+    methods.push_back(&automatic_method());
   return methods;
 }
 

@@ -6,6 +6,7 @@
 #include "scene/flatness.h"
 #include "scene/parameter_groups.h"
 #include "scene/parameters.h"
+#include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
@@ -117,13 +118,24 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
   const std::string name(now.label.substr(0, now.label.find(" (")));
   if (ImGui::BeginCombo("##method", name.c_str(), ImGuiComboFlags_HeightLarge)) {
     close_on_escape(input, panels);
-    for (const Integrator& method : integrators()) {
+    const auto entry = [&](const Integrator& method) {
       if (ImGui::Selectable(method.label.data(), &method == &now) && &method != &now) edit(SetIntegrator{&method}, panels, requests);
       tooltip(std::string(method.summary));
-    }
+    };
+    entry(automatic_method());
+    for (const Integrator& method : integrators()) entry(method);
     ImGui::EndCombo();
   } else {
     tooltip(std::string(now.summary));
+  }
+  if (const auto& choice = input.status.snapshot->state.memory.choice; choice && is_automatic(input.status.snapshot->settings)) {
+    ImGui::PushFont(fonts().small);
+    begin_row("Chosen");
+    ImGui::PushTextWrapPos(0.0f);
+    const Settings& settings = input.status.snapshot->settings;
+    text_in(is_tolerance_met(*choice, settings) ? palette::dim : palette::warning, describe(*choice, settings));
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
   }
   build_accuracy_line(input, panels);
 }
@@ -160,6 +172,7 @@ void build_parameters(const PanelInput& input, Panels& panels, Requests& request
       if (open && group == parameter_group::simulation) method_row(input, panels, requests);
     }
     if (!open || std::isnan(input.status.document->parameter_values[i])) continue;
+    if (&row == &substeps_parameter && is_automatic(input.status.snapshot->settings)) continue;
     ImGui::PushID(row.name.data());
     parameter_row(row, input.status.document->parameter_values[i], parts, input, panels, requests);
     ImGui::PopID();

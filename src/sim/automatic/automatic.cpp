@@ -1,0 +1,90 @@
+#include "sim/automatic/automatic.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace hooke {
+namespace {
+
+constexpr Integrator automatic_row{
+    .id = "auto",
+    .label = "Automatic (by tolerance)",
+    .summary = "Chooses the cheapest method and the substeps that keep the error within a tolerance, and says which and why.",
+    .cost = "that of the chosen method, and of an estimate now and then",
+    .formula = "error of a frame <= tolerance / frame rate",
+    .source = "Step size control: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, section IV.2.",
+    .order = 2,
+    .order_drag = 2,
+    .order_damped = 2,
+    .order_contact = 1,
+    .order_friction = 1,
+    .order_force_terms = 1,
+    .stability = Stability::Adaptive,
+    .energy = EnergyTrend::Drifts,
+    .symplectic = false,
+    .implicit_solve = ImplicitSolve::None,
+    .implicit_force_terms = true,
+    .for_production = true,
+    .prepare = nullptr,
+    .amplification = nullptr,
+};
+
+}  // namespace
+
+const Integrator& automatic_method() { return automatic_row; }
+
+double automatic_tolerance(const Settings& settings) { return settings.tolerance.value_or(default_automatic_tolerance); }
+
+Settings settings_used(const Settings& settings, const State& after) {
+  Settings used = settings;
+  if (!is_automatic(settings) || !after.memory.choice) return used;
+  used.integrator = after.memory.choice->method;
+  used.substeps = after.memory.choice->substeps;
+  used.tolerance.reset();
+  return used;
+}
+
+double error_per_second(const MethodChoice& choice, const Settings& settings) { return choice.ratio * choice.target * settings.frame_rate; }
+
+bool is_tolerance_met(const MethodChoice& choice, const Settings& settings) {
+  return error_per_second(choice, settings) <= automatic_tolerance(settings);
+}
+
+std::string describe(const MethodChoice& choice, const Settings& settings) {
+  const double error = error_per_second(choice, settings), tolerance = automatic_tolerance(settings);
+  const std::string name(choice.method->label.substr(0, choice.method->label.find(" (")));
+  const std::string steps = name + ", " + std::to_string(choice.substeps) + (choice.substeps == 1 ? " substep" : " substeps");
+  std::array<char, 128> text{};
+  if (!std::isfinite(error))
+    std::snprintf(text.data(), text.size(), ": tolerance not met: no method could be tested on this frame.");
+  else if (error > tolerance)
+    std::snprintf(text.data(), text.size(), ": tolerance not met: %.1g m/s%s.", error, choice.budget > 0.0 ? " within the budget" : "");
+  else if (choice.substeps == choice.min_substeps && choice.min_substeps > 1)
+    std::snprintf(text.data(), text.size(), ": limited by stability; the error, %.1g m/s, is %s the tolerance.", error,
+                  error < 0.01 * tolerance ? "far below" : "within");
+  else
+    std::snprintf(text.data(), text.size(), ": the error is %.1g m/s.", error);
+  const bool is_late = choice.budget > 0.0 && choice.cost > 1.25 * choice.budget;
+  return steps + text.data() + (is_late ? " Nothing that is stable is within the budget." : "");
+}
+
+void ToleranceMonitor::add_frame(const Settings& settings, const State& after) {
+  const auto& choice = after.memory.choice;
+  if (!is_automatic(settings) || !choice) return;
+  ++frames_;
+  if (is_tolerance_met(*choice, settings)) return;
+  ++beyond_;
+  max_error_ = std::max(max_error_, error_per_second(*choice, settings));
+}
+
+std::string ToleranceMonitor::warning() const {
+  if (beyond_ == 0) return {};
+  std::array<char, 64> error{};
+  if (std::isfinite(max_error_)) std::snprintf(error.data(), error.size(), ": up to %.2g m/s", max_error_);
+  return "the tolerance was not met in " + std::to_string(beyond_) + " of " + std::to_string(frames_) + " frames" +
+         (std::isfinite(max_error_) ? error.data() : "");
+}
+
+}  // namespace hooke

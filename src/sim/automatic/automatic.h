@@ -1,0 +1,65 @@
+// The method `auto`: chooses the method and the substeps of each frame so that the error stays within a tolerance. Its choices follow from
+// the scene alone, by a fixed model of the cost, so that every machine makes the same ones.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sim/integrator.h"
+#include "sim/settings.h"
+#include "sim/state.h"
+
+namespace hooke {
+
+class Trials;
+
+// Its row for menus and files. It is not in the table of integrators, because it has no step of its own.
+const Integrator& automatic_method();
+inline bool is_automatic(const Settings& settings) { return settings.integrator == &automatic_method(); }
+
+// [m], that a simulated second may add to the RMS error of the positions, without one in the settings.
+inline constexpr double default_automatic_tolerance = 1e-3;
+double automatic_tolerance(const Settings& settings);
+
+// The settings with which the frame that led to `after` was computed.
+Settings settings_used(const Settings& settings, const State& after);
+
+// The estimated error that a second at this choice adds [m], and whether it is more than the tolerance.
+double error_per_second(const MethodChoice& choice, const Settings& settings);
+bool is_tolerance_met(const MethodChoice& choice, const Settings& settings);
+
+// "Velocity Verlet, 31 substeps: limited by stability; the error, 2e-06 m/s, is far below the tolerance."
+std::string describe(const MethodChoice& choice, const Settings& settings);
+
+// Counts the frames of a run in which the tolerance was not met; none with another method.
+class ToleranceMonitor {
+ public:
+  // After each frame.
+  void add_frame(const Settings& settings, const State& after);
+  long frames_beyond() const { return beyond_; }
+  // "the tolerance was not met in 3 of 60 frames: up to 0.004 m/s"; empty if it was.
+  std::string warning() const;
+
+ private:
+  long frames_ = 0, beyond_ = 0;
+  double max_error_ = 0.0;  // [m/s]
+};
+
+// Makes the choices. Kept from frame to frame, so that what belongs to the structure of the scene is computed once.
+class AutomaticChoice {
+ public:
+  AutomaticChoice();
+  ~AutomaticChoice();
+  AutomaticChoice(AutomaticChoice&& other) noexcept;
+  AutomaticChoice& operator=(AutomaticChoice&& other) noexcept;
+  // For the frame that follows `state`, which remembers the choice for the one before. Computes frames on copies, now and then; often
+  // after edits and impacts.
+  MethodChoice choose(const Plan& plan, const System& system, const Settings& settings, const State& state);
+  // [ms], of what it computed on copies so far, by the model of the cost.
+  double trial_cost() const;
+
+ private:
+  std::unique_ptr<Trials> trials_;
+};
+
+}  // namespace hooke

@@ -1,0 +1,55 @@
+#include "sim/automatic/cost_model.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "sim/integrator.h"
+
+namespace hooke {
+namespace {
+
+constexpr double ms_per_ns = 1e-6;
+// Passes over all points for each stage, which methods without fused kicks and drifts make.
+constexpr double unfused = 1.45;
+
+}  // namespace
+
+CostModel::CostModel(const Plan& plan) {
+  const double points = plan.points, springs = plan.springs, dimensions = plan.dimensions;
+  force_ = 2.8 * springs + 0.4 * points + 80.0 + 10.0 * points * static_cast<double>(plan.forces.size() + plan.colliders.size());
+  sweep_ = 10.2 * springs + points + 100.0;
+  dashpots_ = plan.has_dashpots() ? 2.6 * springs : 0.0;
+
+  // a chain fills nothing in; of the springs of a net that close loops, each separates regions of about sqrt(n) points
+  const double loops = std::max(0.0, springs / std::max(1.0, points) - 1.0), area = dimensions * dimensions / 9.0;
+  const double levels = std::bit_width(static_cast<unsigned>(plan.points));
+  factorization_ = area * points * (155.0 + 55.0 * loops * std::sqrt(points)) + 100.0;
+  solve_ = area * points * (95.0 + 8.5 * loops * levels) + force_;
+}
+
+double CostModel::evaluation(const Integrator& method) const {
+  return method.stability == Stability::Conditional && method.symplectic ? force_ : unfused * force_;
+}
+
+double CostModel::of(const Integrator& method, const Motion& motion) const {
+  const bool is_implicit = method.implicit_solve != ImplicitSolve::None;
+  const double evaluations = is_implicit ? 0.0 : evaluation(method) * static_cast<double>(motion.force_evaluations);
+  return ms_per_ns * (evaluations + sweep_ * static_cast<double>(motion.sweeps) + dashpots_ * static_cast<double>(motion.dashpot_sweeps) +
+                      factorization_ * static_cast<double>(motion.factorizations) + solve_ * static_cast<double>(motion.solves));
+}
+
+double CostModel::expected(const Integrator& method, int substeps) const {
+  if (method.implicit_solve == ImplicitSolve::Once) return ms_per_ns * substeps * (factorization_ + solve_);
+  if (method.implicit_solve == ImplicitSolve::Iterative) {
+    constexpr int iterations = 4;
+    const int stages = method.order <= 2 ? method.order : 5;
+    return ms_per_ns * (factorization_ + substeps * stages * iterations * solve_);
+  }
+  if (method.stability == Stability::EachSpring) return ms_per_ns * substeps * sweep_;
+  const int evaluations = method.order <= 2 ? 1 : method.symplectic ? 6 : method.order;
+  const double dashpots = method.symplectic && method.order > 1 ? 2.0 * dashpots_ : 0.0;
+  return ms_per_ns * (substeps * (evaluations * evaluation(method) + dashpots) + force_);
+}
+
+}  // namespace hooke

@@ -1,0 +1,24 @@
+// The cost of stepping, from counts of work. The figures were fitted to measurements on one machine (docs/accuracy.md) and are the same on
+// every other, so that choices which follow from them are too; only their ratios matter.
+#pragma once
+
+#include "sim/motion.h"
+
+namespace hooke {
+
+class CostModel {
+ public:
+  explicit CostModel(const Plan& plan);
+  // [ms], of the work counted in a motion that this method computed.
+  double of(const Integrator& method, const Motion& motion) const;
+  // [ms], of a frame with this many substeps, before anything is known about it: implicit methods with the iterations that easy frames
+  // take.
+  double expected(const Integrator& method, int substeps) const;
+
+ private:
+  double evaluation(const Integrator& method) const;
+
+  double force_ = 0.0, sweep_ = 0.0, dashpots_ = 0.0, factorization_ = 0.0, solve_ = 0.0;  // [ns]
+};
+
+}  // namespace hooke

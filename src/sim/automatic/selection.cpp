@@ -1,0 +1,148 @@
+#include "sim/automatic/selection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "sim/frame_error.h"
+#include "sim/integrators/rows.h"
+#include "sim/portable_math.h"
+
+namespace hooke {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// Another method takes the place of the present one only if it is cheaper by this factor.
+constexpr double hysteresis = 1.3;
+// Without a budget: a frame may cost this much, or this multiple of the cheapest stable one, to meet the tolerance; and a comparison of
+// methods that many times as much.
+constexpr double max_cost_ms = 400.0, max_cost_factor = 8.0, max_comparison = 5.0;
+constexpr int max_attempts = 8;
+// An unexpected cost, relative to the expected one.
+constexpr double surprise = 4.0;
+
+struct Candidate {
+  const Integrator* method = nullptr;
+  int min_substeps = 1, substeps = 1;  // next to try
+  double expected_cost = 0.0;          // [ms], at these substeps
+  double ratio = infinity;             // of the last attempt
+  int attempts = 0, stalls = 0;
+  bool is_open = true;
+  double weight = 1.0;  // of its costs in comparisons
+};
+
+std::vector<Candidate> candidates_for(Trials& trials, const Plan& plan, const Settings& settings, const MethodChoice* present) {
+  const CostModel model(plan);
+  std::vector<Candidate> list;
+  const std::vector<int>& stable = trials.stable_substeps(plan, settings.frame_rate);
+  std::size_t row = 0;
+  for (const Integrator& method : integrators()) {
+    const int stable_at = stable[row++];
+    // explicit Euler grows, and what chooses its own steps has no number of them; dashpots make symplectic Euler cheaper than the others
+    const bool is_cheap_with_dashpots = plan.has_dashpots() && &method == &symplectic_euler;
+    if (!(method.for_production || is_cheap_with_dashpots) || method.stability == Stability::Adaptive) continue;
+    if (stable_at > max_automatic_substeps) continue;
+    const bool is_present = present != nullptr && &method == present->method;
+    const int substeps = is_present ? std::max(present->substeps, stable_at) : stable_at;
+    list.push_back({.method = &method,
+                    .min_substeps = stable_at,
+                    .substeps = substeps,
+                    .expected_cost = model.expected(method, substeps),
+                    .weight = is_present ? 1.0 / hysteresis : 1.0});
+  }
+  return list;
+}
+
+// Convergence in position of XPBD is better than its declared order on many nets: worth an attempt.
+int hopeful_order(const System& system, const Integrator& method) {
+  const int order = effective_order(system, method);
+  return method.stability == Stability::EachSpring ? std::max(order, 2) : order;
+}
+
+// The next number of substeps to try, or closes the candidate.
+void refine(Candidate& candidate, const Trials::Result& result, double ratio, const System& system, const Goal& goal) {
+  constexpr double most_at_once = 16.0, on_divergence = 4.0;
+  const bool has_stalled = candidate.attempts > 0 && ratio > 0.7 * candidate.ratio;
+  candidate.stalls = has_stalled ? candidate.stalls + 1 : 0;
+  candidate.ratio = ratio;
+  ++candidate.attempts;
+  const double cost_per_substep =
+      std::isfinite(result.cost) ? result.cost / candidate.substeps : candidate.expected_cost / candidate.substeps;
+  const int order = hopeful_order(system, *candidate.method);
+  const double max_factor = std::isfinite(ratio) ? most_at_once : on_divergence;
+  int next = substeps_for(candidate.substeps, ratio * goal.target, goal.target, order, max_factor);
+  // the most accurate attempt that the goal allows
+  if (next * cost_per_substep > goal.max_cost) next = static_cast<int>(goal.max_cost / cost_per_substep);
+  if (candidate.stalls > 1 || candidate.attempts >= max_attempts || next > max_automatic_substeps || next < 1.2 * candidate.substeps)
+    candidate.is_open = false;
+  candidate.substeps = next;
+  candidate.expected_cost = next * cost_per_substep;
+}
+
+}  // namespace
+
+double max_cost_of_frame(Trials& trials, const Plan& plan, const Settings& settings) {
+  double cheapest = infinity;
+  for (const Candidate& candidate : candidates_for(trials, plan, settings, nullptr)) cheapest = std::min(cheapest, candidate.expected_cost);
+  if (!std::isfinite(cheapest)) return infinity;
+  return settings.budget_ms > 0.0 ? std::max(settings.budget_ms, cheapest) : std::max(max_cost_ms, max_cost_factor * cheapest);
+}
+
+int substeps_for(int substeps, double error, double target, int order, double max_factor) {
+  constexpr double margin = 1.05;
+  const double factor = std::isfinite(error) ? margin * portable::pow(error / target, 1.0 / order) : max_factor;
+  const double needed = std::ceil(substeps * std::min(factor, max_factor));
+  return static_cast<int>(std::clamp(needed, substeps + 1.0, max_automatic_substeps + 1.0));
+}
+
+MethodChoice select_method(Trials& trials, const Plan& plan, const System& system, const Settings& settings, const Goal& goal,
+                           const MethodChoice* present) {
+  // without springs nothing costs anything, and nothing is more accurate
+  MethodChoice best{.method = &default_integrator(), .ratio = infinity};
+  double best_cost = infinity, spent = 0.0;
+  Settings trial = settings;
+  trial.tolerance.reset();
+  std::vector<Candidate> list = candidates_for(trials, plan, settings, present);
+  while (spent <= max_comparison * goal.max_cost || !std::isfinite(best.ratio)) {
+    // the one that would be the cheapest if it met the goal
+    Candidate* next = nullptr;
+    for (Candidate& candidate : list)
+      if (candidate.is_open && (next == nullptr || candidate.weight * candidate.expected_cost < next->weight * next->expected_cost))
+        next = &candidate;
+    if (next == nullptr || (best.ratio <= 1.0 && next->weight * next->expected_cost >= best_cost)) break;
+
+    trial.integrator = next->method;
+    trial.substeps = next->substeps;
+    // one that turns out to be far more expensive than expected has to wait for the others
+    const double patience = surprise * next->expected_cost;
+    const double max_cost = std::min(patience, best.ratio <= 1.0 ? best_cost / next->weight : 1.25 * goal.max_cost);
+    const double before = trials.total_cost();
+    const Trials::Result result = trials.measure(trial, max_cost);
+    spent += trials.total_cost() - before;
+    if (!std::isfinite(result.cost) && max_cost == patience) {
+      next->expected_cost = patience;
+      next->is_open = ++next->attempts < max_attempts;
+      continue;
+    }
+    const double ratio = result.error / goal.target, cost = next->weight * result.cost;
+    if (ratio <= 1.0 ? best.ratio > 1.0 || cost < best_cost : ratio < best.ratio) {
+      best = {.method = next->method, .substeps = next->substeps, .min_substeps = next->min_substeps, .ratio = ratio, .cost = result.cost};
+      best_cost = cost;
+    }
+    if (ratio <= 1.0)
+      next->is_open = false;
+    else
+      refine(*next, result, ratio, system, goal);
+  }
+  // nothing could be measured: what is stable at any step, or the default method as fine as it can be
+  if (!std::isfinite(best.ratio) && !list.empty()) {
+    const auto cheapest = std::ranges::min_element(list, {}, [](const Candidate& c) { return c.min_substeps; });
+    best = {.method = cheapest->method, .substeps = cheapest->min_substeps, .min_substeps = cheapest->min_substeps, .ratio = infinity};
+  }
+  best.selected_substeps = best.substeps;
+  best.selected_ratio = best.ratio;
+  return best;
+}
+
+}  // namespace hooke

@@ -1,0 +1,86 @@
+#include "sim/automatic/trials.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "sim/divergence.h"
+#include "sim/frame_error.h"
+#include "sim/portable_math.h"
+
+namespace hooke {
+
+int stable_substeps(const Integrator& method, const Spectrum& spectrum, double frame_rate) {
+  const double step = largest_stable_step(method, spectrum);
+  if (!std::isfinite(step)) return 1;
+  const double substeps = std::ceil(1.0 / (frame_rate * step));
+  return !(substeps <= max_automatic_substeps) ? max_automatic_substeps + 1 : std::max(1, static_cast<int>(substeps));
+}
+
+const std::vector<int>& Trials::stable_substeps(const Plan& plan, double frame_rate) {
+  if (stable_substeps_.empty() || spectrum_ != plan.spectrum || frame_rate_ != frame_rate) {
+    stable_substeps_.clear();
+    for (const Integrator& method : integrators()) stable_substeps_.push_back(hooke::stable_substeps(method, plan.spectrum, frame_rate));
+    spectrum_ = plan.spectrum;
+    frame_rate_ = frame_rate;
+  }
+  return stable_substeps_;
+}
+
+void Trials::begin(const Plan& plan, const System& system, const State& start) {
+  plan_ = plan;
+  system_ = &system;
+  start_ = &start;
+}
+
+// False if it costs too much, ends early or diverges.
+bool Trials::compute(const Settings& settings, const CostModel& model, double max_cost, double* cost) {
+  if (!plan_.break_length.empty()) refresh_values(plan_, *system_);  // restores springs that broke in the previous trial
+  bool is_cheap = true;
+  try {
+    frame_.begin(plan_, *system_, settings, *start_);
+    while (!frame_.done() && is_cheap) {
+      frame_.substep(plan_);
+      is_cheap = model.of(*settings.integrator, frame_.motion()) <= max_cost;
+    }
+  } catch (const InputError&) {  // the factorization of an implicit method would need too much memory
+    return false;
+  }
+  *cost = model.of(*settings.integrator, frame_.motion());
+  total_cost_ += *cost;
+  if (!is_cheap) return false;
+  end_ = *start_;
+  frame_.end(plan_, end_);
+  return frame_.failure() == StepFailure::None && is_finite(end_);
+}
+
+Trials::Result Trials::measure_by_coarser(const Settings& settings, double max_cost) {
+  const CostModel model(plan_);
+  Result result;
+  Settings coarse = settings;
+  coarse.substeps = settings.substeps / 2;
+  double coarse_cost = 0.0;
+  if (!compute(coarse, model, max_cost, &coarse_cost)) return {};
+  coarse_ = end_.position;
+  if (!compute(settings, model, max_cost, &result.cost)) return {};
+  const double ratio = static_cast<double>(settings.substeps) / coarse.substeps;
+  const double order = effective_order(*system_, *settings.integrator);
+  result.error = weighted_distance(coarse_, end_.position, 1.0 / (portable::pow(ratio, order) - 1.0)).rms;
+  return result;
+}
+
+Trials::Result Trials::measure(const Settings& settings, double max_cost) {
+  const CostModel model(plan_);
+  Result result;
+  Settings fine = settings;
+  fine.substeps *= 2;
+  double fine_cost = 0.0;
+  if (!compute(settings, model, max_cost, &result.cost)) return {};
+  coarse_ = end_.position;
+  // a method that iterates less in shorter steps costs less than twice as much, but not much more
+  if (!compute(fine, model, 4.0 * max_cost, &fine_cost)) return {};
+  result.error = weighted_distance(coarse_, end_.position, refinement_weight(*system_, settings)).rms;
+  return result;
+}
+
+}  // namespace hooke

@@ -1,0 +1,85 @@
+// The method `auto` on random nets: nothing diverges, and nothing gains energy unless it reports that the tolerance is not met.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "sim/divergence.h"
+#include "sim/energy.h"
+#include "support/automatic_runs.h"
+#include "support/random_force_scene.h"
+
+namespace hooke {
+namespace {
+
+class AutomaticAttack : public testing::TestWithParam<double> {};
+INSTANTIATE_TEST_SUITE_P(Tolerances, AutomaticAttack, testing::Values(1e-1, 1e-2, 1e-4));
+
+// Fewer than the 120 and 150 scenes that were checked, to save time.
+std::uint64_t scenes(std::uint64_t all) { return std::getenv("HOOKE_PRINT") != nullptr ? all : all / 4; }
+
+// At the linear limit, a third of these nets gain energy with velocity_verlet (margin_test.cpp).
+TEST_P(AutomaticAttack, NoRotatingNetGainsEnergyInSilence) {
+  int reported = 0, silent = 0;
+  for (std::uint64_t seed = 0; seed < scenes(120); ++seed) {
+    TestSim sim = rotating_net(seed);
+    initialize_ledger(sim.system, sim.state);
+    Plan plan = make_plan(sim.system);
+    Frame frame;
+    ToleranceMonitor monitor;
+    const Settings settings = automatic(GetParam());
+    const double start = compute_energy(sim.system, sim.state).total();
+    constexpr int frames = 120;
+    double last = 0.0;
+    bool is_lost = false;
+    for (int i = 0; i < frames && !is_lost; ++i) {
+      sim.state = next_frame(plan, frame, sim.system, settings, sim.state);
+      monitor.add_frame(settings, sim.state);
+      const Energy energy = compute_energy(sim.system, sim.state);
+      is_lost = find_divergence(sim.system, sim.state, energy).has_value();
+      if (i >= frames - 30) last += energy.total() / 30.0;
+    }
+    const bool gains = is_lost || last - start > 0.2 * sim.state.ledger.scale;
+    if (gains && std::getenv("HOOKE_PRINT") != nullptr)
+      std::printf("tolerance %g, net %d: %s, %s\n", GetParam(), static_cast<int>(seed), is_lost ? "diverged" : "gained energy",
+                  monitor.warning().c_str());
+    if (gains) ++(monitor.frames_beyond() > 0 ? reported : silent);
+  }
+  EXPECT_EQ(silent, 0);
+  EXPECT_EQ(reported, 0);
+}
+
+// Every kind of listed force, walls, wind, dashpots and the hand, with extreme parameters. A choice never takes long, and a frame without
+// a result ends the run visibly.
+TEST(AutomaticAttacks, ScenesWithForcesAndTheHandEndInAStateOrAReport) {
+  constexpr double max_ms = 6000.0;  // by the model, of the trials of a frame
+  double max = 0.0;
+  int beyond = 0, diverged = 0;
+  for (std::uint64_t seed = 0; seed < scenes(150); ++seed) {
+    TestSim sim = random_force_scene(seed, ForceSceneKind::Any);
+    initialize_ledger(sim.system, sim.state);
+    Plan plan = make_plan(sim.system);
+    Frame frame;
+    ToleranceMonitor monitor;
+    const Settings settings = automatic(1e-3);
+    for (int i = 0; i < 30; ++i) {
+      const double before = frame.trial_cost();
+      const State next = next_frame(plan, frame, sim.system, settings, sim.state);
+      max = std::max(max, frame.trial_cost() - before);
+      EXPECT_LT(frame.trial_cost() - before, max_ms) << seed << ", frame " << i;
+      if (find_divergence(sim.system, next, compute_energy(sim.system, next))) {
+        ++diverged;
+        break;
+      }
+      sim.state = next;
+      monitor.add_frame(settings, sim.state);
+    }
+    beyond += monitor.frames_beyond() > 0 ? 1 : 0;
+  }
+  if (std::getenv("HOOKE_PRINT") != nullptr)
+    std::printf("%d with frames beyond the tolerance, %d diverged; trials of a frame: at most %.3g ms\n", beyond, diverged, max);
+}
+
+}  // namespace
+}  // namespace hooke
