@@ -20,6 +20,17 @@ double thread_cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+// Edits that affect the motion, besides those of the laboratory itself.
+bool can_cause_failure(const Command& command) {
+  return std::visit(
+      []<class T>(const T&) {
+        return !std::is_same_v<T, SetPointColor> && !std::is_same_v<T, SetTexture> && !std::is_same_v<T, GoToState> &&
+               !std::is_same_v<T, SetTorn> && !std::is_same_v<T, MarkTorn> && !std::is_same_v<T, Replace> &&
+               !std::is_same_v<T, ReleaseHand>;
+      },
+      command);
+}
+
 using Clock = std::chrono::steady_clock;
 
 double milliseconds_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
@@ -55,6 +66,7 @@ void Lab::submit(Control control, Gesture gesture) { queue_.emplace_back(std::mo
 void Lab::update_plan(Effect effect) {
   if (!effect.invalidates_frame()) return;
   drop_frame();
+  companions_.restart();
   if (effect.structure) {
     frame_history_.clear_if_points_changed(scene_.system);
     plan_ = make_plan(scene_.system);
@@ -96,9 +108,11 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   if (std::holds_alternative<GoToState>(command) || std::holds_alternative<Replace>(command)) keep_start();
   const History::Of of = known.value_or(changed_by(command));
   const double before = compute_energy(scene_.system, scene_.state).total();
+  const std::string value = value_before(command, scene_);
   Effect effect;
   std::vector<Command> inverse = apply(scene_, command, effect);
   update_plan(effect);
+  if (can_cause_failure(command) && start_.scene()) record_change(command, value, inverse, gesture);
   if (was_in_progress && !frame_in_progress_) must_finish_frame_ = true;
   if (std::holds_alternative<Replace>(command))
     initialize_ledger(scene_.system, scene_.state);
@@ -279,6 +293,8 @@ bool Lab::finish_frame() {
     return false;
   }
   meter_frame(energy.total(), torn.has_value());
+  companions_.add_frame(plan_, scene_.system, scene_.settings, scene_.state, next_);
+  if (torn) companions_.restart();
   std::swap(scene_.state, next_);
   energy_ = energy;
   constexpr double explained_fraction = 0.02;
@@ -344,17 +360,19 @@ bool Lab::step_frame() {
 
 bool Lab::step() {
   apply_queue();
-  return step_frame();
+  const bool finished = step_frame();
+  compute_companions([] { return true; });
+  return finished;
 }
 
 void Lab::advance(double real_seconds, const std::function<bool()>& should_continue) {
   if (!must_wait_for_frame()) apply_queue();
 
+  bool in_time = compute_companions(should_continue);
   if (running_) {
     const double frame = 1.0 / scene_.settings.frame_rate;
     frame_pacer_.accumulate(real_seconds, scene_.settings.speed);
     long stepped = 0;
-    bool in_time = true;
     while (running_ && in_time && (frame_in_progress_ || run_to_ || frame_pacer_.has_frame_due(frame))) {
       if (!frame_in_progress_) begin_frame();
       const auto start = Clock::now();
@@ -369,6 +387,7 @@ void Lab::advance(double real_seconds, const std::function<bool()>& should_conti
       if (frame_.done()) {
         frame_pacer_.consume(frame);
         stepped += finish_frame() ? 1 : 0;
+        in_time = in_time && compute_companions(should_continue);
       }
     }
     frame_pacer_.update_speed(real_seconds, static_cast<double>(stepped) * frame, frame);

@@ -13,6 +13,7 @@
 #include "edit/command.h"
 #include "edit/history.h"
 #include "lab/accuracy/accuracy_meter.h"
+#include "lab/change_text.h"
 #include "lab/frame_history.h"
 #include "lab/frame_pacer.h"
 #include "lab/playback.h"
@@ -46,6 +47,9 @@ struct Watch {  // sets the quantities measured in every frame, for the plots
 struct SetAccuracy {  // what is measured of the accuracy of the run
   AccuracyMode mode;
 };
+struct SetCompanions {  // runs beside the run, from its present state on; empty: none
+  std::vector<Companion> companions;
+};
 struct GoToStart {};        // positions, velocities, tears and time of the start; edits of structure and parameters stay
 struct SetStart {};         // the current state becomes the start
 struct ResetParameters {};  // parameters, method and forces as they were when the document was opened
@@ -61,8 +65,8 @@ struct Record {                                       // starts a recording; an 
 struct Play {  // opens the start of a recording and replays it, until its end or the next edit
   std::shared_ptr<const Recording> recording;
 };
-using Control = std::variant<Undo, Redo, GoToHistoryStep, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, SetAccuracy, GoToStart,
-                             SetStart, ResetParameters, ReleaseNails, Open, MarkSaved, Record, Play>;
+using Control = std::variant<Undo, Redo, GoToHistoryStep, SetRunning, StepOnce, RunTo, StepBack, GoToTime, Watch, SetAccuracy,
+                             SetCompanions, GoToStart, SetStart, ResetParameters, ReleaseNails, Open, MarkSaved, Record, Play>;
 
 // Whether a copy of the opened scene is kept for GoToStart. A long run of a large scene does not need one; its accuracy is measured only
 // on demand, and then at once.
@@ -93,6 +97,8 @@ class Lab {
   // Continues to measure the accuracy of the frames computed so far, until it is done or `should_continue` returns false.
   void measure_accuracy(const std::function<bool()>& should_continue);
   bool has_accuracy_to_measure() const { return meter_.is_repeating() || meter_.has_work(); }
+  // Whether `advance` has companions to compute, even while paused.
+  bool has_companions_to_compute() const { return companions_.has_work(); }
   Accuracy accuracy() const;
   double accuracy_cpu_seconds() const { return accuracy_cpu_seconds_; }  // that measuring it took so far, where it is done at once
 
@@ -143,6 +149,8 @@ class Lab {
   std::optional<Insert> tear();
   void record_tear(Insert pieces);
   void drop_frame();
+  bool compute_companions(const std::function<bool()>& should_continue);
+  void record_change(const Command& command, const std::string& before, const std::vector<Command>& inverse, Gesture gesture);
   std::shared_ptr<const State> state_before_failure() const;
   void record_edit(const Command& command);
   void record_held_edits();
@@ -164,6 +172,7 @@ class Lab {
   Playback playback_;
   FramePacer frame_pacer_;
   AccuracyMeter meter_;
+  Companions companions_;
   double accuracy_cpu_seconds_ = 0.0;
   Plan plan_;
   Frame frame_;
@@ -177,6 +186,7 @@ class Lab {
   std::shared_ptr<const State> before_failure_;  // a recorded state from before its energy grew; null: none
   std::shared_ptr<const Scene> failed_start_;    // the start of the run that diverged, with the edits since then; null: not computed
   long failed_start_edits_ = 0;                  // the number of edits in it
+  std::vector<RecordedChange> changes_;          // since the energy was last explained, oldest first
   double explained_until_ = 0.0;                 // [s], the last frame whose energy was supplied to the scene
   bool running_ = false;
   std::optional<double> run_to_;  // [s]

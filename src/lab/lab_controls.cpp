@@ -28,6 +28,8 @@ void Lab::reset_session() {
   history_.clear();
   divergence_.reset();
   before_failure_.reset();
+  changes_.clear();
+  companions_.set({});
   explained_until_ = scene_.state.time;
   running_ = start_is_edited_ = false;
   playback_.stop();
@@ -106,6 +108,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                  },
                  [&](const Watch& watch) { frame_history_.watch(watch.quantities, scene_.system); },
                  [&](const SetAccuracy& set) { meter_.set_mode(set.mode); },
+                 [&](const SetCompanions& set) { companions_.set(set.companions); },
                  [&](const GoToTime& go) {
                    if (!frame_history_.timeline().empty()) go_to_timeline_index(frame_history_.timeline().find(go.time), gesture);
                  },

@@ -115,9 +115,13 @@ void Lab::publish() {
                                            .system = published_system(),
                                            .before = before_failure_,
                                            .settings = scene_.settings,
-                                           .time = divergence_->time};
+                                           .time = divergence_->time,
+                                           .changes = {}};
+      for (auto recorded = changes_.rbegin(); recorded != changes_.rend(); ++recorded)
+        status->diagnosis.failed->changes.push_back(recorded->change);
     }
   }
+  status->companions = companions_.status();
   status->next_point_id = scene_.system.next_point_id();
   status->next_spring_id = scene_.system.next_spring_id();
   status_ = std::move(status);

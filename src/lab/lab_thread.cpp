@@ -91,7 +91,7 @@ void LabThread::work() {
       const auto has_work = [this] { return stopping_ || !tasks_.empty(); };
       if (status_->run.running)
         posted_.wait_until(lock, due, has_work);
-      else if (!lab_.has_accuracy_to_measure())
+      else if (!lab_.has_accuracy_to_measure() && !lab_.has_companions_to_compute())
         posted_.wait(lock, has_work);
       if (stopping_) return;
       tasks = std::exchange(tasks_, {});

@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "edit/command.h"
 #include "edit/history_list.h"
+#include "lab/companions.h"
 #include "lab/traces.h"
 #include "scene/scene.h"
 #include "sim/accuracy.h"
@@ -53,13 +55,20 @@ struct RecordingStatus {
   std::string difference;          // where a playback differs from its recording; empty: nowhere so far
 };
 
+// An edit shortly before a run diverged.
+struct RecentChange {
+  std::string text;              // "k: 185 -> 270,000 N/m", or its name in the history
+  std::vector<Command> restore;  // sets what it changed back to what it was
+};
+
 // A run that diverged, from which remedies are tested on copies (study/remedy.h).
 struct FailedRun {
   std::shared_ptr<const Scene> start;    // the scene as GoToStart leaves it
   std::shared_ptr<const System> system;  // at the failure
   std::shared_ptr<const State> before;   // a recorded state from before the energy grew; null: none
   Settings settings;
-  double time = 0.0;  // [s], of the failure
+  double time = 0.0;                  // [s], of the failure
+  std::vector<RecentChange> changes;  // since shortly before the energy was last explained, newest first
 };
 
 struct DiagnosisStatus {
@@ -76,6 +85,7 @@ struct Status {
   Accuracy accuracy;
   RecordingStatus recording;
   DiagnosisStatus diagnosis;
+  CompanionsStatus companions;
   std::uint32_t next_point_id = 0, next_spring_id = 0;  // ids from here on are unused
 };
 

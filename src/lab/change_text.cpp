@@ -1,0 +1,135 @@
+#include "lab/change_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/number_text.h"
+#include "base/overloaded.h"
+#include "scene/parameters.h"
+#include "sim/integrator.h"
+
+namespace hooke {
+namespace {
+
+// All digits of numbers from a thousand to ten million, in groups: "270,000".
+std::string grouped(double value) {
+  if (!(std::abs(value) >= 1000.0) || !(std::abs(value) < 1e7)) return number_text(value);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f", value);
+  std::string digits = text;
+  const std::size_t first = value < 0.0 ? 1 : 0;
+  for (std::size_t end = digits.size(); end > first + 3; end -= 3) digits.insert(end - 3, ",");
+  return digits;
+}
+
+template <class Items, class Value>
+std::string mean_of(const Items& items, const Value& value) {
+  double sum = 0.0, count = 0.0;
+  for (const auto& item : items)
+    if (const auto one = value(item.first); std::isfinite(one)) sum += one, count += 1.0;
+  return count > 0.0 ? grouped(sum / count) : std::string();
+}
+
+double property_of(const Point& point, PointProperty property) { return property == PointProperty::Mass ? point.mass : point.radius; }
+
+double property_of(const Spring& spring, SpringProperty property) {
+  switch (property) {
+    case SpringProperty::Stiffness:
+      return spring.stiffness;
+    case SpringProperty::Damping:
+      return spring.damping;
+    case SpringProperty::RestLength:
+      return spring.rest_length;
+    case SpringProperty::BreakStrain:
+      return spring.break_strain;
+  }
+  return spring.stiffness;
+}
+
+std::string value_of(const Parameter& parameter, const Scene& scene) {
+  const double value = parameter.read(scene);
+  if (parameter.kind == Parameter::Kind::Switch) return value != 0.0 ? "on" : "off";
+  if (parameter.kind == Parameter::Kind::Choice) {
+    const auto choice = static_cast<std::size_t>(value);
+    return choice < parameter.choices.size() ? std::string(parameter.choices[choice].label) : grouped(value);
+  }
+  return std::isfinite(value) ? grouped(value) : std::string();
+}
+
+// What is set, and in which unit: "k", "N/m".
+struct Named {
+  std::string name, unit;
+};
+
+Named quantity_of(const Command& command) {
+  const auto of_parameter = [](const Parameter& parameter) {
+    // "Stiffness k" is known as k
+    const std::string label(parameter.label);
+    const auto last = label.rfind(' ');
+    const bool has_symbol = last != std::string::npos && label.size() - last == 2;
+    return Named{has_symbol ? label.substr(last + 1) : label, unit_text(parameter.unit)};
+  };
+  return std::visit(Overloaded{
+                        [&](const SetParameter& set) { return of_parameter(*set.parameter); },
+                        [&](const RestoreParameter& set) { return of_parameter(*set.parameter); },
+                        [](const SetIntegrator&) {
+                          return Named{"method", ""};
+                        },
+                        [](const SetPointProperty& set) {
+                          return set.property == PointProperty::Mass ? Named{"mass", "kg"} : Named{"radius", "m"};
+                        },
+                        [](const SetSpringProperty& set) {
+                          switch (set.property) {
+                            case SpringProperty::Stiffness:
+                              return Named{"k", "N/m"};
+                            case SpringProperty::Damping:
+                              return Named{"d", "N s/m"};
+                            case SpringProperty::RestLength:
+                              return Named{"rest length", "m"};
+                            case SpringProperty::BreakStrain:
+                              return Named{"break strain", ""};
+                          }
+                          return Named{};
+                        },
+                        [](const auto&) { return Named{}; },
+                    },
+                    command);
+}
+
+}  // namespace
+
+std::string value_before(const Command& command, const Scene& scene) {
+  const System& system = scene.system;
+  return std::visit(Overloaded{
+                        [&](const SetParameter& set) { return value_of(*set.parameter, scene); },
+                        [&](const RestoreParameter& set) { return value_of(*set.parameter, scene); },
+                        [&](const SetIntegrator&) {
+                          const std::string_view label = scene.settings.integrator->label;
+                          return std::string(label.substr(0, label.find(" (")));
+                        },
+                        [&](const SetPointProperty& set) {
+                          return mean_of(set.values, [&](PointId id) {
+                            const Index i = system.index_of(id);
+                            return i == no_index ? std::nan("") : property_of(system.points()[i], set.property);
+                          });
+                        },
+                        [&](const SetSpringProperty& set) {
+                          return mean_of(set.values, [&](SpringId id) {
+                            const Index s = system.index_of(id);
+                            return s == no_index ? std::nan("") : property_of(system.springs()[s], set.property);
+                          });
+                        },
+                        [](const auto&) { return std::string(); },
+                    },
+                    command);
+}
+
+std::string change_text(const Command& command, const std::string& before, const Scene& scene) {
+  const Named quantity = quantity_of(command);
+  const std::string after = value_before(command, scene);
+  if (quantity.name.empty() || before.empty() || after.empty()) return describe(command);
+  return quantity.name + ": " + before + " -> " + after + (quantity.unit.empty() ? "" : " " + quantity.unit);
+}
+
+}  // namespace hooke

@@ -1,0 +1,26 @@
+// Edits with their values, for the message about a run that stopped.
+#pragma once
+
+#include <string>
+
+#include "edit/command.h"
+#include "edit/history.h"
+#include "lab/status.h"
+
+namespace hooke {
+
+// An edit that affects the motion, with the gesture that it is part of and the time [s] of the run.
+struct RecordedChange {
+  RecentChange change;
+  std::string before;
+  Gesture gesture = 0;
+  double time = 0.0;
+};
+
+// What a command sets, as it is now: "185", "Velocity Verlet". Empty for commands that set no single value.
+std::string value_before(const Command& command, const Scene& scene);
+
+// "k: 185 -> 270,000 N/m", with the value after the command; the name of the command if it sets no single value.
+std::string change_text(const Command& command, const std::string& before, const Scene& scene);
+
+}  // namespace hooke
