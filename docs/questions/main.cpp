@@ -6,7 +6,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "batch/gnuplot.h"
+#include "study/gnuplot.h"
 #include "question.h"
 
 namespace hooke {

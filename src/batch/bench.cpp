@@ -12,7 +12,7 @@
 #include "base/printable.h"
 #include "base/read_file.h"
 #include "batch/bench_report.h"
-#include "batch/gnuplot.h"
+#include "study/gnuplot.h"
 #include "batch/machine.h"
 #include "batch/methods_page.h"
 #include "batch/output_folder.h"

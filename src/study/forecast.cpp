@@ -13,8 +13,6 @@
 namespace hooke {
 namespace {
 
-// The equilibrium of a cloth of this size takes a second or two; that of a larger one often takes ten times as long.
-constexpr Index max_points = 1700;
 // A matrix product with this many springs takes tens of milliseconds.
 constexpr Index max_springs = 1'000'000;
 // Residual force accepted as equilibrium, relative to the typical force. The displacement of a flat cloth grows with the cube root of its
@@ -165,6 +163,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
     const double left = find_equilibrium(weightless, matrix, target_residual * force_scale, max_unloading_steps, unloaded, stop);
     if (left <= acceptable_residual * force_scale) {
       forecast.sag = sag_between(plan, unloaded, x);
+      for (Index i = 0; i < plan.points; ++i) forecast.unloaded.push_back(position_in(plan, unloaded, i));
       forecast.why_no_sag.clear();
     }
     return floppy_threshold;
@@ -173,6 +172,8 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
   if (has_weight && !plan.colliders.empty()) return std::nullopt;
   plan.acceleration = Vec3(0.0);
   if (!finds_equilibrium(weightless_residual, weightless_residual)) return std::nullopt;
+  if (!has_weight)
+    for (Index i = 0; i < plan.points; ++i) forecast.rest.push_back(position_in(plan, x, i));
   snap_rest_lengths(plan, x);
   return weightless_floppy_threshold;
 }
@@ -180,7 +181,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
 }  // namespace
 
 Forecast make_forecast(const std::shared_ptr<const System>& system, const State& state, const Forecast& before,
-                       const std::atomic<bool>& stop) {
+                       const std::atomic<bool>& stop, Index max_points) {
   Forecast forecast{.drag = system->drag_rate(), .system = system};
   if (system->spring_count() == 0 || system->spring_count() > max_springs) return forecast;
   const bool has_external_forces = std::ranges::any_of(system->forces, &Force::on);

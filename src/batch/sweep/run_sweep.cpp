@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/atomic_write.h"
-#include "batch/gnuplot.h"
+#include "study/gnuplot.h"
 #include "batch/output_folder.h"
 #include "batch/sweep/sweep_chart.h"
 #include "batch/sweep/sweep_report.h"

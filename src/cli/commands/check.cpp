@@ -14,6 +14,7 @@
 #include "formats/open_file.h"
 #include "formats/scene_file.h"
 #include "sim/automatic/automatic.h"
+#include "study/check/result_check.h"
 #include "study/check_scene.h"
 #include "study/hard_cases/case_report.h"
 
@@ -26,7 +27,8 @@ struct CheckOptions {
   std::vector<int> cases;            // numbers; none: all
   std::optional<std::string> json, markdown;
   int threads = 0;  // 0: one per core
-  bool hard = false, quick = false, strict = false, quiet = false;
+  bool hard = false, quick = false, strict = false, quiet = false, result = false;
+  std::optional<double> seconds;  // of --result
 };
 
 void write(const std::optional<std::string>& file, const std::string& text) {
@@ -94,7 +96,32 @@ int check_scenes(const CheckOptions& options) {
   return failed == 0 ? exit_code::success : exit_code::check_failed;
 }
 
+int check_results(const CheckOptions& options) {
+  if (options.scenes.size() != 1) throw UsageError("--result checks one SCENE");
+  const Scene scene = load_file(find_scene(options.scenes.front())).scene;
+  catch_interrupts();
+  ResultCheck result;
+  {
+    constexpr double steps = 1000.0;
+    ProgressBar progress(static_cast<long>(steps), !options.quiet);
+    result = check_result(scene.system, scene.state, scene.settings, options.seconds.value_or(default_check_seconds), [&](double fraction) {
+      progress.show(static_cast<long>(steps * fraction));
+      return !was_interrupted();
+    });
+  }
+  if (was_interrupted()) return exit_interrupted;
+  write(options.json, format_json(result));
+  if (!options.json && !options.quiet) std::cout << format_table(result);
+  return result.note.empty() ? exit_code::success : exit_code::diverged;
+}
+
 int check(const CheckOptions& options) {
+  const bool of_one_result = options.result || options.seconds;
+  if (options.seconds && !options.result) throw UsageError("--seconds requires --result");
+  if (of_one_result && (options.hard || options.quick || options.strict || options.markdown || !options.methods.empty() ||
+                        !options.cases.empty() || options.threads > 0))
+    throw UsageError("--result accepts only SCENE, --seconds, --json and --quiet");
+  if (options.result) return check_results(options);
   const bool of_hard_cases = options.quick || options.strict || options.json || options.markdown || !options.methods.empty() ||
                              !options.cases.empty() || options.threads > 0;
   if (of_hard_cases && !options.hard)
@@ -110,6 +137,13 @@ std::function<int()> declare_check(CLI::App& app) {
   auto options = std::make_shared<CheckOptions>();
   app.add_option("SCENE", options->scenes, "Files or names of shipped scenes; default: all shipped scenes")->type_name("");
   app.add_flag("--hard", options->hard, "Run the hard cases with every method instead");
+  app.add_flag(
+      "--result", options->result,
+      "Run the scene with half the step, and with twice the resolution of its sheets and ropes: how far its sag, period, maximum strain "
+      "and energy depend on them");
+  app.add_option("--seconds", options->seconds, "Simulated time of --result; default: 2")
+      ->type_name("S")
+      ->check(within({.min = 1e-6, .max = 1e4}));
   app.add_flag("--quick", options->quick, "Only the fast cases: about ten seconds in total");
   app.add_flag("--strict", options->strict, "Count every failure, even a reported one that is allowed");
   app.add_option("--cases", options->cases, "Only these cases, by number")->type_name("1,20")->delimiter(',');

@@ -116,7 +116,7 @@ Mode mode_of(const Plan& plan, const std::vector<double>& damping, const Field& 
     stiffness += tangent.axial * axial * axial + tangent.transverse * std::max(0.0, square - axial * axial);
     if (!damping.empty()) rate += damping[s] * axial * axial;
   });
-  return {std::sqrt(std::max(0.0, stiffness)), rate};
+  return {std::sqrt(std::max(0.0, stiffness)), rate, {u.data(), u.data() + u.size()}};
 }
 
 }  // namespace

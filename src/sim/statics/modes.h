@@ -14,6 +14,7 @@ struct Mode {
   // [1/s], u.D u / u.M u: decay rate of its velocity, comparable to the drag c. NaN: several modes have this frequency and
   // different rates.
   double dashpot_rate = 0.0;
+  std::vector<double> shape{};  // u, in the layout of the Plan, with u.M u = 1
 };
 
 // Both by Lanczos' method (C. Lanczos 1950) with full reorthogonalization, from M^-1/2 K M^-1/2 for the fastest and from

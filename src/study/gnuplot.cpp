@@ -1,4 +1,4 @@
-#include "batch/gnuplot.h"
+#include "study/gnuplot.h"
 
 #include <spawn.h>
 #include <sys/wait.h>
