@@ -7,6 +7,7 @@
 
 #include "base/file_limits.h"
 #include "base/number_text.h"
+#include "edit/apply.h"
 #include "lab/lab.h"
 #include "sim/automatic/automatic.h"
 #include "study/run_monitor.h"
@@ -34,6 +35,10 @@ double relative_cost(const Integrator& method) {
     default:
       return method.order > 2 ? 6.0 : 1.0;
   }
+}
+
+bool is_stable_at_any_step(const Integrator& method) {
+  return method.stability == Stability::LStable || method.stability == Stability::AStable;
 }
 
 struct Trial {
@@ -123,12 +128,52 @@ std::vector<Advice> candidates(const Scene& start) {
   if (!is_automatic(settings)) add_refinements(*settings.integrator, 2 * std::min(settings.substeps, max_substeps / 2));
   if (settings.integrator != &default_integrator()) add_refinements(default_integrator(), settings.substeps);
   for (const Integrator& method : integrators()) {
-    const bool is_implicit = method.stability == Stability::LStable || method.stability == Stability::AStable;
-    if (!is_implicit || !method.for_production || &method == settings.integrator) continue;
+    if (!is_stable_at_any_step(method) || !method.for_production || &method == settings.integrator) continue;
     for (const int substeps : {settings.substeps, 4 * settings.substeps})
       if (substeps <= max_substeps) list.push_back({&method, substeps});
   }
   return list;
+}
+
+// The newest edit without which the run from this state does not diverge.
+std::optional<RecentChange> find_change(const Scene& from, const std::vector<RecentChange>& changes, double seconds,
+                                        const std::atomic<bool>& stop, const RemedyProgress& progress) {
+  constexpr std::size_t max_tested = 4;
+  for (std::size_t i = 0; i < std::min(changes.size(), max_tested) && !stop; ++i) {
+    if (progress) progress("Testing the scene without \"" + changes[i].text + "\"");
+    Scene scene = from;
+    for (const Command& command : changes[i].restore) {
+      Effect effect;
+      apply(scene, command, effect);
+    }
+    Budget budget{0.25 * default_remedy_work, stop};
+    if (run_copy(std::move(scene), seconds, budget).end == Trial::End::Finished) return changes[i];
+  }
+  return std::nullopt;
+}
+
+std::optional<Advice> find_implicit(const Scene& from, double seconds, const std::atomic<bool>& stop, const RemedyProgress& progress) {
+  // the most accurate first
+  std::vector<const Integrator*> methods;
+  for (const Integrator& method : integrators())
+    if (is_stable_at_any_step(method) && method.for_production && &method != from.settings.integrator) methods.push_back(&method);
+  std::ranges::stable_sort(methods, [](const Integrator* a, const Integrator* b) {
+    return std::pair(a->stability == Stability::LStable, a->order) > std::pair(b->stability == Stability::LStable, b->order);
+  });
+  std::optional<Advice> warned;
+  for (const Integrator* one : methods) {
+    if (stop) break;
+    const Integrator& method = *one;
+    const Advice advice{&method, from.settings.substeps};
+    if (progress) progress("Testing " + describe(advice));
+    Scene scene = from;
+    scene.settings.integrator = &method;
+    Budget budget{0.25 * default_remedy_work, stop};
+    const Trial trial = run_copy(std::move(scene), seconds, budget);
+    if (trial.end == Trial::End::Finished && trial.warnings.empty()) return advice;
+    if (trial.end == Trial::End::Finished && !warned) warned = advice;
+  }
+  return warned;
 }
 
 std::optional<int> linear_limit(const Integrator& method, const Scene& scene) {
@@ -196,18 +241,34 @@ Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const Re
     const double seconds_to_failure = std::max(0.0, run.time - scene.state.time);
     return find_remedy(scene, 2.0 * seconds_to_failure + 1.0, stop, default_remedy_work, report);
   };
-  Remedy remedy = search_from(*run.start);
-  if (remedy.cause != Remedy::Cause::NotReproduced || !run.before || stop) return remedy;
-  Scene before;
-  before.system = *run.system;
-  before.state = *run.before;
-  remedy = search_from(std::move(before));
-  remedy.from = run.before->time;
+  // with the present settings in every copy
+  Scene from = *run.start;
+  Remedy remedy;
+  const bool has_state_between = run.before && run.before->time > run.start->state.time;
+  if (has_state_between) {
+    from.system = *run.system;
+    from.state = *run.before;
+    remedy = search_from(from);
+    remedy.from = run.before->time;
+  }
+  if (remedy.cause == Remedy::Cause::NotReproduced && !stop) {
+    from = *run.start;
+    remedy = search_from(from);
+    // which states were tried
+    if (remedy.cause == Remedy::Cause::NotReproduced && has_state_between) remedy.from = run.before->time;
+  }
+  if (remedy.cause == Remedy::Cause::NotReproduced) return remedy;
+  from.settings = run.settings;
+  const double seconds = 2.0 * std::max(0.0, run.time - from.state.time) + 1.0;
+  remedy.change = find_change(from, run.changes, seconds, stop, report);
+  const bool is_implicit = remedy.advice && is_stable_at_any_step(*remedy.advice->integrator);
+  if (!is_implicit) remedy.implicit = find_implicit(from, seconds, stop, report);
   return remedy;
 }
 
 std::string describe(const Remedy& remedy, const Settings& settings) {
   const auto cause = [&]() -> std::string {
+    if (remedy.change) return "Cause: " + remedy.change->text + "; without this change it does not diverge.";
     switch (remedy.cause) {
       case Remedy::Cause::NotReproduced:
         return "No remedy was tested: copies from the start" + (remedy.from ? " and from t = " + seconds_text(*remedy.from) : "") +

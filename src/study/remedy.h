@@ -30,6 +30,10 @@ struct Remedy {
   bool has_recommended_margin = false;  // whether the advice has the measured margin below that limit
   std::vector<std::string> warnings;  // of the run monitor about the test with it; only where every setting that does not diverge has some
   std::optional<double> from;         // [s], of the recorded state that the copies started from; none: the start of the run
+  // The edit to which the divergence is due: with what it changed as it was before, a copy ran through for as long as with the advice.
+  std::optional<RecentChange> change{};
+  // A method that is stable at any step, tested like the advice; none if the advice is one, or none was found.
+  std::optional<Advice> implicit{};
 };
 
 // A limit on the work: approximately the number of springs and points times the force evaluations of all copies. The default takes a second
@@ -47,7 +51,8 @@ using RemedyProgress = std::function<void(const std::string& test)>;
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work = default_remedy_work,
                    const RemedyProgress& report = {});
 
-// From the start of the run or, where that does not diverge again because it was edited since, from the state before the failure.
+// From the last recorded state before the energy grew or, where there is none or it does not diverge again, from the start of the run.
+// Finds the edit that the divergence is due to, if it is due to one.
 Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const RemedyProgress& report = {});
 
 // "Cause: ... Tested for 2 s: Velocity Verlet with 80 substeps per frame runs through." One line.
