@@ -4,7 +4,9 @@
 #include "app/app.h"
 #include "app/document/files.h"
 #include "base/overloaded.h"
+#include "base/printable.h"
 #include "scene/parameters.h"
+#include "study/comparison_file.h"
 
 namespace hooke {
 namespace {
@@ -53,6 +55,11 @@ void App::handle(const Request& request) {
                  [this](const DiscardRecovery& unwanted) { document_.discard_recovery(unwanted.which); },
                  [this](const CancelWork&) { file_task_.stop(); },
                  [this](const StopComparison&) { comparison_.stop(); },
+                 [this](const StopResultCheck&) { result_check_.stop(); },
+                 [this](const ExplainStretch&) { stretch_.start(status(), selection_.springs); },
+                 [this](const SaveComparison& save) { save_comparison(save.extension); },
+                 [this](const SetGhosts& ghosts) { ghost_runs_.set(ghosts, status(), lab_); },
+                 [this](const ShowFailure&) { show_failure(); },
                  [this](const StartExport&) { exporter_.start(); },
                  [this](const StopExport&) { exporter_.stop(); },
                  [this](const StartPlacement& start) { start_placement(start); },
@@ -100,8 +107,48 @@ void App::cancel() {
 }
 
 void App::compare_methods() {
-  panels_.comparison_shown = true;
+  panels_.show_at_left(&panels_.comparison_shown);
   comparison_.start(status());
+}
+
+void App::check_result() {
+  panels_.show_at_left(&panels_.result_check_shown);
+  result_check_.start(status());
+}
+
+// Shows the panel with the exact solution, or with a first setting to compare with; hides it if it is already shown.
+void App::show_ghosts(bool with_exact) {
+  Ghosts& ghosts = panels_.ghosts;
+  if (ghosts.is_shown) {
+    ghosts = {};
+  } else {
+    panels_.show_at_left(&ghosts.is_shown);
+    ghosts.with_exact = with_exact;
+    if (!with_exact) ghosts.settings = {first_ghost(status().snapshot->settings)};
+  }
+  ghost_runs_.set({ghosts.with_exact, ghosts.settings}, status(), lab_);
+}
+
+void App::save_comparison(const std::string& extension) {
+  const auto result = comparison_.status().result;
+  if (!result) return;
+  const std::filesystem::path file = document_.new_file_beside("-methods" + extension);
+  const std::string error = write_comparison(*result, file);
+  if (error.empty())
+    panels_.show_toast("Saved to " + printable(file.native()));
+  else
+    panels_.show_message("Cannot write the chart", error);
+}
+
+void App::show_failure() {
+  const auto& divergence = status().snapshot->divergence;
+  if (!divergence) return;
+  selection_ = {};
+  if (divergence->spring)
+    selection_.springs = {*divergence->spring};
+  else if (divergence->point)
+    selection_.points = {*divergence->point};
+  camera_control_.frame_selection();
 }
 
 // Closes the gallery, because commands act on the scene.

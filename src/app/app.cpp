@@ -62,6 +62,9 @@ void App::build_frame(const FrameStatistics& frame_statistics) {
   forecaster_.follow(status());
   method_advisor_.follow(status(), panels_.accuracy_shown);
   comparison_.follow();
+  result_check_.follow();
+  stretch_.follow();
+  ghost_runs_.follow(status(), lab_);
   const auto& divergence = status().snapshot->divergence;
   remedy_search_.follow(status(), divergence && panels_.dismissed != divergence->time);
   if (tool_.is_pressed())
@@ -112,18 +115,22 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
           .cheaper = method_advisor_.newest(),
           .remedy = remedy_search_.status(),
           .comparison = comparison_.status(),
+          .result_check = result_check_.status(),
+          .stretch = stretch_.status(),
           .new_spring = tool_.action() == Action::DragTool ? std::nullopt : marks_.ghost_spring};
 }
 
 void App::update_marks() {
   marks_ = {.selected_points = selection_.points, .selected_springs = selection_.springs};
+  const auto& ghosts = status().companions.list;
+  for (std::size_t i = 0; i < ghosts.size(); ++i)
+    if (ghosts[i].positions) marks_.ghost_networks.push_back({ghosts[i].positions, to_color(ghost_color(i))});
   if (placer_.is_on()) return placer_.mark(marks_);
   if ((mouse_.is_over_scene() || tool_.is_pressed()) && !camera_control_.is_dragging()) tool_.mark(mouse_.pointer(), marks_);
 
-  // the culprit of a divergence is highlighted until the cursor is over something else
-  if (const auto& divergence = tool_context_.snapshot().divergence; divergence && !marks_.hovered_point && !marks_.hovered_spring) {
-    marks_.hovered_point = divergence->point;
-    marks_.hovered_spring = divergence->spring;
+  if (const auto& divergence = tool_context_.snapshot().divergence) {
+    marks_.failed_point = divergence->point;
+    marks_.failed_spring = divergence->spring;
   }
 }
 
@@ -137,6 +144,9 @@ void App::show(const Scene& scene) {
   camera_control_.show(scene);
   take_switches(scene.view);
   forecaster_.clear();
+  panels_.ghosts = {};
+  panels_.lesson_steps_done = 0;
+  ghost_runs_.set({}, status(), lab_);
 }
 
 // Applies the view settings of the scene; the user may change them afterwards.
@@ -159,8 +169,8 @@ ViewOptions App::view_options() const {
 
 bool App::is_idle() const {
   return !file_task_.is_running() && !exporter_.is_running() && !captures_.is_busy() && !remedy_search_.is_running() &&
-         !comparison_.is_running() && !status().run.running && panels_.toast.empty() && !tool_.is_pressed() &&
-         !camera_control_.is_dragging();
+         !comparison_.is_running() && !result_check_.is_running() && !stretch_.is_running() && !status().run.running &&
+         panels_.toast.empty() && !tool_.is_pressed() && !camera_control_.is_dragging();
 }
 
 void App::finish() {

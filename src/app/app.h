@@ -24,8 +24,11 @@
 #include "app/work/comparison_task.h"
 #include "app/work/file_task.h"
 #include "app/work/forecaster.h"
+#include "app/work/ghost_runs.h"
 #include "app/work/method_advisor.h"
 #include "app/work/remedy_search.h"
+#include "app/work/result_check_task.h"
+#include "app/work/stretch_task.h"
 #include "ui/panels.h"
 
 namespace hooke {
@@ -90,6 +93,10 @@ class App {
   void start_placement(const StartPlacement& start);
   void set_start();
   void compare_methods();
+  void check_result();
+  void show_ghosts(bool with_exact);
+  void save_comparison(const std::string& extension);
+  void show_failure();
   void cancel();
   void open_search();
   void show_or_hide_plots();
@@ -119,6 +126,9 @@ class App {
   MethodAdvisor method_advisor_;
   RemedySearch remedy_search_;
   ComparisonTask comparison_;
+  ResultCheckTask result_check_;
+  StretchTask stretch_;
+  GhostRuns ghost_runs_;
   Document document_;
   Captures captures_;
   Exporter exporter_;

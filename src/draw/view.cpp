@@ -29,6 +29,31 @@ void set_state(bool is_spatial) {
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
+// Other runs of the network: its springs and points in one color each.
+void add_ghost_networks(const DrawContext& context, Strokes& strokes, PointImpostors& impostors) {
+  const auto scale = static_cast<float>(context.options.scale);
+  const System& system = *context.snapshot.system;
+  const bool is_dense = system.springs().size() > 500;
+  // more rings than this would hide the run
+  constexpr std::size_t max_ghost_points = 24;
+  for (auto ghost = context.marks.ghost_networks.rbegin(); ghost != context.marks.ghost_networks.rend(); ++ghost) {
+    const std::vector<Vec3>& places = *ghost->positions;
+    if (places.size() != system.points().size()) continue;
+    for (const Spring& spring : system.springs()) {
+      if (!system.is_on(spring) || spring.family == SpringFamily::Shear || spring.family == SpringFamily::Bend) continue;
+      strokes.add(context.projection, places[system.index_of(spring.first)], places[system.index_of(spring.second)],
+                  rgba(ghost->color, is_dense ? 0.45 : 0.85), (is_dense ? 1.0f : 1.75f) * scale);
+    }
+    if (places.size() > max_ghost_points) continue;
+    for (const Vec3& place : places) {
+      const glm::dvec4 clip = context.projection.clip(place);
+      const PointImpostor point{
+          .radius = 2.5f * scale, .body = rgba(ghost->color, 0.5), .ring = 4.5f * scale, .ring_color = rgba(ghost->color)};
+      impostors.add(context.projection, clip, context.projection.project(clip), point);
+    }
+  }
+}
+
 void add_ghosts(const DrawContext& context, Strokes& strokes, PointImpostors& impostors) {
   const auto scale = static_cast<float>(context.options.scale);
   const Rgba color = rgba(context.palette.hover, 0.55);
@@ -39,6 +64,8 @@ void add_ghosts(const DrawContext& context, Strokes& strokes, PointImpostors& im
     const PointImpostor ghost{.radius = 3.0f * scale, .body = color, .ring = 7.0f * scale, .ring_color = color};
     impostors.add(context.projection, clip, context.projection.project(clip), ghost);
   }
+
+  add_ghost_networks(context, strokes, impostors);
 
   // Many overlapping lines must stay faint.
   const double faint = context.marks.ghost_lines.size() > 500 ? 0.28 : 0.5;

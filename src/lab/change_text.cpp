@@ -99,6 +99,16 @@ Named quantity_of(const Command& command) {
 
 }  // namespace
 
+bool can_cause_failure(const Command& command) {
+  return std::visit(
+      []<class T>(const T&) {
+        return !std::is_same_v<T, SetPointColor> && !std::is_same_v<T, SetTexture> && !std::is_same_v<T, GoToState> &&
+               !std::is_same_v<T, SetTorn> && !std::is_same_v<T, MarkTorn> && !std::is_same_v<T, Replace> &&
+               !std::is_same_v<T, ReleaseHand>;
+      },
+      command);
+}
+
 std::string value_before(const Command& command, const Scene& scene) {
   const System& system = scene.system;
   return std::visit(Overloaded{

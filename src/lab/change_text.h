@@ -17,6 +17,9 @@ struct RecordedChange {
   double time = 0.0;
 };
 
+// Whether a command affects the motion and is an edit, not the laboratory's own: only these can make a run diverge.
+bool can_cause_failure(const Command& command);
+
 // What a command sets, as it is now: "185", "Velocity Verlet". Empty for commands that set no single value.
 std::string value_before(const Command& command, const Scene& scene);
 

@@ -20,17 +20,6 @@ double thread_cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Edits that affect the motion, besides those of the laboratory itself.
-bool can_cause_failure(const Command& command) {
-  return std::visit(
-      []<class T>(const T&) {
-        return !std::is_same_v<T, SetPointColor> && !std::is_same_v<T, SetTexture> && !std::is_same_v<T, GoToState> &&
-               !std::is_same_v<T, SetTorn> && !std::is_same_v<T, MarkTorn> && !std::is_same_v<T, Replace> &&
-               !std::is_same_v<T, ReleaseHand>;
-      },
-      command);
-}
-
 using Clock = std::chrono::steady_clock;
 
 double milliseconds_since(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }

@@ -27,6 +27,8 @@ void build_panels(const PanelInput& input, Panels& panels, Requests& requests) {
     build_placement(input, panels, requests);
     build_accuracy(input, panels, requests);
     build_comparison(input, panels, requests);
+    build_result_check(input, panels, requests);
+    build_ghosts(input, panels, requests);
   }
   build_export(input, panels, requests);
   build_keys(input, panels);

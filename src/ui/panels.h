@@ -16,6 +16,8 @@
 #include "study/cheaper_method.h"
 #include "study/compare_methods.h"
 #include "study/remedy.h"
+#include "study/check/result_check.h"
+#include "study/check/stretch.h"
 #include "ui/export_state.h"
 #include "ui/icons.h"
 #include "ui/layout.h"
@@ -68,6 +70,21 @@ struct ComparisonStatus {
   std::shared_ptr<const MethodComparison> result;  // of the last one; null: none
 };
 
+// The check of the result of the scene.
+struct ResultCheckStatus {
+  bool is_running = false;
+  double fraction = 0.0, seconds = 0.0;       // done, and taken so far
+  std::shared_ptr<const ResultCheck> result;  // of the last one; null: none
+};
+
+// The explanation of the stretch of selected springs.
+struct StretchStatus {
+  bool is_running = false;
+  double fraction = 0.0, seconds = 0.0;            // done, and taken so far
+  std::vector<SpringId> springs;                   // that the result is about
+  std::shared_ptr<const StretchBreakdown> result;  // of the last one; null: none
+};
+
 // The input of the panels, constant while a frame is built.
 struct PanelInput {
   const Status& status;
@@ -93,6 +110,8 @@ struct PanelInput {
   std::optional<CheaperMethod> cheaper{};  // than the present one, for the same error
   RemedyStatus remedy{};
   ComparisonStatus comparison{};
+  ResultCheckStatus result_check{};
+  StretchStatus stretch{};
   // The spring that is being attached.
   std::optional<std::pair<Vec3, Vec3>> new_spring{};
 
@@ -144,6 +163,14 @@ struct Search {
   int highlighted = 0;  // the row that Enter chooses
 };
 
+// The panel of the runs beside the run on screen. Closing it ends them.
+struct Ghosts {
+  bool is_shown = false;
+  bool with_exact = false;
+  std::vector<Settings> settings;
+  static constexpr std::size_t max_settings = 4;
+};
+
 struct Panels {
   ViewOptions view;
   Dialog dialog;
@@ -170,6 +197,9 @@ struct Panels {
   bool plots_shown = false;
   bool accuracy_shown = false;
   bool comparison_shown = false;
+  bool result_check_shown = false;
+  unsigned lesson_steps_done = 0;  // one bit for each step of the lesson that is open
+  Ghosts ghosts;
   double plot_seconds = 1e9;                                      // [s], maximum time span of the plots
   std::optional<double> plot_end;                                 // [s], end of the time span; without a value it follows the newest time
   bool plot_is_dragged = false;                                   // since the mouse was pressed over a plot
@@ -182,6 +212,11 @@ struct Panels {
   std::vector<Rect> floating;                                     // panels over the scene in the last frame
   AffectedPartsCache affected_parts;
 
+  // Of the panels at the left edge of the scene only one is shown.
+  void show_at_left(bool* shown) {
+    comparison_shown = result_check_shown = ghosts.is_shown = false;
+    *shown = true;
+  }
   void show_toast(std::string line) { toast = std::move(line), toast_until = -1.0; }
   void open_dialog(Dialog::Kind kind, std::string typed = {}) { dialog = {.kind = kind, .typed = std::move(typed), .is_new = true}; }
   void open_file_dialog(Dialog::Kind kind, std::filesystem::path folder, std::string typed = {}) {
@@ -215,7 +250,11 @@ void start_placement(const ShapeKind* shape, const PanelInput& input, Panels& pa
 void build_menu(const PanelInput& input, Panels& panels, Requests& requests);
 void build_toolbar(const PanelInput& input, Requests& requests);
 void build_side(const PanelInput& input, Panels& panels, Requests& requests);
+// The steps of a lesson; each is checked off when it was done.
+void build_lesson(const PanelInput& input, Panels& panels);
 void build_inspector(const PanelInput& input, Panels& panels, Requests& requests);
+// What stretches the selected springs.
+void build_stretch(const PanelInput& input, Requests& requests);
 void build_parameters(const PanelInput& input, Panels& panels, Requests& requests);
 void build_forces(const PanelInput& input, Panels& panels, Requests& requests);
 // The default plots: the energies.
@@ -230,6 +269,10 @@ void build_placement(const PanelInput& input, Panels& panels, Requests& requests
 void build_accuracy_line(const PanelInput& input, Panels& panels);
 void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests);
 void build_comparison(const PanelInput& input, Panels& panels, Requests& requests);
+void build_result_check(const PanelInput& input, Panels& panels, Requests& requests);
+// Ghosts: runs beside the run, and their distance from it. `ghost_color` is that of the n-th in the scene and in the panel.
+void build_ghosts(const PanelInput& input, Panels& panels, Requests& requests);
+ImU32 ghost_color(std::size_t n);
 void build_status_bar(const PanelInput& input);
 void build_axes(const PanelInput& input, Panels& panels, Requests& requests);
 void build_overlays(const PanelInput& input, Panels& panels, Requests& requests);

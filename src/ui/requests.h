@@ -52,6 +52,20 @@ struct DiscardRecovery {
 struct CancelWork {};
 // Stop the comparison of methods in progress.
 struct StopComparison {};
+struct StopResultCheck {};
+// Compute what stretches the selected springs.
+struct ExplainStretch {};
+// Write the compared methods to a file beside the document: ".svg", ".png", ".csv" or ".json".
+struct SaveComparison {
+  std::string extension;
+};
+// Run these settings beside the run, from its present state on, drawn as ghosts; `with_exact`: and the exact solution, or a reference.
+struct SetGhosts {
+  bool with_exact = false;
+  std::vector<Settings> settings;
+};
+// Move the camera to where the run diverged.
+struct ShowFailure {};
 // Export what panels.export_state describes, or stop the export in progress.
 struct StartExport {};
 struct StopExport {};
@@ -81,9 +95,9 @@ enum class Answer {
   KeepMine,   // keep the scene as it is
 };
 
-using Request =
-    std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, OpenSystemDialog, LookFrom, Recover, DiscardRecovery,
-                 CancelWork, StopComparison, StartExport, StopExport, StartPlacement, CloseDialog, LoadMesh, Place, StopPlacement, Answer>;
+using Request = std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, OpenSystemDialog, LookFrom, Recover,
+                             DiscardRecovery, CancelWork, StopComparison, StopResultCheck, ExplainStretch, SaveComparison, SetGhosts, ShowFailure,
+                             StartExport, StopExport, StartPlacement, CloseDialog, LoadMesh, Place, StopPlacement, Answer>;
 using Requests = std::vector<Request>;
 
 }  // namespace hooke

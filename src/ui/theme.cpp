@@ -142,6 +142,11 @@ void load_theme(double scale, double density) {
 const Fonts& fonts() { return current_fonts; }
 float units(double length) { return static_cast<float>(length * current_scale); }
 
+Color to_color(ImU32 packed) {
+  const auto channel = [&](int shift) { return static_cast<std::uint8_t>((packed >> shift) & 0xff); };
+  return {channel(IM_COL32_R_SHIFT), channel(IM_COL32_G_SHIFT), channel(IM_COL32_B_SHIFT)};
+}
+
 ImU32 to_imgui(Color color, int alpha) { return IM_COL32(color.red, color.green, color.blue, alpha); }
 
 }  // namespace hooke

@@ -36,5 +36,6 @@ const Fonts& fonts();
 float units(double length);
 
 ImU32 to_imgui(Color color, int alpha = 255);
+Color to_color(ImU32 packed);
 
 }  // namespace hooke

@@ -31,7 +31,7 @@ testing::AssertionResult shows(GuiFixture& gui, const std::string& text) {
 
 TEST(Wording, OfTheHintsBelowTheSliders) {
   GuiFixture gui(load_scene(find_scene("cloth")).scene);
-  EXPECT_TRUE(shows(gui, "\u03c9h = 1.7 (limit 2)"));
+  EXPECT_TRUE(shows(gui, "\u03c9h = 1.7, 84 % of the limit"));
 }
 
 // Of two springs that oscillate equally fast, with different dashpots.

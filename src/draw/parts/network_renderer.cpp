@@ -188,6 +188,7 @@ void NetworkRenderer::add_marks(const DrawContext& context, Strokes& strokes, Po
   };
   const float thin = spring_stroke(context), width = thin + static_cast<float>(emphasis_now) * (full_width - thin);
   for (const SpringId id : context.marks.selected_springs) add_spring(id, rgba(context.palette.selected, 0.7), width);
+  if (context.marks.failed_spring) add_spring(*context.marks.failed_spring, rgba(context.palette.failed, 0.85), 1.6f * full_width);
   if (context.marks.hovered_spring) add_spring(*context.marks.hovered_spring, rgba(context.palette.hover, 0.35), full_width);
 
   // Only rings: the points themselves are already drawn.
@@ -205,6 +206,9 @@ void NetworkRenderer::add_marks(const DrawContext& context, Strokes& strokes, Po
       const double distance = is_plain ? ring_distance * emphasis_now : std::max(1.0, ring_distance * emphasis_now);
       if (distance >= 1.0) add_ring(i, distance, rgba(context.palette.selected));
     }
+  if (context.marks.failed_point)
+    if (const Index i = system.index_of(*context.marks.failed_point); i != no_index)
+      for (const double distance : {5.0, 10.0}) add_ring(i, distance, rgba(context.palette.failed));
   if (!context.marks.hovered_point) return;
   if (const Index i = system.index_of(*context.marks.hovered_point); i != no_index)
     add_ring(i, selected_[i] ? 6.0 : 4.0, rgba(context.palette.hover, 0.8));

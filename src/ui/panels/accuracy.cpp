@@ -156,6 +156,9 @@ void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests)
     predictability_section(input.status.accuracy);
     energy_section(input.status.accuracy);
     cost_section(input, requests);
+    heading("Is this real?");
+    if (ImGui::Button("Check this result")) requests.emplace_back(Action::CheckResult);
+    tooltip(Action::CheckResult, "half the step, and twice the resolution of sheets and ropes");
   } else {
     paragraph("Switched off: no error is shown.", palette::dim);
   }

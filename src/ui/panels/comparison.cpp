@@ -242,11 +242,17 @@ void buttons(const ComparisonStatus& status, Panels& panels, Requests& requests)
   }
   if (status.result && !status.result->record.rows.empty()) {
     ImGui::SameLine();
-    const bool is_copied = ImGui::Button("Copy", {units(54.0), units(30.0)});
-    tooltip("Copy the values as CSV");
-    if (is_copied) {
-      ImGui::SetClipboardText(format_csv({.conditions = {}, .date = {}, .problems = {status.result->record}}).c_str());
-      panels.show_toast("Copied " + count(static_cast<int>(status.result->record.rows.size()), "row"));
+    if (ImGui::Button("Save...", {units(66.0), units(30.0)})) ImGui::OpenPopup("save");
+    tooltip("Save the chart or its values beside the document, or copy the values");
+    if (ImGui::BeginPopup("save")) {
+      for (const auto& [label, extension] : {std::pair{"Chart as SVG", ".svg"}, std::pair{"Chart as PNG", ".png"},
+                                             std::pair{"Values as CSV", ".csv"}, std::pair{"Values as JSON", ".json"}})
+        if (ImGui::MenuItem(label)) requests.emplace_back(SaveComparison{extension});
+      if (ImGui::MenuItem("Copy values as CSV")) {
+        ImGui::SetClipboardText(format_csv({.conditions = {}, .date = {}, .problems = {status.result->record}}).c_str());
+        panels.show_toast("Copied " + count(static_cast<int>(status.result->record.rows.size()), "row"));
+      }
+      ImGui::EndPopup();
     }
   }
   ImGui::SameLine(ImGui::GetWindowWidth() - units(64.0) - ImGui::GetStyle().WindowPadding.x);

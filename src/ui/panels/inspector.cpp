@@ -185,6 +185,7 @@ void build_inspector(const PanelInput& input, Panels& panels, Requests& requests
   if (!section("Selection", what)) return;
   if (points > 0) point_rows(inspected, panels, requests);
   if (springs > 0) spring_rows(inspected, panels, requests);
+  if (springs > 0) build_stretch(input, requests);
 }
 
 }  // namespace hooke

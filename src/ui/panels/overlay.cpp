@@ -2,6 +2,7 @@
 // that explains why a run stopped.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -144,13 +145,58 @@ std::string remedy_label(const Remedy& remedy, const Settings& settings) {
   return text.append(count(advice.substeps, "substep"));
 }
 
-// Sets what was tested, beyond the slider's range if needed, and runs from the state that it was tested from.
-void take_remedy(const Remedy& remedy, const Settings& settings, Requests& requests) {
-  const bool changes_method = remedy.advice->integrator != settings.integrator;
-  if (changes_method) requests.emplace_back(Edit{SetIntegrator{remedy.advice->integrator}});
-  requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(remedy.advice->substeps)}, changes_method});
+// Runs from the state that the remedy was tested from.
+void run_from(const Remedy& remedy, Requests& requests) {
   requests.emplace_back(remedy.from ? Control(GoToTime{*remedy.from}) : Control(GoToStart{}));
   requests.emplace_back(Control(SetRunning{true}));
+}
+
+// Sets what was tested, beyond the slider's range if needed.
+void take(const Advice& advice, const Settings& settings, Requests& requests) {
+  const bool changes_method = advice.integrator != settings.integrator;
+  if (changes_method) requests.emplace_back(Edit{SetIntegrator{advice.integrator}});
+  requests.emplace_back(Edit{RestoreParameter{&substeps_parameter, static_cast<double>(advice.substeps)}, changes_method});
+}
+
+// A button of the banner of a run that stopped, and what it requests.
+struct WayOut {
+  std::string label, hint;
+  std::function<void(Requests&)> take;
+};
+
+std::vector<WayOut> ways_out(const PanelInput& input) {
+  const Status& status = input.status;
+  const Settings& settings = status.snapshot->settings;
+  std::vector<WayOut> ways;
+  if (const auto& found = input.remedy.found) {
+    const Remedy& remedy = *found;
+    if (remedy.advice)
+      ways.push_back({remedy_label(remedy, settings) + "###remedy", "Sets what was tested, and runs", [&](Requests& requests) {
+                        take(*remedy.advice, settings, requests);
+                        run_from(remedy, requests);
+                      }});
+    if (remedy.change)
+      ways.push_back({"Restore the previous value###restore", remedy.change->text + ", back; and runs", [&](Requests& requests) {
+                        bool continues = false;
+                        for (const Command& command : remedy.change->restore)
+                          requests.emplace_back(Edit{command, std::exchange(continues, true)});
+                        run_from(remedy, requests);
+                      }});
+    if (remedy.implicit) {
+      const std::string_view label = remedy.implicit->integrator->label;
+      ways.push_back({"Use " + std::string(label.substr(0, label.find(" ("))) + "###implicit",
+                      "A method that is stable at any step, tested like the substeps; runs", [&](Requests& requests) {
+                        take(*remedy.implicit, settings, requests);
+                        run_from(remedy, requests);
+                      }});
+    }
+  }
+  if (!status.history.undo_name.empty())
+    ways.push_back({"Undo###undo", status.history.undo_name, [](Requests& requests) { requests.emplace_back(Action::Undo); }});
+  if (status.snapshot->divergence->point || status.snapshot->divergence->spring)
+    ways.push_back({"Show where###show", "Moves the camera to where the run failed",
+                    [](Requests& requests) { requests.emplace_back(ShowFailure{}); }});
+  return ways;
 }
 
 // A message with buttons below it.
@@ -220,18 +266,21 @@ void banners(const PanelInput& input, Panels& panels, Requests& requests) {
     const Settings& settings = status.snapshot->settings;
     const auto& [test, found] = input.remedy;
     const std::string outcome = found ? describe(*found, settings) : test.empty() ? "" : test + "...";
-    const std::string label = found && found->advice ? remedy_label(*found, settings) : "";
     Banner banner{"stopped", {status.diagnosis.message}, {"Dismiss"}, palette::alarm, palette::bad};
+    const auto& changes = status.diagnosis.failed ? status.diagnosis.failed->changes : std::vector<RecentChange>{};
+    if (!found && !changes.empty()) banner.texts.back() += " Last change: " + changes.front().text + ".";
     if (!outcome.empty()) banner.texts.push_back(outcome);
-    if (!label.empty()) banner.buttons.push_back(label);
+    const std::vector<WayOut> ways = ways_out(input);
+    for (const WayOut& way : ways) banner.buttons.push_back(way.label.substr(0, way.label.find("###")));
     begin_banner(banner, scene, down, panels);
     if (ImGui::Button("Dismiss")) panels.dismissed = divergence->time;
-    if (!label.empty()) {
-      same_line_for(label.c_str());
-      if (ImGui::Button((label + "###remedy").c_str())) {
-        take_remedy(*found, settings, requests);
-        panels.file_warnings.clear();
-      }
+    for (const WayOut& way : ways) {
+      same_line_for(way.label.substr(0, way.label.find("###")).c_str());
+      const bool is_pressed = ImGui::Button(way.label.c_str());
+      if (!way.hint.empty()) tooltip(way.hint);
+      if (!is_pressed) continue;
+      way.take(requests);
+      if (!way.label.ends_with("###show")) panels.file_warnings.clear();
     }
     down += end_banner() + units(8.0);
   }

@@ -62,6 +62,8 @@ void step_remark(const Snapshot& snapshot) {
     text += " (always unstable)";
   else if (std::isinf(limit))
     text += " (no limit)";
+  else if (fraction > 0.8 && fraction <= 1.0)
+    text += ", " + number_text(std::floor(100.0 * fraction)) + " % of the limit";
   else
     text += " (limit " + number_text(snapshot.omega * limit, 3) + ")";
   std::string description =

@@ -60,6 +60,7 @@ void build_side(const PanelInput& input, Panels& panels, Requests& requests) {
   // another scene is read from its top
   if (std::exchange(panels.side_to_top, false)) ImGui::SetScrollY(0.0f);
   scene_section(input);
+  build_lesson(input, panels);
   legend_section(input, panels);
   build_inspector(input, panels, requests);
   build_parameters(input, panels, requests);
