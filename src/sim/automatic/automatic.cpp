@@ -1,9 +1,9 @@
 #include "sim/automatic/automatic.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "base/formatted.h"
 
 namespace hooke {
 namespace {
@@ -56,18 +56,18 @@ std::string describe(const MethodChoice& choice, const Settings& settings) {
   const double error = error_per_second(choice, settings), tolerance = automatic_tolerance(settings);
   const std::string name(choice.method->label.substr(0, choice.method->label.find(" (")));
   const std::string steps = name + ", " + std::to_string(choice.substeps) + (choice.substeps == 1 ? " substep" : " substeps");
-  std::array<char, 128> text{};
+  std::string text;
   if (!std::isfinite(error))
-    std::snprintf(text.data(), text.size(), ": tolerance not met: no method could be tested on this frame.");
+    text = ": tolerance not met: no method could be tested on this frame.";
   else if (error > tolerance)
-    std::snprintf(text.data(), text.size(), ": tolerance not met: %.1g m/s%s.", error, choice.budget > 0.0 ? " within the budget" : "");
+    text = formatted(": tolerance not met: %.1g m/s%s.", error, choice.budget > 0.0 ? " within the budget" : "");
   else if (choice.substeps == choice.min_substeps && choice.min_substeps > 1)
-    std::snprintf(text.data(), text.size(), ": limited by stability; the error, %.1g m/s, is %s the tolerance.", error,
-                  error < 0.01 * tolerance ? "far below" : "within");
+    text = formatted(": limited by stability; the error, %.1g m/s, is %s the tolerance.", error,
+                     error < 0.01 * tolerance ? "far below" : "within");
   else
-    std::snprintf(text.data(), text.size(), ": the error is %.1g m/s.", error);
+    text = formatted(": the error is %.1g m/s.", error);
   const bool is_late = choice.budget > 0.0 && choice.cost > 1.25 * choice.budget;
-  return steps + text.data() + (is_late ? " Nothing that is stable is within the budget." : "");
+  return steps + text + (is_late ? " Nothing that is stable is within the budget." : "");
 }
 
 void ToleranceMonitor::add_frame(const Settings& settings, const State& after) {
@@ -81,10 +81,8 @@ void ToleranceMonitor::add_frame(const Settings& settings, const State& after) {
 
 std::string ToleranceMonitor::warning() const {
   if (beyond_ == 0) return {};
-  std::array<char, 64> error{};
-  if (std::isfinite(max_error_)) std::snprintf(error.data(), error.size(), ": up to %.2g m/s", max_error_);
   return "the tolerance was not met in " + std::to_string(beyond_) + " of " + std::to_string(frames_) + " frames" +
-         (std::isfinite(max_error_) ? error.data() : "");
+         (std::isfinite(max_error_) ? formatted(": up to %.2g m/s", max_error_) : "");
 }
 
 }  // namespace hooke
