@@ -30,6 +30,8 @@ void write_dimensions(Scene& scene, double value) {
     scene.system.dimensions = 2;
 }
 
+bool has_contact_of_points(const Scene& scene) { return scene.system.contact.points; }
+
 constexpr std::array parameterizations{
     ParameterChoice{"plain", "Each spring: k, d", "Every spring has exactly the k and d given; a finer mesh behaves differently."},
     ParameterChoice{"per_strain", "By strain: Y, d",
@@ -195,6 +197,26 @@ constexpr std::array rows{
               .min = 0, .max = 2, .default_value = 0.3, .scope = Scope::Colliders, .collider = &Collider::friction,
               .read = [](const Scene& s) { return first_of_colliders(s, &Collider::friction); },
               .write = [](Scene& s, double value) { set_colliders(s, &Collider::friction, value); }},
+    Parameter{.name = "contact_points", .field = "contact.points", .group = parameter_group::contact, .label = "Points touch", .unit = "",
+              .description = "Whether points collide with each other, as spheres of their radii, unless a spring joins them where they touch.",
+              .kind = Kind::Switch, .default_value = 0, .omit_if_default = true,
+              .read = [](const Scene& s) { return s.system.contact.points ? 1.0 : 0.0; },
+              .write = [](Scene& s, double value) { s.system.contact.points = value != 0.0; }},
+    Parameter{.name = "contact_thickness", .field = "contact.thickness", .group = parameter_group::contact, .label = "Thickness", .unit = "m",
+              .description = "Distance between the surfaces of two points at which they touch.",
+              .min = 0, .max = 0.1, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true, .applies = has_contact_of_points,
+              .read = [](const Scene& s) { return s.system.contact.thickness; },
+              .write = [](Scene& s, double value) { s.system.contact.thickness = value; }},
+    Parameter{.name = "contact_restitution", .field = "contact.restitution", .group = parameter_group::contact, .label = "Restitution of points", .unit = "",
+              .description = "Ratio of the normal speeds after and before an impact of two points.",
+              .min = 0, .max = 1, .default_value = 0, .physical = {.min = 0, .max = 1}, .omit_if_default = true, .applies = has_contact_of_points,
+              .read = [](const Scene& s) { return s.system.contact.restitution; },
+              .write = [](Scene& s, double value) { s.system.contact.restitution = value; }},
+    Parameter{.name = "contact_friction", .field = "contact.friction", .group = parameter_group::contact, .label = "Friction of points", .unit = "",
+              .description = "Coulomb friction coefficient between two points.",
+              .min = 0, .max = 2, .default_value = 0.3, .physical = not_negative, .omit_if_default = true, .applies = has_contact_of_points,
+              .read = [](const Scene& s) { return s.system.contact.friction; },
+              .write = [](Scene& s, double value) { s.system.contact.friction = value; }},
     Parameter{.name = "new_stiffness", .field = "defaults.stiffness", .group = parameter_group::new_parts, .label = "New springs' k", .unit = "N/m",
               .description = "Stiffness of springs that are added from now on.",
               .min = 0.01, .max = 1e6, .default_value = 100, .physical = not_negative, .logarithmic = true,

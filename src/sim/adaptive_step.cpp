@@ -13,11 +13,13 @@ namespace {
 // What a step adds to or overwrites besides positions and velocities.
 struct Counters {
   MethodMemory memory;
-  double collider_work, contact_work, limit_work, local_error;
+  double collider_work, contact_work, hand_work, abs_hand_work, limit_work, local_error;
   explicit Counters(const Motion& motion)
       : memory(motion.memory),
         collider_work(motion.collider_work),
         contact_work(motion.contact_work),
+        hand_work(motion.hand_work),
+        abs_hand_work(motion.abs_hand_work),
         limit_work(motion.limit_work),
         local_error(motion.local_error) {}
   // For another attempt with this step [s]. A memory without an error stands for a first step, whose length the method chooses itself:
@@ -26,6 +28,8 @@ struct Counters {
     motion.memory = {.step = step, .error = memory.error > 0.0 ? memory.error : motion.memory.error};
     motion.collider_work = collider_work;
     motion.contact_work = contact_work;
+    motion.hand_work = hand_work;
+    motion.abs_hand_work = abs_hand_work;
     motion.limit_work = limit_work;
     motion.local_error = local_error;
   }
@@ -44,8 +48,8 @@ void restore(const ContactWorkspace& state, Motion& motion) {
   motion.acceleration_is_current = false;
 }
 
-// Without a collider and a strain limit a step needs no correction.
-bool has_corrections(const Plan& plan) { return !plan.colliders.empty() || !plan.max_length.empty(); }
+// Without contact and a strain limit a step needs no correction.
+bool has_corrections(const Plan& plan) { return plan.has_contact() || !plan.max_length.empty(); }
 
 }  // namespace
 
@@ -66,6 +70,7 @@ void AdaptiveStep::begin_frame(const Plan& plan, const Motion& motion) {
   free_step_ = 0.0;
   if (!has_corrections(plan)) return;
   for (Field* field : {&before_.x, &before_.v, &piece_.x, &piece_.v, &coarse_x_, &coarse_v_}) field->resize(motion.x.size());
+  for (ContactWorkspace* work : {&before_, &piece_}) work->pairs.begin_frame();
 }
 
 // Strain limit first, then contact. Returns whether anything touched.
@@ -74,7 +79,7 @@ bool AdaptiveStep::correct(const Plan& plan, ContactWorkspace& before, Motion& m
     motion.acceleration_is_current = false;
     was_corrected_ = true;
   }
-  if (plan.colliders.empty() || !resolve_contacts(plan, before, motion, h)) return false;
+  if (!plan.has_contact() || !resolve_contacts(plan, before, motion, h)) return false;
   motion.acceleration_is_current = false;
   was_corrected_ = true;
   return true;

@@ -135,7 +135,9 @@ std::optional<Divergence> find_divergence(const System& system, const State& sta
   if (!is_finite(state) || !std::isfinite(divergence.energy) || !std::isfinite(divergence.scale))
     divergence.kind = Divergence::Kind::NotFinite;
   else if (failure != StepFailure::None)
-    divergence.kind = failure == StepFailure::TooShort ? Divergence::Kind::StepTooShort : Divergence::Kind::TooManySteps;
+    divergence.kind = failure == StepFailure::TooShort  ? Divergence::Kind::StepTooShort
+                      : failure == StepFailure::TooMany ? Divergence::Kind::TooManySteps
+                                                        : Divergence::Kind::TooManyPairs;
   else if (divergence.energy > divergence_factor * divergence.scale + state.ledger.hand_stretch &&
            divergence.energy > divergence_fraction * present)
     divergence.kind = Divergence::Kind::EnergyGain;

@@ -1,5 +1,5 @@
-// Detects that a run diverged: a state that is not finite, an unexplained gain of energy, points implausibly far away, or an adaptive
-// method that finds no step.
+// Detects that a run diverged: a state that is not finite, an unexplained gain of energy, points implausibly far away, an adaptive
+// method that finds no step, or too many pairs of points within reach of each other.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace hooke {
 
 // Why a frame was rejected, and what diverged first.
 struct Divergence {
-  enum class Kind { NotFinite, EnergyGain, Implausible, StepTooShort, TooManySteps };
+  enum class Kind { NotFinite, EnergyGain, Implausible, StepTooShort, TooManySteps, TooManyPairs };
   Kind kind = Kind::NotFinite;
   double time = 0.0;               // [s], end of the rejected frame
   double energy = 0.0;             // [J], beyond what was supplied; not finite for NotFinite

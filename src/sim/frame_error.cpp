@@ -10,7 +10,7 @@
 namespace hooke {
 namespace {
 
-bool has_contact(const System& system) { return std::ranges::any_of(system.colliders, &Collider::solid); }
+bool has_contact(const System& system) { return system.contact.points || std::ranges::any_of(system.colliders, &Collider::solid); }
 
 }  // namespace
 

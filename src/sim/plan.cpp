@@ -225,9 +225,10 @@ void refresh_values(Plan& plan, const System& system) {
   plan_length_limits(plan, system);
   refresh_grids(plan);
   plan_colliders(plan, system);
+  plan.pairs = plan_pairs(system);
   plan_forces(plan, system);
   plan.radius.clear();
-  if (!plan.colliders.empty() || !plan.forces.empty())
+  if (plan.has_contact() || !plan.forces.empty())
     for (const Point& point : system.points()) plan.radius.push_back(point.radius);
 
   plan.spectrum = bound_spectrum(system);
@@ -368,7 +369,8 @@ Spectrum bound_spectrum(const System& system) {
   spectrum.force_omega = std::sqrt(force_stiffness);
   spectrum.omega = std::sqrt(spectrum.omega + force_stiffness);
   spectrum.drag_rate = system.drag_rate();
-  spectrum.contact = std::any_of(system.colliders.begin(), system.colliders.end(), [](const Collider& collider) { return collider.solid; });
+  spectrum.contact = system.contact.points ||
+                     std::any_of(system.colliders.begin(), system.colliders.end(), [](const Collider& collider) { return collider.solid; });
   spectrum.min_dashpot_ratio = std::isfinite(min_ratio) ? min_ratio : 0.0;
   return spectrum;
 }

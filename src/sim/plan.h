@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/contact/pair_plan.h"
 #include "sim/grid.h"
 #include "sim/system.h"
 
@@ -70,7 +71,7 @@ struct Spectrum {
   bool is_bounded = true;          // false: there is a listed force without a bound, which is not counted
   double drag_rate = 0.0;          // [1/s]
   double min_dashpot_ratio = 0.0;  // [s], minimum of damping / stiffness over the springs
-  bool contact = false;            // whether there are solid colliders
+  bool contact = false;            // whether there are solid colliders, or points touch
   // Of the listed forces, for warnings: estimates where there is no bound [rad/s], [1/s]; and the highest frequency of the derivatives that
   // implicit methods leave out [rad/s].
   double estimated_omega = 0.0, estimated_rate = 0.0, omitted_omega = 0.0;
@@ -101,11 +102,12 @@ struct Plan {
   std::vector<double> break_length;  // [m], of the packed spring, at which it breaks; empty: none breaks
   std::vector<double> max_length;    // [m], of the strain limit; empty: no limit
 
-  std::vector<double> radius;         // [m], per point; empty: no colliders and no listed forces
+  std::vector<double> radius;         // [m], per point; empty: no contact and no listed forces
   std::vector<Collider> colliders;    // the solid ones, at the start of their paths
   std::vector<Index> collider_index;  // of the planned collider, in the System
   bool colliders_move = false;        // along their paths or with the hand
   std::optional<GrabbedCollider> grabbed_collider;
+  PairPlan pairs;                           // of points that touch
   std::vector<Force> forces;                // those switched on, in the order of the table
   bool forces_depend_on_velocity = false;   // whether any of them does
   std::vector<std::array<Index, 3>> faces;  // of points; empty without listed forces
@@ -116,6 +118,7 @@ struct Plan {
 
   Spectrum spectrum;
 
+  bool has_contact() const { return !colliders.empty() || pairs.on; }
   bool has_dashpots() const { return !damping.empty(); }
 
   // Displacement of a collider from its rest position at a time, and its velocity.

@@ -13,9 +13,10 @@
 
 namespace hooke {
 
-// Why an adaptive method gave up: no step is short enough for a finite error, or a frame takes more than max_adaptive_evaluations force
-// evaluations, those of rejected steps included.
-enum class StepFailure { None, TooShort, TooMany };
+// Why a frame ended early: for an adaptive method no step is short enough for a finite error, or a frame takes more than
+// max_adaptive_evaluations force evaluations, those of rejected steps included; or more than PairSolver::max_pairs pairs of points come
+// within reach of each other in one substep.
+enum class StepFailure { None, TooShort, TooMany, TooManyPairs };
 inline constexpr long max_adaptive_evaluations = 2'000'000;
 
 // A frame in progress. Reused from frame to frame, so that stepping does not allocate:

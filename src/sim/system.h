@@ -97,6 +97,16 @@ struct Collider {
   bool operator==(const Collider&) const = default;
 };
 
+// Contact between points: spheres of their radii, which touch at a distance of both radii and the thickness. Points joined by a spring that
+// would touch at its rest length do not.
+struct PairContact {
+  bool points = false;
+  double thickness = 0.0;    // [m], >= 0
+  double restitution = 0.0;  // [1], 0..1: normal speed after / before
+  double friction = 0.3;     // [1], >= 0: Coulomb's mu
+  bool operator==(const PairContact&) const = default;
+};
+
 // The same shape moved by `displacement` [m], and the collider where its path has taken it by `time` [s].
 ColliderShape translated(ColliderShape shape, const Vec3& displacement);
 Collider translated(Collider collider, const Vec3& displacement);
@@ -160,6 +170,7 @@ class System {
   Vec3 wind{0.0};                                                       // [m/s], velocity of the air for the drag
   std::vector<Face> faces;
   std::vector<Collider> colliders;
+  PairContact contact;
   std::vector<Force> forces;  // besides gravity, springs, dashpots and drag
   std::optional<Grab> grab;
   double hand_speed = 0.0;                    // [m/s], speed limit of the hand; 0: none

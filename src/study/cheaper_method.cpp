@@ -60,7 +60,7 @@ class Frames {
 
 // Far more accurate than the present settings.
 Settings exact(const System& system, const Settings& settings, const Spectrum& spectrum) {
-  if (std::ranges::none_of(system.colliders, &Collider::solid))
+  if (!system.contact.points && std::ranges::none_of(system.colliders, &Collider::solid))
     return {.integrator = &dop853, .frame_rate = settings.frame_rate, .substeps = 1, .tolerance = 1e-13};
   const int stable = min_stable_substeps(blanes_moan4, spectrum, settings.frame_rate).value_or(settings.substeps);
   return {.integrator = &blanes_moan4, .frame_rate = settings.frame_rate, .substeps = 8 * std::max(stable, settings.substeps)};

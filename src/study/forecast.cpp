@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "sim/contact/gap.h"
+#include "sim/contact/pair_solver.h"
 #include "sim/motion.h"
 #include "sim/statics/equilibrium.h"
 
@@ -93,6 +94,15 @@ bool touches(const Plan& plan, const System& system, double time, const Field& x
   }
   return false;
 }
+// Whether points that touch each other do.
+bool touches_itself(const Plan& plan, const Field& x) {
+  if (!plan.pairs.on) return false;
+  constexpr double round_off = 1e-9;
+  std::vector<double> extent;
+  for (const double radius : plan.radius) extent.push_back((1.0 - round_off) * (radius + 0.5 * plan.pairs.thickness));
+  std::vector<PointPair> pairs;
+  return !PairSearch().find(plan, x, extent, pairs, PairSolver::max_pairs) || !pairs.empty();
+}
 bool is_overstretched(const Plan& plan, const System& system, const Field& x) {
   for (const SpringRun& run : plan.runs)
     for (Index e = 0; e < run.count; ++e) {
@@ -143,7 +153,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
   const double force_scale = compute_force_scale(plan);
   const auto finds_equilibrium = [&](double small, double enough) {
     return find_equilibrium(plan, matrix, small * force_scale, max_steps, x, stop) <= enough * force_scale &&
-           !touches(plan, system, time, x) && !is_overstretched(plan, system, x);
+           !touches(plan, system, time, x) && !touches_itself(plan, x) && !is_overstretched(plan, system, x);
   };
   const Index supported = count_supported(plan);
   const bool has_weight = plan.acceleration != Vec3(0.0);
@@ -151,7 +161,9 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
   if (has_weight && supported > 0) {
     if (supported < count_free(plan)) return std::nullopt;
     if (!finds_equilibrium(target_residual, equilibrium_residual)) {
-      forecast.why_no_sag = touches(plan, system, time, x) ? "it rests on a collider" : "no equilibrium found";
+      forecast.why_no_sag = touches(plan, system, time, x) ? "it rests on a collider"
+                            : touches_itself(plan, x)      ? "points touch each other"
+                                                           : "no equilibrium found";
       return std::nullopt;
     }
     forecast.why_no_sag = plan.gravity == Vec3(0.0) ? "no weight" : "no unloaded shape found";

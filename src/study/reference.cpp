@@ -47,8 +47,8 @@ std::pair<int, int> convergence_orders(const Integrator& method, const Problem& 
   if (system.drag_rate() > 0.0) order = std::min(order, method.order_drag);
   if (std::any_of(system.springs().begin(), system.springs().end(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; }))
     order = std::min(order, method.order_damped);
-  const bool collides =
-      std::any_of(system.colliders.begin(), system.colliders.end(), [](const Collider& collider) { return collider.solid; });
+  const bool collides = system.contact.points || std::any_of(system.colliders.begin(), system.colliders.end(),
+                                                             [](const Collider& collider) { return collider.solid; });
   return {collides ? std::min(order, method.order_contact) : order, order};
 }
 

@@ -102,8 +102,10 @@ Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
         copy.system.scripted_hand.reset();
       }))
     return Hand;
-  if (!system.colliders.empty() && is_cured_without(start, seconds, budget, [](Scene& copy) {
+  const bool has_contact = !system.colliders.empty() || system.contact.points;
+  if (has_contact && is_cured_without(start, seconds, budget, [](Scene& copy) {
         copy.system.colliders.clear();
+        copy.system.contact.points = false;
         copy.state.hand.collider.reset();
       }))
     return Contact;
@@ -278,7 +280,7 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
       case Remedy::Cause::Force:
         return "Cause: the listed forces; without them it does not diverge.";
       case Remedy::Cause::Contact:
-        return "Cause: contact; without the colliders it does not diverge.";
+        return "Cause: contact; without it the scene does not diverge.";
       case Remedy::Cause::Hand:
         return "Cause: the hand; without it the scene does not diverge.";
       case Remedy::Cause::Springs:

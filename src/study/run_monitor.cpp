@@ -20,6 +20,7 @@ double unexplained_energy(const System& system, const State& state) {
 bool loses_energy(const System& system) {
   const auto may_dissipate = [](const Force& force) { return force.on && force.term->power != nullptr; };
   return std::ranges::any_of(system.forces, may_dissipate) || system.drag_rate() > 0.0 || !system.colliders.empty() ||
+         system.contact.points ||
          std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; });
 }
 

@@ -30,6 +30,32 @@ TEST(SceneFile, OmittedFieldsHaveTheDocumentedValues) {
   EXPECT_EQ(scene.view, ViewSettings{});
 }
 
+TEST(SceneFile, ContactBetweenPointsIsOffUnlessGivenAndIsKept) {
+  EXPECT_EQ(parse(R"({"hooke": 1})").system.contact, PairContact{});
+  EXPECT_EQ(format_scene(parse(R"({"hooke": 1})")).find("contact"), std::string::npos);
+  const PairContact given{.points = true, .thickness = 0.004, .restitution = 0.5, .friction = 0.1};
+  const Scene scene = parse(R"({"hooke": 1, "contact": {"points": true, "thickness": 0.004, "restitution": 0.5, "friction": 0.1}})");
+  EXPECT_EQ(scene.system.contact, given);
+  EXPECT_EQ(parse(format_scene(scene)).system.contact, given);
+}
+
+TEST(SceneFile, PointsThatTouchAndOverlapAreReported) {
+  const std::string points = R"("points": [{"position": [0, 0, 0], "radius": 0.2}, {"position": [0.25, 0, 0], "radius": 0.2},
+                                          {"position": [0.5, 0, 0], "radius": 0.2}, {"position": [0.7, 0, 0], "radius": 0.2}])";
+  const auto scene = [&](const std::string& rest) { return "{\"hooke\": 1, \"dimensions\": 2, " + points + rest + "}"; };
+  EXPECT_TRUE(warnings_of(scene("")).empty());
+  EXPECT_EQ(warnings_of(scene(R"(, "contact": {"points": true})")),
+            std::vector<std::string>{
+                "test.json: contact.points: 3 pairs of points overlap, points 2 and 3 most, by 0.2 m: they cannot get closer, "
+                "and separate slowly"});
+  // neither do those that a spring joins
+  EXPECT_EQ(warnings_of(scene(
+                R"(, "contact": {"points": true}, "springs": [{"points": [2, 3], "stiffness": 1}, {"points": [0, 1], "stiffness": 1}])")),
+            std::vector<std::string>{
+                "test.json: contact.points: 1 pair of points overlaps, points 1 and 2 most, by 0.15 m: they cannot get closer, "
+                "and separate slowly"});
+}
+
 TEST(SceneFile, TwoSpringsBetweenTheSamePointsStayTwo) {
   const Scene scene = parse(R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}],
                                 "springs": [{"points": [0, 1], "stiffness": 1}, {"points": [1, 0], "stiffness": 2}]})");

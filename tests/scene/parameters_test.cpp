@@ -26,6 +26,7 @@ TEST(Parameters, ReadBackWhatWasWrittenWithinTheirRange) {
   scene.sheet = std::make_shared<const SheetWeights>(
       SheetWeights{std::vector<double>(scene.system.points().size(), 0.3), std::vector<double>(springs.size(), 0.7)});
   for (const Parameter& parameter : parameters()) {
+    scene.system.contact.points = true;
     bool applies = parameter.applies == nullptr;
     for (int parameterization = 3; parameterization >= 0; --parameterization) {
       scene.parameterization = static_cast<SpringParameterization>(parameterization);

@@ -12,6 +12,7 @@
 #include "formats/scene_json/network_reader.h"
 #include "formats/scene_json/scene_sections.h"
 #include "formats/texture.h"
+#include "scene/overlap_warning.h"
 #include "scene/step_limits.h"
 
 namespace hooke {
@@ -93,6 +94,7 @@ LoadedScene SceneReader::read() {
     scene_.sheet = std::make_shared<const SheetWeights>(SheetWeights{std::move(network.sheet_areas), std::move(network.sheet_weights)});
   set_print_layout(scene_);
   if (const auto warning = step_warning(scene_.system, scene_.state, scene_.settings)) fields_.warn(*warning);
+  if (const auto warning = overlap_warning(scene_.system, scene_.state)) fields_.warn(*warning);
   return {std::move(scene_), fields_.warnings(name_)};
 }
 
@@ -122,6 +124,8 @@ void SceneReader::read_member(std::string_view key, std::string_view text) {
     scene_.system.gravity = fields_.position(field);
   else if (field.is("wind"))
     scene_.system.wind = fields_.position(field);
+  else if (field.is("contact"))
+    read_contact(field, fields_, scene_);
   else if (field.is("hand"))
     read_hand(field, fields_, scene_);
   else if (field.is("simulation"))

@@ -146,6 +146,15 @@ void read_force(const JsonField& field, SceneFields& fields, Scene& scene) {
   scene.system.forces.push_back(force);
 }
 
+void read_contact(const JsonField& field, SceneFields& fields, Scene& scene) {
+  for (const JsonField member : field.members()) {
+    if (member.is("springs") || member.is("faces")) {
+      if (member.boolean()) member.refuse("must be false: only points touch each other in this version");
+    } else if (!read_parameter(member, scene))
+      fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
+  }
+}
+
 void read_hand(const JsonField& field, SceneFields& fields, Scene& scene) {
   ScriptedHand hand;
   bool has_point = false, has_circle = false, has_speed = false, has_seconds = false;

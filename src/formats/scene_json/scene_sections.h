@@ -1,4 +1,4 @@
-// The objects of a scene file, its colliders and forces.
+// The objects of a scene file, its colliders, contact and forces.
 #pragma once
 
 #include "formats/scene_json/scene_fields.h"
@@ -12,6 +12,7 @@ bool read_parameter(const JsonField& field, Scene& scene);
 // Each throws InputError, and preserves unknown keys in the scene.
 void read_collider(const JsonField& field, SceneFields& fields, Scene& scene);
 void read_force(const JsonField& field, SceneFields& fields, Scene& scene);
+void read_contact(const JsonField& field, SceneFields& fields, Scene& scene);
 void read_hand(const JsonField& field, SceneFields& fields, Scene& scene);
 void read_simulation(const JsonField& field, SceneFields& fields, Scene& scene);
 void read_view(const JsonField& field, SceneFields& fields, Scene& scene);

@@ -42,6 +42,7 @@ class SceneWriter {
   void write_collider(std::size_t c);
   void write_path(const ColliderPath& path);
   void write_force(std::size_t f);
+  void write_contact();
   void write_hand();
   void write_simulation();
   void write_defaults();
@@ -91,6 +92,7 @@ std::string SceneWriter::write() {
     out_.raw(scene_.preserved_json.generators);
   }
   write_list("colliders", system_.colliders.size(), [&](std::size_t c) { write_collider(c); });
+  write_contact();
   write_list("forces", system_.forces.size(), [&](std::size_t f) { write_force(f); });
 
   write_hand();
@@ -244,6 +246,15 @@ void SceneWriter::write_force(std::size_t f) {
   if (!force.on) out_.boolean("on", false);
   for (std::size_t i = 0; i < force.term->numbers.size(); ++i) out_.number(force.term->numbers[i].name, force.values[i]);
   write_unknown_inside("forces[" + std::to_string(f) + "]");
+  out_.end();
+}
+
+void SceneWriter::write_contact() {
+  if (system_.contact == PairContact{} && !has_unknown_inside("contact")) return;
+  out_.key("contact");
+  out_.begin_object(Layout::Line);
+  write_parameters("contact");
+  write_unknown_inside("contact");
   out_.end();
 }
 

@@ -78,6 +78,7 @@ class Exporter {
     }
     if (unsupported > 0) report_loss(pluralize(unsupported, "collider", "colliders"));
     if (moving > 0) report_loss("the motion of " + pluralize(moving, "collider", "colliders"));
+    if (system_.contact.points) report_loss("contact between points");
   }
 
   const Wall* wall_at(XspSide side) const {

@@ -32,13 +32,15 @@ double push_work(const Plan& plan, const ContactWorkspace& before, Motion& motio
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
   const auto n = static_cast<std::size_t>(plan.points);
   const std::span<const Obstacle> obstacles = find_obstacles(plan, before.time, h, before.obstacles);
-  bool touched = false;
   before.first_touch = std::numeric_limits<double>::infinity();
   before.pushed.clear();
   before.pushed.reserve(n);
+  const bool has_pairs = plan.pairs.on;
+  bool touched = has_pairs && before.pairs.resolve(plan, obstacles, before.x, before.v, h, motion);
+  if (touched) before.first_touch = before.pairs.first_touch();
   double contact_work = 0.0;  // [J], in addition to the work of the forces
-  for (std::size_t i = 0; i < n; ++i) {
-    if (plan.inverse_mass[i] == 0.0) continue;
+  for (std::size_t i = 0; i < n && !obstacles.empty(); ++i) {
+    if (plan.inverse_mass[i] == 0.0 || (has_pairs && before.pairs.has_resolved(static_cast<Index>(i)))) continue;
     const Vec3 x0 = vector_at(before.x, n, i, plan.dimensions), x1 = vector_at(motion.x, n, i, plan.dimensions);
     const Vec3 v0 = vector_at(before.v, n, i, plan.dimensions), v1 = vector_at(motion.v, n, i, plan.dimensions);
     const double radius = plan.radius[i], bulge = 0.125 * h * glm::length(v1 - v0);

@@ -1,8 +1,9 @@
-// Points against solid colliders: plane, sphere, box, each inflated by the point's radius; restitution and Coulomb
-// friction.
+// Points against solid colliders: plane, sphere, box, each inflated by the point's radius; and against each other (pair_solver.h).
+// Restitution and Coulomb friction.
 #pragma once
 
 #include "sim/contact/obstacle.h"
+#include "sim/contact/pair_solver.h"
 #include "sim/motion.h"
 
 namespace hooke {
@@ -19,6 +20,7 @@ struct ContactWorkspace {
     Vec3 position, displacement;
   };
   std::vector<Pushed> pushed;
+  PairSolver pairs;
 };
 
 // Corrects the step of h that led from (before.x, before.v) to (motion.x, motion.v). A point's path within the step is
@@ -29,7 +31,8 @@ struct ContactWorkspace {
 // step, it comes to rest; resting points keep their bits. All of this is relative to moving colliders, whose positions at
 // both ends of the step are exact, with parabolas between them; their work on the points is added to
 // motion.collider_work, and so is the work of moving out points that start inside. A point sliding on several surfaces is carried by their
-// mean velocity, weighted by friction. Returns whether anything touched.
+// mean velocity, weighted by friction. Points that may touch others within the step are left to the PairSolver. Returns whether anything
+// touched.
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h);
 
 }  // namespace hooke

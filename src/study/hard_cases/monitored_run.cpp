@@ -46,6 +46,8 @@ std::string describe_stop(Lab& lab, const State& before) {
       case Divergence::Kind::StepTooShort:
       case Divergence::Kind::TooManySteps:
         return "no feasible step";
+      case Divergence::Kind::TooManyPairs:
+        return "too many pairs in contact";
     }
     return "";
   };

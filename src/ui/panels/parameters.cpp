@@ -167,7 +167,7 @@ void build_parameters(const PanelInput& input, Panels& panels, Requests& request
     const Parameter& row = rows[i];
     if (row.group != group) {
       group = row.group;
-      const bool starts_open = group != parameter_group::hand && group != parameter_group::points;
+      const bool starts_open = group != parameter_group::hand && group != parameter_group::points && group != parameter_group::contact;
       open = section(std::string(group), scope_of(group, parts.slider_springs, *input.status.snapshot->system), starts_open);
       if (open && group == parameter_group::simulation) method_row(input, panels, requests);
     }

@@ -1,0 +1,211 @@
+#include "sim/contact/pair_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace hooke {
+namespace {
+
+Vec3 vector_in(const Plan& plan, const Field& field, Index i) {
+  const auto n = static_cast<std::size_t>(plan.points);
+  return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
+}
+
+bool is_fixed(const Plan& plan, Index i) { return plan.inverse_mass[i] == 0.0; }
+
+double touching_distance(const Plan& plan, const PointPair& pair) {
+  return plan.radius[pair.i] + plan.radius[pair.j] + plan.pairs.thickness;
+}
+
+}  // namespace
+
+bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
+                         Motion& motion) {
+  has_failed_ = false;
+  is_involved_.assign(plan.points, 0);
+  // a motion that is not finite has diverged
+  if (!measure(plan, obstacles, x0, v0, h, motion)) return false;
+  wanted_.assign(plan.points, 0.0);
+  if (!is_covered(plan, x0) && !find_pairs(plan, x0)) return false;
+  if (!involve_pairs(plan, x0)) return false;
+
+  // again from the start when a point gets farther than expected, to where there may be others
+  while (true) {
+    fill(plan, obstacles, x0, v0, h, motion);
+    simulation_.begin(h);
+    bool is_complete = is_within_bounds(plan, x0, h);
+    while (is_complete && simulation_.advance()) is_complete = is_within_bounds(plan, x0, h);
+    if (is_complete) break;
+    if (!is_covered(plan, x0) && !find_pairs(plan, x0)) {
+      is_involved_.assign(plan.points, 0);
+      return false;
+    }
+  }
+  write(plan, motion);
+  return simulation_.any_touched();
+}
+
+// Returns whether all are finite.
+bool PairSolver::measure(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
+                         const Motion& motion) {
+  free_.resize(plan.points);
+  double sum = 0.0;
+  for (Index i = 0; i < plan.points; ++i) {
+    const Vec3 from = vector_in(plan, x0, i), to = vector_in(plan, motion.x, i);
+    const double change = h * glm::length(vector_in(plan, motion.v, i) - vector_in(plan, v0, i)), bulge = 0.125 * change;
+    FreeMotion& free = free_[i];
+    free.displacement = to - from;
+    free.deviation = bulge + 3.0 * change;
+    const double length = glm::length(free.displacement) + change;
+    // the path up to an obstacle is that without it, and then leads elsewhere, at most as fast as it and the obstacle are
+    for (const Obstacle& obstacle : obstacles)
+      if (!is_fixed(plan, i) && may_touch(obstacle, plan.radius[i], from, to, bulge, h))
+        free.deviation = std::max(free.deviation, bulge + 3.0 * change + 2.0 * (length + h * glm::length(obstacle.velocity_at(0.5 * h))));
+    free.reach = glm::length(free.displacement) + free.deviation;
+    sum += free.reach;
+  }
+  return std::isfinite(sum);
+}
+
+// Whether the pairs contain all points that may meet in this substep.
+bool PairSolver::is_covered(const Plan& plan, const Field& x0) const {
+  if (margin_.size() != free_.size()) return false;
+  for (Index i = 0; i < plan.points; ++i) {
+    const double moved = glm::length(vector_in(plan, x0, i) - vector_in(plan, found_at_, i));
+    if (!(moved + std::max(free_[i].reach, wanted_[i]) <= margin_[i])) return false;
+  }
+  return true;
+}
+
+bool PairSolver::find_pairs(const Plan& plan, const Field& x0) {
+  margin_.resize(plan.points);
+  extent_.resize(plan.points);
+  for (Index i = 0; i < plan.points; ++i) {
+    margin_[i] = std::max({0.5 * plan.radius[i], 4.0 * free_[i].reach, 2.0 * wanted_[i]});
+    extent_[i] = plan.radius[i] + 0.5 * plan.pairs.thickness + margin_[i];
+  }
+  found_at_ = x0;
+  has_failed_ = !search_.find(plan, x0, extent_, pairs_, max_pairs);
+  if (has_failed_) margin_.clear();
+  return !has_failed_;
+}
+
+// Marks the points that may touch another on their paths without contact.
+bool PairSolver::involve_pairs(const Plan& plan, const Field& x0) {
+  bool any = false;
+  for (const PointPair& pair : pairs_) {
+    const FreeMotion &first = free_[pair.i], &second = free_[pair.j];
+    const double distance = glm::length(vector_in(plan, x0, pair.i) - vector_in(plan, x0, pair.j));
+    const double approach = glm::length(first.displacement - second.displacement) + first.deviation + second.deviation;
+    if (distance > touching_distance(plan, pair) + approach + contact_tolerance(Vec3(distance))) continue;
+    is_involved_[pair.i] = is_involved_[pair.j] = 1;
+    any = true;
+  }
+  return any;
+}
+
+void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
+                      const Motion& motion) {
+  simulation_.clear();
+  watched_.clear();
+  path_of_.assign(plan.points, no_path);
+  const auto add_path = [&](Index i) {
+    if (path_of_[i] != no_path) return;
+    path_of_[i] = simulation_.paths.size();
+    const Vec3 x = vector_in(plan, x0, i), v = vector_in(plan, v0, i);
+    PointPath path{.point = i, .inverse_mass = plan.inverse_mass[i], .x = x, .v = v};
+    if (!is_fixed(plan, i)) {
+      const Vec3 change = vector_in(plan, motion.v, i) - v;
+      path.a = path.free_acceleration = change / h;
+      path.velocity_correction = (vector_in(plan, motion.x, i) - x) / h - v - 0.5 * change;
+      path.v += path.velocity_correction;
+      path.velocity_change = glm::length(change);
+    }
+    simulation_.paths.push_back(path);
+  };
+  for (Index i = 0; i < plan.points; ++i)
+    if (is_involved_[i] != 0) add_path(i);
+
+  for (const PointPair& pair : pairs_) {
+    const bool first = is_involved_[pair.i] != 0, second = is_involved_[pair.j] != 0;
+    if (!first && !second) continue;
+    if (first && second)
+      simulation_.touches.push_back({.first = path_of_[pair.i],
+                                     .second = path_of_[pair.j],
+                                     .point = pair.i,
+                                     .other = pair.j,
+                                     .distance = touching_distance(plan, pair),
+                                     .restitution = plan.pairs.restitution,
+                                     .friction = plan.pairs.friction});
+    else
+      watched_.push_back(first ? pair : PointPair{pair.j, pair.i});
+  }
+  for (std::size_t p = 0; p < simulation_.paths.size(); ++p) {
+    const Index i = simulation_.paths[p].point;
+    if (is_fixed(plan, i)) continue;
+    for (const Obstacle& obstacle : obstacles) {
+      const double moved =
+          h * (glm::length(obstacle.velocity_at(0.0)) + glm::length(obstacle.velocity_at(h)) + glm::length(obstacle.velocity_correction));
+      const Vec3 position = vector_in(plan, x0, i) - obstacle.offset_at(0.0);
+      if (gap_to(*obstacle.collider, plan.radius[i], position).distance > margin_[i] + moved) continue;
+      simulation_.touches.push_back({.first = p,
+                                     .obstacle = &obstacle,
+                                     .point = i,
+                                     .other = -2 - static_cast<Index>(&obstacle - obstacles.data()),
+                                     .distance = plan.radius[i],
+                                     .restitution = obstacle.collider->restitution,
+                                     .friction = obstacle.collider->friction});
+    }
+  }
+}
+
+// Whether the paths that have just changed stay within the margins and away from points that are not involved. Otherwise notes what is
+// missing.
+bool PairSolver::is_within_bounds(const Plan& plan, const Field& x0, double h) {
+  bool is_within = true;
+  const double left = h - simulation_.time();
+  for (const std::size_t p : simulation_.changed()) {
+    const PointPath& path = simulation_.paths[p];
+    const Vec3 x = path.position(simulation_.time()), v = path.velocity(simulation_.time());
+    const Vec3 start = vector_in(plan, x0, path.point);
+    const double length = left * (glm::length(v) + 0.5 * left * glm::length(path.a)) + 3.0 * h * path.velocity_change;
+    const double reach = glm::length(x - start) + length;
+    if (glm::length(start - vector_in(plan, found_at_, path.point)) + reach > margin_[path.point]) {
+      wanted_[path.point] = std::max(wanted_[path.point], reach);
+      is_within = false;
+    }
+    for (const PointPair& pair : watched_) {
+      if (pair.i != path.point || is_involved_[pair.j] != 0) continue;
+      const double distance = glm::length(x - vector_in(plan, x0, pair.j));
+      if (distance > touching_distance(plan, pair) + length + free_[pair.j].reach) continue;
+      is_involved_[pair.j] = 1;
+      is_within = false;
+    }
+  }
+  return is_within;
+}
+
+// Positions and velocities at the end, and the work of contact in addition to that of the forces.
+void PairSolver::write(const Plan& plan, Motion& motion) const {
+  const auto n = static_cast<std::size_t>(plan.points);
+  double work = 0.0;
+  bool is_held = false;
+  for (const PointPath& path : simulation_.paths) {
+    const Index i = path.point;
+    is_held = is_held || plan.held == i;
+    if (!path.is_changed) continue;
+    const Vec3 x1 = vector_in(plan, motion.x, i), v1 = vector_in(plan, motion.v, i), v = path.v - path.velocity_correction;
+    const Vec3 force = plan.mass[i] * path.free_acceleration;
+    work += 0.5 * plan.mass[i] * (glm::dot(v, v) - glm::dot(v1, v1)) - glm::dot(force, path.x - x1);
+    for (int c = 0; c < plan.dimensions; ++c) {
+      motion.x[c * n + i] = path.x[c];
+      motion.v[c * n + i] = v[c];
+    }
+  }
+  // what pushes may supply energy: the hand, or obstacles
+  (is_held ? motion.hand_work : plan.colliders_move ? motion.collider_work : motion.contact_work) += work;
+  if (is_held) motion.abs_hand_work += std::abs(work);
+}
+
+}  // namespace hooke

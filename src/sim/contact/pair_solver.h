@@ -1,0 +1,64 @@
+// Contact between points during a frame: which of them may touch in a substep, and their motion.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/contact/pair_search.h"
+#include "sim/contact/touch_simulation.h"
+#include "sim/motion.h"
+
+namespace hooke {
+
+// Pairs that come close enough to matter are found once for many substeps, with a margin for each point, and again as soon as a point has
+// used up its margin. What a substep does does not depend on the margins, but on its start and the forces of the last one in the frame.
+class PairSolver {
+ public:
+  // More pairs than this within reach of each other in one substep are a failure: of an unstable run, or a substep far too long.
+  static constexpr std::size_t max_pairs = 10'000'000;
+
+  // The pairs are found anew: points may have been edited.
+  void begin_frame() {
+    margin_.clear();
+    simulation_.begin_frame();
+  }
+
+  // Corrects the step of h from (x0, v0) to (motion.x, motion.v) for all points that may touch another, contact with obstacles included.
+  // Returns whether anything touched.
+  bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
+  // Whether the last call dealt with the point, which then needs nothing else.
+  bool has_resolved(Index i) const { return is_involved_[i] != 0; }
+  double first_touch() const { return simulation_.first_touch(); }  // [s], since the start of the last substep in which anything touched
+  // Whether the last call gave up: there are too many pairs.
+  bool has_failed() const { return has_failed_; }
+
+ private:
+  // What a point does in a substep without contact.
+  struct FreeMotion {
+    Vec3 displacement{0.0};  // [m]
+    double deviation = 0.0;  // [m], from the straight line, and what contact at rest reaches
+    double reach = 0.0;      // [m], bound on the distance from its start
+  };
+
+  bool measure(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, const Motion& motion);
+  bool is_covered(const Plan& plan, const Field& x0) const;
+  bool find_pairs(const Plan& plan, const Field& x0);
+  bool involve_pairs(const Plan& plan, const Field& x0);
+  void fill(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, const Motion& motion);
+  bool is_within_bounds(const Plan& plan, const Field& x0, double h);
+  void write(const Plan& plan, Motion& motion) const;
+
+  PairSearch search_;
+  std::vector<PointPair> pairs_;
+  Field found_at_;              // positions at which they were found
+  std::vector<double> margin_;  // [m], per point: up to which distance from there they are all; empty: not found in this frame
+  std::vector<double> wanted_, extent_;
+  std::vector<FreeMotion> free_;
+  std::vector<char> is_involved_;
+  std::vector<std::size_t> path_of_;  // per point
+  std::vector<PointPair> watched_;    // the first is involved, the second is not
+  TouchSimulation simulation_;
+  bool has_failed_ = false;
+};
+
+}  // namespace hooke

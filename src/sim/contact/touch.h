@@ -1,0 +1,55 @@
+// Points that may touch within a substep, and what they may touch.
+#pragma once
+
+#include <limits>
+
+#include "sim/contact/gap.h"
+#include "sim/contact/obstacle.h"
+
+namespace hooke {
+
+inline constexpr std::size_t no_path = std::numeric_limits<std::size_t>::max();
+
+// The path of a point through a substep: a parabola from `time` on.
+struct PointPath {
+  Index point = no_index;
+  double inverse_mass = 0.0;  // [1/kg]; 0: it follows its path whatever it touches
+  double time = 0.0;          // [s], since the start of the substep
+  Vec3 x{0.0}, v{0.0}, a{0.0};
+  Vec3 velocity_correction{0.0};  // [m/s], of the method's path, contained in v (contact.cpp)
+  Vec3 free_acceleration{0.0};    // [m/s^2], without contact
+  double velocity_change = 0.0;   // [m/s], of the whole substep without contact
+  bool is_changed = false;        // by contact
+  bool is_fixed = false;          // to an obstacle, for the rest of the substep
+
+  Vec3 position(double t) const { return x + (t - time) * (v + 0.5 * (t - time) * a); }
+  Vec3 velocity(double t) const { return v + (t - time) * a; }
+  void advance(double t) {
+    x = position(t);
+    v = velocity(t);
+    time = t;
+  }
+};
+
+// A point and another point or an obstacle, which it touches where their distance is `distance`.
+struct Touch {
+  std::size_t first = no_path, second = no_path;  // paths; second: none for an obstacle
+  const Obstacle* obstacle = nullptr;
+  Index point = no_index, other = no_index;  // the first point, and the second or, from -2 down, the obstacle: the same in every substep
+  double distance = 0.0;                     // [m]: for a pair, the sum of both radii and the thickness; for an obstacle, the radius
+  double restitution = 0.0;                  // [1]
+  double friction = 0.0;                     // [1]
+  double time = std::numeric_limits<double>::infinity();  // [s], of the next impact
+  bool is_near = false, is_at_rest = false;               // at the start of the substep; and since then
+  bool waits = false;                                     // for the next substep, unless it approaches fast
+
+  // of `settle`
+  Vec3 normal{0.0};             // from the second to the first
+  double gap = 0.0;             // [m]
+  double min_velocity = 0.0;    // [m/s], that the first must reach along the normal, relative to the second
+  Vec3 surface{0.0};            // [m/s], of the obstacle
+  double normal_impulse = 0.0;  // [N s]
+  Vec3 friction_impulse{0.0};   // [N s]
+};
+
+}  // namespace hooke

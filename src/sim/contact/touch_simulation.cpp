@@ -1,0 +1,345 @@
+#include "sim/contact/touch_simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "sim/contact/settle.h"
+#include "sim/contact/supports.h"
+
+namespace hooke {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+// What approaches at up to this many times the change of the velocities in a substep is at rest, and gets this many times as far in it as
+// that change leads.
+constexpr double resting_speed = 2.0, rest_reach = 3.0;
+// What is pushed into another at up to this many times that change waits for the next substep.
+constexpr double waiting_speed = 1.0;
+
+// The radius by which the shape is inflated.
+double inflation(const Touch& touch) { return touch.second != no_path ? 0.0 : touch.distance; }
+
+}  // namespace
+
+const Collider& TouchSimulation::shape_of(const Touch& touch) const {
+  if (touch.second == no_path) return *touch.obstacle->collider;
+  std::get<Sphere>(ball_.shape).radius = touch.distance;
+  return ball_;
+}
+
+// Of the first, as seen from the second.
+Parabola TouchSimulation::relative_path(const Touch& touch, double t) const {
+  const PointPath& first = paths[touch.first];
+  if (touch.second != no_path) {
+    const PointPath& second = paths[touch.second];
+    return {first.position(t) - second.position(t), first.velocity(t) - second.velocity(t), first.a - second.a};
+  }
+  const Obstacle& obstacle = *touch.obstacle;
+  return {first.position(t) - obstacle.offset_at(t), first.velocity(t) - obstacle.velocity_at(t) - obstacle.velocity_correction,
+          first.a - obstacle.acceleration};
+}
+
+Vec3 TouchSimulation::relative_surface_velocity(const Touch& touch, const Vec3& normal, const Vec3& relative_position) const {
+  return touch.second != no_path ? Vec3(0.0) : hooke::relative_surface_velocity(*touch.obstacle, normal, relative_position);
+}
+
+// A bound on what the accelerations change of the relative velocity during the substep [m/s].
+double TouchSimulation::velocity_change(const Touch& touch) const {
+  const double second = touch.second != no_path ? paths[touch.second].velocity_change : h_ * glm::length(touch.obstacle->acceleration);
+  return paths[touch.first].velocity_change + second;
+}
+
+// The speed of approach that is none [m/s].
+double TouchSimulation::quiet_speed(const Touch& touch) const {
+  const Vec3 second = touch.second != no_path ? paths[touch.second].v : touch.obstacle->velocity_at(time_);
+  return 1e-3 * velocity_change(touch) + 1e-12 * (glm::length(paths[touch.first].v) + glm::length(second));
+}
+
+// The speed of approach below which there is no restitution [m/s]: all bounces from the rebound e v on take 2 e v / (a (1 - e)).
+double TouchSimulation::rest_speed(const Touch& touch) const {
+  const double e = touch.restitution;
+  if (e == 0.0 || impacts_ > max_impacts()) return never;
+  return std::max(quiet_speed(touch), 0.5 * velocity_change(touch) * (1.0 - e) / e);
+}
+
+// The speed of approach at which there is no impact [m/s]. What is near at the start of the substep, and is pushed by an impact during it,
+// waits for the next substep, which settles all of it together.
+double TouchSimulation::ignored_speed(const Touch& touch) const {
+  return std::max(quiet_speed(touch), touch.waits ? waiting_speed * velocity_change(touch) : 0.0);
+}
+
+void TouchSimulation::begin(double h) {
+  h_ = h;
+  time_ = 0.0;
+  impacts_ = 0;
+  any_touched_ = false;
+  changed_.clear();
+  loads_.clear();
+  zone_.resize(paths.size());
+  std::iota(zone_.begin(), zone_.end(), 0);
+  find_resting();
+  if (!active_.empty()) rest();
+  for (Touch& touch : touches) predict(touch);
+}
+
+// What touches, or could within the substep, and does not approach so fast that it bounces.
+void TouchSimulation::find_resting() {
+  active_.clear();
+  for (std::size_t t = 0; t < touches.size(); ++t) {
+    Touch& touch = touches[t];
+    Parabola path = relative_path(touch, 0.0);
+    path.v -= paths[touch.first].velocity_correction;
+    path.v += touch.second != no_path ? paths[touch.second].velocity_correction : touch.obstacle->velocity_correction;
+    const Gap gap = gap_to(shape_of(touch), inflation(touch), path.x);
+    const double change = velocity_change(touch);
+    touch.is_near = gap.distance <= contact_tolerance(path.x) + rest_reach * h_ * change;
+    if (!touch.is_near) continue;
+    const double velocity = glm::dot(gap.normal, path.v);
+    if (velocity < -std::max(quiet_speed(touch), resting_speed * change)) continue;
+    touch.normal = gap.normal;
+    touch.gap = gap.distance;
+    touch.is_at_rest = true;
+    active_.push_back(t);
+  }
+}
+
+// Settles velocity_ at a time, of the motion or of the corrections.
+void TouchSimulation::settle_velocities(double t, bool is_correction, double tolerance) {
+  for (const std::size_t k : active_) {
+    Touch& touch = touches[k];
+    if (touch.second != no_path) continue;
+    const Vec3 position = paths[touch.first].x - touch.obstacle->offset_at(0.0);
+    touch.surface = is_correction ? touch.obstacle->velocity_correction
+                                  : touch.obstacle->velocity_at(t) + relative_surface_velocity(touch, touch.normal, position);
+  }
+  settle(touches, active_, paths, tolerance, velocity_);
+  for (const std::size_t k : active_) {
+    const Touch& touch = touches[k];
+    if (touch.normal_impulse == 0.0) continue;
+    change(touch.first);
+    if (touch.second != no_path) change(touch.second);
+  }
+}
+
+// Starts from the forces of the last substep, which are nearly the same.
+void TouchSimulation::recall_loads() {
+  for (const std::size_t k : active_) {
+    Touch& touch = touches[k];
+    const auto load = std::ranges::lower_bound(last_, std::array{touch.point, touch.other}, {}, &Load::points);
+    if (load == last_.end() || load->points != std::array{touch.point, touch.other}) continue;
+    touch.normal_impulse = h_ / last_h_ * load->normal;
+    touch.friction_impulse = h_ / last_h_ * tangential(touch.normal, load->friction);
+  }
+}
+
+// The displacements that separate what overlaps by more than what waiting leads to, slowly: a fifth of it, and at most a tenth of what the
+// accelerations lead to within the substep. Velocities do not change: nothing flies apart.
+void TouchSimulation::find_separation(double tolerance) {
+  separation_.assign(paths.size(), Vec3(0.0));
+  bool any = false;
+  for (const std::size_t k : active_) {
+    Touch& touch = touches[k];
+    const double reach = h_ * velocity_change(touch), depth = std::max(0.0, -touch.gap - 4.0 * reach);
+    touch.min_velocity = std::min(0.2 * depth, 0.1 * reach);
+    touch.normal_impulse = 0.0;
+    touch.friction_impulse = touch.surface = Vec3(0.0);
+    any = any || touch.min_velocity > 0.0;
+  }
+  if (any) settle(touches, active_, paths, h_ * tolerance, separation_);
+}
+
+// First velocities change at once, so that nothing is closed before the end of the substep. Then forces act during it, so that nothing
+// overlaps at its end. The correction of the method's path must not lead into what touches either: it comes from forces that are balanced.
+void TouchSimulation::rest() {
+  const std::size_t n = paths.size();
+  velocity_.resize(n);
+  const auto reset = [&](std::size_t k, double min_velocity) {
+    touches[k].min_velocity = min_velocity;
+    touches[k].normal_impulse = 0.0;
+    touches[k].friction_impulse = Vec3(0.0);
+  };
+  double scale = 0.0;
+  for (const std::size_t k : active_) scale = std::max({scale, velocity_change(touches[k]), quiet_speed(touches[k])});
+  // what remains of velocities is removed by the forces, and what remains of those moves the points
+  const double rough = 1e-3 * scale, fine = 1e-5 * scale;
+
+  for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].v - paths[p].velocity_correction;
+  for (const std::size_t k : active_) reset(k, -std::max(0.0, touches[k].gap) / h_);
+  settle_velocities(0.0, false, rough);
+  for (const std::size_t p : changed_) paths[p].v = velocity_[p] + paths[p].velocity_correction;
+
+  for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].velocity_correction;
+  for (const std::size_t k : active_) reset(k, 0.0);
+  settle_velocities(0.0, true, rough);
+  for (const std::size_t p : changed_) {
+    paths[p].v += velocity_[p] - paths[p].velocity_correction;
+    paths[p].velocity_correction = velocity_[p];
+  }
+
+  // gap + h (v + v') / 2 >= 0
+  for (const std::size_t k : active_) {
+    Touch& touch = touches[k];
+    Vec3 v = paths[touch.first].v - paths[touch.first].velocity_correction;
+    v -= touch.second != no_path ? paths[touch.second].v - paths[touch.second].velocity_correction : touch.obstacle->velocity_at(0.0);
+    reset(k, std::min(0.0, -2.0 * std::max(0.0, touch.gap) / h_ - glm::dot(touch.normal, v)));
+  }
+  recall_loads();
+  for (std::size_t p = 0; p < n; ++p) velocity_[p] = paths[p].v - paths[p].velocity_correction + h_ * paths[p].a;
+  settle_velocities(h_, false, fine);
+  for (const std::size_t p : changed_) paths[p].a = (velocity_[p] - (paths[p].v - paths[p].velocity_correction)) / h_;
+  for (const std::size_t k : active_) {
+    const Touch& touch = touches[k];
+    if (touch.normal_impulse > 0.0) loads_.push_back({{touch.point, touch.other}, touch.normal_impulse, touch.friction_impulse});
+  }
+  find_separation(rough);
+}
+
+void TouchSimulation::change(std::size_t path) {
+  if (!any_touched_) first_touch_ = time_;
+  any_touched_ = true;
+  if (paths[path].inverse_mass == 0.0 || std::ranges::find(changed_, path) != changed_.end()) return;
+  paths[path].is_changed = true;
+  changed_.push_back(path);
+}
+
+// Sets the time of its next impact.
+void TouchSimulation::predict(Touch& touch) const {
+  touch.time = never;
+  touch.waits = touch.is_near && impacts_ > 0;
+  if (touch.is_at_rest || (touch.second != no_path && zone_[touch.first] == zone_[touch.second])) return;
+  const Parabola path = relative_path(touch, time_);
+  const Collider& shape = shape_of(touch);
+  const Gap gap = gap_to(shape, inflation(touch), path.x);
+  const double left = h_ - time_;
+  if (gap.distance > left * (glm::length(path.v) + 0.5 * left * glm::length(path.a)) + contact_tolerance(path.x)) return;
+
+  const double velocity = glm::dot(gap.normal, path.v), ignored = ignored_speed(touch);
+  if (gap.distance <= contact_tolerance(path.x) && velocity <= ignored) {
+    if (velocity < -ignored) touch.time = time_;
+    return;
+  }
+  if (const auto impact = first_impact(shape, inflation(touch), path, left)) touch.time = time_ + *impact;
+}
+
+bool TouchSimulation::advance() {
+  changed_.clear();
+  const auto next = std::ranges::min_element(touches, {}, &Touch::time);
+  if (next == touches.end() || !(next->time <= h_)) {
+    for (std::size_t p = 0; p < paths.size(); ++p) {
+      paths[p].advance(h_);
+      if (!active_.empty()) paths[p].x += separation_[p];
+    }
+    time_ = h_;
+    leave_obstacles();
+    std::ranges::sort(loads_, {}, &Load::points);
+    std::swap(last_, loads_);
+    last_h_ = h_;
+    return false;
+  }
+  time_ = next->time;
+  ++impacts_;
+  if (impacts_ > 2 * max_impacts())
+    freeze(*next);
+  else
+    respond(*next);
+  for (Touch& touch : touches) {
+    const bool is_affected = std::ranges::any_of(changed_, [&](std::size_t p) { return touch.first == p || touch.second == p; });
+    if (!is_affected) continue;
+    touch.is_at_rest = false;
+    predict(touch);
+  }
+  return true;
+}
+
+// Removes what rounding, and forces that are not quite those of rest, leave.
+void TouchSimulation::leave_obstacles() {
+  for (const Touch& touch : touches) {
+    PointPath& path = paths[touch.first];
+    if (touch.second != no_path || !path.is_changed) continue;
+    const Vec3 position = path.x - touch.obstacle->offset_at(h_);
+    const Gap gap = gap_to(shape_of(touch), inflation(touch), position);
+    if (gap.distance < -contact_tolerance(position)) path.x -= gap.distance * gap.normal;
+  }
+}
+
+void TouchSimulation::respond(Touch& touch) {
+  touch.time = never;
+  PointPath& first = paths[touch.first];
+  first.advance(time_);
+  if (touch.second != no_path) paths[touch.second].advance(time_);
+  const Parabola path = relative_path(touch, time_);
+  const Vec3 normal = gap_to(shape_of(touch), inflation(touch), path.x).normal;
+  const double approach = -glm::dot(normal, path.v);
+  if (approach <= ignored_speed(touch)) return;
+
+  const double restitution = approach <= rest_speed(touch) ? 0.0 : touch.restitution;
+  const double weight = first.inverse_mass + (touch.second != no_path ? paths[touch.second].inverse_mass : 0.0);
+  // what does not rebound leaves so slowly that the accelerations bring it back at the end of the substep
+  const double hop = std::clamp(-0.5 * (h_ - time_) * glm::dot(normal, path.a), 0.0, approach);
+  const double normal_impulse = (approach + std::max(restitution * approach, hop)) / weight;
+  const Vec3 slip = tangential(normal, path.v - relative_surface_velocity(touch, normal, path.x));
+  const double speed = glm::length(slip), friction = speed > 0.0 ? std::min(touch.friction * normal_impulse / speed, 1.0 / weight) : 0.0;
+  const Vec3 impulse = normal_impulse * normal - friction * slip;
+
+  // without a rebound, the corrections of the method's path must not separate them either
+  Vec3 correction(0.0);
+  if (restitution == 0.0) {
+    const Vec3 other = touch.second != no_path ? paths[touch.second].velocity_correction : touch.obstacle->velocity_correction;
+    correction = -glm::dot(normal, first.velocity_correction - other) / weight * normal;
+  }
+  first.v += first.inverse_mass * impulse;
+  first.velocity_correction += first.inverse_mass * correction;
+  change(touch.first);
+  if (touch.second == no_path) return;
+  PointPath& second = paths[touch.second];
+  second.v -= second.inverse_mass * impulse;
+  second.velocity_correction -= second.inverse_mass * correction;
+  change(touch.second);
+}
+
+// Fixes two points, with all those that they are fixed to, to each other or to the obstacle: an inelastic impact of all of them.
+void TouchSimulation::freeze(Touch& touch) {
+  touch.time = never;
+  const std::size_t zone = zone_[touch.first], other_zone = touch.second != no_path ? zone_[touch.second] : zone;
+  const auto is_member = [&](std::size_t p) { return zone_[p] == zone || zone_[p] == other_zone; };
+  double mass = 0.0;
+  Vec3 v(0.0), a(0.0), correction(0.0);
+  int held = 0;
+  for (std::size_t p = 0; p < paths.size(); ++p) {
+    if (!is_member(p)) continue;
+    PointPath& path = paths[p];
+    path.advance(time_);
+    if (path.inverse_mass == 0.0 || path.is_fixed) {
+      // all that are held in a zone have the same velocity
+      held = (zone_[p] == zone ? 1 : 2) | held;
+      v = path.v, a = path.a, correction = path.velocity_correction;
+    }
+  }
+  // between two that are held nothing can change
+  if (held == 3 || (held != 0 && touch.second == no_path)) return;
+  if (touch.second == no_path) {
+    v = touch.obstacle->velocity_at(time_) + touch.obstacle->velocity_correction;
+    a = touch.obstacle->acceleration;
+    correction = touch.obstacle->velocity_correction;
+  } else if (held == 0) {
+    for (std::size_t p = 0; p < paths.size(); ++p) {
+      if (!is_member(p)) continue;
+      const double m = 1.0 / paths[p].inverse_mass;
+      mass += m;
+      v += m * paths[p].v, a += m * paths[p].a, correction += m * paths[p].velocity_correction;
+    }
+    v /= mass, a /= mass, correction /= mass;
+  }
+  for (std::size_t p = 0; p < paths.size(); ++p) {
+    if (!is_member(p)) continue;
+    PointPath& path = paths[p];
+    path.v = v, path.a = a, path.velocity_correction = correction;
+    path.is_fixed = held != 0 || touch.second == no_path;
+    zone_[p] = std::min(zone, other_zone);
+    change(p);
+  }
+}
+
+}  // namespace hooke

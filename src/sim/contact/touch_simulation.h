@@ -1,0 +1,79 @@
+// The paths of points that may touch each other through one substep, with their impacts in the order of time.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/contact/touch.h"
+
+namespace hooke {
+
+// What touches without approaching at the start of the substep exerts constant forces during it (settle.h). Impacts follow at their times
+// on the parabolas: restitution along the normal, and the Coulomb impulse. An impact so slow that all its further bounces would fall within
+// the substep has no restitution; what is pushed into others slowly waits for the next substep. Where impacts follow one another without
+// end, points that hit each other become fixed to each other for the rest of the substep, and move on with their common momentum.
+class TouchSimulation {
+ public:
+  void clear() {
+    paths.clear();
+    touches.clear();
+  }
+  // In ascending order, of points and of pairs: filled before `begin`.
+  std::vector<PointPath> paths;
+  std::vector<Touch> touches;
+
+  // Forgets the forces of the last substep, from which those of the next are found.
+  void begin_frame() { last_.clear(); }
+  // Starts a substep of h [s].
+  void begin(double h);
+  // Handles the next impact. False: there is none in this substep, and all points are at its end.
+  bool advance();
+  // The paths that begin, or the last advance, changed.
+  std::span<const std::size_t> changed() const { return changed_; }
+  double time() const { return time_; }  // [s], since the start
+  bool any_touched() const { return any_touched_; }
+  double first_touch() const { return first_touch_; }  // [s], since the start
+
+ private:
+  // The forces of a touch at rest in the last substep, as impulses.
+  struct Load {
+    std::array<Index, 2> points{};
+    double normal = 0.0;  // [N s]
+    Vec3 friction{0.0};   // [N s]
+  };
+
+  void find_resting();
+  void rest();
+  void settle_velocities(double t, bool is_correction, double tolerance);
+  void recall_loads();
+  void find_separation(double tolerance);
+  void leave_obstacles();
+  void predict(Touch& touch) const;
+  void respond(Touch& touch);
+  void freeze(Touch& touch);
+  void change(std::size_t path);
+
+  const Collider& shape_of(const Touch& touch) const;
+  Parabola relative_path(const Touch& touch, double t) const;
+  Vec3 relative_surface_velocity(const Touch& touch, const Vec3& normal, const Vec3& relative_position) const;
+  double velocity_change(const Touch& touch) const;
+  double quiet_speed(const Touch& touch) const;
+  double rest_speed(const Touch& touch) const;
+  double ignored_speed(const Touch& touch) const;
+  long max_impacts() const { return 64 + 32 * static_cast<long>(paths.size()); }
+
+  double h_ = 0.0, time_ = 0.0, first_touch_ = 0.0;
+  long impacts_ = 0;
+  bool any_touched_ = false;
+  std::vector<Load> last_, loads_;  // in ascending order
+  double last_h_ = 0.0;
+  std::vector<std::size_t> active_;  // touches at rest at the start
+  std::vector<std::size_t> changed_;
+  std::vector<Vec3> velocity_;                // per path, while they settle
+  std::vector<Vec3> separation_;              // [m], per path
+  std::vector<std::size_t> zone_;             // per path: the first of those fixed to each other
+  mutable Collider ball_{.shape = Sphere{}};  // the second point of a pair
+};
+
+}  // namespace hooke
