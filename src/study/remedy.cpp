@@ -37,7 +37,7 @@ double relative_cost(const Integrator& method) {
   }
 }
 
-bool is_stable_at_any_step(const Integrator& method) {
+bool is_unconditionally_stable(const Integrator& method) {
   return method.stability == Stability::LStable || method.stability == Stability::AStable;
 }
 
@@ -130,7 +130,7 @@ std::vector<Advice> candidates(const Scene& start) {
   if (!is_automatic(settings)) add_refinements(*settings.integrator, 2 * std::min(settings.substeps, max_substeps / 2));
   if (settings.integrator != &default_integrator()) add_refinements(default_integrator(), settings.substeps);
   for (const Integrator& method : integrators()) {
-    if (!is_stable_at_any_step(method) || !method.for_production || &method == settings.integrator) continue;
+    if (!is_unconditionally_stable(method) || !method.for_production || &method == settings.integrator) continue;
     for (const int substeps : {settings.substeps, 4 * settings.substeps})
       if (substeps <= max_substeps) list.push_back({&method, substeps});
   }
@@ -158,7 +158,7 @@ std::optional<Advice> find_implicit(const Scene& from, double seconds, const std
   // the most accurate first
   std::vector<const Integrator*> methods;
   for (const Integrator& method : integrators())
-    if (is_stable_at_any_step(method) && method.for_production && &method != from.settings.integrator) methods.push_back(&method);
+    if (is_unconditionally_stable(method) && method.for_production && &method != from.settings.integrator) methods.push_back(&method);
   std::ranges::stable_sort(methods, [](const Integrator* a, const Integrator* b) {
     return std::pair(a->stability == Stability::LStable, a->order) > std::pair(b->stability == Stability::LStable, b->order);
   });
@@ -263,7 +263,7 @@ Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const Re
   from.settings = run.settings;
   const double seconds = 2.0 * std::max(0.0, run.time - from.state.time) + 1.0;
   remedy.change = find_change(from, run.changes, seconds, stop, report);
-  const bool is_implicit = remedy.advice && is_stable_at_any_step(*remedy.advice->integrator);
+  const bool is_implicit = remedy.advice && is_unconditionally_stable(*remedy.advice->integrator);
   if (!is_implicit) remedy.implicit = find_implicit(from, seconds, stop, report);
   return remedy;
 }

@@ -7,9 +7,9 @@
 namespace hooke {
 
 bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction, double duration) {
-  const Vec3 start = x;
+  const Vec3 start_of_step = x;
   bool touched = resolve_penetration();
-  push_out = x - start;
+  push_out = x - start_of_step;
   Supports supports = find_supports(a, duration);
   constrain(supports.all(), a, v);
   touched = apply_velocity_correction(velocity_correction, supports) || touched;

@@ -48,9 +48,9 @@ struct Fine {
   Index first = 0;  // index of its first point
 };
 
-class Refinement {
+class NetworkRefinement {
  public:
-  Refinement(const System& system, const State& state) : system_(system), state_(state) {}
+  NetworkRefinement(const System& system, const State& state) : system_(system), state_(state) {}
 
   std::optional<FinerNetwork> run(Index max_points) {
     find_grids_of_springs();
@@ -393,7 +393,7 @@ class Refinement {
 }  // namespace
 
 std::optional<FinerNetwork> refine_network(const System& system, const State& state, Index max_points) {
-  return Refinement(system, state).run(max_points);
+  return NetworkRefinement(system, state).run(max_points);
 }
 
 }  // namespace hooke
