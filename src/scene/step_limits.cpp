@@ -33,7 +33,10 @@ Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int 
   const Integrator& fallback = default_integrator();
   if (const auto substeps = min_stable_substeps(fallback, spectrum, settings.frame_rate))
     return {&fallback, with_margin(*substeps, margin)};
-  return {&stiff_integrator(), settings.substeps};
+  // its limit is that of listed forces, which are part of the implicit system only in part
+  const Integrator& stiff = stiff_integrator();
+  const auto substeps = min_stable_substeps(stiff, spectrum, settings.frame_rate);
+  return {&stiff, substeps && *substeps > settings.substeps ? with_margin(*substeps, margin) : settings.substeps};
 }
 
 std::optional<std::string> step_warning(const System& system, const State& state, const Settings& settings) {
@@ -60,6 +63,9 @@ std::optional<std::string> step_warning(const System& system, const State& state
   // only a bound on the step can be recommended without a test
   if (!std::isfinite(largest_stable_step(*advice.integrator, spectrum)))
     return "simulation.integrator: " + id + ": " + reason + " here; " + other + " has no linear limit, but is not tested on this scene";
+  if (!min_stable_substeps(*advice.integrator, spectrum, settings.frame_rate))
+    return "simulation.integrator: " + id + ": " + reason + " here; " + other + " needs more than " + std::to_string(max_substeps) +
+           " substeps per frame";
   return "simulation.integrator: " + id + ": " + reason + " here; " + other + " with " + count_substeps(advice.substeps) +
          " per frame is recommended";
 }
