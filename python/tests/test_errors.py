@@ -152,7 +152,8 @@ def test_a_value_of_the_wrong_type_is_named(call, message):
 
 @pytest.mark.parametrize("options, arguments", [
     ({"substeps": 0}, ["--substeps", "0"]), ({"integrator": "euler"}, ["--integrator", "euler"]),
-    ({"tolerance": 1e-6}, ["--tolerance", "1e-06"]), ({"frame_rate": -1}, ["--frame-rate", "-1"]), ({"sample": 0}, ["--sample", "0"]),
+    ({"tolerance": 1e-6, "integrator": "xpbd"}, ["--tolerance", "1e-06", "--integrator", "xpbd"]),
+    ({"frame_rate": -1}, ["--frame-rate", "-1"]), ({"sample": 0}, ["--sample", "0"]),
     ({"csv": "-", "quantities": ["tyme"]}, ["--csv", "-", "--quantities", "tyme"]),
 ])
 def test_options_are_refused_with_the_text_of_the_command_line(options, arguments, refusal):

@@ -45,6 +45,9 @@ struct Parameter {
   bool (*applies)(const Scene& scene) = nullptr;  // whether the scene has what the row sets; null: always
   double (*read)(const Scene& scene) = nullptr;
   void (*write)(Scene& scene, double value) = nullptr;
+  // A value that may not be given, which `read` replaces by the default: whether it is, and how it is removed; null: always given.
+  bool (*is_given)(const Scene& scene) = nullptr;
+  void (*clear)(Scene& scene) = nullptr;
 };
 
 std::span<const Parameter> parameters();

@@ -133,8 +133,9 @@ double conditional_step(const Integrator& integrator, const Spectrum& spectrum, 
 double largest_stable_step(const Integrator& integrator, const Spectrum& bounds) {
   if (&integrator == &automatic_method()) return std::numeric_limits<double>::infinity();
   Spectrum spectrum = bounds;
-  spectrum.omega = std::hypot(bounds.omega, bounds.estimated_omega);
-  spectrum.force_omega = std::hypot(bounds.force_omega, bounds.estimated_omega);
+  const double estimated_squared = bounds.estimated_omega * bounds.estimated_omega;
+  spectrum.omega = std::sqrt(bounds.omega * bounds.omega + estimated_squared);
+  spectrum.force_omega = std::sqrt(bounds.force_omega * bounds.force_omega + estimated_squared);
   spectrum.force_rate += bounds.estimated_rate;
   if (integrator.stability == Stability::None || integrator.stability == Stability::Conditional)
     return spectrum.force_rate > 0.0

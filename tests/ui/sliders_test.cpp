@@ -15,6 +15,7 @@ namespace {
 TEST(Sliders, EachParameterHasOne) {
   Scene scene = two_springs();
   scene.system.colliders = {{.shape = Plane{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}}}};
+  scene.system.contact.points = true;
   std::vector<Spring> springs;
   for (const SpringFamily family : {SpringFamily::Structural, SpringFamily::Shear, SpringFamily::Bend}) {
     springs.push_back(scene.system.springs()[0]);
@@ -34,6 +35,7 @@ TEST(Sliders, EachParameterHasOne) {
     gui.frames(2);
     gui.click(gui.find("side", {"Hand"}));  // expands the group
     gui.click(gui.find("side", {"Points"}));
+    gui.click(gui.find("side", {"Contact between points"}));
     const std::set<ImGuiID> items = gui.items_in("side");
     for (const Parameter& row : parameters()) {
       const bool is_switch = row.kind == Parameter::Kind::Switch, is_choice = row.kind == Parameter::Kind::Choice;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/file_limits.h"
 #include "base/finite.h"
@@ -23,6 +24,9 @@ std::string describe_value(const Parameter& parameter, double value) {
   const auto at = static_cast<std::size_t>(std::max(value, 0.0));
   return "set " + label + (at < parameter.choices.size() ? " to " + std::string(parameter.choices[at].label) : "");
 }
+
+// The value of a RestoreParameter that removes what was not given before.
+constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
 void add_effect_of(const Parameter& parameter, Effect& effect) {
   effect.values = effect.values || parameter.scope != Parameter::Scope::Setting;
@@ -59,6 +63,7 @@ Inverse inverse_of(const Parameter& parameter, const Scene& scene) {
     case Parameter::Scope::Structure:
       break;
   }
+  if (parameter.is_given != nullptr && !parameter.is_given(scene)) return {RestoreParameter{&parameter, not_given}};
   return {RestoreParameter{&parameter, parameter.read(scene)}};
 }
 
@@ -79,9 +84,17 @@ std::string SetParameter::describe() const { return describe_value(*parameter, c
 
 Inverse SetParameter::apply(Scene& scene, Effect& effect) const { return set(*parameter, clamp_to(*parameter, value), scene, effect); }
 
-std::string RestoreParameter::describe() const { return describe_value(*parameter, value); }
+std::string RestoreParameter::describe() const {
+  return std::isnan(value) ? "reset " + std::string(parameter->label) : describe_value(*parameter, value);
+}
 
 Inverse RestoreParameter::apply(Scene& scene, Effect& effect) const {
+  if (std::isnan(value) && parameter->clear != nullptr) {
+    Inverse inverse = inverse_of(*parameter, scene);
+    parameter->clear(scene);
+    add_effect_of(*parameter, effect);
+    return inverse;
+  }
   if (!is_valid(*parameter, value)) return {};
   return set(*parameter, value, scene, effect);
 }

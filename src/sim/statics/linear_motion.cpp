@@ -15,8 +15,8 @@ using Vector = Eigen::VectorXd;
 
 // exp(A), by its Taylor series for a matrix of norm 1/2 and repeated squaring (C. Moler, C. Van Loan 2003, method 3).
 Matrix exponential(Matrix a) {
-  const double norm = a.cwiseAbs().rowwise().sum().maxCoeff();
-  const int squarings = norm > 0.5 ? static_cast<int>(std::ceil(std::log2(norm / 0.5))) : 0;
+  int squarings = 0;
+  for (double norm = a.cwiseAbs().rowwise().sum().maxCoeff(); norm > 0.5 && std::isfinite(norm); norm *= 0.5) ++squarings;
   a *= std::ldexp(1.0, -squarings);
   Matrix sum = Matrix::Identity(a.rows(), a.cols()), term = sum;
   constexpr int terms = 18;
