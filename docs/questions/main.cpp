@@ -6,8 +6,8 @@
 #include <iostream>
 #include <sstream>
 
-#include "study/gnuplot.h"
 #include "question.h"
+#include "study/gnuplot.h"
 
 namespace hooke {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "app/app.h"
 #include "app/document/files.h"
+#include "app/work/scene_tasks.h"
 #include "base/overloaded.h"
 #include "base/printable.h"
 #include "scene/parameters.h"
@@ -56,7 +57,7 @@ void App::handle(const Request& request) {
                  [this](const CancelWork&) { file_task_.stop(); },
                  [this](const StopComparison&) { comparison_.stop(); },
                  [this](const StopResultCheck&) { result_check_.stop(); },
-                 [this](const ExplainStretch&) { stretch_.start(status(), selection_.springs); },
+                 [this](const ExplainStretch&) { start_stretch(stretch_, status(), selection_.springs); },
                  [this](const SaveComparison& save) { save_comparison(save.extension); },
                  [this](const SetGhosts& ghosts) { ghost_runs_.set(ghosts, status(), lab_); },
                  [this](const ShowFailure&) { show_failure(); },
@@ -108,12 +109,12 @@ void App::cancel() {
 
 void App::compare_methods() {
   panels_.show_at_left(&panels_.comparison_shown);
-  comparison_.start(status());
+  start_comparison(comparison_, status());
 }
 
 void App::check_result() {
   panels_.show_at_left(&panels_.result_check_shown);
-  result_check_.start(status());
+  start_result_check(result_check_, status());
 }
 
 // Shows the panel with the exact solution, or with a first setting to compare with; hides it if it is already shown.

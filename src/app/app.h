@@ -21,14 +21,12 @@
 #include "app/tools/tune.h"
 #include "app/view/camera_control.h"
 #include "app/window/event.h"
-#include "app/work/comparison_task.h"
 #include "app/work/file_task.h"
 #include "app/work/forecaster.h"
 #include "app/work/ghost_runs.h"
 #include "app/work/method_advisor.h"
 #include "app/work/remedy_search.h"
-#include "app/work/result_check_task.h"
-#include "app/work/stretch_task.h"
+#include "app/work/result_task.h"
 #include "ui/panels.h"
 
 namespace hooke {
@@ -125,9 +123,9 @@ class App {
   Forecaster forecaster_;
   MethodAdvisor method_advisor_;
   RemedySearch remedy_search_;
-  ComparisonTask comparison_;
-  ResultCheckTask result_check_;
-  StretchTask stretch_;
+  ResultTask<MethodComparison> comparison_;
+  ResultTask<ResultCheck> result_check_;
+  ResultTask<StretchBreakdown> stretch_;
   GhostRuns ghost_runs_;
   Document document_;
   Captures captures_;

@@ -12,7 +12,6 @@
 #include "base/printable.h"
 #include "base/read_file.h"
 #include "batch/bench_report.h"
-#include "study/gnuplot.h"
 #include "batch/machine.h"
 #include "batch/methods_page.h"
 #include "batch/output_folder.h"
@@ -21,6 +20,7 @@
 #include "formats/scene_file.h"
 #include "sim/automatic/automatic.h"
 #include "sim/hash.h"
+#include "study/gnuplot.h"
 #include "study/work_precision_chart.h"
 #include "study/work_precision_merge.h"
 

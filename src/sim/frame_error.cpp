@@ -57,12 +57,6 @@ FrameError weighted_distance(const std::vector<Vec3>& first, const std::vector<V
 
 double estimate_frame_error(const System& system, const Settings& settings, const State& state) {
   if (system.point_count() == 0) return 0.0;
-  if (is_automatic(settings)) {  // which estimates errors itself
-    Plan plan = make_plan(system);
-    prepare_hand(plan, system, state, 1.0 / settings.frame_rate);
-    const MethodChoice choice = AutomaticChoice().choose(plan, system, settings, state);
-    return choice.ratio * choice.target;
-  }
   bool failed = false;
   const auto step = [&](const Settings& with) {
     Plan plan = make_plan(system);

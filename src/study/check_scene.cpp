@@ -5,6 +5,7 @@
 
 #include "lab/lab.h"
 #include "scene/quantity.h"
+#include "sim/automatic/automatic.h"
 #include "sim/divergence.h"
 #include "study/run_monitor.h"
 
@@ -69,7 +70,8 @@ CheckResult run(const SceneCheck& check, Scene scene, const CheckedMethod& check
   for (long frame = 0; frame < frames; ++frame) {
     monitor.begin_frame(lab.scene().system, lab.scene().settings, lab.scene().state);
     if (lab.step()) {
-      monitor.end_frame(lab.plan(), lab.scene().settings, lab.scene().system, lab.scene().state, lab.last_frame().motion());
+      monitor.end_frame(lab.plan(), settings_used(lab.scene().settings, lab.scene().state), lab.scene().system, lab.scene().state,
+                        lab.last_frame().motion());
       history.add(lab.scene());
       continue;
     }

@@ -71,7 +71,8 @@ Trial run_copy(Scene scene, double seconds, Budget& budget) {
   try {
     for (long frame = 0; frame < frames; ++frame) {
       if (!lab.step()) return ended(Trial::End::Diverged);
-      monitor.end_frame(lab.plan(), lab.scene().settings, lab.scene().system, lab.scene().state, lab.last_frame().motion());
+      monitor.end_frame(lab.plan(), settings_used(lab.scene().settings, lab.scene().state), lab.scene().system, lab.scene().state,
+                        lab.last_frame().motion());
     }
   } catch (const BudgetIsSpent&) {
     return ended(Trial::End::OutOfBudget);

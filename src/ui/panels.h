@@ -14,10 +14,10 @@
 #include "lab/status.h"
 #include "scene/selection.h"
 #include "study/cheaper_method.h"
-#include "study/compare_methods.h"
-#include "study/remedy.h"
 #include "study/check/result_check.h"
 #include "study/check/stretch.h"
+#include "study/compare_methods.h"
+#include "study/remedy.h"
 #include "ui/export_state.h"
 #include "ui/icons.h"
 #include "ui/layout.h"
@@ -63,26 +63,12 @@ struct RemedyStatus {
   std::optional<Remedy> found;  // its result
 };
 
-// The comparison of methods on the scene.
-struct ComparisonStatus {
+// Something that is computed in the background.
+template <class Result>
+struct ResultStatus {
   bool is_running = false;
-  double fraction = 0.0, seconds = 0.0;            // done, and taken so far
-  std::shared_ptr<const MethodComparison> result;  // of the last one; null: none
-};
-
-// The check of the result of the scene.
-struct ResultCheckStatus {
-  bool is_running = false;
-  double fraction = 0.0, seconds = 0.0;       // done, and taken so far
-  std::shared_ptr<const ResultCheck> result;  // of the last one; null: none
-};
-
-// The explanation of the stretch of selected springs.
-struct StretchStatus {
-  bool is_running = false;
-  double fraction = 0.0, seconds = 0.0;            // done, and taken so far
-  std::vector<SpringId> springs;                   // that the result is about
-  std::shared_ptr<const StretchBreakdown> result;  // of the last one; null: none
+  double fraction = 0.0, seconds = 0.0;  // done, and taken so far
+  std::shared_ptr<const Result> result;  // of the last one; null: none
 };
 
 // The input of the panels, constant while a frame is built.
@@ -109,9 +95,9 @@ struct PanelInput {
   const Forecast* forecast = nullptr;      // null if there is none
   std::optional<CheaperMethod> cheaper{};  // than the present one, for the same error
   RemedyStatus remedy{};
-  ComparisonStatus comparison{};
-  ResultCheckStatus result_check{};
-  StretchStatus stretch{};
+  ResultStatus<MethodComparison> comparison{};
+  ResultStatus<ResultCheck> result_check{};
+  ResultStatus<StretchBreakdown> stretch{};
   // The spring that is being attached.
   std::optional<std::pair<Vec3, Vec3>> new_spring{};
 

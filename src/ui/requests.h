@@ -96,8 +96,8 @@ enum class Answer {
 };
 
 using Request = std::variant<Edit, Scrub, Control, Action, OpenFile, SaveFile, ChooseTexture, OpenSystemDialog, LookFrom, Recover,
-                             DiscardRecovery, CancelWork, StopComparison, StopResultCheck, ExplainStretch, SaveComparison, SetGhosts, ShowFailure,
-                             StartExport, StopExport, StartPlacement, CloseDialog, LoadMesh, Place, StopPlacement, Answer>;
+                             DiscardRecovery, CancelWork, StopComparison, StopResultCheck, ExplainStretch, SaveComparison, SetGhosts,
+                             ShowFailure, StartExport, StopExport, StartPlacement, CloseDialog, LoadMesh, Place, StopPlacement, Answer>;
 using Requests = std::vector<Request>;
 
 }  // namespace hooke

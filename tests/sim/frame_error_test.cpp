@@ -7,22 +7,13 @@
 #include "sim/frame_error.h"
 #include "support/accuracy_scenes.h"
 #include "support/convergence.h"
+#include "support/next_frame.h"
 
 namespace hooke {
 namespace {
 
 class FrameErrors : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, FrameErrors, testing::ValuesIn(every_method()), method_name);
-
-State next_frame(Plan& plan, const System& system, const Settings& settings, const State& state) {
-  Frame frame;
-  State next = state;
-  refresh_values(plan, system);
-  frame.begin(plan, system, settings, state);
-  while (!frame.done()) frame.substep(plan);
-  frame.end(plan, next);
-  return next;
-}
 
 // The reference frame, whose error is negligible compared with that of the method under test.
 Settings exact(const AccuracyScene& scene) {
@@ -39,13 +30,14 @@ struct Spread {
 Spread spread_of(const AccuracyScene& scene, const Integrator& method) {
   TestSim sim = scene.make();
   Plan plan = make_plan(sim.system);
+  Frame stepper;
   const Settings settings = accuracy_settings(method, sim.system);
   std::vector<double> ratios, errors;
   constexpr double round_off = 5e-14, diverged = 0.1;  // [m]
   for (int frame = 0; frame < 60; ++frame) {
-    const State after = next_frame(plan, sim.system, settings, sim.state);
+    const State after = next_frame(plan, stepper, sim.system, settings, sim.state);
     if (frame % 3 == 0) {
-      const double error = distance(after, next_frame(plan, sim.system, exact(scene), sim.state));
+      const double error = distance(after, next_frame(plan, stepper, sim.system, exact(scene), sim.state));
       if (!(error < diverged)) break;
       if (error > round_off) {
         ratios.push_back(estimate_frame_error(sim.system, settings, sim.state) / error);

@@ -11,6 +11,7 @@
 #include "base/read_file.h"
 #include "sim/automatic/cost_model.h"
 #include "study/work_precision_file.h"
+#include "support/next_frame.h"
 
 namespace hooke {
 namespace {
@@ -98,14 +99,6 @@ TEST(AutomaticCost, IsCloseToThatOfTheBestFixedMethod) {
 // Frame by frame on the run's own motion, against the converged frame from the same state.
 TEST(AutomaticTolerance, IsKeptOnTheProblemsOfTheBenchmark) {
   const Settings exact{.integrator = find_integrator("dop853"), .substeps = 1, .tolerance = 1e-13};
-  const auto next_of = [](Plan& plan, Frame& frame, const System& system, const Settings& settings, const State& state) {
-    State next = state;
-    refresh_values(plan, system);
-    frame.begin(plan, system, settings, state);
-    while (!frame.done()) frame.substep(plan);
-    frame.end(plan, next);
-    return next;
-  };
   int all_frames = 0, all_kept = 0;
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
     int frames = 0, kept = 0;
@@ -120,8 +113,8 @@ TEST(AutomaticTolerance, IsKeptOnTheProblemsOfTheBenchmark) {
       int kept_here = 0, frames_here = 0, reported = 0;
       double worst = 0.0;
       for (; frames_here < 60.0 * problem.seconds; ++frames_here) {
-        const State after = next_of(plan, frame, problem.system, settings, state);
-        const double error = rms_distance(after, next_of(exact_plan, exact_frame, problem.system, exact, state));
+        const State after = next_frame(plan, frame, problem.system, settings, state);
+        const double error = rms_distance(after, next_frame(exact_plan, exact_frame, problem.system, exact, state));
         worst = std::max(worst, 60.0 * error / tolerance);
         kept_here += 60.0 * error <= tolerance ? 1 : 0;
         reported += is_tolerance_met(*after.memory.choice, settings) ? 0 : 1;

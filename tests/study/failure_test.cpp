@@ -12,6 +12,7 @@
 #include "study/hard_cases/test_network.h"
 #include "study/remedy.h"
 #include "support/apply_now.h"
+#include "support/force_with.h"
 
 namespace hooke {
 namespace {
@@ -42,15 +43,6 @@ Scene sheet_with(const char* method, int substeps) {
   scene.settings.integrator = find_integrator(method);
   scene.settings.substeps = substeps;
   return scene;
-}
-
-Force force(const char* id, std::initializer_list<std::pair<std::string_view, double>> values) {
-  const ForceTerm& term = *find_force_term(id);
-  Force force{.term = &term, .values = default_values(term)};
-  for (const auto& [name, value] : values)
-    for (std::size_t i = 0; i < term.numbers.size(); ++i)
-      if (term.numbers[i].name == name) force.values[i] = value;
-  return force;
 }
 
 constexpr const char* explicit_methods[] = {"velocity_verlet", "symplectic_euler", "runge_kutta4", "blanes_moan4"};
@@ -98,11 +90,13 @@ std::vector<Injection> injections() {
   for (Index s = 0; s < light.system.spring_count(); ++s) light.system.spring(s).stiffness *= 1e-3;
   light.system.faces = {{{light.system.points()[5].id, light.system.points()[6].id, light.system.points()[9].id}}};
   for (const Force& each :
-       {force("center", {{"x", 0.3}, {"y", -0.3}, {"strength", -1000.0}, {"power", -3.0}, {"core", 1e-4}}),
-        force("center", {{"strength", -1000.0}, {"power", 4.0}}), force("mass_center", {{"stiffness", 100.0}, {"damping", 1000.0}}),
-        force("mass_center", {{"stiffness", 1000.0}, {"damping", 0.0}}), force("wind", {{"x", 50.0}, {"normal", 5.0}, {"tangential", 1.0}}),
-        force("wall", {{"strength", -1000.0}, {"power", 4.0}, {"core", 1e-4}}),
-        force("wall", {{"strength", 1000.0}, {"power", 4.0}, {"core", 1e-4}}), force("sticky", {{"strength", 1000.0}})})
+       {force_with("center", {{"x", 0.3}, {"y", -0.3}, {"strength", -1000.0}, {"power", -3.0}, {"core", 1e-4}}),
+        force_with("center", {{"strength", -1000.0}, {"power", 4.0}}),
+        force_with("mass_center", {{"stiffness", 100.0}, {"damping", 1000.0}}),
+        force_with("mass_center", {{"stiffness", 1000.0}, {"damping", 0.0}}),
+        force_with("wind", {{"x", 50.0}, {"normal", 5.0}, {"tangential", 1.0}}),
+        force_with("wall", {{"strength", -1000.0}, {"power", 4.0}, {"core", 1e-4}}),
+        force_with("wall", {{"strength", 1000.0}, {"power", 4.0}, {"core", 1e-4}}), force_with("sticky", {{"strength", 1000.0}})})
     add("force " + std::string(each.term->id), light, {SetForces{{each}}}, "change the forces");
   for (const double frequency : {300.0, 3e4})
     add("collider in the net", light,

@@ -9,6 +9,7 @@
 #include "sim/forces/force_term.h"
 #include "study/hard_cases/test_network.h"
 #include "study/run_monitor.h"
+#include "support/force_with.h"
 
 namespace hooke {
 namespace {
@@ -43,15 +44,6 @@ TestNetwork shaken_sheet(double stiffness, double shake, std::uint64_t seed) {
   Random random(seed);
   for (Vec3& x : sheet.state.position) x += random.vector(shake);
   return sheet;
-}
-
-Force force(const char* id, std::initializer_list<std::pair<const char*, double>> values) {
-  const ForceTerm& term = *find_force_term(id);
-  Force force{.term = &term, .values = default_values(term)};
-  for (const auto& [name, value] : values)
-    for (std::size_t i = 0; i < term.numbers.size(); ++i)
-      if (term.numbers[i].name == name) force.values[i] = value;
-  return force;
 }
 
 bool runs_through(const Scene& scene, double duration) {
@@ -89,12 +81,12 @@ std::vector<DivergingScene> diverging_scenes() {
   for (const char* method : {"velocity_verlet", "runge_kutta4", "symplectic_euler", "blanes_moan4", "implicit_euler"}) {
     Scene scene = scene_of(shaken_sheet(1e2, 0.05, seed++), method, 4);
     for (Vec3& v : scene.state.velocity) v.x = 1.0;
-    scene.system.forces.push_back(force("mass_center", {{"stiffness", 100.0}, {"damping", 900.0}}));
+    scene.system.forces.push_back(force_with("mass_center", {{"stiffness", 100.0}, {"damping", 900.0}}));
     add(std::string("mass_center ") + method, std::move(scene));
   }
   for (const char* method : {"velocity_verlet", "runge_kutta4", "symplectic_euler"}) {
     Scene scene = scene_of(shaken_sheet(1e2, 0.05, seed++), method, 1);
-    scene.system.forces.push_back(force("center", {{"strength", 1000.0}, {"power", -3.0}}));
+    scene.system.forces.push_back(force_with("center", {{"strength", 1000.0}, {"power", -3.0}}));
     add(std::string("center ") + method, std::move(scene));
   }
 

@@ -7,6 +7,7 @@
 #include "sim/divergence.h"
 #include "sim/forces/force_term.h"
 #include "study/hard_cases/monitored_run.h"
+#include "support/force_with.h"
 
 namespace hooke {
 namespace {
@@ -27,15 +28,6 @@ TestNetwork sheet_with_faces(double mass, double stiffness) {
       sheet.system.faces.push_back({.points = {id(row, column + 1), id(row + 1, column + 1), id(row + 1, column)}});
     }
   return sheet;
-}
-
-Force force_with(const char* id, std::initializer_list<std::pair<const char*, double>> values) {
-  const ForceTerm& term = *find_force_term(id);
-  Force force{.term = &term, .values = default_values(term)};
-  for (const auto& [name, value] : values)
-    for (std::size_t i = 0; i < term.numbers.size(); ++i)
-      if (term.numbers[i].name == name) force.values[i] = value;
-  return force;
 }
 
 struct Outcome {

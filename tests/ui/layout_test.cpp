@@ -241,7 +241,7 @@ TEST_P(Layouts, PanelsAboutErrorsAreReadable) {
   gui.app().panels().accuracy_shown = false;
 
   gui.app().panels().comparison_shown = true;
-  ComparisonStatus comparison;
+  ResultStatus<MethodComparison> comparison;
   const auto build = [&] {
     ImGui::NewFrame();
     PanelInput input = gui.app().panel_input({});

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "base/atomic_write.h"
-#include "study/gnuplot.h"
 #include "batch/output_folder.h"
 #include "batch/sweep/sweep_chart.h"
 #include "batch/sweep/sweep_report.h"
+#include "study/gnuplot.h"
 
 namespace hooke {
 

@@ -52,7 +52,7 @@ bool differ(double a, double b, double factor) { return a > factor * b || b > fa
 // Estimates the error of the coming frame with the present method, and adapts the substeps. False if so many more are needed that another
 // method may be cheaper: then `choice` has that number.
 bool follow(MethodChoice& choice, Trials& trials, const System& system, const Settings& settings, const Goal& goal, bool is_sudden,
-            double most_more) {
+            double max_increase) {
   constexpr int max_attempts = 6;
   const double before = choice.ratio;
   const int order = effective_order(system, *choice.method);
@@ -74,7 +74,7 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
     const double affordable = std::isfinite(choice.cost) ? choice.substeps * goal.max_cost / choice.cost : needed;
     const int more = static_cast<int>(std::min<double>(needed, affordable));
     if (more <= choice.substeps) break;
-    if (choice.selected_substeps > 0 && more > most_more * choice.selected_substeps) {
+    if (choice.selected_substeps > 0 && more > max_increase * choice.selected_substeps) {
       choice.substeps = more;
       return false;
     }

@@ -19,7 +19,7 @@ std::optional<double> change(const CheckedQuantity& quantity, const std::optiona
 using Value = std::optional<double> CheckedQuantity::*;
 
 // The quantity that changes most between two versions; null if none is known in both.
-const CheckedQuantity* most_changed(const ResultCheck& check, Value from, Value to) {
+const CheckedQuantity* largest_change(const ResultCheck& check, Value from, Value to) {
   const CheckedQuantity* most = nullptr;
   double largest = -1.0;
   for (const CheckedQuantity& quantity : check.quantities)
@@ -51,8 +51,8 @@ std::string value_text(const CheckedQuantity& quantity, double value) {
 
 std::string ResultCheck::sentence() const {
   if (!note.empty()) return note;
-  const CheckedQuantity* by_step = most_changed(*this, &CheckedQuantity::now, &CheckedQuantity::half_step);
-  const CheckedQuantity* by_points = most_changed(*this, &CheckedQuantity::half_step, &CheckedQuantity::finer);
+  const CheckedQuantity* by_step = largest_change(*this, &CheckedQuantity::now, &CheckedQuantity::half_step);
+  const CheckedQuantity* by_points = largest_change(*this, &CheckedQuantity::half_step, &CheckedQuantity::finer);
   std::string text;
   if (by_step == nullptr) {
     text = "The run with half the step diverges";

@@ -56,7 +56,7 @@ StretchBreakdown explain_stretch(const System& system, const State& state, const
   std::vector<Index> springs;
   for (const SpringId id : ids)
     if (const Index s = system.index_of(id); s != no_index) springs.push_back(s);
-  StretchBreakdown stretch{.now = mean_strain(system, state.position, springs), .seconds = 0.5};
+  StretchBreakdown stretch{.springs = ids, .now = mean_strain(system, state.position, springs), .seconds = 0.5};
   try {
     // the equilibrium without limits, and without what a forecast cannot contain
     System unlimited = system;

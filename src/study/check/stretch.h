@@ -14,6 +14,7 @@ namespace hooke {
 
 // Mean strains of some springs [1]. The terms sum to `now`, except for step_error, which is part of `motion`.
 struct StretchBreakdown {
+  std::vector<SpringId> springs;
   double now = 0.0;
   std::optional<double> load;    // in the equilibrium under the weight, without the strain limit
   std::optional<double> limit;   // by which the limit makes it shorter; none: there is no limit

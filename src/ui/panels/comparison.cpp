@@ -234,7 +234,7 @@ void chart(const PanelInput& input, const MethodComparison& comparison, float wi
   if (is_clicked && can_be_used(*row, settings)) use(*row, settings, requests);
 }
 
-void buttons(const ComparisonStatus& status, Panels& panels, Requests& requests) {
+void buttons(const ResultStatus<MethodComparison>& status, Panels& panels, Requests& requests) {
   if (status.is_running) {
     if (ImGui::Button("Cancel", {units(84.0), units(30.0)})) requests.emplace_back(StopComparison{});
   } else if (ImGui::Button("Compare again", {units(118.0), units(30.0)})) {
@@ -273,7 +273,7 @@ void build_comparison(const PanelInput& input, Panels& panels, Requests& request
   ImGui::PopFont();
   panel.begin_content();
 
-  const ComparisonStatus& status = input.comparison;
+  const ResultStatus<MethodComparison>& status = input.comparison;
   const bool has_rows = status.result && std::ranges::any_of(status.result->record.rows, is_drawn);
   if (status.is_running) {
     paragraph("Runs every method from the present state, on a copy, against a reference that two methods agree on.", palette::dim);

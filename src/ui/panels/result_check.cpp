@@ -40,7 +40,7 @@ void table(const ResultCheck& check) {
   ImGui::EndTable();
 }
 
-void buttons(const ResultCheckStatus& status, Panels& panels, Requests& requests) {
+void buttons(const ResultStatus<ResultCheck>& status, Panels& panels, Requests& requests) {
   if (status.is_running) {
     if (ImGui::Button("Cancel", {units(84.0), units(30.0)})) requests.emplace_back(StopResultCheck{});
   } else if (ImGui::Button("Check again", {units(104.0), units(30.0)})) {
@@ -69,7 +69,7 @@ void build_result_check(const PanelInput& input, Panels& panels, Requests& reque
   ImGui::TextUnformatted("Check this result");
   ImGui::PopFont();
   panel.begin_content();
-  const ResultCheckStatus& status = input.result_check;
+  const ResultStatus<ResultCheck>& status = input.result_check;
   if (status.is_running) {
     paragraph(
         "Runs copies of the scene from its present state: with the same step, with half of it, and with twice as many points in sheets and "

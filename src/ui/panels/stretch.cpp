@@ -43,16 +43,16 @@ void strain_rows(const StretchBreakdown& stretch) {
 }  // namespace
 
 void build_stretch(const PanelInput& input, Requests& requests) {
-  const StretchStatus& status = input.stretch;
-  const bool is_of_selection = status.springs == input.selection.springs;
+  const ResultStatus<StretchBreakdown>& status = input.stretch;
+  const bool is_of_selection = status.result && status.result->springs == input.selection.springs;
   begin_row("Stretch");
   if (status.is_running) {
     dim_text("computing...");
   } else {
-    if (ImGui::Button(is_of_selection && status.result ? "Explain again" : "Explain")) requests.emplace_back(ExplainStretch{});
+    if (ImGui::Button(is_of_selection ? "Explain again" : "Explain")) requests.emplace_back(ExplainStretch{});
     tooltip("What the load, the solver, the strain limit and the motion contribute to the strain of the selected springs");
   }
-  if (is_of_selection && status.result) strain_rows(*status.result);
+  if (is_of_selection) strain_rows(*status.result);
 }
 
 }  // namespace hooke

@@ -1,0 +1,14 @@
+// What is computed in the background about the present state of the scene on screen.
+#pragma once
+
+#include <vector>
+
+#include "app/work/result_task.h"
+
+namespace hooke {
+
+void start_comparison(ResultTask<MethodComparison>& task, const Status& status);
+void start_result_check(ResultTask<ResultCheck>& task, const Status& status);
+void start_stretch(ResultTask<StretchBreakdown>& task, const Status& status, const std::vector<SpringId>& springs);
+
+}  // namespace hooke
