@@ -30,6 +30,16 @@ void set_tolerance(Settings& settings, double tolerance, bool is_method_named) {
   settings.tolerance = tolerance;
 }
 
+// A setting that the method of the run does not use.
+void refuse_unused(const SetParameter& setting, const Settings& settings) {
+  const auto refuse = [&](const std::string& reason) {
+    throw OptionError("set", std::string(setting.parameter->name) + "=" + format_exact(setting.value), reason);
+  };
+  if (setting.parameter == &tolerance_parameter && settings.integrator->stability != Stability::Adaptive)
+    refuse("requires an adaptive method: " + ids_of_adaptive_integrators());
+  if (setting.parameter->name == "budget" && setting.value > 0.0 && !is_automatic(settings)) refuse("requires the method auto");
+}
+
 struct ParsedOptions {
   const Integrator* integrator;
   std::vector<SetParameter> settings;
@@ -49,14 +59,18 @@ ParsedOptions parse(const SteppingOptions& options) {
 void apply_options(LoadedScene& loaded, const SteppingOptions& options, const std::string& name) {
   const auto [integrator, settings] = parse(options);
   Scene& scene = loaded.scene;
-  // the warning about the step in the file does not apply once options change it
-  if (const auto warning = step_warning(scene.system, scene.state, scene.settings))
-    std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
+  // warnings about the step and the settings in the file do not apply once options change them
+  for (const auto& warning : {step_warning(scene.system, scene.state, scene.settings), unused_setting_warning(scene.settings)})
+    if (warning) std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
   for (const SetParameter& setting : settings) apply_setting(scene, setting, name);
   if (integrator != nullptr) scene.settings.integrator = integrator;
   if (options.substeps) scene.settings.substeps = static_cast<int>(*options.substeps);
   if (options.frame_rate) scene.settings.frame_rate = *options.frame_rate;
   if (options.tolerance) set_tolerance(scene.settings, *options.tolerance, integrator != nullptr);
+  for (const SetParameter& setting : settings) refuse_unused(setting, scene.settings);
+  // a method that an option names does not need what the file says to that of the file
+  if (integrator == nullptr)
+    if (const auto warning = unused_setting_warning(scene.settings)) loaded.warnings.push_back(*warning);
   if (const auto warning = step_warning(scene.system, scene.state, scene.settings)) loaded.warnings.push_back(*warning);
 }
 

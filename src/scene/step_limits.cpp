@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/file_limits.h"
+#include "sim/automatic/automatic.h"
 
 namespace hooke {
 namespace {
@@ -68,6 +69,16 @@ std::optional<std::string> step_warning(const System& system, const State& state
            " substeps per frame";
   return "simulation.integrator: " + id + ": " + reason + " here; " + other + " with " + count_substeps(advice.substeps) +
          " per frame is recommended";
+}
+
+std::optional<std::string> unused_setting_warning(const Settings& settings) {
+  const std::string id(settings.integrator->id);
+  if (settings.tolerance && settings.integrator->stability != Stability::Adaptive)
+    return "simulation.tolerance: " + format_exact(*settings.tolerance) + ": has no effect with " + id +
+           ", which does not adapt its step; auto and dop853 do";
+  if (settings.budget_ms > 0.0 && !is_automatic(settings))
+    return "simulation.budget: " + format_exact(settings.budget_ms) + ": has no effect with " + id + ", only with auto";
+  return std::nullopt;
 }
 
 std::string describe(const Advice& advice) {

@@ -31,5 +31,18 @@ TEST(AutomaticMethod, SaysWhereTheToleranceIsNotMet) {
   EXPECT_NE(run.err.find("the tolerance was not met in 1 of 1 frames"), std::string::npos) << run.err;
 }
 
+// A setting that the method does not use is an error on the command line.
+TEST(AutomaticMethod, AToleranceSetWithoutAMethodThatUsesItIsRefused) {
+  const Outcome tolerance = run_with("run cloth --seconds 0.1 --set tolerance=1e-4");
+  EXPECT_EQ(tolerance.code, 2) << tolerance.out;
+  EXPECT_NE(tolerance.err.find("--set tolerance=1e-04: requires an adaptive method: dop853, auto"), std::string::npos) << tolerance.err;
+  const Outcome budget = run_with("run cloth --seconds 0.1 --set budget=2 --integrator dop853");
+  EXPECT_EQ(budget.code, 2) << budget.out;
+  EXPECT_NE(budget.err.find("--set budget=2: requires the method auto"), std::string::npos) << budget.err;
+  const Outcome automatic = run_with("run two_masses --seconds 0.1 --set tolerance=1e-4 --set budget=2 --integrator auto");
+  EXPECT_EQ(automatic.code, 0) << automatic.err;
+  EXPECT_NE(automatic.out.find("auto, tolerance 1e-04 m/s"), std::string::npos) << automatic.out;
+}
+
 }  // namespace
 }  // namespace hooke

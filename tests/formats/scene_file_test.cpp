@@ -99,6 +99,19 @@ TEST(SceneFile, WarnsAboutCoincidentPointsConnectedByASpring) {
                 "test.json: springs[0] and 1 more: connects two points at the same position: no force between them until they separate"});
 }
 
+TEST(SceneFile, WarnsAboutSettingsThatTheMethodDoesNotUse) {
+  const auto scene = [](const std::string& simulation) {
+    return R"({"hooke": 1, "points": [{"position": [0, 0, 0]}], "simulation": {)" + simulation + "}}";
+  };
+  EXPECT_EQ(warnings_of(scene(R"("tolerance": 1e-3)")),
+            std::vector<std::string>{"test.json: simulation.tolerance: 0.001: has no effect with velocity_verlet, which does not adapt its "
+                                     "step; auto and dop853 do"});
+  EXPECT_EQ(warnings_of(scene(R"("budget": 4, "integrator": "dop853")")),
+            std::vector<std::string>{"test.json: simulation.budget: 4: has no effect with dop853, only with auto"});
+  EXPECT_TRUE(warnings_of(scene(R"("tolerance": 1e-3, "integrator": "dop853")")).empty());
+  EXPECT_TRUE(warnings_of(scene(R"("tolerance": 1e-3, "budget": 4, "integrator": "auto")")).empty());
+}
+
 TEST(SceneFile, WarnsAboutAStepBeyondTheStabilityLimitAndRecommendsAStableOne) {
   // a mass on a nailed spring: omega = 1000 1/s, so h < 2/1000 s, 8.33 substeps per frame
   const std::string scene = R"({"hooke": 1, "points": [{"position": [0, 0, 0], "nailed": true}, {"position": [0, 1, 0]}],

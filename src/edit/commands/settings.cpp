@@ -104,9 +104,9 @@ std::string SetIntegrator::describe() const { return "use " + std::string(integr
 Inverse SetIntegrator::apply(Scene& scene, Effect&) const {
   Settings& settings = scene.settings;
   const SetIntegrator inverse{settings.integrator};
-  // the tolerance of one adaptive method means something else to another
-  const bool is_adaptive = integrator->stability == Stability::Adaptive && settings.integrator->stability == Stability::Adaptive;
-  if (!is_adaptive || integrator == settings.integrator || !settings.tolerance) {
+  // the tolerance of one adaptive method means something else to another, and nothing to the rest
+  const bool was_adaptive = settings.integrator->stability == Stability::Adaptive;
+  if (!was_adaptive || integrator == settings.integrator || !settings.tolerance) {
     settings.integrator = integrator;
     return {inverse};
   }

@@ -94,6 +94,7 @@ LoadedScene SceneReader::read() {
     scene_.sheet = std::make_shared<const SheetWeights>(SheetWeights{std::move(network.sheet_areas), std::move(network.sheet_weights)});
   set_print_layout(scene_);
   if (const auto warning = step_warning(scene_.system, scene_.state, scene_.settings)) fields_.warn(*warning);
+  if (const auto warning = unused_setting_warning(scene_.settings)) fields_.warn(*warning);
   if (const auto warning = overlap_warning(scene_.system, scene_.state)) fields_.warn(*warning);
   return {std::move(scene_), fields_.warnings(name_)};
 }
