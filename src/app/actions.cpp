@@ -109,11 +109,13 @@ void App::cancel() {
 
 void App::compare_methods() {
   panels_.show_at_left(&panels_.comparison_shown);
+  ghost_runs_.set({}, status(), lab_);
   start_comparison(comparison_, status());
 }
 
 void App::check_result() {
   panels_.show_at_left(&panels_.result_check_shown);
+  ghost_runs_.set({}, status(), lab_);
   start_result_check(result_check_, status());
 }
 

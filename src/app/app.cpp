@@ -147,6 +147,9 @@ void App::show(const Scene& scene) {
   panels_.ghosts = {};
   panels_.lesson_steps_done = 0;
   ghost_runs_.set({}, status(), lab_);
+  comparison_.clear();
+  result_check_.clear();
+  stretch_.clear();
 }
 
 // Applies the view settings of the scene; the user may change them afterwards.

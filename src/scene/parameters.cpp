@@ -63,7 +63,7 @@ constexpr std::array rows{
               .read = [](const Scene& s) { return automatic_tolerance(s.settings); }, .write = [](Scene& s, double value) { s.settings.tolerance = value; },
               .is_given = [](const Scene& s) { return s.settings.tolerance.has_value(); }, .clear = [](Scene& s) { s.settings.tolerance.reset(); }},
     Parameter{.name = "budget", .field = "simulation.budget", .group = parameter_group::simulation, .label = "Budget", .unit = "ms",
-              .description = "CPU time of a frame, by a fixed model, that the automatic method may use: if the tolerance needs more, the error is as small as the budget allows.",
+              .description = "CPU time of a frame, by a fixed model, that the automatic method may use (0: no limit): if the tolerance needs more, the error is as small as the budget allows.",
               .min = 0, .max = 1000, .default_value = 0, .physical = {.min = 0, .max = 1e6}, .zero_text = "no limit", .omit_if_default = true, .scope = Scope::Setting,
               .applies = has_automatic_method,
               .read = [](const Scene& s) { return s.settings.budget_ms; },

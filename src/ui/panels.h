@@ -200,7 +200,8 @@ struct Panels {
 
   // Of the panels at the left edge of the scene only one is shown.
   void show_at_left(bool* shown) {
-    comparison_shown = result_check_shown = ghosts.is_shown = false;
+    comparison_shown = result_check_shown = false;
+    ghosts = {};
     *shown = true;
   }
   void show_toast(std::string line) { toast = std::move(line), toast_until = -1.0; }

@@ -3,7 +3,6 @@
 #include <rapidjson/document.h>
 
 #include <cmath>
-#include <sstream>
 
 #include "support/contents.h"
 #include "support/headless.h"
@@ -11,13 +10,6 @@
 
 namespace hooke {
 namespace {
-
-Outcome run_headless(const std::string& arguments, const std::filesystem::path& folder = ".") {
-  std::vector<std::string> words{"/usr/bin/env", "-C", folder.string(), "-u", "DISPLAY", HOOKE_HEADLESS};
-  std::istringstream text(arguments);
-  for (std::string word; text >> word;) words.push_back(word);
-  return run_process(words);
-}
 
 TEST(AccuracyReports, EverySampleHasItsErrorsOrAReason) {
   const rapidjson::Document json = parse_json(run_headless("run cloth --seconds 1.2 --sample 0.4 --points 0 --json -").out);

@@ -127,6 +127,7 @@ TEST(Headless, ADivergedRunIsCodeFourAndNamesTheSpringTheCauseAndATestedRemedy) 
   for (const char* part : {"Cause: ", " does not diverge (tested for "}) EXPECT_NE(loud.err.find(part), std::string::npos) << loud.err;
   // the search is announced before it starts
   const std::size_t announced = loud.err.find("Looking for the cause"), found = loud.err.find("The simulation blew up");
+  ASSERT_NE(found, std::string::npos) << loud.err;
   EXPECT_LT(announced, found) << loud.err;
 }
 

@@ -1,4 +1,4 @@
-// The method `auto` on random nets: nothing diverges, and nothing gains energy unless it reports that the tolerance is not met.
+// The method `auto` on random nets: nothing diverges or gains energy.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,8 +20,8 @@ INSTANTIATE_TEST_SUITE_P(Tolerances, AutomaticAttack, testing::Values(1e-1, 1e-2
 std::uint64_t scenes(std::uint64_t all) { return std::getenv("HOOKE_PRINT") != nullptr ? all : all / 4; }
 
 // At the linear limit, a third of these nets gain energy with velocity_verlet (margin_test.cpp).
-TEST_P(AutomaticAttack, NoRotatingNetGainsEnergyInSilence) {
-  int reported = 0, silent = 0;
+TEST_P(AutomaticAttack, NoRotatingNetGainsEnergy) {
+  int gained = 0;
   for (std::uint64_t seed = 0; seed < scenes(120); ++seed) {
     TestSim sim = rotating_net(seed);
     initialize_ledger(sim.system, sim.state);
@@ -44,10 +44,9 @@ TEST_P(AutomaticAttack, NoRotatingNetGainsEnergyInSilence) {
     if (gains && std::getenv("HOOKE_PRINT") != nullptr)
       std::printf("tolerance %g, net %d: %s, %s\n", GetParam(), static_cast<int>(seed), is_lost ? "diverged" : "gained energy",
                   monitor.warning().c_str());
-    if (gains) ++(monitor.frames_beyond() > 0 ? reported : silent);
+    gained += gains ? 1 : 0;
   }
-  EXPECT_EQ(silent, 0);
-  EXPECT_EQ(reported, 0);
+  EXPECT_EQ(gained, 0);
 }
 
 // Every kind of listed force, walls, wind, dashpots and the hand, with extreme parameters. A choice never takes long, and a frame without

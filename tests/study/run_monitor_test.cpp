@@ -123,9 +123,10 @@ TEST(RunMonitor, DoesNotCallTheOscillationOfASymplecticMethodAGain) {
   EXPECT_LT(run.monitor().energy_rise(), 2e-3);
 }
 
-// Nets without dissipation, stretched by up to 30 %, at a quarter of the limit.
+// Nets without dissipation, stretched by up to 30 %, at a quarter of the limit. With HOOKE_PRINT set, the figures of docs/accuracy.md.
 TEST(RunMonitor, RarelyWarnsAboutNetsAtTheRecommendedStep) {
-  constexpr int nets = 60;
+  const bool prints = std::getenv("HOOKE_PRINT") != nullptr;
+  const int nets = prints ? 2000 : 60;
   for (const char* id : {"symplectic_euler", "velocity_verlet"}) {
     int warned = 0;
     for (std::uint64_t seed = 0; seed < nets; ++seed) {
@@ -145,7 +146,8 @@ TEST(RunMonitor, RarelyWarnsAboutNetsAtTheRecommendedStep) {
       EXPECT_FALSE(run.stopped());
       warned += run.monitor().warnings(run.system(), {}).empty() ? 0 : 1;
     }
-    EXPECT_LE(warned, 3) << id;
+    if (prints) std::printf("%s: %d of %d warned about\n", id, warned, nets);
+    EXPECT_LE(warned, nets / 20) << id;
   }
 }
 

@@ -19,6 +19,14 @@ inline Outcome headless(std::vector<std::string> words) {
   return run_process(words);
 }
 
+// Arguments separated by spaces, in a folder, without a display.
+inline Outcome run_headless(const std::string& arguments, const std::filesystem::path& folder = ".") {
+  std::vector<std::string> words{"/usr/bin/env", "-C", folder.string(), "-u", "DISPLAY", HOOKE_HEADLESS};
+  std::istringstream text(arguments);
+  for (std::string word; text >> word;) words.push_back(word);
+  return run_process(words);
+}
+
 // Returns the path as an argument.
 inline std::string write_file(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file) << text;

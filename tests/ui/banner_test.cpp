@@ -141,14 +141,8 @@ TEST(Banner, UndoesTheLastStepAndShowsWhereItFailed) {
 
 // Back to start keeps parameters that were changed during the run, and the remedy is tested with them.
 TEST(Banner, AfterAnEditDuringTheRunContinuesFromTheLastGoodStateWithTheEditedParameters) {
-  Scene scene = unstable_springs();
-  for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 100.0;
-  GuiFixture gui(scene);
-  gui.key(Key::Space);
-  while (gui.status().snapshot->state.time < 1.0) gui.frame();
-  gui.app().handle(Request(Edit{RestoreParameter{find_parameter("stiffness"), 1e5}}));
-  for (int i = 0; i < 2000 && gui.status().diagnosis.message.empty(); ++i) gui.frame();
-  ASSERT_FALSE(gui.status().diagnosis.message.empty());
+  GuiFixture gui(stable_springs());
+  run_and_stiffen(gui);
   const std::string words = words_with_remedy(gui);
   ASSERT_NE(words.find("Continue from t = "), std::string::npos) << words;
   EXPECT_NE(words.find("k: 100 -> 100,000 N/m"), std::string::npos) << words;

@@ -1,24 +1,12 @@
 // "Is this real?": the check of the result, ghosts, the stretch of springs and the lesson about them.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "formats/scene_file.h"
 #include "sim/integrator.h"
 #include "support/two_springs.h"
 
 namespace hooke {
 namespace {
-
-// Builds frames until the text appears.
-bool appears(GuiFixture& gui, const std::string& text) {
-  for (int i = 0; i < 3000; ++i) {
-    if (gui.text().find(text) != std::string::npos) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  return false;
-}
 
 void run_for(GuiFixture& gui, double seconds) {
   const double until = gui.status().snapshot->state.time + seconds;
@@ -29,11 +17,11 @@ void run_for(GuiFixture& gui, double seconds) {
 TEST(ResultCheckPanel, ShowsASentenceAndATable) {
   GuiFixture gui(two_springs());
   gui.key(letter('K'), {.control = true, .shift = true});
-  ASSERT_TRUE(appears(gui, "Maximum strain")) << gui.text();
+  ASSERT_TRUE(eventually_shows(gui, "Maximum strain")) << gui.text();
   const std::string words = gui.text();
   for (const char* word : {"Check this result", "ndependent of the step", "no sheet or rope to refine", "half the step", "Energy change"})
     EXPECT_NE(words.find(word), std::string::npos) << word << " in " << words;
-  EXPECT_EQ(words.find("twice the points"), std::string::npos);
+  EXPECT_EQ(words.find("twice the resolution"), std::string::npos);
 }
 
 TEST(GhostPanel, OtherSettingsRunBesideTheRunAndAreDrawn) {
@@ -76,7 +64,7 @@ TEST(StretchOfSprings, IsExplainedBelowTheirProperties) {
   gui.key(letter('A'), {.control = true});
   gui.frames(3);
   gui.app().handle(Request(ExplainStretch{}));
-  EXPECT_TRUE(appears(gui, "Step error")) << gui.text();
+  EXPECT_TRUE(eventually_shows(gui, "Step error")) << gui.text();
 }
 
 TEST(Lesson, ChecksOffEachStepWhenItIsDoneAndNotBefore) {
@@ -100,6 +88,37 @@ TEST(Lesson, ChecksOffEachStepWhenItIsDoneAndNotBefore) {
   gui.key(letter('G'), {.control = true, .shift = true});
   for (int i = 0; i < 600 && done() == 7u; ++i) run_for(gui, 0.1);
   EXPECT_EQ(done(), 15u);
+  gui.key(Key::Space);
+  gui.key(letter('M'), {.control = true, .shift = true});
+  EXPECT_EQ(done(), 15u);
+  ASSERT_TRUE(eventually_shows(gui, "Reference: "));
+  EXPECT_EQ(done(), 15u);
+  const auto& compared = gui.app().panel_input({}).comparison.result;
+  const Row& row = compared->record.rows.front();
+  gui.app().handle(Request(Edit{SetIntegrator{find_integrator(row.method)}}));
+  EXPECT_EQ(done(), 15u);
+  gui.app().handle(Request(Edit{SetParameter{find_parameter("substeps"), substeps_of(row, 60.0)}}));
+  EXPECT_EQ(done(), 31u);
+}
+
+TEST(ResultCheckPanel, OfThePreviousSceneIsNotShownForTheNextOne) {
+  GuiFixture gui(two_springs());
+  gui.key(letter('K'), {.control = true, .shift = true});
+  ASSERT_TRUE(eventually_shows(gui, "Maximum strain")) << gui.text();
+  gui.app().handle(Request(Action::New));
+  gui.frames(3);
+  EXPECT_FALSE(gui.app().panel_input({}).result_check.result);
+}
+
+TEST(GhostPanel, GhostsStopWhenAnotherPanelTakesTheirPlace) {
+  GuiFixture gui(two_springs());
+  gui.key(letter('B'), {.control = true, .shift = true});
+  run_for(gui, 0.1);
+  ASSERT_EQ(gui.status().companions.list.size(), 1u);
+  gui.key(letter('K'), {.control = true, .shift = true});
+  gui.frames(3);
+  EXPECT_TRUE(gui.status().companions.list.empty());
+  EXPECT_TRUE(gui.app().marks().ghost_networks.empty());
 }
 
 }  // namespace

@@ -14,30 +14,59 @@ namespace hooke {
 template <class Result>
 class ResultTask {
  public:
+  using Compute = std::function<Result(const Progress&)>;
+
   // Does nothing while one is running. `what`: "Comparing methods". `compute` must not throw, and ends early if its progress returns false.
-  void start(std::string what, std::function<Result(const Progress&)> compute) {
-    if (task_.is_running()) return;
+  void start(std::string what, Compute compute) {
+    if (is_running()) return;
     newest_.reset();
-    task_.start(std::move(what), [this, compute = std::move(compute)](const Progress& progress) -> BackgroundTask::Completion {
-      auto result = std::make_shared<const Result>(compute(progress));
-      return [this, result] { newest_ = result; };
-    });
+    next_ = {std::move(what), std::move(compute)};
+    start_next();
   }
   void stop() {
+    next_ = {};
     if (task_.is_running()) task_.stop();
   }
+  // When another scene is shown: the result, or the computation in progress, is about the previous one.
+  void clear() {
+    stop();
+    newest_.reset();
+    is_outdated_ = task_.is_running();
+  }
   // Once per frame: takes the result.
-  void follow() { task_.follow(); }
-  bool is_running() const { return task_.is_running(); }
+  void follow() {
+    if (task_.follow()) start_next();
+  }
+  bool is_running() const { return next_.compute || (task_.is_running() && !is_outdated_); }
   // For the panel.
   ResultStatus<Result> status() const {
-    return {.is_running = task_.is_running(),
-            .fraction = task_.is_running() ? task_.fraction() : 0.0,
-            .seconds = task_.is_running() ? task_.seconds() : 0.0,
+    const bool is_computed = task_.is_running() && !is_outdated_;
+    return {.is_running = is_running(),
+            .fraction = is_computed ? task_.fraction() : 0.0,
+            .seconds = is_computed ? task_.seconds() : 0.0,
             .result = newest_};
   }
 
  private:
+  struct Next {
+    std::string what;
+    Compute compute;
+  };
+  // At once, or when the outdated computation has stopped.
+  void start_next() {
+    if (task_.is_running() || !next_.compute) return;
+    is_outdated_ = false;
+    Next next = std::exchange(next_, {});
+    task_.start(std::move(next.what), [this, compute = std::move(next.compute)](const Progress& progress) -> BackgroundTask::Completion {
+      auto result = std::make_shared<const Result>(compute(progress));
+      return [this, result] {
+        if (!is_outdated_) newest_ = result;
+      };
+    });
+  }
+
+  Next next_;
+  bool is_outdated_ = false;  // the computation in progress
   std::shared_ptr<const Result> newest_;
   BackgroundTask task_;  // last: the destructor waits for it before anything that it uses is destroyed
 };

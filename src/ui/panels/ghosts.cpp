@@ -77,8 +77,9 @@ Decades decades_of(const CompanionTable& table) {
       decades.min = std::min(decades.min, static_cast<int>(std::floor(std::log10(distance))));
       decades.max = std::max(decades.max, static_cast<int>(std::ceil(std::log10(distance))));
     }
-  decades.max = std::max(decades.max, decades.min < decades.max ? decades.min + 1 : decades.max);
+  if (decades.max < decades.min) return decades;
   constexpr int most = 8;
+  decades.max = std::max(decades.max, decades.min + 1);
   decades.min = std::max(decades.min, decades.max - most);
   return decades;
 }

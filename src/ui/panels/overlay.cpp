@@ -171,12 +171,12 @@ std::vector<WayOut> ways_out(const PanelInput& input) {
   if (const auto& found = input.remedy.found) {
     const Remedy& remedy = *found;
     if (remedy.advice)
-      ways.push_back({remedy_label(remedy, settings) + "###remedy", "Sets what was tested, and runs", [&](Requests& requests) {
+      ways.push_back({remedy_label(remedy, settings) + "###remedy", "Uses the tested setting and continues the run", [&](Requests& requests) {
                         take(*remedy.advice, settings, requests);
                         run_from(remedy, requests);
                       }});
     if (remedy.change)
-      ways.push_back({"Restore the previous value###restore", remedy.change->text + ", back; and runs", [&](Requests& requests) {
+      ways.push_back({"Restore the previous value###restore", "Undoes " + remedy.change->text + " and continues the run", [&](Requests& requests) {
                         bool continues = false;
                         for (const Command& command : remedy.change->restore)
                           requests.emplace_back(Edit{command, std::exchange(continues, true)});
@@ -185,7 +185,7 @@ std::vector<WayOut> ways_out(const PanelInput& input) {
     if (remedy.implicit) {
       const std::string_view label = remedy.implicit->integrator->label;
       ways.push_back({"Use " + std::string(label.substr(0, label.find(" ("))) + "###implicit",
-                      "A method that is stable at any step, tested like the substeps; runs", [&](Requests& requests) {
+                      "Uses a method that is stable at any step, tested in the same way, and continues the run", [&](Requests& requests) {
                         take(*remedy.implicit, settings, requests);
                         run_from(remedy, requests);
                       }});

@@ -19,7 +19,7 @@ void table(const ResultCheck& check) {
   };
   ImGui::TableNextRow();
   for (const char* heading : {"", "now", "half the step"}) cell(heading, palette::dim);
-  if (has_finer) cell("and twice the points", palette::dim);
+  if (has_finer) cell("and twice the resolution", palette::dim);
   for (const CheckedQuantity& quantity : check.quantities) {
     ImGui::TableNextRow();
     std::string name(quantity.name);
@@ -72,8 +72,8 @@ void build_result_check(const PanelInput& input, Panels& panels, Requests& reque
   const ResultStatus<ResultCheck>& status = input.result_check;
   if (status.is_running) {
     paragraph(
-        "Runs copies of the scene from its present state: with the same step, with half of it, and with twice as many points in sheets and "
-        "ropes.",
+        "Runs copies of the scene from its present state: with the same step, with half of it, and with half of it and twice the "
+        "resolution of sheets and ropes.",
         palette::dim);
     progress_bar(status.fraction, status.seconds, ImGui::GetContentRegionAvail().x);
   } else if (!status.result) {
