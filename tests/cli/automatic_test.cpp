@@ -8,7 +8,8 @@ namespace {
 
 // Without a named method, a tolerance selects auto; the summary says what it chose; the same bits every time.
 TEST(AutomaticMethod, IsSelectedByATolerance) {
-  const Outcome first = run_headless("run cloth --seconds 0.5 --tolerance 1e-3"), again = run_headless("run cloth --seconds 0.5 --integrator auto");
+  const Outcome first = run_headless("run cloth --seconds 0.5 --tolerance 1e-3"),
+                again = run_headless("run cloth --seconds 0.5 --integrator auto");
   EXPECT_EQ(first.code, 0) << first.err;
   EXPECT_NE(first.out.find("auto, tolerance 0.001 m/s"), std::string::npos) << first.out;
   EXPECT_NE(first.out.find("last choice: "), std::string::npos) << first.out;

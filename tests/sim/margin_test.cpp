@@ -69,16 +69,18 @@ TEST(Margin, ManyRandomNetsGainEnergyAtTheLinearLimitItself) {
 }
 
 TEST(Margin, IsLargerWhereSpringsPassThroughZeroLength) {
-  const int nets = prints() ? 2000 : 60;
-  int collapsing = 0, others = 0;
+  const std::uint64_t nets = prints() ? 2000 : 60;
+  std::uint64_t collapsing = 0, others = 0;
   for (std::uint64_t seed = 0; seed < nets; ++seed) {
     const TestSim sim = collapsing_net(seed);
     collapsing += recommended_margin(sim.system, sim.state) == collapse_margin ? 1 : 0;
     const TestSim rotating = rotating_net(seed);
     others += recommended_margin(rotating.system, rotating.state) == collapse_margin ? 1 : 0;
   }
-  if (prints()) std::printf("%d of %d nets can collapse, and %d of the others\n", collapsing, nets, others);
-  print_gains(collapsing_net, nets, {4.0, 8.0, 16.0});
+  if (prints())
+    std::printf("%d of %d nets can collapse, and %d of the others\n", static_cast<int>(collapsing), static_cast<int>(nets),
+                static_cast<int>(others));
+  print_gains(collapsing_net, static_cast<int>(nets), {4.0, 8.0, 16.0});
   EXPECT_GT(collapsing, nets / 2);
   EXPECT_LT(others, nets / 10);
   for (const Integrator* method : {&symplectic_euler, &velocity_verlet}) {

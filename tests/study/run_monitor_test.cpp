@@ -126,9 +126,9 @@ TEST(RunMonitor, DoesNotCallTheOscillationOfASymplecticMethodAGain) {
 // Nets without dissipation, stretched by up to 30 %, at a quarter of the limit. With HOOKE_PRINT set, the figures of docs/accuracy.md.
 TEST(RunMonitor, RarelyWarnsAboutNetsAtTheRecommendedStep) {
   const bool prints = std::getenv("HOOKE_PRINT") != nullptr;
-  const int nets = prints ? 2000 : 60;
+  const std::uint64_t nets = prints ? 2000 : 60;
   for (const char* id : {"symplectic_euler", "velocity_verlet"}) {
-    int warned = 0;
+    std::uint64_t warned = 0;
     for (std::uint64_t seed = 0; seed < nets; ++seed) {
       Random random(seed);
       TestNetwork network;
@@ -146,7 +146,7 @@ TEST(RunMonitor, RarelyWarnsAboutNetsAtTheRecommendedStep) {
       EXPECT_FALSE(run.stopped());
       warned += run.monitor().warnings(run.system(), {}).empty() ? 0 : 1;
     }
-    if (prints) std::printf("%s: %d of %d warned about\n", id, warned, nets);
+    if (prints) std::printf("%s: %d of %d warned about\n", id, static_cast<int>(warned), static_cast<int>(nets));
     EXPECT_LE(warned, nets / 20) << id;
   }
 }

@@ -97,7 +97,7 @@ TEST(Lesson, ChecksOffEachStepWhenItIsDoneAndNotBefore) {
   const Row& row = compared->record.rows.front();
   gui.app().handle(Request(Edit{SetIntegrator{find_integrator(row.method)}}));
   EXPECT_EQ(done(), 15u);
-  gui.app().handle(Request(Edit{SetParameter{find_parameter("substeps"), substeps_of(row, 60.0)}}));
+  gui.app().handle(Request(Edit{SetParameter{find_parameter("substeps"), static_cast<double>(substeps_of(row, 60.0).value())}}));
   EXPECT_EQ(done(), 31u);
 }
 
@@ -105,7 +105,7 @@ TEST(ResultCheckPanel, OfThePreviousSceneIsNotShownForTheNextOne) {
   GuiFixture gui(two_springs());
   gui.key(letter('K'), {.control = true, .shift = true});
   ASSERT_TRUE(eventually_shows(gui, "Maximum strain")) << gui.text();
-  gui.app().handle(Request(Action::New));
+  gui.app().handle(Request(Action::NewFlatScene));
   gui.frames(3);
   EXPECT_FALSE(gui.app().panel_input({}).result_check.result);
 }

@@ -171,17 +171,18 @@ std::vector<WayOut> ways_out(const PanelInput& input) {
   if (const auto& found = input.remedy.found) {
     const Remedy& remedy = *found;
     if (remedy.advice)
-      ways.push_back({remedy_label(remedy, settings) + "###remedy", "Uses the tested setting and continues the run", [&](Requests& requests) {
-                        take(*remedy.advice, settings, requests);
-                        run_from(remedy, requests);
-                      }});
+      ways.push_back(
+          {remedy_label(remedy, settings) + "###remedy", "Uses the tested setting and continues the run", [&](Requests& requests) {
+             take(*remedy.advice, settings, requests);
+             run_from(remedy, requests);
+           }});
     if (remedy.change)
-      ways.push_back({"Restore the previous value###restore", "Undoes " + remedy.change->text + " and continues the run", [&](Requests& requests) {
-                        bool continues = false;
-                        for (const Command& command : remedy.change->restore)
-                          requests.emplace_back(Edit{command, std::exchange(continues, true)});
-                        run_from(remedy, requests);
-                      }});
+      ways.push_back(
+          {"Restore the previous value###restore", "Undoes " + remedy.change->text + " and continues the run", [&](Requests& requests) {
+             bool continues = false;
+             for (const Command& command : remedy.change->restore) requests.emplace_back(Edit{command, std::exchange(continues, true)});
+             run_from(remedy, requests);
+           }});
     if (remedy.implicit) {
       const std::string_view label = remedy.implicit->integrator->label;
       ways.push_back({"Use " + std::string(label.substr(0, label.find(" ("))) + "###implicit",
