@@ -54,9 +54,9 @@ TEST(AccuracyReports, WhatIsNotMeasuredHasAReason) {
 TEST(AccuracyReports, TheSummaryOfARunEndsWithItsError) {
   const auto last_line = [](const std::string& arguments) { return lines_of(run_headless(arguments).out).back(); };
   const std::string plain = last_line("run two_masses --seconds 1.2"), full = last_line("run two_masses --seconds 1.2 --accuracy full");
-  EXPECT_EQ(plain.find("error of a frame: "), 0u) << plain;
+  EXPECT_EQ(plain.find("error of a frame at t = "), 0u) << plain;
   EXPECT_NE(plain.find(" % of the size); accumulated, predictability: not measured without --accuracy full"), std::string::npos) << plain;
-  EXPECT_EQ(full.find("error of a frame: "), 0u) << full;
+  EXPECT_EQ(full.find("error of a frame at t = "), 0u) << full;
   EXPECT_NE(full.find("; accumulated: "), std::string::npos) << full;
   EXPECT_NE(full.find("predictable"), std::string::npos) << full;
   EXPECT_EQ(last_line("run two_masses --seconds 1.2 --accuracy off").find("hash "), 0u);

@@ -58,8 +58,8 @@ std::vector<Index> parse_points(const std::optional<std::string>& list, Index co
 
 // The error of the run and, where only that of a frame was measured, how to measure the rest.
 std::string accuracy_summary(const Accuracy& accuracy, bool is_full) {
-  const std::string time = accuracy.frame.value ? " (at t = " + quantity_text(accuracy.frame_time, "s") + ")" : "";
-  const std::string frame = "error of a frame: " + error_text(accuracy.frame, accuracy.size) + time;
+  const std::string time = accuracy.frame.value ? " at t = " + quantity_text(accuracy.frame_time, "s") : "";
+  const std::string frame = "error of a frame" + time + ": " + error_text(accuracy.frame, accuracy.size);
   if (!is_full) return frame + "; accumulated, predictability: not measured without --accuracy full";
   return frame + "; accumulated: " + error_text(accuracy.accumulated, accuracy.size) + "; " + predictability_text(accuracy);
 }
