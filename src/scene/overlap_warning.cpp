@@ -15,7 +15,7 @@ std::optional<std::string> overlap_warning(const System& system, const State& st
   std::vector<double> extent;
   for (const Point& point : system.points()) extent.push_back(point.radius + 0.5 * system.contact.thickness);
   std::vector<PointPair> pairs;
-  PairSearch().find(plan, motion.x, extent, pairs, PairSolver::max_pairs);
+  const bool is_complete = PairSearch().find(plan, motion.x, extent, pairs, PairSolver::max_pairs);
 
   constexpr double ignored = 1e-3;
   std::size_t count = 0;
@@ -31,9 +31,10 @@ std::optional<std::string> overlap_warning(const System& system, const State& st
     deepest = pair;
   }
   if (count == 0) return std::nullopt;
-  return "contact.points: " + std::to_string(count) + (count == 1 ? " pair of points overlaps" : " pairs of points overlap") + ", points " +
-         std::to_string(deepest.i) + " and " + std::to_string(deepest.j) + " most, by " + quantity_text(depth, "m", 2) +
-         ": they cannot get closer, and separate slowly";
+  return "contact.points: " + std::string(is_complete ? "" : "at least ") + std::to_string(count) +
+         (count == 1 ? " pair of points overlaps" : " pairs of points overlap") + ", points " + std::to_string(deepest.i) + " and " +
+         std::to_string(deepest.j) + " most, by " + quantity_text(depth, "m", 2) +
+         ": they cannot get closer; accelerations separate deep overlaps slowly";
 }
 
 }  // namespace hooke

@@ -98,6 +98,7 @@ double AdaptiveStep::advance_in_halves(const Plan& plan, const Integrator& metho
   for (int half = 0; half < 2; ++half) {
     const double begin = half == 0 ? 0.0 : 0.5 * h, end = half == 0 ? 0.5 * h : h;
     for (double done = begin; done < end;) {
+      if (motion.force_evaluations >= max_adaptive_evaluations) return 0.0;
       store(motion, piece_);
       const double left = end - done, length = method.advance(plan, motion, work, left);
       if (length == 0.0) return 0.0;

@@ -7,6 +7,9 @@
 
 namespace hooke {
 
+// Of a frame, those of rejected steps included.
+inline constexpr long max_adaptive_evaluations = 2'000'000;
+
 // Unit of the error [m], [m/s]: the tolerance, a velocity error counting by its effect within a second; at least the rounding
 // error of coordinates and of forces.
 struct ErrorScale {

@@ -5,15 +5,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "sim/automatic/automatic.h"
+#include "sim/contact/contact.h"
 #include "sim/step.h"
 
 namespace hooke {
-namespace {
-
-bool has_contact(const System& system) { return system.contact.points || std::ranges::any_of(system.colliders, &Collider::solid); }
-
-}  // namespace
-
 int effective_order(const System& system, const Integrator& method) {
   int order = method.order;
   if (system.drag_rate() > 0.0) order = std::min(order, method.order_drag);
@@ -26,6 +22,10 @@ int effective_order(const System& system, const Integrator& method) {
 
 Settings refined(const System& system, const Settings& settings) {
   Settings fine = settings;
+  if (is_automatic(settings)) {
+    fine.tolerance = 0.1 * automatic_tolerance(settings);
+    return fine;
+  }
   if (settings.integrator->stability != Stability::Adaptive) {
     fine.substeps *= 2;
     return fine;
@@ -68,9 +68,11 @@ double estimate_frame_error(const System& system, const Settings& settings, cons
     failed = failed || frame.failure() != StepFailure::None;
     return to;
   };
-  const State coarse = step(settings), fine = step(refined(system, settings));
+  const State coarse = step(settings);
+  const Settings used = settings_used(settings, coarse);
+  const State fine = step(refined(system, used));
   if (failed) return std::numeric_limits<double>::infinity();
-  return weighted_distance(coarse.position, fine.position, refinement_weight(system, settings)).rms;
+  return weighted_distance(coarse.position, fine.position, refinement_weight(system, used)).rms;
 }
 
 }  // namespace hooke

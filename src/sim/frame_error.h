@@ -12,7 +12,7 @@ struct FrameError {
 };
 
 // The settings of the repetition: half the step, and for a method that adapts its step a thousandth of the tolerance, or with
-// contact a tenth.
+// contact a tenth; for `auto` a tenth.
 Settings refined(const System& system, const Settings& settings);
 
 // The order of the positions on this scene: the lowest of those that apply to what it contains.
@@ -26,7 +26,7 @@ double refinement_weight(const System& system, const Settings& settings);
 FrameError weighted_distance(const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight);
 
 // The error that the method of `settings` makes in the one frame that follows `state`: RMS over the points [m]. Costs three frames, and
-// allocates.
+// allocates. With `auto`, of the method and substeps that it chooses for that frame.
 double estimate_frame_error(const System& system, const Settings& settings, const State& state);
 
 }  // namespace hooke

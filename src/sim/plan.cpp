@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
+#include "sim/contact/contact.h"
 #include "sim/hand.h"
 #include "sim/portable_math.h"
 #include "sim/state.h"
@@ -369,8 +370,7 @@ Spectrum bound_spectrum(const System& system) {
   spectrum.force_omega = std::sqrt(force_stiffness);
   spectrum.omega = std::sqrt(spectrum.omega + force_stiffness);
   spectrum.drag_rate = system.drag_rate();
-  spectrum.contact = system.contact.points ||
-                     std::any_of(system.colliders.begin(), system.colliders.end(), [](const Collider& collider) { return collider.solid; });
+  spectrum.contact = has_contact(system);
   spectrum.min_dashpot_ratio = std::isfinite(min_ratio) ? min_ratio : 0.0;
   return spectrum;
 }

@@ -127,7 +127,7 @@ void Frame::substep(Plan& plan) {
   else
     integrator_->step(plan, motion_, work_, h_);
   if (length == 0.0) {
-    failure_ = StepFailure::TooShort;
+    failure_ = motion_.force_evaluations >= max_adaptive_evaluations ? StepFailure::TooMany : StepFailure::TooShort;
     return;
   }
   const bool ends = length == left_;

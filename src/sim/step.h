@@ -17,7 +17,6 @@ namespace hooke {
 // max_adaptive_evaluations force evaluations, those of rejected steps included; or more than PairSolver::max_pairs pairs of points come
 // within reach of each other in one substep.
 enum class StepFailure { None, TooShort, TooMany, TooManyPairs };
-inline constexpr long max_adaptive_evaluations = 2'000'000;
 
 // A frame in progress. Reused from frame to frame, so that stepping does not allocate:
 //   frame.begin(plan, system, settings, state); while (!frame.done()) frame.substep(plan); frame.end(plan, state);

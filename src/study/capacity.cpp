@@ -127,14 +127,13 @@ CapacityResult measure_capacity(std::span<const Integrator* const> methods, std:
     result.largest_n = n;
     for (CapacityRow& row : result.rows) {
       if (row.is_bounded) continue;
-      if (auto largest = CapacitySearch(benchmark, *reference.reference, *row.method, relative_error, should_continue).find()) {
-        largest->n = n;
-        largest->springs = problem.system.spring_count();
-        row.largest = *largest;
-      } else {
-        row.is_bounded = true;
-      }
+      auto largest = CapacitySearch(benchmark, *reference.reference, *row.method, relative_error, should_continue).find();
       if (!should_continue()) return result;
+      row.is_bounded = !largest;
+      if (!largest) continue;
+      largest->n = n;
+      largest->springs = problem.system.spring_count();
+      row.largest = *largest;
     }
   }
   return result;

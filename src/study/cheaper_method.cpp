@@ -6,6 +6,7 @@
 
 #include "scene/step_limits.h"
 #include "sim/automatic/automatic.h"
+#include "sim/contact/contact.h"
 #include "sim/divergence.h"
 #include "sim/frame_error.h"
 #include "sim/integrators/rows.h"
@@ -60,8 +61,7 @@ class Frames {
 
 // Far more accurate than the present settings.
 Settings exact(const System& system, const Settings& settings, const Spectrum& spectrum) {
-  if (!system.contact.points && std::ranges::none_of(system.colliders, &Collider::solid))
-    return {.integrator = &dop853, .frame_rate = settings.frame_rate, .substeps = 1, .tolerance = 1e-13};
+  if (!has_contact(system)) return {.integrator = &dop853, .frame_rate = settings.frame_rate, .substeps = 1, .tolerance = 1e-13};
   const int stable = min_stable_substeps(blanes_moan4, spectrum, settings.frame_rate).value_or(settings.substeps);
   return {.integrator = &blanes_moan4, .frame_rate = settings.frame_rate, .substeps = 8 * std::max(stable, settings.substeps)};
 }

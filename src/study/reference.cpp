@@ -8,6 +8,7 @@
 #include <random>
 #include <utility>
 
+#include "sim/contact/contact.h"
 #include "sim/energy.h"
 
 namespace hooke {
@@ -47,9 +48,7 @@ std::pair<int, int> convergence_orders(const Integrator& method, const Problem& 
   if (system.drag_rate() > 0.0) order = std::min(order, method.order_drag);
   if (std::any_of(system.springs().begin(), system.springs().end(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; }))
     order = std::min(order, method.order_damped);
-  const bool collides = system.contact.points || std::any_of(system.colliders.begin(), system.colliders.end(),
-                                                             [](const Collider& collider) { return collider.solid; });
-  return {collides ? std::min(order, method.order_contact) : order, order};
+  return {has_contact(system) ? std::min(order, method.order_contact) : order, order};
 }
 
 Setting first_setting(const Benchmark& benchmark, const Integrator& method) {

@@ -10,6 +10,7 @@
 #include "edit/apply.h"
 #include "lab/lab.h"
 #include "sim/automatic/automatic.h"
+#include "sim/contact/contact.h"
 #include "study/run_monitor.h"
 
 namespace hooke {
@@ -103,8 +104,7 @@ Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
         copy.system.scripted_hand.reset();
       }))
     return Hand;
-  const bool has_contact = !system.colliders.empty() || system.contact.points;
-  if (has_contact && is_cured_without(start, seconds, budget, [](Scene& copy) {
+  if (has_contact(system) && is_cured_without(start, seconds, budget, [](Scene& copy) {
         copy.system.colliders.clear();
         copy.system.contact.points = false;
         copy.state.hand.collider.reset();
@@ -290,7 +290,12 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
     return {};
   };
   if (remedy.cause == Remedy::Cause::NotReproduced) return cause();
-  if (!remedy.advice) return cause() + " No remedy found: " + std::to_string(remedy.settings_tried) + " other settings were tried.";
+  if (!remedy.advice) {
+    const std::string tried = " other settings were tried" + std::string(remedy.change || remedy.implicit ? " without success" : "");
+    const std::string found = remedy.implicit ? " With " + std::string(remedy.implicit->integrator->label) + " it does not diverge." : "";
+    return cause() + (remedy.change || remedy.implicit ? " " : " No remedy found: ") + std::to_string(remedy.settings_tried) + tried + "." +
+           found;
+  }
   // why more substeps than the limit shown below the slider
   std::string margin;
   if (remedy.linear_limit) {

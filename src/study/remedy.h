@@ -18,7 +18,7 @@ struct Remedy {
     NotReproduced,  // the run from this state did not diverge again, or not within the work limit
     StepTooLong,    // beyond the linear stability limit
     Force,          // stable without the listed forces
-    Contact,        // stable without the colliders
+    Contact,        // stable without colliders and contact between points
     Hand,           // stable without the hand
     Springs,        // within the linear limit, which does not cover springs that rotate far
   };
@@ -36,23 +36,23 @@ struct Remedy {
   std::optional<Advice> implicit{};
 };
 
-// A limit on the work: approximately the number of springs and points times the force evaluations of all copies. The default takes a second
-// or two.
+// A limit on the work: approximately the number of springs and points times the force evaluations of all copies of one search. The default
+// takes a second or two.
 inline constexpr double default_remedy_work = 4e8;
 
 // Receives what is being tested: "Testing Velocity Verlet with 80 substeps per frame". Called on the thread of the search.
 using RemedyProgress = std::function<void(const std::string& test)>;
 
-// Runs copies of `start` (a state before the divergence, best the start of the run) with its own settings, without its forces, colliders
-// and hand, and with other settings: each for `seconds` or until the divergence. A setting is accepted when it neither diverges nor is
-// warned about by the run monitor, as in `hooke run`, for `seconds` or, where the work allows less, for at least twice the time that the
+// Runs copies of `start` (a state before the divergence, best the start of the run) with its own settings, without its forces,
+// contact and hand, and with other settings: each for `seconds` or until the divergence. A setting is accepted when it neither diverges nor
+// is warned about by the run monitor, as in `hooke run`, for `seconds` or, where the work allows less, for at least twice the time that the
 // divergence took; if there is none, the first one that does not diverge, with its warnings. Deterministic. Can run on
 // any thread; `stop` ends it early.
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work = default_remedy_work,
                    const RemedyProgress& report = {});
 
-// From the last recorded state before the energy grew or, where there is none or it does not diverge again, from the start of the run.
-// Finds the edit that the divergence is due to, if it is due to one.
+// From the last recorded state before the energy grew or, where there is none or it does not diverge again, from the start of the run: up
+// to two searches, one to find the edit that the divergence is due to, if it is due to one, and a run with each implicit method.
 Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const RemedyProgress& report = {});
 
 // "Cause: ... Tested for 2 s: Velocity Verlet with 80 substeps per frame runs through." One line.

@@ -6,6 +6,7 @@
 
 #include "sim/energy.h"
 #include "support/convergence.h"
+#include "support/next_frame.h"
 #include "support/random_scene.h"
 
 namespace hooke {
@@ -321,6 +322,57 @@ TEST(PairContactOfPoints, IgnoresPointsJoinedAtTheirTouchingDistanceAndNoOthers)
   sim.system.spring(sim.system.index_of(spring)).rest_length = 0.21;
   sim.run(verlet(), 0.5, 10);
   EXPECT_NEAR(sim.velocity(second).x, 0.0, 1e-6);
+}
+
+// In free fall: the velocities of both change in the same way, and nothing else touches them.
+TEST(PairContactOfPoints, SeparatesDeepOverlapsOfFreePointsAboutTheirCenter) {
+  TestSim sim = space(0.0);
+  sim.system.gravity = {0.0, -9.81, 0.0};
+  add_ball(sim, 0.1, {0.0, 0.0, 0.0}, 1.0);
+  add_ball(sim, 0.1, {0.15, 0.0, 0.0}, 3.0);
+  const auto distance = [&] { return glm::distance(sim.state.position[0], sim.state.position[1]); };
+  const auto center = [&] { return 0.25 * sim.state.position[0].x + 0.75 * sim.state.position[1].x; };
+  const double before = center();
+  sim.run(verlet(), 1.0, 60);
+  EXPECT_GT(distance(), 0.155);
+  EXPECT_NEAR(center(), before, 1e-14);
+  EXPECT_EQ(sim.state.velocity[0].x, 0.0);
+}
+
+// The frame is kept from run to run, as in the laboratory.
+TEST(PairContactOfPoints, OfAFrameThatIsReusedFollowsTheScene) {
+  TestSim sim = space(1.0);
+  add_ball(sim, 0.1, {0.0, 0.0, 0.0}, 1.0, {1.0, 0.0, 0.0});
+  add_ball(sim, 0.1, {0.21, 0.0, 0.0});
+  Frame reused;
+  const Settings settings{.integrator = &verlet(), .substeps = 4};
+  const auto run = [&](const TestSim& scene) {
+    Plan plan = make_plan(scene.system);
+    return next_frame(plan, reused, scene.system, settings, scene.state);
+  };
+  EXPECT_NEAR(run(sim).velocity[1].x, 1.0, 1e-12);
+  TestSim empty = space(1.0);
+  EXPECT_TRUE(run(empty).position.empty());
+  EXPECT_NEAR(run(sim).velocity[1].x, 1.0, 1e-12);
+}
+
+TEST(PairContactOfPoints, WithTooManyPairsStopsTheFrameAndTheNextOneIsUnaffected) {
+  TestSim crowd = space(0.0);
+  for (int i = 0; i < 1500; ++i) add_ball(crowd, 10.0, {1e-3 * i, 0.0, 0.0});
+  for (const char* id : {"velocity_verlet", "dop853"}) {
+    Frame reused;
+    const Settings settings{.integrator = find_integrator(id), .substeps = 1};
+    const auto failure_of = [&](const TestSim& scene) {
+      Plan plan = make_plan(scene.system);
+      next_frame(plan, reused, scene.system, settings, scene.state);
+      return reused.failure();
+    };
+    EXPECT_EQ(failure_of(crowd), StepFailure::TooManyPairs) << id;
+    TestSim two = space(0.0);
+    add_ball(two, 0.1, {0.0, 0.0, 0.0});
+    add_ball(two, 0.1, {1.0, 0.0, 0.0});
+    EXPECT_EQ(failure_of(two), StepFailure::None) << id;
+  }
 }
 
 }  // namespace

@@ -155,5 +155,37 @@ TEST(ExactMotion, TheReferenceIsNearTheConvergedSolution) {
   EXPECT_LT(weighted_distance(run.state.position, converged.state.position, 1.0).rms, 1e-6);
 }
 
+TEST(ExactMotion, OfAPairThatRotatesOrPassesThroughZeroLengthIsNotClaimed) {
+  const auto pair = [](const Vec3& velocity) {
+    TestSim sim;
+    sim.system.gravity = Vec3(0.0);
+    const PointId first = sim.add(Vec3(0.0), 1.0, -velocity), second = sim.add({1.0, 0.0, 0.0}, 1.0, velocity);
+    sim.join(first, second, 50.0, 1.0);
+    return sim;
+  };
+  EXPECT_TRUE(exact_of(pair({0.1, 0.0, 0.0})));
+  EXPECT_FALSE(exact_of(pair({0.0, 0.1, 0.0})));
+  EXPECT_FALSE(exact_of(pair({6.0, 0.0, 0.0})));
+  // moving together across their line
+  TestSim sim = pair(Vec3(0.0));
+  sim.state.velocity.assign(2, Vec3(0.0, 0.2, 0.0));
+  EXPECT_TRUE(exact_of(sim));
+  // about a nail
+  TestSim pendulum;
+  pendulum.system.gravity = Vec3(0.0);
+  pendulum.join(pendulum.nail(Vec3(0.0)), pendulum.add({1.0, 0.0, 0.0}, 1.0, {0.0, 0.1, 0.0}), 50.0, 1.0);
+  EXPECT_FALSE(exact_of(pendulum));
+}
+
+TEST(ExactMotion, SaysThatItIgnoresContactBetweenPoints) {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  sim.system.contact.points = true;
+  sim.join(sim.add(Vec3(0.0)), sim.add({1.0, 0.0, 0.0}), 50.0, 0.9);
+  const auto exact = exact_of(sim);
+  ASSERT_TRUE(exact);
+  EXPECT_EQ(exact->name, "Exact solution without contact");
+}
+
 }  // namespace
 }  // namespace hooke

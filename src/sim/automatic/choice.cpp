@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <tuple>
 #include <utility>
@@ -22,17 +24,28 @@ constexpr double event_factor = 1.3, easy_event_factor = 2.1, drift_factor = 2.0
 // The part of the target below which an error is far below the tolerance.
 constexpr double easy_ratio = 0.05;
 
-// What the motion and the stability of the methods depend on, as one number, to notice edits.
+// What the motion and the stability of the methods depend on, as one number, to notice edits: 53 bits of a hash (FNV-1a, by words).
+// Without what moves by itself: the hand and colliders.
 double rates_of(const Plan& plan) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  const auto add = [&](double value) { hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3; };
+  const auto add_vector = [&](const Vec3& value) { add(value.x), add(value.y), add(value.z); };
   const Spectrum& s = plan.spectrum;
-  const bool has_hand = plan.held || plan.pull || plan.grabbed_collider;
-  double sum = s.omega + s.dashpot_rate + s.force_omega + s.force_rate + s.drag_rate + (has_hand ? 2.0 : 0.0);
-  for (const std::vector<double>* values : {&plan.mass, &plan.inverse_mass, &plan.stiffness, &plan.rest_length, &plan.damping})
-    for (const double value : *values) sum += value;
+  for (const double value : {s.omega, s.dashpot_rate, s.force_omega, s.force_rate, s.drag_rate}) add(value);
+  for (const auto* values : {&plan.mass, &plan.inverse_mass, &plan.radius, &plan.stiffness, &plan.rest_length, &plan.damping,
+                             &plan.max_length, &plan.break_length})
+    for (const double value : *values) add(value);
   for (const Force& force : plan.forces)
-    for (const double value : force.values) sum += value;
-  for (const Collider& collider : plan.colliders) sum += 1.0 + collider.restitution + collider.friction;
-  return sum + glm::length(plan.acceleration);
+    for (const double value : force.values) add(value);
+  for (const Collider& collider : plan.colliders) add(collider.restitution), add(collider.friction);
+  if (plan.pairs.on) add(plan.pairs.thickness), add(plan.pairs.restitution), add(plan.pairs.friction);
+  add(plan.held ? 1.0 : plan.grabbed_collider ? 2.0 : 0.0);
+  if (plan.pull) add(plan.pull->stiffness);
+  add_vector(plan.acceleration);
+  // the high bits depend on all others
+  hash ^= hash >> 32;
+  hash *= 0xd6e8feb86659fd93;
+  return static_cast<double>(hash >> 11);
 }
 
 // [m/s], a measure of how fast the scene and the hand move.
@@ -107,8 +120,11 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
     const double p = order;
     const double factor =
         portable::pow(std::max(choice.ratio, 1e-12) / 0.9, 0.7 / p) * portable::pow(std::clamp(before, 1e-12, 1e12), -0.4 / p);
-    const int fewer = static_cast<int>(std::ceil(choice.substeps * std::clamp(factor, 0.4, 1.0)));
-    choice.substeps = std::max(choice.min_substeps, fewer);
+    const int fewer = std::max(choice.min_substeps, static_cast<int>(std::ceil(choice.substeps * std::clamp(factor, 0.4, 1.0))));
+    const double part = static_cast<double>(fewer) / choice.substeps;
+    choice.substeps = fewer;
+    choice.ratio *= portable::pow(part, -p);
+    choice.cost *= part;
   }
   return true;
 }

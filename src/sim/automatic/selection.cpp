@@ -98,8 +98,7 @@ int substeps_for(int substeps, double error, double target, int order, double ma
 
 MethodChoice select_method(Trials& trials, const Plan& plan, const System& system, const Settings& settings, const Goal& goal,
                            const MethodChoice* present) {
-  // without springs nothing costs anything, and nothing is more accurate
-  MethodChoice best{.method = &default_integrator(), .ratio = infinity};
+  MethodChoice best{.ratio = infinity};
   double best_cost = infinity, spent = 0.0;
   Settings trial = settings;
   trial.tolerance.reset();
@@ -120,7 +119,7 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
     const double before = trials.total_cost();
     const Trials::Result result = trials.measure(trial, max_cost);
     spent += trials.total_cost() - before;
-    if (!std::isfinite(result.cost) && max_cost == patience) {
+    if (result.is_too_expensive && max_cost == patience) {
       next->expected_cost = patience;
       next->is_open = ++next->attempts < max_attempts;
       continue;
@@ -135,8 +134,10 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
     else
       refine(*next, result, ratio, system, goal);
   }
-  // nothing could be measured: what is stable at any step, or the default method as fine as it can be
-  if (!std::isfinite(best.ratio) && !list.empty()) {
+  // nothing could be measured: the candidate that needs the fewest substeps; without candidates an implicit method, as fine as it can be
+  if (!std::isfinite(best.ratio) && list.empty()) {
+    best = {.method = &stiff_integrator(), .substeps = max_automatic_substeps, .min_substeps = max_automatic_substeps, .ratio = infinity};
+  } else if (!std::isfinite(best.ratio)) {
     const auto cheapest = std::ranges::min_element(list, {}, [](const Candidate& c) { return c.min_substeps; });
     best = {.method = cheapest->method, .substeps = cheapest->min_substeps, .min_substeps = cheapest->min_substeps, .ratio = infinity};
   }

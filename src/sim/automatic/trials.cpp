@@ -33,8 +33,8 @@ void Trials::begin(const Plan& plan, const System& system, const State& start) {
   start_ = &start;
 }
 
-// False if it costs too much, ends early or diverges.
-bool Trials::compute(const Settings& settings, const CostModel& model, double max_cost, double* cost) {
+// A frame that ends early has diverged.
+Trials::End Trials::compute(const Settings& settings, const CostModel& model, double max_cost, double* cost) {
   if (!plan_.break_length.empty()) refresh_values(plan_, *system_);  // restores springs that broke in the previous trial
   bool is_cheap = true;
   try {
@@ -44,14 +44,14 @@ bool Trials::compute(const Settings& settings, const CostModel& model, double ma
       is_cheap = model.of(*settings.integrator, frame_.motion()) <= max_cost;
     }
   } catch (const InputError&) {  // the factorization of an implicit method would need too much memory
-    return false;
+    return End::Diverged;
   }
   *cost = model.of(*settings.integrator, frame_.motion());
   total_cost_ += *cost;
-  if (!is_cheap) return false;
+  if (!is_cheap) return End::TooExpensive;
   end_ = *start_;
   frame_.end(plan_, end_);
-  return frame_.failure() == StepFailure::None && is_finite(end_);
+  return frame_.failure() == StepFailure::None && is_finite(end_) ? End::Finished : End::Diverged;
 }
 
 Trials::Result Trials::measure_by_coarser(const Settings& settings, double max_cost) {
@@ -60,9 +60,12 @@ Trials::Result Trials::measure_by_coarser(const Settings& settings, double max_c
   Settings coarse = settings;
   coarse.substeps = settings.substeps / 2;
   double coarse_cost = 0.0;
-  if (!compute(coarse, model, max_cost, &coarse_cost)) return {};
+  const End coarse_end = compute(coarse, model, max_cost, &coarse_cost);
+  if (coarse_end != End::Finished) return {.is_too_expensive = coarse_end == End::TooExpensive};
   coarse_ = end_.position;
-  if (!compute(settings, model, max_cost, &result.cost)) return {};
+  const End end = compute(settings, model, max_cost, &result.cost);
+  if (end == End::TooExpensive) return {.is_too_expensive = true};
+  if (end == End::Diverged) return result;
   const double ratio = static_cast<double>(settings.substeps) / coarse.substeps;
   const double order = effective_order(*system_, *settings.integrator);
   result.error = weighted_distance(coarse_, end_.position, 1.0 / (portable::pow(ratio, order) - 1.0)).rms;
@@ -75,10 +78,14 @@ Trials::Result Trials::measure(const Settings& settings, double max_cost) {
   Settings fine = settings;
   fine.substeps *= 2;
   double fine_cost = 0.0;
-  if (!compute(settings, model, max_cost, &result.cost)) return {};
+  const End end = compute(settings, model, max_cost, &result.cost);
+  if (end == End::TooExpensive) return {.is_too_expensive = true};
+  if (end == End::Diverged) return result;
   coarse_ = end_.position;
   // a method that iterates less in shorter steps costs less than twice as much, but not much more
-  if (!compute(fine, model, 4.0 * max_cost, &fine_cost)) return {};
+  const End fine_end = compute(fine, model, 4.0 * max_cost, &fine_cost);
+  if (fine_end == End::TooExpensive) return {.is_too_expensive = true};
+  if (fine_end == End::Diverged) return result;
   result.error = weighted_distance(coarse_, end_.position, refinement_weight(*system_, settings)).rms;
   return result;
 }

@@ -17,7 +17,8 @@ class Trials {
  public:
   struct Result {
     double error = std::numeric_limits<double>::infinity();  // [m], RMS over the points; infinity: it diverged or cost too much
-    double cost = std::numeric_limits<double>::infinity();   // [ms], by the model
+    double cost = std::numeric_limits<double>::infinity();   // [ms], by the model, also of a frame that diverged; infinity: too much
+    bool is_too_expensive = false;
   };
 
   // The scene and the state at the start of the frame, which must outlive the calls of measure. Data that belong to the structure of the
@@ -34,7 +35,8 @@ class Trials {
   double total_cost() const { return total_cost_; }
 
  private:
-  bool compute(const Settings& settings, const CostModel& model, double max_cost, double* cost);
+  enum class End { Finished, Diverged, TooExpensive };
+  End compute(const Settings& settings, const CostModel& model, double max_cost, double* cost);
 
   Plan plan_;
   Frame frame_;

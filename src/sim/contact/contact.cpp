@@ -29,6 +29,8 @@ double push_work(const Plan& plan, const ContactWorkspace& before, Motion& motio
 
 }  // namespace
 
+bool has_contact(const System& system) { return system.contact.points || std::ranges::any_of(system.colliders, &Collider::solid); }
+
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
   const auto n = static_cast<std::size_t>(plan.points);
   const std::span<const Obstacle> obstacles = find_obstacles(plan, before.time, h, before.obstacles);

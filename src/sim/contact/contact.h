@@ -8,6 +8,9 @@
 
 namespace hooke {
 
+// Whether anything of the scene can touch: points each other, or a solid collider.
+bool has_contact(const System& system);
+
 // Positions and velocities before a substep, and the motion of the colliders during it; sized once per frame.
 struct ContactWorkspace {
   double time = 0.0;  // [s]

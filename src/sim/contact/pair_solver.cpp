@@ -58,7 +58,7 @@ bool PairSolver::measure(const Plan& plan, std::span<const Obstacle> obstacles, 
     free.displacement = to - from;
     free.deviation = bulge + 3.0 * change;
     const double length = glm::length(free.displacement) + change;
-    // the path up to an obstacle is that without it, and then leads elsewhere, at most as fast as it and the obstacle are
+    // after an impact on an obstacle the path deviates by at most this much: it is no faster than before, or than the obstacle
     for (const Obstacle& obstacle : obstacles)
       if (!is_fixed(plan, i) && may_touch(obstacle, plan.radius[i], from, to, bulge, h))
         free.deviation = std::max(free.deviation, bulge + 3.0 * change + 2.0 * (length + h * glm::length(obstacle.velocity_at(0.5 * h))));
@@ -70,7 +70,7 @@ bool PairSolver::measure(const Plan& plan, std::span<const Obstacle> obstacles, 
 
 // Whether the pairs contain all points that may meet in this substep.
 bool PairSolver::is_covered(const Plan& plan, const Field& x0) const {
-  if (margin_.size() != free_.size()) return false;
+  if (margin_.empty() || margin_.size() != free_.size()) return false;
   for (Index i = 0; i < plan.points; ++i) {
     const double moved = glm::length(vector_in(plan, x0, i) - vector_in(plan, found_at_, i));
     if (!(moved + std::max(free_[i].reach, wanted_[i]) <= margin_[i])) return false;
@@ -141,6 +141,7 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
     else
       watched_.push_back(first ? pair : PointPair{pair.j, pair.i});
   }
+  std::ranges::sort(watched_);
   for (std::size_t p = 0; p < simulation_.paths.size(); ++p) {
     const Index i = simulation_.paths[p].point;
     if (is_fixed(plan, i)) continue;
@@ -175,8 +176,8 @@ bool PairSolver::is_within_bounds(const Plan& plan, const Field& x0, double h) {
       wanted_[path.point] = std::max(wanted_[path.point], reach);
       is_within = false;
     }
-    for (const PointPair& pair : watched_) {
-      if (pair.i != path.point || is_involved_[pair.j] != 0) continue;
+    for (const PointPair& pair : std::ranges::equal_range(watched_, path.point, {}, &PointPair::i)) {
+      if (is_involved_[pair.j] != 0) continue;
       const double distance = glm::length(x - vector_in(plan, x0, pair.j));
       if (distance > touching_distance(plan, pair) + length + free_[pair.j].reach) continue;
       is_involved_[pair.j] = 1;

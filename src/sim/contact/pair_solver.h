@@ -15,11 +15,13 @@ namespace hooke {
 class PairSolver {
  public:
   // More pairs than this within reach of each other in one substep are a failure: of an unstable run, or a substep far too long.
-  static constexpr std::size_t max_pairs = 10'000'000;
+  static constexpr std::size_t max_pairs = 1'000'000;
 
   // The pairs are found anew: points may have been edited.
   void begin_frame() {
     margin_.clear();
+    pairs_.clear();
+    has_failed_ = false;
     simulation_.begin_frame();
   }
 

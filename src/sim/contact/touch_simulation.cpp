@@ -12,10 +12,10 @@ namespace hooke {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-// What approaches at up to this many times the change of the velocities in a substep is at rest, and gets this many times as far in it as
-// that change leads.
+// A touch is at rest if its speed of approach is below this multiple of the velocity change in the substep, and its gap below this multiple
+// of the distance that this change covers.
 constexpr double resting_speed = 2.0, rest_reach = 3.0;
-// What is pushed into another at up to this many times that change waits for the next substep.
+// An impact is deferred to the next substep if its speed is below this multiple of that change.
 constexpr double waiting_speed = 1.0;
 
 // The radius by which the shape is inflated.
@@ -51,7 +51,7 @@ double TouchSimulation::velocity_change(const Touch& touch) const {
   return paths[touch.first].velocity_change + second;
 }
 
-// The speed of approach that is none [m/s].
+// Speeds of approach below this count as zero [m/s].
 double TouchSimulation::quiet_speed(const Touch& touch) const {
   const Vec3 second = touch.second != no_path ? paths[touch.second].v : touch.obstacle->velocity_at(time_);
   return 1e-3 * velocity_change(touch) + 1e-12 * (glm::length(paths[touch.first].v) + glm::length(second));
@@ -76,6 +76,7 @@ void TouchSimulation::begin(double h) {
   impacts_ = 0;
   any_touched_ = false;
   changed_.clear();
+  is_listed_.assign(paths.size(), 0);
   loads_.clear();
   zone_.resize(paths.size());
   std::iota(zone_.begin(), zone_.end(), 0);
@@ -115,12 +116,7 @@ void TouchSimulation::settle_velocities(double t, bool is_correction, double tol
                                   : touch.obstacle->velocity_at(t) + relative_surface_velocity(touch, touch.normal, position);
   }
   settle(touches, active_, paths, tolerance, velocity_);
-  for (const std::size_t k : active_) {
-    const Touch& touch = touches[k];
-    if (touch.normal_impulse == 0.0) continue;
-    change(touch.first);
-    if (touch.second != no_path) change(touch.second);
-  }
+  change_pushed();
 }
 
 // Starts from the forces of the last substep, which are nearly the same.
@@ -134,8 +130,8 @@ void TouchSimulation::recall_loads() {
   }
 }
 
-// The displacements that separate what overlaps by more than what waiting leads to, slowly: a fifth of it, and at most a tenth of what the
-// accelerations lead to within the substep. Velocities do not change: nothing flies apart.
+// Displacements that slowly separate overlaps larger than those that deferred impacts cause: by a fifth of the excess, and at most by a
+// tenth of the distance that the accelerations cover in the substep. Velocities do not change: nothing flies apart.
 void TouchSimulation::find_separation(double tolerance) {
   separation_.assign(paths.size(), Vec3(0.0));
   bool any = false;
@@ -147,7 +143,19 @@ void TouchSimulation::find_separation(double tolerance) {
     touch.friction_impulse = touch.surface = Vec3(0.0);
     any = any || touch.min_velocity > 0.0;
   }
-  if (any) settle(touches, active_, paths, h_ * tolerance, separation_);
+  if (!any) return;
+  settle(touches, active_, paths, h_ * tolerance, separation_);
+  change_pushed();
+}
+
+// Marks the paths of touches with an impulse as changed.
+void TouchSimulation::change_pushed() {
+  for (const std::size_t k : active_) {
+    const Touch& touch = touches[k];
+    if (touch.normal_impulse == 0.0) continue;
+    change(touch.first);
+    if (touch.second != no_path) change(touch.second);
+  }
 }
 
 // First velocities change at once, so that nothing is closed before the end of the substep. Then forces act during it, so that nothing
@@ -199,9 +207,15 @@ void TouchSimulation::rest() {
 void TouchSimulation::change(std::size_t path) {
   if (!any_touched_) first_touch_ = time_;
   any_touched_ = true;
-  if (paths[path].inverse_mass == 0.0 || std::ranges::find(changed_, path) != changed_.end()) return;
+  if (paths[path].inverse_mass == 0.0 || is_listed_[path] != 0) return;
   paths[path].is_changed = true;
+  is_listed_[path] = 1;
   changed_.push_back(path);
+}
+
+void TouchSimulation::clear_changed() {
+  for (const std::size_t p : changed_) is_listed_[p] = 0;
+  changed_.clear();
 }
 
 // Sets the time of its next impact.
@@ -224,7 +238,7 @@ void TouchSimulation::predict(Touch& touch) const {
 }
 
 bool TouchSimulation::advance() {
-  changed_.clear();
+  clear_changed();
   const auto next = std::ranges::min_element(touches, {}, &Touch::time);
   if (next == touches.end() || !(next->time <= h_)) {
     for (std::size_t p = 0; p < paths.size(); ++p) {
@@ -245,8 +259,7 @@ bool TouchSimulation::advance() {
   else
     respond(*next);
   for (Touch& touch : touches) {
-    const bool is_affected = std::ranges::any_of(changed_, [&](std::size_t p) { return touch.first == p || touch.second == p; });
-    if (!is_affected) continue;
+    if (is_listed_[touch.first] == 0 && (touch.second == no_path || is_listed_[touch.second] == 0)) continue;
     touch.is_at_rest = false;
     predict(touch);
   }

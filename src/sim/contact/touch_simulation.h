@@ -53,6 +53,8 @@ class TouchSimulation {
   void respond(Touch& touch);
   void freeze(Touch& touch);
   void change(std::size_t path);
+  void change_pushed();
+  void clear_changed();
 
   const Collider& shape_of(const Touch& touch) const;
   Parabola relative_path(const Touch& touch, double t) const;
@@ -70,6 +72,7 @@ class TouchSimulation {
   double last_h_ = 0.0;
   std::vector<std::size_t> active_;  // touches at rest at the start
   std::vector<std::size_t> changed_;
+  std::vector<char> is_listed_;               // per path: in changed_
   std::vector<Vec3> velocity_;                // per path, while they settle
   std::vector<Vec3> separation_;              // [m], per path
   std::vector<std::size_t> zone_;             // per path: the first of those fixed to each other

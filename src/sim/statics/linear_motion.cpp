@@ -34,13 +34,17 @@ struct LinearMotion::Matrices {
   std::vector<std::size_t> points;  // index of each unknown's point
   std::vector<Vec3> directions;     // and its direction
   std::vector<Vec3> origin;         // x0 of all points
+  Vector root_mass;                 // [kg^(1/2)], of each unknown
   Matrix rates;                     // of (x - x0, x', 1)
+  bool is_supported = false;        // by a nail
   double seconds = 0.0;             // that `step` is the exponential for
   Matrix step;
 
   void advance(State& state, double duration) {
     const auto n = static_cast<Eigen::Index>(points.size());
-    if (duration != seconds) {
+    if (duration == 0.0) return;
+    // frames of the same length, up to rounding
+    if (!(std::abs(duration - seconds) <= 1e-12 * std::abs(duration))) {
       step = exponential(rates * duration);
       seconds = duration;
     }
@@ -68,7 +72,10 @@ std::optional<LinearMotion> LinearMotion::about(const System& system, const std:
   const auto axis_count = static_cast<Index>(axes.size());
   std::vector<Index> first(origin.size(), no_index);  // unknown of each point
   for (std::size_t i = 0; i < origin.size(); ++i) {
-    if (system.points()[i].nailed) continue;
+    if (system.points()[i].nailed) {
+      motion.is_supported = true;
+      continue;
+    }
     first[i] = static_cast<Index>(motion.points.size());
     for (const Vec3& axis : axes) motion.points.push_back(i), motion.directions.push_back(axis);
   }
@@ -99,11 +106,13 @@ std::optional<LinearMotion> LinearMotion::about(const System& system, const std:
       }
     }
   }
+  motion.root_mass.resize(n);
   motion.rates = Matrix::Zero(2 * n + 1, 2 * n + 1);
   motion.rates.block(0, n, n, n).setIdentity();
   for (Eigen::Index i = 0; i < n; ++i) {
     const double mass = system.points()[motion.points[static_cast<std::size_t>(i)]].mass;
     const Vec3& direction = motion.directions[static_cast<std::size_t>(i)];
+    motion.root_mass[i] = std::sqrt(mass);
     motion.rates.block(n + i, 0, 1, n) = -stiffness.row(i) / mass;
     motion.rates.block(n + i, n, 1, n) = -damping.row(i) / mass;
     motion.rates(n + i, n + i) -= system.drag_rate();
@@ -116,5 +125,35 @@ std::optional<LinearMotion> LinearMotion::about(const System& system, const std:
 }
 
 void LinearMotion::advance(State& state, double seconds) { matrices_->advance(state, seconds); }
+
+double LinearMotion::drift_speed(const State& state) const {
+  const Matrices& motion = *matrices_;
+  const auto n = static_cast<Eigen::Index>(motion.points.size());
+  const Vector& root = motion.root_mass;
+  // M^(-1/2) K M^(-1/2), whose modes are orthogonal
+  Matrix stiffness = root.asDiagonal() * -motion.rates.block(n, 0, n, n) * root.cwiseInverse().asDiagonal();
+  stiffness = 0.5 * (stiffness + stiffness.transpose()).eval();
+  const Eigen::SelfAdjointEigenSolver<Matrix> modes(stiffness);
+  // the equilibrium, and with it the stiffness across a spring, is known to about 1e-10
+  constexpr double round_off = 1e-9;
+  const double max = modes.eigenvalues().cwiseAbs().maxCoeff();
+  Vector velocity(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto u = static_cast<std::size_t>(i);
+    velocity[i] = root[i] * glm::dot(motion.directions[u], state.velocity[motion.points[u]]);
+  }
+  Vector drift = Vector::Zero(n);
+  for (Eigen::Index mode = 0; mode < n; ++mode)
+    if (modes.eigenvalues()[mode] < round_off * max) drift += modes.eigenvectors().col(mode).dot(velocity) * modes.eigenvectors().col(mode);
+  // of the whole scene, along each axis
+  for (const Vec3& axis : {Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)}) {
+    if (motion.is_supported) break;
+    Vector translation(n);
+    for (Eigen::Index i = 0; i < n; ++i) translation[i] = root[i] * glm::dot(motion.directions[static_cast<std::size_t>(i)], axis);
+    const double square = translation.squaredNorm();
+    if (square > 0.0) drift -= translation.dot(velocity) / square * translation;
+  }
+  return drift.cwiseQuotient(root).norm() / std::sqrt(static_cast<double>(n));
+}
 
 }  // namespace hooke

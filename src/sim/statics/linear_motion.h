@@ -23,6 +23,9 @@ class LinearMotion {
   // Advances the free points by `seconds`, by the exponential of the matrix: exact for any duration. It is computed again for another
   // duration.
   void advance(State& state, double seconds);
+  // RMS speed [m/s] of the free points in modes without a restoring force other than a uniform translation. The motion of these, rigid
+  // rotations and mechanisms, is not linear.
+  double drift_speed(const State& state) const;
 
  private:
   struct Matrices;

@@ -9,6 +9,7 @@
 namespace hooke {
 namespace {
 
+// More than that of the forecast in the window (forecast.h): a check may take longer.
 constexpr Index max_points_of_forecast = 7'000;
 
 }  // namespace

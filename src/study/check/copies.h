@@ -37,6 +37,10 @@ bool run_frames(Lab& lab, double seconds, const Part& part, const AfterFrame& af
   const double rate = lab.scene().settings.frame_rate;
   const long frames = std::max(1L, std::lround(std::ceil(seconds * rate - 1e-9)));
   long frame = 0;
+  const struct Watch {
+    Lab& lab;
+    ~Watch() { lab.watch_substeps({}); }
+  } watch{lab};
   lab.watch_substeps([&] { part.report(static_cast<double>(frame) / static_cast<double>(frames)); });
   for (; frame < frames; ++frame) {
     if (!lab.step()) return false;
@@ -48,7 +52,7 @@ bool run_frames(Lab& lab, double seconds, const Part& part, const AfterFrame& af
 // Computed on another thread, so that it can be canceled.
 Forecast forecast_of(const System& system, const State& state, const Part& part);
 
-// Springs and weight only, at rest in the equilibrium of the forecast.
+// Without hand, colliders and wind, at rest in the equilibrium of the forecast.
 Scene resting_scene(const System& system, const State& state, const Settings& settings, const Forecast& forecast);
 
 // The equilibrium of the method: its steps from that of the forecast, which must have a slowest mode, with critical damping of this mode.

@@ -9,7 +9,11 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "sim/automatic/automatic.h"
+#include "sim/contact/contact.h"
+#include "sim/energy.h"
 #include "sim/integrator.h"
+#include "sim/motion.h"
 #include "sim/statics/linear_motion.h"
 #include "study/forecast.h"
 
@@ -160,8 +164,8 @@ double extent_of_points(const State& state) {
 
 std::optional<Companion> exact_companion(const std::shared_ptr<const System>& system, const State& state) {
   if (system->point_count() == 0 || system->springs().empty() || !has_only_springs_weight_and_drag(*system, state)) return std::nullopt;
-  const std::string contact = std::ranges::any_of(system->colliders, &Collider::solid) ? " without contact" : "";
-  if (const auto line = common_line(*system, state))
+  const std::string contact = has_contact(*system) ? " without contact" : "";
+  if (const auto line = common_line(*system, state); line && !can_collapse(*system, state))
     if (auto motion = LinearMotion::about(*system, state.position, {*line}))
       return companion_of("Exact solution" + contact, *std::move(motion));
   if (auto places = catenary(*system, state))
@@ -176,6 +180,9 @@ std::optional<Companion> exact_companion(const std::shared_ptr<const System>& sy
   axes.resize(static_cast<std::size_t>(system->dimensions));
   auto motion = LinearMotion::about(*system, forecast.rest, axes);
   if (!motion) return std::nullopt;
+  double speed = 0.0;
+  for (const Vec3& v : state.velocity) speed = std::max(speed, glm::length(v));
+  if (constexpr double negligible = 1e-6; motion->drift_speed(state) > negligible * speed) return std::nullopt;
   return companion_of("Small vibrations" + contact, *std::move(motion));
 }
 
@@ -184,8 +191,9 @@ Companion companion_of(const Settings& settings) {
   const std::string name(label.substr(0, label.find(" (")));
   const bool adapts = settings.integrator->stability == Stability::Adaptive;
   return {.name = name + ", " +
-                  (adapts ? "tolerance " + quantity_text(settings.tolerance.value_or(1e-8), "m", 1)
-                          : std::to_string(settings.substeps) + (settings.substeps == 1 ? " substep" : " substeps")),
+                  (is_automatic(settings) ? "tolerance " + quantity_text(automatic_tolerance(settings), "m/s", 1)
+                   : adapts               ? "tolerance " + quantity_text(settings.tolerance.value_or(default_tolerance), "m", 1)
+                                          : std::to_string(settings.substeps) + (settings.substeps == 1 ? " substep" : " substeps")),
           .settings = settings};
 }
 

@@ -90,7 +90,7 @@ class NetworkRefinement {
     }
   }
 
-  // Whether most points have other springs too, as in trusses and lattices.
+  // Whether more than a quarter of the points have other springs too, as in trusses and lattices.
   bool is_part_of_more(const Grid& grid, const std::vector<SpringRun>& rest) const {
     std::vector<bool> has_other(static_cast<std::size_t>(grid.points()), false);
     for (const SpringRun& run : rest)

@@ -63,7 +63,7 @@ std::string ResultCheck::sentence() const {
     if (distance && *distance <= independent_change * size)
       text += " (" + length_in_mm(*distance) + ")";
     else if (distance)
-      text += " except for the positions of single points (" + length_in_mm(*distance) + " after " + quantity_text(seconds, "s", 3) + ")";
+      text += " except for the positions of the points (RMS " + length_in_mm(*distance) + " after " + quantity_text(seconds, "s", 3) + ")";
   }
   if (by_points == nullptr)
     return text + "; " + (why_not_finer.empty() ? "the run with twice the resolution diverges" : why_not_finer) + ".";
