@@ -116,7 +116,7 @@ void App::compare_methods() {
 void App::check_result() {
   panels_.show_at_left(&panels_.result_check_shown);
   ghost_runs_.set({}, status(), lab_);
-  start_result_check(result_check_, status());
+  start_result_check(result_check_, status(), forecaster_.newest());
 }
 
 // Shows the panel with the exact solution, or with a first setting to compare with; hides it if it is already shown.

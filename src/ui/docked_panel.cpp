@@ -14,6 +14,13 @@ float& content_height() { return *ImGui::GetStateStorage()->GetFloatRef(ImGui::G
 
 }  // namespace
 
+double left_panel_width(const PanelInput& input, const Panels& panels, double desired) {
+  constexpr double edges = 3.0 * 14.0, min = 380.0;  // [design units]
+  if (!panels.accuracy_shown) return desired;
+  const double room = input.layout.scene.width / units(1.0) - accuracy_panel_width - edges;
+  return room < min ? desired : std::min(desired, room);
+}
+
 DockedPanel::DockedPanel(const char* name, const Dock& dock, Panels& panels) : dock_(dock) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, dock.is_over_scene ? units(8.0) : 0.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(dock.is_over_scene ? 16.0 : 14.0), units(12.0)});

@@ -6,6 +6,12 @@
 
 namespace hooke {
 
+inline constexpr double accuracy_panel_width = 360.0;  // [design units]
+
+// The width of a panel at the left edge of the scene [design units]: less than desired beside the panel of the accuracy, as long as that
+// leaves enough for it.
+double left_panel_width(const PanelInput& input, const Panels& panels, double desired);
+
 class DockedPanel {
  public:
   // Begins the panel; what is built before begin_content stays above the content.

@@ -9,8 +9,9 @@
 namespace hooke {
 namespace {
 
-// Format of a dragged value, and of a value edited as text.
-constexpr const char *dragged_digits = "%.3g", *typed_digits = "%.8g";
+// Format of a dragged value, and of a value edited as text. ImGui takes 10^-digits for zero on a logarithmic slider: `small_digits` is for
+// one whose minimum is less than 1e-3.
+constexpr const char *dragged_digits = "%.3g", *small_digits = "%.12g", *typed_digits = "%.8g";
 // Where a logarithmic slider that includes zero snaps to it: ImGui's 10^-digits for the format of a drag.
 constexpr double min_of_logarithm = 1e-3;
 
@@ -48,15 +49,26 @@ std::string hint_of(const NumberField& field) {
 double fraction_of(const NumberField& field) {
   const double value = std::clamp(field.value, field.min, field.max);
   if (!field.logarithmic) return (value - field.min) / (field.max - field.min);
-  const double min = std::max(field.min, min_of_logarithm);
+  const double min = field.min > 0.0 ? field.min : min_of_logarithm;
   return value <= min ? 0.0 : std::log(value / min) / std::log(field.max / min);
+}
+
+double three_digits(double value) {
+  if (!(value > 0.0)) return value;
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+  return unit * std::round(value / unit);
 }
 
 // The slider of ImGui handles the mouse and keyboard; draw_slider draws it.
 bool invisible_slider(const NumberField& field, double& value, bool typing) {
-  const char* format = typing || ImGui::GetIO().KeyCtrl ? typed_digits : dragged_digits;
+  const bool is_typed = typing || ImGui::GetIO().KeyCtrl, is_small = field.logarithmic && field.min > 0.0 && field.min < min_of_logarithm;
+  const char* format = is_typed ? typed_digits : is_small ? small_digits : dragged_digits;
   const ImGuiSliderFlags flags = field.logarithmic ? ImGuiSliderFlags_Logarithmic : 0;
-  if (!field.integer) return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &field.min, &field.max, format, flags);
+  if (!field.integer) {
+    const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &field.min, &field.max, format, flags);
+    if (changed && is_small && !is_typed) value = three_digits(value);
+    return changed;
+  }
   int number = static_cast<int>(std::clamp(value, -2e9, 2e9));
   const bool changed = ImGui::SliderInt("##value", &number, static_cast<int>(field.min), static_cast<int>(field.max), "%d", flags);
   if (changed) value = number;

@@ -21,5 +21,21 @@ TEST(Methods, TheAutomaticOneHasATolerance) {
   EXPECT_EQ(gui.status().snapshot->settings.integrator, &default_integrator());
 }
 
+// Over all nine decades.
+TEST(Methods, TheSliderOfTheToleranceReachesBothEnds) {
+  Scene scene = two_springs();
+  scene.settings.integrator = &automatic_method();
+  GuiFixture gui(scene);
+  const Rect side = gui.app().layout().side;
+  const glm::dvec2 slider = gui.find("side", {"tolerance", "##value"});
+  const auto drag_to = [&](double x) {
+    gui.drag(slider, {x, slider.y});
+    gui.frames(2);
+    return value_of(gui, "tolerance");
+  };
+  EXPECT_NEAR(drag_to(side.x + 1.0), 1e-10, 1e-12);
+  EXPECT_NEAR(drag_to(side.x + side.width - 1.0), 0.1, 1e-9);
+}
+
 }  // namespace
 }  // namespace hooke

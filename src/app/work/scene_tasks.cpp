@@ -10,9 +10,9 @@ void start_comparison(ResultTask<MethodComparison>& task, const Status& status) 
   });
 }
 
-void start_result_check(ResultTask<ResultCheck>& task, const Status& status) {
-  task.start("Checking the result", [snapshot = status.snapshot](const Progress& progress) {
-    return check_result(*snapshot->system, snapshot->state, snapshot->settings, default_check_seconds, progress);
+void start_result_check(ResultTask<ResultCheck>& task, const Status& status, const Forecast& forecast) {
+  task.start("Checking the result", [snapshot = status.snapshot, forecast](const Progress& progress) {
+    return check_result(*snapshot->system, snapshot->state, snapshot->settings, default_check_seconds, progress, forecast);
   });
 }
 

@@ -8,7 +8,8 @@
 namespace hooke {
 
 void start_comparison(ResultTask<MethodComparison>& task, const Status& status);
-void start_result_check(ResultTask<ResultCheck>& task, const Status& status);
+// `forecast`: of the scene, whose equilibrium is an initial guess.
+void start_result_check(ResultTask<ResultCheck>& task, const Status& status, const Forecast& forecast);
 void start_stretch(ResultTask<StretchBreakdown>& task, const Status& status, const std::vector<SpringId>& springs);
 
 }  // namespace hooke

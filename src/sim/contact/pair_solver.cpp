@@ -176,7 +176,8 @@ bool PairSolver::is_within_bounds(const Plan& plan, const Field& x0, double h) {
       wanted_[path.point] = std::max(wanted_[path.point], reach);
       is_within = false;
     }
-    for (const PointPair& pair : std::ranges::equal_range(watched_, path.point, {}, &PointPair::i)) {
+    for (auto at = std::ranges::lower_bound(watched_, path.point, {}, &PointPair::i); at != watched_.end() && at->i == path.point; ++at) {
+      const PointPair& pair = *at;
       if (is_involved_[pair.j] != 0) continue;
       const double distance = glm::length(x - vector_in(plan, x0, pair.j));
       if (distance > touching_distance(plan, pair) + length + free_[pair.j].reach) continue;

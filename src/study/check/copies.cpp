@@ -22,10 +22,11 @@ Scene scene_of(const System& system, const State& state, const Settings& setting
   return scene;
 }
 
-Forecast forecast_of(const System& system, const State& state, const Part& part) {
+Forecast forecast_of(const System& system, const State& state, const Part& part, const Forecast& before) {
   std::atomic<bool> stop = false;
-  auto pending = std::async(std::launch::async,
-                            [&] { return make_forecast(std::make_shared<const System>(system), state, {}, stop, max_points_of_forecast); });
+  auto pending = std::async(std::launch::async, [&] {
+    return make_forecast(std::make_shared<const System>(system), state, before, stop, max_points_of_forecast);
+  });
   bool is_stopped = false;
   while (pending.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready) {
     try {

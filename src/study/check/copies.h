@@ -50,7 +50,8 @@ bool run_frames(Lab& lab, double seconds, const Part& part, const AfterFrame& af
 }
 
 // Computed on another thread, so that it can be canceled.
-Forecast forecast_of(const System& system, const State& state, const Part& part);
+// `before`: an initial guess, see make_forecast.
+Forecast forecast_of(const System& system, const State& state, const Part& part, const Forecast& before = {});
 
 // Without hand, colliders and wind, at rest in the equilibrium of the forecast.
 Scene resting_scene(const System& system, const State& state, const Settings& settings, const Forecast& forecast);

@@ -164,9 +164,19 @@ void compare(const Version& now, const Version& half, const Version* finer, Resu
   add("energy change", "J", &Version::energy_change, now.energy_scale, "the run diverges");
 }
 
+// The equilibrium of the finer network, from that of the scene.
+Forecast refined_guess(const Forecast& forecast, const System& system, State state) {
+  if (forecast.rest.empty()) return {};
+  state.position = forecast.rest;
+  auto network = refine_network(system, state, max_finer_points);
+  if (!network) return {};
+  return {.system = std::make_shared<const System>(std::move(network->system)), .rest = std::move(network->state.position)};
+}
+
 }  // namespace
 
-ResultCheck check_result(const System& system, const State& state, const Settings& settings, double seconds, const Progress& progress) {
+ResultCheck check_result(const System& system, const State& state, const Settings& settings, double seconds, const Progress& progress,
+                         const Forecast& before) {
   ResultCheck check{.seconds = seconds};
   if (system.point_count() == 0) {
     check.note = "There is nothing to check: the scene has no points.";
@@ -185,23 +195,23 @@ ResultCheck check_result(const System& system, const State& state, const Setting
   }
   // about in proportion to the work
   const double whole = finer ? 11.0 : 3.0;
-  const auto work = [&](Version& version, double begin, double end) {
+  const auto work = [&](Version& version, double begin, double end, const Forecast& guess) {
     const Part part(progress, begin / whole, end / whole);
     measure_run(version, seconds, part.within(0.0, 0.5));
     if (version.has_diverged) return;
     if (!version.forecast)
-      version.forecast = std::make_shared<const Forecast>(forecast_of(version.system, version.state, part.within(0.5, 0.6)));
+      version.forecast = std::make_shared<const Forecast>(forecast_of(version.system, version.state, part.within(0.5, 0.6), guess));
     measure_equilibrium(version, part.within(0.6, 1.0));
   };
   try {
-    work(now, 0.0, 1.0);
+    work(now, 0.0, 1.0, before);
     if (now.has_diverged) {
       check.note = "The run diverges: use more substeps first.";
       return check;
     }
     half.forecast = now.forecast;
-    work(half, 1.0, 3.0);
-    if (finer) work(*finer, 3.0, 11.0);
+    work(half, 1.0, 3.0, {});
+    if (finer) work(*finer, 3.0, 11.0, refined_guess(*now.forecast, system, state));
   } catch (const Stopped&) {
     check.note = "Stopped.";
     return check;

@@ -11,6 +11,7 @@
 #include "sim/settings.h"
 #include "sim/state.h"
 #include "sim/system.h"
+#include "study/forecast.h"
 
 namespace hooke {
 
@@ -48,7 +49,8 @@ inline constexpr double independent_change = 0.01;
 // Runs copies from this state for `seconds` [s], and from the equilibrium. The finer copy takes half the step too, because its frequencies
 // are twice as high: its values are to be compared with those of half the step. `progress` is called between substeps with the part done;
 // false ends the check with a note.
-ResultCheck check_result(const System& system, const State& state, const Settings& settings, double seconds, const Progress& progress);
+ResultCheck check_result(const System& system, const State& state, const Settings& settings, double seconds, const Progress& progress,
+                         const Forecast& before = {});
 
 // Whether a change between two values counts. Not if either is unknown.
 bool depends(const CheckedQuantity& quantity, const std::optional<double>& from, const std::optional<double>& to);

@@ -55,9 +55,9 @@ void predictability_section(const Accuracy& accuracy) {
   const bool is_chaotic = accuracy.growth_rate.value && *accuracy.growth_rate.value > 0.0;
   paragraph(predictability_text(accuracy), is_chaotic ? palette::warning : palette::text);
   if (is_chaotic)
-    value_row("Growth", "e-fold every " + quantity_text(1.0 / *accuracy.growth_rate.value, "s"));
+    value_row("Growth", "e-fold every " + quantity_text(1.0 / *accuracy.growth_rate.value, "s", 2));
   else if (accuracy.amplification.value)
-    value_row("Growth", number_text(*accuracy.amplification.value) + "-fold per second");
+    value_row("Growth", "factor " + number_text(*accuracy.amplification.value, 2) + " per second");
   explanation("How fast a tiny difference at the start grows. Past this time no method predicts where the points are.");
 }
 
@@ -145,7 +145,7 @@ void build_accuracy_line(const PanelInput& input, Panels& panels) {
 
 void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests) {
   if (!panels.accuracy_shown) return;
-  DockedPanel panel("accuracy", dock_panel(input.layout, units(1.0), 360.0, 500.0, true), panels);
+  DockedPanel panel("accuracy", dock_panel(input.layout, units(1.0), accuracy_panel_width, 500.0, true), panels);
   bool is_on = input.status.accuracy.is_on;
   if (ImGui::Checkbox("Measure the accuracy", &is_on))
     requests.emplace_back(Control(SetAccuracy{is_on ? AccuracyMode::Full : AccuracyMode::Off}));

@@ -266,7 +266,7 @@ void buttons(const ResultStatus<MethodComparison>& status, Panels& panels, Reque
 
 void build_comparison(const PanelInput& input, Panels& panels, Requests& requests) {
   if (!panels.comparison_shown) return;
-  const Dock dock = dock_panel(input.layout, units(1.0), 600.0, 400.0);
+  const Dock dock = dock_panel(input.layout, units(1.0), left_panel_width(input, panels, 600.0), 400.0);
   DockedPanel panel("comparison", dock, panels);
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Compare methods on this scene");

@@ -144,7 +144,7 @@ ImU32 ghost_color(std::size_t n) {
 void build_ghosts(const PanelInput& input, Panels& panels, Requests& requests) {
   Ghosts& ghosts = panels.ghosts;
   if (!ghosts.is_shown) return;
-  DockedPanel panel("ghosts", dock_panel(input.layout, units(1.0), 372.0, 400.0), panels);
+  DockedPanel panel("ghosts", dock_panel(input.layout, units(1.0), left_panel_width(input, panels, 372.0), 400.0), panels);
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Compare side by side");
   ImGui::PopFont();

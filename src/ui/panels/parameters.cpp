@@ -14,6 +14,7 @@
 #include "ui/panels/open_list.h"
 #include "ui/panels/parameter_hints.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace hooke {
 namespace {
@@ -131,10 +132,8 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
   if (const auto& choice = input.status.snapshot->state.memory.choice; choice && is_automatic(input.status.snapshot->settings)) {
     ImGui::PushFont(fonts().small);
     begin_row("Chosen");
-    ImGui::PushTextWrapPos(0.0f);
     const Settings& settings = input.status.snapshot->settings;
-    text_in(is_tolerance_met(*choice, settings) ? palette::dim : palette::warning, describe(*choice, settings));
-    ImGui::PopTextWrapPos();
+    paragraph(describe(*choice, settings), is_tolerance_met(*choice, settings) ? palette::dim : palette::warning);
     ImGui::PopFont();
   }
   build_accuracy_line(input, panels);

@@ -64,7 +64,7 @@ void buttons(const ResultStatus<ResultCheck>& status, Panels& panels, Requests& 
 
 void build_result_check(const PanelInput& input, Panels& panels, Requests& requests) {
   if (!panels.result_check_shown) return;
-  DockedPanel panel("result_check", dock_panel(input.layout, units(1.0), 500.0, 400.0), panels);
+  DockedPanel panel("result_check", dock_panel(input.layout, units(1.0), left_panel_width(input, panels, 500.0), 400.0), panels);
   ImGui::PushFont(fonts().strong);
   ImGui::TextUnformatted("Check this result");
   ImGui::PopFont();
