@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/automatic/automatic.h"
 #include "sim/contact/contact.h"
 #include "sim/energy.h"
 #include "sim/forces/force_term.h"
@@ -39,7 +40,8 @@ RunMonitor::RunMonitor(const System& system, const State& start, int frames_per_
       scale_(start.ledger.scale) {}
 
 void RunMonitor::begin_frame(const System& system, const Settings& settings, const State& state) {
-  if (estimate_is_due()) estimated_error_ += frames_per_estimate_ * estimate_frame_error(system, settings, state);
+  if (estimate_is_due() && !is_automatic(settings))
+    estimated_error_ += frames_per_estimate_ * estimate_frame_error(system, settings, state);
 }
 
 // [J], of the energy that the method conserves best. The modified energy costs some force evaluations, so that it is computed only where
@@ -61,6 +63,8 @@ double RunMonitor::modified_change(Reference& since, double energy, const Plan& 
 
 void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const System& system, const State& state, const Motion& motion) {
   ++frames_;
+  // `auto` has an estimate for every frame
+  if (is_automatic(settings) && state.memory.choice) estimated_error_ += state.memory.choice->ratio * state.memory.choice->target;
   unconverged_solves_ += motion.unconverged_solves;
   const double energy = unexplained_energy(system, state);
   scale_ = state.ledger.scale;

@@ -54,6 +54,13 @@ TEST(Check, CasesAndMethodsCanBeChosenAndWrittenAsJson) {
   EXPECT_STREQ(document["cases"][1]["results"][0]["method"].GetString(), "velocity_verlet");
 }
 
+// Where its tolerance allows more than the criterion, it says how large its errors are: cases 5 and 9 once failed in silence.
+TEST(Check, AutoHoldsOrReportsInTheCasesOfHarmonicMotionAndResonance) {
+  const Outcome outcome = check({"--hard", "--cases", "5,9", "--methods", "auto"});
+  EXPECT_EQ(outcome.code, 0) << outcome.out;
+  EXPECT_NE(outcome.out.find("none unexpected"), std::string::npos) << outcome.out;
+}
+
 // A mouse at 50 m/s: peak strain within a factor of two of the converged one, no energy gained, no point through the slab.
 TEST(Check, TheDefaultMethodIsAccurateUnderAFastMouse) {
   const Outcome outcome = check({"--hard", "--cases", "8", "--methods", "velocity_verlet", "--strict"});

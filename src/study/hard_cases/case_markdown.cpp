@@ -26,6 +26,9 @@ A method whose step is beyond its own limit may fail openly. So may XPBD, which 
 alone and guarantees nothing for many together, and the implicit midpoint rule, which damps nothing, where springs too fast for the
 step rotate.
 
+`auto` chooses the method and the substeps by a tolerance of 1e-5 m/s, while the criteria are absolute: it fails openly where the sum of the errors that it
+estimates itself, those of all frames, is beyond the criterion, or where it reports that the tolerance was not met.
+
 ## Declared limits
 
 * `baraff_witkin` solves one linear system per step. Its energy falls on every sheet here except the stiffest: crumpled at

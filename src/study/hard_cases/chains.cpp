@@ -152,7 +152,6 @@ constinit const HardCase mass_ratio_case{
     .name = "Mass ratio 1e6",
     .parameters = "chain of 200 links of 1 g with 1000 kg at its end, 5 % stretch, drag 4 /s, 5 s",
     .criterion = "static stretch within 1 %",
-    .remark = "not checked: automatic method selection, since there is no `auto` method",
     .slow_under = method_list<symplectic_euler, velocity_verlet, blanes_moan4, runge_kutta4, dop853, esdirk4>,
     .judge = judge_mass_ratio,
 };

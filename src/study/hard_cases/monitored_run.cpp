@@ -22,6 +22,7 @@ Scene make_scene(const TestNetwork& network, const Settings& settings) {
   scene.system = network.system;
   scene.state = network.state;
   scene.settings = settings;
+  if (is_automatic(settings) && !settings.tolerance) scene.settings.tolerance = automatic_case_tolerance;
   return scene;
 }
 
@@ -83,6 +84,7 @@ bool MonitoredRun::frame() {
     stop_reason_ = describe_stop(lab_, before);
     return false;
   }
+  missed_.add_frame(settings(), state());
   monitor_->end_frame(lab_.plan(), settings(), system(), state(), lab_.last_frame().motion());
   return true;
 }
@@ -100,6 +102,7 @@ std::string MonitoredRun::report() const {
   if (largest == 0.0) return "status: no step is stable";
   if (exceeds_stable_step(*this, largest))
     return formatted("status: the step is %.2g times the largest stable one", settings().substep() / largest);
+  if (const std::string warning = missed_.warning(); !warning.empty()) return warning;
   const std::vector<std::string> warnings = monitor_->warnings(system(), tolerance_);
   return warnings.empty() ? "" : warnings.front();
 }

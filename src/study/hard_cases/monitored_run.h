@@ -6,6 +6,7 @@
 
 #include "base/formatted.h"
 #include "lab/lab.h"
+#include "sim/automatic/automatic.h"
 #include "study/hard_cases/hard_case.h"
 #include "study/hard_cases/test_network.h"
 #include "study/run_monitor.h"
@@ -15,6 +16,9 @@ namespace hooke {
 // Stops all runs on all threads: the next frame of each throws Interrupted.
 void set_interrupted(bool stop);
 struct Interrupted {};
+
+// [m/s], of `auto` where a case sets no other.
+inline constexpr double automatic_case_tolerance = 1e-5;
 
 class MonitoredRun {
  public:
@@ -33,14 +37,15 @@ class MonitoredRun {
   const RunMonitor& monitor() const { return *monitor_; }
   bool stopped() const { return stopped_; }
 
-  // How the run itself reports a failure: it diverged, its step is beyond the limit of the method, or the monitor warns. Empty: no failure
-  // is reported.
+  // How the run itself reports a failure: it diverged, its step is beyond the limit of the method, `auto` did not meet its tolerance, or
+  // the monitor warns. Empty: no failure is reported.
   std::string report() const;
 
  private:
   Lab lab_;
   const Tolerance tolerance_;
   std::optional<RunMonitor> monitor_;
+  ToleranceMonitor missed_;
   bool stopped_ = false;
   std::string stop_reason_;  // as reported; empty: it did not stop, or without a complete report
 };
