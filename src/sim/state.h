@@ -34,6 +34,9 @@ struct MethodChoice {
   int period = 1, until_estimate = 0;     // [frames], between two estimates of the error, and until the next one
   int interval = 1, until_selection = 0;  // [frames], between two comparisons of methods, and until the next one may be
   int selected_substeps = 0;              // by the last comparison; 0: the scene was edited since
+  int next_substeps = 0;                  // of the next frame
+  int until_bound = 0;                    // [frames], until the frequencies are bounded again
+  double frequency = 1.0;                 // [1], bound on the frequencies in this state, relative to that for every deformation
   double ratio = 0.0;                     // [1], of the last estimate of the error to the target; infinity: the frame diverged
   double selected_ratio = 0.0;            // [1], by the last comparison
   double target = 0.0;                    // [m], the error aimed at in a frame
@@ -41,7 +44,7 @@ struct MethodChoice {
   double budget = 0.0;                    // [ms], for which it was chosen; 0: none
   double rates = 0.0;                     // of the scene, as one number, to notice edits
   double speed = 0.0;                     // [m/s], of the points and the hand at the start of the frame
-  double estimated_speed = 0.0;           // [m/s], the same at the last estimate
+  double recent_speed = 0.0;              // [m/s], the same at its recent maximum
   bool operator==(const MethodChoice&) const = default;
 };
 

@@ -33,11 +33,17 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
     settings.integrator = choice->method;
     settings.substeps = choice->substeps;
     settings.tolerance.reset();
+    if (Frame* computed = automatic_.computed_frame(*choice)) {
+      take_over(*computed);
+      motion_.memory.choice = choice;
+      return;
+    }
   }
   integrator_ = settings.integrator;
   substeps_ = settings.substeps;
   substeps_done_ = one_by_one_until_ = 0;
   failure_ = StepFailure::None;
+  has_touched_ = false;
   h_ = duration_ / substeps_;
   left_ = h_;
   start_ = state.time;
@@ -67,6 +73,24 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   before_.pairs.begin_frame();
   if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
   if (integrator_->advance != nullptr) adaptive_step_.begin_frame(plan, motion_);
+}
+
+// A frame that was computed from the same state with the same settings. Its buffers are exchanged, so that nothing is allocated.
+void Frame::take_over(Frame& computed) {
+  std::swap(motion_, computed.motion_);
+  integrator_ = computed.integrator_;
+  start_ = computed.start_;
+  h_ = computed.h_;
+  left_ = computed.left_;
+  substeps_ = computed.substeps_;
+  substeps_done_ = computed.substeps_done_;
+  failure_ = computed.failure_;
+  has_touched_ = computed.has_touched_;
+  target_ = computed.target_;
+  hand_stretch_ = computed.hand_stretch_;
+  hand_speed_ = computed.hand_speed_;
+  collider_displacement_ = computed.collider_displacement_;
+  broken_.clear();
 }
 
 // Several substeps at once, so many that they take about a millisecond, or more if there are more springs. Whether anything acts
@@ -157,7 +181,7 @@ void Frame::substep(Plan& plan) {
 // What acts between two substeps: strain limit first, then contact, and only then do springs break. Returns whether points were moved.
 bool Frame::act(Plan& plan, bool may_touch) {
   bool is_moved = !plan.max_length.empty() && limit_strain(plan, motion_);
-  if (may_touch && plan.has_contact() && resolve_contacts(plan, before_, motion_, h_)) is_moved = true;
+  if (may_touch && plan.has_contact() && resolve_contacts(plan, before_, motion_, h_)) is_moved = has_touched_ = true;
   if (is_moved) motion_.acceleration_is_current = false;
   break_long_springs(plan);
   return is_moved;

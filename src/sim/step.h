@@ -33,6 +33,9 @@ class Frame {
   // Why the frame ended early; its state is then one within the frame.
   StepFailure failure() const { return failure_; }
   int substeps_done() const { return substeps_done_; }
+  double duration() const { return duration_; }  // [s]
+  // Whether any point touched a collider or another point.
+  bool has_touched() const { return has_touched_; }
   // Writes time, positions, velocities and the hand with the collider it carries, and adds their work to the ledger. The caller checks the
   // result (divergence.h) before showing it.
   void end(const Plan& plan, State& state) const;
@@ -44,10 +47,11 @@ class Frame {
   long factorizations() const { return motion_.factorizations; }
   // All cost counters, and the method's own error estimate.
   const Motion& motion() const { return motion_; }
-  // [ms], of the frames that `auto` computed on copies so far, by the model of the cost.
+  // [ms], of the frames that `auto` computed on copies so far and did not use, by the model of the cost.
   double trial_cost() const { return automatic_.trial_cost(); }
 
  private:
+  void take_over(Frame& computed);
   bool fly(Plan& plan);
   bool act(Plan& plan, bool may_touch);
   void break_long_springs(Plan& plan);
@@ -59,6 +63,7 @@ class Frame {
   int one_by_one_until_ = 0;  // substep before which something acts between them
   double left_ = 0.0;         // [s], of the substep in progress
   StepFailure failure_ = StepFailure::None;
+  bool has_touched_ = false;
   Vec3 target_{0.0};
   double hand_stretch_ = 0.0;  // [J], of this frame (EnergyLedger)
   double hand_speed_ = 0.0;    // [m/s], of this frame

@@ -25,13 +25,13 @@ TEST(AutomaticMethod, SaysWhereTheToleranceIsNotMet) {
 
 // A setting that the method does not use is an error on the command line.
 TEST(AutomaticMethod, AToleranceSetWithoutAMethodThatUsesItIsRefused) {
-  const Outcome tolerance = run_with("run cloth --seconds 0.1 --set tolerance=1e-4");
+  const Outcome tolerance = run_headless("run cloth --seconds 0.1 --set tolerance=1e-4");
   EXPECT_EQ(tolerance.code, 2) << tolerance.out;
   EXPECT_NE(tolerance.err.find("--set tolerance=1e-04: requires an adaptive method: dop853, auto"), std::string::npos) << tolerance.err;
-  const Outcome budget = run_with("run cloth --seconds 0.1 --set budget=2 --integrator dop853");
+  const Outcome budget = run_headless("run cloth --seconds 0.1 --set budget=2 --integrator dop853");
   EXPECT_EQ(budget.code, 2) << budget.out;
   EXPECT_NE(budget.err.find("--set budget=2: requires the method auto"), std::string::npos) << budget.err;
-  const Outcome automatic = run_with("run two_masses --seconds 0.1 --set tolerance=1e-4 --set budget=2 --integrator auto");
+  const Outcome automatic = run_headless("run two_masses --seconds 0.1 --set tolerance=1e-4 --set budget=2 --integrator auto");
   EXPECT_EQ(automatic.code, 0) << automatic.err;
   EXPECT_NE(automatic.out.find("auto, tolerance 1e-04 m/s"), std::string::npos) << automatic.out;
 }

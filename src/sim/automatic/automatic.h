@@ -11,6 +11,7 @@
 
 namespace hooke {
 
+class Frame;
 class Trials;
 
 // Its row for menus and files. It is not in the table of integrators, because it has no step of its own.
@@ -55,7 +56,9 @@ class AutomaticChoice {
   // For the frame that follows `state`, which remembers the choice for the one before. Computes frames on copies, now and then; often
   // after edits and impacts.
   MethodChoice choose(const Plan& plan, const System& system, const Settings& settings, const State& state);
-  // [ms], of what it computed on copies so far, by the model of the cost.
+  // The frame of the last call of `choose`, if it was computed to make the choice; it may be used once. Null: it was not.
+  Frame* computed_frame(const MethodChoice& choice);
+  // [ms], of what it computed on copies so far and was not used, by the model of the cost.
   double trial_cost() const;
 
  private:

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -17,12 +18,14 @@ namespace {
 // The estimate of a frame is not exact, and frames between two estimates differ: aim at this part of the tolerance.
 constexpr double aimed_part = 0.3;
 // Frames between two estimates, also where the error is far below the tolerance; and between two comparisons of methods.
-constexpr int min_period = 3, max_period = 32, max_easy_period = 96, min_interval = 10, max_interval = 1280;
-// A change of speed by this factor within a frame is an event: an impact, a jump of the hand, a release. So is one by these factors since
-// the last estimate; the larger ones where the error is far below the tolerance.
+constexpr int min_period = 3, max_period = 32, max_easy_period = 192, min_interval = 10, max_interval = 1280;
+// A speed larger by this factor than in the last frame and at the recent maximum is an event: a jump of the hand, a release, an
+// instability. So is one larger by these factors than at the recent maximum; the larger factors where the error is far below the tolerance.
 constexpr double event_factor = 1.3, easy_event_factor = 2.1, drift_factor = 2.0, easy_drift_factor = 4.0;
+constexpr double drop_factor = 1.5;  // within a frame: it turns into strain
+constexpr double fade = 0.99;        // of the recent maximum, per frame
 // The part of the target below which an error is far below the tolerance.
-constexpr double easy_ratio = 0.05;
+constexpr double easy_ratio = 0.05, very_easy_ratio = 0.01;
 
 // What the motion and the stability of the methods depend on, as one number, to notice edits: 53 bits of a hash (FNV-1a, by words).
 // Without what moves by itself: the hand and colliders.
@@ -60,8 +63,6 @@ double speed_of(const Plan& plan, const State& state, double frame) {
   return rms + hand + frame * glm::length(plan.gravity) + 1e-9;
 }
 
-bool differ(double a, double b, double factor) { return a > factor * b || b > factor * a; }
-
 // Estimates the error of the coming frame with the present method, and adapts the substeps. False if so many more are needed that another
 // method may be cheaper: then `choice` has that number.
 bool follow(MethodChoice& choice, Trials& trials, const System& system, const Settings& settings, const Goal& goal, bool is_sudden,
@@ -81,6 +82,7 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
     return std::pair(result.error / goal.target, result.cost);
   };
   std::tie(choice.ratio, choice.cost) = measure(choice.substeps, is_by_coarser);
+  trials.keep();
   const bool is_missed = choice.ratio > 1.0;
   for (int attempt = 0; choice.ratio > 1.0 && choice.substeps < max_automatic_substeps && attempt < max_attempts; ++attempt) {
     const int needed = std::min(max_automatic_substeps, substeps_for(choice.substeps, choice.ratio * goal.target, goal.target, order, 4.0));
@@ -105,9 +107,11 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
     choice.substeps = more;
     choice.ratio = ratio;
     choice.cost = cost;
+    trials.keep();
     if (has_stalled) break;
   }
-  const bool is_easy = choice.ratio < easy_ratio && before < easy_ratio, is_regular = is_easy || !differ(choice.ratio, before, 2.0);
+  const bool is_easy = choice.ratio < easy_ratio && before < easy_ratio;
+  const bool is_regular = is_easy || choice.ratio < std::max(2.0 * before, 0.2);
   if (choice.ratio > 1.0)  // it cannot be met now: do not try in every frame
     choice.period = std::min(max_period, 2 * choice.period);
   else if (is_missed)
@@ -115,18 +119,42 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
   else
     choice.period = is_regular && !is_sudden ? std::min(is_easy ? max_easy_period : max_period, 2 * choice.period) : min_period;
   choice.until_estimate = choice.period;
+  choice.next_substeps = choice.substeps;
   if (choice.ratio <= 1.0 && choice.substeps > choice.min_substeps) {
     // PI control (Gustafsson 1991), which lowers the number slowly
     const double p = order;
     const double factor =
         portable::pow(std::max(choice.ratio, 1e-12) / 0.9, 0.7 / p) * portable::pow(std::clamp(before, 1e-12, 1e12), -0.4 / p);
-    const int fewer = std::max(choice.min_substeps, static_cast<int>(std::ceil(choice.substeps * std::clamp(factor, 0.4, 1.0))));
-    const double part = static_cast<double>(fewer) / choice.substeps;
-    choice.substeps = fewer;
-    choice.ratio *= portable::pow(part, -p);
-    choice.cost *= part;
+    const int fewer = static_cast<int>(std::ceil(choice.substeps * std::clamp(factor, 0.4, 1.0)));
+    choice.next_substeps = std::max(choice.min_substeps, fewer);
   }
   return true;
+}
+
+// Adapts the substeps to the fewest stable ones: at least these, and no more if only stability required more before.
+void limit_to_stable(MethodChoice& choice, int min_before, int order) {
+  if (choice.substeps == min_before && choice.min_substeps < min_before) {
+    const double ratio = choice.ratio * portable::pow(static_cast<double>(min_before) / choice.min_substeps, order);
+    constexpr double max_ratio = 0.5;
+    if (ratio < max_ratio) {
+      choice.substeps = choice.min_substeps;
+      choice.ratio = ratio;
+    }
+  }
+  choice.next_substeps = choice.substeps = std::max(choice.substeps, choice.min_substeps);
+}
+
+// Whether something strikes something else in the coming frame, which is computed for that and kept.
+bool strikes(Trials& trials, const MethodChoice& choice, const Settings& settings, double max_error) {
+  Settings trial = settings;
+  trial.tolerance.reset();
+  trial.integrator = choice.method;
+  trial.substeps = choice.substeps;
+  double cost = 0.0;
+  if (trials.compute_frame(trial, std::numeric_limits<double>::infinity(), &cost) != Trials::End::Finished) return true;
+  const bool has_impact = trials.has_impact(max_error);
+  if (!has_impact) trials.keep();
+  return has_impact;
 }
 
 }  // namespace
@@ -138,64 +166,103 @@ AutomaticChoice& AutomaticChoice::operator=(AutomaticChoice&& other) noexcept = 
 
 double AutomaticChoice::trial_cost() const { return trials_ ? trials_->total_cost() : 0.0; }
 
+Frame* AutomaticChoice::computed_frame(const MethodChoice& choice) { return trials_->kept(*choice.method, choice.substeps); }
+
 MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, const Settings& settings, const State& state) {
   const double frame = 1.0 / settings.frame_rate;
   const double target = aimed_part * automatic_tolerance(settings) * frame;
   const double rates = rates_of(plan), speed = speed_of(plan, state, frame);
   if (!trials_) trials_ = std::make_unique<Trials>();
+  trials_->forget();
+  double frequency = 1.0;
+  int until_bound = 0;
+  const auto bound = [&](double frame_cost) {
+    frequency = trials_->bound_frequency(plan, state, settings.frame_rate, frame_cost);
+    constexpr double much_lower = 0.95;
+    if (frequency > much_lower) frequency = 1.0;
+    until_bound = frequency < 1.0 ? frames_per_bound : frames_without_bound;
+  };
+  bool has_begun = false;
   const auto begin = [&]() -> Goal {
-    trials_->begin(plan, system, state);
-    return {target, max_cost_of_frame(*trials_, plan, settings)};
+    if (!std::exchange(has_begun, true)) trials_->begin(plan, system, state);
+    return {target, max_cost_of_frame(*trials_, plan, settings), frequency};
   };
   MethodChoice choice;
-  const auto select = [&](const MethodChoice* last, bool is_sudden) {
-    choice = select_method(*trials_, plan, system, settings, begin(), last);
-    const bool is_confirmed = last != nullptr && last->method == choice.method && last->selected_substeps > 0;
-    choice.interval = is_confirmed ? std::min(max_interval, 2 * last->interval) : min_interval;
-    choice.until_selection = choice.interval;
-    choice.until_estimate = choice.period = choice.ratio < easy_ratio && !is_sudden ? 4 * min_period : min_period;
+  const auto select = [&](const MethodChoice* last, Present knowledge, bool is_sudden) {
+    const MethodChoice selected = select_method(*trials_, plan, system, settings, begin(), last, knowledge);
+    const bool is_confirmed = last != nullptr && last->method == selected.method && last->selected_substeps > 0;
+    const int interval = is_confirmed ? std::min(max_interval, 4 * last->interval) : min_interval;
+    if (knowledge == Present::ToBeMeasured || !is_confirmed) {
+      choice = selected;
+      const int factor = is_sudden || choice.ratio > easy_ratio ? 1 : choice.ratio > very_easy_ratio ? 4 : 8;
+      choice.until_estimate = choice.period = factor * min_period;
+    }
+    choice.until_selection = choice.interval = interval;
   };
 
   if (!state.memory.choice) {
-    select(nullptr, false);
+    const int substeps = trials_->stable_substeps(default_integrator(), plan, settings.frame_rate, 1.0);
+    bound(CostModel(plan).expected(default_integrator(), substeps));
+    select(nullptr, Present::ToBeMeasured, false);
   } else {
     const MethodChoice last = *state.memory.choice;
     choice = last;
+    if (last.next_substeps != last.substeps) {
+      const double part = static_cast<double>(last.next_substeps) / last.substeps;
+      choice.substeps = last.next_substeps;
+      choice.ratio *= portable::pow(part, -effective_order(system, *choice.method));
+      choice.cost *= part;
+    }
     --choice.until_estimate;
     --choice.until_selection;
     const bool is_edited = choice.rates != rates || choice.target != target || choice.budget != settings.budget_ms;
     const bool is_easy = choice.ratio < easy_ratio;
-    const bool is_event = differ(speed, choice.speed, is_easy ? easy_event_factor : event_factor) ||
-                          differ(speed, choice.estimated_speed, is_easy ? easy_drift_factor : drift_factor);
-    choice.speed = speed;
+    bool is_event = speed > (is_easy ? easy_event_factor : event_factor) * std::max(last.speed, last.recent_speed) ||
+                    speed > (is_easy ? easy_drift_factor : drift_factor) * last.recent_speed ||
+                    last.speed > (is_easy ? easy_drift_factor : drop_factor) * speed;
+    frequency = last.frequency;
+    until_bound = last.until_bound - 1;
+    if (until_bound <= 0 || is_edited || is_event) bound(last.cost);
+    choice.min_substeps = trials_->stable_substeps(*choice.method, plan, settings.frame_rate, frequency);
+    limit_to_stable(choice, last.min_substeps, effective_order(system, *choice.method));
     bool must_select = false;
     if (is_edited) {
-      choice.min_substeps = stable_substeps(*choice.method, plan.spectrum, settings.frame_rate);
       must_select = choice.min_substeps > std::min(max_automatic_substeps, 4 * last.substeps) || choice.target != target ||
                     choice.budget != settings.budget_ms;
-      choice.substeps = std::max(choice.substeps, choice.min_substeps);
       // while a slider moves, only the substeps follow, unless they become far too many
       choice.selected_substeps = 0;
       choice.interval = min_interval;
       choice.until_selection = std::clamp(choice.until_selection, 1, 10);
     }
-    if (!is_edited && !is_event && choice.until_estimate > 0) return choice;
-
-    // comparing methods costs as much as some tens of frames
     const bool has_hand = plan.held || plan.pull || plan.grabbed_collider;
-    const bool has_changed = choice.selected_substeps == 0 || differ(choice.substeps, choice.selected_substeps, 2.0) ||
-                             (differ(choice.ratio, choice.selected_ratio, 8.0) && choice.ratio < 0.1);
-    if (must_select || (choice.until_selection <= 0 && has_changed && !has_hand)) {
-      select(&last, is_event || is_edited);
-    } else if (!follow(choice, *trials_, system, settings, begin(), is_event || is_edited, has_hand ? 5.0 : 2.0)) {
-      const MethodChoice present = choice;
-      select(&present, is_event || is_edited);
+    const bool is_beyond = !is_tolerance_met(choice, settings);  // which is reported: try again when the next estimate is due
+    if (is_beyond) is_event = false;
+    const bool is_due = is_edited || is_event || choice.until_estimate <= 0;
+    if (!is_due && plan.has_contact() && !is_beyond) {
+      begin();
+      is_event = strikes(*trials_, choice, settings, target);
     }
+
+    const bool is_sudden = is_event || is_edited;
+    if (!is_due && !is_event) {
+      // cheaper methods are tried now and then: what ruled them out may have been the start of the motion
+      const MethodChoice present = choice;
+      if (choice.until_selection <= 0 && !has_hand && !is_beyond) select(&present, Present::Known, false);
+    } else if (must_select) {
+      select(&last, Present::ToBeMeasured, is_sudden);
+    } else if (!follow(choice, *trials_, system, settings, begin(), is_sudden, has_hand ? 5.0 : 2.0)) {
+      const MethodChoice present = choice;
+      select(&present, Present::ToBeMeasured, is_sudden);
+    }
+    choice.recent_speed = is_due || is_event ? std::max(speed, fade * last.recent_speed) : fade * last.recent_speed;
   }
   choice.rates = rates;
   choice.target = target;
   choice.budget = settings.budget_ms;
-  choice.speed = choice.estimated_speed = speed;
+  choice.speed = speed;
+  choice.frequency = frequency;
+  choice.until_bound = until_bound;
+  if (!state.memory.choice) choice.recent_speed = speed;
   return choice;
 }
 

@@ -9,8 +9,8 @@ namespace hooke {
 class CostModel {
  public:
   explicit CostModel(const Plan& plan);
-  // [ms], of the work counted in a motion that this method computed.
-  double of(const Integrator& method, const Motion& motion) const;
+  // [ms], of the work counted in a motion that this method computed in so many substeps.
+  double of(const Integrator& method, const Motion& motion, int substeps) const;
   // [ms], of a frame with this many substeps, before anything is known about it: implicit methods with the iterations that easy frames
   // take.
   double expected(const Integrator& method, int substeps) const;
@@ -19,6 +19,7 @@ class CostModel {
   double evaluation(const Integrator& method) const;
 
   double force_ = 0.0, sweep_ = 0.0, dashpots_ = 0.0, factorization_ = 0.0, solve_ = 0.0;  // [ns]
+  double contact_ = 0.0;                                                                   // [ns], of a substep
 };
 
 }  // namespace hooke

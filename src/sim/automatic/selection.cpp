@@ -14,11 +14,15 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // Another method takes the place of the present one only if it is cheaper by this factor.
-constexpr double hysteresis = 1.3;
+constexpr double hysteresis = 1.3, hysteresis_if_known = 2.0;
 // Without a budget: a frame may cost this much, or this multiple of the cheapest stable one, to meet the tolerance; and a comparison of
 // methods that many times as much.
 constexpr double max_cost_ms = 400.0, max_cost_factor = 8.0, max_comparison = 5.0;
+// With contact, where all methods are of first order and shorter steps may not help at all: chains of impacts amplify any error.
+constexpr double max_cost_with_contact_ms = 3.0;
 constexpr int max_attempts = 8;
+// An error of up to this multiple of the target is still within the tolerance. It counts as meeting the goal at a higher cost.
+constexpr double acceptable_ratio = 2.0, penalty = 2.0;
 // An unexpected cost, relative to the expected one.
 constexpr double surprise = 4.0;
 
@@ -32,10 +36,11 @@ struct Candidate {
   double weight = 1.0;  // of its costs in comparisons
 };
 
-std::vector<Candidate> candidates_for(Trials& trials, const Plan& plan, const Settings& settings, const MethodChoice* present) {
+std::vector<Candidate> candidates_for(Trials& trials, const Plan& plan, const Settings& settings, const Goal& goal,
+                                      const MethodChoice* present) {
   const CostModel model(plan);
   std::vector<Candidate> list;
-  const std::vector<int>& stable = trials.stable_substeps(plan, settings.frame_rate);
+  const std::vector<int>& stable = trials.stable_substeps(plan, settings.frame_rate, goal.frequency);
   std::size_t row = 0;
   for (const Integrator& method : integrators()) {
     const int stable_at = stable[row++];
@@ -62,7 +67,7 @@ int hopeful_order(const System& system, const Integrator& method) {
 
 // The next number of substeps to try, or closes the candidate.
 void refine(Candidate& candidate, const Trials::Result& result, double ratio, const System& system, const Goal& goal) {
-  constexpr double most_at_once = 16.0, on_divergence = 4.0;
+  constexpr double most_at_once = 1e4, on_divergence = 4.0;
   const bool has_stalled = candidate.attempts > 0 && ratio > 0.7 * candidate.ratio;
   candidate.stalls = has_stalled ? candidate.stalls + 1 : 0;
   candidate.ratio = ratio;
@@ -74,7 +79,7 @@ void refine(Candidate& candidate, const Trials::Result& result, double ratio, co
   int next = substeps_for(candidate.substeps, ratio * goal.target, goal.target, order, max_factor);
   // the most accurate attempt that the goal allows
   if (next * cost_per_substep > goal.max_cost) next = static_cast<int>(goal.max_cost / cost_per_substep);
-  if (candidate.stalls > 1 || candidate.attempts >= max_attempts || next > max_automatic_substeps || next < 1.2 * candidate.substeps)
+  if (candidate.stalls > 1 || candidate.attempts >= max_attempts || next > max_automatic_substeps || next <= candidate.substeps)
     candidate.is_open = false;
   candidate.substeps = next;
   candidate.expected_cost = next * cost_per_substep;
@@ -84,9 +89,15 @@ void refine(Candidate& candidate, const Trials::Result& result, double ratio, co
 
 double max_cost_of_frame(Trials& trials, const Plan& plan, const Settings& settings) {
   double cheapest = infinity;
-  for (const Candidate& candidate : candidates_for(trials, plan, settings, nullptr)) cheapest = std::min(cheapest, candidate.expected_cost);
+  double explicit_one = 0.0;  // of the default method
+  for (const Candidate& candidate : candidates_for(trials, plan, settings, {}, nullptr)) {
+    cheapest = std::min(cheapest, candidate.expected_cost);
+    if (candidate.method == &default_integrator()) explicit_one = candidate.expected_cost;
+  }
   if (!std::isfinite(cheapest)) return infinity;
-  return settings.budget_ms > 0.0 ? std::max(settings.budget_ms, cheapest) : std::max(max_cost_ms, max_cost_factor * cheapest);
+  if (settings.budget_ms > 0.0) return std::max(settings.budget_ms, cheapest);
+  if (plan.has_contact()) return std::max({max_cost_with_contact_ms, max_cost_factor * cheapest, 4.0 * explicit_one});
+  return std::max(max_cost_ms, max_cost_factor * cheapest);
 }
 
 int substeps_for(int substeps, double error, double target, int order, double max_factor) {
@@ -97,25 +108,31 @@ int substeps_for(int substeps, double error, double target, int order, double ma
 }
 
 MethodChoice select_method(Trials& trials, const Plan& plan, const System& system, const Settings& settings, const Goal& goal,
-                           const MethodChoice* present) {
+                           const MethodChoice* present, Present knowledge) {
   MethodChoice best{.ratio = infinity};
   double best_cost = infinity, spent = 0.0;
+  const auto counted_cost = [](double ratio, double cost) { return ratio > 1.0 ? penalty * cost : cost; };
   Settings trial = settings;
   trial.tolerance.reset();
-  std::vector<Candidate> list = candidates_for(trials, plan, settings, present);
+  std::vector<Candidate> list = candidates_for(trials, plan, settings, goal, present);
+  if (present != nullptr && knowledge == Present::Known) {
+    best = *present;
+    best_cost = counted_cost(present->ratio, present->cost) / hysteresis_if_known;
+    for (Candidate& candidate : list) candidate.is_open = candidate.method != present->method;
+  }
   while (spent <= max_comparison * goal.max_cost || !std::isfinite(best.ratio)) {
     // the one that would be the cheapest if it met the goal
     Candidate* next = nullptr;
     for (Candidate& candidate : list)
       if (candidate.is_open && (next == nullptr || candidate.weight * candidate.expected_cost < next->weight * next->expected_cost))
         next = &candidate;
-    if (next == nullptr || (best.ratio <= 1.0 && next->weight * next->expected_cost >= best_cost)) break;
+    if (next == nullptr || (best.ratio <= acceptable_ratio && next->weight * next->expected_cost >= best_cost)) break;
 
     trial.integrator = next->method;
     trial.substeps = next->substeps;
     // one that turns out to be far more expensive than expected has to wait for the others
     const double patience = surprise * next->expected_cost;
-    const double max_cost = std::min(patience, best.ratio <= 1.0 ? best_cost / next->weight : 1.25 * goal.max_cost);
+    const double max_cost = std::min(patience, best.ratio <= acceptable_ratio ? best_cost / next->weight : 1.25 * goal.max_cost);
     const double before = trials.total_cost();
     const Trials::Result result = trials.measure(trial, max_cost);
     spent += trials.total_cost() - before;
@@ -124,10 +141,12 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
       next->is_open = ++next->attempts < max_attempts;
       continue;
     }
-    const double ratio = result.error / goal.target, cost = next->weight * result.cost;
-    if (ratio <= 1.0 ? best.ratio > 1.0 || cost < best_cost : ratio < best.ratio) {
+    const double ratio = result.error / goal.target, cost = next->weight * counted_cost(ratio, result.cost);
+    const bool is_met = ratio <= acceptable_ratio, was_met = best.ratio <= acceptable_ratio;
+    if (is_met ? !was_met || cost < best_cost : !was_met && ratio < best.ratio) {
       best = {.method = next->method, .substeps = next->substeps, .min_substeps = next->min_substeps, .ratio = ratio, .cost = result.cost};
       best_cost = cost;
+      trials.keep();
     }
     if (ratio <= 1.0)
       next->is_open = false;
@@ -141,7 +160,7 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
     const auto cheapest = std::ranges::min_element(list, {}, [](const Candidate& c) { return c.min_substeps; });
     best = {.method = cheapest->method, .substeps = cheapest->min_substeps, .min_substeps = cheapest->min_substeps, .ratio = infinity};
   }
-  best.selected_substeps = best.substeps;
+  best.next_substeps = best.selected_substeps = best.substeps;
   best.selected_ratio = best.ratio;
   return best;
 }

@@ -8,8 +8,9 @@ namespace hooke {
 
 // What a choice has to achieve.
 struct Goal {
-  double target = 0.0;    // [m], error of a frame
-  double max_cost = 0.0;  // [ms], of a frame
+  double target = 0.0;     // [m], error of a frame
+  double max_cost = 0.0;   // [ms], of a frame
+  double frequency = 1.0;  // [1], bound on the frequencies in this state, relative to that of the plan
 };
 
 // [ms], of a frame, beyond which accuracy is given up: the budget, or without one a multiple of the cheapest stable method.
@@ -18,10 +19,13 @@ double max_cost_of_frame(Trials& trials, const Plan& plan, const Settings& setti
 // The number of substeps expected to reduce an error to the target, with a method of this order; at most `max_factor` as many.
 int substeps_for(int substeps, double error, double target, int order, double max_factor);
 
+// What is known about the present choice when methods are compared: nothing, or its error and cost on this frame.
+enum class Present { ToBeMeasured, Known };
+
 // The best choice for the frame that `trials` begins with: method, substeps, ratio and cost. A method must be clearly cheaper than that of
 // `present`, which may be null, to take its place; its substeps are tried first. Where none meets the goal, the one with the smallest
-// error.
+// error. The frame of the choice is kept.
 MethodChoice select_method(Trials& trials, const Plan& plan, const System& system, const Settings& settings, const Goal& goal,
-                           const MethodChoice* present);
+                           const MethodChoice* present, Present knowledge);
 
 }  // namespace hooke

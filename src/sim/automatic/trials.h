@@ -4,11 +4,15 @@
 #include <limits>
 
 #include "sim/automatic/cost_model.h"
+#include "sim/automatic/frequency_bound.h"
 #include "sim/step.h"
 
 namespace hooke {
 
 inline constexpr int max_automatic_substeps = 1 << 16;
+// Frames for which the frequencies are bounded at once, and after which this is tried again where they are not much lower than the bound
+// for every deformation.
+inline constexpr int frames_per_bound = 4, frames_without_bound = 32;
 
 // The fewest substeps with which no linear mode grows; one more than the maximum if that is not enough.
 int stable_substeps(const Integrator& method, const Spectrum& spectrum, double frame_rate);
@@ -21,33 +25,58 @@ class Trials {
     bool is_too_expensive = false;
   };
 
+  // No frame is kept.
+  void forget();
   // The scene and the state at the start of the frame, which must outlive the calls of measure. Data that belong to the structure of the
   // scene are kept as long as it is the same.
   void begin(const Plan& plan, const System& system, const State& start);
   // The fewest substeps with which no linear mode grows, for each method of the table; more than the maximum where there are too many.
-  // Computed again only when the spectrum has changed.
-  const std::vector<int>& stable_substeps(const Plan& plan, double frame_rate);
+  // `frequency`: of the fastest mode relative to the spectrum of the plan. Computed again only when that has changed.
+  const std::vector<int>& stable_substeps(const Plan& plan, double frame_rate, double frequency);
+  int stable_substeps(const Integrator& method, const Plan& plan, double frame_rate, double frequency);
+  // A bound on the frequencies of the springs in the coming frames (FrequencyBound); 1 where it would cost more than it saves in a frame of
+  // `frame_cost` [ms].
+  double bound_frequency(const Plan& plan, const State& state, double frame_rate, double frame_cost);
+  enum class End { Finished, Diverged, TooExpensive };
+  // Computes the frame, unless the last call did. Abandoned if it costs more than `max_cost` [ms].
+  End compute_frame(const Settings& settings, double max_cost, double* cost);
+  // Whether something touched in the frame that was computed last, and changed its velocity so much that an impact at another time within
+  // a substep would be an error of more than this [m].
+  bool has_impact(double max_error) const;
   // The error of the frame, from its repetition with half the step. Abandoned if it costs more than `max_cost` [ms].
   Result measure(const Settings& settings, double max_cost);
   // The same from its repetition with twice the step, for half the cost: where those steps are stable and short enough for the order.
   Result measure_by_coarser(const Settings& settings, double max_cost);
-  // [ms], of all trials so far, by the model.
+  // Keeps the frame that was computed or measured last, not its repetition, to be used as the frame itself.
+  void keep();
+  // The frame that was kept, if it has these settings; it may be used once.
+  Frame* kept(const Integrator& method, int substeps);
+  // [ms], of all trials so far but the frames used, by the model.
   double total_cost() const { return total_cost_; }
 
  private:
-  enum class End { Finished, Diverged, TooExpensive };
+  // A frame with the settings with which it was computed.
+  struct Computed {
+    Frame frame;
+    const Integrator* method = nullptr;  // null: none
+    int substeps = 0;
+    double cost = 0.0;  // [ms], by the model
+  };
   End compute(const Settings& settings, const CostModel& model, double max_cost, double* cost);
 
   Plan plan_;
   Frame frame_;
+  Computed last_, kept_;
   const System* system_ = nullptr;
   const State* start_ = nullptr;
-  std::vector<Vec3> coarse_;
+  std::vector<Vec3> last_positions_, last_velocities_;  // at the end of the last frame
   State end_;
   double total_cost_ = 0.0;
   Spectrum spectrum_;
   double frame_rate_ = 0.0;
-  std::vector<int> stable_substeps_;
+  double frequency_ = 1.0;
+  std::vector<int> stable_for_any_, stable_substeps_;
+  FrequencyBound bound_;
 };
 
 }  // namespace hooke

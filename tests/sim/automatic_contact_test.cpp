@@ -1,0 +1,112 @@
+// The method `auto` where things strike each other: it keeps the tolerance or reports that it does not, and its cost is bounded.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+
+#include "support/accuracy_scenes.h"
+#include "support/automatic_runs.h"
+#include "support/convergence.h"
+
+namespace hooke {
+namespace {
+
+TestSim bouncing_pair() {
+  TestSim sim;
+  sim.join(sim.add({0.0, 0.5, 0.0}), sim.add({0.3, 0.6, 0.0}), 200.0, 0.3);
+  sim.system.colliders.push_back({.shape = Plane{{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}, .restitution = 0.6, .friction = 0.3});
+  return sim;
+}
+
+TestSim net_on_ball() {
+  TestSim sim;
+  std::vector<PointId> ids;
+  constexpr int n = 4;
+  for (int i = 0; i < n * n; ++i) ids.push_back(sim.add({0.1 * (i % n) - 0.16, 0.35, 0.1 * (i / n) - 0.14}, 0.02));
+  for (int i = 0; i < n * n; ++i) {
+    if (i % n + 1 < n) sim.join(ids[i], ids[i + 1], 50.0, 0.1, 0.02);
+    if (i + n < n * n) sim.join(ids[i], ids[i + n], 50.0, 0.1, 0.02);
+  }
+  sim.system.colliders.push_back({.shape = Sphere{{0.0, 0.0, 0.0}, 0.3}, .friction = 0.4});
+  return sim;
+}
+
+// Balls that fall onto each other in a bin.
+TestSim balls_in_bin() {
+  TestSim sim;
+  sim.system.dimensions = 2;
+  for (int i = 0; i < 9; ++i) {
+    const PointId id = sim.add({0.11 * (i % 3) - 0.1 + 0.013 * (i / 3), 0.2 + 0.15 * (i / 3), 0.0}, 0.1);
+    sim.system.point(sim.system.index_of(id)).radius = 0.05;
+  }
+  sim.system.contact = {.points = true, .restitution = 0.4, .friction = 0.2};
+  for (const auto& [point, normal] : {std::pair(Vec3(0.0), Vec3(0.0, 1.0, 0.0)), std::pair(Vec3(-0.2, 0.0, 0.0), Vec3(1.0, 0.0, 0.0)),
+                                      std::pair(Vec3(0.2, 0.0, 0.0), Vec3(-1.0, 0.0, 0.0))})
+    sim.system.colliders.push_back({.shape = Plane{point, normal}, .restitution = 0.4, .friction = 0.2});
+  return sim;
+}
+
+// Two balls that meet in flight: nothing but the impact itself shows that it comes.
+TestSim head_on() {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  for (const double side : {-1.0, 1.0}) {
+    const PointId id = sim.add({side, 0.02 * side, 0.0}, 0.1, {-2.0 * side, 0.0, 0.0});
+    sim.system.point(sim.system.index_of(id)).radius = 0.05;
+  }
+  sim.system.contact = {.points = true, .restitution = 0.8};
+  return sim;
+}
+
+struct ContactRun {
+  int frames = 0, within = 0, silent = 0;  // silent: beyond the tolerance, and reported as within
+  double max_trial = 0.0, cost = 0.0;      // [ms], by the model
+};
+
+ContactRun run_in_contact(TestSim sim, double tolerance, int frames) {
+  const Settings settings = automatic(tolerance), exact{.integrator = find_integrator("blanes_moan4"), .substeps = 200};
+  Plan plan = make_plan(sim.system), exact_plan = plan;
+  Frame frame, exact_frame;
+  ContactRun run;
+  for (; run.frames < frames; ++run.frames) {
+    const double before = frame.trial_cost();
+    const State after = next_frame(plan, frame, sim.system, settings, sim.state);
+    const State truth = next_frame(exact_plan, exact_frame, sim.system, exact, sim.state);
+    const bool is_within = distance(after, truth) <= tolerance / settings.frame_rate;
+    const bool is_reported = !is_tolerance_met(*after.memory.choice, settings);
+    run.within += is_within ? 1 : 0;
+    run.silent += !is_within && !is_reported ? 1 : 0;
+    run.max_trial = std::max(run.max_trial, frame.trial_cost() - before);
+    sim.state = after;
+  }
+  run.cost = frame.trial_cost();
+  return run;
+}
+
+struct ContactScene {
+  const char* name;
+  TestSim (*make)();
+};
+
+class AutomaticContact : public testing::TestWithParam<ContactScene> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, AutomaticContact,
+                         testing::Values(ContactScene{"bouncing_pair", bouncing_pair}, ContactScene{"net_on_ball", net_on_ball},
+                                         ContactScene{"balls_in_bin", balls_in_bin}, ContactScene{"head_on", head_on}),
+                         [](const auto& scene) { return std::string(scene.param.name); });
+
+TEST_P(AutomaticContact, KeepsTheToleranceOrReportsAtABoundedCost) {
+  constexpr double max_trial_ms = 30.0;  // by the model, of the trials of a frame
+  for (const double tolerance : {1e-2, 1e-3}) {
+    const ContactRun run = run_in_contact(GetParam().make(), tolerance, 45);
+    if (std::getenv("HOOKE_PRINT") != nullptr)
+      std::printf("%-14s %g: %d of %d frames within, %d beyond in silence; trials of a frame up to %.3g ms, in total %.3g ms\n",
+                  GetParam().name, tolerance, run.within, run.frames, run.silent, run.max_trial, run.cost);
+    EXPECT_LE(run.silent, 0.05 * run.frames) << tolerance;
+    EXPECT_LT(run.max_trial, max_trial_ms) << tolerance;
+  }
+}
+
+}  // namespace
+}  // namespace hooke
