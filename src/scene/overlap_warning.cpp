@@ -1,9 +1,11 @@
 #include "scene/overlap_warning.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "base/number_text.h"
 #include "sim/contact/pair_solver.h"
+#include "sim/contact/surface_tree.h"
 
 namespace hooke {
 
@@ -35,6 +37,37 @@ std::optional<std::string> overlap_warning(const System& system, const State& st
          (count == 1 ? " pair of points overlaps" : " pairs of points overlap") + ", points " + std::to_string(deepest.i) + " and " +
          std::to_string(deepest.j) + " most, by " + quantity_text(depth, "m", 2) +
          ": they cannot get closer; accelerations separate deep overlaps slowly";
+}
+
+std::optional<std::string> crossing_warning(const System& system, const State& state) {
+  if (!system.contact.faces) return std::nullopt;
+  if (system.dimensions == 2) return "contact.faces: faces touch in scenes of 3 dimensions only: this one has 2";
+  const SurfacePlan plan = plan_surface(system);
+  if (!plan.on) return std::nullopt;
+  std::vector<Vec3> place;
+  for (const Index i : plan.points) place.push_back(state.position[i]);
+  SurfaceTree tree;
+  tree.build(plan, place);
+  const auto [crossings, is_complete] = tree.find_crossings(plan, place);
+  if (crossings.empty()) return std::nullopt;
+  const auto name_of = [&](Index point) { return std::to_string(plan.points[point]); };
+  const auto& [p, q] = plan.edges[crossings[0].edge];
+  const auto& [a, b, c] = plan.pieces[crossings[0].face].points;
+  return std::string("contact.faces: ") + (is_complete ? "" : "at least ") + std::to_string(crossings.size()) +
+         (crossings.size() == 1 ? " edge passes" : " edges pass") + " through faces, the one of points " + name_of(p) + " and " +
+         name_of(q) + " through that of points " + name_of(a) + ", " + name_of(b) + " and " + name_of(c) +
+         ": they do not touch until they are apart";
+}
+
+std::optional<std::string> thickness_warning(const System& system) {
+  const SurfacePlan plan = plan_surface(system);
+  const double given = system.contact.thickness;
+  if (!plan.on || given == 0.0) return std::nullopt;
+  const auto [min, max] = std::ranges::minmax(plan.thickness);
+  if (min == given && max == given) return std::nullopt;
+  const bool is_long = min < given;
+  return "contact.thickness: " + quantity_text(given, "m", 3) + (is_long ? " is more than half of" : " is less than a twentieth of") +
+         " the smallest height of some faces, or length of springs: they touch at " + quantity_text(is_long ? min : max, "m", 3);
 }
 
 }  // namespace hooke

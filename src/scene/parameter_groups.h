@@ -6,6 +6,6 @@
 namespace hooke::parameter_group {
 
 inline constexpr std::string_view simulation = "Simulation", springs = "Springs", points = "Points", surroundings = "Surroundings",
-                                  contact = "Contact between points", new_parts = "New parts", hand = "Hand";
+                                  contact = "Contact", new_parts = "New parts", hand = "Hand";
 
 }  // namespace hooke::parameter_group

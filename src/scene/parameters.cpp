@@ -31,6 +31,7 @@ void write_dimensions(Scene& scene, double value) {
 }
 
 bool has_contact_of_points(const Scene& scene) { return scene.system.contact.points; }
+bool has_contact_in_scene(const Scene& scene) { return scene.system.contact.any(); }
 
 constexpr std::array parameterizations{
     ParameterChoice{"plain", "Each spring: k, d", "Every spring has exactly the k and d given; a finer mesh behaves differently."},
@@ -203,9 +204,19 @@ constexpr std::array rows{
               .kind = Kind::Switch, .default_value = 0, .omit_if_default = true,
               .read = [](const Scene& s) { return s.system.contact.points ? 1.0 : 0.0; },
               .write = [](Scene& s, double value) { s.system.contact.points = value != 0.0; }},
+    Parameter{.name = "contact_faces", .field = "contact.faces", .group = parameter_group::contact, .label = "Faces touch", .unit = "",
+              .description = "Whether faces collide with each other, such as the folds of a cloth. In 3-D scenes.",
+              .kind = Kind::Switch, .default_value = 0, .omit_if_default = true,
+              .read = [](const Scene& s) { return s.system.contact.faces ? 1.0 : 0.0; },
+              .write = [](Scene& s, double value) { s.system.contact.faces = value != 0.0; }},
+    Parameter{.name = "contact_springs", .field = "contact.springs", .group = parameter_group::contact, .label = "Springs touch", .unit = "",
+              .description = "Whether springs that are not between points of faces collide with each other and with faces, such as ropes.",
+              .kind = Kind::Switch, .default_value = 0, .omit_if_default = true,
+              .read = [](const Scene& s) { return s.system.contact.springs ? 1.0 : 0.0; },
+              .write = [](Scene& s, double value) { s.system.contact.springs = value != 0.0; }},
     Parameter{.name = "contact_thickness", .field = "contact.thickness", .group = parameter_group::contact, .label = "Thickness", .unit = "m",
-              .description = "Distance between the surfaces of two points at which they touch.",
-              .min = 0, .max = 0.1, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true, .applies = has_contact_of_points,
+              .description = "Distance at which faces and springs touch, and that between the surfaces of two points at which they do.",
+              .min = 0, .max = 0.1, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true, .applies = has_contact_in_scene,
               .read = [](const Scene& s) { return s.system.contact.thickness; },
               .write = [](Scene& s, double value) { s.system.contact.thickness = value; }},
     Parameter{.name = "contact_restitution", .field = "contact.restitution", .group = parameter_group::contact, .label = "Restitution of points", .unit = "",
@@ -213,9 +224,9 @@ constexpr std::array rows{
               .min = 0, .max = 1, .default_value = 0, .physical = {.min = 0, .max = 1}, .omit_if_default = true, .applies = has_contact_of_points,
               .read = [](const Scene& s) { return s.system.contact.restitution; },
               .write = [](Scene& s, double value) { s.system.contact.restitution = value; }},
-    Parameter{.name = "contact_friction", .field = "contact.friction", .group = parameter_group::contact, .label = "Friction of points", .unit = "",
-              .description = "Coulomb friction coefficient between two points.",
-              .min = 0, .max = 2, .default_value = 0.3, .physical = not_negative, .omit_if_default = true, .applies = has_contact_of_points,
+    Parameter{.name = "contact_friction", .field = "contact.friction", .group = parameter_group::contact, .label = "Friction of contact", .unit = "",
+              .description = "Coulomb friction coefficient between points, faces and springs.",
+              .min = 0, .max = 2, .default_value = 0.3, .physical = not_negative, .omit_if_default = true, .applies = has_contact_in_scene,
               .read = [](const Scene& s) { return s.system.contact.friction; },
               .write = [](Scene& s, double value) { s.system.contact.friction = value; }},
     Parameter{.name = "new_stiffness", .field = "defaults.stiffness", .group = parameter_group::new_parts, .label = "New springs' k", .unit = "N/m",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/bounds.h"
 #include "base/file_limits.h"
 #include "sim/automatic/automatic.h"
 

@@ -70,7 +70,7 @@ void AdaptiveStep::begin_frame(const Plan& plan, const Motion& motion) {
   free_step_ = 0.0;
   if (!has_corrections(plan)) return;
   for (Field* field : {&before_.x, &before_.v, &piece_.x, &piece_.v, &coarse_x_, &coarse_v_}) field->resize(motion.x.size());
-  for (ContactWorkspace* work : {&before_, &piece_}) work->pairs.begin_frame();
+  for (ContactWorkspace* work : {&before_, &piece_}) work->begin_frame();
 }
 
 // Strain limit first, then contact. Returns whether anything touched.
@@ -118,8 +118,9 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
   was_corrected_ = false;
   if (!has_corrections(plan)) return method.advance(plan, motion, work, interval);
 
-  // the strain limit is imposed once per substep and does not converge with the step, so that no step would be short enough for it
-  if (!work.tolerance || !plan.max_length.empty()) {
+  // the strain limit is imposed once per substep and does not converge with the step, so that no step would be short enough for it; contact of
+  // faces and springs is of first order, with impacts that never end while a cloth folds
+  if (!work.tolerance || !plan.max_length.empty() || plan.surface.on) {
     store(motion, before_);
     const double h = method.advance(plan, motion, work, interval);
     if (h != 0.0) correct(plan, before_, motion, h, h == interval);

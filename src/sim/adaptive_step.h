@@ -34,7 +34,7 @@ class AdaptiveStep {
   double advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval);
   // Whether contact or the strain limit moved points in the last step.
   bool was_corrected() const { return was_corrected_; }
-  bool has_too_many_pairs() const { return before_.pairs.has_failed() || piece_.pairs.has_failed(); }
+  bool has_too_many_pairs() const { return before_.has_too_many_pairs() || piece_.has_too_many_pairs(); }
 
  private:
   bool correct(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, bool ends);

@@ -17,6 +17,7 @@ int effective_order(const System& system, const Integrator& method) {
     order = std::min(order, method.order_damped);
   if (std::ranges::any_of(system.forces, &Force::on)) order = std::min(order, method.order_force_terms);
   if (has_contact(system)) order = std::min(order, method.order_contact);
+  if (system.contact.faces || system.contact.springs) order = std::min(order, surface_contact_order);
   return order;
 }
 

@@ -227,6 +227,7 @@ void refresh_values(Plan& plan, const System& system) {
   refresh_grids(plan);
   plan_colliders(plan, system);
   plan.pairs = plan_pairs(system);
+  plan.surface = plan_surface(system);
   plan_forces(plan, system);
   plan.radius.clear();
   if (plan.has_contact() || !plan.forces.empty())

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/contact/pair_plan.h"
+#include "sim/contact/surface_plan.h"
 #include "sim/grid.h"
 #include "sim/system.h"
 
@@ -108,6 +109,7 @@ struct Plan {
   bool colliders_move = false;        // along their paths or with the hand
   std::optional<GrabbedCollider> grabbed_collider;
   PairPlan pairs;                           // of points that touch
+  SurfacePlan surface;                      // of faces and springs that touch
   std::vector<Force> forces;                // those switched on, in the order of the table
   bool forces_depend_on_velocity = false;   // whether any of them does
   std::vector<std::array<Index, 3>> faces;  // of points; empty without listed forces
@@ -118,7 +120,8 @@ struct Plan {
 
   Spectrum spectrum;
 
-  bool has_contact() const { return !colliders.empty() || pairs.on; }
+  bool has_contact() const { return !colliders.empty() || touches_itself(); }
+  bool touches_itself() const { return pairs.on || surface.on; }
   bool has_dashpots() const { return !damping.empty(); }
 
   // Displacement of a collider from its rest position at a time, and its velocity.

@@ -70,7 +70,7 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   work_.tolerance = settings.tolerance;
   work_.min_step = 1e-9 * h_;
   force_work_.begin_frame(plan, motion_);
-  before_.pairs.begin_frame();
+  before_.begin_frame();
   if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
   if (integrator_->advance != nullptr) adaptive_step_.begin_frame(plan, motion_);
 }
@@ -99,7 +99,7 @@ bool Frame::fly(Plan& plan) {
   constexpr int springs_at_once = 1'000'000, max_at_once = 64;
   const int at_once = std::clamp(springs_at_once / std::max(1, static_cast<int>(plan.springs)), 8, max_at_once);
   const int count = std::min(at_once, substeps_ - substeps_done_);
-  const bool is_worth_it = integrator_->fly != nullptr && !plan.pairs.on && plan.springs >= min_springs_of_grids && count > 1;
+  const bool is_worth_it = integrator_->fly != nullptr && !plan.touches_itself() && plan.springs >= min_springs_of_grids && count > 1;
   if (!is_worth_it || substeps_done_ < one_by_one_until_ || !can_fly(plan)) return false;
   one_by_one_until_ = substeps_done_ + count;
 
@@ -174,7 +174,7 @@ void Frame::substep(Plan& plan) {
   else if (ends)
     break_long_springs(plan);
   force_work_.end_substep(plan, motion_, length, is_moved);
-  if (plan.pairs.on && (is_adaptive ? adaptive_step_.has_too_many_pairs() : before_.pairs.has_failed()))
+  if (plan.touches_itself() && (is_adaptive ? adaptive_step_.has_too_many_pairs() : before_.has_too_many_pairs()))
     failure_ = StepFailure::TooManyPairs;
 }
 

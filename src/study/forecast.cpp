@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "sim/contact/gap.h"
 #include "sim/contact/pair_solver.h"
+#include "sim/contact/surface_tree.h"
 #include "sim/motion.h"
 #include "sim/statics/equilibrium.h"
 
@@ -94,8 +95,20 @@ bool touches(const Plan& plan, const System& system, double time, const Field& x
   }
   return false;
 }
-// Whether points that touch each other do.
+// Whether faces or springs that touch each other do.
+bool surface_touches_itself(const Plan& plan, const Field& x) {
+  std::vector<Vec3> place;
+  for (const Index i : plan.surface.points) place.push_back(position_in(plan, x, i));
+  SurfaceTree tree;
+  tree.build(plan.surface, place);
+  std::vector<SurfacePair> pairs;
+  return !tree.find_pairs(plan.surface, place, plan.surface.max_thickness, std::vector<char>(place.size(), 0), pairs,
+                          PairSolver::max_pairs) ||
+         !pairs.empty();
+}
+// Whether points, faces or springs that touch each other do.
 bool touches_itself(const Plan& plan, const Field& x) {
+  if (plan.surface.on && surface_touches_itself(plan, x)) return true;
   if (!plan.pairs.on) return false;
   constexpr double round_off = 1e-9;
   std::vector<double> extent;
@@ -162,7 +175,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
     if (supported < count_free(plan)) return std::nullopt;
     if (!finds_equilibrium(target_residual, equilibrium_residual)) {
       forecast.why_no_sag = touches(plan, system, time, x) ? "it rests on a collider"
-                            : touches_itself(plan, x)      ? "points touch each other"
+                            : touches_itself(plan, x)      ? "parts of it touch each other"
                                                            : "no equilibrium found";
       return std::nullopt;
     }

@@ -48,7 +48,9 @@ std::pair<int, int> convergence_orders(const Integrator& method, const Problem& 
   if (system.drag_rate() > 0.0) order = std::min(order, method.order_drag);
   if (std::any_of(system.springs().begin(), system.springs().end(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; }))
     order = std::min(order, method.order_damped);
-  return {has_contact(system) ? std::min(order, method.order_contact) : order, order};
+  const bool has_surface = system.contact.faces || system.contact.springs;
+  const int order_contact = has_surface ? std::min(method.order_contact, surface_contact_order) : method.order_contact;
+  return {has_contact(system) ? std::min(order, order_contact) : order, order};
 }
 
 Setting first_setting(const Benchmark& benchmark, const Integrator& method) {

@@ -106,7 +106,7 @@ Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
     return Hand;
   if (has_contact(system) && is_cured_without(start, seconds, budget, [](Scene& copy) {
         copy.system.colliders.clear();
-        copy.system.contact.points = false;
+        copy.system.contact = {};
         copy.state.hand.collider.reset();
       }))
     return Contact;

@@ -28,6 +28,7 @@ TEST(LammpsExport, NamesWhatLammpsCannotRepresent) {
            {with_spring("") + R"(, "strain_limit_percent": 10)", "the strain limit"},
            {with_spring("") + R"(, "forces": [{"type": "center"}])", "the force center"},
            {with_spring("") + R"(, "contact": {"points": true})", "contact between points"},
+           {with_spring("") + R"(, "contact": {"faces": true})", "contact of faces and springs"},
            {R"("colliders": [{"type": "sphere", "center": [0, -3, 0], "radius": 1}])", "a sphere (colliders[0])"},
            {R"("colliders": [{"type": "box", "min": [0, -3, 0], "max": [1, -2, 1]}])", "a box (colliders[0])"},
            {R"("colliders": [{"type": "plane", "point": [0, -3, 0], "normal": [1, 1, 0], "restitution": 1, "friction": 0}])",

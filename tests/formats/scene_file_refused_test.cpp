@@ -87,8 +87,8 @@ TEST(BadScenes, ContactOfWhatCannotTouchOrWithImpossibleValuesIsRefused) {
   expect_refused({
       {scene_with("\"contact\": true"), "contact: true: must be an object {...}"},
       {contact(R"("points": 1)"), "contact.points: 1: must be true or false"},
-      {contact(R"("springs": true)"), "contact.springs: true: must be false: only points touch each other in this version"},
-      {contact(R"("faces": true)"), "contact.faces: true: must be false: only points touch each other in this version"},
+      {contact(R"("springs": 1)"), "contact.springs: 1: must be true or false"},
+      {contact(R"("faces": "all")"), "contact.faces: \"all\": must be true or false"},
       {contact(R"("thickness": -0.1)"), "contact.thickness: -0.1: must be at least 0"},
       {contact(R"("restitution": 1.5)"), "contact.restitution: 1.5: must be from 0 to 1"},
       {contact(R"("friction": -1)"), "contact.friction: -1: must be at least 0"},

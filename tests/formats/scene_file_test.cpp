@@ -33,8 +33,9 @@ TEST(SceneFile, OmittedFieldsHaveTheDocumentedValues) {
 TEST(SceneFile, ContactBetweenPointsIsOffUnlessGivenAndIsKept) {
   EXPECT_EQ(parse(R"({"hooke": 1})").system.contact, PairContact{});
   EXPECT_EQ(format_scene(parse(R"({"hooke": 1})")).find("contact"), std::string::npos);
-  const PairContact given{.points = true, .thickness = 0.004, .restitution = 0.5, .friction = 0.1};
-  const Scene scene = parse(R"({"hooke": 1, "contact": {"points": true, "thickness": 0.004, "restitution": 0.5, "friction": 0.1}})");
+  const PairContact given{.points = true, .springs = true, .faces = true, .thickness = 0.004, .restitution = 0.5, .friction = 0.1};
+  const Scene scene = parse(
+      R"({"hooke": 1, "contact": {"points": true, "springs": true, "faces": true, "thickness": 0.004, "restitution": 0.5, "friction": 0.1}})");
   EXPECT_EQ(scene.system.contact, given);
   EXPECT_EQ(parse(format_scene(scene)).system.contact, given);
 }
@@ -46,14 +47,46 @@ TEST(SceneFile, PointsThatTouchAndOverlapAreReported) {
   EXPECT_TRUE(warnings_of(scene("")).empty());
   EXPECT_EQ(warnings_of(scene(R"(, "contact": {"points": true})")),
             std::vector<std::string>{
-                "test.json: contact.points: 3 pairs of points overlap, points 2 and 3 most, by 0.2 m: they cannot get closer, "
-                "and separate slowly"});
+                "test.json: contact.points: 3 pairs of points overlap, points 2 and 3 most, by 0.2 m: they cannot get closer; "
+                "accelerations separate deep overlaps slowly"});
   // neither do those that a spring joins
   EXPECT_EQ(warnings_of(scene(
                 R"(, "contact": {"points": true}, "springs": [{"points": [2, 3], "stiffness": 1}, {"points": [0, 1], "stiffness": 1}])")),
             std::vector<std::string>{
-                "test.json: contact.points: 1 pair of points overlaps, points 1 and 2 most, by 0.15 m: they cannot get closer, "
-                "and separate slowly"});
+                "test.json: contact.points: 1 pair of points overlaps, points 1 and 2 most, by 0.15 m: they cannot get closer; "
+                "accelerations separate deep overlaps slowly"});
+}
+
+TEST(SceneFile, FacesThatTouchAndPassThroughEachOtherAreReported) {
+  const auto scene = [&](const std::string& height, const std::string& rest) {
+    return R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}, {"position": [0, 1, 0]},
+              {"position": [0.2, 0.2, )" +
+           height + R"(]}, {"position": [0.2, 0.2, 1]}, {"position": [0.3, 0.2, 1]}], "faces": [[0, 1, 2], [3, 4, 5]])" + rest + "}";
+  };
+  EXPECT_TRUE(warnings_of(scene("-1", "")).empty());
+  EXPECT_TRUE(warnings_of(scene("0.1", R"(, "contact": {"faces": true})")).empty());
+  EXPECT_EQ(warnings_of(scene("-1", R"(, "contact": {"faces": true})")),
+            std::vector<std::string>{
+                "test.json: contact.faces: 2 edges pass through faces, the one of points 3 and 4 through that of points 0, 1 and "
+                "2: they do not touch until they are apart"});
+  EXPECT_EQ(warnings_of(R"({"hooke": 1, "dimensions": 2, "contact": {"faces": true}})"),
+            std::vector<std::string>{"test.json: contact.faces: faces touch in scenes of 3 dimensions only: this one has 2"});
+}
+
+TEST(SceneFile, AThicknessThatFacesCannotHaveIsReported) {
+  const auto warnings = [](const std::string& thickness) {
+    return warnings_of(R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, 0, 1],
+                        "points": [5, 5], "density": 0.2, "stiffness": 100}], "contact": {"faces": true, "thickness": )" +
+                       thickness + "}}");
+  };
+  EXPECT_TRUE(warnings("0").empty());
+  EXPECT_TRUE(warnings("0.05").empty());
+  EXPECT_EQ(warnings("0.2"),
+            std::vector<std::string>{"test.json: contact.thickness: 0.2 m is more than half of the smallest height of some "
+                                     "faces, or length of springs: they touch at 0.0884 m"});
+  EXPECT_EQ(warnings("0.001"),
+            std::vector<std::string>{"test.json: contact.thickness: 1 mm is less than a twentieth of the smallest height of "
+                                     "some faces, or length of springs: they touch at 8.84 mm"});
 }
 
 TEST(SceneFile, TwoSpringsBetweenTheSamePointsStayTwo) {

@@ -78,6 +78,8 @@ class RandomScene {
     for (std::uint64_t c = random_() % 4; c > 0; --c) system.colliders.push_back(collider());
     if (random_() % 2)
       system.contact = {.points = random_() % 2 == 0,
+                        .springs = random_() % 2 == 0,
+                        .faces = random_() % 2 == 0,
                         .thickness = not_negative(),
                         .restitution = static_cast<double>(random_() % 101) / 100.0,
                         .friction = not_negative()};
@@ -200,7 +202,8 @@ std::string bits_of(const Scene& scene) {
         spring.break_strain);
   for (const Face& face : system.faces)
     for (const PointId id : face.points) add(system.index_of(id));
-  add(system.contact.points, system.contact.thickness, system.contact.restitution, system.contact.friction);
+  add(system.contact.points, system.contact.springs, system.contact.faces, system.contact.thickness, system.contact.restitution,
+      system.contact.friction);
   for (const Collider& collider : system.colliders) {
     add(collider.shape.index(), collider.restitution, collider.friction, collider.solid);
     if (const auto* plane = std::get_if<Plane>(&collider.shape)) add_vector(plane->point), add_vector(plane->normal);

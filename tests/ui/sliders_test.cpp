@@ -30,12 +30,12 @@ TEST(Sliders, EachParameterHasOne) {
     scene.settings.integrator = parameterization == 4 ? &automatic_method() : &default_integrator();
     scene.parameterization = static_cast<SpringParameterization>(parameterization % 4);
     GuiFixture gui(scene);
-    ImGui::GetIO().DisplaySize = {1280.0f, 2000.0f};
-    gui.app().resize({1280.0, 2000.0}, 1.0);
+    ImGui::GetIO().DisplaySize = {1280.0f, 2300.0f};
+    gui.app().resize({1280.0, 2300.0}, 1.0);
     gui.frames(2);
     gui.click(gui.find("side", {"Hand"}));  // expands the group
     gui.click(gui.find("side", {"Points"}));
-    gui.click(gui.find("side", {"Contact between points"}));
+    gui.click(gui.find("side", {"Contact"}));
     const std::set<ImGuiID> items = gui.items_in("side");
     for (const Parameter& row : parameters()) {
       const bool is_switch = row.kind == Parameter::Kind::Switch, is_choice = row.kind == Parameter::Kind::Choice;

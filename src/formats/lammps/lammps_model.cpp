@@ -38,6 +38,7 @@ std::vector<std::string> unsupported_by_lammps(const Scene& scene) {
   if (system.grab || scene.state.hand.collider) list.emplace_back("the hand");
   if (system.scripted_hand) list.emplace_back("the scripted hand");
   if (system.contact.points) list.emplace_back("contact between points");
+  if (system.contact.faces || system.contact.springs) list.emplace_back("contact of faces and springs");
   for (const Force& force : system.forces)
     if (force.on) list.push_back("the force " + std::string(force.term->id));
   for (std::size_t i = 0; i < system.colliders.size(); ++i) {

@@ -148,10 +148,7 @@ void read_force(const JsonField& field, SceneFields& fields, Scene& scene) {
 
 void read_contact(const JsonField& field, SceneFields& fields, Scene& scene) {
   for (const JsonField member : field.members()) {
-    if (member.is("springs") || member.is("faces")) {
-      if (member.boolean()) member.refuse("must be false: only points touch each other in this version");
-    } else if (!read_parameter(member, scene))
-      fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
+    if (!read_parameter(member, scene)) fields.preserve_unknown(member, scene.preserved_json.unknown_inside[field.path()]);
   }
 }
 

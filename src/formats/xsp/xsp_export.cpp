@@ -79,6 +79,7 @@ class Exporter {
     if (unsupported > 0) report_loss(pluralize(unsupported, "collider", "colliders"));
     if (moving > 0) report_loss("the motion of " + pluralize(moving, "collider", "colliders"));
     if (system_.contact.points) report_loss("contact between points");
+    if (system_.contact.faces || system_.contact.springs) report_loss("contact of faces and springs");
   }
 
   const Wall* wall_at(XspSide side) const {

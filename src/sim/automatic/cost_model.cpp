@@ -18,7 +18,7 @@ constexpr double unfused = 1.45;
 CostModel::CostModel(const Plan& plan) {
   const double points = plan.points, springs = plan.springs, dimensions = plan.dimensions;
   force_ = 2.8 * springs + 0.4 * points + 80.0 + 10.0 * points * static_cast<double>(plan.forces.size());
-  contact_ = points * (10.0 * static_cast<double>(plan.colliders.size()) + (plan.pairs.on ? 400.0 : 0.0));
+  contact_ = points * (10.0 * static_cast<double>(plan.colliders.size()) + (plan.pairs.on ? 400.0 : 0.0) + (plan.surface.on ? 400.0 : 0.0));
   sweep_ = 10.2 * springs + points + 100.0;
   dashpots_ = plan.has_dashpots() ? 2.6 * springs : 0.0;
 

@@ -29,7 +29,7 @@ double push_work(const Plan& plan, const ContactWorkspace& before, Motion& motio
 
 }  // namespace
 
-bool has_contact(const System& system) { return system.contact.points || std::ranges::any_of(system.colliders, &Collider::solid); }
+bool has_contact(const System& system) { return system.contact.any() || std::ranges::any_of(system.colliders, &Collider::solid); }
 
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h) {
   const auto n = static_cast<std::size_t>(plan.points);
@@ -37,6 +37,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   before.first_touch = std::numeric_limits<double>::infinity();
   before.pushed.clear();
   before.pushed.reserve(n);
+  if (plan.surface.on) before.surface.begin_substep(plan, motion);
   const bool has_pairs = plan.pairs.on;
   bool touched = has_pairs && before.pairs.resolve(plan, obstacles, before.x, before.v, h, motion);
   if (touched) before.first_touch = before.pairs.first_touch();
@@ -64,6 +65,10 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   }
   (plan.colliders_move ? motion.collider_work : motion.contact_work) += contact_work;
   if (!before.pushed.empty()) motion.collider_work += push_work(plan, before, motion);
+  if (plan.surface.on && before.surface.resolve(plan, obstacles, before.x, before.v, h, motion)) {
+    touched = true;
+    before.first_touch = 0.0;
+  }
   return touched;
 }
 

@@ -1,9 +1,10 @@
-// Points against solid colliders: plane, sphere, box, each inflated by the point's radius; and against each other (pair_solver.h).
-// Restitution and Coulomb friction.
+// Points against solid colliders: plane, sphere, box, each inflated by the point's radius; and against each other (pair_solver.h), with
+// restitution and Coulomb friction. Last, faces and springs against each other (surface_solver.h).
 #pragma once
 
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_solver.h"
+#include "sim/contact/surface_solver.h"
 #include "sim/motion.h"
 
 namespace hooke {
@@ -24,6 +25,13 @@ struct ContactWorkspace {
   };
   std::vector<Pushed> pushed;
   PairSolver pairs;
+  SurfaceSolver surface;
+  // Points may have been edited.
+  void begin_frame() {
+    pairs.begin_frame();
+    surface.begin_frame();
+  }
+  bool has_too_many_pairs() const { return pairs.has_failed() || surface.has_failed(); }
 };
 
 // Corrects the step of h that led from (before.x, before.v) to (motion.x, motion.v). A point's path within the step is

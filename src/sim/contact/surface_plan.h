@@ -1,0 +1,50 @@
+// Contact of faces and springs, compiled for stepping: what touches, and what does not.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/system.h"
+
+namespace hooke {
+
+// Indices of points refer to `points`, those of pieces, edges and corners to the lists below.
+struct SurfacePlan {
+  // A face, with the points and edges that no face before it has; or a spring that is not on a face, in the same way.
+  struct Piece {
+    std::array<Index, 3> points{};  // of a spring: the third is the first
+    bool is_face = true;
+    Index first_edge = 0, end_edge = 0;      // of its own ones
+    Index first_corner = 0, end_corner = 0;  // of its own ones
+  };
+
+  bool on = false;
+  double friction = 0.0;          // [1]
+  std::vector<Index> points;      // of the System, in ascending order
+  std::vector<double> thickness;  // [m], per point: features touch at the minimum over their points
+  double max_thickness = 0.0;     // [m]
+  double edge_length = 0.0;       // [m], mean at rest, of springs on the edges; 0: there are none
+  std::vector<Piece> pieces;      // faces first
+  std::vector<std::array<Index, 2>> edges;
+  std::vector<char> is_spring;  // per edge, whether it is on no face
+  std::vector<Index> corners;   // every point once
+  // Points joined by a spring no longer than the thickness, and those joined by any spring if springs touch: the lower index first, sorted.
+  std::vector<std::array<Index, 2>> close, joined;
+
+  // Whether features with these points never touch: they share a point, or springs keep them close to each other.
+  bool excludes_face(Index point, std::span<const Index> face) const;
+  bool excludes_edge(Index edge, Index other) const;
+};
+
+SurfacePlan plan_surface(const System& system);
+
+// The thickness of a face or spring is at most this part of its smallest height or length at rest, so that it does not touch its
+// neighbors at rest.
+inline constexpr double max_relative_thickness = 0.5;
+// The same for the minimum, which keeps the thickness from vanishing.
+inline constexpr double min_relative_thickness = 0.05;
+// [m], of faces without springs.
+inline constexpr double min_thickness = 1e-3;
+
+}  // namespace hooke

@@ -1,0 +1,57 @@
+#include "sim/contact/surface_response.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace hooke {
+namespace {
+
+bool settle_contact(SurfaceContact& contact, std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity) {
+  const auto& [i, j, k, l] = contact.points;
+  const std::array<double, 4>& w = contact.weight;
+  const Vec3 relative = w[0] * velocity[i] + w[1] * velocity[j] + w[2] * velocity[k] + w[3] * velocity[l];
+  const double normal_velocity = glm::dot(contact.normal, relative);
+  if (!(normal_velocity < contact.target)) return false;
+  const double impulse = (contact.target - normal_velocity) / contact.response;
+  Vec3 total = impulse * contact.normal;
+  if (friction > 0.0) {
+    const Vec3 slip = relative - normal_velocity * contact.normal;
+    const double speed = std::sqrt(glm::dot(slip, slip));
+    if (speed > 0.0) total -= std::min(friction * impulse / speed, 1.0 / contact.response) * slip;
+  }
+  contact.impulse += impulse;
+  for (int c = 0; c < 4; ++c) velocity[contact.points[c]] += inverse_mass[contact.points[c]] * w[c] * total;
+  return true;
+}
+
+bool settle_obstacle(ObstacleContact& contact, std::span<const double> inverse_mass, bool has_friction, std::span<Vec3> velocity) {
+  Vec3& v = velocity[contact.point];
+  const double normal_velocity = glm::dot(contact.normal, v);
+  if (!(normal_velocity < contact.target)) return false;
+  const double change = contact.target - normal_velocity;
+  const Vec3 relative = v - contact.surface, slip = relative - glm::dot(contact.normal, relative) * contact.normal;
+  const double speed = std::sqrt(glm::dot(slip, slip));
+  v += change * contact.normal;
+  if (has_friction && speed > 0.0) v -= std::min(contact.friction * change / speed, 1.0) * slip;
+  contact.impulse += change / inverse_mass[contact.point];
+  return true;
+}
+
+}  // namespace
+
+bool SurfaceContacts::settle(std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity) {
+  bool any = false;
+  const auto settle_surface = [&](SurfaceContact& contact) { any = settle_contact(contact, inverse_mass, friction, velocity) || any; };
+  const auto settle_point = [&](ObstacleContact& contact) {
+    any = settle_obstacle(contact, inverse_mass, friction > 0.0, velocity) || any;
+  };
+  for (SurfaceContact& contact : surface) settle_surface(contact);
+  for (ObstacleContact& contact : obstacles) settle_point(contact);
+  if (!any) return false;
+  for (ObstacleContact& contact : obstacles) settle_point(contact);
+  for (auto contact = surface.rbegin(); contact != surface.rend(); ++contact) settle_surface(*contact);
+  return true;
+}
+
+}  // namespace hooke

@@ -1,0 +1,46 @@
+// Impulses between faces and springs that touch, and what they rest on.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/contact/closest.h"
+
+namespace hooke {
+
+// Two features that touch or may do so within the substep. Velocities are relative: of the first as seen from the second.
+struct SurfaceContact {
+  std::array<Index, 4> points{};
+  std::array<double, 4> weight{};
+  Vec3 normal{0.0};         // from the second to the first
+  double gap = 0.0;         // [m], distance less thickness
+  double response = 0.0;    // [1/kg], relative velocity per impulse
+  double target = 0.0;      // [m/s], the least relative velocity along the normal
+  double impulse = 0.0;     // [N s], along the normal, so far
+  bool is_pressed = false;  // whether there was one within the substep
+};
+
+// A point that touches something and may reach an obstacle.
+struct ObstacleContact {
+  Index point = 0;
+  Vec3 normal{0.0};
+  double target = 0.0;      // [m/s]
+  double end_target = 0.0;  // [m/s], at the end of the substep
+  double friction = 0.0;    // [1]
+  Vec3 surface{0.0};        // [m/s]
+  double impulse = 0.0;     // [N s]
+  bool is_pressed = false;
+};
+
+struct SurfaceContacts {
+  std::vector<SurfaceContact> surface;
+  std::vector<ObstacleContact> obstacles;
+
+  // Changes velocities, per point, in two Gauss-Seidel sweeps, forward and backward: an impulse that brings what is below its target to it,
+  // and the Coulomb impulse of up to friction times that. Each of them removes kinetic energy if its target is not positive. Returns
+  // whether any was necessary.
+  bool settle(std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity);
+};
+
+}  // namespace hooke

@@ -1,0 +1,217 @@
+#include "sim/contact/surface_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace hooke {
+namespace {
+
+constexpr Index pieces_per_leaf = 4;
+
+double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) { return glm::dot(glm::cross(b - a, c - a), d - a); }
+
+double max_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// Whether the edge from p to q passes through the triangle. What is in its plane up to rounding, such as a neighbor in a flat sheet, does
+// not.
+bool passes_through(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double from = volume(a, b, c, p), to = volume(a, b, c, q);
+  if ((from >= 0.0 && to >= 0.0) || (from <= 0.0 && to <= 0.0)) return false;
+  const double size = std::max({max_component(b - a), max_component(c - a), max_component(p - a), max_component(q - a)});
+  const double round_off = 1e-14 * size * size * (size + max_component(a));
+  if (std::abs(from) <= round_off || std::abs(to) <= round_off) return false;
+  const double u = volume(p, q, a, b), v = volume(p, q, b, c), w = volume(p, q, c, a);
+  return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
+}
+
+bool shares_point(std::span<const Index> a, std::span<const Index> b) {
+  return std::ranges::any_of(a, [&](Index i) { return std::ranges::find(b, i) != b.end(); });
+}
+
+}  // namespace
+
+void SurfaceTree::Box::include(const Box& other) {
+  min = glm::min(min, other.min);
+  max = glm::max(max, other.max);
+}
+
+inline bool SurfaceTree::are_close(const Box& a, const Box& b, double reach) {
+  const double x = std::max(a.min.x - b.max.x, b.min.x - a.max.x);
+  if (x > reach) return false;
+  const double y = std::max(a.min.y - b.max.y, b.min.y - a.max.y);
+  if (y > reach) return false;
+  const double z = std::max(a.min.z - b.max.z, b.min.z - a.max.z);
+  return !(z > reach);
+}
+
+void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
+  const auto n = static_cast<Index>(plan.pieces.size());
+  std::vector<Vec3> center;
+  center.reserve(n);
+  order_.clear();
+  for (Index p = 0; p < n; ++p) {
+    const auto& corner = plan.pieces[p].points;
+    center.push_back(x[corner[0]] + x[corner[1]] + x[corner[2]]);
+    // coordinates near the limit of numbers are not sorted
+    for (int c = 0; c < 3; ++c)
+      if (!std::isfinite(center[p][c])) center[p][c] = 0.0;
+    order_.push_back(p);
+  }
+  nodes_.clear();
+  split(center, 0, n);
+  refit(plan, x);
+}
+
+// In halves along the longest axis.
+void SurfaceTree::split(std::span<const Vec3> center, Index first, Index end) {
+  const std::size_t node = nodes_.size();
+  nodes_.push_back({.first_piece = first, .end_piece = end});
+  const auto at = [&](Index position) { return order_.begin() + position; };
+  if (end - first <= pieces_per_leaf) {
+    std::sort(at(first), at(end));
+    return;
+  }
+  Box box{center[order_[first]], center[order_[first]]};
+  for (Index p = first; p < end; ++p) box.include({center[order_[p]], center[order_[p]]});
+  const Vec3 size = box.max - box.min;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  const Index middle = first + (end - first) / 2;
+  std::nth_element(at(first), at(middle), at(end), [&](Index a, Index b) {
+    return std::pair{center[a][axis], a} < std::pair{center[b][axis], b};
+  });
+  split(center, first, middle);
+  nodes_[node].second = static_cast<Index>(nodes_.size());
+  split(center, middle, end);
+}
+
+void SurfaceTree::refit(const SurfacePlan& plan, std::span<const Vec3> x, std::span<const Vec3> displacement) {
+  displacement_.assign(displacement.begin(), displacement.end());
+  piece_box_.resize(order_.size());
+  for (std::size_t p = 0; p < order_.size(); ++p) {
+    const auto& [a, b, c] = plan.pieces[order_[p]].points;
+    Box& box = piece_box_[p] = {glm::min(glm::min(x[a], x[b]), x[c]), glm::max(glm::max(x[a], x[b]), x[c])};
+    if (displacement.empty()) continue;
+    const Vec3 to_a = x[a] + displacement[a], to_b = x[b] + displacement[b], to_c = x[c] + displacement[c];
+    box.include({glm::min(glm::min(to_a, to_b), to_c), glm::max(glm::max(to_a, to_b), to_c)});
+  }
+  for (std::size_t i = nodes_.size(); i-- > 0;) {
+    Node& node = nodes_[i];
+    if (node.second == no_index) {
+      node.box = piece_box_[node.first_piece];
+      for (Index p = node.first_piece + 1; p < node.end_piece; ++p) node.box.include(piece_box_[p]);
+    } else {
+      node.box = nodes_[i + 1].box;
+      node.box.include(nodes_[node.second].box);
+    }
+  }
+}
+
+// Calls visit(p, q) for positions p <= q in the order whose boxes are close to each other; stops when it returns false.
+template <class Visit>
+void SurfaceTree::visit_pairs(double reach, const Visit& visit) const {
+  std::vector<std::array<Index, 2>> open{{0, 0}};
+  while (!open.empty()) {
+    const auto [a, b] = open.back();
+    open.pop_back();
+    const Node &first = nodes_[a], &second = nodes_[b];
+    if (a == b) {
+      if (first.second != no_index) {
+        open.push_back({first.second, first.second});
+        open.push_back({a + 1, first.second});
+        open.push_back({a + 1, a + 1});
+        continue;
+      }
+    } else {
+      if (!are_close(first.box, second.box, reach)) continue;
+      // halves the one with more pieces
+      const bool splits_first = first.second != no_index &&
+                                (second.second == no_index || first.end_piece - first.first_piece >= second.end_piece - second.first_piece);
+      if (splits_first) {
+        open.push_back({first.second, b});
+        open.push_back({a + 1, b});
+        continue;
+      }
+      if (second.second != no_index) {
+        open.push_back({a, second.second});
+        open.push_back({a, b + 1});
+        continue;
+      }
+    }
+    for (Index p = first.first_piece; p < first.end_piece; ++p)
+      for (Index q = a == b ? p : second.first_piece; q < second.end_piece; ++q)
+        if (are_close(piece_box_[p], piece_box_[q], reach) && !visit(p, q)) return;
+  }
+}
+
+bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
+                             std::vector<SurfacePair>& pairs, std::size_t max_pairs) const {
+  if (nodes_.empty()) return true;
+  const auto add = [&](FeaturePair kind, const std::array<Index, 4>& points, bool has_spring) {
+    const int split = kind == FeaturePair::PointFace ? 1 : 2;
+    double moved = 0.0;  // [m], squared, bound on how much closer they get
+    if (!displacement_.empty())
+      for (int i = 0; i < split; ++i)
+        for (int j = split; j < 4; ++j) {
+          const Vec3 d = displacement_[points[i]] - displacement_[points[j]];
+          moved = std::max(moved, glm::dot(d, d));
+        }
+    const double own_reach = reach + std::sqrt(moved);
+    // cheaper than the distance: whether the boxes of both features are close
+    Box first{x[points[0]], x[points[0]]}, second{x[points[3]], x[points[3]]};
+    if (split == 2) first.include({x[points[1]], x[points[1]]});
+    for (int i = split; i < 3; ++i) second.include({x[points[i]], x[points[i]]});
+    if (!are_close(first, second, own_reach)) return;
+    const double distance = closest_points(kind, {x[points[0]], x[points[1]], x[points[2]], x[points[3]]}).distance;
+    if (distance < own_reach) pairs.push_back({kind, points, has_spring, distance});
+  };
+  const auto is_out = [&](std::span<const Index> points) { return std::ranges::any_of(points, [&](Index i) { return left_out[i] != 0; }); };
+  const auto add_points = [&](const SurfacePlan::Piece& from, const SurfacePlan::Piece& face) {
+    if (!face.is_face) return;
+    for (Index c = from.first_corner; c < from.end_corner; ++c) {
+      const Index point = plan.corners[c];
+      if (plan.excludes_face(point, face.points) || (left_out[point] != 0 && is_out(face.points))) continue;
+      add(FeaturePair::PointFace, {point, face.points[0], face.points[1], face.points[2]}, false);
+    }
+  };
+  bool is_complete = true;
+  visit_pairs(reach, [&](Index p, Index q) {
+    const SurfacePlan::Piece &first = plan.pieces[order_[p]], &second = plan.pieces[order_[q]];
+    add_points(first, second);
+    if (p != q) add_points(second, first);
+    for (Index e = first.first_edge; e < first.end_edge; ++e)
+      for (Index f = p == q ? e + 1 : second.first_edge; f < second.end_edge; ++f) {
+        const auto &a = plan.edges[e], &b = plan.edges[f];
+        if (plan.excludes_edge(e, f) || (is_out(a) && is_out(b))) continue;
+        add(FeaturePair::TwoEdges, {a[0], a[1], b[0], b[1]}, plan.is_spring[e] != 0 || plan.is_spring[f] != 0);
+      }
+    is_complete = pairs.size() <= max_pairs;
+    return is_complete;
+  });
+  return is_complete;
+}
+
+Crossings SurfaceTree::find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const {
+  Crossings crossings;
+  if (nodes_.empty()) return crossings;
+  const auto test = [&](const SurfacePlan::Piece& from, Index piece) {
+    const SurfacePlan::Piece& face = plan.pieces[piece];
+    if (!face.is_face) return;
+    const auto& [a, b, c] = face.points;
+    for (Index e = from.first_edge; e < from.end_edge; ++e)
+      if (!shares_point(plan.edges[e], face.points) && passes_through(x[plan.edges[e][0]], x[plan.edges[e][1]], x[a], x[b], x[c]))
+        crossings.found.push_back({e, piece});
+  };
+  constexpr long max_visits = 20'000'000;
+  long visits = 0;
+  visit_pairs(0.0, [&](Index p, Index q) {
+    test(plan.pieces[order_[p]], order_[q]);
+    if (p != q) test(plan.pieces[order_[q]], order_[p]);
+    crossings.is_complete = ++visits < max_visits;
+    return crossings.is_complete;
+  });
+  return crossings;
+}
+
+}  // namespace hooke

@@ -1,0 +1,248 @@
+// Contact of faces: nothing passes through, by a count that shares no code with it (support/crossings.h); conservation, friction, rest.
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "sim/energy.h"
+#include "support/convergence.h"
+#include "support/crossings.h"
+#include "support/folds.h"
+#include "support/random_scene.h"
+
+namespace hooke {
+namespace {
+
+constexpr double frame = 1.0 / 60.0;
+
+const Integrator& verlet() { return default_integrator(); }
+
+double energy(const TestSim& sim) { return compute_energy(sim.system, sim.state).total(); }
+
+// The largest number of crossings at the end of any frame.
+long worst_crossings(TestSim sim, const Integrator& method, int frames, int substeps) {
+  const CrossingCounter counter(sim.system);
+  long worst = 0;
+  for (int i = 0; i < frames; ++i) {
+    sim.run(method, frame, substeps);
+    for (const Vec3& x : sim.state.position) EXPECT_TRUE(std::isfinite(x.x + x.y + x.z));
+    worst = std::max(worst, counter.count(sim.state.position));
+  }
+  return worst;
+}
+
+TEST(SurfaceContact, LetsNoClothPassThroughItselfOrAnother) {
+  struct Case {
+    const char* name;
+    TestSim sim;
+    int frames, substeps;
+  };
+  for (auto& [name, sim, frames, substeps] :
+       {Case{"dropped", dropped_sheet(15), 40, 50}, Case{"colliding", colliding_sheets(13), 12, 60},
+        Case{"pulled", pulled_sheet(11, 3.0), 50, 50}, Case{"pulled fast", pulled_sheet(11, 10.0), 20, 50}}) {
+    EXPECT_GT(worst_crossings(sim, verlet(), frames, substeps), 10) << name;
+    TestSim touching = sim;
+    folds::touch(touching);
+    EXPECT_EQ(worst_crossings(touching, verlet(), frames, substeps), 0) << name;
+  }
+}
+
+TEST(SurfaceContact, LetsNothingThroughAtAHundredMetersPerSecondInOneSubstepPerFrame) {
+  TestSim sim = colliding_sheets(5);
+  for (Vec3& v : sim.state.velocity) v *= 10.0;
+  TestSim touching = sim;
+  folds::touch(touching);
+  for (TestSim* each : {&sim, &touching}) each->run(*find_integrator("implicit_euler"), frame, 1);
+  EXPECT_EQ(CrossingCounter(sim.system).count(touching.state.position), 0);
+  // the first sheet is above the second, or still below it
+  EXPECT_GT(sim.state.position[12].z, sim.state.position[37].z + 1.0);
+  EXPECT_LT(touching.state.position[12].z, touching.state.position[37].z);
+}
+
+class SurfaceContactOf : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, SurfaceContactOf, testing::ValuesIn(every_method()), method_name);
+
+TEST_P(SurfaceContactOf, LetsNothingPassThrough) {
+  // an undamped run of a method that is stable at no step diverges
+  const bool diverges = method().stability == Stability::None;
+  for (TestSim sim : {colliding_sheets(9), dropped_sheet(9)}) {
+    folds::touch(sim);
+    EXPECT_EQ(worst_crossings(sim, method(), diverges ? 1 : 16, 40), 0);
+  }
+}
+
+TEST_P(SurfaceContactOf, ConservesLinearMomentumToRounding) {
+  TestSim sim = colliding_sheets(9);
+  folds::touch(sim);
+  for (Vec3& v : sim.state.velocity) v += Vec3(1.0, -2.0, 3.0);
+  const Vec3 before = compute_momentum(sim.system, sim.state).linear;
+  const double start = energy(sim);
+  for (int i = 0; i < (method().stability == Stability::None ? 2 : 6); ++i) sim.run(method(), frame, 40);
+  if (method().stability != Stability::None) {
+    EXPECT_LT(energy(sim), 0.9 * start);
+  }
+  EXPECT_LT(glm::distance(compute_momentum(sim.system, sim.state).linear, before), 1e-12);
+}
+
+// Without friction; what remains is stated in docs/contact.md.
+TEST(SurfaceContact, ConservesAngularMomentumNearlyWithoutFriction) {
+  for (const double friction : {0.0, 0.3}) {
+    TestSim sim = colliding_sheets(11);
+    folds::touch(sim, friction);
+    const Vec3 before = compute_momentum(sim.system, sim.state).angular;
+    for (int i = 0; i < 6; ++i) sim.run(verlet(), frame, 80);
+    const double change = glm::distance(compute_momentum(sim.system, sim.state).angular, before);
+    EXPECT_LT(change, (friction == 0.0 ? 0.005 : 0.01) * glm::length(before));
+  }
+}
+
+TEST(SurfaceContact, AddsNoEnergyAndBooksWhatItRemoves) {
+  for (const bool collides : {false, true}) {
+    TestSim sim = collides ? colliding_sheets(13) : dropped_sheet(13);
+    folds::touch(sim);
+    const double start = energy(sim);
+    double lowest = start, booked = 0.0;
+    Plan plan = make_plan(sim.system);
+    Frame run;
+    for (int i = 0; i < 40; ++i) {
+      run.begin(plan, sim.system, {.integrator = &verlet(), .frame_rate = 60, .substeps = 100}, sim.state);
+      while (!run.done()) run.substep(plan);
+      run.end(plan, sim.state);
+      booked += run.motion().contact_work;
+      EXPECT_LT(energy(sim), lowest + 1e-3 * start) << i;
+      lowest = std::min(lowest, energy(sim));
+    }
+    EXPECT_LT(booked, -0.5 * start * (collides ? 1.0 : 0.5));
+    EXPECT_NEAR(energy(sim) - start, booked, 0.01 * start);
+  }
+}
+
+// A triangle that falls on a nailed one.
+TestSim triangle_on_triangle(const Vec3& place, const Vec3& velocity, double friction) {
+  TestSim sim;
+  const auto add_face = [&](PointId a, PointId b, PointId c) { sim.system.faces.push_back({{a, b, c}}); };
+  add_face(sim.nail({-30.0, 0.0, -30.0}), sim.nail({0.0, 0.0, 60.0}), sim.nail({30.0, 0.0, -30.0}));
+  std::array<PointId, 3> ids{};
+  const std::array<Vec3, 3> corners{Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.1), Vec3(0.1, 0.0, 0.0)};
+  for (int i = 0; i < 3; ++i) ids[i] = sim.add(place + corners[i], 0.1, velocity);
+  for (int i = 0; i < 3; ++i) sim.join(ids[i], ids[(i + 1) % 3], 1e3, glm::distance(corners[i], corners[(i + 1) % 3]));
+  add_face(ids[0], ids[1], ids[2]);
+  sim.system.contact = {.faces = true, .thickness = 0.01, .friction = friction};
+  return sim;
+}
+
+TEST_P(SurfaceContactOf, StopsWhatFallsAtTheThickness) {
+  TestSim sim = triangle_on_triangle({0.0, 0.1, 0.0}, Vec3(0.0), 0.0);
+  for (int i = 0; i < 30; ++i) sim.run(method(), frame, 20);
+  for (int i = 3; i < 6; ++i) {
+    EXPECT_NEAR(sim.state.position[i].y, 0.01, 1e-5) << i;
+    EXPECT_NEAR(sim.state.velocity[i].y, 0.0, 1e-6) << i;
+  }
+}
+
+// v^2 / (2 mu g) to a stop; on an incline it stays if tan(alpha) < mu, and otherwise accelerates by g (sin(alpha) - mu cos(alpha)).
+TEST(SurfaceContact, ObeysCoulombFriction) {
+  const double mu = 0.4, g = 9.81, speed = 2.0, time = 0.4;
+  TestSim sim = triangle_on_triangle({0.0, 0.01, 0.0}, {speed, 0.0, 0.0}, mu);
+  sim.run(verlet(), time, 400);
+  EXPECT_NEAR(sim.state.velocity[3].x, speed - mu * g * time, 1e-9);
+  for (int i = 0; i < 10; ++i) sim.run(verlet(), 0.1, 100);
+  EXPECT_NEAR(sim.state.velocity[3].x, 0.0, 1e-12);
+  EXPECT_NEAR(sim.state.position[3].x, speed * speed / (2.0 * mu * g), 3e-3);
+
+  for (const double alpha : {0.3, 0.5}) {
+    sim = triangle_on_triangle({0.0, 0.01, 0.0}, Vec3(0.0), mu);
+    sim.system.gravity = g * Vec3(std::sin(alpha), -std::cos(alpha), 0.0);
+    sim.run(verlet(), time, 400);
+    EXPECT_NEAR(sim.state.velocity[3].x, std::max(0.0, g * (std::sin(alpha) - mu * std::cos(alpha))) * time, 1e-6) << alpha;
+  }
+}
+
+// A sheet lies on another, which lies on the floor; with dashpots all motion ends.
+TEST(SurfaceContact, LetsAPileOfSheetsComeToRest) {
+  TestSim sim;
+  for (int layer = 0; layer < 3; ++layer)
+    folds::add_sheet(
+        sim, 5, [&](double u, double v) { return Vec3(u + 0.03 * layer, 0.02 + 0.05 * layer + 0.1 * layer * u * v, v + 0.05 * layer); },
+        folds::at_rest);
+  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s).damping = 0.05;
+  sim.system.colliders = {{.shape = Plane{}, .friction = 0.3}};
+  folds::touch(sim);
+  const double start = energy(sim);
+  for (int i = 0; i < 180; ++i) sim.run(verlet(), frame, 25);
+  const Energy end = compute_energy(sim.system, sim.state);
+  EXPECT_LT(end.kinetic, 1e-6 * (start - end.total()));
+  EXPECT_EQ(CrossingCounter(sim.system).count(sim.state.position), 0);
+  for (const Vec3& x : sim.state.position) EXPECT_GT(x.y, -1e-4);
+}
+
+// The same steps with pairs found anew more or less often.
+TEST(SurfaceContact, DoesNotDependOnTheMarginOfTheSearch) {
+  const auto run = [](double margin, long& searches) {
+    TestSim sim = colliding_sheets(9);
+    folds::touch(sim);
+    Plan plan = make_plan(sim.system);
+    prepare_hand(plan, sim.system, sim.state, frame);
+    Motion motion;
+    pack(plan, sim.state, motion);
+    Workspace work;
+    const double h = frame / 60;
+    verlet().prepare(plan, h, motion, work);
+    SurfaceSolver solver(margin);
+    solver.begin_frame();
+    for (int i = 0; i < 240; ++i) {
+      const Field x = motion.x, v = motion.v;
+      verlet().step(plan, motion, work, h);
+      solver.begin_substep(plan, motion);
+      if (solver.resolve(plan, {}, x, v, h, motion)) motion.acceleration_is_current = false;
+    }
+    searches = solver.searches();
+    return std::pair{motion.x, motion.v};
+  };
+  long often = 0, usual = 0, rarely = 0;
+  const auto expected = run(0.25, usual);
+  EXPECT_EQ(run(0.01, often), expected);
+  EXPECT_EQ(run(100.0, rarely), expected);
+  EXPECT_GT(often, usual);
+  EXPECT_GT(often, 2 * rarely);
+}
+
+TEST(SurfaceContact, RepeatsWithTheSameBits) {
+  const auto run = [] {
+    TestSim sim = dropped_sheet(9);
+    folds::touch(sim);
+    for (int i = 0; i < 40; ++i) sim.run(verlet(), frame, 40);
+    return sim.state;
+  };
+  EXPECT_EQ(run(), run());
+}
+
+TEST(SurfaceContact, LeavesWhatIsCrossedAtTheStartAlone) {
+  TestSim sim = colliding_sheets(9);
+  for (Index i = 0; i < 81; ++i) sim.state.position[i].z = 0.3;
+  for (Vec3& v : sim.state.velocity) v *= 0.02;
+  folds::touch(sim);
+  const CrossingCounter counter(sim.system);
+  EXPECT_GT(counter.count(sim.state.position), 10);
+  const double start = energy(sim);
+  for (int i = 0; i < 60; ++i) {
+    sim.run(verlet(), frame, 40);
+    EXPECT_LT(energy(sim), 1.02 * start) << i;
+  }
+}
+
+// Neighbors in a sheet do not touch at rest, whatever the thickness.
+TEST(SurfaceContact, LeavesAFlatSheetAtRest) {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  folds::add_sheet(
+      sim, 9, [](double u, double v) { return Vec3(u, v, 0.0); }, folds::at_rest);
+  for (const double thickness : {0.0, 0.01, 1.0}) {
+    sim.system.contact = {.faces = true, .thickness = thickness};
+    const std::vector<Vec3> before = sim.state.position;
+    sim.run(verlet(), frame, 10);
+    for (std::size_t i = 0; i < before.size(); ++i) EXPECT_LT(glm::distance(sim.state.position[i], before[i]), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace hooke
