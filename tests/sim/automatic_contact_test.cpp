@@ -24,7 +24,8 @@ TestSim net_on_ball() {
   TestSim sim;
   std::vector<PointId> ids;
   constexpr int n = 4;
-  for (int i = 0; i < n * n; ++i) ids.push_back(sim.add({0.1 * (i % n) - 0.16, 0.35, 0.1 * (i / n) - 0.14}, 0.02));
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column) ids.push_back(sim.add({0.1 * column - 0.16, 0.35, 0.1 * row - 0.14}, 0.02));
   for (int i = 0; i < n * n; ++i) {
     if (i % n + 1 < n) sim.join(ids[i], ids[i + 1], 50.0, 0.1, 0.02);
     if (i + n < n * n) sim.join(ids[i], ids[i + n], 50.0, 0.1, 0.02);
@@ -38,7 +39,8 @@ TestSim balls_in_bin() {
   TestSim sim;
   sim.system.dimensions = 2;
   for (int i = 0; i < 9; ++i) {
-    const PointId id = sim.add({0.11 * (i % 3) - 0.1 + 0.013 * (i / 3), 0.2 + 0.15 * (i / 3), 0.0}, 0.1);
+    const int row = i / 3, column = i % 3;
+    const PointId id = sim.add({0.11 * column - 0.1 + 0.013 * row, 0.2 + 0.15 * row, 0.0}, 0.1);
     sim.system.point(sim.system.index_of(id)).radius = 0.05;
   }
   sim.system.contact = {.points = true, .restitution = 0.4, .friction = 0.2};
