@@ -95,8 +95,8 @@ class SurfacePlanner {
         sides.push_back({ordered(piece.points[c], piece.points[(c + 1) % 3]), static_cast<Index>(p)});
     }
     std::ranges::sort(sides);
-    const auto same = std::ranges::unique(sides, {}, &Side::ends);
-    sides.erase(same.begin(), same.end());
+    const auto same = std::unique(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.ends == b.ends; });
+    sides.erase(same, sides.end());
     std::ranges::sort(sides, {}, [](const Side& side) { return std::pair{side.piece, side.ends}; });
     std::size_t next = 0;
     for (std::size_t p = 0; p < plan_.pieces.size(); ++p) {
