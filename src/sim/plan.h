@@ -73,8 +73,8 @@ struct Spectrum {
   double drag_rate = 0.0;          // [1/s]
   double min_dashpot_ratio = 0.0;  // [s], minimum of damping / stiffness over the springs
   bool contact = false;            // whether there are solid colliders, or points touch
-  // Of the listed forces, for warnings: estimates where there is no bound [rad/s], [1/s]; and the highest frequency of the derivatives that
-  // implicit methods leave out [rad/s].
+  // Of the listed forces, for stability limits and the energy balance: estimates where there is no bound [rad/s], [1/s]; and the highest
+  // frequency of the derivatives that implicit methods leave out [rad/s].
   double estimated_omega = 0.0, estimated_rate = 0.0, omitted_omega = 0.0;
   bool operator==(const Spectrum&) const = default;
 };

@@ -51,7 +51,7 @@ TEST_P(AutomaticAttack, NoRotatingNetGainsEnergy) {
 
 // Every kind of listed force, walls, wind, dashpots and the hand, with extreme parameters. A choice never takes long, and a frame without
 // a result ends the run visibly.
-TEST(AutomaticAttacks, ScenesWithForcesAndTheHandEndInAStateOrAReport) {
+TEST(AutomaticAttacks, AChoiceInAnySceneTakesLimitedTimeAndADivergedFrameMissesTheTolerance) {
   constexpr double max_ms = 6000.0;  // by the model, of the trials of a frame
   double max = 0.0;
   int beyond = 0, diverged = 0;
@@ -68,6 +68,7 @@ TEST(AutomaticAttacks, ScenesWithForcesAndTheHandEndInAStateOrAReport) {
       max = std::max(max, frame.trial_cost() - before);
       EXPECT_LT(frame.trial_cost() - before, max_ms) << seed << ", frame " << i;
       if (find_divergence(sim.system, next, compute_energy(sim.system, next))) {
+        EXPECT_FALSE(is_tolerance_met(*next.memory.choice, settings)) << seed << ", frame " << i;
         ++diverged;
         break;
       }

@@ -87,7 +87,7 @@ TEST(Automatic, KeepsTheToleranceOnRandomNets) {
   EXPECT_GE(within, 0.95 * frames);
 }
 
-// The same bits from the same start, as on any machine: nothing depends on the clock.
+// The same bits from the same start: nothing depends on the clock.
 TEST(Automatic, TheSameSceneGivesTheSameBits) {
   const auto hash = [] {
     TestSim sim = accuracy_scene::contact();

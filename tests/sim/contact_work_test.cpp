@@ -1,4 +1,4 @@
-// The energy that contact takes and supplies is booked.
+// The energy balance contains what contact takes and supplies.
 #include <gtest/gtest.h>
 
 #include <cmath>

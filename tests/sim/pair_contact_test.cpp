@@ -229,7 +229,7 @@ TEST(PairContactOfPoints, LetsAPileComeToRestWithoutAddingEnergy) {
   }
 }
 
-TEST(PairContactOfPoints, BooksWhatImpactsRemove) {
+TEST(PairContactOfPoints, AccountsForTheEnergyThatImpactsRemove) {
   TestSim sim = gas(0.5, 0.3);
   const double before = kinetic_energy(sim);
   Plan plan = make_plan(sim.system);

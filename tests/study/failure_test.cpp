@@ -149,9 +149,9 @@ TEST(Failures, TheEditThatCausedEachIsFoundAndEveryWayOutWorks) {
     const std::string description = injection.kind + ": " + describe(remedy, failed.settings);
     const bool has_culprit = injection.commands.empty() ? !remedy.change : remedy.change && remedy.change->text == injection.change;
     EXPECT_TRUE(has_culprit) << description << (remedy.change ? remedy.change->text : "");
-    const bool has_way = remedy.advice || remedy.change || remedy.implicit;
-    EXPECT_TRUE(has_way) << description;
-    bool works = has_way;
+    const bool has_remedy = remedy.advice || remedy.change || remedy.implicit;
+    EXPECT_TRUE(has_remedy) << description;
+    bool works = has_remedy;
     const auto expect_to_work = [&](const char* way, const std::vector<Command>& commands) {
       Lab again(injection.scene);
       diverges(again, injection);

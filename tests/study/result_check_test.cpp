@@ -59,7 +59,7 @@ TEST(ResultCheck, AStepThatIsTooLongForTheMotionIsReported) {
   EXPECT_LT(*fine.distance, 0.01 * *coarse.distance);
 }
 
-// A rope of n points between nails at the same height, 1 m apart, hanging almost at rest.
+// A rope of n points between nails at the same height, 1 m apart, straight and at its rest length.
 TestSim catenary(int n) {
   const std::string file = R"({"hooke": 1, "generators": [{"type": "rope", "from": [0, 0, 0], "to": [1, 0, 0], "points": )" +
                            std::to_string(n) + R"(, "mass": 0.4, "stiffness": 12, "mass_model": "tributary", "nail": ["from", "to"]}]})";
@@ -100,7 +100,7 @@ TEST(ResultCheck, TheSagOfARopeConvergesToTheElasticCatenary) {
   EXPECT_GT(*coarse.now - exact, 1e-3);
 }
 
-TEST(ResultCheck, ARopeAsAPlainGraphDependsOnResolutionAndOneOfManyPointsDoesNot) {
+TEST(ResultCheck, ARopeOfFewPointsDependsOnResolutionAndOneOfManyPointsDoesNot) {
   const auto sentence = [](int n) {
     const TestSim sim = catenary(n);
     State rest = sim.state;

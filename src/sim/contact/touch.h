@@ -13,9 +13,9 @@ inline constexpr std::size_t no_path = std::numeric_limits<std::size_t>::max();
 // The path of a point through a substep: a parabola from `time` on.
 struct PointPath {
   Index point = no_index;
-  double inverse_mass = 0.0;  // [1/kg]; 0: it follows its path whatever it touches
-  double time = 0.0;          // [s], since the start of the substep
-  Vec3 x{0.0}, v{0.0}, a{0.0};
+  double inverse_mass = 0.0;      // [1/kg]; 0: it follows its path whatever it touches
+  double time = 0.0;              // [s], since the start of the substep
+  Vec3 x{0.0}, v{0.0}, a{0.0};    // [m], [m/s], [m/s^2]
   Vec3 velocity_correction{0.0};  // [m/s], of the method's path, contained in v (contact.cpp)
   Vec3 free_acceleration{0.0};    // [m/s^2], without contact
   double velocity_change = 0.0;   // [m/s], of the whole substep without contact

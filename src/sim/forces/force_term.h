@@ -27,8 +27,8 @@ struct ForceParameter {
 inline constexpr std::size_t max_force_parameters = 8;
 using ForceValues = std::array<double, max_force_parameters>;  // one for each parameter of the row, in its order
 
-// Upper bounds over all positions and velocities; infinity where there is none. Then there is an estimate, for warnings only: near the rest
-// lengths, in air at its full speed, and 1 m from a center.
+// Upper bounds over all positions and velocities; infinity where there is none. Then there is an estimate, for stability limits and the
+// energy balance: near the rest lengths, in air at its full speed, and 1 m from a center.
 struct ForceBound {
   static constexpr double none = std::numeric_limits<double>::infinity();
   double stiffness = 0.0;     // [1/s^2], on the eigenvalues of M^-1/2 (df/dx) M^-1/2, in magnitude
