@@ -19,7 +19,7 @@ INSTANTIATE_TEST_SUITE_P(Tolerances, AutomaticAttack, testing::Values(1e-1, 1e-2
 // Fewer than the 120 and 150 scenes that were checked, to save time.
 std::uint64_t scenes(std::uint64_t all) { return std::getenv("HOOKE_PRINT") != nullptr ? all : all / 4; }
 
-// At the linear limit, a third of these nets gain energy with velocity_verlet (margin_test.cpp).
+// At the linear limit, a quarter of these nets gain energy with velocity_verlet (margin_test.cpp).
 TEST_P(AutomaticAttack, NoRotatingNetGainsEnergy) {
   int gained = 0;
   for (std::uint64_t seed = 0; seed < scenes(120); ++seed) {
