@@ -151,7 +151,7 @@ void App::show_failure() {
     selection_.springs = {*divergence->spring};
   else if (divergence->point)
     selection_.points = {*divergence->point};
-  camera_control_.frame_selection();
+  camera_control_.fly_to_selection();
 }
 
 // Closes the gallery, because commands act on the scene.

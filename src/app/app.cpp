@@ -173,7 +173,7 @@ ViewOptions App::view_options() const {
 bool App::is_idle() const {
   return !file_task_.is_running() && !exporter_.is_running() && !captures_.is_busy() && !remedy_search_.is_running() &&
          !comparison_.is_running() && !result_check_.is_running() && !stretch_.is_running() && !status().run.running &&
-         panels_.toast.empty() && !tool_.is_pressed() && !camera_control_.is_dragging();
+         panels_.toast.empty() && !tool_.is_pressed() && !camera_control_.is_dragging() && !camera_control_.is_flying();
 }
 
 void App::finish() {

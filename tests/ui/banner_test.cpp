@@ -133,6 +133,17 @@ TEST(Banner, UndoesTheLastStepAndShowsWhereItFailed) {
   gui.click(gui.find("stopped", {"###show"}));
   EXPECT_FALSE(gui.app().selection().empty());
   EXPECT_TRUE(gui.app().marks().failed_point || gui.app().marks().failed_spring);
+  // the camera flies there
+  for (int i = 0; i < 500 && !gui.app().is_idle(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    gui.frame();
+  }
+  const Snapshot& now = *gui.status().snapshot;
+  const Index failed = now.divergence->point
+                           ? now.system->index_of(*now.divergence->point)
+                           : now.system->index_of(now.system->springs()[now.system->index_of(*now.divergence->spring)].first);
+  const glm::dvec2 seen = gui.seen(now.state.position[failed]);
+  EXPECT_TRUE(gui.app().layout().scene.contains(seen.x, seen.y));
   gui.frames(3);
   const glm::dvec2 at = find_small_button(gui, "###undo");
   gui.click(at);

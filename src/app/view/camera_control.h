@@ -1,6 +1,7 @@
 // Control of the camera with keys, menus and the mouse.
 #pragma once
 
+#include <chrono>
 #include <optional>
 
 #include "app/edit/clipboard.h"
@@ -18,6 +19,9 @@ class CameraControl {
   void show(const Scene& scene);
   void frame_all();
   void frame_selection();
+  // The same in half a second, so that the user sees from where to where; any other motion of the camera ends it.
+  void fly_to_selection();
+  bool is_flying() const { return flight_.has_value(); }
   // From this direction, or from the opposite one if the camera already is there.
   void look_from(const Vec3& direction);
   void switch_projection();
@@ -27,12 +31,15 @@ class CameraControl {
   void paste();
 
   // A drag with this button orbits or pans.
-  void press(Button button) { button_ = button; }
+  void press(Button button) {
+    button_ = button;
+    flight_.reset();
+  }
   void move(const glm::dvec2& from, const Pointer& to);
   void release(Button button);
   bool is_dragging() const { return button_.has_value(); }
   void zoom(double steps, const glm::dvec2& at);
-  // Once per frame: follows moving objects, if enabled.
+  // Once per frame: flies, and follows moving objects, if enabled.
   void follow();
 
  private:
@@ -42,6 +49,11 @@ class CameraControl {
   ToolContext& context_;
   Panels& panels_;
   Clipboard& clipboard_;
+  struct Flight {
+    Camera from, to;
+    std::chrono::steady_clock::time_point start;
+  };
+  std::optional<Flight> flight_;
   std::optional<Button> button_;
   int dimensions_ = 0;             // of the scene in the last frame
   bool dimensions_known_ = false;  // since the scene was opened
