@@ -10,6 +10,7 @@
 #include "lab/lab.h"
 #include "sim/integrator.h"
 #include "support/contents.h"
+#include "support/crossings.h"
 
 namespace hooke {
 namespace {
@@ -44,6 +45,22 @@ TEST(ShippedScenes, TheListNamesEveryFileAndNoOther) {
   for (const auto& entry : std::filesystem::directory_iterator(shipped_scenes().front().file.parent_path()))
     there.insert(entry.path().filename());
   EXPECT_EQ(listed, there);
+}
+
+// As its description says; the count shares no code with the contact.
+TEST(ShippedScenes, TheTowelPassesThroughItselfOnlyWithoutContact) {
+  for (const bool touches : {true, false}) {
+    Scene scene = shipped("towel");
+    scene.system.contact.faces = touches;
+    const CrossingCounter counter(scene.system);
+    Lab lab(std::move(scene));
+    long worst = 0;
+    for (int frame = 1; frame <= 60; ++frame) {
+      ASSERT_TRUE(lab.step());
+      if (frame % 3 == 0) worst = std::max(worst, counter.count(lab.scene().state.position));
+    }
+    EXPECT_EQ(worst == 0, touches) << worst;
+  }
 }
 
 TEST(ShippedScenes, SayInTwoSentencesWhatToTryAndWhatToExpect) {
