@@ -115,7 +115,8 @@ void restore_resume_state(const JsonField& field, Scene& scene) {
   if (const auto& choice = rest.memory.choice) {
     const bool has_steps = choice->method->stability != Stability::Adaptive;
     if (!has_steps || choice->substeps < 1 || choice->substeps > max_substeps || choice->min_substeps < 1 ||
-        choice->min_substeps > max_substeps || choice->next_substeps < 1 || choice->next_substeps > max_substeps || !(choice->frequency > 0.0) || choice->period < 1 || choice->interval < 1)
+        choice->min_substeps > max_substeps || choice->next_substeps < 1 || choice->next_substeps > max_substeps ||
+        !(choice->frequency > 0.0) || choice->period < 1 || choice->interval < 1)
       field.refuse("memory: choice: must be of a method with fixed steps, and of 1 to " + std::to_string(max_substeps) + " substeps");
   }
   restore_ids(rest, scene);

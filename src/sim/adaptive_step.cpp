@@ -118,8 +118,8 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
   was_corrected_ = false;
   if (!has_corrections(plan)) return method.advance(plan, motion, work, interval);
 
-  // the strain limit is imposed once per substep and does not converge with the step, so that no step would be short enough for it; contact of
-  // faces and springs is of first order, with impacts that never end while a cloth folds
+  // the strain limit is imposed once per substep and does not converge with the step, so that no step would be short enough for it; contact
+  // of faces and springs is of first order, with impacts that never end while a cloth folds
   if (!work.tolerance || !plan.max_length.empty() || plan.surface.on) {
     store(motion, before_);
     const double h = method.advance(plan, motion, work, interval);

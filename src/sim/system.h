@@ -98,8 +98,8 @@ struct Collider {
 };
 
 // Contact between points: spheres of their radii, which touch at a distance of both radii and the thickness. Points joined by a spring that
-// would touch at its rest length do not. Contact of faces, and of springs that are not between points of faces: they touch at a distance of the
-// thickness, without restitution.
+// would touch at its rest length do not. Contact of faces, and of springs that are not between points of faces: they touch at a distance of
+// the thickness, without restitution.
 struct PairContact {
   bool points = false, springs = false, faces = false;
   double thickness = 0.0;    // [m], >= 0

@@ -105,13 +105,15 @@ Inverse SetIntegrator::apply(Scene& scene, Effect&) const {
   Settings& settings = scene.settings;
   const SetIntegrator inverse{settings.integrator};
   // the tolerance of one adaptive method means something else to another, and nothing to the rest
-  const bool was_adaptive = settings.integrator->stability == Stability::Adaptive;
-  if (!was_adaptive || integrator == settings.integrator || !settings.tolerance) {
+  const bool was_adaptive = settings.integrator->stability == Stability::Adaptive,
+             is_adaptive = integrator->stability == Stability::Adaptive;
+  if (!(was_adaptive || is_adaptive) || integrator == settings.integrator || !settings.tolerance) {
     settings.integrator = integrator;
     return {inverse};
   }
+  // the inverse drops one too
   const RestoreParameter tolerance{&tolerance_parameter, *settings.tolerance};
-  settings.tolerance.reset();
+  if (was_adaptive) settings.tolerance.reset();
   settings.integrator = integrator;
   return {inverse, tolerance};
 }
