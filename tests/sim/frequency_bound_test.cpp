@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
-#include <random>
 
 #include "sim/forces/forces.h"
 #include "support/nets.h"
+#include "support/random_scene.h"
 
 namespace hooke {
 namespace {
@@ -54,15 +54,7 @@ TEST(FrequencyBound, IsCloseToTheHighestFrequencyOfANetAtRest) {
 
 TEST(FrequencyBound, IsNeverBelowTheHighestFrequencyOfARandomNet) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
-    std::mt19937 random(seed);
-    const auto number = [&](double min, double max) { return min + (max - min) * static_cast<double>(random()) / 4294967295.0; };
-    TestSim sim;
-    std::vector<PointId> ids;
-    for (int i = 0; i < 10; ++i)
-      ids.push_back(i == 0 ? sim.nail(Vec3(0.0)) : sim.add({number(-1, 1), number(-1, 1), number(-1, 1)}, number(0.1, 3.0)));
-    for (std::size_t i = 1; i < ids.size(); ++i)
-      for (int j = 0; j < 3; ++j)
-        if (const PointId other = ids[random() % i]; other != ids[i]) sim.join(ids[i], other, number(1, 1e3), number(0.1, 1.5));
+    const TestSim sim = random_sim(seed, 10, 27);
     EXPECT_GE(bound_of(sim), highest_frequency(make_plan(sim.system), sim.state) * (1.0 - 1e-6)) << seed;
   }
 }
