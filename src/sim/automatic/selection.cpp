@@ -24,7 +24,7 @@ constexpr int max_attempts = 8;
 // An error of up to this multiple of the target is still within the tolerance. It counts as meeting the goal at a higher cost.
 constexpr double acceptable_ratio = 2.0, penalty = 2.0;
 // An unexpected cost, relative to the expected one.
-constexpr double surprise = 4.0;
+constexpr double max_cost_ratio = 4.0;
 
 struct Candidate {
   const Integrator* method = nullptr;
@@ -60,22 +60,22 @@ std::vector<Candidate> candidates_for(Trials& trials, const Plan& plan, const Se
 }
 
 // Convergence in position of XPBD is better than its declared order on many nets: worth an attempt.
-int hopeful_order(const System& system, const Integrator& method) {
+int optimistic_order(const System& system, const Integrator& method) {
   const int order = effective_order(system, method);
   return method.stability == Stability::EachSpring ? std::max(order, 2) : order;
 }
 
 // The next number of substeps to try, or closes the candidate.
 void refine(Candidate& candidate, const Trials::Result& result, double ratio, const System& system, const Goal& goal) {
-  constexpr double most_at_once = 1e4, on_divergence = 4.0;
+  constexpr double max_increase = 1e4, on_divergence = 4.0;
   const bool has_stalled = candidate.attempts > 0 && ratio > 0.7 * candidate.ratio;
   candidate.stalls = has_stalled ? candidate.stalls + 1 : 0;
   candidate.ratio = ratio;
   ++candidate.attempts;
   const double cost_per_substep =
       std::isfinite(result.cost) ? result.cost / candidate.substeps : candidate.expected_cost / candidate.substeps;
-  const int order = hopeful_order(system, *candidate.method);
-  const double max_factor = std::isfinite(ratio) ? most_at_once : on_divergence;
+  const int order = optimistic_order(system, *candidate.method);
+  const double max_factor = std::isfinite(ratio) ? max_increase : on_divergence;
   int next = substeps_for(candidate.substeps, ratio * goal.target, goal.target, order, max_factor);
   // the most accurate attempt that the goal allows
   if (next * cost_per_substep > goal.max_cost) next = static_cast<int>(goal.max_cost / cost_per_substep);
@@ -131,13 +131,13 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
     trial.integrator = next->method;
     trial.substeps = next->substeps;
     // one that turns out to be far more expensive than expected has to wait for the others
-    const double patience = surprise * next->expected_cost;
-    const double max_cost = std::min(patience, best.ratio <= acceptable_ratio ? best_cost / next->weight : 1.25 * goal.max_cost);
+    const double cost_limit = max_cost_ratio * next->expected_cost;
+    const double max_cost = std::min(cost_limit, best.ratio <= acceptable_ratio ? best_cost / next->weight : 1.25 * goal.max_cost);
     const double before = trials.total_cost();
     const Trials::Result result = trials.measure(trial, max_cost);
     spent += trials.total_cost() - before;
-    if (result.is_too_expensive && max_cost == patience) {
-      next->expected_cost = patience;
+    if (result.is_too_expensive && max_cost == cost_limit) {
+      next->expected_cost = cost_limit;
       next->is_open = ++next->attempts < max_attempts;
       continue;
     }
