@@ -37,9 +37,9 @@ bool run_frames(Lab& lab, double seconds, const Part& part, const AfterFrame& af
   const double rate = lab.scene().settings.frame_rate;
   const long frames = std::max(1L, std::lround(std::ceil(seconds * rate - 1e-9)));
   long frame = 0;
-  const struct Watch {
+  const struct ProgressWatch {
     Lab& lab;
-    ~Watch() { lab.watch_substeps({}); }
+    ~ProgressWatch() { lab.watch_substeps({}); }
   } watch{lab};
   lab.watch_substeps([&] { part.report(static_cast<double>(frame) / static_cast<double>(frames)); });
   for (; frame < frames; ++frame) {
