@@ -168,6 +168,22 @@ TEST(Window, OpensADroppedFile) {
   EXPECT_TRUE(desktop.wait_for_title("Hooke - other"));
 }
 
+// A desktop shows no stderr: a file that is double-clicked is opened with --from-desktop.
+TEST(Window, SaysWhyAFileOfTheDesktopIsNotOpened) {
+  Desktop desktop;
+  const fs::path broken = desktop.folder() / "broken.json", other = desktop.folder() / "other.json";
+  std::ofstream(broken) << "{\"hooke\": 1, \"points\": [";
+  std::ofstream(other) << four_points;
+  Process program({HOOKE_PROGRAM, "--from-desktop", broken.string()}, desktop.folder() / "output");
+  ASSERT_TRUE(desktop.wait_for_title("Hooke - Cloth"));
+  rest(1.5);
+  desktop.save_screenshot("window_from_desktop.png");
+  EXPECT_NE(contents(desktop.folder() / "output").find("broken.json"), std::string::npos);
+  desktop.key("Escape");
+  EXPECT_TRUE(desktop.send_to_window("drop", other));
+  EXPECT_TRUE(desktop.wait_for_title("Hooke - other"));
+}
+
 TEST(Window, AsksBeforeClosingWithUnsavedChanges) {
   Desktop desktop;
   const fs::path file = desktop.folder() / "net.json";

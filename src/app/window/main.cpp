@@ -36,9 +36,14 @@ int exec_hooke_cli(char** arguments) {
   return print_error(exit_io, program.string() + ": " + std::strerror(errno));
 }
 
-int open_window(const std::string& name) {
+std::filesystem::path full_path(const std::filesystem::path& file) {
   std::error_code error;
-  const std::filesystem::path file = std::filesystem::absolute(find_scene(name), error).lexically_normal();
+  return std::filesystem::absolute(file, error).lexically_normal();
+}
+
+// Throws InputError or FileError.
+std::unique_ptr<App> open_scene(const std::string& name) {
+  const std::filesystem::path file = full_path(find_scene(name));
   std::shared_ptr<const Recording> recording;
   LoadedScene loaded;
   if (file.extension() == recording_extension) {
@@ -50,12 +55,26 @@ int open_window(const std::string& name) {
   // a file of another format is imported: the document has no file
   const bool imported = recording || (find_file_kind(file) != nullptr && !is_scene_file(file));
   const std::string notice = opening_notice(loaded.scene, loaded.warnings, file);
-  App app(std::make_shared<const Scene>(std::move(loaded.scene)), imported ? std::filesystem::path() : file, xdg_home());
-  app.panels().file_warnings = notice;
-  Window window(app.title(), {1280, 800});
-  app.use(window.clipboard());
-  if (recording) app.document().play(recording);
-  run_loop(window, app);
+  auto app =
+      std::make_unique<App>(std::make_shared<const Scene>(std::move(loaded.scene)), imported ? std::filesystem::path() : file, xdg_home());
+  app->panels().file_warnings = notice;
+  if (recording) app->document().play(recording);
+  return app;
+}
+
+int open_window(const std::string& name, bool from_desktop) {
+  std::unique_ptr<App> app;
+  try {
+    app = open_scene(name);
+  } catch (const std::runtime_error& refusal) {  // InputError or FileError
+    if (!from_desktop) throw;
+    std::cerr << "hooke: " << refusal.what() << "\n";
+    app = open_scene(start_scene);
+    app->document().open(full_path(name));  // is refused again, with a message in the window
+  }
+  Window window(app->title(), {1280, 800});
+  app->use(window.clipboard());
+  run_loop(window, *app);
   return 0;
 }
 
@@ -65,7 +84,8 @@ int start(int count, char** arguments) {
   CLI::App line("A laboratory for networks of point masses and springs.", "hooke");
   std::string scene = start_scene;
   line.add_option("SCENE", scene, "Scene to open: a file, or the name of a shipped scene.");
-  bool reset_settings = false;
+  bool from_desktop = false, reset_settings = false;
+  line.add_flag("--from-desktop", from_desktop, "Show in the window why SCENE cannot be opened, where no terminal would show it.");
   line.add_flag("--reset-settings", reset_settings, "Delete the saved settings and start with the defaults.");
   line.set_version_flag("--version", "hooke " HOOKE_VERSION);
   line.footer("Without a window: hooke run|capture|convert ... (hooke run --help).");
@@ -75,7 +95,7 @@ int start(int count, char** arguments) {
     return line.exit(error) == 0 ? 0 : exit_usage;
   }
   if (reset_settings) std::filesystem::remove(xdg_home().config / "settings.json");
-  return open_window(scene);
+  return open_window(scene, from_desktop);
 }
 
 }  // namespace

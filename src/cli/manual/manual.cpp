@@ -126,6 +126,7 @@ std::string manual_page() {
 
   section(page, "OPTIONS");
   write_options(page, app, true);
+  entry(page, "--from-desktop", "Show in the window why SCENE cannot be opened, where no terminal would show it.");
   entry(page, "--reset-settings", "Delete the saved settings of the window and start with the defaults.");
   for (const auto& [command, work] : commands) {
     page << ".SS hooke " << command->get_name() << "\n" << roff(command->get_description()) << ".\n";
@@ -191,7 +192,7 @@ std::string bash_completion() {
   for (const auto& [command, work] : commands)
     script << "    " << command->get_name() << ") options='" << names_of_options(*command) << "' ;;\n";
   script << "    *) options='" << names_of_options(app)
-         << " --reset-settings' ;;\n"
+         << " --from-desktop --reset-settings' ;;\n"
             "  esac\n"
             "  case $cur in\n"
             "    -*) COMPREPLY=($(compgen -W \"$options\" -- \"$cur\")); return ;;\n"
