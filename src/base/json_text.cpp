@@ -19,9 +19,11 @@ namespace {
 struct TextStream {
   using Ch = char;
   const char* begin;
+  const char* end;  // of the zero
   const char* at = begin;
   Ch Peek() const { return *at; }
-  Ch Take() { return *at++; }
+  // RapidJSON takes all bytes that the first byte of a character announces, also where the text ends before them.
+  Ch Take() { return at == end ? '\0' : *at++; }
   std::size_t Tell() const { return static_cast<std::size_t>(at - begin); }
   Ch* PutBegin() { return nullptr; }
   void Put(Ch) {}
@@ -82,7 +84,7 @@ class Walker {
   const std::string& text_;
   const std::string& name_;
   const JsonVisitor& visitor_;
-  TextStream stream_{text_.c_str()};
+  TextStream stream_{text_.c_str(), text_.c_str() + text_.size()};
   std::vector<Level> levels_{max_nesting};  // kept for reuse, `depth_` of them are open
   std::size_t depth_ = 0;
   bool in_visited_list_ = false;  // inside a top-level list whose items are wanted

@@ -106,13 +106,13 @@ std::string ids_of_integrators() {
 bool read_parameter(const JsonField& field, Scene& scene) {
   for (const Parameter& row : parameters()) {
     if (row.field.empty() || row.field != field.path()) continue;
-    const auto min = static_cast<std::int64_t>(row.physical.min), max = static_cast<std::int64_t>(row.physical.max);
     switch (row.kind) {
       case Parameter::Kind::Switch:
         row.write(scene, field.boolean() ? 1.0 : 0.0);
         break;
       case Parameter::Kind::Integer:
-        row.write(scene, static_cast<double>(field.integer(min, max)));
+        row.write(scene, static_cast<double>(
+                             field.integer(static_cast<std::int64_t>(row.physical.min), static_cast<std::int64_t>(row.physical.max))));
         break;
       case Parameter::Kind::Choice:
         row.write(scene, static_cast<double>(read_choice(row, field)));
