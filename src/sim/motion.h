@@ -35,14 +35,23 @@ struct Motion {
 // and remains valid until the structure changes.
 class Structure {
  public:
-  explicit Structure(const Plan& plan) : points_(plan.points), dimensions_(plan.dimensions), runs_(plan.runs) {}
+  explicit Structure(const Plan& plan)
+      : points_(plan.points),
+        dimensions_(plan.dimensions),
+        runs_(plan.runs),
+        hinge_begin_(plan.hinges.begin),
+        hinge_column_(plan.hinges.column) {}
   virtual ~Structure() = default;
-  bool fits(const Plan& plan) const { return plan.points == points_ && plan.dimensions == dimensions_ && plan.runs == runs_; }
+  bool fits(const Plan& plan) const {
+    return plan.points == points_ && plan.dimensions == dimensions_ && plan.runs == runs_ && plan.hinges.begin == hinge_begin_ &&
+           plan.hinges.column == hinge_column_;
+  }
 
  private:
   Index points_;
   int dimensions_;
   std::vector<SpringRun> runs_;
+  std::vector<Index> hinge_begin_, hinge_column_;
 };
 
 inline constexpr double default_tolerance = 1e-8;  // [m], of adaptive methods

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "sim/contact/contact.h"
+#include "sim/forces/terms/rows.h"
 #include "sim/hand.h"
 #include "sim/portable_math.h"
 #include "sim/state.h"
@@ -132,7 +133,10 @@ void plan_forces(Plan& plan, const System& system) {
   // forces of an embedding program are not in the table
   for (const Force& force : system.forces)
     if (force.on && find_force_term(force.term->id) != force.term) plan.forces.push_back(force);
-  plan.forces_depend_on_velocity = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->depends_on_velocity; });
+  plan.forces_depend_on_velocity = std::ranges::any_of(plan.forces, &Force::depends_on_velocity);
+
+  const bool bends = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term == &bending_force; });
+  plan.hinges = bends ? plan_hinges(system) : HingePlan{};
 
   plan.faces.clear();
   if (plan.forces.empty()) return;

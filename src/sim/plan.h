@@ -10,6 +10,7 @@
 
 #include "sim/contact/pair_plan.h"
 #include "sim/contact/surface_plan.h"
+#include "sim/forces/hinges.h"
 #include "sim/grid.h"
 #include "sim/system.h"
 
@@ -113,6 +114,7 @@ struct Plan {
   std::vector<Force> forces;                // those switched on, in the order of the table
   bool forces_depend_on_velocity = false;   // whether any of them does
   std::vector<std::array<Index, 3>> faces;  // of points; empty without listed forces
+  HingePlan hinges;                         // empty without the bending force
   std::optional<PlannedPull> pull;
   std::optional<Index> held;             // the point that the hand holds
   double held_mass = 0.0;                // [kg], of it; 0 if it is a nail, which has no energy

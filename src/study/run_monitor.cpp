@@ -20,7 +20,7 @@ double unexplained_energy(const System& system, const State& state) {
 
 // Whether the scene itself dissipates energy: then a loss is not known to be an error of the method.
 bool loses_energy(const System& system) {
-  const auto may_dissipate = [](const Force& force) { return force.on && force.term->power != nullptr; };
+  const auto may_dissipate = [](const Force& force) { return force.on && force.term->power != nullptr && force.depends_on_velocity(); };
   return std::ranges::any_of(system.forces, may_dissipate) || system.drag_rate() > 0.0 || has_contact(system) ||
          std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; });
 }

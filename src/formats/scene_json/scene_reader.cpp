@@ -12,6 +12,7 @@
 #include "formats/scene_json/network_reader.h"
 #include "formats/scene_json/scene_sections.h"
 #include "formats/texture.h"
+#include "scene/bending_warning.h"
 #include "scene/overlap_warning.h"
 #include "scene/step_limits.h"
 
@@ -95,8 +96,8 @@ LoadedScene SceneReader::read() {
   set_print_layout(scene_);
   if (const auto warning = step_warning(scene_.system, scene_.state, scene_.settings)) fields_.warn(*warning);
   if (const auto warning = unused_setting_warning(scene_.settings)) fields_.warn(*warning);
-  for (const auto& warning :
-       {overlap_warning(scene_.system, scene_.state), crossing_warning(scene_.system, scene_.state), thickness_warning(scene_.system)})
+  for (const auto& warning : {overlap_warning(scene_.system, scene_.state), crossing_warning(scene_.system, scene_.state),
+                              thickness_warning(scene_.system), bending_warning(scene_.system)})
     if (warning) fields_.warn(*warning);
   return {std::move(scene_), fields_.warnings(name_)};
 }

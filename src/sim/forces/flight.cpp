@@ -32,7 +32,7 @@ bool can_fly(const Plan& plan) {
   return !plan.held && !plan.pull && !plan.colliders_move && !plan.grabbed_collider &&
          // those with a potential depend on time by moving colliders only
          std::ranges::all_of(plan.forces, [](const Force& force) {
-           return force.term->potential != nullptr && force.term->power == nullptr && !force.term->depends_on_velocity;
+           return force.term->potential != nullptr && !force.depends_on_velocity();
          });
 }
 

@@ -56,6 +56,8 @@ struct ForceTerm {
   double (*potential)(const Plan& plan, const ForceValues& values, double time, const double* x);
   // [W], of the other part. Null: zero.
   double (*power)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v);
+  // Whether it depends on the velocity with these values. Null: always, if depends_on_velocity.
+  bool (*is_damped)(const ForceValues& values) = nullptr;
 };
 
 Table<ForceTerm> force_terms();
@@ -71,6 +73,7 @@ struct Force {
   const ForceTerm* term = nullptr;
   bool on = true;
   ForceValues values{};
+  bool depends_on_velocity() const { return term->depends_on_velocity && (term->is_damped == nullptr || term->is_damped(values)); }
   bool operator==(const Force&) const = default;
 };
 

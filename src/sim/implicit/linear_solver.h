@@ -19,7 +19,7 @@ class LinearSolver {
   ~LinearSolver();
 
   // A block of A: its entry (row, column) is column(column)[row], in a diagonal block for row <= column only.
-  // Blocks are symmetric, so the order of a pair does not matter.
+  // Where blocks are symmetric, the order of a pair does not matter.
   class Block {
    public:
     double* column(int c) const { return start_ + c * stride_ + c * (c + 1) / 2; }
@@ -31,6 +31,8 @@ class LinearSolver {
   };
   Block diagonal(Index point) const;
   Block coupling(Index first, Index second) const;
+  // Whether the rows of the block of this pair are those of `first`: of a block that is not symmetric, the transpose is stored otherwise.
+  bool precedes(Index first, Index second) const { return elimination_index_[first] < elimination_index_[second]; }
   void set_zero();
 
   // Factors the current values. False if A is not positive definite; then it cannot solve.

@@ -15,10 +15,22 @@ void for_each_spring(const Plan& plan, const Use& use) {
     for (Index e = 0; e < run.count; ++e) use(run.first + e, run.second + e, run.begin + e);
 }
 
+// On and above the diagonal: use(row, column, entry).
+template <class Use>
+void for_each_hinge_entry(const Plan& plan, const Use& use) {
+  const HingePlan& hinges = plan.hinges;
+  for (Index i = 0; !hinges.empty() && i < plan.points; ++i)
+    for (Index k = hinges.begin[i]; k < hinges.begin[i + 1]; ++k)
+      if (hinges.column[k] >= i) use(i, hinges.column[k], k);
+}
+
 std::vector<std::pair<Index, Index>> couplings_of(const Plan& plan) {
   std::vector<std::pair<Index, Index>> pairs;
   pairs.reserve(plan.springs);
   for_each_spring(plan, [&](Index i, Index j, Index) { pairs.emplace_back(i, j); });
+  for_each_hinge_entry(plan, [&](Index i, Index j, Index) {
+    if (i != j) pairs.emplace_back(i, j);
+  });
   return pairs;
 }
 
@@ -65,6 +77,23 @@ StiffnessMatrix::StiffnessMatrix(const Plan& plan)
   for (Index i = 0; i < plan.points; ++i) diagonal_.push_back(solver_.diagonal(i));
   coupling_.resize(plan.springs);
   for_each_spring(plan, [&](Index i, Index j, Index s) { coupling_[s] = solver_.coupling(i, j); });
+  hinges_.resize(plan.hinges.column.size());
+  for_each_hinge_entry(plan, [&](Index i, Index j, Index k) { hinges_[k] = i == j ? diagonal_[i] : solver_.coupling(i, j); });
+}
+
+void StiffnessMatrix::add_hinges(const Plan& plan, double b) {
+  for_each_hinge_entry(plan, [&](Index i, Index j, Index k) {
+    if (plan.inverse_mass[i] == 0.0 || plan.inverse_mass[j] == 0.0) return;
+    const double stiffness = b * b * tangent_.hinge_stiffness() * plan.hinges.value[k];
+    const bool is_transposed = i != j && !solver_.precedes(i, j);
+    for (int c = 0; c < plan.dimensions; ++c) {
+      double* column = hinges_[k].column(c);
+      column[c] += stiffness;
+      if (!tangent_.are_hinges_damped()) continue;
+      const glm::dmat3& damping = tangent_.hinge_damping(k);
+      for (int r = 0; r < (i == j ? c + 1 : plan.dimensions); ++r) column[r] += b * (is_transposed ? damping[r][c] : damping[c][r]);
+    }
+  });
 }
 
 template <int Dimensions>
@@ -95,12 +124,12 @@ void StiffnessMatrix::allocate(const Plan& plan) {
     update.parts.reserve(plan.points);
     for (int c = 0; c < plan.dimensions; ++c) update.response[c].resize(static_cast<std::size_t>(plan.points) * plan.dimensions);
   }
-  if (has_forces_) tangent_.reset(plan.points);
+  if (has_forces_) tangent_.reset(plan.points, plan.hinges.column.size());
 }
 
 void StiffnessMatrix::linearize_forces(const Plan& plan, double time, const Field& x, const Field& v) {
   if (!has_forces_) return;
-  tangent_.reset(plan.points);
+  tangent_.reset(plan.points, plan.hinges.column.size());
   is_linearized_ = true;
   for (const Force& force : plan.forces)
     if (force.term->add_tangent != nullptr) force.term->add_tangent(plan, force.values, time, x.data(), v.data(), tangent_);
@@ -120,6 +149,16 @@ void StiffnessMatrix::add_force_damping(const Plan& plan, double scale, const Fi
     const Vec3 force = tangent_.damping(static_cast<Index>(i)) * velocity + plan.mass[i] * tangent_.mean_damping() * momentum;
     for (int c = 0; c < plan.dimensions; ++c) result[c * n + i] += scale * force[c];
   }
+  if (!tangent_.are_hinges_damped()) return;
+  for_each_hinge_entry(plan, [&](Index i, Index j, Index k) {
+    if (plan.inverse_mass[i] == 0.0 || plan.inverse_mass[j] == 0.0) return;
+    const glm::dmat3& damping = tangent_.hinge_damping(k);
+    for (int c = 0; c < 3; ++c)
+      for (int r = 0; r < 3; ++r) {
+        result[r * n + i] += scale * damping[c][r] * v[c * n + j];
+        if (i != j) result[c * n + j] += scale * damping[c][r] * v[r * n + i];
+      }
+  });
 }
 
 void StiffnessMatrix::assemble(const Plan& plan, double b, const Field& x, const Field& v, Curvature curvature) {
@@ -134,6 +173,7 @@ void StiffnessMatrix::assemble(const Plan& plan, double b, const Field& x, const
       for (int r = 0; r <= c; ++r) diagonal_[i].column(c)[r] += block[c][r];
   }
 
+  if (is_linearized_) add_hinges(plan, b);
   if (has_pull_update_) {
     Update& update = updates_.front();
     update.weight = b * b * plan.pull->stiffness;

@@ -42,12 +42,14 @@ class StiffnessMatrix {
   void solve(Field& b);
 
  private:
+  void add_hinges(const Plan& plan, double b);
   template <int Dimensions>
   void add_springs(const Plan& plan, double b, const double* x, const double* v, Curvature curvature);
 
   LinearSolver solver_;
   std::vector<LinearSolver::Block> diagonal_;  // of the points
   std::vector<LinearSolver::Block> coupling_;  // of the packed springs
+  std::vector<LinearSolver::Block> hinges_;    // of the entries of the matrix of the hinges, on and above the diagonal
 
   struct Update {
     std::vector<PlannedPull::Part> parts;  // s; zero for points that do not move freely

@@ -1,0 +1,194 @@
+#include "sim/forces/hinges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace hooke {
+namespace {
+
+using HingeEnds = std::pair<Index, Index>;
+
+HingeEnds hinge_ends(Index i, Index j) { return std::minmax(i, j); }
+
+// A face at rest. Side i is opposite corner i.
+struct RestFace {
+  std::array<Index, 3> corners{};
+  std::array<double, 3> length{}, cotangent{};  // of the sides [m], of the angles at the corners
+  double area = 0.0;                            // [m^2]; 0: it has no hinges
+};
+
+// Rest lengths of springs by their ends.
+class RestLengths {
+ public:
+  explicit RestLengths(const System& system) {
+    lengths_.reserve(system.springs().size());
+    for (const Spring& spring : system.springs())
+      if (spring.rest_length > 0.0)
+        lengths_.emplace_back(hinge_ends(system.index_of(spring.first), system.index_of(spring.second)), spring.rest_length);
+    std::ranges::sort(lengths_);
+  }
+  // [m]; 0: no spring joins them.
+  double between(Index i, Index j) const {
+    const auto at = std::ranges::lower_bound(lengths_, hinge_ends(i, j), {}, &std::pair<HingeEnds, double>::first);
+    return at != lengths_.end() && at->first == hinge_ends(i, j) ? at->second : 0.0;
+  }
+
+ private:
+  std::vector<std::pair<HingeEnds, double>> lengths_;
+};
+
+RestFace rest_face(const System& system, const RestLengths& lengths, const Face& face) {
+  RestFace rest;
+  for (int c = 0; c < 3; ++c) rest.corners[c] = system.index_of(face.points[c]);
+  auto& l = rest.length;
+  int missing = 0;
+  for (int c = 0; c < 3; ++c) {
+    l[c] = lengths.between(rest.corners[(c + 1) % 3], rest.corners[(c + 2) % 3]);
+    missing += l[c] == 0.0 ? 1 : 0;
+  }
+  if (missing > 1) return rest;
+  for (int c = 0; c < 3; ++c)
+    if (l[c] == 0.0) l[c] = std::sqrt(l[(c + 1) % 3] * l[(c + 1) % 3] + l[(c + 2) % 3] * l[(c + 2) % 3]);
+
+  // Heron's formula; below this height a face is degenerate
+  constexpr double min_relative_height = 1e-6;
+  const double s = 0.5 * (l[0] + l[1] + l[2]), square = s * (s - l[0]) * (s - l[1]) * (s - l[2]), max = std::max({l[0], l[1], l[2]});
+  const double area = square > 0.0 ? std::sqrt(square) : 0.0;
+  constexpr double min_area = 1e-200, max_area = 1e200;  // [m^2], of finite stiffness
+  if (!(2.0 * area > min_relative_height * max * max) || !(area > min_area) || !(area < max_area)) return rest;
+  rest.area = area;
+  for (int c = 0; c < 3; ++c) {
+    const double a = l[(c + 1) % 3], b = l[(c + 2) % 3];
+    rest.cotangent[c] = (a * a + b * b - l[c] * l[c]) / (4.0 * area);
+  }
+  return rest;
+}
+
+int corner_of(const RestFace& face, Index point) { return face.corners[0] == point ? 0 : face.corners[1] == point ? 1 : 2; }
+
+// The hinge on side i of a face, with `other` across it: the points of the side are j and k, p and q the corners opposite. The weights are
+//   c = (cot T_k + cot F_k) x_j + (cot T_j + cot F_j) x_k - (cot T_j + cot T_k) x_p - (cot F_j + cot F_k) x_q.
+void add_hinge(const RestFace& face, int i, const RestFace& other, HingedFace& hinged) {
+  const int j = (i + 1) % 3, k = (i + 2) % 3;
+  const int other_j = corner_of(other, face.corners[j]), other_k = corner_of(other, face.corners[k]), opposite = 3 - other_j - other_k;
+  auto& w = hinged.weights[i];
+  w[j] = face.cotangent[k] + other.cotangent[other_k];
+  w[k] = face.cotangent[j] + other.cotangent[other_j];
+  w[i] = -(face.cotangent[j] + face.cotangent[k]);
+  w[3] = -(other.cotangent[other_j] + other.cotangent[other_k]);
+  hinged.points[3 + i] = other.corners[opposite];
+}
+
+// M_ij = (n_i.n_j)^2 / (4 A), with n the normals of the sides in the plane of the face.
+void set_coupling(const RestFace& face, HingedFace& hinged) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const int k = 3 - i - j;  // the corner between both sides
+      const double cosine = i == j ? 1.0 : 2.0 * face.area * face.cotangent[k] / (face.length[i] * face.length[j]);
+      hinged.coupling[i][j] = cosine * cosine / (4.0 * face.area);
+    }
+}
+
+void find_hinges(const std::vector<RestFace>& rest, std::vector<HingedFace>& hinged) {
+  struct Side {
+    HingeEnds ends;
+    Index face;
+    int corner;
+    auto operator<=>(const Side&) const = default;
+  };
+  std::vector<Side> sides;
+  sides.reserve(3 * rest.size());
+  for (std::size_t f = 0; f < rest.size(); ++f)
+    for (int c = 0; c < 3; ++c)
+      sides.push_back({hinge_ends(rest[f].corners[(c + 1) % 3], rest[f].corners[(c + 2) % 3]), static_cast<Index>(f), c});
+  std::ranges::sort(sides);
+  for (std::size_t s = 0; s < sides.size();) {
+    std::size_t end = s + 1;
+    while (end < sides.size() && sides[end].ends == sides[s].ends) ++end;
+    const Side &first = sides[s], &second = sides[end - 1];
+    // the same face twice has no other corner
+    const bool is_inner = end - s == 2 && rest[first.face].corners[first.corner] != rest[second.face].corners[second.corner];
+    if (is_inner && rest[first.face].area > 0.0 && rest[second.face].area > 0.0) {
+      add_hinge(rest[first.face], first.corner, rest[second.face], hinged[first.face]);
+      add_hinge(rest[second.face], second.corner, rest[first.face], hinged[second.face]);
+    }
+    s = end;
+  }
+}
+
+// K_ab of one face.
+double face_stiffness(const HingedFace& face, int a, int b) {
+  double sum = 0.0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) sum += face.weight(i, a) * face.coupling[i][j] * face.weight(j, b);
+  return sum;
+}
+
+void assemble_rows(HingePlan& plan, Index points) {
+  // where each point occurs
+  std::vector<Index> first(static_cast<std::size_t>(points) + 1, 0);
+  const auto occurs = [](const HingedFace& face, int a) { return a < 3 || face.points[a] != face.points[a - 3]; };
+  for (const HingedFace& face : plan.faces)
+    for (int a = 0; a < 6; ++a) first[face.points[a] + 1] += occurs(face, a) ? 1 : 0;
+  for (Index i = 0; i < points; ++i) first[i + 1] += first[i];
+  std::vector<std::pair<Index, int>> places(first.back());
+  std::vector<Index> next(first.begin(), first.end() - 1);
+  for (std::size_t f = 0; f < plan.faces.size(); ++f)
+    for (int a = 0; a < 6; ++a)
+      if (occurs(plan.faces[f], a)) places[next[plan.faces[f].points[a]]++] = {static_cast<Index>(f), a};
+
+  plan.begin.assign(1, 0);
+  std::vector<std::pair<Index, double>> row;
+  for (Index i = 0; i < points; ++i) {
+    row.clear();
+    for (Index at = first[i]; at < first[i + 1]; ++at) {
+      const auto& [f, a] = places[at];
+      const HingedFace& face = plan.faces[f];
+      for (int b = 0; b < 6; ++b) {
+        if (!occurs(face, b)) continue;
+        auto entry = std::ranges::find(row, face.points[b], &std::pair<Index, double>::first);
+        if (entry == row.end()) entry = row.insert(entry, {face.points[b], 0.0});
+        entry->second += face_stiffness(face, a, b);
+      }
+    }
+    std::ranges::sort(row);
+    for (const auto& [column, value] : row) {
+      plan.column.push_back(column);
+      plan.value.push_back(value);
+    }
+    plan.begin.push_back(static_cast<Index>(plan.column.size()));
+  }
+}
+
+}  // namespace
+
+Index HingePlan::entry(Index i, Index j) const {
+  const auto row = column.begin() + begin[i];
+  return static_cast<Index>(std::lower_bound(row, column.begin() + begin[i + 1], j) - column.begin());
+}
+
+HingePlan plan_hinges(const System& system) {
+  HingePlan plan;
+  if (system.dimensions == 2 || system.faces.empty()) return plan;
+  const RestLengths lengths(system);
+  std::vector<RestFace> rest;
+  rest.reserve(system.faces.size());
+  for (const Face& face : system.faces) rest.push_back(rest_face(system, lengths, face));
+
+  std::vector<HingedFace> hinged(rest.size());
+  for (std::size_t f = 0; f < rest.size(); ++f)
+    for (int a = 0; a < 6; ++a) hinged[f].points[a] = rest[f].corners[a % 3];
+  find_hinges(rest, hinged);
+  for (std::size_t f = 0; f < rest.size(); ++f) {
+    if (std::ranges::equal(hinged[f].points.begin(), hinged[f].points.begin() + 3, hinged[f].points.begin() + 3, hinged[f].points.end()))
+      continue;
+    set_coupling(rest[f], hinged[f]);
+    plan.faces.push_back(hinged[f]);
+  }
+  if (!plan.faces.empty()) assemble_rows(plan, system.point_count());
+  return plan;
+}
+
+}  // namespace hooke
