@@ -23,7 +23,7 @@ namespace hooke {
 namespace {
 
 constexpr ForceParameter numbers[] = {
-    {"stiffness", "Bending stiffness B", "N m", 1e-8, 10.0, 1e-4},
+    {"stiffness", "Stiffness B", "N m", 1e-8, 10.0, 1e-4},
     {"damping_time", "Damping time", "s", 0.0, 0.1, 0.0},
 };
 
