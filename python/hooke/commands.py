@@ -56,7 +56,7 @@ class HardCases(NamedTuple):
 
 def check_hard(cases: ArrayLike = (), methods: str | Sequence[str] = (), *, quick: bool = False, strict: bool = False, threads: int = 0,
                progress: bool | None = None) -> HardCases:
-    """Runs every method on the hard cases, as `hooke check --hard`. threads: by default one per core."""
+    """Runs every method on the hard cases, as `hooke check --hard`: also `auto`, unless quick. threads: by default one per core."""
     chosen = np.atleast_1d(whole_numbers("cases", cases)).tolist()
     arguments = (chosen, names("methods", methods), bool(quick), bool(strict), integer("threads", threads))
     with bar("hard cases", progress, "case") as shown:

@@ -81,6 +81,10 @@ def test_hard_cases_are_those_of_the_command_line(command_line):
     printed = json.loads(command_line("check", "--hard", "--cases", "1", "--methods", "velocity_verlet", "--json", "-").stdout)
     ours = hooke.check_hard([1], ["velocity_verlet"])
     assert without_times(ours.cases) == without_times(printed["cases"]) and ours.broken == printed["broken"]
+    every = hooke.check_hard([1])
+    printed = json.loads(command_line("check", "--hard", "--cases", "1", "--json", "-").stdout)
+    assert without_times(every.cases) == without_times(printed["cases"])
+    assert "auto" in [result["method"] for result in every.cases[0]["results"]]
     with pytest.raises(hooke.UsageError, match="no such case"):
         hooke.check_hard([9999])
 

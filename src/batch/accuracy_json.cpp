@@ -45,6 +45,22 @@ void write_error(JsonWriter& json, const Accuracy& accuracy) {
   json.end();
 }
 
+void write_half_error(JsonWriter& json, const Accuracy& accuracy) {
+  json.begin_object(JsonWriter::Layout::Line);
+  if (accuracy.half_error_substeps > 0) {
+    json.integer("substeps", accuracy.half_error_substeps);
+    if (accuracy.half_error_tolerance > 0.0) json.number("tolerance", accuracy.half_error_tolerance);
+    json.number("cost", accuracy.half_error_cost);
+  } else {
+    json.key("substeps");
+    json.null();
+    json.key("cost");
+    json.null();
+    json.text("reason", accuracy.is_on ? "no frame yet" : "switched off");
+  }
+  json.end();
+}
+
 void write_energy_balance(JsonWriter& json, const Accuracy& accuracy) {
   if (!accuracy.is_on) return json.null();
   const EnergyBalance& balance = accuracy.energy;

@@ -64,18 +64,7 @@ void CaptureReport::add(const Lab& lab, const std::string& file) {
   json_.key("energy_balance");
   write_energy_balance(json_, accuracy);
   json_.key("half_error");
-  json_.begin_object(JsonWriter::Layout::Line);
-  if (accuracy.half_error_substeps > 0) {
-    json_.integer("substeps", accuracy.half_error_substeps);
-    json_.number("cost", accuracy.half_error_cost);
-  } else {
-    json_.key("substeps");
-    json_.null();
-    json_.key("cost");
-    json_.null();
-    json_.text("reason", "no frame yet");
-  }
-  json_.end();
+  write_half_error(json_, accuracy);
   json_.text("hash", hash);
   json_.end();
   json_file_.write(json_.take());

@@ -4,7 +4,9 @@
 #include <thread>
 
 #include "base/option_error.h"
+#include "batch/bench.h"
 #include "formats/scene_file.h"
+#include "sim/automatic/automatic.h"
 
 namespace hooke {
 
@@ -22,6 +24,12 @@ std::vector<const HardCase*> chosen_cases(const std::vector<int>& numbers) {
     if (std::ranges::none_of(chosen, [&](const HardCase* row) { return row->number == number; }))
       throw OptionError("cases", std::to_string(number), "no such case: must be from 1 to " + std::to_string(hard_cases().size()));
   return chosen;
+}
+
+std::vector<const Integrator*> methods_for_cases(const std::vector<std::string>& ids, bool quick) {
+  std::vector<const Integrator*> methods = chosen_methods(ids);
+  if (ids.empty() && !quick) methods.push_back(&automatic_method());
+  return methods;
 }
 
 int default_threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }

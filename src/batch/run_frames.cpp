@@ -18,6 +18,18 @@ double wall_now() { return std::chrono::duration<double>(std::chrono::steady_clo
 
 constexpr double round_off = 1e-9;
 
+// Computes a frame, and adds its costs.
+void compute_frame(Lab& lab, RunTotals& totals) {
+  const double cpu = cpu_seconds(), wall = wall_now();
+  totals.diverged = !lab.step();
+  const double measuring = lab.accuracy_cpu_seconds() - totals.accuracy_cpu_seconds;
+  totals.cpu_seconds += std::max(0.0, cpu_seconds() - cpu - measuring);
+  totals.wall_seconds += std::max(0.0, wall_now() - wall - measuring);
+  totals.accuracy_cpu_seconds += measuring;
+  totals.force_evaluations += lab.last_frame().force_evaluations();
+  totals.factorizations += lab.last_frame().factorizations();
+}
+
 }  // namespace
 
 long count_frames(double seconds, double frame_rate) {
@@ -69,14 +81,7 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
     if (is_ended && !is_sampled) add_sample();
     if (is_ended || frame == frames) break;
 
-    const double cpu = cpu_seconds(), wall = wall_now();
-    totals.diverged = !lab.step();
-    const double measuring = lab.accuracy_cpu_seconds() - totals.accuracy_cpu_seconds;
-    totals.cpu_seconds += std::max(0.0, cpu_seconds() - cpu - measuring);
-    totals.wall_seconds += std::max(0.0, wall_now() - wall - measuring);
-    totals.accuracy_cpu_seconds += measuring;
-    totals.force_evaluations += lab.last_frame().force_evaluations();
-    totals.factorizations += lab.last_frame().factorizations();
+    compute_frame(lab, totals);
     if (totals.diverged) {
       // the last good state, unless it was already sampled
       if (!is_sampled) add_sample();
@@ -92,6 +97,35 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
   results.warnings = monitor.warnings(scene.system, {});
   if (tolerance.frames_beyond() > 0) results.warnings.push_back(tolerance.warning());
   return results;
+}
+
+RunTotals replay_frames(Lab& lab, const std::shared_ptr<const Recording>& recording, const RunRequest& request, const RunHooks& hooks) {
+  if (request.sample) check_option("sample", *request.sample, positive);
+  const Scene& scene = lab.scene();
+  lab.submit(Play{recording});
+  lab.submit(SetAccuracy{request.accuracy});
+  lab.apply_pending();
+
+  RunTotals totals;
+  ToleranceMonitor tolerance;
+  SampleClock samples(request.sample, scene.settings.frame_rate, recording->frames);
+  for (long frame = 0;; ++frame) {
+    const bool is_ended = !lab.is_playing(), is_sampled = samples.is_due(frame);
+    if ((is_sampled || is_ended) && hooks.sample) hooks.sample(scene.state, lab.accuracy());
+    if (is_ended) break;
+    compute_frame(lab, totals);
+    if (hooks.progress) hooks.progress(frame + 1, recording->frames);
+    if (totals.diverged) {
+      if (!is_sampled && hooks.sample) hooks.sample(scene.state, lab.accuracy());
+      break;
+    }
+    totals.seconds += lab.last_frame().duration();
+    ++totals.frames;
+    tolerance.add_frame(scene.settings, scene.state);
+  }
+  totals.hash = hash_state(scene.state);
+  if (is_automatic(scene.settings)) totals.frames_beyond_tolerance = tolerance.frames_beyond();
+  return totals;
 }
 
 }  // namespace hooke

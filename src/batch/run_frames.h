@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct RunRequest {
 // Totals of a finished run.
 struct RunTotals {
   double seconds = 0.0;                          // simulated
+  long frames = 0;                               // of a replay, without one that diverged
   double cpu_seconds = 0.0, wall_seconds = 0.0;  // of the run, without measuring its accuracy
   double accuracy_cpu_seconds = 0.0;             // of that
   bool diverged = false;
@@ -57,6 +59,11 @@ class SampleClock {
   double frames_per_sample_, next_ = 0.0;
   long last_;
 };
+
+// Replays the recording in a laboratory without a start, to its end or to the first frame that differs; the request's `seconds` are not
+// used. Samples are taken as in a run, by the frame rate at the start; where the replay ends early, the last one is of its last valid
+// state. Throws UsageError.
+RunTotals replay_frames(Lab& lab, const std::shared_ptr<const Recording>& recording, const RunRequest& request, const RunHooks& hooks);
 
 // Runs the scene of the laboratory from its present state. The hooks may submit commands.
 RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks);

@@ -1,6 +1,9 @@
 #include "batch/run_report.h"
 
+#include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <utility>
 
 #include "base/option_error.h"
@@ -22,6 +25,23 @@ std::string to_hexadecimal(std::uint64_t hash) {
   return text;
 }
 
+std::optional<std::vector<Index>> parse_points(const std::optional<std::string>& list, Index count) {
+  if (!list) return std::nullopt;
+  std::vector<Index> points;
+  const char* at = list->data();
+  const char* const end = at + list->size();
+  for (;;) {
+    Index point = -1;
+    const auto [after, error] = std::from_chars(at, end, point);
+    const bool is_number = error == std::errc() && point >= 0 && point < count && (after == end || *after == ',');
+    if (!is_number)
+      throw OptionError("points", printable(*list, 80), "must be numbers from 0 to " + std::to_string(count - 1) + ", separated by commas");
+    points.push_back(point);
+    if (after == end) return points;
+    at = after + 1;
+  }
+}
+
 JsonReport::JsonReport(const std::string& file, const std::string& scene_name, const Scene& scene) : file_(file) {
   json_.begin_object(JsonLayout::Lines);
   json_.text("scene", scene_name);
@@ -35,14 +55,22 @@ JsonReport::JsonReport(const std::string& file, const std::string& scene_name, c
   json_.begin_list(JsonLayout::Lines);
 }
 
-void JsonReport::add_sample(const System& system, const State& state, const Accuracy& accuracy, const std::vector<Index>& points) {
+void JsonReport::add_sample(const System& system, const State& state, const Accuracy& accuracy,
+                            const std::optional<std::vector<Index>>& points) {
   const auto write_vectors = [&](const char* key, const std::vector<Vec3>& vectors) {
     json_.key(key);
     json_.begin_list(JsonLayout::Line);
-    for (const Index i : points) {
-      json_.vector(vectors[i]);
+    const auto write = [&](std::size_t i) {
+      if (i < vectors.size())
+        json_.vector(vectors[i]);
+      else
+        json_.null();
       if (json_.written().size() > max_buffered_bytes) file_.write(json_.take());
-    }
+    };
+    if (points)
+      for (const Index i : *points) write(static_cast<std::size_t>(i));
+    else
+      for (std::size_t i = 0; i < vectors.size(); ++i) write(i);
     json_.end();
   };
   json_.begin_object(JsonLayout::Line);
@@ -65,11 +93,17 @@ void JsonReport::add_sample(const System& system, const State& state, const Accu
     json_.text("integrator", choice->method->id);
     json_.integer("substeps", choice->substeps);
     json_.integer("min_substeps", choice->min_substeps);
-    json_.number("ratio", choice->ratio);
+    json_.key("ratio");
+    if (std::isfinite(choice->ratio))
+      json_.number(choice->ratio);
+    else
+      json_.null();
     json_.end();
   }
   json_.key("error");
   write_error(json_, accuracy);
+  json_.key("half_error");
+  write_half_error(json_, accuracy);
   json_.key("energy_balance");
   write_energy_balance(json_, accuracy);
   json_.end();
@@ -102,7 +136,8 @@ void CsvReport::add_sample(const System& system, const State& state, const Accur
 
 namespace {
 
-std::vector<Quantity> wanted_quantities(const std::optional<std::string>& list, const std::vector<Index>& points, const System& system) {
+std::vector<Quantity> wanted_quantities(const std::optional<std::string>& list, const std::optional<std::vector<Index>>& points,
+                                        const System& system) {
   std::vector<Quantity> quantities;
   if (list) {
     const std::string unknown = parse_quantities(*list, system.point_count(), system.spring_count(), quantities);
@@ -110,7 +145,14 @@ std::vector<Quantity> wanted_quantities(const std::optional<std::string>& list, 
     return quantities;
   }
   parse_quantities("time,kinetic,elastic,gravitational,total", system.point_count(), system.spring_count(), quantities);
-  for (const Index i : points)
+  std::vector<Index> columns;
+  if (points) {
+    columns = *points;
+  } else {
+    columns.resize(static_cast<std::size_t>(system.point_count()));
+    std::iota(columns.begin(), columns.end(), 0);
+  }
+  for (const Index i : columns)
     for (const char* component : {"x", "y", "z"})
       quantities.push_back(*find_quantity(component + std::to_string(i), system.point_count(), system.spring_count()));
   return quantities;
@@ -118,7 +160,8 @@ std::vector<Quantity> wanted_quantities(const std::optional<std::string>& list, 
 
 }  // namespace
 
-RunOutput::RunOutput(const RunFiles& files, const std::string& scene_name, const Scene& scene, const std::vector<Index>& points)
+RunOutput::RunOutput(const RunFiles& files, const std::string& scene_name, const Scene& scene,
+                     const std::optional<std::vector<Index>>& points)
     : scene_(scene), points_(points), has_chosen_quantities_(files.quantities.has_value()) {
   if (files.json) json_.emplace(*files.json, scene_name, scene);
   if (files.csv) csv_.emplace(*files.csv, wanted_quantities(files.quantities, points, scene.system));

@@ -20,7 +20,8 @@ namespace hooke {
 class JsonReport {
  public:
   JsonReport(const std::string& file, const std::string& scene_name, const Scene& scene);
-  void add_sample(const System& system, const State& state, const Accuracy& accuracy, const std::vector<Index>& points);
+  // `points`: none: all. What is not in the scene at that time is null.
+  void add_sample(const System& system, const State& state, const Accuracy& accuracy, const std::optional<std::vector<Index>>& points);
   void finish(const RunTotals& totals);
 
  private:
@@ -50,11 +51,14 @@ struct RunFiles {
   std::optional<std::string> quantities;  // columns of the CSV file, "time,y5"; none: time, energies, positions of the points
 };
 
+// "0,5,9", of a scene with so many points; none: all of them. Throws UsageError.
+std::optional<std::vector<Index>> parse_points(const std::optional<std::string>& list, Index count);
+
 // Writes the files of a run. All members throw FileError.
 class RunOutput {
  public:
-  // Opens the files for samples of these points. The scene must outlive it. Throws UsageError for an unknown quantity.
-  RunOutput(const RunFiles& files, const std::string& scene_name, const Scene& scene, const std::vector<Index>& points);
+  // Opens the files for samples of these points; none: all. The scene must outlive it. Throws UsageError for an unknown quantity.
+  RunOutput(const RunFiles& files, const std::string& scene_name, const Scene& scene, const std::optional<std::vector<Index>>& points);
   // Whether the files contain errors; whether a chosen quantity is one, which is then not null only if they are measured.
   bool needs_accuracy() const { return json_ || has_chosen_errors(); }
   bool has_chosen_errors() const { return csv_ && has_chosen_quantities_ && csv_->needs_accuracy(); }
@@ -64,7 +68,7 @@ class RunOutput {
 
  private:
   const Scene& scene_;
-  std::vector<Index> points_;
+  std::optional<std::vector<Index>> points_;
   bool has_chosen_quantities_;
   std::optional<JsonReport> json_;
   std::optional<CsvReport> csv_;

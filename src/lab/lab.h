@@ -69,7 +69,7 @@ using Control = std::variant<Undo, Redo, GoToHistoryStep, SetRunning, StepOnce, 
                              SetCompanions, GoToStart, SetStart, ResetParameters, ReleaseNails, Open, MarkSaved, Record, Play>;
 
 // Whether a copy of the opened scene is kept for GoToStart. A long run of a large scene does not need one; its accuracy is measured only
-// on demand, and then at once.
+// on demand, and then at once, also while a recording is played.
 enum class KeepStart { Yes, No };
 
 class Lab {
@@ -100,7 +100,7 @@ class Lab {
   // Whether `advance` has companions to compute, even while paused.
   bool has_companions_to_compute() const { return companions_.has_work(); }
   Accuracy accuracy() const;
-  double accuracy_cpu_seconds() const { return accuracy_cpu_seconds_; }  // that measuring it took so far, where it is done at once
+  double accuracy_cpu_seconds() const { return accuracy_cpu_seconds_; }  // of the frames computed again to measure it, where that is done at once
 
   // Whether submitted commands wait for the frame in progress; applies them without waiting.
   bool has_pending() const { return !queue_.empty(); }
@@ -173,6 +173,7 @@ class Lab {
   FramePacer frame_pacer_;
   AccuracyMeter meter_;
   Companions companions_;
+  bool measures_at_once_ = false;  // the accuracy of a frame, before the next one
   double accuracy_cpu_seconds_ = 0.0;
   Plan plan_;
   Frame frame_;

@@ -107,7 +107,7 @@ py::tuple check_hard(const std::vector<int>& cases, const std::vector<std::strin
   constexpr int max_threads = 256;
   if (threads != 0) check_option("threads", threads, {.min = 1, .max = max_threads});
   const auto chosen = chosen_cases(cases);
-  std::vector<CaseResult> results = list_cases(chosen, chosen_methods(methods), quick);
+  std::vector<CaseResult> results = list_cases(chosen, methods_for_cases(methods, quick), quick);
   if (results.empty()) throw UsageError("quick: excludes all of these cases");
   Watch watch(progress);
   // thrown only after the other threads have ended

@@ -201,11 +201,21 @@ std::string csv_heading(std::span<const Quantity> quantities) {
   return line + "\n";
 }
 
+namespace {
+
+// Points and springs may have been removed since the quantity was chosen.
+bool is_in_scene(const Quantity& quantity, const System& system) {
+  if (quantity.row->of == QuantityRow::Of::Scene) return true;
+  return quantity.at < (quantity.row->of == QuantityRow::Of::Point ? system.point_count() : system.spring_count());
+}
+
+}  // namespace
+
 std::string csv_row(std::span<const Quantity> quantities, const System& system, const State& state, const Accuracy* accuracy) {
   const Measurement measurement = measure(system, state, accuracy);
   std::string line;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
-    const double value = quantities[i].of(measurement);
+    const double value = is_in_scene(quantities[i], system) ? quantities[i].of(measurement) : std::nan("");
     line += (i == 0 ? "" : ",") + (std::isnan(value) ? std::string() : format_exact(value));
   }
   return line + "\n";

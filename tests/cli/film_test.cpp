@@ -10,6 +10,7 @@
 #include "scene/parameters.h"
 #include "support/apply_now.h"
 #include "support/contents.h"
+#include "support/headless.h"
 #include "support/picture.h"
 #include "support/process.h"
 #include "support/scratch_folder.h"
@@ -122,6 +123,67 @@ TEST_F(Replays, AreDrawnFromStartToEnd) {
   install_ffmpeg(honest_ffmpeg);
   EXPECT_EQ(run("capture --replay a.hookelog --size 64x36 --out a.mp4").code, 0);
   EXPECT_EQ(contents("a.mp4").size(), 31u * 64 * 36 * 3);
+}
+
+TEST_F(Replays, MeasureTheAccuracyOfTheRecordedFrames) {
+  const Outcome json = run("replay a.hookelog --verify --sample 0.1 --points 0 --json -");
+  EXPECT_EQ(json.code, 0) << json.err;
+  const rapidjson::Document report = parse_json(json.out);
+  EXPECT_STREQ(report["scene"].GetString(), "a.hookelog");
+  const auto& samples = report["samples"];
+  ASSERT_EQ(samples.Size(), 6u);
+  for (rapidjson::SizeType i = 0; i < samples.Size(); ++i) {
+    ASSERT_EQ(samples[i]["error"]["frame"].IsNull(), i == 0 || i == 2) << i;  // the edit is at frame 10, a repeated one at 12
+    ASSERT_EQ(samples[i]["error"]["accumulated"].IsNull(), i == 0) << i;
+    ASSERT_EQ(samples[i]["half_error"]["cost"].IsNull(), i == 0) << i;
+    ASSERT_TRUE(samples[i]["energy_balance"].IsObject());
+  }
+  const auto rows = lines_of(run("replay a.hookelog --sample 0.1 --csv - --quantities time,error,accumulated_error,energy_method").out);
+  ASSERT_EQ(rows.size(), 7u);
+  EXPECT_EQ(rows[1].find("0,,,"), 0u) << rows[1];
+  EXPECT_EQ(rows[6].find(",,"), std::string::npos) << rows[6];
+}
+
+TEST_F(Replays, OfARunWithoutEditsReportWhatTheRunReports) {
+  Lab lab(load_scene(find_scene("cloth")).scene);
+  lab.submit(Record{std::make_shared<const std::filesystem::path>(scratch_.folder / "b.hookelog")});
+  for (int frame = 0; frame < 12; ++frame) lab.step();
+  lab.submit(Record{});
+  apply_now(lab);
+  const auto samples_of = [](const std::string& json) {
+    const std::size_t begin = json.find("\"samples\""), end = json.find("\n  \"seconds\"");
+    return begin < end && end != std::string::npos ? json.substr(begin, end - begin) : json;
+  };
+  const std::string replayed = samples_of(run("replay b.hookelog --sample 0.1 --points 0,7 --json -").out);
+  EXPECT_EQ(replayed, samples_of(run("run cloth --seconds 0.2 --sample 0.1 --points 0,7 --json -").out));
+  EXPECT_NE(replayed.find("\"accumulated\": "), std::string::npos) << replayed;
+}
+
+TEST_F(Replays, LeaveEmptyWhatTheSessionRemoved) {
+  Lab lab(load_scene(find_scene("two_masses")).scene);
+  lab.submit(Record{std::make_shared<const std::filesystem::path>(scratch_.folder / "b.hookelog")});
+  lab.step();
+  lab.submit(Remove{{lab.scene().system.points()[1].id}, {}});
+  lab.step();
+  lab.submit(Record{});
+  apply_now(lab);
+  const auto rows = lines_of(run("replay b.hookelog --csv - --quantities x1,length0 --sample 0.01 --accuracy off").out);
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_NE(rows[2], ",");
+  EXPECT_EQ(rows[3], ",");
+  const rapidjson::Document last = parse_json(run("replay b.hookelog --points 0,1 --json -").out);
+  const auto& positions = last["samples"][0]["positions"];
+  EXPECT_TRUE(positions[0].IsArray() && positions[1].IsNull());
+  EXPECT_EQ(parse_json(run("replay b.hookelog --json -").out)["samples"][0]["positions"].Size(), 1u);
+}
+
+TEST_F(Replays, AreReportedByCaptureWithTheirErrors) {
+  EXPECT_EQ(run("capture --replay a.hookelog --size 64x36 --report report --out a.png").code, 0);
+  const rapidjson::Document report = parse_json(contents("report/report.json"));
+  ASSERT_EQ(report["frames"].Size(), 31u);
+  EXPECT_GT(report["frames"][30]["error"]["frame"].GetDouble(), 0.0);
+  EXPECT_GT(report["frames"][30]["error"]["accumulated"].GetDouble(), 0.0);
+  EXPECT_EQ(run("capture --replay a.hookelog --size 64x36 --fail-above 1 --out a.png").code, 0);
 }
 
 TEST_F(Replays, RejectOptionsThatWouldChangeTheRun) {

@@ -317,6 +317,49 @@ TEST_F(Recordings, WithUnknownOptionalMembersPlayTheSame) {
 // version 1 uses from frame 30 on, took powers from the C library.
 constexpr const char* known_differences[] = {"frame 30, at 0.55 s: point 1 is not where recorded"};
 
+// A session in a laboratory that measures at once, and its accuracy after each frame.
+std::vector<Accuracy> record_measured_session(const std::filesystem::path& file) {
+  std::vector<Accuracy> measured;
+  Lab lab(load_scene(find_scene("rope")).scene, KeepStart::No);
+  lab.submit(SetAccuracy{AccuracyMode::Full});
+  lab.submit(Record{std::make_shared<const std::filesystem::path>(file)});
+  for (int frame = 0; frame < 60; ++frame) {
+    if (frame == 15) lab.submit(SetParameter{find_parameter("damping"), 0.5});
+    if (frame == 30) lab.submit(Move{{{lab.scene().system.points()[9].id, {0.1, 0.2, 0.3}, Vec3(0.0)}}});
+    if (frame == 40) lab.submit(Undo{});
+    lab.step();
+    measured.push_back(lab.accuracy());
+  }
+  lab.submit(Record{});
+  lab.apply_pending();
+  return measured;
+}
+
+TEST(RecordedAccuracy, IsThatOfTheSessionBitForBitWhenItIsReplayed) {
+  const ScratchFolder scratch;
+  const std::vector<Accuracy> session = record_measured_session(scratch.folder / "a.hookelog");
+  const auto recording = std::make_shared<const Recording>(read_recording(scratch.folder / "a.hookelog"));
+  Lab lab(*recording->start, KeepStart::No);
+  lab.submit(Play{recording});
+  lab.submit(SetAccuracy{AccuracyMode::Full});
+  lab.apply_pending();
+  int known = 0;
+  for (const Accuracy& recorded : session) {
+    lab.step();
+    const Accuracy replayed = lab.accuracy();
+    for (const auto measured : {&Accuracy::frame, &Accuracy::frame_max, &Accuracy::accumulated, &Accuracy::amplification}) {
+      ASSERT_EQ((replayed.*measured).value, (recorded.*measured).value) << "at " << lab.scene().state.time << " s";
+      ASSERT_EQ((replayed.*measured).reason, (recorded.*measured).reason);
+    }
+    ASSERT_EQ(replayed.energy, recorded.energy);
+    ASSERT_EQ(replayed.half_error_substeps, recorded.half_error_substeps);
+    known += recorded.frame.value && recorded.accumulated.value ? 1 : 0;
+  }
+  EXPECT_GT(known, 25);
+  EXPECT_FALSE(lab.is_playing());
+  EXPECT_EQ(lab.difference(), "");
+}
+
 TEST(OldRecordings, OfEveryVersionPlayTheSame) {
   for (int version = 1; version <= newest_recording_version; ++version) {
     const std::filesystem::path file = std::filesystem::path(HOOKE_RECORDINGS) / ("version_" + std::to_string(version) + ".hookelog");

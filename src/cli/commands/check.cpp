@@ -5,7 +5,6 @@
 
 #include "base/option_error.h"
 #include "base/printable.h"
-#include "batch/bench.h"
 #include "batch/check.h"
 #include "batch/machine.h"
 #include "batch/output_file.h"
@@ -13,7 +12,6 @@
 #include "cli/progress_bar.h"
 #include "formats/open_file.h"
 #include "formats/scene_file.h"
-#include "sim/automatic/automatic.h"
 #include "study/check/result_check.h"
 #include "study/check_scene.h"
 #include "study/hard_cases/case_report.h"
@@ -55,10 +53,7 @@ std::string command_of(const CheckOptions& options) {
 
 int check_hard_cases(const CheckOptions& options) {
   const auto cases = chosen_cases(options.cases);
-  auto methods = chosen_methods(options.methods);
-  // the error estimates of `auto` take longer than the quick cases
-  if (options.methods.empty() && !options.quick) methods.push_back(&automatic_method());
-  std::vector<CaseResult> results = list_cases(cases, methods, options.quick);
+  std::vector<CaseResult> results = list_cases(cases, methods_for_cases(options.methods, options.quick), options.quick);
   if (results.empty()) throw UsageError("--quick excludes all of these cases");
 
   catch_interrupts();

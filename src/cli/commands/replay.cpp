@@ -1,13 +1,15 @@
 #include "cli/commands/replay.h"
 
-#include <cstdio>
 #include <iostream>
 
+#include "base/number_text.h"
 #include "base/printable.h"
+#include "batch/output_file.h"
+#include "batch/run_frames.h"
+#include "cli/output_options.h"
 #include "cli/progress_bar.h"
 #include "lab/lab.h"
 #include "lab/recording.h"
-#include "sim/hash.h"
 
 namespace hooke {
 namespace {
@@ -15,32 +17,33 @@ namespace {
 struct ReplayOptions {
   std::string log;
   bool verify = false, quiet = false;
+  OutputOptions output;
 };
 
 int replay(const ReplayOptions& options) {
+  require_separate_files(options.log, {{"--json", options.output.files.json}, {"--csv", options.output.files.csv}});
   const auto recording = std::make_shared<const Recording>(read_recording(options.log));
   if (recording->is_truncated && !options.quiet)
     std::cerr << "warning: " << printable(options.log) << ": its last line is incomplete; replaying up to there\n";
 
   Lab lab(*recording->start, KeepStart::No);
-  lab.submit(Play{recording});
-  long frames = 0;
+  const Scene& scene = lab.scene();
+  RunOutput output(options.output.files, options.log, scene, parse_points(options.output.points, scene.system.point_count()));
+  const RunRequest request{.sample = options.output.sample,
+                           .accuracy = options.output.accuracy.value_or(output.needs_accuracy() ? AccuracyMode::Full : AccuracyMode::Off)};
+  RunHooks hooks = output.hooks();
+  RunTotals totals;
   {
     ProgressBar progress(recording->frames, !options.quiet);
-    lab.advance(0.0, [] { return true; });
-    while (lab.is_playing()) {
-      lab.step();
-      progress.show(++frames);
-    }
+    hooks.progress = [&](long done, long) { progress.show(done); };
+    totals = replay_frames(lab, recording, request, hooks);
   }
+  output.finish(totals);
 
   const bool is_same = lab.difference().empty();
-  if (!options.quiet) {
-    char hash[17];
-    std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(hash_state(lab.scene().state)));
-    std::cout << frames << " frames to " << format_exact(lab.scene().state.time) << " s, hash " << hash
+  if (!options.quiet && !options.output.writes_to_stdout())
+    std::cout << totals.frames << " frames to " << format_exact(scene.state.time) << " s, hash " << to_hexadecimal(totals.hash)
               << (options.verify && is_same ? ": every frame as recorded\n" : "\n");
-  }
   if (is_same) return exit_code::success;
   std::cerr << (options.verify ? "" : "warning: ") << printable(options.log) << ": " << lab.difference() << "\n";
   return options.verify ? exit_code::check_failed : exit_code::success;
@@ -52,6 +55,7 @@ std::function<int()> declare_replay(CLI::App& app) {
   auto options = std::make_shared<ReplayOptions>();
   app.add_option("LOG", options->log, "A recording (" + std::string(recording_extension) + ")")->required();
   app.add_flag("--verify", options->verify, "Exit with code 1 if a frame differs from the recorded one in any bit");
+  add_output_options(app, options->output, Summary::WithoutAccuracy);
   app.add_flag("-q,--quiet", options->quiet, "Print no warnings, progress or summary");
   return [options] { return replay(*options); };
 }

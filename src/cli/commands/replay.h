@@ -1,4 +1,4 @@
-// hooke replay LOG [--verify]
+// hooke replay LOG [--verify] [--json FILE] [--csv FILE] ...
 #pragma once
 
 #include "cli/subcommand.h"

@@ -1,19 +1,16 @@
 #include "cli/commands/run.h"
 
 #include <algorithm>
-#include <charconv>
 #include <iostream>
-#include <map>
-#include <numeric>
 
 #include "base/number_text.h"
-#include "base/option_error.h"
 #include "base/printable.h"
 #include "base/text_lines.h"
 #include "batch/engine/run_with_engine.h"
 #include "batch/run_frames.h"
 #include "batch/run_report.h"
 #include "cli/interrupt.h"
+#include "cli/output_options.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_options.h"
 #include "lab/accuracy/accuracy_text.h"
@@ -26,35 +23,10 @@ namespace {
 
 struct RunOptions {
   std::shared_ptr<SceneOptions> scene;
-  double seconds = 0.0;               // [s]
-  std::optional<double> sample;       // [s]
-  std::optional<std::string> points;  // "0,5,9"; none: all
-  RunFiles files;
-  std::optional<AccuracyMode> accuracy;  // none: full if an output contains it
-  std::optional<std::string> engine;     // "mpirun -np 2 lmp"; none: this program computes the frames
+  double seconds = 0.0;  // [s]
+  OutputOptions output;
+  std::optional<std::string> engine;  // "mpirun -np 2 lmp"; none: this program computes the frames
 };
-
-// "0,5,9", or all of them.
-std::vector<Index> parse_points(const std::optional<std::string>& list, Index count) {
-  std::vector<Index> points;
-  if (!list) {
-    points.resize(static_cast<std::size_t>(count));
-    std::iota(points.begin(), points.end(), 0);
-    return points;
-  }
-  const char* at = list->data();
-  const char* const end = at + list->size();
-  for (;;) {
-    Index point = -1;
-    const auto [after, error] = std::from_chars(at, end, point);
-    const bool is_number = error == std::errc() && point >= 0 && point < count && (after == end || *after == ',');
-    if (!is_number)
-      throw OptionError("points", printable(*list, 80), "must be numbers from 0 to " + std::to_string(count - 1) + ", separated by commas");
-    points.push_back(point);
-    if (after == end) return points;
-    at = after + 1;
-  }
-}
 
 // The error of the run and, where only that of a frame was measured, how to measure the rest.
 std::string accuracy_summary(const Accuracy& accuracy, bool is_full) {
@@ -77,10 +49,10 @@ void print_summary(const RunOptions& options, const Scene& scene, const RunTotal
   std::cout << "simulated " << totals.seconds << " s in " << totals.wall_seconds << " s (" << totals.cpu_seconds << " s of CPU), "
             << totals.force_evaluations << " force evaluations\n"
             << "hash " << to_hexadecimal(totals.hash) << "\n";
-  if (accuracy.is_on) std::cout << accuracy_summary(accuracy, options.accuracy == AccuracyMode::Full) << "\n";
+  if (accuracy.is_on) std::cout << accuracy_summary(accuracy, options.output.accuracy == AccuracyMode::Full) << "\n";
 }
 
-bool has_summary(const RunOptions& options) { return !options.files.json && !options.files.csv && !options.scene->quiet; }
+bool has_summary(const RunOptions& options) { return !options.output.files.json && !options.output.files.csv && !options.scene->quiet; }
 
 // What is measured by default: all of it for a file that contains it, the error of frames for the summary.
 AccuracyMode default_accuracy(const RunOptions& options, const RunOutput& output) {
@@ -99,8 +71,9 @@ int run_engine(const RunOptions& options) {
   const EngineRequest request{
       .command = *options.engine,
       .scene = options.scene->scene,
-      .run = {.seconds = options.seconds, .sample = options.sample, .accuracy = options.accuracy.value_or(AccuracyMode::Off)}};
-  RunOutput output(options.files, options.scene->scene, scene, parse_points(options.points, scene.system.point_count()));
+      .run = {
+          .seconds = options.seconds, .sample = options.output.sample, .accuracy = options.output.accuracy.value_or(AccuracyMode::Off)}};
+  RunOutput output(options.output.files, options.scene->scene, scene, parse_points(options.output.points, scene.system.point_count()));
   if (output.has_chosen_errors()) throw UsageError("--quantities: the accuracy is not measured with --engine");
   RunHooks hooks = output.hooks();
   std::optional<ProgressBar> progress;
@@ -123,17 +96,17 @@ int run_engine(const RunOptions& options) {
 
 int run(const RunOptions& options) {
   require_separate_files(options.scene->scene,
-                         {{"--json", options.files.json}, {"--csv", options.files.csv}, {"--pc2", options.files.pc2}});
+                         {{"--json", options.output.files.json}, {"--csv", options.output.files.csv}, {"--pc2", options.output.files.pc2}});
   if (options.engine) return run_engine(options);
   Lab lab(open_scene(*options.scene), KeepStart::No);
   const Scene& scene = lab.scene();
-  RunRequest request{.seconds = options.seconds, .sample = options.sample};
+  RunRequest request{.seconds = options.seconds, .sample = options.output.sample};
   count_frames(request.seconds, scene.settings.frame_rate);
-  const std::vector<Index> points = parse_points(options.points, scene.system.point_count());
+  const auto points = parse_points(options.output.points, scene.system.point_count());
 
   // open the files first, so that an invalid path is reported before the work
-  RunOutput output(options.files, options.scene->scene, scene, points);
-  request.accuracy = options.accuracy.value_or(default_accuracy(options, output));
+  RunOutput output(options.output.files, options.scene->scene, scene, points);
+  request.accuracy = options.output.accuracy.value_or(default_accuracy(options, output));
   RunHooks hooks = output.hooks();
   std::optional<ProgressBar> progress;
   progress.emplace(count_frames(request.seconds, scene.settings.frame_rate), !options.scene->quiet);
@@ -158,23 +131,9 @@ std::function<int()> declare_run(CLI::App& app) {
       ->required()
       ->type_name("S")
       ->check(within(not_negative));
-  app.add_option("--sample", options->sample,
-                 "Sample at the start and at the end of the first frame at or after each multiple of DT, without interpolation [s]; "
-                 "default: only the last state")
-      ->type_name("DT")
-      ->check(within(positive));
-  app.add_option("--points", options->points, "Points to sample, numbered from 0; default: all")->type_name("0,5,9");
-  app.add_option("--json", options->files.json, "Write the run and its samples as JSON; - for stdout")->type_name("FILE");
-  app.add_option("--csv", options->files.csv, "Write one row per sample: time, energies, positions; - for stdout")->type_name("FILE");
-  app.add_option("--quantities", options->files.quantities, "Columns of --csv instead: " + quantity_names())->type_name("time,total,y5");
-  app.add_option("--accuracy", options->accuracy,
-                 "What is measured for --json, for quantities such as error, and for the summary: off; frame (the error of a frame and the "
-                 "energy balance, at "
-                 "a tenth of the cost of the run); full (also the accumulated error and the growth of small differences, at two and a half "
-                 "times the cost); default: full where it is written, frame for the summary")
-      ->type_name("off|frame|full")
-      ->transform(one_of({"off", "frame", "full"}));  // as AccuracyMode lists them
-  app.add_option("--pc2", options->files.pc2, "Write the positions of all points in every frame as a point cache")->type_name("FILE");
+  add_output_options(app, options->output, Summary::WithErrorOfFrame);
+  app.add_option("--pc2", options->output.files.pc2, "Write the positions of all points in every frame as a point cache")
+      ->type_name("FILE");
   app.add_option("--engine", options->engine,
                  "Let LAMMPS compute the frames: a command such as \"mpirun -np 8 lmp\", whose words are separated by blanks")
       ->type_name("COMMAND");
