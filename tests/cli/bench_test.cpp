@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -118,6 +119,8 @@ TEST(Bench, InvalidPartsAreOneLine) {
   for (const RefusedParts& refused : {RefusedParts{{"net_w2", "--shard", "0/4"}, 2, "--shard 0/4: must be I/N with I from 1 to N"},
                                       {{"--merge", none, "--shard", "1/2"}, 2, "excludes"},
                                       {{"--scaling", "--kernels"}, 2, "excludes"},
+                                      {{"--overhead", "--kernels"}, 2, "excludes"},
+                                      {{"--overhead", "--shard", "1/2"}, 2, "excludes"},
                                       {{"--capacity", "net_w2"}, 2, "excludes"},
                                       {{"--merge", none}, 5, none + "/bench.json: "}}) {
     const Process process(scratch.folder, refused.words);
@@ -208,6 +211,20 @@ TEST(Bench, WithoutGnuplotReportsItInOneLineAndWritesTheRest) {
   EXPECT_EQ(process.errors(), "no chart: gnuplot is not installed (Debian: gnuplot-nox)\n");
   EXPECT_TRUE(fs::exists(scratch.folder / "bench.csv"));
   EXPECT_FALSE(fs::exists(scratch.folder / "bench.svg"));
+}
+
+TEST(Bench, OverheadMeasuresEveryMethodOnTheScenes) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run(scratch.folder, {"--overhead", "--quick", "two_masses", "--methods", "velocity_verlet,dop853,auto"}), 0);
+  const std::vector<std::string> rows = lines_of(contents(scratch.folder / "overhead.csv"));
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[0], "scene,method,substeps,frame_ms,overhead");
+  const std::vector<std::string> begins{"two_masses,velocity_verlet,", "two_masses,dop853,1,", "two_masses,auto,1,"};
+  for (std::size_t i = 0; i < begins.size(); ++i) {
+    EXPECT_TRUE(rows[i + 1].starts_with(begins[i])) << rows[i + 1];
+    EXPECT_EQ(std::ranges::count(rows[i + 1], ','), 4);
+    EXPECT_FALSE(rows[i + 1].ends_with(",")) << rows[i + 1];  // it did not diverge
+  }
 }
 
 TEST(Bench, RefusesInvalidRequests) {

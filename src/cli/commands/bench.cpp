@@ -10,10 +10,12 @@
 #include "batch/output_folder.h"
 #include "cli/commands/bench_capacity.h"
 #include "cli/commands/bench_kernels.h"
+#include "cli/commands/bench_overhead.h"
 #include "cli/commands/bench_progress.h"
 #include "cli/commands/bench_scaling.h"
 #include "cli/interrupt.h"
 #include "cli/scene_options.h"
+#include "sim/automatic/automatic.h"
 
 namespace hooke {
 namespace {
@@ -23,7 +25,7 @@ struct BenchOptions {
   std::vector<std::string> methods;  // ids; empty: all
   std::filesystem::path folder = ".";
   std::filesystem::path report_of;  // results to write a report of, without measuring
-  bool quick = false, quiet = false, scaling = false, kernels = false, capacity = false;
+  bool quick = false, quiet = false, scaling = false, kernels = false, capacity = false, overhead = false;
   double error = 1e-3;  // [1], of the cloths of --capacity, relative to their width
   std::string shard = "1/1";
   std::vector<std::filesystem::path> merge;  // folders of parts; empty: measure
@@ -122,21 +124,32 @@ std::function<int()> declare_bench(CLI::App& app) {
                    "them to kernels.csv"),
       app.add_flag("--capacity", options->capacity,
                    "Measure the largest cloth that each method steps at 60 frames per second within --error instead, and write it to "
-                   "capacity.csv")};
+                   "capacity.csv"),
+      app.add_flag(
+          "--overhead", options->overhead,
+          "Measure what the error of a frame and the energy balance cost to measure instead, with each method and auto on SCENE or "
+          "some shipped scenes, and write it to overhead.csv")};
   CLI::Option* error = app.add_option("--error", options->error, "Of --capacity: RMS error of the positions, relative to the width")
                            ->check(within({1e-9, 0.1}))
                            ->type_name("E")
                            ->capture_default_str();
   error->needs("--capacity");
   for (CLI::Option* option : instead) {
-    for (const char* other : {"SCENE", "--methods", "--shard"})
-      if (option != instead.back() || std::string_view(other) != "--methods") option->excludes(other);
+    const bool is_overhead = option == instead.back(), is_capacity = option == instead[instead.size() - 2];
+    if (!is_overhead) option->excludes("SCENE");
+    if (!is_overhead && !is_capacity) option->excludes("--methods");
+    option->excludes("--shard");
     for (CLI::Option* other : instead)
       if (other != option) option->excludes(other);
   }
   return [options] {
     if (options->capacity)
       return bench_capacity(options->folder, chosen_methods(options->methods), options->error, options->quick, options->quiet);
+    if (options->overhead) {
+      std::vector<const Integrator*> methods = chosen_methods(options->methods);
+      if (options->methods.empty()) methods.push_back(&automatic_method());
+      return bench_overhead(options->folder, options->scenes, methods, options->quick, options->quiet);
+    }
     if (options->kernels) return bench_kernels(options->folder, options->quick, options->quiet);
     if (options->scaling) return bench_scaling(options->folder, options->quick, options->quiet);
     if (!options->merge.empty()) return merge_parts(*options);

@@ -47,15 +47,18 @@ void AccuracyMeter::note_edit() {
 void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after,
                               const Motion& motion, double energy_before, double energy) {
   if (mode_ == AccuracyMode::Off || system.point_count() == 0) return;
-  if (!is_started_) {
+  const bool is_started_now = !is_started_;
+  if (is_started_now) {
     is_started_ = true;
     is_edited_ = false;
     size_ = size_of(before);
     energy_.start(before, energy_before);
     second_runs_.restart(size_);
   }
-  order_ = effective_order(system, *settings.integrator);
-  energy_.add_frame(system, before, after, motion, energy);
+  // the order depends on every spring: determined again only when it may have changed
+  if (is_started_now || is_edited_ || method_ != settings.integrator) order_ = effective_order(system, *settings.integrator);
+  method_ = settings.integrator;
+  energy_.add_frame(plan, system, before, after, motion, energy);
 
   ++frames_since_repetition_;
   const bool is_due = !repetition_.result() || frames_since_repetition_ >= (is_edited_ ? period_after_edit : repetition_period);

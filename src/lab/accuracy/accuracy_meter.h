@@ -48,7 +48,8 @@ class AccuracyMeter {
   bool is_started_ = false;
   bool is_edited_ = false;  // since the last repeated frame
   double size_ = 1.0;       // [m]
-  int order_ = 1;
+  int order_ = 1;           // of the method on this scene
+  const Integrator* method_ = nullptr;
   int frames_since_repetition_ = 0;
   EnergyAccounts energy_;
   FrameRepetition repetition_;

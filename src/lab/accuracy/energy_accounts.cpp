@@ -35,10 +35,6 @@ Dissipation dissipation_at(const System& system, const State& state) {
   return power;
 }
 
-bool has_dashpots(const System& system) {
-  return std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; });
-}
-
 }  // namespace
 
 void EnergyAccounts::start(const State& state, double energy) {
@@ -62,7 +58,8 @@ double EnergyAccounts::dissipation_in(double rest) const {
   return dissipation_;
 }
 
-void EnergyAccounts::add_frame(const System& system, const State& before, const State& after, const Motion& motion, double energy) {
+void EnergyAccounts::add_frame(const Plan& plan, const System& system, const State& before, const State& after, const Motion& motion,
+                               double energy) {
   // the ledger of the state before the frame contains the edits since the last one
   const double edits = before.ledger.net_input - net_input_;
   balance_.edits += edits;
@@ -76,7 +73,7 @@ void EnergyAccounts::add_frame(const System& system, const State& before, const 
   const double supplied = after.ledger.net_input - net_input_;
   double rest = energy - energy_ - supplied - motion.contact_work;
   rest_ = rest;
-  const bool drags = system.drag_rate() > 0.0, damps = has_dashpots(system);
+  const bool drags = system.drag_rate() > 0.0, damps = plan.has_dashpots();
   if (!drags && !damps) {
     balance_.method += rest;
   } else {

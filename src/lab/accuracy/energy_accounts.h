@@ -11,8 +11,8 @@ class EnergyAccounts {
  public:
   // Starts at this state with its energy [J].
   void start(const State& state, double energy);
-  // The frame that led from `before` to `after`, whose energy is `energy` [J].
-  void add_frame(const System& system, const State& before, const State& after, const Motion& motion, double energy);
+  // The frame that led from `before` to `after`, whose energy is `energy` [J]; `plan` is that of `system`.
+  void add_frame(const Plan& plan, const System& system, const State& before, const State& after, const Motion& motion, double energy);
   // The last frame is repeated with half the step; afterwards, the numerical gain [J] in it.
   void begin_repetition() { repeated_rest_ = rest_; }
   void set_numerical_gain(double gain);
