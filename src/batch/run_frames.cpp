@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "base/errors.h"
 #include "batch/scene_options.h"
@@ -73,6 +74,9 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
   const auto add_sample = [&] {
     if (hooks.sample) hooks.sample(scene.state, lab.accuracy());
   };
+  // two states, so that one is at least a second before a divergence
+  SampleClock kept_states(1.0, scene.settings.frame_rate, frames);
+  std::shared_ptr<const State> last_kept;
   SampleClock samples(request.sample, scene.settings.frame_rate, frames);
   for (long frame = 0;; ++frame) {
     const bool is_sampled = samples.is_due(frame);
@@ -81,6 +85,10 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
     if (is_ended && !is_sampled) add_sample();
     if (is_ended || frame == frames) break;
 
+    if (kept_states.is_due(frame)) {
+      results.before_end = std::move(last_kept);
+      last_kept = std::make_shared<const State>(scene.state);
+    }
     compute_frame(lab, totals);
     if (totals.diverged) {
       // the last good state, unless it was already sampled

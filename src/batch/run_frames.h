@@ -42,6 +42,8 @@ struct RunHooks {
 struct RunResults {
   RunTotals totals;
   std::vector<std::string> warnings;  // of the monitored energy and solves, one clause each
+  // A state one to two seconds, or two frames, before the last one; null: the run was shorter.
+  std::shared_ptr<const State> before_end;
 };
 
 // The number of frames that cover `seconds`, tolerating rounding errors. Throws UsageError if there are too many.

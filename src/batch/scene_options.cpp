@@ -81,7 +81,7 @@ LoadedScene load_with_options(const SceneOptions& options) {
   return loaded;
 }
 
-std::string explain_divergence(Lab& lab, const Scene* start, double seconds, const std::function<void()>& progress) {
+std::string explain_divergence(Lab& lab, const Scene* start, double seconds, const std::function<void()>& progress, const State* before) {
   lab.publish();
   const std::string& message = lab.status()->diagnosis.message;
   if (start == nullptr) return message;
@@ -89,7 +89,16 @@ std::string explain_divergence(Lab& lab, const Scene* start, double seconds, con
   const auto report = [&](const std::string&) {
     if (progress) progress();
   };
-  return message + " " + describe(find_remedy(*start, seconds, never, default_remedy_work, report), start->settings);
+  Remedy remedy = find_remedy(*start, seconds, never, default_remedy_work, report);
+  if (remedy.cause == Remedy::Cause::SearchLimit && before != nullptr) {
+    Scene later = lab.scene();
+    const double seconds_to_failure = later.state.time - before->time;
+    later.state = *before;
+    Remedy from_later = find_remedy(later, 2.0 * seconds_to_failure + 1.0, never, default_remedy_work, report);
+    from_later.from = before->time;
+    if (from_later.cause != Remedy::Cause::NotReproduced) remedy = std::move(from_later);
+  }
+  return message + " " + describe(remedy, start->settings);
 }
 
 }  // namespace hooke

@@ -37,7 +37,9 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
 LoadedScene load_with_options(const SceneOptions& options);
 
 // Why the run stopped, in one line. With `start`, the scene as it was opened, also the cause and a remedy tested on copies for up to
-// `seconds` [s]: takes a second or two. `progress` is called before every test, and may throw.
-std::string explain_divergence(Lab& lab, const Scene* start, double seconds, const std::function<void()>& progress = {});
+// `seconds` [s]: takes a second or two. If the search from the start reaches its work limit before the divergence, it is repeated from
+// `before`, a state shortly before the divergence. `progress` is called before every test, and may throw.
+std::string explain_divergence(Lab& lab, const Scene* start, double seconds, const std::function<void()>& progress = {},
+                               const State* before = nullptr);
 
 }  // namespace hooke

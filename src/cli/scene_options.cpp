@@ -75,12 +75,12 @@ Scene open_scene(const SceneOptions& options) {
   return std::move(loaded.scene);
 }
 
-std::string explain_divergence(Lab& lab, const SceneOptions& options, double seconds) {
+std::string explain_divergence(Lab& lab, const SceneOptions& options, double seconds, const State* before) {
   if (options.quiet) return explain_divergence(lab, nullptr, seconds);
   std::cerr << "Looking for the cause and for a setting that does not diverge...\n" << std::flush;
   // opened again, because a copy of a large scene is not kept during the run
   const Scene start = load_with_options(options).scene;
-  return explain_divergence(lab, &start, seconds);
+  return explain_divergence(lab, &start, seconds, {}, before);
 }
 
 }  // namespace hooke

@@ -25,6 +25,6 @@ Scene open_scene(const SceneOptions& options);
 
 // Why the run of a scene opened with `options` stopped. Unless quiet also the cause and a remedy tested on copies for up to `seconds`
 // [s]: takes a second or two. One line.
-std::string explain_divergence(Lab& lab, const SceneOptions& options, double seconds);
+std::string explain_divergence(Lab& lab, const SceneOptions& options, double seconds, const State* before = nullptr);
 
 }  // namespace hooke

@@ -65,6 +65,7 @@ std::optional<std::string> step_warning(const System& system, const State& state
   // only a bound on the step can be recommended without a test
   if (!std::isfinite(largest_stable_step(*advice.integrator, spectrum)))
     return "simulation.integrator: " + id + ": " + reason + " here; " + other + " has no linear limit, but is not tested on this scene";
+  if (advice.integrator == &method) return "simulation.integrator: " + id + ": " + reason + " here";
   if (!min_stable_substeps(*advice.integrator, spectrum, settings.frame_rate))
     return "simulation.integrator: " + id + ": " + reason + " here; " + other + " needs more than " + std::to_string(max_substeps) +
            " substeps per frame";

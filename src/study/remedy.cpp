@@ -110,11 +110,13 @@ Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
         copy.state.hand.collider.reset();
       }))
     return Contact;
-  return Springs;
+  if (system.spring_count() > 0 && is_cured_without(start, seconds, budget, [](Scene& copy) { copy.system.set_springs({}); }))
+    return Springs;
+  return NotFound;
 }
 
 // Settings to try, the most likely and cheapest first: the current method and then the default one, each with ever smaller steps, then the
-// methods that are stable at any step.
+// methods that are stable at any step, and those that choose their steps.
 std::vector<Advice> candidates(const Scene& start) {
   const Settings& settings = start.settings;
   const Spectrum spectrum = bound_spectrum(start.system);
@@ -135,6 +137,9 @@ std::vector<Advice> candidates(const Scene& start) {
     for (const int substeps : {settings.substeps, 4 * settings.substeps})
       if (substeps <= max_substeps) list.push_back({&method, substeps});
   }
+  for (const Integrator& method : integrators())
+    if (method.stability == Stability::Adaptive && method.for_production && &method != settings.integrator)
+      list.push_back({&method, settings.substeps});
   return list;
 }
 
@@ -198,6 +203,10 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
   Budget diagnosis{0.25 * max_work, stop};
   report("Repeating the run");
   const Trial original = run_copy(start, seconds, diagnosis);
+  if (original.end == Trial::End::OutOfBudget) {
+    remedy.cause = Remedy::Cause::SearchLimit;
+    remedy.reached = start.state.time + original.seconds;
+  }
   if (original.end != Trial::End::Diverged) return remedy;
   const double frame = 1.0 / start.settings.frame_rate, diverged_after = original.seconds + frame;
   report("Looking for the cause");
@@ -227,6 +236,7 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
     const Trial trial = run_copy(std::move(scene), seconds, budget);
     left -= given - std::max(0.0, budget.left);
     ++remedy.settings_tried;
+    if (trial.end == Trial::End::OutOfBudget) ++remedy.settings_cut_short;
     const bool is_tested =
         trial.end == Trial::End::Finished || (trial.end == Trial::End::OutOfBudget && trial.seconds >= 2.0 * diverged_after);
     if (!is_tested) continue;
@@ -260,7 +270,7 @@ Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const Re
     // which states were tried
     if (remedy.cause == Remedy::Cause::NotReproduced && has_state_between) remedy.from = run.before->time;
   }
-  if (remedy.cause == Remedy::Cause::NotReproduced) return remedy;
+  if (remedy.cause == Remedy::Cause::NotReproduced || remedy.cause == Remedy::Cause::SearchLimit) return remedy;
   from.settings = run.settings;
   const double seconds = 2.0 * std::max(0.0, run.time - from.state.time) + 1.0;
   remedy.change = find_change(from, run.changes, seconds, stop, report);
@@ -276,6 +286,9 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
       case Remedy::Cause::NotReproduced:
         return "No remedy was tested: copies from the start" + (remedy.from ? " and from t = " + seconds_text(*remedy.from) : "") +
                " do not diverge.";
+      case Remedy::Cause::SearchLimit:
+        return "No remedy was tested: the work limit of the search was reached at t = " + seconds_text(remedy.reached) +
+               ", before the copy from " + (remedy.from ? "t = " + seconds_text(*remedy.from) : "the start") + " diverged.";
       case Remedy::Cause::StepTooLong:
         return "Cause: the step is beyond the linear stability limit of " + std::string(settings.integrator->label) + ".";
       case Remedy::Cause::Force:
@@ -286,15 +299,20 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
         return "Cause: the hand; without it the scene does not diverge.";
       case Remedy::Cause::Springs:
         return "Cause: springs that rotate far within a step; the linear stability limit does not cover them.";
+      case Remedy::Cause::NotFound:
+        return "The cause was not found.";
     }
     return {};
   };
-  if (remedy.cause == Remedy::Cause::NotReproduced) return cause();
+  if (remedy.cause == Remedy::Cause::NotReproduced || remedy.cause == Remedy::Cause::SearchLimit) return cause();
   if (!remedy.advice) {
     const std::string tried = " other settings were tried" + std::string(remedy.change || remedy.implicit ? " without success" : "");
     const std::string found = remedy.implicit ? " With " + std::string(remedy.implicit->integrator->label) + " it does not diverge." : "";
-    return cause() + (remedy.change || remedy.implicit ? " " : " No remedy found: ") + std::to_string(remedy.settings_tried) + tried + "." +
-           found;
+    const std::string cut_short = remedy.settings_cut_short > 0 ? ", " + std::to_string(remedy.settings_cut_short) +
+                                                                      " of them only up to the work limit of the search"
+                                                                : "";
+    return cause() + (remedy.change || remedy.implicit ? " " : " No remedy found: ") + std::to_string(remedy.settings_tried) + tried +
+           cut_short + "." + found;
   }
   // why more substeps than the limit shown below the slider
   std::string margin;

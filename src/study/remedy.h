@@ -15,17 +15,21 @@ namespace hooke {
 
 struct Remedy {
   enum class Cause {
-    NotReproduced,  // the run from this state did not diverge again, or not within the work limit
+    NotReproduced,  // the run from this state did not diverge again
+    SearchLimit,    // the work limit was reached before it did
     StepTooLong,    // beyond the linear stability limit
     Force,          // stable without the listed forces
     Contact,        // stable without colliders and contact between points
     Hand,           // stable without the hand
-    Springs,        // within the linear limit, which does not cover springs that rotate far
+    Springs,        // stable without springs, and within the linear limit, which does not cover springs that rotate far
+    NotFound,       // diverges without each of these, or the work limit was reached
   };
   Cause cause = Cause::NotReproduced;
   std::optional<Advice> advice;  // a setting that was run and did not diverge; none if none was found
   double tested_seconds = 0.0;   // [s], simulated with it
   int settings_tried = 0;
+  int settings_cut_short = 0;           // of those: by the work limit, before they diverged
+  double reached = 0.0;                 // [s], where the cause is SearchLimit: the time that the copy had reached
   std::optional<int> linear_limit;      // of the method of the advice [substeps per frame]; none if it has no limit
   bool has_recommended_margin = false;  // whether the advice has the measured margin below that limit
   std::vector<std::string> warnings;  // of the run monitor about the test with it; only where every setting that does not diverge has some

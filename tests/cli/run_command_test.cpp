@@ -157,5 +157,18 @@ TEST(Headless, OnlyTheSelectedMethodAndStepAreWarnedAbout) {
   EXPECT_EQ(headless({"run", "unstable", "--seconds", "0", "--integrator", "symplectic_euler", "--json", "-"}).err, "");
 }
 
+// A point that falls into a center for 35 s: copies of the whole run take more than the work limit of the search.
+TEST(Headless, ARunThatDivergesLateIsExplainedFromALaterState) {
+  const ScratchFolder scratch;
+  const std::string scene = write_file(scratch.folder / "late.json", R"({"hooke": 1, "gravity": [0, 0, 0],
+    "points": [{"position": [10, 0, 0], "mass": 1}], "forces": [{"type": "center", "strength": 1, "power": 2, "core": 1e-6}],
+    "simulation": {"integrator": "tr_bdf2", "substeps": 20}})");
+  const Outcome outcome = headless({"run", scene, "--seconds", "60", "--accuracy", "off"});
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_EQ(outcome.err.find("do not diverge"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(" does not diverge (tested for "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(" from t = 34 s)"), std::string::npos) << outcome.err;
+}
+
 }  // namespace
 }  // namespace hooke

@@ -175,8 +175,53 @@ TEST(Remedy, IsAbsentForAStableRun) {
 }
 
 TEST(Remedy, StopsWhenItsWorkLimitIsReached) {
-  const Remedy remedy = find_remedy(scene_of(shaken_sheet(1e6, 0.02, 1), "velocity_verlet", 2), seconds, never, 2000.0);
+  const Scene scene = scene_of(shaken_sheet(1e2, 0.02, 1), "velocity_verlet", 20);
+  const Remedy remedy = find_remedy(scene, seconds, never, 2e4);
   EXPECT_FALSE(remedy.advice);
+  EXPECT_EQ(remedy.cause, Remedy::Cause::SearchLimit);
+  EXPECT_GT(remedy.reached, 0.0);
+  EXPECT_LT(remedy.reached, seconds);
+  const std::string description = describe(remedy, scene.settings);
+  EXPECT_NE(description.find("the work limit of the search was reached at t = "), std::string::npos) << description;
+}
+
+// With any work limit: a limit that is reached is not evidence.
+TEST(Remedy, NamesACauseOnlyWhereItWasTested) {
+  int limited = 0, not_found = 0;
+  for (const DivergingScene& scene_case : diverging_scenes()) {
+    if (!scene_case.name.starts_with("rotation") && !scene_case.name.starts_with("hand")) continue;
+    const Remedy::Cause full = find_remedy(scene_case.scene, seconds, never).cause;
+    if (full == Remedy::Cause::NotReproduced || full == Remedy::Cause::StepTooLong) continue;
+    for (double work = 1e3;; work *= 1.2) {
+      const Remedy::Cause cause = find_remedy(scene_case.scene, seconds, never, work).cause;
+      if (cause == full) break;
+      limited += cause == Remedy::Cause::SearchLimit ? 1 : 0;
+      not_found += cause == Remedy::Cause::NotFound ? 1 : 0;
+      ASSERT_TRUE(cause == Remedy::Cause::SearchLimit || cause == Remedy::Cause::NotFound)
+          << scene_case.name << " " << work << " " << static_cast<int>(cause);
+    }
+  }
+  EXPECT_GT(limited, 0);
+  EXPECT_GT(not_found, 0);
+}
+
+// Where no fixed step that was tried is short enough: a light body that enters still air at 1 km/s.
+TEST(Remedy, CanBeAMethodThatChoosesItsSteps) {
+  TestNetwork network;
+  network.add(Vec3(0.0), 0.001);
+  network.system.gravity = Vec3(0.0);
+  network.system.point(0).radius = 0.5;
+  network.state.velocity[0] = {1000.0, 0.0, 0.0};
+  network.system.forces = {force_with("wind", {{"x", 0.0}, {"y", 0.0}, {"z", 0.0}})};
+  Scene scene = scene_of(std::move(network), "velocity_verlet", 5);
+  ASSERT_FALSE(runs_through(scene, seconds));
+  const Remedy remedy = find_remedy(scene, seconds, never);
+  ASSERT_TRUE(remedy.advice) << describe(remedy, scene.settings);
+  EXPECT_EQ(remedy.advice->integrator->id, "dop853");
+  scene.settings.integrator = remedy.advice->integrator;
+  scene.settings.substeps = remedy.advice->substeps;
+  EXPECT_TRUE(runs_through(scene, 2.0 * seconds));
+  EXPECT_EQ(warnings_of(scene, remedy.tested_seconds), remedy.warnings);
 }
 
 }  // namespace

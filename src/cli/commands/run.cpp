@@ -118,7 +118,7 @@ int run(const RunOptions& options) {
   if (!options.scene->quiet)
     for (const std::string& warning : results.warnings) std::cerr << "warning: " << warning << "\n";
   if (!results.totals.diverged) return results.totals.frames_beyond_tolerance.value_or(0) > 0 ? exit_code::diverged : exit_code::success;
-  std::cerr << explain_divergence(lab, *options.scene, options.seconds) << "\n";
+  std::cerr << explain_divergence(lab, *options.scene, options.seconds, results.before_end.get()) << "\n";
   return exit_code::diverged;
 }
 
