@@ -106,17 +106,10 @@ void remove_stale_files(const fs::path& folder, int folder_number) {
   }
 }
 
-// The path that the symbolic links of the file lead to, whether or not a file exists there. Throws FileError for circular links.
-fs::path resolve_links(const fs::path& file, const std::string& printable_name) {
-  constexpr int max_links = 40;  // the limit of the kernel
-  fs::path target = file;
+fs::path target_of(const fs::path& file, const std::string& printable_name) {
   std::error_code error;
-  for (int links = 0; fs::is_symlink(fs::symlink_status(target, error)); ++links) {
-    if (links == max_links) throw FileError(printable_name + ": cannot be written: " + std::strerror(ELOOP));
-    const fs::path next = fs::read_symlink(target, error);
-    if (error) throw FileError(printable_name + ": cannot be written: " + error.message());
-    target = target.parent_path() / next;
-  }
+  const fs::path target = follow_links(file, error);
+  if (error) throw FileError(printable_name + ": cannot be written: " + error.message());
   return target;
 }
 
@@ -141,7 +134,7 @@ struct AtomicFile::Destination {
 
 AtomicFile::Destination::Destination(const fs::path& file)
     : printable_name(printable(file.native())),
-      target(resolve_links(file, printable_name)),
+      target(target_of(file, printable_name)),
       folder_path(target.has_parent_path() ? target.parent_path() : fs::path(".")),
       folder(open(folder_path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
       name(target.filename()) {
@@ -190,6 +183,20 @@ void AtomicFile::commit() {
   // some file systems do not support fsync of a folder
   if (fsync(destination_->folder.number) != 0 && errno != EINVAL && errno != EROFS)
     destination_->fail("was written, but its folder could not be flushed", errno);
+}
+
+fs::path follow_links(const fs::path& path, std::error_code& error) {
+  constexpr int max_links = 40;  // the limit of the kernel
+  fs::path target = path;
+  error.clear();
+  std::error_code missing;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(target, missing)); ++links) {
+    if (links == max_links) error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+    const fs::path next = error ? fs::path() : fs::read_symlink(target, error);
+    if (error) return path;
+    target = target.parent_path() / next;
+  }
+  return target;
 }
 
 void write_atomically(const fs::path& file, std::string_view bytes) {

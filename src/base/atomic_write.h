@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string_view>
+#include <system_error>
 
 namespace hooke {
 
@@ -29,6 +30,9 @@ class AtomicFile {
   void flush();
   std::unique_ptr<Destination> destination_;
 };
+
+// The path that the symbolic links at the end of `path` lead to, whether or not anything exists there. Circular links are an error.
+std::filesystem::path follow_links(const std::filesystem::path& path, std::error_code& error);
 
 // Replaces the content of `file` by `bytes`, as an AtomicFile.
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);

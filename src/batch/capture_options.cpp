@@ -8,6 +8,7 @@
 #include "base/option_error.h"
 #include "base/printable.h"
 #include "batch/output_file.h"
+#include "batch/output_folder.h"
 #include "draw/camera_text.h"
 
 namespace hooke {
@@ -69,9 +70,7 @@ void prepare(const Destination& destination) {
     const OutputFile can_be_written(destination.path.string());
     return;
   }
-  std::error_code error;
-  std::filesystem::create_directories(destination.path, error);
-  if (error) throw FileError(printable(destination.path.native()) + ": cannot be created: " + error.message());
+  make_folder(destination.path);
 }
 
 CaptureSchedule::CaptureSchedule(const CaptureOptions& options, double frame_rate, double length) {

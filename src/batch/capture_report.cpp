@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "base/bounds.h"
-#include "base/errors.h"
-#include "base/printable.h"
 #include "batch/accuracy_json.h"
+#include "batch/output_folder.h"
 #include "batch/run_report.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"
@@ -15,9 +14,7 @@ namespace hooke {
 namespace {
 
 std::filesystem::path created(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw FileError(printable(folder.native()) + ": cannot be created: " + error.message());
+  make_folder(folder);
   return folder;
 }
 

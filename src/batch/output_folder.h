@@ -5,7 +5,7 @@
 
 namespace hooke {
 
-// Creates it with its parents if it does not exist. Throws FileError.
+// Creates it with its parents if it does not exist, also where a symbolic link leads to it. Throws FileError.
 void make_folder(const std::filesystem::path& folder);
 
 }  // namespace hooke
