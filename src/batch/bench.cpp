@@ -164,7 +164,7 @@ void save_results(const Results& results, const std::filesystem::path& folder) {
 
 std::optional<std::string> draw_charts(const Results& results, const std::filesystem::path& folder) {
   for (const auto& [format, file] : {std::pair{ChartFormat::Svg, "bench.svg"}, std::pair{ChartFormat::Png, "bench.png"}})
-    if (std::optional<std::string> failure = run_gnuplot(chart_script(results, format, file), folder)) return failure;
+    if (std::optional<std::string> failure = draw_chart(chart_script(results, format), folder / file)) return failure;
   return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include "base/option_error.h"
 #include "batch/capture_report.h"
 #include "batch/offscreen.h"
+#include "batch/output_file.h"
 #include "draw/view.h"
 #include "formats/video_encoder.h"
 #include "lab/accuracy/accuracy_text.h"
@@ -49,10 +50,10 @@ class FrameCapture {
     follow_scene(camera_, status.snapshot->state);
     const ImDrawData* panels = panels_ ? panels_->build(status, camera_, {}, has_stamp_ ? stamp_of(status) : "") : nullptr;
     view_.draw(*status.snapshot, {}, camera_, view_options_, size_.width, size_.height, panels);
-    if (film_)
-      film_->add(view_.read());
-    else
-      write_png(view_.read(), destination_.file(number));
+    if (film_) return film_->add(view_.read());
+    OutputFile file(destination_.file(number).string());
+    file.write(encode_png(view_.read()));
+    file.close();
   }
   std::string file_name(long number) const { return destination_.file(number).filename().string(); }
   void finish() {

@@ -1,20 +1,16 @@
 #include <png.h>
 
-#include <cerrno>
 #include <csetjmp>
 #include <cstdio>
-#include <cstring>
+#include <cstdlib>
 #include <memory>
+#include <stdexcept>
 
-#include "base/errors.h"
+#include "base/atomic_write.h"
 #include "draw/view.h"
 
 namespace hooke {
 namespace {
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
 
 // libpng reports errors with longjmp, so no object here may have a destructor.
 bool encode(const Image& image, std::FILE* out) {
@@ -40,12 +36,17 @@ bool encode(const Image& image, std::FILE* out) {
 
 }  // namespace
 
-void write_png(const Image& image, const std::filesystem::path& file) {
-  errno = 0;
-  std::unique_ptr<std::FILE, CloseFile> out(std::fopen(file.c_str(), "wb"));
-  const bool written = out && encode(image, out.get()) && std::fflush(out.get()) == 0;
-  const bool closed = out && std::fclose(out.release()) == 0;
-  if (!written || !closed) throw FileError(file.string() + ": cannot be written: " + std::strerror(errno != 0 ? errno : EIO));
+std::string encode_png(const Image& image) {
+  char* bytes = nullptr;
+  std::size_t size = 0;
+  std::FILE* out = open_memstream(&bytes, &size);
+  const bool is_encoded = out != nullptr && encode(image, out);
+  const bool is_complete = out != nullptr && std::fclose(out) == 0 && is_encoded;
+  const std::unique_ptr<char, decltype(&std::free)> memory(bytes, &std::free);
+  if (!is_complete) throw std::runtime_error("the picture could not be encoded");
+  return {memory.get(), size};
 }
+
+void write_png(const Image& image, const std::filesystem::path& file) { write_atomically(file, encode_png(image)); }
 
 }  // namespace hooke

@@ -66,7 +66,9 @@ class View {
 // Loads the OpenGL functions of the current context and checks for version 3.3. Returns an error message, empty on success.
 std::string load_gl();
 
-// PNG, 8-bit RGB. Throws FileError.
+// PNG, 8-bit RGB.
+std::string encode_png(const Image& image);
+// Replaces the file when everything is written (base/atomic_write.h). Throws FileError.
 void write_png(const Image& image, const std::filesystem::path& file);
 
 }  // namespace hooke

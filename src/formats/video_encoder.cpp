@@ -24,12 +24,13 @@ extern char** environ;
 namespace hooke {
 namespace {
 
-// The arguments of ffmpeg. H.264 with 4:2:0 subsampling requires even sides: odd ones are padded with a black line.
+// The arguments of ffmpeg. Without -xerror its exit code is 0 even where the end of the file could not be written. H.264 with 4:2:0
+// subsampling requires even sides: odd ones are padded with a black line.
 std::vector<std::string> arguments_for(const std::filesystem::path& file, int width, int height, double video_frame_rate) {
-  return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
-          std::to_string(width) + "x" + std::to_string(height), "-framerate", format_exact(video_frame_rate), "-i", "pipe:0", "-vf",
-          "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-codec:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",
-          "mp4",
+  return {"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y", "-xerror", "-f", "rawvideo", "-pixel_format", "rgb24",
+          "-video_size", std::to_string(width) + "x" + std::to_string(height), "-framerate", format_exact(video_frame_rate), "-i", "pipe:0",
+          "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-codec:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart",
+          "-f", "mp4",
           // a name that begins with - or resembles a protocol is still a file
           "file:" + file.string()};
 }

@@ -17,8 +17,7 @@ std::string write_comparison(const MethodComparison& comparison, const std::file
       write_atomically(file, format_results(results));
     } else if (extension == ".svg" || extension == ".png") {
       const ChartFormat format = extension == ".svg" ? ChartFormat::Svg : ChartFormat::Png;
-      const std::filesystem::path folder = file.parent_path().empty() ? std::filesystem::path(".") : file.parent_path();
-      return run_gnuplot(chart_script(results, format, file.filename().string()), folder).value_or("");
+      return draw_chart(chart_script(results, format), file).value_or("");
     } else {
       return "no such format: must be .svg, .png, .csv or .json";
     }

@@ -7,7 +7,8 @@
 
 namespace hooke {
 
-// Runs a script with `folder` as working directory. Returns none on success, else the reason in one line.
-std::optional<std::string> run_gnuplot(const std::string& script, const std::filesystem::path& folder);
+// Draws the chart of a script, which must name no output, and writes it to `file`. Returns none on success, else why gnuplot drew none in
+// one line. Throws FileError if it was drawn but cannot be written: the exit code of gnuplot does not tell.
+std::optional<std::string> draw_chart(const std::string& script, const std::filesystem::path& file);
 
 }  // namespace hooke

@@ -181,13 +181,12 @@ void print_panel(std::string& script, const ProblemRecord& record, std::size_t p
 
 }  // namespace
 
-std::string chart_script(const Results& results, ChartFormat format, const std::string& file) {
+std::string chart_script(const Results& results, ChartFormat format) {
   const int count = std::max<int>(1, static_cast<int>(results.problems.size()));
   const int columns = count == 1 ? 1 : 2, rows = (count + columns - 1) / columns;
   std::string script;
   append_formatted(script, "set terminal %s size %d,%d font 'DejaVu Sans,12' background '#ffffff'\n",
                    format == ChartFormat::Svg ? "svg" : "pngcairo", columns * panel_width, rows * panel_height + header_height);
-  script += "set output " + gnuplot_text(file) + '\n';
   script +=
       "set encoding utf8\n"
       "set multiplot\n"

@@ -10,7 +10,7 @@ namespace hooke {
 
 enum class ChartFormat { Svg, Png };
 
-// Draws into `file`, relative to the working folder of gnuplot.
-std::string chart_script(const Results& results, ChartFormat format, const std::string& file);
+// Draws to the standard output of gnuplot.
+std::string chart_script(const Results& results, ChartFormat format);
 
 }  // namespace hooke

@@ -227,6 +227,25 @@ TEST(Bench, OverheadMeasuresEveryMethodOnTheScenes) {
   }
 }
 
+TEST(Bench, ThatCannotWriteItsChartsFails) {
+  const ScratchFolder scratch;
+  std::filesystem::copy(DOCS_FOLDER "/accuracy.json", scratch.folder / "accuracy.json");
+  const auto words = [&](const char* out) {
+    return std::vector<std::string>{"bench", "--report", scratch.folder / "accuracy.json", "--quiet", "--out", scratch.folder / out};
+  };
+  ASSERT_EQ(headless(words("complete")).code, 0);
+  // between the sizes of the pages and of the chart
+  const auto pages = std::max(fs::file_size(scratch.folder / "complete/bench.md"), fs::file_size(scratch.folder / "complete/methods.md"));
+  const auto chart = fs::file_size(scratch.folder / "complete/bench.svg");
+  const int kibibytes = static_cast<int>((pages + chart) / 2048);
+  ASSERT_LT(pages, 1024u * static_cast<unsigned>(kibibytes));
+  ASSERT_GT(chart, 1024u * static_cast<unsigned>(kibibytes));
+  const Outcome outcome = headless_with_short_files(kibibytes, words("short"));
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_NE(outcome.err.find((scratch.folder / "short/bench.svg").string() + ": cannot be written: File too large\n"), std::string::npos);
+  EXPECT_FALSE(fs::exists(scratch.folder / "short/bench.svg"));
+}
+
 TEST(Bench, RefusesInvalidRequests) {
   const ScratchFolder scratch;
   EXPECT_EQ(run(scratch.folder, {"--methods", "no_such_method"}), 2);

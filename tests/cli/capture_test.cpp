@@ -8,6 +8,7 @@
 
 #include "formats/scene_file.h"
 #include "lab/lab.h"
+#include "support/headless.h"
 #include "support/picture.h"
 #include "support/process.h"
 #include "support/scratch_folder.h"
@@ -185,6 +186,29 @@ TEST(Capture, RefusesUnknownOrConflictingOptions) {
                                 "two_masses --out a.png --frames 2 --seconds 1", "two_masses --out a.png --fps 0"})
     EXPECT_EQ(capture(arguments, scratch.folder).code, 2) << arguments;
   EXPECT_EQ(capture("no_such_scene --out a.png", scratch.folder).code, 5);
+}
+
+// Also of the report, and of numbered pictures.
+TEST(Capture, CreatesTheFolderThatALinkLeadsTo) {
+  const ScratchFolder scratch;
+  std::filesystem::create_directory_symlink("new", scratch.folder / "pictures");
+  std::filesystem::create_directory_symlink("other", scratch.folder / "report");
+  const Outcome outcome = capture("two_masses --out pictures --report report --frames 1 --size 32x32", scratch.folder);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(files_in(scratch.folder / "new"), (std::vector<std::string>{"frame_00000.png"}));
+  EXPECT_EQ(files_in(scratch.folder / "other"), (std::vector<std::string>{"report.csv", "report.json"}));
+}
+
+TEST(Capture, KeepsTheOldPictureWhereTheNewOneCannotBeWritten) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(capture("two_masses --out a.png --size 32x32", scratch.folder).code, 0);
+  const Image before = read_png(scratch.folder / "a.png");
+  const Outcome outcome =
+      headless_with_short_files(1, {"capture", "cloth", "--out", scratch.folder / "a.png", "--size", "640x360", "--quiet"});
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_EQ(outcome.err, "hooke-headless: " + (scratch.folder / "a.png").string() + ": cannot be written: File too large\n");
+  EXPECT_EQ(read_png(scratch.folder / "a.png").pixels, before.pixels);
+  EXPECT_EQ(files_in(scratch.folder), (std::vector<std::string>{"a.png"}));
 }
 
 }  // namespace

@@ -58,6 +58,18 @@ TEST_F(Films, ContainTheSamePicturesAsAFolder) {
   EXPECT_EQ(film.substr(3u * 64 * 36 * 3), std::string(last.pixels.begin(), last.pixels.end()));
 }
 
+// ffmpeg 5.1 on a disk that becomes full while it writes the end of the file.
+TEST_F(Films, WhoseEndCannotBeWrittenAreRefused) {
+  install_ffmpeg(
+      "cat >/dev/null\nfor last; do :; done\necho incomplete >\"${last#file:}\"\n"
+      "echo 'Error writing trailer: No space left on device' >&2\ncase \" $* \" in *' -xerror '*) exit 1 ;; esac\n");
+  const Outcome outcome = run("capture two_masses --frames 2 --size 64x36 --out a.mp4");
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_NE(outcome.err.find("a.mp4: ffmpeg ended with 1: Error writing trailer: No space left on device"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(files(), 1u) << "only ffmpeg";
+}
+
 TEST_F(Films, AreNotLeftIncomplete) {
   install_ffmpeg("echo 'no space' >&2\nexit 7\n");
   const Outcome outcome = run("capture cloth --seconds 0.5 --size 640x360 --out a.mp4");

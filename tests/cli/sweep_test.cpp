@@ -80,6 +80,34 @@ TEST(Sweep, ChartsHaveAtMostEightLinesElseCells) {
   EXPECT_EQ(three, "no chart: too many combinations of more than two parameters\n");
 }
 
+// gnuplot does not notice failed writes.
+TEST(Sweep, ThatCannotWriteItsChartsFails) {
+  const ScratchFolder scratch;
+  const Outcome outcome = headless_with_short_files(
+      8, {"sweep", "rope", "--vary", "substeps=1:9:lin:9", "--measure", "lowest", "--seconds", "0", "-q", "--out", scratch.folder});
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_NE(outcome.err.find((scratch.folder / "sweep.svg").string() + ": cannot be written: File too large\n"), std::string::npos);
+  EXPECT_TRUE(fs::exists(scratch.folder / "sweep.csv"));
+  EXPECT_FALSE(fs::exists(scratch.folder / "sweep.svg"));
+}
+
+TEST(Sweep, CreatesTheFolderThatALinkLeadsTo) {
+  const ScratchFolder scratch;
+  fs::create_directory_symlink("new", scratch.folder / "link");
+  const Outcome outcome = headless(
+      {"sweep", "rope", "--vary", "substeps=1,2", "--measure", "lowest", "--seconds", "0", "-q", "--out", scratch.folder / "link/deep/"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(scratch.folder / "new/deep/sweep.csv"));
+  EXPECT_TRUE(fs::is_symlink(scratch.folder / "link"));
+
+  fs::create_directory_symlink("circle", scratch.folder / "circle");
+  const Outcome circular = headless(
+      {"sweep", "rope", "--vary", "substeps=1,2", "--measure", "lowest", "--seconds", "0", "-q", "--out", scratch.folder / "circle"});
+  EXPECT_EQ(circular.code, 5);
+  EXPECT_EQ(circular.err,
+            "hooke-headless: " + (scratch.folder / "circle").string() + ": cannot be created: Too many levels of symbolic links\n");
+}
+
 TEST(Sweep, AnyDivisionIntoPartsGivesTheSameTable) {
   const ScratchFolder scratch;
   const auto in = [&](const std::string& name) { return (scratch.folder / name).string(); };

@@ -162,7 +162,7 @@ TEST(BenchFiles, OtherJsonIsRefusedInOneLine) {
 }
 
 TEST(BenchChart, TheScriptDrawsAndNamesEveryMethod) {
-  const std::string script = chart_script(results_of(swept_record()), ChartFormat::Svg, "bench.svg");
+  const std::string script = chart_script(results_of(swept_record()), ChartFormat::Svg);
   for (const Integrator& method : integrators()) {
     EXPECT_NE(script.find("$panel0_" + std::string(method.id) + " with linespoints"), std::string::npos) << method.id;
     EXPECT_NE(script.find("set label '" + std::string(method.id) + "' at"), std::string::npos) << method.id;
@@ -175,7 +175,7 @@ TEST(BenchChart, TheScriptDrawsAndNamesEveryMethod) {
 TEST(BenchChart, ANameCannotEndItsQuotes) {
   ProblemRecord record = swept_record();
   record.title = "it's'\nsystem(\"touch /tmp/x\")";
-  const std::string script = chart_script(results_of(record), ChartFormat::Png, "bench.png");
+  const std::string script = chart_script(results_of(record), ChartFormat::Png);
   EXPECT_NE(script.find("it''s'' system("), std::string::npos);
   std::istringstream lines(script);
   for (std::string line; std::getline(lines, line);) EXPECT_EQ(std::count(line.begin(), line.end(), '\'') % 2, 0) << line;

@@ -27,6 +27,14 @@ inline Outcome run_headless(const std::string& arguments, const std::filesystem:
   return run_process(words);
 }
 
+// Where no file may be longer than `kibibytes`: the write that would make it longer fails, as on a full disk.
+inline Outcome headless_with_short_files(int kibibytes, const std::vector<std::string>& words) {
+  std::vector<std::string> shell{"/bin/bash", "-c", "trap '' XFSZ; ulimit -f " + std::to_string(kibibytes) + "; exec \"$0\" \"$@\"",
+                                 HOOKE_HEADLESS};
+  shell.insert(shell.end(), words.begin(), words.end());
+  return run_process(shell);
+}
+
 // Returns the path as an argument.
 inline std::string write_file(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file) << text;

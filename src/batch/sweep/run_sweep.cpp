@@ -51,9 +51,9 @@ SweepResults merge_sweeps(const std::vector<std::filesystem::path>& parts, const
 
 std::optional<std::string> draw_sweep_charts(const SweepResults& results, const std::filesystem::path& folder) {
   for (const auto& [format, file] : {std::pair{ChartFormat::Svg, "sweep.svg"}, std::pair{ChartFormat::Png, "sweep.png"}}) {
-    const std::string script = sweep_chart_script(results.sweep, results.rows, format, file);
+    const std::string script = sweep_chart_script(results.sweep, results.rows, format);
     if (script.empty()) return "no chart: too many combinations of more than two parameters";
-    if (std::optional<std::string> failure = run_gnuplot(script, folder)) return failure;
+    if (std::optional<std::string> failure = draw_chart(script, folder / file)) return failure;
   }
   return std::nullopt;
 }

@@ -160,7 +160,7 @@ void print_heat_map(std::string& script, const Sweep& sweep, const SweepRows& ro
 
 }  // namespace
 
-std::string sweep_chart_script(const Sweep& sweep, const SweepRows& rows, ChartFormat format, const std::string& file) {
+std::string sweep_chart_script(const Sweep& sweep, const SweepRows& rows, ChartFormat format) {
   const std::size_t combinations = sweep.row_count() / sweep.axes[horizontal_axis(sweep)].values.size();
   const bool has_lines = combinations <= max_lines;
   if (!has_lines && sweep.axes.size() != 2) return {};
@@ -169,7 +169,7 @@ std::string sweep_chart_script(const Sweep& sweep, const SweepRows& rows, ChartF
   std::string script;
   append_formatted(script, "set terminal %s size %d,%d font 'DejaVu Sans,12' background '#ffffff'\n",
                    format == ChartFormat::Svg ? "svg" : "pngcairo", columns * panel_width, lines * panel_height);
-  script += "set output " + gnuplot_text(file) + "\nset encoding utf8\n";
+  script += "set encoding utf8\n";
   append_formatted(script, "set multiplot layout %d,%d\n", lines, columns);
   script +=
       "set format x '%g'\n"

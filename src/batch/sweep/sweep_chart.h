@@ -1,4 +1,4 @@
-// The charts of a sweep, as scripts for gnuplot.
+// The charts of a sweep, as scripts for gnuplot, which draws to its standard output.
 #pragma once
 
 #include <string>
@@ -10,6 +10,6 @@ namespace hooke {
 
 // One panel for each measure: lines over the parameter with the most values, one for each combination of the others; with two parameters of
 // many values a heat map. Empty if no chart can show the sweep: more than two parameters with too many combinations for lines.
-std::string sweep_chart_script(const Sweep& sweep, const SweepRows& rows, ChartFormat format, const std::string& file);
+std::string sweep_chart_script(const Sweep& sweep, const SweepRows& rows, ChartFormat format);
 
 }  // namespace hooke
