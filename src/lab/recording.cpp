@@ -120,14 +120,7 @@ class RecordingReader {
   }
 
   void read_line() {
-    if (line_.starts_with("{\"hooke\":")) {
-      if (number_ == 1) refuse("a scene: must be a recording, {\"hooke_recording\": 1, ...}");
-      if (pending_scene_) refuse("must be the rest of the scene: {\"rest\": ...}");
-      pending_scene_ = parse_scene(line_, name_).scene;
-      if (const std::string& texture = pending_scene_->view.texture; is_shipped_texture(texture))
-        pending_scene_->cloth_texture.picture = read_texture(texture, {}, name_ + ": view.texture");
-      return;
-    }
+    if (is_scene()) return read_scene();
     unknown_.clear();
     has_known_member_ = false;
     walk_json(line_, name_,
@@ -139,6 +132,31 @@ class RecordingReader {
       check_version();
     else if (!has_known_member_)
       refuse_unknown_line();
+  }
+
+  // Whether the line has the member "hooke" and is not the first line of a recording, which may have any unknown member.
+  bool is_scene() const {
+    // most lines are frames
+    if (line_.find("\"hooke\"") == std::string::npos && line_.find('\\') == std::string::npos) return false;
+    bool has_scene = false, has_recording = false;
+    walk_json(line_, name_,
+              {.is_list = [](std::string_view) { return true; },
+               .item = [](std::string_view, std::size_t, std::string_view) {},
+               .member =
+                   [&](std::string_view key, std::string_view) {
+                     has_scene = has_scene || key == "hooke";
+                     has_recording = has_recording || key == "hooke_recording";
+                   },
+               .is_one_line = true});
+    return has_scene && !(number_ == 1 && has_recording);
+  }
+
+  void read_scene() {
+    if (number_ == 1) refuse("a scene: must be a recording, {\"hooke_recording\": 1, ...}");
+    if (pending_scene_) refuse("must be the rest of the scene: {\"rest\": ...}");
+    pending_scene_ = parse_scene(line_, name_).scene;
+    if (const std::string& texture = pending_scene_->view.texture; is_shipped_texture(texture))
+      pending_scene_->cloth_texture.picture = read_texture(texture, {}, name_ + ": view.texture");
   }
 
   // A line consists of one known member; members that a newer program adds to it are optional and ignored.

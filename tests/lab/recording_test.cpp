@@ -263,6 +263,8 @@ TEST_F(Recordings, AreRefusedWithTheLineOfTheError) {
   EXPECT_EQ(refusal("garbage\n"), "x.hookelog: line 1: value: garbage: must be a JSON value (numbers are finite)");
   EXPECT_EQ(refusal("[1]\n"), "x.hookelog: line 1: not an object: must be {...}");
   EXPECT_EQ(refusal("{}\n"), "x.hookelog: line 1: must be a recording: {\"hooke_recording\": 1, ...}");
+  EXPECT_EQ(refusal("{ \"name\": \"net\", \"hooke\": 1}\n"),
+            "x.hookelog: line 1: a scene: must be a recording, {\"hooke_recording\": 1, ...}");
   EXPECT_EQ(refusal("{}\n{}\n"), "x.hookelog: line 1: must be a recording: {\"hooke_recording\": 1, ...}");
   EXPECT_NE(refusal("{\"hooke_recording\": 1}\n{\"frame\": \"00\"}\n").find("line 2: frame: "), std::string::npos);
   for (const char* line : {"{\"frame\": \"zz00000000000000\"}", "{\"fly\": {}}", "{\"replace\": {\"scene\": null}}",
@@ -294,19 +296,16 @@ TEST_F(Recordings, OfANewerFormatNameTheRequiredProgram) {
   EXPECT_EQ(refusal(text), "x.hookelog: line 4: fly: is unknown; Hooke 9.8.7 wrote it: that version or a newer one is required");
 }
 
-// A newer program may add optional members anywhere.
+// A newer program may add optional members anywhere, and another one formats the lines differently.
 TEST_F(Recordings, WithUnknownOptionalMembersPlayTheSame) {
   std::string text;
   std::istringstream lines(session_.text);
   for (std::string line; std::getline(lines, line);) {
-    line.insert(1, "\"x-before\": [1, {\"frame\": 2}], ");
+    line.insert(1, " \t\"x-before\": [1, {\"frame\": 2}], ");
     line.insert(line.size() - 1, ", \"x-after\": \"rest\"");
     if (const std::size_t items = line.find("{\"items\":"); items != std::string::npos) line.insert(items + 1, "\"x-inside\": null, ");
-    text += line + "\n";
+    text += " " + line + "\r\n";
   }
-  // a scene is recognized by its first member
-  for (std::size_t at = 0; (at = text.find("{\"x-before\": [1, {\"frame\": 2}], \"hooke\":", at)) != std::string::npos;)
-    text.erase(at + 1, std::string("\"x-before\": [1, {\"frame\": 2}], ").size());
   const Lab lab = play(text);
   EXPECT_EQ(lab.difference(), "");
   EXPECT_EQ(hash_state(lab.scene().state), session_.hash);
