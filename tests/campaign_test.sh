@@ -1,0 +1,28 @@
+#!/bin/bash
+# scripts/campaign ($1) counts nothing for a fuzzer that could not be built, although the log of an earlier run is there.
+set -eu
+folder=$(mktemp -d)
+trap 'rm -r "$folder"' EXIT
+cd "$folder"
+mkdir -p scripts docs build/fuzz src
+cp "$1" scripts/campaign
+printf '#!/bin/sh\nexit 1\n' >scripts/fuzz
+chmod +x scripts/campaign scripts/fuzz
+echo "check,cases,reached,findings,date,commit" >docs/reliability.csv
+printf '<!-- results -->\n<!-- end of results -->\n' >docs/reliability.md
+echo "stat::number_of_executed_units: 12345" >build/fuzz/scene.log
+git init -q .
+git add .
+git -c user.name=test -c user.email=test@localhost commit -q -m start
+
+output=$(scripts/campaign 5 fuzz_scene 2>&1)
+case $output in *"fuzz_scene: could not run"*) ;; *) echo "not reported: $output" >&2 && exit 1 ;; esac
+if grep fuzz_scene docs/reliability.csv; then
+  echo "runs of an earlier log were counted" >&2
+  exit 1
+fi
+
+# those of a fuzzer that ran are counted
+printf '#!/bin/sh\necho "stat::number_of_executed_units: 7" >"build/fuzz/$2.log"\n' >scripts/fuzz
+scripts/campaign 5 fuzz_scene >/dev/null 2>&1
+grep -q '^fuzz_scene,1,7,0,' docs/reliability.csv
