@@ -67,6 +67,17 @@ TEST(Texture, APathWithDotsThatStaysInTheFolderIsRead) {
   }
 }
 
+// The rule of docs/scene-format.md: a name and the ".." after it cancel, whether or not there is such a folder.
+TEST(Texture, APathIsTakenLiterallyAndMustNotLeaveTheFolderOnItsWay) {
+  const Folder folder;
+  write_png(Image{1, 1, {1, 2, 3}}, folder.folder / "ok.png");
+  folder.name("missing/../ok.png");
+  EXPECT_TRUE(load_scene(folder.scene).scene.cloth_texture.picture);
+  const std::string own_name = folder.folder.filename();
+  for (const std::string& path : {"../" + own_name + "/ok.png", "./../" + own_name + "/ok.png", "a/../../" + own_name + "/ok.png"})
+    EXPECT_EQ(folder.refused(path), "view.texture: \"" + path + "\": must be in the folder of the scene");
+}
+
 TEST(Texture, AShippedOneIsReadByItsName) {
   const Folder folder;
   for (const ShippedTexture& texture : shipped_textures()) {
