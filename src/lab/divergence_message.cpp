@@ -57,8 +57,9 @@ std::string describe(const Divergence& divergence, const System& system) {
     case Divergence::Kind::StepTooShort:
       return "The method finds no step short enough, first at " + location + "." + when;
     case Divergence::Kind::TooManySteps:
-      return "The method needs more than " + std::to_string(max_adaptive_evaluations / 1'000'000) +
-             " million force evaluations in one frame; fastest is " + location + "." + when;
+      return "The method needs more than " + std::to_string(max_adaptive_evaluations / 1'000'000) + " million force evaluations, or " +
+             std::to_string(max_adaptive_surface_steps) + " steps with contact of faces or springs, in one frame; fastest is " + location +
+             "." + when;
     case Divergence::Kind::TooManyPairs:
       return "More than " + std::to_string(PairSolver::max_pairs) +
              " pairs of points come within reach of each other in one substep; fastest is " + location + "." + when;

@@ -68,6 +68,7 @@ double ErrorScale::relative(double position_error, double velocity_error) const 
 
 void AdaptiveStep::begin_frame(const Plan& plan, const Motion& motion) {
   free_step_ = 0.0;
+  surface_steps_ = 0;
   if (!has_corrections(plan)) return;
   for (Field* field : {&before_.x, &before_.v, &piece_.x, &piece_.v, &coarse_x_, &coarse_v_}) field->resize(motion.x.size());
   for (ContactWorkspace* work : {&before_, &piece_}) work->begin_frame();
@@ -79,6 +80,7 @@ bool AdaptiveStep::correct(const Plan& plan, ContactWorkspace& before, Motion& m
     motion.acceleration_is_current = false;
     was_corrected_ = true;
   }
+  if (plan.surface.on) ++surface_steps_;
   if (!plan.has_contact() || !resolve_contacts(plan, before, motion, h)) return false;
   motion.acceleration_is_current = false;
   was_corrected_ = true;
@@ -91,24 +93,38 @@ double AdaptiveStep::difference(const Plan& plan, Field& coarse, const Field& fi
   return root_mean_square(plan, coarse);
 }
 
-// The same step in two halves. Returns h, or 0 where no step is short enough.
-double AdaptiveStep::advance_in_halves(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends) {
+// The same step in pieces, such that no impact is followed by more than about half of the time that followed it in the whole step. Returns
+// h, or 0 where no step is short enough.
+double AdaptiveStep::advance_in_pieces(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends) {
   const double start = motion.time;
+  // the method knows nothing of what follows an impact, such as the force of a spring that it compresses: where nothing but a constant
+  // force acted before, halves of the step that split it before the impact would both leave out the same
+  constexpr double max_part = 0.55;
+  constexpr int max_splits = 8;
+  double split = 0.5 * (std::min(before_.first_touch, h) + h);
+  int splits = 1;
   first_touch_ = std::numeric_limits<double>::infinity();
-  for (int half = 0; half < 2; ++half) {
-    const double begin = half == 0 ? 0.0 : 0.5 * h, end = half == 0 ? 0.5 * h : h;
-    for (double done = begin; done < end;) {
-      if (motion.force_evaluations >= max_adaptive_evaluations) return 0.0;
-      store(motion, piece_);
-      const double left = end - done, length = method.advance(plan, motion, work, left);
-      if (length == 0.0) return 0.0;
-      const bool reaches_end = length == left;
-      const bool touches = correct(plan, piece_, motion, length, ends && half == 1 && reaches_end);
-      ends_free_ = !touches;
-      if (touches && std::isinf(first_touch_)) first_touch_ = done + piece_.first_touch;
-      done = reaches_end ? end : done + length;
-      motion.time = start + done;
+  for (double done = 0.0; done < h;) {
+    if (is_at_limit(motion)) return 0.0;
+    store(motion, piece_);
+    const Counters before(motion);
+    const double end = done < split ? split : h, left = end - done, length = method.advance(plan, motion, work, left);
+    if (length == 0.0) return 0.0;
+    const bool reaches_end = length == left;
+    const double next = reaches_end ? end : done + length;
+    const bool touches = correct(plan, piece_, motion, length, ends && next == h);
+    if (touches && std::isinf(first_touch_)) first_touch_ = done + piece_.first_touch;
+    const double impact = done + piece_.first_impact;
+    if (touches && next - impact > max_part * (h - impact) && splits < max_splits) {
+      split = 0.5 * (impact + h);
+      ++splits;
+      restore(piece_, motion);
+      before.restore(motion, split - done);
+      continue;
     }
+    ends_free_ = !touches;
+    done = next;
+    motion.time = start + done;
   }
   motion.time = start;
   return h;
@@ -145,7 +161,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
     const double free_step = motion.memory.step;
     restore(before_, motion);
     before.restore(motion, 0.5 * h);
-    if (advance_in_halves(plan, method, motion, work, h, ends) == 0.0) return 0.0;
+    if (advance_in_pieces(plan, method, motion, work, h, ends) == 0.0) return 0.0;
 
     const double position = difference(plan, coarse_x_, motion.x) / 3.0, velocity = difference(plan, coarse_v_, motion.v) / 3.0;
     const double error = scale.relative(position, velocity);

@@ -9,6 +9,8 @@ namespace hooke {
 
 // Of a frame, those of rejected steps included.
 inline constexpr long max_adaptive_evaluations = 2'000'000;
+// The same for steps with contact of faces or springs, each of which costs as much as hundreds of force evaluations.
+inline constexpr long max_adaptive_surface_steps = 5'000;
 
 // Unit of the error [m], [m/s]: the tolerance, a velocity error counting by its effect within a second; at least the rounding
 // error of coordinates and of forces.
@@ -20,11 +22,11 @@ struct ErrorScale {
 };
 
 // Where nothing touches a collider, the method's own error estimate decides. If a tolerance is set, it applies to contact too: a step in
-// which anything touches is repeated in two halves. Contact is resolved to second order in the step, so a third of their difference is the
-// error of the finer result, which is kept if that is within the tolerance. Otherwise an impact is an event: it is located, a step of the
-// method ends just before it, a short one leads through it, and the steps continue with the length that they had before. Where the first
-// contact is not an impact, such as a slide, the step is repeated, shorter. Friction, which is of first order, makes this expensive:
-// without a tolerance, contact is resolved once per step.
+// which anything touches is repeated in pieces, which halve the time that follows each impact and what is at rest. Contact is resolved to
+// second order in that time, so a third of their difference is the error of the finer result, which is kept if that is within the
+// tolerance. Otherwise an impact is an event: it is located, a step of the method ends just before it, a short one leads through it, and
+// the steps continue with the length that they had before. Where the first contact is not an impact, such as a slide, the step is repeated,
+// shorter. Friction, which is of first order, makes this expensive: without a tolerance, contact is resolved once per step.
 class AdaptiveStep {
  public:
   // Once a frame; a step never allocates.
@@ -34,19 +36,24 @@ class AdaptiveStep {
   double advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval);
   // Whether contact or the strain limit moved points in the last step.
   bool was_corrected() const { return was_corrected_; }
+  // Whether one of the limits of the frame above is reached.
+  bool is_at_limit(const Motion& motion) const {
+    return motion.force_evaluations >= max_adaptive_evaluations || surface_steps_ >= max_adaptive_surface_steps;
+  }
   bool has_too_many_pairs() const { return before_.has_too_many_pairs() || piece_.has_too_many_pairs(); }
 
  private:
   bool correct(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, bool ends);
-  double advance_in_halves(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends);
+  double advance_in_pieces(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends);
   double difference(const Plan& plan, Field& coarse, const Field& fine) const;
 
   ContactWorkspace before_, piece_;
   Field coarse_x_, coarse_v_;
-  double first_touch_ = 0.0;  // [s], since the start of the last step in halves
+  double first_touch_ = 0.0;  // [s], since the start of the last step in pieces
   bool ends_free_ = false;    // whether nothing touched in its last part
   double free_step_ = 0.0;    // [s], step before the impact to which the last step led; 0: it led to none
   bool was_corrected_ = false;
+  long surface_steps_ = 0;  // of the frame, with contact of faces or springs
 };
 
 }  // namespace hooke

@@ -151,13 +151,13 @@ void Frame::substep(Plan& plan) {
   else
     integrator_->step(plan, motion_, work_, h_);
   if (length == 0.0) {
-    failure_ = motion_.force_evaluations >= max_adaptive_evaluations ? StepFailure::TooMany : StepFailure::TooShort;
+    failure_ = adaptive_step_.is_at_limit(motion_) ? StepFailure::TooMany : StepFailure::TooShort;
     return;
   }
   const bool ends = length == left_;
   left_ = ends ? h_ : left_ - length;
   substeps_done_ += ends ? 1 : 0;
-  if (is_adaptive && substeps_done_ < substeps_ && motion_.force_evaluations >= max_adaptive_evaluations) failure_ = StepFailure::TooMany;
+  if (is_adaptive && substeps_done_ < substeps_ && adaptive_step_.is_at_limit(motion_)) failure_ = StepFailure::TooMany;
   motion_.time = ends ? start_ + substeps_done_ * h_ : motion_.time + length;
 
   // trapezoidal rule for the power of the hand

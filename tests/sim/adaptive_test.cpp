@@ -129,5 +129,26 @@ TEST(AdaptiveStep, DoesNotDependOnTheSubstepsThroughImpacts) {
   EXPECT_LT(distance(coarse.state, fine.state), 1e-6);
 }
 
+// Until the impact, the step and its parts follow the same parabola; after it, the spring acts.
+TEST(AdaptiveStep, KeepsItsToleranceWhereAnImpactEndsAFreeFall) {
+  constexpr double duration = 0.25, gravity = 9.81;
+  for (const double stiffness : {400.0, 14000.0})
+    for (const double part : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+      const double height = 0.5 * gravity * part * part * duration * duration;
+      const auto falling = [&] {
+        TestSim sim;
+        sim.join(sim.add({0.0, height, 0.0}), sim.add({0.0, height + 0.5, 0.0}), stiffness, 0.5);
+        sim.system.colliders = {{.shape = Plane{}, .restitution = 0.5}};
+        return sim;
+      };
+      TestSim reference = falling(), coarser = falling(), sim = falling();
+      reference.run(runge_kutta4, duration, 1 << 15);
+      coarser.run(runge_kutta4, duration, 1 << 14);
+      sim.run(dop853, duration, 1, 1e-8);
+      EXPECT_LT(distance(sim.state, reference.state), 1e-6 + 2.0 * distance(reference.state, coarser.state))
+          << stiffness << " N/m, impact at " << part << " of the step";
+    }
+}
+
 }  // namespace
 }  // namespace hooke

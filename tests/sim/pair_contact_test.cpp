@@ -281,7 +281,7 @@ TEST_P(PairContactOf, MeetsTheOrderDeclaredForContact) {
   const double m1 = 0.3, m2 = 0.5, w = 6.0, e = 0.7, seconds = 0.5, l0 = 0.5, touching = 0.3;
   const auto error = [&](int steps) {
     double sum = 0.0;
-    for (double start = 0.8; start < 1.0; start += 0.004) {
+    for (double start = 0.8; start < 1.0; start += 0.001) {
       TestSim sim = space(e);
       const PointId first = add_ball(sim, 0.1, {0.0, 0.0, 0.0}, m1), second = add_ball(sim, 0.2, {0.6 * start, 0.8 * start, 0.0}, m2);
       sim.join(first, second, w * w * m1 * m2 / (m1 + m2), l0);

@@ -17,7 +17,8 @@ struct ContactWorkspace {
   double time = 0.0;  // [s]
   Field x, v;
   std::vector<Obstacle> obstacles;
-  double first_touch = 0.0;  // [s], since the start of the substep, when the first point touched something; infinity: none did
+  // [s], since the start of the substep, when the first point touched something, and when the first had an impact; infinity: none did
+  double first_touch = 0.0, first_impact = 0.0;
   // Points that were inside a collider before the substep, where they are after it, and how far they were moved out [m].
   struct Pushed {
     std::size_t point;

@@ -30,7 +30,9 @@ class PairSolver {
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
   // Whether the last call dealt with the point, which then needs nothing else.
   bool has_resolved(Index i) const { return is_involved_[i] != 0; }
-  double first_touch() const { return simulation_.first_touch(); }  // [s], since the start of the last substep in which anything touched
+  // [s], since the start of the last substep in which anything touched
+  double first_touch() const { return simulation_.first_touch(); }
+  double first_impact() const { return simulation_.first_impact(); }
   // Whether the last call gave up: there are too many pairs.
   bool has_failed() const { return has_failed_; }
 

@@ -27,6 +27,7 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
     touched = touched || hit != nullptr || supports.any_loaded();
 
     if (hit != nullptr) {
+      first_impact = std::min(first_impact, time_);
       bounce(*hit, a, remaining);
     } else if (x != start) {
       const Obstacle* carrier = segment.support.obstacle;
@@ -150,7 +151,7 @@ const Obstacle* PointContactSolver::advance_segment(Segment& segment, const Supp
   for (const Obstacle& obstacle : obstacles_) {
     if (supports.contains(&obstacle)) continue;
     const Parabola relative{x - obstacle.offset_at(time_), v - velocity_of(obstacle), segment.acceleration - obstacle.acceleration};
-    const auto impact = first_impact(*obstacle.collider, radius_, relative, segment.time);
+    const auto impact = hooke::first_impact(*obstacle.collider, radius_, relative, segment.time);
     if (!impact || (hit != nullptr && *impact == segment.time)) continue;
     segment.time = *impact;
     hit = &obstacle;

@@ -1,6 +1,7 @@
 // The path of one point through a step among obstacles: impacts, slides and rest.
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "sim/contact/gap.h"
@@ -13,7 +14,8 @@ class PointContactSolver {
  public:
   Vec3 x, v;
   double first_touch = 0.0;  // [s], since the start, of the first impact on anything; 0 if something is touched at the start
-  Vec3 push_out{0.0};        // [m], out of obstacles in which the point was at the start: part of its displacement
+  double first_impact = std::numeric_limits<double>::infinity();  // [s], since the start, whatever is touched before
+  Vec3 push_out{0.0};  // [m], out of obstacles in which the point was at the start: part of its displacement
 
   PointContactSolver(std::span<const Obstacle> obstacles, double radius, const Vec3& x0, const Vec3& v0)
       : x(x0), v(v0), obstacles_(obstacles), radius_(radius) {}

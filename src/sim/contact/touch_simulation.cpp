@@ -73,6 +73,7 @@ double TouchSimulation::ignored_speed(const Touch& touch) const {
 void TouchSimulation::begin(double h) {
   h_ = h;
   time_ = 0.0;
+  first_impact_ = never;
   impacts_ = 0;
   any_touched_ = false;
   changed_.clear();
@@ -234,7 +235,7 @@ void TouchSimulation::predict(Touch& touch) const {
     if (velocity < -ignored) touch.time = time_;
     return;
   }
-  if (const auto impact = first_impact(shape, inflation(touch), path, left)) touch.time = time_ + *impact;
+  if (const auto impact = hooke::first_impact(shape, inflation(touch), path, left)) touch.time = time_ + *impact;
 }
 
 bool TouchSimulation::advance() {
@@ -286,6 +287,7 @@ void TouchSimulation::respond(Touch& touch) {
   const Vec3 normal = gap_to(shape_of(touch), inflation(touch), path.x).normal;
   const double approach = -glm::dot(normal, path.v);
   if (approach <= ignored_speed(touch)) return;
+  first_impact_ = std::min(first_impact_, time_);
 
   const double restitution = approach <= rest_speed(touch) ? 0.0 : touch.restitution;
   const double weight = first.inverse_mass + (touch.second != no_path ? paths[touch.second].inverse_mass : 0.0);

@@ -33,7 +33,8 @@ class TouchSimulation {
   std::span<const std::size_t> changed() const { return changed_; }
   double time() const { return time_; }  // [s], since the start
   bool any_touched() const { return any_touched_; }
-  double first_touch() const { return first_touch_; }  // [s], since the start
+  double first_touch() const { return first_touch_; }    // [s], since the start
+  double first_impact() const { return first_impact_; }  // [s], since the start; infinity: there was none
 
  private:
   // The forces of a touch at rest in the last substep, as impulses.
@@ -65,7 +66,7 @@ class TouchSimulation {
   double ignored_speed(const Touch& touch) const;
   long max_impacts() const { return 64 + 32 * static_cast<long>(paths.size()); }
 
-  double h_ = 0.0, time_ = 0.0, first_touch_ = 0.0;
+  double h_ = 0.0, time_ = 0.0, first_touch_ = 0.0, first_impact_ = 0.0;
   long impacts_ = 0;
   bool any_touched_ = false;
   std::vector<Load> last_, loads_;  // in ascending order
