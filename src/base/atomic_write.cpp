@@ -119,11 +119,12 @@ constexpr std::size_t buffer_size = 1 << 16;
 }  // namespace
 
 struct AtomicFile::Destination {
-  explicit Destination(const fs::path& file);
+  Destination(const fs::path& file, Writing kind);
   [[noreturn]] void fail(const char* what, int reason) const {
     throw FileError(printable_name + ": " + what + ": " + std::strerror(reason));
   }
 
+  Writing writing;
   std::string printable_name;
   fs::path target, folder_path;
   Descriptor folder;
@@ -132,8 +133,9 @@ struct AtomicFile::Destination {
   std::string buffer;
 };
 
-AtomicFile::Destination::Destination(const fs::path& file)
-    : printable_name(printable(file.native())),
+AtomicFile::Destination::Destination(const fs::path& file, Writing kind)
+    : writing(kind),
+      printable_name(printable(file.native())),
       target(target_of(file, printable_name)),
       folder_path(target.has_parent_path() ? target.parent_path() : fs::path(".")),
       folder(open(folder_path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
@@ -148,13 +150,13 @@ AtomicFile::Destination::Destination(const fs::path& file)
   if (exists && !S_ISREG(old.st_mode)) throw FileError(printable_name + ": cannot be written: not a regular file");
   if (exists && faccessat(folder.number, name.c_str(), W_OK, AT_EACCESS) != 0) fail("cannot be written", errno);
 
-  remove_stale_files(folder_path, folder.number);
+  if (writing == Writing::Durable) remove_stale_files(folder_path, folder.number);
   temporary.emplace(folder.number);
   if (temporary->number() < 0) fail("cannot be written", errno);
   if (exists && fchmod(temporary->number(), old.st_mode & 07777) != 0) fail("cannot set its permissions", errno);
 }
 
-AtomicFile::AtomicFile(const fs::path& file) : destination_(std::make_unique<Destination>(file)) {}
+AtomicFile::AtomicFile(const fs::path& file, Writing writing) : destination_(std::make_unique<Destination>(file, writing)) {}
 AtomicFile::~AtomicFile() = default;
 
 void AtomicFile::write(std::string_view bytes) {
@@ -177,11 +179,12 @@ void AtomicFile::overwrite(std::size_t offset, std::string_view bytes) {
 
 void AtomicFile::commit() {
   flush();
-  if (fsync(destination_->temporary->number()) != 0) destination_->fail("cannot be written", errno);
+  const bool is_durable = destination_->writing == Writing::Durable;
+  if (is_durable && fsync(destination_->temporary->number()) != 0) destination_->fail("cannot be written", errno);
   if (!destination_->temporary->rename_to(destination_->name)) destination_->fail("cannot be replaced", errno);
 
   // some file systems do not support fsync of a folder
-  if (fsync(destination_->folder.number) != 0 && errno != EINVAL && errno != EROFS)
+  if (is_durable && fsync(destination_->folder.number) != 0 && errno != EINVAL && errno != EROFS)
     destination_->fail("was written, but its folder could not be flushed", errno);
 }
 

@@ -9,13 +9,17 @@
 
 namespace hooke {
 
+// One of many files that can be produced again, such as the pictures of a run: it is replaced at once like the others, but an fsync of
+// each would take as long as drawing it, and a search for temporary files of killed writers would take longer with every file.
+enum class Writing { Durable, OneOfMany };
+
 // A file that grows as a temporary file in the same folder and takes its place on `commit`: fsync, rename, fsync of the folder. At
 // every moment there is the old file or the new one. An existing file keeps its permissions; a symbolic link stays, and the file it
 // leads to is replaced, or created if the link dangles. Everything throws FileError; the old file is then unchanged, unless only the folder
 // could not be flushed. Temporary files of writers that were killed are removed.
 class AtomicFile {
  public:
-  explicit AtomicFile(const std::filesystem::path& file);
+  explicit AtomicFile(const std::filesystem::path& file, Writing writing = Writing::Durable);
   ~AtomicFile();  // without `commit`: removes the temporary file
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;

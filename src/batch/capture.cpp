@@ -51,7 +51,7 @@ class FrameCapture {
     const ImDrawData* panels = panels_ ? panels_->build(status, camera_, {}, has_stamp_ ? stamp_of(status) : "") : nullptr;
     view_.draw(*status.snapshot, {}, camera_, view_options_, size_.width, size_.height, panels);
     if (film_) return film_->add(view_.read());
-    OutputFile file(destination_.file(number).string());
+    OutputFile file(destination_.file(number).string(), Writing::OneOfMany);
     file.write(encode_png(view_.read()));
     file.close();
   }

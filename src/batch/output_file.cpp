@@ -25,14 +25,14 @@ bool is_stream(const std::string& name) {
 
 }  // namespace
 
-OutputFile::OutputFile(const std::string& name) : display_name_(name == "-" ? "stdout" : printable(name)) {
+OutputFile::OutputFile(const std::string& name, Writing writing) : display_name_(name == "-" ? "stdout" : printable(name)) {
   if (name == "-") {
     stream_ = stdout;
   } else if (is_stream(name)) {
     stream_ = std::fopen(name.c_str(), "we");
     if (stream_ == nullptr) fail(display_name_, errno);
   } else {
-    regular_.emplace(name);
+    regular_.emplace(name, writing);
   }
 }
 

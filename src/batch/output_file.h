@@ -15,7 +15,7 @@ namespace hooke {
 class OutputFile {
  public:
   // "-" is stdout. Throws FileError, as all members do.
-  explicit OutputFile(const std::string& name);
+  explicit OutputFile(const std::string& name, Writing writing = Writing::Durable);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
