@@ -102,7 +102,7 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
   totals.seconds = scene.state.time - start;
   totals.hash = hash_state(scene.state);
   if (is_automatic(scene.settings)) totals.frames_beyond_tolerance = tolerance.frames_beyond();
-  results.warnings = monitor.warnings(scene.system, {});
+  results.warnings = monitor.warnings({});
   if (tolerance.frames_beyond() > 0) results.warnings.push_back(tolerance.warning());
   return results;
 }

@@ -51,7 +51,7 @@ double power(const Plan& plan, const ForceValues& values, double time, const dou
 }
 
 // Nothing is known about the function.
-ForceBound bound(const System&, const ForceValues&) {
+ForceBound bound(const System&, const ForceValues&, double) {
   return {.stiffness = ForceBound::none, .rate = ForceBound::none, .acceleration = ForceBound::none, .speed = ForceBound::none};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "base/bounds.h"
 #include "base/file_limits.h"
@@ -13,6 +14,14 @@ namespace {
 std::string count_substeps(int substeps) { return std::to_string(substeps) + (substeps == 1 ? " substep" : " substeps"); }
 
 int with_margin(int substeps, int margin) { return static_cast<int>(std::min<long>(max_substeps, static_cast<long>(margin) * substeps)); }
+
+// [m/s], of the points that move.
+double max_speed(const System& system, const State& state) {
+  double max = 0.0;
+  for (Index i = 0; i < system.point_count(); ++i)
+    if (!system.points()[i].nailed) max = std::max(max, glm::length(state.velocity[i]));
+  return max;
+}
 
 }  // namespace
 
@@ -42,7 +51,7 @@ Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int 
 }
 
 std::optional<std::string> step_warning(const System& system, const State& state, const Settings& settings) {
-  const Spectrum spectrum = bound_spectrum(system);
+  const Spectrum spectrum = bound_spectrum(system, max_speed(system, state));
   const Integrator& method = *settings.integrator;
   if (settings.substep() <= largest_stable_step(method, spectrum)) return std::nullopt;
 

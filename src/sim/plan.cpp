@@ -320,7 +320,7 @@ double plausible_reach(const System& system, const Spectrum& spectrum, double ex
   }
   for (const Force& force : system.forces) {
     if (!force.on) continue;
-    const ForceBound bound = force.term->bound(system, force.values);
+    const ForceBound bound = force.term->bound(system, force.values, 0.0);
     acceleration += bound.acceleration;
     speed += bound.speed;
   }
@@ -334,7 +334,7 @@ double plausible_reach(const System& system, const Spectrum& spectrum, double ex
   return margin * (extent + time * (speed + time * acceleration));
 }
 
-Spectrum bound_spectrum(const System& system) {
+Spectrum bound_spectrum(const System& system, double point_speed) {
   std::vector<double> stiffness_row(system.points().size(), 0.0), dashpot_row(system.points().size(), 0.0);
   double min_ratio = std::numeric_limits<double>::infinity();
   for (const Spring& spring : system.springs()) {
@@ -362,7 +362,7 @@ Spectrum bound_spectrum(const System& system) {
   double force_stiffness = 0.0, estimated_stiffness = 0.0, omitted_stiffness = 0.0;
   for (const Force& force : system.forces) {
     if (!force.on) continue;
-    const ForceBound bound = force.term->bound(system, force.values);
+    const ForceBound bound = force.term->bound(system, force.values, point_speed);
     spectrum.is_bounded = spectrum.is_bounded && std::isfinite(bound.stiffness) && std::isfinite(bound.rate);
     if (std::isfinite(bound.stiffness)) force_stiffness += bound.stiffness;
     if (std::isfinite(bound.rate)) spectrum.force_rate += bound.rate;

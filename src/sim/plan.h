@@ -169,7 +169,7 @@ void prepare_hand(Plan& plan, const System& system, const State& state, double d
 double plausible_reach(const System& system, const Spectrum& spectrum, double extent, double speed, double time);
 
 // Gershgorin bounds on M^-1/2 K M^-1/2 by 3x3 blocks: omega^2 <= max_i sum_j k_ij (1/m_i + 1/sqrt(m_i m_j)), the second
-// term absent for a nailed j; the dashpots likewise.
-Spectrum bound_spectrum(const System& system);
+// term absent for a nailed j; the dashpots likewise. `point_speed` [m/s], of the fastest point: for estimates of listed forces.
+Spectrum bound_spectrum(const System& system, double point_speed = 0.0);
 
 }  // namespace hooke

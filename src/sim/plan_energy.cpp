@@ -26,6 +26,10 @@ double stored_energy(const Plan& plan, const Field& x) {
   return energy;
 }
 
+double max_dissipation(const Spectrum& spectrum, double kinetic, double duration) {
+  return 2.0 * (spectrum.drag_rate + spectrum.dashpot_rate) * kinetic * duration;
+}
+
 double verlet_energy_difference(const Plan& plan, double time, const Field& x, const Field& v, double h) {
   Field ahead = x, behind = x, force(x.size()), force_ahead(x.size()), force_behind(x.size());
   add_scaled(ahead.data(), h, v.data(), x.size());

@@ -13,11 +13,11 @@ namespace hooke {
 namespace {
 
 // The estimated error and the warnings of the run.
-std::string describe_accuracy(const RunMonitor& monitor, const System& system) {
+std::string describe_accuracy(const RunMonitor& monitor) {
   char text[80];
   std::snprintf(text, sizeof text, "; estimated error %.1g m in total", monitor.estimated_error());
   std::string accuracy = text;
-  for (const std::string& warning : monitor.warnings(system, {})) accuracy += "; " + warning;
+  for (const std::string& warning : monitor.warnings({})) accuracy += "; " + warning;
   return accuracy;
 }
 
@@ -83,7 +83,7 @@ CheckResult run(const SceneCheck& check, Scene scene, const CheckedMethod& check
   if (check.expects_divergence) return {&method, false, "expected to diverge, but ran to the end"};
   const CriterionResult verdict = history.evaluate_all();
   return {&method, verdict.holds && is_finite(lab.scene().state),
-          (verdict.description.empty() ? "runs to the end" : verdict.description) + describe_accuracy(monitor, lab.scene().system)};
+          (verdict.description.empty() ? "runs to the end" : verdict.description) + describe_accuracy(monitor)};
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ Trial run_copy(Scene scene, double seconds, Budget& budget) {
   const auto ended = [&](Trial::End end) {
     trial.end = end;
     trial.seconds = end == Trial::End::Finished ? seconds : lab.scene().state.time - start;
-    trial.warnings = monitor.warnings(lab.scene().system, {});
+    trial.warnings = monitor.warnings({});
     return trial;
   };
   try {

@@ -15,7 +15,7 @@ namespace hooke {
 
 // Limits above which the monitor warns.
 struct Tolerance {
-  double energy = 0.02;                                       // [1], of the supplied energy: gained or, without dissipation, lost
+  double energy = 0.02;  // [1], of the supplied energy: gained, or lost beyond what the scene may dissipate
   double position = std::numeric_limits<double>::infinity();  // [m], estimated error of all frames together
 };
 
@@ -36,14 +36,14 @@ class RunMonitor {
   // No physical process causes one. A symplectic method lets the energy oscillate about its modified energy, which is no error of the
   // motion of that size: where the modified energy is known (Integrator::modified_energy), the smaller rise of the two counts.
   double energy_rise() const { return largest_rise_ / scale_; }
-  // Its change since the start, relative to the supplied energy [1]: without dissipation an error of the method. Of the modified energy
-  // where that changed less.
+  // Its change since the start, relative to the supplied energy [1]: an error of the method, as far as the scene cannot dissipate as much.
+  // Of the modified energy where that changed less.
   double energy_change() const { return change_ / scale_; }
   // Sum of the estimated errors of the frames [m], ignoring their later growth or decay.
   double estimated_error() const { return estimated_error_; }
 
   // One clause per warning; empty: none.
-  std::vector<std::string> warnings(const System& system, const Tolerance& tolerance) const;
+  std::vector<std::string> warnings(const Tolerance& tolerance) const;
 
  private:
   const int frames_per_estimate_;
@@ -57,6 +57,9 @@ class RunMonitor {
   double modified_change(Reference& since, double energy, const Plan& plan, const Settings& settings, const State& state);
 
   Reference start_, lowest_;
+  double kinetic_;                            // [J], after the last frame
+  double max_dissipated_ = 0.0;               // [J], by drag and dashpots so far, a bound
+  bool is_dissipative_ = false;               // whether contact or forces may have dissipated energy
   double largest_rise_ = 0.0, change_ = 0.0;  // [J]
   Motion motion_;                             // scratch
   double scale_;                              // [J]

@@ -42,7 +42,8 @@ TEST(Headless, RunWritesEveryFieldOfItsJson) {
   ASSERT_EQ(samples.Size(), std::size(times));
   for (rapidjson::SizeType i = 0; i < samples.Size(); ++i) {
     const auto& sample = samples[i];
-    EXPECT_EQ(sample.MemberCount(), 6u);
+    EXPECT_EQ(sample.MemberCount(), 7u);
+    EXPECT_TRUE(sample.HasMember("half_error"));
     EXPECT_NEAR(sample["time"].GetDouble(), times[i], 1e-12);
     EXPECT_NEAR(sample["positions"][0][0].GetDouble(), times[i], 1e-12);
     EXPECT_EQ(sample["positions"][0].Size(), 3u);

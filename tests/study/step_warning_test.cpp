@@ -128,5 +128,19 @@ TEST(StepWarning, IsNotNeededForLightPointsThatTheWindCarriesAway) {
     EXPECT_FALSE(outcome_of(network, {.integrator = find_integrator(id), .substeps = 1}).failed) << id;
 }
 
+// The wind moves past a fast point as it would past one at rest.
+TEST(StepWarning, CountsTheSpeedOfThePointsInStillAir) {
+  const auto warning_at = [](double speed) {
+    TestNetwork network;
+    network.system.gravity = Vec3(0.0);
+    const PointId point = network.add(Vec3(0.0), 1e-3, {speed, 0.0, 0.0});
+    network.system.point(network.index(point)).radius = 0.5;
+    network.system.forces = {force_with("wind", {{"x", 0.0}, {"z", 0.0}})};
+    return step_warning(network.system, network.state, {.integrator = find_integrator("velocity_verlet"), .substeps = 5}).value_or("");
+  };
+  EXPECT_EQ(warning_at(0.0), "");
+  EXPECT_NE(warning_at(1000.0).find("its linear stability limit is"), std::string::npos) << warning_at(1000.0);
+}
+
 }  // namespace
 }  // namespace hooke

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/plan_energy.h"
+
 namespace hooke {
 namespace {
 
@@ -35,6 +37,13 @@ Dissipation dissipation_at(const System& system, const State& state) {
   return power;
 }
 
+double kinetic_energy(const System& system, const State& state) {
+  double energy = 0.0;
+  for (Index i = 0; i < system.point_count(); ++i)
+    if (!system.points()[i].nailed) energy += 0.5 * system.points()[i].mass * glm::dot(state.velocity[i], state.velocity[i]);
+  return energy;
+}
+
 }  // namespace
 
 void EnergyAccounts::start(const State& state, double energy) {
@@ -51,11 +60,10 @@ void EnergyAccounts::set_numerical_gain(double gain) {
 }
 
 // As the motion decays, gain and dissipation keep their ratio. It determines neither if they nearly cancel: then the dissipation of the
-// repeated frame applies. Drag and dashpots never supply energy.
-double EnergyAccounts::dissipation_in(double rest) const {
+// repeated frame applies. Drag and dashpots never supply energy, and dissipate at most `max` [J].
+double EnergyAccounts::dissipation_in(double rest, double max) const {
   constexpr double min_determined = 0.1;
-  if (1.0 + gain_ratio_ > min_determined) return std::min(0.0, rest / (1.0 + gain_ratio_));
-  return dissipation_;
+  return std::clamp(1.0 + gain_ratio_ > min_determined ? rest / (1.0 + gain_ratio_) : dissipation_, -max, 0.0);
 }
 
 void EnergyAccounts::add_frame(const Plan& plan, const System& system, const State& before, const State& after, const Motion& motion,
@@ -77,7 +85,8 @@ void EnergyAccounts::add_frame(const Plan& plan, const System& system, const Sta
   if (!drags && !damps) {
     balance_.method += rest;
   } else {
-    const double dissipated = dissipation_in(rest);
+    const double kinetic = std::max({after.ledger.scale, 2.0 * kinetic_energy(system, before), 2.0 * kinetic_energy(system, after)});
+    const double dissipated = dissipation_in(rest, max_dissipation(plan.spectrum, kinetic, after.time - before.time));
     balance_.method += rest - dissipated;
     rest = dissipated;
     if (!drags || !damps) {

@@ -20,7 +20,7 @@ class EnergyAccounts {
   const EnergyBalance& balance() const { return balance_; }
 
  private:
-  double dissipation_in(double rest) const;
+  double dissipation_in(double rest, double max) const;
 
   EnergyBalance balance_;
   double start_ = 0.0, energy_ = 0.0;        // [J]

@@ -28,7 +28,7 @@ inline constexpr std::size_t max_force_parameters = 8;
 using ForceValues = std::array<double, max_force_parameters>;  // one for each parameter of the row, in its order
 
 // Upper bounds over all positions and velocities; infinity where there is none. Then there is an estimate, for stability limits and the
-// energy balance: near the rest lengths, in air at its full speed, and 1 m from a center.
+// energy balance: near the rest lengths, in air at its full speed against that of the points, and 1 m from a center.
 struct ForceBound {
   static constexpr double none = std::numeric_limits<double>::infinity();
   double stiffness = 0.0;     // [1/s^2], on the eigenvalues of M^-1/2 (df/dx) M^-1/2, in magnitude
@@ -49,7 +49,8 @@ struct ForceTerm {
   // Adds the force [N] to f at `time` [s], positions x [m] and velocities v [m/s], all in the layout of the Plan. `f` already contains
   // gravity, springs, dashpots, the pull of the hand, and the forces of the rows above.
   void (*add)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f);
-  ForceBound (*bound)(const System& system, const ForceValues& values);
+  // `point_speed` [m/s], of the fastest point: only estimates depend on it.
+  ForceBound (*bound)(const System& system, const ForceValues& values, double point_speed);
   // Adds the derivatives of the force for implicit methods. Null: zero, or not continuous.
   void (*add_tangent)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, ForceTangent& tangent);
   // [J], of the conservative part of the force, or of the whole force if there is no `power`. Null: not conservative, or does no work.

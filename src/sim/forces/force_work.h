@@ -22,9 +22,12 @@ class ForceWork {
   void end_substep(const Plan& plan, Motion& motion, double h, bool is_moved);
 
  private:
+  double energy_change(const Plan& plan, const Motion& motion) const;
+
   Field x_, v_, middle_x_, middle_v_;
   double time_ = 0.0, power_ = 0.0, power_work_ = 0.0;
   bool has_power_ = false, power_is_current_ = false;
+  bool is_alone_ = false;  // whether nothing but these powers supplies energy to the motion
 };
 
 }  // namespace hooke

@@ -131,7 +131,7 @@ void add(const Plan& plan, const ForceValues& values, double, const double* x, c
 
 // Gershgorin's theorem for M^-1/2 K M^-1/2 of the free points. The dashpots have the same matrix where the sheet is flat; elsewhere it
 // depends on the shape of the faces, which may be degenerate.
-ForceBound bound(const System& system, const ForceValues& values) {
+ForceBound bound(const System& system, const ForceValues& values, double) {
   const HingePlan hinges = plan_hinges(system);
   double max = 0.0;
   for (Index i = 0; !hinges.empty() && i < system.point_count(); ++i) {

@@ -106,8 +106,8 @@ void add(const Plan& plan, const ForceValues& values, double time, const double*
   for_each_force(plan, values, time, x, v, [&](Index i, const Vec3& force) { add_to(plan, f, i, force); });
 }
 
-// Near the rest lengths, of points at rest in the wind at its full speed u, in [1/s^2] and [1/s]. A face with edges of length l has the
-// area l^2 / 2. A displacement of a corner changes its force by up to (a + b) u^2 / 6 times the opposite edge; the sum over the three
+// Near the rest lengths, in the wind at its full speed u relative to the points, in [1/s^2] and [1/s]. A face with edges of length l has
+// the area l^2 / 2. A displacement of a corner changes its force by up to (a + b) u^2 / 6 times the opposite edge; the sum over the three
 // corners contains the perimeter, 3.4 l. A velocity changes the forces by up to 2 (a + b) u times a third of the area.
 struct FaceEstimate {
   double stiffness = 0.0, rate = 0.0;
@@ -137,18 +137,19 @@ FaceEstimate estimate_faces(const System& system, double coefficient, double spe
 }
 
 // Quadratic in the speed, and proportional to areas that grow as faces stretch: no bound exists.
-ForceBound bound(const System& system, const ForceValues& values) {
+ForceBound bound(const System& system, const ForceValues& values, double point_speed) {
   ForceBound bound{.stiffness = ForceBound::none,
                    .rate = ForceBound::none,
                    .speed = (1.0 + values[5]) * glm::length(Vec3(values[0], values[1], values[2]))};
+  const double relative_speed = bound.speed + point_speed;
   if (system.faces.empty()) {
     for (const Point& point : system.points())
       if (!point.nailed)
         bound.estimated_rate =
-            std::max(bound.estimated_rate, 2.0 * values[3] * pi * point.radius * point.radius * bound.speed / point.mass);
+            std::max(bound.estimated_rate, 2.0 * values[3] * pi * point.radius * point.radius * relative_speed / point.mass);
     return bound;
   }
-  const FaceEstimate faces = estimate_faces(system, values[3] + values[4], bound.speed);
+  const FaceEstimate faces = estimate_faces(system, values[3] + values[4], relative_speed);
   bound.estimated_stiffness = bound.omitted_stiffness = faces.stiffness;
   bound.estimated_rate = faces.rate;
   return bound;
