@@ -100,7 +100,8 @@ class Lab {
   // Whether `advance` has companions to compute, even while paused.
   bool has_companions_to_compute() const { return companions_.has_work(); }
   Accuracy accuracy() const;
-  double accuracy_cpu_seconds() const { return accuracy_cpu_seconds_; }  // of the frames computed again to measure it, where that is done at once
+  // Of the frames computed again to measure it, where that is done at once.
+  double accuracy_cpu_seconds() const { return accuracy_cpu_seconds_; }
 
   // Whether submitted commands wait for the frame in progress; applies them without waiting.
   bool has_pending() const { return !queue_.empty(); }
