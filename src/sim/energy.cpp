@@ -7,11 +7,10 @@
 namespace hooke {
 
 Energy compute_energy(const System& system, const State& state) {
-  Energy energy;
+  Energy energy{.kinetic = kinetic_energy(system, state)};
   for (Index i = 0; i < system.point_count(); ++i) {
     const Point& point = system.points()[i];
     if (point.nailed) continue;
-    energy.kinetic += 0.5 * point.mass * glm::dot(state.velocity[i], state.velocity[i]);
     energy.gravitational -= point.mass * glm::dot(system.gravity, state.position[i]);
   }
   for (const Spring& spring : system.springs()) {
@@ -23,6 +22,13 @@ Energy compute_energy(const System& system, const State& state) {
     const Vec3 stretch = state.hand.position - grabbed_position(system, state);
     energy.elastic += 0.5 * system.grab->stiffness * glm::dot(stretch, stretch);
   }
+  return energy;
+}
+
+double kinetic_energy(const System& system, const State& state) {
+  double energy = 0.0;
+  for (Index i = 0; i < system.point_count(); ++i)
+    if (!system.points()[i].nailed) energy += 0.5 * system.points()[i].mass * glm::dot(state.velocity[i], state.velocity[i]);
   return energy;
 }
 

@@ -1,5 +1,6 @@
 #include "sim/plan_energy.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/forces/field_kernel.h"
@@ -26,8 +27,8 @@ double stored_energy(const Plan& plan, const Field& x) {
   return energy;
 }
 
-double max_dissipation(const Spectrum& spectrum, double kinetic, double duration) {
-  return 2.0 * (spectrum.drag_rate + spectrum.dashpot_rate) * kinetic * duration;
+double max_dissipation(const Spectrum& spectrum, double supplied, double kinetic, double duration) {
+  return 2.0 * (spectrum.drag_rate + spectrum.dashpot_rate) * std::max(supplied, 2.0 * kinetic) * duration;
 }
 
 double verlet_energy_difference(const Plan& plan, double time, const Field& x, const Field& v, double h) {

@@ -14,7 +14,8 @@ double stored_energy(const Plan& plan, const Field& x);
 // with V'' v from the forces at x + h v and x - h v.
 double verlet_energy_difference(const Plan& plan, double time, const Field& x, const Field& v, double h);
 
-// [J], bound on what drag and dashpots dissipate within `duration` [s] while the kinetic energy is at most `kinetic` [J].
-double max_dissipation(const Spectrum& spectrum, double kinetic, double duration);
+// [J], bound on what drag and dashpots dissipate within a frame of `duration` [s], in a scene that was supplied with `supplied` [J] and
+// whose kinetic energy is at most `kinetic` [J] at the ends of the frame: within it, it is taken to be at most twice that, or `supplied`.
+double max_dissipation(const Spectrum& spectrum, double supplied, double kinetic, double duration);
 
 }  // namespace hooke

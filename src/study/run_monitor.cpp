@@ -35,7 +35,7 @@ RunMonitor::RunMonitor(const System& system, const State& start, int frames_per_
     : frames_per_estimate_(frames_per_estimate),
       start_{unexplained_energy(system, start), start},
       lowest_(start_),
-      kinetic_(compute_energy(system, start).kinetic),
+      kinetic_(kinetic_energy(system, start)),
       scale_(start.ledger.scale) {}
 
 void RunMonitor::begin_frame(const System& system, const Settings& settings, const State& state) {
@@ -69,8 +69,7 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   const Energy energies = compute_energy(system, state);
   const double energy = energies.total() - state.ledger.net_input;
   scale_ = state.ledger.scale;
-  max_dissipated_ +=
-      max_dissipation(plan.spectrum, std::max(scale_, 2.0 * std::max(kinetic_, energies.kinetic)), 1.0 / settings.frame_rate);
+  max_dissipated_ += max_dissipation(plan.spectrum, scale_, std::max(kinetic_, energies.kinetic), 1.0 / settings.frame_rate);
   kinetic_ = energies.kinetic;
   if (energy - lowest_.energy > largest_rise_)
     largest_rise_ = std::max(largest_rise_, modified_change(lowest_, energy, plan, settings, state));

@@ -201,7 +201,7 @@ std::string chart_script(const Results& results, ChartFormat format) {
       "unset key\n";
   std::size_t place = 0;
   for (const ProblemRecord& record : results.problems) print_panel(script, record, place++, columns, rows);
-  script += "unset multiplot\nunset output\n";
+  script += "unset multiplot\n";
   return script;
 }
 

@@ -173,6 +173,22 @@ TEST(EnergyAccounts, TheLossOfTheMethodIsSeparatedFromThatOfTheScene) {
   EXPECT_EQ(balance.dashpots, 0.0);
 }
 
+// A pendulum that the method damps by two thirds, with a drag or a dashpot that hardly acts.
+TEST(EnergyAccounts, TheLossOfTheMethodIsNotThatOfAWeakDragOrDashpot) {
+  for (const auto& [drag, damping] : {std::pair{1e-9, 0.0}, {0.0, 1e-9}}) {
+    TestSim sim;
+    sim.system.gravity = {0.0, -9.81, 0.0};
+    sim.join(sim.nail(Vec3(0.0)), sim.add({1.0, 0.0, 0.0}), 1e4, 1.0, damping);
+    sim.system.drag = drag;
+    Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("implicit_euler"), .substeps = 1}), AccuracyMode::Frame);
+    for (int frame = 0; frame < 240; ++frame) ASSERT_TRUE(lab.step());
+    const EnergyBalance balance = lab.accuracy().energy;
+    EXPECT_LT(balance.change, -5.0);
+    EXPECT_NEAR(balance.method, balance.change, 1e-5);
+    EXPECT_NEAR(balance.drag + balance.dashpots, 0.0, 1e-5);
+  }
+}
+
 // Their fractions are not evaluated in every frame.
 TEST(EnergyAccounts, DragAndDashpotsAreSeparated) {
   TestSim sim = net(8, 1e2, 0.5);

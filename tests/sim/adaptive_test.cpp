@@ -8,6 +8,7 @@
 #include "sim/integrators/rows.h"
 #include "sim/step.h"
 #include "support/convergence.h"
+#include "support/folds.h"
 #include "support/nets.h"
 
 namespace hooke {
@@ -35,6 +36,23 @@ TEST(AdaptiveStep, GivesUpWhenAFrameTakesTooManyForceEvaluations) {
                 1e-3 * max_adaptive_evaluations);
     EXPECT_LT(frame.substeps_done(), substeps);
   }
+}
+
+// Contact of faces costs far more than the forces, and is part of every step.
+TEST(AdaptiveStep, GivesUpWhenAFrameTakesTooManyStepsWithContactOfFaces) {
+  TestSim sim;
+  folds::add_sheet(
+      sim, 2, [](double x, double z) { return Vec3(x, 0.0, z); }, folds::at_rest);
+  folds::touch(sim);
+  Plan plan = make_plan(sim.system);
+  const auto failure_with = [&](int substeps) {
+    Frame frame;
+    frame.begin(plan, sim.system, {.integrator = &dop853, .substeps = substeps}, sim.state);
+    while (!frame.done()) frame.substep(plan);
+    return frame.failure();
+  };
+  EXPECT_EQ(failure_with(static_cast<int>(max_adaptive_surface_steps)), StepFailure::None);
+  EXPECT_EQ(failure_with(static_cast<int>(max_adaptive_surface_steps) + 1), StepFailure::TooMany);
 }
 
 TEST(AdaptiveStep, IsOneCallEachSoThatAFrameCanBeInterrupted) {

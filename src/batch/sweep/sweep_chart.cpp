@@ -193,7 +193,7 @@ std::string sweep_chart_script(const Sweep& sweep, const SweepRows& rows, ChartF
     else
       print_heat_map(script, sweep, rows, i, data);
   }
-  script += "unset multiplot\nunset output\n";
+  script += "unset multiplot\n";
   return script;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/energy.h"
 #include "sim/plan_energy.h"
 
 namespace hooke {
@@ -35,13 +36,6 @@ Dissipation dissipation_at(const System& system, const State& state) {
     power.dashpots += damping * speed * speed;
   }
   return power;
-}
-
-double kinetic_energy(const System& system, const State& state) {
-  double energy = 0.0;
-  for (Index i = 0; i < system.point_count(); ++i)
-    if (!system.points()[i].nailed) energy += 0.5 * system.points()[i].mass * glm::dot(state.velocity[i], state.velocity[i]);
-  return energy;
 }
 
 }  // namespace
@@ -85,8 +79,8 @@ void EnergyAccounts::add_frame(const Plan& plan, const System& system, const Sta
   if (!drags && !damps) {
     balance_.method += rest;
   } else {
-    const double kinetic = std::max({after.ledger.scale, 2.0 * kinetic_energy(system, before), 2.0 * kinetic_energy(system, after)});
-    const double dissipated = dissipation_in(rest, max_dissipation(plan.spectrum, kinetic, after.time - before.time));
+    const double kinetic = std::max(kinetic_energy(system, before), kinetic_energy(system, after));
+    const double dissipated = dissipation_in(rest, max_dissipation(plan.spectrum, after.ledger.scale, kinetic, after.time - before.time));
     balance_.method += rest - dissipated;
     rest = dissipated;
     if (!drags || !damps) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/rest_lengths.h"
+
 namespace hooke {
 namespace {
 
@@ -14,24 +16,17 @@ EdgeEnds ordered(Index i, Index j) { return {std::min(i, j), std::max(i, j)}; }
 // Fills a SurfacePlan from the faces and springs of a System.
 class SurfacePlanner {
  public:
-  SurfacePlanner(const System& system, SurfacePlan& plan) : system_(system), plan_(plan) {}
+  SurfacePlanner(const System& system, SurfacePlan& plan) : system_(system), plan_(plan), rest_(system) {}
 
   void plan() {
     find_pieces();
     find_corners();
     find_edges();
-    find_rest_lengths();
     find_thickness();
     find_excluded();
   }
 
  private:
-  struct RestLength {
-    EdgeEnds ends{};
-    double length = 0.0;
-    auto operator<=>(const RestLength&) const = default;
-  };
-
   Index local(PointId id) const { return local_[system_.index_of(id)]; }
   EdgeEnds ends_of(const Spring& spring) const { return ordered(local(spring.first), local(spring.second)); }
 
@@ -109,20 +104,8 @@ class SurfacePlanner {
     }
   }
 
-  void find_rest_lengths() {
-    for (const Spring& spring : system_.springs()) {
-      const EdgeEnds ends = ends_of(spring);
-      if (ends[0] != no_index && spring.rest_length > 0.0) rest_.push_back({ends, spring.rest_length});
-    }
-    std::ranges::sort(rest_);
-  }
-
   // [m]; 0: no spring joins them.
-  double rest_length(Index i, Index j) const {
-    const EdgeEnds ends = ordered(i, j);
-    const auto at = std::ranges::lower_bound(rest_, ends, {}, &RestLength::ends);
-    return at != rest_.end() && at->ends == ends ? at->length : 0.0;
-  }
+  double rest_length(Index i, Index j) const { return rest_.between(plan_.points[i], plan_.points[j]); }
 
   // The smallest height of a face, or the length of a spring [m]; 0: not known, or flat.
   double height_of(const SurfacePlan::Piece& piece) const {
@@ -174,7 +157,7 @@ class SurfacePlanner {
   SurfacePlan& plan_;
   std::vector<Index> local_;  // per point of the System; no_index: not part of it
   std::vector<char> on_face_;
-  std::vector<RestLength> rest_;  // in ascending order
+  RestLengths rest_;
 };
 
 // Whether any point of one is one of the other, or is in the list with it.

@@ -1,42 +1,25 @@
 #include "sim/forces/hinges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
 
+#include "sim/rest_lengths.h"
+
 namespace hooke {
 namespace {
 
-using HingeEnds = std::pair<Index, Index>;
+using HingeEnds = std::array<Index, 2>;
 
-HingeEnds hinge_ends(Index i, Index j) { return std::minmax(i, j); }
+HingeEnds hinge_ends(Index i, Index j) { return {std::min(i, j), std::max(i, j)}; }
 
 // A face at rest. Side i is opposite corner i.
 struct RestFace {
   std::array<Index, 3> corners{};
   std::array<double, 3> length{}, cotangent{};  // of the sides [m], of the angles at the corners
   double area = 0.0;                            // [m^2]; 0: it has no hinges
-};
-
-// Rest lengths of springs by their ends.
-class RestLengths {
- public:
-  explicit RestLengths(const System& system) {
-    lengths_.reserve(system.springs().size());
-    for (const Spring& spring : system.springs())
-      if (spring.rest_length > 0.0)
-        lengths_.emplace_back(hinge_ends(system.index_of(spring.first), system.index_of(spring.second)), spring.rest_length);
-    std::ranges::sort(lengths_);
-  }
-  // [m]; 0: no spring joins them.
-  double between(Index i, Index j) const {
-    const auto at = std::ranges::lower_bound(lengths_, hinge_ends(i, j), {}, &std::pair<HingeEnds, double>::first);
-    return at != lengths_.end() && at->first == hinge_ends(i, j) ? at->second : 0.0;
-  }
-
- private:
-  std::vector<std::pair<HingeEnds, double>> lengths_;
 };
 
 RestFace rest_face(const System& system, const RestLengths& lengths, const Face& face) {
@@ -96,14 +79,13 @@ void find_hinges(const std::vector<RestFace>& rest, std::vector<HingedFace>& hin
     HingeEnds ends;
     Index face;
     int corner;
-    auto operator<=>(const Side&) const = default;
   };
   std::vector<Side> sides;
   sides.reserve(3 * rest.size());
   for (std::size_t f = 0; f < rest.size(); ++f)
     for (int c = 0; c < 3; ++c)
       sides.push_back({hinge_ends(rest[f].corners[(c + 1) % 3], rest[f].corners[(c + 2) % 3]), static_cast<Index>(f), c});
-  std::ranges::sort(sides);
+  std::ranges::sort(sides, {}, [](const Side& side) { return std::tuple(side.ends[0], side.ends[1], side.face); });
   for (std::size_t s = 0; s < sides.size();) {
     std::size_t end = s + 1;
     while (end < sides.size() && sides[end].ends == sides[s].ends) ++end;
