@@ -68,7 +68,7 @@ class FrameCapture {
     std::snprintf(time.data(), time.size(), "t = %.3f s", snapshot.state.time);
     return std::string(time.data()) + "    " + accuracy_line(status.accuracy) + "    " + std::string(snapshot.settings.integrator->id) +
            (is_automatic(snapshot.settings) && snapshot.state.memory.choice
-                ? ": " + describe(*snapshot.state.memory.choice, snapshot.settings)
+                ? ": " + describe(snapshot.state.memory, snapshot.settings)
                 : ", " + std::to_string(snapshot.settings.substeps) + (snapshot.settings.substeps == 1 ? " substep" : " substeps"));
   }
 

@@ -19,6 +19,21 @@ using JsonLayout = JsonWriter::Layout;
 // Size of the output buffer [bytes]: samples of large scenes are too large to keep in memory.
 constexpr std::size_t max_buffered_bytes = 1 << 16;
 
+namespace {
+
+void write_choice(JsonWriter& json, const MethodChoice& choice) {
+  json.text("integrator", choice.method->id);
+  json.integer("substeps", choice.substeps);
+  json.integer("min_substeps", choice.min_substeps);
+  json.key("ratio");
+  if (std::isfinite(choice.ratio))
+    json.number(choice.ratio);
+  else
+    json.null();
+}
+
+}  // namespace
+
 std::string to_hexadecimal(std::uint64_t hash) {
   char text[17];
   std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
@@ -90,14 +105,17 @@ void JsonReport::add_sample(const System& system, const State& state, const Accu
   if (const auto& choice = state.memory.choice) {
     json_.key("choice");
     json_.begin_object(JsonLayout::Line);
-    json_.text("integrator", choice->method->id);
-    json_.integer("substeps", choice->substeps);
-    json_.integer("min_substeps", choice->min_substeps);
-    json_.key("ratio");
-    if (std::isfinite(choice->ratio))
-      json_.number(choice->ratio);
-    else
-      json_.null();
+    write_choice(json_, *choice);
+    if (!state.memory.islands.empty()) {
+      json_.key("islands");
+      json_.begin_list(JsonLayout::Line);
+      for (const MethodChoice& island : state.memory.islands) {
+        json_.begin_object(JsonLayout::Line);
+        write_choice(json_, island);
+        json_.end();
+      }
+      json_.end();
+    }
     json_.end();
   }
   json_.key("error");

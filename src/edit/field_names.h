@@ -32,7 +32,7 @@ template <> inline constexpr std::array<std::string_view, 3> field_names<Force> 
 template <> inline constexpr std::array<std::string_view, 2> field_names<Patch> = {"points", "shares"};
 template <> inline constexpr std::array<std::string_view, 8> field_names<EnergyLedger> = {
     "given", "scale", "hand_stretch", "extent", "speed", "reversible", "min_reversible", "max_reversible"};
-template <> inline constexpr std::array<std::string_view, 3> field_names<MethodMemory> = {"step", "error", "choice"};
+template <> inline constexpr std::array<std::string_view, 4> field_names<MethodMemory> = {"step", "error", "choice", "islands"};
 template <> inline constexpr std::array<std::string_view, 19> field_names<MethodChoice> = {
     "method", "substeps", "min_substeps", "period", "until_estimate", "interval", "until_selection", "selected_substeps", "next_substeps",
     "until_bound", "frequency",

@@ -6,6 +6,7 @@
 #include "edit/apply.h"
 #include "edit/text_form.h"
 #include "formats/texture.h"
+#include "sim/automatic/automatic.h"
 
 namespace hooke {
 namespace {
@@ -112,13 +113,9 @@ void restore_resume_state(const JsonField& field, Scene& scene) {
   for (const double value : {ledger.net_input, ledger.scale, ledger.hand_stretch, ledger.extent.value_or(0.0), ledger.speed.value_or(0.0),
                              ledger.reversible.value_or(0.0), ledger.min_reversible.value_or(0.0), ledger.max_reversible.value_or(0.0)})
     if (!std::isfinite(value)) field.refuse("ledger: must be numbers below 1.8e308");
-  if (const auto& choice = rest.memory.choice) {
-    const bool has_steps = choice->method->stability != Stability::Adaptive;
-    if (!has_steps || choice->substeps < 1 || choice->substeps > max_substeps || choice->min_substeps < 1 ||
-        choice->min_substeps > max_substeps || choice->next_substeps < 1 || choice->next_substeps > max_substeps ||
-        !(choice->frequency > 0.0) || choice->period < 1 || choice->interval < 1)
-      field.refuse("memory: choice: must be of a method with fixed steps, and of 1 to " + std::to_string(max_substeps) + " substeps");
-  }
+  if (!is_valid(rest.memory))
+    field.refuse("memory: choice, islands: must be of methods with fixed steps, of 1 to " + std::to_string(max_substeps) +
+                 " substeps, and of at most " + std::to_string(IslandStepsList::max_size) + " islands");
   restore_ids(rest, scene);
   scene.state.torn = rest.torn;
   scene.tears = rest.tears;

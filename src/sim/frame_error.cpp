@@ -29,6 +29,7 @@ Settings refined(const System& system, const Settings& settings) {
   }
   if (settings.integrator->stability != Stability::Adaptive) {
     fine.substeps *= 2;
+    for (IslandSteps& steps : fine.islands) steps.substeps *= 2;
     return fine;
   }
   // a tolerance that is set applies to contact too, where a tighter one is expensive: friction is of first order
@@ -40,7 +41,9 @@ Settings refined(const System& system, const Settings& settings) {
 
 double refinement_weight(const System& system, const Settings& settings) {
   if (settings.integrator->stability == Stability::Adaptive) return 1.0;
-  const double factor = std::ldexp(1.0, effective_order(system, *settings.integrator));
+  int order = effective_order(system, *settings.integrator);
+  for (const IslandSteps& steps : settings.islands) order = std::min(order, effective_order(system, *steps.integrator));
+  const double factor = std::ldexp(1.0, order);
   return factor / (factor - 1.0);
 }
 

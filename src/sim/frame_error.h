@@ -19,7 +19,7 @@ Settings refined(const System& system, const Settings& settings);
 int effective_order(const System& system, const Integrator& method);
 
 // Factor from the difference to the repetition to the error: 2^p / (2^p - 1) for a method of order p (Richardson), or 1 where the
-// repetition is exact in comparison.
+// repetition is exact in comparison. Of the lowest order, where parts of the scene have their own methods.
 double refinement_weight(const System& system, const Settings& settings);
 
 // `weight` times the distance between the positions of two states of the same scene.

@@ -53,6 +53,7 @@ struct MethodMemory {
   double step = 0.0;                     // [s], the next step
   double error = 0.0;                    // [1], of its last step, relative to the tolerance
   std::optional<MethodChoice> choice{};  // none: another method, or not yet made
+  std::vector<MethodChoice> islands{};   // of each group of parts that are stepped separately (automatic/islands.h); empty: as a whole
   bool operator==(const MethodMemory&) const = default;
 };
 

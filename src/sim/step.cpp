@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/automatic/cost_model.h"
+#include "sim/automatic/islands.h"
 #include "sim/contact/clearance.h"
 #include "sim/forces/forces.h"
 #include "sim/hand.h"
@@ -23,9 +25,16 @@ double stretch_energy(const System& system, double displacement) {
 
 }  // namespace
 
+Frame::Frame() = default;
+Frame::~Frame() = default;
+Frame::Frame(Frame&& other) noexcept = default;
+Frame& Frame::operator=(Frame&& other) noexcept = default;
+
 void Frame::begin(Plan& plan, const System& system, const Settings& given, const State& state) {
   duration_ = 1.0 / given.frame_rate;
   prepare_hand(plan, system, state, duration_);
+  is_divided_ = begin_islands(plan, system, given, state);
+  if (is_divided_) return;
   std::optional<MethodChoice> choice;
   Settings settings = given;
   if (is_automatic(given)) {
@@ -36,6 +45,7 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
     if (Frame* computed = automatic_.computed_frame(*choice)) {
       take_over(*computed);
       motion_.memory.choice = choice;
+      motion_.memory.islands.clear();
       return;
     }
   }
@@ -49,6 +59,7 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   start_ = state.time;
   pack(plan, state, motion_);
   motion_.memory.choice = choice;
+  motion_.memory.islands.clear();
   collider_displacement_ = plan.grabbed_collider ? duration_ * plan.grabbed_collider->velocity : Vec3(0.0);
 
   // a held point moves in a straight line to the target, as a point of infinite mass with that velocity: exact for every method
@@ -73,6 +84,26 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   before_.begin_frame();
   if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
   if (integrator_->advance != nullptr) adaptive_step_.begin_frame(plan, motion_);
+}
+
+// With `auto`, and when such a frame is computed again: whether groups of parts are stepped separately. Then nothing is held, and springs
+// do not break.
+bool Frame::begin_islands(const Plan& plan, const System& system, const Settings& settings, const State& state) {
+  if (!is_automatic(settings) && settings.islands.empty()) return false;
+  if (!islands_) islands_ = std::make_unique<IslandFrames>();
+  if (!islands_->divide(plan, system, settings.frame_rate)) return false;
+  if (!settings.islands.empty() && settings.islands.size() != islands_->count()) return false;
+  start_ = state.time;
+  substeps_ = 1;
+  substeps_done_ = 0;
+  failure_ = StepFailure::None;
+  has_touched_ = false;
+  target_ = collider_displacement_ = Vec3(0.0);
+  hand_stretch_ = hand_speed_ = 0.0;
+  broken_.clear();
+  pack(plan, state, motion_);
+  islands_->begin(settings, state, motion_.memory);
+  return true;
 }
 
 // A frame that was computed from the same state with the same settings. Its buffers are exchanged, so that nothing is allocated.
@@ -126,6 +157,15 @@ bool Frame::fly(Plan& plan) {
 }
 
 void Frame::substep(Plan& plan) {
+  if (is_divided_) {
+    islands_->substep();
+    failure_ = islands_->failure();
+    if (!islands_->done()) return;
+    islands_->end(plan, motion_);
+    has_touched_ = islands_->has_touched();
+    substeps_done_ = substeps_;
+    return;
+  }
   const int done_before = substeps_done_;
   if (fly(plan)) {
     const double flown = (substeps_done_ - done_before) * h_;
@@ -191,6 +231,12 @@ void Frame::break_long_springs(Plan& plan) {
   if (plan.break_length.empty() || !break_springs(plan, motion_, broken_)) return;
   motion_.acceleration_is_current = false;
   if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
+}
+
+double Frame::trial_cost() const { return automatic_.trial_cost() + (islands_ ? islands_->trial_cost() : 0.0); }
+
+double Frame::cost(const Plan& plan) const {
+  return is_divided_ ? islands_->cost() : CostModel(plan).of(*integrator_, motion_, substeps_done_);
 }
 
 void Frame::end(const Plan& plan, State& state) const {

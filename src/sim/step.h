@@ -1,6 +1,7 @@
 // One frame of a scene, substep by substep.
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "sim/adaptive_step.h"
@@ -13,6 +14,8 @@
 
 namespace hooke {
 
+class IslandFrames;
+
 // Why a frame ended early: for an adaptive method no step is short enough for a finite error, or a frame takes more than
 // max_adaptive_evaluations force evaluations or max_adaptive_surface_steps, those of rejected steps included; or more than
 // PairSolver::max_pairs pairs of points come within reach of each other in one substep.
@@ -24,6 +27,11 @@ enum class StepFailure { None, TooShort, TooMany, TooManyPairs };
 // rebuilt or refreshed. The State is not changed.
 class Frame {
  public:
+  Frame();
+  ~Frame();
+  Frame(Frame&& other) noexcept;
+  Frame& operator=(Frame&& other) noexcept;
+
   // Sets the motion of the hand and packs the state. The plan must be current.
   void begin(Plan& plan, const System& system, const Settings& settings, const State& state);
   // One substep; where nothing acts between them several, as many in every run; or, of an adaptive method, one of its own steps, so that
@@ -48,15 +56,20 @@ class Frame {
   // All cost counters, and the method's own error estimate.
   const Motion& motion() const { return motion_; }
   // [ms], of the frames that `auto` computed on copies so far and did not use, by the model of the cost.
-  double trial_cost() const { return automatic_.trial_cost(); }
+  double trial_cost() const;
+  // [ms], of what was computed of this frame, by the same model.
+  double cost(const Plan& plan) const;
 
  private:
   void take_over(Frame& computed);
+  bool begin_islands(const Plan& plan, const System& system, const Settings& settings, const State& state);
   bool fly(Plan& plan);
   bool act(Plan& plan, bool may_touch);
   void break_long_springs(Plan& plan);
 
   AutomaticChoice automatic_;
+  std::unique_ptr<IslandFrames> islands_;  // null: none so far
+  bool is_divided_ = false;                // this frame is computed by them
   const Integrator* integrator_ = nullptr;
   double start_ = 0.0, duration_ = 0.0, h_ = 0.0;  // [s]
   int substeps_ = 0, substeps_done_ = 0;

@@ -6,7 +6,6 @@
 #include <ctime>
 #include <glm/geometric.hpp>
 
-#include "sim/automatic/cost_model.h"
 #include "sim/divergence.h"
 
 namespace hooke {
@@ -82,9 +81,7 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
     }
     result.cpu_seconds += cpu_seconds() - begin;
     add(result, frame_.motion());
-    if (is_auto)
-      result.model_ms +=
-          state.memory.choice ? CostModel(plan_).of(*state.memory.choice->method, frame_.motion(), state.memory.choice->substeps) : 0.0;
+    if (is_auto) result.model_ms += frame_.cost(plan_);
 
     if (!is_finite(state) || rms_distance(state, start) > out_of_bounds * problem_.size) {
       result.end = RunResult::End::Diverged;

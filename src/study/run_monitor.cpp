@@ -47,7 +47,7 @@ void RunMonitor::begin_frame(const System& system, const Settings& settings, con
 // the energy of the scene changed.
 double RunMonitor::modified_change(Reference& since, double energy, const Plan& plan, const Settings& settings, const State& state) {
   const double change = energy - since.energy;
-  const auto modified_energy = settings.integrator->modified_energy;
+  const auto modified_energy = settings.islands.empty() ? settings.integrator->modified_energy : nullptr;
   const auto points = static_cast<std::size_t>(plan.points);
   if (modified_energy == nullptr || state.position.size() != points || since.state.position.size() != points) return change;
   const auto difference = [&](const State& at) {
@@ -76,7 +76,7 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   if (energy < lowest_.energy) {
     lowest_.energy = energy;
     lowest_.difference.reset();
-    if (settings.integrator->modified_energy != nullptr) lowest_.state = state;
+    if (settings.integrator->modified_energy != nullptr && settings.islands.empty()) lowest_.state = state;
   }
   // a rise is reported above, and what the scene may dissipate is no error
   constexpr double min_loss = 0.01;  // of the supplied energy

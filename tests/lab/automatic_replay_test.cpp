@@ -1,6 +1,7 @@
 // Runs with the method `auto` are recorded, replayed and undone like any other.
 #include <gtest/gtest.h>
 
+#include "base/errors.h"
 #include "formats/scene_file.h"
 #include "lab/lab.h"
 #include "scene/parameters.h"
@@ -9,6 +10,7 @@
 #include "support/apply_now.h"
 #include "support/contents.h"
 #include "support/scratch_folder.h"
+#include "support/test_sim.h"
 
 namespace hooke {
 namespace {
@@ -55,6 +57,102 @@ TEST(AutomaticReplay, HasTheSameBits) {
   EXPECT_EQ(played.difference(), "");
   EXPECT_EQ(hash_state(played.scene().state), hash_state(lab.scene().state));
   EXPECT_EQ(played.scene().state.memory, lab.scene().state.memory);
+}
+
+// A stiff and a soft chain, which have their own steps.
+Scene two_chains() {
+  TestSim sim;
+  for (const double stiffness : {20.0, 2e4}) {
+    const double z = stiffness < 100.0 ? 0.0 : 1.0;
+    PointId last = sim.nail({0.0, 0.0, z});
+    for (int i = 1; i < 60; ++i) {
+      const PointId next = sim.add({0.1 * i, 0.0, z}, 0.01);
+      sim.join(last, next, stiffness, 0.1);
+      last = next;
+    }
+  }
+  Scene scene;
+  scene.system = std::move(sim.system);
+  scene.state = std::move(sim.state);
+  scene.settings = {.integrator = &automatic_method(), .tolerance = 1e-3};
+  return scene;
+}
+
+TEST(AutomaticReplay, OfPartsWithTheirOwnStepsHasTheSameBits) {
+  const ScratchFolder scratch;
+  const std::filesystem::path file = scratch.folder / "auto.hookelog";
+  Lab lab(two_chains());
+  for (int i = 0; i < 7; ++i) lab.step();
+  EXPECT_EQ(lab.scene().state.memory.islands.size(), 2u);
+  lab.submit(Record{std::make_shared<const std::filesystem::path>(file)});
+  for (int i = 0; i < 20; ++i) lab.step();
+  lab.submit(SetParameter{find_parameter("stiffness"), 300.0});
+  for (int i = 0; i < 3; ++i) lab.step();
+  EXPECT_TRUE(lab.scene().state.memory.islands.empty());
+  lab.submit(Undo{});
+  for (int i = 0; i < 3; ++i) lab.step();
+  EXPECT_EQ(lab.scene().state.memory.islands.size(), 2u);
+  lab.submit(Record{});
+  apply_now(lab);
+  auto recording = std::make_shared<const Recording>(parse_recording(contents(file), "test"));
+  EXPECT_EQ(recording->start->state.memory.islands.size(), 2u);
+  Lab played(*recording->start, KeepStart::No);
+  played.submit(Play{std::move(recording)});
+  apply_now(played);
+  while (played.is_playing()) played.step();
+  EXPECT_EQ(played.difference(), "");
+  EXPECT_EQ(played.scene().state.memory, lab.scene().state.memory);
+}
+
+// The text of a recording that starts while two parts have their own steps.
+std::string recording_of_two_chains() {
+  const ScratchFolder scratch;
+  const std::filesystem::path file = scratch.folder / "auto.hookelog";
+  Lab lab(two_chains());
+  for (int i = 0; i < 7; ++i) lab.step();
+  lab.submit(Record{std::make_shared<const std::filesystem::path>(file)});
+  lab.step();
+  lab.submit(Record{});
+  apply_now(lab);
+  return contents(file);
+}
+
+// Earlier versions wrote no parts: the methods are chosen anew.
+TEST(AutomaticReplay, ARecordingOfAnEarlierVersionHasNoParts) {
+  std::string text = recording_of_two_chains();
+  const std::size_t begin = text.find(", \"islands\": ["), end = text.find(']', begin);
+  ASSERT_NE(begin, std::string::npos) << text.substr(text.find("\"memory\""), 200);
+  text.erase(begin, end + 1 - begin);
+  const Recording recording = parse_recording(text, "test");
+  EXPECT_TRUE(recording.start->state.memory.choice);
+  EXPECT_TRUE(recording.start->state.memory.islands.empty());
+  Lab lab(*recording.start, KeepStart::No);
+  ASSERT_TRUE(lab.step());
+  EXPECT_EQ(lab.scene().state.memory.islands.size(), 2u);
+}
+
+TEST(AutomaticReplay, ARecordingWithMorePartsThanThereCanBeIsRefused) {
+  std::string text = recording_of_two_chains();
+  const std::size_t begin = text.find("\"islands\": [") + 12, end = text.find('}', begin) + 1;
+  const std::string first = text.substr(begin, end - begin);
+  for (int i = 0; i < 20; ++i) text.insert(end, "," + first);
+  try {
+    parse_recording(text, "test");
+    FAIL() << "is accepted";
+  } catch (const InputError& refused) {
+    EXPECT_NE(std::string(refused.what()).find("at most 12 islands"), std::string::npos) << refused.what();
+  }
+}
+
+TEST(AutomaticReplay, PartsWithTheirOwnStepsAreMeasuredWithThem) {
+  Lab lab(two_chains(), KeepStart::No);
+  lab.submit(SetAccuracy{AccuracyMode::Full});
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(lab.step());
+  const Accuracy accuracy = lab.accuracy();
+  EXPECT_EQ(lab.scene().state.memory.islands.size(), 2u);
+  ASSERT_TRUE(accuracy.frame.value && accuracy.accumulated.value);
+  EXPECT_LT(*accuracy.frame.value, 1e-3 / 60.0);
+  EXPECT_LT(*accuracy.accumulated.value, 1e-3);
 }
 
 TEST(AutomaticReplay, AToleranceIsNotTakenOverByAMethodToWhichItMeansSomethingElse) {

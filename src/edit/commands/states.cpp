@@ -6,6 +6,7 @@
 #include "edit/command.h"
 #include "edit/in_plane.h"
 #include "edit/tears.h"
+#include "sim/automatic/automatic.h"
 
 namespace hooke {
 namespace {
@@ -34,7 +35,7 @@ Inverse GoToState::apply(Scene& scene, Effect& effect) const {
     return list.size() == scene.system.points().size() && std::ranges::all_of(list, is_finite);
   };
   if (!fits(target.position) || !fits(target.velocity) || !std::isfinite(target.time) || target.torn > scene.tears.size()) return {};
-  if (!is_finite(target.hand.position) || !is_finite(target.hand.target)) return {};
+  if (!is_finite(target.hand.position) || !is_finite(target.hand.target) || !is_valid(target.memory)) return {};
   const GoToState before{std::make_shared<const State>(scene.state)};
   // the ledger and a carried collider belong to the present
   const EnergyLedger ledger = scene.state.ledger;

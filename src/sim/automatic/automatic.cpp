@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/file_limits.h"
 #include "base/formatted.h"
 
 namespace hooke {
@@ -37,12 +38,23 @@ const Integrator& automatic_method() { return automatic_row; }
 
 double automatic_tolerance(const Settings& settings) { return settings.tolerance.value_or(default_automatic_tolerance); }
 
+bool is_valid(const MethodMemory& memory) {
+  const auto is_number = [](int substeps) { return substeps >= 1 && substeps <= max_substeps; };
+  const auto is_possible = [&](const MethodChoice& choice) {
+    return choice.method->stability != Stability::Adaptive && is_number(choice.substeps) && is_number(choice.min_substeps) &&
+           is_number(choice.next_substeps) && choice.frequency > 0.0 && choice.period >= 1 && choice.interval >= 1;
+  };
+  return (!memory.choice || is_possible(*memory.choice)) && memory.islands.size() <= IslandStepsList::max_size &&
+         std::ranges::all_of(memory.islands, is_possible);
+}
+
 Settings settings_used(const Settings& settings, const State& after) {
   Settings used = settings;
   if (!is_automatic(settings) || !after.memory.choice) return used;
   used.integrator = after.memory.choice->method;
   used.substeps = after.memory.choice->substeps;
   used.tolerance.reset();
+  for (const MethodChoice& choice : after.memory.islands) used.islands.push_back({choice.method, choice.substeps});
   return used;
 }
 
@@ -68,6 +80,13 @@ std::string describe(const MethodChoice& choice, const Settings& settings) {
     text = formatted(": the error is %.1g m/s.", error);
   const bool is_late = choice.budget > 0.0 && choice.cost > 1.25 * choice.budget;
   return steps + text + (is_late ? " Nothing that is stable is within the budget." : "");
+}
+
+std::string describe(const MethodMemory& memory, const Settings& settings) {
+  if (memory.islands.empty()) return describe(*memory.choice, settings);
+  std::string text = "Parts that do not affect each other have their own steps.";
+  for (const MethodChoice& choice : memory.islands) text += " " + describe(choice, settings);
+  return text;
 }
 
 void ToleranceMonitor::add_frame(const Settings& settings, const State& after) {

@@ -22,6 +22,10 @@ inline bool is_automatic(const Settings& settings) { return settings.integrator 
 inline constexpr double default_automatic_tolerance = 1e-3;
 double automatic_tolerance(const Settings& settings);
 
+// Whether the choices, which may come from a file, are ones that can have been made: a method with fixed steps, numbers of steps within
+// their limits, and no more groups than there can be.
+bool is_valid(const MethodMemory& memory);
+
 // The settings with which the frame that led to `after` was computed.
 Settings settings_used(const Settings& settings, const State& after);
 
@@ -31,6 +35,8 @@ bool is_tolerance_met(const MethodChoice& choice, const Settings& settings);
 
 // "Velocity Verlet, 31 substeps: limited by stability; the error, 2e-06 m/s, is far below the tolerance."
 std::string describe(const MethodChoice& choice, const Settings& settings);
+// The same of each group of parts that are stepped separately. There must be a choice.
+std::string describe(const MethodMemory& memory, const Settings& settings);
 
 // Counts the frames of a run in which the tolerance was not met; none with another method.
 class ToleranceMonitor {

@@ -1,13 +1,12 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <tuple>
 #include <utility>
 
 #include "sim/automatic/automatic.h"
+#include "sim/automatic/rates.h"
 #include "sim/automatic/selection.h"
 #include "sim/frame_error.h"
 #include "sim/portable_math.h"
@@ -26,31 +25,6 @@ constexpr double drop_factor = 1.5;  // within a frame: it turns into strain
 constexpr double fade = 0.99;        // of the recent maximum, per frame
 // The part of the target below which an error is far below the tolerance.
 constexpr double easy_ratio = 0.05, very_easy_ratio = 0.01;
-
-// What the motion and the stability of the methods depend on, as one number, to notice edits: 53 bits of a hash (FNV-1a, by words).
-// Without what moves by itself: the hand and colliders.
-double rates_of(const Plan& plan) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  const auto add = [&](double value) { hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3; };
-  const auto add_vector = [&](const Vec3& value) { add(value.x), add(value.y), add(value.z); };
-  const Spectrum& s = plan.spectrum;
-  for (const double value : {s.omega, s.dashpot_rate, s.force_omega, s.force_rate, s.drag_rate}) add(value);
-  for (const auto* values : {&plan.mass, &plan.inverse_mass, &plan.radius, &plan.stiffness, &plan.rest_length, &plan.damping,
-                             &plan.max_length, &plan.break_length})
-    for (const double value : *values) add(value);
-  for (const Force& force : plan.forces)
-    for (const double value : force.values) add(value);
-  for (const Collider& collider : plan.colliders) add(collider.restitution), add(collider.friction);
-  if (plan.pairs.on) add(plan.pairs.thickness), add(plan.pairs.restitution), add(plan.pairs.friction);
-  if (plan.surface.on) add(plan.surface.max_thickness), add(plan.surface.friction);
-  add(plan.held ? 1.0 : plan.grabbed_collider ? 2.0 : 0.0);
-  if (plan.pull) add(plan.pull->stiffness);
-  add_vector(plan.acceleration);
-  // the high bits depend on all others
-  hash ^= hash >> 32;
-  hash *= 0xd6e8feb86659fd93;
-  return static_cast<double>(hash >> 11);
-}
 
 // [m/s], a measure of how fast the scene and the hand move.
 double speed_of(const Plan& plan, const State& state, double frame) {

@@ -133,7 +133,8 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
     ImGui::PushFont(fonts().small);
     begin_row("Chosen");
     const Settings& settings = input.status.snapshot->settings;
-    paragraph(describe(*choice, settings), is_tolerance_met(*choice, settings) ? palette::dim : palette::warning);
+    paragraph(describe(input.status.snapshot->state.memory, settings),
+              is_tolerance_met(*choice, settings) ? palette::dim : palette::warning);
     ImGui::PopFont();
   }
   build_accuracy_line(input, panels);
