@@ -64,7 +64,7 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   ++frames_;
   is_dissipative_ = is_dissipative_ || motion.contact_work != 0.0 || motion.collider_work != 0.0 || has_dissipative_force(system);
   // `auto` has an estimate for every frame
-  if (is_automatic(settings) && state.memory.choice) estimated_error_ += state.memory.choice->ratio * state.memory.choice->target;
+  if (state.memory.choice) estimated_error_ += state.memory.choice->ratio * state.memory.choice->target;
   unconverged_solves_ += motion.unconverged_solves;
   const Energy energies = compute_energy(system, state);
   const double energy = energies.total() - state.ledger.net_input;

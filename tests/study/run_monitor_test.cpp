@@ -49,6 +49,25 @@ State exact_end(const TestNetwork& network, double seconds) {
   return run.state();
 }
 
+// `auto` estimates the error of every frame, whether the settings are its own or those that it chose.
+TEST(RunMonitor, AddsUpTheErrorsEstimatedByAuto) {
+  TestNetwork pendulum;
+  pendulum.join(pendulum.nail({0.0, 0.0, 0.0}), pendulum.add({1.0, 0.0, 0.0}, 1.0), 100.0);
+  for (const bool is_chosen : {false, true}) {
+    Lab lab(MonitoredRun(pendulum, {.integrator = &automatic_method()}).lab().scene(), KeepStart::No);
+    RunMonitor monitor(lab.scene().system, lab.scene().state, 20);
+    for (int i = 0; i < 20; ++i) {
+      const Settings& settings = lab.scene().settings;
+      monitor.begin_frame(lab.scene().system, settings, lab.scene().state);
+      ASSERT_TRUE(lab.step());
+      monitor.end_frame(lab.plan(), is_chosen ? settings_used(settings, lab.scene().state) : settings, lab.scene().system,
+                        lab.scene().state, lab.last_frame().motion());
+    }
+    EXPECT_GT(monitor.estimated_error(), 0.0) << is_chosen;
+    EXPECT_LT(monitor.estimated_error(), automatic_case_tolerance * 20.0 / 60.0) << is_chosen;
+  }
+}
+
 TEST(RunMonitor, DoesNotWarnAboutCorrectRuns) {
   constexpr double seconds = 1.0, correct = 2e-2;  // [s], [m]
   constexpr int scenes = 300;
