@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/contact/closest.h"
+#include "sim/contact/closest_kernel.h"
 #include "sim/contact/surface_tree.h"
 #include "support/crossings.h"
 #include "support/folds.h"
@@ -51,6 +52,39 @@ TEST(ClosestPoints, AreOnBothFeaturesAndNoOthersAreCloser) {
       }
       EXPECT_NEAR(sum, 2.0, 1e-14);
       for (int k = 0; k < 300; ++k) ASSERT_GE(distance_at(x, any_weights(kind, random)), closest.distance - 1e-14);
+    }
+}
+
+// Blocks of any size; some features are degenerate, and some pairs have a point in common.
+TEST(FeatureBlock, HasTheClosestPointsOfEachOfItsPairsBitForBit) {
+  Random random(3);
+  for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
+    for (int count = 1; count <= FeatureBlock::capacity; ++count) {
+      std::vector<Vec3> x(80);
+      for (Vec3& point : x) point = anywhere(random);
+      for (int c = 0; c < 20; ++c) x[60 + c] = c % 2 == 0 ? x[c] : 0.5 * (x[c] + x[c + 20]);
+      FeatureBlock block;
+      block.count = count;
+      for (int i = 0; i < count; ++i)
+        for (Index& point : block.points[i]) point = std::min<Index>(79, static_cast<Index>(random.uniform(0.0, 80.0)));
+      find_closest(kind, x, block);
+      for (int i = 0; i < count; ++i) {
+        const auto& p = block.points[i];
+        const Closest one = closest_points(kind, {x[p[0]], x[p[1]], x[p[2]], x[p[3]]}), many = block.closest(i);
+        ASSERT_EQ(many.distance, one.distance);
+        ASSERT_EQ(many.separation, one.separation);
+        ASSERT_EQ(many.weight, one.weight);
+        ASSERT_EQ(many.is_at_end, one.is_at_end);
+      }
+      find_max_difference(kind, x, block);
+      for (int i = 0; i < count; ++i) {
+        const auto& p = block.points[i];
+        double longest = 0.0;
+        const int split = kind == FeaturePair::PointFace ? 1 : 2;
+        for (int a = 0; a < split; ++a)
+          for (int b = split; b < 4; ++b) longest = std::max(longest, glm::length(x[p[a]] - x[p[b]]));
+        ASSERT_EQ(block.distance[i], longest);
+      }
     }
 }
 

@@ -148,6 +148,8 @@ bool SurfaceSolver::find_pairs(const Plan& plan, double reach, double approach, 
   pairs_.clear();
   has_failed_ = !tree_.find_pairs(plan.surface, x_, found_reach_, is_pierced_, pairs_, PairSolver::max_pairs);
   if (has_failed_) found_reach_ = 0.0;
+  keys_.clear();
+  for (const SurfacePair& pair : pairs_) keys_.push_back(pair.key);
   return !has_failed_;
 }
 
@@ -160,18 +162,50 @@ bool SurfaceSolver::find_near(const Plan& plan, double reach, double approach, d
   }
   if (!is_covered(reach) && !find_pairs(plan, reach, approach, h)) return false;
 
-  near_.clear();
-  near_reach_ = reach;
-  min_distance_ = std::numeric_limits<double>::infinity();
-  for (SurfacePair& pair : pairs_) {
-    if (pair.key - travel_ >= reach + round_off) continue;
-    const Closest closest = closest_points(pair.kind, four(x_, pair.points));
-    pair.key = closest.distance + travel_;
-    if (!(closest.distance < reach) || closest.distance < coincident) continue;
-    near_.push_back({pair, closest});
-    min_distance_ = std::min(min_distance_, closest.distance);
+  // without branches, which would be mispredicted
+  woken_.resize(pairs_.size() + 1);
+  const double limit = reach + travel_ + round_off;
+  std::size_t count = 0;
+  for (std::size_t p = 0; p < keys_.size(); ++p) {
+    woken_[count] = static_cast<Index>(p);
+    count += keys_[p] < limit ? 1 : 0;
   }
+  woken_.resize(count);
+  if (evaluated_.size() < count) evaluated_.resize(count);
+  for (std::size_t w = 0; w < count; ++w) {
+    const SurfacePair& pair = pairs_[woken_[w]];
+    const auto kind = static_cast<std::size_t>(pair.kind);
+    FeatureBlock& block = block_[kind];
+    place_[kind][block.count] = static_cast<Index>(w);
+    block.points[block.count++] = pair.points;
+    if (block.count == FeatureBlock::capacity) evaluate(pair.kind, reach);
+  }
+  for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) evaluate(kind, reach);
+
+  near_.resize(count + 1);
+  near_reach_ = reach;
+  std::size_t near_count = 0;
+  for (std::size_t w = 0; w < count; ++w) {
+    const double distance = evaluated_[w].distance;
+    near_[near_count] = {woken_[w], static_cast<Index>(w), distance};
+    near_count += distance < reach && distance >= coincident ? 1 : 0;
+  }
+  near_.resize(near_count);
   return true;
+}
+
+void SurfaceSolver::evaluate(FeaturePair kind, double reach) {
+  FeatureBlock& block = block_[static_cast<std::size_t>(kind)];
+  find_closest(kind, x_, block);
+  for (int i = 0; i < block.count; ++i) {
+    const Index place = place_[static_cast<std::size_t>(kind)][i];
+    keys_[woken_[place]] = block.distance[i] + travel_;
+    if (block.distance[i] < reach)
+      evaluated_[place] = block.closest(i);
+    else
+      evaluated_[place].distance = block.distance[i];
+  }
+  block.count = 0;
 }
 
 // Where the closest point of an edge of a face is its end, other pairs touch in the same place.
@@ -180,15 +214,17 @@ void SurfaceSolver::make_contacts(const Plan& plan, double reach, double h) {
   contacts_.obstacles.clear();
   const SurfacePlan& surface = plan.surface;
   for (const Near& near : near_) {
-    const auto& [i, j, k, l] = near.pair.points;
-    if (near.closest.is_at_end && !near.pair.has_spring) continue;
+    const SurfacePair& pair = pairs_[near.pair];
+    const Closest& closest = evaluated_[near.evaluated];
+    const auto& [i, j, k, l] = pair.points;
+    if (closest.is_at_end && !pair.has_spring) continue;
     const double thickness = std::min({surface.thickness[i], surface.thickness[j], surface.thickness[k], surface.thickness[l]});
-    const double gap = near.closest.distance - thickness;
+    const double gap = near.distance - thickness;
     if (gap >= reach - surface.max_thickness) continue;
-    SurfaceContact contact{.points = near.pair.points, .weight = near.closest.weight, .gap = gap};
+    SurfaceContact contact{.points = pair.points, .weight = closest.weight, .gap = gap};
     for (int c = 0; c < 4; ++c) contact.response += contact.weight[c] * contact.weight[c] * inverse_mass_[contact.points[c]];
     if (contact.response == 0.0) continue;
-    contact.normal = near.closest.separation / near.closest.distance;
+    contact.normal = closest.separation / near.distance;
     contact.target = std::min(0.0, -gap / h);
     contacts_.surface.push_back(contact);
   }
@@ -253,10 +289,11 @@ bool SurfaceSolver::prevent_crossings(const Plan& plan, double h) {
     if (reach > near_reach_ && !find_near(plan, reach, approach, h)) return any;
     bool hits = false;
     for (const Near& near : near_) {
-      if (0.9 * near.closest.distance > approach) continue;
-      FourPoints displacement = four(path_, near.pair.points);
+      if (0.9 * near.distance > approach) continue;
+      const SurfacePair& pair = pairs_[near.pair];
+      FourPoints displacement = four(path_, pair.points);
       for (Vec3& d : displacement) d *= h;
-      const double part = free_part(near.pair.kind, four(x_, near.pair.points), displacement, near.closest.distance);
+      const double part = free_part(pair.kind, four(x_, pair.points), displacement, near.distance);
       if (part < 1.0 && handle_impact(near, part, h, pass >= impact_passes)) hits = true;
     }
     if (!hits) break;
@@ -268,12 +305,12 @@ bool SurfaceSolver::prevent_crossings(const Plan& plan, double h) {
 
 // An inelastic impact at this part of the substep. Returns whether it changed anything.
 bool SurfaceSolver::handle_impact(const Near& near, double part, double h, bool joins) {
-  const std::array<Index, 4>& points = near.pair.points;
+  const std::array<Index, 4>& points = pairs_[near.pair].points;
   ++impacts_;
   if (joins) return join(points);
   FourPoints at = four(x_, points);
   for (int c = 0; c < 4; ++c) at[c] += part * h * path_[points[c]];
-  const Closest closest = closest_points(near.pair.kind, at);
+  const Closest closest = closest_points(pairs_[near.pair].kind, at);
   double response = 0.0;
   Vec3 relative(0.0);
   for (int c = 0; c < 4; ++c) {

@@ -1,10 +1,10 @@
 // Contact between faces and springs during a frame.
 #pragma once
 
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "sim/contact/closest_kernel.h"
 #include "sim/contact/obstacle.h"
 #include "sim/contact/surface_response.h"
 #include "sim/contact/surface_tree.h"
@@ -42,13 +42,12 @@ class SurfaceSolver {
   long searches() const { return searches_; }  // of pairs
   long impacts() const { return impacts_; }    // found by continuous collision detection
   long candidates() const { return static_cast<long>(pairs_.size()); }
-  double min_distance() const { return min_distance_; }  // [m], at the start of the last substep in which any were near
 
  private:
   // A pair at the start of the substep.
   struct Near {
-    SurfacePair pair;
-    Closest closest;
+    Index pair = 0, evaluated = 0;  // of pairs_ and evaluated_
+    double distance = 0.0;          // [m]
   };
 
   bool load(const Plan& plan, const Field& x0, double h, const Motion& motion);
@@ -57,6 +56,7 @@ class SurfaceSolver {
   bool is_covered(double reach) const;
   bool find_pairs(const Plan& plan, double reach, double approach, double h);
   bool find_near(const Plan& plan, double reach, double approach, double h);
+  void evaluate(FeaturePair kind, double reach);
   void make_contacts(const Plan& plan, double reach, double h);
   void add_obstacles(const Plan& plan, std::span<const Obstacle> obstacles, double reach, double h, const Motion& motion);
   void note_pressed(const Plan& plan, double h);
@@ -80,7 +80,8 @@ class SurfaceSolver {
   std::vector<Vec3> free_u_, u_, separated_, path_;
   std::vector<Vec3> velocity_;  // [m/s], at the end
 
-  std::vector<SurfacePair> pairs_;     // with a key: their distance is at least that less travel_
+  std::vector<SurfacePair> pairs_;
+  std::vector<double> keys_;           // [m], of the pairs: their distance is at least that less travel_
   std::vector<Vec3> found_at_, last_;  // positions at which they were found, and in the substep before
   double found_reach_ = 0.0;           // [m]; 0: not found in this frame
   std::vector<Vec3> drift_;            // [m/s], with which points were assumed to move on
@@ -88,6 +89,10 @@ class SurfaceSolver {
   double horizon_ = 0.0;               // [s], how long
   double elapsed_ = 0.0;               // [s], since they were found
   double travel_ = 0.0;                // [m], bound on the change of the distance of any pair since they were found
+  std::vector<Index> woken_;           // pairs that may be near
+  std::vector<Closest> evaluated_;     // of those; only the distance if they are not near
+  std::array<FeatureBlock, 2> block_;  // of those of each kind that are not evaluated yet
+  std::array<std::array<Index, FeatureBlock::capacity>, 2> place_{};  // of woken_
   std::vector<Near> near_;
   double near_reach_ = 0.0;  // [m]: contains all pairs that are closer
   SurfaceContacts contacts_;
@@ -95,7 +100,6 @@ class SurfaceSolver {
   std::vector<Index> zone_;  // per point: the first of those that move together
   bool has_failed_ = false;
   long searches_ = 0, impacts_ = 0;
-  double min_distance_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace hooke

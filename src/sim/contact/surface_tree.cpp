@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "sim/contact/closest_kernel.h"
+
 namespace hooke {
 namespace {
 
@@ -37,13 +39,12 @@ void SurfaceTree::Box::include(const Box& other) {
   max = glm::max(max, other.max);
 }
 
+// Without branches between the components, which would be mispredicted.
 inline bool SurfaceTree::are_close(const Box& a, const Box& b, double reach) {
   const double x = std::max(a.min.x - b.max.x, b.min.x - a.max.x);
-  if (x > reach) return false;
   const double y = std::max(a.min.y - b.max.y, b.min.y - a.max.y);
-  if (y > reach) return false;
   const double z = std::max(a.min.z - b.max.z, b.min.z - a.max.z);
-  return !(z > reach);
+  return !(std::max(std::max(x, y), z) > reach);
 }
 
 void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
@@ -86,16 +87,27 @@ void SurfaceTree::split(std::span<const Vec3> center, Index first, Index end) {
   split(center, middle, end);
 }
 
+// Of the points on all of their way.
+SurfaceTree::Box SurfaceTree::box_of(std::span<const Index> points, std::span<const Vec3> x) const {
+  Box box{x[points[0]], x[points[0]]};
+  for (const Index i : points) {
+    box.include({x[i], x[i]});
+    if (displacement_.empty()) continue;
+    const Vec3 end = x[i] + displacement_[i];
+    box.include({end, end});
+  }
+  return box;
+}
+
 void SurfaceTree::refit(const SurfacePlan& plan, std::span<const Vec3> x, std::span<const Vec3> displacement) {
   displacement_.assign(displacement.begin(), displacement.end());
-  piece_box_.resize(order_.size());
-  for (std::size_t p = 0; p < order_.size(); ++p) {
-    const auto& [a, b, c] = plan.pieces[order_[p]].points;
-    Box& box = piece_box_[p] = {glm::min(glm::min(x[a], x[b]), x[c]), glm::max(glm::max(x[a], x[b]), x[c])};
-    if (displacement.empty()) continue;
-    const Vec3 to_a = x[a] + displacement[a], to_b = x[b] + displacement[b], to_c = x[c] + displacement[c];
-    box.include({glm::min(glm::min(to_a, to_b), to_c), glm::max(glm::max(to_a, to_b), to_c)});
-  }
+  const auto fit = [&](std::vector<Box>& boxes, std::size_t count, const auto& points_of) {
+    boxes.resize(count);
+    for (std::size_t i = 0; i < count; ++i) boxes[i] = box_of(points_of(i), x);
+  };
+  fit(piece_box_, order_.size(), [&](std::size_t p) { return std::span<const Index>(plan.pieces[order_[p]].points); });
+  fit(corner_box_, plan.corners.size(), [&](std::size_t c) { return std::span<const Index>(&plan.corners[c], 1); });
+  fit(edge_box_, plan.edges.size(), [&](std::size_t e) { return std::span<const Index>(plan.edges[e]); });
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
     if (node.second == no_index) {
@@ -145,51 +157,71 @@ void SurfaceTree::visit_pairs(double reach, const Visit& visit) const {
   }
 }
 
+// Of the pairs from this index on, keeps those that are closer than `reach`, or may be on their way, in their order; their keys become
+// their distances.
+void SurfaceTree::keep_close(std::span<const Vec3> x, double reach, std::size_t from, std::vector<SurfacePair>& pairs) const {
+  std::array<FeatureBlock, 2> blocks;
+  std::array<std::array<std::size_t, FeatureBlock::capacity>, 2> places;
+  const auto measure = [&](FeaturePair kind) {
+    FeatureBlock& block = blocks[static_cast<std::size_t>(kind)];
+    const auto& place = places[static_cast<std::size_t>(kind)];
+    std::array<double, FeatureBlock::capacity> own_reach;
+    own_reach.fill(reach);
+    if (!displacement_.empty()) {
+      find_max_difference(kind, displacement_, block);
+      for (int i = 0; i < block.count; ++i) own_reach[i] += block.distance[i];
+    }
+    find_closest(kind, x, block);
+    for (int i = 0; i < block.count; ++i) pairs[place[i]].key = block.distance[i] < own_reach[i] ? block.distance[i] : -1.0;
+    block.count = 0;
+  };
+  for (std::size_t p = from; p < pairs.size(); ++p) {
+    const auto kind = static_cast<std::size_t>(pairs[p].kind);
+    places[kind][blocks[kind].count] = p;
+    blocks[kind].points[blocks[kind].count++] = pairs[p].points;
+    if (blocks[kind].count == FeatureBlock::capacity) measure(pairs[p].kind);
+  }
+  for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) measure(kind);
+  pairs.erase(std::remove_if(pairs.begin() + from, pairs.end(), [](const SurfacePair& pair) { return pair.key < 0.0; }), pairs.end());
+}
+
 bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
                              std::vector<SurfacePair>& pairs, std::size_t max_pairs) const {
   if (nodes_.empty()) return true;
-  const auto add = [&](FeaturePair kind, const std::array<Index, 4>& points, bool has_spring) {
-    const int split = kind == FeaturePair::PointFace ? 1 : 2;
-    double moved = 0.0;  // [m], squared, bound on how much closer they get
-    if (!displacement_.empty())
-      for (int i = 0; i < split; ++i)
-        for (int j = split; j < 4; ++j) {
-          const Vec3 d = displacement_[points[i]] - displacement_[points[j]];
-          moved = std::max(moved, glm::dot(d, d));
-        }
-    const double own_reach = reach + std::sqrt(moved);
-    // cheaper than the distance: whether the boxes of both features are close
-    Box first{x[points[0]], x[points[0]]}, second{x[points[3]], x[points[3]]};
-    if (split == 2) first.include({x[points[1]], x[points[1]]});
-    for (int i = split; i < 3; ++i) second.include({x[points[i]], x[points[i]]});
-    if (!are_close(first, second, own_reach)) return;
-    const double distance = closest_points(kind, {x[points[0]], x[points[1]], x[points[2]], x[points[3]]}).distance;
-    if (distance < own_reach) pairs.push_back({kind, points, has_spring, distance});
-  };
+  // distances are computed of many pairs at once
+  constexpr std::size_t max_open = 4096;
+  std::size_t closed = pairs.size();
   const auto is_out = [&](std::span<const Index> points) { return std::ranges::any_of(points, [&](Index i) { return left_out[i] != 0; }); };
-  const auto add_points = [&](const SurfacePlan::Piece& from, const SurfacePlan::Piece& face) {
+  const auto add_points = [&](const SurfacePlan::Piece& from, Index place) {
+    const SurfacePlan::Piece& face = plan.pieces[order_[place]];
     if (!face.is_face) return;
     for (Index c = from.first_corner; c < from.end_corner; ++c) {
+      if (!are_close(corner_box_[c], piece_box_[place], reach)) continue;
       const Index point = plan.corners[c];
       if (plan.excludes_face(point, face.points) || (left_out[point] != 0 && is_out(face.points))) continue;
-      add(FeaturePair::PointFace, {point, face.points[0], face.points[1], face.points[2]}, false);
+      pairs.push_back({FeaturePair::PointFace, {point, face.points[0], face.points[1], face.points[2]}});
     }
   };
   bool is_complete = true;
   visit_pairs(reach, [&](Index p, Index q) {
     const SurfacePlan::Piece &first = plan.pieces[order_[p]], &second = plan.pieces[order_[q]];
-    add_points(first, second);
-    if (p != q) add_points(second, first);
+    add_points(first, q);
+    if (p != q) add_points(second, p);
     for (Index e = first.first_edge; e < first.end_edge; ++e)
       for (Index f = p == q ? e + 1 : second.first_edge; f < second.end_edge; ++f) {
+        if (!are_close(edge_box_[e], edge_box_[f], reach)) continue;
         const auto &a = plan.edges[e], &b = plan.edges[f];
         if (plan.excludes_edge(e, f) || (is_out(a) && is_out(b))) continue;
-        add(FeaturePair::TwoEdges, {a[0], a[1], b[0], b[1]}, plan.is_spring[e] != 0 || plan.is_spring[f] != 0);
+        pairs.push_back({FeaturePair::TwoEdges, {a[0], a[1], b[0], b[1]}, plan.is_spring[e] != 0 || plan.is_spring[f] != 0});
       }
-    is_complete = pairs.size() <= max_pairs;
+    if (pairs.size() - closed < max_open) return true;
+    keep_close(x, reach, closed, pairs);
+    closed = pairs.size();
+    is_complete = closed <= max_pairs;
     return is_complete;
   });
-  return is_complete;
+  keep_close(x, reach, closed, pairs);
+  return is_complete && pairs.size() <= max_pairs;
 }
 
 Crossings SurfaceTree::find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const {

@@ -55,6 +55,8 @@ class SurfaceTree {
   };
 
   void split(std::span<const Vec3> center, Index first, Index end);
+  Box box_of(std::span<const Index> points, std::span<const Vec3> x) const;
+  void keep_close(std::span<const Vec3> x, double reach, std::size_t from, std::vector<SurfacePair>& pairs) const;
   static bool are_close(const Box& a, const Box& b, double reach);
   template <class Visit>
   void visit_pairs(double reach, const Visit& visit) const;
@@ -63,6 +65,7 @@ class SurfaceTree {
   std::vector<Node> nodes_;         // parents before their children
   std::vector<Index> order_;        // of the pieces, those of a leaf together
   std::vector<Box> piece_box_;      // in that order
+  std::vector<Box> corner_box_, edge_box_;
 };
 
 }  // namespace hooke
