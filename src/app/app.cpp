@@ -1,5 +1,7 @@
 #include "app/app.h"
 
+#include <utility>
+
 #include "base/overloaded.h"
 #include "ui/strain_legend.h"
 
@@ -67,6 +69,8 @@ void App::build_frame(const FrameStatistics& frame_statistics) {
   ghost_runs_.follow(status(), lab_);
   const auto& divergence = status().snapshot->divergence;
   remedy_search_.follow(status(), divergence && panels_.dismissed != divergence->time);
+  const std::size_t gas_releases = status().run.gas_releases;
+  if (gas_releases > std::exchange(gas_releases_, gas_releases)) panels_.show_toast("A tear released the gas of a surface");
   if (tool_.is_pressed())
     tool_.follow(mouse_.pointer());
   else

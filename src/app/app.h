@@ -107,6 +107,7 @@ class App {
   LabThread lab_;
   Selection selection_;
   Gesture last_gesture_ = 0;
+  std::size_t gas_releases_ = 0;  // announced so far
   ToolContext tool_context_;
   Panels panels_;
   Layout layout_;

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "base/number_text.h"
+#include "base/text_lines.h"
 #include "batch/scene_options.h"
 #include "sim/automatic/automatic.h"
 #include "sim/hash.h"
@@ -103,6 +105,10 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
   totals.hash = hash_state(scene.state);
   if (is_automatic(scene.settings)) totals.frames_beyond_tolerance = tolerance.frames_beyond();
   results.warnings = monitor.warnings({});
+  totals.gas_releases = lab.gas_releases();
+  if (!totals.gas_releases.empty())
+    results.warnings.push_back("tears released the gas of " + pluralize(totals.gas_releases.size(), "surface", "surfaces") + ", from " +
+                               quantity_text(totals.gas_releases.front(), "s") + " on");
   if (tolerance.frames_beyond() > 0) results.warnings.push_back(tolerance.warning());
   return results;
 }

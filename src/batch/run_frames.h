@@ -26,6 +26,7 @@ struct RunTotals {
   double accuracy_cpu_seconds = 0.0;             // of that
   bool diverged = false;
   std::optional<long> frames_beyond_tolerance;  // with the method `auto` at the end
+  std::vector<double> gas_releases{};           // [s], when tears opened surfaces filled with gas
   long force_evaluations = 0, factorizations = 0;
   std::uint64_t hash = 0;  // of the last state
 };

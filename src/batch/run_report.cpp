@@ -136,6 +136,12 @@ void JsonReport::finish(const RunTotals& totals) {
   json_.number("accuracy_cpu_seconds", totals.accuracy_cpu_seconds);
   json_.boolean("diverged", totals.diverged);
   if (totals.frames_beyond_tolerance) json_.integer("frames_beyond_tolerance", *totals.frames_beyond_tolerance);
+  if (!totals.gas_releases.empty()) {
+    json_.key("gas_releases");
+    json_.begin_list(JsonLayout::Line);
+    for (const double time : totals.gas_releases) json_.number(time);
+    json_.end();
+  }
   json_.integer("force_evaluations", totals.force_evaluations);
   json_.integer("factorizations", totals.factorizations);
   json_.text("hash", to_hexadecimal(totals.hash));

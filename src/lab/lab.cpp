@@ -263,6 +263,7 @@ bool Lab::finish_frame() {
   next_ = scene_.state;
   frame_.end(plan_, next_);
   frame_in_progress_ = must_finish_frame_ = false;
+  const std::size_t filled = plan_.enclosures.enclosures.size();
   std::optional<Insert> torn = tear();
 
   const Energy energy = compute_energy(scene_.system, next_);
@@ -291,6 +292,7 @@ bool Lab::finish_frame() {
   if (energy.total() - ledger.net_input <= explained_fraction * ledger.scale) explained_until_ = scene_.state.time;
   ++frames_;
   if (torn) record_tear(*std::move(torn));
+  for (std::size_t left = plan_.enclosures.enclosures.size(); left < filled; ++left) gas_releases_.push_back(scene_.state.time);
   hand_lag_ = hand_lag();
   last_limit_work_ = frame_.motion().limit_work;
   limit_work_ += last_limit_work_;

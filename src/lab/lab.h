@@ -123,6 +123,9 @@ class Lab {
   bool is_playing() const { return playback_.is_on(); }
   const std::string& difference() const { return playback_.difference(); }
 
+  // [s], the times of the frames in which tears opened surfaces filled with gas, one for each surface.
+  const std::vector<double>& gas_releases() const { return gas_releases_; }
+
   // The last frame, for `run --json`.
   const Frame& last_frame() const { return frame_; }
 
@@ -198,6 +201,7 @@ class Lab {
   double hand_lag_ = 0.0;         // [m], behind its target
   double limit_work_ = 0.0;       // [J], of the strain limit since the start
   double last_limit_work_ = 0.0;  // [J], in the last frame
+  std::vector<double> gas_releases_;
   long edits_ = 0;
   double frame_ms_ = 0.0, simulate_ms_ = 0.0;
   long frames_ = 0;

@@ -41,6 +41,7 @@ void Lab::reset_session() {
   simulate_ms_ = 0.0;
   frames_ = 0;
   limit_work_ = last_limit_work_ = hand_lag_ = 0.0;
+  gas_releases_.clear();
   update_plan({.structure = true});
   initialize_ledger(scene_.system, scene_.state);
 }
@@ -119,6 +120,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
                    edit(Replace{std::make_shared<const Scene>(start_.return_from(scene_))}, 0);
                    start_.forget_releases();
                    limit_work_ = 0.0;
+                   gas_releases_.clear();
                    running_ = running_ && !divergence_;
                  },
                  [&](const SetStart&) {

@@ -34,6 +34,7 @@ struct RunStatus {
   double from = 0.0, to = 0.0;                 // [s], of a run to a given time; both 0: none
   double hand_lag = 0.0;                       // [m], from the hand to its target because of its maximum speed
   double limit_power = 0.0, limit_work = 0.0;  // [W] now and [J] in total, of the strain limit on the scene
+  std::size_t gas_releases = 0;                // surfaces filled with gas that tears have opened
 };
 
 struct HistoryStatus {

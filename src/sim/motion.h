@@ -40,11 +40,12 @@ class Structure {
         dimensions_(plan.dimensions),
         runs_(plan.runs),
         hinge_begin_(plan.hinges.begin),
-        hinge_column_(plan.hinges.column) {}
+        hinge_column_(plan.hinges.column),
+        enclosure_edges_(plan.enclosures.edges) {}
   virtual ~Structure() = default;
   bool fits(const Plan& plan) const {
     return plan.points == points_ && plan.dimensions == dimensions_ && plan.runs == runs_ && plan.hinges.begin == hinge_begin_ &&
-           plan.hinges.column == hinge_column_;
+           plan.hinges.column == hinge_column_ && plan.enclosures.edges == enclosure_edges_;
   }
 
  private:
@@ -52,6 +53,7 @@ class Structure {
   int dimensions_;
   std::vector<SpringRun> runs_;
   std::vector<Index> hinge_begin_, hinge_column_;
+  std::vector<std::pair<Index, Index>> enclosure_edges_;
 };
 
 inline constexpr double default_tolerance = 1e-8;  // [m], of adaptive methods

@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "sim/contact/contact.h"
-#include "sim/forces/terms/rows.h"
 #include "sim/hand.h"
 #include "sim/portable_math.h"
 #include "sim/state.h"
@@ -135,8 +134,10 @@ void plan_forces(Plan& plan, const System& system) {
     if (force.on && find_force_term(force.term->id) != force.term) plan.forces.push_back(force);
   plan.forces_depend_on_velocity = std::ranges::any_of(plan.forces, &Force::depends_on_velocity);
 
-  const bool bends = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term == &bending_force; });
-  plan.hinges = bends ? plan_hinges(system) : HingePlan{};
+  plan.hinges = {};
+  plan.enclosures = {};
+  for (const Force& force : plan.forces)
+    if (force.term->prepare != nullptr) force.term->prepare(system, plan);
 
   plan.faces.clear();
   if (plan.forces.empty()) return;

@@ -10,6 +10,7 @@
 
 #include "sim/contact/pair_plan.h"
 #include "sim/contact/surface_plan.h"
+#include "sim/forces/enclosures.h"
 #include "sim/forces/hinges.h"
 #include "sim/grid.h"
 #include "sim/system.h"
@@ -115,6 +116,7 @@ struct Plan {
   bool forces_depend_on_velocity = false;   // whether any of them does
   std::vector<std::array<Index, 3>> faces;  // of points; empty without listed forces
   HingePlan hinges;                         // empty without the bending force
+  EnclosurePlan enclosures;                 // empty without the pressure force
   std::optional<PlannedPull> pull;
   std::optional<Index> held;             // the point that the hand holds
   double held_mass = 0.0;                // [kg], of it; 0 if it is a nail, which has no energy

@@ -33,7 +33,7 @@ TestNetwork random_scene(std::uint64_t seed) {
   if (one_in(3)) network.system.gravity = Vec3(0.0);
   network.system.drag = one_in(2) ? 0.0 : random.uniform(0.0, 2.0);
   for (const ForceTerm& term : force_terms()) {
-    if (term.id == "bending" || !one_in(3)) continue;  // there are no faces
+    if (term.prepare != nullptr || !one_in(3)) continue;  // there are no faces
     Force force{.term = &term, .values = default_values(term)};
     for (std::size_t i = 0; i < term.numbers.size(); ++i) force.values[i] *= random.uniform(0.5, 3.0);
     network.system.forces.push_back(force);

@@ -14,6 +14,7 @@
 #include "formats/texture.h"
 #include "scene/bending_warning.h"
 #include "scene/overlap_warning.h"
+#include "scene/pressure_warning.h"
 #include "scene/step_limits.h"
 
 namespace hooke {
@@ -97,7 +98,7 @@ LoadedScene SceneReader::read() {
   if (const auto warning = step_warning(scene_.system, scene_.state, scene_.settings)) fields_.warn(*warning);
   if (const auto warning = unused_setting_warning(scene_.settings)) fields_.warn(*warning);
   for (const auto& warning : {overlap_warning(scene_.system, scene_.state), crossing_warning(scene_.system, scene_.state),
-                              thickness_warning(scene_.system), bending_warning(scene_.system)})
+                              thickness_warning(scene_.system), bending_warning(scene_.system), pressure_warning(scene_.system)})
     if (warning) fields_.warn(*warning);
   return {std::move(scene_), fields_.warnings(name_)};
 }

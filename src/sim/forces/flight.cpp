@@ -30,9 +30,11 @@ void record(const GridWatch& watch, double drift, Flight& flight) {
 
 bool can_fly(const Plan& plan) {
   return !plan.held && !plan.pull && !plan.colliders_move && !plan.grabbed_collider &&
-         // those with a potential depend on time by moving colliders only
-         std::ranges::all_of(plan.forces,
-                             [](const Force& force) { return force.term->potential != nullptr && !force.depends_on_velocity(); });
+         std::ranges::all_of(plan.forces, [](const Force& force) {
+           const ForceTerm& term = *force.term;
+           return term.potential != nullptr && !force.depends_on_velocity() &&
+                  (term.depends_on_time == nullptr || !term.depends_on_time(force.values));
+         });
 }
 
 void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift, bool damped, Flight& flight) {

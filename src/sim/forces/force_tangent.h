@@ -1,22 +1,28 @@
-// Derivatives of the scene's optional forces, as the matrix of an implicit step takes them: symmetric and positive semidefinite,
-// parts that are not being left out.
+// Derivatives of the scene's optional forces, as the matrix of an implicit step takes them: symmetric and positive semidefinite, except for
+// the curvature of volumes; other parts are left out.
 #pragma once
 
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <vector>
 
-#include "base/types.h"
+#include "sim/plan.h"
 
 namespace hooke {
 
 class ForceTangent {
  public:
-  // Zero, for `points` points and the entries of the matrix of the hinges (hinges.h).
-  void reset(Index points, std::size_t hinge_entries) {
-    stiffness_.assign(points, glm::dmat3(0.0));
-    damping_.assign(points, glm::dmat3(0.0));
-    hinge_damping_.assign(hinge_entries, glm::dmat3(0.0));
+  // Zero, for the points, hinges and enclosures of the plan.
+  void reset(const Plan& plan) {
+    stiffness_.assign(plan.points, glm::dmat3(0.0));
+    damping_.assign(plan.points, glm::dmat3(0.0));
+    hinge_damping_.assign(plan.hinges.column.size(), glm::dmat3(0.0));
+    volumes_.resize(plan.enclosures.enclosures.size());
+    for (Volume& volume : volumes_) {
+      volume.stiffness = 0.0;
+      volume.gradient.assign(static_cast<std::size_t>(plan.points) * plan.dimensions, 0.0);
+    }
+    volume_curvature_.assign(plan.enclosures.edges.size(), Vec3(0.0));
     mean_stiffness_ = mean_damping_ = hinge_stiffness_ = 0.0;
     are_hinges_damped_ = false;
   }
@@ -36,6 +42,15 @@ class ForceTangent {
     hinge_damping_[entry] += block;
     are_hinges_damped_ = true;
   }
+  // Of the volume V of an enclosure: `stiffness` [N/m^5] times dV/dx dV/dx^T.
+  void add_volume(const Plan& plan, std::size_t enclosure, double stiffness, const double* x);
+  // -pressure d2V/dx2, V the signed volume.
+  void add_volume_curvature(const Plan& plan, const Enclosure& enclosure, double pressure, const double* x);
+
+  struct Volume {
+    double stiffness = 0.0;  // [N/m^5]
+    Field gradient;          // [m^2], meaningful if there is a stiffness
+  };
 
   // b D + b^2 K of a point, and of the mean the factor of m_i m_j.
   glm::dmat3 block(Index point, double b) const { return b * damping_[point] + b * b * stiffness_[point]; }
@@ -45,6 +60,9 @@ class ForceTangent {
   bool are_hinges_damped() const { return are_hinges_damped_; }
   const glm::dmat3& hinge_damping(Index entry) const { return hinge_damping_[entry]; }
   double mean_damping() const { return mean_damping_; }
+  const Volume& volume(std::size_t enclosure) const { return volumes_[enclosure]; }
+  // w of an edge of the enclosures, whose block, with the rows of its first point, is K r = w x r [N/m].
+  const Vec3& volume_curvature(std::size_t edge) const { return volume_curvature_[edge]; }
 
  private:
   static void add(glm::dmat3& block, const Vec3& u, double axial, double transverse) {
@@ -54,6 +72,8 @@ class ForceTangent {
   }
 
   std::vector<glm::dmat3> stiffness_, damping_, hinge_damping_;
+  std::vector<Volume> volumes_;
+  std::vector<Vec3> volume_curvature_;
   double mean_stiffness_ = 0.0, mean_damping_ = 0.0, hinge_stiffness_ = 0.0;
   bool are_hinges_damped_ = false;
 };

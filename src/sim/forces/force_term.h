@@ -59,6 +59,10 @@ struct ForceTerm {
   double (*power)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v);
   // Whether it depends on the velocity with these values. Null: always, if depends_on_velocity.
   bool (*is_damped)(const ForceValues& values) = nullptr;
+  // Whether it depends on the time with these values, other than by colliders that move. Null: no, of forces with a potential.
+  bool (*depends_on_time)(const ForceValues& values) = nullptr;
+  // Packs into the Plan what it needs of the System besides points and faces. Null: nothing.
+  void (*prepare)(const System& system, Plan& plan) = nullptr;
 };
 
 Table<ForceTerm> force_terms();

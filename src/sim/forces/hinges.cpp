@@ -1,53 +1,12 @@
 #include "sim/forces/hinges.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <tuple>
 #include <utility>
 
-#include "sim/rest_lengths.h"
+#include "sim/forces/rest_faces.h"
 
 namespace hooke {
 namespace {
-
-using HingeEnds = std::array<Index, 2>;
-
-HingeEnds hinge_ends(Index i, Index j) { return {std::min(i, j), std::max(i, j)}; }
-
-// A face at rest. Side i is opposite corner i.
-struct RestFace {
-  std::array<Index, 3> corners{};
-  std::array<double, 3> length{}, cotangent{};  // of the sides [m], of the angles at the corners
-  double area = 0.0;                            // [m^2]; 0: it has no hinges
-};
-
-RestFace rest_face(const System& system, const RestLengths& lengths, const Face& face) {
-  RestFace rest;
-  for (int c = 0; c < 3; ++c) rest.corners[c] = system.index_of(face.points[c]);
-  auto& l = rest.length;
-  int missing = 0;
-  for (int c = 0; c < 3; ++c) {
-    l[c] = lengths.between(rest.corners[(c + 1) % 3], rest.corners[(c + 2) % 3]);
-    missing += l[c] == 0.0 ? 1 : 0;
-  }
-  if (missing > 1) return rest;
-  for (int c = 0; c < 3; ++c)
-    if (l[c] == 0.0) l[c] = std::sqrt(l[(c + 1) % 3] * l[(c + 1) % 3] + l[(c + 2) % 3] * l[(c + 2) % 3]);
-
-  // Heron's formula; below this height a face is degenerate
-  constexpr double min_relative_height = 1e-6;
-  const double s = 0.5 * (l[0] + l[1] + l[2]), square = s * (s - l[0]) * (s - l[1]) * (s - l[2]), max = std::max({l[0], l[1], l[2]});
-  const double area = square > 0.0 ? std::sqrt(square) : 0.0;
-  constexpr double min_area = 1e-200, max_area = 1e200;  // [m^2], of finite stiffness
-  if (!(2.0 * area > min_relative_height * max * max) || !(area > min_area) || !(area < max_area)) return rest;
-  rest.area = area;
-  for (int c = 0; c < 3; ++c) {
-    const double a = l[(c + 1) % 3], b = l[(c + 2) % 3];
-    rest.cotangent[c] = (a * a + b * b - l[c] * l[c]) / (4.0 * area);
-  }
-  return rest;
-}
 
 int corner_of(const RestFace& face, Index point) { return face.corners[0] == point ? 0 : face.corners[1] == point ? 1 : 2; }
 
@@ -75,21 +34,11 @@ void set_coupling(const RestFace& face, HingedFace& hinged) {
 }
 
 void find_hinges(const std::vector<RestFace>& rest, std::vector<HingedFace>& hinged) {
-  struct Side {
-    HingeEnds ends;
-    Index face;
-    int corner;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * rest.size());
-  for (std::size_t f = 0; f < rest.size(); ++f)
-    for (int c = 0; c < 3; ++c)
-      sides.push_back({hinge_ends(rest[f].corners[(c + 1) % 3], rest[f].corners[(c + 2) % 3]), static_cast<Index>(f), c});
-  std::ranges::sort(sides, {}, [](const Side& side) { return std::tuple(side.ends[0], side.ends[1], side.face); });
+  const std::vector<FaceEdge> sides = sorted_edges(rest);
   for (std::size_t s = 0; s < sides.size();) {
     std::size_t end = s + 1;
     while (end < sides.size() && sides[end].ends == sides[s].ends) ++end;
-    const Side &first = sides[s], &second = sides[end - 1];
+    const FaceEdge &first = sides[s], &second = sides[end - 1];
     // the same face twice has no other corner
     const bool is_inner = end - s == 2 && rest[first.face].corners[first.corner] != rest[second.face].corners[second.corner];
     if (is_inner && rest[first.face].area > 0.0 && rest[second.face].area > 0.0) {

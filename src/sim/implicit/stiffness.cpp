@@ -31,6 +31,7 @@ std::vector<std::pair<Index, Index>> couplings_of(const Plan& plan) {
   for_each_hinge_entry(plan, [&](Index i, Index j, Index) {
     if (i != j) pairs.emplace_back(i, j);
   });
+  pairs.insert(pairs.end(), plan.enclosures.edges.begin(), plan.enclosures.edges.end());
   return pairs;
 }
 
@@ -79,6 +80,7 @@ StiffnessMatrix::StiffnessMatrix(const Plan& plan)
   for_each_spring(plan, [&](Index i, Index j, Index s) { coupling_[s] = solver_.coupling(i, j); });
   hinges_.resize(plan.hinges.column.size());
   for_each_hinge_entry(plan, [&](Index i, Index j, Index k) { hinges_[k] = i == j ? diagonal_[i] : solver_.coupling(i, j); });
+  for (const auto& [i, j] : plan.enclosures.edges) enclosure_edges_.push_back(solver_.coupling(i, j));
 }
 
 void StiffnessMatrix::add_hinges(const Plan& plan, double b) {
@@ -94,6 +96,18 @@ void StiffnessMatrix::add_hinges(const Plan& plan, double b) {
       for (int r = 0; r < (i == j ? c + 1 : plan.dimensions); ++r) column[r] += b * (is_transposed ? damping[r][c] : damping[c][r]);
     }
   });
+}
+
+void StiffnessMatrix::add_volume_curvature(const Plan& plan, double b) {
+  for (std::size_t e = 0; e < enclosure_edges_.size(); ++e) {
+    const auto& [i, j] = plan.enclosures.edges[e];
+    if (plan.inverse_mass[i] == 0.0 || plan.inverse_mass[j] == 0.0) continue;
+    // the transpose of w x is -w x
+    const Vec3 w = (solver_.precedes(i, j) ? 1.0 : -1.0) * b * b * tangent_.volume_curvature(e);
+    const double product[3][3] = {{0.0, -w.z, w.y}, {w.z, 0.0, -w.x}, {-w.y, w.x, 0.0}};
+    for (int c = 0; c < plan.dimensions; ++c)
+      for (int r = 0; r < plan.dimensions; ++r) enclosure_edges_[e].column(c)[r] += product[r][c];
+  }
 }
 
 template <int Dimensions>
@@ -124,12 +138,19 @@ void StiffnessMatrix::allocate(const Plan& plan) {
     update.parts.reserve(plan.points);
     for (int c = 0; c < plan.dimensions; ++c) update.response[c].resize(static_cast<std::size_t>(plan.points) * plan.dimensions);
   }
-  if (has_forces_) tangent_.reset(plan.points, plan.hinges.column.size());
+  const std::size_t size = static_cast<std::size_t>(plan.points) * plan.dimensions;
+  volume_updates_.resize(plan.enclosures.enclosures.size());
+  for (VolumeUpdate& update : volume_updates_) {
+    update.weight = 0.0;
+    update.gradient.resize(size);
+    update.response.resize(size);
+  }
+  if (has_forces_) tangent_.reset(plan);
 }
 
 void StiffnessMatrix::linearize_forces(const Plan& plan, double time, const Field& x, const Field& v) {
   if (!has_forces_) return;
-  tangent_.reset(plan.points, plan.hinges.column.size());
+  tangent_.reset(plan);
   is_linearized_ = true;
   for (const Force& force : plan.forces)
     if (force.term->add_tangent != nullptr) force.term->add_tangent(plan, force.values, time, x.data(), v.data(), tangent_);
@@ -173,7 +194,18 @@ void StiffnessMatrix::assemble(const Plan& plan, double b, const Field& x, const
       for (int r = 0; r <= c; ++r) diagonal_[i].column(c)[r] += block[c][r];
   }
 
-  if (is_linearized_) add_hinges(plan, b);
+  if (is_linearized_) {
+    add_hinges(plan, b);
+    if (curvature == Curvature::Exact) add_volume_curvature(plan, b);
+  }
+  for (std::size_t u = 0; u < volume_updates_.size(); ++u) {
+    VolumeUpdate& update = volume_updates_[u];
+    update.weight = is_linearized_ ? b * b * tangent_.volume(u).stiffness : 0.0;
+    if (update.weight == 0.0) continue;
+    const Field& gradient = tangent_.volume(u).gradient;
+    for (std::size_t at = 0; at < gradient.size(); ++at)
+      update.gradient[at] = plan.inverse_mass[at % static_cast<std::size_t>(plan.points)] == 0.0 ? 0.0 : gradient[at];
+  }
   if (has_pull_update_) {
     Update& update = updates_.front();
     update.weight = b * b * plan.pull->stiffness;
@@ -208,6 +240,13 @@ void StiffnessMatrix::apply(const Update& update, Field& b) const {
   for (int c = 0; c < dimensions_; ++c) add_scaled(b.data(), -correction[c], update.response[c].data(), b.size());
 }
 
+// b = b - z gain g.b
+void StiffnessMatrix::apply(const VolumeUpdate& update, Field& b) {
+  double product = 0.0;
+  for (std::size_t at = 0; at < b.size(); ++at) product += update.gradient[at] * b[at];
+  add_scaled(b.data(), -update.gain * product, update.response.data(), b.size());
+}
+
 bool StiffnessMatrix::factorize() {
   if (!solver_.factorize()) return false;
   const std::size_t n = diagonal_.size();
@@ -227,12 +266,27 @@ bool StiffnessMatrix::factorize() {
     }
     update.gain = update.weight * glm::inverse(unit);
   }
+  for (std::size_t u = 0; u < volume_updates_.size(); ++u) {
+    VolumeUpdate& update = volume_updates_[u];
+    if (update.weight == 0.0) continue;
+    update.response = update.gradient;
+    solver_.solve(update.response);
+    for (const Update& earlier : updates_)
+      if (earlier.weight != 0.0) apply(earlier, update.response);
+    for (std::size_t earlier = 0; earlier < u; ++earlier)
+      if (volume_updates_[earlier].weight != 0.0) apply(volume_updates_[earlier], update.response);
+    double product = 0.0;
+    for (std::size_t at = 0; at < update.gradient.size(); ++at) product += update.gradient[at] * update.response[at];
+    update.gain = update.weight / (1.0 + update.weight * product);
+  }
   return true;
 }
 
 void StiffnessMatrix::solve(Field& b) {
   solver_.solve(b);
   for (const Update& update : updates_)
+    if (update.weight != 0.0) apply(update, b);
+  for (const VolumeUpdate& update : volume_updates_)
     if (update.weight != 0.0) apply(update, b);
 }
 

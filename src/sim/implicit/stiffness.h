@@ -18,9 +18,9 @@ namespace hooke {
 
 enum class Curvature { Exact, Clamped };
 
-// The positions of the springs' blocks in a solver's matrix, found once per topology. The hand's pull between three points and
-// forces on the center of mass couple points that no spring joins. Each is of the form w s_i s_j I, and is not part of the pattern
-// but an update of rank 3 to what was factored:
+// The positions of the springs' blocks in a solver's matrix, found once per topology. The hand's pull between three points,
+// forces on the center of mass and the pressure in a volume couple points that no spring joins. Each is of the form w s_i s_j I, and is not
+// part of the pattern but an update of rank 3 to what was factored:
 //   A = B + w S S^T,  S = s I,   A^-1 r = y - Z G S^T y,   B y = r,  B Z = S,  G = w (I + w S^T Z)^-1
 // (J. Sherman, W. J. Morrison 1950, M. A. Woodbury 1950); with several, one after another.
 class StiffnessMatrix {
@@ -43,6 +43,7 @@ class StiffnessMatrix {
 
  private:
   void add_hinges(const Plan& plan, double b);
+  void add_volume_curvature(const Plan& plan, double b);
   template <int Dimensions>
   void add_springs(const Plan& plan, double b, const double* x, const double* v, Curvature curvature);
 
@@ -50,6 +51,7 @@ class StiffnessMatrix {
   std::vector<LinearSolver::Block> diagonal_;  // of the points
   std::vector<LinearSolver::Block> coupling_;  // of the packed springs
   std::vector<LinearSolver::Block> hinges_;    // of the entries of the matrix of the hinges, on and above the diagonal
+  std::vector<LinearSolver::Block> enclosure_edges_;
 
   struct Update {
     std::vector<PlannedPull::Part> parts;  // s; zero for points that do not move freely
@@ -60,8 +62,17 @@ class StiffnessMatrix {
   };
   void apply(const Update& update, Field& b) const;
 
+  // The update w g g^T of rank 1 for the volume of an enclosure: A^-1 r = y - z w / (1 + w g.z) g.y, B z = g.
+  struct VolumeUpdate {
+    double weight = 0.0;       // w
+    Field gradient, response;  // g, zero for points that do not move freely; z
+    double gain = 0.0;         // w / (1 + w g.z)
+  };
+  static void apply(const VolumeUpdate& update, Field& b);
+
   int dimensions_;
   std::vector<Update> updates_;  // of the pull between points, and of forces on the center of mass
+  std::vector<VolumeUpdate> volume_updates_;
   bool has_pull_update_ = false, has_forces_ = false, is_linearized_ = false;
   ForceTangent tangent_;
 };

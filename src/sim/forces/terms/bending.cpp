@@ -203,6 +203,7 @@ constinit const ForceTerm bending_force{
     .potential = potential,
     .power = power,
     .is_damped = [](const ForceValues& values) { return damping_of(values) > 0.0; },
+    .prepare = [](const System& system, Plan& plan) { plan.hinges = plan_hinges(system); },
 };
 
 }  // namespace hooke
