@@ -137,6 +137,7 @@ RunTotals replay_frames(Lab& lab, const std::shared_ptr<const Recording>& record
     ++totals.frames;
     tolerance.add_frame(scene.settings, scene.state);
   }
+  totals.gas_releases = lab.gas_releases();
   totals.hash = hash_state(scene.state);
   if (is_automatic(scene.settings)) totals.frames_beyond_tolerance = tolerance.frames_beyond();
   return totals;

@@ -154,6 +154,24 @@ TEST(Headless, WarningsGoToStderrUnlessQuiet) {
   EXPECT_EQ(headless(quiet).err, "");
 }
 
+// A square filled with gas, of which one side is weak.
+TEST(Headless, TearsThatReleaseGasAreReported) {
+  const ScratchFolder scratch;
+  const std::string scene = write_file(scratch.folder / "weak.json", R"({"hooke": 1, "dimensions": 2, "gravity": [0, 0, 0],
+    "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}, {"position": [1, 1, 0]}, {"position": [0, 1, 0]}],
+    "springs": [{"points": [0, 1], "stiffness": 50, "break_strain": 0.05}, {"points": [1, 2], "stiffness": 50},
+      {"points": [2, 3], "stiffness": 50}, {"points": [3, 0], "stiffness": 50}],
+    "forces": [{"type": "pressure", "pressure": 20}], "simulation": {"substeps": 10}})");
+  const Outcome outcome = headless({"run", scene, "--seconds", "1", "--json", "-"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const rapidjson::Document json = parse_json(outcome.out);
+  ASSERT_TRUE(json.HasMember("gas_releases"));
+  ASSERT_EQ(json["gas_releases"].Size(), 1u);
+  EXPECT_GT(json["gas_releases"][0].GetDouble(), 0.05);
+  EXPECT_LT(json["gas_releases"][0].GetDouble(), 0.5);
+  EXPECT_EQ(outcome.err.find("warning: tears released the gas of 1 surface, from 0."), 0u) << outcome.err;
+}
+
 TEST(Headless, OnlyTheSelectedMethodAndStepAreWarnedAbout) {
   EXPECT_EQ(headless({"run", "unstable", "--seconds", "0", "--integrator", "symplectic_euler", "--json", "-"}).err, "");
 }
