@@ -98,8 +98,8 @@ TEST(AutomaticCost, IsCloseToThatOfTheBestFixedMethod) {
   if (prints()) std::printf("median %.2f, worst %.2f of %zu\n", median, worst, ratios.size());
   // counts of work, the same on every machine: what is reached on two problems, and on all of them
   const bool is_short = !prints();
-  EXPECT_LE(median, is_short ? 1.35 : 1.45);
-  EXPECT_LE(worst, is_short ? 3.0 : 30.0);
+  EXPECT_LE(median, is_short ? 1.3 : 1.35);
+  EXPECT_LE(worst, is_short ? 1.6 : 15.0);
 }
 
 // Frame by frame on the run's own motion, against the converged frame from the same state.

@@ -7,7 +7,9 @@
 
 #include "sim/automatic/automatic.h"
 #include "sim/automatic/rates.h"
+#include "sim/automatic/resonance.h"
 #include "sim/automatic/selection.h"
+#include "sim/contact/contact.h"
 #include "sim/frame_error.h"
 #include "sim/portable_math.h"
 
@@ -23,6 +25,8 @@ constexpr int min_period = 3, max_period = 32, max_easy_period = 192, min_interv
 constexpr double event_factor = 1.3, easy_event_factor = 2.1, drift_factor = 2.0, easy_drift_factor = 4.0;
 constexpr double drop_factor = 1.5;  // within a frame: it turns into strain
 constexpr double fade = 0.99;        // of the recent maximum, per frame
+// After an error beyond the target that is acceptable, the substeps are raised to this part of the target.
+constexpr double raised_ratio = 0.8;
 // The part of the target below which an error is far below the tolerance.
 constexpr double easy_ratio = 0.05, very_easy_ratio = 0.01;
 
@@ -59,11 +63,29 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
   std::tie(choice.ratio, choice.cost) = measure(choice.substeps, is_by_coarser);
   trials.keep();
   const bool is_missed = choice.ratio > 1.0;
+  // while the motion grows, such a method soon needs many more substeps than one of higher order
+  constexpr int expected_growth = 3;
+  const bool is_of_first_order = choice.method->order == 1 && choice.method->stability != Stability::EachSpring && !has_contact(system);
+  // a frame slightly beyond the target is within the tolerance: only the next ones need more
+  if (is_missed && choice.ratio <= acceptable_ratio && order > 1) {
+    const int more = substeps_for(choice.substeps, choice.ratio * goal.target, raised_ratio * goal.target, order, 4.0);
+    const bool is_affordable = more * choice.cost <= goal.max_cost * choice.substeps;
+    const bool is_small = choice.selected_substeps == 0 || more <= max_increase * choice.selected_substeps;
+    if (is_affordable && is_small && more <= max_automatic_substeps) {
+      choice.period = choice.until_estimate = min_period;
+      choice.next_substeps = more;
+      return true;
+    }
+  }
   for (int attempt = 0; choice.ratio > 1.0 && choice.substeps < max_automatic_substeps && attempt < max_attempts; ++attempt) {
     const int needed = std::min(max_automatic_substeps, substeps_for(choice.substeps, choice.ratio * goal.target, goal.target, order, 4.0));
     const double affordable = std::isfinite(choice.cost) ? choice.substeps * goal.max_cost / choice.cost : needed;
     const int more = static_cast<int>(std::min<double>(needed, affordable));
     if (more <= choice.substeps) break;
+    if (is_of_first_order && choice.selected_substeps > 0) {
+      choice.substeps = std::min(max_automatic_substeps, expected_growth * more);
+      return false;
+    }
     if (choice.selected_substeps > 0 && more > max_increase * choice.selected_substeps) {
       choice.substeps = more;
       return false;
@@ -148,7 +170,8 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
   const double target = aimed_part * automatic_tolerance(settings) * frame;
   const double rates = rates_of(plan), speed = speed_of(plan, state, frame);
   if (!trials_) trials_ = std::make_unique<Trials>();
-  trials_->forget();
+  const double recent_speed = state.memory.choice ? std::max(speed, state.memory.choice->recent_speed) : speed;
+  trials_->forget(may_step_beyond_resonance(plan, target, recent_speed));
   double frequency = 1.0;
   int until_bound = 0;
   const auto bound = [&](double frame_cost) {
@@ -179,6 +202,7 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
     const int substeps = trials_->stable_substeps(default_integrator(), plan, settings.frame_rate, 1.0);
     bound(CostModel(plan).expected(default_integrator(), substeps));
     select(nullptr, Present::ToBeMeasured, false);
+    choice.until_estimate = 1;  // the start may be at rest or in equilibrium: its error says little about the next frames
   } else {
     const MethodChoice last = *state.memory.choice;
     choice = last;
@@ -231,6 +255,9 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
     }
     choice.recent_speed = is_due || is_event ? std::max(speed, fade * last.recent_speed) : fade * last.recent_speed;
   }
+  choice.period =
+      std::min(choice.period, max_frames_in_resonance(*choice.method, plan.spectrum, settings.frame_rate, frequency, choice.substeps));
+  choice.until_estimate = std::min(choice.until_estimate, choice.period);
   choice.rates = rates;
   choice.target = target;
   choice.budget = settings.budget_ms;

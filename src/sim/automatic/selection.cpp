@@ -21,8 +21,8 @@ constexpr double max_cost_ms = 400.0, max_cost_factor = 8.0, max_comparison = 5.
 // With contact, where all methods are of first order and shorter steps may not help at all: chains of impacts amplify any error.
 constexpr double max_cost_with_contact_ms = 3.0;
 constexpr int max_attempts = 8;
-// An error of up to this multiple of the target is still within the tolerance. It counts as meeting the goal at a higher cost.
-constexpr double acceptable_ratio = 2.0, penalty = 2.0;
+// An error beyond the target that is acceptable counts as meeting the goal at a higher cost.
+constexpr double penalty = 2.0;
 // An unexpected cost, relative to the expected one.
 constexpr double max_cost_ratio = 4.0;
 
@@ -161,6 +161,12 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
     best = {.method = cheapest->method, .substeps = cheapest->min_substeps, .min_substeps = cheapest->min_substeps, .ratio = infinity};
   }
   best.next_substeps = best.selected_substeps = best.substeps;
+  // fewer, where the last attempt turned out to be more accurate than necessary
+  constexpr double expected_ratio = 0.6;
+  if (best.ratio < expected_ratio && best.method->stability != Stability::EachSpring) {
+    const double factor = portable::pow(std::max(best.ratio, 1e-12) / expected_ratio, 1.0 / effective_order(system, *best.method));
+    best.next_substeps = std::max(best.min_substeps, static_cast<int>(std::ceil(best.substeps * std::max(0.4, factor))));
+  }
   best.selected_ratio = best.ratio;
   return best;
 }

@@ -6,6 +6,9 @@
 
 namespace hooke {
 
+// An error of up to this multiple of the target is still within the tolerance.
+inline constexpr double acceptable_ratio = 2.0;
+
 // What a choice has to achieve.
 struct Goal {
   double target = 0.0;     // [m], error of a frame

@@ -25,12 +25,13 @@ class Trials {
     bool is_too_expensive = false;
   };
 
-  // No frame is kept.
-  void forget();
+  // Begins another frame: none is kept. Whether steps beyond the resonance of blanes_moan4 may be used (resonance.h).
+  void forget(bool beyond_resonance);
   // The scene and the state at the start of the frame, which must outlive the calls of measure. Data that belong to the structure of the
   // scene are kept as long as it is the same.
   void begin(const Plan& plan, const System& system, const State& start);
-  // The fewest substeps with which no linear mode grows, for each method of the table; more than the maximum where there are too many.
+  // The fewest substeps with which no linear mode grows, or only slowly (resonance.h), for each method of the table; more than the maximum
+  // where there are too many.
   // `frequency`: of the fastest mode relative to the spectrum of the plan. Computed again only when that has changed.
   const std::vector<int>& stable_substeps(const Plan& plan, double frame_rate, double frequency);
   int stable_substeps(const Integrator& method, const Plan& plan, double frame_rate, double frequency);
@@ -75,6 +76,7 @@ class Trials {
   Spectrum spectrum_;
   double frame_rate_ = 0.0;
   double frequency_ = 1.0;
+  bool beyond_resonance_ = false, is_beyond_resonance_ = false;  // now, and of the numbers below
   std::vector<int> stable_for_any_, stable_substeps_;
   FrequencyBound bound_;
 };
