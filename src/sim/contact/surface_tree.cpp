@@ -10,7 +10,9 @@
 namespace hooke {
 namespace {
 
-constexpr Index pieces_per_leaf = 4;
+constexpr Index pieces_per_leaf = 8;
+// Those of two leaves: edges are the most, at most three for each piece.
+using ClosePairs = std::array<std::array<Index, 2>, static_cast<std::size_t>(9 * pieces_per_leaf * pieces_per_leaf)>;
 
 double volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) { return glm::dot(glm::cross(b - a, c - a), d - a); }
 
@@ -51,31 +53,32 @@ void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
   const auto n = static_cast<Index>(plan.pieces.size());
   std::vector<Vec3> center;
   center.reserve(n);
-  order_.clear();
+  pieces_.clear();
   for (Index p = 0; p < n; ++p) {
     const auto& corner = plan.pieces[p].points;
     center.push_back(x[corner[0]] + x[corner[1]] + x[corner[2]]);
     // coordinates near the limit of numbers are not sorted
     for (int c = 0; c < 3; ++c)
       if (!std::isfinite(center[p][c])) center[p][c] = 0.0;
-    order_.push_back(p);
+    pieces_.push_back(p);
   }
   nodes_.clear();
   split(center, 0, n);
+  sort_features(plan);
   refit(plan, x);
 }
 
 // In halves along the longest axis.
 void SurfaceTree::split(std::span<const Vec3> center, Index first, Index end) {
   const std::size_t node = nodes_.size();
-  nodes_.push_back({.first_piece = first, .end_piece = end});
-  const auto at = [&](Index position) { return order_.begin() + position; };
+  nodes_.push_back({.pieces = {first, end}});
+  const auto at = [&](Index position) { return pieces_.begin() + position; };
   if (end - first <= pieces_per_leaf) {
     std::sort(at(first), at(end));
     return;
   }
-  Box box{center[order_[first]], center[order_[first]]};
-  for (Index p = first; p < end; ++p) box.include({center[order_[p]], center[order_[p]]});
+  Box box{center[pieces_[first]], center[pieces_[first]]};
+  for (Index p = first; p < end; ++p) box.include({center[pieces_[p]], center[pieces_[p]]});
   const Vec3 size = box.max - box.min;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const Index middle = first + (end - first) / 2;
@@ -85,6 +88,23 @@ void SurfaceTree::split(std::span<const Vec3> center, Index first, Index end) {
   split(center, first, middle);
   nodes_[node].second = static_cast<Index>(nodes_.size());
   split(center, middle, end);
+}
+
+void SurfaceTree::sort_features(const SurfacePlan& plan) {
+  corners_.clear();
+  edges_.clear();
+  for (Node& node : nodes_) {
+    if (node.second != no_index) continue;
+    node.corners.begin = static_cast<Index>(corners_.size());
+    node.edges.begin = static_cast<Index>(edges_.size());
+    for (Index p = node.pieces.begin; p < node.pieces.end; ++p) {
+      const SurfacePlan::Piece& piece = plan.pieces[pieces_[p]];
+      for (Index c = piece.first_corner; c < piece.end_corner; ++c) corners_.push_back(plan.corners[c]);
+      for (Index e = piece.first_edge; e < piece.end_edge; ++e) edges_.push_back(e);
+    }
+    node.corners.end = static_cast<Index>(corners_.size());
+    node.edges.end = static_cast<Index>(edges_.size());
+  }
 }
 
 // Of the points on all of their way.
@@ -101,28 +121,35 @@ SurfaceTree::Box SurfaceTree::box_of(std::span<const Index> points, std::span<co
 
 void SurfaceTree::refit(const SurfacePlan& plan, std::span<const Vec3> x, std::span<const Vec3> displacement) {
   displacement_.assign(displacement.begin(), displacement.end());
-  const auto fit = [&](std::vector<Box>& boxes, std::size_t count, const auto& points_of) {
+  const auto fit = [&](BoxColumns& boxes, std::size_t count, const auto& points_of) {
     boxes.resize(count);
-    for (std::size_t i = 0; i < count; ++i) boxes[i] = box_of(points_of(i), x);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Box box = box_of(points_of(i), x);
+      boxes.set(i, box.min, box.max);
+    }
   };
-  fit(piece_box_, order_.size(), [&](std::size_t p) { return std::span<const Index>(plan.pieces[order_[p]].points); });
-  fit(corner_box_, plan.corners.size(), [&](std::size_t c) { return std::span<const Index>(&plan.corners[c], 1); });
-  fit(edge_box_, plan.edges.size(), [&](std::size_t e) { return std::span<const Index>(plan.edges[e]); });
+  fit(corner_boxes_, corners_.size(), [&](std::size_t c) { return std::span<const Index>(&corners_[c], 1); });
+  fit(edge_boxes_, edges_.size(), [&](std::size_t e) { return std::span<const Index>(plan.edges[edges_[e]]); });
+  piece_boxes_.resize(pieces_.size());
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
-    if (node.second == no_index) {
-      node.box = piece_box_[node.first_piece];
-      for (Index p = node.first_piece + 1; p < node.end_piece; ++p) node.box.include(piece_box_[p]);
-    } else {
+    if (node.second != no_index) {
       node.box = nodes_[i + 1].box;
       node.box.include(nodes_[node.second].box);
+      continue;
+    }
+    for (Index p = node.pieces.begin; p < node.pieces.end; ++p) {
+      const Box box = box_of(plan.pieces[pieces_[p]].points, x);
+      piece_boxes_.set(p, box.min, box.max);
+      if (p == node.pieces.begin) node.box = box;
+      node.box.include(box);
     }
   }
 }
 
-// Calls visit(p, q) for positions p <= q in the order whose boxes are close to each other; stops when it returns false.
+// Calls visit(a, b) for the leaves whose boxes are close to each other; stops when it returns false.
 template <class Visit>
-void SurfaceTree::visit_pairs(double reach, const Visit& visit) const {
+void SurfaceTree::visit_leaves(double reach, const Visit& visit) const {
   std::vector<std::array<Index, 2>> open{{0, 0}};
   while (!open.empty()) {
     const auto [a, b] = open.back();
@@ -138,8 +165,8 @@ void SurfaceTree::visit_pairs(double reach, const Visit& visit) const {
     } else {
       if (!are_close(first.box, second.box, reach)) continue;
       // halves the one with more pieces
-      const bool splits_first = first.second != no_index &&
-                                (second.second == no_index || first.end_piece - first.first_piece >= second.end_piece - second.first_piece);
+      const auto size = [](const Node& node) { return node.pieces.end - node.pieces.begin; };
+      const bool splits_first = first.second != no_index && (second.second == no_index || size(first) >= size(second));
       if (splits_first) {
         open.push_back({first.second, b});
         open.push_back({a + 1, b});
@@ -151,9 +178,7 @@ void SurfaceTree::visit_pairs(double reach, const Visit& visit) const {
         continue;
       }
     }
-    for (Index p = first.first_piece; p < first.end_piece; ++p)
-      for (Index q = a == b ? p : second.first_piece; q < second.end_piece; ++q)
-        if (are_close(piece_box_[p], piece_box_[q], reach) && !visit(p, q)) return;
+    if (!visit(first, second)) return;
   }
 }
 
@@ -192,28 +217,27 @@ bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, d
   constexpr std::size_t max_open = 4096;
   std::size_t closed = pairs.size();
   const auto is_out = [&](std::span<const Index> points) { return std::ranges::any_of(points, [&](Index i) { return left_out[i] != 0; }); };
-  const auto add_points = [&](const SurfacePlan::Piece& from, Index place) {
-    const SurfacePlan::Piece& face = plan.pieces[order_[place]];
-    if (!face.is_face) return;
-    for (Index c = from.first_corner; c < from.end_corner; ++c) {
-      if (!are_close(corner_box_[c], piece_box_[place], reach)) continue;
-      const Index point = plan.corners[c];
-      if (plan.excludes_face(point, face.points) || (left_out[point] != 0 && is_out(face.points))) continue;
+  ClosePairs close;
+  const auto add_points = [&](BoxRange corners, BoxRange pieces) {
+    const std::size_t count = find_close_boxes(corner_boxes_, corners, piece_boxes_, pieces, reach, close);
+    for (const auto& [c, p] : std::span(close).first(count)) {
+      const Index point = corners_[c];
+      const SurfacePlan::Piece& face = plan.pieces[pieces_[p]];
+      if (!face.is_face || plan.excludes_face(point, face.points) || (left_out[point] != 0 && is_out(face.points))) continue;
       pairs.push_back({FeaturePair::PointFace, {point, face.points[0], face.points[1], face.points[2]}});
     }
   };
   bool is_complete = true;
-  visit_pairs(reach, [&](Index p, Index q) {
-    const SurfacePlan::Piece &first = plan.pieces[order_[p]], &second = plan.pieces[order_[q]];
-    add_points(first, q);
-    if (p != q) add_points(second, p);
-    for (Index e = first.first_edge; e < first.end_edge; ++e)
-      for (Index f = p == q ? e + 1 : second.first_edge; f < second.end_edge; ++f) {
-        if (!are_close(edge_box_[e], edge_box_[f], reach)) continue;
-        const auto &a = plan.edges[e], &b = plan.edges[f];
-        if (plan.excludes_edge(e, f) || (is_out(a) && is_out(b))) continue;
-        pairs.push_back({FeaturePair::TwoEdges, {a[0], a[1], b[0], b[1]}, plan.is_spring[e] != 0 || plan.is_spring[f] != 0});
-      }
+  visit_leaves(reach, [&](const Node& first, const Node& second) {
+    add_points(first.corners, second.pieces);
+    if (&first != &second) add_points(second.corners, first.pieces);
+    const std::size_t count = find_close_boxes(edge_boxes_, first.edges, edge_boxes_, second.edges, reach, close);
+    for (const auto& [i, j] : std::span(close).first(count)) {
+      const Index e = edges_[i], f = edges_[j];
+      const auto &a = plan.edges[e], &b = plan.edges[f];
+      if (plan.excludes_edge(e, f) || (is_out(a) && is_out(b))) continue;
+      pairs.push_back({FeaturePair::TwoEdges, {a[0], a[1], b[0], b[1]}, plan.is_spring[e] != 0 || plan.is_spring[f] != 0});
+    }
     if (pairs.size() - closed < max_open) return true;
     keep_close(x, reach, closed, pairs);
     closed = pairs.size();
@@ -227,20 +251,25 @@ bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, d
 Crossings SurfaceTree::find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const {
   Crossings crossings;
   if (nodes_.empty()) return crossings;
-  const auto test = [&](const SurfacePlan::Piece& from, Index piece) {
-    const SurfacePlan::Piece& face = plan.pieces[piece];
-    if (!face.is_face) return;
-    const auto& [a, b, c] = face.points;
-    for (Index e = from.first_edge; e < from.end_edge; ++e)
-      if (!shares_point(plan.edges[e], face.points) && passes_through(x[plan.edges[e][0]], x[plan.edges[e][1]], x[a], x[b], x[c]))
-        crossings.found.push_back({e, piece});
+  constexpr std::size_t max_tests = 20'000'000;
+  std::size_t tests = 0;
+  ClosePairs close;
+  const auto test = [&](BoxRange edges, BoxRange pieces) {
+    const std::size_t count = find_close_boxes(edge_boxes_, edges, piece_boxes_, pieces, 0.0, close);
+    for (const auto& [i, p] : std::span(close).first(count)) {
+      const SurfacePlan::Piece& face = plan.pieces[pieces_[p]];
+      const Index e = edges_[i];
+      const auto& [a, b, c] = face.points;
+      if (face.is_face && !shares_point(plan.edges[e], face.points) &&
+          passes_through(x[plan.edges[e][0]], x[plan.edges[e][1]], x[a], x[b], x[c]))
+        crossings.found.push_back({e, pieces_[p]});
+    }
+    tests += count;
   };
-  constexpr long max_visits = 20'000'000;
-  long visits = 0;
-  visit_pairs(0.0, [&](Index p, Index q) {
-    test(plan.pieces[order_[p]], order_[q]);
-    if (p != q) test(plan.pieces[order_[q]], order_[p]);
-    crossings.is_complete = ++visits < max_visits;
+  visit_leaves(0.0, [&](const Node& first, const Node& second) {
+    test(first.edges, second.pieces);
+    if (&first != &second) test(second.edges, first.pieces);
+    crossings.is_complete = tests < max_tests;
     return crossings.is_complete;
   });
   return crossings;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sim/contact/box_kernel.h"
 #include "sim/contact/closest.h"
 #include "sim/contact/surface_plan.h"
 
@@ -47,25 +48,25 @@ class SurfaceTree {
     Vec3 min{0.0}, max{0.0};
     void include(const Box& other);
   };
-  // Its children are the next node and `second`; a leaf has none, and some pieces.
+  // Its children are the next node and `second`; a leaf has none, and some pieces, with their own corners and edges.
   struct Node {
     Box box;
     Index second = no_index;
-    Index first_piece = 0, end_piece = 0;
+    BoxRange pieces, corners, edges;
   };
 
   void split(std::span<const Vec3> center, Index first, Index end);
+  void sort_features(const SurfacePlan& plan);
   Box box_of(std::span<const Index> points, std::span<const Vec3> x) const;
   void keep_close(std::span<const Vec3> x, double reach, std::size_t from, std::vector<SurfacePair>& pairs) const;
   static bool are_close(const Box& a, const Box& b, double reach);
   template <class Visit>
-  void visit_pairs(double reach, const Visit& visit) const;
+  void visit_leaves(double reach, const Visit& visit) const;
 
-  std::vector<Vec3> displacement_;  // empty: none
-  std::vector<Node> nodes_;         // parents before their children
-  std::vector<Index> order_;        // of the pieces, those of a leaf together
-  std::vector<Box> piece_box_;      // in that order
-  std::vector<Box> corner_box_, edge_box_;
+  std::vector<Vec3> displacement_;                      // empty: none
+  std::vector<Node> nodes_;                             // parents before their children
+  std::vector<Index> pieces_, corners_, edges_;         // of the plan, those of a leaf together
+  BoxColumns piece_boxes_, corner_boxes_, edge_boxes_;  // in that order
 };
 
 }  // namespace hooke
