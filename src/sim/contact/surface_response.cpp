@@ -51,6 +51,7 @@ bool SurfaceContacts::settle(std::span<const double> inverse_mass, double fricti
   if (!any) return false;
   for (ObstacleContact& contact : obstacles) settle_point(contact);
   for (auto contact = surface.rbegin(); contact != surface.rend(); ++contact) settle_surface(*contact);
+  for (ObstacleContact& contact : obstacles) settle_point(contact);
   return true;
 }
 

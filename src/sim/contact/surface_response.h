@@ -37,9 +37,9 @@ struct SurfaceContacts {
   std::vector<SurfaceContact> surface;
   std::vector<ObstacleContact> obstacles;
 
-  // Changes velocities, per point, in two Gauss-Seidel sweeps, forward and backward: an impulse that brings what is below its target to it,
-  // and the Coulomb impulse of up to friction times that. Each of them removes kinetic energy if its target is not positive. Returns
-  // whether any was necessary.
+  // Changes velocities, per point, in two Gauss-Seidel sweeps, forward and backward, obstacles last: an impulse that brings what is below
+  // its target to it, and the Coulomb impulse of up to friction times that. Each of them removes kinetic energy if its target is not
+  // positive. Returns whether any was necessary.
   bool settle(std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity);
 };
 
