@@ -13,8 +13,7 @@ namespace hooke {
 std::optional<std::string> choose_stable_stepping(Scene& scene, int min_substeps, double forces_omega) {
   Settings& settings = scene.settings;
   Spectrum spectrum = bound_spectrum(scene.system);
-  if (!spectrum.is_bounded) spectrum.omega = std::hypot(spectrum.omega, forces_omega);
-  spectrum.estimated_omega = spectrum.estimated_rate = 0.0;
+  if (!spectrum.is_bounded) spectrum.estimated_omega = std::max(spectrum.estimated_omega, forces_omega);
   const Integrator& explicit_method = default_integrator();
   const auto stable_substeps = min_stable_substeps(explicit_method, spectrum, settings.frame_rate);
 
