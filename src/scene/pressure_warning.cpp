@@ -17,8 +17,10 @@ std::optional<std::string> pressure_warning(const System& system) {
   if (all == 0) return "forces: pressure: fills " + surfaces + " only: this scene has none";
   if (plan.open == 0) return std::nullopt;
   return "forces: pressure: fills " + std::to_string(closed) + " of the " + std::to_string(all) +
-         (is_flat ? " sets of faces: the others have an edge of more than two faces, or no springs along their border"
-                  : " surfaces: the others have edges that do not belong to exactly two faces, or no springs along the edges of a face");
+         (is_flat ? " sets of faces: the others have an edge of more than two faces, no springs along their border, or rest lengths that "
+                    "enclose nothing"
+                  : " surfaces: the others have edges that do not belong to exactly two faces, or faces whose springs are missing or have "
+                    "rest lengths that form no triangle");
 }
 
 }  // namespace hooke

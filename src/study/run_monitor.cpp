@@ -88,9 +88,11 @@ std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const 
   std::vector<std::string> warnings;
   if (unconverged_solves_ > 0)
     warnings.push_back(std::to_string(unconverged_solves_) + (unconverged_solves_ == 1 ? " solve" : " solves") + " did not converge");
-  if (energy_rise() > tolerance.energy)
-    warnings.push_back(clause("energy balance off by %.2g %% of the energy supplied (gain)", 100.0 * energy_rise()));
-  else if (const double loss = -change_ - max_dissipated_; !is_dissipative_ && loss > tolerance.energy * scale_)
+  // a run that loses most of its energy may gain some in between
+  const double rise = energy_rise(), loss = is_dissipative_ ? 0.0 : -change_ - max_dissipated_;
+  if (rise > tolerance.energy && rise * scale_ >= loss)
+    warnings.push_back(clause("energy balance off by %.2g %% of the energy supplied (gain)", 100.0 * rise));
+  else if (loss > tolerance.energy * scale_)
     warnings.push_back(clause("energy balance off by %.2g %% of the energy supplied (loss)", 100.0 * loss / scale_));
   if (!(estimated_error_ <= tolerance.position)) warnings.push_back(clause("estimated error: %.1g m in total", estimated_error_));
   return warnings;

@@ -21,7 +21,7 @@ struct NumberField {
 // The field for a row of a table that has a label, a unit, a range and a default.
 template <class Row>
 NumberField field_of_row(const Row& row, double value) {
-  const bool spans_decades = row.min > 0.0 && row.max >= 100.0 * row.min && !row.integer;
+  const bool spans_decades = (row.min > 0.0 ? row.max >= 100.0 * row.min : row.min == 0.0 && row.max >= 1e5) && !row.integer;
   return {.label = row.label,
           .unit = row.unit,
           .description = {},

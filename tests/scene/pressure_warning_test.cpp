@@ -21,8 +21,8 @@ TEST(PressureWarning, SaysWhichSurfacesAreNotFilled) {
   ball.system.faces.pop_back();
   EXPECT_EQ(
       pressure_warning(ball.system),
-      "forces: pressure: fills 0 of the 1 surfaces: the others have edges that do not belong to exactly two faces, or no springs along "
-      "the edges of a face");
+      "forces: pressure: fills 0 of the 1 surfaces: the others have edges that do not belong to exactly two faces, or faces whose springs "
+      "are missing or have rest lengths that form no triangle");
   ball.system.faces.clear();
   EXPECT_EQ(pressure_warning(ball.system), "forces: pressure: fills closed surfaces of faces only: this scene has none");
 
@@ -31,9 +31,10 @@ TEST(PressureWarning, SaysWhichSurfacesAreNotFilled) {
   ring.join(points[0].id, points[4].id, 1.0, 1.0);
   EXPECT_EQ(pressure_warning(ring.system), "forces: pressure: fills closed lines of springs only: this scene has none");
   ring.system.faces.push_back({{points[0].id, points[1].id, points[2].id}});
-  EXPECT_EQ(pressure_warning(ring.system),
-            "forces: pressure: fills 0 of the 1 sets of faces: the others have an edge of more than two faces, or no springs along their "
-            "border");
+  EXPECT_EQ(
+      pressure_warning(ring.system),
+      "forces: pressure: fills 0 of the 1 sets of faces: the others have an edge of more than two faces, no springs along their border, "
+      "or rest lengths that enclose nothing");
 }
 
 }  // namespace

@@ -270,5 +270,27 @@ TEST(RunMonitor, WarnsAboutALossThatIsNotThatOfDragDashpotsOrContact) {
   EXPECT_EQ(loss_of(1.0, 0.0, false), "");
 }
 
+// A free point that loses nearly all of its energy, and gains some in between.
+TEST(RunMonitor, NamesTheLossOfARunThatAlsoGainsEnergy) {
+  TestNetwork network;
+  network.system.gravity = Vec3(0.0);
+  network.add(Vec3(0.0), 1.0, {1.0, 0.0, 0.0});
+  initialize_ledger(network.system, network.state);
+  const Settings settings{.integrator = find_integrator("runge_kutta4")};
+  const Plan plan = make_plan(network.system);
+  const auto warning_after = [&](std::initializer_list<double> speeds) {
+    State state = network.state;
+    RunMonitor monitor(network.system, state, 0);
+    for (const double speed : speeds) {
+      monitor.begin_frame(network.system, settings, state);
+      state.velocity[0].x = speed;
+      monitor.end_frame(plan, settings, network.system, state, {});
+    }
+    return monitor.warnings({}).front();
+  };
+  EXPECT_NE(warning_after({0.5, 0.7, 0.1}).find("99 % of the energy supplied (loss)"), std::string::npos);
+  EXPECT_NE(warning_after({0.9, 1.3, 1.2}).find("(gain)"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hooke
