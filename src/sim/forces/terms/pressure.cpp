@@ -141,8 +141,8 @@ Rows rows_at_rest(const System& system, const EnclosurePlan& plan) {
 }
 
 // The curvature of an area does not depend on the shape: of a flat scene with a constant pressure, there is a bound. Everything else
-// depends on the volume; the estimate holds for surfaces that are not stretched and enclose at least two thirds of the full volume. The force
-// increases with the size of the surface without limit.
+// depends on the volume; the estimate holds for surfaces that are not stretched and enclose at least two thirds of the full volume. The
+// force increases with the size of the surface without limit.
 ForceBound bound(const System& system, const ForceValues& values, double) {
   constexpr double ratio = 2.0 / 3.0;
   const EnclosurePlan plan = plan_enclosures(system);
