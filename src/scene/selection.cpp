@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
+
+#include "base/disjoint_sets.h"
 
 namespace hooke {
 namespace {
@@ -60,19 +61,14 @@ Selection invert_selection(const System& system, const Selection& selection) {
 }
 
 Selection select_connected(const System& system, const Selection& selection) {
-  // the connected components by a representative point: union-find with path compression
-  std::vector<Index> parent(static_cast<std::size_t>(system.point_count()));
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root_of = [&](PointId id) {
-    Index i = system.index_of(id);
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const Spring& spring : system.springs()) parent[root_of(spring.first)] = root_of(spring.second);
+  DisjointSets sets(system.points().size());
+  const auto root_of = [&](PointId id) { return sets.root(system.index_of(id)); };
+  const auto join = [&](PointId first, PointId second) { sets.join(system.index_of(first), system.index_of(second)); };
+  for (const Spring& spring : system.springs()) join(spring.first, spring.second);
   for (const Face& face : system.faces)
-    for (const PointId id : face.points) parent[root_of(id)] = root_of(face.points[0]);
+    for (const PointId id : face.points) join(id, face.points[0]);
 
-  std::vector<bool> is_reached(parent.size(), false);
+  std::vector<bool> is_reached(system.points().size(), false);
   const Selection start = existing_part_of(system, selection);
   for (const PointId id : start.points) is_reached[root_of(id)] = true;
   for (const SpringId id : start.springs) is_reached[root_of(system.springs()[system.index_of(id)].first)] = true;

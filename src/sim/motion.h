@@ -53,7 +53,7 @@ class Structure {
   int dimensions_;
   std::vector<SpringRun> runs_;
   std::vector<Index> hinge_begin_, hinge_column_;
-  std::vector<std::pair<Index, Index>> enclosure_edges_;
+  std::vector<EdgeEnds> enclosure_edges_;
 };
 
 inline constexpr double default_tolerance = 1e-8;  // [m], of adaptive methods

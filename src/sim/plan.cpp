@@ -8,6 +8,7 @@
 #include "sim/contact/contact.h"
 #include "sim/hand.h"
 #include "sim/portable_math.h"
+#include "sim/spectrum_rows.h"
 #include "sim/state.h"
 
 namespace hooke {
@@ -336,28 +337,19 @@ double plausible_reach(const System& system, const Spectrum& spectrum, double ex
 }
 
 Spectrum bound_spectrum(const System& system, double point_speed) {
-  std::vector<double> stiffness_row(system.points().size(), 0.0), dashpot_row(system.points().size(), 0.0);
+  SpectrumRows rows = spectrum_rows(system);
   double min_ratio = std::numeric_limits<double>::infinity();
   for (const Spring& spring : system.springs()) {
-    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
-    const Point &first = system.points()[i], &second = system.points()[j];
-    if (first.nailed && second.nailed) continue;
-    const double coupling = first.nailed || second.nailed ? 0.0 : 1.0 / std::sqrt(first.mass * second.mass);
-    const double stiffness = system.stiffness_of(spring), damping = system.damping_of(spring);
-    for (const auto& [at, point] : {std::pair{i, &first}, std::pair{j, &second}}) {
-      if (point->nailed) continue;
-      const double weight = 1.0 / point->mass + coupling;
-      stiffness_row[at] += stiffness * weight;
-      dashpot_row[at] += damping * weight;
-    }
-    if (stiffness > 0.0) min_ratio = std::min(min_ratio, damping / stiffness);
+    const bool is_fixed = system.points()[system.index_of(spring.first)].nailed && system.points()[system.index_of(spring.second)].nailed;
+    const double stiffness = system.stiffness_of(spring);
+    if (!is_fixed && stiffness > 0.0) min_ratio = std::min(min_ratio, system.damping_of(spring) / stiffness);
   }
-  if (system.grab && system.grab->kind == GrabKind::Pull) add_pull_rows(system, stiffness_row);
+  if (system.grab && system.grab->kind == GrabKind::Pull) add_pull_rows(system, rows.stiffness);
 
   Spectrum spectrum;
-  for (std::size_t i = 0; i < stiffness_row.size(); ++i) {
-    spectrum.omega = std::max(spectrum.omega, stiffness_row[i]);
-    spectrum.dashpot_rate = std::max(spectrum.dashpot_rate, dashpot_row[i]);
+  for (std::size_t i = 0; i < rows.stiffness.size(); ++i) {
+    spectrum.omega = std::max(spectrum.omega, rows.stiffness[i]);
+    spectrum.dashpot_rate = std::max(spectrum.dashpot_rate, rows.dashpot[i]);
   }
   // eigenvalues of a sum of symmetric matrices are at most the sum of theirs
   double force_stiffness = 0.0, estimated_stiffness = 0.0, omitted_stiffness = 0.0;

@@ -8,6 +8,10 @@
 
 namespace hooke {
 
+// The points of an edge in ascending order.
+using EdgeEnds = std::array<Index, 2>;
+inline EdgeEnds edge_ends(Index i, Index j) { return i < j ? EdgeEnds{i, j} : EdgeEnds{j, i}; }
+
 class RestLengths {
  public:
   explicit RestLengths(const System& system);
@@ -16,11 +20,9 @@ class RestLengths {
 
  private:
   struct Pair {
-    std::array<Index, 2> ends{};  // the lower index first
-    double length = 0.0;          // [m]
+    EdgeEnds ends{};
+    double length = 0.0;  // [m]
   };
-  static std::array<Index, 2> ordered(Index i, Index j);
-
   std::vector<Pair> pairs_;  // in ascending order
 };
 

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include "base/disjoint_sets.h"
 #include "sim/automatic/rates.h"
 #include "sim/automatic/trials.h"
+#include "sim/spectrum_rows.h"
 
 namespace hooke {
 namespace {
@@ -22,46 +23,29 @@ struct IslandPart {
   Index points = 0, springs = 0;
 };
 
-Index find_root(std::vector<Index>& parent, Index point) {
-  while (parent[point] != point) point = parent[point] = parent[parent[point]];
-  return point;
-}
-
 // The smallest index of the points that each point is connected with.
 std::vector<Index> find_parts(const Plan& plan) {
-  std::vector<Index> parent(static_cast<std::size_t>(plan.points));
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets sets(static_cast<std::size_t>(plan.points));
   for (const SpringRun& run : plan.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Index a = find_root(parent, run.first + e), b = find_root(parent, run.second + e);
-      parent[std::max(a, b)] = std::min(a, b);
-    }
-  for (Index i = 0; i < plan.points; ++i) parent[i] = find_root(parent, i);
-  return parent;
+    for (Index e = 0; e < run.count; ++e) sets.join(run.first + e, run.second + e);
+  std::vector<Index> root(static_cast<std::size_t>(plan.points));
+  for (Index i = 0; i < plan.points; ++i) root[i] = sets.root(i);
+  return root;
 }
 
-// The parts, by ascending substeps; `root` as of find_parts. The bounds are those of bound_spectrum.
-std::vector<IslandPart> measure_parts(const Plan& plan, const std::vector<Index>& root, double frame_rate) {
+// The parts, by ascending substeps; `root` as of find_parts.
+std::vector<IslandPart> measure_parts(const Plan& plan, const System& system, const std::vector<Index>& root, double frame_rate) {
   const auto count = static_cast<std::size_t>(plan.points);
-  std::vector<double> stiffness_row(count, 0.0), dashpot_row(count, 0.0);
+  const SpectrumRows rows = spectrum_rows(system);
   std::vector<IslandPart> part_at(count);
   for (const SpringRun& run : plan.runs)
-    for (Index e = 0; e < run.count; ++e) {
-      const Index i = run.first + e, j = run.second + e, s = run.begin + e;
-      const double coupling = std::sqrt(plan.inverse_mass[i] * plan.inverse_mass[j]);
-      for (const Index at : {i, j}) {
-        if (plan.inverse_mass[at] == 0.0) continue;
-        stiffness_row[at] += plan.stiffness[s] * (plan.inverse_mass[at] + coupling);
-        if (plan.has_dashpots()) dashpot_row[at] += plan.damping[s] * (plan.inverse_mass[at] + coupling);
-      }
-      ++part_at[root[i]].springs;
-    }
+    for (Index e = 0; e < run.count; ++e) ++part_at[root[run.first + e]].springs;
   std::vector<Spectrum> spectrum_at(count, plan.spectrum);
   for (Spectrum& spectrum : spectrum_at) spectrum.omega = spectrum.dashpot_rate = 0.0;
   for (Index i = 0; i < plan.points; ++i) {
     Spectrum& spectrum = spectrum_at[root[i]];
-    spectrum.omega = std::max(spectrum.omega, std::sqrt(stiffness_row[i]));
-    spectrum.dashpot_rate = std::max(spectrum.dashpot_rate, dashpot_row[i]);
+    spectrum.omega = std::max(spectrum.omega, std::sqrt(rows.stiffness[i]));
+    spectrum.dashpot_rate = std::max(spectrum.dashpot_rate, rows.dashpot[i]);
     ++part_at[root[i]].points;
   }
   std::vector<IslandPart> parts;
@@ -95,11 +79,10 @@ void add_counts(const Motion& part, Motion& sum) {
   sum.reversible_work += part.reversible_work;
 }
 
-}  // namespace
-
-std::vector<int> find_island_groups(const Plan& plan, double frame_rate) {
-  const std::vector<Index> root = find_parts(plan);
-  const std::vector<IslandPart> parts = measure_parts(plan, root, frame_rate);
+// The group of each point, in ascending order of the substeps that its part requires. Empty where nothing would be saved: the scene is
+// stepped as a whole. `root` as of find_parts.
+std::vector<int> find_island_groups(const Plan& plan, const System& system, const std::vector<Index>& root, double frame_rate) {
+  const std::vector<IslandPart> parts = measure_parts(plan, system, root, frame_rate);
   if (parts.size() < 2) return {};
 
   std::vector<int> group_at(static_cast<std::size_t>(plan.points), 0);  // of a part, at its first point
@@ -125,6 +108,8 @@ std::vector<int> find_island_groups(const Plan& plan, double frame_rate) {
   return group_of_point;
 }
 
+}  // namespace
+
 bool IslandFrames::divide(const Plan& plan, const System& system, double frame_rate) {
   const bool may_interact = plan.touches_itself() || plan.held || plan.pull || plan.grabbed_collider || !plan.forces.empty();
   if (may_interact || !plan.break_length.empty() || plan.points < 2) return false;
@@ -135,8 +120,8 @@ bool IslandFrames::divide(const Plan& plan, const System& system, double frame_r
   if (has_same_structure && has_same_field && rates == rates_ && system.colliders == colliders_) return !groups_.empty();
 
   if (!has_same_structure) {
-    const std::vector<Index> root = find_parts(plan);
-    is_connected_ = std::ranges::all_of(root, [](Index first) { return first == 0; });
+    root_ = find_parts(plan);
+    is_connected_ = std::ranges::all_of(root_, [](Index first) { return first == 0; });
     points_ = plan.points;
     dimensions_ = plan.dimensions;
     runs_ = plan.runs;
@@ -146,7 +131,7 @@ bool IslandFrames::divide(const Plan& plan, const System& system, double frame_r
   drag_ = plan.drag;
   frame_rate_ = frame_rate;
   colliders_ = system.colliders;
-  rebuild(system, find_island_groups(plan, frame_rate));
+  rebuild(system, find_island_groups(plan, system, root_, frame_rate));
   return !groups_.empty();
 }
 

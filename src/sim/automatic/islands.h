@@ -10,10 +10,6 @@
 
 namespace hooke {
 
-// The group of each point, in ascending order of the substeps that its part requires. Empty where nothing would be saved: the scene is
-// stepped as a whole.
-std::vector<int> find_island_groups(const Plan& plan, double frame_rate);
-
 // A frame of a scene, group by group.
 class IslandFrames {
  public:
@@ -51,6 +47,7 @@ class IslandFrames {
   std::size_t next_ = 0;  // the group that is computed
   StepFailure failure_ = StepFailure::None;
   // of the last division
+  std::vector<Index> root_;    // of each point, the first of those connected with it
   bool is_connected_ = false;  // the scene has one part
   Index points_ = -1;
   int dimensions_ = 0;

@@ -9,10 +9,6 @@
 namespace hooke {
 namespace {
 
-using EdgeEnds = std::array<Index, 2>;
-
-EdgeEnds ordered(Index i, Index j) { return {std::min(i, j), std::max(i, j)}; }
-
 // Fills a SurfacePlan from the faces and springs of a System.
 class SurfacePlanner {
  public:
@@ -28,7 +24,7 @@ class SurfacePlanner {
 
  private:
   Index local(PointId id) const { return local_[system_.index_of(id)]; }
-  EdgeEnds ends_of(const Spring& spring) const { return ordered(local(spring.first), local(spring.second)); }
+  EdgeEnds ends_of(const Spring& spring) const { return edge_ends(local(spring.first), local(spring.second)); }
 
   // Springs of a lattice cross each other at rest: only its threads touch.
   bool touches(const Spring& spring) const {
@@ -87,7 +83,7 @@ class SurfacePlanner {
     for (std::size_t p = 0; p < plan_.pieces.size(); ++p) {
       const SurfacePlan::Piece& piece = plan_.pieces[p];
       for (int c = 0; c < (piece.is_face ? 3 : 1); ++c)
-        sides.push_back({ordered(piece.points[c], piece.points[(c + 1) % 3]), static_cast<Index>(p)});
+        sides.push_back({edge_ends(piece.points[c], piece.points[(c + 1) % 3]), static_cast<Index>(p)});
     }
     std::ranges::sort(sides);
     const auto same = std::unique(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.ends == b.ends; });
@@ -164,7 +160,7 @@ class SurfacePlanner {
 bool are_linked(std::span<const Index> first, std::span<const Index> second, const std::vector<EdgeEnds>& links) {
   for (const Index i : first)
     for (const Index j : second)
-      if (i == j || (!links.empty() && std::ranges::binary_search(links, ordered(i, j)))) return true;
+      if (i == j || (!links.empty() && std::ranges::binary_search(links, edge_ends(i, j)))) return true;
   return false;
 }
 

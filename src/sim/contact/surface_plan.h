@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/system.h"
+#include "sim/rest_lengths.h"
 
 namespace hooke {
 
@@ -26,11 +26,11 @@ struct SurfacePlan {
   double max_thickness = 0.0;     // [m]
   double edge_length = 0.0;       // [m], mean at rest, of springs on the edges; 0: there are none
   std::vector<Piece> pieces;      // faces first
-  std::vector<std::array<Index, 2>> edges;
+  std::vector<EdgeEnds> edges;
   std::vector<char> is_spring;  // per edge, whether it is on no face
   std::vector<Index> corners;   // every point once
-  // Points joined by a spring no longer than the thickness, and those joined by any spring if springs touch: the lower index first, sorted.
-  std::vector<std::array<Index, 2>> close, joined;
+  // Points joined by a spring no longer than the thickness, and those joined by any spring if springs touch; sorted.
+  std::vector<EdgeEnds> close, joined;
 
   // Whether features with these points never touch: they share a point, or springs keep them close to each other.
   bool excludes_face(Index point, std::span<const Index> face) const;

@@ -3,33 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
+#include <numbers>
 
+#include "base/disjoint_sets.h"
 #include "sim/forces/rest_faces.h"
 #include "sim/plan.h"
 
 namespace hooke {
 namespace {
 
-constexpr double pi_of_balls = 3.141592653589793;
-
-// Disjoint sets of items.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  Index root(Index i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(Index i, Index j) { parent_[std::max(root(i), root(j))] = std::min(root(i), root(j)); }
-
- private:
-  std::vector<Index> parent_;
-};
-
 // Of closed lines, the longest of which is the outer one.
 bool add_line(const std::vector<EnclosureSide>& sides, EnclosurePlan& plan) {
-  Sets sets(sides.size());
+  DisjointSets sets(sides.size());
   std::vector<std::pair<Index, Index>> ends;  // point, side
   for (std::size_t s = 0; s < sides.size(); ++s)
     for (int a = 0; a < 2; ++a) ends.emplace_back(sides[s].points[a], static_cast<Index>(s));
@@ -44,7 +29,7 @@ bool add_line(const std::vector<EnclosureSide>& sides, EnclosurePlan& plan) {
     squares += l * l;
     max = std::max(max, l * l);
   }
-  const double area = (2.0 * max - squares) / (4.0 * pi_of_balls);
+  const double area = (2.0 * max - squares) / (4.0 * std::numbers::pi);
   if (!(area > 0.0)) return false;
   const auto begin = static_cast<Index>(plan.sides.size());
   plan.sides.insert(plan.sides.end(), sides.begin(), sides.end());
@@ -79,7 +64,7 @@ class ConnectedFaces {
   }
   // Whether the face, as oriented so far, runs along the edge from its second point to its first.
   bool is_backward(const FaceEdge& edge) const {
-    return (faces_[edge.face].corners[(edge.corner + 1) % 3] != edge.ends.first) != is_flipped_[edge.face];
+    return (faces_[edge.face].corners[(edge.corner + 1) % 3] != edge.ends[0]) != is_flipped_[edge.face];
   }
 
   // Finds the surfaces, and turns their faces so that two that share an edge run along it in opposite directions.
@@ -87,7 +72,7 @@ class ConnectedFaces {
     std::vector<std::array<const FaceEdge*, 6>> neighbors(faces_.size());  // pairs: own edge, that of the other face
     is_bad_.assign(faces_.size(), false);
     border_.assign(faces_.size(), {false, false, false});
-    Sets sets(faces_.size());
+    DisjointSets sets(faces_.size());
     for_each_edge([&](std::size_t begin, std::size_t end) {
       const FaceEdge &first = edges_[begin], &second = edges_[end - 1];
       for (std::size_t e = begin + 1; e < end; ++e) sets.join(first.face, edges_[e].face);
@@ -162,7 +147,7 @@ class ConnectedFaces {
       plan.sides.push_back(side);
     }
     // V = S^(3/2) / (6 sqrt(pi))
-    plan.enclosures.push_back({begin, static_cast<Index>(plan.sides.size()), area * std::sqrt(area / pi_of_balls) / 6.0});
+    plan.enclosures.push_back({begin, static_cast<Index>(plan.sides.size()), area * std::sqrt(area / std::numbers::pi) / 6.0});
     return true;
   }
 
@@ -202,7 +187,7 @@ void add_rings(const System& system, EnclosurePlan& plan) {
   std::vector<bool> is_ring(points, true);
   for (const Face& face : system.faces)
     for (const PointId id : face.points) is_ring[system.index_of(id)] = false;
-  Sets sets(points);
+  DisjointSets sets(points);
   for (const Spring& spring : system.springs()) {
     const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
     sets.join(i, j);

@@ -3,10 +3,9 @@
 #pragma once
 
 #include <array>
-#include <utility>
 #include <vector>
 
-#include "sim/system.h"
+#include "sim/rest_lengths.h"
 
 namespace hooke {
 
@@ -29,8 +28,8 @@ struct Enclosure {
 struct EnclosurePlan {
   std::vector<Enclosure> enclosures;
   std::vector<EnclosureSide> sides;
-  std::vector<std::pair<Index, Index>> edges;  // of points in ascending order, each once
-  Index open = 0;                              // surfaces that are not closed, in the whole scene
+  std::vector<EdgeEnds> edges;  // each once
+  Index open = 0;               // surfaces that are not closed, in the whole scene
 
   bool empty() const { return enclosures.empty(); }
 };

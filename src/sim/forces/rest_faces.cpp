@@ -39,7 +39,7 @@ std::vector<FaceEdge> sorted_edges(const std::vector<RestFace>& faces) {
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (int c = 0; c < 3; ++c)
       edges.push_back({edge_ends(faces[f].corners[(c + 1) % 3], faces[f].corners[(c + 2) % 3]), static_cast<Index>(f), c});
-  std::ranges::sort(edges, {}, [](const FaceEdge& edge) { return std::tuple(edge.ends.first, edge.ends.second, edge.face, edge.corner); });
+  std::ranges::sort(edges, {}, [](const FaceEdge& edge) { return std::tuple(edge.ends, edge.face, edge.corner); });
   return edges;
 }
 

@@ -2,16 +2,11 @@
 #pragma once
 
 #include <array>
-#include <utility>
 #include <vector>
 
 #include "sim/rest_lengths.h"
 
 namespace hooke {
-
-// The points of an edge in ascending order.
-using EdgeEnds = std::pair<Index, Index>;
-inline EdgeEnds edge_ends(Index i, Index j) { return i < j ? EdgeEnds{i, j} : EdgeEnds{j, i}; }
 
 // A face at rest. Side i is opposite corner i.
 struct RestFace {

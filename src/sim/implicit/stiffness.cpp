@@ -31,7 +31,7 @@ std::vector<std::pair<Index, Index>> couplings_of(const Plan& plan) {
   for_each_hinge_entry(plan, [&](Index i, Index j, Index) {
     if (i != j) pairs.emplace_back(i, j);
   });
-  pairs.insert(pairs.end(), plan.enclosures.edges.begin(), plan.enclosures.edges.end());
+  for (const auto& [i, j] : plan.enclosures.edges) pairs.emplace_back(i, j);
   return pairs;
 }
 

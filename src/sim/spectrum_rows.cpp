@@ -1,0 +1,25 @@
+#include "sim/spectrum_rows.h"
+
+#include <cmath>
+#include <utility>
+
+namespace hooke {
+
+SpectrumRows spectrum_rows(const System& system) {
+  SpectrumRows rows{std::vector<double>(system.points().size(), 0.0), std::vector<double>(system.points().size(), 0.0)};
+  for (const Spring& spring : system.springs()) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    const Point &first = system.points()[i], &second = system.points()[j];
+    const double coupling = first.nailed || second.nailed ? 0.0 : 1.0 / std::sqrt(first.mass * second.mass);
+    const double stiffness = system.stiffness_of(spring), damping = system.damping_of(spring);
+    for (const auto& [at, point] : {std::pair{i, &first}, std::pair{j, &second}}) {
+      if (point->nailed) continue;
+      const double weight = 1.0 / point->mass + coupling;
+      rows.stiffness[at] += stiffness * weight;
+      rows.dashpot[at] += damping * weight;
+    }
+  }
+  return rows;
+}
+
+}  // namespace hooke
