@@ -114,10 +114,7 @@ std::string value_before(const Command& command, const Scene& scene) {
   return std::visit(Overloaded{
                         [&](const SetParameter& set) { return value_of(*set.parameter, scene); },
                         [&](const RestoreParameter& set) { return value_of(*set.parameter, scene); },
-                        [&](const SetIntegrator&) {
-                          const std::string_view label = scene.settings.integrator->label;
-                          return std::string(label.substr(0, label.find(" (")));
-                        },
+                        [&](const SetIntegrator&) { return scene.settings.integrator->short_name(); },
                         [&](const SetPointProperty& set) {
                           return mean_of(set.values, [&](PointId id) {
                             const Index i = system.index_of(id);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <complex>
+#include <string>
 #include <string_view>
 
 #include "base/table.h"
@@ -49,6 +50,9 @@ std::string_view describe(Stability stability);
 std::string_view describe(EnergyTrend energy);
 
 struct Integrator {
+  // The label without what it has in parentheses, for sentences.
+  std::string short_name() const { return std::string(label.substr(0, label.find(" ("))); }
+
   std::string_view id;       // on the command line and in files
   std::string_view label;    // in the menu
   std::string_view summary;  // one sentence: when to use it

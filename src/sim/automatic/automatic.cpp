@@ -66,8 +66,8 @@ bool is_tolerance_met(const MethodChoice& choice, const Settings& settings) {
 
 std::string describe(const MethodChoice& choice, const Settings& settings) {
   const double error = error_per_second(choice, settings), tolerance = automatic_tolerance(settings);
-  const std::string name(choice.method->label.substr(0, choice.method->label.find(" (")));
-  const std::string steps = name + ", " + std::to_string(choice.substeps) + (choice.substeps == 1 ? " substep" : " substeps");
+  const std::string steps =
+      choice.method->short_name() + ", " + std::to_string(choice.substeps) + (choice.substeps == 1 ? " substep" : " substeps");
   std::string text;
   if (!std::isfinite(error))
     text = ": tolerance not met: no method could be tested on this frame.";

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <span>
 
 #include "base/disjoint_sets.h"
 #include "sim/forces/rest_faces.h"
@@ -57,9 +58,10 @@ class ConnectedFaces {
  private:
   template <class Use>
   void for_each_edge(const Use& use) const {
-    for (std::size_t begin = 0, end = 0; begin < edges_.size(); begin = end) {
-      for (end = begin; end < edges_.size() && edges_[end].ends == edges_[begin].ends;) ++end;
-      use(begin, end);
+    for (auto first = edges_.begin(); first != edges_.end();) {
+      const auto last = std::find_if(first, edges_.end(), [&](const FaceEdge& edge) { return edge.ends != first->ends; });
+      use(std::span(first, last));
+      first = last;
     }
   }
   // Whether the face, as oriented so far, runs along the edge from its second point to its first.
@@ -73,12 +75,12 @@ class ConnectedFaces {
     is_bad_.assign(faces_.size(), false);
     border_.assign(faces_.size(), {false, false, false});
     DisjointSets sets(faces_.size());
-    for_each_edge([&](std::size_t begin, std::size_t end) {
-      const FaceEdge &first = edges_[begin], &second = edges_[end - 1];
-      for (std::size_t e = begin + 1; e < end; ++e) sets.join(first.face, edges_[e].face);
-      if (end - begin == 1)
+    for_each_edge([&](std::span<const FaceEdge> same) {
+      const FaceEdge &first = same.front(), &second = same.back();
+      for (const FaceEdge& edge : same) sets.join(first.face, edge.face);
+      if (same.size() == 1)
         border_[first.face][first.corner] = true;
-      else if (end - begin > 2 || first.face == second.face)
+      else if (same.size() > 2 || first.face == second.face)
         is_bad_[first.face] = true;
       else {
         neighbors[first.face][2 * first.corner] = neighbors[second.face][2 * second.corner + 1] = &first;

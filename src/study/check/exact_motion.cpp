@@ -187,8 +187,7 @@ std::optional<Companion> exact_companion(const std::shared_ptr<const System>& sy
 }
 
 Companion companion_of(const Settings& settings) {
-  const std::string_view label = settings.integrator->label;
-  const std::string name(label.substr(0, label.find(" (")));
+  const std::string name = settings.integrator->short_name();
   const bool adapts = settings.integrator->stability == Stability::Adaptive;
   return {.name = name + ", " +
                   (is_automatic(settings) ? "tolerance " + quantity_text(automatic_tolerance(settings), "m/s", 1)

@@ -113,7 +113,7 @@ void cost_section(const PanelInput& input, Requests& requests) {
   }
   if (!input.cheaper) return;
   const CheaperMethod& cheaper = *input.cheaper;
-  const std::string name(cheaper.integrator->label.substr(0, cheaper.integrator->label.find(" (")));
+  const std::string name = cheaper.integrator->short_name();
   paragraph(name + ", " + count(cheaper.substeps, "substep") + ": the same error, " + number_text(std::round(100.0 * cheaper.cost)) +
             " % of the time");
   same_line_for("Use");

@@ -25,8 +25,6 @@ constexpr std::size_t color_count = std::size(palette::inks);
 ImU32 color_of(std::size_t method) { return palette::inks[method % color_count]; }
 float radius_of(std::size_t method) { return units(method < color_count ? 3.5 : 2.0); }
 
-std::string short_name(const Integrator& method) { return std::string(method.label.substr(0, method.label.find(" ("))); }
-
 bool is_drawn(const Row& row) {
   return row.error && row.cpu_ms_per_s && *row.error > 0.0 && *row.cpu_ms_per_s > 0.0 && row.relative_error < 1.0;
 }
@@ -167,7 +165,7 @@ struct Chart {
 
 std::string setting_text(const Row& row, double frame_rate) {
   const Integrator* method = find_integrator(row.method);
-  const std::string name = method != nullptr ? short_name(*method) : row.method;
+  const std::string name = method != nullptr ? method->short_name() : row.method;
   const auto substeps = substeps_of(row, frame_rate);
   if (substeps) return name + ", " + count(*substeps, "substep");
   return name + ", " + (row.tolerance ? "tolerance " + quantity_text(*row.tolerance, "m", 1) : row.setting);
@@ -189,7 +187,7 @@ void legend(const ProblemRecord& record) {
   for (const Integrator& method : integrators()) {
     const std::size_t style = number_of_method++;
     if (std::ranges::none_of(record.rows, [&](const Row& row) { return row.method == method.id && is_drawn(row); })) continue;
-    const std::string name = short_name(method);
+    const std::string name = method.short_name();
     if (!is_first) {
       ImGui::SameLine(0.0f, units(14.0));
       if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(name.c_str()).x + units(12.0)) ImGui::NewLine();
@@ -209,7 +207,7 @@ void missing_methods(const ProblemRecord& record) {
   std::string names;
   for (const Integrator& method : integrators())
     if (std::ranges::none_of(record.rows, [&](const Row& row) { return row.method == method.id && is_drawn(row); }))
-      names += (names.empty() ? "" : ", ") + short_name(method);
+      names += (names.empty() ? "" : ", ") + method.short_name();
   if (names.empty()) return;
   ImGui::PushFont(fonts().small);
   paragraph("Too slow or unstable here: " + names, palette::dim);

@@ -41,7 +41,7 @@ bool setting_row(Settings& settings, bool& is_removed) {
   bool has_changed = false;
   const Integrator& now = *settings.integrator;
   ImGui::SetNextItemWidth(units(112.0));
-  const std::string name(now.label.substr(0, now.label.find(" (")));
+  const std::string name = now.short_name();
   if (ImGui::BeginCombo("##method", name.c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const Integrator& method : integrators())
       if (ImGui::Selectable(method.label.data(), &method == &now) && &method != &now) {

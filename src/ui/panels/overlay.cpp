@@ -184,8 +184,7 @@ std::vector<WayOut> ways_out(const PanelInput& input) {
              run_from(remedy, requests);
            }});
     if (remedy.implicit) {
-      const std::string_view label = remedy.implicit->integrator->label;
-      ways.push_back({"Use " + std::string(label.substr(0, label.find(" ("))) + "###implicit",
+      ways.push_back({"Use " + remedy.implicit->integrator->short_name() + "###implicit",
                       "Uses a method that is stable at any step, tested in the same way, and continues the run", [&](Requests& requests) {
                         take(*remedy.implicit, settings, requests);
                         run_from(remedy, requests);

@@ -116,7 +116,7 @@ void method_row(const PanelInput& input, Panels& panels, Requests& requests) {
   begin_row("Method");
   ImGui::SetNextItemWidth(-1.0f);
   // other names of the method appear only in the list
-  const std::string name(now.label.substr(0, now.label.find(" (")));
+  const std::string name = now.short_name();
   if (ImGui::BeginCombo("##method", name.c_str(), ImGuiComboFlags_HeightLarge)) {
     close_on_escape(input, panels);
     const auto entry = [&](const Integrator& method) {
