@@ -59,6 +59,37 @@ TEST_P(MeasuredAccuracy, TheAccumulatedErrorIsTheDistanceToTheExactRun) {
   }
 }
 
+// A spring that vibrates at 10 rad/s: until the method has damped it away, the error within each period is known within a factor of 3.
+TEST_P(MeasuredAccuracy, TheAccumulatedErrorIsNotClaimedOnceTheMethodDampedTheMotionAway) {
+  if (method().stability == Stability::None) GTEST_SKIP() << "it gains energy at every step";
+  TestSim sim;
+  const double amplitude = 0.5;
+  const PointId nail = sim.nail(Vec3(0.0));
+  sim.join(nail, sim.add(Vec3(1.0 + amplitude, 0.0, 0.0), 1.0), 100.0, 1.0);
+  sim.system.gravity = Vec3(0.0);
+  Lab lab = measured_lab(scene_of(sim, {.integrator = &method(), .substeps = 1, .tolerance = {}}));
+  constexpr int period = 38;  // frames
+  double max_error = 0.0, max_claimed = 0.0;
+  for (int frame = 1; frame <= 20 * 60; ++frame) {
+    ASSERT_TRUE(lab.step());
+    const State& state = lab.scene().state;
+    const double error = std::abs(state.position[1].x - 1.0 - amplitude * std::cos(10.0 * state.time)) / std::sqrt(2.0);
+    const Accuracy accuracy = lab.accuracy();
+    if (!accuracy.accumulated.value && frame > period) {
+      EXPECT_EQ(accuracy.accumulated.reason, "the method dissipated the motion, and would with half the step");
+      EXPECT_LT(accuracy.energy.method, -0.5 * 12.5);
+      return;
+    }
+    max_error = std::max(max_error, error);
+    max_claimed = std::max(max_claimed, accuracy.accumulated.value.value_or(0.0));
+    if (frame % period != 0) continue;
+    EXPECT_GT(max_claimed, max_error / 3.0) << state.time;
+    EXPECT_LT(max_claimed, std::max(max_error * 3.0, 1e-9)) << state.time;
+    max_error = max_claimed = 0.0;
+  }
+  EXPECT_NE(method().id, "implicit_euler");
+}
+
 TEST_P(MeasuredAccuracy, TheEnergyBalanceSumsToTheChange) {
   for (const AccuracyScene& row : accuracy_scenes()) {
     const TestSim sim = row.make();

@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "sim/energy.h"
+
 namespace hooke {
 namespace {
 
@@ -12,6 +14,10 @@ namespace {
 constexpr int repetition_period = 40, period_after_edit = 12;
 // Errors of this fraction of the scene's size are no longer small: beyond it the trajectory is not predictable.
 constexpr double max_error = 0.1;
+// A method that dissipated more than this part of the highest kinetic energy, and more than the scene did, has changed the motion so much
+// that it does with half the step, too: their distance says no more how far both are from the exact motion. Up to it, it says so within a
+// factor of 3 for motion that decays exponentially, which with half the step of a method of first order lasts twice as long.
+constexpr double max_dissipated_part = 0.9;
 // Rounding errors, relative to the size.
 constexpr double round_off = 1e-15;
 
@@ -53,12 +59,14 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     is_edited_ = false;
     size_ = size_of(before);
     energy_.start(before, energy_before);
+    max_kinetic_ = kinetic_energy(system, before);
     second_runs_.restart(size_);
   }
   // the order depends on every spring: determined again only when it may have changed
   if (is_started_now || is_edited_ || method_ != settings.integrator) order_ = effective_order(system, *settings.integrator);
   method_ = settings.integrator;
   energy_.add_frame(plan, system, before, after, motion, energy);
+  max_kinetic_ = std::max(max_kinetic_, kinetic_energy(system, after));
 
   ++frames_since_repetition_;
   const bool is_due = !repetition_.result() || frames_since_repetition_ >= (is_edited_ ? period_after_edit : repetition_period);
@@ -94,6 +102,12 @@ void AccuracyMeter::measure_frame(Accuracy& accuracy) const {
   accuracy.frame_time = result->time;
 }
 
+bool AccuracyMeter::is_damped_by_method() const {
+  const EnergyBalance& balance = energy_.balance();
+  const double by_scene = -(balance.drag + balance.dashpots + balance.contact);
+  return -balance.method > std::max(max_dissipated_part * max_kinetic_, by_scene);
+}
+
 void AccuracyMeter::measure_run(Accuracy& accuracy) const {
   const auto& error = second_runs_.error();
   const auto& growth = second_runs_.growth();
@@ -108,6 +122,8 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
       accuracy.accumulated.reason = "the run with half the step diverged";
     else if (is_chaotic && error->rms > max_error * size_)
       accuracy.accumulated.reason = "beyond the time for which the motion can be predicted";
+    else if (is_damped_by_method())
+      accuracy.accumulated.reason = "the method dissipated the motion, and would with half the step";
     else
       accuracy.accumulated.value = error->rms;
     if (error) accuracy.accumulated_time = error->time;

@@ -43,6 +43,7 @@ class AccuracyMeter {
  private:
   void measure_frame(Accuracy& accuracy) const;
   void measure_run(Accuracy& accuracy) const;
+  bool is_damped_by_method() const;
 
   AccuracyMode mode_ = AccuracyMode::Off;
   bool is_started_ = false;
@@ -51,6 +52,7 @@ class AccuracyMeter {
   int order_ = 1;           // of the method on this scene
   const Integrator* method_ = nullptr;
   int frames_since_repetition_ = 0;
+  double max_kinetic_ = 0.0;  // [J], since the start
   EnergyAccounts energy_;
   FrameRepetition repetition_;
   SecondRuns second_runs_;
