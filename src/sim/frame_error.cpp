@@ -6,10 +6,15 @@
 #include <limits>
 
 #include "sim/automatic/automatic.h"
+#include "sim/automatic/cost_model.h"
+#include "sim/automatic/trials.h"
 #include "sim/contact/contact.h"
+#include "sim/integrators/rows.h"
+#include "sim/portable_math.h"
 #include "sim/step.h"
 
 namespace hooke {
+
 int effective_order(const System& system, const Integrator& method) {
   int order = method.order;
   if (system.drag_rate() > 0.0) order = std::min(order, method.order_drag);
@@ -47,6 +52,35 @@ double refinement_weight(const System& system, const Settings& settings) {
   return factor / (factor - 1.0);
 }
 
+std::optional<Settings> resolving(const Plan& plan, const Settings& settings, double max_ratio) {
+  const Integrator& method = *settings.integrator;
+  const bool dissipates = method.energy == EnergyTrend::Falls && method.stability != Stability::Adaptive && settings.islands.empty();
+  if (!dissipates) return std::nullopt;
+  const double h_omega = plan.spectrum.omega * settings.substep();
+  const Amplification fastest = method.amplification({.h_omega_squared = h_omega * h_omega});
+  constexpr double kept = 0.8;  // of the square of the amplitude of the fastest vibration, within a frame
+  if (portable::pow(std::max(fastest.determinant, 1e-300), settings.substeps) > kept) return std::nullopt;
+  constexpr double margin = 1.5;  // of the linear limit
+  constexpr double cheap = 2.0;   // [ms]
+  const CostModel model(plan);
+  const double max_cost = std::max(cheap, max_ratio * model.expected(method, settings.substeps));
+  for (const Integrator* each : {&blanes_moan4, &velocity_verlet}) {
+    const double substeps = margin * stable_substeps(*each, plan.spectrum, settings.frame_rate);
+    if (!(substeps <= max_automatic_substeps)) continue;
+    Settings fine = settings;
+    fine.integrator = each;
+    fine.substeps = std::max(settings.substeps, static_cast<int>(substeps));
+    if (model.expected(*each, fine.substeps) <= max_cost) return fine;
+  }
+  return std::nullopt;
+}
+
+Repetition repetition_of(const Plan& plan, const System& system, const Settings& settings) {
+  constexpr double cost_of_half_step = 2.0;
+  if (const auto fine = resolving(plan, settings, cost_of_half_step)) return {*fine, 1.0, true};
+  return {refined(system, settings), refinement_weight(system, settings)};
+}
+
 FrameError weighted_distance(const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight) {
   double sum = 0.0, max = 0.0;
   for (std::size_t i = 0; i < first.size(); ++i) {
@@ -74,9 +108,10 @@ double estimate_frame_error(const System& system, const Settings& settings, cons
   };
   const State coarse = step(settings);
   const Settings used = settings_used(settings, coarse);
-  const State fine = step(refined(system, used));
+  const Repetition repetition = repetition_of(make_plan(system), system, used);
+  const State fine = step(repetition.settings);
   if (failed) return std::numeric_limits<double>::infinity();
-  return weighted_distance(coarse.position, fine.position, refinement_weight(system, used)).rms;
+  return weighted_distance(coarse.position, fine.position, repetition.weight).rms;
 }
 
 }  // namespace hooke

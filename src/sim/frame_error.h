@@ -1,6 +1,9 @@
 // Error of a frame, estimated by repeating it with half the step.
 #pragma once
 
+#include <optional>
+
+#include "sim/plan.h"
 #include "sim/settings.h"
 #include "sim/state.h"
 #include "sim/system.h"
@@ -21,6 +24,20 @@ int effective_order(const System& system, const Integrator& method);
 // Factor from the difference to the repetition to the error: 2^p / (2^p - 1) for a method of order p (Richardson), or 1 where the
 // repetition is exact in comparison. Of the lowest order, where parts of the scene have their own methods.
 double refinement_weight(const System& system, const Settings& settings);
+
+// Explicit steps that resolve every vibration of the springs, for a method that dissipates those faster than its step (h omega > 1): with
+// half the step it does so too, and both results agree on what they lost. None for other methods and shorter steps, and where a frame would
+// cost more than `max_ratio` times that of `settings` and more than 2 ms, by the model of the cost.
+std::optional<Settings> resolving(const Plan& plan, const Settings& settings, double max_ratio);
+
+// How a frame is repeated to measure its error: the settings, and the factor from the difference to the error. By steps that resolve all
+// vibrations where these cost little in comparison with half the step, or else by half the step.
+struct Repetition {
+  Settings settings;
+  double weight = 1.0;
+  bool is_resolving = false;
+};
+Repetition repetition_of(const Plan& plan, const System& system, const Settings& settings);
 
 // `weight` times the distance between the positions of two states of the same scene.
 FrameError weighted_distance(const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight);

@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "lab/lab.h"
 #include "scene/parameters.h"
+#include "sim/automatic/automatic.h"
 #include "sim/hash.h"
 #include "support/accuracy_scenes.h"
 #include "support/convergence.h"
@@ -54,7 +56,9 @@ TEST_P(MeasuredAccuracy, TheAccumulatedErrorIsTheDistanceToTheExactRun) {
       EXPECT_GT(error, 0.01) << row.name;
       continue;
     }
-    EXPECT_GT(*accuracy.accumulated.value, error / 3.0) << row.name;
+    // a large error of motion that is not predictable for long is not known as well
+    const bool is_small = error < 0.1 || accuracy.predictable.value == std::numeric_limits<double>::infinity();
+    EXPECT_GT(*accuracy.accumulated.value, error / (is_small ? 3.0 : 4.0)) << row.name;
     EXPECT_LT(*accuracy.accumulated.value, error * 3.0) << row.name;
   }
 }
@@ -88,6 +92,51 @@ TEST_P(MeasuredAccuracy, TheAccumulatedErrorIsNotClaimedOnceTheMethodDampedTheMo
     max_error = max_claimed = 0.0;
   }
   EXPECT_NE(method().id, "implicit_euler");
+}
+
+// A heavy mass on a soft spring beside a light one on a stiff spring, which starts stretched and is not damped.
+TestSim light_beside_heavy(double omega) {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  const PointId nail = sim.nail(Vec3(0.0)), other = sim.nail(Vec3(0.0, 1.0, 0.0));
+  sim.join(nail, sim.add(Vec3(1.1, 0.0, 0.0), 1e3), 1e5, 1.0);
+  sim.join(other, sim.add(Vec3(0.55, 1.0, 0.0), 1e-4), 1e-4 * omega * omega, 0.5);
+  return sim;
+}
+
+// With half the step, a method dissipates such a vibration just as completely: the error must be known nevertheless.
+TEST_P(MeasuredAccuracy, KnowsVibrationsThatTheMethodDissipatesWithinAFrame) {
+  if (method().energy != EnergyTrend::Falls) GTEST_SKIP() << "it does not dissipate";
+  for (const double omega : {1e3, 3e4, 3e5})
+    for (const int substeps : {1, 20}) {
+      const TestSim sim = light_beside_heavy(omega);
+      Lab lab = measured_lab(scene_of(sim, {.integrator = &method(), .substeps = substeps, .tolerance = {}}));
+      double max_claimed = 0.0;
+      for (int frame = 0; frame < 60; ++frame) {
+        ASSERT_TRUE(lab.step());
+        max_claimed = std::max(max_claimed, lab.accuracy().accumulated.value.value_or(INFINITY));
+      }
+      // an amplitude of 0.05 m at one of four points
+      if (lab.accuracy().accumulated.value && lab.accuracy().energy.method < -0.5 * 1.25e-3 * 1e-4 * omega * omega)
+        EXPECT_GT(max_claimed, 0.025 / 3.0) << omega << " " << substeps;
+    }
+}
+
+TEST(AutomaticAccuracy, ResolvesAVibrationThatIsLargerThanItsTolerance) {
+  for (const double omega : {1e3, 1e4, 1e5})
+    for (const double tolerance : {1e-2, 1e-3}) {
+      const TestSim sim = light_beside_heavy(omega);
+      Lab lab(scene_of(sim, {.integrator = &automatic_method(), .substeps = 1, .tolerance = tolerance}), KeepStart::No);
+      double error = 0.0;
+      bool is_reported = false;
+      for (int frame = 0; frame < 30 && !is_reported; ++frame) {
+        ASSERT_TRUE(lab.step());
+        const State& state = lab.scene().state;
+        is_reported = !is_tolerance_met(*state.memory.choice, lab.scene().settings);
+        error = std::abs(state.position[3].x - 0.5 - 0.05 * std::cos(omega * state.time));
+      }
+      EXPECT_TRUE(is_reported || error < tolerance) << omega << " " << tolerance << ": " << error;
+    }
 }
 
 TEST_P(MeasuredAccuracy, TheEnergyBalanceSumsToTheChange) {

@@ -122,7 +122,7 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
       accuracy.accumulated.reason = "the run with half the step diverged";
     else if (is_chaotic && error->rms > max_error * size_)
       accuracy.accumulated.reason = "beyond the time for which the motion can be predicted";
-    else if (is_damped_by_method())
+    else if (!second_runs_.is_resolving() && is_damped_by_method())
       accuracy.accumulated.reason = "the method dissipated the motion, and would with half the step";
     else
       accuracy.accumulated.value = error->rms;

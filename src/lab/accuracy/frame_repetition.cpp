@@ -8,11 +8,12 @@ void FrameRepetition::begin(const Plan& plan, const System& system, const Settin
                             double energy) {
   run_.set_plan(plan);
   run_.start(before);
-  run_.begin_frame(system, refined(system, settings), before.time, before.hand);
+  const Repetition repetition = repetition_of(plan, system, settings);
+  run_.begin_frame(system, repetition.settings, before.time, before.hand);
   end_ = after.position;
   time_ = after.time;
   energy_ = energy;
-  weight_ = refinement_weight(system, settings);
+  weight_ = repetition.weight;
 }
 
 void FrameRepetition::substep(const System& system) {

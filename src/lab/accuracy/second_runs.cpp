@@ -100,17 +100,20 @@ void SecondRuns::substep(const System& system) {
   Run& run = is_refined ? refined_ : perturbed_;
   if (!run.shadow.is_in_frame()) {
     const Input& input = input_of(run);
-    run.shadow.begin_frame(system, is_refined ? refined(system, input.settings) : input.settings, input.time, input.hand);
+    Repetition frame{.settings = input.settings};
+    if (is_refined) frame = repetition_of(run.shadow.plan(), system, input.settings);
+    run.shadow.begin_frame(system, frame.settings, input.time, input.hand);
+    if (is_refined) repetition_ = frame;
   }
   run.shadow.substep();
-  if (!run.shadow.is_in_frame()) finish_frame(run, system);
+  if (!run.shadow.is_in_frame()) finish_frame(run);
 }
 
-void SecondRuns::finish_frame(Run& run, const System& system) {
+void SecondRuns::finish_frame(Run& run) {
   const Input& input = input_of(run);
   const State& state = run.shadow.state();
   if (&run == &refined_) {
-    error_ = Error{weighted_distance(input.end, state.position, refinement_weight(system, input.settings)).rms, input.end_time};
+    error_ = Error{weighted_distance(input.end, state.position, repetition_.weight).rms, input.end_time};
     diverged_ = run.shadow.failed() || !is_finite(state);
     if (diverged_) run.is_on = false;
   } else {

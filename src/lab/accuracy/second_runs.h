@@ -8,6 +8,7 @@
 
 #include "lab/accuracy/growth.h"
 #include "lab/accuracy/shadow_run.h"
+#include "sim/frame_error.h"
 
 namespace hooke {
 
@@ -32,6 +33,8 @@ class SecondRuns {
   const std::optional<Error>& error() const { return error_; }     // none before its first frame
   const std::optional<Growth>& growth() const { return growth_; }  // none before the first measurement
   bool diverged() const { return diverged_; }                      // the run with half the step
+  // Whether that run resolves every vibration, with steps that may be far shorter than half (frame_error.h).
+  bool is_resolving() const { return repetition_.is_resolving; }
 
  private:
   struct Input {
@@ -51,9 +54,10 @@ class SecondRuns {
   const Input& input_of(const Run& run) const { return inputs_[static_cast<std::size_t>(run.next - first_)]; }
   void start(Run& run, const Plan& plan, const State& state);
   void perturb(const System& system, const State& state, double frame);
-  void finish_frame(Run& run, const System& system);
+  void finish_frame(Run& run);
 
   double size_ = 1.0, since_ = 0.0;
+  Repetition repetition_;  // of the last frame that the run with half the step began
   bool is_new_ = true, is_edited_ = false, diverged_ = false;
   bool is_full_ = false;  // no more frames are taken until those that wait are computed, then it starts again
   Run refined_, perturbed_;

@@ -10,6 +10,7 @@ class ShadowRun {
  public:
   // Copies the plan, which must be that of the System that the frames are given until the next call.
   void set_plan(const Plan& plan) { plan_ = plan; }
+  const Plan& plan() const { return plan_; }
   void start(const State& state) { state_ = state, is_in_frame_ = false; }
   void stop() { is_in_frame_ = false; }
 

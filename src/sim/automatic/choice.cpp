@@ -57,7 +57,8 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
   const auto measure = [&](int substeps, bool by_coarser) {
     trial.substeps = substeps;
     const double max_cost = 1.25 * goal.max_cost;
-    const Trials::Result result = by_coarser ? trials.measure_by_coarser(trial, max_cost) : trials.measure(trial, max_cost);
+    Trials::Result result = by_coarser ? trials.measure_by_coarser(trial, max_cost) : trials.measure(trial, max_cost);
+    if (is_sudden && std::isfinite(result.error)) result.error = std::max(result.error, trials.unresolved(trial));
     return std::pair(result.error / goal.target, result.cost);
   };
   std::tie(choice.ratio, choice.cost) = measure(choice.substeps, is_by_coarser);

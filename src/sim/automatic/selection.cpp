@@ -134,7 +134,8 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
     const double cost_limit = max_cost_ratio * next->expected_cost;
     const double max_cost = std::min(cost_limit, best.ratio <= acceptable_ratio ? best_cost / next->weight : 1.25 * goal.max_cost);
     const double before = trials.total_cost();
-    const Trials::Result result = trials.measure(trial, max_cost);
+    Trials::Result result = trials.measure(trial, max_cost);
+    if (result.error <= acceptable_ratio * goal.target) result.error = std::max(result.error, trials.unresolved(trial));
     spent += trials.total_cost() - before;
     if (result.is_too_expensive && max_cost == cost_limit) {
       next->expected_cost = cost_limit;

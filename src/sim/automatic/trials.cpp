@@ -85,6 +85,7 @@ void Trials::begin(const Plan& plan, const System& system, const State& start) {
   plan_ = plan;
   system_ = &system;
   start_ = &start;
+  resolved_positions_.clear();
 }
 
 void Trials::forget(bool beyond_resonance) {
@@ -179,6 +180,20 @@ Trials::Result Trials::measure(const Settings& settings, double max_cost) {
   const double weight = order_reduction(settings, plan_.spectrum) / (1.0 - converged);
   result.error = weighted_distance(last_positions_, end_.position, weight).rms;
   return result;
+}
+
+double Trials::unresolved(const Settings& settings) {
+  constexpr double max_ratio = 10.0;  // of its cost to that of the frame
+  const auto fine = resolving(plan_, settings, max_ratio);
+  if (!fine) return 0.0;
+  if (resolved_positions_.empty()) {
+    double cost = 0.0;
+    const CostModel model(plan_);
+    const End end = compute(*fine, model, 4.0 * model.expected(*fine->integrator, fine->substeps), &cost);
+    if (end != End::Finished) return 0.0;
+    resolved_positions_ = end_.position;
+  }
+  return weighted_distance(last_positions_, resolved_positions_, 1.0).rms;
 }
 
 void Trials::keep() {

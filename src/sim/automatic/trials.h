@@ -48,6 +48,9 @@ class Trials {
   Result measure(const Settings& settings, double max_cost);
   // The same from its repetition with twice the step, for half the cost: where those steps are stable and short enough for the order.
   Result measure_by_coarser(const Settings& settings, double max_cost);
+  // [m], RMS over the points: the distance of the frame that was measured last, with these settings, to one that resolves every vibration
+  // (frame_error.h); 0 where its method does so, or where that frame costs too much.
+  double unresolved(const Settings& settings);
   // Keeps the frame that was computed or measured last, not its repetition, to be used as the frame itself.
   void keep();
   // The frame that was kept, if it has these settings; it may be used once.
@@ -71,6 +74,7 @@ class Trials {
   const System* system_ = nullptr;
   const State* start_ = nullptr;
   std::vector<Vec3> last_positions_, last_velocities_;  // at the end of the last frame
+  std::vector<Vec3> resolved_positions_;                // at the end of the frame that resolves every vibration; empty: not computed
   State end_;
   double total_cost_ = 0.0;
   Spectrum spectrum_;
