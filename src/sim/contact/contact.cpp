@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/contact/point_contact.h"
+#include "sim/contact/resting_kernel.h"
 #include "sim/plan_energy.h"
 
 namespace hooke {
@@ -53,8 +54,22 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     before.first_touch = before.pairs.first_touch();
     before.first_impact = before.pairs.first_impact();
   }
+  // most points that touch rest or slide: these at once, and the others one by one
+  const bool has_resting = !has_pairs && !plan.colliders_move && !obstacles.empty();
+  RestingPoints resting;
   double contact_work = 0.0;  // [J], in addition to the work of the forces
   for (std::size_t i = 0; i < n && !obstacles.empty(); ++i) {
+    if (has_resting) {
+      const std::size_t at = i % RestingPoints::max;
+      if (at == 0) solve_resting_points(plan, h, i, before.x, before.v, motion.x, motion.v, resting);
+      if (resting.outcome[at] == RestingPoints::Free) continue;
+      if (resting.outcome[at] == RestingPoints::Solved) {
+        touched = true;
+        before.first_touch = 0.0;
+        contact_work += resting.work[at];
+        continue;
+      }
+    }
     if (plan.inverse_mass[i] == 0.0 || (has_pairs && before.pairs.has_resolved(static_cast<Index>(i)))) continue;
     const Vec3 x0 = vector_at(before.x, n, i, plan.dimensions), x1 = vector_at(motion.x, n, i, plan.dimensions);
     const Vec3 v0 = vector_at(before.v, n, i, plan.dimensions), v1 = vector_at(motion.v, n, i, plan.dimensions);

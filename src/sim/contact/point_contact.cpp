@@ -14,9 +14,8 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
   constrain(supports.all(), a, v);
   touched = apply_velocity_correction(velocity_correction, supports) || touched;
 
-  constexpr int max_segments = 64;
   double remaining = duration;
-  for (int segments = 0; remaining > 0.0 && segments < max_segments; ++segments) {
+  for (int segments = 0; remaining > 0.0 && segments < max_path_segments; ++segments) {
     supports = find_supports(a, remaining);
     Segment segment = plan_segment(supports, a, remaining);
     const Vec3 start = x;

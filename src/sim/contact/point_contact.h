@@ -9,6 +9,9 @@
 
 namespace hooke {
 
+// A path ends after so many segments: under friction, a point may stop again and again in ever shorter times.
+inline constexpr int max_path_segments = 64;
+
 // The motion of one point through a step.
 class PointContactSolver {
  public:
