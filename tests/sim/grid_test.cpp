@@ -10,6 +10,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "sim/forces/flight.h"
+#include "sim/forces/forces.h"
 #include "sim/forces/grid_kernel.h"
 #include "sim/forces/spring_kernel.h"
 #include "support/random_scene.h"
@@ -280,6 +282,25 @@ TEST(GridPass, EqualsForcesKickAndDriftInTurn) {
     }
     EXPECT_DOUBLE_EQ(max_speed_squared, expected_max) << net.rows << " x " << net.columns;
   }
+}
+
+TEST(GridPass, CanHaveTheBitsOfForcesKickAndDriftInTurn) {
+  for (const Net& net : assorted_nets())
+    for (const double drag : {0.0, 0.7})
+      for (const double duration : {0.0, 0.02}) {
+        Packed packed(make_net(net));
+        packed.plan.drag = drag;
+        Motion expected = packed.motion;
+        compute_position_forces(packed.plan, 0.0, expected.x, expected.v, expected.a);
+        divide_by_mass(packed.plan, expected.a);
+        kick(packed.plan, expected, 0.01);
+        drift(expected, duration);
+        ASSERT_TRUE(can_accelerate_and_kick(packed.plan));
+        accelerate_and_kick(packed.plan, 0.0, packed.motion, 0.01, duration);
+        EXPECT_EQ(packed.motion.a, expected.a) << net.rows << " x " << net.columns;
+        EXPECT_EQ(packed.motion.v, expected.v) << net.rows << " x " << net.columns;
+        EXPECT_EQ(packed.motion.x, expected.x) << net.rows << " x " << net.columns;
+      }
 }
 
 TEST(GridPass, HasTheSameBitsForEveryVectorUnit) {

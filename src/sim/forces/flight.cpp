@@ -18,6 +18,16 @@ void set_kick(const Plan& plan, double h, GridPass& pass) {
   pass.weight = plan.drag == 0.0 ? h : -portable::expm1(-plan.drag * h) / plan.drag;
 }
 
+void advance_all(const Plan& plan, const GridPass& pass, Motion& motion, GridWatch& watch) {
+  Index next = 0;
+  for (const Grid& grid : plan.grids) {
+    advance_points(plan, next, grid.first, pass, motion.x.data(), motion.v.data(), watch);
+    advance_grid(plan, grid, pass, motion.x.data(), motion.v.data(), watch);
+    next = grid.first + grid.points();
+  }
+  advance_points(plan, next, plan.points, pass, motion.x.data(), motion.v.data(), watch);
+}
+
 void record(const GridWatch& watch, double drift, Flight& flight) {
   const double speed = std::sqrt(watch.max_speed_squared);
   flight.travel += drift * speed;
@@ -49,30 +59,31 @@ void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift,
   motion.acceleration_is_current = false;
 
   GridWatch watch{.any_at_limit = any_reaches_limit(plan, plan.loose_runs, motion.x)};
-  Index next = 0;
-  for (const Grid& grid : plan.grids) {
-    advance_points(plan, next, grid.first, pass, motion.x.data(), motion.v.data(), watch);
-    advance_grid(plan, grid, pass, motion.x.data(), motion.v.data(), watch);
-    next = grid.first + grid.points();
-  }
-  advance_points(plan, next, plan.points, pass, motion.x.data(), motion.v.data(), watch);
+  advance_all(plan, pass, motion, watch);
   record(watch, drift, flight);
 }
 
-void kick_and_drift_with_known(const Plan& plan, Motion& motion, double h, double drift_time, Flight& flight) {
-  kick(plan, motion, h);
-  drift(motion, drift_time);
+void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, double drift, Flight& flight) {
+  GridPass pass{.drift = drift, .a = motion.a.data(), .is_known = true};
+  set_kick(plan, kick, pass);
   motion.acceleration_is_current = false;
   GridWatch watch;
-  for (Index i = 0; i < plan.points; ++i) {
-    double square = 0.0;
-    for (int c = 0; c < plan.dimensions; ++c) {
-      const double component = motion.v[static_cast<std::size_t>(c) * plan.points + i];
-      square += component * component;
-    }
-    watch.max_speed_squared = std::max(watch.max_speed_squared, square);
+  advance_points(plan, 0, plan.points, pass, motion.x.data(), motion.v.data(), watch);
+  record(watch, drift, flight);
+}
+
+bool can_accelerate_and_kick(const Plan& plan) { return !plan.grids.empty() && !plan.pull && plan.forces.empty(); }
+
+void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift) {
+  GridPass pass{.drift = drift, .a = motion.a.data()};
+  if (!plan.loose_runs.empty()) {
+    compute_external_forces(plan, time, motion.x, motion.v, motion.a);
+    add_loose_spring_forces(plan, motion.x.data(), nullptr, motion.a.data());
+    pass.f = motion.a.data();
   }
-  record(watch, drift_time, flight);
+  set_kick(plan, kick, pass);
+  GridWatch watch;
+  advance_all(plan, pass, motion, watch);
 }
 
 }  // namespace hooke

@@ -32,7 +32,14 @@ bool can_fly(const Plan& plan);
 // Uses motion.a as scratch.
 void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift, bool damped, Flight& flight);
 
-// The same with the accelerations motion.a.
+// The same for a flight with the accelerations motion.a.
 void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, double drift, Flight& flight);
+
+// Whether accelerate_and_kick takes no more than a pass over the springs.
+bool can_accelerate_and_kick(const Plan& plan);
+
+// Where can_accelerate_and_kick(plan): sets motion.a to the accelerations of compute_position_forces at `time` [s] and motion.x, kicks by
+// `kick` [s] and drifts by `drift` [s], to the same bits as one after another.
+void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift);
 
 }  // namespace hooke

@@ -132,9 +132,9 @@ struct Sums {
 };
 
 // The force on the own corners of the cells from column j on.
-template <int Dimensions, bool HasBelow, bool Replace, class Columns, class V>
+template <int Dimensions, bool HasBelow, bool Replace, class Columns, class V, class Others>
 HWY_INLINE void compute_forces(const Columns& columns, const Points<Dimensions>& x, const Sums<Dimensions>& sums, Index j, const V* p,
-                               Carry<Dimensions, V>& carry, V* force) {
+                               const Others& others, Carry<Dimensions, V>& carry, V* force) {
   const auto d = columns.d;
   const auto at = load_corners<Dimensions, HasBelow>(columns, x, j);
   for (int c = 0; c < Dimensions; ++c) {
@@ -149,7 +149,7 @@ HWY_INLINE void compute_forces(const Columns& columns, const Points<Dimensions>&
     }
     const V from_left = shift_up(d, to_next, carry.same_row[c]);
     carry.same_row[c] = to_next;
-    force[c] = hn::Add(hn::Sub(from_left, own), columns.load(sums.from_above[c] + j));
+    force[c] = hn::Add(hn::Sub(from_left, own), others(c, columns.load(sums.from_above[c] + j)));
     if constexpr (HasBelow) {
       const V below_from_left = shift_up(d, diagonal, carry.below[c]);
       carry.below[c] = diagonal;
@@ -161,10 +161,11 @@ HWY_INLINE void compute_forces(const Columns& columns, const Points<Dimensions>&
 }
 
 // Row by row from the top: use(columns, first point, force on the points from there on). Forces on the row below go to `force`, one
-// row of each component and zero at first, or with Replace = false are added to the field `force`.
-template <int Dimensions, bool Damped, bool Replace, class Use>
+// row of each component and zero at first, or with Replace = false are added to the field `force`. others(columns, first point, c, force
+// from above) adds other forces to the latter.
+template <int Dimensions, bool Damped, bool Replace, class Others, class Use>
 HWY_INLINE void compute_grid(const Plan& plan, const Grid& grid, const double* x, const double* v, double* const* p, double* const* force,
-                             AnySet& at_limit, const Use& use) {
+                             AnySet& at_limit, const Others& others, const Use& use) {
   const auto for_row = [&](Index r, const auto& use_row) HWY_ATTR {
     use_row(Points<Dimensions>(x, plan, grid, r), Points<Dimensions>(v, plan, grid, r), Numbers(grid, r, Damped));
   };
@@ -198,7 +199,8 @@ HWY_INLINE void compute_grid(const Plan& plan, const Grid& grid, const double* x
       if constexpr (below > 0)
         compute_tensions<Dimensions, Damped, (below > 1)>(columns, position_ahead, velocity_ahead, numbers_ahead, j, p,
                                                           at_limit.mask(columns.d));
-      compute_forces<Dimensions, (below > 0), Replace>(columns, position, sums, j, tension, state.carry(columns.d), on_points);
+      const auto add_others = [&](int c, V from_above) HWY_ATTR { return others(columns, start + j, c, from_above); };
+      compute_forces<Dimensions, (below > 0), Replace>(columns, position, sums, j, tension, add_others, state.carry(columns.d), on_points);
       use(columns, start + j, on_points);
     });
   };
@@ -207,6 +209,13 @@ HWY_INLINE void compute_grid(const Plan& plan, const Grid& grid, const double* x
   compute_row(grid.rows - 1, std::integral_constant<int, 0>());
 }
 
+struct NoOthers {
+  template <class Columns, class V>
+  HWY_INLINE V operator()(const Columns&, Index, int, V from_above) const {
+    return from_above;
+  }
+};
+
 template <int Dimensions, bool Damped>
 void add_forces(const Plan& plan, const Grid& grid, const double* x, const double* v, double* f) {
   HWY_ALIGN double buffer[scratch_rows * Grid::max_columns];
@@ -214,14 +223,14 @@ void add_forces(const Plan& plan, const Grid& grid, const double* x, const doubl
   double* force[Dimensions];
   for (int c = 0; c < Dimensions; ++c) force[c] = f + static_cast<std::size_t>(c) * plan.points;
   AnySet at_limit;
-  compute_grid<Dimensions, Damped, false>(plan, grid, x, v, scratch.p, force, at_limit,
+  compute_grid<Dimensions, Damped, false>(plan, grid, x, v, scratch.p, force, at_limit, NoOthers(),
                                           [&](const auto& columns, Index i, const auto* on_points) HWY_ATTR {
                                             for (int c = 0; c < Dimensions; ++c) columns.store(on_points[c], force[c] + i);
                                           });
 }
 
-// Advances the points start + j, .. on which the grid exerts `force`; the square of their speed then.
-template <int Dimensions, class Columns, class V>
+// Advances the points i, i + 1, .. on which the grid exerts `force`, or with IsSum all forces; the square of their speed then.
+template <int Dimensions, bool IsSum, class Columns, class V>
 HWY_INLINE V advance_columns(const Plan& plan, const GridPass& pass, double* x, double* v, const Columns& columns, Index i,
                              const V* force) {
   const auto d = columns.d;
@@ -230,19 +239,35 @@ HWY_INLINE V advance_columns(const Plan& plan, const GridPass& pass, double* x, 
   V square = hn::Zero(d);
   for (int c = 0; c < Dimensions; ++c) {
     const std::size_t at = static_cast<std::size_t>(c) * plan.points + i;
-    const V a = pass.f == nullptr ? hn::Add(hn::Set(d, plan.acceleration[c]), hn::Mul(inverse_mass, force[c]))
-                                  : hn::Mul(inverse_mass, hn::Add(columns.load(pass.f + at), force[c]));
+    V a;
+    if constexpr (IsSum) {
+      a = hn::Mul(inverse_mass, force[c]);
+      columns.store(a, pass.a + at);
+    } else if (pass.is_known) {
+      a = columns.load(pass.a + at);
+    } else {
+      a = pass.f == nullptr ? hn::Add(hn::Set(d, plan.acceleration[c]), hn::Mul(inverse_mass, force[c]))
+                            : hn::Mul(inverse_mass, hn::Add(columns.load(pass.f + at), force[c]));
+    }
     const V before = columns.load(v + at);
     const V kicked = hn::Add(hn::Mul(hn::Set(d, pass.decay), before), hn::Mul(hn::Set(d, pass.weight), a));
     const V after = hn::IfThenElse(is_fixed, before, kicked);
     columns.store(after, v + at);
-    columns.store(hn::Add(columns.load(x + at), hn::Mul(hn::Set(d, pass.drift), after)), x + at);
+    if (pass.drift != 0.0) columns.store(hn::Add(columns.load(x + at), hn::Mul(hn::Set(d, pass.drift), after)), x + at);
     square = hn::Add(square, hn::Mul(after, after));
   }
   return columns.valid(square);
 }
 
-template <int Dimensions, bool Damped>
+// All forces but those of grids, as in compute_external_forces or from the pass, and what the row above exerts.
+template <class Columns, class V>
+HWY_INLINE V add_others(const Plan& plan, const GridPass& pass, const Columns& columns, Index i, int c, V from_above) {
+  const V others = pass.f == nullptr ? hn::Mul(hn::Set(columns.d, plan.acceleration[c]), columns.load(plan.mass.data() + i))
+                                     : columns.load(pass.f + static_cast<std::size_t>(c) * plan.points + i);
+  return hn::Add(others, from_above);
+}
+
+template <int Dimensions, bool Damped, bool IsSum>
 void advance(const Plan& plan, const Grid& grid, const GridPass& pass, double* x, double* v, GridWatch& watch) {
   HWY_ALIGN double buffer[scratch_rows * Grid::max_columns];
   const Scratch scratch(buffer, grid);
@@ -250,28 +275,55 @@ void advance(const Plan& plan, const Grid& grid, const GridPass& pass, double* x
     for (Index j = 0; j < grid.pitch(); ++j) scratch.force[c][j] = 0.0;
   AnySet at_limit;
   Max max_square;
-  compute_grid<Dimensions, Damped, true>(plan, grid, x, v, scratch.p, scratch.force, at_limit,
+  const auto others = [&](const auto& columns, Index i, int c, auto from_above) HWY_ATTR {
+    if constexpr (IsSum)
+      return add_others(plan, pass, columns, i, c, from_above);
+    else
+      return from_above;
+  };
+  compute_grid<Dimensions, Damped, true>(plan, grid, x, v, scratch.p, scratch.force, at_limit, others,
                                          [&](const auto& columns, Index i, const auto* force) HWY_ATTR {
-                                           max_square.add(advance_columns<Dimensions>(plan, pass, x, v, columns, i, force));
+                                           max_square.add(advance_columns<Dimensions, IsSum>(plan, pass, x, v, columns, i, force));
                                          });
   watch.max_speed_squared = std::max(watch.max_speed_squared, max_square.get());
   watch.any_at_limit = watch.any_at_limit || at_limit.any();
 }
 
-template <int Dimensions>
+template <int Dimensions, bool IsSum>
 void advance_each(const Plan& plan, Index first, Index end, const GridPass& pass, double* x, double* v, GridWatch& watch) {
   const WholeVector<hn::ScalableTag<double>> whole{};
   const Index lanes = static_cast<Index>(hn::Lanes(whole.d));
-  const auto none = hn::Zero(whole.d);
   const OneColumn one{{}, false};
-  const auto none_of_one = hn::Zero(one.d);
-  const decltype(none) no_force[] = {none, none, none};
-  const decltype(none_of_one) no_force_on_one[] = {none_of_one, none_of_one, none_of_one};
   Max max_square;
+  const auto advance_at = [&](const auto& columns, Index i) HWY_ATTR {
+    using V = typename std::remove_cvref_t<decltype(columns)>::V;
+    V force[Dimensions];
+    for (int c = 0; c < Dimensions; ++c) {
+      force[c] = hn::Zero(columns.d);
+      if constexpr (IsSum) force[c] = add_others(plan, pass, columns, i, c, force[c]);
+    }
+    max_square.add(advance_columns<Dimensions, IsSum>(plan, pass, x, v, columns, i, force));
+  };
   Index i = first;
-  for (; i + lanes <= end; i += lanes) max_square.add(advance_columns<Dimensions>(plan, pass, x, v, whole, i, no_force));
-  for (; i < end; ++i) max_square.add(advance_columns<Dimensions>(plan, pass, x, v, one, i, no_force_on_one));
+  for (; i + lanes <= end; i += lanes) advance_at(whole, i);
+  for (; i < end; ++i) advance_at(one, i);
   watch.max_speed_squared = std::max(watch.max_speed_squared, max_square.get());
+}
+
+template <int Dimensions>
+void advance_any(const Plan& plan, const Grid& grid, const GridPass& pass, double* x, double* v, GridWatch& watch) {
+  if (pass.a != nullptr && !pass.is_known)
+    pass.damped ? advance<Dimensions, true, true>(plan, grid, pass, x, v, watch)
+                : advance<Dimensions, false, true>(plan, grid, pass, x, v, watch);
+  else
+    pass.damped ? advance<Dimensions, true, false>(plan, grid, pass, x, v, watch)
+                : advance<Dimensions, false, false>(plan, grid, pass, x, v, watch);
+}
+
+template <int Dimensions>
+void advance_any_each(const Plan& plan, Index first, Index end, const GridPass& pass, double* x, double* v, GridWatch& watch) {
+  pass.a != nullptr && !pass.is_known ? advance_each<Dimensions, true>(plan, first, end, pass, x, v, watch)
+                                      : advance_each<Dimensions, false>(plan, first, end, pass, x, v, watch);
 }
 
 void add_forces_2d(const Plan& plan, const Grid& grid, const double* x, const double*, double* f) {
@@ -287,16 +339,16 @@ void add_damped_forces_3d(const Plan& plan, const Grid& grid, const double* x, c
   add_forces<3, true>(plan, grid, x, v, f);
 }
 void advance_2d(const Plan& plan, const Grid& grid, const GridPass& pass, double* x, double* v, GridWatch& watch) {
-  pass.damped ? advance<2, true>(plan, grid, pass, x, v, watch) : advance<2, false>(plan, grid, pass, x, v, watch);
+  advance_any<2>(plan, grid, pass, x, v, watch);
 }
 void advance_3d(const Plan& plan, const Grid& grid, const GridPass& pass, double* x, double* v, GridWatch& watch) {
-  pass.damped ? advance<3, true>(plan, grid, pass, x, v, watch) : advance<3, false>(plan, grid, pass, x, v, watch);
+  advance_any<3>(plan, grid, pass, x, v, watch);
 }
 void advance_each_2d(const Plan& plan, Index first, Index end, const GridPass& pass, double* x, double* v, GridWatch& watch) {
-  advance_each<2>(plan, first, end, pass, x, v, watch);
+  advance_any_each<2>(plan, first, end, pass, x, v, watch);
 }
 void advance_each_3d(const Plan& plan, Index first, Index end, const GridPass& pass, double* x, double* v, GridWatch& watch) {
-  advance_each<3>(plan, first, end, pass, x, v, watch);
+  advance_any_each<3>(plan, first, end, pass, x, v, watch);
 }
 
 }  // namespace hooke::HWY_NAMESPACE

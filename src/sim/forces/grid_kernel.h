@@ -16,6 +16,9 @@ struct GridPass {
   double decay = 1.0, weight = 0.0, drift = 0.0;  // [1], [s], [s]
   bool damped = false;                            // whether the springs' dashpots count
   const double* f = nullptr;                      // [N] of all other forces, in which case acceleration does not count
+  // Where a goes, if it is needed. Then the forces are added as by add_grid_forces to f, or to acceleration m, to the same bits.
+  double* a = nullptr;
+  bool is_known = false;  // whether a is known and forces do not count: for points on which no force of a grid acts
 };
 
 // What the springs and points of a pass reached.

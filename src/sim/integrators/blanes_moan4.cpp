@@ -48,14 +48,21 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   // the last kick's acceleration is the next step's first
   if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
   kick(plan, motion, kick_weight[0] * h);
+  drift(motion, drift_weight[0] * h);
   double time = motion.time;
   Field& velocity = work.fields[1];
   for (int i = 0; i < drifts; ++i) {
-    drift(motion, drift_weight[i] * h);
     time += drift_weight[i] * h;
+    const double next_drift = i + 1 < drifts ? drift_weight[i + 1] * h : 0.0;
+    if (can_accelerate_and_kick(plan)) {
+      accelerate_and_kick(plan, time, motion, kick_weight[i + 1] * h, next_drift);
+      ++motion.force_evaluations;
+      continue;
+    }
     if (plan.forces_depend_on_velocity) predict_velocity(plan, motion, prediction_weight(i + 1) * h, velocity);
     accelerate(plan, time, plan.forces_depend_on_velocity ? velocity : motion.v, motion);
     kick(plan, motion, kick_weight[i + 1] * h);
+    if (i + 1 < drifts) drift(motion, next_drift);
   }
   motion.acceleration_is_current = !plan.forces_depend_on_velocity;
 

@@ -26,17 +26,36 @@ void accelerate(const Plan& plan, double time, const Field& v, Motion& motion) {
   ++motion.force_evaluations;
 }
 
+void accelerate_and_kick_half(const Plan& plan, double time, Motion& motion, double h) {
+  if (can_accelerate_and_kick(plan)) {
+    accelerate_and_kick(plan, time, motion, 0.5 * h, 0.0);
+    ++motion.force_evaluations;
+  } else {
+    accelerate(plan, time, motion.v, motion);
+    kick(plan, motion, 0.5 * h);
+  }
+}
+
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
-  if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
-  kick(plan, motion, 0.5 * h);
-  drift(motion, h);
+  if (!motion.acceleration_is_current && can_accelerate_and_kick(plan)) {
+    accelerate_and_kick(plan, motion.time, motion, 0.5 * h, h);
+    ++motion.force_evaluations;
+  } else {
+    if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
+    kick(plan, motion, 0.5 * h);
+    drift(motion, h);
+  }
 
-  // the velocity at the end of the step, as needed by forces that depend on it
-  Field& velocity = work.fields[1];
-  if (plan.forces_depend_on_velocity) predict_velocity(plan, motion, 0.5 * h, velocity);
-  accelerate(plan, motion.time + h, plan.forces_depend_on_velocity ? velocity : motion.v, motion);
-  kick(plan, motion, 0.5 * h);
+  if (plan.forces_depend_on_velocity) {
+    // the velocity at the end of the step
+    Field& velocity = work.fields[1];
+    predict_velocity(plan, motion, 0.5 * h, velocity);
+    accelerate(plan, motion.time + h, velocity, motion);
+    kick(plan, motion, 0.5 * h);
+  } else {
+    accelerate_and_kick_half(plan, motion.time + h, motion, h);
+  }
   motion.acceleration_is_current = !plan.forces_depend_on_velocity;
 
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
@@ -56,8 +75,7 @@ void fly_damped(const Plan& plan, Motion& motion, Workspace& work, double h, int
     if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
     kick_and_drift_with_known(plan, motion, 0.5 * h, h, flight);
     motion.time += h;
-    accelerate(plan, motion.time, motion.v, motion);
-    kick(plan, motion, 0.5 * h);
+    accelerate_and_kick_half(plan, motion.time, motion, h);
     motion.acceleration_is_current = true;
     decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
     motion.dashpot_sweeps += 2;
@@ -74,8 +92,7 @@ void fly(const Plan& plan, Motion& motion, Workspace& work, double h, int count,
     ++motion.force_evaluations;
   }
   motion.time += h;
-  accelerate(plan, motion.time, motion.v, motion);
-  kick(plan, motion, 0.5 * h);
+  accelerate_and_kick_half(plan, motion.time, motion, h);
   motion.acceleration_is_current = true;
 }
 
