@@ -40,6 +40,37 @@ void set_scaled(double* y, double s, const double* x, std::size_t size) {
   for_all(y, x, size, [s](auto d, auto, auto term) HWY_ATTR { return hn::Mul(hn::Set(d, s), term); });
 }
 
+// use(d, i) for the elements from i on, in vectors of tag d and one by one at the end
+template <class Use>
+HWY_INLINE void for_elements(std::size_t size, const Use& use) {
+  const hn::ScalableTag<double> wide;
+  const hn::CappedTag<double, 1> single;
+  const std::size_t lanes = hn::Lanes(wide);
+  std::size_t i = 0;
+  for (; i + lanes <= size; i += lanes) use(wide, i);
+  for (; i < size; ++i) use(single, i);
+}
+
+void set_sum(double* y, const double* start, std::span<const ScaledField> terms, std::size_t size) {
+  for_elements(size, [&](auto d, std::size_t i) HWY_ATTR {
+    auto sum = start != nullptr ? hn::LoadU(d, start + i) : hn::Zero(d);
+    for (const ScaledField& term : terms) sum = hn::Add(sum, hn::Mul(hn::Set(d, term.scale), hn::LoadU(d, term.x + i)));
+    hn::StoreU(sum, d, y + i);
+  });
+}
+
+void add_slope(const SlopeFields& fields, const double* inverse_mass, double weight, double step, std::size_t size) {
+  for_elements(size, [&](auto d, std::size_t i) HWY_ATTR {
+    const auto v = hn::LoadU(d, fields.v + i), a = hn::Mul(hn::LoadU(d, fields.a + i), hn::LoadU(d, inverse_mass + i));
+    const auto w = hn::Set(d, weight), h = hn::Set(d, step);
+    hn::StoreU(a, d, fields.a + i);
+    hn::StoreU(hn::Add(hn::LoadU(d, fields.sum_v + i), hn::Mul(w, v)), d, fields.sum_v + i);
+    hn::StoreU(hn::Add(hn::LoadU(d, fields.sum_a + i), hn::Mul(w, a)), d, fields.sum_a + i);
+    hn::StoreU(hn::Add(hn::LoadU(d, fields.start_x + i), hn::Mul(h, v)), d, fields.next_x + i);
+    hn::StoreU(hn::Add(hn::LoadU(d, fields.start_v + i), hn::Mul(h, a)), d, fields.next_v + i);
+  });
+}
+
 }  // namespace hooke::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -50,6 +81,8 @@ HWY_EXPORT(add_scaled);
 HWY_EXPORT(scale_and_add_scaled);
 HWY_EXPORT(multiply_each);
 HWY_EXPORT(set_scaled);
+HWY_EXPORT(set_sum);
+HWY_EXPORT(add_slope);
 
 void add_scaled(double* y, double s, const double* x, std::size_t size) { HWY_DYNAMIC_DISPATCH(add_scaled)(y, s, x, size); }
 void scale_and_add_scaled(double* y, double r, double s, const double* x, std::size_t size) {
@@ -57,6 +90,13 @@ void scale_and_add_scaled(double* y, double r, double s, const double* x, std::s
 }
 void multiply_each(double* y, const double* x, std::size_t size) { HWY_DYNAMIC_DISPATCH(multiply_each)(y, x, size); }
 void set_scaled(double* y, double s, const double* x, std::size_t size) { HWY_DYNAMIC_DISPATCH(set_scaled)(y, s, x, size); }
+
+void set_sum(double* y, const double* start, std::span<const ScaledField> terms, std::size_t size) {
+  HWY_DYNAMIC_DISPATCH(set_sum)(y, start, terms, size);
+}
+void add_slope(const SlopeFields& fields, const double* inverse_mass, double weight, double step, std::size_t size) {
+  HWY_DYNAMIC_DISPATCH(add_slope)(fields, inverse_mass, weight, step, size);
+}
 
 }  // namespace hooke
 #endif

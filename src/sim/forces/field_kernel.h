@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 namespace hooke {
 
@@ -16,5 +17,23 @@ void multiply_each(double* y, const double* x, std::size_t size);
 
 // y[i] = s x[i]
 void set_scaled(double* y, double s, const double* x, std::size_t size);
+
+// y = start + sum of scale x over the terms, added in their order. Zero instead of `start` if it is null.
+struct ScaledField {
+  double scale = 0.0;
+  const double* x = nullptr;
+};
+void set_sum(double* y, const double* start, std::span<const ScaledField> terms, std::size_t size);
+
+// A stage of a Runge-Kutta method for y = (x, v), whose slope is (v, a): a component of its fields.
+struct SlopeFields {
+  const double *start_x, *start_v;  // at the start of the step
+  const double* v;                  // of the stage
+  double* a;                        // the force, which becomes the acceleration
+  double *sum_v, *sum_a;            // weighted sums of the slopes
+  double *next_x, *next_v;          // of the next stage; may be the same as v
+};
+// a = inverse_mass f,  sum += weight (v, a),  next = start + step (v, a).
+void add_slope(const SlopeFields& fields, const double* inverse_mass, double weight, double step, std::size_t size);
 
 }  // namespace hooke

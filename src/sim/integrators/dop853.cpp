@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "sim/adaptive_step.h"
 #include "sim/forces/field_kernel.h"
@@ -78,23 +80,28 @@ Field& slope(Motion& motion, Workspace& work, int stage) { return stage == 0 ? m
 
 void prepare(const Plan&, double, const Motion& motion, Workspace& work) { work.size_fields(stages + 1, motion); }
 
-// y += scale sum_j w_j a_j, in blocks that stay in the cache.
-void add_slopes(Field& y, double scale, const Row& w, Motion& motion, Workspace& work) {
-  constexpr std::size_t block = 1024;
-  for (std::size_t begin = 0; begin < y.size(); begin += block)
+// A sum of fields and of weighted slopes, in this order.
+struct Terms {
+  std::array<ScaledField, stages + 1> items;
+  std::size_t count = 0;
+  void add(double scale, const Field& field) { items[count++] = {scale, field.data()}; }
+  void add_slopes(double scale, const Row& w, Motion& motion, Workspace& work) {
     for (int j = 0; j < stages; ++j)
-      if (w[j] != 0.0) add_scaled(y.data() + begin, scale * w[j], slope(motion, work, j).data() + begin, std::min(block, y.size() - begin));
-}
+      if (w[j] != 0.0) add(scale * w[j], slope(motion, work, j));
+  }
+  std::span<const ScaledField> all() const { return {items.data(), count}; }
+};
 
 // All but the first of the stages of a step of h from (motion.x, motion.v).
 void compute_slopes(const Plan& plan, Motion& motion, Workspace& work, double time, double h) {
   Field &x = work.fields[0], &v = work.fields[1];
   for (int i = 1; i < stages; ++i) {
-    x = motion.x;
-    v = motion.v;
-    add_scaled(x.data(), h * node[i], motion.v.data(), x.size());
-    add_slopes(x, h * h, a_squared[i], motion, work);
-    add_slopes(v, h, a[i], motion, work);
+    Terms of_x, of_v;
+    of_x.add(h * node[i], motion.v);
+    of_x.add_slopes(h * h, a_squared[i], motion, work);
+    of_v.add_slopes(h, a[i], motion, work);
+    set_sum(x.data(), motion.x.data(), of_x.all(), x.size());
+    set_sum(v.data(), motion.v.data(), of_v.all(), v.size());
     Field& slope_i = slope(motion, work, i);
     compute_forces(plan, time + h * node[i], x, v, slope_i);
     divide_by_mass(plan, slope_i);
@@ -112,13 +119,27 @@ struct LocalError {
 };
 
 LocalError estimate_error(const Plan& plan, Motion& motion, Workspace& work, double h) {
-  Field& error = work.fields[0];
-  const auto size = [&](double scale, const Row& w) {
-    std::fill(error.begin(), error.end(), 0.0);
-    add_slopes(error, scale, w, motion, work);
-    return root_mean_square(plan, error);
-  };
-  return {combine_errors(size(h * h, error5_times_a), size(h * h, error3_times_a)), combine_errors(size(h, error5), size(h, error3))};
+  const std::array<std::pair<double, const Row*>, 4> estimates{
+      {{h * h, &error5_times_a}, {h * h, &error3_times_a}, {h, &error5}, {h, &error3}}};
+  std::array<Terms, 4> terms;
+  for (std::size_t e = 0; e < terms.size(); ++e) terms[e].add_slopes(estimates[e].first, *estimates[e].second, motion, work);
+
+  // the sums of squares of all four, in blocks that stay in the cache
+  constexpr std::size_t block = 256;
+  std::array<std::array<double, block>, 4> error;
+  std::array<double, 4> square{};
+  for (std::size_t begin = 0; begin < motion.x.size(); begin += block) {
+    const std::size_t size = std::min(block, motion.x.size() - begin);
+    for (std::size_t e = 0; e < terms.size(); ++e) {
+      set_sum(error[e].data(), nullptr, terms[e].all(), size);
+      for (std::size_t t = 0; t < terms[e].count; ++t) terms[e].items[t].x += size;
+    }
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t e = 0; e < square.size(); ++e) square[e] += error[e][i] * error[e][i];
+  }
+  const auto free = std::ranges::count_if(plan.inverse_mass, [](double w) { return w != 0.0; });
+  const auto mean = [&](std::size_t e) { return free == 0 ? 0.0 : std::sqrt(square[e] / static_cast<double>(free)); };
+  return {combine_errors(mean(0), mean(1)), combine_errors(mean(2), mean(3))};
 }
 
 // The first step, without a previous one: a radian of the fastest mode, at most the whole interval.
@@ -170,9 +191,12 @@ double advance(const Plan& plan, Motion& motion, Workspace& work, double interva
     }
     if (!std::isfinite(error)) return 0.0;
 
-    add_scaled(motion.x.data(), h, motion.v.data(), motion.x.size());
-    add_slopes(motion.x, h * h, b_times_a, motion, work);
-    add_slopes(motion.v, h, b, motion, work);
+    Terms of_x, of_v;
+    of_x.add(h, motion.v);
+    of_x.add_slopes(h * h, b_times_a, motion, work);
+    of_v.add_slopes(h, b, motion, work);
+    set_sum(motion.x.data(), motion.x.data(), of_x.all(), motion.x.size());
+    set_sum(motion.v.data(), motion.v.data(), of_v.all(), motion.v.size());
     motion.acceleration_is_current = false;
     motion.local_error += local.position;
 
