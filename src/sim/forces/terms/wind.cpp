@@ -10,6 +10,7 @@
 
 #include "sim/forces/force_tangent.h"
 #include "sim/forces/terms/rows.h"
+#include "sim/forces/terms/wind_kernel.h"
 #include "sim/plan.h"
 
 namespace hooke {
@@ -65,19 +66,17 @@ struct Flow {
   Vec3 along;     // [m/s]
 };
 
-// For every face that is not degenerate: use(its corners, flow).
+// For a face that is not degenerate: use(its corners, flow).
 template <class Use>
-void for_each_face(const Plan& plan, const Vec3& wind, const double* x, const double* v, const Use& use) {
-  for (const auto& face : plan.faces) {
-    const auto& [i, j, k] = face;
-    const Vec3 a = vector_at(plan, x, i), twice_area = glm::cross(vector_at(plan, x, j) - a, vector_at(plan, x, k) - a);
-    const double length = glm::length(twice_area);
-    if (length == 0.0) continue;
-    const Vec3 normal = twice_area / length;
-    const Vec3 past = wind - (vector_at(plan, v, i) + vector_at(plan, v, j) + vector_at(plan, v, k)) / 3.0;
-    const double across = glm::dot(past, normal);
-    use(face, Flow{0.5 * length, normal, across, past - across * normal});
-  }
+void use_face(const Plan& plan, const std::array<Index, 3>& face, const Vec3& wind, const double* x, const double* v, const Use& use) {
+  const auto& [i, j, k] = face;
+  const Vec3 a = vector_at(plan, x, i), twice_area = glm::cross(vector_at(plan, x, j) - a, vector_at(plan, x, k) - a);
+  const double length = glm::length(twice_area);
+  if (length == 0.0) return;
+  const Vec3 normal = twice_area / length;
+  const Vec3 past = wind - (vector_at(plan, v, i) + vector_at(plan, v, j) + vector_at(plan, v, k)) / 3.0;
+  const double across = glm::dot(past, normal);
+  use(face, Flow{0.5 * length, normal, across, past - across * normal});
 }
 
 constexpr double pi = 3.14159265358979323846;
@@ -85,25 +84,37 @@ constexpr double pi = 3.14159265358979323846;
 // For each point, in scenes without faces: a pi r^2.
 double point_coefficient(const Plan& plan, const ForceValues& values, Index i) { return values[3] * pi * plan.radius[i] * plan.radius[i]; }
 
-// For every force on a point, in a fixed order: use(point, force).
-template <class Use>
-void for_each_force(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, const Use& use) {
-  const Vec3 wind = wind_at(plan, values, time);
-  for_each_face(plan, wind, x, v, [&](const auto& corners, const Flow& flow) {
-    const Vec3 force =
-        flow.area * (values[3] * std::abs(flow.across) * flow.across * flow.normal + values[4] * glm::length(flow.along) * flow.along);
-    for (const Index corner : corners) use(corner, force / 3.0);
-  });
+// For every force on a point, in a fixed order: use(point, force); or for a row of cells with two faces each: use_cells(wind, first face,
+// number of cells).
+template <class Use, class UseCells>
+void for_each_force(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, const Use& use,
+                    const UseCells& use_cells) {
+  const Wind wind{wind_at(plan, values, time), values[3], values[4]};
+  const auto faces = static_cast<Index>(plan.faces.size());
+  for (Index f = 0; f < faces;) {
+    if (const Index cells = count_cells(plan, f); cells > 0) {
+      use_cells(wind, f, cells);
+      f += 2 * cells;
+      continue;
+    }
+    use_face(plan, plan.faces[static_cast<std::size_t>(f++)], wind.velocity, x, v, [&](const auto& corners, const Flow& flow) {
+      const Vec3 force = flow.area * (wind.normal * std::abs(flow.across) * flow.across * flow.normal +
+                                      wind.tangential * glm::length(flow.along) * flow.along);
+      for (const Index corner : corners) use(corner, force / 3.0);
+    });
+  }
   if (!plan.faces.empty()) return;
 
   for (Index i = 0; i < plan.points; ++i) {
-    const Vec3 past = wind - vector_at(plan, v, i);
+    const Vec3 past = wind.velocity - vector_at(plan, v, i);
     use(i, point_coefficient(plan, values, i) * glm::length(past) * past);
   }
 }
 
 void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f) {
-  for_each_force(plan, values, time, x, v, [&](Index i, const Vec3& force) { add_to(plan, f, i, force); });
+  for_each_force(
+      plan, values, time, x, v, [&](Index i, const Vec3& force) { add_to(plan, f, i, force); },
+      [&](const Wind& wind, Index first, Index cells) { add_wind_on_cells(plan, wind, first, cells, x, v, f); });
 }
 
 // Near the rest lengths, in the wind at its full speed u relative to the points, in [1/s^2] and [1/s]. A face with edges of length l has
@@ -159,11 +170,12 @@ ForceBound bound(const System& system, const ForceValues& values, double point_s
 // 3 of the whole, so that iterations converge for any step.
 void add_tangent(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, ForceTangent& tangent) {
   const Vec3 wind = wind_at(plan, values, time);
-  for_each_face(plan, wind, x, v, [&](const auto& corners, const Flow& flow) {
-    const double axial = 2.0 * values[3] * flow.area * std::abs(flow.across),
-                 transverse = 2.0 * values[4] * flow.area * glm::length(flow.along);
-    for (const Index corner : corners) tangent.add_damping(corner, flow.normal, axial / 6.0, transverse / 6.0);
-  });
+  for (const auto& each : plan.faces)
+    use_face(plan, each, wind, x, v, [&](const auto& corners, const Flow& flow) {
+      const double axial = 2.0 * values[3] * flow.area * std::abs(flow.across),
+                   transverse = 2.0 * values[4] * flow.area * glm::length(flow.along);
+      for (const Index corner : corners) tangent.add_damping(corner, flow.normal, axial / 6.0, transverse / 6.0);
+    });
   if (!plan.faces.empty()) return;
 
   for (Index i = 0; i < plan.points; ++i) {
@@ -175,9 +187,12 @@ void add_tangent(const Plan& plan, const ForceValues& values, double time, const
 
 double power(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v) {
   double sum = 0.0;
-  for_each_force(plan, values, time, x, v, [&](Index i, const Vec3& force) {
-    if (plan.inverse_mass[i] != 0.0) sum += glm::dot(force, vector_at(plan, v, i));
-  });
+  for_each_force(
+      plan, values, time, x, v,
+      [&](Index i, const Vec3& force) {
+        if (plan.inverse_mass[i] != 0.0) sum += glm::dot(force, vector_at(plan, v, i));
+      },
+      [&](const Wind& wind, Index first, Index cells) { sum += wind_power_on_cells(plan, wind, first, cells, x, v); });
   return sum;
 }
 
