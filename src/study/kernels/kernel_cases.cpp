@@ -10,22 +10,58 @@
 
 #include "base/formatted.h"
 #include "formats/scene_file.h"
-#include "lab/lab.h"
+#include "sim/step.h"
 #include "study/benchmark.h"
 
 namespace hooke {
 namespace {
 
+// across which the cloth falls
+constexpr std::string_view ball_and_floor =
+    R"(, "colliders": [{"type": "sphere", "center": [0.5, -0.5, -0.35], "radius": 0.3, "friction": 0.3},
+                    {"type": "plane", "point": [0, 0, -0.66], "normal": [0, 0, 1], "friction": 0.3}])";
+// a step of the implicit methods
+constexpr double frame = 1.0 / 60.0;
+
 constexpr std::array rows{
-    KernelCase{"grid", "the cloth alone", "", ""},
-    KernelCase{"drag", "with drag", R"(, "drag": 0.1)", ""},
-    KernelCase{"plane below", "with a plane that nothing touches",
-               R"(, "colliders": [{"type": "plane", "point": [0, 0, -9], "normal": [0, 0, 1]}])", ""},
-    KernelCase{"at rest on a plane", "lies on a plane",
-               R"(, "colliders": [{"type": "plane", "point": [0, 0, -0.004], "normal": [0, 0, 1], "friction": 0.5}])", ""},
-    KernelCase{"dashpots", "with dashpots", "", R"(, "damping": 0.001)"},
-    KernelCase{"bend springs", "with springs to the second next point, which are not part of the grid", "", R"(, "bend_stiffness": 100)"},
-    KernelCase{"shuffled", "points and springs in random order", "", "", true},
+    KernelCase{.name = "grid", .description = "the cloth alone"},
+    KernelCase{.name = "drag", .description = "with drag", .members = R"(, "drag": 0.1)"},
+    KernelCase{.name = "plane below",
+               .description = "with a plane that nothing touches",
+               .members = R"(, "colliders": [{"type": "plane", "point": [0, 0, -9], "normal": [0, 0, 1]}])"},
+    KernelCase{.name = "at rest on a plane",
+               .description = "lies on a plane",
+               .members = R"(, "colliders": [{"type": "plane", "point": [0, 0, -0.004], "normal": [0, 0, 1], "friction": 0.5}])",
+               .is_nailed = false},
+    KernelCase{.name = "on a ball and a floor",
+               .description = "has fallen on a ball and a floor for 1 s",
+               .members = ball_and_floor,
+               .is_nailed = false,
+               .settle = 1.0,
+               .max_size = 64},
+    KernelCase{.name = "dashpots", .description = "with dashpots", .generator = R"(, "damping": 0.001)"},
+    KernelCase{.name = "wind",
+               .description = "with wind on its faces",
+               .members = R"(, "forces": [{"type": "wind", "x": 1, "y": 0, "z": 2}])",
+               .max_size = 256},
+    KernelCase{
+        .name = "strain limit", .description = "with a strain limit that no spring reaches", .members = R"(, "strain_limit_percent": 50)"},
+    KernelCase{.name = "breakable", .description = "with a break strain that no spring reaches", .members = R"(, "break_strain": 0.5)"},
+    KernelCase{.name = "center",
+               .description = "with a central attraction",
+               .members = R"(, "forces": [{"type": "center", "z": -2, "strength": 1}])",
+               .max_size = 256},
+    KernelCase{.name = "bend springs",
+               .description = "with springs to the second next point, which are not part of the grid",
+               .generator = R"(, "bend_stiffness": 100)"},
+    KernelCase{.name = "shuffled", .description = "points and springs in random order", .is_shuffled = true},
+    KernelCase{.name = "jelly block", .description = "a lattice with dashpots", .is_block = true, .max_size = 128},
+    KernelCase{.name = "blanes_moan4 per evaluation", .method = "blanes_moan4", .unit = KernelUnit::ForceEvaluation, .max_size = 256},
+    KernelCase{.name = "runge_kutta4 per evaluation", .method = "runge_kutta4", .unit = KernelUnit::ForceEvaluation, .max_size = 256},
+    KernelCase{.name = "dop853 per evaluation", .method = "dop853", .unit = KernelUnit::ForceEvaluation, .max_size = 256},
+    KernelCase{.name = "xpbd per sweep", .method = "xpbd", .unit = KernelUnit::Sweep, .max_size = 256},
+    KernelCase{.name = "baraff_witkin per 1/60 s", .method = "baraff_witkin", .step = frame, .max_size = 64},
+    KernelCase{.name = "tr_bdf2 per 1/60 s", .method = "tr_bdf2", .step = frame, .max_size = 64},
 };
 
 // Numbers from a fixed seed (Steele, Lea and Flood 2014, splitmix64): the same order everywhere.
@@ -72,13 +108,18 @@ void shuffle(Scene& scene) {
 std::span<const KernelCase> kernel_cases() { return rows; }
 
 Scene make_kernel_scene(const KernelCase& row, int n, int substeps) {
-  const bool lies = row.name == "at rest on a plane";
+  const int edge = std::max(2, 6 * n / 32);
+  const std::string net =
+      row.is_block ? formatted(R"({"type": "jelly", "columns": %d, "rows": %d, "layers": %d})", edge, edge, edge)
+                   : formatted(R"({"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0], "points": [%d, %d],
+                                   "density": 0.2, "stiffness": 1000, "shear_stiffness": 500, "mass_model": "equal",
+                                   "point_radius": 0.004%s%s})",
+                               n, n, row.is_nailed ? R"(, "nail": ["top_left", "top_right"])" : "", std::string(row.generator).c_str());
+  const double rate = row.step > 0.0 ? 1.0 / row.step : 4.0 * 86.6 * n;  // [1/s], of the steps
   const std::string text = formatted(
-      R"({"hooke": 1, "gravity": [0, 0, -9.81], "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0],
-          "points": [%d, %d], "density": 0.2, "stiffness": 1000, "shear_stiffness": 500, "mass_model": "equal", "point_radius": 0.004%s%s}],
-          "simulation": {"integrator": "velocity_verlet", "frame_rate": %.17g, "substeps": %d}%s})",
-      n, n, lies ? "" : R"(, "nail": ["top_left", "top_right"])", std::string(row.generator).c_str(), 4.0 * 86.6 * n / substeps, substeps,
-      std::string(row.members).c_str());
+      R"({"hooke": 1, "gravity": [0, 0, -9.81], "generators": [%s],
+          "simulation": {"integrator": "%s", "frame_rate": %.17g, "substeps": %d}%s})",
+      net.c_str(), std::string(row.method).c_str(), rate / substeps, substeps, std::string(row.members).c_str());
   Scene scene = parse_scene(text, "cloth").scene;
   if (row.is_shuffled) shuffle(scene);
   return scene;
@@ -86,13 +127,26 @@ Scene make_kernel_scene(const KernelCase& row, int n, int substeps) {
 
 KernelTime measure_kernel(const KernelCase& row, int n, bool quick) {
   const int frames = quick ? 2 : 6;
-  const int substeps = std::max(30, (quick ? 1'000'000 : 4'000'000) / (4 * n * n));
-  Lab lab(make_kernel_scene(row, n, substeps), KeepStart::No);
-  KernelTime time{.points = lab.scene().system.point_count(), .springs = lab.scene().system.spring_count(), .step_seconds = HUGE_VAL};
-  for (int frame = 0; frame < frames; ++frame) {
+  const int substeps = row.step > 0.0 ? 1 : std::max(30, (quick ? 1'000'000 : 4'000'000) / (4 * n * n));
+  Scene scene = make_kernel_scene(row, n, substeps);
+  KernelTime time{.points = scene.system.point_count(), .springs = scene.system.spring_count(), .seconds = HUGE_VAL};
+  Plan plan = make_plan(scene.system);
+  Frame frame;
+  const auto take_frame = [&] {
     const double start = cpu_seconds();
-    lab.step();
-    time.step_seconds = std::min(time.step_seconds, (cpu_seconds() - start) / substeps);
+    frame.begin(plan, scene.system, scene.settings, scene.state);
+    while (!frame.done()) frame.substep(plan);
+    frame.end(plan, scene.state);
+    return cpu_seconds() - start;
+  };
+  while (scene.state.time < row.settle) take_frame();
+  for (int i = 0; i < frames; ++i) {
+    const double seconds = take_frame();
+    const Motion& motion = frame.motion();
+    const long count = row.unit == KernelUnit::Sweep             ? motion.sweeps
+                       : row.unit == KernelUnit::ForceEvaluation ? motion.force_evaluations
+                                                                 : substeps;
+    time.seconds = std::min(time.seconds, seconds / static_cast<double>(std::max(1L, count)));
   }
   return time;
 }

@@ -1,4 +1,4 @@
-// The scenes of `bench --kernels`: cloths that differ in one feature of stepping each.
+// The scenes of `bench --kernels`: cloths that differ in one feature of stepping each, and a jelly block.
 #pragma once
 
 #include <span>
@@ -9,23 +9,34 @@
 
 namespace hooke {
 
+// What the time of a case is divided by, besides the springs.
+enum class KernelUnit { Step, ForceEvaluation, Sweep };
+
 struct KernelCase {
   std::string_view name;
   std::string_view description;
-  std::string_view members;    // of the scene, besides the cloth
+  std::string_view members;    // of the scene, besides the net
   std::string_view generator;  // members of the generator of the cloth
   bool is_shuffled = false;    // points and springs are listed in random order
+  bool is_block = false;       // the jelly block instead of the cloth
+  bool is_nailed = true;       // the cloth hangs from two corners; false: it falls
+  std::string_view method = "velocity_verlet";
+  KernelUnit unit = KernelUnit::Step;
+  double step = 0.0;    // [s]; 0: a quarter of that at which the net becomes unstable
+  double settle = 0.0;  // [s], simulated before it is measured
+  int max_size = 1024;  // the largest n for which it is measured
 };
 std::span<const KernelCase> kernel_cases();
 
-// A cloth of n x n points at a quarter of the step at which it becomes unstable, with `substeps` per frame.
+// A cloth of n x n points, or a jelly block of 6 n / 32 points along each edge, with `substeps` per frame. The block of 6 is the default
+// one.
 Scene make_kernel_scene(const KernelCase& row, int n, int substeps);
 
-// The CPU time [s] of a step, the minimum of six frames of velocity_verlet, of two if `quick`. A frame has so many steps that what is done
-// once per frame hardly counts.
+// The CPU time [s] of a step, a force evaluation or a sweep over the springs as constraints, the minimum of six frames, of two if `quick`.
+// A frame has so many steps that what is done once per frame hardly counts.
 struct KernelTime {
   long points = 0, springs = 0;
-  double step_seconds = 0.0;
+  double seconds = 0.0;
 };
 KernelTime measure_kernel(const KernelCase& row, int n, bool quick);
 
