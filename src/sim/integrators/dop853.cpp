@@ -80,6 +80,8 @@ Field& slope(Motion& motion, Workspace& work, int stage) { return stage == 0 ? m
 
 void prepare(const Plan&, double, const Motion& motion, Workspace& work) { work.size_fields(stages + 1, motion); }
 
+constexpr std::size_t block = 256;  // elements of a field
+
 // A sum of fields and of weighted slopes, in this order.
 struct Terms {
   std::array<ScaledField, stages + 1> items;
@@ -90,7 +92,22 @@ struct Terms {
       if (w[j] != 0.0) add(scale * w[j], slope(motion, work, j));
   }
   std::span<const ScaledField> all() const { return {items.data(), count}; }
+  // Of the next `size` elements of the fields.
+  void skip(std::size_t size) {
+    for (ScaledField& item : std::span(items.data(), count)) item.x += size;
+  }
 };
+
+// x' = x + sums, v' = v + sums, in blocks that stay in the cache: both read the same slopes.
+void add_sums(Terms of_x, Terms of_v, const Motion& motion, Field& x, Field& v) {
+  for (std::size_t begin = 0; begin < x.size(); begin += block) {
+    const std::size_t size = std::min(block, x.size() - begin);
+    set_sum(&x[begin], &motion.x[begin], of_x.all(), size);
+    set_sum(&v[begin], &motion.v[begin], of_v.all(), size);
+    of_x.skip(size);
+    of_v.skip(size);
+  }
+}
 
 // All but the first of the stages of a step of h from (motion.x, motion.v).
 void compute_slopes(const Plan& plan, Motion& motion, Workspace& work, double time, double h) {
@@ -100,8 +117,7 @@ void compute_slopes(const Plan& plan, Motion& motion, Workspace& work, double ti
     of_x.add(h * node[i], motion.v);
     of_x.add_slopes(h * h, a_squared[i], motion, work);
     of_v.add_slopes(h, a[i], motion, work);
-    set_sum(x.data(), motion.x.data(), of_x.all(), x.size());
-    set_sum(v.data(), motion.v.data(), of_v.all(), v.size());
+    add_sums(of_x, of_v, motion, x, v);
     Field& slope_i = slope(motion, work, i);
     compute_forces(plan, time + h * node[i], x, v, slope_i);
     divide_by_mass(plan, slope_i);
@@ -125,14 +141,13 @@ LocalError estimate_error(const Plan& plan, Motion& motion, Workspace& work, dou
   for (std::size_t e = 0; e < terms.size(); ++e) terms[e].add_slopes(estimates[e].first, *estimates[e].second, motion, work);
 
   // the sums of squares of all four, in blocks that stay in the cache
-  constexpr std::size_t block = 256;
   std::array<std::array<double, block>, 4> error;
   std::array<double, 4> square{};
   for (std::size_t begin = 0; begin < motion.x.size(); begin += block) {
     const std::size_t size = std::min(block, motion.x.size() - begin);
     for (std::size_t e = 0; e < terms.size(); ++e) {
       set_sum(error[e].data(), nullptr, terms[e].all(), size);
-      for (std::size_t t = 0; t < terms[e].count; ++t) terms[e].items[t].x += size;
+      terms[e].skip(size);
     }
     for (std::size_t i = 0; i < size; ++i)
       for (std::size_t e = 0; e < square.size(); ++e) square[e] += error[e][i] * error[e][i];
@@ -195,8 +210,7 @@ double advance(const Plan& plan, Motion& motion, Workspace& work, double interva
     of_x.add(h, motion.v);
     of_x.add_slopes(h * h, b_times_a, motion, work);
     of_v.add_slopes(h, b, motion, work);
-    set_sum(motion.x.data(), motion.x.data(), of_x.all(), motion.x.size());
-    set_sum(motion.v.data(), motion.v.data(), of_v.all(), motion.v.size());
+    add_sums(of_x, of_v, motion, motion.x, motion.v);
     motion.acceleration_is_current = false;
     motion.local_error += local.position;
 
