@@ -3,6 +3,7 @@
 // at run time; the same IEEE operations in the same order as there.
 #include "sim/contact/resting_kernel.h"
 
+#include <array>
 #include <type_traits>
 #include <variant>
 
@@ -74,7 +75,7 @@ struct Step {
 
 struct Corrected {
   LaneVec3 x, v;
-  LaneMask is_solved;
+  LaneMask is_solved, is_unfinished;  // the latter: more segments are needed
 };
 
 // The normal force over mass, and the acceleration under it; `holds`: the support is loaded, and the point does not move into it.
@@ -169,7 +170,7 @@ HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Ste
 
 // PointContactSolver::advance on `shape` at rest. Under friction a path ends and goes on where the point stops.
 template <class Shape>
-HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step) {
+HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step, int max_segments) {
   const PointLanes d;
   const Lane zero = same(0.0), h = same(step.h);
   const LaneVec3 none{zero, zero, zero}, &a = step.a;
@@ -184,7 +185,7 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
   Load load = load_of(gap, a, step.size_of_a, v);
   LaneMask is_solved = hn::And(is_along(gap.normal, v, h), load.holds);
   is_solved = hn::And(is_solved, hn::Le(hn::Abs(gap.distance), tolerance_at(x)));
-  if (hn::AllFalse(d, is_solved)) return {x, v, is_solved};
+  if (hn::AllFalse(d, is_solved)) return {x, v, is_solved, is_solved};
 
   // without friction, a point that slides starts with the velocity of the method's path
   LaneVec3 velocity_correction = none;
@@ -201,7 +202,7 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
 
   Lane remaining = h;
   LaneMask is_left = is_solved, has_moved = same_if(false);
-  for (int segments = 0; segments < max_path_segments && !hn::AllFalse(d, is_left); ++segments) {
+  for (int segments = 0; segments < max_segments && !hn::AllFalse(d, is_left); ++segments) {
     if (segments > 0) {
       gap = lane_gap(shape, step.radius, x);
       load = load_of(gap, a, step.size_of_a, v);
@@ -221,7 +222,7 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
   }
   if (!hn::AllFalse(d, has_moved))
     is_solved = hn::And(is_solved, hn::Ge(lane_gap(shape, step.radius, x).distance, hn::Neg(tolerance_at(x))));
-  return {x, difference(v, velocity_correction), is_solved};
+  return {x, difference(v, velocity_correction), is_solved, hn::And(is_solved, is_left)};
 }
 
 // [m], of the coordinates of a shape: round-off is a small part of it.
@@ -287,11 +288,96 @@ HWY_INLINE void store_point(const Plan& plan, const LaneVec3& value, LaneMask ma
   if (plan.dimensions == 3) hn::BlendedStore(value.z, mask, d, field + 2 * n + i);
 }
 
+HWY_INLINE Lane work_per_mass(const Step& step, const Corrected& corrected) {
+  const Lane gained = hn::Mul(same(0.5), hn::Sub(dot_of(corrected.v, corrected.v), dot_of(step.v1, step.v1)));
+  return hn::Sub(gained, dot_of(step.a, difference(corrected.x, step.x1)));
+}
+
+// A point that stops under friction may take many segments: such points are solved again, together.
+constexpr int first_segments = 2;
+struct Unfinished {
+  std::size_t count = 0;
+  std::array<std::size_t, RestingPoints::max> point;
+  std::array<const Collider*, RestingPoints::max> collider;
+  void add(std::size_t i, const Collider& on) {
+    point[count] = i;
+    collider[count++] = &on;
+  }
+};
+
+// Some points as the lanes of a vector; those after the last one repeat it.
+struct Gathered {
+  HWY_ALIGN double numbers[14][8];
+  HWY_INLINE void set(std::size_t lane, const Plan& plan, std::size_t i, const double* const* fields) {
+    const std::size_t n = static_cast<std::size_t>(plan.points);
+    for (std::size_t field = 0; field < 4; ++field)
+      for (std::size_t c = 0; c < 3; ++c)
+        numbers[3 * field + c][lane] = c < static_cast<std::size_t>(plan.dimensions) ? fields[field][c * n + i] : 0.0;
+    numbers[12][lane] = plan.radius[i];
+    numbers[13][lane] = plan.mass[i];
+  }
+  HWY_INLINE LaneVec3 vectors(std::size_t field) const {
+    const PointLanes d;
+    return {hn::LoadU(d, numbers[3 * field]), hn::LoadU(d, numbers[3 * field + 1]), hn::LoadU(d, numbers[3 * field + 2])};
+  }
+};
+
+void solve_unfinished(const Plan& plan, double h, std::size_t first, const Unfinished& unfinished, const double* x0, const double* v0,
+                      double* x, double* v, RestingPoints& points) {
+  const PointLanes d;
+  const std::size_t n = static_cast<std::size_t>(plan.points), lanes = hn::Lanes(d);
+  const double* const fields[] = {x0, v0, x, v};
+  for (const Collider& collider : plan.colliders)
+    for (std::size_t next = 0; next < unfinished.count;) {
+      Gathered gathered;
+      std::size_t point[8] = {}, count = 0;
+      for (; next < unfinished.count && count < lanes; ++next) {
+        if (unfinished.collider[next] != &collider) continue;
+        point[count] = unfinished.point[next];
+        gathered.set(count, plan, point[count], fields);
+        ++count;
+      }
+      if (count == 0) break;
+      for (std::size_t lane = count; lane < lanes; ++lane) gathered.set(lane, plan, point[count - 1], fields);
+
+      Step step{
+          h, hn::LoadU(d, gathered.numbers[12]), gathered.vectors(0), gathered.vectors(1), gathered.vectors(2), gathered.vectors(3), {},
+          {}};
+      step.a = over(difference(step.v1, step.v0), same(h));
+      step.size_of_a = length_of(step.a);
+      const auto* sphere = std::get_if<Sphere>(&collider.shape);
+      const Corrected corrected = sphere != nullptr
+                                      ? slide(*sphere, collider.friction, step, max_path_segments)
+                                      : slide(*std::get_if<Plane>(&collider.shape), collider.friction, step, max_path_segments);
+      double result[7][8];
+      const Lane columns[] = {corrected.x.x,
+                              corrected.x.y,
+                              corrected.x.z,
+                              corrected.v.x,
+                              corrected.v.y,
+                              corrected.v.z,
+                              hn::Mul(hn::LoadU(d, gathered.numbers[13]), work_per_mass(step, corrected))};
+      for (std::size_t column = 0; column < 7; ++column) hn::StoreU(columns[column], d, result[column]);
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, corrected.is_solved, bits);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        if ((bits[0] >> lane & 1U) == 0) continue;
+        for (std::size_t c = 0; c < static_cast<std::size_t>(plan.dimensions); ++c) {
+          x[c * n + point[lane]] = result[c][lane];
+          v[c * n + point[lane]] = result[3 + c][lane];
+        }
+        points.work[point[lane] - first] = result[6][lane];
+        points.outcome[point[lane] - first] = RestingPoints::Solved;
+      }
+    }
+}
+
 void solve_resting(const Plan& plan, double h, std::size_t first, const double* x0, const double* v0, double* x, double* v,
                    RestingPoints& points) {
   const PointLanes d;
   const std::size_t n = static_cast<std::size_t>(plan.points), lanes = hn::Lanes(d);
   const std::size_t end = first + RestingPoints::max < n ? first + RestingPoints::max : n;
+  Unfinished unfinished;
   std::size_t i = first;
   for (; i + lanes <= end; i += lanes) {
     Step step{h,
@@ -334,14 +420,17 @@ void solve_resting(const Plan& plan, double h, std::size_t first, const double* 
         const auto solve_on = [&](const auto& shape) HWY_ATTR {
           const LaneMask near = hn::And(alone, may_reach(collider.shape, reach, step.x0));
           if (hn::AllFalse(d, near)) return;
-          const Corrected corrected = slide(shape, collider.friction, step);
-          const LaneMask here = hn::And(near, corrected.is_solved);
+          const Corrected corrected = slide(shape, collider.friction, step, first_segments);
+          const LaneMask here = hn::And(near, hn::AndNot(corrected.is_unfinished, corrected.is_solved));
           store_point(plan, corrected.x, here, x, i);
           store_point(plan, corrected.v, here, v, i);
-          const Lane gained = hn::Mul(same(0.5), hn::Sub(dot_of(corrected.v, corrected.v), dot_of(step.v1, step.v1)));
-          const Lane work = hn::Sub(gained, dot_of(step.a, difference(corrected.x, step.x1)));
-          hn::BlendedStore(hn::Mul(hn::LoadU(d, plan.mass.data() + i), work), here, d, points.work.data() + (i - first));
+          const Lane work = hn::Mul(hn::LoadU(d, plan.mass.data() + i), work_per_mass(step, corrected));
+          hn::BlendedStore(work, here, d, points.work.data() + (i - first));
           solved = hn::Or(solved, here);
+          std::uint8_t bits[8] = {};
+          hn::StoreMaskBits(d, hn::And(near, corrected.is_unfinished), bits);
+          for (std::size_t lane = 0; lane < lanes; ++lane)
+            if ((bits[0] >> lane & 1U) != 0) unfinished.add(i + lane, collider);
         };
         if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) solve_on(*sphere);
         if (const auto* plane = std::get_if<Plane>(&collider.shape)) solve_on(*plane);
@@ -355,6 +444,7 @@ void solve_resting(const Plan& plan, double h, std::size_t first, const double* 
     }
   }
   for (; i < end; ++i) points.outcome[i - first] = RestingPoints::Open;
+  solve_unfinished(plan, h, first, unfinished, x0, v0, x, v, points);
 }
 
 }  // namespace hooke::HWY_NAMESPACE
