@@ -20,8 +20,8 @@ namespace {
 constexpr std::string_view ball_and_floor =
     R"(, "colliders": [{"type": "sphere", "center": [0.5, -0.5, -0.35], "radius": 0.3, "friction": 0.3},
                     {"type": "plane", "point": [0, 0, -0.66], "normal": [0, 0, 1], "friction": 0.3}])";
-// a step of the implicit methods
-constexpr double frame = 1.0 / 60.0;
+
+constexpr double implicit_step = 1.0 / 60.0;  // [s]
 
 constexpr std::array rows{
     KernelCase{.name = "grid", .description = "the cloth alone"},
@@ -60,8 +60,8 @@ constexpr std::array rows{
     KernelCase{.name = "runge_kutta4 per evaluation", .method = "runge_kutta4", .unit = KernelUnit::ForceEvaluation, .max_size = 256},
     KernelCase{.name = "dop853 per evaluation", .method = "dop853", .unit = KernelUnit::ForceEvaluation, .max_size = 256},
     KernelCase{.name = "xpbd per sweep", .method = "xpbd", .unit = KernelUnit::Sweep, .max_size = 256},
-    KernelCase{.name = "baraff_witkin per 1/60 s", .method = "baraff_witkin", .step = frame, .max_size = 64},
-    KernelCase{.name = "tr_bdf2 per 1/60 s", .method = "tr_bdf2", .step = frame, .max_size = 64},
+    KernelCase{.name = "baraff_witkin per 1/60 s", .method = "baraff_witkin", .step = implicit_step, .max_size = 64},
+    KernelCase{.name = "tr_bdf2 per 1/60 s", .method = "tr_bdf2", .step = implicit_step, .max_size = 64},
 };
 
 // Numbers from a fixed seed (Steele, Lea and Flood 2014, splitmix64): the same order everywhere.
