@@ -14,8 +14,8 @@ struct FrameError {
   double rms = 0.0, max = 0.0;  // [m], over all points
 };
 
-// The settings of the repetition: half the step, and for a method that adapts its step a thousandth of the tolerance, or with
-// contact a tenth; for `auto` a tenth.
+// The settings of the repetition: half the step; for a method that adapts its step a thousandth of the tolerance, with contact a tenth, and
+// with contact of faces or springs half of the longest step and 2^-8 of the tolerance; for `auto` a tenth.
 Settings refined(const System& system, const Settings& settings);
 
 // The order of the positions on this scene: the lowest of those that apply to what it contains.

@@ -22,6 +22,8 @@ struct Motion {
   long sweeps = 0;              // over all springs as constraints
   long dashpot_sweeps = 0;      // over all dashpots
   long unconverged_solves = 0;  // nonlinear systems that reached the iteration limit
+  // of contact of points, faces and springs with each other: pairs that were examined, and impulses between two, those of each sweep
+  long contact_tests = 0, contact_impulses = 0;
   // [J], of effects that are not forces: moving colliders, breaking springs, the strain limit
   double collider_work = 0.0, break_work = 0.0, limit_work = 0.0;
   double contact_work = 0.0;                    // [J], of impacts and friction on colliders that do not move; negative: dissipated

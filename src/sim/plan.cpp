@@ -369,6 +369,7 @@ Spectrum bound_spectrum(const System& system, double point_speed) {
   spectrum.omega = std::sqrt(spectrum.omega + force_stiffness);
   spectrum.drag_rate = system.drag_rate();
   spectrum.contact = has_contact(system);
+  spectrum.points_touch = system.contact.points;
   spectrum.min_dashpot_ratio = std::isfinite(min_ratio) ? min_ratio : 0.0;
   return spectrum;
 }

@@ -74,7 +74,8 @@ struct Spectrum {
   bool is_bounded = true;          // false: there is a listed force without a bound, which is not counted
   double drag_rate = 0.0;          // [1/s]
   double min_dashpot_ratio = 0.0;  // [s], minimum of damping / stiffness over the springs
-  bool contact = false;            // whether there are solid colliders, or points touch
+  bool contact = false;            // whether there are solid colliders, or anything touches
+  bool points_touch = false;       // whether points touch each other
   // Of the listed forces, for stability limits and the energy balance: estimates where there is no bound [rad/s], [1/s]; and the highest
   // frequency of the derivatives that implicit methods leave out [rad/s].
   double estimated_omega = 0.0, estimated_rate = 0.0, omitted_omega = 0.0;

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/energy.h"
+#include "support/convergence.h"
 #include "support/folds.h"
 
 namespace hooke {
@@ -78,6 +79,61 @@ TEST(SpringContact, ConservesLinearMomentum) {
   run(sim, 0.1);
   EXPECT_GT(sim.state.velocity[upper + 6].y, -9.0);
   EXPECT_LT(glm::length(compute_momentum(sim.system, sim.state).linear - before), 1e-13);
+}
+
+class SpringContactOf : public EveryMethod {};
+INSTANTIATE_TEST_SUITE_P(Methods, SpringContactOf, testing::ValuesIn(every_method()), method_name);
+
+// Two bars that hit each other in free space, at s and t of their lengths: with weights w = 1 - s, s, -(1 - t), -t of their ends the normal
+// velocity sum w v vanishes by an impulse J = v / sum w^2 / m at the place of contact, which changes the velocity of each end by w J / m.
+TEST_P(SpringContactOf, OfTwoBarsIsAnInelasticImpact) {
+  constexpr double s = 0.3, t = 0.6, speed = 2.0, thickness = 0.06;
+  constexpr std::array<double, 4> weight{1.0 - s, s, t - 1.0, -t}, mass{0.1, 0.3, 0.2, 0.25};
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  const std::array<Vec3, 4> x{Vec3(-s, 0.1, 0.0), Vec3(1.0 - s, 0.1, 0.0), Vec3(0.0, 0.0, -t), Vec3(0.0, 0.0, 1.0 - t)};
+  for (int i = 0; i < 4; ++i) sim.add(x[i], mass[i], {0.0, i < 2 ? -speed : 0.0, 0.0});
+  for (const Index i : {0, 2}) sheet::join(sim, i, i + 1, 1e-6, 0.0, 1.0);
+  sim.system.contact = {.springs = true, .thickness = thickness, .friction = 0.3};
+  sim.run(method(), 0.0203, 20);  // the last step is that of the impact
+  double response = 0.0;
+  for (int i = 0; i < 4; ++i) response += weight[i] * weight[i] / mass[i];
+  for (int i = 0; i < 4; ++i) {
+    const double before = i < 2 ? -speed : 0.0;
+    EXPECT_NEAR(sim.state.velocity[i].y, before + weight[i] * speed / response / mass[i], 1e-6) << i;
+    EXPECT_NEAR(sim.state.velocity[i].x, 0.0, 1e-6) << i;
+  }
+}
+
+// A rope of three springs between two nails lies across another: the middle of its middle spring is on that of the other, a thickness above
+// it. What its springs and its weight leave over on the upper one, the lower one carries.
+TEST(SpringContact, OfARopeAcrossAnotherIsBalanced) {
+  constexpr double k = 200.0, a = 0.2, m = 0.05, thickness = 0.01, g = 9.81;
+  TestSim sim;
+  for (const bool is_upper : {false, true}) {
+    const Index first = sim.system.point_count();
+    for (int i = 0; i < 4; ++i) {
+      const double along = a * (i - 1.5);
+      sim.add(is_upper ? Vec3(0.0, 0.0, along) : Vec3(along, -0.03, 0.0), is_upper ? 3.0 * m : m);
+      sim.system.point(first + i).nailed = i == 0 || i == 3;
+      if (i > 0) sheet::join(sim, first + i - 1, first + i, k, 1.0, a);
+    }
+  }
+  sim.system.contact = {.springs = true, .thickness = thickness, .friction = 0.3};
+  sim.system.drag = 10.0;
+  run(sim, 6.0);
+  const auto height = [&](Index i) { return sim.state.position[i].y; };
+  EXPECT_NEAR(height(5) - height(1), thickness, 1e-6);
+  // the outer spring at each end of the middle one [N], upwards
+  const auto lift = [&](Index nail, Index point) {
+    const Vec3 d = sim.state.position[nail] - sim.state.position[point];
+    const double length = glm::length(d);
+    return k * (length - a) * d.y / length;
+  };
+  const double load = 2.0 * 3.0 * m * g - lift(4, 5) - lift(7, 6), carried = lift(0, 1) + lift(3, 2) - 2.0 * m * g;
+  EXPECT_GT(load, 0.3);
+  EXPECT_NEAR(carried, load, 1e-3 * load);
+  for (const Vec3& v : sim.state.velocity) EXPECT_LT(glm::length(v), 1e-5);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/integrator.h"
+#include "support/folds.h"
 #include "support/nets.h"
 
 namespace hooke {
@@ -88,6 +89,66 @@ inline const std::vector<AccuracyScene>& accuracy_scenes() {
       {"wind", accuracy_scene::wind},
       {"held", accuracy_scene::held},
       {"pulled", accuracy_scene::pulled},
+  };
+  return scenes;
+}
+
+namespace accuracy_scene {
+
+// Balls in pairs joined by springs, in a row that a ball is thrown into.
+inline TestSim row_of_balls() {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  sim.system.contact = {.points = true, .restitution = 0.8, .friction = 0.2};
+  PointId last{};
+  for (int i = 0; i < 7; ++i) {
+    const PointId id = sim.add({0.13 * i, 0.004 * (i % 2), 0.0}, 0.1);
+    sim.system.point(i).radius = 0.05;
+    if (i > 0 && i % 2 == 0) sim.join(last, id, 30.0, 0.13);
+    last = id;
+  }
+  sim.state.velocity[0] = {3.0, 0.1, 0.0};
+  return sim;
+}
+
+// A rope falls across a bar and slides off it.
+inline TestSim rope_on_bar() {
+  TestSim sim;
+  sim.join(sim.nail({-0.3, 0.0, 0.02}), sim.nail({0.4, 0.05, -0.03}), 100.0, 0.7);
+  PointId last{};
+  for (int i = 0; i < 8; ++i) {
+    const PointId id = sim.add({0.02 - 0.01 * i, 0.06 + 0.01 * i, 0.08 * i - 0.3}, 0.03);
+    if (i > 0) sim.join(last, id, 200.0, 0.08, 0.01);
+    last = id;
+  }
+  sim.system.contact = {.springs = true, .thickness = 0.02, .friction = 0.3};
+  return sim;
+}
+
+// Two sheets meet at 4 m/s.
+inline TestSim meeting_sheets() {
+  TestSim sim = colliding_sheets(5);
+  folds::touch(sim);
+  for (Vec3& v : sim.state.velocity) v *= 0.2;
+  return sim;
+}
+
+// A sheet drops on its edge and folds.
+inline TestSim folding_sheet() {
+  TestSim sim = dropped_sheet(7);
+  folds::touch(sim);
+  return sim;
+}
+
+}  // namespace accuracy_scene
+
+// Things that touch each other.
+inline const std::vector<AccuracyScene>& contact_accuracy_scenes() {
+  static const std::vector<AccuracyScene> scenes{
+      {"row_of_balls", accuracy_scene::row_of_balls, true},
+      {"rope_on_bar", accuracy_scene::rope_on_bar, true},
+      {"meeting_sheets", accuracy_scene::meeting_sheets, true},
+      {"folding_sheet", accuracy_scene::folding_sheet, true},
   };
   return scenes;
 }

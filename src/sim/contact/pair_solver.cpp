@@ -28,6 +28,7 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
   if (!measure(plan, obstacles, x0, v0, h, motion)) return false;
   wanted_.assign(plan.points, 0.0);
   if (!is_covered(plan, x0) && !find_pairs(plan, x0)) return false;
+  motion.contact_tests += static_cast<long>(pairs_.size());
   if (!involve_pairs(plan, x0)) return false;
 
   // again from the start when a point gets farther than expected, to where there may be others
@@ -36,6 +37,8 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
     simulation_.begin(h);
     bool is_complete = is_within_bounds(plan, x0, h);
     while (is_complete && simulation_.advance()) is_complete = is_within_bounds(plan, x0, h);
+    motion.contact_tests += simulation_.tests();
+    motion.contact_impulses += simulation_.impulses();
     if (is_complete) break;
     if (!is_covered(plan, x0) && !find_pairs(plan, x0)) {
       is_involved_.assign(plan.points, 0);

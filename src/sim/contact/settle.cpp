@@ -39,18 +39,21 @@ double relax(Touch& touch, std::span<const PointPath> paths, std::span<Vec3> v) 
 
 }  // namespace
 
-void settle(std::span<Touch> touches, std::span<const std::size_t> active, std::span<const PointPath> paths, double tolerance,
+long settle(std::span<Touch> touches, std::span<const std::size_t> active, std::span<const PointPath> paths, double tolerance,
             std::span<Vec3> v) {
   for (const std::size_t t : active) {
     const Touch& touch = touches[t];
     if (touch.normal_impulse > 0.0) apply(touch, touch.normal_impulse * touch.normal + touch.friction_impulse, paths, v);
   }
+  long impulses = 0;
   for (int sweep = 0; sweep < max_settle_sweeps; ++sweep) {
     double change = 0.0;
+    impulses += static_cast<long>(active.size());
     for (std::size_t k = 0; k < active.size(); ++k)
       change = std::max(change, relax(touches[active[sweep % 2 == 0 ? k : active.size() - 1 - k]], paths, v));
-    if (!(change > tolerance)) return;
+    if (!(change > tolerance)) break;
   }
+  return impulses;
 }
 
 }  // namespace hooke

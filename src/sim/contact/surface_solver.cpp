@@ -50,6 +50,15 @@ void SurfaceSolver::begin_substep(const Plan& plan, const Motion& motion) {
 
 bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
                             Motion& motion) {
+  tests_ = impulses_ = 0;
+  const bool touches = correct(plan, obstacles, x0, v0, h, motion);
+  motion.contact_tests += tests_;
+  motion.contact_impulses += impulses_;
+  return touches;
+}
+
+bool SurfaceSolver::correct(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
+                            Motion& motion) {
   has_failed_ = false;
   // a motion that is not finite has diverged
   if (!load(plan, x0, h, motion)) return false;
@@ -62,6 +71,8 @@ bool SurfaceSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacle
   make_contacts(plan, reach, h);
   add_obstacles(plan, obstacles, approach, h, motion);
   free_u_ = u_;
+  const auto contacts = static_cast<long>(contacts_.surface.size());
+  impulses_ += 2 * contacts;
   const bool touches = contacts_.settle(inverse_mass_, plan.surface.friction, u_);
   note_pressed(plan, h);
   const bool is_separated = separate(h);
@@ -147,6 +158,7 @@ bool SurfaceSolver::find_pairs(const Plan& plan, double reach, double approach, 
   tree_.refit(plan.surface, x_, displacement_);
   pairs_.clear();
   has_failed_ = !tree_.find_pairs(plan.surface, x_, found_reach_, is_pierced_, pairs_, PairSolver::max_pairs);
+  tests_ += tree_.examined();
   if (has_failed_) found_reach_ = 0.0;
   keys_.clear();
   for (const SurfacePair& pair : pairs_) keys_.push_back(pair.key);
@@ -171,6 +183,7 @@ bool SurfaceSolver::find_near(const Plan& plan, double reach, double approach, d
     count += keys_[p] < limit ? 1 : 0;
   }
   woken_.resize(count);
+  tests_ += static_cast<long>(count);
   if (evaluated_.size() < count) evaluated_.resize(count);
   for (std::size_t w = 0; w < count; ++w) {
     const SurfacePair& pair = pairs_[woken_[w]];
@@ -307,6 +320,7 @@ bool SurfaceSolver::prevent_crossings(const Plan& plan, double h) {
 bool SurfaceSolver::handle_impact(const Near& near, double part, double h, bool joins) {
   const std::array<Index, 4>& points = pairs_[near.pair].points;
   ++impacts_;
+  ++impulses_;
   if (joins) return join(points);
   FourPoints at = four(x_, points);
   for (int c = 0; c < 4; ++c) at[c] += part * h * path_[points[c]];
@@ -368,8 +382,8 @@ void SurfaceSolver::write(const Plan& plan, const Field& v0, double h, Motion& m
   std::erase_if(contacts_.obstacles, [](const ObstacleContact& contact) { return !contact.is_pressed; });
   for (SurfaceContact& contact : contacts_.surface) contact.target = 0.0;
   for (ObstacleContact& contact : contacts_.obstacles) contact.target = contact.end_target;
-  for (int turn = 0; turn < velocity_turns && contacts_.settle(inverse_mass_, plan.surface.friction, velocity_); ++turn) {
-  }
+  for (int turn = 0; turn < velocity_turns && contacts_.settle(inverse_mass_, plan.surface.friction, velocity_); ++turn)
+    impulses_ += 2 * static_cast<long>(contacts_.surface.size());
 
   double work = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k) {

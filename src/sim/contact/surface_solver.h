@@ -50,6 +50,7 @@ class SurfaceSolver {
     double distance = 0.0;          // [m]
   };
 
+  bool correct(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
   bool load(const Plan& plan, const Field& x0, double h, const Motion& motion);
   void start_frame(const Plan& plan);
   double max_speed(std::span<const Vec3> velocity) const;
@@ -100,6 +101,7 @@ class SurfaceSolver {
   std::vector<Index> zone_;  // per point: the first of those that move together
   bool has_failed_ = false;
   long searches_ = 0, impacts_ = 0;
+  long tests_ = 0, impulses_ = 0;  // of the substep, for Motion
 };
 
 }  // namespace hooke

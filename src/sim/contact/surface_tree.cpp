@@ -211,7 +211,8 @@ void SurfaceTree::keep_close(std::span<const Vec3> x, double reach, std::size_t 
 }
 
 bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
-                             std::vector<SurfacePair>& pairs, std::size_t max_pairs) const {
+                             std::vector<SurfacePair>& pairs, std::size_t max_pairs) {
+  examined_ = 0;
   if (nodes_.empty()) return true;
   // distances are computed of many pairs at once
   constexpr std::size_t max_open = 4096;
@@ -238,12 +239,15 @@ bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, d
       if (plan.excludes_edge(e, f) || (is_out(a) && is_out(b))) continue;
       pairs.push_back({FeaturePair::TwoEdges, {a[0], a[1], b[0], b[1]}, plan.is_spring[e] != 0 || plan.is_spring[f] != 0});
     }
+    ++examined_;
     if (pairs.size() - closed < max_open) return true;
+    examined_ += static_cast<long>(pairs.size() - closed);
     keep_close(x, reach, closed, pairs);
     closed = pairs.size();
     is_complete = closed <= max_pairs;
     return is_complete;
   });
+  examined_ += static_cast<long>(pairs.size() - closed);
   keep_close(x, reach, closed, pairs);
   return is_complete && pairs.size() <= max_pairs;
 }

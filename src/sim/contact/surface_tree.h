@@ -39,7 +39,9 @@ class SurfaceTree {
   // closer than `reach` [m], or may be on the way of their points by the displacements of `refit`. Pairs are found in an order that depends
   // on the last `build` alone: with a longer reach, others come in between. False if there would be more than max_pairs.
   bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
-                  std::vector<SurfacePair>& pairs, std::size_t max_pairs) const;
+                  std::vector<SurfacePair>& pairs, std::size_t max_pairs);
+  // Pairs of leaves and of features that the last `find_pairs` examined.
+  long examined() const { return examined_; }
   // Edges that pass through faces.
   Crossings find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const;
 
@@ -63,6 +65,7 @@ class SurfaceTree {
   template <class Visit>
   void visit_leaves(double reach, const Visit& visit) const;
 
+  long examined_ = 0;
   std::vector<Vec3> displacement_;                      // empty: none
   std::vector<Node> nodes_;                             // parents before their children
   std::vector<Index> pieces_, corners_, edges_;         // of the plan, those of a leaf together

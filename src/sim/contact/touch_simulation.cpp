@@ -74,7 +74,7 @@ void TouchSimulation::begin(double h) {
   h_ = h;
   time_ = 0.0;
   first_impact_ = never;
-  impacts_ = 0;
+  impacts_ = tests_ = impulses_ = 0;
   any_touched_ = false;
   changed_.clear();
   is_listed_.assign(paths.size(), 0);
@@ -89,6 +89,7 @@ void TouchSimulation::begin(double h) {
 // What touches, or could within the substep, and does not approach so fast that it bounces.
 void TouchSimulation::find_resting() {
   active_.clear();
+  tests_ += static_cast<long>(touches.size());
   for (std::size_t t = 0; t < touches.size(); ++t) {
     Touch& touch = touches[t];
     Parabola path = relative_path(touch, 0.0);
@@ -116,7 +117,7 @@ void TouchSimulation::settle_velocities(double t, bool is_correction, double tol
     touch.surface = is_correction ? touch.obstacle->velocity_correction
                                   : touch.obstacle->velocity_at(t) + relative_surface_velocity(touch, touch.normal, position);
   }
-  settle(touches, active_, paths, tolerance, velocity_);
+  impulses_ += settle(touches, active_, paths, tolerance, velocity_);
   change_pushed();
 }
 
@@ -145,7 +146,7 @@ void TouchSimulation::find_separation(double tolerance) {
     any = any || touch.min_velocity > 0.0;
   }
   if (!any) return;
-  settle(touches, active_, paths, h_ * tolerance, separation_);
+  impulses_ += settle(touches, active_, paths, h_ * tolerance, separation_);
   change_pushed();
 }
 
@@ -221,6 +222,7 @@ void TouchSimulation::clear_changed() {
 
 // Sets the time of its next impact.
 void TouchSimulation::predict(Touch& touch) const {
+  ++tests_;
   touch.time = never;
   touch.waits = touch.is_near && impacts_ > 0;
   if (touch.is_at_rest || (touch.second != no_path && zone_[touch.first] == zone_[touch.second])) return;
@@ -255,6 +257,7 @@ bool TouchSimulation::advance() {
   }
   time_ = next->time;
   ++impacts_;
+  ++impulses_;
   if (impacts_ > 2 * max_impacts())
     freeze(*next);
   else

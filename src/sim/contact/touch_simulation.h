@@ -32,6 +32,9 @@ class TouchSimulation {
   // The paths that begin, or the last advance, changed.
   std::span<const std::size_t> changed() const { return changed_; }
   double time() const { return time_; }  // [s], since the start
+  // Since `begin`: touches that were examined, and impulses.
+  long tests() const { return tests_; }
+  long impulses() const { return impulses_; }
   bool any_touched() const { return any_touched_; }
   double first_touch() const { return first_touch_; }    // [s], since the start
   double first_impact() const { return first_impact_; }  // [s], since the start; infinity: there was none
@@ -68,6 +71,8 @@ class TouchSimulation {
 
   double h_ = 0.0, time_ = 0.0, first_touch_ = 0.0, first_impact_ = 0.0;
   long impacts_ = 0;
+  mutable long tests_ = 0;
+  long impulses_ = 0;
   bool any_touched_ = false;
   std::vector<Load> last_, loads_;  // in ascending order
   double last_h_ = 0.0;
