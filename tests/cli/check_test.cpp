@@ -69,7 +69,7 @@ TEST(Check, TheDefaultMethodIsAccurateUnderAFastMouse) {
 }
 
 TEST(Check, WrongUsageIsCodeTwo) {
-  for (const std::vector<std::string>& words : {std::vector<std::string>{"--hard", "--cases", "28"},
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--hard", "--cases", "36"},
                                                 {"--hard", "--cases", "0"},
                                                 {"--hard", "--methods", "magic"},
                                                 {"--quick"},

@@ -1,0 +1,275 @@
+// Contact between points, springs and faces. Where the criterion counts crossings, a test repeats the run with a count of its own.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "sim/contact/closest.h"
+#include "sim/contact/surface_tree.h"
+#include "sim/energy.h"
+#include "sim/integrators/rows.h"
+#include "study/hard_cases/contact_scenes.h"
+#include "study/hard_cases/monitored_run.h"
+#include "study/hard_cases/rows.h"
+
+namespace hooke {
+namespace {
+
+// The quick subset has one explicit method of each kind, and xpbd.
+constexpr auto slow_methods =
+    method_list<explicit_euler, symplectic_euler, blanes_moan4, dop853, implicit_euler, baraff_witkin, implicit_midpoint, tr_bdf2, esdirk4>;
+
+// [1], of the energy supplied: by how much it may rise.
+constexpr double max_rise = 1e-2;
+
+// The energy of first-order methods is that of the scene only on average; `auto` reports where impacts keep it from its tolerance.
+Expectation expectation_in_contact(const MonitoredRun& run) {
+  const bool may_report = run.settings().integrator->order == 1 || is_automatic(run.settings());
+  return may_report ? Expectation::HoldOrReport : expectation_of(run);
+}
+
+// Runs a scene for some seconds; calls look() after each frame.
+template <class Look>
+void run_scene(MonitoredRun& run, const ContactScene& scene, double seconds, const Look& look) {
+  bool is_released = false;
+  while (run.state().time < seconds - 1e-9) {
+    if (!is_released && run.state().time >= scene.release_time) {
+      SetNailed release;
+      for (const PointId id : scene.released) release.items.push_back({id, false});
+      run.lab().submit(release);
+      is_released = true;
+    }
+    if (!run.frame()) return;
+    look();
+  }
+}
+
+// Edges that pass through faces.
+class CrossingCount {
+ public:
+  explicit CrossingCount(const System& system) : plan_(plan_surface(system)) {}
+  std::size_t operator()(const State& state) {
+    place_.clear();
+    for (const Index i : plan_.points) place_.push_back(state.position[i]);
+    SurfaceTree tree;
+    tree.build(plan_, place_);
+    return tree.find_crossings(plan_, place_).found.size();
+  }
+
+ private:
+  SurfacePlan plan_;
+  std::vector<Vec3> place_;
+};
+
+// The minimum distance between two springs that touch, those that no other spring joins [m], up to `reach`.
+double min_spring_distance(const System& system, const State& state, double reach) {
+  const SurfacePlan plan = plan_surface(system);
+  std::vector<Vec3> x, low, high;
+  for (const Index i : plan.points) x.push_back(state.position[i]);
+  for (const auto& [i, j] : plan.edges) {
+    low.push_back(glm::min(x[i], x[j]) - Vec3(0.5 * reach));
+    high.push_back(glm::max(x[i], x[j]) + Vec3(0.5 * reach));
+  }
+  double min = reach;
+  for (Index e = 0; e < static_cast<Index>(plan.edges.size()); ++e)
+    for (Index f = e + 1; f < static_cast<Index>(plan.edges.size()); ++f) {
+      const bool is_apart = glm::any(glm::lessThan(high[e], low[f])) || glm::any(glm::lessThan(high[f], low[e]));
+      if (is_apart || plan.excludes_edge(e, f)) continue;
+      const auto& [a, b] = plan.edges[e];
+      const auto& [c, d] = plan.edges[f];
+      min = std::min(min, closest_points(FeaturePair::TwoEdges, {x[a], x[b], x[c], x[d]}).distance);
+    }
+  return min;
+}
+
+Verdict judge_faces(const Integrator& method, const ContactScene& scene, double seconds) {
+  MonitoredRun run(scene.network, settings_for(method, scene), {.energy = max_rise});
+  CrossingCount count(scene.network.system);
+  std::size_t worst = 0;
+  run_scene(run, scene, seconds, [&] { worst = std::max(worst, count(run.state())); });
+  const double rise = run.monitor().energy_rise();
+  return judge(run, expectation_in_contact(run), worst == 0 && rise < max_rise,
+               formatted("%zu crossings, energy rises %.1g, %d substeps", worst, rise, run.settings().substeps));
+}
+
+template <ContactScene (*make)()>
+Verdict judge_cloth(const Integrator& method) {
+  const ContactScene scene = make();
+  return judge_faces(method, scene, scene.seconds);
+}
+
+Verdict judge_rope_heap(const Integrator& method) {
+  const ContactScene scene = make_rope_heap();
+  const double thickness = scene.network.system.contact.thickness;
+  MonitoredRun run(scene.network, settings_for(method, scene), {.energy = max_rise});
+  double closest = thickness;
+  run_scene(run, scene, scene.seconds, [&] { closest = std::min(closest, min_spring_distance(run.system(), run.state(), thickness)); });
+  const double rise = run.monitor().energy_rise();
+  return judge(run, expectation_in_contact(run), closest > 0.25 * thickness && rise < max_rise,
+               formatted("ropes %.2g mm apart, energy rises %.1g, %d substeps", 1e3 * closest, rise, run.settings().substeps));
+}
+
+// How far points overlap [m].
+double max_overlap(const System& system, const State& state) {
+  double max = 0.0;
+  for (Index i = 0; i < system.point_count(); ++i)
+    for (Index j = i + 1; j < system.point_count(); ++j)
+      max = std::max(max, system.points()[i].radius + system.points()[j].radius - glm::distance(state.position[i], state.position[j]));
+  return max;
+}
+
+// How far points are beyond the walls [m].
+double max_beyond(const System& system, const State& state) {
+  double max = 0.0;
+  for (const Collider& collider : system.colliders) {
+    const Collider now = collider_at_time(collider, state.time);
+    const Plane& plane = std::get<Plane>(now.shape);
+    for (Index i = 0; i < system.point_count(); ++i)
+      max = std::max(max, system.points()[i].radius - glm::dot(plane.normal, state.position[i] - plane.point));
+  }
+  return max;
+}
+
+Verdict judge_shaken_balls(const Integrator& method) {
+  const ContactScene scene = make_shaken_balls();
+  MonitoredRun run(scene.network, settings_for(method, scene), {.energy = max_rise});
+  double overlap = 0.0, beyond = 0.0;
+  run_scene(run, scene, scene.seconds, [&] {
+    overlap = std::max(overlap, max_overlap(run.system(), run.state()));
+    beyond = std::max(beyond, max_beyond(run.system(), run.state()));
+  });
+  const double rise = run.monitor().energy_rise();
+  return judge(run, expectation_in_contact(run), overlap < 1e-3 && beyond < 1e-6 && rise < max_rise,
+               formatted("overlap %.2g mm, %.1g m beyond the walls, energy rises %.1g", 1e3 * overlap, beyond, rise));
+}
+
+Verdict judge_jelly_tower(const Integrator& method) {
+  const ContactScene scene = make_jelly_tower();
+  MonitoredRun run(scene.network, settings_for(method, scene), {.energy = max_rise});
+  CrossingCount count(scene.network.system);
+  std::size_t worst = 0;
+  const double seconds = &method == &default_integrator() ? scene.seconds : 5.0;
+  run_scene(run, scene, seconds, [&] { worst = std::max(worst, count(run.state())); });
+  double top = 0.0;
+  for (const Vec3& x : run.state().position) top = std::max(top, x.y);
+  const double height = top / jelly_tower_height - 1.0, rise = run.monitor().energy_rise();
+  const double kinetic = kinetic_energy(run.system(), run.state()) / run.state().ledger.scale;
+  return judge(run, expectation_in_contact(run), worst == 0 && std::abs(height) < 0.01 && kinetic < 1e-4 && rise < max_rise,
+               formatted("%.3g s: height %+.2g %%, kinetic energy %.1g of that supplied, %zu crossings, energy rises %.1g, %d substeps",
+                         run.state().time, 100.0 * height, kinetic, worst, rise, run.settings().substeps));
+}
+
+Verdict judge_draped_cloth(const Integrator& method) {
+  const ContactScene scene = make_draped_cloth();
+  MonitoredRun run(scene.network, settings_for(method, scene), {.energy = max_rise});
+  CrossingCount count(scene.network.system);
+  std::size_t worst = 0;
+  double deepest = 0.0;
+  const double seconds = &method == &default_integrator() ? scene.seconds : 0.5;
+  run_scene(run, scene, seconds, [&] {
+    worst = std::max(worst, count(run.state()));
+    for (const Vec3& x : run.state().position)
+      deepest = std::max({deepest, draped_ball_radius - glm::distance(x, draped_ball_center), -x.y});
+  });
+  const double rise = run.monitor().energy_rise();
+  return judge(run, expectation_in_contact(run), worst == 0 && deepest < 1e-3 && rise < max_rise,
+               formatted("%.3g s: %zu crossings, penetration %.1g m, energy rises %.1g, %d substeps", run.state().time, worst, deepest,
+                         rise, run.settings().substeps));
+}
+
+}  // namespace
+
+constinit const HardCase folded_cloth_case{
+    .number = 28,
+    .name = "Folded cloth",
+    .parameters =
+        "25 x 13 points, 1 m, 0.2 kg, k = 300 N/m, folded in halves three times, its eight layers 6 mm apart, dropped by 0.3 m, thickness "
+        "4 mm, "
+        "0.6 s",
+    .criterion = "no edge passes through a face at the end of any frame; the energy rises by less than 1e-2 of that supplied",
+    .slow_under = slow_methods,
+    .judge = judge_cloth<make_folded_cloth>,
+};
+
+constinit const HardCase crossing_cloths_case{
+    .number = 29,
+    .name = "Cloths at 20 m/s",
+    .parameters =
+        "two sheets of 13 x 13 points, 1 m, one across the other, fly at each other at 20 m/s in free space, thickness 4 mm, 0.3 s",
+    .criterion = "no edge passes through a face at the end of any frame; the energy rises by less than 1e-2 of that supplied",
+    .slow_under = slow_methods,
+    .judge = judge_cloth<make_crossing_cloths>,
+};
+
+constinit const HardCase twisted_tube_case{
+    .number = 30,
+    .name = "Twisted tube",
+    .parameters =
+        "a tube of cloth of 12 x 41 points, 1 m long, radius 0.06 m, between two rings of nails, twisted by four turns; after 0.5 s the "
+        "lower "
+        "ring is released; 1 s",
+    .criterion = "no edge passes through a face at the end of any frame; the energy rises by less than 1e-2 of that supplied",
+    .slow = true,
+    .judge = judge_cloth<make_twisted_tube>,
+};
+
+constinit const HardCase pulled_sleeve_case{
+    .number = 31,
+    .name = "Hand through a sleeve",
+    .parameters =
+        "a hanging sheet of 11 x 11 points, bent into a sleeve; a hand pulls a lower corner through it at 10 m/s for 0.5 s; 0.8 s",
+    .criterion = "no edge passes through a face at the end of any frame; the energy rises by less than 1e-2 of that supplied",
+    .slow_under = slow_methods,
+    .judge = judge_cloth<make_pulled_sleeve>,
+};
+
+constinit const HardCase rope_heap_case{
+    .number = 32,
+    .name = "Heap of ropes",
+    .parameters = "20 ropes of 11 points, 0.5 m, k = 500 N/m, fall crosswise into a bin of 0.6 m, thickness 10 mm, 2 s",
+    .criterion = "ropes stay more than a quarter of their thickness apart; the energy rises by less than 1e-2 of that supplied",
+    .remark = "impacts compress the heap; that no rope passes through another is counted in every substep by a test (scripts/contact)",
+    .slow_under = slow_methods,
+    .judge = judge_rope_heap,
+};
+
+constinit const HardCase shaken_balls_case{
+    .number = 33,
+    .name = "Shaken balls",
+    .parameters = "200 balls of 15 to 20 mm in a box of 0.3 m, which is shaken by 4 cm, 3 times per second, e = 0.3, mu = 0.3, 2 s",
+    .criterion = "overlaps below 1 mm, no ball beyond a wall; the energy rises by less than 1e-2 of that supplied",
+    .slow = true,
+    .judge = judge_shaken_balls,
+};
+
+constinit const HardCase jelly_tower_case{
+    .number = 34,
+    .name = "Tower of jelly cubes",
+    .parameters = "ten cubes of 27 points, 0.2 m, E = 4e5 Pa, 50 kg/m^3, dropped on each other by 3 mm; a minute with velocity_verlet",
+    .criterion =
+        "height within 1 % of that of the undeformed cubes, kinetic energy below 1e-4 of the energy supplied, no edge "
+        "through a face; the "
+        "energy rises by less than 1e-2",
+    .remark =
+        "the tower does not come to complete rest: 1e-6 would not be met by all methods; steps of a third of the largest stable one; the "
+        "other methods run for 5 s, to bound the time of the check",
+    .slow = true,
+    .judge = judge_jelly_tower,
+};
+
+constinit const HardCase draped_cloth_case{
+    .number = 35,
+    .name = "Draped cloth",
+    .parameters =
+        "64 x 64 points, 1 m, 0.2 kg, k = 100 N/m, falls over a ball of 0.25 m on a floor, thickness 4 mm; 1 s with velocity_verlet",
+    .criterion =
+        "no edge through a face at the end of any frame, points less than 1e-3 m inside the ball or floor; the energy rises by less than "
+        "1e-2",
+    .remark =
+        "steps of half the largest stable one; the other methods run for 0.5 s, implicit ones with 4 substeps per frame, which are too few "
+        "for contact, to bound the time of the check",
+    .slow = true,
+    .judge = judge_draped_cloth,
+};
+
+}  // namespace hooke
