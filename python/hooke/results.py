@@ -52,6 +52,7 @@ class Run:
     hash: of the last state; equal to that of `hooke run` with the same options
     seconds, cpu_seconds, wall_seconds: simulated time, and time taken without measuring the error [s]
     force_evaluations, factorizations: the work done
+    gas_releases: times at which tears opened surfaces filled with gas, one for each surface [s]
     warnings: clauses about the energy balance and about solves that did not converge
     lab: the laboratory at the end of the run
     """
@@ -72,6 +73,7 @@ class Run:
         self.accuracy_cpu_seconds: float = values["accuracy_cpu_seconds"]
         self.force_evaluations: int = values["force_evaluations"]
         self.factorizations: int = values["factorizations"]
+        self.gas_releases: list[float] = values["gas_releases"]
         self.warnings: list[str] = values["warnings"]
         self.lab = lab
         self._start = start

@@ -62,6 +62,7 @@ void App::drop(const FileDrop& dropped) {
 void App::build_frame(const FrameStatistics& frame_statistics) {
   poll_background_work();
   forecaster_.follow(status());
+  crossing_finder_.follow(status());
   method_advisor_.follow(status(), panels_.accuracy_shown);
   comparison_.follow();
   result_check_.follow();
@@ -121,6 +122,7 @@ PanelInput App::panel_input(const FrameStatistics& frame_statistics) const {
           .comparison = comparison_.status(),
           .result_check = result_check_.status(),
           .stretch = stretch_.status(),
+          .crossed = crossing_finder_.found().get(),
           .new_spring = tool_.action() == Action::DragTool ? std::nullopt : marks_.ghost_spring};
 }
 
@@ -129,6 +131,7 @@ void App::update_marks() {
   const auto& ghosts = status().companions.list;
   for (std::size_t i = 0; i < ghosts.size(); ++i)
     if (ghosts[i].positions) marks_.ghost_networks.push_back({ghosts[i].positions, to_color(ghost_color(i))});
+  marks_.crossed = crossing_finder_.found();
   if (placer_.is_on()) return placer_.mark(marks_);
   if ((mouse_.is_over_scene() || tool_.is_pressed()) && !camera_control_.is_dragging()) tool_.mark(mouse_.pointer(), marks_);
 

@@ -21,6 +21,7 @@
 #include "app/tools/tune.h"
 #include "app/view/camera_control.h"
 #include "app/window/event.h"
+#include "app/work/crossing_finder.h"
 #include "app/work/file_task.h"
 #include "app/work/forecaster.h"
 #include "app/work/ghost_runs.h"
@@ -122,6 +123,7 @@ class App {
   Placer placer_;
   MouseInput mouse_;
   Forecaster forecaster_;
+  CrossingFinder crossing_finder_;
   MethodAdvisor method_advisor_;
   RemedySearch remedy_search_;
   ResultTask<MethodComparison> comparison_;

@@ -20,6 +20,7 @@ constexpr Palette on_dark{.point = {205, 214, 222},
                           .line = {120, 133, 146},
                           .hover = {255, 255, 255},
                           .failed = {255, 0, 170},
+                          .crossed = {64, 240, 200},
                           .shadow = {8, 10, 13, 140}};
 
 constexpr Palette on_light{.point = {70, 82, 94},
@@ -31,6 +32,7 @@ constexpr Palette on_light{.point = {70, 82, 94},
                            .line = {128, 138, 148},
                            .hover = {20, 24, 28},
                            .failed = {200, 0, 130},
+                           .crossed = {0, 128, 108},
                            .shadow = {52, 58, 70, 105}};
 
 // Blue through gray to orange: distinguishable with every common color vision deficiency; lightness changes outwards from the middle.

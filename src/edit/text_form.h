@@ -213,7 +213,8 @@ struct Text<T> {
         member = hooke::read<Member>(part);
         return;
       }
-    if (std::is_same_v<Member, std::optional<double>> || std::is_same_v<Member, std::optional<MethodChoice>> ||
+    if (std::is_same_v<Member, std::optional<PairContact>> || std::is_same_v<Member, decltype(Face::rest_angle)> ||
+        std::is_same_v<Member, std::optional<double>> || std::is_same_v<Member, std::optional<MethodChoice>> ||
         std::is_same_v<Member, std::vector<MethodChoice>>)
       return;  // added since the first version
     field.refuse_missing(name, "must be given");

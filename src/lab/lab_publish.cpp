@@ -10,7 +10,7 @@
 namespace hooke {
 namespace {
 
-DocumentStatus document_of(const Scene& scene) {
+DocumentStatus document_of(const Scene& scene, const Scene* opened) {
   DocumentStatus document{.name = scene.name,
                           .description = scene.description,
                           .view = scene.view,
@@ -18,6 +18,7 @@ DocumentStatus document_of(const Scene& scene) {
                           .defaults = scene.defaults,
                           .sheet = scene.sheet,
                           .controls = scene.controls,
+                          .opened_forces = opened != nullptr ? opened->system.forces : std::vector<Force>(),
                           .parameter_values = {}};
   for (const Parameter& parameter : parameters()) {
     const bool applies = parameter.applies == nullptr || parameter.applies(scene);
@@ -38,7 +39,7 @@ const std::shared_ptr<const System>& Lab::published_system() {
 
 const std::shared_ptr<const DocumentStatus>& Lab::published_document() {
   if (!published_document_ || published_document_revision_ != scene_.revision)
-    published_document_ = std::make_shared<const DocumentStatus>(document_of(scene_));
+    published_document_ = std::make_shared<const DocumentStatus>(document_of(scene_, opened_.get()));
   published_document_revision_ = scene_.revision;
   return published_document_;
 }

@@ -23,6 +23,7 @@ struct DocumentStatus {
   Defaults defaults;
   std::shared_ptr<const SheetWeights> sheet;  // null: there is no cloth
   ControlRanges controls;
+  std::vector<Force> opened_forces;      // of the scene as it was opened
   std::vector<double> parameter_values;  // one for each row of parameters(); NaN: the row does not apply
 };
 

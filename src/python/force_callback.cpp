@@ -51,7 +51,7 @@ double power(const Plan& plan, const ForceValues& values, double time, const dou
 }
 
 // Nothing is known about the function.
-ForceBound bound(const System&, const ForceValues&, double) {
+ForceBound bound(const System&, const Plan&, const ForceValues&, double) {
   return {.stiffness = ForceBound::none, .rate = ForceBound::none, .acceleration = ForceBound::none, .speed = ForceBound::none};
 }
 

@@ -136,6 +136,7 @@ py::tuple run(const NamedScene& scene, double seconds, std::optional<double> sam
   entry["frames_beyond_tolerance"] = totals.frames_beyond_tolerance;
   entry["force_evaluations"] = totals.force_evaluations;
   entry["factorizations"] = totals.factorizations;
+  entry["gas_releases"] = totals.gas_releases;
   entry["hash"] = to_hexadecimal(totals.hash);
   entry["warnings"] = results.warnings;
   return py::make_tuple(entry, lab);

@@ -1,6 +1,7 @@
 // Points, springs and faces as plain lists, before they become part of a scene.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Network {
   ClothCoordinates cloth_coordinates;  // of the points on their cloths; points beyond its end have none
   std::vector<Spring> springs;
   std::vector<Face> faces;
+  std::vector<std::array<double, 3>> rest_angles;  // of all faces (Face::rest_angle); empty: as drawn
   std::vector<double> sheet_areas, sheet_weights;  // of points [m^2] and springs [1] in their sheets (SheetWeights)
 };
 

@@ -4,8 +4,9 @@
 #include <glm/geometric.hpp>
 
 #include "base/number_text.h"
+#include "scene/crossed_parts.h"
 #include "sim/contact/pair_solver.h"
-#include "sim/contact/surface_tree.h"
+#include "sim/contact/surface_plan.h"
 
 namespace hooke {
 
@@ -42,19 +43,13 @@ std::optional<std::string> overlap_warning(const System& system, const State& st
 std::optional<std::string> crossing_warning(const System& system, const State& state) {
   if (!system.contact.faces) return std::nullopt;
   if (system.dimensions == 2) return "contact.faces: faces touch in scenes of 3 dimensions only: this one has 2";
-  const SurfacePlan plan = plan_surface(system);
-  if (!plan.on) return std::nullopt;
-  std::vector<Vec3> place;
-  for (const Index i : plan.points) place.push_back(state.position[i]);
-  SurfaceTree tree;
-  tree.build(plan, place);
-  const auto [crossings, is_complete] = tree.find_crossings(plan, place);
-  if (crossings.empty()) return std::nullopt;
-  const auto name_of = [&](Index point) { return std::to_string(plan.points[point]); };
-  const auto& [p, q] = plan.edges[crossings[0].edge];
-  const auto& [a, b, c] = plan.pieces[crossings[0].face].points;
-  return std::string("contact.faces: ") + (is_complete ? "" : "at least ") + std::to_string(crossings.size()) +
-         (crossings.size() == 1 ? " edge passes" : " edges pass") + " through faces, the one of points " + name_of(p) + " and " +
+  const CrossedParts crossed = find_crossed_parts(system, state);
+  if (crossed.edges.empty()) return std::nullopt;
+  const auto name_of = [&](PointId id) { return std::to_string(system.index_of(id)); };
+  const auto& [p, q] = crossed.edges[0];
+  const auto& [a, b, c] = crossed.faces[0];
+  return std::string("contact.faces: ") + (crossed.is_complete ? "" : "at least ") + std::to_string(crossed.edges.size()) +
+         (crossed.edges.size() == 1 ? " edge passes" : " edges pass") + " through faces, the one of points " + name_of(p) + " and " +
          name_of(q) + " through that of points " + name_of(a) + ", " + name_of(b) + " and " + name_of(c) +
          ": they do not touch until they are apart";
 }

@@ -53,6 +53,9 @@ struct ShapeError {
 
 inline constexpr std::size_t max_shape_numbers = 13, max_shape_vectors = 4;
 
+// What of a shape touches, where users place it in a scene without contact.
+enum class ShapeContact { None, Faces, Springs };
+
 struct ShapeKind {
   std::string_view id;           // in files
   std::string_view label;        // in the menu; empty: only in files
@@ -63,6 +66,7 @@ struct ShapeKind {
   std::span<const ShapeVector> vectors = {};        // these define the position, instead of `at`, `turn` and `tilt`
   std::span<const NailKeyword> nail_keywords = {};  // a list of nails instead of a support; empty: takes no list
   bool is_3d_only = false;                          // not available in a 2-D scene
+  ShapeContact contact = ShapeContact::None;
   std::optional<ShapeError> (*check)(const Shape& shape) = nullptr;
   ElementCount (*element_count)(const Shape& shape) = nullptr;
   // Appends the shape. Without vectors it is centered at the origin and upright (y is up).

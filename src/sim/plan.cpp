@@ -146,6 +146,9 @@ void plan_forces(Plan& plan, const System& system) {
     plan.faces.push_back({system.index_of(face.points[0]), system.index_of(face.points[1]), system.index_of(face.points[2])});
 }
 
+// `prepared` has the forces of the system.
+Spectrum bound_spectrum(const System& system, const Plan& prepared, double point_speed);
+
 PlannedPull plan_pull(const System& system, const Grab& grab) {
   PlannedPull pull{.stiffness = grab.stiffness};
   pull.parts[0].point = system.index_of(grab.point);
@@ -239,7 +242,7 @@ void refresh_values(Plan& plan, const System& system) {
   if (plan.has_contact() || !plan.forces.empty())
     for (const Point& point : system.points()) plan.radius.push_back(point.radius);
 
-  plan.spectrum = bound_spectrum(system);
+  plan.spectrum = bound_spectrum(system, plan, 0.0);
 }
 
 void refresh_grids(Plan& plan) {
@@ -320,13 +323,8 @@ double plausible_reach(const System& system, const Spectrum& spectrum, double ex
     extent = std::max(extent, reach.distance);
     speed += reach.speed;
   }
-  for (const Force& force : system.forces) {
-    if (!force.on) continue;
-    const ForceBound bound = force.term->bound(system, force.values, 0.0);
-    acceleration += bound.acceleration;
-    speed += bound.speed;
-  }
-  speed += glm::length(system.wind) + system.hand_speed + spectrum.omega * extent;
+  acceleration += spectrum.force_acceleration;
+  speed += glm::length(system.wind) + system.hand_speed + spectrum.force_speed + spectrum.omega * extent;
   if (!std::isfinite(acceleration)) {
     // A repulsion that increases with the distance leads away exponentially if its derivative is bounded. Otherwise it leads anywhere
     // within a short time, and no method follows it there.
@@ -337,6 +335,14 @@ double plausible_reach(const System& system, const Spectrum& spectrum, double ex
 }
 
 Spectrum bound_spectrum(const System& system, double point_speed) {
+  Plan prepared;
+  plan_forces(prepared, system);
+  return bound_spectrum(system, prepared, point_speed);
+}
+
+namespace {
+
+Spectrum bound_spectrum(const System& system, const Plan& prepared, double point_speed) {
   SpectrumRows rows = spectrum_rows(system);
   double min_ratio = std::numeric_limits<double>::infinity();
   for (const Spring& spring : system.springs()) {
@@ -353,9 +359,10 @@ Spectrum bound_spectrum(const System& system, double point_speed) {
   }
   // eigenvalues of a sum of symmetric matrices are at most the sum of theirs
   double force_stiffness = 0.0, estimated_stiffness = 0.0, omitted_stiffness = 0.0;
-  for (const Force& force : system.forces) {
-    if (!force.on) continue;
-    const ForceBound bound = force.term->bound(system, force.values, point_speed);
+  for (const Force& force : prepared.forces) {
+    const ForceBound bound = force.term->bound(system, prepared, force.values, point_speed);
+    spectrum.force_acceleration += bound.acceleration;
+    spectrum.force_speed += bound.speed;
     spectrum.is_bounded = spectrum.is_bounded && std::isfinite(bound.stiffness) && std::isfinite(bound.rate);
     if (std::isfinite(bound.stiffness)) force_stiffness += bound.stiffness;
     if (std::isfinite(bound.rate)) spectrum.force_rate += bound.rate;
@@ -373,5 +380,7 @@ Spectrum bound_spectrum(const System& system, double point_speed) {
   spectrum.min_dashpot_ratio = std::isfinite(min_ratio) ? min_ratio : 0.0;
   return spectrum;
 }
+
+}  // namespace
 
 }  // namespace hooke

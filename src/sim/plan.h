@@ -79,6 +79,7 @@ struct Spectrum {
   // Of the listed forces, for stability limits and the energy balance: estimates where there is no bound [rad/s], [1/s]; and the highest
   // frequency of the derivatives that implicit methods leave out [rad/s].
   double estimated_omega = 0.0, estimated_rate = 0.0, omitted_omega = 0.0;
+  double force_acceleration = 0.0, force_speed = 0.0;  // [m/s^2], [m/s], by which listed forces drive points (ForceBound)
   bool operator==(const Spectrum&) const = default;
 };
 

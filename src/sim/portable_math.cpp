@@ -1,6 +1,6 @@
-// After fdlibm (Sun Microsystems, 1993: e_exp.c, e_log.c, k_sin.c, k_cos.c, e_rem_pio2.c), whose coefficients and reductions are used.
-// "Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunPro, a Sun Microsystems, Inc. business. Permission
-// to use, copy, modify, and distribute this software is freely granted, provided that this notice is preserved."
+// After fdlibm (Sun Microsystems, 1993: e_exp.c, e_log.c, k_sin.c, k_cos.c, e_rem_pio2.c, s_atan.c), whose coefficients and reductions are
+// used. "Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunPro, a Sun Microsystems, Inc. business.
+// Permission to use, copy, modify, and distribute this software is freely granted, provided that this notice is preserved."
 #include "sim/portable_math.h"
 
 #include <bit>
@@ -63,6 +63,28 @@ Reduced reduce(double x) {
   const double low = n * pio2_2t - ((first - rest) - second);
   const double high = rest - low;
   return {static_cast<int>(static_cast<std::int64_t>(n) & 3), high, (rest - high) - low};
+}
+
+// atan of x >= 0
+double positive_atan(double x) {
+  constexpr double a0 = 3.33333333333329318027e-01, a1 = -1.99999999998764832476e-01, a2 = 1.42857142725034663711e-01,
+                   a3 = -1.11111104054623557880e-01, a4 = 9.09088713343650656196e-02, a5 = -7.69187620504482999495e-02,
+                   a6 = 6.66107313738753120669e-02, a7 = -5.83357013379057348645e-02, a8 = 4.97687799461593236017e-02,
+                   a9 = -3.65315727442169155270e-02, a10 = 1.62858201153657823623e-02;
+  // x = tan(high + low + atan(rest))
+  double high = 0.0, low = 0.0, rest = x;
+  if (x >= 39.0 / 16.0) {
+    high = 1.57079632679489655800e+00, low = 6.12323399573676603587e-17, rest = -1.0 / x;
+  } else if (x >= 19.0 / 16.0) {
+    high = 9.82793723247329054082e-01, low = 1.39033110312309984516e-17, rest = (x - 1.5) / (1.0 + 1.5 * x);
+  } else if (x >= 11.0 / 16.0) {
+    high = 7.85398163397448278999e-01, low = 3.06161699786838301793e-17, rest = (x - 1.0) / (x + 1.0);
+  } else if (x >= 7.0 / 16.0) {
+    high = 4.63647609000806093515e-01, low = 2.26987774529616870924e-17, rest = (2.0 * x - 1.0) / (2.0 + x);
+  }
+  const double z = rest * rest, w = z * z, even = z * (a0 + w * (a2 + w * (a4 + w * (a6 + w * (a8 + w * a10))))),
+               odd = w * (a1 + w * (a3 + w * (a5 + w * (a7 + w * a9))));
+  return high - ((rest * (even + odd) - low) - rest);
 }
 
 // x^n by repeated squaring
@@ -131,6 +153,13 @@ double cos(double x) {
   const auto [quadrant, high, low] = reduce(x);
   const double value = quadrant % 2 == 0 ? kernel_cos(high, low) : kernel_sin(high, low);
   return quadrant == 0 || quadrant == 3 ? value : -value;
+}
+
+double atan2(double y, double x) {
+  constexpr double pi = 3.14159265358979311600e+00, pi_low = 1.22464679914735317720e-16;
+  if (!std::isfinite(x) || !std::isfinite(y)) return std::numeric_limits<double>::quiet_NaN();
+  const double angle = x == 0.0 && y == 0.0 ? 0.0 : positive_atan(std::abs(y / x)), upper = x < 0.0 ? pi - (angle - pi_low) : angle;
+  return std::signbit(y) ? -upper : upper;
 }
 
 }  // namespace hooke::portable

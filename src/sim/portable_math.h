@@ -12,5 +12,7 @@ double pow(double x, double y);
 // Of huge arguments with the error that rounding 2 pi causes.
 double sin(double x);
 double cos(double x);
+// Within 2 ulp; of (0, 0) 0, of what is not finite NaN.
+double atan2(double y, double x);
 
 }  // namespace hooke::portable

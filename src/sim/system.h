@@ -47,9 +47,11 @@ struct Spring {
   bool operator==(const Spring&) const = default;
 };
 
-// A triangle of three points, for drawing and wind; it has no elastic force.
+// A triangle of three points, for drawing, contact, wind, bending and pressure; it has no elastic force of its own.
 struct Face {
   std::array<PointId, 3> points{};
+  // [rad], to the other face at the side opposite each corner, as built: 0 flat, positive where the other face bends away from the normal.
+  std::array<double, 3> rest_angle{};
   bool operator==(const Face&) const = default;
 };
 

@@ -12,6 +12,7 @@
 #include "base/folder_listing.h"
 #include "draw/view.h"
 #include "lab/status.h"
+#include "scene/crossed_parts.h"
 #include "scene/selection.h"
 #include "study/cheaper_method.h"
 #include "study/check/result_check.h"
@@ -98,6 +99,7 @@ struct PanelInput {
   ResultStatus<MethodComparison> comparison{};
   ResultStatus<ResultCheck> result_check{};
   ResultStatus<StretchBreakdown> stretch{};
+  const CrossedParts* crossed = nullptr;  // parts that pass through each other and are highlighted; null: none
   // The spring that is being attached.
   std::optional<std::pair<Vec3, Vec3>> new_spring{};
 
@@ -177,7 +179,7 @@ struct Panels {
   bool edit_in_progress = false;             // the active slider has already made an edit
   std::shared_ptr<const System> tuned_from;  // by a drag that scales different values; null: there is none
   bool slider_waits = false;                 // pressed far from its handle, and not dragged yet
-  bool side_to_top = false;                  // scroll the side panel up: another scene was opened
+  bool side_to_top = true;                   // scroll the side panel up and open its groups: another scene was opened
   Look look = Look::Dark;
   bool panels_hidden = false;  // all but the menu and status bars
   bool plots_shown = false;
@@ -243,6 +245,9 @@ void build_inspector(const PanelInput& input, Panels& panels, Requests& requests
 // What stretches the selected springs.
 void build_stretch(const PanelInput& input, Requests& requests);
 void build_parameters(const PanelInput& input, Panels& panels, Requests& requests);
+// After the method where the scene was opened with forces, else after the parameters.
+inline constexpr const char* forces_section = "Forces";
+inline bool has_forces_first(const PanelInput& input) { return !input.status.document->opened_forces.empty(); }
 void build_forces(const PanelInput& input, Panels& panels, Requests& requests);
 // The default plots: the energies.
 std::vector<Quantity> first_plots(const System& system);

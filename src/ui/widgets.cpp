@@ -32,6 +32,8 @@ bool icon_button(const char* id, Icon icon, ImVec2 size, bool active, bool enabl
   return clicked && enabled;
 }
 
+void open_section(const std::string& title, bool open) { ImGui::GetStateStorage()->SetBool(ImGui::GetID(title.c_str()), open); }
+
 bool section(const std::string& title, const std::string& remark, bool starts_open) {
   bool& open = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(title.c_str()), starts_open);
   ImGui::Dummy({0.0f, units(1.0)});

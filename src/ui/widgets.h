@@ -41,6 +41,8 @@ bool icon_button(const char* id, Icon icon, ImVec2 size, bool active = false, bo
 
 // The heading of a section of a panel; a click collapses it. Returns true if it is expanded.
 bool section(const std::string& title, const std::string& remark = {}, bool starts_open = true);
+// Expands or collapses it.
+void open_section(const std::string& title, bool open);
 
 // The tooltip of the last item.
 void tooltip(const std::string& text);

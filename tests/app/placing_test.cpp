@@ -1,6 +1,8 @@
 // Shapes and meshes have a preview before they are placed; placing is one undo step.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <glm/geometric.hpp>
 
@@ -110,6 +112,63 @@ TEST(Placement, EnterPlacesItAsOneUndoStep) {
   EXPECT_EQ(gui.system().point_count(), 0);
   gui.key(letter('Z'), {.control = true, .shift = true});
   EXPECT_EQ(gui.system().points().size(), element_count.points);
+}
+
+// Cloths and ropes touch where users expect it; undo removes the contact with the part.
+TEST(Placement, SwitchesOnContactInTheSameStep) {
+  for (const ShapeKind& kind : placeable_shapes()) {
+    GuiFixture gui(is_3d_only());
+    choose(gui, kind.id);
+    gui.key(Key::Enter);
+    const PairContact placed = gui.system().contact;
+    EXPECT_EQ(placed.faces && placed.springs, kind.id != "bridge") << kind.id;
+    EXPECT_FALSE(placed.points) << kind.id;
+    if (placed.faces) {
+      EXPECT_GT(placed.thickness, 1e-3) << kind.id;
+      EXPECT_LE(placed.thickness, 0.02) << kind.id;
+    }
+    gui.key(letter('Z'), {.control = true});
+    EXPECT_EQ(gui.system().point_count(), 0) << kind.id;
+    EXPECT_EQ(gui.system().contact, PairContact{}) << kind.id;
+    gui.key(letter('Z'), {.control = true, .shift = true});
+    EXPECT_GT(gui.system().point_count(), 0) << kind.id;
+    EXPECT_EQ(gui.system().contact, placed) << kind.id;
+  }
+}
+
+TEST(Placement, KeepsTheContactOfASceneThatHasOne) {
+  for (const PairContact& contact :
+       {PairContact{.points = true}, PairContact{.faces = true, .thickness = 0.003}, PairContact{.friction = 0.1}}) {
+    Scene scene = is_3d_only();
+    scene.system.contact = contact;
+    GuiFixture gui(scene);
+    choose(gui, "sheet");
+    gui.key(Key::Enter);
+    EXPECT_EQ(gui.system().contact, contact);
+    gui.key(letter('Z'), {.control = true});
+    EXPECT_EQ(gui.system().contact, contact);
+  }
+}
+
+TEST(Placement, OfARopeInAFlatSceneSwitchesOnContactOfSprings) {
+  for (const auto& [id, touches] : {std::pair{"hanging_rope", true}, {"sheet", false}}) {
+    GuiFixture gui(empty_scene());
+    choose(gui, id);
+    gui.key(Key::Enter);
+    EXPECT_EQ(gui.system().contact.springs, touches) << id;
+    EXPECT_FALSE(gui.system().contact.faces) << id;
+  }
+}
+
+// A solid is built with angles between its faces, wherever and however it is placed.
+TEST(Placement, FacesHaveTheAnglesAtWhichTheyArePlaced) {
+  GuiFixture gui(is_3d_only());
+  choose(gui, "jelly").shape.tilt = 30.0;
+  gui.key(Key::Enter);
+  double largest = 0.0;
+  for (const Face& face : gui.system().faces)
+    for (const double angle : face.rest_angle) largest = std::max(largest, std::abs(angle));
+  EXPECT_NEAR(largest, std::acos(0.0), 1e-9);
 }
 
 TEST(Placement, EveryShapeIsInsertedAsGenerated) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <set>
@@ -61,6 +64,46 @@ TEST(ShippedScenes, TheTowelPassesThroughItselfOnlyWithoutContact) {
     }
     EXPECT_EQ(worst == 0, touches) << worst;
   }
+}
+
+// The count is made every tenth of a second, for HOOKE_SECONDS seconds.
+TEST(ShippedScenes, NothingPassesThroughFoldsAndStacks) {
+  const char* seconds = std::getenv("HOOKE_SECONDS");
+  for (const char* id : {"stacked_jelly", "folded_napkin", "gathered_curtain"}) {
+    const Scene scene = shipped(id);
+    const CrossingCounter counter(scene.system);
+    Lab lab(scene);
+    for (int frame = 1; frame <= (seconds != nullptr ? 60 * std::atoi(seconds) : 60); ++frame) {
+      ASSERT_TRUE(lab.step()) << id;
+      if (frame % 6 != 0) continue;
+      ASSERT_EQ(counter.count(lab.scene().state.position), 0) << id << ", frame " << frame;
+    }
+  }
+}
+
+TEST(ShippedScenes, TheReefKnotHoldsByItsFriction) {
+  for (const bool rubs : {true, false}) {
+    Scene scene = shipped("reef_knot");
+    if (!rubs) scene.system.contact.friction = 0.0;
+    const auto& points = scene.system.points();
+    const auto weight = static_cast<std::size_t>(std::ranges::max_element(points, {}, &Point::mass) - points.begin());
+    Lab lab(std::move(scene));
+    for (int frame = 1; frame <= 120; ++frame) ASSERT_TRUE(lab.step());
+    const double before = lab.scene().state.position[weight].y;
+    for (int frame = 1; frame <= 60; ++frame) ASSERT_TRUE(lab.step());
+    EXPECT_EQ(std::abs(lab.scene().state.position[weight].y - before) < 5e-3, rubs) << before;
+    EXPECT_EQ(before > -0.5, rubs) << before;
+  }
+}
+
+TEST(ShippedScenes, AllDominoesFall) {
+  const Scene scene = shipped("dominoes");
+  Lab lab(scene);
+  for (int frame = 1; frame <= 180; ++frame) ASSERT_TRUE(lab.step());
+  for (std::size_t i = 0; i < scene.state.position.size(); ++i)
+    if (scene.state.position[i].y > 0.2) {
+      EXPECT_LT(lab.scene().state.position[i].y, 0.12) << i;
+    }
 }
 
 TEST(ShippedScenes, SayInTwoSentencesWhatToTryAndWhatToExpect) {

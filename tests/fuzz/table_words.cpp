@@ -49,7 +49,10 @@ std::vector<std::string> scene_table_words() {
   }
   for (const ForceTerm& term : force_terms()) {
     words.insert(term.id);
-    for (const ForceParameter& number : term.numbers) words.insert(number.name);
+    for (const ForceParameter& number : term.numbers) {
+      words.insert(number.name);
+      for (const ForceChoice& choice : number.choices) words.insert(choice.id);
+    }
   }
   for (const Integrator& method : integrators()) words.insert(method.id);
   return in_quotes(words);

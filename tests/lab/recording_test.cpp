@@ -39,17 +39,19 @@ std::vector<Command> one_of_each() {
                              .kind = GrabKind::Pull,
                              .target = {-0.0, 1.0 / 3.0, 2.0},
                              .stiffness = 12.5};
-  const Parameter& drag = *find_parameter("drag");
   return {
-      Insert{{{no_index, point, {1, 2, 3}, {4, 5, 6}, 0.7}}, {{3, spring, 0.3}}, {{0, {{PointId{7}, PointId{1}, PointId{2}}}}}},
+      Insert{{{no_index, point, {1, 2, 3}, {4, 5, 6}, 0.7}},
+             {{3, spring, 0.3}},
+             {{0, {{PointId{7}, PointId{1}, PointId{2}}, {0.1, -0.2, 0.3}}}},
+             PairContact{.springs = true, .friction = 0.1}},
       Remove{{PointId{1}, PointId{2}}, {SpringId{3}}, {{{PointId{1}, PointId{2}, PointId{4}}}}},
       SetNailed{{{PointId{1}, true, {0.1, 0.2, 0.3}}}},
       Move{{{PointId{1}, {0.1, 0.2, 0.3}, {-1, -2, -3}}}},
       SetPointColor{{{PointId{1}, Color{9, 8, 7}}, {PointId{2}, std::nullopt}}},
       SetPointProperty{PointProperty::Radius, {{PointId{1}, 0.1}}},
       SetSpringProperty{SpringProperty::BreakStrain, {{SpringId{1}, never_breaks}}},
-      SetParameter{&drag, 0.25},
-      RestoreParameter{&drag, 1e9},
+      SetParameter{find_parameter("drag"), 0.25},
+      RestoreParameter{find_parameter("drag"), 1e9},
       SetIntegrator{find_integrator("xpbd")},
       GrabPoint{grab},
       GrabCollider{{2, {0.5, -1, 2}}},

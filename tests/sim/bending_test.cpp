@@ -146,7 +146,7 @@ TEST(Bending, TheBoundIsAboveTheHighestFrequencyByAtMostAFactor) {
   for (const Diagonals diagonals : {Diagonals::Falling, Diagonals::Rising, Diagonals::Alternating}) {
     const TestSim sim = flat_sheet({12, 9, 0.1, 0.07}, 0.02, 50.0, diagonals, 0.01);
     const double largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(hinge_matrix(sim)).eigenvalues().maxCoeff();
-    const ForceBound bound = bending_force.bound(sim.system, sim.system.forces[0].values, 0.0);
+    const ForceBound bound = bending_force.bound(sim.system, make_plan(sim.system), sim.system.forces[0].values, 0.0);
     EXPECT_GE(bound.stiffness, largest);
     EXPECT_LE(bound.stiffness, 2.0 * largest);
     EXPECT_DOUBLE_EQ(bound.estimated_rate, 0.01 * bound.stiffness);

@@ -57,6 +57,22 @@ TEST(PortableMath, IsAsExactAsDeclared) {
             4.0 * (1.0 + 2.5 * std::log(10.0)));
 }
 
+TEST(PortableMath, AnglesAreExactInEveryQuadrant) {
+  for (const double x : {-3.0, -1.0, -0.2, 0.2, 1.0, 3.0})
+    EXPECT_LT(worst_error([&](double y) { return portable::atan2(y, x); },
+                          [&](long double y) { return std::atan2(y, static_cast<long double>(x)); }, -4.0, 4.0),
+              2.0)
+        << x;
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(portable::atan2(0.0, 0.0), 0.0);
+  EXPECT_EQ(portable::atan2(1.0, 0.0), std::atan2(1.0, 0.0));
+  EXPECT_EQ(portable::atan2(-1.0, 0.0), -std::atan2(1.0, 0.0));
+  EXPECT_EQ(portable::atan2(0.0, -1.0), std::acos(-1.0));
+  EXPECT_EQ(portable::atan2(-0.0, -1.0), -std::acos(-1.0));
+  EXPECT_EQ(portable::atan2(1e300, 1e-300), std::atan2(1.0, 0.0));
+  EXPECT_TRUE(std::isnan(portable::atan2(infinity, 1.0)));
+}
+
 TEST(PortableMath, CoversTheEndsOfTheRange) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(portable::exp(0.0), 1.0);

@@ -132,7 +132,7 @@ TEST(Pressure, AConstantOneInAFlatSceneHasABoundForEveryShape) {
     for (Index i = 0; i < sim.system.point_count(); ++i) sim.system.point(i).mass *= random.uniform(0.2, 2.0);
     sim.system.point(2).nailed = seed % 2 == 0;
     displace(sim, seed % 3 == 0 ? 5.0 : 0.2, seed);
-    const ForceBound bound = pressure_force.bound(sim.system, sim.system.forces[0].values, 0.0);
+    const ForceBound bound = pressure_force.bound(sim.system, make_plan(sim.system), sim.system.forces[0].values, 0.0);
     const double largest = largest_stiffness(sim);
     EXPECT_GE(bound.stiffness, largest * (1.0 - 1e-6)) << seed;
     EXPECT_LE(bound.stiffness, 5.0 * largest) << seed;
@@ -149,7 +149,7 @@ TEST(Pressure, OtherwiseTheEstimateHoldsForSurfacesThatAreNotStretched) {
         x *= 1.0 + strain;
         if (seed >= 4) x.y *= 0.8;
       }
-      const ForceBound bound = pressure_force.bound(sim.system, sim.system.forces[0].values, 0.0);
+      const ForceBound bound = pressure_force.bound(sim.system, make_plan(sim.system), sim.system.forces[0].values, 0.0);
       EXPECT_EQ(bound.stiffness, ForceBound::none);
       const double largest = largest_stiffness(sim);
       EXPECT_GE(bound.estimated_stiffness, largest) << seed;

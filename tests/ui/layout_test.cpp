@@ -372,7 +372,7 @@ TEST(AnySizeOfTheWindow, IsHandled) {
     for (const Vec3& x : gui.status().snapshot->state.position) ASSERT_TRUE(std::isfinite(x.x + x.y + x.z));
   }
   gui.resize({1280.0, 720.0}, 1.0);
-  EXPECT_NE(gui.text().find("Stiffness k"), std::string::npos);
+  EXPECT_NE(gui.text().find("Substeps"), std::string::npos);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "formats/mesh/mesh_cloth.h"
 #include "formats/open_file.h"
 #include "scene/shape.h"
+#include "sim/forces/hinges.h"
 
 namespace hooke {
 namespace {
@@ -122,7 +123,21 @@ Scene part_of(const Placement& placement, const Scene* mesh, const Vec3& up, boo
     part = from_network(std::move(network));
   }
   for (Vec3& place : part.state.position) place = placement.shape.at + (is_flat ? place : uprighted(place, up));
+  if (!is_flat) set_rest_angles(part.system, part.state.position);
   return part;
+}
+
+std::optional<PairContact> contact_of(const Placement& placement, const Scene& part, bool is_flat) {
+  const ShapeContact touching = placement.is_mesh ? ShapeContact::Faces : placement.shape.kind->contact;
+  if (touching == ShapeContact::None || (is_flat && touching == ShapeContact::Faces) || part.system.springs().empty()) return std::nullopt;
+  // a fifth of the distance of its points: neighbors do not touch, and the gap between folds is not noticed
+  constexpr double relative_thickness = 0.2, max_thickness = 0.02;
+  std::vector<double> lengths;
+  for (const Spring& spring : part.system.springs()) lengths.push_back(spring.rest_length);
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  // faces as well where springs touch: whatever is added next touches too
+  return PairContact{.springs = true, .faces = !is_flat, .thickness = std::min(relative_thickness * *middle, max_thickness)};
 }
 
 void mark_part(const Scene& part, Marks& marks) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/progress.h"
@@ -22,6 +23,9 @@ MeshPart load_mesh_part(const std::filesystem::path& file, const Progress& progr
 // The points, springs and faces to be placed, at their positions. `up` is the up direction of the scene; `mesh` may be null if no mesh is
 // being placed. Empty if there is nothing to place yet.
 Scene part_of(const Placement& placement, const Scene* mesh, const Vec3& up, bool is_flat);
+
+// The contact with which users expect the part to be added to a scene in which nothing touches; none for parts that do not touch.
+std::optional<PairContact> contact_of(const Placement& placement, const Scene& part, bool is_flat);
 
 // Marks the part as a preview.
 void mark_part(const Scene& part, Marks& marks);

@@ -130,7 +130,9 @@ void Placer::place() {
   if (panels_.placement.is_mesh && context_.system().points().empty()) panels_.view.points = panels_.view.springs = false;
   LabThread& lab = context_.lab;
   view_before_.reset();
-  lab.submit(make_insert(placed, Vec3(0.0), {[&lab] { return lab.new_point_id(); }, [&lab] { return lab.new_spring_id(); }}));
+  Insert insert = make_insert(placed, Vec3(0.0), {[&lab] { return lab.new_point_id(); }, [&lab] { return lab.new_spring_id(); }});
+  insert.contact = contact_of(panels_.placement, placed, context_.system().dimensions == 2);
+  lab.submit(std::move(insert));
   stop();
 }
 

@@ -191,6 +191,19 @@ void NetworkRenderer::add_marks(const DrawContext& context, Strokes& strokes, Po
   if (context.marks.failed_spring) add_spring(*context.marks.failed_spring, rgba(context.palette.failed, 0.85), 1.6f * full_width);
   if (context.marks.hovered_spring) add_spring(*context.marks.hovered_spring, rgba(context.palette.hover, 0.35), full_width);
 
+  // edges that pass through faces, and the outlines of the faces
+  const auto add_line = [&](PointId first, PointId second, Rgba color, float line_width) {
+    const Index a = system.index_of(first), b = system.index_of(second);
+    if (a == no_index || b == no_index) return;
+    strokes.add(context.projection, clip_[a], projected_[a], clip_[b], projected_[b], color, line_width);
+  };
+  if (context.marks.crossed) {
+    for (const auto& corners : context.marks.crossed->faces)
+      for (std::size_t c = 0; c < 3; ++c) add_line(corners[c], corners[(c + 1) % 3], rgba(context.palette.crossed, 0.7), 0.4f * full_width);
+    for (const auto& [first, second] : context.marks.crossed->edges)
+      add_line(first, second, rgba(context.palette.crossed, 0.95), 0.8f * full_width);
+  }
+
   // Only rings: the points themselves are already drawn.
   const auto add_ring = [&](Index i, double distance, Rgba color) {
     PointImpostor ring = impostor_of(context, i);

@@ -9,6 +9,8 @@
 #include "edit/command.h"
 #include "edit/commands/validity.h"
 #include "edit/in_plane.h"
+#include "scene/parameter_groups.h"
+#include "scene/parameters.h"
 
 namespace hooke {
 namespace {
@@ -42,6 +44,17 @@ std::string count_all(std::size_t points, std::size_t springs) {
   if (springs == 0) return pluralize(points, "point", "points");
   if (points == 0) return pluralize(springs, "spring", "springs");
   return pluralize(points, "point", "points") + " and " + pluralize(springs, "spring", "springs");
+}
+
+// The contact of the scene becomes this one. Returns what restores it.
+Inverse set_contact(Scene& scene, const PairContact& contact) {
+  const Scene before = scene;
+  scene.system.contact = contact;
+  Inverse inverse;
+  for (const Parameter& row : parameters())
+    if (row.group == parameter_group::contact && row.read(before) != row.read(scene))
+      inverse.emplace_back(RestoreParameter{&row, row.read(before)});
+  return inverse;
 }
 
 }  // namespace
@@ -96,15 +109,18 @@ Inverse Insert::apply(Scene& scene, Effect& effect) const {
   for (const PlacedFace& placed : faces) {
     if (system.faces.size() + new_faces.size() == max_faces) break;
     const auto& corners = placed.face.points;
-    const bool is_triangle = corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0];
-    if (is_triangle && std::all_of(corners.begin(), corners.end(), [&](PointId id) { return system.index_of(id) != no_index; }))
+    if (is_valid(placed.face) && std::all_of(corners.begin(), corners.end(), [&](PointId id) { return system.index_of(id) != no_index; }))
       new_faces.emplace_back(placed.at, placed.face);
   }
   for (const auto& [at, face] : new_faces) inverse.faces.push_back(face);
   if (!new_faces.empty()) system.faces = merged(system.faces, new_faces);
 
+  Inverse all{inverse};
+  if (contact && is_valid(*contact) && system.contact == PairContact{})
+    for (Command& restore : set_contact(scene, *contact)) all.push_back(std::move(restore));
+
   effect.structure = true;
-  return {inverse};
+  return all;
 }
 
 std::string Remove::describe() const {

@@ -1,6 +1,7 @@
 // Commands that add and remove points, springs and faces.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "edit/effect.h"
@@ -8,13 +9,15 @@
 
 namespace hooke {
 
-// Adds points, springs and faces, in this order, each list in ascending order of index. Ids must be new or those of removed items.
+// Adds points, springs and faces, in this order, each list in ascending order of index. Ids must be new or those of removed items. Where
+// nothing touches in the scene, `contact` becomes its contact.
 struct Insert {
   static constexpr std::string_view name = "insert";
-  static constexpr auto fields = names("points", "springs", "faces");
+  static constexpr auto fields = names("points", "springs", "faces", "contact");
   std::vector<PlacedPoint> points;
   std::vector<PlacedSpring> springs;
   std::vector<PlacedFace> faces;
+  std::optional<PairContact> contact{};
 
   std::string describe() const;
   Inverse apply(Scene& scene, Effect& effect) const;

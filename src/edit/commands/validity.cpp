@@ -49,6 +49,12 @@ bool is_valid(const Spring& spring) {
          is_within(not_negative, spring.rest_length) && (!breaks || is_within(positive, spring.break_strain));
 }
 
+bool is_valid(const Face& face) {
+  const auto& [a, b, c] = face.points;
+  constexpr Bounds half_turn{.min = -3.141592653589793, .max = 3.141592653589793};
+  return a != b && b != c && c != a && std::ranges::all_of(face.rest_angle, [&](double angle) { return is_within(half_turn, angle); });
+}
+
 bool is_valid(const Collider& collider) {
   const ColliderPath& path = collider.path;
   return is_valid(collider.shape) && is_within({.min = 0.0, .max = 1.0}, collider.restitution) &&
@@ -56,10 +62,20 @@ bool is_valid(const Collider& collider) {
          std::isfinite(path.phase) && is_finite(path.spin) && is_finite(path.belt) && may_spin(collider);
 }
 
+bool is_valid(const PairContact& contact) {
+  return is_within(not_negative, contact.thickness) && is_within({.min = 0.0, .max = 1.0}, contact.restitution) &&
+         is_within(not_negative, contact.friction);
+}
+
 bool is_valid(const Force& force) {
   if (force.term == nullptr) return false;
   for (std::size_t i = 0; i < force.values.size(); ++i) {
     const bool is_used = i < force.term->numbers.size();
+    if (is_used && !force.term->numbers[i].choices.empty()) {
+      const double count = static_cast<double>(force.term->numbers[i].choices.size());
+      if (!(force.values[i] >= 0.0 && force.values[i] < count && force.values[i] == std::floor(force.values[i]))) return false;
+      continue;
+    }
     const double min = is_used ? force.term->numbers[i].min : 0.0;
     if (!is_within(is_used && min >= 0.0 ? Bounds{.min = min} : any_number, force.values[i])) return false;
   }

@@ -7,7 +7,9 @@ namespace hooke {
 
 bool is_valid(const Point& point);
 bool is_valid(const Spring& spring);
+bool is_valid(const Face& face);
 bool is_valid(const Collider& collider);
+bool is_valid(const PairContact& contact);
 bool is_valid(const Force& force);
 bool is_valid(const SetTexture& set);
 bool is_valid(const Parameter& parameter, double value);

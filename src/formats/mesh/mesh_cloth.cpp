@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "base/file_limits.h"
 #include "base/text_lines.h"
+#include "sim/forces/hinges.h"
 
 namespace hooke {
 namespace {
@@ -135,6 +136,7 @@ void ClothMaker::make_faces() {
     scene_.system.faces.push_back({{id(a), id(b), id(c)}});
     if (cell.size() == 4) scene_.system.faces.push_back({{id(a), id(c), id(d)}});
   }
+  set_rest_angles(scene_.system, scene_.state.position);
 }
 
 // Nothing is nailed, so without a floor the cloth would fall out of view.

@@ -32,6 +32,8 @@ Network NetworkReader::take(int dimensions) {
   generate_shapes(dimensions);
   check_point_numbers();
   set_rest_lengths();
+  if (const std::size_t angles = network_.rest_angles.size(); angles != 0 && angles != network_.faces.size())
+    refuse("rest_angles", std::to_string(angles) + " items: must be as many as the " + std::to_string(network_.faces.size()) + " faces");
   warn_about_coincident_points();
   return std::move(network_);
 }
@@ -116,6 +118,14 @@ void NetworkReader::read_face(const JsonField& field) {
   if (face.points[0] == face.points[1] || face.points[1] == face.points[2] || face.points[2] == face.points[0])
     field.refuse("must be three different points");
   network_.faces.push_back(face);
+}
+
+void NetworkReader::read_rest_angles(const JsonField& field) {
+  constexpr Bounds half_turn{.min = -3.141592653589793, .max = 3.141592653589793};
+  const auto items = field.items(3, 3);
+  std::array<double, 3> angles{};
+  for (std::size_t c = 0; c < 3; ++c) angles[c] = items[c].number(half_turn);
+  network_.rest_angles.push_back(angles);
 }
 
 // Whether the point exists is known only when all points have been read: check_point_numbers.

@@ -23,6 +23,8 @@ class NetworkReader {
   void read_point(const JsonField& field);
   void read_spring(const JsonField& field);
   void read_face(const JsonField& field);
+  // Of the next face: those listed, then those of the generators.
+  void read_rest_angles(const JsonField& field);
   void read_generator(const JsonField& field) { shapes_.push_back(read_shape(field, fields_)); }
 
   // Generates what the generators describe, resolves rest lengths that were not given, and checks the whole.

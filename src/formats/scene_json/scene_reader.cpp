@@ -16,6 +16,7 @@
 #include "scene/overlap_warning.h"
 #include "scene/pressure_warning.h"
 #include "scene/step_limits.h"
+#include "sim/forces/hinges.h"
 
 namespace hooke {
 namespace {
@@ -33,7 +34,7 @@ class SceneReader {
     std::uint64_t max;
     void (SceneReader::*read)(const JsonField& field);
   };
-  static const std::array<List, 6> lists;
+  static const std::array<List, 7> lists;
   static const List* find_list(std::string_view key);
 
   void read_member(std::string_view key, std::string_view text);
@@ -41,6 +42,7 @@ class SceneReader {
   void read_point(const JsonField& field) { network_.read_point(field); }
   void read_spring(const JsonField& field) { network_.read_spring(field); }
   void read_face(const JsonField& field) { network_.read_face(field); }
+  void read_rest_angles(const JsonField& field) { network_.read_rest_angles(field); }
   void read_generator(const JsonField& field) { network_.read_generator(field); }
   void read_one_collider(const JsonField& field) { read_collider(field, fields_, scene_); }
   void read_one_force(const JsonField& field) { read_force(field, fields_, scene_); }
@@ -59,10 +61,11 @@ class SceneReader {
   bool has_version_ = false;
 };
 
-const std::array<SceneReader::List, 6> SceneReader::lists{
+const std::array<SceneReader::List, 7> SceneReader::lists{
     List{"points", max_points, &SceneReader::read_point},
     List{"springs", max_springs, &SceneReader::read_spring},
     List{"faces", max_faces, &SceneReader::read_face},
+    List{"rest_angles", max_faces, &SceneReader::read_rest_angles},
     List{"generators", max_generators, &SceneReader::read_generator},
     List{"colliders", max_colliders, &SceneReader::read_one_collider},
     List{"forces", max_forces, &SceneReader::read_one_force},
@@ -94,6 +97,8 @@ LoadedScene SceneReader::read() {
     scene_.cloth_texture.cloth_coordinates = std::make_shared<const ClothCoordinates>(std::move(network.cloth_coordinates));
   if (!network.sheet_areas.empty() || !network.sheet_weights.empty())
     scene_.sheet = std::make_shared<const SheetWeights>(SheetWeights{std::move(network.sheet_areas), std::move(network.sheet_weights)});
+  set_rest_angles(scene_.system, scene_.state.position);
+  for (std::size_t f = 0; f < network.rest_angles.size(); ++f) scene_.system.faces[f].rest_angle = network.rest_angles[f];
   set_print_layout(scene_);
   if (const auto warning = step_warning(scene_.system, scene_.state, scene_.settings)) fields_.warn(*warning);
   if (const auto warning = unused_setting_warning(scene_.settings)) fields_.warn(*warning);

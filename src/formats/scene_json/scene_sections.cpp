@@ -51,12 +51,24 @@ std::string ids_of_forces() {
   return ids;
 }
 
+// The index of the choice with the id that the field names.
+template <class Choice>
+std::size_t read_choice(std::span<const Choice> choices, const JsonField& field) {
+  std::string ids;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (field.text() == choices[i].id) return i;
+    ids += (ids.empty() ? "\"" : ", \"") + std::string(choices[i].id) + "\"";
+  }
+  field.refuse("must be one of " + ids);
+}
+
 // Sets the parameter of this name, which may be outside the range of the slider. Returns false if the force has none of this name.
 bool read_force_number(const JsonField& member, Force& force) {
   for (std::size_t i = 0; i < force.term->numbers.size(); ++i) {
     const ForceParameter& number = force.term->numbers[i];
     if (!member.is(number.name)) continue;
-    force.values[i] = member.number(number.min >= 0.0 ? Bounds{.min = number.min} : any_number);
+    force.values[i] = number.choices.empty() ? member.number(number.min >= 0.0 ? Bounds{.min = number.min} : any_number)
+                                             : static_cast<double>(read_choice(number.choices, member));
     return true;
   }
   return false;
@@ -86,15 +98,6 @@ void read_circle(const JsonField& field, SceneFields& fields, Scene& scene, Scri
     field.refuse("must have from at least 1e-06 m away from the axis through center");
 }
 
-std::size_t read_choice(const Parameter& row, const JsonField& field) {
-  std::string ids;
-  for (std::size_t i = 0; i < row.choices.size(); ++i) {
-    if (field.text() == row.choices[i].id) return i;
-    ids += (ids.empty() ? "\"" : ", \"") + std::string(row.choices[i].id) + "\"";
-  }
-  field.refuse("must be one of " + ids);
-}
-
 std::string ids_of_integrators() {
   std::string ids;
   for (const Integrator& integrator : integrators()) ids += std::string(integrator.id) + ", ";
@@ -115,7 +118,7 @@ bool read_parameter(const JsonField& field, Scene& scene) {
                              field.integer(static_cast<std::int64_t>(row.physical.min), static_cast<std::int64_t>(row.physical.max))));
         break;
       case Parameter::Kind::Choice:
-        row.write(scene, static_cast<double>(read_choice(row, field)));
+        row.write(scene, static_cast<double>(read_choice(row.choices, field)));
         break;
       case Parameter::Kind::Number:
         row.write(scene, field.number(row.physical));

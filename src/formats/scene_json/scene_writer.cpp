@@ -13,6 +13,7 @@
 #include "formats/scene_json/listed_part.h"
 #include "scene/parameters.h"
 #include "scene/spring_family.h"
+#include "sim/forces/hinges.h"
 #include "sim/integrator.h"
 
 namespace hooke {
@@ -39,6 +40,7 @@ class SceneWriter {
   void write_parameters(std::string_view section);
   void write_point(Index i);
   void write_spring(Index s);
+  void write_rest_angles();
   void write_collider(std::size_t c);
   void write_path(const ColliderPath& path);
   void write_force(std::size_t f);
@@ -87,6 +89,7 @@ std::string SceneWriter::write() {
     for (const PointId id : system_.faces[f].points) out_.integer(system_.index_of(id));
     out_.end();
   });
+  write_rest_angles();
   if (listed.points < system_.point_count()) {
     out_.key("generators");
     out_.raw(scene_.preserved_json.generators);
@@ -201,6 +204,19 @@ void SceneWriter::write_spring(Index s) {
   out_.end();
 }
 
+// Of all faces, unless they are those of the present positions.
+void SceneWriter::write_rest_angles() {
+  if (system_.faces.empty()) return;
+  System drawn = system_;
+  set_rest_angles(drawn, state_.position);
+  if (drawn.faces == system_.faces) return;
+  write_list("rest_angles", system_.faces.size(), [&](std::size_t f) {
+    out_.begin_list(Layout::Line);
+    for (const double angle : system_.faces[f].rest_angle) out_.number(angle);
+    out_.end();
+  });
+}
+
 void SceneWriter::write_collider(std::size_t c) {
   const Collider& collider = system_.colliders[c];
   out_.begin_object(Layout::Line);
@@ -244,7 +260,13 @@ void SceneWriter::write_force(std::size_t f) {
   out_.begin_object(Layout::Line);
   out_.text("type", force.term->id);
   if (!force.on) out_.boolean("on", false);
-  for (std::size_t i = 0; i < force.term->numbers.size(); ++i) out_.number(force.term->numbers[i].name, force.values[i]);
+  for (std::size_t i = 0; i < force.term->numbers.size(); ++i) {
+    const ForceParameter& number = force.term->numbers[i];
+    if (number.choices.empty())
+      out_.number(number.name, force.values[i]);
+    else if (force.values[i] != number.default_value)
+      out_.text(number.name, number.choices[static_cast<std::size_t>(force.values[i])].id);
+  }
   write_unknown_inside("forces[" + std::to_string(f) + "]");
   out_.end();
 }

@@ -52,6 +52,7 @@ constinit const ShapeKind chain_shape{.id = "chain",
                                       .numbers = numbers,
                                       .supports = line_supports,
                                       .is_3d_only = false,
+                                      .contact = ShapeContact::Springs,
                                       .element_count = element_count,
                                       .make = make};
 

@@ -73,6 +73,7 @@ constinit const ShapeKind curtain_shape{
     .numbers = numbers,
     .supports = supports,
     .is_3d_only = true,
+    .contact = ShapeContact::Faces,
     .element_count = element_count,
     .make = make};
 

@@ -45,6 +45,7 @@ constinit const ShapeKind flag_shape{.id = "flag",
                                      .numbers = numbers,
                                      .supports = supports,
                                      .is_3d_only = false,
+                                     .contact = ShapeContact::Faces,
                                      .element_count = element_count,
                                      .make = make};
 

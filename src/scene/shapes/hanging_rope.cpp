@@ -42,6 +42,7 @@ constinit const ShapeKind hanging_rope_shape{
     .numbers = numbers,
     .supports = line_supports,
     .is_3d_only = false,
+    .contact = ShapeContact::Springs,
     .element_count = element_count,
     .make = make};
 

@@ -121,6 +121,7 @@ constinit const ShapeKind jelly_shape{.id = "jelly",
                                       .numbers = numbers,
                                       .supports = supports,
                                       .is_3d_only = true,
+                                      .contact = ShapeContact::Faces,
                                       .element_count = element_count,
                                       .make = make};
 

@@ -44,6 +44,7 @@ constinit const ShapeKind net_shape{.id = "net",
                                     .numbers = numbers,
                                     .supports = sheet_supports,
                                     .is_3d_only = false,
+                                    .contact = ShapeContact::Springs,
                                     .element_count = element_count,
                                     .make = make};
 

@@ -27,6 +27,7 @@ constinit const ShapeKind sheet_shape{
     .numbers = numbers,
     .supports = sheet_supports,
     .is_3d_only = false,
+    .contact = ShapeContact::Faces,
     .element_count = element_count,
     .make = make};
 

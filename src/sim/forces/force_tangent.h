@@ -1,5 +1,5 @@
 // Derivatives of the scene's optional forces, as the matrix of an implicit step takes them: symmetric and positive semidefinite, except for
-// the curvature of volumes; other parts are left out.
+// the curvatures of volumes and of hinges with a rest shape; other parts are left out.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -24,7 +24,7 @@ class ForceTangent {
     }
     volume_curvature_.assign(plan.enclosures.edges.size(), Vec3(0.0));
     mean_stiffness_ = mean_damping_ = hinge_stiffness_ = 0.0;
-    are_hinges_damped_ = false;
+    are_hinges_damped_ = are_hinges_bent_ = false;
   }
 
   // -df/dx [N/m] or -df/dv [N s/m] of one point: `axial` along the unit vector u, `transverse` across it.
@@ -38,6 +38,17 @@ class ForceTangent {
   }
   // Of the hinges: `stiffness` [N m] times the matrix of the Plan, for each component; and -df/dv of an entry on or above its diagonal.
   void add_hinges(double stiffness) { hinge_stiffness_ += stiffness; }
+  // -df/dx of such an entry: the definite part, and the other one, which is due to the moments.
+  void add_hinge_stiffness(Index entry, const glm::dmat3& block, const glm::dmat3& curvature) {
+    // only sheets with a rest shape need them
+    if (!are_hinges_bent_) {
+      hinge_blocks_.assign(hinge_damping_.size(), glm::dmat3(0.0));
+      hinge_curvature_.assign(hinge_damping_.size(), glm::dmat3(0.0));
+    }
+    are_hinges_bent_ = true;
+    hinge_blocks_[entry] += block;
+    hinge_curvature_[entry] += curvature;
+  }
   void add_hinge_damping(Index entry, const glm::dmat3& block) {
     hinge_damping_[entry] += block;
     are_hinges_damped_ = true;
@@ -59,6 +70,14 @@ class ForceTangent {
   double hinge_stiffness() const { return hinge_stiffness_; }
   bool are_hinges_damped() const { return are_hinges_damped_; }
   const glm::dmat3& hinge_damping(Index entry) const { return hinge_damping_[entry]; }
+  bool have_hinges_blocks() const { return are_hinges_damped_ || are_hinges_bent_; }
+  // b D + b^2 K of an entry, without what `add_hinges` added.
+  glm::dmat3 hinge_block(Index entry, double b, bool with_curvature) const {
+    glm::dmat3 block = b * hinge_damping_[entry];
+    if (are_hinges_bent_) block += b * b * hinge_blocks_[entry];
+    if (are_hinges_bent_ && with_curvature) block += b * b * hinge_curvature_[entry];
+    return block;
+  }
   double mean_damping() const { return mean_damping_; }
   const Volume& volume(std::size_t enclosure) const { return volumes_[enclosure]; }
   // w of an edge of the enclosures, whose block, with the rows of its first point, is K r = w x r [N/m].
@@ -71,11 +90,11 @@ class ForceTangent {
     block += (axial - transverse) * glm::outerProduct(u, u) + glm::dmat3(transverse);
   }
 
-  std::vector<glm::dmat3> stiffness_, damping_, hinge_damping_;
+  std::vector<glm::dmat3> stiffness_, damping_, hinge_damping_, hinge_blocks_, hinge_curvature_;
   std::vector<Volume> volumes_;
   std::vector<Vec3> volume_curvature_;
   double mean_stiffness_ = 0.0, mean_damping_ = 0.0, hinge_stiffness_ = 0.0;
-  bool are_hinges_damped_ = false;
+  bool are_hinges_damped_ = false, are_hinges_bent_ = false;
 };
 
 }  // namespace hooke

@@ -15,6 +15,12 @@ class ForceTangent;
 class System;
 struct Plan;
 
+// One of the values of a parameter that is not a number.
+struct ForceChoice {
+  std::string_view id;     // in files
+  std::string_view label;  // in the panel
+};
+
 // A parameter of a force.
 struct ForceParameter {
   std::string_view name;   // in files
@@ -22,6 +28,7 @@ struct ForceParameter {
   std::string_view unit;
   double min, max, default_value;
   bool integer = false;
+  std::span<const ForceChoice> choices{};  // then the value is an index of these
 };
 
 inline constexpr std::size_t max_force_parameters = 8;
@@ -49,8 +56,9 @@ struct ForceTerm {
   // Adds the force [N] to f at `time` [s], positions x [m] and velocities v [m/s], all in the layout of the Plan. `f` already contains
   // gravity, springs, dashpots, the pull of the hand, and the forces of the rows above.
   void (*add)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f);
-  // `point_speed` [m/s], of the fastest point: only estimates depend on it.
-  ForceBound (*bound)(const System& system, const ForceValues& values, double point_speed);
+  // The plan is prepared as by `prepare`, whatever else it contains. `point_speed` [m/s], of the fastest point: only estimates depend on
+  // it.
+  ForceBound (*bound)(const System& system, const Plan& prepared, const ForceValues& values, double point_speed);
   // Adds the derivatives of the force for implicit methods. Null: zero, or not continuous.
   void (*add_tangent)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, ForceTangent& tangent);
   // [J], of the conservative part of the force, or of the whole force if there is no `power`. Null: not conservative, or does no work.

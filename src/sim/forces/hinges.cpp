@@ -1,9 +1,12 @@
 #include "sim/forces/hinges.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "sim/forces/rest_faces.h"
+#include "sim/portable_math.h"
 
 namespace hooke {
 namespace {
@@ -33,17 +36,18 @@ void set_coupling(const RestFace& face, HingedFace& hinged) {
     }
 }
 
-void find_hinges(const std::vector<RestFace>& rest, std::vector<HingedFace>& hinged) {
-  const std::vector<FaceEdge> sides = sorted_edges(rest);
+// Calls `use` for both sides of every edge of two faces.
+template <class Use>
+void for_each_hinge(const std::vector<RestFace>& faces, const Use& use) {
+  const std::vector<FaceEdge> sides = sorted_edges(faces);
   for (std::size_t s = 0; s < sides.size();) {
     std::size_t end = s + 1;
     while (end < sides.size() && sides[end].ends == sides[s].ends) ++end;
     const FaceEdge &first = sides[s], &second = sides[end - 1];
     // the same face twice has no other corner
-    const bool is_inner = end - s == 2 && rest[first.face].corners[first.corner] != rest[second.face].corners[second.corner];
-    if (is_inner && rest[first.face].area > 0.0 && rest[second.face].area > 0.0) {
-      add_hinge(rest[first.face], first.corner, rest[second.face], hinged[first.face]);
-      add_hinge(rest[second.face], second.corner, rest[first.face], hinged[second.face]);
+    if (end - s == 2 && faces[first.face].corners[first.corner] != faces[second.face].corners[second.corner]) {
+      use(first, second);
+      use(second, first);
     }
     s = end;
   }
@@ -100,6 +104,28 @@ Index HingePlan::entry(Index i, Index j) const {
   return static_cast<Index>(std::lower_bound(row, column.begin() + begin[i + 1], j) - column.begin());
 }
 
+double hinge_angle(const Vec3& i, const Vec3& j, const Vec3& k, const Vec3& q) {
+  const Vec3 own = glm::cross(j - i, k - i), other = glm::cross(j - k, q - k), edge = k - j;
+  const double own_size = glm::length(own), other_size = glm::length(other), length = glm::length(edge);
+  if (!(own_size > 0.0) || !(other_size > 0.0) || !(length > 0.0)) return 0.0;
+  const Vec3 n = own / own_size, m = other / other_size;
+  const double angle = portable::atan2(glm::dot(glm::cross(n, m), edge / length), glm::dot(n, m));
+  return std::isfinite(angle) ? angle : 0.0;
+}
+
+void set_rest_angles(System& system, const std::vector<Vec3>& position) {
+  std::vector<RestFace> faces(system.faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (int c = 0; c < 3; ++c) faces[f].corners[c] = system.index_of(system.faces[f].points[c]);
+  for (Face& face : system.faces) face.rest_angle = {};
+  if (system.dimensions == 2) return;
+  for_each_hinge(faces, [&](const FaceEdge& own, const FaceEdge& other) {
+    const auto corner = [&](int c) { return position[faces[own.face].corners[(own.corner + c) % 3]]; };
+    system.faces[own.face].rest_angle[own.corner] =
+        hinge_angle(corner(0), corner(1), corner(2), position[faces[other.face].corners[other.corner]]);
+  });
+}
+
 HingePlan plan_hinges(const System& system) {
   HingePlan plan;
   if (system.dimensions == 2 || system.faces.empty()) return plan;
@@ -111,11 +137,15 @@ HingePlan plan_hinges(const System& system) {
   std::vector<HingedFace> hinged(rest.size());
   for (std::size_t f = 0; f < rest.size(); ++f)
     for (int a = 0; a < 6; ++a) hinged[f].points[a] = rest[f].corners[a % 3];
-  find_hinges(rest, hinged);
+  for_each_hinge(rest, [&](const FaceEdge& own, const FaceEdge& other) {
+    if (rest[own.face].area > 0.0 && rest[other.face].area > 0.0) add_hinge(rest[own.face], own.corner, rest[other.face], hinged[own.face]);
+  });
   for (std::size_t f = 0; f < rest.size(); ++f) {
     if (std::ranges::equal(hinged[f].points.begin(), hinged[f].points.begin() + 3, hinged[f].points.begin() + 3, hinged[f].points.end()))
       continue;
     set_coupling(rest[f], hinged[f]);
+    hinged[f].length = rest[f].length;
+    hinged[f].rest_angle = system.faces[f].rest_angle;
     plan.faces.push_back(hinged[f]);
   }
   if (!plan.faces.empty()) assemble_rows(plan, system.point_count());

@@ -83,18 +83,16 @@ StiffnessMatrix::StiffnessMatrix(const Plan& plan)
   for (const auto& [i, j] : plan.enclosures.edges) enclosure_edges_.push_back(solver_.coupling(i, j));
 }
 
-void StiffnessMatrix::add_hinges(const Plan& plan, double b) {
+void StiffnessMatrix::add_hinges(const Plan& plan, double b, Curvature curvature) {
   for_each_hinge_entry(plan, [&](Index i, Index j, Index k) {
     if (plan.inverse_mass[i] == 0.0 || plan.inverse_mass[j] == 0.0) return;
     const double stiffness = b * b * tangent_.hinge_stiffness() * plan.hinges.value[k];
     const bool is_transposed = i != j && !solver_.precedes(i, j);
-    for (int c = 0; c < plan.dimensions; ++c) {
-      double* column = hinges_[k].column(c);
-      column[c] += stiffness;
-      if (!tangent_.are_hinges_damped()) continue;
-      const glm::dmat3& damping = tangent_.hinge_damping(k);
-      for (int r = 0; r < (i == j ? c + 1 : plan.dimensions); ++r) column[r] += b * (is_transposed ? damping[r][c] : damping[c][r]);
-    }
+    for (int c = 0; c < plan.dimensions; ++c) hinges_[k].column(c)[c] += stiffness;
+    if (!tangent_.have_hinges_blocks()) return;
+    const glm::dmat3 block = tangent_.hinge_block(k, b, curvature == Curvature::Exact);
+    for (int c = 0; c < plan.dimensions; ++c)
+      for (int r = 0; r < (i == j ? c + 1 : plan.dimensions); ++r) hinges_[k].column(c)[r] += is_transposed ? block[r][c] : block[c][r];
   });
 }
 
@@ -195,7 +193,7 @@ void StiffnessMatrix::assemble(const Plan& plan, double b, const Field& x, const
   }
 
   if (is_linearized_) {
-    add_hinges(plan, b);
+    add_hinges(plan, b, curvature);
     if (curvature == Curvature::Exact) add_volume_curvature(plan, b);
   }
   for (std::size_t u = 0; u < volume_updates_.size(); ++u) {

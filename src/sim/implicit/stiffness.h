@@ -42,7 +42,7 @@ class StiffnessMatrix {
   void solve(Field& b);
 
  private:
-  void add_hinges(const Plan& plan, double b);
+  void add_hinges(const Plan& plan, double b, Curvature curvature);
   void add_volume_curvature(const Plan& plan, double b);
   template <int Dimensions>
   void add_springs(const Plan& plan, double b, const double* x, const double* v, Curvature curvature);

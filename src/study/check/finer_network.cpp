@@ -327,7 +327,7 @@ class NetworkRefinement {
                         .break_strain = strength.break_strain});
   }
 
-  // A face of a refined cell becomes four.
+  // A face of a refined cell becomes four, which are flat between each other.
   std::vector<Face> finer_faces() const {
     std::vector<Face> faces;
     for (const Face& face : system_.faces) {
@@ -352,9 +352,10 @@ class NetworkRefinement {
       const auto id = [&](std::size_t a, std::size_t b) {
         return points_[static_cast<std::size_t>(fine.at(cell[a].r + cell[b].r, cell[a].c + cell[b].c))].id;
       };
-      faces.push_back({{id(0, 0), id(0, 1), id(0, 2)}});
-      faces.push_back({{id(0, 1), id(1, 1), id(1, 2)}});
-      faces.push_back({{id(0, 2), id(1, 2), id(2, 2)}});
+      const auto& [t0, t1, t2] = face.rest_angle;
+      faces.push_back({{id(0, 0), id(0, 1), id(0, 2)}, {0.0, t1, t2}});
+      faces.push_back({{id(0, 1), id(1, 1), id(1, 2)}, {t0, 0.0, t2}});
+      faces.push_back({{id(0, 2), id(1, 2), id(2, 2)}, {t0, t1, 0.0}});
       faces.push_back({{id(0, 1), id(1, 2), id(0, 2)}});
     }
     return faces;

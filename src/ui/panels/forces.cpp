@@ -24,11 +24,34 @@ bool heading(Force& force) {
   return !removed;
 }
 
+// The force of the opened scene at this place in the list, or null.
+const Force* opened_force(const PanelInput& input, const Force& force, std::size_t place) {
+  const std::vector<Force>& opened = input.status.document->opened_forces;
+  return place < opened.size() && opened[place].term == force.term ? &opened[place] : nullptr;
+}
+
+void choice_row(const ForceParameter& row, double& value, const PanelInput& input, Panels& panels) {
+  begin_row(std::string(row.label));
+  ImGui::SetNextItemWidth(-1.0f);
+  if (!ImGui::BeginCombo("##choice", row.choices[static_cast<std::size_t>(value)].label.data())) return;
+  close_on_escape(input, panels);
+  for (std::size_t i = 0; i < row.choices.size(); ++i)
+    if (ImGui::Selectable(row.choices[i].label.data(), static_cast<double>(i) == value)) value = static_cast<double>(i);
+  ImGui::EndCombo();
+}
+
+// Resets to the value that the opened scene gives.
+void value_row(const ForceParameter& row, double& value, double reset_value, Panels& panels) {
+  NumberField field = field_of_row(row, value);
+  field.default_value = reset_value;
+  if (const auto changed = number_row(field, panels)) value = *changed;
+}
+
 }  // namespace
 
 void build_forces(const PanelInput& input, Panels& panels, Requests& requests) {
   const std::vector<Force>& now = input.status.snapshot->system->forces;
-  if (!section("Forces", now.empty() ? "" : std::to_string(now.size()), !now.empty())) return;
+  if (!section(forces_section, now.empty() ? "" : std::to_string(now.size()), !now.empty())) return;
 
   std::vector<Force> wanted;
   for (std::size_t f = 0; f < now.size(); ++f) {
@@ -38,7 +61,11 @@ void build_forces(const PanelInput& input, Panels& panels, Requests& requests) {
     for (std::size_t i = 0; i < force.term->numbers.size() && force.on; ++i) {
       const ForceParameter& row = force.term->numbers[i];
       ImGui::PushID(row.name.data());
-      if (const auto value = number_row(field_of_row(row, force.values[i]), panels)) force.values[i] = *value;
+      const Force* opened = opened_force(input, force, f);
+      if (row.choices.empty())
+        value_row(row, force.values[i], opened != nullptr ? opened->values[i] : row.default_value, panels);
+      else
+        choice_row(row, force.values[i], input, panels);
       ImGui::PopID();
     }
     ImGui::PopID();

@@ -166,6 +166,7 @@ void build_parameters(const PanelInput& input, Panels& panels, Requests& request
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Parameter& row = rows[i];
     if (row.group != group) {
+      if (group == parameter_group::simulation && has_forces_first(input)) build_forces(input, panels, requests);
       group = row.group;
       const bool starts_open = group != parameter_group::hand && group != parameter_group::points && group != parameter_group::contact;
       open = section(std::string(group), scope_of(group, parts.slider_springs, *input.status.snapshot->system), starts_open);

@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "base/printable.h"
+#include "draw/colors.h"
+#include "scene/parameter_groups.h"
 #include "ui/panels.h"
 #include "ui/strain_legend.h"
 #include "ui/text.h"
@@ -27,6 +29,15 @@ void legend_section(const PanelInput& input, const Panels& panels) {
   const float width = ImGui::GetContentRegionAvail().x;
   draw_strain_legend(*input.status.snapshot, {at.x, at.y + units(4.0)}, width, *ImGui::GetWindowDrawList());
   ImGui::Dummy({width, units(strain_legend_height + 4.0)});
+}
+
+// What the highlighted edges and faces are, in their color.
+void crossed_section(const PanelInput& input, const Panels& panels) {
+  if (input.crossed == nullptr) return;
+  const std::size_t edges = input.crossed->edges.size();
+  paragraph((input.crossed->is_complete ? "" : "At least ") + std::to_string(edges) + (edges == 1 ? " edge passes" : " edges pass") +
+                " through faces, as highlighted: they do not touch until they are apart.",
+            to_imgui(palette_for(background_of(panels.look)).crossed));
 }
 
 void energy_row(const char* name, const std::string& value, ImU32 text_color = palette::text) {
@@ -57,14 +68,20 @@ void build_side(const PanelInput& input, Panels& panels, Requests& requests) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {units(14.0), units(12.0)});
   begin_panel("side", input.layout.side);
   ImGui::PopStyleVar();
-  // another scene is read from its top
-  if (std::exchange(panels.side_to_top, false)) ImGui::SetScrollY(0.0f);
+  // another scene is read from its top, with the groups that it is about open
+  const bool is_about_forces = has_forces_first(input);
+  if (std::exchange(panels.side_to_top, false)) {
+    ImGui::SetScrollY(0.0f);
+    open_section(forces_section, is_about_forces);
+    open_section(std::string(parameter_group::contact), input.status.snapshot->system->contact.any());
+  }
   scene_section(input);
   build_lesson(input, panels);
+  crossed_section(input, panels);
   legend_section(input, panels);
   build_inspector(input, panels, requests);
   build_parameters(input, panels, requests);
-  build_forces(input, panels, requests);
+  if (!is_about_forces) build_forces(input, panels, requests);
   if (section("Energy")) energy_section(input.status);
   build_history(input, requests);
   ImGui::End();

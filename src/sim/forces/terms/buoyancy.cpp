@@ -18,7 +18,7 @@ void add(const Plan& plan, const ForceValues& values, double, const double*, con
   }
 }
 
-ForceBound bound(const System& system, const ForceValues& values, double) {
+ForceBound bound(const System& system, const Plan&, const ForceValues& values, double) {
   return {.acceleration = std::abs(values[0]) * glm::length(system.gravity)};
 }
 

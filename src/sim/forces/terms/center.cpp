@@ -79,7 +79,7 @@ void add(const Plan& plan, const ForceValues& values, double, const double* x, c
 
 // |a'| and |a / r| decrease with r outside the core if p >= -1, and otherwise increase without limit; inside they are between their values
 // at r = 0 and r = r0.
-ForceBound bound(const System&, const ForceValues& values, double) {
+ForceBound bound(const System&, const Plan&, const ForceValues& values, double) {
   const Law law = law_of(values);
   const double strength = std::abs(values[3]), at_core = strength * portable::pow(law.core, -law.power - 1.0);
   ForceBound bound{.stiffness = at_core * std::max({law.alpha(), std::abs(law.power), 1.0})};

@@ -37,7 +37,7 @@ void add(const Plan& plan, const ForceValues& values, double, const double* x, c
 }
 
 // M^-1/2 (df/dx) M^-1/2 = -p / M^2 w w^T, w_i = sqrt(m_i) for the free points and 0 for others
-ForceBound bound(const System& system, const ForceValues& values, double) {
+ForceBound bound(const System& system, const Plan&, const ForceValues& values, double) {
   double mass = 0.0, free_mass = 0.0;
   for (const Point& point : system.points()) {
     mass += point.mass;

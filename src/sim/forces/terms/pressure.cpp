@@ -143,9 +143,9 @@ Rows rows_at_rest(const System& system, const EnclosurePlan& plan) {
 // The curvature of an area does not depend on the shape: of a flat scene with a constant pressure, there is a bound. Everything else
 // depends on the volume; the estimate holds for surfaces that are not stretched and enclose at least two thirds of the full volume. The
 // force increases with the size of the surface without limit.
-ForceBound bound(const System& system, const ForceValues& values, double) {
+ForceBound bound(const System& system, const Plan& prepared, const ForceValues& values, double) {
   constexpr double ratio = 2.0 / 3.0;
-  const EnclosurePlan plan = plan_enclosures(system);
+  const EnclosurePlan& plan = prepared.enclosures;
   if (plan.empty()) return {};
   const Gas gas(values, 0.0);
   const bool is_bounded = system.dimensions == 2 && gas.exponent == 0.0;

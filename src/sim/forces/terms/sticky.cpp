@@ -32,7 +32,7 @@ void add(const Plan& plan, const ForceValues& values, double time, const double*
 
 // The force projects the derivative of the other forces, whose eigenvalues do not grow by that; it has no derivative of its own and does no
 // work.
-ForceBound bound(const System&, const ForceValues&, double) { return {}; }
+ForceBound bound(const System&, const Plan&, const ForceValues&, double) { return {}; }
 
 }  // namespace
 

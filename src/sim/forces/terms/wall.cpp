@@ -43,7 +43,7 @@ void add(const Plan& plan, const ForceValues& values, double time, const double*
 
 // |da/dr| <= |s| p / r0^(p+1) along each normal; of several planes, times the largest eigenvalue of sum n n^T, which is at most the
 // largest row of the matrix |n_i . n_j|
-ForceBound bound(const System& system, const ForceValues& values, double) {
+ForceBound bound(const System& system, const Plan&, const ForceValues& values, double) {
   std::vector<Vec3> normals;
   for (const Collider& collider : system.colliders)
     if (const auto* plane = std::get_if<Plane>(&collider.shape); plane != nullptr && collider.solid) normals.push_back(plane->normal);

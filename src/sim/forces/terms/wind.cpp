@@ -148,7 +148,7 @@ FaceEstimate estimate_faces(const System& system, double coefficient, double spe
 }
 
 // Quadratic in the speed, and proportional to areas that grow as faces stretch: no bound exists.
-ForceBound bound(const System& system, const ForceValues& values, double point_speed) {
+ForceBound bound(const System& system, const Plan&, const ForceValues& values, double point_speed) {
   ForceBound bound{.stiffness = ForceBound::none,
                    .rate = ForceBound::none,
                    .speed = (1.0 + values[5]) * glm::length(Vec3(values[0], values[1], values[2]))};

@@ -1,0 +1,17 @@
+#include "app/work/crossing_finder.h"
+
+namespace hooke {
+
+void CrossingFinder::follow(const Status& status) {
+  const Snapshot& now = *status.snapshot;
+  const bool is_edited = now.system != system_, is_moved = now.state.time != time_;
+  const bool is_switched = now.system->contact != contact_;
+  if (!is_switched && !(found_ && is_moved) && !(is_edited && !status.run.running)) return;
+  system_ = now.system;
+  contact_ = now.system->contact;
+  time_ = now.state.time;
+  auto parts = std::make_shared<const CrossedParts>(find_crossed_parts(*now.system, now.state));
+  found_ = parts->edges.empty() ? nullptr : std::move(parts);
+}
+
+}  // namespace hooke

@@ -1,0 +1,25 @@
+// Finds the parts of the scene on screen that pass through each other, to highlight them.
+#pragma once
+
+#include <memory>
+
+#include "lab/status.h"
+#include "scene/crossed_parts.h"
+
+namespace hooke {
+
+class CrossingFinder {
+ public:
+  // Once per frame. Contact keeps apart what is apart: a run is searched only from a start in which something crosses, until nothing does.
+  void follow(const Status& status);
+  // Null: nothing crosses.
+  const std::shared_ptr<const CrossedParts>& found() const { return found_; }
+
+ private:
+  std::shared_ptr<const System> system_;  // of the last search
+  PairContact contact_;
+  double time_ = 0.0;
+  std::shared_ptr<const CrossedParts> found_;
+};
+
+}  // namespace hooke

@@ -1,0 +1,51 @@
+// Parts that pass through each other are highlighted until they are apart.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "support/gui_fixture.h"
+#include "support/parse_text.h"
+
+namespace hooke {
+namespace {
+
+// A triangle that moves out of another one.
+Scene leaving_triangle() {
+  return parse(R"({"hooke": 1, "gravity": [0, 0, 0], "contact": {"faces": true},
+    "points": [{"position": [-1, -1, 0], "nailed": true}, {"position": [1, -1, 0], "nailed": true}, {"position": [0, 1, 0], "nailed": true},
+               {"position": [-0.2, 0, -0.5], "velocity": [0, 0, 4]}, {"position": [0.2, 0, -0.5], "velocity": [0, 0, 4]},
+               {"position": [0, 0.1, 0.5], "velocity": [0, 0, 4]}],
+    "springs": [{"points": [3, 4], "stiffness": 100}, {"points": [4, 5], "stiffness": 100}, {"points": [5, 3], "stiffness": 100}],
+    "faces": [[0, 1, 2], [3, 4, 5]]})");
+}
+
+TEST(Crossings, AreHighlightedUntilThePartsAreApart) {
+  GuiFixture gui(leaving_triangle());
+  ASSERT_NE(gui.app().marks().crossed, nullptr);
+  EXPECT_EQ(gui.app().marks().crossed->edges.size(), 2u);
+  EXPECT_NE(gui.text().find("2 edges pass through faces, as highlighted"), std::string::npos);
+  gui.key(Key::Space);
+  for (int i = 0; i < 2000 && gui.app().marks().crossed; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    gui.frame();
+  }
+  EXPECT_EQ(gui.app().marks().crossed, nullptr);
+  EXPECT_GT(gui.status().snapshot->state.time, 0.05);
+  gui.frames(2);
+  EXPECT_EQ(gui.text().find("through faces"), std::string::npos);
+}
+
+TEST(Crossings, AreHighlightedWhenContactIsSwitchedOn) {
+  Scene scene = leaving_triangle();
+  scene.system.contact.faces = false;
+  GuiFixture gui(scene);
+  EXPECT_EQ(gui.app().marks().crossed, nullptr);
+  gui.app().handle(Request(Edit{SetParameter{find_parameter("contact_faces"), 1.0}}));
+  gui.settled();
+  gui.frames(2);
+  EXPECT_NE(gui.app().marks().crossed, nullptr);
+}
+
+}  // namespace
+}  // namespace hooke

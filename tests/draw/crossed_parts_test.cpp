@@ -1,0 +1,67 @@
+// Edges that pass through faces are found, and highlighted in pictures.
+#include "scene/crossed_parts.h"
+
+#include <gtest/gtest.h>
+
+#include "support/crossings.h"
+#include "support/picture.h"
+
+namespace hooke {
+namespace {
+
+// A triangle in the plane z = 0, and another one through it.
+TestSim pierced_triangle(double shift) {
+  TestSim sim;
+  const std::array<Vec3, 6> places{Vec3(-1.0, -1.0, 0.0), {1.0, -1.0, 0.0},         {0.0, 1.0, 0.0},
+                                   Vec3(-0.2, 0.0, -0.5), {0.2 + shift, 0.0, -0.5}, {shift, 0.1, 0.5}};
+  std::vector<PointId> ids;
+  for (const Vec3& place : places) {
+    ids.push_back(sim.add(place));
+    sim.system.point(sim.system.index_of(ids.back())).radius = 0.01;
+  }
+  for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}})
+    sim.join(ids[static_cast<std::size_t>(i)], ids[static_cast<std::size_t>(j)], 100.0,
+             glm::distance(places[static_cast<std::size_t>(i)], places[static_cast<std::size_t>(j)]));
+  sim.system.faces = {{{ids[0], ids[1], ids[2]}}, {{ids[3], ids[4], ids[5]}}};
+  sim.system.contact.faces = true;
+  return sim;
+}
+
+TEST(CrossedParts, AreThoseThatAnIndependentTestCounts) {
+  for (const double shift : {0.0, 0.4, 5.0}) {
+    TestSim sim = pierced_triangle(shift);
+    if (shift == 5.0)
+      for (std::size_t i = 3; i < 6; ++i) sim.state.position[i].x += 5.0;
+    const CrossedParts crossed = find_crossed_parts(sim.system, sim.state);
+    EXPECT_EQ(static_cast<long>(crossed.edges.size()), CrossingCounter(sim.system).count(sim.state.position)) << shift;
+    EXPECT_EQ(crossed.faces.size(), crossed.edges.size());
+    EXPECT_EQ(crossed.edges.empty(), shift == 5.0);
+  }
+}
+
+TEST(CrossedParts, AreNotSoughtWhereFacesDoNotTouch) {
+  TestSim sim = pierced_triangle(0.0);
+  sim.system.contact.faces = false;
+  EXPECT_TRUE(find_crossed_parts(sim.system, sim.state).edges.empty());
+}
+
+// In their own color, which nothing else in the picture has.
+TEST(CrossedParts, AreHighlighted) {
+  const TestSim sim = pierced_triangle(0.0);
+  Camera camera = make_camera({}, sim.system, sim.state, 1.0);
+  const auto highlighted = [&](const Marks& marks) {
+    const Image image = draw(sim, marks, camera, {.grid = false}, 320, 320);
+    int count = 0;
+    for (int y = 0; y < 320; ++y)
+      for (int x = 0; x < 320; ++x) {
+        const Color color = at(image, x, y);
+        count += color.green > 150 && color.red < color.green - 70 && color.blue > 110;
+      }
+    return count;
+  };
+  EXPECT_EQ(highlighted({}), 0);
+  EXPECT_GT(highlighted({.crossed = std::make_shared<const CrossedParts>(find_crossed_parts(sim.system, sim.state))}), 100);
+}
+
+}  // namespace
+}  // namespace hooke

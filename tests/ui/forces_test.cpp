@@ -1,0 +1,53 @@
+// The group of forces of the side panel.
+#include <gtest/gtest.h>
+
+#include "formats/scene_file.h"
+#include "sim/forces/terms/rows.h"
+#include "support/gui_fixture.h"
+
+namespace hooke {
+namespace {
+
+Scene shipped_scene(const char* id) { return load_scene(find_scene(id)).scene; }
+
+glm::dvec2 find_slider(GuiFixture& gui, const char* row) { return gui.find("side", {"pressure 0", row, "##value"}); }
+
+// The pump of a balloon is seen without scrolling, and also when another scene was open before.
+TEST(ForcesPanel, IsOpenAndInSightWhereASceneHasForces) {
+  for (const char* first : {"balloon", "two_masses"}) {
+    GuiFixture gui(shipped_scene(first));
+    gui.app().handle(Request(OpenFile{find_scene("balloon")}));
+    gui.app().wait_for_file_task();
+    gui.frames(4);
+    EXPECT_GT(find_slider(gui, "pressure").y, 0.0) << first;
+    EXPECT_LT(find_slider(gui, "pressure").y, 800.0) << first;
+  }
+}
+
+TEST(ForcesPanel, ARightClickResetsToTheValueOfTheScene) {
+  GuiFixture gui(shipped_scene("balloon"));
+  const double opened = gui.system().forces[0].values[0];
+  ASSERT_NE(opened, find_force_term("pressure")->numbers[0].default_value);
+  SetForces set{gui.system().forces};
+  set.forces[0].values[0] = 0.3 * opened;
+  gui.app().handle(Request(Edit{set}));
+  gui.frames(2);
+  ASSERT_EQ(gui.system().forces[0].values[0], 0.3 * opened);
+  gui.click(find_slider(gui, "pressure"), Button::Right);
+  gui.frames(2);
+  EXPECT_EQ(gui.system().forces[0].values[0], opened);
+}
+
+TEST(ForcesPanel, TheRestShapeOfBendingIsAChoiceThatIsUndone) {
+  GuiFixture gui(shipped_scene("paper"));
+  gui.click(gui.find("side", {"bending 0", "rest", "##choice"}));
+  gui.frames(2);
+  gui.click(gui.find("##Combo_00", {"As built"}));
+  gui.frames(2);
+  EXPECT_EQ(gui.system().forces[0].values[2], 1.0);
+  gui.key(letter('Z'), {.control = true});
+  EXPECT_EQ(gui.system().forces[0].values[2], 0.0);
+}
+
+}  // namespace
+}  // namespace hooke
