@@ -29,6 +29,12 @@ constexpr ContactCase contact_cases[] = {
 
 bool is_full() { return std::getenv("HOOKE_FULL") != nullptr; }
 
+std::vector<ContactCase> cases_to_run() {
+  std::vector<ContactCase> cases(std::begin(contact_cases), std::end(contact_cases));
+  std::erase_if(cases, [](const ContactCase& each) { return !is_full() && each.seconds == 0.0; });
+  return cases;
+}
+
 struct Passed {
   long crossings = 0;  // of edges and faces, the most at the end of a frame
   long passages = 0;   // of springs, in all substeps; only where springs touch
@@ -76,7 +82,7 @@ Passed run_and_count(ContactScene scene, const Integrator& method, double second
 }
 
 class ContactCaseOf : public testing::TestWithParam<std::tuple<ContactCase, const Integrator*>> {};
-INSTANTIATE_TEST_SUITE_P(Cases, ContactCaseOf, testing::Combine(testing::ValuesIn(contact_cases), testing::ValuesIn(every_method())),
+INSTANTIATE_TEST_SUITE_P(Cases, ContactCaseOf, testing::Combine(testing::ValuesIn(cases_to_run()), testing::ValuesIn(every_method())),
                          [](const auto& info) {
                            return std::string(std::get<0>(info.param).name) + "_" + std::string(std::get<1>(info.param)->id);
                          });
@@ -86,7 +92,6 @@ TEST_P(ContactCaseOf, LetsNothingPassThrough) {
   const ContactScene scene = each.make();
   EXPECT_EQ(CrossingCounter(scene.network.system).count(scene.network.state.position), 0);
   const double seconds = is_full() ? std::min(scene.seconds, 5.0) : each.seconds;
-  if (seconds == 0.0) GTEST_SKIP() << "only with HOOKE_FULL";
   const Passed passed = run_and_count(scene, *method, seconds);
   EXPECT_GT(passed.frames, 0);
   EXPECT_EQ(passed.crossings, 0);

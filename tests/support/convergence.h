@@ -41,6 +41,15 @@ inline std::vector<const Integrator*> every_method() {
   return methods;
 }
 
+// Those for which the test is meant.
+template <class Predicate>
+std::vector<const Integrator*> methods_that(const Predicate& predicate) {
+  std::vector<const Integrator*> methods = every_method();
+  std::erase_if(methods, [&](const Integrator* method) { return !predicate(*method); });
+  return methods;
+}
+inline bool can_be_stable(const Integrator& method) { return method.stability != Stability::None; }
+
 inline std::string method_name(const testing::TestParamInfo<const Integrator*>& info) { return std::string(info.param->id); }
 
 }  // namespace hooke

@@ -1,0 +1,93 @@
+// The part of SurfaceSolver that makes the paths within a substep free of impacts.
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "sim/contact/surface_solver.h"
+
+namespace hooke {
+namespace {
+
+// Passes of continuous collision detection with impacts, and those in which what hits each other starts to move together.
+constexpr int impact_passes = 6, max_passes = 1000;
+
+}  // namespace
+
+// Returns whether anything hit. The paths that remain are free of impacts.
+bool SurfaceSolver::prevent_crossings(const Plan& plan, double h) {
+  bool any = false;
+  for (int pass = 0; pass < max_passes; ++pass) {
+    // what is farther away is free on all of its path
+    const double approach = 2.0 * h * max_speed(path_), reach = approach / 0.9;
+    if (reach > near_reach_ && !find_near(plan, reach, approach, h)) return any;
+    bool hits = false;
+    for (const Near& near : near_) {
+      if (0.9 * near.distance > approach) continue;
+      const SurfacePair& pair = pairs_[near.pair];
+      FourPoints displacement = four(path_, pair.points);
+      for (Vec3& d : displacement) d *= h;
+      const double part = free_part(pair.kind, four(x_, pair.points), displacement, near.distance);
+      if (part < 1.0 && handle_impact(near, part, h, pass >= impact_passes)) hits = true;
+    }
+    if (!hits) break;
+    any = true;
+  }
+  zone_.clear();
+  return any;
+}
+
+// An inelastic impact at this part of the substep. Returns whether it changed anything.
+bool SurfaceSolver::handle_impact(const Near& near, double part, double h, bool joins) {
+  const std::array<Index, 4>& points = pairs_[near.pair].points;
+  ++impacts_;
+  ++impulses_;
+  if (joins) return join(points);
+  FourPoints at = four(x_, points);
+  for (int c = 0; c < 4; ++c) at[c] += part * h * path_[points[c]];
+  const Closest closest = closest_points(pairs_[near.pair].kind, at);
+  double response = 0.0;
+  Vec3 relative(0.0);
+  for (int c = 0; c < 4; ++c) {
+    response += closest.weight[c] * closest.weight[c] * inverse_mass_[points[c]];
+    relative += closest.weight[c] * path_[points[c]];
+  }
+  // if an impulse cannot help, the passes that join do
+  if (response == 0.0 || closest.distance < coincident) return true;
+  const Vec3 normal = closest.separation / closest.distance;
+  const double velocity = glm::dot(normal, relative);
+  if (!(velocity < 0.0)) return true;
+  for (int c = 0; c < 4; ++c) path_[points[c]] -= inverse_mass_[points[c]] * closest.weight[c] * velocity / response * normal;
+  return true;
+}
+
+// From now on these points, with all that already move together with them, have the same velocity: their mean, or that of a fixed one.
+// False if they have already, or if two that are fixed do not.
+bool SurfaceSolver::join(const std::array<Index, 4>& points) {
+  const std::size_t n = x_.size();
+  if (zone_.size() != n) {
+    zone_.resize(n);
+    for (std::size_t k = 0; k < n; ++k) zone_[k] = static_cast<Index>(k);
+  }
+  const std::array<Index, 4> zones{zone_[points[0]], zone_[points[1]], zone_[points[2]], zone_[points[3]]};
+  if (std::ranges::all_of(zones, [&](Index zone) { return zone == zones[0]; })) return false;
+  const Index first = std::ranges::min(zones);
+  double mass = 0.0;
+  Vec3 momentum(0.0), fixed(0.0);
+  bool has_fixed = false;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (std::ranges::find(zones, zone_[k]) == zones.end()) continue;
+    zone_[k] = first;
+    if (inverse_mass_[k] == 0.0) {
+      fixed = path_[k];
+      has_fixed = true;
+    } else {
+      mass += 1.0 / inverse_mass_[k];
+      momentum += path_[k] / inverse_mass_[k];
+    }
+  }
+  const Vec3 velocity = has_fixed ? fixed : momentum / mass;
+  for (std::size_t k = 0; k < n; ++k)
+    if (zone_[k] == first && inverse_mass_[k] != 0.0) path_[k] = velocity;
+  return true;
+}
+
+}  // namespace hooke
