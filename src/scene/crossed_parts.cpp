@@ -1,6 +1,6 @@
 #include "scene/crossed_parts.h"
 
-#include "sim/contact/surface_tree.h"
+#include "sim/contact/surface/surface_tree.h"
 
 namespace hooke {
 

@@ -6,7 +6,7 @@
 #include "base/number_text.h"
 #include "scene/crossed_parts.h"
 #include "sim/contact/pair_solver.h"
-#include "sim/contact/surface_plan.h"
+#include "sim/contact/surface/surface_plan.h"
 
 namespace hooke {
 

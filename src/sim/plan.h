@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/contact/pair_plan.h"
-#include "sim/contact/surface_plan.h"
+#include "sim/contact/surface/surface_plan.h"
 #include "sim/forces/enclosures.h"
 #include "sim/forces/hinges.h"
 #include "sim/grid.h"

@@ -8,7 +8,7 @@
 #include "base/errors.h"
 #include "sim/contact/gap.h"
 #include "sim/contact/pair_solver.h"
-#include "sim/contact/surface_tree.h"
+#include "sim/contact/surface/surface_tree.h"
 #include "sim/motion.h"
 #include "sim/statics/equilibrium.h"
 

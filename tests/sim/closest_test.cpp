@@ -5,7 +5,7 @@
 
 #include "sim/contact/closest.h"
 #include "sim/contact/closest_kernel.h"
-#include "sim/contact/surface_tree.h"
+#include "sim/contact/surface/surface_tree.h"
 #include "support/crossings.h"
 #include "support/folds.h"
 #include "support/random_scene.h"

@@ -4,7 +4,7 @@
 
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_solver.h"
-#include "sim/contact/surface_solver.h"
+#include "sim/contact/surface/surface_solver.h"
 #include "sim/motion.h"
 
 namespace hooke {

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/contact/closest.h"
-#include "sim/contact/surface_tree.h"
+#include "sim/contact/surface/surface_tree.h"
 #include "sim/energy.h"
 #include "sim/integrators/rows.h"
 #include "study/hard_cases/contact_scenes.h"

@@ -1,4 +1,4 @@
-#include "sim/contact/surface_tree.h"
+#include "sim/contact/surface/surface_tree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 
 #include "sim/contact/closest_kernel.h"
 #include "sim/contact/obstacle.h"
-#include "sim/contact/surface_response.h"
-#include "sim/contact/surface_tree.h"
+#include "sim/contact/surface/surface_response.h"
+#include "sim/contact/surface/surface_tree.h"
 #include "sim/motion.h"
 
 namespace hooke {

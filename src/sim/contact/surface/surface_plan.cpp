@@ -1,4 +1,4 @@
-#include "sim/contact/surface_plan.h"
+#include "sim/contact/surface/surface_plan.h"
 
 #include <algorithm>
 #include <cmath>

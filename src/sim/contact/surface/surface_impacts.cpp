@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "sim/contact/surface_solver.h"
+#include "sim/contact/surface/surface_solver.h"
 
 namespace hooke {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/contact/surface_solver.h"
+#include "sim/contact/surface/surface_solver.h"
 
 #include <algorithm>
 #include <cmath>

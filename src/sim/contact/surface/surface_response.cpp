@@ -1,4 +1,4 @@
-#include "sim/contact/surface_response.h"
+#include "sim/contact/surface/surface_response.h"
 
 #include <algorithm>
 #include <cmath>
