@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "sim/automatic/automatic.h"
 #include "sim/integrators/rows.h"
 #include "study/analytic_scenes.h"
 #include "study/hard_cases/case_report.h"
@@ -273,6 +274,7 @@ TEST(StabilityPage, HasTheCasesAndMethodsOfTheProgramAndNoUnexpectedResults) {
 
   std::vector<std::string> ids, names, headings;
   for (const Integrator& row : integrators()) ids.emplace_back(row.id);
+  ids.emplace_back(automatic_method().id);
   for (const HardCase& row : hard_cases()) {
     names.push_back(std::to_string(row.number) + " " + std::string(row.name));
     headings.push_back(std::to_string(row.number) + ". " + std::string(row.name));

@@ -26,6 +26,15 @@ TEST(AccuracyLines, LeaveOutThePredictabilityAndThenTheTotal) {
   EXPECT_EQ(accuracy_line(measured(1e-9, 1.0, 2.0)), "error 1 nm/frame, 1 m in total, predictable for 2 s");
 }
 
+TEST(AccuracyLines, NameTheTimeOfATotalThatIsLate) {
+  Accuracy accuracy = measured(1e-5, 7e-9, INFINITY);
+  accuracy.frame_time = 2.1;
+  accuracy.accumulated_time = 2.0;
+  EXPECT_EQ(accuracy_line(accuracy), "error 10 \u03bcm/frame, 7 nm in total, predictable");
+  accuracy.accumulated_time = 0.5;
+  EXPECT_EQ(accuracy_line(accuracy), "error 10 \u03bcm/frame, 7 nm in total at 500 ms, predictable");
+}
+
 std::string text_of(GuiFixture& gui, const Accuracy& accuracy, const char* window) {
   Status status = gui.status();
   status.accuracy = accuracy;

@@ -11,6 +11,8 @@ namespace {
 
 // Fewer seconds than this are no prediction.
 constexpr double min_predictable = 0.1;  // [s]
+// The second runs may be late: an accumulated error that is this much older than the error of a frame is shown with its time [s].
+constexpr double max_delay = 0.5;
 
 }  // namespace
 
@@ -56,7 +58,11 @@ std::vector<std::string> accuracy_lines(const Accuracy& accuracy) {
   std::vector<std::string> lines{"error " + length_text(*accuracy.frame.value) + "/frame"};
   // the more detailed go before the shorter
   const auto add = [&](const std::string& part) { lines.insert(lines.begin(), lines.front() + part); };
-  if (accuracy.accumulated.value) add(", " + length_text(*accuracy.accumulated.value) + " in total");
+  if (accuracy.accumulated.value) {
+    const bool is_late = accuracy.frame_time - accuracy.accumulated_time > max_delay;
+    add(", " + length_text(*accuracy.accumulated.value) + " in total" +
+        (is_late ? " at " + quantity_text(accuracy.accumulated_time, "s") : ""));
+  }
   if (!accuracy.predictable.value) return lines;
   const double seconds = *accuracy.predictable.value;
   add(!std::isfinite(seconds)     ? ", predictable"
