@@ -32,7 +32,7 @@ TEST(AccuracyLines, NameTheTimeOfATotalThatIsLate) {
   accuracy.accumulated_time = 2.0;
   EXPECT_EQ(accuracy_line(accuracy), "error 10 \u03bcm/frame, 7 nm in total, predictable");
   accuracy.accumulated_time = 0.5;
-  EXPECT_EQ(accuracy_line(accuracy), "error 10 \u03bcm/frame, 7 nm in total at 500 ms, predictable");
+  EXPECT_EQ(accuracy_line(accuracy), "error 10 \u03bcm/frame, 7 nm in total at 0.5 s, predictable");
 }
 
 std::string text_of(GuiFixture& gui, const Accuracy& accuracy, const char* window) {
