@@ -11,6 +11,7 @@
 #include "sim/contact/pair_plan.h"
 #include "sim/contact/surface/surface_plan.h"
 #include "sim/forces/enclosures.h"
+#include "sim/forces/execution.h"
 #include "sim/forces/hinges.h"
 #include "sim/grid.h"
 #include "sim/system.h"
@@ -125,6 +126,8 @@ struct Plan {
   std::vector<HeldSpring> held_springs;  // on it; empty without one
 
   Spectrum spectrum;
+
+  Execution execution;  // set by whoever steps; a new plan is stepped by one thread in double precision
 
   bool has_contact() const { return !colliders.empty() || touches_itself(); }
   bool touches_itself() const { return pairs.on || surface.on; }

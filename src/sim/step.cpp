@@ -7,6 +7,7 @@
 #include "sim/automatic/cost_model.h"
 #include "sim/automatic/islands.h"
 #include "sim/contact/clearance.h"
+#include "sim/forces/bands.h"
 #include "sim/forces/forces.h"
 #include "sim/hand.h"
 #include "sim/spring_limits.h"
@@ -21,6 +22,18 @@ double stretch_energy(const System& system, double displacement) {
   double stiffness = 0.0;
   for (const Spring& spring : system.springs()) stiffness += system.stiffness_of(spring);
   return 0.5 * stiffness * displacement * displacement;
+}
+
+// Keeps where the substep starts.
+void keep_start(const Plan& plan, const Motion& motion, ContactWorkspace& before) {
+  constexpr Index min_numbers = 16'000;  // some microseconds
+  before.time = motion.time;
+  before.x.resize(motion.x.size());
+  before.v.resize(motion.v.size());
+  for_parts(plan, static_cast<Index>(motion.x.size()), min_numbers, [&](int, Index first, Index end) {
+    std::copy(motion.x.begin() + first, motion.x.begin() + end, before.x.begin() + first);
+    std::copy(motion.v.begin() + first, motion.v.begin() + end, before.v.begin() + first);
+  });
 }
 
 }  // namespace
@@ -128,7 +141,8 @@ void Frame::take_over(Frame& computed) {
 // between them is known only afterwards: then they are taken back.
 bool Frame::fly(Plan& plan) {
   constexpr int springs_at_once = 1'000'000, max_at_once = 64;
-  const int at_once = std::clamp(springs_at_once / std::max(1, static_cast<int>(plan.springs)), 8, max_at_once);
+  const int at_once =
+      plan.execution.single ? max_at_once : std::clamp(springs_at_once / std::max(1, static_cast<int>(plan.springs)), 8, max_at_once);
   const int count = std::min(at_once, substeps_ - substeps_done_);
   const bool is_worth_it = integrator_->fly != nullptr && !plan.touches_itself() && plan.springs >= min_springs_of_grids && count > 1;
   if (!is_worth_it || substeps_done_ < one_by_one_until_ || !can_fly(plan)) return false;
@@ -137,11 +151,7 @@ bool Frame::fly(Plan& plan) {
   Flight flight{.clearance = compute_clearance(plan, motion_.x)};
   if (flight.was_interrupted()) return false;
   const bool may_be_interrupted = !plan.colliders.empty() || !plan.break_length.empty() || !plan.max_length.empty();
-  if (may_be_interrupted) {
-    before_.time = motion_.time;
-    before_.x = motion_.x;
-    before_.v = motion_.v;
-  }
+  if (may_be_interrupted) keep_start(plan, motion_, before_);
   force_work_.begin_substep(plan, motion_);
   integrator_->fly(plan, motion_, work_, h_, count, flight);
   if (flight.was_interrupted()) {
@@ -176,11 +186,7 @@ void Frame::substep(Plan& plan) {
   }
 
   const bool is_adaptive = integrator_->advance != nullptr;
-  if (plan.has_contact() && !is_adaptive) {
-    before_.time = motion_.time;
-    before_.x = motion_.x;
-    before_.v = motion_.v;
-  }
+  if (plan.has_contact() && !is_adaptive) keep_start(plan, motion_, before_);
 
   force_work_.begin_substep(plan, motion_);
   const bool has_hand = plan.held || plan.pull;

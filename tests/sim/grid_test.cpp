@@ -252,7 +252,7 @@ std::pair<Field, Field> advanced(Packed packed, bool damped, double& max_speed_s
   GridWatch watch;
   for (const Grid& grid : packed.plan.grids) {
     EXPECT_EQ(grid.first, 0);
-    advance_grid(packed.plan, grid, pass, packed.motion.x.data(), packed.motion.v.data(), watch);
+    advance_grid(packed.plan, grid, pass, packed.motion.x.data(), packed.motion.v.data(), {&watch, 1});
     advance_points(packed.plan, grid.points(), packed.plan.points, pass, packed.motion.x.data(), packed.motion.v.data(), watch);
   }
   max_speed_squared = watch.max_speed_squared;
@@ -331,7 +331,8 @@ TEST(GridPass, ReportsWhetherAnySpringIsAtItsLimit) {
         packed.plan.break_length.push_back(packed.plan.rest_length[s] + (reached ? longest : 1.000001 * longest));
       refresh_grids(packed.plan);
       GridWatch watch;
-      for (const Grid& grid : packed.plan.grids) advance_grid(packed.plan, grid, {}, packed.motion.x.data(), packed.motion.v.data(), watch);
+      for (const Grid& grid : packed.plan.grids)
+        advance_grid(packed.plan, grid, {}, packed.motion.x.data(), packed.motion.v.data(), {&watch, 1});
       if (net.extra) continue;
       EXPECT_EQ(watch.any_at_limit, reached) << net.rows << " x " << net.columns;
     }

@@ -2,6 +2,9 @@
 // restitution and Coulomb friction. Last, faces and springs against each other (surface_solver.h).
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_solver.h"
 #include "sim/contact/surface/surface_solver.h"
@@ -25,6 +28,10 @@ struct ContactWorkspace {
     Vec3 position, displacement;
   };
   std::vector<Pushed> pushed;
+  // Of each point: what became of it, and the work of the contact [J] in addition to the work of the forces.
+  enum class Outcome : std::uint8_t { Free, Solved, Open };
+  std::vector<Outcome> outcome;
+  std::vector<double> work;
   PairSolver pairs;
   SurfaceSolver surface;
   // Points may have been edited.

@@ -23,16 +23,21 @@ HWY_INLINE V shift_up([[maybe_unused]] D d, [[maybe_unused]] V current, V previo
 #if HWY_TARGET == HWY_SCALAR
   return previous;
 #else
+  using T = hn::TFromD<D>;
+  constexpr std::size_t bytes = hn::MaxLanes(D()) * sizeof(T);
   if constexpr (hn::MaxLanes(D()) == 1) {
     return previous;
-  } else if constexpr (hn::MaxLanes(D()) == 2) {
-    return hn::CombineShiftRightLanes<1>(d, current, previous);
-  } else if constexpr (hn::MaxLanes(D()) == 4) {
-    return hn::CombineShiftRightLanes<1>(d, current, hn::ConcatLowerUpper(d, current, previous));
+  } else if constexpr (bytes <= 16) {
+    return hn::CombineShiftRightLanes<hn::MaxLanes(D()) - 1>(d, current, previous);
+  } else if constexpr (bytes == 32) {
+    return hn::CombineShiftRightLanes<16 / sizeof(T) - 1>(d, current, hn::ConcatLowerUpper(d, current, previous));
   } else {
-    static_assert(hn::MaxLanes(D()) == 8 && HWY_TARGET <= HWY_AVX3, "no other unit has more than four lanes");
+    static_assert(bytes == 64 && HWY_TARGET <= HWY_AVX3, "no other unit has vectors of more than 32 bytes");
 #if HWY_TARGET <= HWY_AVX3
-    return V{_mm512_castsi512_pd(_mm512_alignr_epi64(_mm512_castpd_si512(current.raw), _mm512_castpd_si512(previous.raw), 7))};
+    if constexpr (sizeof(T) == 8)
+      return V{_mm512_castsi512_pd(_mm512_alignr_epi64(_mm512_castpd_si512(current.raw), _mm512_castpd_si512(previous.raw), 7))};
+    else
+      return V{_mm512_castsi512_ps(_mm512_alignr_epi32(_mm512_castps_si512(current.raw), _mm512_castps_si512(previous.raw), 15))};
 #endif
   }
 #endif
@@ -42,37 +47,40 @@ HWY_INLINE V shift_up([[maybe_unused]] D d, [[maybe_unused]] V current, V previo
 template <class Tag>
 struct WholeVector {
   using D = Tag;
+  using T = hn::TFromD<Tag>;
   using V = hn::Vec<D>;
   D d;
-  HWY_INLINE V load(const double* p) const { return hn::LoadU(d, p); }
-  HWY_INLINE V load_next(const double* p) const { return hn::LoadU(d, p + 1); }
-  HWY_INLINE void store(V v, double* p) const { hn::StoreU(v, d, p); }
+  HWY_INLINE V load(const T* p) const { return hn::LoadU(d, p); }
+  HWY_INLINE V load_next(const T* p) const { return hn::LoadU(d, p + 1); }
+  HWY_INLINE void store(V v, T* p) const { hn::StoreU(v, d, p); }
   HWY_INLINE V valid(V v) const { return v; }
 };
 
-// The last columns of a row: nothing is read or written beyond them. Vectors of two lanes take them one by one, since Highway's
+// The last columns of a row: nothing is read or written beyond them. Vectors of 16 bytes take them one by one, since Highway's
 // masked operations touch all lanes there.
 template <class Tag>
 struct RightEdge {
   using D = Tag;
+  using T = hn::TFromD<Tag>;
   using V = hn::Vec<D>;
   D d;
   hn::Mask<D> here, next;
   HWY_INLINE RightEdge(D tag, Index columns) : d(tag), here(hn::FirstN(tag, columns)), next(hn::FirstN(tag, columns - 1)) {}
-  HWY_INLINE V load(const double* p) const { return hn::MaskedLoad(here, d, p); }
-  HWY_INLINE V load_next(const double* p) const { return hn::MaskedLoad(next, d, p + 1); }
-  HWY_INLINE void store(V v, double* p) const { hn::BlendedStore(v, here, d, p); }
+  HWY_INLINE V load(const T* p) const { return hn::MaskedLoad(here, d, p); }
+  HWY_INLINE V load_next(const T* p) const { return hn::MaskedLoad(next, d, p + 1); }
+  HWY_INLINE void store(V v, T* p) const { hn::BlendedStore(v, here, d, p); }
   HWY_INLINE V valid(V v) const { return hn::IfThenElseZero(here, v); }
 };
 
+template <class T>
 struct OneColumn {
-  using D = hn::CappedTag<double, 1>;
+  using D = hn::CappedTag<T, 1>;
   using V = hn::Vec<D>;
   D d;
   bool has_next;
-  HWY_INLINE V load(const double* p) const { return hn::LoadU(d, p); }
-  HWY_INLINE V load_next(const double* p) const { return has_next ? hn::LoadU(d, p + 1) : hn::Zero(d); }
-  HWY_INLINE void store(V v, double* p) const { hn::StoreU(v, d, p); }
+  HWY_INLINE V load(const T* p) const { return hn::LoadU(d, p); }
+  HWY_INLINE V load_next(const T* p) const { return has_next ? hn::LoadU(d, p + 1) : hn::Zero(d); }
+  HWY_INLINE void store(V v, T* p) const { hn::StoreU(v, d, p); }
   HWY_INLINE V valid(V v) const { return v; }
 };
 
@@ -83,25 +91,25 @@ struct Carry {
 };
 
 // For the columns of a row in vectors: use(columns, first column).
-template <class Use>
+template <class T, class Use>
 HWY_INLINE void for_columns(Index count, const Use& use) {
-  const hn::ScalableTag<double> d;
+  const hn::ScalableTag<T> d;
   const Index lanes = static_cast<Index>(hn::Lanes(d));
   const WholeVector<decltype(d)> whole{d};
   Index j = 0;
   for (; j + lanes < count; j += lanes) use(whole, j);
-  if constexpr (hn::MaxLanes(d) >= 4) {
+  if constexpr (hn::MaxLanes(d) * sizeof(T) >= 32) {
     use(RightEdge(d, count - j), j);
   } else {
-    for (; j < count; ++j) use(OneColumn{{}, j + 1 < count}, j);
+    for (; j < count; ++j) use(OneColumn<T>{{}, j + 1 < count}, j);
   }
 }
 
 // The state of a sweep along a row in vectors of either width.
-template <int Dimensions>
+template <int Dimensions, class T>
 struct RowState {
-  using Wide = hn::ScalableTag<double>;
-  using Single = hn::CappedTag<double, 1>;
+  using Wide = hn::ScalableTag<T>;
+  using Single = hn::CappedTag<T, 1>;
   Carry<Dimensions, hn::Vec<Wide>> wide;
   Carry<Dimensions, hn::Vec<Single>> single;
   bool is_wide = false;
@@ -129,40 +137,42 @@ struct RowState {
 };
 
 // Whether any lane was set, over vectors of either width.
+template <class T>
 struct AnySet {
-  hn::Mask<hn::ScalableTag<double>> wide;
-  hn::Mask<hn::CappedTag<double, 1>> single;
-  HWY_INLINE AnySet() : wide(hn::FirstN(hn::ScalableTag<double>(), 0)), single(hn::FirstN(hn::CappedTag<double, 1>(), 0)) {}
+  using Wide = hn::ScalableTag<T>;
+  using Single = hn::CappedTag<T, 1>;
+  hn::Mask<Wide> wide;
+  hn::Mask<Single> single;
+  HWY_INLINE AnySet() : wide(hn::FirstN(Wide(), 0)), single(hn::FirstN(Single(), 0)) {}
   template <class D>
   HWY_INLINE auto& mask(D) {
-    if constexpr (hn::MaxLanes(D()) == hn::MaxLanes(hn::ScalableTag<double>()))
+    if constexpr (hn::MaxLanes(D()) == hn::MaxLanes(Wide()))
       return wide;
     else
       return single;
   }
-  HWY_INLINE bool any() const {
-    return !hn::AllFalse(hn::ScalableTag<double>(), wide) || !hn::AllFalse(hn::CappedTag<double, 1>(), single);
-  }
+  HWY_INLINE bool any() const { return !hn::AllFalse(Wide(), wide) || !hn::AllFalse(Single(), single); }
 };
 
 // The maximum of numbers that are not negative, over all lanes of vectors of either width.
+template <class T>
 struct Max {
-  hn::ScalableTag<double> d;
-  hn::Vec<hn::ScalableTag<double>> wide;
-  double single = 0.0;
+  hn::ScalableTag<T> d;
+  hn::Vec<hn::ScalableTag<T>> wide;
+  T single = 0;
 
   HWY_INLINE Max() : wide(hn::Zero(d)) {}
   template <class V>
   HWY_INLINE void add(V square) {
-    if constexpr (std::is_same_v<V, hn::Vec<hn::ScalableTag<double>>>) {
+    if constexpr (std::is_same_v<V, hn::Vec<hn::ScalableTag<T>>>) {
       wide = hn::Max(wide, square);
     } else {
-      const double candidate = hn::GetLane(square);
+      const T candidate = hn::GetLane(square);
       single = candidate > single ? candidate : single;
     }
   }
-  HWY_INLINE double get() const {
-    const double max = hn::GetLane(hn::MaxOfLanes(d, wide));
+  HWY_INLINE T get() const {
+    const T max = hn::GetLane(hn::MaxOfLanes(d, wide));
     return max > single ? max : single;
   }
 };

@@ -1,10 +1,13 @@
 #include "sim/forces/flight.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
 #include "sim/forces/grid_kernel.h"
+#include "sim/forces/single_precision.h"
 #include "sim/forces/spring_kernel.h"
 #include "sim/portable_math.h"
 #include "sim/spring_limits.h"
@@ -18,14 +21,16 @@ void set_kick(const Plan& plan, double h, GridPass& pass) {
   pass.weight = plan.drag == 0.0 ? h : -portable::expm1(-plan.drag * h) / plan.drag;
 }
 
-void advance_all(const Plan& plan, const GridPass& pass, Motion& motion, GridWatch& watch) {
+// As many passes over all points as there are watches. Grids do not act on each other.
+void advance_all(const Plan& plan, const GridPass& pass, Motion& motion, std::span<GridWatch> watches) {
+  double *const x = motion.x.data(), *const v = motion.v.data();
   Index next = 0;
   for (const Grid& grid : plan.grids) {
-    advance_points(plan, next, grid.first, pass, motion.x.data(), motion.v.data(), watch);
-    advance_grid(plan, grid, pass, motion.x.data(), motion.v.data(), watch);
+    for (GridWatch& watch : watches) advance_points(plan, next, grid.first, pass, x, v, watch);
+    advance_grid(plan, grid, pass, x, v, watches);
     next = grid.first + grid.points();
   }
-  advance_points(plan, next, plan.points, pass, motion.x.data(), motion.v.data(), watch);
+  for (GridWatch& watch : watches) advance_points(plan, next, plan.points, pass, x, v, watch);
 }
 
 void record(const GridWatch& watch, double drift, Flight& flight) {
@@ -59,8 +64,47 @@ void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift,
   motion.acceleration_is_current = false;
 
   GridWatch watch{.any_at_limit = any_reaches_limit(plan, plan.loose_runs, motion.x)};
-  advance_all(plan, pass, motion, watch);
+  advance_all(plan, pass, motion, {&watch, 1});
   record(watch, drift, flight);
+}
+
+namespace {
+
+// At most max_grid_passes steps at once: the threads need not wait for each other after every step. What was reached is known afterwards.
+// Of an interrupted flight, which is repeated, the steps beyond the interruption do not count.
+void advance_at_once(const Plan& plan, const GridPass& pass, Motion& motion, int steps, Flight& flight) {
+  std::array<GridWatch, max_grid_passes> watches;
+  advance_all(plan, pass, motion, {watches.data(), static_cast<std::size_t>(steps)});
+  for (int i = 0; i < steps && !flight.was_interrupted(); ++i) {
+    record(watches[i], pass.drift, flight);
+    ++motion.force_evaluations;
+    motion.time += pass.drift;
+  }
+}
+
+}  // namespace
+
+void kick_and_drift_steps(const Plan& plan, Motion& motion, double h, int steps, bool damped, Flight& flight) {
+  if (plan.execution.single != nullptr) {
+    GridPass pass{.drift = h};
+    set_kick(plan, h, pass);
+    plan.execution.single->advance(plan, pass, steps, motion);
+    motion.acceleration_is_current = false;
+    motion.force_evaluations += steps;
+    motion.time += steps * h;
+  } else if (plan.execution.team != nullptr && plan.loose_runs.empty() && plan.forces.empty()) {
+    GridPass pass{.drift = h, .damped = damped};
+    set_kick(plan, h, pass);
+    motion.acceleration_is_current = false;
+    for (int done = 0; done < steps && !flight.was_interrupted(); done += max_grid_passes)
+      advance_at_once(plan, pass, motion, std::min(steps - done, max_grid_passes), flight);
+  } else {
+    for (int i = 0; i < steps && !flight.was_interrupted(); ++i) {
+      kick_and_drift(plan, motion, h, h, damped, flight);
+      ++motion.force_evaluations;
+      motion.time += h;
+    }
+  }
 }
 
 void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, double drift, Flight& flight) {
@@ -83,7 +127,7 @@ void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double k
   }
   set_kick(plan, kick, pass);
   GridWatch watch;
-  advance_all(plan, pass, motion, watch);
+  advance_all(plan, pass, motion, {&watch, 1});
 }
 
 }  // namespace hooke

@@ -32,6 +32,10 @@ bool can_fly(const Plan& plan);
 // Uses motion.a as scratch.
 void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift, bool damped, Flight& flight);
 
+// `steps` times the same, with kicks and drifts by h [s] each, or until the flight was interrupted; adds to motion.time and to the force
+// evaluations. In single precision if the plan is computed in it.
+void kick_and_drift_steps(const Plan& plan, Motion& motion, double h, int steps, bool damped, Flight& flight);
+
 // The same for a flight with the accelerations motion.a.
 void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, double drift, Flight& flight);
 

@@ -2,6 +2,8 @@
 // machine. Either their forces alone, or forces, kick and drift in one pass over the points.
 #pragma once
 
+#include <span>
+
 #include "sim/plan.h"
 
 namespace hooke {
@@ -27,10 +29,12 @@ struct GridWatch {
   bool any_at_limit = false;       // whether a spring was as long as its limit before the pass; none without limits
 };
 
-// Advances the points of the grid in place, and adds to `watch`.
-void advance_grid(const Plan& plan, const Grid& grid, const GridPass& pass, double* x, double* v, GridWatch& watch);
+// As many passes one after another as there are watches, at most max_grid_passes: each advances the points of the grid in place, and adds
+// to its watch. On the threads of the plan.
+inline constexpr int max_grid_passes = 64;
+void advance_grid(const Plan& plan, const Grid& grid, const GridPass& pass, double* x, double* v, std::span<GridWatch> watches);
 
-// The same for points first .. end - 1, on which no force of a grid acts.
+// One pass over points first .. end - 1, on which no force of a grid acts.
 void advance_points(const Plan& plan, Index first, Index end, const GridPass& pass, double* x, double* v, GridWatch& watch);
 
 }  // namespace hooke

@@ -36,11 +36,7 @@ double modified_energy(const Plan& plan, const Motion& motion, double h) {
 }
 
 void fly(const Plan& plan, Motion& motion, Workspace&, double h, int count, Flight& flight) {
-  for (int i = 0; i < count && !flight.was_interrupted(); ++i) {
-    kick_and_drift(plan, motion, h, h, plan.has_dashpots(), flight);
-    ++motion.force_evaluations;
-    motion.time += h;
-  }
+  kick_and_drift_steps(plan, motion, h, count, plan.has_dashpots(), flight);
 }
 
 // v' = E v - phi h (omega^2 x + (lambda + q) v), x' = x + h v', with E = e^(-h c), phi = (1 - E) / (h c)

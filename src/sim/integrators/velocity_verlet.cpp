@@ -86,12 +86,8 @@ void fly(const Plan& plan, Motion& motion, Workspace& work, double h, int count,
   if (plan.has_dashpots()) return fly_damped(plan, motion, work, h, count, flight);
   if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
   kick_and_drift_with_known(plan, motion, 0.5 * h, h, flight);
-  for (int i = 1; i < count && !flight.was_interrupted(); ++i) {
-    motion.time += h;
-    kick_and_drift(plan, motion, h, h, false, flight);
-    ++motion.force_evaluations;
-  }
   motion.time += h;
+  kick_and_drift_steps(plan, motion, h, count - 1, false, flight);
   accelerate_and_kick_half(plan, motion.time, motion, h);
   motion.acceleration_is_current = true;
 }

@@ -1,0 +1,18 @@
+// On how many threads and in which precision steps are computed. Not part of a scene.
+#pragma once
+
+#include <memory>
+
+namespace hooke {
+
+class ThreadTeam;
+class SinglePrecision;
+
+struct Execution {
+  // Shares long passes over grids and points, to the same bits for any number of threads; null: the calling thread computes alone.
+  std::shared_ptr<ThreadTeam> team{};
+  // Computes the steps between which nothing acts (single_precision.h); null: they are computed in double precision.
+  std::shared_ptr<SinglePrecision> single{};
+};
+
+}  // namespace hooke

@@ -1,0 +1,284 @@
+// The sums of forces over a band of rows of a grid, for kernels that Highway compiles once for each vector unit; see grid_kernel.cpp.
+// Included once for each of them.
+#include <type_traits>
+#include <utility>
+
+#if defined(HOOKE_SIM_FORCES_GRID_ROWS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef HOOKE_SIM_FORCES_GRID_ROWS_INL_H
+#undef HOOKE_SIM_FORCES_GRID_ROWS_INL_H
+#else
+#define HOOKE_SIM_FORCES_GRID_ROWS_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include "sim/forces/columns-inl.h"
+#include "sim/forces/grid_rows.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hooke::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Scratch of a grid: the p of one row of springs in each direction, and the force on one row of points in each component.
+template <class T>
+struct Scratch {
+  T* p[Grid::directions];
+  T* force[3];
+  Scratch(T* buffer, Index pitch) {
+    for (T*& row : p) row = std::exchange(buffer, buffer + pitch);
+    for (T*& row : force) row = std::exchange(buffer, buffer + pitch);
+  }
+};
+constexpr std::size_t scratch_rows = Grid::directions + 3;
+
+// A row of points: its first component, and the distance of the next one.
+template <class T>
+struct PointRow {
+  const T* first = nullptr;
+  std::size_t step = 0;
+};
+
+// A field, with the copy of the row below a band.
+template <class T>
+class RowSource {
+ public:
+  RowSource(const GridView<T>& grid, const GridBand<T>& band, const T* field, const T* below)
+      : first_(field + grid.first), below_(below), columns_(grid.columns), points_(grid.points), end_(band.end) {}
+  HWY_INLINE PointRow<T> row(Index r) const {
+    if (r == end_ && below_ != nullptr) return {below_, static_cast<std::size_t>(columns_)};
+    return {first_ + static_cast<std::ptrdiff_t>(r) * columns_, static_cast<std::size_t>(points_)};
+  }
+
+ private:
+  const T *first_, *below_;
+  Index columns_, points_, end_;
+};
+
+// The points of a row and of the row below, by component.
+template <int Dimensions, class T>
+struct Points {
+  const T *row[Dimensions], *below[Dimensions];
+  HWY_INLINE Points(const PointRow<T>& upper, const PointRow<T>& lower) {
+    for (int c = 0; c < Dimensions; ++c) {
+      row[c] = upper.first + static_cast<std::size_t>(c) * upper.step;
+      below[c] = lower.first + static_cast<std::size_t>(c) * lower.step;
+    }
+  }
+};
+
+// The numbers of a row of springs.
+template <class T>
+struct Numbers {
+  const T *stiffness[Grid::directions], *rest_length[Grid::directions], *damping[Grid::directions], *limit[Grid::directions];
+  bool has_limits;
+  Numbers(const GridView<T>& grid, Index r, bool damped) : has_limits(grid.has_limits) {
+    for (std::size_t direction = 0; direction < (r + 1 < grid.rows ? Grid::directions : 1); ++direction) {
+      stiffness[direction] = grid.stiffness[direction].row(r);
+      rest_length[direction] = grid.rest_length[direction].row(r);
+      if (damped) damping[direction] = grid.damping[direction].row(r);
+      if (has_limits) limit[direction] = grid.limit[direction].row(r);
+    }
+  }
+};
+
+// The corners of cells, of positions or velocities.
+template <int Dimensions, class V>
+struct Corners {
+  V x00[Dimensions], x01[Dimensions], x10[Dimensions], x11[Dimensions];
+};
+
+template <int Dimensions, bool HasBelow, class Columns, class T, class V = typename Columns::V>
+HWY_INLINE Corners<Dimensions, V> load_corners(const Columns& columns, const Points<Dimensions, T>& points, Index j) {
+  Corners<Dimensions, V> corners;
+  for (int c = 0; c < Dimensions; ++c) {
+    corners.x00[c] = columns.load(points.row[c] + j);
+    corners.x01[c] = columns.load_next(points.row[c] + j);
+    if constexpr (!HasBelow) continue;
+    corners.x10[c] = columns.load(points.below[c] + j);
+    corners.x11[c] = columns.load_next(points.below[c] + j);
+  }
+  return corners;
+}
+
+// The p of the springs of one direction from column j on. `at_limit` collects whether springs are at least as long as their limit.
+template <int Dimensions, bool Damped, class D, class V, class T>
+HWY_INLINE void compute_tension(D d, const Numbers<T>& numbers, Grid::Direction direction, Index j, const V* x1, const V* x2, const V* v1,
+                                const V* v2, T* p, hn::Mask<D>& at_limit) {
+  V u[Dimensions];
+  for (int c = 0; c < Dimensions; ++c) u[c] = hn::Sub(x1[c], x2[c]);
+  V square = hn::Mul(u[0], u[0]);
+  for (int c = 1; c < Dimensions; ++c) square = hn::Add(square, hn::Mul(u[c], u[c]));
+
+  const V k = hn::LoadU(d, numbers.stiffness[direction] + j), rest_length = hn::LoadU(d, numbers.rest_length[direction] + j);
+  V tension = hn::Mul(k, hn::Sub(hn::Set(d, T{1}), hn::Div(rest_length, hn::Sqrt(square))));
+  if constexpr (Damped) {
+    V approach = hn::Mul(u[0], hn::Sub(v1[0], v2[0]));
+    for (int c = 1; c < Dimensions; ++c) approach = hn::Add(approach, hn::Mul(u[c], hn::Sub(v1[c], v2[c])));
+    tension = hn::Add(tension, hn::Div(hn::Mul(hn::LoadU(d, numbers.damping[direction] + j), approach), square));
+  }
+  hn::StoreU(hn::IfThenZeroElse(hn::Eq(square, hn::Zero(d)), tension), d, p + j);
+  if (numbers.has_limits) at_limit = hn::Or(at_limit, hn::Ge(square, hn::LoadU(d, numbers.limit[direction] + j)));
+}
+
+// The p of the cells from column j on.
+template <int Dimensions, bool Damped, bool HasBelow, class Columns, class T>
+HWY_INLINE void compute_tensions(const Columns& columns, const Points<Dimensions, T>& x, const Points<Dimensions, T>& v,
+                                 const Numbers<T>& numbers, Index j, T* const* p, hn::Mask<typename Columns::D>& at_limit) {
+  const auto d = columns.d;
+  const auto at = load_corners<Dimensions, HasBelow>(columns, x, j);
+  auto speed = at;
+  if constexpr (Damped) speed = load_corners<Dimensions, HasBelow>(columns, v, j);
+  const auto compute = [&](Grid::Direction direction, const auto* x1, const auto* x2, const auto* v1, const auto* v2) HWY_ATTR {
+    compute_tension<Dimensions, Damped>(d, numbers, direction, j, x1, x2, v1, v2, p[direction], at_limit);
+  };
+  compute(Grid::Right, at.x00, at.x01, speed.x00, speed.x01);
+  if constexpr (!HasBelow) return;
+  compute(Grid::Down, at.x00, at.x10, speed.x00, speed.x10);
+  compute(Grid::Diagonal, at.x00, at.x11, speed.x00, speed.x11);
+  compute(Grid::Anti, at.x01, at.x10, speed.x01, speed.x10);
+}
+
+// Where the force on a row comes from and goes to: by the row above, and on the row below, which it replaces or is added to.
+template <int Dimensions, class T>
+struct Sums {
+  const T* from_above[Dimensions];
+  T* to_below[Dimensions];
+};
+
+// The force on the own corners of the cells from column j on.
+template <int Dimensions, bool HasBelow, bool Replace, class Columns, class T, class V, class Others>
+HWY_INLINE void compute_forces(const Columns& columns, const Points<Dimensions, T>& x, const Sums<Dimensions, T>& sums, Index j, const V* p,
+                               const Others& others, Carry<Dimensions, V>& carry, V* force) {
+  const auto d = columns.d;
+  const auto at = load_corners<Dimensions, HasBelow>(columns, x, j);
+  for (int c = 0; c < Dimensions; ++c) {
+    const V right = hn::Mul(p[Grid::Right], hn::Sub(at.x00[c], at.x01[c]));
+    V own = right, to_next = right, down, diagonal, anti;
+    if constexpr (HasBelow) {
+      down = hn::Mul(p[Grid::Down], hn::Sub(at.x00[c], at.x10[c]));
+      diagonal = hn::Mul(p[Grid::Diagonal], hn::Sub(at.x00[c], at.x11[c]));
+      anti = hn::Mul(p[Grid::Anti], hn::Sub(at.x01[c], at.x10[c]));
+      own = hn::Add(hn::Add(right, down), diagonal);
+      to_next = hn::Sub(right, anti);
+    }
+    const V from_left = shift_up(d, to_next, carry.same_row[c]);
+    carry.same_row[c] = to_next;
+    force[c] = hn::Add(hn::Sub(from_left, own), others(c, columns.load(sums.from_above[c] + j)));
+    if constexpr (HasBelow) {
+      const V below_from_left = shift_up(d, diagonal, carry.below[c]);
+      carry.below[c] = diagonal;
+      V below = hn::Add(hn::Add(down, anti), below_from_left);
+      if constexpr (!Replace) below = hn::Add(columns.load(sums.to_below[c] + j), below);
+      columns.store(below, sums.to_below[c] + j);
+    }
+  }
+}
+
+// Whose springs are computed ahead of the sums of a row: none, those along the last row of the grid, or all of the next row.
+enum class Ahead { None, LastRow, Row };
+
+// What the rows of a band are computed from, and where their forces go.
+template <int Dimensions, class T>
+struct BandPass {
+  const GridView<T>& grid;
+  const GridBand<T>& band;
+  RowSource<T> positions, velocities;
+  Scratch<T> scratch;
+  T* field;
+  HWY_INLINE Points<Dimensions, T> points(const RowSource<T>& source, Index r) const { return {source.row(r), source.row(r + 1)}; }
+};
+
+// The p of row r.
+template <int Dimensions, bool Damped, bool HasBelow, class T>
+HWY_INLINE void compute_first_row(const BandPass<Dimensions, T>& pass, Index r, AnySet<T>& at_limit) {
+  const Points<Dimensions, T> position = pass.points(pass.positions, r), velocity = pass.points(pass.velocities, r);
+  const Numbers<T> numbers(pass.grid, r, Damped);
+  for_columns<T>(pass.grid.columns, [&](const auto& columns, Index j) HWY_ATTR {
+    compute_tensions<Dimensions, Damped, HasBelow>(columns, position, velocity, numbers, j, pass.scratch.p, at_limit.mask(columns.d));
+  });
+}
+
+// The forces on row r, and the p of the row ahead. A row of the band if IsOwn; of the row above, only the forces on the band count.
+template <int Dimensions, bool Damped, bool Replace, bool HasBelow, Ahead ahead, bool IsOwn, class T, class Others, class Use>
+HWY_INLINE void compute_row(const BandPass<Dimensions, T>& pass, Index r, AnySet<T>& at_limit, const Others& others, const Use& use) {
+  const Index columns_of_row = pass.grid.columns, start = pass.grid.first + r * columns_of_row;
+  const Index row_ahead = ahead == Ahead::None ? r : r + 1;
+  const Points<Dimensions, T> position = pass.points(pass.positions, r), position_ahead = pass.points(pass.positions, row_ahead),
+                              velocity_ahead = pass.points(pass.velocities, row_ahead);
+  const Numbers<T> numbers_ahead(pass.grid, row_ahead, Damped);
+  T* const* const p = pass.scratch.p;
+  Sums<Dimensions, T> sums;
+  for (int c = 0; c < Dimensions; ++c) {
+    T* const component = Replace ? nullptr : pass.field + static_cast<std::size_t>(c) * pass.grid.points + start;
+    // the last row of a band leaves the next one to its band
+    const bool is_below_in_band = r + 1 < pass.band.end;
+    sums.from_above[c] = Replace || !IsOwn ? pass.scratch.force[c] : component;
+    sums.to_below[c] = Replace || !is_below_in_band ? pass.scratch.force[c] : component + columns_of_row;
+  }
+  RowState<Dimensions, T> state;
+  for_columns<T>(columns_of_row, [&](const auto& columns, Index j) HWY_ATTR {
+    using V = typename std::remove_cvref_t<decltype(columns)>::V;
+    V tension[Grid::directions], on_points[Dimensions];
+    for (std::size_t direction = 0; direction < (HasBelow ? Grid::directions : 1); ++direction)
+      tension[direction] = hn::LoadU(columns.d, p[direction] + j);
+    if constexpr (ahead != Ahead::None)
+      compute_tensions<Dimensions, Damped, ahead == Ahead::Row>(columns, position_ahead, velocity_ahead, numbers_ahead, j, p,
+                                                                at_limit.mask(columns.d));
+    const auto add_others = [&](int c, V from_above) HWY_ATTR {
+      if constexpr (IsOwn)
+        return others(columns, start + j, c, from_above);
+      else
+        return from_above;
+    };
+    compute_forces<Dimensions, HasBelow, Replace>(columns, position, sums, j, tension, add_others, state.carry(columns.d), on_points);
+    if constexpr (IsOwn) use(columns, start + j, on_points);
+  });
+}
+
+// What bands of a part of the grid need besides, in functions of their own: the loop over the rows of a whole grid remains as small as it
+// is.
+template <int Dimensions, bool Damped, bool Replace, class T, class Others, class Use>
+HWY_NOINLINE void compute_row_above(const BandPass<Dimensions, T>& pass, AnySet<T>& at_limit, const Others& others, const Use& use) {
+  const Index above = pass.band.begin - 1;
+  compute_first_row<Dimensions, Damped, true>(pass, above, at_limit);
+  if (above + 2 < pass.grid.rows)
+    compute_row<Dimensions, Damped, Replace, true, Ahead::Row, false>(pass, above, at_limit, others, use);
+  else
+    compute_row<Dimensions, Damped, Replace, true, Ahead::LastRow, false>(pass, above, at_limit, others, use);
+  if (pass.band.steps != nullptr) pass.band.steps->has_read_above();
+}
+template <int Dimensions, bool Damped, bool Replace, class T, class Others, class Use>
+HWY_NOINLINE void compute_last_row(const BandPass<Dimensions, T>& pass, AnySet<T>& at_limit, const Others& others, const Use& use) {
+  compute_row<Dimensions, Damped, Replace, true, Ahead::None, true>(pass, pass.band.end - 1, at_limit, others, use);
+}
+
+// The rows of a band from the top: use(columns, first point, force on the points from there on). Forces on the row below go to the scratch,
+// whose forces are zero at first, or with Replace = false are added to the field `field`. others(columns, first point, c, force from above)
+// adds other forces to the latter. The band's first row takes the forces of the row above, which it computes again.
+template <int Dimensions, bool Damped, bool Replace, class T, class Others, class Use>
+HWY_INLINE void compute_band(const GridView<T>& grid, const GridBand<T>& band, const T* x, const T* v, const Scratch<T>& scratch, T* field,
+                             AnySet<T>& at_limit, const Others& others, const Use& use) {
+  const BandPass<Dimensions, T> pass{grid, band, {grid, band, x, band.x_below}, {grid, band, Damped ? v : x, band.v_below}, scratch, field};
+  const Index last = grid.rows - 1;
+  if (band.begin > 0)
+    compute_row_above<Dimensions, Damped, Replace>(pass, at_limit, others, use);
+  else if (last > 0)
+    compute_first_row<Dimensions, Damped, true>(pass, 0, at_limit);
+  else
+    compute_first_row<Dimensions, Damped, false>(pass, 0, at_limit);
+
+  // the rows that compute all springs of the next row, which in a band above another one include those to its copy
+  const bool is_last_band = band.end > last;
+  const Index end = is_last_band ? last - 1 : band.end - 1;
+  for (Index r = band.begin; r < end; ++r) {
+    if (r + 1 == end && !is_last_band && band.steps != nullptr) band.steps->wait_for_below();
+    compute_row<Dimensions, Damped, Replace, true, Ahead::Row, true>(pass, r, at_limit, others, use);
+  }
+  if (!is_last_band) return compute_last_row<Dimensions, Damped, Replace>(pass, at_limit, others, use);
+  if (last > band.begin) compute_row<Dimensions, Damped, Replace, true, Ahead::LastRow, true>(pass, last - 1, at_limit, others, use);
+  compute_row<Dimensions, Damped, Replace, false, Ahead::None, true>(pass, last, at_limit, others, use);
+}
+
+}  // namespace hooke::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
