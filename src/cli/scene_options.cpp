@@ -5,7 +5,9 @@
 
 #include "base/file_limits.h"
 #include "base/printable.h"
+#include "base/threads/thread_team.h"
 #include "formats/file_kind.h"
+#include "sim/forces/bands.h"
 
 namespace hooke {
 
@@ -61,6 +63,15 @@ std::optional<std::string> first_stepping_option(const CLI::App& app) {
     if (app.count(name) > 0) return name;
   return std::nullopt;
 }
+
+void add_threads_option(CLI::App& app, int& threads) {
+  app.add_option("--threads", threads, "Number of threads that compute a frame, to the same bits; scenes of less than 2000 points use one")
+      ->type_name("N")
+      ->check(within({.min = 1, .max = max_parts}))
+      ->capture_default_str();
+}
+
+std::shared_ptr<ThreadTeam> team_of(int threads) { return threads > 1 ? std::make_shared<ThreadTeam>(threads) : nullptr; }
 
 void add_shard_option(CLI::App& app, std::string& shard) {
   app.add_option("--shard", shard,

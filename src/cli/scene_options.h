@@ -17,6 +17,10 @@ std::shared_ptr<SceneOptions> add_scene_options(CLI::App& app, SceneIs scene = S
 // The first option given that changes how a scene is stepped, such as "--substeps"; none if only SCENE and --quiet are given.
 std::optional<std::string> first_stepping_option(const CLI::App& app);
 
+// Declares --threads N, on which frames are computed.
+void add_threads_option(CLI::App& app, int& threads);
+std::shared_ptr<ThreadTeam> team_of(int threads);
+
 // Declares --shard I/N, of which `shard` gets the text.
 void add_shard_option(CLI::App& app, std::string& shard);
 

@@ -58,7 +58,7 @@ void Lab::update_plan(Effect effect) {
   companions_.restart();
   if (effect.structure) {
     frame_history_.clear_if_points_changed(scene_.system);
-    plan_ = make_plan(scene_.system);
+    rebuild_plan();
   } else if (effect.values) {
     refresh_values(plan_, scene_.system);
   }
@@ -231,7 +231,7 @@ std::optional<Insert> Lab::tear() {
   for (const Index s : frame_.broken()) broken.push_back(scene_.system.springs()[s].id);
   Effect effect;
   const std::vector<Command> inverse = apply(scene_, removal_of_broken(scene_.system, broken), effect);
-  plan_ = make_plan(scene_.system);
+  rebuild_plan();
   return std::get<Insert>(inverse.front());
 }
 

@@ -80,6 +80,9 @@ class Lab {
   void submit(Command command, Gesture gesture = 0);
   void submit(Control control, Gesture gesture = 0);
 
+  // On how many threads and in which precision frames are computed, from the next one on.
+  void set_execution(Execution execution);
+
   // Applies the queue, then computes as many frames as `real_seconds` at the speed of the scene require, until `should_continue` returns
   // false (called between substeps; the next call continues an unfinished frame). Frames that cannot be computed in time are skipped, so
   // that a slow scene runs slower.
@@ -139,6 +142,7 @@ class Lab {
   bool is_at_start() const;
   History::Of changed_by(const Command& command) const;
   void update_plan(Effect effect);
+  void rebuild_plan();
   void open(std::shared_ptr<const Scene> scene);
   void reset_session();
   void keep_start();
@@ -179,6 +183,7 @@ class Lab {
   Companions companions_;
   bool measures_at_once_ = false;  // the accuracy of a frame, before the next one
   double accuracy_cpu_seconds_ = 0.0;
+  Execution execution_;
   Plan plan_;
   Frame frame_;
   bool frame_in_progress_ = false;

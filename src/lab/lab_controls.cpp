@@ -46,6 +46,16 @@ void Lab::reset_session() {
   initialize_ledger(scene_.system, scene_.state);
 }
 
+void Lab::rebuild_plan() {
+  plan_ = make_plan(scene_.system);
+  plan_.execution = execution_;
+}
+
+void Lab::set_execution(Execution execution) {
+  execution_ = std::move(execution);
+  plan_.execution = execution_;
+}
+
 // Edits made before the first frame belong to the start.
 void Lab::keep_start() {
   if (start_is_edited_ && scene_.state.time == start_.scene()->state.time) start_.set_with_released_nails(scene_);

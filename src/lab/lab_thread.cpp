@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "base/threads/thread_team.h"
+
 namespace hooke {
 namespace {
 
@@ -15,9 +17,17 @@ constexpr auto max_publish_interval = std::chrono::milliseconds(50);
 // Idle time that is not used, so that the next frame is not late.
 constexpr auto idle_margin = std::chrono::milliseconds(1);
 
+// On all cores but the one of the window.
+Lab lab_on_other_cores(Scene scene) {
+  Lab lab(std::move(scene));
+  if (const int threads = static_cast<int>(std::thread::hardware_concurrency()) - 1; threads > 1)
+    lab.set_execution({.team = std::make_shared<ThreadTeam>(threads)});
+  return lab;
+}
+
 }  // namespace
 
-LabThread::LabThread(Scene scene) : lab_(std::move(scene)), status_(lab_.status()), thread_([this] { work(); }) {}
+LabThread::LabThread(Scene scene) : lab_(lab_on_other_cores(std::move(scene))), status_(lab_.status()), thread_([this] { work(); }) {}
 
 LabThread::~LabThread() {
   {

@@ -16,6 +16,7 @@ namespace {
 
 struct Options : CaptureOptions {
   std::shared_ptr<SceneOptions> scene;
+  int threads = 1;
   std::optional<std::string> replay;  // a recording, instead of a scene
 };
 
@@ -36,6 +37,7 @@ int capture(const Options& options) {
   if (options.camera) parse_camera(*options.camera);
   std::shared_ptr<const Recording> recording;
   Lab lab = open_lab(options, recording);
+  lab.set_execution({.team = team_of(options.threads)});
   const double length = recording ? static_cast<double>(recording->frames) / lab.scene().settings.frame_rate : 0.0;
   std::optional<ProgressBar> progress;
   const CaptureResults results = capture_frames(lab, options, length, [&](long done, long all) {
@@ -85,6 +87,7 @@ std::function<int()> declare_capture(CLI::App& app) {
       ->type_name("S")
       ->check(within({.min = 0.5, .max = 4.0}))
       ->capture_default_str();
+  add_threads_option(app, options->threads);
   app.add_flag("--ui", options->panels, "Include the panels of the window");
   app.add_option(
          "--report", options->report,

@@ -8,6 +8,7 @@
 #include "batch/run_frames.h"
 #include "cli/output_options.h"
 #include "cli/progress_bar.h"
+#include "cli/scene_options.h"
 #include "lab/lab.h"
 #include "lab/recording.h"
 
@@ -17,6 +18,7 @@ namespace {
 struct ReplayOptions {
   std::string log;
   bool verify = false, quiet = false;
+  int threads = 1;
   OutputOptions output;
 };
 
@@ -27,6 +29,7 @@ int replay(const ReplayOptions& options) {
     std::cerr << "warning: " << printable(options.log) << ": its last line is incomplete; replaying up to there\n";
 
   Lab lab(*recording->start, KeepStart::No);
+  lab.set_execution({.team = team_of(options.threads)});
   const Scene& scene = lab.scene();
   RunOutput output(options.output.files, options.log, scene, parse_points(options.output.points, scene.system.point_count()));
   const RunRequest request{.sample = options.output.sample,
@@ -56,6 +59,7 @@ std::function<int()> declare_replay(CLI::App& app) {
   app.add_option("LOG", options->log, "A recording (" + std::string(recording_extension) + ")")->required();
   app.add_flag("--verify", options->verify, "Exit with code 1 if a frame differs from the recorded one in any bit");
   add_output_options(app, options->output, Summary::WithoutAccuracy);
+  add_threads_option(app, options->threads);
   app.add_flag("-q,--quiet", options->quiet, "Print no warnings, progress or summary");
   return [options] { return replay(*options); };
 }

@@ -16,15 +16,20 @@
 #include "lab/accuracy/accuracy_text.h"
 #include "lab/lab.h"
 #include "sim/automatic/automatic.h"
+#include "sim/forces/single_precision.h"
 #include "sim/integrator.h"
 
 namespace hooke {
 namespace {
 
+enum class Precision { Double, Single };
+
 struct RunOptions {
   std::shared_ptr<SceneOptions> scene;
   double seconds = 0.0;  // [s]
   OutputOptions output;
+  int threads = 1;
+  Precision precision = Precision::Double;
   std::optional<std::string> engine;  // "mpirun -np 2 lmp"; none: this program computes the frames
 };
 
@@ -93,11 +98,20 @@ int run_engine(const RunOptions& options) {
   return exit_code::diverged;
 }
 
+// Null: double precision. Throws UsageError.
+std::shared_ptr<SinglePrecision> precision_of(const RunOptions& options, const Lab& lab) {
+  if (options.precision == Precision::Double) return nullptr;
+  if (const std::string needs = needs_double_precision(lab.plan(), lab.scene().settings); !needs.empty())
+    throw UsageError("--precision single: not for " + needs);
+  return std::make_shared<SinglePrecision>();
+}
+
 int run(const RunOptions& options) {
   require_separate_files(options.scene->scene,
                          {{"--json", options.output.files.json}, {"--csv", options.output.files.csv}, {"--pc2", options.output.files.pc2}});
   if (options.engine) return run_engine(options);
   Lab lab(open_scene(*options.scene), KeepStart::No);
+  lab.set_execution({.team = team_of(options.threads), .single = precision_of(options, lab)});
   const Scene& scene = lab.scene();
   RunRequest request{.seconds = options.seconds, .sample = options.output.sample};
   count_frames(request.seconds, scene.settings.frame_rate);
@@ -133,9 +147,18 @@ std::function<int()> declare_run(CLI::App& app) {
   add_output_options(app, options->output, Summary::WithErrorOfFrame);
   app.add_option("--pc2", options->output.files.pc2, "Write the positions of all points in every frame as a point cache")
       ->type_name("FILE");
+  add_threads_option(app, options->threads);
+  app.add_option("--precision", options->precision,
+                 "double, the default, or single for twice the speed: velocity_verlet and symplectic_euler, for grids of springs without "
+                 "dashpots, with gravity "
+                 "and air")
+      ->type_name("double|single")
+      ->transform(one_of({"double", "single"}));
   app.add_option("--engine", options->engine,
                  "Let LAMMPS compute the frames: a command such as \"mpirun -np 8 lmp\", whose words are separated by blanks")
-      ->type_name("COMMAND");
+      ->type_name("COMMAND")
+      ->excludes(app.get_option("--threads"))
+      ->excludes(app.get_option("--precision"));
   return [options] { return run(*options); };
 }
 

@@ -8,8 +8,12 @@ namespace hooke {
 
 class ShadowRun {
  public:
-  // Copies the plan, which must be that of the System that the frames are given until the next call.
-  void set_plan(const Plan& plan) { plan_ = plan; }
+  // Copies the plan, which must be that of the System that the frames are given until the next call. Computes in double precision, so that
+  // the difference from a run in single precision includes its rounding.
+  void set_plan(const Plan& plan) {
+    plan_ = plan;
+    plan_.execution.single.reset();
+  }
   const Plan& plan() const { return plan_; }
   void start(const State& state) { state_ = state, is_in_frame_ = false; }
   void stop() { is_in_frame_ = false; }
