@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "base/formatted.h"
+#include "base/threads/thread_team.h"
 #include "formats/scene_file.h"
+#include "sim/forces/single_precision.h"
 #include "sim/step.h"
 #include "study/benchmark.h"
 
@@ -25,6 +29,12 @@ constexpr double implicit_step = 1.0 / 60.0;  // [s]
 
 constexpr std::array rows{
     KernelCase{.name = "grid", .description = "the cloth alone"},
+    KernelCase{.name = "grid on two threads", .description = "the cloth alone, on two threads", .threads = 2},
+    KernelCase{.name = "grid in single precision", .description = "the cloth alone, in single precision", .is_single = true},
+    KernelCase{.name = "grid in single precision on two threads",
+               .description = "the cloth alone, in single precision on two threads",
+               .threads = 2,
+               .is_single = true},
     KernelCase{.name = "drag", .description = "with drag", .members = R"(, "drag": 0.1)"},
     KernelCase{.name = "plane below",
                .description = "with a plane that nothing touches",
@@ -33,6 +43,11 @@ constexpr std::array rows{
                .description = "lies on a plane",
                .members = R"(, "colliders": [{"type": "plane", "point": [0, 0, -0.004], "normal": [0, 0, 1], "friction": 0.5}])",
                .is_nailed = false},
+    KernelCase{.name = "at rest on a plane on two threads",
+               .description = "lies on a plane, on two threads",
+               .members = R"(, "colliders": [{"type": "plane", "point": [0, 0, -0.004], "normal": [0, 0, 1], "friction": 0.5}])",
+               .is_nailed = false,
+               .threads = 2},
     KernelCase{.name = "on a ball and a floor",
                .description = "has fallen on a ball and a floor for 1 s",
                .members = ball_and_floor,
@@ -131,13 +146,20 @@ KernelTime measure_kernel(const KernelCase& row, int n, bool quick) {
   Scene scene = make_kernel_scene(row, n, substeps);
   KernelTime time{.points = scene.system.point_count(), .springs = scene.system.spring_count(), .seconds = HUGE_VAL};
   Plan plan = make_plan(scene.system);
+  if (row.threads > 1) plan.execution.team = std::make_shared<ThreadTeam>(row.threads);
+  if (row.is_single) plan.execution.single = std::make_shared<SinglePrecision>();
+  // other threads take CPU time while they wait
+  const auto now = [&] {
+    const std::chrono::duration<double> real = std::chrono::steady_clock::now().time_since_epoch();
+    return row.threads > 1 ? real.count() : cpu_seconds();
+  };
   Frame frame;
   const auto take_frame = [&] {
-    const double start = cpu_seconds();
+    const double start = now();
     frame.begin(plan, scene.system, scene.settings, scene.state);
     while (!frame.done()) frame.substep(plan);
     frame.end(plan, scene.state);
-    return cpu_seconds() - start;
+    return now() - start;
   };
   while (scene.state.time < row.settle) take_frame();
   for (int i = 0; i < frames; ++i) {

@@ -25,6 +25,8 @@ struct KernelCase {
   double step = 0.0;    // [s]; 0: a quarter of that at which the net becomes unstable
   double settle = 0.0;  // [s], simulated before it is measured
   int max_size = 1024;  // the largest n for which it is measured
+  int threads = 1;
+  bool is_single = false;  // in single precision
 };
 std::span<const KernelCase> kernel_cases();
 
@@ -32,8 +34,8 @@ std::span<const KernelCase> kernel_cases();
 // one.
 Scene make_kernel_scene(const KernelCase& row, int n, int substeps);
 
-// The CPU time [s] of a step, a force evaluation or a sweep over the springs as constraints, the minimum of six frames, of two if `quick`.
-// A frame has so many steps that what is done once per frame hardly counts.
+// The CPU time [s], with several threads the real time, of a step, a force evaluation or a sweep over the springs as constraints, the
+// minimum of six frames, of two if `quick`. A frame has so many steps that what is done once per frame hardly counts.
 struct KernelTime {
   long points = 0, springs = 0;
   double seconds = 0.0;
