@@ -131,54 +131,75 @@ TEST(StiffnessMatrix, OfCoincidentPointsIsIsotropic) {
   }
 }
 
+using Pairs = std::vector<std::pair<Index, Index>>;
+
+// Solves a system with random blocks and compares with a dense solver.
+void expect_solution(Index points, int dimensions, const Pairs& couplings) {
+  Random random(11);
+  LinearSolver solver(points, dimensions, couplings);
+
+  // a dominant diagonal and symmetric off-diagonal blocks
+  const int n = points * dimensions;
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
+  for (Index i = 0; i < points; ++i)
+    for (int c = 0; c < dimensions; ++c)
+      for (int r = 0; r <= c; ++r) {
+        const double value = r == c ? 100.0 + 4.0 * points : random.uniform(-1.0, 1.0);
+        solver.diagonal(i).column(c)[r] += value;
+        dense(i + r * points, i + c * points) += value;
+        if (r != c) dense(i + c * points, i + r * points) += value;
+      }
+  for (const auto& coupling : couplings) {
+    const auto i = coupling.first, j = coupling.second;
+    for (int c = 0; c < dimensions; ++c)
+      for (int r = 0; r <= c; ++r) {
+        const double value = random.uniform(-1.0, 1.0);
+        const auto add = [&](int row, int column) {
+          solver.coupling(i, j).column(column)[row] += value;
+          dense(i + row * points, j + column * points) += value;
+          dense(j + column * points, i + row * points) += value;
+        };
+        add(r, c);
+        if (r != c) add(c, r);
+      }
+  }
+
+  ASSERT_TRUE(solver.factorize());
+  Field right(n);
+  for (double& value : right) value = random.uniform(-1.0, 1.0);
+  const Eigen::VectorXd expected = dense.ldlt().solve(Eigen::Map<Eigen::VectorXd>(right.data(), n));
+  solver.solve(right);
+  for (int i = 0; i < n; ++i) ASSERT_NEAR(right[i], expected[i], 1e-14);
+}
+
 TEST(LinearSolver, SolvesAnyGraph) {
+  Random random(11);
+  Pairs few, grid, all, star;
+  for (int e = 0; e < 120; ++e) {
+    const Index i = random.below(40), j = random.below(39);
+    few.emplace_back(i, j < i ? j : j + 1);
+  }
+  constexpr Index width = 18, complete = 90, leaves = 50;
+  for (Index i = 0; i < width * width; ++i) {
+    if (i % width + 1 < width) grid.emplace_back(i, i + 1);
+    if (i + width < width * width) grid.emplace_back(i + width, i);
+  }
+  // more than one dense block is wide
+  for (Index i = 0; i < complete; ++i)
+    for (Index j = 0; j < i; ++j) all.emplace_back(i, j);
+  for (Index i = 1; i <= leaves; ++i) star.emplace_back(0, i);
   for (const int dimensions : {2, 3}) {
-    Random random(11);
-    const Index points = 40;
-    std::vector<std::pair<Index, Index>> couplings;
-    for (int e = 0; e < 120; ++e) {
-      const Index i = random.below(points), j = random.below(points - 1);
-      couplings.emplace_back(i, j < i ? j : j + 1);
-    }
-    LinearSolver solver(points, dimensions, couplings);
-
-    // a dominant diagonal and symmetric off-diagonal blocks
-    const int n = points * dimensions;
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(n, n);
-    for (Index i = 0; i < points; ++i)
-      for (int c = 0; c < dimensions; ++c)
-        for (int r = 0; r <= c; ++r) {
-          const double value = r == c ? 100.0 : random.uniform(-1.0, 1.0);
-          solver.diagonal(i).column(c)[r] += value;
-          dense(i + r * points, i + c * points) += value;
-          if (r != c) dense(i + c * points, i + r * points) += value;
-        }
-    for (const auto& coupling : couplings) {
-      const auto i = coupling.first, j = coupling.second;
-      for (int c = 0; c < dimensions; ++c)
-        for (int r = 0; r <= c; ++r) {
-          const double value = random.uniform(-1.0, 1.0);
-          const auto add = [&](int row, int column) {
-            solver.coupling(i, j).column(column)[row] += value;
-            dense(i + row * points, j + column * points) += value;
-            dense(j + column * points, i + row * points) += value;
-          };
-          add(r, c);
-          if (r != c) add(c, r);
-        }
-    }
-
-    ASSERT_TRUE(solver.factorize());
-    Field right(n);
-    for (double& value : right) value = random.uniform(-1.0, 1.0);
-    const Eigen::VectorXd expected = dense.ldlt().solve(Eigen::Map<Eigen::VectorXd>(right.data(), n));
-    solver.solve(right);
-    for (int i = 0; i < n; ++i) EXPECT_NEAR(right[i], expected[i], 1e-14);
+    expect_solution(1, dimensions, {});
+    expect_solution(7, dimensions, {});
+    expect_solution(40, dimensions, few);
+    expect_solution(width * width, dimensions, grid);
+    expect_solution(complete, dimensions, all);
+    expect_solution(leaves + 1, dimensions, star);
   }
 }
 
 TEST(LinearSolver, ReportsAMatrixThatIsNotPositiveDefinite) {
-  LinearSolver solver(2, 2, std::vector<std::pair<Index, Index>>{{0, 1}});
+  LinearSolver solver(2, 2, Pairs{{0, 1}});
   for (Index i = 0; i < 2; ++i)
     for (int c = 0; c < 2; ++c) solver.diagonal(i).column(c)[c] = 1.0;
   EXPECT_TRUE(solver.factorize());

@@ -2,11 +2,12 @@
 // change: ordering, symbolic factorization and memory are set up once.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "sim/implicit/elimination.h"
+#include "sim/implicit/supernodal_factor.h"
 #include "sim/plan.h"
 
 namespace hooke {
@@ -16,23 +17,22 @@ class LinearSolver {
   // `dimensions` unknowns per point, coupled between the given pairs of points (pairs may repeat; at least one
   // point). Throws InputError if the factor would need too much memory.
   LinearSolver(Index points, int dimensions, std::span<const std::pair<Index, Index>> couplings);
-  ~LinearSolver();
 
   // A block of A: its entry (row, column) is column(column)[row], in a diagonal block for row <= column only.
   // Where blocks are symmetric, the order of a pair does not matter.
   class Block {
    public:
-    double* column(int c) const { return start_ + c * stride_ + c * (c + 1) / 2; }
+    double* column(int c) const { return start_ + c * dimensions_; }
 
    private:
     friend class LinearSolver;
     double* start_ = nullptr;
-    std::ptrdiff_t stride_ = 0;  // entries above the diagonal block in its column
+    int dimensions_ = 0;
   };
-  Block diagonal(Index point) const;
-  Block coupling(Index first, Index second) const;
+  Block diagonal(Index point);
+  Block coupling(Index first, Index second);
   // Whether the rows of the block of this pair are those of `first`: of a block that is not symmetric, the transpose is stored otherwise.
-  bool precedes(Index first, Index second) const { return elimination_index_[first] < elimination_index_[second]; }
+  bool precedes(Index first, Index second) const { return order_[first] < order_[second]; }
   void set_zero();
 
   // Factors the current values. False if A is not positive definite; then it cannot solve.
@@ -42,11 +42,19 @@ class LinearSolver {
   void solve(Field& b);
 
  private:
-  struct Implementation;
+  Block block(std::size_t index);
+  template <int Dimensions>
+  void copy_to_factor();
+
   int dimensions_;
-  std::vector<Index> elimination_index_;  // of each point in the order of elimination
+  std::vector<Index> order_;  // of each point, its place in the order of elimination
+  // A: for each point in that order, the blocks with those before it and then its own
+  Couplings before_;
+  std::vector<std::size_t> first_block_;
+  std::vector<double> matrix_;
+  SupernodalFactor factor_;
+  std::vector<ColumnBlock> in_factor_;  // of each block, transposed
   std::vector<double> permuted_;
-  std::unique_ptr<Implementation> implementation_;
 };
 
 }  // namespace hooke
