@@ -14,6 +14,7 @@
 #include "base/json_writer.h"
 #include "edit/field_names.h"
 #include "scene/parameters.h"
+#include "sim/automatic/leapfrog.h"
 #include "sim/integrator.h"
 
 namespace hooke {
@@ -237,7 +238,7 @@ struct ByName {
   std::string_view operator()(const auto& row) const { return row.name; }
 };
 template <>
-struct Text<const Integrator*> : RowText<Integrator, find_integrator, ById> {};
+struct Text<const Integrator*> : RowText<Integrator, find_chosen_method, ById> {};
 template <>
 struct Text<const ForceTerm*> : RowText<ForceTerm, find_force_term, ById> {};
 template <>

@@ -78,6 +78,8 @@ std::optional<Settings> resolving(const Plan& plan, const Settings& settings, do
     Settings fine = settings;
     fine.integrator = each;
     fine.substeps = std::max(settings.substeps, static_cast<int>(substeps));
+    // both split dashpots off, with a larger error than that of the method where these decay within a part of a step
+    if (plan.spectrum.dashpot_rate * fine.substep() > 1.0) continue;
     if (model.expected(*each, fine.substeps) <= max_cost) return fine;
   }
   return std::nullopt;

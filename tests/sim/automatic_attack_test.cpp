@@ -81,5 +81,28 @@ TEST(AutomaticAttacks, AChoiceInAnySceneTakesLimitedTimeAndADivergedFrameMissesT
     std::printf("%d with frames beyond the tolerance, %d diverged; trials of a frame: at most %.3g ms\n", beyond, diverged, max);
 }
 
+// Contact limits the step of every method, and springs as fast as these that of explicit ones: 65,536 substeps of an implicit one would
+// take seconds a frame, for many more points minutes.
+TEST(AutomaticAttacks, AFrameOfSpringsThatAreTooFastForContactTakesLimitedTime) {
+  for (const double stiffness : {1e12, 1e14})
+    for (const double speed : {0.0, 30.0}) {
+      TestSim sim = net(12, stiffness, 0.0);
+      sim.system.colliders.push_back({.shape = Plane{{0.0, -1.05, 0.0}, {0.0, 1.0, 0.0}}, .restitution = 0.5, .friction = 0.3});
+      for (Index i = 0; i < sim.system.point_count(); ++i) {
+        sim.system.point(i).nailed = speed == 0.0 && sim.system.points()[i].nailed;
+        if (speed > 0.0) sim.state.velocity[i] = {0.3, -speed, 0.1};
+      }
+      Plan plan = make_plan(sim.system);
+      Frame frame;
+      const Settings settings = automatic(1e-3);
+      constexpr double max_ms = 1500.0;  // by the model, of a frame with its trials
+      for (int i = 0; i < 3; ++i) {
+        const double before = frame.trial_cost();
+        sim.state = next_frame(plan, frame, sim.system, settings, sim.state);
+        EXPECT_LT(frame.cost(plan) + frame.trial_cost() - before, max_ms) << stiffness << " " << speed << ", frame " << i;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace hooke

@@ -68,7 +68,7 @@ TEST(AutomaticCost, IsCloseToThatOfTheBestFixedMethod) {
   for (const ProblemRecord& record : results.problems) {
     const BuiltInProblem* built_in = find_problem(record.id);
     if (built_in == nullptr || (only != nullptr && record.id != only)) continue;
-    if (!prints() && record.id != "net_w2" && record.id != "net_w4") continue;
+    if (!prints() && record.id != "net_w2" && record.id != "net_w4" && record.id != "net_w4d") continue;
     const Problem problem = built_in->make();
     Benchmark benchmark(problem);
     const Plan plan = make_plan(problem.system);

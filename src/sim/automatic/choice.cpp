@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "sim/automatic/automatic.h"
+#include "sim/automatic/breaking.h"
+#include "sim/automatic/leapfrog.h"
 #include "sim/automatic/rates.h"
 #include "sim/automatic/resonance.h"
 #include "sim/automatic/selection.h"
@@ -25,8 +27,6 @@ constexpr int min_period = 3, max_period = 32, max_easy_period = 192, min_interv
 constexpr double event_factor = 1.3, easy_event_factor = 2.1, drift_factor = 2.0, easy_drift_factor = 4.0;
 constexpr double drop_factor = 1.5;  // within a frame: it turns into strain
 constexpr double fade = 0.99;        // of the recent maximum, per frame
-// After an error beyond the target that is acceptable, the substeps are raised to this part of the target.
-constexpr double raised_ratio = 0.8;
 // The part of the target below which an error is far below the tolerance.
 constexpr double easy_ratio = 0.05, very_easy_ratio = 0.01;
 
@@ -42,27 +42,78 @@ double speed_of(const Plan& plan, const State& state, double frame) {
   return rms + hand + frame * glm::length(plan.gravity) + 1e-9;
 }
 
+// [ms], of a frame in which springs break.
+double max_cost_with_breaks(const MethodChoice& choice, const Goal& goal) {
+  constexpr double max_cost_factor = 8.0, max_cost_ms = 50.0;
+  return std::min(goal.max_cost, std::max(max_cost_ms, max_cost_factor * choice.cost));
+}
+
+// Springs break in the coming frame, whose error is known: shorter steps for this frame alone. The error is of first order, and another
+// method would not help.
+void refine_breaks(MethodChoice& choice, Trials& trials, const Settings& trial, const Goal& goal) {
+  constexpr int max_attempts = 4;
+  constexpr double max_factor = 64.0;
+  const double max_cost = max_cost_with_breaks(choice, goal);
+  for (int attempt = 0; attempt < max_attempts && choice.ratio > 1.0 && std::isfinite(choice.cost); ++attempt) {
+    const int needed = substeps_for(choice.substeps, choice.ratio * goal.target, goal.target, 1, max_factor);
+    const double affordable = std::min<double>(max_automatic_substeps, choice.substeps * max_cost / choice.cost);
+    const int more = static_cast<int>(std::min<double>(needed, affordable));
+    if (more <= choice.substeps) break;
+    Settings finer = trial;
+    finer.substeps = more;
+    const Trials::Result result = trials.measure(finer, 1.25 * max_cost);
+    const double ratio = result.error / goal.target;
+    if (!(ratio < choice.ratio)) break;
+    const bool has_stalled = ratio > 0.7 * choice.ratio;
+    choice.substeps = more;
+    choice.ratio = ratio;
+    choice.cost = result.cost;
+    trials.keep();
+    if (has_stalled) break;
+  }
+}
+
 // Estimates the error of the coming frame with the present method, and adapts the substeps. False if so many more are needed that another
-// method may be cheaper: then `choice` has that number.
+// method may be cheaper: then `choice` has that number. `is_breaking`: springs may break in this frame.
 bool follow(MethodChoice& choice, Trials& trials, const System& system, const Settings& settings, const Goal& goal, bool is_sudden,
-            double max_increase) {
+            bool is_breaking, double max_increase) {
   constexpr int max_attempts = 6;
+  constexpr double max_comparison = 3.0;
   const double before = choice.ratio;
-  const int order = effective_order(system, *choice.method);
+  const int substeps_before = choice.substeps;
+  const int order = choice.method == &leapfrog ? optimistic_order(system, leapfrog) : effective_order(system, *choice.method);
   Settings trial = settings;
   trial.tolerance.reset();
   trial.integrator = choice.method;
   const bool has_stable_half = choice.substeps / 2 >= choice.min_substeps && choice.method->implicit_solve == ImplicitSolve::None;
   const bool is_by_coarser = has_stable_half && order > 1 && before > easy_ratio && !is_sudden;
+  bool breaks = false;
   const auto measure = [&](int substeps, bool by_coarser) {
     trial.substeps = substeps;
     const double max_cost = 1.25 * goal.max_cost;
     Trials::Result result = by_coarser ? trials.measure_by_coarser(trial, max_cost) : trials.measure(trial, max_cost);
     if (is_sudden && std::isfinite(result.error)) result.error = std::max(result.error, trials.unresolved(trial));
+    breaks = result.breaks;
     return std::pair(result.error / goal.target, result.cost);
   };
   std::tie(choice.ratio, choice.cost) = measure(choice.substeps, is_by_coarser);
   trials.keep();
+  if (is_breaking && !breaks) {
+    // between the ends of long substeps a spring that vibrates may pass its limit and return
+    const int substeps = trials.resolving_substeps(settings.frame_rate);
+    if (substeps > choice.substeps && trials.breaks_if_resolved(settings, substeps, max_cost_with_breaks(choice, goal))) {
+      choice.substeps = substeps;
+      std::tie(choice.ratio, choice.cost) = measure(substeps, false);
+      trials.keep();
+      breaks = true;
+    }
+  }
+  if (breaks) {
+    refine_breaks(choice, trials, trial, goal);
+    choice.next_substeps = substeps_before;
+    choice.until_estimate = choice.period = min_period;
+    return true;
+  }
   const bool is_missed = choice.ratio > 1.0;
   // while the motion grows, such a method soon needs many more substeps than one of higher order
   constexpr int expected_growth = 3;
@@ -78,7 +129,9 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
       return true;
     }
   }
+  const double max_spent = trials.total_cost() + max_comparison * goal.max_cost;
   for (int attempt = 0; choice.ratio > 1.0 && choice.substeps < max_automatic_substeps && attempt < max_attempts; ++attempt) {
+    if (trials.total_cost() > max_spent) break;
     const int needed = std::min(max_automatic_substeps, substeps_for(choice.substeps, choice.ratio * goal.target, goal.target, order, 4.0));
     const double affordable = std::isfinite(choice.cost) ? choice.substeps * goal.max_cost / choice.cost : needed;
     const int more = static_cast<int>(std::min<double>(needed, affordable));
@@ -142,7 +195,7 @@ void limit_to_stable(MethodChoice& choice, int min_before, int order) {
   choice.next_substeps = choice.substeps = std::max(choice.substeps, choice.min_substeps);
 }
 
-// Whether something strikes something else in the coming frame, which is computed for that and kept.
+// Whether something strikes something else or springs break in the coming frame, which is computed for that and kept.
 bool strikes(Trials& trials, const MethodChoice& choice, const Settings& settings, double max_error) {
   Settings trial = settings;
   trial.tolerance.reset();
@@ -150,7 +203,7 @@ bool strikes(Trials& trials, const MethodChoice& choice, const Settings& setting
   trial.substeps = choice.substeps;
   double cost = 0.0;
   if (trials.compute_frame(trial, std::numeric_limits<double>::infinity(), &cost) != Trials::End::Finished) return true;
-  const bool has_impact = trials.has_impact(max_error);
+  const bool has_impact = trials.has_broken() || trials.has_impact(max_error);
   if (!has_impact) trials.keep();
   return has_impact;
 }
@@ -236,9 +289,10 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
     }
     const bool has_hand = plan.held || plan.pull || plan.grabbed_collider;
     const bool is_beyond = !is_tolerance_met(choice, settings);  // which is reported: try again when the next estimate is due
-    if (is_beyond) is_event = false;
+    const bool is_breaking = is_about_to_break(plan, state, frame);
+    is_event = !is_beyond && (is_event || is_breaking);
     const bool is_due = is_edited || is_event || choice.until_estimate <= 0;
-    if (!is_due && plan.has_contact() && !is_beyond) {
+    if (!is_due && (plan.has_contact() || !plan.break_length.empty()) && !is_beyond) {
       begin();
       is_event = strikes(*trials_, choice, settings, target);
     }
@@ -250,7 +304,7 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
       if (choice.until_selection <= 0 && !has_hand && !is_beyond) select(&present, Present::Known, false);
     } else if (must_select) {
       select(&last, Present::ToBeMeasured, is_sudden);
-    } else if (!follow(choice, *trials_, system, settings, begin(), is_sudden, has_hand ? 5.0 : 2.0)) {
+    } else if (!follow(choice, *trials_, system, settings, begin(), is_sudden, is_breaking, has_hand ? 5.0 : 2.0)) {
       const MethodChoice present = choice;
       select(&present, Present::ToBeMeasured, is_sudden);
     }

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "sim/integrator.h"
+#include "sim/automatic/leapfrog.h"
 
 namespace hooke {
 namespace {
@@ -57,7 +57,7 @@ double CostModel::expected(const Integrator& method, int substeps) const {
   }
   if (method.stability == Stability::EachSpring) return ms_per_ns * substeps * (sweep_ + expected_contact_);
   const int evaluations = method.order <= 2 ? 1 : method.symplectic ? 6 : method.order;
-  const double dashpots = method.symplectic && method.order > 1 ? 2.0 * dashpots_ : 0.0;
+  const double dashpots = splits_dashpots(method) ? 2.0 * dashpots_ : 0.0;
   return ms_per_ns * (substeps * (evaluations * evaluation(method) + dashpots + expected_contact_) + force_);
 }
 

@@ -5,24 +5,28 @@
 #include <limits>
 #include <vector>
 
+#include "sim/automatic/leapfrog.h"
+#include "sim/contact/contact.h"
 #include "sim/frame_error.h"
-#include "sim/integrators/rows.h"
 #include "sim/portable_math.h"
 
 namespace hooke {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Another method takes the place of the present one only if it is cheaper by this factor.
-constexpr double hysteresis = 1.3, hysteresis_if_known = 2.0;
+// Another method takes the place of the present one only if it is cheaper by this factor; the smaller one if it is of higher order, because
+// methods are compared where the error has grown.
+constexpr double hysteresis = 1.3, hysteresis_of_higher_order = 1.1, hysteresis_if_known = 2.0;
 // Without a budget: a frame may cost this much, or this multiple of the cheapest stable one, to meet the tolerance; and a comparison of
 // methods that many times as much.
 constexpr double max_cost_ms = 400.0, max_cost_factor = 8.0, max_comparison = 5.0;
+// The same multiples where already these would take seconds; and a comparison where nothing could be measured so far.
+constexpr double slow_cost_factor = 1.5, slow_comparison = 2.0, max_fruitless_comparison = 8.0;
 // With contact, where all methods are of first order and shorter steps may not help at all: chains of impacts amplify any error.
 constexpr double max_cost_with_contact_ms = 3.0;
+// The same where springs are too fast for explicit methods.
+constexpr double max_implicit_cost_with_contact_ms = 60.0;
 constexpr int max_attempts = 8;
-// An error beyond the target that is acceptable counts as meeting the goal at a higher cost.
-constexpr double penalty = 2.0;
 // An unexpected cost, relative to the expected one.
 constexpr double max_cost_ratio = 4.0;
 
@@ -36,17 +40,25 @@ struct Candidate {
   double weight = 1.0;  // of its costs in comparisons
 };
 
+// Steps as short as the stability of explicit methods requires are far more accurate than long ones that just meet the goal, and their cost
+// is certain: worth these factors.
+double weight_of(const Integrator& method) {
+  constexpr double implicit = 1.5, each_spring = 1.25;
+  return method.implicit_solve != ImplicitSolve::None ? implicit : method.stability == Stability::EachSpring ? each_spring : 1.0;
+}
+
 std::vector<Candidate> candidates_for(Trials& trials, const Plan& plan, const Settings& settings, const Goal& goal,
                                       const MethodChoice* present) {
   const CostModel model(plan);
   std::vector<Candidate> list;
   const std::vector<int>& stable = trials.stable_substeps(plan, settings.frame_rate, goal.frequency);
   std::size_t row = 0;
-  for (const Integrator& method : integrators()) {
+  for (const Integrator* each : compared_methods()) {
+    const Integrator& method = *each;
     const int stable_at = stable[row++];
-    // explicit Euler grows, and what chooses its own steps has no number of them; dashpots make symplectic Euler cheaper than the others
-    const bool is_cheap_with_dashpots = plan.has_dashpots() && &method == &symplectic_euler;
-    if (!(method.for_production || is_cheap_with_dashpots) || method.stability == Stability::Adaptive) continue;
+    // explicit Euler grows, and what chooses its own steps has no number of them
+    if (!method.for_production || method.stability == Stability::Adaptive) continue;
+    if (&method == &leapfrog && !is_leapfrog_useful(plan)) continue;
     if (stable_at > max_automatic_substeps) continue;
     const bool is_present = present != nullptr && &method == present->method;
     const int substeps = is_present ? std::max(present->substeps, stable_at) : stable_at;
@@ -54,15 +66,9 @@ std::vector<Candidate> candidates_for(Trials& trials, const Plan& plan, const Se
                     .min_substeps = stable_at,
                     .substeps = substeps,
                     .expected_cost = model.expected(method, substeps),
-                    .weight = is_present ? 1.0 / hysteresis : 1.0});
+                    .weight = weight_of(method)});
   }
   return list;
-}
-
-// Convergence in position of XPBD is better than its declared order on many nets: worth an attempt.
-int optimistic_order(const System& system, const Integrator& method) {
-  const int order = effective_order(system, method);
-  return method.stability == Stability::EachSpring ? std::max(order, 2) : order;
 }
 
 // The next number of substeps to try, or closes the candidate.
@@ -74,7 +80,7 @@ void refine(Candidate& candidate, const Trials::Result& result, double ratio, co
   ++candidate.attempts;
   const double cost_per_substep =
       std::isfinite(result.cost) ? result.cost / candidate.substeps : candidate.expected_cost / candidate.substeps;
-  const int order = optimistic_order(system, *candidate.method);
+  const int order = result.breaks ? 1 : optimistic_order(system, *candidate.method);
   const double max_factor = std::isfinite(ratio) ? max_increase : on_divergence;
   int next = substeps_for(candidate.substeps, ratio * goal.target, goal.target, order, max_factor);
   // the most accurate attempt that the goal allows
@@ -96,8 +102,17 @@ double max_cost_of_frame(Trials& trials, const Plan& plan, const Settings& setti
   }
   if (!std::isfinite(cheapest)) return infinity;
   if (settings.budget_ms > 0.0) return std::max(settings.budget_ms, cheapest);
-  if (plan.has_contact()) return std::max({max_cost_with_contact_ms, max_cost_factor * cheapest, 4.0 * explicit_one});
-  return std::max(max_cost_ms, max_cost_factor * cheapest);
+  const double min_with_contact = explicit_one > 0.0 ? max_cost_with_contact_ms : max_implicit_cost_with_contact_ms;
+  const double max_cost = plan.has_contact() ? std::max({min_with_contact, max_cost_factor * cheapest, 4.0 * explicit_one})
+                                             : std::max(max_cost_ms, max_cost_factor * cheapest);
+  return std::min(max_cost, std::max(max_cost_ms, slow_cost_factor * cheapest));
+}
+
+// Convergence in position of XPBD is better than its declared order on many nets, and that of the leapfrog where dashpots are weak: worth
+// an attempt.
+int optimistic_order(const System& system, const Integrator& method) {
+  const int order = effective_order(system, method);
+  return method.stability == Stability::EachSpring || (&method == &leapfrog && !has_contact(system)) ? std::max(order, 2) : order;
 }
 
 int substeps_for(int substeps, double error, double target, int order, double max_factor) {
@@ -111,16 +126,26 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
                            const MethodChoice* present, Present knowledge) {
   MethodChoice best{.ratio = infinity};
   double best_cost = infinity, spent = 0.0;
-  const auto counted_cost = [](double ratio, double cost) { return ratio > 1.0 ? penalty * cost : cost; };
+  // an error beyond the target that is acceptable counts as meeting it at a higher cost: that of the next frames
+  const auto counted_cost = [&](const Integrator& method, double ratio, double cost) {
+    return ratio > 1.0 ? cost * portable::pow(ratio, 1.0 / optimistic_order(system, method)) : cost;
+  };
   Settings trial = settings;
   trial.tolerance.reset();
   std::vector<Candidate> list = candidates_for(trials, plan, settings, goal, present);
   if (present != nullptr && knowledge == Present::Known) {
     best = *present;
-    best_cost = counted_cost(present->ratio, present->cost) / hysteresis_if_known;
+    best_cost = counted_cost(*present->method, present->ratio, present->cost) / hysteresis_if_known;
     for (Candidate& candidate : list) candidate.is_open = candidate.method != present->method;
+  } else if (present != nullptr) {
+    const int order = effective_order(system, *present->method);
+    for (Candidate& candidate : list) {
+      const bool is_higher = effective_order(system, *candidate.method) > order;
+      if (candidate.method != present->method) candidate.weight *= is_higher ? hysteresis_of_higher_order : hysteresis;
+    }
   }
-  while (spent <= max_comparison * goal.max_cost || !std::isfinite(best.ratio)) {
+  const double max_spent = std::max(slow_comparison * goal.max_cost, max_comparison * std::min(goal.max_cost, max_cost_ms));
+  while (spent <= max_spent * (std::isfinite(best.ratio) ? 1.0 : max_fruitless_comparison / max_comparison)) {
     // the one that would be the cheapest if it met the goal
     Candidate* next = nullptr;
     for (Candidate& candidate : list)
@@ -142,14 +167,14 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
       next->is_open = ++next->attempts < max_attempts;
       continue;
     }
-    const double ratio = result.error / goal.target, cost = next->weight * counted_cost(ratio, result.cost);
+    const double ratio = result.error / goal.target, cost = next->weight * counted_cost(*next->method, ratio, result.cost);
     const bool is_met = ratio <= acceptable_ratio, was_met = best.ratio <= acceptable_ratio;
     if (is_met ? !was_met || cost < best_cost : !was_met && ratio < best.ratio) {
       best = {.method = next->method, .substeps = next->substeps, .min_substeps = next->min_substeps, .ratio = ratio, .cost = result.cost};
       best_cost = cost;
       trials.keep();
     }
-    if (ratio <= 1.0)
+    if (is_met)
       next->is_open = false;
     else
       refine(*next, result, ratio, system, goal);
@@ -162,6 +187,12 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
     best = {.method = cheapest->method, .substeps = cheapest->min_substeps, .min_substeps = cheapest->min_substeps, .ratio = infinity};
   }
   best.next_substeps = best.selected_substeps = best.substeps;
+  // more, where the error is acceptable for this frame alone
+  if (best.ratio > 1.0 && best.ratio <= acceptable_ratio && goal.target > 0.0) {
+    const int order = effective_order(system, *best.method);
+    const int more = substeps_for(best.substeps, best.ratio * goal.target, raised_ratio * goal.target, order, acceptable_ratio * 2.0);
+    if (more * best.cost <= goal.max_cost * best.substeps && more <= max_automatic_substeps) best.next_substeps = more;
+  }
   // fewer, where the last attempt turned out to be more accurate than necessary
   constexpr double expected_ratio = 0.6;
   if (best.ratio < expected_ratio && best.method->stability != Stability::EachSpring) {

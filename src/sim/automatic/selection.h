@@ -8,6 +8,8 @@ namespace hooke {
 
 // An error of up to this multiple of the target is still within the tolerance.
 inline constexpr double acceptable_ratio = 2.0;
+// After it, the substeps are raised to this part of the target.
+inline constexpr double raised_ratio = 0.8;
 
 // What a choice has to achieve.
 struct Goal {
@@ -21,6 +23,9 @@ double max_cost_of_frame(Trials& trials, const Plan& plan, const Settings& setti
 
 // The number of substeps expected to reduce an error to the target, with a method of this order; at most `max_factor` as many.
 int substeps_for(int substeps, double error, double target, int order, double max_factor);
+
+// The order with which the method is expected to converge on this scene.
+int optimistic_order(const System& system, const Integrator& method);
 
 // What is known about the present choice when methods are compared: nothing, or its error and cost on this frame.
 enum class Present { ToBeMeasured, Known };

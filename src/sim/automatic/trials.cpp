@@ -6,9 +6,12 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "sim/automatic/breaking.h"
+#include "sim/automatic/leapfrog.h"
 #include "sim/automatic/resonance.h"
 #include "sim/divergence.h"
 #include "sim/frame_error.h"
+#include "sim/integrators/rows.h"
 #include "sim/portable_math.h"
 
 namespace hooke {
@@ -17,10 +20,8 @@ namespace {
 // Where dashpots decay within a part of a step, splitting them off is of an order below the declared one, and the distance to half the step
 // is only a part of the error: up to an eighth, measured on nets with d = 9 and 1e3 N s/m.
 double order_reduction(const Settings& settings, const Spectrum& spectrum) {
-  const Integrator& method = *settings.integrator;
-  const bool splits = method.symplectic && method.order > 1 && method.implicit_solve == ImplicitSolve::None;
   const double decay = spectrum.dashpot_rate * settings.substep();
-  return !splits || decay < 1.0 ? 1.0 : decay < 4.0 ? 2.0 : 8.0;
+  return !splits_dashpots(*settings.integrator) || decay < 1.0 ? 1.0 : decay < 4.0 ? 2.0 : 8.0;
 }
 
 // Of the repetition that an error is estimated from: half the step, or for explicit methods, which converge as declared, two thirds of it,
@@ -31,7 +32,32 @@ int refined_substeps(const Settings& settings) {
   return is_regular ? settings.substeps + (settings.substeps + 1) / 2 : 2 * settings.substeps;
 }
 
+// Contact limits the step of every method, also of those that damp fast modes at once. Where nothing within these limits takes less than
+// `slow` [ms] a frame, the latter may take any step: their error with contact is measured like any other, and a frame of seconds is of no
+// use.
+void free_from_contact(const Plan& plan, std::vector<int>& substeps) {
+  constexpr double slow = 400.0;
+  const CostModel model(plan);
+  const std::span<const Integrator* const> methods = compared_methods();
+  for (std::size_t row = 0; row < methods.size(); ++row) {
+    const bool is_usable = methods[row]->for_production && methods[row]->stability != Stability::Adaptive;
+    if (is_usable && substeps[row] <= max_automatic_substeps && model.expected(*methods[row], substeps[row]) <= slow) return;
+  }
+  for (std::size_t row = 0; row < methods.size(); ++row)
+    if (methods[row]->stability == Stability::LStable && methods[row]->implicit_force_terms) substeps[row] = 1;
+}
+
 }  // namespace
+
+std::span<const Integrator* const> compared_methods() {
+#define ROW(name) &(name),
+  static constexpr const Integrator* methods[] = {
+#include "sim/integrators/list.inc"
+      &leapfrog,
+  };
+#undef ROW
+  return methods;
+}
 
 int stable_substeps(const Integrator& method, const Spectrum& spectrum, double frame_rate) {
   const double step = largest_stable_step(method, spectrum);
@@ -44,7 +70,8 @@ const std::vector<int>& Trials::stable_substeps(const Plan& plan, double frame_r
   const bool is_new = stable_for_any_.empty() || spectrum_ != plan.spectrum || frame_rate_ != frame_rate;
   if (is_new) {
     stable_for_any_.clear();
-    for (const Integrator& method : integrators()) stable_for_any_.push_back(hooke::stable_substeps(method, plan.spectrum, frame_rate));
+    for (const Integrator* method : compared_methods())
+      stable_for_any_.push_back(hooke::stable_substeps(*method, plan.spectrum, frame_rate));
     spectrum_ = plan.spectrum;
     frame_rate_ = frame_rate;
   }
@@ -54,8 +81,9 @@ const std::vector<int>& Trials::stable_substeps(const Plan& plan, double frame_r
       int& substeps = stable_substeps_[row];
       if (substeps > max_automatic_substeps) continue;
       substeps = std::max(1, static_cast<int>(std::ceil(frequency * substeps)));
-      if (beyond_resonance_) substeps = substeps_beyond_resonance(integrators()[row], spectrum_, frame_rate, frequency, substeps);
+      if (beyond_resonance_) substeps = substeps_beyond_resonance(*compared_methods()[row], spectrum_, frame_rate, frequency, substeps);
     }
+    if (plan.spectrum.contact) free_from_contact(plan, stable_substeps_);
     frequency_ = frequency;
     is_beyond_resonance_ = beyond_resonance_;
   }
@@ -64,12 +92,9 @@ const std::vector<int>& Trials::stable_substeps(const Plan& plan, double frame_r
 
 int Trials::stable_substeps(const Integrator& method, const Plan& plan, double frame_rate, double frequency) {
   const std::vector<int>& list = stable_substeps(plan, frame_rate, frequency);
-  std::size_t row = 0;
-  for (const Integrator& each : integrators()) {
-    if (&each == &method) return list[row];
-    ++row;
-  }
-  return 1;
+  const std::span<const Integrator* const> methods = compared_methods();
+  const auto row = std::ranges::find(methods, &method) - methods.begin();
+  return row < std::ssize(list) ? list[static_cast<std::size_t>(row)] : 1;
 }
 
 double Trials::bound_frequency(const Plan& plan, const State& state, double frame_rate, double frame_cost) {
@@ -143,6 +168,21 @@ bool Trials::has_impact(double max_error) const {
   return rms * last_.frame.duration() / last_.substeps > max_error;
 }
 
+int Trials::resolving_substeps(double frame_rate) {
+  constexpr int margin = 4;
+  return margin * stable_substeps(default_integrator(), plan_, frame_rate, frequency_);
+}
+
+bool Trials::breaks_if_resolved(const Settings& settings, int substeps, double max_cost) {
+  if (substeps > max_automatic_substeps) return false;
+  Settings fine = settings;
+  fine.tolerance.reset();
+  fine.integrator = &default_integrator();
+  fine.substeps = substeps;
+  double cost = 0.0;
+  return compute(fine, CostModel(plan_), max_cost, &cost) == End::Finished && !frame_.broken().empty();
+}
+
 Trials::Result Trials::measure_by_coarser(const Settings& settings, double max_cost) {
   const CostModel model(plan_);
   Result result;
@@ -176,9 +216,14 @@ Trials::Result Trials::measure(const Settings& settings, double max_cost) {
   if (fine_end == End::TooExpensive) return {.is_too_expensive = true};
   if (fine_end == End::Diverged) return result;
   const double ratio = static_cast<double>(fine.substeps) / settings.substeps;
-  const double converged = portable::pow(ratio, -effective_order(*system_, *settings.integrator));
+  result.breaks = has_broken() || !frame_.broken().empty();
+  const double converged = portable::pow(ratio, result.breaks ? -1.0 : -effective_order(*system_, *settings.integrator));
   const double weight = order_reduction(settings, plan_.spectrum) / (1.0 - converged);
   result.error = weighted_distance(last_positions_, end_.position, weight).rms;
+  // both may break a spring at the same time by chance
+  if (has_broken())
+    result.error =
+        std::max(result.error, breaking_error(plan_, *system_, last_.frame.broken(), last_.frame.duration(), settings.substep()));
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 
 #include "sim/automatic/cost_model.h"
 #include "sim/automatic/frequency_bound.h"
@@ -17,12 +18,16 @@ inline constexpr int frames_per_bound = 4, frames_without_bound = 32;
 // The fewest substeps with which no linear mode grows; one more than the maximum if that is not enough.
 int stable_substeps(const Integrator& method, const Spectrum& spectrum, double frame_rate);
 
+// The table of integrators, and the steps that only `auto` takes.
+std::span<const Integrator* const> compared_methods();
+
 class Trials {
  public:
   struct Result {
     double error = std::numeric_limits<double>::infinity();  // [m], RMS over the points; infinity: it diverged or cost too much
     double cost = std::numeric_limits<double>::infinity();   // [ms], by the model, also of a frame that diverged; infinity: too much
     bool is_too_expensive = false;
+    bool breaks = false;  // whether springs broke, in the frame or in its repetition: its error is of first order
   };
 
   // Begins another frame: none is kept. Whether steps beyond the resonance of blanes_moan4 may be used (resonance.h).
@@ -30,9 +35,9 @@ class Trials {
   // The scene and the state at the start of the frame, which must outlive the calls of measure. Data that belong to the structure of the
   // scene are kept as long as it is the same.
   void begin(const Plan& plan, const System& system, const State& start);
-  // The fewest substeps with which no linear mode grows, or only slowly (resonance.h), for each method of the table; more than the maximum
-  // where there are too many.
-  // `frequency`: of the fastest mode relative to the spectrum of the plan. Computed again only when that has changed.
+  // The fewest substeps with which no linear mode grows, or only slowly (resonance.h), for each of compared_methods(); more than the
+  // maximum where there are too many. `frequency`: of the fastest mode relative to the spectrum of the plan. Computed again only when that
+  // has changed.
   const std::vector<int>& stable_substeps(const Plan& plan, double frame_rate, double frequency);
   int stable_substeps(const Integrator& method, const Plan& plan, double frame_rate, double frequency);
   // A bound on the frequencies of the springs in the coming frames (FrequencyBound); 1 where it would cost more than it saves in a frame of
@@ -44,6 +49,12 @@ class Trials {
   // Whether something touched in the frame that was computed last, and changed its velocity so much that an impact at another time within
   // a substep would be an error of more than this [m].
   bool has_impact(double max_error) const;
+  // Whether springs broke in the frame that was computed last.
+  bool has_broken() const { return last_.method != nullptr && !last_.frame.broken().empty(); }
+  // The substeps that resolve the vibrations of the springs, and whether springs break in the frame in that many of the default method. No
+  // if it costs more than `max_cost` [ms].
+  int resolving_substeps(double frame_rate);
+  bool breaks_if_resolved(const Settings& settings, int substeps, double max_cost);
   // The error of the frame, from its repetition with half the step. Abandoned if it costs more than `max_cost` [ms].
   Result measure(const Settings& settings, double max_cost);
   // The same from its repetition with twice the step, for half the cost: where those steps are stable and short enough for the order.
