@@ -1,6 +1,7 @@
 #include "base/threads/thread_team.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace hooke {
@@ -15,12 +16,25 @@ void relax() {
 #endif
 }
 
-// The value once it is no longer `old`. `slept` is set if that took longer than the spins.
+using Clock = std::chrono::steady_clock;
+
+// Of a thread that waits, before it sleeps: longer than from one pass of a step to the next one. To wake up takes longer still, on a busy
+// machine by far.
+constexpr auto awake_for = std::chrono::microseconds(200);
+
+// The value once it is no longer `old`. `slept` is set if the thread has slept meanwhile.
 template <class T>
-T wait_for_change(const std::atomic<T>& value, T old, int spins, bool* slept = nullptr) {
-  for (; spins > 0; --spins) {
-    if (const T now = value.load(std::memory_order_acquire); now != old) return now;
-    relax();
+T wait_for_change(const std::atomic<T>& value, T old, bool has_core, bool* slept = nullptr) {
+  constexpr int looks_at_once = 32;  // between two looks at the clock
+  Clock::time_point start{};
+  while (has_core) {
+    for (int look = 0; look < looks_at_once; ++look) {
+      if (const T now = value.load(std::memory_order_acquire); now != old) return now;
+      relax();
+    }
+    const Clock::time_point now = Clock::now();
+    if (start == Clock::time_point{}) start = now;
+    if (now - start > awake_for) break;
   }
   if (slept != nullptr) *slept = true;
   value.wait(old, std::memory_order_acquire);
@@ -30,9 +44,8 @@ T wait_for_change(const std::atomic<T>& value, T old, int spins, bool* slept = n
 }  // namespace
 
 ThreadTeam::ThreadTeam(int threads, WhenLate when_late) : when_late_(when_late) {
-  // some tens of microseconds; with more threads than cores, the one that is waited for needs the core
-  constexpr int spins_with_a_core = 1000;
-  spins_ = threads <= static_cast<int>(std::thread::hardware_concurrency()) ? spins_with_a_core : 0;
+  // with more threads than cores, the one that is waited for needs the core
+  have_cores_ = threads <= static_cast<int>(std::thread::hardware_concurrency());
   for (int part = 1; part < threads; ++part) {
     helpers_.push_back(std::make_unique<Helper>());
     Helper& helper = *helpers_.back();
@@ -59,7 +72,7 @@ ThreadTeam::Turn::Turn(ThreadTeam* team) : team_(team) {
 }
 
 void ThreadTeam::Turn::wait_for(const std::atomic<int>& number, int min) const {
-  for (int now = number.load(std::memory_order_acquire); now < min;) now = wait_for_change(number, now, team_->spins_);
+  for (int now = number.load(std::memory_order_acquire); now < min;) now = wait_for_change(number, now, team_->have_cores_);
 }
 
 double* ThreadTeam::Turn::scratch(std::size_t size) const {
@@ -77,7 +90,7 @@ void ThreadTeam::run(Job job, int parts) {
   }
   job.call(job.context, 0);
   bool is_late = false;
-  for (int left = unfinished_.load(std::memory_order_acquire); left > 0;) left = wait_for_change(unfinished_, left, spins_, &is_late);
+  for (int left = unfinished_.load(std::memory_order_acquire); left > 0;) left = wait_for_change(unfinished_, left, have_cores_, &is_late);
   if (when_late_ == WhenLate::ComputeAlone) note_lateness(is_late);
 }
 
@@ -92,7 +105,7 @@ void ThreadTeam::note_lateness(bool is_late) {
 
 void ThreadTeam::help(Helper& helper, int part) {
   for (unsigned done = 0;;) {
-    done = wait_for_change(helper.jobs, done, spins_);
+    done = wait_for_change(helper.jobs, done, have_cores_);
     if (is_ending_) return;
     helper.job.call(helper.job.context, part);
     // the thread that waits wakes up for every change, but sleeps only after a while

@@ -74,7 +74,7 @@ class ThreadTeam {
 
   std::mutex mutex_;
   std::vector<double> scratch_;
-  int spins_ = 0;  // of a thread that waits, before it sleeps
+  bool have_cores_ = false;  // whether there is a core for each thread
   WhenLate when_late_;
   int lateness_ = 0;  // of the last jobs
   int rest_ = 0;      // jobs that are not given
