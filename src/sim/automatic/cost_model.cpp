@@ -30,8 +30,8 @@ CostModel::CostModel(const Plan& plan) {
   // a chain fills nothing in; of the springs of a net that close loops, each separates regions of about sqrt(n) points
   const double loops = std::max(0.0, springs / std::max(1.0, points) - 1.0), area = dimensions * dimensions / 9.0;
   const double levels = std::bit_width(static_cast<unsigned>(plan.points));
-  factorization_ = area * points * (155.0 + 55.0 * loops * std::sqrt(points)) + 100.0;
-  solve_ = area * points * (95.0 + 8.5 * loops * levels) + force_;
+  factorization_ = area * points * (140.0 + 10.0 * loops * std::sqrt(points)) + 100.0;
+  solve_ = area * points * (95.0 + 5.0 * loops * levels) + force_;
 }
 
 double CostModel::evaluation(const Integrator& method) const {
