@@ -12,7 +12,7 @@ namespace hooke {
 namespace {
 
 // With so short a step that its error in double precision is below that of rounding in single precision.
-Scene sheet(int points) {
+Scene short_step_sheet(int points) {
   const std::string n = std::to_string(points);
   return parse(
       R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0.3], "points": [)" + n +
@@ -20,7 +20,7 @@ Scene sheet(int points) {
 }
 
 Accuracy accuracy_after(Execution execution) {
-  Lab lab(sheet(12), KeepStart::No);
+  Lab lab(short_step_sheet(12), KeepStart::No);
   lab.set_execution(std::move(execution));
   lab.submit(SetAccuracy{AccuracyMode::Full});
   run(lab, 6);
@@ -36,7 +36,7 @@ TEST(Execution, ErrorsInSinglePrecisionIncludeRounding) {
 }
 
 std::uint64_t hash_after_edit(Execution execution) {
-  Lab lab(sheet(48));
+  Lab lab(short_step_sheet(48));
   lab.set_execution(std::move(execution));
   run(lab, 1);
   lab.submit(Remove{.points = {lab.scene().system.points()[1000].id}});
@@ -51,7 +51,7 @@ TEST(Execution, AppliesAfterEdits) {
 }
 
 TEST(Execution, AppliesToThePlanOfAnEditedScene) {
-  Lab lab(sheet(12));
+  Lab lab(short_step_sheet(12));
   const auto team = std::make_shared<ThreadTeam>(2);
   lab.set_execution({.team = team});
   EXPECT_EQ(lab.plan().execution.team, team);

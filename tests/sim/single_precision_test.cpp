@@ -2,6 +2,7 @@
 #include "sim/forces/single_precision.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <memory>
 
@@ -14,7 +15,7 @@
 namespace hooke {
 namespace {
 
-State run(const TestSim& sim, const Integrator& method, bool single, int threads = 1) {
+State run_in_precision(const TestSim& sim, const Integrator& method, bool single, int threads = 1) {
   Plan plan = make_plan(sim.system);
   if (single) plan.execution.single = std::make_shared<SinglePrecision>();
   if (threads > 1) plan.execution.team = std::make_shared<ThreadTeam>(threads, WhenLate::Wait);
@@ -29,9 +30,9 @@ State run(const TestSim& sim, const Integrator& method, bool single, int threads
 }
 
 // Rounded numbers of up to `size` [m] differ by 6e-8 of it, hundreds of times.
-void expect_close(const TestSim& sim, double size, const char* what) {
+void expect_single_close(const TestSim& sim, double size, const char* what) {
   for (const Integrator* method : {&velocity_verlet, &symplectic_euler}) {
-    const State exact = run(sim, *method, false), rounded = run(sim, *method, true);
+    const State exact = run_in_precision(sim, *method, false), rounded = run_in_precision(sim, *method, true);
     EXPECT_GT(distance(exact, sim.state), 1e-3) << what << ", " << method->id;
     EXPECT_LT(distance(exact, rounded), 2e-6 * size) << what << ", " << method->id;
     EXPECT_GT(distance(exact, rounded), 1e-10 * size) << what << ", " << method->id;
@@ -42,29 +43,41 @@ void expect_close(const TestSim& sim, double size, const char* what) {
 
 TEST(SinglePrecision, DiffersFromDoubleByItsRounding) {
   TestSim sim = net(33, 500.0, 0.0);
-  expect_close(sim, 1.0, "net");
+  expect_single_close(sim, 1.0, "net");
   sim.system.drag = 3.0;
   sim.system.wind = {2.0, 0.0, 1.0};
-  expect_close(sim, 1.0, "drag and wind");
+  expect_single_close(sim, 1.0, "drag and wind");
   for (int i = 0; i < 5; ++i) sim.add({0.1 * i, 0.5, 0.3}, 0.1, {0.0, 1.0, 0.0});
-  expect_close(sim, 1.0, "free points");
+  expect_single_close(sim, 1.0, "free points");
   std::vector<Spring> springs = sim.system.springs();
   for (std::size_t s = 0; s < springs.size(); ++s) springs[s].stiffness *= 1.0 + 1e-3 * static_cast<double>(s % 7);
   springs.erase(springs.begin() + 500);
   sim.system.set_springs(std::move(springs));
-  expect_close(sim, 1.0, "springs that differ, and a missing one");
+  expect_single_close(sim, 1.0, "springs that differ, and a missing one");
   for (Vec3& position : sim.state.position) position += Vec3(1e6, -2e6, 5e5);
-  expect_close(sim, 1.0, "far from the origin");
+  expect_single_close(sim, 1.0, "far from the origin");
   sim = net(33, 500.0, 0.0);
   sim.system.dimensions = 2;
   for (std::size_t i = 0; i < sim.state.velocity.size(); ++i) sim.state.velocity[i] = {sim.state.velocity[i].z, 0.0, 0.0};
-  expect_close(sim, 1.0, "in the plane");
+  expect_single_close(sim, 1.0, "in the plane");
 }
 
 TEST(SinglePrecision, HasTheSameBitsOnAnyNumberOfThreads) {
   const TestSim sim = cloth(67);
-  const std::uint64_t hash = hash_state(run(sim, velocity_verlet, true));
-  for (const int threads : {2, 3, 4}) EXPECT_EQ(hash_state(run(sim, velocity_verlet, true, threads)), hash) << threads;
+  const std::uint64_t hash = hash_state(run_in_precision(sim, velocity_verlet, true));
+  for (const int threads : {2, 3, 4}) EXPECT_EQ(hash_state(run_in_precision(sim, velocity_verlet, true, threads)), hash) << threads;
+}
+
+TEST(SinglePrecision, HasTheSameBitsOnEveryVectorUnit) {
+  const TestSim sim = cloth(37);
+  const std::uint64_t hash = hash_state(run_in_precision(sim, velocity_verlet, true));
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().DeInit();
+    EXPECT_EQ(hash_state(run_in_precision(sim, velocity_verlet, true)), hash) << hwy::TargetName(target);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
 }
 
 TEST(SinglePrecision, NamesWhatItDoesNotCompute) {
