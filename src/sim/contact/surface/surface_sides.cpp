@@ -45,7 +45,8 @@ void SurfaceSides::plan(const SurfacePlan& plan) {
   std::ranges::sort(sides);
   opposite_.assign(plan.edges.size(), {no_index, no_index});
   for (std::size_t e = 0; e < plan.edges.size(); ++e) {
-    const auto [first, last] = std::ranges::equal_range(sides, plan.edges[e], {}, &Side::ends);
+    const auto first = std::ranges::lower_bound(sides, plan.edges[e], {}, &Side::ends);
+    const auto last = std::ranges::upper_bound(sides, plan.edges[e], {}, &Side::ends);
     if (last - first == 2) opposite_[e] = {first->opposite, (first + 1)->opposite};
   }
 }

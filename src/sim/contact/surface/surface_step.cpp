@@ -7,7 +7,6 @@
 namespace hooke {
 namespace {
 
-constexpr double round_off = 1e-12;  // [m]
 // The part of what features are closer than their thickness by which they separate in a substep, and the time for most of it [s].
 constexpr double max_separation = 0.2, separation_time = 0.02;
 // At the end of a substep, the velocities of what is at rest have to vanish.
