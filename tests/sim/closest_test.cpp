@@ -76,15 +76,6 @@ TEST(FeatureBlock, HasTheClosestPointsOfEachOfItsPairsBitForBit) {
         ASSERT_EQ(many.weight, one.weight);
         ASSERT_EQ(many.is_at_end, one.is_at_end);
       }
-      find_max_difference(kind, x, block);
-      for (int i = 0; i < count; ++i) {
-        const auto& p = block.points[i];
-        double longest = 0.0;
-        const int split = kind == FeaturePair::PointFace ? 1 : 2;
-        for (int a = 0; a < split; ++a)
-          for (int b = split; b < 4; ++b) longest = std::max(longest, glm::length(x[p[a]] - x[p[b]]));
-        ASSERT_EQ(block.distance[i], longest);
-      }
     }
 }
 

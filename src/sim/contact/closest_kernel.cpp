@@ -149,22 +149,6 @@ void closest_of_block(FeaturePair kind, std::span<const Vec3> field, FeatureBloc
   }
 }
 
-void max_difference_of_block(FeaturePair kind, std::span<const Vec3> field, FeatureBlock& block) {
-  const Lanes d;
-  const int end = whole_vectors(block.count), split = kind == FeaturePair::PointFace ? 1 : 2;
-  Gathered gathered;
-  gathered.gather(field, block, end);
-  for (int p = 0; p < end; p += static_cast<int>(hn::Lanes(d))) {
-    V max = hn::Zero(d);
-    for (int i = 0; i < split; ++i)
-      for (int j = split; j < 4; ++j) {
-        const V3 difference = minus(gathered.at(i, p), gathered.at(j, p));
-        max = hn::Max(max, dot(difference, difference));
-      }
-    hn::Store(hn::Sqrt(max), d, block.distance + p);
-  }
-}
-
 }  // namespace hooke::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -172,14 +156,9 @@ HWY_AFTER_NAMESPACE();
 namespace hooke {
 
 HWY_EXPORT(closest_of_block);
-HWY_EXPORT(max_difference_of_block);
 
 void find_closest(FeaturePair kind, std::span<const Vec3> x, FeatureBlock& block) {
   if (block.count > 0) HWY_DYNAMIC_DISPATCH(closest_of_block)(kind, x, block);
-}
-
-void find_max_difference(FeaturePair kind, std::span<const Vec3> field, FeatureBlock& block) {
-  if (block.count > 0) HWY_DYNAMIC_DISPATCH(max_difference_of_block)(kind, field, block);
 }
 
 }  // namespace hooke

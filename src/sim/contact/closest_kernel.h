@@ -8,17 +8,17 @@
 
 namespace hooke {
 
-// Pairs of one kind, each of four points.
+// Pairs of one kind, each of four points. Nothing else is initialized.
 struct FeatureBlock {
   static constexpr int capacity = 64;
-  std::array<std::array<Index, 4>, capacity> points{};
+  std::array<std::array<Index, 4>, capacity> points;
   int count = 0;
 
   // Results, in the order of `points`: the parts of Closest.
-  alignas(64) double weight[4][capacity]{};
-  alignas(64) double separation[3][capacity]{};  // [m]
-  alignas(64) double distance[capacity]{};       // [m]
-  alignas(64) double is_at_end[capacity]{};      // 1 or 0
+  alignas(64) double weight[4][capacity];
+  alignas(64) double separation[3][capacity];  // [m]
+  alignas(64) double distance[capacity];       // [m]
+  alignas(64) double is_at_end[capacity];      // 1 or 0
 
   Closest closest(int pair) const {
     return {.weight = {weight[0][pair], weight[1][pair], weight[2][pair], weight[3][pair]},
@@ -30,8 +30,5 @@ struct FeatureBlock {
 
 // The results, bit for bit those of closest_points(kind, x of the points), on every vector unit.
 void find_closest(FeaturePair kind, std::span<const Vec3> x, FeatureBlock& block);
-
-// The longest difference of a field between a point of the first and one of the second feature of each pair, into `distance`.
-void find_max_difference(FeaturePair kind, std::span<const Vec3> field, FeatureBlock& block);
 
 }  // namespace hooke

@@ -14,6 +14,7 @@
 #include "base/threads/thread_team.h"
 #include "formats/scene_file.h"
 #include "sim/forces/single_precision.h"
+#include "sim/portable_math.h"
 #include "sim/step.h"
 #include "study/benchmark.h"
 
@@ -24,6 +25,11 @@ namespace {
 constexpr std::string_view ball_and_floor =
     R"(, "colliders": [{"type": "sphere", "center": [0.5, -0.5, -0.35], "radius": 0.3, "friction": 0.3},
                     {"type": "plane", "point": [0, 0, -0.66], "normal": [0, 0, 1], "friction": 0.3}])";
+
+// on which it folds onto itself
+constexpr std::string_view floor_and_folds =
+    R"(, "contact": {"faces": true, "thickness": 0.004, "friction": 0.3},
+         "colliders": [{"type": "plane", "point": [0, 0, 0], "normal": [0, 0, 1], "friction": 0.3}])";
 
 constexpr double implicit_step = 1.0 / 60.0;  // [s]
 
@@ -52,6 +58,22 @@ constexpr std::array rows{
                .description = "has fallen on a ball and a floor for 1 s",
                .members = ball_and_floor,
                .is_nailed = false,
+               .settle = 1.0,
+               .max_size = 64},
+    KernelCase{.name = "falls into its folds",
+               .description = "falls on its edge and folds, after 0.4 s",
+               .members = floor_and_folds,
+               .is_nailed = false,
+               .is_dropped = true,
+               .rate = 1.125,
+               .settle = 0.4,
+               .max_size = 64},
+    KernelCase{.name = "lies in its folds",
+               .description = "has fallen on its edge and folded for 1 s",
+               .members = floor_and_folds,
+               .is_nailed = false,
+               .is_dropped = true,
+               .rate = 1.125,
                .settle = 1.0,
                .max_size = 64},
     KernelCase{.name = "dashpots", .description = "with dashpots", .generator = R"(, "damping": 0.001)"},
@@ -118,6 +140,14 @@ void shuffle(Scene& scene) {
   scene.system.set_springs(std::move(new_springs));
 }
 
+// On its lower edge, just above the floor.
+void stand(Scene& scene) {
+  for (Vec3& x : scene.state.position) {
+    const double u = x.x, v = -x.y;
+    x = Vec3(u - 0.5, 0.05 * portable::sin(9.0 * v) + 0.02 * portable::sin(7.0 * u + 5.0 * v), 1.02 - v);
+  }
+}
+
 }  // namespace
 
 std::span<const KernelCase> kernel_cases() { return rows; }
@@ -130,13 +160,14 @@ Scene make_kernel_scene(const KernelCase& row, int n, int substeps) {
                                    "density": 0.2, "stiffness": 1000, "shear_stiffness": 500, "mass_model": "equal",
                                    "point_radius": 0.004%s%s})",
                                n, n, row.is_nailed ? R"(, "nail": ["top_left", "top_right"])" : "", std::string(row.generator).c_str());
-  const double rate = row.step > 0.0 ? 1.0 / row.step : 4.0 * 86.6 * n;  // [1/s], of the steps
+  const double rate = row.step > 0.0 ? 1.0 / row.step : row.rate * 86.6 * n;  // [1/s], of the steps
   const std::string text = formatted(
       R"({"hooke": 1, "gravity": [0, 0, -9.81], "generators": [%s],
           "simulation": {"integrator": "%s", "frame_rate": %.17g, "substeps": %d}%s})",
       net.c_str(), std::string(row.method).c_str(), rate / substeps, substeps, std::string(row.members).c_str());
   Scene scene = parse_scene(text, "cloth").scene;
   if (row.is_shuffled) shuffle(scene);
+  if (row.is_dropped) stand(scene);
   return scene;
 }
 

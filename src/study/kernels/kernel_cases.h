@@ -20,9 +20,11 @@ struct KernelCase {
   bool is_shuffled = false;    // points and springs are listed in random order
   bool is_block = false;       // the jelly block instead of the cloth
   bool is_nailed = true;       // the cloth hangs from two corners; false: it falls
+  bool is_dropped = false;     // it is vertical and slightly wavy, and falls on its lower edge
   std::string_view method = "velocity_verlet";
   KernelUnit unit = KernelUnit::Step;
-  double step = 0.0;    // [s]; 0: a quarter of that at which the net becomes unstable
+  double step = 0.0;    // [s]; 0: `rate` steps in that at which the net becomes unstable
+  double rate = 4.0;    // [1]
   double settle = 0.0;  // [s], simulated before it is measured
   int max_size = 1024;  // the largest n for which it is measured
   int threads = 1;

@@ -1,8 +1,8 @@
-// The part of SurfaceSolver that makes the paths within a substep free of impacts.
+// The part of SurfaceStep that makes the paths within a substep free of impacts.
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "sim/contact/surface/surface_solver.h"
+#include "sim/contact/surface/surface_step.h"
 
 namespace hooke {
 namespace {
@@ -13,21 +13,22 @@ constexpr int impact_passes = 6, max_passes = 1000;
 }  // namespace
 
 // Returns whether anything hit. The paths that remain are free of impacts.
-bool SurfaceSolver::prevent_crossings(const Plan& plan, double h) {
+bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
   bool any = false;
-  for (int pass = 0; pass < max_passes; ++pass) {
-    // what is farther away is free on all of its path
-    const double approach = 2.0 * h * max_speed(path_), reach = approach / 0.9;
-    if (reach > near_reach_ && !find_near(plan, reach, approach, h)) return any;
+  for (int pass = 0;; ++pass) {
+    if (has_failed_ = !search_.change_path(plan.surface, x_, path_); has_failed_) return any;
+    if (pass == max_passes) break;
     bool hits = false;
-    for (const Near& near : near_) {
-      if (0.9 * near.distance > approach) continue;
-      const SurfacePair& pair = pairs_[near.pair];
-      FourPoints displacement = four(path_, pair.points);
-      for (Vec3& d : displacement) d *= h;
-      const double part = free_part(pair.kind, four(x_, pair.points), displacement, near.distance);
-      if (part < 1.0 && handle_impact(near, part, h, pass >= impact_passes)) hits = true;
-    }
+    for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
+      for (const Near& near : search_.near(kind)) {
+        // what is farther away is free on all of its path
+        if (0.9 * near.closest.distance > search_.approach(near)) continue;
+        const std::array<Index, 4>& points = search_.pair(near).points;
+        FourPoints displacement = four(path_, points);
+        for (Vec3& d : displacement) d *= h;
+        const double part = free_part(kind, four(x_, points), displacement, near.closest.distance);
+        if (part < 1.0 && handle_impact(near, part, h, pass >= impact_passes)) hits = true;
+      }
     if (!hits) break;
     any = true;
   }
@@ -36,14 +37,15 @@ bool SurfaceSolver::prevent_crossings(const Plan& plan, double h) {
 }
 
 // An inelastic impact at this part of the substep. Returns whether it changed anything.
-bool SurfaceSolver::handle_impact(const Near& near, double part, double h, bool joins) {
-  const std::array<Index, 4>& points = pairs_[near.pair].points;
+bool SurfaceStep::handle_impact(const Near& near, double part, double h, bool joins) {
+  const SurfacePair& pair = search_.pair(near);
+  const std::array<Index, 4>& points = pair.points;
   ++impacts_;
   ++impulses_;
   if (joins) return join(points);
   FourPoints at = four(x_, points);
   for (int c = 0; c < 4; ++c) at[c] += part * h * path_[points[c]];
-  const Closest closest = closest_points(pairs_[near.pair].kind, at);
+  const Closest closest = closest_points(pair.kind, at);
   double response = 0.0;
   Vec3 relative(0.0);
   for (int c = 0; c < 4; ++c) {
@@ -61,7 +63,7 @@ bool SurfaceSolver::handle_impact(const Near& near, double part, double h, bool 
 
 // From now on these points, with all that already move together with them, have the same velocity: their mean, or that of a fixed one.
 // False if they have already, or if two that are fixed do not.
-bool SurfaceSolver::join(const std::array<Index, 4>& points) {
+bool SurfaceStep::join(const std::array<Index, 4>& points) {
   const std::size_t n = x_.size();
   if (zone_.size() != n) {
     zone_.resize(n);

@@ -10,7 +10,7 @@
 namespace hooke {
 namespace {
 
-constexpr Index pieces_per_leaf = 8;
+constexpr Index pieces_per_leaf = 12;
 // Those of two leaves: edges are the most, at most three for each piece.
 using ClosePairs = std::array<std::array<Index, 2>, static_cast<std::size_t>(9 * pieces_per_leaf * pieces_per_leaf)>;
 
@@ -36,13 +36,13 @@ bool shares_point(std::span<const Index> a, std::span<const Index> b) {
 
 }  // namespace
 
-void SurfaceTree::Box::include(const Box& other) {
+void SurfaceBox::include(const SurfaceBox& other) {
   min = glm::min(min, other.min);
   max = glm::max(max, other.max);
 }
 
 // Without branches between the components, which would be mispredicted.
-inline bool SurfaceTree::are_close(const Box& a, const Box& b, double reach) {
+inline bool SurfaceTree::are_close(const SurfaceBox& a, const SurfaceBox& b, double reach) {
   const double x = std::max(a.min.x - b.max.x, b.min.x - a.max.x);
   const double y = std::max(a.min.y - b.max.y, b.min.y - a.max.y);
   const double z = std::max(a.min.z - b.max.z, b.min.z - a.max.z);
@@ -63,21 +63,30 @@ void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
     pieces_.push_back(p);
   }
   nodes_.clear();
+  leaves_.clear();
   split(center, 0, n);
   sort_features(plan);
-  refit(plan, x);
+  sort_points(plan);
+  piece_boxes_.resize(pieces_.size());
+  corner_boxes_.resize(corners_.size());
+  edge_boxes_.resize(edges_.size());
+  for (const Index leaf : leaves_) fit_features(plan, x, nodes_[leaf]);
+  fit_parents();
 }
 
 // In halves along the longest axis.
 void SurfaceTree::split(std::span<const Vec3> center, Index first, Index end) {
   const std::size_t node = nodes_.size();
   nodes_.push_back({.pieces = {first, end}});
+  nodes_[node].leaves.begin = leaf_count();
   const auto at = [&](Index position) { return pieces_.begin() + position; };
   if (end - first <= pieces_per_leaf) {
     std::sort(at(first), at(end));
+    leaves_.push_back(static_cast<Index>(node));
+    nodes_[node].leaves.end = leaf_count();
     return;
   }
-  Box box{center[pieces_[first]], center[pieces_[first]]};
+  SurfaceBox box{center[pieces_[first]], center[pieces_[first]]};
   for (Index p = first; p < end; ++p) box.include({center[pieces_[p]], center[pieces_[p]]});
   const Vec3 size = box.max - box.min;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
@@ -88,6 +97,7 @@ void SurfaceTree::split(std::span<const Vec3> center, Index first, Index end) {
   split(center, first, middle);
   nodes_[node].second = static_cast<Index>(nodes_.size());
   split(center, middle, end);
+  nodes_[node].leaves.end = leaf_count();
 }
 
 void SurfaceTree::sort_features(const SurfacePlan& plan) {
@@ -107,42 +117,63 @@ void SurfaceTree::sort_features(const SurfacePlan& plan) {
   }
 }
 
-// Of the points on all of their way.
-SurfaceTree::Box SurfaceTree::box_of(std::span<const Index> points, std::span<const Vec3> x) const {
-  Box box{x[points[0]], x[points[0]]};
-  for (const Index i : points) {
-    box.include({x[i], x[i]});
-    if (displacement_.empty()) continue;
-    const Vec3 end = x[i] + displacement_[i];
-    box.include({end, end});
+void SurfaceTree::sort_points(const SurfacePlan& plan) {
+  leaf_points_.clear();
+  first_point_.assign(1, 0);
+  for (const Index leaf : leaves_) {
+    const auto first = static_cast<std::ptrdiff_t>(leaf_points_.size());
+    for (Index p = nodes_[leaf].pieces.begin; p < nodes_[leaf].pieces.end; ++p)
+      for (const Index i : plan.pieces[pieces_[p]].points) leaf_points_.push_back(i);
+    std::sort(leaf_points_.begin() + first, leaf_points_.end());
+    leaf_points_.erase(std::unique(leaf_points_.begin() + first, leaf_points_.end()), leaf_points_.end());
+    first_point_.push_back(static_cast<Index>(leaf_points_.size()));
   }
-  return box;
 }
 
-void SurfaceTree::refit(const SurfacePlan& plan, std::span<const Vec3> x, std::span<const Vec3> displacement) {
-  displacement_.assign(displacement.begin(), displacement.end());
-  const auto fit = [&](BoxColumns& boxes, std::size_t count, const auto& points_of) {
-    boxes.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Box box = box_of(points_of(i), x);
-      boxes.set(i, box.min, box.max);
-    }
+void SurfaceTree::fit_features(const SurfacePlan& plan, std::span<const Vec3> x, Node& leaf) {
+  const auto box_of = [&](std::span<const Index> points) {
+    SurfaceBox box{x[points[0]], x[points[0]]};
+    for (const Index i : points.subspan(1)) box.include({x[i], x[i]});
+    return box;
   };
-  fit(corner_boxes_, corners_.size(), [&](std::size_t c) { return std::span<const Index>(&corners_[c], 1); });
-  fit(edge_boxes_, edges_.size(), [&](std::size_t e) { return std::span<const Index>(plan.edges[edges_[e]]); });
-  piece_boxes_.resize(pieces_.size());
+  const auto fit = [](BoxColumns& boxes, Index i, const SurfaceBox& box) { boxes.set(i, box.min, box.max); };
+  for (Index c = leaf.corners.begin; c < leaf.corners.end; ++c) fit(corner_boxes_, c, box_of({&corners_[c], 1}));
+  for (Index e = leaf.edges.begin; e < leaf.edges.end; ++e) fit(edge_boxes_, e, box_of(plan.edges[edges_[e]]));
+  for (Index p = leaf.pieces.begin; p < leaf.pieces.end; ++p) {
+    const SurfaceBox box = box_of(plan.pieces[pieces_[p]].points);
+    fit(piece_boxes_, p, box);
+    if (p == leaf.pieces.begin) leaf.box = box;
+    leaf.box.include(box);
+  }
+}
+
+void SurfaceTree::fit_parents() {
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
-    if (node.second != no_index) {
-      node.box = nodes_[i + 1].box;
-      node.box.include(nodes_[node.second].box);
-      continue;
-    }
-    for (Index p = node.pieces.begin; p < node.pieces.end; ++p) {
-      const Box box = box_of(plan.pieces[pieces_[p]].points, x);
-      piece_boxes_.set(p, box.min, box.max);
-      if (p == node.pieces.begin) node.box = box;
-      node.box.include(box);
+    if (node.second == no_index) continue;
+    node.box = nodes_[i + 1].box;
+    node.box.include(nodes_[node.second].box);
+  }
+}
+
+void SurfaceTree::find_leaf_pairs(std::span<const SurfaceBox> boxes, std::vector<std::array<Index, 2>>& pairs) {
+  for (Index leaf = 0; leaf < leaf_count(); ++leaf) nodes_[leaves_[leaf]].box = boxes[leaf];
+  fit_parents();
+  pairs.clear();
+  std::vector<Index> open;
+  for (Index leaf = 0; leaf < leaf_count(); ++leaf) {
+    open.push_back(0);
+    while (!open.empty()) {
+      const Index i = open.back();
+      open.pop_back();
+      const Node& node = nodes_[i];
+      if (node.leaves.end <= leaf || !are_close(boxes[leaf], node.box, 0.0)) continue;
+      if (node.second == no_index) {
+        pairs.push_back({leaf, node.leaves.begin});
+      } else {
+        open.push_back(node.second);
+        open.push_back(i + 1);
+      }
     }
   }
 }
@@ -182,22 +213,15 @@ void SurfaceTree::visit_leaves(double reach, const Visit& visit) const {
   }
 }
 
-// Of the pairs from this index on, keeps those that are closer than `reach`, or may be on their way, in their order; their keys become
-// their distances.
-void SurfaceTree::keep_close(std::span<const Vec3> x, double reach, std::size_t from, std::vector<SurfacePair>& pairs) const {
+// Of the pairs from this index on, keeps those that are closer than `reach`, in their order.
+void SurfaceTree::keep_close(std::span<const Vec3> x, double reach, std::size_t from, std::vector<SurfacePair>& pairs) {
   std::array<FeatureBlock, 2> blocks;
   std::array<std::array<std::size_t, FeatureBlock::capacity>, 2> places;
   const auto measure = [&](FeaturePair kind) {
     FeatureBlock& block = blocks[static_cast<std::size_t>(kind)];
     const auto& place = places[static_cast<std::size_t>(kind)];
-    std::array<double, FeatureBlock::capacity> own_reach;
-    own_reach.fill(reach);
-    if (!displacement_.empty()) {
-      find_max_difference(kind, displacement_, block);
-      for (int i = 0; i < block.count; ++i) own_reach[i] += block.distance[i];
-    }
     find_closest(kind, x, block);
-    for (int i = 0; i < block.count; ++i) pairs[place[i]].key = block.distance[i] < own_reach[i] ? block.distance[i] : -1.0;
+    for (int i = 0; i < block.count; ++i) pairs[place[i]].distance = block.distance[i];
     block.count = 0;
   };
   for (std::size_t p = from; p < pairs.size(); ++p) {
@@ -207,16 +231,13 @@ void SurfaceTree::keep_close(std::span<const Vec3> x, double reach, std::size_t 
     if (blocks[kind].count == FeatureBlock::capacity) measure(pairs[p].kind);
   }
   for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) measure(kind);
-  pairs.erase(std::remove_if(pairs.begin() + from, pairs.end(), [](const SurfacePair& pair) { return pair.key < 0.0; }), pairs.end());
+  pairs.erase(std::remove_if(pairs.begin() + from, pairs.end(), [&](const SurfacePair& pair) { return !(pair.distance < reach); }),
+              pairs.end());
 }
 
-bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
-                             std::vector<SurfacePair>& pairs, std::size_t max_pairs) {
-  examined_ = 0;
-  if (nodes_.empty()) return true;
-  // distances are computed of many pairs at once
-  constexpr std::size_t max_open = 4096;
-  std::size_t closed = pairs.size();
+// Those whose boxes are closer than `reach`.
+void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const char> left_out,
+                               std::vector<SurfacePair>& pairs) const {
   const auto is_out = [&](std::span<const Index> points) { return std::ranges::any_of(points, [&](Index i) { return left_out[i] != 0; }); };
   ClosePairs close;
   const auto add_points = [&](BoxRange corners, BoxRange pieces) {
@@ -225,29 +246,45 @@ bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, d
       const Index point = corners_[c];
       const SurfacePlan::Piece& face = plan.pieces[pieces_[p]];
       if (!face.is_face || plan.excludes_face(point, face.points) || (left_out[point] != 0 && is_out(face.points))) continue;
-      pairs.push_back({FeaturePair::PointFace, {point, face.points[0], face.points[1], face.points[2]}});
+      pairs.push_back({.points = {point, face.points[0], face.points[1], face.points[2]}, .features = {pieces_[p], no_index}});
     }
   };
+  add_points(first.corners, second.pieces);
+  if (&first != &second) add_points(second.corners, first.pieces);
+  const std::size_t count = find_close_boxes(edge_boxes_, first.edges, edge_boxes_, second.edges, reach, close);
+  for (const auto& [i, j] : std::span(close).first(count)) {
+    const Index e = edges_[i], f = edges_[j];
+    const auto &a = plan.edges[e], &b = plan.edges[f];
+    if (plan.excludes_edge(e, f) || (is_out(a) && is_out(b))) continue;
+    pairs.push_back({.kind = FeaturePair::TwoEdges,
+                     .has_spring = plan.is_spring[e] != 0 || plan.is_spring[f] != 0,
+                     .points = {a[0], a[1], b[0], b[1]},
+                     .features = {e, f}});
+  }
+}
+
+void SurfaceTree::find_pairs_of(const SurfacePlan& plan, std::span<const Vec3> x, Index first, Index second, double reach,
+                                std::span<const char> left_out, std::vector<SurfacePair>& pairs) const {
+  const std::size_t from = pairs.size();
+  append_close(plan, nodes_[leaves_[first]], nodes_[leaves_[second]], reach, left_out, pairs);
+  keep_close(x, reach, from, pairs);
+}
+
+bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
+                             std::vector<SurfacePair>& pairs, std::size_t max_pairs) {
+  if (nodes_.empty()) return true;
+  // distances are computed of many pairs at once
+  constexpr std::size_t max_open = 4096;
+  std::size_t closed = pairs.size();
   bool is_complete = true;
   visit_leaves(reach, [&](const Node& first, const Node& second) {
-    add_points(first.corners, second.pieces);
-    if (&first != &second) add_points(second.corners, first.pieces);
-    const std::size_t count = find_close_boxes(edge_boxes_, first.edges, edge_boxes_, second.edges, reach, close);
-    for (const auto& [i, j] : std::span(close).first(count)) {
-      const Index e = edges_[i], f = edges_[j];
-      const auto &a = plan.edges[e], &b = plan.edges[f];
-      if (plan.excludes_edge(e, f) || (is_out(a) && is_out(b))) continue;
-      pairs.push_back({FeaturePair::TwoEdges, {a[0], a[1], b[0], b[1]}, plan.is_spring[e] != 0 || plan.is_spring[f] != 0});
-    }
-    ++examined_;
+    append_close(plan, first, second, reach, left_out, pairs);
     if (pairs.size() - closed < max_open) return true;
-    examined_ += static_cast<long>(pairs.size() - closed);
     keep_close(x, reach, closed, pairs);
     closed = pairs.size();
     is_complete = closed <= max_pairs;
     return is_complete;
   });
-  examined_ += static_cast<long>(pairs.size() - closed);
   keep_close(x, reach, closed, pairs);
   return is_complete && pairs.size() <= max_pairs;
 }

@@ -9,12 +9,18 @@
 
 namespace hooke {
 
-// Two features with four points, and up to when they are certainly too far from each other to matter.
+// Two features with four points.
 struct SurfacePair {
   FeaturePair kind = FeaturePair::PointFace;
-  std::array<Index, 4> points{};
   bool has_spring = false;  // whether one of two edges is on no face
-  double key = 0.0;         // [m], of SurfaceSolver
+  std::array<Index, 4> points{};
+  std::array<Index, 2> features{};  // of the plan: a piece and no_index, or two edges
+  double distance = 0.0;            // [m], where they were found
+};
+
+struct SurfaceBox {
+  Vec3 min{0.0}, max{0.0};
+  void include(const SurfaceBox& other);
 };
 
 // An edge that passes through a face.
@@ -32,43 +38,53 @@ class SurfaceTree {
   void build(const SurfacePlan& plan, std::span<const Vec3> x);
   bool is_built() const { return !nodes_.empty(); }
   void clear() { nodes_.clear(); }
-  // The boxes for other places, and for all on the way from there by a displacement of each point. Empty: none.
-  void refit(const SurfacePlan& plan, std::span<const Vec3> x, std::span<const Vec3> displacement = {});
 
   // Appends the pairs of features that do not belong together, without those with points on both sides that are `left_out`, if they are
-  // closer than `reach` [m], or may be on the way of their points by the displacements of `refit`. Pairs are found in an order that depends
-  // on the last `build` alone: with a longer reach, others come in between. False if there would be more than max_pairs.
+  // closer than `reach` [m]. Pairs are found in an order that depends on the last `build` alone: with a longer reach, others come in
+  // between. False if there would be more than max_pairs.
   bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
                   std::vector<SurfacePair>& pairs, std::size_t max_pairs);
-  // Pairs of leaves and of features that the last `find_pairs` examined.
-  long examined() const { return examined_; }
   // Edges that pass through faces.
   Crossings find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const;
 
+  // Leaves: pieces that are near each other, in an order that depends on the last `build` alone.
+  Index leaf_count() const { return static_cast<Index>(leaves_.size()); }
+  // All points of the pieces of a leaf, each once.
+  std::span<const Index> points_of(Index leaf) const {
+    return {leaf_points_.data() + first_point_[leaf], leaf_points_.data() + first_point_[leaf + 1]};
+  }
+  // The pairs of leaves whose boxes, one for each, overlap, those of a leaf with itself included: ascending, the lower one first.
+  void find_leaf_pairs(std::span<const SurfaceBox> boxes, std::vector<std::array<Index, 2>>& pairs);
+  // The boxes of the features of a leaf for other places.
+  void refit_leaf(const SurfacePlan& plan, std::span<const Vec3> x, Index leaf) { fit_features(plan, x, nodes_[leaves_[leaf]]); }
+  // The same pairs as find_pairs, of two leaves.
+  void find_pairs_of(const SurfacePlan& plan, std::span<const Vec3> x, Index first, Index second, double reach,
+                     std::span<const char> left_out, std::vector<SurfacePair>& pairs) const;
+
  private:
-  struct Box {
-    Vec3 min{0.0}, max{0.0};
-    void include(const Box& other);
-  };
   // Its children are the next node and `second`; a leaf has none, and some pieces, with their own corners and edges.
   struct Node {
-    Box box;
+    SurfaceBox box;
     Index second = no_index;
-    BoxRange pieces, corners, edges;
+    BoxRange pieces, corners, edges, leaves;
   };
 
   void split(std::span<const Vec3> center, Index first, Index end);
   void sort_features(const SurfacePlan& plan);
-  Box box_of(std::span<const Index> points, std::span<const Vec3> x) const;
-  void keep_close(std::span<const Vec3> x, double reach, std::size_t from, std::vector<SurfacePair>& pairs) const;
-  static bool are_close(const Box& a, const Box& b, double reach);
+  void sort_points(const SurfacePlan& plan);
+  void fit_features(const SurfacePlan& plan, std::span<const Vec3> x, Node& leaf);
+  void fit_parents();
+  void append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const char> left_out,
+                    std::vector<SurfacePair>& pairs) const;
+  static void keep_close(std::span<const Vec3> x, double reach, std::size_t from, std::vector<SurfacePair>& pairs);
+  static bool are_close(const SurfaceBox& a, const SurfaceBox& b, double reach);
   template <class Visit>
   void visit_leaves(double reach, const Visit& visit) const;
 
-  long examined_ = 0;
-  std::vector<Vec3> displacement_;                      // empty: none
   std::vector<Node> nodes_;                             // parents before their children
+  std::vector<Index> leaves_;                           // nodes
   std::vector<Index> pieces_, corners_, edges_;         // of the plan, those of a leaf together
+  std::vector<Index> leaf_points_, first_point_;        // those of a leaf together
   BoxColumns piece_boxes_, corner_boxes_, edge_boxes_;  // in that order
 };
 

@@ -1,0 +1,205 @@
+#include "sim/contact/surface/surface_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace hooke {
+namespace {
+
+// The part of what features are closer than their thickness by which they separate in a substep, and the time for most of it [s].
+constexpr double max_separation = 0.2, separation_time = 0.02;
+// At the end of a substep, the velocities of what is at rest have to vanish.
+constexpr int velocity_turns = 4;
+
+Vec3 point_in(const Plan& plan, const Field& field, Index i) {
+  const auto n = static_cast<std::size_t>(plan.points);
+  return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
+}
+
+Vec3 mean_of(std::span<const Vec3> field) {
+  Vec3 sum(0.0);
+  for (const Vec3& v : field) sum += v;
+  return sum / static_cast<double>(field.size());
+}
+
+}  // namespace
+
+void SurfaceStep::begin_substep(const Plan& plan, const Motion& motion) {
+  free_velocity_.resize(plan.surface.points.size());
+  for (std::size_t k = 0; k < free_velocity_.size(); ++k) free_velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]);
+}
+
+bool SurfaceStep::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
+                          Motion& motion) {
+  impulses_ = 0;
+  const bool touches = correct(plan, obstacles, x0, v0, h, motion);
+  motion.contact_tests += search_.tests();
+  motion.contact_impulses += impulses_;
+  return touches;
+}
+
+bool SurfaceStep::correct(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
+                          Motion& motion) {
+  has_failed_ = false;
+  // a motion that is not finite has diverged
+  if (!load(plan, x0, h, motion)) return false;
+  if (!search_.is_begun()) start_frame(plan);
+  search_.begin_substep(plan.surface, x_, u_, h);
+  has_failed_ = !search_.find_near(plan.surface, x_);
+  if (has_failed_ || !search_.is_any_near()) return false;
+
+  make_contacts(plan, h);
+  add_obstacles(plan, obstacles, h, motion);
+  free_u_ = u_;
+  const auto contacts = static_cast<long>(contacts_.surface.size());
+  impulses_ += 2 * contacts;
+  const bool touches = contacts_.settle(inverse_mass_, plan.surface.friction, u_);
+  note_pressed(plan, h);
+  const bool is_separated = separate(h);
+  separated_ = path_;
+  const bool hits = prevent_crossings(plan, h);
+  if (has_failed_ || !(touches || is_separated || hits)) return false;
+  write(plan, v0, h, motion);
+  return true;
+}
+
+// Returns whether all are finite.
+bool SurfaceStep::load(const Plan& plan, const Field& x0, double h, const Motion& motion) {
+  const std::size_t n = plan.surface.points.size();
+  for (auto* field : {&x_, &end_, &u_}) field->resize(n);
+  Vec3 sum(0.0);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Index i = plan.surface.points[k];
+    x_[k] = point_in(plan, x0, i);
+    end_[k] = point_in(plan, motion.x, i);
+    u_[k] = (end_[k] - x_[k]) / h;
+    sum += u_[k];
+  }
+  return std::isfinite(sum.x + sum.y + sum.z);
+}
+
+void SurfaceStep::start_frame(const Plan& plan) {
+  const std::size_t n = plan.surface.points.size();
+  inverse_mass_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) inverse_mass_[k] = plan.inverse_mass[plan.surface.points[k]];
+  search_.begin_frame(plan.surface, x_);
+  impacts_ = 0;
+}
+
+// Relative to the mean.
+double SurfaceStep::max_speed(std::span<const Vec3> velocity) const {
+  const Vec3 mean = mean_of(velocity);
+  double max = 0.0;
+  for (const Vec3& v : velocity) max = std::max(max, glm::dot(v - mean, v - mean));
+  return std::sqrt(max);
+}
+
+// Where the closest point of an edge of a face is its end, or that of a face belongs to another one, other pairs touch in the same place.
+void SurfaceStep::make_contacts(const Plan& plan, double h) {
+  contacts_.surface.clear();
+  contacts_.obstacles.clear();
+  const std::vector<double>& thickness = plan.surface.thickness;
+  for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
+    for (const Near& near : search_.near(kind)) {
+      const SurfacePair& pair = search_.pair(near);
+      const Closest& closest = near.closest;
+      const auto& [i, j, k, l] = pair.points;
+      const std::array<double, 4>& w = closest.weight;
+      if (kind == FeaturePair::TwoEdges ? closest.is_at_end && !pair.has_spring : !search_.sides().owns(pair.features[0], w[1], w[2], w[3]))
+        continue;
+      const double gap = closest.distance - search_.part(pair) * std::min({thickness[i], thickness[j], thickness[k], thickness[l]});
+      if (gap >= search_.max_gap(near)) continue;
+      SurfaceContact contact{.points = pair.points, .weight = w, .gap = gap};
+      for (int c = 0; c < 4; ++c) contact.response += w[c] * w[c] * inverse_mass_[contact.points[c]];
+      if (contact.response == 0.0) continue;
+      contact.normal = closest.separation / closest.distance;
+      contact.target = std::min(0.0, -gap / h);
+      contacts_.surface.push_back(contact);
+    }
+}
+
+// The obstacles that the points of contacts may be pressed into. They are convex: outside the plane that touches one where it is nearest,
+// nothing is in it.
+void SurfaceStep::add_obstacles(const Plan& plan, std::span<const Obstacle> obstacles, double h, const Motion& motion) {
+  if (obstacles.empty()) return;
+  const double reach = 2.0 * h * max_speed(u_);
+  is_marked_.assign(plan.surface.points.size(), 0);
+  for (const SurfaceContact& contact : contacts_.surface)
+    for (const Index k : contact.points) is_marked_[k] = 1;
+  for (std::size_t k = 0; k < is_marked_.size(); ++k) {
+    if (is_marked_[k] == 0 || inverse_mass_[k] == 0.0) continue;
+    const Index i = plan.surface.points[k];
+    const Vec3 end = point_in(plan, motion.x, i);
+    for (const Obstacle& obstacle : obstacles) {
+      const Vec3 position = end - obstacle.offset_at(h);
+      const Gap gap = gap_to(*obstacle.collider, plan.radius[i], position);
+      if (gap.distance > reach) continue;
+      const Vec3 velocity = obstacle.velocity_at(h);
+      contacts_.obstacles.push_back({.point = static_cast<Index>(k),
+                                     .normal = gap.normal,
+                                     .target = glm::dot(gap.normal, u_[k]) - std::max(0.0, gap.distance) / h,
+                                     .end_target = glm::dot(gap.normal, velocity),
+                                     .friction = obstacle.collider->friction,
+                                     .surface = velocity + relative_surface_velocity(obstacle, gap.normal, position)});
+    }
+  }
+}
+
+// What touches at the end of the substep.
+void SurfaceStep::note_pressed(const Plan& plan, double h) {
+  const double tolerance = 1e-6 * plan.surface.max_thickness;
+  for (SurfaceContact& contact : contacts_.surface) {
+    Vec3 relative(0.0);
+    for (int c = 0; c < 4; ++c) relative += contact.weight[c] * u_[contact.points[c]];
+    contact.is_pressed = contact.impulse > 0.0 || contact.gap + h * glm::dot(contact.normal, relative) <= tolerance;
+  }
+  for (ObstacleContact& contact : contacts_.obstacles) contact.is_pressed = contact.impulse > 0.0;
+}
+
+// Displacements, without velocities, that separate what is closer than its thickness. Returns whether there are any.
+bool SurfaceStep::separate(double h) {
+  path_ = u_;
+  bool any = false;
+  const double part = std::min(max_separation, h / separation_time);
+  for (SurfaceContact& contact : contacts_.surface)
+    if (contact.gap < 0.0) {
+      contact.target = -part * contact.gap / h;
+      any = true;
+    }
+  return any && contacts_.settle(inverse_mass_, 0.0, path_);
+}
+
+// Positions and velocities at the end, and the work of contact in addition to that of the forces.
+void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& motion) {
+  const auto n = static_cast<std::size_t>(plan.points);
+  velocity_.resize(x_.size());
+  for (std::size_t k = 0; k < x_.size(); ++k)
+    velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]) + (u_[k] - free_u_[k]) + (path_[k] - separated_[k]);
+  // what was kept from approaching does not at the end either: the second half of a step of the method accelerates it again
+  std::erase_if(contacts_.surface, [](const SurfaceContact& contact) { return !contact.is_pressed; });
+  std::erase_if(contacts_.obstacles, [](const ObstacleContact& contact) { return !contact.is_pressed; });
+  for (SurfaceContact& contact : contacts_.surface) contact.target = 0.0;
+  for (ObstacleContact& contact : contacts_.obstacles) contact.target = contact.end_target;
+  for (int turn = 0; turn < velocity_turns && contacts_.settle(inverse_mass_, plan.surface.friction, velocity_); ++turn)
+    impulses_ += 2 * static_cast<long>(contacts_.surface.size());
+
+  double work = 0.0;
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    const Index i = plan.surface.points[k];
+    const Vec3 v1 = point_in(plan, motion.v, i);
+    const bool is_moved = path_[k] != free_u_[k];
+    if (inverse_mass_[k] == 0.0 || (!is_moved && velocity_[k] == v1)) continue;
+    const Vec3 end = is_moved ? x_[k] + h * path_[k] : end_[k], force = plan.mass[i] / h * (free_velocity_[k] - point_in(plan, v0, i));
+    work += 0.5 * plan.mass[i] * (glm::dot(velocity_[k], velocity_[k]) - glm::dot(v1, v1)) - glm::dot(force, end - end_[k]);
+    for (int c = 0; c < plan.dimensions; ++c) {
+      motion.x[c * n + i] = end[c];
+      motion.v[c * n + i] = velocity_[k][c];
+    }
+  }
+  // what pushes may supply energy: the hand, or obstacles
+  (plan.held ? motion.hand_work : plan.colliders_move ? motion.collider_work : motion.contact_work) += work;
+  if (plan.held) motion.abs_hand_work += std::abs(work);
+}
+
+}  // namespace hooke

@@ -1,0 +1,62 @@
+// A substep of contact between faces and springs: what SurfaceSolver does.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/contact/obstacle.h"
+#include "sim/contact/surface/surface_response.h"
+#include "sim/contact/surface/surface_search.h"
+#include "sim/motion.h"
+
+namespace hooke {
+
+class SurfaceStep {
+ public:
+  explicit SurfaceStep(double relative_margin) : search_(relative_margin) {}
+
+  void begin_frame() { search_.clear(); }
+  void begin_substep(const Plan& plan, const Motion& motion);
+  bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
+  bool has_failed() const { return has_failed_; }
+  long searches() const { return search_.searches(); }
+  long impacts() const { return impacts_; }
+  long candidates() const { return search_.candidates(); }
+
+ private:
+  using Near = SurfaceSearch::Near;
+
+  bool correct(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
+  bool load(const Plan& plan, const Field& x0, double h, const Motion& motion);
+  void start_frame(const Plan& plan);
+  double max_speed(std::span<const Vec3> velocity) const;
+  void make_contacts(const Plan& plan, double h);
+  void add_obstacles(const Plan& plan, std::span<const Obstacle> obstacles, double h, const Motion& motion);
+  void note_pressed(const Plan& plan, double h);
+  bool separate(double h);
+  bool prevent_crossings(const Plan& plan, double h);
+  bool handle_impact(const Near& near, double part, double h, bool joins);
+  bool join(const std::array<Index, 4>& points);
+  void write(const Plan& plan, const Field& v0, double h, Motion& motion);
+  FourPoints four(std::span<const Vec3> field, const std::array<Index, 4>& points) const {
+    return {field[points[0]], field[points[1]], field[points[2]], field[points[3]]};
+  }
+
+  SurfaceSearch search_;
+  std::vector<double> inverse_mass_;  // [1/kg], per point of the surface, as all of the following
+
+  std::vector<Vec3> x_, end_;        // at the start of the substep, and at its end without this contact
+  std::vector<Vec3> free_velocity_;  // [m/s], at its end without any contact
+  // [m/s], displacement over h: without this contact, with its impulses, with what separates, and without impacts
+  std::vector<Vec3> free_u_, u_, separated_, path_;
+  std::vector<Vec3> velocity_;  // [m/s], at the end
+
+  SurfaceContacts contacts_;
+  std::vector<char> is_marked_;
+  std::vector<Index> zone_;  // per point: the first of those that move together
+  bool has_failed_ = false;
+  long impacts_ = 0;
+  long impulses_ = 0;  // of the substep, for Motion
+};
+
+}  // namespace hooke
