@@ -29,6 +29,7 @@ constexpr std::array markers{7, 5, 9, 13, 11, 15, 6, 4, 8, 12, 10, 14, 2, 1};
 
 struct Line {
   std::string method;
+  std::string data;  // its name in the script
   std::size_t style = 0;
   std::vector<const Row*> rows;
 };
@@ -42,10 +43,19 @@ std::vector<Line> lines_of(const ProblemRecord& record) {
   std::vector<Line> lines;
   std::size_t style = 0;
   for (const Integrator& method : integrators()) {
-    Line line{.method = std::string(method.id), .style = style++};
+    Line line{.method = std::string(method.id), .data = std::string(method.id), .style = style++};
     for (const Row& row : record.rows)
       if (row.method == method.id && is_drawn(row)) line.rows.push_back(&row);
     if (!line.rows.empty()) lines.push_back(std::move(line));
+  }
+  // other engines, in the order of their rows; their names are untrusted text
+  for (const Row& row : record.rows) {
+    if (!is_drawn(row) || find_integrator(row.method) != nullptr) continue;
+    auto line = std::ranges::find(lines, row.method, &Line::method);
+    if (line == lines.end())
+      line = lines.insert(lines.end(), {.method = row.method, .data = "engine" + std::to_string(style), .style = style});
+    if (line->rows.empty()) ++style;
+    line->rows.push_back(&row);
   }
   return lines;
 }
@@ -145,7 +155,7 @@ void print_panel(std::string& script, const ProblemRecord& record, std::size_t p
     if (is_drawn(*row)) best.push_back(row);
 
   const std::string data = "$panel" + std::to_string(place) + "_";
-  for (const Line& line : lines) print_data(script, data + line.method, line.rows);
+  for (const Line& line : lines) print_data(script, data + line.data, line.rows);
   print_data(script, data + "front", best);
 
   const double width = columns * panel_width, height = rows * panel_height + header_height;
@@ -172,7 +182,7 @@ void print_panel(std::string& script, const ProblemRecord& record, std::size_t p
 
   script += "plot " + data + "front with lines linewidth 11 linecolor rgb '#DDDDDD' notitle";
   for (const Line& line : lines) {
-    script += ", \\\n  " + data + line.method;
+    script += ", \\\n  " + data + line.data;
     append_formatted(script, " with linespoints linewidth 1.8 dashtype %d pointtype %d pointsize 0.9 linecolor rgb '%s' notitle",
                      line.style < colors.size() ? 1 : 2, markers[line.style % markers.size()], colors[line.style % colors.size()]);
   }

@@ -170,14 +170,39 @@ TEST(BenchChart, TheScriptDrawsAndNamesEveryMethod) {
   EXPECT_NE(script.find("$panel0_front with lines"), std::string::npos);
 }
 
-// The name of a scene is untrusted text.
+TEST(BenchChart, DrawsOtherEnginesBesideTheMethods) {
+  ProblemRecord record = swept_record();
+  Row row = record.rows.front();
+  row.relative_error = 1e-3;
+  row.cpu_ms_per_s = 5.0;
+  for (const char* engine : {"lammps", "another", "lammps"}) {
+    row.method = engine;
+    record.rows.push_back(row);
+  }
+  const std::string script = chart_script(results_of(record), ChartFormat::Svg);
+  for (const char* text : {"set label 'lammps' at", "set label 'another' at"}) {
+    const auto at = script.find(text);
+    ASSERT_NE(at, std::string::npos) << text;
+    EXPECT_EQ(script.find(text, at + 1), std::string::npos) << text;
+  }
+  const std::string first = "$panel0_engine" + std::to_string(integrators().size());
+  EXPECT_NE(script.find(first + " << EOD\n5 0.001\n5 0.001\nEOD\n"), std::string::npos);
+  EXPECT_NE(script.find(first + " with linespoints"), std::string::npos);
+}
+
+// The name of a scene is untrusted text, and so is that of an engine.
 TEST(BenchChart, ANameCannotEndItsQuotes) {
   ProblemRecord record = swept_record();
-  record.title = "it's'\nsystem(\"touch /tmp/x\")";
+  record.title = record.rows.front().method = "it's'\nsystem(\"touch /tmp/x\")";
+  record.rows.front().relative_error = 1e-3;
+  record.rows.front().cpu_ms_per_s = 5.0;
   const std::string script = chart_script(results_of(record), ChartFormat::Png);
   EXPECT_NE(script.find("it''s'' system("), std::string::npos);
   std::istringstream lines(script);
-  for (std::string line; std::getline(lines, line);) EXPECT_EQ(std::count(line.begin(), line.end(), '\'') % 2, 0) << line;
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_EQ(std::count(line.begin(), line.end(), '\'') % 2, 0) << line;
+    EXPECT_FALSE(line.starts_with("system")) << line;
+  }
 }
 
 TEST(BenchChart, LabelsDoNotOverlap) {

@@ -25,7 +25,7 @@ inline Vector between(const Vector& a, const Vector& b, Real t) {
 
 }  // namespace exact
 
-// Edges of faces that pass through faces: all pairs, by the Moeller-Trumbore test.
+// Edges of faces that pass through faces: all pairs whose boxes overlap, by the Moeller-Trumbore test.
 class CrossingCounter {
  public:
   explicit CrossingCounter(const System& system) {
@@ -40,12 +40,22 @@ class CrossingCounter {
   }
 
   long count(const std::vector<Vec3>& x) const {
+    // edges by their lower end along the first axis, so that most of those out of reach of a face are skipped
+    auto edges = edges_;
+    const auto low = [&](const std::array<Index, 2>& edge) { return std::min(x[edge[0]].x, x[edge[1]].x); };
+    std::ranges::sort(edges, {}, low);
+    double longest = 0.0;
+    for (const auto& [p, q] : edges) longest = std::max(longest, std::abs(x[p].x - x[q].x));
+
     long count = 0;
     for (const auto& face : faces_) {
       Vec3 min = x[face[0]], max = x[face[0]];
       for (const Index i : face)
         for (int c = 0; c < 3; ++c) min[c] = std::min(min[c], x[i][c]), max[c] = std::max(max[c], x[i][c]);
-      for (const auto& [p, q] : edges_) {
+      const auto first = std::ranges::lower_bound(edges, min.x - 1.001 * longest, {}, low);
+      const auto last = std::ranges::upper_bound(edges, max.x, {}, low);
+      for (auto edge = first; edge != last; ++edge) {
+        const auto& [p, q] = *edge;
         bool is_apart = false;
         for (int c = 0; c < 3; ++c) is_apart = is_apart || std::max(x[p][c], x[q][c]) < min[c] || std::min(x[p][c], x[q][c]) > max[c];
         if (is_apart || std::ranges::find(face, p) != face.end() || std::ranges::find(face, q) != face.end()) continue;
