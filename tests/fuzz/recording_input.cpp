@@ -12,7 +12,7 @@
 namespace hooke {
 namespace {
 
-constexpr int max_played_frames = 20;
+constexpr int max_played_frames = 5;
 constexpr std::size_t max_played_items = 100;
 
 Command parse_command(const std::string& text) {
@@ -28,10 +28,10 @@ Command parse_command(const std::string& text) {
   return *command;
 }
 
-// Scenes within all limits may still take too long to simulate.
+// Scenes within all limits may still take too long to simulate: those of small recordings are.
 bool is_small(const Scene& scene) {
   const System& system = scene.system;
-  return system.point_count() < 500 && system.spring_count() < 2000 && scene.settings.substeps <= 50 && system.colliders.size() <= 10;
+  return system.point_count() < 200 && system.spring_count() < 1000 && scene.settings.substeps <= 20 && system.colliders.size() <= 10;
 }
 
 void play(const Recording& recording) {

@@ -56,13 +56,20 @@ class Mouse {
 
 Index points_in(const fs::path& file) { return load_scene(file).scene.system.point_count(); }
 
+// A gap in a row shows a click that did not arrive.
+std::string places_in(const fs::path& file) {
+  std::ostringstream text;
+  for (const Vec3& place : load_scene(file).scene.state.position) text << " (" << place.x << ", " << place.y << ")";
+  return text.str();
+}
+
 // Each of several runs adds points and is killed without warning. The next one recovers exactly the autosave, whose missing work is never
 // older than the autosave interval allows, saves it, and starts again with an empty scene. HOOKE_KILLS and HOOKE_AUTOSAVE lengthen the test
 // and HOOKE_SEED sets its sequence, for scripts/campaign.
 TEST(KilledWindow, LosesOnlyTheLastMomentsAndOffersTheRest) {
   const int kills = static_cast<int>(number_from_environment("HOOKE_KILLS", 2.0));
   const double autosave = number_from_environment("HOOKE_AUTOSAVE", 1.0);
-  const double may_be_lost = autosave >= 30.0 ? 60.0 : 5.0 * autosave;  // [s]
+  const double may_be_lost = autosave + 6.0;  // [s], the interval, and the response of a machine that is busy with other programs
   std::mt19937 random(7 + static_cast<unsigned>(number_from_environment("HOOKE_SEED", 0.0)));
   std::uniform_real_distribution<double> more(0.2, 0.8 * may_be_lost);
 
@@ -108,7 +115,7 @@ TEST(KilledWindow, LosesOnlyTheLastMomentsAndOffersTheRest) {
     autosaved = points_in(left[0]);
     const auto old_enough = std::ranges::count_if(added, [&](const auto& when) { return seconds_between(when, end) > may_be_lost; });
     EXPECT_GT(old_enough, 0);
-    EXPECT_GE(autosaved, old_enough);
+    EXPECT_GE(autosaved, old_enough) << added.size() << " clicks; points at" << places_in(left[0]);
     EXPECT_LE(autosaved, static_cast<Index>(added.size()));
     // a killed program leaves the file as it was last saved
     EXPECT_EQ(points_in(file), saved);
