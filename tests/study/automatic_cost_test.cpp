@@ -102,7 +102,7 @@ TEST(AutomaticCost, IsCloseToThatOfTheBestFixedMethod) {
   const bool is_short = !prints();
   EXPECT_TRUE(only != nullptr || median <= 1.3) << median;
   EXPECT_LE(worst_of_others, is_short ? 1.6 : 2.0);
-  EXPECT_LE(worst, 8.0);
+  EXPECT_LE(worst, 5.0);
 }
 
 // Frame by frame on the run's own motion, against the converged frame from the same state.
