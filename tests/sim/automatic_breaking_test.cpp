@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, AutomaticBreaking,
 TEST_P(AutomaticBreaking, KeepsTheToleranceOrReportsAtABoundedCost) {
   const bool prints = std::getenv("HOOKE_PRINT") != nullptr;
   for (const double tolerance : {1e-2, 1e-3}) {
-    const BreakingRun run = run_until_broken(GetParam().make(), tolerance, prints ? 60 : 24, prints ? 20000 : 3000);
+    const BreakingRun run = run_until_broken(GetParam().make(), tolerance, prints ? 60 : 24, prints ? 20000 : 6000);
     if (prints)
       std::printf(
           "%-16s %g: %d springs break in %d frames; %d of %d frames within, %d reported as beyond, %d beyond in silence (%.2g); "
