@@ -225,6 +225,12 @@ std::string deformable_obstacle(const Problem& problem) {
   return "";
 }
 
+std::string implicit_obstacle(const Problem& problem) {
+  constexpr int max_points = 10'000;
+  if (problem.system.point_count() > max_points) return "a sweep of cloth 128 takes more than ten minutes";
+  return deformable_obstacle(problem);
+}
+
 template <class Kind>
 std::unique_ptr<Peer> load_bullet(const Problem& problem) {
   return std::make_unique<Kind>(problem);
@@ -248,7 +254,7 @@ const PeerKind bullet_implicit_peer{.id = "bullet_implicit",
                                     .limit = 0.0,
                                     .is_damped_apart = true,
                                     .iterations = {1, 4},
-                                    .obstacle = deformable_obstacle,
+                                    .obstacle = implicit_obstacle,
                                     .load = load_bullet<DeformablePeer<true>>};
 
 }  // namespace hooke

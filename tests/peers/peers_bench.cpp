@@ -122,7 +122,7 @@ std::string table_of(const ProblemRecord& record, const std::vector<std::string>
     if (obstacle.empty())
       add(kind->id);
     else
-      text += "| `" + kind->id + "` | cannot represent it: " + obstacle + " | | | | | | |\n";
+      text += "| `" + kind->id + "` | not measured (" + obstacle + ") | | | | | | |\n";
   }
   return text;
 }
