@@ -51,6 +51,8 @@ TEST(Headless, WrongUsageIsCodeTwoWithOneLineOnStderr) {
            {{"run", "two_masses", "--seconds", "1e300"}, "must be at most 1e15 frames"},
            {{"run", "two_masses", "--seconds", "1", "--warp", "9"}, "--warp"},
            {{"run", "two_masses", "--seconds", "1", "--threads", "0"}, "--threads: 0: must be from 1 to 64"},
+           {{"run", "two_masses", "--seconds", "1", "--precision", "half"}, "--precision: half: must be double or single"},
+           {{"run", "two_masses", "--seconds", "1", "--precision", "single"}, "--precision single: not for springs with dashpots"},
            {{"run", "two_masses", "--seconds", "1", "--substeps", "0"}, "--substeps: 0: must be from 1 to 1000000"},
            {{"run", "two_masses", "--seconds", "1", "--frame-rate", "0"}, "--frame-rate: 0: must be more than 0"},
            {{"run", "two_masses", "--seconds", "1", "--sample", "0"}, "--sample: 0: must be more than 0"},

@@ -106,9 +106,28 @@ void read_body(const btSoftBody& body, State& state) {
   }
 }
 
-class SoftBodyPeer : public Peer {
+class BulletPeer : public Peer {
  public:
-  explicit SoftBodyPeer(const Problem& problem) : problem_(problem) {}
+  explicit BulletPeer(const Problem& problem) : problem_(problem) {}
+
+ protected:
+  // Runs a world that holds this body, and takes the body out of it.
+  template <class World>
+  PeerRun step_body(World& world, btSoftBody& body, const PeerSetting& setting, double h) const {
+    const auto advance = [&] {
+      for (int i = 0; i < setting.steps; ++i) world.stepSimulation(h, 0);
+    };
+    PeerRun run = take_snapshots(problem_, setting, advance, [&](State& state) { read_body(body, state); });
+    world.removeSoftBody(&body);
+    return run;
+  }
+
+  const Problem& problem_;
+};
+
+class SoftBodyPeer : public BulletPeer {
+ public:
+  using BulletPeer::BulletPeer;
 
   PeerRun run(const PeerSetting& setting) override {
     const System& system = problem_.system;
@@ -129,16 +148,8 @@ class SoftBodyPeer : public Peer {
       if (w > 0.0) link.m_c0 = w / (1.0 - std::pow(1.0 / (1.0 + stiffness), 1.0 / setting.iterations));
     }
     world.addSoftBody(body.get());
-    const auto advance = [&] {
-      for (int i = 0; i < setting.steps; ++i) world.stepSimulation(h, 0);
-    };
-    PeerRun run = take_snapshots(problem_, setting, advance, [&](State& state) { read_body(*body, state); });
-    world.removeSoftBody(body.get());
-    return run;
+    return step_body(world, *body, setting, h);
   }
-
- private:
-  const Problem& problem_;
 };
 
 // The two stiffnesses; empty: there are more.
@@ -156,9 +167,9 @@ struct DeformableSolver : btDeformableBodySolver {
 };
 
 template <bool is_implicit>
-class DeformablePeer : public Peer {
+class DeformablePeer : public BulletPeer {
  public:
-  explicit DeformablePeer(const Problem& problem) : problem_(problem) {}
+  using BulletPeer::BulletPeer;
 
   PeerRun run(const PeerSetting& setting) override {
     const System& system = problem_.system;
@@ -199,16 +210,8 @@ class DeformablePeer : public Peer {
     btDeformableGravityForce gravity(to_bullet(system.gravity));
     world.addForce(body.get(), &springs);
     world.addForce(body.get(), &gravity);
-    const auto advance = [&] {
-      for (int i = 0; i < setting.steps; ++i) world.stepSimulation(h, 0);
-    };
-    PeerRun run = take_snapshots(problem_, setting, advance, [&](State& state) { read_body(*body, state); });
-    world.removeSoftBody(body.get());
-    return run;
+    return step_body(world, *body, setting, h);
   }
-
- private:
-  const Problem& problem_;
 };
 
 std::string soft_body_obstacle(const Problem& problem) {
