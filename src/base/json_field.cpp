@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "base/json_writer.h"
+#include "base/option_error.h"
 #include "base/printable.h"
 #include "base/text_lines.h"
 
@@ -23,7 +24,7 @@ double JsonField::number(const Bounds& bounds) const {
   if (!value_->IsNumber()) refuse("must be a number");
   const double value = value_->GetDouble();
   if (!std::isfinite(value)) refuse("must be a number below 1.8e308");
-  if (!bounds.contains(value)) refuse(bounds.text());
+  if (const std::string reason = why_refused(value, bounds); !reason.empty()) refuse(reason);
   return value;
 }
 

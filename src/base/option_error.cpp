@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -47,7 +48,9 @@ OptionError::OptionError(const std::string& option, const std::string& value, co
 
 std::string why_refused(double value, const Bounds& bounds) {
   if (!std::isfinite(value)) return "must be a finite number";
-  return bounds.contains(value) ? "" : bounds.text();
+  if (bounds.contains(value)) return "";
+  const bool is_denormal = value > bounds.min && value < std::numeric_limits<double>::min();
+  return bounds.text() + (is_denormal ? "; numbers below 2.3e-308 count as 0" : "");
 }
 
 void check_option(const std::string& option, double value, const Bounds& bounds) {

@@ -40,7 +40,8 @@ long count_frames(double seconds, double frame_rate) {
   constexpr double max = 1e15;
   const double frames = seconds * frame_rate;
   if (!(frames <= max)) throw OptionError("seconds", format_exact(seconds), "must be at most 1e15 frames");
-  return static_cast<long>(std::ceil(frames * (1.0 - round_off) - round_off));
+  if (frames == 0.0) return 0;
+  return std::max(1L, static_cast<long>(std::ceil(frames * (1.0 - round_off) - round_off)));
 }
 
 SampleClock::SampleClock(std::optional<double> spacing, double frame_rate, long frames)

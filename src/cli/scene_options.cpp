@@ -15,7 +15,8 @@ CLI::Validator within(const Bounds& bounds) {
   const auto check = [bounds](std::string& text) {
     double value = 0.0;
     const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
-    return is_number && bounds.contains(value) ? std::string() : printable(text, 80) + ": " + bounds.text();
+    const std::string reason = is_number ? why_refused(value, bounds) : bounds.text();
+    return reason.empty() ? reason : printable(text, 80) + ": " + reason;
   };
   return CLI::Validator(check, "", "");
 }

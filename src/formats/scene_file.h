@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/errors.h"
@@ -51,7 +53,8 @@ const std::vector<ShippedScene>& shipped_scenes();
 // The folder of scenes, textures and thumbnails, of the installation or the source tree.
 const std::filesystem::path& assets_folder();
 
-// The file for SCENE on a command line: a path to an existing file, or the id of a shipped scene. Throws FileError.
-std::filesystem::path find_scene(const std::string& name);
+// The file for SCENE on a command line: a path to an existing file, or the id of a shipped scene. Throws FileError, which also lists the
+// commands that could have been meant in its place.
+std::filesystem::path find_scene(const std::string& name, std::span<const std::string_view> commands = {});
 
 }  // namespace hooke

@@ -108,14 +108,18 @@ const std::vector<ShippedScene>& shipped_scenes() {
   return scenes;
 }
 
-fs::path find_scene(const std::string& name) {
+fs::path find_scene(const std::string& name, std::span<const std::string_view> commands) {
   std::error_code error;
   const fs::file_status status = fs::status(name, error);
   if (!fs::exists(status) || fs::is_directory(status))
     for (const ShippedScene& scene : shipped_scenes())
       if (scene.id == name) return scene.file;
-  if (!fs::exists(status)) throw FileError(printable(name) + ": no such file or shipped scene: " + must_be_one_of(ids(), name));
-  return name;
+  if (fs::exists(status)) return name;
+  std::string choices;
+  for (const std::string_view command : commands) choices.append(command).append(", ");
+  throw FileError(printable(name) +
+                  (commands.empty() ? ": no such file or shipped scene: " : ": no such command, file or shipped scene: ") +
+                  must_be_one_of(choices + ids(), name));
 }
 
 }  // namespace hooke

@@ -77,6 +77,7 @@ TEST(Headless, RunStepsWholeFramesUntilTheSecondsAreCovered) {
   EXPECT_EQ(seconds_of("0"), 0.0);
   EXPECT_NEAR(seconds_of("0.3"), 0.3, 1e-12);
   EXPECT_NEAR(seconds_of("0.31"), 0.4, 1e-12);
+  EXPECT_NEAR(seconds_of("1e-300"), 0.1, 1e-12);
 }
 
 TEST(Headless, ReportsTheHashThatALaboratoryComputes) {

@@ -183,7 +183,7 @@ TEST(BadScenes, UnphysicalValuesAreRefused) {
   expect_refused({
       {point_with(R"("mass": 0)"), "points[0].mass: 0: must be more than 0"},
       {point_with(R"("mass": -1)"), "points[0].mass: -1: must be more than 0"},
-      {point_with(R"("mass": 1e-310)"), "points[0].mass: 1e-310: must be more than 0"},
+      {point_with(R"("mass": 1e-310)"), "points[0].mass: 1e-310: must be more than 0; numbers below 2.3e-308 count as 0"},
       {point_with(R"("radius": -0.1)"), "points[0].radius: -0.1: must be at least 0"},
       {spring_with(R"("stiffness": -5)"), "springs[0].stiffness: -5: must be at least 0"},
       {spring_with(R"("stiffness": 1, "damping": -1e-9)"), "springs[0].damping: -1e-09: must be at least 0"},
@@ -317,7 +317,7 @@ TEST(BadScenes, GeneratorsAreCheckedBeforeTheyGenerateAnything) {
       {cloth_with(R"("stiffness": 1, "points": [5000000, 5000000])"),
        "generators[0].points: [5000000, 5000000]: 25000000000000 points: must be at most 5000000"},
       {cloth_with(R"("stiffness": 1, "points": [2, 2], "density": 3e-308)"),
-       "generators[0]: mass of a point: 7.5e-309: must be more than 0 and a number"},
+       "generators[0]: mass of a point: 7.5e-309: must be from 2.3e-308 to 1.7e308"},
       {rope_with(R"("stiffness": 1e308, "mass_model": "tributary", "points": 100)"),
        "generators[0]: stiffness of a spring: inf: must be a number below 1.8e308"},
       {R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [2, 0, 0], "points": [2, 2], "stiffness": 1}]})",
@@ -385,6 +385,15 @@ TEST(BadSceneFiles, AFileThatCannotBeOpenedIsAFileError) {
     FAIL();
   } catch (const FileError& error) {
     EXPECT_EQ(std::string(error.what()).find("no_such_scene: no such file or shipped scene: must be one of cloth, "), 0u);
+  }
+  const std::string_view commands[] = {"run", "capture"};
+  try {
+    find_scene("captur", commands);
+    FAIL();
+  } catch (const FileError& error) {
+    const std::string text = error.what();
+    EXPECT_EQ(text.find("captur: no such command, file or shipped scene: must be one of run, capture, cloth, "), 0u) << text;
+    EXPECT_TRUE(text.ends_with("did you mean capture?")) << text;
   }
 }
 

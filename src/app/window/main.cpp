@@ -43,7 +43,7 @@ std::filesystem::path full_path(const std::filesystem::path& file) {
 
 // Throws InputError or FileError.
 std::unique_ptr<App> open_scene(const std::string& name) {
-  const std::filesystem::path file = full_path(find_scene(name));
+  const std::filesystem::path file = full_path(find_scene(name, commands));
   std::shared_ptr<const Recording> recording;
   LoadedScene loaded;
   if (file.extension() == recording_extension) {

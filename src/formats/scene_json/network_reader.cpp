@@ -167,7 +167,7 @@ void NetworkReader::check_generated(std::size_t generator, std::size_t first_poi
   for (std::size_t i = first_point; i < network_.points.size(); ++i) {
     const double mass = network_.points[i].mass, radius = network_.points[i].radius;
     if (!(mass >= std::numeric_limits<double>::min()) || !std::isfinite(mass))
-      refuse(field, "mass of a point: " + format_exact(mass) + ": must be more than 0 and a number");
+      refuse(field, "mass of a point: " + format_exact(mass) + ": must be from 2.3e-308 to 1.7e308");
     if (!is_finite(network_.position[i]) || !std::isfinite(radius)) refuse(field, "position of a point: must be a number below 1.8e308");
     if (dimensions == 2 && network_.position[i].z != 0.0)
       refuse(field, "position of a point: z = " + format_exact(network_.position[i].z) + ": must be 0 in a 2-D scene");
