@@ -56,7 +56,7 @@ void write_half_error(JsonWriter& json, const Accuracy& accuracy) {
     json.null();
     json.key("cost");
     json.null();
-    json.text("reason", accuracy.is_on ? "no frame yet" : "switched off");
+    json.text("reason", accuracy.is_on ? accuracy.half_error_reason : "switched off");
   }
   json.end();
 }

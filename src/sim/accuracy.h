@@ -47,6 +47,7 @@ struct Accuracy {
   int half_error_substeps = 0;
   double half_error_tolerance = 0.0;  // [m], of an adaptive method; 0: it has none
   double half_error_cost = 0.0;
+  std::string_view half_error_reason{};  // why nothing is known, if so
 };
 
 }  // namespace hooke

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "sim/contact/contact.h"
 #include "sim/energy.h"
 
 namespace hooke {
@@ -12,6 +13,11 @@ namespace {
 
 // One frame in this many is repeated, at twice its cost: 5 % of the run. Sooner after an edit.
 constexpr int repetition_period = 40, period_after_edit = 12;
+// Where things touch, impacts, friction and points that stick decide how fast the error falls with the step: every fourth repeated frame
+// is also computed with a quarter of the step, at four times its cost.
+constexpr int order_period = 4;
+// Below this order, half the error costs more than four times the time, if it can be had at all.
+constexpr double min_order = 0.5;
 // Errors of this fraction of the scene's size are no longer small: beyond it the trajectory is not predictable.
 constexpr double max_error = 0.1;
 // A method that dissipated more than this part of the highest kinetic energy, and more than the scene did, has changed the motion so much
@@ -63,7 +69,12 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     second_runs_.restart(size_);
   }
   // the order depends on every spring: determined again only when it may have changed
-  if (is_started_now || is_edited_ || method_ != settings.integrator) order_ = effective_order(system, *settings.integrator);
+  if (is_started_now || is_edited_ || method_ != settings.integrator) {
+    order_ = effective_order(system, *settings.integrator);
+    touches_ = (has_contact(system) || system.contact.any()) && settings.integrator->stability != Stability::Adaptive;
+    refinement_.reset();
+    repetitions_ = 0;
+  }
   method_ = settings.integrator;
   energy_.add_frame(plan, system, before, after, motion, energy);
   max_kinetic_ = std::max(max_kinetic_, kinetic_energy(system, after));
@@ -71,7 +82,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   ++frames_since_repetition_;
   const bool is_due = !repetition_.result() || frames_since_repetition_ >= (is_edited_ ? period_after_edit : repetition_period);
   if (is_due && !repetition_.is_in_progress()) {
-    repetition_.begin(plan, system, settings, before, after, energy);
+    repetition_.begin(plan, system, settings, before, after, energy, touches_ && repetitions_++ % order_period == 0);
     energy_.begin_repetition();
     frames_since_repetition_ = 0;
     is_edited_ = false;
@@ -81,7 +92,14 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
 
 void AccuracyMeter::repeat(const System& system) {
   repetition_.substep(system);
-  if (!repetition_.is_in_progress()) energy_.set_numerical_gain(repetition_.result()->numerical_gain);
+  if (repetition_.is_in_progress() || !repetition_.result()) return;
+  energy_.set_numerical_gain(repetition_.result()->numerical_gain);
+  if (const auto& refinement = repetition_.result()->refinement) {
+    constexpr double kept = 0.5;
+    if (!refinement_) refinement_.emplace();
+    refinement_->by_half = kept * refinement_->by_half + refinement->by_half;
+    refinement_->by_quarter = kept * refinement_->by_quarter + refinement->by_quarter;
+  }
 }
 
 void AccuracyMeter::measure_frame(Accuracy& accuracy) const {
@@ -153,15 +171,29 @@ Accuracy AccuracyMeter::accuracy(const Settings& settings) const {
   }
   measure_frame(accuracy);
   measure_run(accuracy);
-  if (!is_started_) return accuracy;
+  measure_half_error(settings, accuracy);
+  return accuracy;
+}
+
+void AccuracyMeter::measure_half_error(const Settings& settings, Accuracy& accuracy) const {
+  accuracy.half_error_reason = "no frame yet";
+  if (!is_started_) return;
+  double order = order_;
+  if (touches_) {
+    accuracy.half_error_reason = "not measured yet";
+    if (!refinement_) return;
+    accuracy.half_error_reason = "where things touch, half the step does not halve the error";
+    if (!(refinement_->by_half >= std::exp2(min_order) * refinement_->by_quarter)) return;
+    if (refinement_->by_quarter > 0.0) order = std::min(order, std::log2(refinement_->by_half / refinement_->by_quarter));
+  }
+  accuracy.half_error_reason = {};
   // the error of order p falls by 2^p when the step is halved
-  const double factor = std::exp2(1.0 / order_);
+  const double factor = std::exp2(1.0 / order);
   accuracy.half_error_substeps = static_cast<int>(std::ceil(factor * settings.substeps));
   accuracy.half_error_cost = static_cast<double>(accuracy.half_error_substeps) / settings.substeps;
-  if (settings.integrator->stability != Stability::Adaptive) return accuracy;
+  if (settings.integrator->stability != Stability::Adaptive) return;
   accuracy.half_error_tolerance = 0.5 * settings.tolerance.value_or(default_tolerance);
   accuracy.half_error_cost = factor;
-  return accuracy;
 }
 
 }  // namespace hooke

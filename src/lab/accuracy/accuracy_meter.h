@@ -43,6 +43,7 @@ class AccuracyMeter {
  private:
   void measure_frame(Accuracy& accuracy) const;
   void measure_run(Accuracy& accuracy) const;
+  void measure_half_error(const Settings& settings, Accuracy& accuracy) const;
   bool is_damped_by_method() const;
 
   AccuracyMode mode_ = AccuracyMode::Off;
@@ -50,6 +51,10 @@ class AccuracyMeter {
   bool is_edited_ = false;  // since the last repeated frame
   double size_ = 1.0;       // [m]
   int order_ = 1;           // of the method on this scene
+  bool touches_ = false;    // whether something may touch there: then the order is measured
+  // [m], sums over repeated frames, older ones with less weight
+  std::optional<FrameRepetition::Refinement> refinement_;
+  int repetitions_ = 0;  // since the order was determined
   const Integrator* method_ = nullptr;
   int frames_since_repetition_ = 0;
   double max_kinetic_ = 0.0;  // [J], since the start

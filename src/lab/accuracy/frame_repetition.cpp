@@ -5,7 +5,7 @@
 namespace hooke {
 
 void FrameRepetition::begin(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after,
-                            double energy) {
+                            double energy, bool measures_order) {
   run_.set_plan(plan);
   run_.start(before);
   const Repetition repetition = repetition_of(plan, system, settings);
@@ -14,16 +14,31 @@ void FrameRepetition::begin(const Plan& plan, const System& system, const Settin
   time_ = after.time;
   energy_ = energy;
   weight_ = repetition.weight;
+  by_half_.reset();
+  before_.reset();
+  if (!measures_order || repetition.is_resolving) return;
+  before_ = before;
+  quarter_ = refined(system, repetition.settings);
 }
 
 void FrameRepetition::substep(const System& system) {
   run_.substep();
   if (run_.is_in_frame()) return;
+  if (by_half_) {
+    if (!run_.failed()) result_->refinement = {*by_half_, weighted_distance(end_, run_.state().position, 1.0).rms};
+    by_half_.reset();
+    return;
+  }
   result_.reset();
   if (run_.failed()) return;
   result_ = Result{.error = weighted_distance(end_, run_.state().position, weight_),
                    .time = time_,
                    .numerical_gain = weight_ * (energy_ - compute_energy(system, run_.state()).total())};
+  if (!before_) return;
+  by_half_ = result_->error.rms / weight_;
+  end_ = run_.state().position;
+  run_.start(*before_);
+  run_.begin_frame(system, quarter_, before_->time, before_->hand);
 }
 
 void FrameRepetition::reset() {

@@ -1,4 +1,5 @@
-// Repeats one frame of a run with half the step: the error of that frame, in positions and in energy.
+// Repeats one frame of a run with half the step: the error of that frame, in positions and in energy. And, where it is asked for, with a
+// quarter of the step: the order with which the error falls.
 #pragma once
 
 #include <optional>
@@ -10,14 +11,20 @@ namespace hooke {
 
 class FrameRepetition {
  public:
+  // RMS distances [m] between the ends of the frame with the step and half of it, and with half and a quarter of it
+  struct Refinement {
+    double by_half = 0.0, by_quarter = 0.0;
+  };
   struct Result {
     FrameError error;
-    double time = 0.0;            // [s], at the end of the frame
-    double numerical_gain = 0.0;  // [J], by the method in this frame
+    double time = 0.0;                       // [s], at the end of the frame
+    double numerical_gain = 0.0;             // [J], by the method in this frame
+    std::optional<Refinement> refinement{};  // if it was asked for
   };
 
   // The frame that led from `before` to `after`, whose energy is `energy` [J]; `plan` is that of `system`.
-  void begin(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after, double energy);
+  void begin(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after, double energy,
+             bool measures_order);
   // Computes a substep; with the last one there is a result, unless the method found no step.
   void substep(const System& system);
   bool is_in_progress() const { return run_.is_in_frame(); }
@@ -33,6 +40,9 @@ class FrameRepetition {
   std::vector<Vec3> end_;
   double weight_ = 1.0, time_ = 0.0, energy_ = 0.0;
   std::optional<Result> result_;
+  std::optional<State> before_;  // of a frame that is to be repeated with a quarter of the step, too
+  Settings quarter_;
+  std::optional<double> by_half_;  // [m], while it is
 };
 
 }  // namespace hooke

@@ -105,7 +105,7 @@ void cost_section(const PanelInput& input, Requests& requests) {
   const Accuracy& accuracy = input.status.accuracy;
   heading("Cost of accuracy");
   const std::string text = cost_text(accuracy);
-  paragraph(text.empty() ? "not known yet" : text);
+  paragraph(!text.empty() ? text : "half the error: " + std::string(accuracy.is_on ? accuracy.half_error_reason : "not measured"));
   if (!text.empty() && accuracy.half_error_tolerance == 0.0) {
     same_line_for("Use");
     if (ImGui::SmallButton("Use"))
