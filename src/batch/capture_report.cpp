@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/bounds.h"
+#include "base/number_text.h"
 #include "batch/accuracy_json.h"
 #include "batch/output_folder.h"
 #include "batch/run_report.h"
@@ -80,8 +81,8 @@ void ErrorLimit::check(const Lab& lab, long frame) {
   const Accuracy accuracy = lab.accuracy();
   const auto& error = accuracy.accumulated;
   if (error.value && *error.value <= limit_) return;
-  message_ = "frame " + std::to_string(frame) + ", at " + format_exact(lab.scene().state.time) + " s: " +
-             (error.value ? "estimated error " + format_exact(*error.value) + " m" : "error not known: " + std::string(error.reason)) +
+  message_ = "frame " + std::to_string(frame) + ", at " + number_text(lab.scene().state.time) + " s: " +
+             (error.value ? "estimated error " + number_text(*error.value) + " m" : "error not known: " + std::string(error.reason)) +
              ", limit " + format_exact(limit_) + " m";
 }
 

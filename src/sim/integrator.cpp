@@ -35,11 +35,11 @@ std::string_view describe(Stability stability) {
     case Stability::Adaptive:
       return "chooses its own steps";
     case Stability::EachSpring:
-      return "each spring alone is stable at any step";
+      return "small vibrations of each spring alone are stable at any step";
     case Stability::AStable:
-      return "stable at any step";
+      return "small vibrations are stable at any step";
     case Stability::LStable:
-      return "stable at any step, damps fast modes";
+      return "small vibrations are stable at any step, fast modes are damped";
   }
   return {};
 }

@@ -13,7 +13,8 @@ constexpr DirkTable table{.stages = 1, .a = {{{1.0}}}, .b = {1.0}, .b_embedded =
 constinit const Integrator implicit_euler{
     .id = "implicit_euler",
     .label = "Implicit Euler",
-    .summary = "Implicit Euler solved to convergence, for comparison: stable at any step, strongly damped, first order.",
+    .summary =
+        "Implicit Euler solved to convergence, for comparison: no limit on the step for small vibrations, strongly damped, first order.",
     .cost = "a nonlinear solve per step: two to five factorizations where springs are stiff",
     .formula =
         "v' = v + h a(x', v')\n"

@@ -57,7 +57,7 @@ void predictability_section(const Accuracy& accuracy) {
   if (is_chaotic)
     value_row("Growth", "e-fold every " + quantity_text(1.0 / *accuracy.growth_rate.value, "s", 2));
   else if (accuracy.amplification.value)
-    value_row("Growth", "factor " + number_text(*accuracy.amplification.value, 2) + " per second");
+    value_row("Growth", number_text(*accuracy.amplification.value, 2) + "-fold within a second, but not exponential");
   explanation("How fast a tiny difference at the start grows. Past this time no method predicts where the points are.");
 }
 

@@ -185,7 +185,8 @@ std::vector<WayOut> ways_out(const PanelInput& input) {
            }});
     if (remedy.implicit) {
       ways.push_back({"Use " + remedy.implicit->integrator->short_name() + "###implicit",
-                      "Uses a method that is stable at any step, tested in the same way, and continues the run", [&](Requests& requests) {
+                      "Uses a method without a limit on the step for small vibrations, tested in the same way, and continues the run",
+                      [&](Requests& requests) {
                         take(*remedy.implicit, settings, requests);
                         run_from(remedy, requests);
                       }});
