@@ -44,7 +44,7 @@ void EnergyAccounts::start(const State& state, double energy) {
   balance_ = {.since = state.time};
   start_ = energy_ = energy;
   net_input_ = state.ledger.net_input;
-  rest_ = repeated_rest_ = gain_ratio_ = dissipation_ = 0.0;
+  contact_work_ = rest_ = repeated_rest_ = gain_ratio_ = dissipation_ = 0.0;
   frames_since_fraction_ = fraction_period;
 }
 
@@ -69,11 +69,14 @@ void EnergyAccounts::add_frame(const Plan& plan, const System& system, const Sta
   balance_.forces += motion.force_work;
   balance_.colliders += motion.collider_work;
   balance_.limits += motion.break_work + motion.limit_work;
-  balance_.contact += motion.contact_work;
+  // colliders at rest cannot have supplied energy in total: what they did is an error of the method
+  contact_work_ += motion.contact_work;
+  const double by_contact = std::min(0.0, contact_work_) - balance_.contact;
+  balance_.contact += by_contact;
 
   // the remainder is due to the method, or to the drag and the dashpots of the scene
   const double supplied = after.ledger.net_input - net_input_;
-  double rest = energy - energy_ - supplied - motion.contact_work;
+  double rest = energy - energy_ - supplied - by_contact;
   rest_ = rest;
   const bool drags = system.drag_rate() > 0.0, damps = plan.has_dashpots();
   if (!drags && !damps) {

@@ -24,6 +24,7 @@ class EnergyAccounts {
 
   EnergyBalance balance_;
   double start_ = 0.0, energy_ = 0.0;        // [J]
+  double contact_work_ = 0.0;                // [J], of impacts and friction, as computed
   double net_input_ = 0.0;                   // [J], of the ledger after the last frame
   double rest_ = 0.0, repeated_rest_ = 0.0;  // [J], of the last frame and the repeated one: by the method, drag and dashpots together
   double gain_ratio_ = 0.0;                  // [1], of the gain of the method to the dissipation, which is negative
