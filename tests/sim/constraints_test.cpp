@@ -167,10 +167,11 @@ TEST(Constraints, OfARunShareNoPoint) {
     for (const SweepRun& run : constraints.runs()) {
       std::set<Index> ends;
       for (Index n = 0; n < run.count; ++n) {
-        EXPECT_TRUE(visited.insert(run.begin + n * run.step).second);
+        const auto [packed, first, second] = constraints.spring(run, n);
+        EXPECT_TRUE(visited.insert(packed).second);
         EXPECT_TRUE(places.insert(run.place(n)).second);
-        EXPECT_TRUE(ends.insert(run.first + n * run.step).second);
-        EXPECT_TRUE(ends.insert(run.second + n * run.step).second);
+        EXPECT_TRUE(ends.insert(first).second);
+        EXPECT_TRUE(ends.insert(second).second);
       }
     }
     EXPECT_EQ(static_cast<Index>(visited.size()), plan.springs);

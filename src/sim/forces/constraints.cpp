@@ -16,6 +16,7 @@ namespace hooke {
 struct ConstraintArguments {
   const Plan& plan;
   std::span<const SweepRun> runs;
+  SpringEnds listed;
   const double *rest_length, *stiffness, *damping;
   double h;
   const double* x;
@@ -79,7 +80,7 @@ void project_runs(const ConstraintArguments& all) {
   for (const SweepRun& each : all.runs) {
     const SweepRun run = each;
     const ConstraintRun<Dimensions> lists(all, run.first);
-    for_springs(run, [lists](const auto& springs) HWY_ATTR { project_independent<Dimensions, Damped>(lists, springs); });
+    for_springs(run, all.listed, [lists](const auto& springs) HWY_ATTR { project_independent<Dimensions, Damped>(lists, springs); });
   }
 }
 
@@ -167,10 +168,27 @@ void color(const Plan& plan, std::vector<ColoredSpring>& springs) {
     spring->color = static_cast<Index>(assign_color(used_colors[spring->first], used_colors[spring->second]));
 }
 
-// Springs with consecutive ends, and every other spring of a row, form runs.
 bool follows(const SweepRun& run, const ColoredSpring& spring, Index step) {
   const Index distance = run.count * step;
   return spring.first == run.first + distance && spring.second == run.second + distance && spring.packed == run.begin + distance;
+}
+
+// Of springs of the same color, those with consecutive ends, and every other spring of a row, form runs. Those of runs so short that most
+// lanes of a vector would be empty are listed: a run of all of them comes last.
+void add_range(std::span<const ColoredSpring> springs, std::vector<SweepRun>& runs, std::vector<ColoredSpring>& listed) {
+  constexpr Index min_run = 4;
+  const std::size_t listed_before = listed.size();
+  for (std::size_t at = 0; at < springs.size();) {
+    const ColoredSpring& first = springs[at];
+    SweepRun run{.begin = first.packed, .first = first.first, .second = first.second, .count = 1, .step = first.offset() == 1 ? 2 : 1};
+    while (at + run.count < springs.size() && follows(run, springs[at + run.count], run.step)) ++run.count;
+    if (run.count >= min_run)
+      runs.push_back(run);
+    else
+      listed.insert(listed.end(), springs.begin() + at, springs.begin() + at + run.count);
+    at += run.count;
+  }
+  if (const Index count = static_cast<Index>(listed.size() - listed_before); count > 0) runs.push_back({.count = count, .step = 0});
 }
 
 }  // namespace
@@ -192,25 +210,25 @@ Constraints::Constraints(const Plan& plan) : Structure(plan) {
   std::sort(springs.begin(), springs.end(), [&](const ColoredSpring& a, const ColoredSpring& b) { return key(a) < key(b); });
 
   ranges_.resize(static_cast<std::size_t>(blocks_) * colors_);
-  const ColoredSpring* previous = nullptr;
-  for (const ColoredSpring& spring : springs) {
-    Range& range = ranges_[static_cast<std::size_t>(spring.block) * colors_ + spring.color];
-    if (range.begin == range.end) range.begin = range.end = runs_.size();
-    const bool is_same_range = previous != nullptr && previous->color == spring.color && previous->block == spring.block;
-    previous = &spring;
-    if (is_same_range) {
-      SweepRun& run = runs_.back();
-      const Index step = run.count > 1 ? run.step : run.second == run.first + 1 ? 2 : 1;
-      if (run.second > run.first && follows(run, spring, step)) {
-        run.step = step;
-        ++run.count;
-        continue;
-      }
-    }
-    runs_.push_back({.begin = spring.packed, .first = spring.first, .second = spring.second, .count = 1});
+  std::vector<ColoredSpring> listed;
+  for (std::size_t begin = 0, end = 0; begin < springs.size(); begin = end) {
+    const ColoredSpring& first = springs[begin];
+    while (end < springs.size() && springs[end].block == first.block && springs[end].color == first.color) ++end;
+    Range& range = ranges_[static_cast<std::size_t>(first.block) * colors_ + first.color];
+    range.begin = runs_.size();
+    add_range(std::span(springs).subspan(begin, end - begin), runs_, listed);
     range.end = runs_.size();
   }
   list_size_ = place_runs(runs_);
+  if (listed.empty()) return;
+  for (std::vector<Index>* list : {&listed_, &listed_first_, &listed_second_}) list->assign(list_size_, no_index);
+  const ColoredSpring* next = listed.data();
+  for (const SweepRun& run : runs_)
+    for (Index n = 0; run.step == 0 && n < run.count; ++n, ++next) {
+      listed_[run.place(n)] = next->packed;
+      listed_first_[run.place(n)] = next->first;
+      listed_second_[run.place(n)] = next->second;
+    }
 }
 
 void Constraints::prepare(const Plan& plan, double h, double phi) {
@@ -218,11 +236,11 @@ void Constraints::prepare(const Plan& plan, double h, double phi) {
   damping_.assign(plan.has_dashpots() ? list_size_ : 0, 0.0);
   for (const SweepRun& run : runs_)
     for (Index n = 0; n < run.count; ++n) {
-      const Index e = n * run.step, spring = run.begin + e;
-      const double k = plan.stiffness[spring], d = plan.has_dashpots() ? plan.damping[spring] : 0.0;
-      const double factor = phi / (1.0 + phi * (h * k + d) * (plan.inverse_mass[run.first + e] + plan.inverse_mass[run.second + e]));
+      const auto [packed, first, second] = spring(run, n);
+      const double k = plan.stiffness[packed], d = plan.has_dashpots() ? plan.damping[packed] : 0.0;
+      const double factor = phi / (1.0 + phi * (h * k + d) * (plan.inverse_mass[first] + plan.inverse_mass[second]));
       const std::size_t place = run.place(n);
-      rest_length_[place] = plan.rest_length[spring];
+      rest_length_[place] = plan.rest_length[packed];
       stiffness_[place] = factor * k;
       if (plan.has_dashpots()) damping_[place] = factor * d;
     }
@@ -232,6 +250,7 @@ void Constraints::sweep(const Plan& plan, double h, const Field& x, Field& v) co
   const auto project = [&](std::size_t begin, std::size_t end) {
     const ConstraintArguments arguments{.plan = plan,
                                         .runs = std::span(runs_).subspan(begin, end - begin),
+                                        .listed = {listed_first_.data(), listed_second_.data()},
                                         .rest_length = rest_length_.data(),
                                         .stiffness = stiffness_.data(),
                                         .damping = damping_.empty() ? nullptr : damping_.data(),

@@ -25,6 +25,14 @@ class Constraints final : public Structure {
 
   // In an order that has the same result as color by color.
   std::span<const SweepRun> runs() const { return runs_; }
+  struct Ends {
+    Index packed, first, second;
+  };
+  Ends spring(const SweepRun& run, Index n) const {
+    const std::size_t at = run.place(n);
+    if (run.step == 0) return {listed_[at], listed_first_[at], listed_second_[at]};
+    return {run.begin + n * run.step, run.first + n * run.step, run.second + n * run.step};
+  }
 
  private:
   struct Range {
@@ -34,6 +42,7 @@ class Constraints final : public Structure {
   Index blocks_ = 0, colors_ = 0;
   std::vector<Range> ranges_;  // of runs, for each color of each block
   std::size_t list_size_ = 0;
+  std::vector<Index> listed_, listed_first_, listed_second_;  // packed springs that are listed, and their points; empty: none is
   std::vector<double> rest_length_;
   std::vector<double> stiffness_, damping_;  // phi k and phi d over the denominator [N s/m], [kg]; damping empty: no dashpots
 };
