@@ -102,8 +102,9 @@ TEST(Threads, LeaveSmallScenesToOne) {
 
 TEST(Threads, ComputeTheSameBits) {
   TestSim sim = waving_cloth();
-  for (const Integrator* method : {&velocity_verlet, &symplectic_euler, &explicit_euler, &runge_kutta4, &blanes_moan4})
+  for (const Integrator* method : {&velocity_verlet, &symplectic_euler, &explicit_euler, &runge_kutta4, &blanes_moan4, &xpbd})
     expect_same_bits_on_threads(sim, *method, "cloth");
+  expect_same_bits_on_threads(cloth_with_holes(), xpbd, "missing springs and nails");
   expect_same_bits_on_threads(cloth_with_holes(), velocity_verlet, "missing springs and nails");
   expect_same_bits_on_threads(cloth_with_holes(), symplectic_euler, "missing springs and nails");
   sim.system.drag = 2.0;
@@ -113,12 +114,14 @@ TEST(Threads, ComputeTheSameBits) {
   expect_same_bits_on_threads(sim, velocity_verlet, "a listed force");
   for (Index i = 0; i < 200; ++i) sim.join(sim.system.points()[13 * i].id, sim.system.points()[29 * i + 7].id, 3.0, 0.3);
   expect_same_bits_on_threads(sim, velocity_verlet, "springs across the cloth");
+  expect_same_bits_on_threads(sim, xpbd, "springs across the cloth");
   sim = waving_cloth();
   std::vector<Spring> springs = sim.system.springs();
   for (Spring& spring : springs) spring.damping = 1e-4;
   sim.system.set_springs(std::move(springs));
   expect_same_bits_on_threads(sim, velocity_verlet, "dashpots");
   expect_same_bits_on_threads(sim, symplectic_euler, "dashpots");
+  expect_same_bits_on_threads(sim, xpbd, "dashpots");
 }
 
 TEST(Threads, ComputeTheSameBitsInThePlane) {

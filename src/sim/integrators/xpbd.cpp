@@ -9,11 +9,7 @@
 // Each spring alone is damped as by implicit Euler; coupled springs converge only as far as one sweep reaches, so that long chains, or
 // chains of very different masses, are far too soft. The order of the springs decides whether the motion stays bounded: springs of one
 // color share no point and are processed along one direction of a grid after another.
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-
+#include "sim/forces/constraints.h"
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 #include "sim/portable_math.h"
@@ -21,85 +17,10 @@
 namespace hooke {
 namespace {
 
-struct Constraint {
-  Index first, second, spring;
-  double rest_length;
-  double stiffness, damping;  // phi k and phi d over the denominator [N s/m], [kg]
-};
-
-// The order of the springs. Colors are assigned greedily to the springs sorted by the distance of their
-// ends in the list of points, which on a grid is by direction.
-class ColoredSprings : public Structure {
- public:
-  explicit ColoredSprings(const Plan& plan) : Structure(plan) {
-    for (const SpringRun& run : plan.runs)
-      for (Index e = 0; e < run.count; ++e) constraints.push_back({run.first + e, run.second + e, run.begin + e, 0.0, 0.0, 0.0});
-    std::stable_sort(constraints.begin(), constraints.end(),
-                     [](const Constraint& a, const Constraint& b) { return a.second - a.first < b.second - b.first; });
-
-    std::vector<std::vector<std::uint64_t>> used_colors(plan.points);  // 64 colors per word
-    std::vector<std::vector<Constraint>> colors;
-    for (const Constraint& constraint : constraints) {
-      const std::size_t color = assign_color(used_colors[constraint.first], used_colors[constraint.second]);
-      colors.resize(std::max(colors.size(), color + 1));
-      colors[color].push_back(constraint);
-    }
-    constraints.clear();
-    for (const auto& color : colors) constraints.insert(constraints.end(), color.begin(), color.end());
-  }
-
-  std::vector<Constraint> constraints;
-
- private:
-  static std::size_t assign_color(std::vector<std::uint64_t>& first, std::vector<std::uint64_t>& second) {
-    for (std::size_t word = 0;; ++word) {
-      first.resize(std::max(first.size(), word + 1));
-      second.resize(std::max(second.size(), word + 1));
-      const std::uint64_t free = ~(first[word] | second[word]);
-      if (free == 0) continue;
-      const std::uint64_t lowest = free & (~free + 1);
-      first[word] |= lowest;
-      second[word] |= lowest;
-      return 64 * word + static_cast<std::size_t>(std::countr_zero(lowest));
-    }
-  }
-};
-
 double drag_weight(double drag, double h) { return drag == 0.0 ? h : -portable::expm1(-drag * h) / drag; }
 
 void prepare(const Plan& plan, double h, const Motion&, Workspace& work) {
-  const double phi = drag_weight(plan.drag, h);
-  for (Constraint& constraint : make_structure<ColoredSprings>(plan, work).constraints) {
-    const double k = plan.stiffness[constraint.spring], d = plan.has_dashpots() ? plan.damping[constraint.spring] : 0.0;
-    const double factor = phi / (1.0 + phi * (h * k + d) * (plan.inverse_mass[constraint.first] + plan.inverse_mass[constraint.second]));
-    constraint.rest_length = plan.rest_length[constraint.spring];
-    constraint.stiffness = factor * k;
-    constraint.damping = factor * d;
-  }
-}
-
-// x are the positions at the start of the step.
-template <int Dimensions>
-void sweep(const Plan& plan, const std::vector<Constraint>& constraints, double h, const double* x, double* v) {
-  const std::size_t n = plan.points;
-  const double* w = plan.inverse_mass.data();
-  for (const Constraint& constraint : constraints) {
-    const std::size_t i = constraint.first, j = constraint.second;
-    double along[Dimensions], length_squared = 0.0, approach = 0.0;
-    for (int c = 0; c < Dimensions; ++c) {
-      const double relative_velocity = v[c * n + i] - v[c * n + j];
-      along[c] = x[c * n + i] - x[c * n + j] + h * relative_velocity;
-      length_squared += along[c] * along[c];
-      approach += along[c] * relative_velocity;
-    }
-    if (length_squared == 0.0) continue;
-    const double length = std::sqrt(length_squared);
-    const double impulse = (constraint.stiffness * (length - constraint.rest_length) + constraint.damping * approach / length) / length;
-    for (int c = 0; c < Dimensions; ++c) {
-      v[c * n + i] -= w[i] * impulse * along[c];
-      v[c * n + j] += w[j] * impulse * along[c];
-    }
-  }
+  make_structure<Constraints>(plan, work).prepare(plan, h, drag_weight(plan.drag, h));
 }
 
 // The hand's spring has no rest length: all of its displacement is along it.
@@ -127,11 +48,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
 
   kick(plan, motion, h);
 
-  const std::vector<Constraint>& constraints = structure_of<ColoredSprings>(work).constraints;
-  if (plan.dimensions == 2)
-    sweep<2>(plan, constraints, h, motion.x.data(), motion.v.data());
-  else
-    sweep<3>(plan, constraints, h, motion.x.data(), motion.v.data());
+  structure_of<Constraints>(work).sweep(plan, h, motion.x, motion.v);
   if (plan.pull) pull(plan, motion, h);
   ++motion.sweeps;
 
