@@ -13,7 +13,7 @@ CrossedParts find_crossed_parts(const System& system, const State& state) {
   for (const Index i : plan.points) place.push_back(state.position[i]);
   SurfaceTree tree;
   tree.build(plan, place);
-  const auto [crossings, is_complete] = tree.find_crossings(plan, place);
+  const auto [crossings, is_complete] = tree.find_crossings(place);
   parts.is_complete = is_complete;
   const auto id_of = [&](Index point) { return system.points()[plan.points[point]].id; };
   for (const auto& [edge, face] : crossings) {

@@ -88,9 +88,13 @@ void ThreadTeam::run(Job job, int parts) {
     helper.jobs.fetch_add(1, std::memory_order_release);
     helper.jobs.notify_one();
   }
+  const Clock::time_point start = Clock::now();
   job.call(job.context, 0);
+  const Clock::time_point end = Clock::now();
   bool is_late = false;
   for (int left = unfinished_.load(std::memory_order_acquire); left > 0;) left = wait_for_change(unfinished_, left, have_cores_, &is_late);
+  // parts of a long job may be unequal
+  is_late = is_late && Clock::now() - end > end - start;
   if (when_late_ == WhenLate::ComputeAlone) note_lateness(is_late);
 }
 

@@ -11,31 +11,75 @@ HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-std::size_t find_close(const BoxColumns& first, BoxRange in_first, const BoxColumns& second, BoxRange in_second, double reach,
-                       std::span<std::array<Index, 2>> close) {
-  const hn::ScalableTag<double> d;
-  using V = hn::Vec<decltype(d)>;
-  const Index lanes = static_cast<Index>(hn::Lanes(d));
-  const V limit = hn::Set(d, reach);
-  const bool is_same = &first == &second && in_first.begin == in_second.begin;
-  std::size_t count = 0;
-  for (Index i = in_first.begin; i < in_first.end; ++i) {
-    const V min[3] = {hn::Set(d, first.min[0][i]), hn::Set(d, first.min[1][i]), hn::Set(d, first.min[2][i])};
-    const V max[3] = {hn::Set(d, first.max[0][i]), hn::Set(d, first.max[1][i]), hn::Set(d, first.max[2][i])};
-    for (Index j = is_same ? i + 1 : in_second.begin; j < in_second.end; j += lanes) {
-      V gap = hn::Sub(min[0], hn::LoadU(d, second.max[0].data() + j));
-      gap = hn::Max(gap, hn::Sub(hn::LoadU(d, second.min[0].data() + j), max[0]));
-      for (int c = 1; c < 3; ++c) {
-        gap = hn::Max(gap, hn::Sub(min[c], hn::LoadU(d, second.max[c].data() + j)));
-        gap = hn::Max(gap, hn::Sub(hn::LoadU(d, second.min[c].data() + j), max[c]));
-      }
-      std::uint8_t bytes[8] = {};
-      hn::StoreMaskBits(d, hn::Le(gap, limit), bytes);
-      unsigned bits = bytes[0];
-      if (const Index left = in_second.end - j; left < lanes) bits &= (1U << static_cast<unsigned>(left)) - 1U;
-      for (; bits != 0; bits &= bits - 1U) close[count++] = {i, j + static_cast<Index>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits))};
-    }
+using Lanes = hn::ScalableTag<double>;
+using V = hn::Vec<Lanes>;
+
+struct BoxLanes {
+  V min[3], max[3];
+};
+
+HWY_INLINE BoxLanes same_in_all_lanes(const SurfaceBox& box) {
+  const Lanes d;
+  return {{hn::Set(d, box.min.x), hn::Set(d, box.min.y), hn::Set(d, box.min.z)},
+          {hn::Set(d, box.max.x), hn::Set(d, box.max.y), hn::Set(d, box.max.z)}};
+}
+
+HWY_INLINE BoxLanes load_boxes(const BoxColumns& columns, Index i) {
+  const Lanes d;
+  BoxLanes boxes;
+  for (int c = 0; c < 3; ++c) {
+    boxes.min[c] = hn::LoadU(d, columns.min[c].data() + i);
+    boxes.max[c] = hn::LoadU(d, columns.max[c].data() + i);
   }
+  return boxes;
+}
+
+HWY_INLINE auto are_close(const BoxLanes& a, const BoxLanes& b, V reach) {
+  V gap = hn::Max(hn::Sub(a.min[0], b.max[0]), hn::Sub(b.min[0], a.max[0]));
+  for (int c = 1; c < 3; ++c) gap = hn::Max(gap, hn::Max(hn::Sub(a.min[c], b.max[c]), hn::Sub(b.min[c], a.max[c])));
+  return hn::Le(gap, reach);
+}
+
+// A bit for each of the first `count` lanes, at least one.
+template <class M>
+HWY_INLINE unsigned bits_of(M mask, Index count) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Lanes(), mask, bytes);
+  return count < static_cast<Index>(hn::Lanes(Lanes())) ? bytes[0] & ((1U << static_cast<unsigned>(count)) - 1U) : bytes[0];
+}
+
+template <class Use>
+HWY_INLINE void for_bits(unsigned bits, const Use& use) {
+  for (; bits != 0; bits &= bits - 1U) use(static_cast<Index>(hwy::Num0BitsBelowLS1Bit_Nonzero32(bits)));
+}
+
+HWY_INLINE BoxLanes one_in_all_lanes(const BoxColumns& columns, Index i) {
+  const Lanes d;
+  BoxLanes box;
+  for (int c = 0; c < 3; ++c) {
+    box.min[c] = hn::Set(d, columns.min[c][i]);
+    box.max[c] = hn::Set(d, columns.max[c][i]);
+  }
+  return box;
+}
+
+std::size_t find_close(const BoxSet& first, const BoxSet& second, double reach, std::span<std::array<Index, 2>> close) {
+  const Lanes d;
+  const auto lanes = static_cast<Index>(hn::Lanes(d));
+  const V limit = hn::Set(d, reach);
+  std::size_t count = 0;
+  const bool is_same = &first.columns == &second.columns && first.range.begin == second.range.begin;
+  // most boxes of one set are far from all of the other
+  const BoxLanes bound = same_in_all_lanes(second.bound);
+  for (Index from = first.range.begin; from < first.range.end; from += lanes)
+    for_bits(bits_of(are_close(bound, load_boxes(first.columns, from), limit), first.range.end - from), [&](Index lane_of_first) {
+      const Index i = from + lane_of_first;
+      const BoxLanes box = one_in_all_lanes(first.columns, i);
+      for (Index j = is_same ? i + 1 : second.range.begin; j < second.range.end; j += lanes)
+        for_bits(bits_of(are_close(box, load_boxes(second.columns, j), limit), second.range.end - j), [&](Index lane) {
+          close[count++] = {i, j + lane};
+        });
+    });
   return count;
 }
 
@@ -47,9 +91,8 @@ namespace hooke {
 
 HWY_EXPORT(find_close);
 
-std::size_t find_close_boxes(const BoxColumns& first, BoxRange in_first, const BoxColumns& second, BoxRange in_second, double reach,
-                             std::span<std::array<Index, 2>> close) {
-  return HWY_DYNAMIC_DISPATCH(find_close)(first, in_first, second, in_second, reach, close);
+std::size_t find_close_boxes(const BoxSet& first, const BoxSet& second, double reach, std::span<std::array<Index, 2>> close) {
+  return HWY_DYNAMIC_DISPATCH(find_close)(first, second, reach, close);
 }
 
 }  // namespace hooke

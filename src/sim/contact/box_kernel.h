@@ -1,6 +1,7 @@
 // Which of many bounding boxes are close to each other, by vectors.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -8,6 +9,15 @@
 #include "sim/system.h"
 
 namespace hooke {
+
+struct SurfaceBox {
+  Vec3 min{0.0}, max{0.0};
+
+  void include(const SurfaceBox& other) {
+    min = {std::min(min.x, other.min.x), std::min(min.y, other.min.y), std::min(min.z, other.min.z)};
+    max = {std::max(max.x, other.max.x), std::max(max.y, other.max.y), std::max(max.z, other.max.z)};
+  }
+};
 
 // Boxes, and so many after them that whole vectors can be read.
 struct BoxColumns {
@@ -17,18 +27,23 @@ struct BoxColumns {
   void resize(std::size_t count) {
     for (int c = 0; c < 3; ++c) min[c].resize(count + padding), max[c].resize(count + padding);
   }
-  void set(std::size_t i, const Vec3& low, const Vec3& high) {
-    for (int c = 0; c < 3; ++c) min[c][i] = low[c], max[c][i] = high[c];
+  void set(std::size_t i, const SurfaceBox& box) {
+    for (int c = 0; c < 3; ++c) min[c][i] = box.min[c], max[c][i] = box.max[c];
   }
 };
 
 struct BoxRange {
   Index begin = 0, end = 0;
 };
+// Some of the boxes of the columns, and one around them.
+struct BoxSet {
+  const BoxColumns& columns;
+  BoxRange range;
+  const SurfaceBox& bound;
+};
 
-// The pairs of a box in the first and one in the second range, in order, whose distance in each component is at most `reach` [m]; of the
-// same boxes, those with the lower index first. `close` must have room for all pairs. Returns their number.
-std::size_t find_close_boxes(const BoxColumns& first, BoxRange in_first, const BoxColumns& second, BoxRange in_second, double reach,
-                             std::span<std::array<Index, 2>> close);
+// The pairs of a box in the first and one in the second set, in order, whose distance in each component is at most `reach` [m]; of the same
+// set, those with the lower index first. `close` must have room for all pairs. Returns their number.
+std::size_t find_close_boxes(const BoxSet& first, const BoxSet& second, double reach, std::span<std::array<Index, 2>> close);
 
 }  // namespace hooke

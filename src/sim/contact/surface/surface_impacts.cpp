@@ -16,19 +16,18 @@ constexpr int impact_passes = 6, max_passes = 1000;
 bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
   bool any = false;
   for (int pass = 0;; ++pass) {
-    if (has_failed_ = !search_.change_path(plan.surface, x_, path_); has_failed_) return any;
+    if (has_failed_ = !search_.change_path(plan, x_, path_); has_failed_) return any;
     if (pass == max_passes) break;
     bool hits = false;
     for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
-      for (const Near& near : search_.near(kind)) {
+      search_.visit_near(kind, [&](const Near& near, const SurfacePair& pair, double approach) {
         // what is farther away is free on all of its path
-        if (0.9 * near.closest.distance > search_.approach(near)) continue;
-        const std::array<Index, 4>& points = search_.pair(near).points;
-        FourPoints displacement = four(path_, points);
+        if (0.9 * near.closest.distance > approach) return;
+        FourPoints displacement = four(path_, pair.points);
         for (Vec3& d : displacement) d *= h;
-        const double part = free_part(kind, four(x_, points), displacement, near.closest.distance);
-        if (part < 1.0 && handle_impact(near, part, h, pass >= impact_passes)) hits = true;
-      }
+        const double part = free_part(kind, four(x_, pair.points), displacement, near.closest.distance);
+        if (part < 1.0 && handle_impact(pair, part, h, pass >= impact_passes)) hits = true;
+      });
     if (!hits) break;
     any = true;
   }
@@ -37,8 +36,7 @@ bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
 }
 
 // An inelastic impact at this part of the substep. Returns whether it changed anything.
-bool SurfaceStep::handle_impact(const Near& near, double part, double h, bool joins) {
-  const SurfacePair& pair = search_.pair(near);
+bool SurfaceStep::handle_impact(const SurfacePair& pair, double part, double h, bool joins) {
   const std::array<Index, 4>& points = pair.points;
   ++impacts_;
   ++impulses_;

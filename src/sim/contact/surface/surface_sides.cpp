@@ -51,12 +51,12 @@ void SurfaceSides::plan(const SurfacePlan& plan) {
   }
 }
 
-void SurfaceSides::find_bends(const SurfacePlan& plan, std::span<const Vec3> x) {
-  for (std::size_t e = 0; e < plan.edges.size(); ++e) {
-    const auto [first, second] = opposite_[e];
-    if (first == no_index) continue;
+void SurfaceSides::find_bends(const SurfacePlan& plan, std::span<const Vec3> x, Index first, Index end) {
+  for (Index e = first; e < end; ++e) {
+    const auto [one, other] = opposite_[e];
+    if (one == no_index) continue;
     const Vec3 from = x[plan.edges[e][0]], along = x[plan.edges[e][1]] - from;
-    const Vec3 a = glm::cross(along, x[first] - from), b = glm::cross(x[second] - from, along);
+    const Vec3 a = glm::cross(along, x[one] - from), b = glm::cross(x[other] - from, along);
     const double product = glm::dot(a, b), squares = glm::dot(a, a) * glm::dot(b, b);
     const double square = product > 0.0 && squares > 0.0 ? product * product / squares : 0.0;
     part_[e] = 1.0 - (1.0 - min_part) * std::clamp((square - thick) / (thin - thick), 0.0, 1.0);

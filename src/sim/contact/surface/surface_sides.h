@@ -13,8 +13,8 @@ namespace hooke {
 class SurfaceSides {
  public:
   void plan(const SurfacePlan& plan);
-  // For points at x.
-  void find_bends(const SurfacePlan& plan, std::span<const Vec3> x);
+  // Of the edges from `first` to `end`, for points at x.
+  void find_bends(const SurfacePlan& plan, std::span<const Vec3> x, Index first, Index end);
   // The part of the thickness that an edge has, from min_part to 1.
   double part(Index edge) const { return part_[edge]; }
   static constexpr double min_part = 0.25;

@@ -45,8 +45,8 @@ bool SurfaceStep::correct(const Plan& plan, std::span<const Obstacle> obstacles,
   // a motion that is not finite has diverged
   if (!load(plan, x0, h, motion)) return false;
   if (!search_.is_begun()) start_frame(plan);
-  search_.begin_substep(plan.surface, x_, u_, h);
-  has_failed_ = !search_.find_near(plan.surface, x_);
+  search_.begin_substep(plan, x_, u_, h);
+  has_failed_ = !search_.find_near(plan, x_);
   if (has_failed_ || !search_.is_any_near()) return false;
 
   make_contacts(plan, h);
@@ -83,7 +83,7 @@ void SurfaceStep::start_frame(const Plan& plan) {
   const std::size_t n = plan.surface.points.size();
   inverse_mass_.resize(n);
   for (std::size_t k = 0; k < n; ++k) inverse_mass_[k] = plan.inverse_mass[plan.surface.points[k]];
-  search_.begin_frame(plan.surface, x_);
+  search_.begin_frame(plan, x_);
   impacts_ = 0;
 }
 
@@ -101,22 +101,21 @@ void SurfaceStep::make_contacts(const Plan& plan, double h) {
   contacts_.obstacles.clear();
   const std::vector<double>& thickness = plan.surface.thickness;
   for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
-    for (const Near& near : search_.near(kind)) {
-      const SurfacePair& pair = search_.pair(near);
+    search_.visit_near(kind, [&](const Near& near, const SurfacePair& pair, double approach) {
       const Closest& closest = near.closest;
       const auto& [i, j, k, l] = pair.points;
       const std::array<double, 4>& w = closest.weight;
       if (kind == FeaturePair::TwoEdges ? closest.is_at_end && !pair.has_spring : !search_.sides().owns(pair.features[0], w[1], w[2], w[3]))
-        continue;
+        return;
       const double gap = closest.distance - search_.part(pair) * std::min({thickness[i], thickness[j], thickness[k], thickness[l]});
-      if (gap >= search_.max_gap(near)) continue;
+      if (gap >= search_.max_gap(approach)) return;
       SurfaceContact contact{.points = pair.points, .weight = w, .gap = gap};
       for (int c = 0; c < 4; ++c) contact.response += w[c] * w[c] * inverse_mass_[contact.points[c]];
-      if (contact.response == 0.0) continue;
+      if (contact.response == 0.0) return;
       contact.normal = closest.separation / closest.distance;
       contact.target = std::min(0.0, -gap / h);
       contacts_.surface.push_back(contact);
-    }
+    });
 }
 
 // The obstacles that the points of contacts may be pressed into. They are convex: outside the plane that touches one where it is nearest,

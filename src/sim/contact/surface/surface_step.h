@@ -35,7 +35,7 @@ class SurfaceStep {
   void note_pressed(const Plan& plan, double h);
   bool separate(double h);
   bool prevent_crossings(const Plan& plan, double h);
-  bool handle_impact(const Near& near, double part, double h, bool joins);
+  bool handle_impact(const SurfacePair& pair, double part, double h, bool joins);
   bool join(const std::array<Index, 4>& points);
   void write(const Plan& plan, const Field& v0, double h, Motion& motion);
   FourPoints four(std::span<const Vec3> field, const std::array<Index, 4>& points) const {

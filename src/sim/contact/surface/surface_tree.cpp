@@ -30,16 +30,7 @@ bool passes_through(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, 
   return (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
 }
 
-bool shares_point(std::span<const Index> a, std::span<const Index> b) {
-  return std::ranges::any_of(a, [&](Index i) { return std::ranges::find(b, i) != b.end(); });
-}
-
 }  // namespace
-
-void SurfaceBox::include(const SurfaceBox& other) {
-  min = glm::min(min, other.min);
-  max = glm::max(max, other.max);
-}
 
 // Without branches between the components, which would be mispredicted.
 inline bool SurfaceTree::are_close(const SurfaceBox& a, const SurfaceBox& b, double reach) {
@@ -70,7 +61,7 @@ void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
   piece_boxes_.resize(pieces_.size());
   corner_boxes_.resize(corners_.size());
   edge_boxes_.resize(edges_.size());
-  for (const Index leaf : leaves_) fit_features(plan, x, nodes_[leaf]);
+  for (const Index leaf : leaves_) fit_features(x, nodes_[leaf]);
   fit_parents();
 }
 
@@ -115,6 +106,18 @@ void SurfaceTree::sort_features(const SurfacePlan& plan) {
     node.corners.end = static_cast<Index>(corners_.size());
     node.edges.end = static_cast<Index>(edges_.size());
   }
+  piece_points_.clear();
+  is_face_.clear();
+  for (const Index p : pieces_) {
+    piece_points_.push_back(plan.pieces[p].points);
+    is_face_.push_back(plan.pieces[p].is_face ? 1 : 0);
+  }
+  edge_ends_.clear();
+  is_spring_.clear();
+  for (const Index e : edges_) {
+    edge_ends_.push_back(plan.edges[e]);
+    is_spring_.push_back(plan.is_spring[e]);
+  }
 }
 
 void SurfaceTree::sort_points(const SurfacePlan& plan) {
@@ -130,18 +133,19 @@ void SurfaceTree::sort_points(const SurfacePlan& plan) {
   }
 }
 
-void SurfaceTree::fit_features(const SurfacePlan& plan, std::span<const Vec3> x, Node& leaf) {
-  const auto box_of = [&](std::span<const Index> points) {
-    SurfaceBox box{x[points[0]], x[points[0]]};
-    for (const Index i : points.subspan(1)) box.include({x[i], x[i]});
+void SurfaceTree::fit_features(std::span<const Vec3> x, Node& leaf) {
+  for (Index c = leaf.corners.begin; c < leaf.corners.end; ++c) corner_boxes_.set(c, {x[corners_[c]], x[corners_[c]]});
+  const auto box_of_edge = [&](Index i, Index j) {
+    SurfaceBox box{x[i], x[i]};
+    box.include({x[j], x[j]});
     return box;
   };
-  const auto fit = [](BoxColumns& boxes, Index i, const SurfaceBox& box) { boxes.set(i, box.min, box.max); };
-  for (Index c = leaf.corners.begin; c < leaf.corners.end; ++c) fit(corner_boxes_, c, box_of({&corners_[c], 1}));
-  for (Index e = leaf.edges.begin; e < leaf.edges.end; ++e) fit(edge_boxes_, e, box_of(plan.edges[edges_[e]]));
+  for (Index e = leaf.edges.begin; e < leaf.edges.end; ++e) edge_boxes_.set(e, box_of_edge(edge_ends_[e][0], edge_ends_[e][1]));
   for (Index p = leaf.pieces.begin; p < leaf.pieces.end; ++p) {
-    const SurfaceBox box = box_of(plan.pieces[pieces_[p]].points);
-    fit(piece_boxes_, p, box);
+    const auto [i, j, k] = piece_points_[p];
+    SurfaceBox box = box_of_edge(i, j);
+    box.include({x[k], x[k]});
+    piece_boxes_.set(p, box);
     if (p == leaf.pieces.begin) leaf.box = box;
     leaf.box.include(box);
   }
@@ -156,18 +160,21 @@ void SurfaceTree::fit_parents() {
   }
 }
 
-void SurfaceTree::find_leaf_pairs(std::span<const SurfaceBox> boxes, std::vector<std::array<Index, 2>>& pairs) {
+void SurfaceTree::set_leaf_boxes(std::span<const SurfaceBox> boxes) {
   for (Index leaf = 0; leaf < leaf_count(); ++leaf) nodes_[leaves_[leaf]].box = boxes[leaf];
   fit_parents();
-  pairs.clear();
+}
+
+void SurfaceTree::find_leaf_pairs(Index begin, Index end, std::vector<std::array<Index, 2>>& pairs) const {
   std::vector<Index> open;
-  for (Index leaf = 0; leaf < leaf_count(); ++leaf) {
+  for (Index leaf = begin; leaf < end; ++leaf) {
+    const SurfaceBox box = nodes_[leaves_[leaf]].box;
     open.push_back(0);
     while (!open.empty()) {
       const Index i = open.back();
       open.pop_back();
       const Node& node = nodes_[i];
-      if (node.leaves.end <= leaf || !are_close(boxes[leaf], node.box, 0.0)) continue;
+      if (node.leaves.end <= leaf || !are_close(box, node.box, 0.0)) continue;
       if (node.second == no_index) {
         pairs.push_back({leaf, node.leaves.begin});
       } else {
@@ -213,103 +220,100 @@ void SurfaceTree::visit_leaves(double reach, const Visit& visit) const {
   }
 }
 
-// Of the pairs from this index on, keeps those that are closer than `reach`, in their order.
-void SurfaceTree::keep_close(std::span<const Vec3> x, double reach, std::size_t from, std::vector<SurfacePair>& pairs) {
-  std::array<FeatureBlock, 2> blocks;
-  std::array<std::array<std::size_t, FeatureBlock::capacity>, 2> places;
+// Those closer than `reach`.
+void SurfaceTree::append_close(const SurfacePlan& plan, std::span<const Vec3> x, const Node& first, const Node& second, double reach,
+                               std::span<const char> left_out, std::vector<SurfacePair>& pairs) const {
+  FeatureBlock block;
+  std::array<std::array<Index, 2>, FeatureBlock::capacity> places;  // in the lists of this tree
   const auto measure = [&](FeaturePair kind) {
-    FeatureBlock& block = blocks[static_cast<std::size_t>(kind)];
-    const auto& place = places[static_cast<std::size_t>(kind)];
     find_closest(kind, x, block);
-    for (int i = 0; i < block.count; ++i) pairs[place[i]].distance = block.distance[i];
+    for (int i = 0; i < block.count; ++i) {
+      if (!(block.distance[i] < reach)) continue;
+      SurfacePair& pair = pairs.emplace_back(SurfacePair{.kind = kind, .points = block.points[i], .distance = block.distance[i]});
+      const auto [f, s] = places[i];
+      if (kind == FeaturePair::PointFace) {
+        pair.features = {pieces_[s], no_index};
+      } else {
+        pair.has_spring = (is_spring_[f] | is_spring_[s]) != 0;
+        pair.features = {edges_[f], edges_[s]};
+      }
+    }
     block.count = 0;
   };
-  for (std::size_t p = from; p < pairs.size(); ++p) {
-    const auto kind = static_cast<std::size_t>(pairs[p].kind);
-    places[kind][blocks[kind].count] = p;
-    blocks[kind].points[blocks[kind].count++] = pairs[p].points;
-    if (blocks[kind].count == FeatureBlock::capacity) measure(pairs[p].kind);
-  }
-  for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) measure(kind);
-  pairs.erase(std::remove_if(pairs.begin() + from, pairs.end(), [&](const SurfacePair& pair) { return !(pair.distance < reach); }),
-              pairs.end());
-}
+  const auto add = [&](FeaturePair kind, const std::array<Index, 2>& place, const std::array<Index, 4>& points, bool is_kept) {
+    places[block.count] = place;
+    block.points[block.count] = points;
+    block.count += is_kept ? 1 : 0;
+    if (block.count == FeatureBlock::capacity) measure(kind);
+  };
 
-// Those whose boxes are closer than `reach`.
-void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const char> left_out,
-                               std::vector<SurfacePair>& pairs) const {
-  const auto is_out = [&](std::span<const Index> points) { return std::ranges::any_of(points, [&](Index i) { return left_out[i] != 0; }); };
+  // most pairs are of neighbors, and left out without a branch
   ClosePairs close;
-  const auto add_points = [&](BoxRange corners, BoxRange pieces) {
-    const std::size_t count = find_close_boxes(corner_boxes_, corners, piece_boxes_, pieces, reach, close);
+  const auto add_points = [&](const Node& of_corners, const Node& of_pieces) {
+    const std::size_t count = find_close_boxes({corner_boxes_, of_corners.corners, of_corners.box},
+                                               {piece_boxes_, of_pieces.pieces, of_pieces.box}, reach, close);
     for (const auto& [c, p] : std::span(close).first(count)) {
-      const Index point = corners_[c];
-      const SurfacePlan::Piece& face = plan.pieces[pieces_[p]];
-      if (!face.is_face || plan.excludes_face(point, face.points) || (left_out[point] != 0 && is_out(face.points))) continue;
-      pairs.push_back({.points = {point, face.points[0], face.points[1], face.points[2]}, .features = {pieces_[p], no_index}});
+      const Index i = corners_[c];
+      const auto [j, k, l] = piece_points_[p];
+      bool is_kept = is_face_[p] != 0 && (i != j) & (i != k) & (i != l);
+      if (!plan.close.empty()) is_kept = is_kept && !plan.excludes_face(i, piece_points_[p]);
+      if (left_out[i] != 0) is_kept = is_kept && left_out[j] == 0 && left_out[k] == 0 && left_out[l] == 0;
+      add(FeaturePair::PointFace, {c, p}, {i, j, k, l}, is_kept);
     }
   };
-  add_points(first.corners, second.pieces);
-  if (&first != &second) add_points(second.corners, first.pieces);
-  const std::size_t count = find_close_boxes(edge_boxes_, first.edges, edge_boxes_, second.edges, reach, close);
-  for (const auto& [i, j] : std::span(close).first(count)) {
-    const Index e = edges_[i], f = edges_[j];
-    const auto &a = plan.edges[e], &b = plan.edges[f];
-    if (plan.excludes_edge(e, f) || (is_out(a) && is_out(b))) continue;
-    pairs.push_back({.kind = FeaturePair::TwoEdges,
-                     .has_spring = plan.is_spring[e] != 0 || plan.is_spring[f] != 0,
-                     .points = {a[0], a[1], b[0], b[1]},
-                     .features = {e, f}});
+  add_points(first, second);
+  if (&first != &second) add_points(second, first);
+  measure(FeaturePair::PointFace);
+
+  const std::size_t count = find_close_boxes({edge_boxes_, first.edges, first.box}, {edge_boxes_, second.edges, second.box}, reach, close);
+  const bool has_links = !plan.close.empty() || !plan.joined.empty();
+  for (const auto& [e, f] : std::span(close).first(count)) {
+    const auto [i, j] = edge_ends_[e];
+    const auto [k, l] = edge_ends_[f];
+    bool is_kept = (i != k) & (i != l) & (j != k) & (j != l);
+    if (has_links) is_kept = is_kept && !plan.excludes_edge(edges_[e], edges_[f]);
+    if ((left_out[i] | left_out[j]) != 0) is_kept = is_kept && (left_out[k] | left_out[l]) == 0;
+    add(FeaturePair::TwoEdges, {e, f}, {i, j, k, l}, is_kept);
   }
+  measure(FeaturePair::TwoEdges);
 }
 
 void SurfaceTree::find_pairs_of(const SurfacePlan& plan, std::span<const Vec3> x, Index first, Index second, double reach,
                                 std::span<const char> left_out, std::vector<SurfacePair>& pairs) const {
-  const std::size_t from = pairs.size();
-  append_close(plan, nodes_[leaves_[first]], nodes_[leaves_[second]], reach, left_out, pairs);
-  keep_close(x, reach, from, pairs);
+  append_close(plan, x, nodes_[leaves_[first]], nodes_[leaves_[second]], reach, left_out, pairs);
 }
 
 bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
                              std::vector<SurfacePair>& pairs, std::size_t max_pairs) {
   if (nodes_.empty()) return true;
-  // distances are computed of many pairs at once
-  constexpr std::size_t max_open = 4096;
-  std::size_t closed = pairs.size();
-  bool is_complete = true;
   visit_leaves(reach, [&](const Node& first, const Node& second) {
-    append_close(plan, first, second, reach, left_out, pairs);
-    if (pairs.size() - closed < max_open) return true;
-    keep_close(x, reach, closed, pairs);
-    closed = pairs.size();
-    is_complete = closed <= max_pairs;
-    return is_complete;
+    append_close(plan, x, first, second, reach, left_out, pairs);
+    return pairs.size() <= max_pairs;
   });
-  keep_close(x, reach, closed, pairs);
-  return is_complete && pairs.size() <= max_pairs;
+  return pairs.size() <= max_pairs;
 }
 
-Crossings SurfaceTree::find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const {
+Crossings SurfaceTree::find_crossings(std::span<const Vec3> x) const {
   Crossings crossings;
   if (nodes_.empty()) return crossings;
   constexpr std::size_t max_tests = 20'000'000;
   std::size_t tests = 0;
   ClosePairs close;
-  const auto test = [&](BoxRange edges, BoxRange pieces) {
-    const std::size_t count = find_close_boxes(edge_boxes_, edges, piece_boxes_, pieces, 0.0, close);
+  const auto test = [&](const Node& of_edges, const Node& of_pieces) {
+    const std::size_t count =
+        find_close_boxes({edge_boxes_, of_edges.edges, of_edges.box}, {piece_boxes_, of_pieces.pieces, of_pieces.box}, 0.0, close);
     for (const auto& [i, p] : std::span(close).first(count)) {
-      const SurfacePlan::Piece& face = plan.pieces[pieces_[p]];
-      const Index e = edges_[i];
-      const auto& [a, b, c] = face.points;
-      if (face.is_face && !shares_point(plan.edges[e], face.points) &&
-          passes_through(x[plan.edges[e][0]], x[plan.edges[e][1]], x[a], x[b], x[c]))
-        crossings.found.push_back({e, pieces_[p]});
+      const auto [j, k] = edge_ends_[i];
+      const auto [a, b, c] = piece_points_[p];
+      const bool shares_point = (j == a) | (j == b) | (j == c) | (k == a) | (k == b) | (k == c);
+      if (!shares_point && is_face_[p] != 0 && passes_through(x[j], x[k], x[a], x[b], x[c]))
+        crossings.found.push_back({edges_[i], pieces_[p]});
     }
     tests += count;
   };
   visit_leaves(0.0, [&](const Node& first, const Node& second) {
-    test(first.edges, second.pieces);
-    if (&first != &second) test(second.edges, first.pieces);
+    test(first, second);
+    if (&first != &second) test(second, first);
     crossings.is_complete = tests < max_tests;
     return crossings.is_complete;
   });

@@ -18,11 +18,6 @@ struct SurfacePair {
   double distance = 0.0;            // [m], where they were found
 };
 
-struct SurfaceBox {
-  Vec3 min{0.0}, max{0.0};
-  void include(const SurfaceBox& other);
-};
-
 // An edge that passes through a face.
 struct Crossing {
   Index edge = 0, face = 0;  // of the SurfacePlan: edge and piece
@@ -45,7 +40,7 @@ class SurfaceTree {
   bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
                   std::vector<SurfacePair>& pairs, std::size_t max_pairs);
   // Edges that pass through faces.
-  Crossings find_crossings(const SurfacePlan& plan, std::span<const Vec3> x) const;
+  Crossings find_crossings(std::span<const Vec3> x) const;
 
   // Leaves: pieces that are near each other, in an order that depends on the last `build` alone.
   Index leaf_count() const { return static_cast<Index>(leaves_.size()); }
@@ -53,11 +48,17 @@ class SurfaceTree {
   std::span<const Index> points_of(Index leaf) const {
     return {leaf_points_.data() + first_point_[leaf], leaf_points_.data() + first_point_[leaf + 1]};
   }
-  // The pairs of leaves whose boxes, one for each, overlap, those of a leaf with itself included: ascending, the lower one first.
-  void find_leaf_pairs(std::span<const SurfaceBox> boxes, std::vector<std::array<Index, 2>>& pairs);
-  // The boxes of the features of a leaf for other places.
-  void refit_leaf(const SurfacePlan& plan, std::span<const Vec3> x, Index leaf) { fit_features(plan, x, nodes_[leaves_[leaf]]); }
-  // The same pairs as find_pairs, of two leaves.
+  // One for each leaf, for find_leaf_pairs.
+  void set_leaf_boxes(std::span<const SurfaceBox> boxes);
+  // Appends the pairs of leaves whose boxes overlap, the first of them from `begin` to `end`, the second no lower: ascending, and those of
+  // a leaf with itself included.
+  void find_leaf_pairs(Index begin, Index end, std::vector<std::array<Index, 2>>& pairs) const;
+  // The boxes of the features of a leaf for other places; returns the one around all of them.
+  const SurfaceBox& refit_leaf(std::span<const Vec3> x, Index leaf) {
+    fit_features(x, nodes_[leaves_[leaf]]);
+    return nodes_[leaves_[leaf]].box;
+  }
+  // The same pairs as find_pairs, of two leaves with boxes for these places.
   void find_pairs_of(const SurfacePlan& plan, std::span<const Vec3> x, Index first, Index second, double reach,
                      std::span<const char> left_out, std::vector<SurfacePair>& pairs) const;
 
@@ -72,20 +73,24 @@ class SurfaceTree {
   void split(std::span<const Vec3> center, Index first, Index end);
   void sort_features(const SurfacePlan& plan);
   void sort_points(const SurfacePlan& plan);
-  void fit_features(const SurfacePlan& plan, std::span<const Vec3> x, Node& leaf);
+  void fit_features(std::span<const Vec3> x, Node& leaf);
   void fit_parents();
-  void append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const char> left_out,
-                    std::vector<SurfacePair>& pairs) const;
-  static void keep_close(std::span<const Vec3> x, double reach, std::size_t from, std::vector<SurfacePair>& pairs);
+  void append_close(const SurfacePlan& plan, std::span<const Vec3> x, const Node& first, const Node& second, double reach,
+                    std::span<const char> left_out, std::vector<SurfacePair>& pairs) const;
   static bool are_close(const SurfaceBox& a, const SurfaceBox& b, double reach);
   template <class Visit>
   void visit_leaves(double reach, const Visit& visit) const;
 
-  std::vector<Node> nodes_;                             // parents before their children
-  std::vector<Index> leaves_;                           // nodes
-  std::vector<Index> pieces_, corners_, edges_;         // of the plan, those of a leaf together
-  std::vector<Index> leaf_points_, first_point_;        // those of a leaf together
-  BoxColumns piece_boxes_, corner_boxes_, edge_boxes_;  // in that order
+  std::vector<Node> nodes_;    // parents before their children
+  std::vector<Index> leaves_;  // nodes
+
+  // of the plan, those of a leaf together
+  std::vector<Index> pieces_, corners_, edges_;
+  std::vector<std::array<Index, 3>> piece_points_;
+  std::vector<EdgeEnds> edge_ends_;
+  std::vector<char> is_face_, is_spring_;  // per piece, per edge
+  BoxColumns piece_boxes_, corner_boxes_, edge_boxes_;
+  std::vector<Index> leaf_points_, first_point_;
 };
 
 }  // namespace hooke
