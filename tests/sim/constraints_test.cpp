@@ -6,8 +6,10 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string_view>
 
 #include "sim/forces/constraints.h"
+#include "sim/integrator.h"
 #include "support/nets.h"
 #include "support/random_scene.h"
 
@@ -176,6 +178,37 @@ TEST(Constraints, OfARunShareNoPoint) {
     }
     EXPECT_EQ(static_cast<Index>(visited.size()), plan.springs);
   }
+}
+
+// A stretched net, pushed sideways, after 15 frames: the errors are those of the greedy order of all springs, 0.0692 and 0.00776 m. All
+// directions of even rows before those of odd rows have 0.0913 and 0.00928 m.
+TEST(Constraints, OfGridsHaveTheErrorsOfTheGreedyOrder) {
+  constexpr int n = 32, frames = 15;
+  TestSim start = cloth(n);
+  for (Index i = 0; i < start.system.point_count(); ++i) {
+    const Index row = i / n, column = i % n;
+    start.system.point(i).nailed = row == 0 || column == 0 || row == n - 1 || column == n - 1;
+    const Vec3& x = start.state.position[i];
+    if (!start.system.points()[i].nailed)
+      start.state.velocity[i] = {0.1 * std::sin(9.0 * x.y), 0.1 * std::cos(7.0 * x.x), 0.1 * std::sin(5.0 * x.x)};
+  }
+  const auto after = [&](std::string_view method, int steps_per_frame) {
+    TestSim sim = start;
+    sim.run(*find_integrator(method), frames / 60.0, frames * steps_per_frame);
+    return sim.state;
+  };
+  const State exact = after("velocity_verlet", 500);
+  const auto error = [&](int steps_per_frame) {
+    const State state = after("xpbd", steps_per_frame);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < state.position.size(); ++i) {
+      const Vec3 distance = state.position[i] - exact.position[i];
+      sum += distance.x * distance.x + distance.y * distance.y + distance.z * distance.z;
+    }
+    return std::sqrt(sum / static_cast<double>(state.position.size()));
+  };
+  EXPECT_NEAR(error(5), 0.0692, 0.0035);
+  EXPECT_NEAR(error(20), 0.00776, 0.0004);
 }
 
 TEST(Constraints, ConserveMomentum) {

@@ -259,19 +259,35 @@ void Constraints::sweep(const Plan& plan, double h, const Field& x, Field& v) co
                                         .v = v.data()};
     HWY_DYNAMIC_DISPATCH(project_all)(arguments);
   };
-  constexpr Index min_springs_of_color = 1000;  // some microseconds
-  const ThreadTeam::Turn turn(plan.execution.team.get());
-  const int parts =
-      std::min(count_parts(plan, turn, plan.springs / std::max(Index{1}, colors_), min_springs_of_color), static_cast<int>(blocks_));
-  if (parts == 1) return project(0, runs_.size());
-
-  for (Index c = 0; c < colors_; ++c)
-    turn.run(parts, [&](int part) {
-      for (Index block = start_of_part(part, parts, blocks_); block < start_of_part(part + 1, parts, blocks_); ++block) {
+  // the springs of a color in a block follow those of lower colors in the same block and the two beside it
+  const auto project_cells = [&](Index first, Index end, const auto& is_included) {
+    for (Index sum = first; sum < end + colors_ - 1; ++sum)
+      for (Index c = std::max(Index{0}, sum - end + 1); c < std::min(colors_, sum - first + 1); ++c) {
+        const Index block = sum - c;
+        if (!is_included(block, c)) continue;
         const Range& range = ranges_[static_cast<std::size_t>(block) * colors_ + c];
         if (range.begin != range.end) project(range.begin, range.end);
       }
-    });
+  };
+  constexpr Index min_springs = 4000;  // some microseconds
+  const ThreadTeam::Turn turn(plan.execution.team.get());
+  const Index max_parts_of_blocks = std::max(Index{1}, blocks_ / std::max(Index{1}, 2 * colors_));
+  const int parts = std::min(count_parts(plan, turn, plan.springs, min_springs), static_cast<int>(max_parts_of_blocks));
+  if (parts == 1) return project(0, runs_.size());
+
+  // First what depends on nothing outside of the part: a color less with each block towards the parts beside it. Then the rest around each
+  // boundary, which is less than a part wide.
+  const auto start = [&](int part) { return start_of_part(part, parts, blocks_); };
+  turn.run(parts, [&](int part) {
+    const Index first = start(part), end = start(part + 1);
+    const bool is_first = part == 0, is_last = part + 1 == parts;
+    project_cells(first, end, [=](Index block, Index c) { return (is_first || c <= block - first) && (is_last || c < end - block); });
+  });
+  turn.run(parts - 1, [&](int part) {
+    const Index boundary = start(part + 1);
+    project_cells(boundary - colors_, boundary + colors_,
+                  [=](Index block, Index c) { return block < boundary ? c >= boundary - block : c > block - boundary; });
+  });
 }
 
 }  // namespace hooke

@@ -9,7 +9,9 @@
 // Each spring alone is damped as by implicit Euler; coupled springs converge only as far as one sweep reaches, so that long chains, or
 // chains of very different masses, are far too soft. The order of the springs decides whether the motion stays bounded: springs of one
 // color share no point and are processed along one direction of a grid after another.
+#include "sim/forces/bands.h"
 #include "sim/forces/constraints.h"
+#include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 #include "sim/portable_math.h"
@@ -38,6 +40,17 @@ void pull(const Plan& plan, Motion& motion, double h) {
   }
 }
 
+// to = to + h from, on the threads of the plan.
+void advance(const Plan& plan, const Field& from, double h, Field& to) {
+  constexpr Index min_points = 2000;  // some microseconds
+  for_parts(plan, plan.points, min_points, [&](int, Index first, Index end) {
+    for (int c = 0; c < plan.dimensions; ++c) {
+      const std::size_t at = static_cast<std::size_t>(c) * plan.points + first;
+      add_scaled(to.data() + at, h, from.data() + at, static_cast<std::size_t>(end - first));
+    }
+  });
+}
+
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   // gravity alone is constant
   if (!motion.acceleration_is_current || !plan.forces.empty()) {
@@ -46,13 +59,16 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
     motion.acceleration_is_current = true;
   }
 
-  kick(plan, motion, h);
+  if (plan.drag == 0.0)
+    advance(plan, motion.a, h, motion.v);
+  else
+    kick(plan, motion, h);
 
   structure_of<Constraints>(work).sweep(plan, h, motion.x, motion.v);
   if (plan.pull) pull(plan, motion, h);
   ++motion.sweeps;
 
-  drift(motion, h);
+  advance(plan, motion.v, h, motion.x);
 }
 
 // x' = x + h v',  v' = ((E - phi q) v - phi omega^2 x) / (1 + phi (h omega^2 + lambda))
