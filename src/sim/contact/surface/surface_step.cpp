@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/forces/dashpot.h"
+
 namespace hooke {
 namespace {
 
@@ -11,10 +13,29 @@ namespace {
 constexpr double max_separation = 0.2, separation_time = 0.02;
 // At the end of a substep, the velocities of what is at rest have to vanish.
 constexpr int velocity_turns = 4;
+// How often dashpots transmit what contact changes.
+constexpr int transmissions = 2;
 
 Vec3 point_in(const Plan& plan, const Field& field, Index i) {
   const auto n = static_cast<std::size_t>(plan.points);
   return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
+}
+
+// Whether dashpots transmit what contact changes. Where points touch each other, too, they do not.
+bool transmits(const Plan& plan) { return plan.has_dashpots() && !plan.pairs.on; }
+
+// use(i, point) for all components of a field.
+template <class Use>
+void for_components(const Plan& plan, const Use& use) {
+  std::size_t i = 0;
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (Index point = 0; point < plan.points; ++point) use(i++, point);
+}
+
+double kinetic_energy_of(const Plan& plan, const Field& v) {
+  double sum = 0.0;
+  for_components(plan, [&](std::size_t i, Index point) { sum += 0.5 * plan.mass[point] * v[i] * v[i]; });
+  return sum;
 }
 
 Vec3 mean_of(std::span<const Vec3> field) {
@@ -28,12 +49,17 @@ Vec3 mean_of(std::span<const Vec3> field) {
 void SurfaceStep::begin_substep(const Plan& plan, const Motion& motion) {
   free_velocity_.resize(plan.surface.points.size());
   for (std::size_t k = 0; k < free_velocity_.size(); ++k) free_velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]);
+  if (!transmits(plan)) return;
+  all_free_velocity_ = motion.v;
+  all_free_end_ = motion.x;
 }
 
 bool SurfaceStep::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
                           Motion& motion) {
   impulses_ = 0;
+  if (transmits(plan)) note_collisions(motion);
   const bool touches = correct(plan, obstacles, x0, v0, h, motion);
+  if (transmits(plan)) transmit_through_dashpots(plan, x0, touches, h, motion);
   motion.contact_tests += search_.tests();
   motion.contact_impulses += impulses_;
   return touches;
@@ -180,8 +206,7 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
   std::erase_if(contacts_.obstacles, [](const ObstacleContact& contact) { return !contact.is_pressed; });
   for (SurfaceContact& contact : contacts_.surface) contact.target = 0.0;
   for (ObstacleContact& contact : contacts_.obstacles) contact.target = contact.end_target;
-  for (int turn = 0; turn < velocity_turns && contacts_.settle(inverse_mass_, plan.surface.friction, velocity_); ++turn)
-    impulses_ += 2 * static_cast<long>(contacts_.surface.size());
+  settle_velocities(plan);
 
   double work = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k) {
@@ -197,6 +222,64 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
     }
   }
   // what pushes may supply energy: the hand, or obstacles
+  (plan.held ? motion.hand_work : plan.colliders_move ? motion.collider_work : motion.contact_work) += work;
+  if (plan.held) motion.abs_hand_work += std::abs(work);
+}
+
+void SurfaceStep::settle_velocities(const Plan& plan) {
+  for (int turn = 0; turn < velocity_turns && contacts_.settle(inverse_mass_, plan.surface.friction, velocity_); ++turn)
+    impulses_ += 2 * static_cast<long>(contacts_.surface.size());
+}
+
+// What obstacles have changed since begin_substep.
+void SurfaceStep::note_collisions(const Motion& motion) {
+  has_collided_.resize(motion.v.size());
+  for (std::size_t i = 0; i < motion.v.size(); ++i) has_collided_[i] = motion.v[i] != all_free_velocity_[i] ? 1 : 0;
+}
+
+// In the substep, dashpots have acted on velocities without contact: at rest, on those that the weight alone would cause. Forces act all
+// over the substep, and so do the impulses of contact that balance them: dashpots transmit them, too, for half of it. What restores the
+// contacts then is transmitted again.
+//
+// Methods whose velocity at the end is that of the path are left alone: what contact changes there is the path.
+void SurfaceStep::transmit_through_dashpots(const Plan& plan, const Field& x0, bool touches, double h, Motion& motion) {
+  const std::size_t n = motion.v.size();
+  const auto points = static_cast<std::size_t>(plan.points);
+  change_.resize(n);
+  double max_change = 0.0, max_difference = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    change_[i] = motion.v[i] - all_free_velocity_[i];
+    max_change = std::max(max_change, std::abs(change_[i]));
+    max_difference = std::max(max_difference, std::abs(all_free_velocity_[i] - (all_free_end_[i] - x0[i]) / h));
+  }
+  if (max_change == 0.0 || max_difference <= 1e-6 * max_change) return;
+  if (decay_step_ != h) plan_dashpot_decay(plan, 0.5 * h, decay_);
+  decay_step_ = h;
+
+  double work = -kinetic_energy_of(plan, motion.v);
+  Field& v = all_free_velocity_;
+  for (int round = 0; round < transmissions; ++round) {
+    decay_dashpots(plan, decay_, Sweep::Backward, motion.x, change_);
+    for_components(plan, [&](std::size_t i, Index point) { v[i] = plan.inverse_mass[point] != 0.0 ? v[i] + change_[i] : motion.v[i]; });
+    change_ = v;
+
+    // obstacles do what they did, and what touches does not approach
+    for (std::size_t i = 0; i < n; ++i)
+      if (has_collided_[i] != 0) v[i] = motion.v[i];
+    if (touches) {
+      for (std::size_t k = 0; k < x_.size(); ++k) velocity_[k] = point_in(plan, v, plan.surface.points[k]);
+      settle_velocities(plan);
+      for (std::size_t k = 0; k < x_.size(); ++k)
+        for (int c = 0; c < plan.dimensions; ++c) v[c * points + plan.surface.points[k]] = velocity_[k][c];
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      const double before = change_[i];
+      change_[i] = v[i] - before;
+      if (round + 1 < transmissions) v[i] = before;
+    }
+  }
+  motion.v = v;
+  work += kinetic_energy_of(plan, motion.v);
   (plan.held ? motion.hand_work : plan.colliders_move ? motion.collider_work : motion.contact_work) += work;
   if (plan.held) motion.abs_hand_work += std::abs(work);
 }

@@ -15,7 +15,10 @@ class SurfaceStep {
  public:
   explicit SurfaceStep(double relative_margin) : search_(relative_margin) {}
 
-  void begin_frame() { search_.clear(); }
+  void begin_frame() {
+    search_.clear();
+    decay_step_ = 0.0;
+  }
   void begin_substep(const Plan& plan, const Motion& motion);
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
   bool has_failed() const { return has_failed_; }
@@ -38,6 +41,9 @@ class SurfaceStep {
   bool handle_impact(const SurfacePair& pair, double part, double h, bool joins);
   bool join(const std::array<Index, 4>& points);
   void write(const Plan& plan, const Field& v0, double h, Motion& motion);
+  void settle_velocities(const Plan& plan);
+  void note_collisions(const Motion& motion);
+  void transmit_through_dashpots(const Plan& plan, const Field& x0, bool touches, double h, Motion& motion);
   FourPoints four(std::span<const Vec3> field, const std::array<Index, 4>& points) const {
     return {field[points[0]], field[points[1]], field[points[2]], field[points[3]]};
   }
@@ -52,6 +58,13 @@ class SurfaceStep {
   std::vector<Vec3> velocity_;  // [m/s], at the end
 
   SurfaceContacts contacts_;
+  // Of all points of the scene, with dashpots: velocities and places at the end without contact, by what contact changes the former, and
+  // whether obstacles did.
+  Field all_free_velocity_, all_free_end_, change_;
+  std::vector<char> has_collided_;
+  std::vector<double> decay_;
+  double decay_step_ = 0.0;  // [s]: of which `decay_` is; 0: of none
+
   std::vector<char> is_marked_;
   std::vector<Index> zone_;  // per point: the first of those that move together
   bool has_failed_ = false;
