@@ -85,7 +85,7 @@ inline double mass_at_radius(const Point& point, double radius) {
   return point.radius > 0.0 && radius > 0.0 ? point.mass * ratio * ratio : point.mass;
 }
 
-// An empty scene with a floor, in 2 or 3 dimensions, and properties of new parts with which a truss stands.
+// A new scene: empty, with a floor, in 2 or 3 dimensions, the method `auto`, and properties of new parts with which a truss stands.
 Scene empty_scene(int dimensions = 2);
 
 }  // namespace hooke

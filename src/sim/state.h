@@ -38,13 +38,14 @@ struct MethodChoice {
   int until_bound = 0;                    // [frames], until the frequencies are bounded again
   double frequency = 1.0;                 // [1], bound on the frequencies in this state, relative to that for every deformation
   double ratio = 0.0;                     // [1], of the last estimate of the error to the target; infinity: the frame diverged
-  double selected_ratio = 0.0;            // [1], by the last comparison
+  bool breaks = false;                    // springs break in this frame
   double target = 0.0;                    // [m], the error aimed at in a frame
   double cost = 0.0;                      // [ms], of a frame by the model of the cost
   double budget = 0.0;                    // [ms], for which it was chosen; 0: none
   double rates = 0.0;                     // of the scene, as one number, to notice edits
   double speed = 0.0;                     // [m/s], of the points and the hand at the start of the frame
   double recent_speed = 0.0;              // [m/s], the same at its recent maximum
+  double recent_turning = 0.0;            // [1/s], how fast springs turned and stretched, at its recent maximum, at estimates
   bool operator==(const MethodChoice&) const = default;
 };
 

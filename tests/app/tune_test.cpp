@@ -78,6 +78,21 @@ TEST(Tune, StiffnessFollowsTheStepsAndLimitsOfTheScene) {
   EXPECT_DOUBLE_EQ(fixture.context.status->document->defaults.stiffness, 0.1);
 }
 
+TEST(Tune, TheToleranceOfTheAutomaticMethodIsHalvedAndDoubledWithinItsRange) {
+  Scene scene = sprung_scene({100.0});
+  scene.settings = empty_scene().settings;
+  ToolFixture fixture(scene);
+  EXPECT_EQ(tune_substeps(*fixture.context.status, +1).message, "Tolerance 0.0005 m/s");
+  const auto tolerance = [&] { return automatic_tolerance(fixture.context.snapshot().settings); };
+  submit_all(fixture, tune_substeps(*fixture.context.status, +1));
+  EXPECT_EQ(tolerance(), 5e-4);
+  submit_all(fixture, tune_substeps(*fixture.context.status, -1));
+  EXPECT_EQ(tolerance(), 1e-3);
+  EXPECT_EQ(fixture.context.snapshot().settings.substeps, Settings().substeps);
+  for (int i = 0; i < 40; ++i) submit_all(fixture, tune_substeps(*fixture.context.status, +1));
+  EXPECT_EQ(tolerance(), tolerance_parameter.min);
+}
+
 TEST(Tune, SubstepsChangeByFivesFromOneToAThousand) {
   ToolFixture fixture(sprung_scene({}));
   const auto substeps = [&] { return fixture.context.snapshot().settings.substeps; };

@@ -69,6 +69,7 @@ void remove_broken(System& system, std::span<const Index> broken) {
 struct BreakingRun {
   int frames = 0, with_breaks = 0, within = 0, silent = 0;  // silent: beyond the tolerance, and reported as within
   int broken = 0, reported = 0;
+  int explained = 0;                // frames in which springs break whose explanation says so
   double worst = 0.0;               // [1], of the silent frames, relative to the tolerance
   double max_cost = 0.0, cost = 0;  // [ms], by the model, with the trials, of a frame and of all
 };
@@ -101,6 +102,8 @@ BreakingRun run_until_broken(TestSim sim, double tolerance, int frames, int subs
     run.cost += cost;
     run.broken += static_cast<int>(frame.broken().size());
     run.with_breaks += frame.broken().empty() ? 0 : 1;
+    const bool is_explained = describe(*after.memory.choice, settings).find("springs") != std::string::npos;
+    run.explained += !frame.broken().empty() && is_explained ? 1 : 0;
     sim.state = after;
     if (frame.broken().empty()) continue;
     remove_broken(sim.system, frame.broken());
@@ -133,6 +136,7 @@ TEST_P(AutomaticBreaking, KeepsTheToleranceOrReportsAtABoundedCost) {
           run.max_cost, run.cost);
     EXPECT_GE(run.with_breaks, 1) << tolerance;
     EXPECT_EQ(run.silent, 0) << tolerance;
+    EXPECT_EQ(run.explained, run.with_breaks) << tolerance;
   }
 }
 

@@ -65,7 +65,6 @@ TEST(AutomaticCost, IsCloseToThatOfTheBestFixedMethod) {
   const Results results = parse_results(read_file(DOCS_FOLDER "/accuracy.json"), "docs/accuracy.json");
   const char* only = std::getenv("HOOKE_PROBLEM");
   std::vector<double> ratios;
-  double worst_of_others = 0.0;  // than net_we
   for (const ProblemRecord& record : results.problems) {
     const BuiltInProblem* built_in = find_problem(record.id);
     if (built_in == nullptr || (only != nullptr && record.id != only)) continue;
@@ -90,7 +89,6 @@ TEST(AutomaticCost, IsCloseToThatOfTheBestFixedMethod) {
                     record.id.c_str(), tolerance, error, run.model_ms, 1e3 * run.cpu_seconds, run.model_ms / best.cost, best.cost,
                     best.name.c_str(), std::string(choice.method->id).c_str(), choice.substeps, choice.ratio);
       ratios.push_back(run.model_ms / best.cost);
-      if (record.id != "net_we") worst_of_others = std::max(worst_of_others, ratios.back());
     }
     std::fflush(stdout);
   }
@@ -101,14 +99,13 @@ TEST(AutomaticCost, IsCloseToThatOfTheBestFixedMethod) {
   // counts of work, the same on every machine: what is reached on three problems, and on all of them
   const bool is_short = !prints();
   EXPECT_TRUE(only != nullptr || median <= 1.3) << median;
-  EXPECT_LE(worst_of_others, is_short ? 1.6 : 2.0);
-  EXPECT_LE(worst, 5.0);
+  EXPECT_LE(worst, is_short ? 1.6 : 2.0);
 }
 
 // Frame by frame on the run's own motion, against the converged frame from the same state.
 TEST(AutomaticTolerance, IsKeptOnTheProblemsOfTheBenchmark) {
   const Settings exact{.integrator = find_integrator("dop853"), .substeps = 1, .tolerance = 1e-13};
-  int all_frames = 0, all_kept = 0;
+  int all_frames = 0, all_kept = 0, silent = 0;  // silent: beyond the tolerance, and not reported
   for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
     int frames = 0, kept = 0;
     for (const BuiltInProblem& row : built_in_problems()) {
@@ -126,7 +123,9 @@ TEST(AutomaticTolerance, IsKeptOnTheProblemsOfTheBenchmark) {
         const double error = rms_distance(after, next_frame(exact_plan, exact_frame, problem.system, exact, state));
         worst = std::max(worst, 60.0 * error / tolerance);
         kept_here += 60.0 * error <= tolerance ? 1 : 0;
-        reported += is_tolerance_met(*after.memory.choice, settings) ? 0 : 1;
+        const bool is_met = is_tolerance_met(*after.memory.choice, settings);
+        reported += is_met ? 0 : 1;
+        silent += is_met && 60.0 * error > tolerance ? 1 : 0;
         state = after;
       }
       if (prints() && kept_here < frames_here)
@@ -141,7 +140,38 @@ TEST(AutomaticTolerance, IsKeptOnTheProblemsOfTheBenchmark) {
     all_frames += frames;
     all_kept += kept;
   }
-  if (prints()) std::printf("%d of %d\n", all_kept, all_frames);
+  if (prints()) std::printf("%d of %d; %d beyond without being reported\n", all_kept, all_frames, silent);
+  EXPECT_EQ(silent, 0);
+}
+
+// By which `auto` replaces the repetition of a frame.
+TEST(AutomaticTolerance, IsKeptByTheEmbeddedEstimateOfTrBdf2) {
+  const Settings exact{.integrator = find_integrator("dop853"), .substeps = 1, .tolerance = 1e-11};
+  for (const char* id : {"net_w2", "net_w4", "chain_1000", "net_w4d", "net_w6d", "net_we"}) {
+    const bool is_slow = std::string_view(id).starts_with("net_w6") || std::string_view(id) == "net_we";
+    if (is_slow && !prints()) continue;
+    const Problem problem = find_problem(id)->make();
+    for (const int substeps : {1, 2, 4}) {
+      const Settings settings{.integrator = find_integrator("tr_bdf2"), .substeps = substeps};
+      Plan plan = make_plan(problem.system), exact_plan = plan;
+      Frame frame, exact_frame;
+      State state = problem.start;
+      std::vector<double> ratios;  // of the estimate to the error
+      for (int i = 0; i < 20; ++i) {
+        const State after = next_frame(plan, frame, problem.system, settings, state);
+        const double estimate = frame.motion().local_error;
+        state = next_frame(exact_plan, exact_frame, problem.system, exact, state);
+        ratios.push_back(estimate / rms_distance(after, state));
+      }
+      std::ranges::sort(ratios);
+      const double low = ratios[ratios.size() / 10], high = ratios[ratios.size() * 9 / 10];
+      if (prints())
+        std::printf("%-10s %d substeps: %.2f to %.2f in eight of ten frames, median %.2f\n", id, substeps, low, high, ratios[10]);
+      EXPECT_GT(low, 0.5) << id << ' ' << substeps;
+      EXPECT_LT(high, 3.5) << id << ' ' << substeps;
+      EXPECT_NEAR(ratios[10], 1.1, 0.3) << id << ' ' << substeps;
+    }
+  }
 }
 
 }  // namespace

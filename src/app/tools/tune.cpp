@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "scene/parameters.h"
+#include "sim/automatic/automatic.h"
 #include "ui/text.h"
 
 namespace hooke {
@@ -71,6 +72,10 @@ Tuning tune_stiffness(const Status& status, const Selection& selection, int dire
 }
 
 Tuning tune_substeps(const Status& status, int direction) {
+  if (is_automatic(status.snapshot->settings)) {
+    const double tolerance = clamp_to(tolerance_parameter, automatic_tolerance(status.snapshot->settings) * (direction > 0 ? 0.5 : 2.0));
+    return {{SetParameter{&tolerance_parameter, tolerance}}, "Tolerance " + number_text(tolerance) + " m/s"};
+  }
   const Parameter& row = substeps_parameter;
   const int now = status.snapshot->settings.substeps;
   // the next multiple in that direction

@@ -19,7 +19,7 @@ struct Tuning {
 // the scene defines. Direction +1 or -1.
 Tuning tune_stiffness(const Status& status, const Selection& selection, int direction);
 
-// To the next multiple of 5 substeps; at least 1.
+// To the next multiple of 5 substeps, at least 1; with the method `auto`, to half the tolerance or twice as much.
 Tuning tune_substeps(const Status& status, int direction);
 
 // The simulation speed times a factor, within its range.

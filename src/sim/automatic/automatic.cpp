@@ -72,7 +72,10 @@ std::string describe(const MethodChoice& choice, const Settings& settings) {
   if (!std::isfinite(error))
     text = ": tolerance not met: no method could be tested on this frame.";
   else if (error > tolerance)
-    text = formatted(": tolerance not met: %.1g m/s%s.", error, choice.budget > 0.0 ? " within the budget" : "");
+    text = formatted(": tolerance not met: %.1g m/s%s%s.", error, choice.breaks ? ", as springs break" : "",
+                     choice.budget > 0.0 ? " within the budget" : "");
+  else if (choice.breaks)
+    text = formatted(": limited by springs that break in this frame; the error is %.1g m/s.", error);
   else if (choice.substeps == choice.min_substeps && choice.min_substeps > 1)
     text = formatted(": limited by stability; the error, %.1g m/s, is %s the tolerance.", error,
                      error < 0.01 * tolerance ? "far below" : "within");

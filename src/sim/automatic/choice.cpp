@@ -11,6 +11,7 @@
 #include "sim/automatic/rates.h"
 #include "sim/automatic/resonance.h"
 #include "sim/automatic/selection.h"
+#include "sim/automatic/turning.h"
 #include "sim/contact/contact.h"
 #include "sim/frame_error.h"
 #include "sim/portable_math.h"
@@ -29,6 +30,14 @@ constexpr double drop_factor = 1.5;  // within a frame: it turns into strain
 constexpr double fade = 0.99;        // of the recent maximum, per frame
 // The part of the target below which an error is far below the tolerance.
 constexpr double easy_ratio = 0.05, very_easy_ratio = 0.01;
+
+// Whether springs turn so much faster than at recent estimates that the error may have become unacceptable: at the end of the fall of a
+// cloth and of a rope, whose errors grow a hundredfold within ten frames, it is proportional to the third power or less.
+bool is_whipping(const MethodChoice& choice, double turning) {
+  if (!(turning > choice.recent_turning) || choice.recent_turning <= 0.0) return false;
+  const double factor = turning / choice.recent_turning;
+  return choice.ratio * factor * factor * factor > acceptable_ratio;
+}
 
 // [m/s], a measure of how fast the scene and the hand move.
 double speed_of(const Plan& plan, const State& state, double frame) {
@@ -61,7 +70,7 @@ void refine_breaks(MethodChoice& choice, Trials& trials, const Settings& trial, 
     if (more <= choice.substeps) break;
     Settings finer = trial;
     finer.substeps = more;
-    const Trials::Result result = trials.measure(finer, 1.25 * max_cost);
+    const Trials::Result result = trials.measure(finer, 1.25 * max_cost, goal.target);
     const double ratio = result.error / goal.target;
     if (!(ratio < choice.ratio)) break;
     const bool has_stalled = ratio > 0.7 * choice.ratio;
@@ -75,23 +84,29 @@ void refine_breaks(MethodChoice& choice, Trials& trials, const Settings& trial, 
 
 // Estimates the error of the coming frame with the present method, and adapts the substeps. False if so many more are needed that another
 // method may be cheaper: then `choice` has that number. `is_breaking`: springs may break in this frame.
-bool follow(MethodChoice& choice, Trials& trials, const System& system, const Settings& settings, const Goal& goal, bool is_sudden,
-            bool is_breaking, double max_increase) {
+bool follow(MethodChoice& choice, Trials& trials, const Plan& plan, const System& system, const Settings& settings, const Goal& goal,
+            bool is_sudden, bool is_breaking, double max_increase) {
   constexpr int max_attempts = 6;
   constexpr double max_comparison = 3.0;
   const double before = choice.ratio;
   const int substeps_before = choice.substeps;
-  const int order = choice.method == &leapfrog ? optimistic_order(system, leapfrog) : effective_order(system, *choice.method);
   Settings trial = settings;
   trial.tolerance.reset();
   trial.integrator = choice.method;
+  trial.substeps = choice.substeps;
+  const bool is_saturated = is_splitting_saturated(*choice.method, plan.spectrum, trial.substep());
+  const int order = is_saturated                 ? 1
+                    : choice.method == &leapfrog ? optimistic_order(plan, system, leapfrog, trial.substep())
+                                                 : effective_order(system, *choice.method);
   const bool has_stable_half = choice.substeps / 2 >= choice.min_substeps && choice.method->implicit_solve == ImplicitSolve::None;
-  const bool is_by_coarser = has_stable_half && order > 1 && before > easy_ratio && !is_sudden;
+  const bool is_by_coarser = has_stable_half && order > 1 && before > easy_ratio && !is_sudden && plan.break_length.empty();
   bool breaks = false;
+  Trials::Result result;
   const auto measure = [&](int substeps, bool by_coarser) {
     trial.substeps = substeps;
     const double max_cost = 1.25 * goal.max_cost;
-    Trials::Result result = by_coarser ? trials.measure_by_coarser(trial, max_cost) : trials.measure(trial, max_cost);
+    result = by_coarser ? trials.measure_by_coarser(trial, max_cost)
+                        : trials.measure(trial, max_cost, is_sudden ? 0.0 : acceptable_ratio * goal.target);
     if (is_sudden && std::isfinite(result.error)) result.error = std::max(result.error, trials.unresolved(trial));
     breaks = result.breaks;
     return std::pair(result.error / goal.target, result.cost);
@@ -108,6 +123,7 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
       breaks = true;
     }
   }
+  choice.breaks = breaks;
   if (breaks) {
     refine_breaks(choice, trials, trial, goal);
     choice.next_substeps = substeps_before;
@@ -119,8 +135,9 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
   constexpr int expected_growth = 3;
   const bool is_of_first_order = choice.method->order == 1 && choice.method->stability != Stability::EachSpring && !has_contact(system);
   // a frame slightly beyond the target is within the tolerance: only the next ones need more
-  if (is_missed && choice.ratio <= acceptable_ratio && order > 1) {
-    const int more = substeps_for(choice.substeps, choice.ratio * goal.target, raised_ratio * goal.target, order, 4.0);
+  if (is_missed && choice.ratio <= acceptable_ratio && (order > 1 || is_saturated)) {
+    trial.substeps = choice.substeps;
+    const int more = raised_substeps(plan, system, trial, choice.ratio, choice.interval < min_interval);
     const bool is_affordable = more * choice.cost <= goal.max_cost * choice.substeps;
     const bool is_small = choice.selected_substeps == 0 || more <= max_increase * choice.selected_substeps;
     if (is_affordable && is_small && more <= max_automatic_substeps) {
@@ -129,6 +146,11 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
       return true;
     }
   }
+  const bool is_edited = choice.selected_substeps == 0;
+  const bool is_resonant = max_frames_in_resonance(*choice.method, plan.spectrum, settings.frame_rate, goal.frequency, choice.substeps) <
+                           std::numeric_limits<int>::max();
+  const bool has_jumped = is_edited || (is_sudden && is_resonant);
+  const bool is_smooth = !has_jumped && !plan.held && !plan.has_contact() && plan.break_length.empty();
   const double max_spent = trials.total_cost() + max_comparison * goal.max_cost;
   for (int attempt = 0; choice.ratio > 1.0 && choice.substeps < max_automatic_substeps && attempt < max_attempts; ++attempt) {
     if (trials.total_cost() > max_spent) break;
@@ -136,6 +158,19 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
     const double affordable = std::isfinite(choice.cost) ? choice.substeps * goal.max_cost / choice.cost : needed;
     const int more = static_cast<int>(std::min<double>(needed, affordable));
     if (more <= choice.substeps) break;
+    // the repetition is the frame, if that is accurate enough: its error follows from the order where the motion is smooth
+    const bool is_new_comparison = result.fine_substeps > max_increase * choice.selected_substeps;
+    const bool is_accurate = result.fine_error <= acceptable_ratio * goal.target && result.fine_cost <= goal.max_cost;
+    if (order > 1 && is_smooth && !is_new_comparison && is_accurate) {
+      choice.substeps = result.fine_substeps;
+      choice.ratio = result.fine_error / goal.target;
+      choice.cost = result.fine_cost;
+      trials.keep_repetition(*choice.method, result);
+      if (choice.ratio <= 1.0) break;
+      choice.period = choice.until_estimate = min_period;
+      choice.next_substeps = substeps_for(choice.substeps, choice.ratio, raised_ratio, order, 4.0);
+      return true;
+    }
     if (is_of_first_order && choice.selected_substeps > 0) {
       choice.substeps = std::min(max_automatic_substeps, expected_growth * more);
       return false;
@@ -166,7 +201,7 @@ bool follow(MethodChoice& choice, Trials& trials, const System& system, const Se
   if (choice.ratio > 1.0)  // it cannot be met now: do not try in every frame
     choice.period = std::min(max_period, 2 * choice.period);
   else if (is_missed)
-    choice.period = 1;
+    choice.period = has_contact(system) ? 1 : 2;
   else
     choice.period = is_regular && !is_sudden ? std::min(is_easy ? max_easy_period : max_period, 2 * choice.period) : min_period;
   choice.until_estimate = choice.period;
@@ -226,7 +261,7 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
   if (!trials_) trials_ = std::make_unique<Trials>();
   const double recent_speed = state.memory.choice ? std::max(speed, state.memory.choice->recent_speed) : speed;
   trials_->forget(may_step_beyond_resonance(plan, target, recent_speed));
-  double frequency = 1.0;
+  double frequency = 1.0, turning = 0.0;
   int until_bound = 0;
   const auto bound = [&](double frame_cost) {
     frequency = trials_->bound_frequency(plan, state, settings.frame_rate, frame_cost);
@@ -243,7 +278,10 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
   const auto select = [&](const MethodChoice* last, Present knowledge, bool is_sudden) {
     const MethodChoice selected = select_method(*trials_, plan, system, settings, begin(), last, knowledge);
     const bool is_confirmed = last != nullptr && last->method == selected.method && last->selected_substeps > 0;
-    const int interval = is_confirmed ? std::min(max_interval, 4 * last->interval) : min_interval;
+    int interval = is_confirmed ? std::min(max_interval, 4 * last->interval) : min_interval;
+    // soon, as long as what is cheaper comes closer to the goal
+    const bool is_closer = !is_confirmed || (last->interval < min_interval && selected.until_selection < last->interval);
+    if (selected.until_selection > 0 && is_closer) interval = std::min(min_interval, selected.until_selection);
     if (knowledge == Present::ToBeMeasured || !is_confirmed) {
       choice = selected;
       const int factor = is_sudden || choice.ratio > easy_ratio ? 1 : choice.ratio > very_easy_ratio ? 4 : 8;
@@ -260,6 +298,7 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
   } else {
     const MethodChoice last = *state.memory.choice;
     choice = last;
+    choice.breaks = false;
     if (last.next_substeps != last.substeps) {
       const double part = static_cast<double>(last.next_substeps) / last.substeps;
       choice.substeps = last.next_substeps;
@@ -273,6 +312,7 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
     bool is_event = speed > (is_easy ? easy_event_factor : event_factor) * std::max(last.speed, last.recent_speed) ||
                     speed > (is_easy ? easy_drift_factor : drift_factor) * last.recent_speed ||
                     last.speed > (is_easy ? easy_drift_factor : drop_factor) * speed;
+    turning = turning_of(plan, state, choice.cost);
     frequency = last.frequency;
     until_bound = last.until_bound - 1;
     if (until_bound <= 0 || is_edited || is_event) bound(last.cost);
@@ -291,24 +331,34 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
     const bool is_beyond = !is_tolerance_met(choice, settings);  // which is reported: try again when the next estimate is due
     const bool is_breaking = is_about_to_break(plan, state, frame);
     is_event = !is_beyond && (is_event || is_breaking);
-    const bool is_due = is_edited || is_event || choice.until_estimate <= 0;
+    const bool whips = !is_beyond && is_whipping(choice, turning);
+    const bool is_due = is_edited || is_event || choice.until_estimate <= 0 || whips;
     if (!is_due && (plan.has_contact() || !plan.break_length.empty()) && !is_beyond) {
       begin();
       is_event = strikes(*trials_, choice, settings, target);
     }
 
     const bool is_sudden = is_event || is_edited;
-    if (!is_due && !is_event) {
+    // without another comparison where the error grows for every method, and none has a higher order
+    constexpr int max_order = 4;
+    const double max_increase = has_hand || (whips && effective_order(system, *choice.method) >= max_order) ? 5.0 : 2.0;
+    if (choice.until_selection <= 0 && !is_sudden && !has_hand && !is_beyond) {
       // cheaper methods are tried now and then: what ruled them out may have been the start of the motion
       const MethodChoice present = choice;
-      if (choice.until_selection <= 0 && !has_hand && !is_beyond) select(&present, Present::Known, false);
+      select(&present, Present::Known, false);
+    }
+    if (choice.method != last.method || (!is_due && !is_event)) {
+      // another method was selected, or nothing has to be estimated
     } else if (must_select) {
       select(&last, Present::ToBeMeasured, is_sudden);
-    } else if (!follow(choice, *trials_, system, settings, begin(), is_sudden, is_breaking, has_hand ? 5.0 : 2.0)) {
+    } else if (!follow(choice, *trials_, plan, system, settings, begin(), is_sudden, is_breaking, max_increase)) {
       const MethodChoice present = choice;
       select(&present, Present::ToBeMeasured, is_sudden);
     }
-    choice.recent_speed = is_due || is_event ? std::max(speed, fade * last.recent_speed) : fade * last.recent_speed;
+    choice.breaks = choice.breaks || (is_beyond && is_breaking);
+    const bool is_estimated = is_due || is_event;
+    choice.recent_speed = is_estimated ? std::max(speed, fade * last.recent_speed) : fade * last.recent_speed;
+    choice.recent_turning = is_estimated ? std::max(turning, fade * last.recent_turning) : fade * last.recent_turning;
   }
   choice.period =
       std::min(choice.period, max_frames_in_resonance(*choice.method, plan.spectrum, settings.frame_rate, frequency, choice.substeps));
@@ -319,7 +369,10 @@ MethodChoice AutomaticChoice::choose(const Plan& plan, const System& system, con
   choice.speed = speed;
   choice.frequency = frequency;
   choice.until_bound = until_bound;
-  if (!state.memory.choice) choice.recent_speed = speed;
+  if (!state.memory.choice) {
+    choice.recent_speed = speed;
+    choice.recent_turning = turning_of(plan, state, choice.cost);
+  }
   return choice;
 }
 

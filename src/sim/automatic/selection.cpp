@@ -8,6 +8,7 @@
 #include "sim/automatic/leapfrog.h"
 #include "sim/contact/contact.h"
 #include "sim/frame_error.h"
+#include "sim/integrators/rows.h"
 #include "sim/portable_math.h"
 
 namespace hooke {
@@ -30,11 +31,16 @@ constexpr int max_attempts = 8;
 // An unexpected cost, relative to the expected one.
 constexpr double max_cost_ratio = 4.0;
 
+// Whether dashpots damp the fastest modes more than critically.
+bool is_overdamped(const Plan& plan) { return plan.spectrum.dashpot_rate > plan.spectrum.omega; }
+
 struct Candidate {
   const Integrator* method = nullptr;
   int min_substeps = 1, substeps = 1;  // next to try
   double expected_cost = 0.0;          // [ms], at these substeps
   double ratio = infinity;             // of the last attempt
+  double first_ratio = infinity;       // of that with the fewest stable substeps
+  double first_cost = 0.0;             // [ms], of that attempt, with the repetition of the frame
   int attempts = 0, stalls = 0;
   bool is_open = true;
   double weight = 1.0;  // of its costs in comparisons
@@ -72,7 +78,8 @@ std::vector<Candidate> candidates_for(Trials& trials, const Plan& plan, const Se
 }
 
 // The next number of substeps to try, or closes the candidate.
-void refine(Candidate& candidate, const Trials::Result& result, double ratio, const System& system, const Goal& goal) {
+void refine(Candidate& candidate, const Trials::Result& result, double ratio, const Plan& plan, const System& system,
+            const Settings& settings, const Goal& goal) {
   constexpr double max_increase = 1e4, on_divergence = 4.0;
   const bool has_stalled = candidate.attempts > 0 && ratio > 0.7 * candidate.ratio;
   candidate.stalls = has_stalled ? candidate.stalls + 1 : 0;
@@ -80,7 +87,8 @@ void refine(Candidate& candidate, const Trials::Result& result, double ratio, co
   ++candidate.attempts;
   const double cost_per_substep =
       std::isfinite(result.cost) ? result.cost / candidate.substeps : candidate.expected_cost / candidate.substeps;
-  const int order = result.breaks ? 1 : optimistic_order(system, *candidate.method);
+  const double step = 1.0 / (settings.frame_rate * candidate.substeps);
+  const int order = result.breaks ? 1 : optimistic_order(plan, system, *candidate.method, step);
   const double max_factor = std::isfinite(ratio) ? max_increase : on_divergence;
   int next = substeps_for(candidate.substeps, ratio * goal.target, goal.target, order, max_factor);
   // the most accurate attempt that the goal allows
@@ -89,6 +97,41 @@ void refine(Candidate& candidate, const Trials::Result& result, double ratio, co
     candidate.is_open = false;
   candidate.substeps = next;
   candidate.expected_cost = next * cost_per_substep;
+}
+
+// Where fast modes are overdamped, nothing vibrates within a frame, whose error with implicit Euler in n substeps of T / n is
+//   e = T / (2 n) |v(T) - v(0)|,
+// the sum of h^2 a / 2 over the substeps, without a trial. The velocities are those of the frame that was computed last.
+void predict_implicit_euler(std::vector<Candidate>& list, const Trials& trials, const CostModel& model, const Settings& settings,
+                            const Goal& goal) {
+  constexpr double margin = 0.5;  // it may be half as large
+  const double error = 0.5 / settings.frame_rate * trials.velocity_change();
+  for (Candidate& candidate : list) {
+    if (candidate.method != &implicit_euler || candidate.attempts > 0) continue;
+    const double substeps = std::ceil(margin * error / goal.target);
+    if (substeps <= candidate.substeps) continue;
+    candidate.is_open = substeps <= max_automatic_substeps;
+    candidate.substeps = candidate.is_open ? static_cast<int>(substeps) : candidate.substeps;
+    candidate.expected_cost = model.expected(implicit_euler, candidate.substeps);
+  }
+}
+
+// Frames until the methods should be compared again because one that would be much cheaper almost met the goal; 0: there is none. The
+// closer it was, the larger the part of the cost of the frames in between that another attempt may have: a tenth at a fifth of the
+// accuracy.
+int frames_to_near_miss(const std::vector<Candidate>& list, const MethodChoice& best, const CostModel& model) {
+  constexpr double max_ratio = 5.0 * acceptable_ratio, part_at_goal = 0.65;
+  constexpr int min_frames = 2;
+  double frames = infinity;
+  for (const Candidate& candidate : list) {
+    const bool is_much_cheaper = hysteresis_if_known * candidate.weight * model.expected(*candidate.method, candidate.min_substeps) <
+                                 weight_of(*best.method) * best.cost;
+    const bool is_near = candidate.first_ratio > acceptable_ratio && candidate.first_ratio <= max_ratio;
+    const double part = part_at_goal * acceptable_ratio / candidate.first_ratio;
+    if (candidate.method != best.method && is_much_cheaper && is_near)
+      frames = std::min(frames, std::ceil(candidate.first_cost / (part * best.cost)));
+  }
+  return std::isfinite(frames) ? std::max(min_frames, static_cast<int>(frames)) : 0;
 }
 
 }  // namespace
@@ -108,11 +151,23 @@ double max_cost_of_frame(Trials& trials, const Plan& plan, const Settings& setti
   return std::min(max_cost, std::max(max_cost_ms, slow_cost_factor * cheapest));
 }
 
-// Convergence in position of XPBD is better than its declared order on many nets, and that of the leapfrog where dashpots are weak: worth
-// an attempt.
-int optimistic_order(const System& system, const Integrator& method) {
+// Convergence in position of XPBD is better than its declared order on many nets, unless they are overdamped, and that of the leapfrog
+// where dashpots are weak: worth an attempt.
+int optimistic_order(const Plan& plan, const System& system, const Integrator& method, double step) {
+  if (is_splitting_saturated(method, plan.spectrum, step)) return 1;
   const int order = effective_order(system, method);
-  return method.stability == Stability::EachSpring || (&method == &leapfrog && !has_contact(system)) ? std::max(order, 2) : order;
+  const bool is_better = method.stability == Stability::EachSpring ? !is_overdamped(plan) : &method == &leapfrog && !has_contact(system);
+  return is_better ? std::max(order, 2) : order;
+}
+
+int raised_substeps(const Plan& plan, const System& system, const Settings& settings, double ratio, bool is_temporary) {
+  // one more of one or two costs half as much again or more
+  constexpr int few = 2;
+  if (is_temporary && settings.substeps <= few) return settings.substeps;
+  // of which more would help little
+  if (is_splitting_saturated(*settings.integrator, plan.spectrum, settings.substep())) return settings.substeps;
+  const int order = effective_order(system, *settings.integrator);
+  return substeps_for(settings.substeps, ratio, raised_ratio, order, acceptable_ratio * 2.0);
 }
 
 int substeps_for(int substeps, double error, double target, int order, double max_factor) {
@@ -128,10 +183,11 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
   double best_cost = infinity, spent = 0.0;
   // an error beyond the target that is acceptable counts as meeting it at a higher cost: that of the next frames
   const auto counted_cost = [&](const Integrator& method, double ratio, double cost) {
-    return ratio > 1.0 ? cost * portable::pow(ratio, 1.0 / optimistic_order(system, method)) : cost;
+    return ratio > 1.0 ? cost * portable::pow(ratio, 1.0 / optimistic_order(plan, system, method, 0.0)) : cost;
   };
   Settings trial = settings;
   trial.tolerance.reset();
+  const CostModel model(plan);
   std::vector<Candidate> list = candidates_for(trials, plan, settings, goal, present);
   if (present != nullptr && knowledge == Present::Known) {
     best = *present;
@@ -159,7 +215,7 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
     const double cost_limit = max_cost_ratio * next->expected_cost;
     const double max_cost = std::min(cost_limit, best.ratio <= acceptable_ratio ? best_cost / next->weight : 1.25 * goal.max_cost);
     const double before = trials.total_cost();
-    Trials::Result result = trials.measure(trial, max_cost);
+    Trials::Result result = trials.measure(trial, max_cost, acceptable_ratio * goal.target);
     if (result.error <= acceptable_ratio * goal.target) result.error = std::max(result.error, trials.unresolved(trial));
     spent += trials.total_cost() - before;
     if (result.is_too_expensive && max_cost == cost_limit) {
@@ -170,14 +226,30 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
     const double ratio = result.error / goal.target, cost = next->weight * counted_cost(*next->method, ratio, result.cost);
     const bool is_met = ratio <= acceptable_ratio, was_met = best.ratio <= acceptable_ratio;
     if (is_met ? !was_met || cost < best_cost : !was_met && ratio < best.ratio) {
-      best = {.method = next->method, .substeps = next->substeps, .min_substeps = next->min_substeps, .ratio = ratio, .cost = result.cost};
+      best = {.method = next->method,
+              .substeps = next->substeps,
+              .min_substeps = next->min_substeps,
+              .ratio = ratio,
+              .breaks = result.breaks,
+              .cost = result.cost};
       best_cost = cost;
       trials.keep();
     }
-    if (is_met)
+    if (next->substeps == next->min_substeps) {
+      next->first_ratio = ratio;
+      next->first_cost = trials.total_cost() - before;
+    }
+    if (is_overdamped(plan) && !plan.has_contact() && next->method == &default_integrator())
+      predict_implicit_euler(list, trials, model, settings, goal);
+    if (is_met) {
       next->is_open = false;
-    else
-      refine(*next, result, ratio, system, goal);
+      continue;
+    }
+    if (is_splitting_saturated(*next->method, plan.spectrum, trial.substep()))
+      for (Candidate& other : list)
+        if (&other != next && other.is_open && other.attempts == 0 && splits_dashpots(*other.method))
+          refine(other, {.cost = other.expected_cost}, ratio, plan, system, settings, goal);
+    refine(*next, result, ratio, plan, system, settings, goal);
   }
   // nothing could be measured: the candidate that needs the fewest substeps; without candidates an implicit method, as fine as it can be
   if (!std::isfinite(best.ratio) && list.empty()) {
@@ -187,10 +259,12 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
     best = {.method = cheapest->method, .substeps = cheapest->min_substeps, .min_substeps = cheapest->min_substeps, .ratio = infinity};
   }
   best.next_substeps = best.selected_substeps = best.substeps;
+  best.until_selection = frames_to_near_miss(list, best, model);
   // more, where the error is acceptable for this frame alone
   if (best.ratio > 1.0 && best.ratio <= acceptable_ratio && goal.target > 0.0) {
-    const int order = effective_order(system, *best.method);
-    const int more = substeps_for(best.substeps, best.ratio * goal.target, raised_ratio * goal.target, order, acceptable_ratio * 2.0);
+    trial.integrator = best.method;
+    trial.substeps = best.substeps;
+    const int more = raised_substeps(plan, system, trial, best.ratio, best.until_selection > 0);
     if (more * best.cost <= goal.max_cost * best.substeps && more <= max_automatic_substeps) best.next_substeps = more;
   }
   // fewer, where the last attempt turned out to be more accurate than necessary
@@ -199,7 +273,6 @@ MethodChoice select_method(Trials& trials, const Plan& plan, const System& syste
     const double factor = portable::pow(std::max(best.ratio, 1e-12) / expected_ratio, 1.0 / effective_order(system, *best.method));
     best.next_substeps = std::max(best.min_substeps, static_cast<int>(std::ceil(best.substeps * std::max(0.4, factor))));
   }
-  best.selected_ratio = best.ratio;
   return best;
 }
 

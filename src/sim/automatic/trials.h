@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "sim/automatic/cost_model.h"
@@ -18,6 +19,10 @@ inline constexpr int frames_per_bound = 4, frames_without_bound = 32;
 // The fewest substeps with which no linear mode grows; one more than the maximum if that is not enough.
 int stable_substeps(const Integrator& method, const Spectrum& spectrum, double frame_rate);
 
+// Whether the method splits dashpots off that decay within a quarter of a step: then its error is that of the splitting, which is the same
+// for every such method, and falls slowly with the step.
+bool is_splitting_saturated(const Integrator& method, const Spectrum& spectrum, double step);
+
 // The table of integrators, and the steps that only `auto` takes.
 std::span<const Integrator* const> compared_methods();
 
@@ -28,6 +33,9 @@ class Trials {
     double cost = std::numeric_limits<double>::infinity();   // [ms], by the model, also of a frame that diverged; infinity: too much
     bool is_too_expensive = false;
     bool breaks = false;  // whether springs broke, in the frame or in its repetition: its error is of first order
+    // Of the repetition, if its error follows from the order; 0 substeps: it does not.
+    int fine_substeps = 0;
+    double fine_error = std::numeric_limits<double>::infinity(), fine_cost = std::numeric_limits<double>::infinity();
   };
 
   // Begins another frame: none is kept. Whether steps beyond the resonance of blanes_moan4 may be used (resonance.h).
@@ -55,15 +63,19 @@ class Trials {
   // if it costs more than `max_cost` [ms].
   int resolving_substeps(double frame_rate);
   bool breaks_if_resolved(const Settings& settings, int substeps, double max_cost);
-  // The error of the frame, from its repetition with half the step. Abandoned if it costs more than `max_cost` [ms].
-  Result measure(const Settings& settings, double max_cost);
+  // The error of the frame, from its repetition with half the step. Abandoned if it costs more than `max_cost` [ms]. `limit`: the largest
+  // error that is acceptable [m]; where the method itself estimates that it is smaller or much larger, the frame is not repeated.
+  Result measure(const Settings& settings, double max_cost, double limit);
   // The same from its repetition with twice the step, for half the cost: where those steps are stable and short enough for the order.
   Result measure_by_coarser(const Settings& settings, double max_cost);
+  // [m/s], RMS over the points: by how much the velocities changed in the frame that was computed last; infinity: none was.
+  double velocity_change() const;
   // [m], RMS over the points: the distance of the frame that was measured last, with these settings, to one that resolves every vibration
   // (frame_error.h); 0 where its method does so, or where that frame costs too much.
   double unresolved(const Settings& settings);
-  // Keeps the frame that was computed or measured last, not its repetition, to be used as the frame itself.
+  // Keeps the frame that was computed or measured last, or its repetition, to be used as the frame itself.
   void keep();
+  void keep_repetition(const Integrator& method, const Result& result);
   // The frame that was kept, if it has these settings; it may be used once.
   Frame* kept(const Integrator& method, int substeps);
   // [ms], of all trials so far but the frames used, by the model.
@@ -78,6 +90,8 @@ class Trials {
     double cost = 0.0;  // [ms], by the model
   };
   End compute(const Settings& settings, const CostModel& model, double max_cost, double* cost);
+  // The error [m] of the frame that was computed last by the embedded estimate of its method, if that is reliable.
+  std::optional<double> embedded_error(const Integrator& method) const;
 
   Plan plan_;
   Frame frame_;
