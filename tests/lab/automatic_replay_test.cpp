@@ -1,6 +1,8 @@
 // Runs with the method `auto` are recorded, replayed and undone like any other.
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "base/errors.h"
 #include "formats/scene_file.h"
 #include "lab/lab.h"
@@ -157,6 +159,20 @@ TEST(AutomaticReplay, ARecordingOfAnEarlierVersionHasNoParts) {
   Lab lab(*recording.start, KeepStart::No);
   ASSERT_TRUE(lab.step());
   EXPECT_EQ(lab.scene().state.memory.islands.size(), 2u);
+}
+
+// Another one had other numbers beside the method and its substeps.
+TEST(AutomaticReplay, AChoiceWithoutLaterFieldsIsRead) {
+  std::string text = recording_of_two_chains();
+  text = std::regex_replace(text, std::regex(R"(, "breaks": (true|false))"), ", \"selected_ratio\": 0.5");
+  text = std::regex_replace(text, std::regex(R"(, "recent_turning": [-+.e0-9]+)"), "");
+  ASSERT_NE(text.find("selected_ratio"), std::string::npos);
+  ASSERT_EQ(text.find("recent_turning"), std::string::npos);
+  const Recording recording = parse_recording(text, "test");
+  ASSERT_TRUE(recording.start->state.memory.choice);
+  EXPECT_FALSE(recording.start->state.memory.choice->breaks);
+  Lab lab(*recording.start, KeepStart::No);
+  EXPECT_TRUE(lab.step());
 }
 
 TEST(AutomaticReplay, ARecordingWithMorePartsThanThereCanBeIsRefused) {

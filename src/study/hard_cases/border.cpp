@@ -4,6 +4,7 @@
 #include <cmath>
 #include <thread>
 
+#include "base/errors.h"
 #include "formats/scene_file.h"
 #include "sim/divergence.h"
 #include "sim/hash.h"
@@ -28,6 +29,7 @@ Verdict judge_one_substep(const Integrator& method) {
     held += run.stopped() ? 0 : 1;
     ++all;
   }
+  if (parts.empty()) throw FileError((assets_folder() / "scenes").string() + ": no scenes found");
   Verdict verdict = worst_of(parts);
   verdict.measured = formatted("%d of %d scenes finish", held, all);
   return verdict;
