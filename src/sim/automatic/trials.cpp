@@ -213,6 +213,13 @@ std::optional<double> Trials::embedded_error(const Integrator& method) const {
   return last_.frame.motion().local_error;
 }
 
+// An embedded estimate does not see the rounding of positions, once per substep.
+double Trials::round_off(int substeps) const {
+  double max = 0.0;
+  for (const Vec3& x : start_->position) max = std::max({max, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+  return 0x1p-53 * max * substeps;
+}
+
 double Trials::velocity_change() const {
   if (last_.method == nullptr) return std::numeric_limits<double>::infinity();
   return weighted_distance(last_velocities_, start_->velocity, 1.0).rms;
@@ -228,7 +235,7 @@ Trials::Result Trials::measure(const Settings& settings, double max_cost, double
   const End end = compute_frame(settings, max_cost, &result.cost);
   if (end == End::TooExpensive) return {.is_too_expensive = true};
   if (end == End::Diverged) return result;
-  if (const auto embedded = embedded_error(*settings.integrator); embedded && limit > 0.0) {
+  if (const auto embedded = embedded_error(*settings.integrator); embedded && limit > 10.0 * round_off(settings.substeps)) {
     if (max_underestimate * *embedded <= limit || *embedded > max_overestimate * limit) {
       result.error = *embedded;
       return result;

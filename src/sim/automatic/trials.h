@@ -92,6 +92,8 @@ class Trials {
   End compute(const Settings& settings, const CostModel& model, double max_cost, double* cost);
   // The error [m] of the frame that was computed last by the embedded estimate of its method, if that is reliable.
   std::optional<double> embedded_error(const Integrator& method) const;
+  // [m], by which the positions of a frame of so many substeps may be off because they are rounded.
+  double round_off(int substeps) const;
 
   Plan plan_;
   Frame frame_;
