@@ -392,8 +392,7 @@ TEST(BadSceneFiles, AFileThatCannotBeOpenedIsAFileError) {
     FAIL();
   } catch (const FileError& error) {
     const std::string text = error.what();
-    EXPECT_EQ(text.find("captur: no such command, file or shipped scene: must be one of run, capture, cloth, "), 0u) << text;
-    EXPECT_TRUE(text.ends_with("did you mean capture?")) << text;
+    EXPECT_TRUE(text.starts_with("captur: no such command, file or shipped scene: must be one of run, capture, cloth, ")) << text;
   }
 }
 
