@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scene/parameters.h"
+#include "sim/automatic/automatic.h"
 #include "sim/frame_error.h"
 #include "sim/integrator.h"
 #include "support/run_lab.h"
@@ -40,6 +41,24 @@ TEST(Companions, EachIsTheRunWithItsSettingsAndTheRunIsAsWithoutThem) {
   ASSERT_EQ(table.times.size(), 40u);
   EXPECT_EQ(table.times.back(), lab.scene().state.time);
   EXPECT_EQ(table.distances[0].back(), lab.status()->companions.list[0].distance);
+}
+
+// The frame with which `auto` tests its choice is the frame of the companion, which must not take another step.
+TEST(Companions, OneWithTheMethodAutoIsTheRunWithIt) {
+  for (const char* id : {"grid_4x4", "rope_64"}) {
+    const Scene scene = load_scene(find_scene(id)).scene;
+    Scene automatic = scene;
+    automatic.settings.integrator = &automatic_method();
+    automatic.settings.tolerance = 1e-2;
+    Lab lab(scene), alone(automatic);
+    submit_and_apply(lab, SetCompanions{{{.name = "auto", .settings = automatic.settings}}});
+    for (int frame = 0; frame < 40; ++frame) {
+      run(lab, 1);
+      run(alone, 1);
+      lab.publish();
+      ASSERT_EQ(*lab.status()->companions.list[0].positions, alone.scene().state.position) << id << ", frame " << frame;
+    }
+  }
 }
 
 TEST(Companions, StartAgainAfterAnEditAndThoseWithAFormulaEnd) {

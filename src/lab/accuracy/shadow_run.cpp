@@ -10,7 +10,8 @@ void ShadowRun::begin_frame(const System& system, const Settings& settings, doub
 }
 
 void ShadowRun::substep() {
-  frame_.substep(plan_);
+  // `auto` may have computed all of the frame when it chose the method
+  if (!frame_.done()) frame_.substep(plan_);
   if (!frame_.done()) return;
   frame_.end(plan_, state_);
   is_in_frame_ = false;
