@@ -13,6 +13,7 @@ struct Motion {
   double time = 0.0;
   Field x, v;  // positions [m] and velocities [m/s]
   Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
+  // Nothing has changed x or v since the method's last step. Where forces depend on velocity, `a` may be at another one.
   bool acceleration_is_current = false;
   MethodMemory memory;
   // since the start of the frame

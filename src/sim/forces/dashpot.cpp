@@ -13,6 +13,8 @@
 
 #include <hwy/highway.h>
 
+#include "sim/forces/sweep_springs-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -39,63 +41,11 @@ struct Springs {
   }
 };
 
-template <int Dimensions, class V>
-HWY_INLINE V dot(const V* a, const V* b) {
-  V sum = hn::Mul(a[0], b[0]);
-  for (int c = 1; c < Dimensions; ++c) sum = hn::Add(sum, hn::Mul(a[c], b[c]));
-  return sum;
-}
-
-// Springs e, e + 1, ..., one per lane.
-template <int Dimensions, class D>
-struct ConsecutiveSprings {
-  D d;
-  Index e;
-  const Springs<Dimensions>& springs;
-  using V = hn::Vec<D>;
-
-  HWY_INLINE V load_decay() const { return hn::LoadU(d, springs.decay + e); }
-  HWY_INLINE void load_ends(const double* from, V& first, V& second) const {
-    first = hn::LoadU(d, from + e);
-    second = hn::LoadU(d, from + e + springs.stride);
-  }
-  HWY_INLINE void store_ends(V first, V second, double* to) const {
-    hn::StoreU(first, d, to + e);
-    hn::StoreU(second, d, to + e + springs.stride);
-  }
-};
-
-#if HWY_TARGET != HWY_SCALAR
-// Springs e, e + 2, ... of a row, one per lane, in the order in which InterleaveLower and InterleaveUpper separate the even elements of two
-// vectors from the odd ones and restore them.
-template <int Dimensions, class D>
-struct AlternateSprings {
-  D d;
-  Index e;
-  const Springs<Dimensions>& springs;
-  using V = hn::Vec<D>;
-
-  HWY_INLINE V load_decay() const {
-    return hn::InterleaveLower(d, hn::LoadU(d, springs.decay + e), hn::LoadU(d, springs.decay + e + hn::Lanes(d)));
-  }
-  HWY_INLINE void load_ends(const double* from, V& first, V& second) const {
-    const V low = hn::LoadU(d, from + e), high = hn::LoadU(d, from + e + hn::Lanes(d));
-    first = hn::InterleaveLower(d, low, high);
-    second = hn::InterleaveUpper(d, low, high);
-  }
-  HWY_INLINE void store_ends(V first, V second, double* to) const {
-    hn::StoreU(hn::InterleaveLower(d, first, second), d, to + e);
-    hn::StoreU(hn::InterleaveUpper(d, first, second), d, to + e + hn::Lanes(d));
-  }
-};
-#endif
-
 // Springs that share no point.
-template <int Dimensions, template <int, class> class Access, class D>
-HWY_INLINE void decay_independent(const Access<Dimensions, D>& access) {
-  using V = hn::Vec<D>;
-  const D d = access.d;
-  const Springs<Dimensions>& springs = access.springs;
+template <int Dimensions, class Access>
+HWY_INLINE void decay_independent(const Springs<Dimensions>& springs, const Access& access) {
+  using V = typename Access::V;
+  const auto d = access.d;
 
   V a[Dimensions], w[Dimensions], v1[Dimensions], v2[Dimensions];
   for (int c = 0; c < Dimensions; ++c) {
@@ -106,7 +56,8 @@ HWY_INLINE void decay_independent(const Access<Dimensions, D>& access) {
     w[c] = hn::Sub(v1[c], v2[c]);
   }
   const V length_squared = dot<Dimensions>(a, a);
-  const V g = hn::IfThenElseZero(hn::Ge(length_squared, hn::Set(d, min_length_squared)), hn::Div(access.load_decay(), length_squared));
+  const V g =
+      hn::IfThenElseZero(hn::Ge(length_squared, hn::Set(d, min_length_squared)), hn::Div(access.load(springs.decay), length_squared));
   const V p = hn::Mul(g, dot<Dimensions>(a, w));
 
   V inverse_mass1, inverse_mass2;
@@ -116,47 +67,54 @@ HWY_INLINE void decay_independent(const Access<Dimensions, D>& access) {
     access.store_ends(hn::Sub(v1[c], hn::Mul(p1, a[c])), hn::Add(v2[c], hn::Mul(p2, a[c])), springs.v[c]);
 }
 
-// Whole vectors of up to `Lanes` springs after the first `done` of the sweep; returns the new number of springs done.
+// The springs first, first + 1, .. of a run in a vector.
+template <int Dimensions, class D>
+HWY_INLINE void decay_vector(const Springs<Dimensions>& springs, D d, Index first) {
+  const auto at = static_cast<std::size_t>(first);
+  decay_independent(springs, ConsecutiveSprings<D>{d, at, static_cast<std::size_t>(springs.stride), at});
+}
+
+// Vectors of up to `Lanes` springs, no more than the stride, and what is left of the run in one that is not full.
 template <Sweep sweep, int Lanes, int Dimensions>
-HWY_INLINE Index decay_consecutive(const Springs<Dimensions>& springs, Index done) {
+HWY_INLINE void decay_vectors(const Springs<Dimensions>& springs) {
   const hn::CappedTag<double, Lanes> d;
-  const Index lanes = static_cast<Index>(hn::Lanes(d));
-  for (; done + lanes <= springs.count; done += lanes)
-    decay_independent(
-        ConsecutiveSprings<Dimensions, decltype(d)>{d, sweep == Sweep::Forward ? done : springs.count - done - lanes, springs});
-  return done;
+  const Index lanes = static_cast<Index>(hn::Lanes(d)), rest = springs.count % lanes;
+  for (Index done = 0; done + lanes <= springs.count; done += lanes)
+    decay_vector(springs, d, sweep == Sweep::Forward ? done : springs.count - done - lanes);
+  const Index first = sweep == Sweep::Forward ? springs.count - rest : 0;
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (hn::MaxLanes(d) >= 4) {
+    if (rest > 1) {
+      const auto at = static_cast<std::size_t>(first);
+      return decay_independent(springs, LastSprings<decltype(d)>(d, at, static_cast<std::size_t>(springs.stride), at, rest));
+    }
+  }
+#endif
+  if (rest == 1) decay_vector(springs, hn::CappedTag<double, 1>(), first);
 }
 
 template <Sweep sweep, int Dimensions>
 HWY_INLINE void decay_run(const Springs<Dimensions>& springs) {
-  Index done = 0;
-  if (springs.stride >= 8) done = decay_consecutive<sweep, 8>(springs, done);
-  if (springs.stride >= 4) done = decay_consecutive<sweep, 4>(springs, done);
-  if (springs.stride >= 2) done = decay_consecutive<sweep, 2>(springs, done);
-  decay_consecutive<sweep, 1>(springs, done);
+  if (springs.stride >= 8) return decay_vectors<sweep, 8>(springs);
+  if (springs.stride >= 4) return decay_vectors<sweep, 4>(springs);
+  decay_vectors<sweep, 2>(springs);
 }
 
-#if HWY_TARGET != HWY_SCALAR
-// Springs e, e + 2, ... in whole vectors of up to `Lanes`; returns the first one left.
-template <int Lanes, int Dimensions>
-HWY_INLINE Index decay_alternate(const Springs<Dimensions>& springs, Index e) {
-  const hn::CappedTag<double, Lanes> d;
-  const Index step = 2 * static_cast<Index>(hn::Lanes(d));
-  for (; e + step <= springs.count + 1; e += step) decay_independent(AlternateSprings<Dimensions, decltype(d)>{d, e, springs});
-  return e;
-}
-#endif
-
-// Every other spring of a row starting at `e`: they share no points, so their order does not matter.
+// Every other spring of a row starting at `first`: they share no points, so their order does not matter.
 template <int Dimensions>
-HWY_INLINE void decay_half_row(const Springs<Dimensions>& springs, Index e) {
+HWY_INLINE void decay_half_row(const Springs<Dimensions>& springs, Index first) {
 #if HWY_TARGET != HWY_SCALAR
-  e = decay_alternate<8>(springs, e);
-  e = decay_alternate<4>(springs, e);
-  e = decay_alternate<2>(springs, e);
+  const hn::ScalableTag<double> d;
+  const Index lanes = static_cast<Index>(hn::Lanes(d));
+  for (; first + 2 * lanes <= springs.count + 1; first += 2 * lanes)
+    decay_independent(springs, AlternateSprings<decltype(d)>{d, static_cast<std::size_t>(first), static_cast<std::size_t>(first)});
+  if constexpr (hn::MaxLanes(d) >= 4) {
+    const Index rest = (springs.count + 1 - first) / 2;
+    const auto at = static_cast<std::size_t>(first);
+    if (rest > 1) return decay_independent(springs, LastAlternateSprings<decltype(d)>(d, at, at, rest));
+  }
 #endif
-  const hn::CappedTag<double, 1> single;
-  for (; e < springs.count; e += 2) decay_independent(ConsecutiveSprings<Dimensions, decltype(single)>{single, e, springs});
+  for (; first < springs.count; first += 2) decay_vector(springs, hn::CappedTag<double, 1>(), first);
 }
 
 template <Sweep sweep, int Dimensions>
@@ -165,8 +123,7 @@ void decay_all(const Plan& plan, const double* decay, const double* x, double* v
   for (std::size_t r = 0; r < runs; ++r) {
     const Springs<Dimensions> springs(plan, plan.runs[sweep == Sweep::Forward ? r : runs - 1 - r], decay, x, v);
     if (springs.count == 1) {
-      const hn::CappedTag<double, 1> single;
-      decay_independent(ConsecutiveSprings<Dimensions, decltype(single)>{single, 0, springs});
+      decay_vector(springs, hn::CappedTag<double, 1>(), 0);
     } else if (springs.stride > 1) {
       decay_run<sweep>(springs);
     } else {
@@ -204,7 +161,9 @@ void decay_dashpots(const Plan& plan, const std::vector<double>& decay, Sweep sw
 }
 
 void plan_dashpot_decay(const Plan& plan, double duration, std::vector<double>& decay) {
-  decay.assign(plan.damping.size() + 1, 0.0);
+  // vectors of every other spring that are not full read on
+  constexpr std::size_t padding = 16;
+  decay.assign(plan.damping.size() + padding, 0.0);
   // consecutive springs are usually equal, and exponentials are expensive
   double previous_exponent = 0.0, decay_fraction = 0.0;
   for (const SpringRun& run : plan.runs)

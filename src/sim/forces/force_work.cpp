@@ -39,8 +39,8 @@ double air_work(const Plan& plan, const Field& start, const Field& end) {
 void ForceWork::begin_frame(const Plan& plan, const Motion& motion) {
   power_is_current_ = false;
   has_power_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
-  is_alone_ = !plan.held && !plan.pull && air_acceleration(plan) == Vec3(0.0) &&
-              std::ranges::none_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
+  has_potential_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
+  is_alone_ = !plan.held && !plan.pull && air_acceleration(plan) == Vec3(0.0) && !has_potential_;
   if (!has_work(plan)) return;
   x_.resize(motion.x.size());
   if (plan.forces.empty()) return;
@@ -103,7 +103,7 @@ void ForceWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_
   if (!has_work(plan)) return;
   if (is_moved) power_is_current_ = false;
   double reversible = air_work(plan, x_, motion.x);
-  if (!plan.forces.empty()) {
+  if (has_potential_) {
     const double middle = time_ + 0.5 * h;
     // A held point is moved by the hand, not by the forces: for the potentials, which may depend on all points together, it stays at the
     // middle of its path.

@@ -39,10 +39,14 @@ void compute_external_forces(const Plan& plan, double time, const Field& x, cons
   add_force_terms(plan, time, x, v, f);
 }
 
-void compute_position_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+void compute_unlisted_forces(const Plan& plan, double time, const Field& x, Field& f) {
   set_gravity(plan, f);
   add_spring_forces(plan, x.data(), nullptr, f.data());
   if (plan.pull) add_pull(plan, time, x, f);
+}
+
+void compute_position_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+  compute_unlisted_forces(plan, time, x, f);
   add_force_terms(plan, time, x, v, f);
 }
 

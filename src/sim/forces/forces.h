@@ -1,5 +1,5 @@
 // The forces of a scene, in the layout of the Plan. Deterministic: the order of every sum is fixed by the Plan and independent of the width
-// of the vector units. Three nested sets, because methods split them differently.
+// of the vector units. Nested sets, because methods split them differently.
 #pragma once
 
 #include "sim/motion.h"
@@ -9,6 +9,9 @@ namespace hooke {
 // f [N] of gravity, springs, the hand's pull and the listed forces: everything but dashpots and drag. The constant part of drag,
 // drag * wind, is included. Only listed forces depend on the velocities.
 void compute_position_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
+
+// The same without the listed forces, which alone may depend on the velocities.
+void compute_unlisted_forces(const Plan& plan, double time, const Field& x, Field& f);
 
 // f [N] of gravity, drag * wind and the listed forces: external to the network, for methods that treat springs and the hand's
 // pull as constraints.

@@ -2,7 +2,7 @@
 // with E = e^(-c h/2), phi = (1 - E) / c (h/2 when c = 0). Dashpots are split off: each is solved exactly, in a forward
 // sweep of h/2 before and a backward sweep of h/2 after (dashpot.h). Second order, symplectic when undamped,
 // stable for h omega < 2 whatever the dashpots. Forces that depend on velocity are evaluated at v for the first kick and at
-// E v + phi a for the last one, which keeps the second order and costs a second evaluation per step.
+// E v + phi a for the last one, which keeps the second order and costs a second evaluation of them per step.
 #include <cmath>
 
 #include "sim/forces/dashpot.h"
@@ -16,7 +16,7 @@ namespace hooke {
 namespace {
 
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
-  work.size_fields(2, motion);
+  work.size_fields(plan.forces_depend_on_velocity ? 3 : 1, motion);
   if (plan.has_dashpots()) plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
 }
 
@@ -36,8 +36,29 @@ void accelerate_and_kick_half(const Plan& plan, double time, Motion& motion, dou
   }
 }
 
-void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
-  if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
+// With forces that depend on velocity: the two evaluations at the end of a step and at the start of the next have the same `unlisted`
+// forces.
+void accelerate_with_velocity(const Plan& plan, double time, const Field& unlisted, const Field& v, Motion& motion) {
+  motion.a = unlisted;
+  add_force_terms(plan, time, motion.x, v, motion.a);
+  divide_by_mass(plan, motion.a);
+  ++motion.force_evaluations;
+}
+
+void kick_and_drift_with_velocity(const Plan& plan, Motion& motion, Workspace& work, double h) {
+  Field &velocity = work.fields[1], &unlisted = work.fields[2];
+  if (!motion.acceleration_is_current) compute_unlisted_forces(plan, motion.time, motion.x, unlisted);
+  accelerate_with_velocity(plan, motion.time, unlisted, motion.v, motion);
+  kick(plan, motion, 0.5 * h);
+  drift(motion, h);
+  // the velocity at the end of the step
+  predict_velocity(plan, motion, 0.5 * h, velocity);
+  compute_unlisted_forces(plan, motion.time + h, motion.x, unlisted);
+  accelerate_with_velocity(plan, motion.time + h, unlisted, velocity, motion);
+  kick(plan, motion, 0.5 * h);
+}
+
+void kick_and_drift_alone(const Plan& plan, Motion& motion, double h) {
   if (!motion.acceleration_is_current && can_accelerate_and_kick(plan)) {
     accelerate_and_kick(plan, motion.time, motion, 0.5 * h, h);
     ++motion.force_evaluations;
@@ -46,18 +67,16 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
     kick(plan, motion, 0.5 * h);
     drift(motion, h);
   }
+  accelerate_and_kick_half(plan, motion.time + h, motion, h);
+}
 
-  if (plan.forces_depend_on_velocity) {
-    // the velocity at the end of the step
-    Field& velocity = work.fields[1];
-    predict_velocity(plan, motion, 0.5 * h, velocity);
-    accelerate(plan, motion.time + h, velocity, motion);
-    kick(plan, motion, 0.5 * h);
-  } else {
-    accelerate_and_kick_half(plan, motion.time + h, motion, h);
-  }
-  motion.acceleration_is_current = !plan.forces_depend_on_velocity;
-
+void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
+  if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
+  if (plan.forces_depend_on_velocity)
+    kick_and_drift_with_velocity(plan, motion, work, h);
+  else
+    kick_and_drift_alone(plan, motion, h);
+  motion.acceleration_is_current = true;
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
   motion.dashpot_sweeps += plan.has_dashpots() ? 2 : 0;
 }

@@ -79,6 +79,22 @@ void use_face(const Plan& plan, const std::array<Index, 3>& face, const Vec3& wi
   use(face, Flow{0.5 * length, normal, across, past - across * normal});
 }
 
+// A third of the force on a face. With N of twice its area, q = u.N / N.N and u_t = u - q N:
+//   A a |u.n| (u.n) n = a/2 |u.N| q N,  A b |u_t| u_t = b/2 sqrt(N.N u_t.u_t) u_t
+// with a division and a square root.
+Vec3 force_on_corner(const Plan& plan, const std::array<Index, 3>& face, const Wind& wind, const double* x, const double* v) {
+  const auto& [i, j, k] = face;
+  const Vec3 a = vector_at(plan, x, i), twice_area = glm::cross(vector_at(plan, x, j) - a, vector_at(plan, x, k) - a);
+  const double square = glm::dot(twice_area, twice_area);
+  if (square < min_square_of_area) return Vec3(0.0);
+  const Vec3 past = wind.velocity - 1.0 / 3.0 * (vector_at(plan, v, i) + vector_at(plan, v, j) + vector_at(plan, v, k));
+  const double flux = glm::dot(past, twice_area), across = flux / square;
+  const Vec3 along = past - across * twice_area;
+  const double of_normal = wind.normal / 6.0 * std::abs(flux) * across,
+               of_tangential = wind.tangential / 6.0 * std::sqrt(square * glm::dot(along, along));
+  return of_normal * twice_area + of_tangential * along;
+}
+
 constexpr double pi = 3.14159265358979323846;
 
 // For each point, in scenes without faces: a pi r^2.
@@ -97,11 +113,9 @@ void for_each_force(const Plan& plan, const ForceValues& values, double time, co
       f += 2 * cells;
       continue;
     }
-    use_face(plan, plan.faces[static_cast<std::size_t>(f++)], wind.velocity, x, v, [&](const auto& corners, const Flow& flow) {
-      const Vec3 force = flow.area * (wind.normal * std::abs(flow.across) * flow.across * flow.normal +
-                                      wind.tangential * glm::length(flow.along) * flow.along);
-      for (const Index corner : corners) use(corner, force / 3.0);
-    });
+    const std::array<Index, 3>& face = plan.faces[static_cast<std::size_t>(f++)];
+    const Vec3 force = force_on_corner(plan, face, wind, x, v);
+    for (const Index corner : face) use(corner, force);
   }
   if (!plan.faces.empty()) return;
 

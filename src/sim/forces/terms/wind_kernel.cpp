@@ -30,10 +30,6 @@ HWY_INLINE Air<V> scaled(V s, const Air<V>& a) {
   return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
 }
 template <class V>
-HWY_INLINE Air<V> divided(const Air<V>& a, V s) {
-  return {hn::Div(a.x, s), hn::Div(a.y, s), hn::Div(a.z, s)};
-}
-template <class V>
 HWY_INLINE V dot_product(const Air<V>& a, const Air<V>& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
@@ -54,22 +50,19 @@ HWY_INLINE Air<V> load_points(D d, const Plan& plan, const double* field, Index 
   return {hn::LoadU(d, field + i), hn::LoadU(d, field + n + i), plan.dimensions == 3 ? hn::LoadU(d, field + 2 * n + i) : hn::Zero(d)};
 }
 
-// A third of the force on the faces with these corners; zero on those without an area.
+// As force_on_corner in wind.cpp.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Air<V> force_on_corners(D d, const Wind& wind, const Air<V>* x, const Air<V>* v) {
-  const V zero = hn::Zero(d), three = hn::Set(d, 3.0);
   const Air<V> twice_area = cross_product(minus(x[1], x[0]), minus(x[2], x[0]));
-  const V length = hn::Sqrt(dot_product(twice_area, twice_area));
-  const Air<V> normal = divided(twice_area, length),
-               velocity{hn::Set(d, wind.velocity.x), hn::Set(d, wind.velocity.y), hn::Set(d, wind.velocity.z)};
-  const Air<V> past = minus(velocity, divided(plus(plus(v[0], v[1]), v[2]), three));
-  const V across = dot_product(past, normal);
-  const Air<V> along = minus(past, scaled(across, normal));
-  const V of_normal = hn::Mul(hn::Mul(hn::Set(d, wind.normal), hn::Abs(across)), across);
-  const V of_tangential = hn::Mul(hn::Set(d, wind.tangential), hn::Sqrt(dot_product(along, along)));
-  const V area = hn::Mul(hn::Set(d, 0.5), length);
-  const Air<V> force = divided(scaled(area, plus(scaled(of_normal, normal), scaled(of_tangential, along))), three);
-  const auto is_flat = hn::Eq(length, zero);
+  const V square = dot_product(twice_area, twice_area);
+  const Air<V> velocity{hn::Set(d, wind.velocity.x), hn::Set(d, wind.velocity.y), hn::Set(d, wind.velocity.z)};
+  const Air<V> past = minus(velocity, scaled(hn::Set(d, 1.0 / 3.0), plus(plus(v[0], v[1]), v[2])));
+  const V flux = dot_product(past, twice_area), across = hn::Div(flux, square);
+  const Air<V> along = minus(past, scaled(across, twice_area));
+  const V of_normal = hn::Mul(hn::Mul(hn::Set(d, wind.normal / 6.0), hn::Abs(flux)), across);
+  const V of_tangential = hn::Mul(hn::Set(d, wind.tangential / 6.0), hn::Sqrt(hn::Mul(square, dot_product(along, along))));
+  const Air<V> force = plus(scaled(of_normal, twice_area), scaled(of_tangential, along));
+  const auto is_flat = hn::Lt(square, hn::Set(d, min_square_of_area));
   return {hn::IfThenZeroElse(is_flat, force.x), hn::IfThenZeroElse(is_flat, force.y), hn::IfThenZeroElse(is_flat, force.z)};
 }
 
@@ -82,7 +75,7 @@ struct CellCorners {
            load_points(d, plan, field, j + 1)} {}
 };
 
-// use(d, cell, corners of x, corners of v, force on each corner of the first face, and of the second) for the cells.
+// use(d, cell, corners of v, force on each corner of the first face, and of the second) for the cells, for some of them twice.
 template <class Use>
 HWY_INLINE void for_cells(const Plan& plan, const Wind& wind, Index i, Index j, Index cells, const double* x, const double* v,
                           const Use& use) {
@@ -101,6 +94,8 @@ HWY_INLINE void for_cells(const Plan& plan, const Wind& wind, Index i, Index j, 
   const Index lanes = static_cast<Index>(hn::Lanes(wide));
   Index cell = 0;
   for (; cell + lanes <= cells; cell += lanes) compute(wide, cell);
+  // the rest again with cells before them: a vector takes no longer than one cell
+  if (cell < cells && cells >= lanes) return compute(wide, cells - lanes);
   for (; cell < cells; ++cell) compute(single, cell);
 }
 
@@ -143,19 +138,36 @@ double power_on_cells(const Plan& plan, const Wind& wind, Index first, Index cel
   const Index i = plan.faces[static_cast<std::size_t>(first)][0], j = plan.faces[static_cast<std::size_t>(first)][1];
   for_cells(plan, wind, i, j, cells, x, v,
             [&](auto d, Index cell, const auto* velocity, const auto& on_first, const auto& on_second) HWY_ATTR {
+              using V = hn::Vec<decltype(d)>;
               const Index point[] = {i + cell, j + cell, i + cell + 1, j + cell + 1};
-              const auto power_at = [&](int corner, const auto& force) HWY_ATTR {
+              Air<V> free[4];
+              for (int corner = 0; corner < 4; ++corner) {
                 const auto is_fixed = hn::Eq(hn::LoadU(d, plan.inverse_mass.data() + point[corner]), hn::Zero(d));
-                return hn::IfThenZeroElse(is_fixed, dot_product(force, velocity[corner]));
-              };
-              const auto of_first = hn::Add(hn::Add(power_at(0, on_first), power_at(1, on_first)), power_at(2, on_first));
-              const auto of_second = hn::Add(hn::Add(power_at(2, on_second), power_at(1, on_second)), power_at(3, on_second));
+                const Air<V>& of_corner = velocity[corner];
+                free[corner] = {hn::IfThenZeroElse(is_fixed, of_corner.x), hn::IfThenZeroElse(is_fixed, of_corner.y),
+                                hn::IfThenZeroElse(is_fixed, of_corner.z)};
+              }
+              const Air<V> of_both = plus(free[1], free[2]);
+              const V of_first = dot_product(on_first, plus(free[0], of_both)), of_second = dot_product(on_second, plus(of_both, free[3]));
               hn::StoreU(hn::Add(of_first, of_second), d, power + cell);
             });
   // cell by cell, so that the sum does not depend on the width of the vectors
   double sum = 0.0;
   for (Index cell = 0; cell < cells; ++cell) sum += power[cell];
   return sum;
+}
+
+// How many cells in a row have the first one's faces with all corners one larger in each than in the one before; up to `max`.
+Index count_same_cells(const Index* corners, Index max) {
+  constexpr Index corners_of_cell = 6;
+  const hn::ScalableTag<Index> d;
+  const Index lanes = static_cast<Index>(hn::Lanes(d)), end = corners_of_cell * (max - 1);
+  const auto one = hn::Set(d, 1);
+  Index at = 0;
+  for (; at + lanes <= end; at += lanes)
+    if (!hn::AllTrue(d, hn::Eq(hn::Sub(hn::LoadU(d, corners + at + corners_of_cell), hn::LoadU(d, corners + at)), one))) break;
+  while (at < end && corners[at + corners_of_cell] == corners[at] + 1) ++at;
+  return 1 + at / corners_of_cell;
 }
 
 }  // namespace hooke::HWY_NAMESPACE
@@ -166,6 +178,7 @@ namespace hooke {
 
 HWY_EXPORT(add_on_cells);
 HWY_EXPORT(power_on_cells);
+HWY_EXPORT(count_same_cells);
 
 Index count_cells(const Plan& plan, Index first) {
   constexpr Index min_cells = 4, max_cells = max_cells_at_once;
@@ -175,13 +188,9 @@ Index count_cells(const Plan& plan, Index first) {
   const Index i = face[0][0], j = face[0][1];
   // the points of both rows are different ones
   const Index max = std::min({max_cells, (end - first) / 2, std::max(i, j) - std::min(i, j) - 1});
-  Index cells = 0;
-  for (; cells < max; ++cells) {
-    const Index a = i + cells, b = j + cells;
-    const auto &upper = face[2 * cells], &lower = face[2 * cells + 1];
-    const bool fits = upper[0] == a && upper[1] == b && upper[2] == a + 1 && lower[0] == a + 1 && lower[1] == b && lower[2] == b + 1;
-    if (!fits) break;
-  }
+  const bool fits = face[0][2] == i + 1 && face[1][0] == i + 1 && face[1][1] == j && face[1][2] == j + 1;
+  if (!fits || max < min_cells) return 0;
+  const Index cells = HWY_DYNAMIC_DISPATCH(count_same_cells)(face->data(), max);
   return cells < min_cells ? 0 : cells;
 }
 

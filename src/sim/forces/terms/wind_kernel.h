@@ -1,6 +1,8 @@
 // Moving air on rows of faces, by vectors.
 #pragma once
 
+#include <limits>
+
 #include "sim/plan.h"
 
 namespace hooke {
@@ -10,6 +12,9 @@ struct Wind {
   Vec3 velocity{0.0};                     // [m/s]
   double normal = 0.0, tangential = 0.0;  // [kg/m^3], a and b
 };
+
+// [m^4], of twice the area of a face: smaller ones feel no wind, since they have no direction that could be computed.
+inline constexpr double min_square_of_area = std::numeric_limits<double>::min();
 
 // Longer rows are taken in parts.
 inline constexpr Index max_cells_at_once = 256;
