@@ -12,7 +12,7 @@ namespace hooke {
 
 std::optional<std::string> overlap_warning(const System& system, const State& state) {
   if (!system.contact.points || system.point_count() == 0) return std::nullopt;
-  const Plan plan = make_plan(system);
+  const Plan plan = make_plan(system, Numbering::AsListed);
   Motion motion;
   pack(plan, state, motion);
   std::vector<double> extent;

@@ -1,7 +1,6 @@
 #include "sim/grid.h"
 
 #include <algorithm>
-#include <map>
 #include <tuple>
 
 #include "sim/plan.h"
@@ -37,16 +36,19 @@ class Neighbors {
   }
   bool has(Index i, Index offset) const { return find(i, offset) != no_index; }
 
-  // The offsets that most springs have, of those that can be the width of a grid.
+  // The offsets that most springs have, of those that can be the width of a grid: two of its rows are joined by springs at more than half
+  // of their points.
   std::vector<Index> common_offsets() const {
-    std::map<Index, Index> count_of;
+    std::vector<Index> count(static_cast<std::size_t>(Grid::max_columns) + 1, 0);
     for (const Item& item : springs_)
-      if (item.offset >= min_columns && item.offset <= Grid::max_columns) ++count_of[item.offset];
+      if (item.offset >= min_columns && item.offset <= Grid::max_columns) ++count[item.offset];
     std::vector<Index> offsets;
-    for (const auto& [offset, count] : count_of) offsets.push_back(offset);
-    std::ranges::stable_sort(offsets, [&](Index a, Index b) { return count_of[a] > count_of[b]; });
+    for (Index offset = 0; offset <= Grid::max_columns; ++offset)
+      if (count[offset] > 0) offsets.push_back(offset);
+    std::ranges::stable_sort(offsets, [&](Index a, Index b) { return count[a] > count[b]; });
     constexpr std::size_t max_offsets = 16;
     offsets.resize(std::min(offsets.size(), max_offsets));
+    std::erase_if(offsets, [&](Index offset) { return 2 * count[offset] <= offset; });
     return offsets;
   }
 

@@ -24,8 +24,9 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
     double* x = motion.x.data() + static_cast<std::size_t>(c) * plan.points;
     double* v = motion.v.data() + static_cast<std::size_t>(c) * plan.points;
     for (Index i = 0; i < plan.points; ++i) {
-      x[i] = state.position[i][c];
-      v[i] = plan.inverse_mass[i] == 0.0 ? 0.0 : state.velocity[i][c];
+      const Index listed = plan.listed_index(i);
+      x[i] = state.position[listed][c];
+      v[i] = plan.inverse_mass[i] == 0.0 ? 0.0 : state.velocity[listed][c];
     }
   }
   motion.acceleration_is_current = false;
@@ -43,8 +44,9 @@ void unpack(const Plan& plan, const Motion& motion, State& state) {
     const double* x = motion.x.data() + static_cast<std::size_t>(c) * plan.points;
     const double* v = motion.v.data() + static_cast<std::size_t>(c) * plan.points;
     for (Index i = 0; i < plan.points; ++i) {
-      state.position[i][c] = x[i];
-      state.velocity[i][c] = v[i];
+      const Index listed = plan.listed_index(i);
+      state.position[listed][c] = x[i];
+      state.velocity[listed][c] = v[i];
     }
   }
 }

@@ -3,61 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <tuple>
 
 #include "sim/contact/contact.h"
 #include "sim/hand.h"
+#include "sim/numbering/point_order.h"
+#include "sim/numbering/spring_runs.h"
 #include "sim/portable_math.h"
 #include "sim/spectrum_rows.h"
 #include "sim/state.h"
 
 namespace hooke {
 namespace {
-
-constexpr Index max_run_length = 512;
-
-// Consecutive springs with consecutive ends form a run.
-void find_runs(Plan& plan, const System& system) {
-  struct Ends {
-    Index first, second, spring;
-  };
-  std::vector<Ends> ends;
-  ends.reserve(system.springs().size());
-  for (Index s = 0; s < system.spring_count(); ++s) {
-    const Spring& spring = system.springs()[s];
-    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
-    ends.push_back({std::min(i, j), std::max(i, j), s});
-  }
-
-  // sorted by offset, then index, springs form runs; sorted by the index of their first spring, the runs are in the order of the points, so
-  // that neighboring runs find their points in the cache
-  std::sort(ends.begin(), ends.end(), [](const Ends& a, const Ends& b) {
-    return std::tuple(a.second - a.first, a.first, a.spring) < std::tuple(b.second - b.first, b.first, b.spring);
-  });
-  struct Found {
-    std::size_t begin;
-    Index count;
-  };
-  std::vector<Found> found;
-  for (std::size_t e = 0; e < ends.size(); ++e) {
-    // split into some hundred springs, so that runs along the whole scene do not evict the cache for each direction
-    const bool continues = !found.empty() && found.back().count < max_run_length && ends[e].first == ends[e - 1].first + 1 &&
-                           ends[e].second == ends[e - 1].second + 1;
-    if (continues)
-      ++found.back().count;
-    else
-      found.push_back({e, 1});
-  }
-  std::stable_sort(found.begin(), found.end(), [&](const Found& a, const Found& b) { return ends[a.begin].first < ends[b.begin].first; });
-
-  plan.runs.clear();
-  plan.spring_index.clear();
-  plan.spring_index.reserve(ends.size());
-  for (const Found& run : found) {
-    plan.runs.push_back({static_cast<Index>(plan.spring_index.size()), ends[run.begin].first, ends[run.begin].second, run.count});
-    for (Index e = 0; e < run.count; ++e) plan.spring_index.push_back(ends[run.begin + e].spring);
-  }
-}
 
 // Restricts a collider to points in the plane z = 0: spheres move into the plane, planes and boxes become perpendicular to it, and
 // all motion is within it. False if a plane is parallel to it: it is not a collider there.
@@ -149,6 +105,7 @@ void plan_forces(Plan& plan, const System& system) {
 // `prepared` has the forces of the system.
 Spectrum bound_spectrum(const System& system, const Plan& prepared, double point_speed);
 
+// Of points of the System.
 PlannedPull plan_pull(const System& system, const Grab& grab) {
   PlannedPull pull{.stiffness = grab.stiffness};
   pull.parts[0].point = system.index_of(grab.point);
@@ -158,14 +115,15 @@ PlannedPull plan_pull(const System& system, const Grab& grab) {
   return pull;
 }
 
-// Releases the held point, and holds this one.
-void set_held_point(Plan& plan, const System& system, std::optional<Index> point) {
-  if (plan.held) plan.inverse_mass[*plan.held] = system.points()[*plan.held].nailed ? 0.0 : 1.0 / system.points()[*plan.held].mass;
-  plan.held = point;
+// Releases the held point, and holds this one of the Plan.
+void set_held_point(Plan& plan, const System& system, std::optional<Index> number) {
+  const auto held_point = [&]() -> const Point& { return system.points()[plan.listed_index(*plan.held)]; };
+  if (plan.held) plan.inverse_mass[*plan.held] = held_point().nailed ? 0.0 : 1.0 / held_point().mass;
+  plan.held = number;
   plan.held_springs.clear();
   if (!plan.held) return;
   plan.inverse_mass[*plan.held] = 0.0;
-  plan.held_mass = system.points()[*plan.held].nailed ? 0.0 : system.points()[*plan.held].mass;
+  plan.held_mass = held_point().nailed ? 0.0 : held_point().mass;
   for (const SpringRun& run : plan.runs)
     for (const auto& [held_end, other_end] : {std::pair{run.first, run.second}, std::pair{run.second, run.first}})
       if (const Index e = *plan.held - held_end; e >= 0 && e < run.count) plan.held_springs.push_back({run.begin + e, other_end + e});
@@ -184,11 +142,27 @@ void add_pull_rows(const System& system, std::vector<double>& row) {
 
 }  // namespace
 
-Plan make_plan(const System& system) {
+namespace {
+
+// Numbers the points, and finds the runs of springs between them.
+void plan_runs(Plan& plan, const System& system, Numbering numbering) {
+  std::vector<EdgeEnds> ends = spring_ends(system);
+  if (numbering == Numbering::Fastest && plan.springs >= min_springs_of_grids) plan.point_index = choose_point_order(system, ends);
+  if (!plan.point_index.empty()) {
+    plan.point_number.resize(plan.point_index.size());
+    for (Index i = 0; i < plan.points; ++i) plan.point_number[plan.point_index[i]] = i;
+    for (auto& [first, second] : ends) first = plan.point_number[first], second = plan.point_number[second];
+  }
+  find_runs(ends, plan.runs, plan.spring_index);
+}
+
+}  // namespace
+
+Plan make_plan(const System& system, Numbering numbering) {
   Plan plan;
   plan.points = system.point_count();
   plan.springs = system.spring_count();
-  find_runs(plan, system);
+  plan_runs(plan, system, numbering);
   if (plan.springs >= min_springs_of_grids)
     plan.grids = find_grids(plan.runs, plan.points, plan.loose_runs);
   else
@@ -196,6 +170,29 @@ Plan make_plan(const System& system) {
   refresh_values(plan, system);
   return plan;
 }
+
+namespace {
+
+// The System with its points in the order of the Plan.
+System in_order_of(const Plan& plan, const System& system) {
+  std::vector<Point> points;
+  points.reserve(system.points().size());
+  for (const Index i : plan.point_index) points.push_back(system.points()[i]);
+  System ordered = system;
+  ordered.set_points(std::move(points));
+  return ordered;
+}
+
+// What refers to points by their numbers, and the bounds. `system` has its points in the order of the Plan if any of these lists is not
+// empty.
+void refresh_lists_of_points(Plan& plan, const System& system) {
+  plan.pairs = plan_pairs(system);
+  plan.surface = plan_surface(system);
+  plan_forces(plan, system);
+  plan.spectrum = bound_spectrum(system, plan, 0.0);
+}
+
+}  // namespace
 
 void refresh_values(Plan& plan, const System& system) {
   plan.dimensions = system.dimensions;
@@ -209,15 +206,18 @@ void refresh_values(Plan& plan, const System& system) {
   plan.mass.resize(plan.points);
   plan.inverse_mass.resize(plan.points);
   for (Index i = 0; i < plan.points; ++i) {
-    const Point& point = system.points()[i];
+    const Point& point = system.points()[plan.listed_index(i)];
     plan.mass[i] = point.mass;
     plan.inverse_mass[i] = point.nailed ? 0.0 : 1.0 / point.mass;
   }
   if (system.grab && system.grab->kind == GrabKind::Hold)
-    set_held_point(plan, system, system.index_of(system.grab->point));
+    set_held_point(plan, system, plan.number_of(system.index_of(system.grab->point)));
   else
     set_held_point(plan, system, std::nullopt);
-  if (system.grab && system.grab->kind == GrabKind::Pull) plan.pull = plan_pull(system, *system.grab);
+  if (system.grab && system.grab->kind == GrabKind::Pull) {
+    plan.pull = plan_pull(system, *system.grab);
+    for (int part = 0; part < plan.pull->count; ++part) plan.pull->parts[part].point = plan.number_of(plan.pull->parts[part].point);
+  }
 
   plan.stiffness.resize(plan.springs);
   plan.rest_length.resize(plan.springs);
@@ -235,14 +235,14 @@ void refresh_values(Plan& plan, const System& system) {
   plan_length_limits(plan, system);
   refresh_grids(plan);
   plan_colliders(plan, system);
-  plan.pairs = plan_pairs(system);
-  plan.surface = plan_surface(system);
-  plan_forces(plan, system);
+  const bool has_lists = system.contact.any() || std::ranges::any_of(system.forces, &Force::on);
+  if (has_lists && !plan.point_index.empty())
+    refresh_lists_of_points(plan, in_order_of(plan, system));
+  else
+    refresh_lists_of_points(plan, system);
   plan.radius.clear();
   if (plan.has_contact() || !plan.forces.empty())
-    for (const Point& point : system.points()) plan.radius.push_back(point.radius);
-
-  plan.spectrum = bound_spectrum(system, plan, 0.0);
+    for (Index i = 0; i < plan.points; ++i) plan.radius.push_back(system.points()[plan.listed_index(i)].radius);
 }
 
 void refresh_grids(Plan& plan) {
@@ -280,7 +280,7 @@ void prepare_hand(Plan& plan, const System& system, const State& state, double d
   // a scripted hand grabs and releases its point between frames
   const std::optional<ActiveGrab> grab = active_grab(system, state, duration);
   std::optional<Index> held;
-  if (grab && grab->kind == GrabKind::Hold) held = system.index_of(grab->point);
+  if (grab && grab->kind == GrabKind::Hold) held = plan.number_of(system.index_of(grab->point));
   if (plan.held != held) set_held_point(plan, system, held);
 
   if (plan.pull) {

@@ -85,6 +85,10 @@ struct Spectrum {
 };
 
 struct Plan {
+  // Points have the numbers in which they are stepped fastest (numbering/point_order.h). Empty: those of the System.
+  std::vector<Index> point_index;   // of the planned point, in the System
+  std::vector<Index> point_number;  // of the System's point, in the Plan
+
   Index points = 0;
   Index springs = 0;
   int dimensions = 3;
@@ -129,6 +133,10 @@ struct Plan {
 
   Execution execution;  // set by whoever steps; a new plan is stepped by one thread in double precision
 
+  // From the index of a point in the System to that in the Plan, and back.
+  Index number_of(Index listed) const { return point_number.empty() ? listed : point_number[listed]; }
+  Index listed_index(Index number) const { return point_index.empty() ? number : point_index[number]; }
+
   bool has_contact() const { return !colliders.empty() || touches_itself(); }
   bool touches_itself() const { return pairs.on || surface.on; }
   bool has_dashpots() const { return !damping.empty(); }
@@ -150,8 +158,11 @@ struct Plan {
 // recordings of earlier versions replay with the same bits.
 inline constexpr Index min_springs_of_grids = 256;
 
-// Compiles the structure and the values. O(springs log springs).
-Plan make_plan(const System& system);
+enum class Numbering { Fastest, AsListed };
+
+// Compiles the structure and the values. O(springs log springs). AsListed: points have the numbers of the System, for diagnoses that use
+// both.
+Plan make_plan(const System& system, Numbering numbering = Numbering::Fastest);
 
 // Updates values (masses, nails, stiffness, damping, rest lengths, forces, colliders) after edits that did not change the lists of points
 // and springs. The hand is set by prepare_hand.

@@ -79,11 +79,11 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   const std::optional<ActiveGrab> grab = active_grab(system, state, duration_);
   const Vec3 from = grab && !system.grab ? state.position[system.index_of(grab->point)] : state.hand.position;
   target_ = grab ? clamp_hand_target(system, from, grab->target, duration_) : Vec3(0.0);
-  const Vec3 displacement = !grab ? Vec3(0.0) : target_ - (plan.held ? state.position[*plan.held] : from);
+  const Vec3 displacement = !grab ? Vec3(0.0) : target_ - (plan.held ? state.position[plan.listed_index(*plan.held)] : from);
   hand_speed_ = (glm::length(displacement) + glm::length(collider_displacement_)) / duration_;
   hand_stretch_ = grab ? stretch_energy(system, glm::length(displacement) / substeps_) : 0.0;
   if (plan.held) {
-    const Vec3 velocity = displacement / duration_, before = state.velocity[*plan.held];
+    const Vec3 velocity = displacement / duration_, before = state.velocity[plan.listed_index(*plan.held)];
     for (int c = 0; c < plan.dimensions; ++c) motion_.v[static_cast<std::size_t>(c) * plan.points + *plan.held] = velocity[c];
     motion_.hand_work = 0.5 * plan.held_mass * (glm::dot(velocity, velocity) - glm::dot(before, before));
     motion_.abs_hand_work = std::abs(motion_.hand_work);
@@ -268,7 +268,7 @@ void Frame::end(const Plan& plan, State& state) const {
     state.ledger.speed = std::max(state.ledger.speed.value_or(0.0), hand_speed_);
   }
   if (plan.held)
-    for (int c = 0; c < plan.dimensions; ++c) state.position[*plan.held][c] = target_[c];
+    for (int c = 0; c < plan.dimensions; ++c) state.position[plan.listed_index(*plan.held)][c] = target_[c];
 }
 
 }  // namespace hooke

@@ -32,7 +32,7 @@ struct Statics {
 };
 
 Statics make_statics(const System& system) {
-  Statics statics{make_plan(system), {}};
+  Statics statics{make_plan(system, Numbering::AsListed), {}};
   Plan& plan = statics.plan;
   std::swap(statics.damping, plan.damping);
   plan.drag = 0.0;

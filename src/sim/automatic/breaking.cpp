@@ -12,11 +12,11 @@ bool is_about_to_break(const Plan& plan, const State& state, double duration) {
     for (Index e = 0; e < run.count; ++e) {
       const double limit = plan.break_length[run.begin + e];
       if (!std::isfinite(limit)) continue;
-      const Vec3 between = state.position[run.second + e] - state.position[run.first + e];
-      const double length = glm::length(between), max_speed = glm::length(state.velocity[run.second + e] - state.velocity[run.first + e]);
+      const Index first = plan.listed_index(run.first + e), second = plan.listed_index(run.second + e);
+      const Vec3 between = state.position[second] - state.position[first], relative = state.velocity[second] - state.velocity[first];
+      const double length = glm::length(between), max_speed = glm::length(relative);
       if (length + duration * max_speed < limit) continue;
-      const double speed =
-          length > 0.0 ? glm::dot(between, state.velocity[run.second + e] - state.velocity[run.first + e]) / length : max_speed;
+      const double speed = length > 0.0 ? glm::dot(between, relative) / length : max_speed;
       if (length + duration * speed >= limit) return true;
     }
   return false;
@@ -28,7 +28,8 @@ double breaking_error(const Plan& plan, const System& system, std::span<const In
   double sum = 0.0;
   for (const Index s : broken) {
     const Spring& spring = system.springs()[s];
-    const double w1 = plan.inverse_mass[system.index_of(spring.first)], w2 = plan.inverse_mass[system.index_of(spring.second)];
+    const double w1 = plan.inverse_mass[plan.number_of(system.index_of(spring.first))],
+                 w2 = plan.inverse_mass[plan.number_of(system.index_of(spring.second))];
     const double k = system.stiffness_of(spring), force = k * std::max(0.0, system.break_length_of(spring) - spring.rest_length);
     const double spread = 1.0 + std::sqrt(k * (w1 + w2)) * duration;
     const double moved = 0.5 * force * step * duration;

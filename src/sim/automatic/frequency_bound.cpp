@@ -61,7 +61,8 @@ double FrequencyBound::relative(const Plan& plan, const State& state, double dur
   tension_.assign(plan.points, 0.0);
   for (Index e = 0; e < plan.springs; ++e) {
     const Index i = first_[e], j = second_[e];
-    const Vec3 d = state.position[j] - state.position[i], w = state.velocity[j] - state.velocity[i];
+    const Index listed_i = plan.listed_index(i), listed_j = plan.listed_index(j);
+    const Vec3 d = state.position[listed_j] - state.position[listed_i], w = state.velocity[listed_j] - state.velocity[listed_i];
     const double length = glm::length(d);
     Direction& direction = directions_[e];
     if (!(length > 0.0)) return 1.0;

@@ -44,8 +44,8 @@ std::vector<IslandPart> measure_parts(const Plan& plan, const System& system, co
   for (Spectrum& spectrum : spectrum_at) spectrum.omega = spectrum.dashpot_rate = 0.0;
   for (Index i = 0; i < plan.points; ++i) {
     Spectrum& spectrum = spectrum_at[root[i]];
-    spectrum.omega = std::max(spectrum.omega, std::sqrt(rows.stiffness[i]));
-    spectrum.dashpot_rate = std::max(spectrum.dashpot_rate, rows.dashpot[i]);
+    spectrum.omega = std::max(spectrum.omega, std::sqrt(rows.stiffness[plan.listed_index(i)]));
+    spectrum.dashpot_rate = std::max(spectrum.dashpot_rate, rows.dashpot[plan.listed_index(i)]);
     ++part_at[root[i]].points;
   }
   std::vector<IslandPart> parts;
@@ -79,8 +79,8 @@ void add_counts(const Motion& part, Motion& sum) {
   sum.reversible_work += part.reversible_work;
 }
 
-// The group of each point, in ascending order of the substeps that its part requires. Empty where nothing would be saved: the scene is
-// stepped as a whole. `root` as of find_parts.
+// The group of each point of the System, in ascending order of the substeps that its part requires. Empty where nothing would be saved: the
+// scene is stepped as a whole. `root` as of find_parts.
 std::vector<int> find_island_groups(const Plan& plan, const System& system, const std::vector<Index>& root, double frame_rate) {
   const std::vector<IslandPart> parts = measure_parts(plan, system, root, frame_rate);
   if (parts.size() < 2) return {};
@@ -104,7 +104,7 @@ std::vector<int> find_island_groups(const Plan& plan, const System& system, cons
   }
   if (work_of(parts.back().substeps, plan.points, plan.springs) < min_saving * divided) return {};
   std::vector<int> group_of_point(static_cast<std::size_t>(plan.points));
-  for (Index i = 0; i < plan.points; ++i) group_of_point[i] = group_at[root[i]];
+  for (Index i = 0; i < plan.points; ++i) group_of_point[plan.listed_index(i)] = group_at[root[i]];
   return group_of_point;
 }
 
@@ -113,7 +113,8 @@ std::vector<int> find_island_groups(const Plan& plan, const System& system, cons
 bool IslandFrames::divide(const Plan& plan, const System& system, double frame_rate) {
   const bool may_interact = plan.touches_itself() || plan.held || plan.pull || plan.grabbed_collider || !plan.forces.empty();
   if (may_interact || !plan.break_length.empty() || plan.points < 2) return false;
-  const bool has_same_structure = plan.points == points_ && plan.dimensions == dimensions_ && plan.runs == runs_;
+  const bool has_same_structure =
+      plan.points == points_ && plan.dimensions == dimensions_ && plan.runs == runs_ && plan.point_index == point_index_;
   if (has_same_structure && is_connected_) return false;
   const double rates = rates_of(plan);
   const bool has_same_field = plan.gravity == gravity_ && plan.drag == drag_ && frame_rate == frame_rate_;
@@ -125,6 +126,7 @@ bool IslandFrames::divide(const Plan& plan, const System& system, double frame_r
     points_ = plan.points;
     dimensions_ = plan.dimensions;
     runs_ = plan.runs;
+    point_index_ = plan.point_index;
   }
   rates_ = rates;
   gravity_ = plan.gravity;
@@ -229,7 +231,7 @@ void IslandFrames::end(const Plan& plan, Motion& motion) {
     for (std::size_t i = 0; i < group.points.size(); ++i)
       for (int c = 0; c < plan.dimensions; ++c) {
         const std::size_t at =
-            static_cast<std::size_t>(c) * static_cast<std::size_t>(plan.points) + static_cast<std::size_t>(group.points[i]);
+            static_cast<std::size_t>(c) * static_cast<std::size_t>(plan.points) + static_cast<std::size_t>(plan.number_of(group.points[i]));
         motion.x[at] = group.state.position[i][c];
         motion.v[at] = group.state.velocity[i][c];
       }

@@ -47,11 +47,12 @@ class IslandFrames {
   std::size_t next_ = 0;  // the group that is computed
   StepFailure failure_ = StepFailure::None;
   // of the last division
-  std::vector<Index> root_;    // of each point, the first of those connected with it
+  std::vector<Index> root_;    // of each point of the Plan, the first of those connected with it
   bool is_connected_ = false;  // the scene has one part
   Index points_ = -1;
   int dimensions_ = 0;
   std::vector<SpringRun> runs_;
+  std::vector<Index> point_index_;  // Plan::point_index
   std::vector<Collider> colliders_;
   double rates_ = 0.0, drag_ = 0.0, frame_rate_ = 0.0;
   Vec3 gravity_{0.0};

@@ -16,8 +16,9 @@ double turning_of(const Plan& plan, const State& state, double frame_cost) {
   for (const SpringRun& run : plan.runs) {
     for (; next < run.begin + run.count; next += stride) {
       const Index e = next - run.begin;
-      const Vec3 between = state.position[run.second + e] - state.position[run.first + e];
-      const Vec3 relative = state.velocity[run.second + e] - state.velocity[run.first + e];
+      const Index first = plan.listed_index(run.first + e), second = plan.listed_index(run.second + e);
+      const Vec3 between = state.position[second] - state.position[first];
+      const Vec3 relative = state.velocity[second] - state.velocity[first];
       const double length_squared = glm::dot(between, between);
       if (length_squared > 0.0) max = std::max(max, glm::dot(relative, relative) / length_squared);
     }

@@ -21,7 +21,7 @@ struct SurfacePlan {
 
   bool on = false;
   double friction = 0.0;          // [1]
-  std::vector<Index> points;      // of the System, in ascending order
+  std::vector<Index> points;      // of the scene, in ascending order
   std::vector<double> thickness;  // [m], per point: features touch at the minimum over their points
   double max_thickness = 0.0;     // [m]
   double edge_length = 0.0;       // [m], mean at rest, of springs on the edges; 0: there are none
