@@ -29,4 +29,12 @@ execute_process(COMMAND ${run} WORKING_DIRECTORY / RESULT_VARIABLE code ERROR_VA
 if(NOT code EQUAL 5 OR NOT error MATCHES "two_masses: no such file or shipped scene")
   fail("the moved program takes its scenes from elsewhere: exit code ${code}, ${error}")
 endif()
+
+# without any of them, it names their folder
+file(REMOVE_RECURSE ${moved}/share/hooke/scenes)
+file(MAKE_DIRECTORY ${moved}/share/hooke/scenes)
+execute_process(COMMAND ${run} WORKING_DIRECTORY / RESULT_VARIABLE code ERROR_VARIABLE error)
+if(NOT code EQUAL 5 OR NOT error MATCHES "two_masses: no such file, and no shipped scenes in [^\n]*/share/hooke/scenes\n$")
+  fail("the folder without scenes is not named: exit code ${code}, ${error}")
+endif()
 file(REMOVE_RECURSE ${moved})

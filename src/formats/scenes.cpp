@@ -115,6 +115,8 @@ fs::path find_scene(const std::string& name, std::span<const std::string_view> c
     for (const ShippedScene& scene : shipped_scenes())
       if (scene.id == name) return scene.file;
   if (fs::exists(status)) return name;
+  if (commands.empty() && shipped_scenes().empty())
+    throw FileError(printable(name) + ": no such file, and no shipped scenes in " + printable((assets_folder() / "scenes").native()));
   std::string choices;
   for (const std::string_view command : commands) choices.append(command).append(", ");
   throw FileError(printable(name) +

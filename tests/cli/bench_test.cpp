@@ -197,7 +197,8 @@ TEST(Bench, KernelsAreComparedWithTheLimitsOfTheMachine) {
 
 TEST(Bench, CtrlCKeepsFinishedResults) {
   const ScratchFolder scratch;
-  const Process process(scratch.folder, {"net_w4", "--quick"});
+  // soft enough for a slow machine to find its reference
+  const Process process(scratch.folder, {"net_w2", "--quick"});
   // each method is written as soon as it is finished
   for (int i = 0; i < 3000 && !fs::exists(scratch.folder / "bench.json"); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   process.interrupt();
