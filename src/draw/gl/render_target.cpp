@@ -30,13 +30,17 @@ bool RenderTarget::Layer::allocate(int new_width, int new_height, int new_sample
   return made;
 }
 
-void RenderTarget::begin(int width, int height, int samples) {
+void RenderTarget::begin(int width, int height) {
   if (!picture_.fits(width, height) && !picture_.allocate(width, height, 0))
     throw std::runtime_error("OpenGL: no framebuffer of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
-  if (samples > 0 && (!sampled_.fits(width, height) || asked_ != samples)) allocate_sampled(samples);
-  sampling_ = samples > 0 && sampled_.samples > 0;
-  glBindFramebuffer(GL_FRAMEBUFFER, sampling_ ? sampled_.frame : picture_.frame);
+  glBindFramebuffer(GL_FRAMEBUFFER, picture_.frame);
   glViewport(0, 0, width, height);
+}
+
+bool RenderTarget::begin_multisampled(int samples) {
+  if (!sampled_.fits(picture_.width, picture_.height) || asked_ != samples) allocate_sampled(samples);
+  glBindFramebuffer(GL_FRAMEBUFFER, sampled_.samples > 0 ? sampled_.frame : picture_.frame);
+  return sampled_.samples > 0;
 }
 
 void RenderTarget::allocate_sampled(int samples) {
@@ -52,13 +56,11 @@ void RenderTarget::allocate_sampled(int samples) {
   sampled_.height = picture_.height;
 }
 
-void RenderTarget::resolve() const {
-  if (sampling_) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.frame);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture_.frame);
-    glBlitFramebuffer(0, 0, picture_.width, picture_.height, 0, 0, picture_.width, picture_.height,
-                      GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  }
+void RenderTarget::resolve(const PixelBox& part) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.frame);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture_.frame);
+  glBlitFramebuffer(part.left, part.bottom, part.right, part.top, part.left, part.bottom, part.right, part.top,
+                    GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, picture_.frame);
 }
 
