@@ -7,9 +7,8 @@
 #include "base/option_error.h"
 #include "batch/capture_report.h"
 #include "batch/offscreen.h"
-#include "batch/output_file.h"
+#include "batch/picture_writer.h"
 #include "draw/view.h"
-#include "formats/video_encoder.h"
 #include "lab/accuracy/accuracy_text.h"
 #include "sim/automatic/automatic.h"
 #include "ui/panels/static_panels.h"
@@ -39,8 +38,7 @@ class FrameCapture {
         pose ? make_camera(settings, scene.system, scene.state, aspect) : make_scene_camera(settings, scene.system, scene.state, aspect);
     view_options_.place = {static_cast<int>(place_.x), static_cast<int>(place_.y), static_cast<int>(place_.width),
                            static_cast<int>(place_.height)};
-    if (destination.kind == Destination::Kind::VideoEncoder)
-      film_.emplace(destination.path, size.width, size.height, schedule.video_frame_rate());
+    writer_.emplace(destination, size, schedule.video_frame_rate());
   }
 
   bool takes_every_picture() const { return destination_.kind != Destination::Kind::Picture; }
@@ -50,15 +48,10 @@ class FrameCapture {
     follow_scene(camera_, status.snapshot->state);
     const ImDrawData* panels = panels_ ? panels_->build(status, camera_, {}, has_stamp_ ? stamp_of(status) : "") : nullptr;
     view_.draw(*status.snapshot, {}, camera_, view_options_, size_.width, size_.height, panels);
-    if (film_) return film_->add(view_.read());
-    OutputFile file(destination_.file(number).string(), Writing::OneOfMany);
-    file.write(encode_png(view_.read()));
-    file.close();
+    writer_->add(view_.read(), number);
   }
   std::string file_name(long number) const { return destination_.file(number).filename().string(); }
-  void finish() {
-    if (film_) film_->close();
-  }
+  void finish() { writer_->finish(); }
 
  private:
   // One line about the picture.
@@ -81,7 +74,7 @@ class FrameCapture {
   Rect place_;  // of the scene
   Camera camera_;
   ViewOptions view_options_;
-  std::optional<VideoEncoder> film_;
+  std::optional<PictureWriter> writer_;
 };
 
 }  // namespace

@@ -20,6 +20,11 @@ void clear(const Color& background) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+void set_scissor(const PixelBox& box) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(box.left, box.bottom, box.width(), box.height());
+}
+
 // In a 2-D scene everything lies in one plane: later objects are drawn on top.
 void set_state(bool is_spatial) {
   is_spatial ? glEnable(GL_DEPTH_TEST) : glDisable(GL_DEPTH_TEST);
@@ -95,7 +100,8 @@ struct View::Parts {
 
   void gather(const DrawContext& context);
   void draw_scene(const DrawContext& context, const Viewport& place, int width, int height);
-  void draw_environment(const DrawContext& context);
+  PixelBox polygons(const DrawContext& context, const PixelBox& place) const;
+  void draw_environment(const DrawContext& context, bool has_polygons);
   void draw_network(const DrawContext& context);
   void draw_over(const DrawContext& context);
 };
@@ -124,21 +130,46 @@ void View::Parts::gather(const DrawContext& context) {
 
 void View::Parts::draw_scene(const DrawContext& context, const Viewport& place, int width, int height) {
   gather(context);
-
-  // Only polygon edges need multisampling.
-  const bool has_polygons = !cloth.is_empty() || !environment.solids.is_empty();
-  target.begin(width, height, has_polygons ? context.options.samples : 0);
+  target.begin(width, height);
   clear(context.options.background);
-  glViewport(place.x, height - place.y - place.height, place.width, place.height);
   set_state(context.snapshot.system->dimensions == 3);
-  draw_environment(context);
-  target.resolve();
+
+  // Only the edges of polygons need multisampling, which costs several times as much: the pixels around them are drawn multisampled, with
+  // everything there, and all others directly. Lines, points and panels are antialiased in their shaders.
+  const PixelBox whole{place.x, height - place.y - place.height, place.x + place.width, height - place.y};
+  PixelBox multisampled = context.options.samples > 0 ? polygons(context, whole) : PixelBox{};
+  if (!multisampled.is_empty() && !target.begin_multisampled(multisampled.width(), multisampled.height(), context.options.samples))
+    multisampled = {};
+  if (!multisampled.is_empty()) {
+    // llvmpipe clears a whole framebuffer in a third of the time of a part of it
+    clear(context.options.background);
+    glViewport(whole.left - multisampled.left, whole.bottom - multisampled.bottom, place.width, place.height);
+    set_scissor({0, 0, multisampled.width(), multisampled.height()});
+    draw_environment(context, true);
+    set_scissor(multisampled);
+    target.resolve(multisampled);
+  }
+  glViewport(whole.left, whole.bottom, place.width, place.height);
+  for (const PixelBox& part : around(multisampled, whole)) {
+    if (part.is_empty()) continue;
+    set_scissor(part);
+    draw_environment(context, multisampled.is_empty());
+  }
+  glDisable(GL_SCISSOR_TEST);
   draw_network(context);
   draw_over(context);
 }
 
+// The pixels around the polygons in this part of the picture.
+PixelBox View::Parts::polygons(const DrawContext& context, const PixelBox& place) const {
+  PixelExtent extent;
+  cloth.extend(extent, network_renderer);
+  environment.solids.extend(extent, context.projection);
+  return extent.within(place);
+}
+
 // Opaque objects, which can hide the network.
-void View::Parts::draw_environment(const DrawContext& context) {
+void View::Parts::draw_environment(const DrawContext& context, bool has_polygons) {
   glDepthMask(GL_FALSE);
   environment.backdrop.draw(ground_shader);
   glDepthMask(GL_TRUE);
@@ -149,7 +180,7 @@ void View::Parts::draw_environment(const DrawContext& context) {
   // Offset surfaces so that lines on them are visible.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.0f, 2.0f);
-  environment.solids.draw(surface_shader);
+  if (has_polygons) environment.solids.draw(surface_shader);
 
   // Shadows lie on the surfaces.
   glDepthMask(GL_FALSE);
@@ -157,7 +188,7 @@ void View::Parts::draw_environment(const DrawContext& context) {
   shadows.draw(shadow_shader, context.palette.shadow);
   glDepthMask(GL_TRUE);
   glPolygonOffset(1.0f, 2.0f);
-  cloth.draw(cloth_shader);
+  if (has_polygons) cloth.draw(cloth_shader);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 

@@ -2,18 +2,21 @@
 #pragma once
 
 #include "draw/gl/gl.h"
+#include "draw/pixel_box.h"
 #include "draw/view.h"
 
 namespace hooke {
 
 class RenderTarget {
  public:
-  // Resizes the framebuffers and binds the first one, multisampled on request, with fewer samples if the driver supports fewer.
-  // Throws std::runtime_error if no framebuffer of this size can be created.
-  void begin(int width, int height, int samples);
-  // Call after the polygons: resolves their samples to colors and depths, and binds the picture itself. Lines, points and panels are
-  // antialiased in their shaders; multisampling them would cost three times as much.
-  void resolve() const;
+  // Resizes the picture and binds it. Throws std::runtime_error if no framebuffer of this size can be created.
+  void begin(int width, int height);
+  // Binds a multisampled framebuffer of at least this size, with fewer samples if the driver supports fewer. False: none is available, and
+  // the picture stays bound.
+  bool begin_multisampled(int width, int height, int samples);
+  // Resolves the samples from the lower left corner of that framebuffer to colors and depths of this part of the picture, and binds the
+  // picture.
+  void resolve(const PixelBox& part) const;
   void show() const;
   Image read() const;
 
@@ -22,14 +25,12 @@ class RenderTarget {
   struct Layer {
     GlName frame, color, depth;
     int width = 0, height = 0, samples = 0;
-    bool fits(int wanted_width, int wanted_height) const { return width == wanted_width && height == wanted_height; }
     bool allocate(int new_width, int new_height, int new_samples);
   };
-  void allocate_sampled(int samples);
+  void allocate_sampled(int width, int height, int samples);
 
   Layer picture_, sampled_;
-  int asked_ = 0;          // samples requested when sampled_ was allocated
-  bool sampling_ = false;  // this picture is drawn to sampled_ first
+  int asked_ = 0;  // samples requested when sampled_ was allocated
 };
 
 }  // namespace hooke

@@ -97,6 +97,10 @@ void ClothSurface::add_vertices(const DrawContext& context, const NetworkRendere
   }
 }
 
+void ClothSurface::extend(PixelExtent& extent, const NetworkRenderer& network_renderer) const {
+  for (const GLuint corner : indices_) extent.add(network_renderer.projected()[corner]);
+}
+
 // Uploads each texture once, with mipmaps for distant cloth.
 void ClothSurface::upload_picture() {
   if (texture_ == 0) texture_ = GlName(GlKind::Texture);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "draw/parts/network_renderer.h"
+#include "draw/pixel_box.h"
 
 namespace hooke {
 
@@ -12,6 +13,7 @@ class ClothSurface {
   // Faces with a corner at a non-finite position are ignored.
   void add(const DrawContext& context, const NetworkRenderer& network_renderer);
   bool is_empty() const { return indices_.empty(); }
+  void extend(PixelExtent& extent, const NetworkRenderer& network_renderer) const;
   void draw(const Shader& shader);
 
  private:

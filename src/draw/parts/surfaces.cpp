@@ -39,6 +39,10 @@ void Surfaces::add_quad(const Projection& projection, const Vec3 (&corners)[4], 
   add_triangle(first, first + 2, first + 3);
 }
 
+void Surfaces::extend(PixelExtent& extent, const Projection& projection) const {
+  for (const Vertex& corner : vertices_) extent.add(projection.project({corner.clip[0], corner.clip[1], corner.clip[2], corner.clip[3]}));
+}
+
 void Surfaces::draw(const Shader& shader) {
   shader.use();
   stream_.draw_indexed(vertices_.data(), vertices_.size(), indices_);

@@ -5,6 +5,7 @@
 
 #include "draw/colors.h"
 #include "draw/gl/vertex_stream.h"
+#include "draw/pixel_box.h"
 #include "draw/projection.h"
 
 namespace hooke {
@@ -23,6 +24,7 @@ class Surfaces {
 
   GLuint corner_count() const { return static_cast<GLuint>(vertices_.size()); }
   bool is_empty() const { return indices_.empty(); }
+  void extend(PixelExtent& extent, const Projection& projection) const;
   void draw(const Shader& shader);
 
  private:
