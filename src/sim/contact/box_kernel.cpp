@@ -34,10 +34,14 @@ HWY_INLINE BoxLanes load_boxes(const BoxColumns& columns, Index i) {
   return boxes;
 }
 
-HWY_INLINE auto are_close(const BoxLanes& a, const BoxLanes& b, V reach) {
-  V gap = hn::Max(hn::Sub(a.min[0], b.max[0]), hn::Sub(b.min[0], a.max[0]));
-  for (int c = 1; c < 3; ++c) gap = hn::Max(gap, hn::Max(hn::Sub(a.min[c], b.max[c]), hn::Sub(b.min[c], a.max[c])));
-  return hn::Le(gap, reach);
+// `limit` is a square.
+HWY_INLINE auto are_close(const BoxLanes& a, const BoxLanes& b, V limit) {
+  V sum = hn::Zero(Lanes());
+  for (int c = 0; c < 3; ++c) {
+    const V gap = hn::Max(hn::Zero(Lanes()), hn::Max(hn::Sub(a.min[c], b.max[c]), hn::Sub(b.min[c], a.max[c])));
+    sum = hn::Add(sum, hn::Mul(gap, gap));
+  }
+  return hn::Le(sum, limit);
 }
 
 // A bit for each of the first `count` lanes, at least one.
@@ -63,10 +67,24 @@ HWY_INLINE BoxLanes one_in_all_lanes(const BoxColumns& columns, Index i) {
   return box;
 }
 
+// Points of features: those of the first have P of them, those of the second Q.
+template <int P, int Q>
+HWY_INLINE auto share_no_point(const BoxColumns& first, Index i, const BoxColumns& second, Index j) {
+  const Lanes d;
+  V other[Q];
+  for (int q = 0; q < Q; ++q) other[q] = hn::LoadU(d, second.point[q].data() + j);
+  auto differ = hn::Ne(hn::Set(d, first.point[0][i]), other[0]);
+  for (int p = 0; p < P; ++p)
+    for (int q = p == 0 ? 1 : 0; q < Q; ++q) differ = hn::And(differ, hn::Ne(hn::Set(d, first.point[p][i]), other[q]));
+  return differ;
+}
+
+// Of features with P and Q points; with none: of any.
+template <int P, int Q>
 std::size_t find_close(const BoxSet& first, const BoxSet& second, double reach, std::span<std::array<Index, 2>> close) {
   const Lanes d;
   const auto lanes = static_cast<Index>(hn::Lanes(d));
-  const V limit = hn::Set(d, reach);
+  const V limit = hn::Set(d, reach * reach * (1.0 + 1e-12));  // more than rounding changes a sum of squares
   std::size_t count = 0;
   const bool is_same = &first.columns == &second.columns && first.range.begin == second.range.begin;
   // most boxes of one set are far from all of the other
@@ -75,12 +93,21 @@ std::size_t find_close(const BoxSet& first, const BoxSet& second, double reach, 
     for_bits(bits_of(are_close(bound, load_boxes(first.columns, from), limit), first.range.end - from), [&](Index lane_of_first) {
       const Index i = from + lane_of_first;
       const BoxLanes box = one_in_all_lanes(first.columns, i);
-      for (Index j = is_same ? i + 1 : second.range.begin; j < second.range.end; j += lanes)
-        for_bits(bits_of(are_close(box, load_boxes(second.columns, j), limit), second.range.end - j), [&](Index lane) {
-          close[count++] = {i, j + lane};
-        });
+      for (Index j = is_same ? i + 1 : second.range.begin; j < second.range.end; j += lanes) {
+        auto is_found = are_close(box, load_boxes(second.columns, j), limit);
+        if constexpr (P > 0) is_found = hn::And(is_found, share_no_point<P, Q>(first.columns, i, second.columns, j));
+        for_bits(bits_of(is_found, second.range.end - j), [&](Index lane) { close[count++] = {i, j + lane}; });
+      }
     });
   return count;
+}
+
+std::size_t find_close_of_any(const BoxSet& first, const BoxSet& second, double reach, std::span<std::array<Index, 2>> close) {
+  return find_close<0, 0>(first, second, reach, close);
+}
+std::size_t find_close_of(FeaturePair kind, const BoxSet& first, const BoxSet& second, double reach,
+                          std::span<std::array<Index, 2>> close) {
+  return kind == FeaturePair::PointFace ? find_close<1, 3>(first, second, reach, close) : find_close<2, 2>(first, second, reach, close);
 }
 
 }  // namespace hooke::HWY_NAMESPACE
@@ -89,10 +116,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace hooke {
 
-HWY_EXPORT(find_close);
+HWY_EXPORT(find_close_of_any);
+HWY_EXPORT(find_close_of);
 
 std::size_t find_close_boxes(const BoxSet& first, const BoxSet& second, double reach, std::span<std::array<Index, 2>> close) {
-  return HWY_DYNAMIC_DISPATCH(find_close)(first, second, reach, close);
+  return HWY_DYNAMIC_DISPATCH(find_close_of_any)(first, second, reach, close);
+}
+
+std::size_t find_close_apart(FeaturePair kind, const BoxSet& first, const BoxSet& second, double reach,
+                             std::span<std::array<Index, 2>> close) {
+  return HWY_DYNAMIC_DISPATCH(find_close_of)(kind, first, second, reach, close);
 }
 
 }  // namespace hooke

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/system.h"
+#include "sim/contact/closest.h"
 
 namespace hooke {
 
@@ -23,9 +23,11 @@ struct SurfaceBox {
 struct BoxColumns {
   static constexpr std::size_t padding = 8;
   std::array<std::vector<double>, 3> min, max;  // [m]
+  std::array<std::vector<double>, 3> point;     // of the feature in each box, as numbers that vectors can compare; some have fewer
 
   void resize(std::size_t count) {
-    for (int c = 0; c < 3; ++c) min[c].resize(count + padding), max[c].resize(count + padding);
+    for (auto* columns : {&min, &max, &point})
+      for (auto& column : *columns) column.resize(count + padding);
   }
   void set(std::size_t i, const SurfaceBox& box) {
     for (int c = 0; c < 3; ++c) min[c][i] = box.min[c], max[c][i] = box.max[c];
@@ -42,8 +44,11 @@ struct BoxSet {
   const SurfaceBox& bound;
 };
 
-// The pairs of a box in the first and one in the second set, in order, whose distance in each component is at most `reach` [m]; of the same
+// The pairs of a box in the first and one in the second set, in order, whose distance is at most `reach` [m], up to rounding; of the same
 // set, those with the lower index first. `close` must have room for all pairs. Returns their number.
 std::size_t find_close_boxes(const BoxSet& first, const BoxSet& second, double reach, std::span<std::array<Index, 2>> close);
+// The same, of corners and pieces, or of two sets of edges, without those that share a point.
+std::size_t find_close_apart(FeaturePair kind, const BoxSet& first, const BoxSet& second, double reach,
+                             std::span<std::array<Index, 2>> close);
 
 }  // namespace hooke

@@ -2,6 +2,8 @@
 // IEEE operations in every width.
 #include "sim/contact/closest_kernel.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "sim/contact/closest_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -108,22 +110,25 @@ HWY_INLINE ClosestLanes closest_edges(const V3* x) {
 
 // The values of a field at the points of all pairs, and of the last one again up to a whole vector.
 struct Gathered {
-  HWY_ALIGN double value[4][3][FeatureBlock::capacity];
+  HWY_ALIGN double value[4][FeatureBlock::capacity][4];  // the last component is unused
 
   HWY_INLINE void gather(std::span<const Vec3> field, const FeatureBlock& block, int end) {
     for (int p = 0; p < end; ++p) {
       const auto& points = block.points[p < block.count ? p : block.count - 1];
       for (int i = 0; i < 4; ++i) {
         const Vec3& at = field[points[i]];
-        value[i][0][p] = at.x;
-        value[i][1][p] = at.y;
-        value[i][2][p] = at.z;
+        value[i][p][0] = at.x;
+        value[i][p][1] = at.y;
+        value[i][p][2] = at.z;
+        value[i][p][3] = 0.0;
       }
     }
   }
   HWY_INLINE V3 at(int i, int p) const {
-    const Lanes d;
-    return {hn::Load(d, value[i][0] + p), hn::Load(d, value[i][1] + p), hn::Load(d, value[i][2] + p)};
+    V3 at;
+    V unused;
+    hn::LoadInterleaved4(Lanes(), value[i][p], at.x, at.y, at.z, unused);
+    return at;
   }
 };
 
@@ -159,6 +164,17 @@ HWY_EXPORT(closest_of_block);
 
 void find_closest(FeaturePair kind, std::span<const Vec3> x, FeatureBlock& block) {
   if (block.count > 0) HWY_DYNAMIC_DISPATCH(closest_of_block)(kind, x, block);
+}
+
+void find_distances(FeaturePair kind, std::span<const Vec3> x, std::span<const std::array<Index, 4>> pairs, std::span<double> distances) {
+  FeatureBlock block;
+  for (std::size_t from = 0; from < pairs.size(); from += FeatureBlock::capacity) {
+    const auto part = pairs.subspan(from, std::min<std::size_t>(FeatureBlock::capacity, pairs.size() - from));
+    std::ranges::copy(part, block.points.begin());
+    block.count = static_cast<int>(part.size());
+    find_closest(kind, x, block);
+    std::copy_n(block.distance, part.size(), distances.begin() + static_cast<std::ptrdiff_t>(from));
+  }
 }
 
 }  // namespace hooke

@@ -31,4 +31,7 @@ struct FeatureBlock {
 // The results, bit for bit those of closest_points(kind, x of the points), on every vector unit.
 void find_closest(FeaturePair kind, std::span<const Vec3> x, FeatureBlock& block);
 
+// The distances of all of these pairs alone [m].
+void find_distances(FeaturePair kind, std::span<const Vec3> x, std::span<const std::array<Index, 4>> pairs, std::span<double> distances);
+
 }  // namespace hooke

@@ -20,12 +20,11 @@ bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
     if (pass == max_passes) break;
     bool hits = false;
     for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
-      search_.visit_near(kind, [&](const Near& near, const SurfacePair& pair, double approach) {
-        // what is farther away is free on all of its path
-        if (0.9 * near.closest.distance > approach) return;
+      // what is farther away is free on all of its path
+      search_.visit_approaching(plan.surface, kind, 0.9, [&](const SurfacePair& pair, double distance) {
         FourPoints displacement = four(path_, pair.points);
         for (Vec3& d : displacement) d *= h;
-        const double part = free_part(kind, four(x_, pair.points), displacement, near.closest.distance);
+        const double part = free_part(kind, four(x_, pair.points), displacement, distance);
         if (part < 1.0 && handle_impact(pair, part, h, pass >= impact_passes)) hits = true;
       });
     if (!hits) break;

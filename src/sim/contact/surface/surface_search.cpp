@@ -63,20 +63,23 @@ long SurfaceSearch::tests() const {
 
 long SurfaceSearch::candidates() const {
   std::size_t sum = 0;
-  for (const Section& section : sections_) sum += section.pairs.size();
+  for (const Section& section : sections_)
+    for (const PairList& list : section.lists) sum += list.pairs.size();
   return static_cast<long>(sum);
 }
 
 bool SurfaceSearch::is_any_near() const {
-  return std::ranges::any_of(sections_, [](const Section& each) { return !each.near[0].empty() || !each.near[1].empty(); });
+  return std::ranges::any_of(sections_, [](const Section& each) { return !each.lists[0].near.empty() || !each.lists[1].near.empty(); });
 }
 
 void SurfaceSearch::begin_frame(const Plan& plan, std::span<const Vec3> x) {
   const SurfacePlan& surface = plan.surface;
   tree_.build(surface, x);
   sides_.plan(surface);
-  is_pierced_.assign(x.size(), 0);
+  has_springs_ = std::ranges::find(surface.is_spring, 1) != surface.is_spring.end();
+  is_pierced_.clear();
   for (const Crossing& crossing : tree_.find_crossings(x).found) {
+    is_pierced_.resize(x.size());
     for (const Index i : surface.edges[crossing.edge]) is_pierced_[i] = 1;
     for (const Index i : surface.pieces[crossing.face].points) is_pierced_[i] = 1;
   }
@@ -167,7 +170,9 @@ void SurfaceSearch::begin_substep(const Plan& plan, std::span<const Vec3> x, std
 void SurfaceSearch::find_bends(const Plan& plan, std::span<const Vec3> x) {
   const auto thin_keys = [&](double sign, double error) {
     for_sections(plan, [&](Section& section) {
-      for (std::size_t p = 0; p < section.pairs.size(); ++p) section.keys[p] += sign * thinner(section.pairs[p]) - error;
+      PairList& edges = section.lists[static_cast<std::size_t>(FeaturePair::TwoEdges)];
+      for (std::size_t p = 0; p < edges.pairs.size(); ++p)
+        edges.keys[p] += sign * thinner(FeaturePair::TwoEdges, edges.pairs.features[p]) - error;
     });
   };
   thin_keys(-1.0, 0.0);
@@ -221,12 +226,14 @@ void SurfaceSearch::find_groups(const Plan& plan, std::span<const Vec3> x) {
 void SurfaceSearch::renew_groups(Section& section) const {
   std::swap(section.groups, section.old_groups);
   section.groups.clear();
+  for (PairList& list : section.lists) list.count = 0;
   auto old = section.old_groups.begin();
   const auto end = section.old_groups.end();
   for (const auto& leaf_pair : section.leaf_pairs) {
     while (old != end && std::array{old->first, old->second} < leaf_pair) ++old;
     if (old != end && std::array{old->first, old->second} == leaf_pair) {
       section.groups.push_back(*old);
+      for (std::size_t kind = 0; kind < section.lists.size(); ++kind) section.lists[kind].count += old->pairs(kind);
     } else {
       const auto [a, b] = leaf_pair;
       const double distance = distance_between(place_boxes_[a], place_boxes_[b]);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/contact/closest_kernel.h"
+#include "sim/contact/key_kernel.h"
 #include "sim/contact/surface/surface_sides.h"
 #include "sim/contact/surface/surface_tree.h"
 
@@ -28,7 +29,8 @@ class SurfaceSearch {
   // Two features at the start of the substep.
   struct Near {
     Index pair = 0, group = 0;  // of those of a section
-    Closest closest;
+    double distance = 0.0;      // [m]
+    Index closest = no_index;   // of those of a section; no_index: another pair touches in the same place
   };
 
   void clear() { tree_.clear(); }
@@ -44,22 +46,28 @@ class SurfaceSearch {
   // Points move with another velocity in the substep. Finds what may collide then in addition. False: there are too many.
   bool change_path(const Plan& plan, std::span<const Vec3> x, std::span<const Vec3> u);
 
-  // visit(near, pair, approach), in an order that depends on the places at the start of the frame alone: they approach each other at most
-  // by the last one in the substep [m].
+  // visit(pair, distance) for those that may approach each other by this part of their distance in the substep or more, in an order that
+  // depends on the places at the start of the frame alone.
   template <class Visit>
-  void visit_near(FeaturePair kind, const Visit& visit) const {
-    for (const Section& section : sections_)
-      for (const Near& near : section.near[static_cast<std::size_t>(kind)])
-        visit(near, section.pairs[near.pair], section.groups[near.group].approach);
+  void visit_approaching(const SurfacePlan& plan, FeaturePair kind, double part, const Visit& visit) const {
+    visit_near(kind, [&](const PairList& list, const Near& near, double approach) {
+      if (part * near.distance <= approach) visit(list.pairs.pair(plan, kind, static_cast<std::size_t>(near.pair)), near.distance);
+    });
+  }
+  // visit(pair, closest, approach) for those that may touch, in the same order: they approach each other at most by the last one [m]. Where
+  // the closest point of an edge of a face is its end, or that of a face belongs to another one, other pairs touch in the same place.
+  template <class Visit>
+  void visit_touching(const SurfacePlan& plan, FeaturePair kind, const Visit& visit) const {
+    visit_near(kind, [&](const PairList& list, const Near& near, double approach) {
+      if (near.closest != no_index)
+        visit(list.pairs.pair(plan, kind, static_cast<std::size_t>(near.pair)), list.closest[near.closest], approach);
+    });
   }
   bool is_any_near() const;
   // Beyond the thickness, up to which those that may approach each other by that are near [m].
   double max_gap(double approach) const { return reach_ - max_thickness_ + approach; }
-  const SurfaceSides& sides() const { return sides_; }
   // The part of the thickness at which two features touch.
-  double part(const SurfacePair& pair) const {
-    return pair.kind == FeaturePair::PointFace ? 1.0 : std::min(sides_.part(pair.features[0]), sides_.part(pair.features[1]));
-  }
+  double part(const SurfacePair& pair) const { return part(pair.kind, pair.features); }
 
   long searches() const;    // of groups, and of pairs in a group, in this frame
   long tests() const;       // distances and groups that were examined, in this substep
@@ -68,56 +76,79 @@ class SurfaceSearch {
  private:
   static constexpr double round_off = 1e-12;  // [m]
   struct Group {
-    Index first = 0, second = 0;  // leaves
-    Index begin = 0, end = 0;     // of the pairs of the section
-    double travel = 0.0;          // [m], by which points of one have moved relative to those of the other
-    double next = 0.0;            // [m], the lowest key, or less
-    double listed = 0.0;          // [m]: pairs with lower keys are listed
-    double approach = 0.0;        // [m], in this substep
-    double need = 0.0;            // [m]: closer pairs are near
+    Index first = 0, second = 0;          // leaves
+    std::array<Index, 2> begin{}, end{};  // of the pairs of each kind, of the section
+    double travel = 0.0;                  // [m], by which points of one have moved relative to those of the other
+    double next = 0.0;                    // [m], the lowest key, or less
+    double listed = 0.0;                  // [m]: pairs with lower keys are listed
+    double approach = 0.0;                // [m], in this substep
+    double need = 0.0;                    // [m]: closer pairs are near
 
     double limit() const { return need + travel + round_off; }  // [m], of the keys of pairs that may be near
+    std::size_t pairs(std::size_t kind) const { return static_cast<std::size_t>(end[kind] - begin[kind]); }
   };
-  struct Place {
-    Index pair = 0, group = 0;
+  // Of one kind.
+  struct PairList {
+    SurfacePairs pairs, kept_pairs;
+    // With what thin ones may be closer added.
+    std::vector<double> keys, kept_keys;  // [m], of the pairs: their distance is at least that less the travel of the group
+    std::size_t count = 0;                // of the pairs, those of a group
+    std::vector<KeyRange> awake;          // of the groups that have pairs which may be near
+    std::vector<KeyPlace> woken;          // those pairs
+    std::vector<Near> near;
+    std::vector<Closest> closest;  // of those that may touch
+    // of groups that are searched: pairs whose boxes are close, and their distances [m]
+    std::vector<double> distances;
+    std::vector<Index> kept;  // of them, those that are listed
+  };
+  struct Searched {
+    Index group = 0;
+    double reach = 0.0;          // [m]
+    std::array<Index, 2> end{};  // of what was found, of each kind
   };
   // Of the groups whose first leaf is in a range. Threads change nothing else side by side.
   struct alignas(64) Section {
     std::vector<std::array<Index, 2>> leaf_pairs;
     std::vector<Group> groups, old_groups;  // in ascending order of their leaves
-    std::vector<SurfacePair> pairs, kept_pairs;
-    // With what thin ones may be closer added.
-    std::vector<double> keys, kept_keys;  // [m], of the pairs: their distance is at least that less the travel of the group
-    std::size_t forgotten = 0;            // of the pairs, those of no group anymore
-    std::size_t listed = 0;               // pairs of the groups that were examined
-    std::vector<Index> woken;             // pairs of a group that may be near
-    std::array<FeatureBlock, 2> block;    // of pairs of each kind that are not measured yet
-    std::array<std::array<Place, FeatureBlock::capacity>, 2> place{};
-    std::array<std::vector<Near>, 2> near;
+    std::array<PairList, 2> lists;
+    PairsByKind found;
+    std::vector<Searched> searched;
     long searches = 0, tests = 0;
     std::exception_ptr failure;
 
     void forget();
+    std::size_t listed() const { return lists[0].count + lists[1].count; }
   };
 
   // By how much less than the thickness they may be apart [m].
-  double thinner(const SurfacePair& pair) const { return (1.0 - part(pair)) * max_thickness_; }
+  double thinner(FeaturePair kind, const std::array<Index, 2>& features) const { return (1.0 - part(kind, features)) * max_thickness_; }
+  double part(FeaturePair kind, const std::array<Index, 2>& features) const {
+    return kind == FeaturePair::PointFace ? 1.0 : std::min(sides_.part(features[0]), sides_.part(features[1]));
+  }
   template <class Use>
   void for_sections(const Plan& plan, const Use& use);
   Vec3 fit_boxes(const Plan& plan, std::span<const Vec3> field, std::vector<SurfaceBox>& boxes) const;
   Vec3 center_of(std::span<const SurfaceBox> boxes) const;
+  template <class Visit>
+  void visit_near(FeaturePair kind, const Visit& visit) const {
+    const auto k = static_cast<std::size_t>(kind);
+    for (const Section& section : sections_)
+      for (const Near& near : section.lists[k].near) visit(section.lists[k], near, section.groups[near.group].approach);
+  }
   void find_approach(Group& group) const;
   void move_groups(const Plan& plan, std::span<const Vec3> x);
   void find_bends(const Plan& plan, std::span<const Vec3> x);
   bool is_covered() const;
   void find_groups(const Plan& plan, std::span<const Vec3> x);
   void renew_groups(Section& section) const;
-  void find_pairs(const Plan& plan, std::span<const Vec3> x, Section& section, Group& group);
-  void compact(Section& section);
+  void find_pairs(const Plan& plan, Section& section, Index g);
+  void list_found(std::span<const Vec3> x, Section& section);
+  static void compact(Section& section, std::size_t kind);
   void mark(const Group& group);
   void refit_marked(const Plan& plan, std::span<const Vec3> x);
-  void wake(const Plan& plan, std::span<const Vec3> x, Section& section, Index g);
-  void measure(std::span<const Vec3> x, Section& section, FeaturePair kind);
+  void wake(const SurfacePlan& plan, std::span<const Vec3> x, Section& section, FeaturePair kind);
+  static void note_next(Section& section);
+  void measure(const SurfacePlan& plan, std::span<const Vec3> x, Section& section, FeaturePair kind, std::span<const KeyPlace> woken);
   bool collect(const Plan& plan, std::span<const Vec3> x);
   bool change_velocities(std::span<const Vec3> u);
 
@@ -126,7 +157,9 @@ class SurfaceSearch {
   double max_thickness_ = 0.0, reach_ = 0.0, margin_ = 0.0, leaf_margin_ = 0.0;  // [m]
   SurfaceTree tree_;
   SurfaceSides sides_;
-  std::vector<char> is_pierced_;  // per point, whether it is on an edge or face of a crossing at the start of the frame
+  bool has_springs_ = false;  // whether edges are on no face
+  // Per point, whether it is on an edge or face of a crossing at the start of the frame; empty: there are none.
+  std::vector<char> is_pierced_;
   std::vector<Vec3> last_, u_;    // places at the start of the substep, and velocities in it [m/s]
   std::vector<char> is_changed_;  // per point, whether that is another one
 

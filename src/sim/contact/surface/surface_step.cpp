@@ -121,18 +121,14 @@ double SurfaceStep::max_speed(std::span<const Vec3> velocity) const {
   return std::sqrt(max);
 }
 
-// Where the closest point of an edge of a face is its end, or that of a face belongs to another one, other pairs touch in the same place.
 void SurfaceStep::make_contacts(const Plan& plan, double h) {
   contacts_.surface.clear();
   contacts_.obstacles.clear();
   const std::vector<double>& thickness = plan.surface.thickness;
   for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
-    search_.visit_near(kind, [&](const Near& near, const SurfacePair& pair, double approach) {
-      const Closest& closest = near.closest;
+    search_.visit_touching(plan.surface, kind, [&](const SurfacePair& pair, const Closest& closest, double approach) {
       const auto& [i, j, k, l] = pair.points;
       const std::array<double, 4>& w = closest.weight;
-      if (kind == FeaturePair::TwoEdges ? closest.is_at_end && !pair.has_spring : !search_.sides().owns(pair.features[0], w[1], w[2], w[3]))
-        return;
       const double gap = closest.distance - search_.part(pair) * std::min({thickness[i], thickness[j], thickness[k], thickness[l]});
       if (gap >= search_.max_gap(approach)) return;
       SurfaceContact contact{.points = pair.points, .weight = w, .gap = gap};

@@ -27,8 +27,6 @@ class SurfaceStep {
   long candidates() const { return search_.candidates(); }
 
  private:
-  using Near = SurfaceSearch::Near;
-
   bool correct(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
   bool load(const Plan& plan, const Field& x0, double h, const Motion& motion);
   void start_frame(const Plan& plan);

@@ -58,9 +58,6 @@ void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
   split(center, 0, n);
   sort_features(plan);
   sort_points(plan);
-  piece_boxes_.resize(pieces_.size());
-  corner_boxes_.resize(corners_.size());
-  edge_boxes_.resize(edges_.size());
   for (const Index leaf : leaves_) fit_features(x, nodes_[leaf]);
   fit_parents();
 }
@@ -113,11 +110,16 @@ void SurfaceTree::sort_features(const SurfacePlan& plan) {
     is_face_.push_back(plan.pieces[p].is_face ? 1 : 0);
   }
   edge_ends_.clear();
-  is_spring_.clear();
-  for (const Index e : edges_) {
-    edge_ends_.push_back(plan.edges[e]);
-    is_spring_.push_back(plan.is_spring[e]);
-  }
+  for (const Index e : edges_) edge_ends_.push_back(plan.edges[e]);
+
+  const auto set_boxes = [](BoxColumns& columns, const auto& features, std::size_t points, const auto& point_of) {
+    columns.resize(features.size());
+    for (std::size_t k = 0; k < points; ++k)
+      for (std::size_t i = 0; i < features.size(); ++i) columns.point[k][i] = static_cast<double>(point_of(features[i], k));
+  };
+  set_boxes(corner_boxes_, corners_, 1, [](Index i, std::size_t) { return i; });
+  set_boxes(piece_boxes_, piece_points_, 3, [](const auto& points, std::size_t k) { return points[k]; });
+  set_boxes(edge_boxes_, edge_ends_, 2, [](const auto& ends, std::size_t k) { return ends[k]; });
 }
 
 void SurfaceTree::sort_points(const SurfacePlan& plan) {
@@ -220,74 +222,62 @@ void SurfaceTree::visit_leaves(double reach, const Visit& visit) const {
   }
 }
 
-// Those closer than `reach`.
-void SurfaceTree::append_close(const SurfacePlan& plan, std::span<const Vec3> x, const Node& first, const Node& second, double reach,
-                               std::span<const char> left_out, std::vector<SurfacePair>& pairs) const {
-  FeatureBlock block;
-  std::array<std::array<Index, 2>, FeatureBlock::capacity> places;  // in the lists of this tree
-  const auto measure = [&](FeaturePair kind) {
-    find_closest(kind, x, block);
-    for (int i = 0; i < block.count; ++i) {
-      if (!(block.distance[i] < reach)) continue;
-      SurfacePair& pair = pairs.emplace_back(SurfacePair{.kind = kind, .points = block.points[i], .distance = block.distance[i]});
-      const auto [f, s] = places[i];
-      if (kind == FeaturePair::PointFace) {
-        pair.features = {pieces_[s], no_index};
-      } else {
-        pair.has_spring = (is_spring_[f] | is_spring_[s]) != 0;
-        pair.features = {edges_[f], edges_[s]};
-      }
-    }
-    block.count = 0;
-  };
-  const auto add = [&](FeaturePair kind, const std::array<Index, 2>& place, const std::array<Index, 4>& points, bool is_kept) {
-    places[block.count] = place;
-    block.points[block.count] = points;
-    block.count += is_kept ? 1 : 0;
-    if (block.count == FeatureBlock::capacity) measure(kind);
-  };
-
-  // most pairs are of neighbors, and left out without a branch
+// Those whose boxes are closer than `reach`.
+void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const char> left_out,
+                               PairsByKind& pairs) const {
   ClosePairs close;
+  const auto append = [&](FeaturePair kind, std::size_t count, const auto& use) {
+    SurfacePairs& to = pairs[static_cast<std::size_t>(kind)];
+    std::size_t end = to.size();
+    to.resize(end + count);
+    for (const auto& [f, s] : std::span(close).first(count))
+      if (use(f, s, to.points[end], to.features[end])) ++end;
+    to.resize(end);
+  };
+  const auto is_out = [&](Index i) { return !left_out.empty() && left_out[i] != 0; };
+
   const auto add_points = [&](const Node& of_corners, const Node& of_pieces) {
-    const std::size_t count = find_close_boxes({corner_boxes_, of_corners.corners, of_corners.box},
+    const std::size_t count = find_close_apart(FeaturePair::PointFace, {corner_boxes_, of_corners.corners, of_corners.box},
                                                {piece_boxes_, of_pieces.pieces, of_pieces.box}, reach, close);
-    for (const auto& [c, p] : std::span(close).first(count)) {
+    append(FeaturePair::PointFace, count, [&](Index c, Index p, std::array<Index, 4>& points, std::array<Index, 2>& features) {
       const Index i = corners_[c];
       const auto [j, k, l] = piece_points_[p];
-      bool is_kept = is_face_[p] != 0 && (i != j) & (i != k) & (i != l);
-      if (!plan.close.empty()) is_kept = is_kept && !plan.excludes_face(i, piece_points_[p]);
-      if (left_out[i] != 0) is_kept = is_kept && left_out[j] == 0 && left_out[k] == 0 && left_out[l] == 0;
-      add(FeaturePair::PointFace, {c, p}, {i, j, k, l}, is_kept);
-    }
+      points = {i, j, k, l};
+      features = {pieces_[p], no_index};
+      return is_face_[p] != 0 && (plan.close.empty() || !plan.excludes_face(i, piece_points_[p])) &&
+             !(is_out(i) && (is_out(j) || is_out(k) || is_out(l)));
+    });
   };
   add_points(first, second);
   if (&first != &second) add_points(second, first);
-  measure(FeaturePair::PointFace);
 
-  const std::size_t count = find_close_boxes({edge_boxes_, first.edges, first.box}, {edge_boxes_, second.edges, second.box}, reach, close);
+  const std::size_t count =
+      find_close_apart(FeaturePair::TwoEdges, {edge_boxes_, first.edges, first.box}, {edge_boxes_, second.edges, second.box}, reach, close);
   const bool has_links = !plan.close.empty() || !plan.joined.empty();
-  for (const auto& [e, f] : std::span(close).first(count)) {
+  append(FeaturePair::TwoEdges, count, [&](Index e, Index f, std::array<Index, 4>& points, std::array<Index, 2>& features) {
     const auto [i, j] = edge_ends_[e];
     const auto [k, l] = edge_ends_[f];
-    bool is_kept = (i != k) & (i != l) & (j != k) & (j != l);
-    if (has_links) is_kept = is_kept && !plan.excludes_edge(edges_[e], edges_[f]);
-    if ((left_out[i] | left_out[j]) != 0) is_kept = is_kept && (left_out[k] | left_out[l]) == 0;
-    add(FeaturePair::TwoEdges, {e, f}, {i, j, k, l}, is_kept);
-  }
-  measure(FeaturePair::TwoEdges);
-}
-
-void SurfaceTree::find_pairs_of(const SurfacePlan& plan, std::span<const Vec3> x, Index first, Index second, double reach,
-                                std::span<const char> left_out, std::vector<SurfacePair>& pairs) const {
-  append_close(plan, x, nodes_[leaves_[first]], nodes_[leaves_[second]], reach, left_out, pairs);
+    points = {i, j, k, l};
+    features = {edges_[e], edges_[f]};
+    return (!has_links || !plan.excludes_edge(features[0], features[1])) && !((is_out(i) || is_out(j)) && (is_out(k) || is_out(l)));
+  });
 }
 
 bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
                              std::vector<SurfacePair>& pairs, std::size_t max_pairs) {
   if (nodes_.empty()) return true;
+  PairsByKind close;
+  std::vector<double> distance;
   visit_leaves(reach, [&](const Node& first, const Node& second) {
-    append_close(plan, x, first, second, reach, left_out, pairs);
+    for (SurfacePairs& each : close) each.resize(0);
+    append_close(plan, first, second, reach, left_out, close);
+    for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) {
+      const SurfacePairs& of_kind = close[static_cast<std::size_t>(kind)];
+      distance.resize(of_kind.size());
+      find_distances(kind, x, of_kind.points, distance);
+      for (std::size_t p = 0; p < of_kind.size(); ++p)
+        if (distance[p] < reach) pairs.push_back(of_kind.pair(plan, kind, p));
+    }
     return pairs.size() <= max_pairs;
   });
   return pairs.size() <= max_pairs;

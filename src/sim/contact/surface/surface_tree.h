@@ -15,8 +15,24 @@ struct SurfacePair {
   bool has_spring = false;  // whether one of two edges is on no face
   std::array<Index, 4> points{};
   std::array<Index, 2> features{};  // of the plan: a piece and no_index, or two edges
-  double distance = 0.0;            // [m], where they were found
 };
+
+// Pairs of one kind, in columns.
+struct SurfacePairs {
+  std::vector<std::array<Index, 4>> points;
+  std::vector<std::array<Index, 2>> features;  // as those of SurfacePair
+
+  std::size_t size() const { return points.size(); }
+  void resize(std::size_t count) { points.resize(count), features.resize(count); }
+  void set(std::size_t i, const SurfacePairs& from, std::size_t j) { points[i] = from.points[j], features[i] = from.features[j]; }
+  SurfacePair pair(const SurfacePlan& plan, FeaturePair kind, std::size_t i) const {
+    const auto [first, second] = features[i];
+    const bool has_spring = kind == FeaturePair::TwoEdges && (plan.is_spring[first] | plan.is_spring[second]) != 0;
+    return {.kind = kind, .has_spring = has_spring, .points = points[i], .features = features[i]};
+  }
+};
+// Of both kinds.
+using PairsByKind = std::array<SurfacePairs, 2>;
 
 // An edge that passes through a face.
 struct Crossing {
@@ -58,9 +74,12 @@ class SurfaceTree {
     fit_features(x, nodes_[leaves_[leaf]]);
     return nodes_[leaves_[leaf]].box;
   }
-  // The same pairs as find_pairs, of two leaves with boxes for these places.
-  void find_pairs_of(const SurfacePlan& plan, std::span<const Vec3> x, Index first, Index second, double reach,
-                     std::span<const char> left_out, std::vector<SurfacePair>& pairs) const;
+  // Appends the pairs that find_pairs examines, of two leaves with boxes for these places: some are not closer than `reach`. What is
+  // `left_out` may be empty: nothing is.
+  void find_pairs_of(const SurfacePlan& plan, Index first, Index second, double reach, std::span<const char> left_out,
+                     PairsByKind& pairs) const {
+    append_close(plan, nodes_[leaves_[first]], nodes_[leaves_[second]], reach, left_out, pairs);
+  }
 
  private:
   // Its children are the next node and `second`; a leaf has none, and some pieces, with their own corners and edges.
@@ -75,8 +94,8 @@ class SurfaceTree {
   void sort_points(const SurfacePlan& plan);
   void fit_features(std::span<const Vec3> x, Node& leaf);
   void fit_parents();
-  void append_close(const SurfacePlan& plan, std::span<const Vec3> x, const Node& first, const Node& second, double reach,
-                    std::span<const char> left_out, std::vector<SurfacePair>& pairs) const;
+  void append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const char> left_out,
+                    PairsByKind& pairs) const;
   static bool are_close(const SurfaceBox& a, const SurfaceBox& b, double reach);
   template <class Visit>
   void visit_leaves(double reach, const Visit& visit) const;
@@ -88,7 +107,7 @@ class SurfaceTree {
   std::vector<Index> pieces_, corners_, edges_;
   std::vector<std::array<Index, 3>> piece_points_;
   std::vector<EdgeEnds> edge_ends_;
-  std::vector<char> is_face_, is_spring_;  // per piece, per edge
+  std::vector<char> is_face_;  // per piece
   BoxColumns piece_boxes_, corner_boxes_, edge_boxes_;
   std::vector<Index> leaf_points_, first_point_;
 };
