@@ -53,7 +53,7 @@ class AccuracyMeter {
   int order_ = 1;           // of the method on this scene
   bool touches_ = false;    // whether something may touch there: then the order is measured
   // [m], sums over repeated frames, older ones with less weight
-  std::optional<FrameRepetition::Refinement> refinement_;
+  std::optional<FrameRefinement> refinement_;
   int repetitions_ = 0;  // since the order was determined
   const Integrator* method_ = nullptr;
   int frames_since_repetition_ = 0;

@@ -9,17 +9,18 @@
 
 namespace hooke {
 
+// RMS distances [m] between the ends of the frame with the step and half of it, and with half and a quarter of it.
+struct FrameRefinement {
+  double by_half = 0.0, by_quarter = 0.0;
+};
+
 class FrameRepetition {
  public:
-  // RMS distances [m] between the ends of the frame with the step and half of it, and with half and a quarter of it
-  struct Refinement {
-    double by_half = 0.0, by_quarter = 0.0;
-  };
   struct Result {
     FrameError error;
-    double time = 0.0;                       // [s], at the end of the frame
-    double numerical_gain = 0.0;             // [J], by the method in this frame
-    std::optional<Refinement> refinement{};  // if it was asked for
+    double time = 0.0;                            // [s], at the end of the frame
+    double numerical_gain = 0.0;                  // [J], by the method in this frame
+    std::optional<FrameRefinement> refinement{};  // if it was asked for
   };
 
   // The frame that led from `before` to `after`, whose energy is `energy` [J]; `plan` is that of `system`.
