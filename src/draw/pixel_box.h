@@ -11,8 +11,6 @@ namespace hooke {
 // Pixels from the lower left corner of the picture; `right` and `top` are excluded.
 struct PixelBox {
   int left = 0, bottom = 0, right = 0, top = 0;
-  int width() const { return right - left; }
-  int height() const { return top - bottom; }
   bool is_empty() const { return left >= right || bottom >= top; }
 };
 

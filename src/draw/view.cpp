@@ -14,16 +14,12 @@ namespace hooke {
 namespace {
 
 void clear(const Color& background) {
-  glDisable(GL_SCISSOR_TEST);
   glDepthMask(GL_TRUE);
   glClearColor(background.red / 255.0f, background.green / 255.0f, background.blue / 255.0f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void set_scissor(const PixelBox& box) {
-  glEnable(GL_SCISSOR_TEST);
-  glScissor(box.left, box.bottom, box.width(), box.height());
-}
+void set_scissor(const PixelBox& box) { glScissor(box.left, box.bottom, box.right - box.left, box.top - box.bottom); }
 
 // In a 2-D scene everything lies in one plane: later objects are drawn on top.
 void set_state(bool is_spatial) {
@@ -131,25 +127,23 @@ void View::Parts::gather(const DrawContext& context) {
 void View::Parts::draw_scene(const DrawContext& context, const Viewport& place, int width, int height) {
   gather(context);
   target.begin(width, height);
+  glDisable(GL_SCISSOR_TEST);
   clear(context.options.background);
+  glViewport(place.x, height - place.y - place.height, place.width, place.height);
   set_state(context.snapshot.system->dimensions == 3);
+  glEnable(GL_SCISSOR_TEST);
 
   // Only the edges of polygons need multisampling, which costs several times as much: the pixels around them are drawn multisampled, with
   // everything there, and all others directly. Lines, points and panels are antialiased in their shaders.
   const PixelBox whole{place.x, height - place.y - place.height, place.x + place.width, height - place.y};
   PixelBox multisampled = context.options.samples > 0 ? polygons(context, whole) : PixelBox{};
-  if (!multisampled.is_empty() && !target.begin_multisampled(multisampled.width(), multisampled.height(), context.options.samples))
-    multisampled = {};
+  if (!multisampled.is_empty() && !target.begin_multisampled(context.options.samples)) multisampled = {};
   if (!multisampled.is_empty()) {
-    // llvmpipe clears a whole framebuffer in a third of the time of a part of it
-    clear(context.options.background);
-    glViewport(whole.left - multisampled.left, whole.bottom - multisampled.bottom, place.width, place.height);
-    set_scissor({0, 0, multisampled.width(), multisampled.height()});
-    draw_environment(context, true);
     set_scissor(multisampled);
+    clear(context.options.background);
+    draw_environment(context, true);
     target.resolve(multisampled);
   }
-  glViewport(whole.left, whole.bottom, place.width, place.height);
   for (const PixelBox& part : around(multisampled, whole)) {
     if (part.is_empty()) continue;
     set_scissor(part);

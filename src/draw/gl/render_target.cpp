@@ -31,42 +31,35 @@ bool RenderTarget::Layer::allocate(int new_width, int new_height, int new_sample
 }
 
 void RenderTarget::begin(int width, int height) {
-  if (picture_.width != width || picture_.height != height) {
-    sampled_ = {};
-    if (!picture_.allocate(width, height, 0))
-      throw std::runtime_error("OpenGL: no framebuffer of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
-  }
+  if (!picture_.fits(width, height) && !picture_.allocate(width, height, 0))
+    throw std::runtime_error("OpenGL: no framebuffer of " + std::to_string(width) + " x " + std::to_string(height) + " pixels");
   glBindFramebuffer(GL_FRAMEBUFFER, picture_.frame);
   glViewport(0, 0, width, height);
 }
 
-bool RenderTarget::begin_multisampled(int width, int height, int samples) {
-  // in steps, as what is drawn moves
-  constexpr int step = 64;
-  const auto grown = [](int wanted, int present) { return wanted <= present ? present : (wanted + step - 1) / step * step; };
-  if (width > sampled_.width || height > sampled_.height || asked_ != samples)
-    allocate_sampled(grown(width, sampled_.width), grown(height, sampled_.height), samples);
+bool RenderTarget::begin_multisampled(int samples) {
+  if (!sampled_.fits(picture_.width, picture_.height) || asked_ != samples) allocate_sampled(samples);
   glBindFramebuffer(GL_FRAMEBUFFER, sampled_.samples > 0 ? sampled_.frame : picture_.frame);
   return sampled_.samples > 0;
 }
 
-void RenderTarget::allocate_sampled(int width, int height, int samples) {
+void RenderTarget::allocate_sampled(int samples) {
   GLint max = 0;
   glGetIntegerv(GL_MAX_SAMPLES, &max);
   asked_ = samples;
   for (int tried = std::min(samples, max); tried > 1; tried /= 2)
-    if (sampled_.allocate(width, height, tried)) return;
+    if (sampled_.allocate(picture_.width, picture_.height, tried)) return;
 
   // No multisampling is available.
   sampled_ = {};
-  sampled_.width = width;
-  sampled_.height = height;
+  sampled_.width = picture_.width;
+  sampled_.height = picture_.height;
 }
 
 void RenderTarget::resolve(const PixelBox& part) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.frame);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture_.frame);
-  glBlitFramebuffer(0, 0, part.width(), part.height(), part.left, part.bottom, part.right, part.top,
+  glBlitFramebuffer(part.left, part.bottom, part.right, part.top, part.left, part.bottom, part.right, part.top,
                     GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, picture_.frame);
 }
