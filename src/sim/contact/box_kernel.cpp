@@ -25,13 +25,9 @@ HWY_INLINE BoxLanes same_in_all_lanes(const SurfaceBox& box) {
 }
 
 HWY_INLINE BoxLanes load_boxes(const BoxColumns& columns, Index i) {
-  const Lanes d;
-  BoxLanes boxes;
-  for (int c = 0; c < 3; ++c) {
-    boxes.min[c] = hn::LoadU(d, columns.min[c].data() + i);
-    boxes.max[c] = hn::LoadU(d, columns.max[c].data() + i);
-  }
-  return boxes;
+  const auto load = [&](const auto& column) HWY_ATTR { return hn::LoadU(Lanes(), column.data() + i); };
+  return {{load(columns.min[0]), load(columns.min[1]), load(columns.min[2])},
+          {load(columns.max[0]), load(columns.max[1]), load(columns.max[2])}};
 }
 
 // `limit` is a square.
@@ -58,13 +54,8 @@ HWY_INLINE void for_bits(unsigned bits, const Use& use) {
 }
 
 HWY_INLINE BoxLanes one_in_all_lanes(const BoxColumns& columns, Index i) {
-  const Lanes d;
-  BoxLanes box;
-  for (int c = 0; c < 3; ++c) {
-    box.min[c] = hn::Set(d, columns.min[c][i]);
-    box.max[c] = hn::Set(d, columns.max[c][i]);
-  }
-  return box;
+  const auto set = [&](const auto& column) HWY_ATTR { return hn::Set(Lanes(), column[i]); };
+  return {{set(columns.min[0]), set(columns.min[1]), set(columns.min[2])}, {set(columns.max[0]), set(columns.max[1]), set(columns.max[2])}};
 }
 
 // Points of features: those of the first have P of them, those of the second Q.

@@ -136,21 +136,19 @@ void add_on_cells(const Plan& plan, const Wind& wind, Index first, Index cells, 
 double power_on_cells(const Plan& plan, const Wind& wind, Index first, Index cells, const double* x, const double* v) {
   HWY_ALIGN double power[max_cells_at_once];
   const Index i = plan.faces[static_cast<std::size_t>(first)][0], j = plan.faces[static_cast<std::size_t>(first)][1];
-  for_cells(plan, wind, i, j, cells, x, v,
-            [&](auto d, Index cell, const auto* velocity, const auto& on_first, const auto& on_second) HWY_ATTR {
-              using V = hn::Vec<decltype(d)>;
-              const Index point[] = {i + cell, j + cell, i + cell + 1, j + cell + 1};
-              Air<V> free[4];
-              for (int corner = 0; corner < 4; ++corner) {
-                const auto is_fixed = hn::Eq(hn::LoadU(d, plan.inverse_mass.data() + point[corner]), hn::Zero(d));
-                const Air<V>& of_corner = velocity[corner];
-                free[corner] = {hn::IfThenZeroElse(is_fixed, of_corner.x), hn::IfThenZeroElse(is_fixed, of_corner.y),
-                                hn::IfThenZeroElse(is_fixed, of_corner.z)};
-              }
-              const Air<V> of_both = plus(free[1], free[2]);
-              const V of_first = dot_product(on_first, plus(free[0], of_both)), of_second = dot_product(on_second, plus(of_both, free[3]));
-              hn::StoreU(hn::Add(of_first, of_second), d, power + cell);
-            });
+  for_cells(
+      plan, wind, i, j, cells, x, v, [&](auto d, Index cell, const auto* velocity, const auto& on_first, const auto& on_second) HWY_ATTR {
+        using V = hn::Vec<decltype(d)>;
+        const Index point[] = {i + cell, j + cell, i + cell + 1, j + cell + 1};
+        const auto free = [&](int corner) HWY_ATTR {
+          const auto is_fixed = hn::Eq(hn::LoadU(d, plan.inverse_mass.data() + point[corner]), hn::Zero(d));
+          const auto& v_of = velocity[corner];
+          return Air<V>{hn::IfThenZeroElse(is_fixed, v_of.x), hn::IfThenZeroElse(is_fixed, v_of.y), hn::IfThenZeroElse(is_fixed, v_of.z)};
+        };
+        const Air<V> of_both = plus(free(1), free(2));
+        const V of_first = dot_product(on_first, plus(free(0), of_both)), of_second = dot_product(on_second, plus(of_both, free(3)));
+        hn::StoreU(hn::Add(of_first, of_second), d, power + cell);
+      });
   // cell by cell, so that the sum does not depend on the width of the vectors
   double sum = 0.0;
   for (Index cell = 0; cell < cells; ++cell) sum += power[cell];
