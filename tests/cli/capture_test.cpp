@@ -211,5 +211,16 @@ TEST(Capture, KeepsTheOldPictureWhereTheNewOneCannotBeWritten) {
   EXPECT_EQ(files_in(scratch.folder), (std::vector<std::string>{"a.png"}));
 }
 
+// Pictures are written in a thread of their own: in order, up to the first that fails.
+TEST(Capture, EndsWithThePictureOfAFolderThatCannotBeWritten) {
+  const ScratchFolder scratch;
+  std::filesystem::create_directories(scratch.folder / "pictures" / "frame_00003.png" / "occupied");
+  const Outcome outcome = capture("two_masses --out pictures --frames 40 --size 32x32", scratch.folder);
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_NE(outcome.err.find("frame_00003.png: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(files_in(scratch.folder / "pictures"),
+            (std::vector<std::string>{"frame_00000.png", "frame_00001.png", "frame_00002.png", "frame_00003.png"}));
+}
+
 }  // namespace
 }  // namespace hooke
