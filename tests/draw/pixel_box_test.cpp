@@ -7,6 +7,8 @@
 namespace hooke {
 namespace {
 
+std::size_t place(int x, int y) { return 50 * static_cast<std::size_t>(y) + static_cast<std::size_t>(x); }
+
 bool is_same(const PixelBox& a, const PixelBox& b) {
   return a.left == b.left && a.bottom == b.bottom && a.right == b.right && a.top == b.top;
 }
@@ -18,14 +20,14 @@ TEST(PixelBoxes, AroundABoxCoverEveryOtherPixelOnce) {
     std::vector<int> count(50 * 50, 0);
     const auto paint = [&](const PixelBox& box) {
       for (int y = box.bottom; y < box.top; ++y)
-        for (int x = box.left; x < box.right; ++x) ++count[static_cast<std::size_t>(50 * y + x)];
+        for (int x = box.left; x < box.right; ++x) ++count[place(x, y)];
     };
     paint(inner);
     for (const PixelBox& part : around(inner, whole)) paint(part);
     for (int y = 0; y < 50; ++y)
       for (int x = 0; x < 50; ++x) {
         const bool is_inside = x >= whole.left && x < whole.right && y >= whole.bottom && y < whole.top;
-        EXPECT_EQ(count[static_cast<std::size_t>(50 * y + x)], is_inside ? 1 : 0) << x << " " << y;
+        EXPECT_EQ(count[place(x, y)], is_inside ? 1 : 0) << x << " " << y;
       }
   }
 }

@@ -37,7 +37,8 @@ void add_net(TestSim& sim, const NetOfCells& net) {
                               .second = id_of(other_r, other_c),
                               .family = net.has_families ? family : SpringFamily::None});
   };
-  for (int i = 0; i < net.rows * net.columns; ++i) sim.add({0.1 * (i % net.columns), -0.1 * (i / net.columns), 0.0});
+  for (int row = 0; row < net.rows; ++row)
+    for (int column = 0; column < net.columns; ++column) sim.add({0.1 * column, -0.1 * row, 0.0});
   for (int r = 0; r < net.rows; ++r)
     for (int c = 0; c < net.columns; ++c) {
       const bool is_even = (r + c) % 2 == 0, alternates = net.diagonals == Diagonals::Alternating;
@@ -185,7 +186,9 @@ TEST(PointOrder, ContainsEveryPointOfHostileGraphsOnce) {
 // n x n x n points with springs along the axes
 TestSim lattice_block(int n) {
   TestSim sim;
-  for (int i = 0; i < n * n * n; ++i) sim.add({0.1 * (i % n), 0.1 * (i / n % n), 0.1 * (i / n / n)});
+  for (int layer = 0; layer < n; ++layer)
+    for (int row = 0; row < n; ++row)
+      for (int column = 0; column < n; ++column) sim.add({0.1 * column, 0.1 * row, 0.1 * layer});
   const auto join = [&](int i, int j) { sim.join(sim.system.points()[i].id, sim.system.points()[j].id, 1.0, 0.1); };
   for (int i = 0; i < n * n * n; ++i) {
     if (i % n + 1 < n) join(i, i + 1);

@@ -161,7 +161,8 @@ HWY_INLINE void for_springs(const SweepRun& run, const SpringEnds& ends, const U
   const hn::ScalableTag<double> d;
   constexpr Index lanes = hn::MaxLanes(d);
   const Index rest = run.count % lanes, whole = run.count - rest;
-  const auto stride = static_cast<std::size_t>(run.second - run.first), last = static_cast<std::size_t>(whole * run.step);
+  const auto stride = static_cast<std::size_t>(run.second - run.first),
+             last = static_cast<std::size_t>(whole) * static_cast<std::size_t>(run.step);
   for (Index n = 0; n < whole; n += lanes) {
     if (run.step == 2)
       use(AlternateSprings<decltype(d)>{d, static_cast<std::size_t>(2 * n), run.place(n)});
