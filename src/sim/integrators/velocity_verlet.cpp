@@ -20,8 +20,8 @@ void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) 
   if (plan.has_dashpots()) plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
 }
 
-void accelerate(const Plan& plan, double time, const Field& v, Motion& motion) {
-  compute_position_forces(plan, time, motion.x, v, motion.a);
+void accelerate(const Plan& plan, double time, Motion& motion) {
+  compute_position_forces(plan, time, motion.x, motion.v, motion.a);
   divide_by_mass(plan, motion.a);
   ++motion.force_evaluations;
 }
@@ -31,7 +31,7 @@ void accelerate_and_kick_half(const Plan& plan, double time, Motion& motion, dou
     accelerate_and_kick(plan, time, motion, 0.5 * h, 0.0);
     ++motion.force_evaluations;
   } else {
-    accelerate(plan, time, motion.v, motion);
+    accelerate(plan, time, motion);
     kick(plan, motion, 0.5 * h);
   }
 }
@@ -63,7 +63,7 @@ void kick_and_drift_alone(const Plan& plan, Motion& motion, double h) {
     accelerate_and_kick(plan, motion.time, motion, 0.5 * h, h);
     ++motion.force_evaluations;
   } else {
-    if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
+    if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion);
     kick(plan, motion, 0.5 * h);
     drift(motion, h);
   }
@@ -91,7 +91,7 @@ void fly_damped(const Plan& plan, Motion& motion, Workspace& work, double h, int
   for (int i = 0; i < count && !flight.was_interrupted(); ++i) {
     if (i > 0) flight.any_at_limit = flight.any_at_limit || any_reaches_limit(plan, plan.runs, motion.x);
     decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
-    if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
+    if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion);
     kick_and_drift_with_known(plan, motion, 0.5 * h, h, flight);
     motion.time += h;
     accelerate_and_kick_half(plan, motion.time, motion, h);
@@ -103,7 +103,7 @@ void fly_damped(const Plan& plan, Motion& motion, Workspace& work, double h, int
 
 void fly(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) {
   if (plan.has_dashpots()) return fly_damped(plan, motion, work, h, count, flight);
-  if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
+  if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion);
   kick_and_drift_with_known(plan, motion, 0.5 * h, h, flight);
   motion.time += h;
   kick_and_drift_steps(plan, motion, h, count - 1, false, flight);
