@@ -7,9 +7,6 @@
 //    | /     \        no other spring needs its old position: the point can be advanced in place.
 //   x10       x11
 //
-// Square roots and divisions take long: the p of a row are computed a row ahead, in the same loop as the sums of the row before, which
-// the processor does meanwhile.
-//
 // Compiled once for each vector unit by Highway. Every lane does the same IEEE operations in every width, and every point has the
 // same order of sums: ((R - A of its left) - (R + D + G)) + ((D + A) + G of its left, all of the row above), signs as on it.
 #include "sim/forces/grid_kernel.h"

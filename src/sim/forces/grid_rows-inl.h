@@ -1,5 +1,6 @@
 // The sums of forces over a band of rows of a grid, for kernels that Highway compiles once for each vector unit; see grid_kernel.cpp.
 // Included once for each of them.
+#include <algorithm>
 #include <type_traits>
 #include <utility>
 
@@ -19,17 +20,15 @@ HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Scratch of a grid: the p of one row of springs in each direction, and the force on one row of points in each component.
+// The forces on a row of points, by component, from one row of cells to the next.
 template <class T>
 struct Scratch {
-  T* p[Grid::directions];
   T* force[3];
   Scratch(T* buffer, Index pitch) {
-    for (T*& row : p) row = std::exchange(buffer, buffer + pitch);
     for (T*& row : force) row = std::exchange(buffer, buffer + pitch);
   }
 };
-constexpr std::size_t scratch_rows = Grid::directions + 3;
+constexpr std::size_t scratch_rows = 3;
 
 // A row of points: its first component, and the distance of the next one.
 template <class T>
@@ -101,9 +100,9 @@ HWY_INLINE Corners<Dimensions, V> load_corners(const Columns& columns, const Poi
 }
 
 // The p of the springs of one direction from column j on. `at_limit` collects whether springs are at least as long as their limit.
-template <int Dimensions, bool Damped, class D, class V, class T>
-HWY_INLINE void compute_tension(D d, const Numbers<T>& numbers, Grid::Direction direction, Index j, const V* x1, const V* x2, const V* v1,
-                                const V* v2, T* p, hn::Mask<D>& at_limit) {
+template <int Dimensions, bool Damped, class D, class T, class V = hn::Vec<D>>
+HWY_INLINE V compute_tension(D d, const Numbers<T>& numbers, Grid::Direction direction, Index j, const V* x1, const V* x2, const V* v1,
+                             const V* v2, hn::Mask<D>& at_limit) {
   V u[Dimensions];
   for (int c = 0; c < Dimensions; ++c) u[c] = hn::Sub(x1[c], x2[c]);
   V square = hn::Mul(u[0], u[0]);
@@ -116,26 +115,8 @@ HWY_INLINE void compute_tension(D d, const Numbers<T>& numbers, Grid::Direction 
     for (int c = 1; c < Dimensions; ++c) approach = hn::Add(approach, hn::Mul(u[c], hn::Sub(v1[c], v2[c])));
     tension = hn::Add(tension, hn::Div(hn::Mul(hn::LoadU(d, numbers.damping[direction] + j), approach), square));
   }
-  hn::StoreU(hn::IfThenZeroElse(hn::Eq(square, hn::Zero(d)), tension), d, p + j);
   if (numbers.has_limits) at_limit = hn::Or(at_limit, hn::Ge(square, hn::LoadU(d, numbers.limit[direction] + j)));
-}
-
-// The p of the cells from column j on.
-template <int Dimensions, bool Damped, bool HasBelow, class Columns, class T>
-HWY_INLINE void compute_tensions(const Columns& columns, const Points<Dimensions, T>& x, const Points<Dimensions, T>& v,
-                                 const Numbers<T>& numbers, Index j, T* const* p, hn::Mask<typename Columns::D>& at_limit) {
-  const auto d = columns.d;
-  const auto at = load_corners<Dimensions, HasBelow>(columns, x, j);
-  auto speed = at;
-  if constexpr (Damped) speed = load_corners<Dimensions, HasBelow>(columns, v, j);
-  const auto compute = [&](Grid::Direction direction, const auto* x1, const auto* x2, const auto* v1, const auto* v2) HWY_ATTR {
-    compute_tension<Dimensions, Damped>(d, numbers, direction, j, x1, x2, v1, v2, p[direction], at_limit);
-  };
-  compute(Grid::Right, at.x00, at.x01, speed.x00, speed.x01);
-  if constexpr (!HasBelow) return;
-  compute(Grid::Down, at.x00, at.x10, speed.x00, speed.x10);
-  compute(Grid::Diagonal, at.x00, at.x11, speed.x00, speed.x11);
-  compute(Grid::Anti, at.x01, at.x10, speed.x01, speed.x10);
+  return hn::IfThenZeroElse(hn::Eq(square, hn::Zero(d)), tension);
 }
 
 // Where the force on a row comes from and goes to: by the row above, and on the row below, which it replaces or is added to.
@@ -145,12 +126,11 @@ struct Sums {
   T* to_below[Dimensions];
 };
 
-// The force on the own corners of the cells from column j on.
+// The force on the own corners of the cells from column j on, whose corners are `at` and whose springs have the tensions p.
 template <int Dimensions, bool HasBelow, bool Replace, class Columns, class T, class V, class Others>
-HWY_INLINE void compute_forces(const Columns& columns, const Points<Dimensions, T>& x, const Sums<Dimensions, T>& sums, Index j, const V* p,
+HWY_INLINE void compute_forces(const Columns& columns, const Corners<Dimensions, V>& at, const Sums<Dimensions, T>& sums, Index j, const V* p,
                                const Others& others, Carry<Dimensions, V>& carry, V* force) {
   const auto d = columns.d;
-  const auto at = load_corners<Dimensions, HasBelow>(columns, x, j);
   for (int c = 0; c < Dimensions; ++c) {
     const V right = hn::Mul(p[Grid::Right], hn::Sub(at.x00[c], at.x01[c]));
     V own = right, to_next = right, down, diagonal, anti;
@@ -174,9 +154,6 @@ HWY_INLINE void compute_forces(const Columns& columns, const Points<Dimensions, 
   }
 }
 
-// Whose springs are computed ahead of the sums of a row: none, those along the last row of the grid, or all of the next row.
-enum class Ahead { None, LastRow, Row };
-
 // What the rows of a band are computed from, and where their forces go.
 template <int Dimensions, class T>
 struct BandPass {
@@ -188,25 +165,12 @@ struct BandPass {
   HWY_INLINE Points<Dimensions, T> points(const RowSource<T>& source, Index r) const { return {source.row(r), source.row(r + 1)}; }
 };
 
-// The p of row r.
-template <int Dimensions, bool Damped, bool HasBelow, class T>
-HWY_INLINE void compute_first_row(const BandPass<Dimensions, T>& pass, Index r, AnySet<T>& at_limit) {
-  const Points<Dimensions, T> position = pass.points(pass.positions, r), velocity = pass.points(pass.velocities, r);
-  const Numbers<T> numbers(pass.grid, r, Damped);
-  for_columns<T>(pass.grid.columns, [&](const auto& columns, Index j) HWY_ATTR {
-    compute_tensions<Dimensions, Damped, HasBelow>(columns, position, velocity, numbers, j, pass.scratch.p, at_limit.mask(columns.d));
-  });
-}
-
-// The forces on row r, and the p of the row ahead. A row of the band if IsOwn; of the row above, only the forces on the band count.
-template <int Dimensions, bool Damped, bool Replace, bool HasBelow, Ahead ahead, bool IsOwn, class T, class Others, class Use>
+// The forces on row r. A row of the band if IsOwn; of the row above, only the forces on the band count.
+template <int Dimensions, bool Damped, bool Replace, bool HasBelow, bool IsOwn, class T, class Others, class Use>
 HWY_INLINE void compute_row(const BandPass<Dimensions, T>& pass, Index r, AnySet<T>& at_limit, const Others& others, const Use& use) {
   const Index columns_of_row = pass.grid.columns, start = pass.grid.first + r * columns_of_row;
-  const Index row_ahead = ahead == Ahead::None ? r : r + 1;
-  const Points<Dimensions, T> position = pass.points(pass.positions, r), position_ahead = pass.points(pass.positions, row_ahead),
-                              velocity_ahead = pass.points(pass.velocities, row_ahead);
-  const Numbers<T> numbers_ahead(pass.grid, row_ahead, Damped);
-  T* const* const p = pass.scratch.p;
+  const Points<Dimensions, T> position = pass.points(pass.positions, r), velocity = pass.points(pass.velocities, r);
+  const Numbers<T> numbers(pass.grid, r, Damped);
   Sums<Dimensions, T> sums;
   for (int c = 0; c < Dimensions; ++c) {
     T* const component = Replace ? nullptr : pass.field + static_cast<std::size_t>(c) * pass.grid.points + start;
@@ -218,38 +182,35 @@ HWY_INLINE void compute_row(const BandPass<Dimensions, T>& pass, Index r, AnySet
   RowState<Dimensions, T> state;
   for_columns<T>(columns_of_row, [&](const auto& columns, Index j) HWY_ATTR {
     using V = typename std::remove_cvref_t<decltype(columns)>::V;
-    V tension[Grid::directions], on_points[Dimensions];
-    for (std::size_t direction = 0; direction < (HasBelow ? Grid::directions : 1); ++direction)
-      tension[direction] = hn::LoadU(columns.d, p[direction] + j);
-    if constexpr (ahead != Ahead::None)
-      compute_tensions<Dimensions, Damped, ahead == Ahead::Row>(columns, position_ahead, velocity_ahead, numbers_ahead, j, p,
-                                                                at_limit.mask(columns.d));
+    const auto at = load_corners<Dimensions, HasBelow>(columns, position, j);
+    auto speed = at;
+    if constexpr (Damped) speed = load_corners<Dimensions, HasBelow>(columns, velocity, j);
+    V p[Grid::directions], on_points[Dimensions];
+    const auto compute = [&](Grid::Direction direction, const V* x1, const V* x2, const V* v1, const V* v2) HWY_ATTR {
+      p[direction] = compute_tension<Dimensions, Damped>(columns.d, numbers, direction, j, x1, x2, v1, v2, at_limit.mask(columns.d));
+    };
+    compute(Grid::Right, at.x00, at.x01, speed.x00, speed.x01);
+    if constexpr (HasBelow) {
+      compute(Grid::Down, at.x00, at.x10, speed.x00, speed.x10);
+      compute(Grid::Diagonal, at.x00, at.x11, speed.x00, speed.x11);
+      compute(Grid::Anti, at.x01, at.x10, speed.x01, speed.x10);
+    }
     const auto add_others = [&](int c, V from_above) HWY_ATTR {
       if constexpr (IsOwn)
         return others(columns, start + j, c, from_above);
       else
         return from_above;
     };
-    compute_forces<Dimensions, HasBelow, Replace>(columns, position, sums, j, tension, add_others, state.carry(columns.d), on_points);
+    compute_forces<Dimensions, HasBelow, Replace>(columns, at, sums, j, p, add_others, state.carry(columns.d), on_points);
     if constexpr (IsOwn) use(columns, start + j, on_points);
   });
 }
 
-// What bands of a part of the grid need besides, in functions of their own: the loop over the rows of a whole grid remains as small as it
-// is.
+// In a function of its own: the loop over the rows of a whole grid remains small.
 template <int Dimensions, bool Damped, bool Replace, class T, class Others, class Use>
 HWY_NOINLINE void compute_row_above(const BandPass<Dimensions, T>& pass, AnySet<T>& at_limit, const Others& others, const Use& use) {
-  const Index above = pass.band.begin - 1;
-  compute_first_row<Dimensions, Damped, true>(pass, above, at_limit);
-  if (above + 2 < pass.grid.rows)
-    compute_row<Dimensions, Damped, Replace, true, Ahead::Row, false>(pass, above, at_limit, others, use);
-  else
-    compute_row<Dimensions, Damped, Replace, true, Ahead::LastRow, false>(pass, above, at_limit, others, use);
+  compute_row<Dimensions, Damped, Replace, true, false>(pass, pass.band.begin - 1, at_limit, others, use);
   if (pass.band.steps != nullptr) pass.band.steps->has_read_above();
-}
-template <int Dimensions, bool Damped, bool Replace, class T, class Others, class Use>
-HWY_NOINLINE void compute_last_row(const BandPass<Dimensions, T>& pass, AnySet<T>& at_limit, const Others& others, const Use& use) {
-  compute_row<Dimensions, Damped, Replace, true, Ahead::None, true>(pass, pass.band.end - 1, at_limit, others, use);
 }
 
 // The rows of a band from the top: use(columns, first point, force on the points from there on). Forces on the row below go to the scratch,
@@ -259,24 +220,15 @@ template <int Dimensions, bool Damped, bool Replace, class T, class Others, clas
 HWY_INLINE void compute_band(const GridView<T>& grid, const GridBand<T>& band, const T* x, const T* v, const Scratch<T>& scratch, T* field,
                              AnySet<T>& at_limit, const Others& others, const Use& use) {
   const BandPass<Dimensions, T> pass{grid, band, {grid, band, x, band.x_below}, {grid, band, Damped ? v : x, band.v_below}, scratch, field};
-  const Index last = grid.rows - 1;
-  if (band.begin > 0)
-    compute_row_above<Dimensions, Damped, Replace>(pass, at_limit, others, use);
-  else if (last > 0)
-    compute_first_row<Dimensions, Damped, true>(pass, 0, at_limit);
-  else
-    compute_first_row<Dimensions, Damped, false>(pass, 0, at_limit);
+  if (band.begin > 0) compute_row_above<Dimensions, Damped, Replace>(pass, at_limit, others, use);
 
-  // the rows that compute all springs of the next row, which in a band above another one include those to its copy
-  const bool is_last_band = band.end > last;
-  const Index end = is_last_band ? last - 1 : band.end - 1;
-  for (Index r = band.begin; r < end; ++r) {
-    if (r + 1 == end && !is_last_band && band.steps != nullptr) band.steps->wait_for_below();
-    compute_row<Dimensions, Damped, Replace, true, Ahead::Row, true>(pass, r, at_limit, others, use);
+  const Index last = grid.rows - 1;
+  for (Index r = band.begin; r < std::min(band.end, last); ++r) {
+    // the last row of a band reads the copy of the next one
+    if (r + 1 == band.end && band.steps != nullptr) band.steps->wait_for_below();
+    compute_row<Dimensions, Damped, Replace, true, true>(pass, r, at_limit, others, use);
   }
-  if (!is_last_band) return compute_last_row<Dimensions, Damped, Replace>(pass, at_limit, others, use);
-  if (last > band.begin) compute_row<Dimensions, Damped, Replace, true, Ahead::LastRow, true>(pass, last - 1, at_limit, others, use);
-  compute_row<Dimensions, Damped, Replace, false, Ahead::None, true>(pass, last, at_limit, others, use);
+  if (band.end > last) compute_row<Dimensions, Damped, Replace, false, true>(pass, last, at_limit, others, use);
 }
 
 }  // namespace hooke::HWY_NAMESPACE
