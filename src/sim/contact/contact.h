@@ -2,11 +2,11 @@
 // restitution and Coulomb friction. Last, faces and springs against each other (surface_solver.h).
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_solver.h"
+#include "sim/contact/resting_kernel.h"
 #include "sim/contact/surface/surface_solver.h"
 #include "sim/motion.h"
 
@@ -29,9 +29,14 @@ struct ContactWorkspace {
   };
   std::vector<Pushed> pushed;
   // Of each point: what became of it, and the work of the contact [J] in addition to the work of the forces.
-  enum class Outcome : std::uint8_t { Free, Solved, Open };
-  std::vector<Outcome> outcome;
+  std::vector<RestingPoints::Outcome> outcome;
   std::vector<double> work;
+  // Of each block of RestingPoints::max points: the sum of their work, without those that are Open.
+  struct Block {
+    double work;
+    bool any_solved, any_open;
+  };
+  std::vector<Block> blocks;
   PairSolver pairs;
   SurfaceSolver surface;
   // Points may have been edited.

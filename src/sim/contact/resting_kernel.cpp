@@ -25,21 +25,21 @@ HWY_INLINE double extent_of(const Sphere& sphere) { return extent_of(sphere.cent
 HWY_INLINE double extent_of(const Plane& plane) { return extent_of(plane.point); }
 
 // Whether points in flight certainly stay clear of the shape, which lies behind the tangent plane below their start: the minimum over the
-// step of g + v t + a t^2 / 2, with g, v and a along the normal.
-template <class Shape>
-HWY_INLINE LaneMask stay_clear(const Shape& shape, double extent, const Step& step) {
+// step of g + v t + a t^2 / 2, with g, v and a along the normal. `gap`: at the start.
+HWY_INLINE LaneMask stay_clear(const LaneGap& gap, double extent, const Step& step) {
   const Lane zero = same(0.0), h = same(step.h), half = same(0.5);
-  const LaneGap gap = lane_gap(shape, step.radius, step.x0);
-  const Lane displacement = dot_of(gap.normal, difference(step.x1, step.x0)), a = dot_of(gap.normal, step.a);
-  const Lane v = hn::Sub(hn::Div(displacement, h), hn::Mul(half, hn::Mul(h, a)));
+  const Lane displacement = dot_of(gap.normal, difference(step.x1, step.x0)), lower = hn::Min(displacement, zero);
+  const Lane margin = hn::Mul(same(1e-12), hn::Add(magnitude(step.x0), same(extent)));
+  const LaneMask ends_clear = hn::Gt(hn::Add(gap.distance, lower), margin);
+  if (hn::AllFalse(PointLanes(), ends_clear)) return ends_clear;  // as those that rest
+  const Lane a = dot_of(gap.normal, step.a), v = hn::Sub(hn::Div(displacement, h), hn::Mul(half, hn::Mul(h, a)));
   const LaneMask turns = hn::And(hn::Lt(v, zero), hn::Lt(hn::Neg(v), hn::Mul(h, a)));
   const Lane at_turn = hn::IfThenElseZero(turns, hn::Neg(hn::Div(hn::Mul(half, hn::Mul(v, v)), a)));
-  const Lane lowest = hn::Min(hn::Min(displacement, zero), at_turn);
-  return hn::Gt(hn::Add(gap.distance, lowest), hn::Mul(same(1e-12), hn::Add(magnitude(step.x0), same(extent))));
+  return hn::Gt(hn::Add(gap.distance, hn::Min(lower, at_turn)), margin);
 }
 HWY_INLINE LaneMask stay_clear(const ColliderShape& any_shape, const Step& step) {
-  if (const auto* sphere = std::get_if<Sphere>(&any_shape)) return stay_clear(*sphere, extent_of(*sphere), step);
-  if (const auto* plane = std::get_if<Plane>(&any_shape)) return stay_clear(*plane, extent_of(*plane), step);
+  if (const auto* sphere = std::get_if<Sphere>(&any_shape)) return stay_clear(lane_gap(*sphere, step.radius, step.x0), extent_of(*sphere), step);
+  if (const auto* plane = std::get_if<Plane>(&any_shape)) return stay_clear(lane_gap(*plane, step.radius, step.x0), extent_of(*plane), step);
   return same_if(false);
 }
 
@@ -86,15 +86,34 @@ HWY_INLINE Lane work_per_mass(const Step& step, const Corrected& corrected) {
   return hn::Sub(gained, dot_of(step.a, difference(corrected.x, step.x1)));
 }
 
+// One per lane, from the lowest bit up.
+HWY_INLINE unsigned bits_of(LaneMask mask) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(PointLanes(), mask, bits);
+  return bits[0];
+}
+
+// Of the points of a vector, those that are `open` if they touch, and of these the `solved` ones.
+HWY_INLINE void set_outcomes(unsigned open, unsigned solved, RestingPoints& points, RestingPoints::Outcome* outcome) {
+  points.any_solved = points.any_solved || solved != 0;
+  points.any_open = points.any_open || (open & ~solved) != 0;
+  for (std::size_t lane = 0; lane < hn::Lanes(PointLanes()); ++lane)
+    if ((open >> lane & 1U) != 0) outcome[lane] = (solved >> lane & 1U) != 0 ? RestingPoints::Solved : RestingPoints::Open;
+}
+
 // A point that stops under friction may take many segments: such points are solved again, together.
 constexpr int first_segments = 2;
 struct Unfinished {
   std::size_t count = 0;
   std::array<std::size_t, RestingPoints::max> point;
   std::array<const Collider*, RestingPoints::max> collider;
-  void add(std::size_t i, const Collider& on) {
-    point[count] = i;
-    collider[count++] = &on;
+  // Points i, i + 1, .. as the bits say.
+  HWY_INLINE void add(std::size_t i, unsigned bits, const Collider& on) {
+    for (; bits != 0; bits >>= 1U, ++i) {
+      if ((bits & 1U) == 0) continue;
+      point[count] = i;
+      collider[count++] = &on;
+    }
   }
 };
 
@@ -139,9 +158,10 @@ void solve_unfinished(const Plan& plan, double h, std::size_t first, const Unfin
       step.a = over(difference(step.v1, step.v0), same(h));
       step.size_of_a = length_of(step.a);
       const auto* sphere = std::get_if<Sphere>(&collider.shape);
-      const Corrected corrected = sphere != nullptr
-                                      ? slide(*sphere, collider.friction, step, max_path_segments)
-                                      : slide(*std::get_if<Plane>(&collider.shape), collider.friction, step, max_path_segments);
+      const auto slide_on = [&](const auto& shape) HWY_ATTR {
+        return slide(shape, collider.friction, step, lane_gap(shape, step.radius, step.x0), max_path_segments);
+      };
+      const Corrected corrected = sphere != nullptr ? slide_on(*sphere) : slide_on(*std::get_if<Plane>(&collider.shape));
       double result[7][8];
       const Lane columns[] = {corrected.x.x,
                               corrected.x.y,
@@ -151,25 +171,44 @@ void solve_unfinished(const Plan& plan, double h, std::size_t first, const Unfin
                               corrected.v.z,
                               hn::Mul(hn::LoadU(d, gathered.numbers[13]), work_per_mass(step, corrected))};
       for (std::size_t column = 0; column < 7; ++column) hn::StoreU(columns[column], d, result[column]);
-      std::uint8_t bits[8] = {};
-      hn::StoreMaskBits(d, corrected.is_solved, bits);
+      const unsigned solved = bits_of(corrected.is_solved);
       for (std::size_t lane = 0; lane < count; ++lane) {
-        if ((bits[0] >> lane & 1U) == 0) continue;
+        if ((solved >> lane & 1U) == 0) continue;
         for (std::size_t c = 0; c < static_cast<std::size_t>(plan.dimensions); ++c) {
           x[c * n + point[lane]] = result[c][lane];
           v[c * n + point[lane]] = result[3 + c][lane];
         }
+        points.any_solved = true;
         points.work[point[lane] - first] = result[6][lane];
         points.outcome[point[lane] - first] = RestingPoints::Solved;
       }
     }
 }
 
-void solve_resting(const Plan& plan, double h, std::size_t first, const double* x0, const double* v0, double* x, double* v,
+// Of the lanes `on`, which are near this collider alone: those that may touch it are corrected and `solved`, if they can be, or `open`.
+template <class Shape>
+HWY_INLINE void solve_on(const Plan& plan, const Collider& collider, const Shape& shape, const Step& step, LaneMask on, std::size_t i,
+                         double* x, double* v, Lane& work, LaneMask& open, LaneMask& solved, Unfinished& unfinished) {
+  const PointLanes d;
+  const LaneGap gap = lane_gap(shape, step.radius, step.x0);
+  const LaneMask touching = hn::AndNot(stay_clear(gap, extent_of(shape), step), on);
+  if (hn::AllFalse(d, touching)) return;
+  const Corrected corrected = slide(shape, collider.friction, step, gap, first_segments);
+  const LaneMask here = hn::And(touching, hn::AndNot(corrected.is_unfinished, corrected.is_solved));
+  store_point(plan, corrected.x, here, x, i);
+  store_point(plan, corrected.v, here, v, i);
+  work = hn::IfThenElse(here, hn::Mul(hn::LoadU(d, plan.mass.data() + i), work_per_mass(step, corrected)), work);
+  open = hn::Or(open, touching);
+  solved = hn::Or(solved, here);
+  const LaneMask more = hn::And(touching, corrected.is_unfinished);
+  if (!hn::AllFalse(d, more)) unfinished.add(i, bits_of(more), collider);
+}
+
+void solve_resting(const Plan& plan, double h, std::size_t first, std::size_t end, const double* x0, const double* v0, double* x, double* v,
                    RestingPoints& points) {
   const PointLanes d;
-  const std::size_t n = static_cast<std::size_t>(plan.points), lanes = hn::Lanes(d);
-  const std::size_t end = first + RestingPoints::max < n ? first + RestingPoints::max : n;
+  const std::size_t lanes = hn::Lanes(d);
+  points.any_solved = points.any_open = false;
   Unfinished unfinished;
   std::size_t i = first;
   for (; i + lanes <= end; i += lanes) {
@@ -189,55 +228,52 @@ void solve_resting(const Plan& plan, double h, std::size_t first, const double* 
     const Lane path = hn::Add(hn::Sub(magnitude(difference(step.x1, step.x0)), one), hn::Mul(same(h), speeds));
     const Lane reach = hn::Add(step.radius, hn::Mul(same(4.0), path));
     LaneMask any = same_if(false), several = any;
+    Lane last = same(-1.0);  // the number of the last collider that is near
+    double number = 0.0;
     for (const Collider& collider : plan.colliders) {
       const LaneMask near = may_reach(collider.shape, reach, step.x0);
       several = hn::Or(several, hn::And(any, near));
       any = hn::Or(any, near);
+      last = hn::IfThenElse(near, same(number), last);
+      number += 1.0;
     }
-    const LaneMask is_movable = hn::Ne(hn::LoadU(d, plan.inverse_mass.data() + i), same(0.0));
-    any = hn::And(any, is_movable);
-    for (std::size_t lane = 0; lane < lanes; ++lane) points.outcome[i - first + lane] = RestingPoints::Free;
-    if (hn::AllFalse(d, any)) continue;
-
-    step.a = over(difference(step.v1, step.v0), same(h));
-    step.size_of_a = length_of(step.a);
-    LaneMask is_open = same_if(false);
-    for (const Collider& collider : plan.colliders)
-      is_open = hn::Or(is_open, hn::AndNot(stay_clear(collider.shape, step), may_reach(collider.shape, reach, step.x0)));
-    any = hn::And(any, is_open);
-    if (hn::AllFalse(d, any)) continue;
-    LaneMask solved = same_if(false);
-    const LaneMask alone = hn::AndNot(several, any);
-    if (!hn::AllFalse(d, alone))
+    any = hn::And(any, hn::Ne(hn::LoadU(d, plan.inverse_mass.data() + i), same(0.0)));
+    RestingPoints::Outcome* const outcome = points.outcome + (i - first);
+    for (std::size_t lane = 0; lane < lanes; ++lane) outcome[lane] = RestingPoints::Free;
+    Lane work = same(0.0);
+    if (!hn::AllFalse(d, any)) {
+      step.a = over(difference(step.v1, step.v0), same(h));
+      step.size_of_a = length_of(step.a);
+      LaneMask open = same_if(false), solved = open;
+      several = hn::And(several, any);
+      if (!hn::AllFalse(d, several))
+        for (const Collider& collider : plan.colliders) {
+          const LaneMask near = hn::And(several, may_reach(collider.shape, reach, step.x0));
+          open = hn::Or(open, hn::AndNot(stay_clear(collider.shape, step), near));
+        }
+      const LaneMask alone = hn::AndNot(several, any);
+      number = 0.0;
       for (const Collider& collider : plan.colliders) {
-        const auto solve_on = [&](const auto& shape) HWY_ATTR {
-          const LaneMask near = hn::And(alone, may_reach(collider.shape, reach, step.x0));
-          if (hn::AllFalse(d, near)) return;
-          const Corrected corrected = slide(shape, collider.friction, step, first_segments);
-          const LaneMask here = hn::And(near, hn::AndNot(corrected.is_unfinished, corrected.is_solved));
-          store_point(plan, corrected.x, here, x, i);
-          store_point(plan, corrected.v, here, v, i);
-          const Lane work = hn::Mul(hn::LoadU(d, plan.mass.data() + i), work_per_mass(step, corrected));
-          hn::BlendedStore(work, here, d, points.work.data() + (i - first));
-          solved = hn::Or(solved, here);
-          std::uint8_t bits[8] = {};
-          hn::StoreMaskBits(d, hn::And(near, corrected.is_unfinished), bits);
-          for (std::size_t lane = 0; lane < lanes; ++lane)
-            if ((bits[0] >> lane & 1U) != 0) unfinished.add(i + lane, collider);
-        };
-        if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) solve_on(*sphere);
-        if (const auto* plane = std::get_if<Plane>(&collider.shape)) solve_on(*plane);
+        const LaneMask on = hn::And(alone, hn::Eq(last, same(number)));
+        number += 1.0;
+        if (hn::AllFalse(d, on)) continue;
+        if (const auto* sphere = std::get_if<Sphere>(&collider.shape))
+          solve_on(plan, collider, *sphere, step, on, i, x, v, work, open, solved, unfinished);
+        else if (const auto* plane = std::get_if<Plane>(&collider.shape))
+          solve_on(plan, collider, *plane, step, on, i, x, v, work, open, solved, unfinished);
+        else
+          open = hn::Or(open, on);
       }
-    std::uint8_t any_bits[8] = {}, solved_bits[8] = {};
-    hn::StoreMaskBits(d, any, any_bits);
-    hn::StoreMaskBits(d, solved, solved_bits);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      if ((any_bits[0] >> lane & 1U) == 0) continue;
-      points.outcome[i - first + lane] = (solved_bits[0] >> lane & 1U) != 0 ? RestingPoints::Solved : RestingPoints::Open;
+      if (!hn::AllFalse(d, open)) set_outcomes(bits_of(open), bits_of(solved), points, outcome);
     }
+    hn::StoreU(work, d, points.work + (i - first));
   }
-  for (; i < end; ++i) points.outcome[i - first] = RestingPoints::Open;
-  solve_unfinished(plan, h, first, unfinished, x0, v0, x, v, points);
+  for (; i < end; ++i) {
+    points.outcome[i - first] = RestingPoints::Open;
+    points.work[i - first] = 0.0;
+    points.any_open = true;
+  }
+  if (unfinished.count > 0) solve_unfinished(plan, h, first, unfinished, x0, v0, x, v, points);
 }
 
 }  // namespace hooke::HWY_NAMESPACE
@@ -248,9 +284,9 @@ namespace hooke {
 
 HWY_EXPORT(solve_resting);
 
-void solve_resting_points(const Plan& plan, double h, std::size_t first, const Field& x0, const Field& v0, Field& x, Field& v,
-                          RestingPoints& points) {
-  HWY_DYNAMIC_DISPATCH(solve_resting)(plan, h, first, x0.data(), v0.data(), x.data(), v.data(), points);
+void solve_resting_points(const Plan& plan, double h, std::size_t first, std::size_t end, const Field& x0, const Field& v0, Field& x,
+                          Field& v, RestingPoints& points) {
+  HWY_DYNAMIC_DISPATCH(solve_resting)(plan, h, first, end, x0.data(), v0.data(), x.data(), v.data(), points);
 }
 
 }  // namespace hooke

@@ -91,6 +91,17 @@ HWY_INLINE Load load_of(const LaneGap& gap, const LaneVec3& a, Lane size_of_a, c
   return {normal_acceleration, constrained, hn::And(hn::And(hn::Lt(separation, min), hn::Gt(normal_acceleration, same(0.0))), is_feasible)};
 }
 
+// The acceleration along the surface without friction.
+template <class Shape>
+HWY_INLINE LaneVec3 drive_of(const LaneGap& gap, const Load& load) {
+  return std::is_same_v<Shape, Sphere> ? tangential_to(gap.normal, load.constrained) : load.constrained;
+}
+// Whether friction holds points at rest against it.
+HWY_INLINE LaneMask can_stick(double friction, const LaneVec3& drive, const Load& load, const Step& step) {
+  const Lane max_friction = hn::Mul(same(friction), load.normal_acceleration);
+  return hn::Le(length_of(drive), hn::Add(max_friction, hn::Mul(same(1e-12), step.size_of_a)));
+}
+
 // The lanes of PointContactSolver::Segment, and the point at its end.
 struct LaneSegment {
   LaneVec3 x, v;
@@ -107,17 +118,23 @@ HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Ste
   const LaneVec3 none{zero, zero, zero}, &a = step.a;
 
   // sticks, starts to slide, or slides
+  const PointLanes d;
   const Lane max_friction = hn::Mul(mu, load.normal_acceleration), speed = length_of(start_v);
-  const LaneVec3 drive = is_curved ? tangential_to(gap.normal, load.constrained) : load.constrained;
-  const Lane required = length_of(drive);
-  const LaneMask is_still = hn::Le(speed, zero);
-  const LaneMask sticks = hn::And(is_still, hn::Le(required, hn::Add(max_friction, hn::Mul(same(1e-12), step.size_of_a))));
-  const LaneVec3 starting = choose(sticks, none, sum(none, times(hn::Sub(same(1.0), hn::Div(max_friction, required)), drive)));
-  const LaneVec3 sliding = difference(drive, times(hn::Div(max_friction, speed), start_v));
-  const Lane deceleration = hn::Div(hn::Neg(dot_of(sliding, start_v)), speed);
+  const LaneVec3 drive = drive_of<Shape>(gap, load);
+  const LaneMask is_still = hn::Le(speed, zero), starts = hn::AndNot(can_stick(friction, drive, load, step), is_still);
+  LaneVec3 starting = none, sliding = drive;
+  if (!hn::AllFalse(d, starts)) {
+    const Lane part = hn::Sub(same(1.0), hn::Div(max_friction, length_of(drive)));
+    starting = choose(starts, sum(none, times(part, drive)), none);
+  }
   LaneSegment segment{start, start_v, remaining, load.holds, {}};
-  const LaneMask stops = hn::AndNot(is_still, hn::Ge(hn::Mul(deceleration, remaining), speed));
-  segment.time = hn::IfThenElse(stops, hn::Div(speed, deceleration), remaining);
+  LaneMask stops = same_if(false);
+  if (!hn::AllTrue(d, is_still)) {
+    sliding = difference(drive, times(hn::Div(max_friction, speed), start_v));
+    const Lane deceleration = hn::Div(hn::Neg(dot_of(sliding, start_v)), speed);
+    stops = hn::AndNot(is_still, hn::Ge(hn::Mul(deceleration, remaining), speed));
+    if (!hn::AllFalse(d, stops)) segment.time = hn::IfThenElse(stops, hn::Div(speed, deceleration), remaining);
+  }
   const LaneVec3 acceleration = sum(choose(is_still, starting, sliding), none);
   if constexpr (is_curved) {
     const Lane path = hn::Add(speed, hn::Mul(remaining, length_of(acceleration)));
@@ -167,9 +184,10 @@ HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Ste
   return segment;
 }
 
-// PointContactSolver::advance on `shape` at rest. Under friction a path ends and goes on where the point stops.
+// PointContactSolver::advance on `shape` at rest, at the start of the step with `gap` to it. Under friction a path ends and goes on where the
+// point stops.
 template <class Shape>
-HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step, int max_segments) {
+HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step, LaneGap gap, int max_segments) {
   const PointLanes d;
   const Lane zero = same(0.0), h = same(step.h);
   const LaneVec3 none{zero, zero, zero}, &a = step.a;
@@ -180,10 +198,18 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
 
   // on the surface, and moving neither into it nor away from it
   LaneVec3 x = step.x0, v = step.v0;
-  LaneGap gap = lane_gap(shape, step.radius, x);
+  LaneMask is_solved = hn::Le(hn::Abs(gap.distance), tolerance_at(x));
+  if (hn::AllFalse(d, is_solved)) return {x, v, is_solved, is_solved};
   Load load = load_of(gap, a, step.size_of_a, v);
-  LaneMask is_solved = hn::And(is_along(gap.normal, v, h), load.holds);
-  is_solved = hn::And(is_solved, hn::Le(hn::Abs(gap.distance), tolerance_at(x)));
+  is_solved = hn::And(is_solved, load.holds);
+
+  // most stay where they are
+  if (friction != 0.0 && hn::AllFalse(d, hn::AndNot(equal(v, none), is_solved))) {
+    const LaneVec3 drive = drive_of<Shape>(gap, load);
+    if (hn::AllFalse(d, hn::AndNot(can_stick(friction, drive, load, step), is_solved)))
+      return {sum(x, none), none, is_solved, same_if(false)};
+  }
+  is_solved = hn::And(is_solved, is_along(gap.normal, v, h));
   if (hn::AllFalse(d, is_solved)) return {x, v, is_solved, is_solved};
 
   // without friction, a point that slides starts with the velocity of the method's path
