@@ -101,66 +101,62 @@ HWY_INLINE void set_outcomes(unsigned open, unsigned solved, RestingPoints& poin
     if ((open >> lane & 1U) != 0) outcome[lane] = (solved >> lane & 1U) != 0 ? RestingPoints::Solved : RestingPoints::Open;
 }
 
-// A point that stops under friction may take many segments: such points are solved again, together.
+// A point that stops under friction may take many segments: such points are solved again, together. And so are points of vectors in which
+// few touch.
 constexpr int first_segments = 2;
-struct Unfinished {
+struct PointList {
   std::size_t count = 0;
   std::array<std::size_t, RestingPoints::max> point;
   std::array<const Collider*, RestingPoints::max> collider;
+  HWY_INLINE void add(std::size_t i, const Collider& on) {
+    point[count] = i;
+    collider[count++] = &on;
+  }
   // Points i, i + 1, .. as the bits say.
   HWY_INLINE void add(std::size_t i, unsigned bits, const Collider& on) {
-    for (; bits != 0; bits >>= 1U, ++i) {
-      if ((bits & 1U) == 0) continue;
-      point[count] = i;
-      collider[count++] = &on;
-    }
+    for (; bits != 0; bits >>= 1U, ++i)
+      if ((bits & 1U) != 0) add(i, on);
   }
 };
 
-// Some points as the lanes of a vector; those after the last one repeat it.
-struct Gathered {
-  HWY_ALIGN double numbers[14][8];
-  HWY_INLINE void set(std::size_t lane, const Plan& plan, std::size_t i, const double* const* fields) {
-    const std::size_t n = static_cast<std::size_t>(plan.points);
-    for (std::size_t field = 0; field < 4; ++field)
-      for (std::size_t c = 0; c < 3; ++c)
-        numbers[3 * field + c][lane] = c < static_cast<std::size_t>(plan.dimensions) ? fields[field][c * n + i] : 0.0;
-    numbers[12][lane] = plan.radius[i];
-    numbers[13][lane] = plan.mass[i];
-  }
-  HWY_INLINE LaneVec3 vectors(std::size_t field) const {
-    const PointLanes d;
-    return {hn::LoadU(d, numbers[3 * field]), hn::LoadU(d, numbers[3 * field + 1]), hn::LoadU(d, numbers[3 * field + 2])};
-  }
-};
+// Some points as the lanes of a vector.
+HWY_INLINE LaneVec3 gather_points(const Plan& plan, const double* field, const std::int64_t* point) {
+  const PointLanes d;
+  const auto index = hn::LoadU(hn::RebindToSigned<PointLanes>(), point);
+  const std::size_t n = static_cast<std::size_t>(plan.points);
+  return {hn::GatherIndex(d, field, index), hn::GatherIndex(d, field + n, index),
+          plan.dimensions == 3 ? hn::GatherIndex(d, field + 2 * n, index) : hn::Zero(d)};
+}
 
-void solve_unfinished(const Plan& plan, double h, std::size_t first, const Unfinished& unfinished, const double* x0, const double* v0,
-                      double* x, double* v, RestingPoints& points) {
+// Solves the points of the list; those that need more segments go to `unfinished`, if it is given.
+void solve_list(const Plan& plan, double h, std::size_t first, const PointList& list, int max_segments, const double* x0, const double* v0,
+                double* x, double* v, RestingPoints& points, PointList* unfinished) {
   const PointLanes d;
   const std::size_t n = static_cast<std::size_t>(plan.points), lanes = hn::Lanes(d);
-  const double* const fields[] = {x0, v0, x, v};
   for (const Collider& collider : plan.colliders)
-    for (std::size_t next = 0; next < unfinished.count;) {
-      Gathered gathered;
-      std::size_t point[8] = {}, count = 0;
-      for (; next < unfinished.count && count < lanes; ++next) {
-        if (unfinished.collider[next] != &collider) continue;
-        point[count] = unfinished.point[next];
-        gathered.set(count, plan, point[count], fields);
-        ++count;
-      }
+    for (std::size_t next = 0; next < list.count;) {
+      std::int64_t point[8] = {};
+      std::size_t count = 0;
+      for (; next < list.count && count < lanes; ++next)
+        if (list.collider[next] == &collider) point[count++] = static_cast<std::int64_t>(list.point[next]);
       if (count == 0) break;
-      for (std::size_t lane = count; lane < lanes; ++lane) gathered.set(lane, plan, point[count - 1], fields);
+      for (std::size_t lane = count; lane < lanes; ++lane) point[lane] = point[count - 1];
 
-      Step step{
-          h, hn::LoadU(d, gathered.numbers[12]), gathered.vectors(0), gathered.vectors(1), gathered.vectors(2), gathered.vectors(3), {},
-          {}};
+      const auto index = hn::LoadU(hn::RebindToSigned<PointLanes>(), point);
+      Step step{h,
+                hn::GatherIndex(d, plan.radius.data(), index),
+                gather_points(plan, x0, point),
+                gather_points(plan, v0, point),
+                gather_points(plan, x, point),
+                gather_points(plan, v, point),
+                {},
+                {}};
       step.a = over(difference(step.v1, step.v0), same(h));
       step.size_of_a = length_of(step.a);
-      const auto* sphere = std::get_if<Sphere>(&collider.shape);
       const auto slide_on = [&](const auto& shape) HWY_ATTR {
-        return slide(shape, collider.friction, step, lane_gap(shape, step.radius, step.x0), max_path_segments);
+        return slide(shape, collider.friction, step, lane_gap(shape, step.radius, step.x0), max_segments);
       };
+      const auto* sphere = std::get_if<Sphere>(&collider.shape);
       const Corrected corrected = sphere != nullptr ? slide_on(*sphere) : slide_on(*std::get_if<Plane>(&collider.shape));
       double result[7][8];
       const Lane columns[] = {corrected.x.x,
@@ -169,39 +165,53 @@ void solve_unfinished(const Plan& plan, double h, std::size_t first, const Unfin
                               corrected.v.x,
                               corrected.v.y,
                               corrected.v.z,
-                              hn::Mul(hn::LoadU(d, gathered.numbers[13]), work_per_mass(step, corrected))};
+                              hn::Mul(hn::GatherIndex(d, plan.mass.data(), index), work_per_mass(step, corrected))};
       for (std::size_t column = 0; column < 7; ++column) hn::StoreU(columns[column], d, result[column]);
-      const unsigned solved = bits_of(corrected.is_solved);
+      const unsigned solved = bits_of(corrected.is_solved), more = bits_of(corrected.is_unfinished);
       for (std::size_t lane = 0; lane < count; ++lane) {
+        const auto i = static_cast<std::size_t>(point[lane]);
+        if (unfinished != nullptr && (more >> lane & 1U) != 0) {
+          unfinished->add(i, collider);
+          continue;
+        }
         if ((solved >> lane & 1U) == 0) continue;
         for (std::size_t c = 0; c < static_cast<std::size_t>(plan.dimensions); ++c) {
-          x[c * n + point[lane]] = result[c][lane];
-          v[c * n + point[lane]] = result[3 + c][lane];
+          x[c * n + i] = result[c][lane];
+          v[c * n + i] = result[3 + c][lane];
         }
         points.any_solved = true;
-        points.work[point[lane] - first] = result[6][lane];
-        points.outcome[point[lane] - first] = RestingPoints::Solved;
+        points.work[i - first] = result[6][lane];
+        points.outcome[i - first] = RestingPoints::Solved;
       }
     }
 }
 
+// What solve_resting has found so far: points of vectors in which few touch, and those that need more segments.
+struct Later {
+  PointList sparse, unfinished;
+};
+
 // Of the lanes `on`, which are near this collider alone: those that may touch it are corrected and `solved`, if they can be, or `open`.
 template <class Shape>
 HWY_INLINE void solve_on(const Plan& plan, const Collider& collider, const Shape& shape, const Step& step, LaneMask on, std::size_t i,
-                         double* x, double* v, Lane& work, LaneMask& open, LaneMask& solved, Unfinished& unfinished) {
+                         double* x, double* v, Lane& work, LaneMask& open, LaneMask& solved, Later& later) {
   const PointLanes d;
   const LaneGap gap = lane_gap(shape, step.radius, step.x0);
   const LaneMask touching = hn::AndNot(stay_clear(gap, extent_of(shape), step), on);
   if (hn::AllFalse(d, touching)) return;
+  open = hn::Or(open, touching);
+  if (2 * hn::CountTrue(d, touching) <= hn::Lanes(d)) {
+    later.sparse.add(i, bits_of(touching), collider);
+    return;
+  }
   const Corrected corrected = slide(shape, collider.friction, step, gap, first_segments);
   const LaneMask here = hn::And(touching, hn::AndNot(corrected.is_unfinished, corrected.is_solved));
   store_point(plan, corrected.x, here, x, i);
   store_point(plan, corrected.v, here, v, i);
   work = hn::IfThenElse(here, hn::Mul(hn::LoadU(d, plan.mass.data() + i), work_per_mass(step, corrected)), work);
-  open = hn::Or(open, touching);
   solved = hn::Or(solved, here);
   const LaneMask more = hn::And(touching, corrected.is_unfinished);
-  if (!hn::AllFalse(d, more)) unfinished.add(i, bits_of(more), collider);
+  if (!hn::AllFalse(d, more)) later.unfinished.add(i, bits_of(more), collider);
 }
 
 void solve_resting(const Plan& plan, double h, std::size_t first, std::size_t end, const double* x0, const double* v0, double* x, double* v,
@@ -209,7 +219,7 @@ void solve_resting(const Plan& plan, double h, std::size_t first, std::size_t en
   const PointLanes d;
   const std::size_t lanes = hn::Lanes(d);
   points.any_solved = points.any_open = false;
-  Unfinished unfinished;
+  Later later;
   std::size_t i = first;
   for (; i + lanes <= end; i += lanes) {
     Step step{h,
@@ -258,9 +268,9 @@ void solve_resting(const Plan& plan, double h, std::size_t first, std::size_t en
         number += 1.0;
         if (hn::AllFalse(d, on)) continue;
         if (const auto* sphere = std::get_if<Sphere>(&collider.shape))
-          solve_on(plan, collider, *sphere, step, on, i, x, v, work, open, solved, unfinished);
+          solve_on(plan, collider, *sphere, step, on, i, x, v, work, open, solved, later);
         else if (const auto* plane = std::get_if<Plane>(&collider.shape))
-          solve_on(plan, collider, *plane, step, on, i, x, v, work, open, solved, unfinished);
+          solve_on(plan, collider, *plane, step, on, i, x, v, work, open, solved, later);
         else
           open = hn::Or(open, on);
       }
@@ -273,7 +283,8 @@ void solve_resting(const Plan& plan, double h, std::size_t first, std::size_t en
     points.work[i - first] = 0.0;
     points.any_open = true;
   }
-  if (unfinished.count > 0) solve_unfinished(plan, h, first, unfinished, x0, v0, x, v, points);
+  solve_list(plan, h, first, later.sparse, first_segments, x0, v0, x, v, points, &later.unfinished);
+  solve_list(plan, h, first, later.unfinished, max_path_segments, x0, v0, x, v, points, nullptr);
 }
 
 }  // namespace hooke::HWY_NAMESPACE
