@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 
 #include "sim/automatic/cost_model.h"
@@ -166,6 +167,24 @@ bool Frame::fly(Plan& plan) {
   return true;
 }
 
+// Whether the substep that contact ended left every bit as it was before: then so do all that follow it.
+bool Frame::is_at_rest(const Plan& plan) const {
+  const bool acts_alone = plan.max_length.empty() && plan.break_length.empty() && plan.forces.empty() && !plan.touches_itself();
+  if (integrator_->fly == nullptr || !acts_alone || !can_fly(plan)) return false;
+  const auto is_same = [](const Field& a, const Field& b) { return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0; };
+  return is_same(motion_.v, before_.v) && is_same(motion_.x, before_.x);
+}
+
+// The rest of the frame at rest, with what each substep counts: force evaluations, sweeps over dashpots, and the work of contact.
+void Frame::stay(long evaluations, long sweeps) {
+  for (; substeps_done_ < substeps_; ++substeps_done_) {
+    motion_.force_evaluations += evaluations;
+    motion_.dashpot_sweeps += sweeps;
+    motion_.contact_work += before_.contact_work;
+  }
+  motion_.time = start_ + substeps_done_ * h_;
+}
+
 void Frame::substep(Plan& plan) {
   if (is_divided_) {
     islands_->substep();
@@ -189,6 +208,8 @@ void Frame::substep(Plan& plan) {
   if (plan.has_contact() && !is_adaptive) keep_start(plan, motion_, before_);
 
   force_work_.begin_substep(plan, motion_);
+  const long evaluations_before = motion_.force_evaluations, sweeps_before = motion_.dashpot_sweeps;
+  const bool knew_acceleration = motion_.acceleration_is_current;
   const bool has_hand = plan.held || plan.pull;
   const double power = hand_power(plan, motion_);
   double length = h_;
@@ -220,6 +241,8 @@ void Frame::substep(Plan& plan) {
   else if (ends)
     break_long_springs(plan);
   force_work_.end_substep(plan, motion_, length, is_moved);
+  if (is_moved && !knew_acceleration && is_at_rest(plan))
+    stay(motion_.force_evaluations - evaluations_before, motion_.dashpot_sweeps - sweeps_before);
   if (plan.touches_itself() && (is_adaptive ? adaptive_step_.has_too_many_pairs() : before_.has_too_many_pairs()))
     failure_ = StepFailure::TooManyPairs;
 }

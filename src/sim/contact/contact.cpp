@@ -183,8 +183,8 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     before.first_touch = before.pairs.first_touch();
     before.first_impact = before.pairs.first_impact();
   }
-  const double contact_work = resolve_points(plan, obstacles, before, motion, h, touched);
-  (plan.colliders_move ? motion.collider_work : motion.contact_work) += contact_work;
+  before.contact_work = resolve_points(plan, obstacles, before, motion, h, touched);
+  (plan.colliders_move ? motion.collider_work : motion.contact_work) += before.contact_work;
   if (!before.pushed.empty()) motion.collider_work += push_work(plan, before, h, motion);
   if (plan.surface.on && before.surface.resolve(plan, obstacles, before.x, before.v, h, motion)) {
     touched = true;
