@@ -24,23 +24,46 @@ HWY_INLINE double extent_of(const Vec3& a) { return size_of(a.x) + size_of(a.y) 
 HWY_INLINE double extent_of(const Sphere& sphere) { return extent_of(sphere.center) + sphere.radius; }
 HWY_INLINE double extent_of(const Plane& plane) { return extent_of(plane.point); }
 
+// The gap at the start of the step, and along the normal there the displacement and h times the acceleration.
+struct Approach {
+  Lane gap, displacement, velocity_change;
+};
+HWY_INLINE Approach approach_to(const Sphere& sphere, const Step& step) {
+  const LaneVec3 out = difference(step.x0, same(sphere.center));
+  const Lane length = length_of(out), along = hn::Div(same(1.0), length);
+  return {hn::Sub(length, hn::Add(same(sphere.radius), step.radius)), hn::Mul(along, dot_of(out, difference(step.x1, step.x0))),
+          hn::Mul(along, dot_of(out, difference(step.v1, step.v0)))};
+}
+HWY_INLINE Approach approach_to(const Plane& plane, const Step& step) {
+  const LaneVec3 normal = same(plane.normal);
+  return {hn::Sub(dot_of(normal, difference(step.x0, same(plane.point))), step.radius), dot_of(normal, difference(step.x1, step.x0)),
+          dot_of(normal, difference(step.v1, step.v0))};
+}
+
 // Whether points in flight certainly stay clear of the shape, which lies behind the tangent plane below their start: the minimum over the
-// step of g + v t + a t^2 / 2, with g, v and a along the normal. `gap`: at the start.
-HWY_INLINE LaneMask stay_clear(const LaneGap& gap, double extent, const Step& step) {
+// step of g + v t + a t^2 / 2, with g, v and a along the normal.
+template <class Shape>
+HWY_INLINE LaneMask stay_clear(const Shape& shape, const Step& step) {
   const Lane zero = same(0.0), h = same(step.h), half = same(0.5);
-  const Lane displacement = dot_of(gap.normal, difference(step.x1, step.x0)), lower = hn::Min(displacement, zero);
-  const Lane margin = hn::Mul(same(1e-12), hn::Add(magnitude(step.x0), same(extent)));
-  const LaneMask ends_clear = hn::Gt(hn::Add(gap.distance, lower), margin);
+  const auto [gap, displacement, velocity_change] = approach_to(shape, step);
+  const Lane lower = hn::Min(displacement, zero), margin = hn::Mul(same(1e-12), hn::Add(magnitude(step.x0), same(extent_of(shape))));
+  const LaneMask ends_clear = hn::Gt(hn::Add(gap, lower), margin);
   if (hn::AllFalse(PointLanes(), ends_clear)) return ends_clear;  // as those that rest
-  const Lane a = dot_of(gap.normal, step.a), v = hn::Sub(hn::Div(displacement, h), hn::Mul(half, hn::Mul(h, a)));
-  const LaneMask turns = hn::And(hn::Lt(v, zero), hn::Lt(hn::Neg(v), hn::Mul(h, a)));
-  const Lane at_turn = hn::IfThenElseZero(turns, hn::Neg(hn::Div(hn::Mul(half, hn::Mul(v, v)), a)));
-  return hn::Gt(hn::Add(gap.distance, hn::Min(lower, at_turn)), margin);
+  const Lane start = hn::Sub(displacement, hn::Mul(hn::Mul(half, h), velocity_change)), bend = hn::Mul(h, velocity_change);  // h v, h^2 a
+  const LaneMask turns = hn::And(hn::Lt(start, zero), hn::Lt(hn::Neg(start), bend));
+  const Lane at_turn = hn::IfThenElseZero(turns, hn::Neg(hn::Div(hn::Mul(half, hn::Mul(start, start)), bend)));
+  return hn::Gt(hn::Add(gap, hn::Min(lower, at_turn)), margin);
 }
 HWY_INLINE LaneMask stay_clear(const ColliderShape& any_shape, const Step& step) {
-  if (const auto* sphere = std::get_if<Sphere>(&any_shape)) return stay_clear(lane_gap(*sphere, step.radius, step.x0), extent_of(*sphere), step);
-  if (const auto* plane = std::get_if<Plane>(&any_shape)) return stay_clear(lane_gap(*plane, step.radius, step.x0), extent_of(*plane), step);
+  if (const auto* sphere = std::get_if<Sphere>(&any_shape)) return stay_clear(*sphere, step);
+  if (const auto* plane = std::get_if<Plane>(&any_shape)) return stay_clear(*plane, step);
   return same_if(false);
+}
+
+// The mean acceleration.
+HWY_INLINE void set_acceleration(Step& step) {
+  step.a = over(difference(step.v1, step.v0), same(step.h));
+  step.size_of_a = length_of(step.a);
 }
 
 // Whether points may come within `reach` of the shape. Also if a number is not one.
@@ -151,8 +174,7 @@ void solve_list(const Plan& plan, double h, std::size_t first, const PointList& 
                 gather_points(plan, v, point),
                 {},
                 {}};
-      step.a = over(difference(step.v1, step.v0), same(h));
-      step.size_of_a = length_of(step.a);
+      set_acceleration(step);
       const auto slide_on = [&](const auto& shape) HWY_ATTR {
         return slide(shape, collider.friction, step, lane_gap(shape, step.radius, step.x0), max_segments);
       };
@@ -193,18 +215,18 @@ struct Later {
 
 // Of the lanes `on`, which are near this collider alone: those that may touch it are corrected and `solved`, if they can be, or `open`.
 template <class Shape>
-HWY_INLINE void solve_on(const Plan& plan, const Collider& collider, const Shape& shape, const Step& step, LaneMask on, std::size_t i,
+HWY_INLINE void solve_on(const Plan& plan, const Collider& collider, const Shape& shape, Step& step, LaneMask on, std::size_t i,
                          double* x, double* v, Lane& work, LaneMask& open, LaneMask& solved, Later& later) {
   const PointLanes d;
-  const LaneGap gap = lane_gap(shape, step.radius, step.x0);
-  const LaneMask touching = hn::AndNot(stay_clear(gap, extent_of(shape), step), on);
+  const LaneMask touching = hn::AndNot(stay_clear(shape, step), on);
   if (hn::AllFalse(d, touching)) return;
   open = hn::Or(open, touching);
   if (2 * hn::CountTrue(d, touching) <= hn::Lanes(d)) {
     later.sparse.add(i, bits_of(touching), collider);
     return;
   }
-  const Corrected corrected = slide(shape, collider.friction, step, gap, first_segments);
+  set_acceleration(step);
+  const Corrected corrected = slide(shape, collider.friction, step, lane_gap(shape, step.radius, step.x0), first_segments);
   const LaneMask here = hn::And(touching, hn::AndNot(corrected.is_unfinished, corrected.is_solved));
   store_point(plan, corrected.x, here, x, i);
   store_point(plan, corrected.v, here, v, i);
@@ -252,8 +274,6 @@ void solve_resting(const Plan& plan, double h, std::size_t first, std::size_t en
     for (std::size_t lane = 0; lane < lanes; ++lane) outcome[lane] = RestingPoints::Free;
     Lane work = same(0.0);
     if (!hn::AllFalse(d, any)) {
-      step.a = over(difference(step.v1, step.v0), same(h));
-      step.size_of_a = length_of(step.a);
       LaneMask open = same_if(false), solved = open;
       several = hn::And(several, any);
       if (!hn::AllFalse(d, several))
