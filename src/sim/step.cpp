@@ -148,6 +148,7 @@ bool Frame::fly(Plan& plan) {
   const bool is_worth_it = integrator_->fly != nullptr && !plan.touches_itself() && plan.springs >= min_springs_of_grids && count > 1;
   if (!is_worth_it || substeps_done_ < one_by_one_until_ || !can_fly(plan)) return false;
   one_by_one_until_ = substeps_done_ + count;
+  motion_.moved = {};
 
   Flight flight{.clearance = compute_clearance(plan, motion_.x)};
   if (flight.was_interrupted()) return false;
@@ -250,7 +251,10 @@ void Frame::substep(Plan& plan) {
 // What acts between two substeps: strain limit first, then contact, and only then do springs break. Returns whether points were moved.
 bool Frame::act(Plan& plan, bool may_touch) {
   bool is_moved = !plan.max_length.empty() && limit_strain(plan, motion_);
-  if (may_touch && plan.has_contact() && resolve_contacts(plan, before_, motion_, h_)) is_moved = has_touched_ = true;
+  if (may_touch && plan.has_contact() && resolve_contacts(plan, before_, motion_, h_)) {
+    if (!is_moved && motion_.acceleration_is_current && !plan.touches_itself()) motion_.moved = before_.touched;
+    is_moved = has_touched_ = true;
+  }
   if (is_moved) motion_.acceleration_is_current = false;
   break_long_springs(plan);
   return is_moved;
@@ -259,6 +263,7 @@ bool Frame::act(Plan& plan, bool may_touch) {
 void Frame::break_long_springs(Plan& plan) {
   if (plan.break_length.empty() || !break_springs(plan, motion_, broken_)) return;
   motion_.acceleration_is_current = false;
+  motion_.moved = {};
   if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
 }
 

@@ -1,9 +1,9 @@
 // Points that rest or slide are solved by vectors to the bits of the solver of one point.
 #include <gtest/gtest.h>
 
+#include <hwy/targets.h>
 #include <algorithm>
 #include <array>
-#include <hwy/targets.h>
 #include <glm/geometric.hpp>
 
 #include "sim/contact/point_contact.h"

@@ -85,6 +85,18 @@ class PointPass {
     if (result.any_solved) result.work = sum_of({before_.work.data() + first, end - first});
   }
 
+  // By the points of a block that touched, of which there are some.
+  void extend_touched(std::size_t number) const {
+    const std::size_t first = number * block;
+    std::size_t begin = first, end = std::min(n_, first + block);
+    while (before_.outcome[end - 1] == RestingPoints::Free) --end;
+    if (before_.touched.end == 0) {
+      while (before_.outcome[begin] == RestingPoints::Free) ++begin;
+      before_.touched.first = static_cast<Index>(begin);
+    }
+    before_.touched.end = static_cast<Index>(end);
+  }
+
   // After all others, in the order of the points. Returns the work [J].
   double solve_open_points(std::size_t number, Touches& touches) const {
     double work = 0.0;
@@ -154,9 +166,12 @@ double resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Con
 
   // sums in the order of the blocks
   double work = 0.0;
+  before.touched = {};
   for (std::size_t number = 0; number < blocks; ++number) {
     const ContactWorkspace::Block& block = before.blocks[number];
-    if (block.any_solved || block.any_open) touched = true;
+    if (!block.any_solved && !block.any_open) continue;
+    touched = true;
+    pass.extend_touched(number);
     work += block.work;
     if (block.any_open) work += pass.solve_open_points(number, touches[0]);
   }

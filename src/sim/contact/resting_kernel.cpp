@@ -215,8 +215,8 @@ struct Later {
 
 // Of the lanes `on`, which are near this collider alone: those that may touch it are corrected and `solved`, if they can be, or `open`.
 template <class Shape>
-HWY_INLINE void solve_on(const Plan& plan, const Collider& collider, const Shape& shape, Step& step, LaneMask on, std::size_t i,
-                         double* x, double* v, Lane& work, LaneMask& open, LaneMask& solved, Later& later) {
+HWY_INLINE void solve_on(const Plan& plan, const Collider& collider, const Shape& shape, Step& step, LaneMask on, std::size_t i, double* x,
+                         double* v, Lane& work, LaneMask& open, LaneMask& solved, Later& later) {
   const PointLanes d;
   const LaneMask touching = hn::AndNot(stay_clear(shape, step), on);
   if (hn::AllFalse(d, touching)) return;

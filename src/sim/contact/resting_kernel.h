@@ -16,7 +16,8 @@ struct RestingPoints {
     Solved,  // its path was corrected
     Open,    // neither is known: left to the PointContactSolver
   };
-  // Of each point from `first` on: the outcome, and the work [J] of the contact in addition to the work of the forces, 0 unless it was solved.
+  // Of each point from `first` on: the outcome, and the work [J] of the contact in addition to the work of the forces, 0 unless it was
+  // solved.
   Outcome* outcome = nullptr;
   double* work = nullptr;
   bool any_solved = false, any_open = false;

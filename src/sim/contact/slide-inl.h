@@ -122,7 +122,8 @@ struct LaneSegment {
 // plan_segment, advance_segment and what follows it, from x with the velocity v on the surface, of the lanes `is_left`.
 template <class Shape>
 HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Step& step, const LaneGap& gap, const Load& load,
-                                  const LaneVec3& start, LaneVec3 start_v, Lane remaining, LaneMask is_left, LaneVec3& velocity_correction) {
+                                  const LaneVec3& start, LaneVec3 start_v, Lane remaining, LaneMask is_left,
+                                  LaneVec3& velocity_correction) {
   constexpr bool is_curved = std::is_same_v<Shape, Sphere>;
   const Lane zero = same(0.0), mu = same(friction);
   const LaneVec3 none{zero, zero, zero}, &a = step.a;
@@ -198,8 +199,8 @@ HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Ste
   return segment;
 }
 
-// PointContactSolver::advance on `shape` at rest, at the start of the step with `gap` to it. Under friction a path ends and goes on where the
-// point stops.
+// PointContactSolver::advance on `shape` at rest, at the start of the step with `gap` to it. Under friction a path ends and goes on where
+// the point stops.
 template <class Shape>
 HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step, LaneGap gap, int max_segments) {
   const PointLanes d;
