@@ -61,7 +61,7 @@ class PointPass {
 
   static constexpr std::size_t block = RestingPoints::max;
 
-  // The points of a block. Leaves those Open that start inside an obstacle: they are solved by solve_open_point.
+  // The points of a block. Leaves those Open that start inside an obstacle: they are solved by solve_open_points.
   void solve_block(std::size_t number, Touches& touches) const {
     const std::size_t first = number * block, end = std::min(n_, first + block);
     // most points that touch rest or slide: these at once

@@ -166,7 +166,8 @@ HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Ste
   if (hn::AllFalse(d, hn::And(is_left, hn::And(segment.has_moved, segment.is_solved)))) return segment;
 
   // down from the tangent plane to the surface, unless it stopped
-  const LaneMask is_at_rest = hn::And(stops, hn::Le(length_of(v), hn::Mul(same(1e-9), speed)));
+  LaneMask is_at_rest = stops;
+  if (!hn::AllFalse(d, stops)) is_at_rest = hn::And(stops, hn::Le(length_of(v), hn::Mul(same(1e-9), speed)));
   if constexpr (is_curved) {
     const LaneVec3 displacement = difference(x, start);
     const Lane radius = hn::Div(same(1.0), gap.curvature), square = dot_of(displacement, displacement);
@@ -212,7 +213,7 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
   };
 
   // on the surface, and moving neither into it nor away from it
-  LaneVec3 x = step.x0, v = step.v0;
+  LaneVec3 x = step.x0, v = friction == 0.0 ? step.v0 : sum(step.v0, none);
   LaneMask is_solved = hn::Le(hn::Abs(gap.distance), tolerance_at(x));
   if (hn::AllFalse(d, is_solved)) return {x, v, is_solved, is_solved};
   Load load = load_of(gap, a, step.size_of_a, v);
@@ -228,8 +229,6 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
     v = sum(v, velocity_correction);
     load = load_of(gap, a, step.size_of_a, v);
     is_solved = hn::And(is_solved, is_along(gap.normal, v, h));
-  } else {
-    v = sum(v, none);
   }
 
   Lane remaining = h;
