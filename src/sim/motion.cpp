@@ -30,6 +30,7 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
     }
   }
   motion.acceleration_is_current = false;
+  motion.moved = {};
   motion.memory = state.memory;
   motion.force_evaluations = motion.factorizations = motion.solves = motion.sweeps = motion.dashpot_sweeps = motion.unconverged_solves = 0;
   motion.contact_tests = motion.contact_impulses = 0;

@@ -15,6 +15,12 @@ struct Motion {
   Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
   // Nothing has changed x or v since the method's last step. Where forces depend on velocity, `a` may be at another one.
   bool acceleration_is_current = false;
+  // Where contact has moved points since they were current: the first of them, and the one after the last. Then `a` is still current at the
+  // points that no spring joins to these. Nowhere unless contact alone moved points, just after the step.
+  struct Moved {
+    Index first = 0, end = 0;
+  };
+  Moved moved;
   MethodMemory memory;
   // since the start of the frame
   long force_evaluations = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 
 #include "sim/automatic/cost_model.h"
@@ -147,6 +148,7 @@ bool Frame::fly(Plan& plan) {
   const bool is_worth_it = integrator_->fly != nullptr && !plan.touches_itself() && plan.springs >= min_springs_of_grids && count > 1;
   if (!is_worth_it || substeps_done_ < one_by_one_until_ || !can_fly(plan)) return false;
   one_by_one_until_ = substeps_done_ + count;
+  motion_.moved = {};
 
   Flight flight{.clearance = compute_clearance(plan, motion_.x)};
   if (flight.was_interrupted()) return false;
@@ -164,6 +166,24 @@ bool Frame::fly(Plan& plan) {
   substeps_done_ += count;
   motion_.time = start_ + substeps_done_ * h_;
   return true;
+}
+
+// Whether the substep that contact ended left every bit as it was before: then so do all that follow it.
+bool Frame::is_at_rest(const Plan& plan) const {
+  const bool acts_alone = plan.max_length.empty() && plan.break_length.empty() && plan.forces.empty() && !plan.touches_itself();
+  if (integrator_->fly == nullptr || !acts_alone || !can_fly(plan)) return false;
+  const auto is_same = [](const Field& a, const Field& b) { return std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0; };
+  return is_same(motion_.v, before_.v) && is_same(motion_.x, before_.x);
+}
+
+// The rest of the frame at rest, with what each substep counts: force evaluations, sweeps over dashpots, and the work of contact.
+void Frame::stay(long evaluations, long sweeps) {
+  for (; substeps_done_ < substeps_; ++substeps_done_) {
+    motion_.force_evaluations += evaluations;
+    motion_.dashpot_sweeps += sweeps;
+    motion_.contact_work += before_.contact_work;
+  }
+  motion_.time = start_ + substeps_done_ * h_;
 }
 
 void Frame::substep(Plan& plan) {
@@ -189,6 +209,8 @@ void Frame::substep(Plan& plan) {
   if (plan.has_contact() && !is_adaptive) keep_start(plan, motion_, before_);
 
   force_work_.begin_substep(plan, motion_);
+  const long evaluations_before = motion_.force_evaluations, sweeps_before = motion_.dashpot_sweeps;
+  const bool knew_acceleration = motion_.acceleration_is_current;
   const bool has_hand = plan.held || plan.pull;
   const double power = hand_power(plan, motion_);
   double length = h_;
@@ -220,6 +242,8 @@ void Frame::substep(Plan& plan) {
   else if (ends)
     break_long_springs(plan);
   force_work_.end_substep(plan, motion_, length, is_moved);
+  if (is_moved && !knew_acceleration && is_at_rest(plan))
+    stay(motion_.force_evaluations - evaluations_before, motion_.dashpot_sweeps - sweeps_before);
   if (plan.touches_itself() && (is_adaptive ? adaptive_step_.has_too_many_pairs() : before_.has_too_many_pairs()))
     failure_ = StepFailure::TooManyPairs;
 }
@@ -227,7 +251,10 @@ void Frame::substep(Plan& plan) {
 // What acts between two substeps: strain limit first, then contact, and only then do springs break. Returns whether points were moved.
 bool Frame::act(Plan& plan, bool may_touch) {
   bool is_moved = !plan.max_length.empty() && limit_strain(plan, motion_);
-  if (may_touch && plan.has_contact() && resolve_contacts(plan, before_, motion_, h_)) is_moved = has_touched_ = true;
+  if (may_touch && plan.has_contact() && resolve_contacts(plan, before_, motion_, h_)) {
+    if (!is_moved && motion_.acceleration_is_current && !plan.touches_itself()) motion_.moved = before_.touched;
+    is_moved = has_touched_ = true;
+  }
   if (is_moved) motion_.acceleration_is_current = false;
   break_long_springs(plan);
   return is_moved;
@@ -236,6 +263,7 @@ bool Frame::act(Plan& plan, bool may_touch) {
 void Frame::break_long_springs(Plan& plan) {
   if (plan.break_length.empty() || !break_springs(plan, motion_, broken_)) return;
   motion_.acceleration_is_current = false;
+  motion_.moved = {};
   if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
 }
 

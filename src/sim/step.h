@@ -64,6 +64,8 @@ class Frame {
   void take_over(Frame& computed);
   bool begin_islands(const Plan& plan, const System& system, const Settings& settings, const State& state);
   bool fly(Plan& plan);
+  bool is_at_rest(const Plan& plan) const;
+  void stay(long evaluations, long sweeps);
   bool act(Plan& plan, bool may_touch);
   void break_long_springs(Plan& plan);
 

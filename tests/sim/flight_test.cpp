@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "sim/forces/terms/rows.h"
@@ -139,6 +140,34 @@ TEST(Flight, IsTakenBackWhenASpringBreaksOrIsTooLong) {
   for (const double strain : {0.05, 0.2, 3.0}) {
     sim.system.strain_limit = strain;
     expect_equal_to_rounding(sim, "a strain limit");
+  }
+}
+
+// Held by friction against its springs: after a substep that changes no bit, the rest of the frame is not computed.
+TEST(Flight, IsNotNeededForASceneAtRest) {
+  TestSim sim = cloth(20);
+  for (Index i = 0; i < sim.system.point_count(); ++i) sim.system.point(i).nailed = false;
+  for (Vec3& x : sim.state.position) x = Vec3(x.x * (1.0 + 1e-6), x.y + 0.0, x.z);  // no negative zeros, which contact would change
+  sim.system.colliders = {{.shape = Plane{Vec3(0.0), {0.0, 0.0, 1.0}}, .friction = 0.5}};
+  for (const Integrator* method : flying_methods()) {
+    Plan plan = make_plan(sim.system);
+    Frame frame;
+    const auto begin = [&](int count) {
+      frame.begin(plan, sim.system, {.integrator = method, .frame_rate = 40.0 / count / frame_time, .substeps = count}, sim.state);
+      frame.substep(plan);
+      EXPECT_TRUE(frame.done()) << method->id;
+      EXPECT_TRUE(frame.has_touched()) << method->id;
+      return frame.force_evaluations();
+    };
+    const long evaluations = begin(1);
+    const double work = frame.motion().contact_work;
+    EXPECT_EQ(begin(40), 40 * evaluations) << method->id;
+    EXPECT_NEAR(frame.motion().contact_work, 40.0 * work, 1e-10 * std::abs(work)) << method->id;
+    State end = sim.state;
+    frame.end(plan, end);
+    EXPECT_EQ(end.position, sim.state.position) << method->id;
+    EXPECT_EQ(end.velocity, sim.state.velocity) << method->id;
+    EXPECT_DOUBLE_EQ(end.time, frame_time);
   }
 }
 

@@ -303,6 +303,28 @@ TEST(GridPass, CanHaveTheBitsOfForcesKickAndDriftInTurn) {
       }
 }
 
+TEST(GridPass, ComputesForcesAgainOnlyWherePointsHaveMoved) {
+  for (const Net& net : assorted_nets()) {
+    Packed packed(make_net(net));
+    const Plan& plan = packed.plan;
+    Motion& motion = packed.motion;
+    accelerate_and_kick(plan, 0.0, motion, 0.01, 0.0);
+    const Motion before = motion;
+    for (const Index first : {Index{0}, plan.points / 3, plan.points - 1}) {
+      const Index end = std::min(plan.points, first + 3);
+      motion = before;
+      for (Index i = first; i < end; ++i) motion.x[i] += 0.01;
+      Motion expected = motion;
+      accelerate_and_kick(plan, 0.0, expected, 0.01, 0.02);
+      motion.moved = {first, end};
+      accelerate_and_kick(plan, 0.0, motion, 0.01, 0.02);
+      EXPECT_EQ(motion.v, expected.v) << net.rows << " x " << net.columns;
+      EXPECT_EQ(motion.x, expected.x) << net.rows << " x " << net.columns;
+      EXPECT_EQ(motion.moved.end, 0);
+    }
+  }
+}
+
 TEST(GridPass, HasTheSameBitsForEveryVectorUnit) {
   expect_same_bits([] {
     std::vector<Field> fields;

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <hwy/targets.h>
+#include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "sim/contact/point_contact.h"
@@ -68,6 +70,12 @@ struct RandomStep {
   }
 };
 
+struct Results {
+  std::array<RestingPoints::Outcome, RestingPoints::max> outcome;
+  std::array<double, RestingPoints::max> work;
+  RestingPoints points() { return {.outcome = outcome.data(), .work = work.data()}; }
+};
+
 struct Counts {
   int free = 0, solved = 0;
 };
@@ -76,10 +84,11 @@ void compare(const RandomStep& step, Counts& counts) {
   std::vector<Obstacle> obstacles;
   find_obstacles(step.plan, 0.0, step.h, obstacles);
   Field x = step.x1, v = step.v1;
-  RestingPoints resting;
+  Results results;
+  RestingPoints resting = results.points();
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t at = i % RestingPoints::max;
-    if (at == 0) solve_resting_points(step.plan, step.h, i, step.x0, step.v0, x, v, resting);
+    if (at == 0) solve_resting_points(step.plan, step.h, i, std::min(count, i + RestingPoints::max), step.x0, step.v0, x, v, resting);
     const Vec3 x0 = step.at(step.x0, i), v0 = step.at(step.v0, i), x1 = step.at(step.x1, i), v1 = step.at(step.v1, i);
     const Vec3 a = (v1 - v0) / step.h, velocity_correction = (x1 - x0) / step.h - v0 - 0.5 * step.h * a;
     PointContactSolver solver(obstacles, step.plan.radius[i], x0, v0);
@@ -95,6 +104,7 @@ void compare(const RandomStep& step, Counts& counts) {
                 step.plan.mass[i] * (0.5 * (glm::dot(solver.v, solver.v) - glm::dot(v1, v1)) - glm::dot(a, solver.x - x1)));
       continue;
     }
+    EXPECT_EQ(resting.work[at], 0.0);
     EXPECT_EQ(step.at(x, i), x1);
     EXPECT_EQ(step.at(v, i), v1);
     if (resting.outcome[at] != RestingPoints::Free) continue;
@@ -120,10 +130,11 @@ TEST(RestingPoints, LeavesNumbersThatAreNotFiniteToThePointContactSolver) {
   RandomStep step(3);
   step.x1[7] = std::numeric_limits<double>::quiet_NaN();
   step.v0[8] = std::numeric_limits<double>::infinity();
-  RestingPoints resting;
+  Results results;
+  RestingPoints resting = results.points();
   Field x = step.x1, v = step.v1;
   step.plan.inverse_mass[7] = step.plan.inverse_mass[8] = 1.0;
-  solve_resting_points(step.plan, step.h, 0, step.x0, step.v0, x, v, resting);
+  solve_resting_points(step.plan, step.h, 0, RestingPoints::max, step.x0, step.v0, x, v, resting);
   EXPECT_EQ(resting.outcome[7], RestingPoints::Open);
   EXPECT_EQ(resting.outcome[8], RestingPoints::Open);
 }

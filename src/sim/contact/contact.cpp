@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "sim/contact/point_contact.h"
-#include "sim/contact/resting_kernel.h"
 #include "sim/forces/bands.h"
 #include "sim/plan_energy.h"
 
@@ -39,7 +38,15 @@ double push_work(const Plan& plan, const ContactWorkspace& before, double h, Mot
   return energy - without;
 }
 
-using Outcome = ContactWorkspace::Outcome;
+// In a fixed order, as eight sums side by side.
+double sum_of(std::span<const double> numbers) {
+  std::array<double, 8> sums{};
+  std::size_t i = 0;
+  for (; i + sums.size() <= numbers.size(); i += sums.size())
+    for (std::size_t lane = 0; lane < sums.size(); ++lane) sums[lane] += numbers[i + lane];
+  for (std::size_t lane = 0; i < numbers.size(); ++i, ++lane) sums[lane] += numbers[i];
+  return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+}
 
 // Points against the obstacles, each by itself: consecutive points may be solved on one thread, and others on another.
 class PointPass {
@@ -52,53 +59,71 @@ class PointPass {
   PointPass(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h)
       : plan_(plan), obstacles_(obstacles), before_(before), motion_(motion), h_(h), n_(static_cast<std::size_t>(plan.points)) {}
 
-  // Points first .. end - 1. Leaves those Open that start inside an obstacle: they are solved by solve_open_point.
-  void solve(std::size_t first, std::size_t end, Touches& touches) const {
-    if (!plan_.pairs.on && !plan_.colliders_move)
-      solve_resting(first, end, touches);
-    else
-      std::fill(before_.outcome.data() + first, before_.outcome.data() + end, Outcome::Open);
-    for (std::size_t i = first; i < end; ++i)
-      if (before_.outcome[i] == Outcome::Open) before_.outcome[i] = solve_point(i, nullptr, touches);
+  static constexpr std::size_t block = RestingPoints::max;
+
+  // The points of a block. Leaves those Open that start inside an obstacle: they are solved by solve_open_points.
+  void solve_block(std::size_t number, Touches& touches) const {
+    const std::size_t first = number * block, end = std::min(n_, first + block);
+    // most points that touch rest or slide: these at once
+    RestingPoints resting{.outcome = before_.outcome.data() + first, .work = before_.work.data() + first};
+    if (!plan_.pairs.on && !plan_.colliders_move) {
+      solve_resting_points(plan_, h_, first, end, before_.x, before_.v, motion_.x, motion_.v, resting);
+      if (resting.any_solved) touches.first_touch = 0.0;
+    } else {
+      std::fill_n(resting.outcome, end - first, RestingPoints::Open);
+      std::fill_n(resting.work, end - first, 0.0);
+      resting.any_open = true;
+    }
+
+    ContactWorkspace::Block& result = before_.blocks[number] = {0.0, resting.any_solved, false};
+    for (std::size_t i = first; resting.any_open && i < end; ++i) {
+      if (before_.outcome[i] != RestingPoints::Open) continue;
+      before_.outcome[i] = solve_point(i, nullptr, touches);
+      result.any_solved = result.any_solved || before_.outcome[i] == RestingPoints::Solved;
+      result.any_open = result.any_open || before_.outcome[i] == RestingPoints::Open;
+    }
+    if (result.any_solved) result.work = sum_of({before_.work.data() + first, end - first});
   }
 
-  // After all others, in the order of the points.
-  void solve_open_point(std::size_t i, Touches& touches) const { solve_point(i, &before_.pushed, touches); }
+  // By the points of a block that touched, of which there are some.
+  void extend_touched(std::size_t number) const {
+    const std::size_t first = number * block;
+    std::size_t begin = first, end = std::min(n_, first + block);
+    while (before_.outcome[end - 1] == RestingPoints::Free) --end;
+    if (before_.touched.end == 0) {
+      while (before_.outcome[begin] == RestingPoints::Free) ++begin;
+      before_.touched.first = static_cast<Index>(begin);
+    }
+    before_.touched.end = static_cast<Index>(end);
+  }
+
+  // After all others, in the order of the points. Returns the work [J].
+  double solve_open_points(std::size_t number, Touches& touches) const {
+    double work = 0.0;
+    for (std::size_t i = number * block; i < std::min(n_, (number + 1) * block); ++i) {
+      if (before_.outcome[i] != RestingPoints::Open) continue;
+      solve_point(i, &before_.pushed, touches);
+      work += before_.work[i];
+    }
+    return work;
+  }
 
  private:
-  // Most points that touch rest or slide: these at once.
-  void solve_resting(std::size_t first, std::size_t end, Touches& touches) const {
-    RestingPoints resting;
-    for (std::size_t start = first; start < end; start += RestingPoints::max) {
-      const std::size_t count = std::min(end - start, RestingPoints::max);
-      solve_resting_points(plan_, h_, start, before_.x, before_.v, motion_.x, motion_.v, resting);
-      for (std::size_t at = 0; at < count; ++at) {
-        const bool is_solved = resting.outcome[at] == RestingPoints::Solved;
-        before_.outcome[start + at] = is_solved                                    ? Outcome::Solved
-                                      : resting.outcome[at] == RestingPoints::Free ? Outcome::Free
-                                                                                   : Outcome::Open;
-        if (!is_solved) continue;
-        before_.work[start + at] = resting.work[at];
-        touches.first_touch = 0.0;
-      }
-    }
-  }
-
-  Outcome solve_point(std::size_t i, std::vector<ContactWorkspace::Pushed>* pushed, Touches& touches) const {
-    if (plan_.inverse_mass[i] == 0.0 || (plan_.pairs.on && before_.pairs.has_resolved(static_cast<Index>(i)))) return Outcome::Free;
+  RestingPoints::Outcome solve_point(std::size_t i, std::vector<ContactWorkspace::Pushed>* pushed, Touches& touches) const {
+    if (plan_.inverse_mass[i] == 0.0 || (plan_.pairs.on && before_.pairs.has_resolved(static_cast<Index>(i)))) return RestingPoints::Free;
     const int dimensions = plan_.dimensions;
     const Vec3 x0 = vector_at(before_.x, n_, i, dimensions), x1 = vector_at(motion_.x, n_, i, dimensions);
     const Vec3 v0 = vector_at(before_.v, n_, i, dimensions), v1 = vector_at(motion_.v, n_, i, dimensions);
     const double radius = plan_.radius[i], bulge = 0.125 * h_ * glm::length(v1 - v0);
     const auto is_near = [&](const Obstacle& obstacle) { return may_touch(obstacle, radius, x0, x1, bulge, h_); };
-    if (std::ranges::none_of(obstacles_, is_near)) return Outcome::Free;
+    if (std::ranges::none_of(obstacles_, is_near)) return RestingPoints::Free;
 
     // the parabola through both positions with the mean acceleration of the step: its velocity starts ahead of v0
     const Vec3 a = (v1 - v0) / h_, velocity_correction = (x1 - x0) / h_ - v0 - 0.5 * h_ * a;
     PointContactSolver solver(obstacles_, radius, x0, v0);
-    if (!solver.advance(a, velocity_correction, h_)) return Outcome::Free;
+    if (!solver.advance(a, velocity_correction, h_)) return RestingPoints::Free;
     if (solver.push_out != Vec3(0.0)) {
-      if (pushed == nullptr) return Outcome::Open;
+      if (pushed == nullptr) return RestingPoints::Open;
       pushed->push_back({i, solver.x, solver.push_out});
     }
 
@@ -110,7 +135,7 @@ class PointPass {
       motion_.x[c * n_ + i] = solver.x[c];
       motion_.v[c * n_ + i] = solver.v[c];
     }
-    return Outcome::Solved;
+    return RestingPoints::Solved;
   }
 
   const Plan& plan_;
@@ -126,25 +151,29 @@ double resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Con
                       bool& touched) {
   if (obstacles.empty()) return 0.0;
   const auto n = static_cast<std::size_t>(plan.points);
+  const std::size_t blocks = (n + PointPass::block - 1) / PointPass::block;
   before.outcome.resize(n);
   before.work.resize(n);
+  before.blocks.resize(blocks);
   const PointPass pass(plan, obstacles, before, motion, h);
 
   // blocks of points on as many threads as there are
-  constexpr std::size_t block = RestingPoints::max;
   constexpr Index min_blocks = 2;  // some microseconds
   std::array<PointPass::Touches, max_parts> touches;
-  const int parts = for_parts(plan, static_cast<Index>((n + block - 1) / block), min_blocks, [&](int part, Index first, Index end) {
-    pass.solve(static_cast<std::size_t>(first) * block, std::min(n, static_cast<std::size_t>(end) * block), touches[part]);
+  const int parts = for_parts(plan, static_cast<Index>(blocks), min_blocks, [&](int part, Index first, Index end) {
+    for (Index number = first; number < end; ++number) pass.solve_block(static_cast<std::size_t>(number), touches[part]);
   });
 
-  // sums in the order of the points
+  // sums in the order of the blocks
   double work = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    if (before.outcome[i] == Outcome::Free) continue;
-    if (before.outcome[i] == Outcome::Open) pass.solve_open_point(i, touches[0]);
+  before.touched = {};
+  for (std::size_t number = 0; number < blocks; ++number) {
+    const ContactWorkspace::Block& block = before.blocks[number];
+    if (!block.any_solved && !block.any_open) continue;
     touched = true;
-    work += before.work[i];
+    pass.extend_touched(number);
+    work += block.work;
+    if (block.any_open) work += pass.solve_open_points(number, touches[0]);
   }
   for (int part = 0; part < parts; ++part) {
     before.first_touch = std::min(before.first_touch, touches[part].first_touch);
@@ -169,8 +198,8 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     before.first_touch = before.pairs.first_touch();
     before.first_impact = before.pairs.first_impact();
   }
-  const double contact_work = resolve_points(plan, obstacles, before, motion, h, touched);
-  (plan.colliders_move ? motion.collider_work : motion.contact_work) += contact_work;
+  before.contact_work = resolve_points(plan, obstacles, before, motion, h, touched);
+  (plan.colliders_move ? motion.collider_work : motion.contact_work) += before.contact_work;
   if (!before.pushed.empty()) motion.collider_work += push_work(plan, before, h, motion);
   if (plan.surface.on && before.surface.resolve(plan, obstacles, before.x, before.v, h, motion)) {
     touched = true;

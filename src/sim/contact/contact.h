@@ -2,11 +2,11 @@
 // restitution and Coulomb friction. Last, faces and springs against each other (surface_solver.h).
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "sim/contact/obstacle.h"
 #include "sim/contact/pair_solver.h"
+#include "sim/contact/resting_kernel.h"
 #include "sim/contact/surface/surface_solver.h"
 #include "sim/motion.h"
 
@@ -22,6 +22,8 @@ struct ContactWorkspace {
   std::vector<Obstacle> obstacles;
   // [s], since the start of the substep, when the first point touched something, and when the first had an impact; infinity: none did
   double first_touch = 0.0, first_impact = 0.0;
+  Motion::Moved touched;      // contains all points that touched colliders
+  double contact_work = 0.0;  // [J], of the points that touched colliders
   // Points that were inside a collider before the substep, where they are after it, and how far they were moved out [m].
   struct Pushed {
     std::size_t point;
@@ -29,9 +31,14 @@ struct ContactWorkspace {
   };
   std::vector<Pushed> pushed;
   // Of each point: what became of it, and the work of the contact [J] in addition to the work of the forces.
-  enum class Outcome : std::uint8_t { Free, Solved, Open };
-  std::vector<Outcome> outcome;
+  std::vector<RestingPoints::Outcome> outcome;
   std::vector<double> work;
+  // Of each block of RestingPoints::max points: the sum of their work, without those that are Open.
+  struct Block {
+    double work;
+    bool any_solved, any_open;
+  };
+  std::vector<Block> blocks;
   PairSolver pairs;
   SurfaceSolver surface;
   // Points may have been edited.

@@ -19,6 +19,7 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
     supports = find_supports(a, remaining);
     Segment segment = plan_segment(supports, a, remaining);
     const Vec3 start = x;
+    if (segment.sticks) v = segment.support.surface;
     const double speed = glm::length(v - segment.support.surface);
     const Obstacle* hit = advance_segment(segment, supports);
     remaining -= segment.time;
@@ -102,6 +103,16 @@ bool PointContactSolver::apply_velocity_correction(const Vec3& velocity_correcti
   return velocity_correction_ != velocity_correction;
 }
 
+namespace {
+
+// Whether friction, which exceeds what holds the point by `margin` [m/s^2], stops it within the step and the tolerance of contact, whatever
+// the direction in which it is driven. Its path there turns into that direction in ever shorter segments without end.
+bool is_about_to_stop(double speed, double margin, double remaining, const Vec3& x) {
+  return speed <= margin * remaining && speed * speed <= margin * contact_tolerance(x);
+}
+
+}  // namespace
+
 // Friction of mu N opposes the motion relative to the surface or, without such motion, the driving force up to its magnitude.
 PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports, const Vec3& a, double remaining) const {
   const Vec3 constrained = constrain(supports.all(), a, v);
@@ -121,7 +132,7 @@ PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports,
   const Vec3 slip_velocity = v - carrier.surface;
   const double speed = glm::length(slip_velocity), required_friction = glm::length(tangential_drive - surface_acceleration);
   const double min_speed = carrier.surface == Vec3(0.0) ? 0.0 : 1e-12 * (glm::length(v) + glm::length(carrier.surface));
-  if (speed <= min_speed) {
+  if (speed <= min_speed || is_about_to_stop(speed, max_friction - required_friction, remaining, x)) {
     segment.sticks = required_friction <= max_friction + 1e-12 * glm::length(a);
     segment.acceleration =
         segment.sticks ? surface_acceleration

@@ -91,6 +91,27 @@ HWY_INLINE Load load_of(const LaneGap& gap, const LaneVec3& a, Lane size_of_a, c
   return {normal_acceleration, constrained, hn::And(hn::And(hn::Lt(separation, min), hn::Gt(normal_acceleration, same(0.0))), is_feasible)};
 }
 
+// The acceleration along the surface without friction.
+template <class Shape>
+HWY_INLINE LaneVec3 drive_of(const LaneGap& gap, const Load& load) {
+  return std::is_same_v<Shape, Sphere> ? tangential_to(gap.normal, load.constrained) : load.constrained;
+}
+// Friction against it, as in plan_segment.
+struct Hold {
+  Lane required, max;
+  LaneMask is_still, sticks;
+};
+HWY_INLINE Hold hold_of(double friction, const LaneVec3& drive, const Load& load, const Step& step, const LaneVec3& x, Lane speed,
+                        Lane remaining) {
+  Hold hold{length_of(drive), hn::Mul(same(friction), load.normal_acceleration), {}, {}};
+  const Lane margin = hn::Sub(hold.max, hold.required);
+  const LaneMask is_about_to_stop =
+      hn::And(hn::Le(speed, hn::Mul(margin, remaining)), hn::Le(hn::Mul(speed, speed), hn::Mul(margin, tolerance_at(x))));
+  hold.is_still = hn::Or(hn::Le(speed, same(0.0)), is_about_to_stop);
+  hold.sticks = hn::And(hold.is_still, hn::Le(hold.required, hn::Add(hold.max, hn::Mul(same(1e-12), step.size_of_a))));
+  return hold;
+}
+
 // The lanes of PointContactSolver::Segment, and the point at its end.
 struct LaneSegment {
   LaneVec3 x, v;
@@ -98,26 +119,37 @@ struct LaneSegment {
   LaneMask is_solved, has_moved;
 };
 
-// plan_segment, advance_segment and what follows it, from x with the velocity v on the surface.
+// plan_segment, advance_segment and what follows it, from x with the velocity v on the surface, of the lanes `is_left`.
 template <class Shape>
 HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Step& step, const LaneGap& gap, const Load& load,
-                                  const LaneVec3& start, const LaneVec3& start_v, Lane remaining, LaneVec3& velocity_correction) {
+                                  const LaneVec3& start, LaneVec3 start_v, Lane remaining, LaneMask is_left,
+                                  LaneVec3& velocity_correction) {
   constexpr bool is_curved = std::is_same_v<Shape, Sphere>;
   const Lane zero = same(0.0), mu = same(friction);
   const LaneVec3 none{zero, zero, zero}, &a = step.a;
 
   // sticks, starts to slide, or slides
-  const Lane max_friction = hn::Mul(mu, load.normal_acceleration), speed = length_of(start_v);
-  const LaneVec3 drive = is_curved ? tangential_to(gap.normal, load.constrained) : load.constrained;
-  const Lane required = length_of(drive);
-  const LaneMask is_still = hn::Le(speed, zero);
-  const LaneMask sticks = hn::And(is_still, hn::Le(required, hn::Add(max_friction, hn::Mul(same(1e-12), step.size_of_a))));
-  const LaneVec3 starting = choose(sticks, none, sum(none, times(hn::Sub(same(1.0), hn::Div(max_friction, required)), drive)));
-  const LaneVec3 sliding = difference(drive, times(hn::Div(max_friction, speed), start_v));
-  const Lane deceleration = hn::Div(hn::Neg(dot_of(sliding, start_v)), speed);
+  const PointLanes d;
+  const LaneVec3 drive = drive_of<Shape>(gap, load);
+  Lane speed = length_of(start_v);
+  const auto [required, max_friction, is_still, sticks] = hold_of(friction, drive, load, step, start, speed, remaining);
+  if (hn::AllFalse(d, hn::AndNot(sticks, is_left))) return {sum(start, none), none, remaining, load.holds, same_if(false)};
+  const LaneMask starts = hn::And(is_left, hn::AndNot(sticks, is_still));
+  start_v = choose(sticks, none, start_v);
+  speed = hn::IfThenZeroElse(sticks, speed);
+  LaneVec3 starting = none, sliding = drive;
+  if (!hn::AllFalse(d, starts)) {
+    const Lane part = hn::Sub(same(1.0), hn::Div(max_friction, required));
+    starting = choose(starts, sum(none, times(part, drive)), none);
+  }
   LaneSegment segment{start, start_v, remaining, load.holds, {}};
-  const LaneMask stops = hn::AndNot(is_still, hn::Ge(hn::Mul(deceleration, remaining), speed));
-  segment.time = hn::IfThenElse(stops, hn::Div(speed, deceleration), remaining);
+  LaneMask stops = same_if(false);
+  if (!hn::AllFalse(d, hn::AndNot(is_still, is_left))) {
+    sliding = difference(drive, times(hn::Div(max_friction, speed), start_v));
+    const Lane deceleration = hn::Div(hn::Neg(dot_of(sliding, start_v)), speed);
+    stops = hn::And(is_left, hn::AndNot(is_still, hn::Ge(hn::Mul(deceleration, remaining), speed)));
+    if (!hn::AllFalse(d, stops)) segment.time = hn::IfThenElse(stops, hn::Div(speed, deceleration), remaining);
+  }
   const LaneVec3 acceleration = sum(choose(is_still, starting, sliding), none);
   if constexpr (is_curved) {
     const Lane path = hn::Add(speed, hn::Mul(remaining, length_of(acceleration)));
@@ -131,10 +163,11 @@ HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Ste
   segment.has_moved = hn::Not(is_at_start);
   segment.x = x;
   segment.v = v;
-  if (hn::AllFalse(PointLanes(), hn::And(segment.has_moved, segment.is_solved))) return segment;
+  if (hn::AllFalse(d, hn::And(is_left, hn::And(segment.has_moved, segment.is_solved)))) return segment;
 
   // down from the tangent plane to the surface, unless it stopped
-  const LaneMask is_at_rest = hn::And(stops, hn::Le(length_of(v), hn::Mul(same(1e-9), speed)));
+  LaneMask is_at_rest = stops;
+  if (!hn::AllFalse(d, stops)) is_at_rest = hn::And(stops, hn::Le(length_of(v), hn::Mul(same(1e-9), speed)));
   if constexpr (is_curved) {
     const LaneVec3 displacement = difference(x, start);
     const Lane radius = hn::Div(same(1.0), gap.curvature), square = dot_of(displacement, displacement);
@@ -167,9 +200,10 @@ HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Ste
   return segment;
 }
 
-// PointContactSolver::advance on `shape` at rest. Under friction a path ends and goes on where the point stops.
+// PointContactSolver::advance on `shape` at rest, at the start of the step with `gap` to it. Under friction a path ends and goes on where
+// the point stops.
 template <class Shape>
-HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step, int max_segments) {
+HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step, LaneGap gap, int max_segments) {
   const PointLanes d;
   const Lane zero = same(0.0), h = same(step.h);
   const LaneVec3 none{zero, zero, zero}, &a = step.a;
@@ -179,11 +213,11 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
   };
 
   // on the surface, and moving neither into it nor away from it
-  LaneVec3 x = step.x0, v = step.v0;
-  LaneGap gap = lane_gap(shape, step.radius, x);
+  LaneVec3 x = step.x0, v = friction == 0.0 ? step.v0 : sum(step.v0, none);
+  LaneMask is_solved = hn::Le(hn::Abs(gap.distance), tolerance_at(x));
+  if (hn::AllFalse(d, is_solved)) return {x, v, is_solved, is_solved};
   Load load = load_of(gap, a, step.size_of_a, v);
-  LaneMask is_solved = hn::And(is_along(gap.normal, v, h), load.holds);
-  is_solved = hn::And(is_solved, hn::Le(hn::Abs(gap.distance), tolerance_at(x)));
+  is_solved = hn::And(is_solved, hn::And(is_along(gap.normal, v, h), load.holds));
   if (hn::AllFalse(d, is_solved)) return {x, v, is_solved, is_solved};
 
   // without friction, a point that slides starts with the velocity of the method's path
@@ -195,8 +229,6 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
     v = sum(v, velocity_correction);
     load = load_of(gap, a, step.size_of_a, v);
     is_solved = hn::And(is_solved, is_along(gap.normal, v, h));
-  } else {
-    v = sum(v, none);
   }
 
   Lane remaining = h;
@@ -209,7 +241,7 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
       is_solved = hn::And(is_solved, hn::Or(is_supported, hn::Not(is_left)));
     }
     LaneVec3 correction = velocity_correction;
-    const LaneSegment segment = advance_on(shape, friction, step, gap, load, x, v, remaining, correction);
+    const LaneSegment segment = advance_on(shape, friction, step, gap, load, x, v, remaining, is_left, correction);
     is_solved = hn::And(is_solved, hn::Or(segment.is_solved, hn::Not(is_left)));
     is_left = hn::And(is_left, is_solved);
     x = choose(is_left, segment.x, x);

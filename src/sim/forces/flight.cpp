@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
@@ -116,6 +117,36 @@ void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, do
   record(watch, drift, flight);
 }
 
+namespace {
+
+// The rows of a grid on whose points the forces have changed.
+RowRange changed_rows(const Grid& grid, const Motion::Moved& moved) {
+  const Index first = std::max(moved.first - grid.first, Index{0}), end = std::min(moved.end - grid.first, grid.points());
+  if (first >= end) return {0, 0};
+  return {std::max(first / grid.columns - 1, Index{0}), std::min((end - 1) / grid.columns + 2, grid.rows)};
+}
+
+// A pass that computes the forces of grids only where they have changed, with `a` known elsewhere. The rows beside changed ones are read
+// before they are advanced.
+void advance_changed(const Plan& plan, const GridPass& pass, const Motion::Moved& moved, Motion& motion) {
+  GridPass known = pass;
+  known.is_known = true;
+  double *const x = motion.x.data(), *const v = motion.v.data();
+  GridWatch watch;
+  Index next = 0;
+  for (const Grid& grid : plan.grids) {
+    advance_points(plan, next, grid.first, pass, x, v, watch);
+    next = grid.first + grid.points();
+    const RowRange rows = changed_rows(grid, moved);
+    if (rows.begin < rows.end) advance_grid(plan, grid, pass, x, v, {&watch, 1}, rows);
+    advance_points(plan, grid.first, grid.first + rows.begin * grid.columns, known, x, v, watch);
+    advance_points(plan, grid.first + rows.end * grid.columns, next, known, x, v, watch);
+  }
+  advance_points(plan, next, plan.points, pass, x, v, watch);
+}
+
+}  // namespace
+
 bool can_accelerate_and_kick(const Plan& plan) { return !plan.grids.empty() && !plan.pull && plan.forces.empty(); }
 
 void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift) {
@@ -126,6 +157,8 @@ void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double k
     pass.f = motion.a.data();
   }
   set_kick(plan, kick, pass);
+  const Motion::Moved moved = std::exchange(motion.moved, {});
+  if (moved.first < moved.end && plan.loose_runs.empty()) return advance_changed(plan, pass, moved, motion);
   GridWatch watch;
   advance_all(plan, pass, motion, {&watch, 1});
 }

@@ -212,17 +212,18 @@ void add_grid_forces(const Plan& plan, const Grid& grid, const double* x, const 
   });
 }
 
-void advance_grid(const Plan& plan, const Grid& grid, const GridPass& pass, double* x, double* v, std::span<GridWatch> watches) {
+void advance_grid(const Plan& plan, const Grid& grid, const GridPass& pass, double* x, double* v, std::span<GridWatch> watches,
+                  const RowRange& rows) {
   const GridView<double> view = view_of(plan, grid);
   const bool in_place = pass.drift != 0.0 || pass.damped;
   std::array<std::array<Seen, max_parts>, max_grid_passes> seen;
   const int passes = static_cast<int>(watches.size());
-  const int parts =
-      for_bands(plan, view, passes, in_place, x, pass.damped ? v : nullptr, [&](int part, int at, const GridBand<double>& band) {
-        GridWatch watch;
-        HWY_DYNAMIC_DISPATCH(advance_band)(plan, view, band, pass, x, v, watch);
-        seen[at][part].set(watch);
-      });
+  const int parts = for_bands(plan, view, GridBand<double>{rows.begin, rows.end < 0 ? grid.rows : rows.end}, passes, in_place, x,
+                              pass.damped ? v : nullptr, [&](int part, int at, const GridBand<double>& band) {
+                                GridWatch watch;
+                                HWY_DYNAMIC_DISPATCH(advance_band)(plan, view, band, pass, x, v, watch);
+                                seen[at][part].set(watch);
+                              });
   for (int at = 0; at < passes; ++at)
     for (int part = 0; part < parts; ++part) seen[at][part].add_to(watches[at]);
 }

@@ -29,10 +29,16 @@ struct GridWatch {
   bool any_at_limit = false;       // whether a spring was as long as its limit before the pass; none without limits
 };
 
+// Rows of a grid; end < 0: up to the last one.
+struct RowRange {
+  Index begin = 0, end = -1;
+};
+
 // As many passes one after another as there are watches, at most max_grid_passes: each advances the points of the grid in place, and adds
-// to its watch. On the threads of the plan.
+// to its watch. On the threads of the plan. Or one pass over some rows, at least two unless the grid is shorter.
 inline constexpr int max_grid_passes = 64;
-void advance_grid(const Plan& plan, const Grid& grid, const GridPass& pass, double* x, double* v, std::span<GridWatch> watches);
+void advance_grid(const Plan& plan, const Grid& grid, const GridPass& pass, double* x, double* v, std::span<GridWatch> watches,
+                  const RowRange& rows = {});
 
 // One pass over points first .. end - 1, on which no force of a grid acts.
 void advance_points(const Plan& plan, Index first, Index end, const GridPass& pass, double* x, double* v, GridWatch& watch);
