@@ -3,6 +3,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/errors.h"
 #include "base/file_limits.h"
@@ -41,11 +42,35 @@ Picture halved(const Picture& picture) {
   return half;
 }
 
+bool is_png(std::string_view file) { return file.starts_with("\x89PNG\r\n\x1a\n"); }
+
+// The file without the text and color profiles before the pixels, of which nothing is drawn. libpng reserves what a chunk declares before
+// it reads it, and inflates them without a limit: a few bytes could take gigabytes.
+std::string without_text(std::string_view bytes, const std::string& name) {
+  constexpr std::size_t signature = 8, frame = 12;  // length, type and checksum around the data of a chunk
+  constexpr std::array<std::string_view, 4> unused{"tEXt", "zTXt", "iTXt", "iCCP"};
+  std::string kept(bytes.substr(0, signature));
+  std::size_t at = kept.size();
+  while (bytes.size() - at >= frame) {
+    std::size_t length = 0;
+    for (const char byte : bytes.substr(at, 4)) length = length << 8 | static_cast<unsigned char>(byte);
+    const std::string_view type = bytes.substr(at + 4, 4);
+    if (type == "IDAT") break;
+    if (length > bytes.size() - at - frame)
+      throw InputError(name + ": chunk at byte " + std::to_string(at) + ": " + std::to_string(length) + " bytes: must be at most " +
+                       std::to_string(bytes.size() - at - frame) + ", as many as follow");
+    if (std::ranges::find(unused, type) == unused.end()) kept += bytes.substr(at, frame + length);
+    at += frame + length;
+  }
+  return kept.append(bytes.substr(at));
+}
+
 }  // namespace
 
-Picture decode_png(std::string_view bytes, const std::string& name) {
+Picture decode_png(std::string_view file, const std::string& name) {
   PngImage image;
   const auto refuse = [&] { throw InputError(name + ": " + printable(image.png.message) + ": must be a PNG"); };
+  const std::string bytes = is_png(file) ? without_text(file, name) : std::string(file);
   if (!png_image_begin_read_from_memory(&image.png, bytes.data(), bytes.size())) refuse();
   const std::uint32_t width = image.png.width, height = image.png.height;
   if (width > max_picture_side || height > max_picture_side)

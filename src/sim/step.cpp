@@ -242,8 +242,10 @@ void Frame::substep(Plan& plan) {
   else if (ends)
     break_long_springs(plan);
   force_work_.end_substep(plan, motion_, length, is_moved);
-  if (is_moved && !knew_acceleration && is_at_rest(plan))
-    stay(motion_.force_evaluations - evaluations_before, motion_.dashpot_sweeps - sweeps_before);
+  const long sweeps = motion_.dashpot_sweeps - sweeps_before;
+  // dashpots among the forces act at velocities that the state does not contain
+  const bool is_state_complete = !plan.has_dashpots() || sweeps > 0;
+  if (is_moved && !knew_acceleration && is_state_complete && is_at_rest(plan)) stay(motion_.force_evaluations - evaluations_before, sweeps);
   if (plan.touches_itself() && (is_adaptive ? adaptive_step_.has_too_many_pairs() : before_.has_too_many_pairs()))
     failure_ = StepFailure::TooManyPairs;
 }

@@ -3,6 +3,9 @@
 
 #include "formats/texture.h"
 
+#include <sys/resource.h>
+#include <zlib.h>
+
 #include <fstream>
 
 #include "base/errors.h"
@@ -124,6 +127,66 @@ TEST(Texture, IsRefusedIfItIsNoPngOrTooLarge) {
     std::filesystem::resize_file(folder.folder / "whole.png", kept);
     EXPECT_NE(folder.refused("whole.png").find("must be a PNG"), std::string::npos) << kept;
   }
+}
+
+// A chunk of a PNG file: length, type, data and checksum.
+std::string png_chunk(const std::string& type, const std::string& data) {
+  const auto number = [](std::size_t value) {
+    std::string bytes;
+    for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(value >> shift & 255);
+    return bytes;
+  };
+  const std::string checked = type + data;
+  return number(data.size()) + checked +
+         number(crc32(0, reinterpret_cast<const Bytef*>(checked.data()), static_cast<uInt>(checked.size())));
+}
+
+// `mebibytes` of zeros, compressed.
+std::string compressed_zeros(int mebibytes) {
+  const std::string zeros(1 << 20, '\0');
+  std::string buffer(1 << 14, '\0'), result;
+  z_stream stream{};
+  EXPECT_EQ(deflateInit(&stream, Z_BEST_SPEED), Z_OK);
+  for (int i = 0; i <= mebibytes; ++i) {
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(zeros.data()));
+    stream.avail_in = i < mebibytes ? static_cast<uInt>(zeros.size()) : 0;
+    do {
+      stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
+      stream.avail_out = static_cast<uInt>(buffer.size());
+      deflate(&stream, i < mebibytes ? Z_NO_FLUSH : Z_FINISH);
+      result.append(buffer, 0, buffer.size() - stream.avail_out);
+    } while (stream.avail_out == 0);
+  }
+  deflateEnd(&stream);
+  return result;
+}
+
+TEST(Texture, TextBeforeThePixelsIsNeitherReservedNorInflated) {
+  const Folder folder;
+  const Image square{2, 2, std::vector<std::uint8_t>(3 * 4, 77)};
+  write_png(square, folder.folder / "a.png");
+  std::stringstream whole;
+  whole << std::ifstream(folder.folder / "a.png").rdbuf();
+  const std::string bytes = whole.str();
+  const std::size_t header = 8 + 12 + 13;
+  const auto with = [&](const std::string& chunk) { folder.write("a.png", bytes.substr(0, header) + chunk + bytes.substr(header)); };
+
+  // [KiB]
+  const auto peak = [] {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+  };
+  const long before = peak();
+  with(png_chunk("zTXt", std::string("a\0\0", 3) + compressed_zeros(400)));
+  folder.name("a.png");
+  EXPECT_EQ(load_scene(folder.scene).scene.cloth_texture.picture->pixels, square.pixels);
+  EXPECT_LT(peak() - before, 200'000);
+
+  with(std::string("\x44\x52\0\3tEXt", 8));
+  EXPECT_EQ(folder.refused("a.png"), "view.texture: \"a.png\": chunk at byte 33: 1146224643 bytes: must be at most " +
+                                         std::to_string(bytes.size() - header - 4) + ", as many as follow");
+  EXPECT_LT(peak() - before, 200'000);
 }
 
 TEST(Texture, AMissingOneIsReported) {

@@ -32,10 +32,10 @@ void step(const Plan& plan, Motion& motion, Workspace&, double h) {
 // The last kick of a step and the first of the next are one of h.
 void fly(const Plan& plan, Motion& motion, Workspace&, double h, int count, Flight& flight) {
   if (!motion.acceleration_is_current) accelerate(plan, motion);
-  kick_and_drift_with_known(plan, motion, 0.5 * h, h, flight);
+  kick_and_drift_with_known(plan, motion, 0.5 * h, h, {}, flight);
   for (int i = 1; i < count && !flight.was_interrupted(); ++i) {
     motion.time += h;
-    kick_and_drift(plan, motion, h, h, plan.has_dashpots(), flight);
+    kick_and_drift(plan, motion, h, h, {.velocity = plan.has_dashpots() ? &motion.v : nullptr}, flight);
     ++motion.force_evaluations;
   }
   motion.time += h;

@@ -17,9 +17,31 @@ namespace hooke {
 namespace {
 
 // v' = decay v + weight a of a kick over h, as in motion.h.
-void set_kick(const Plan& plan, double h, GridPass& pass) {
-  pass.decay = plan.drag == 0.0 ? 1.0 : portable::exp(-plan.drag * h);
-  pass.weight = plan.drag == 0.0 ? h : -portable::expm1(-plan.drag * h) / plan.drag;
+struct Kick {
+  double decay, weight;
+  Kick(const Plan& plan, double h)
+      : decay(plan.drag == 0.0 ? 1.0 : portable::exp(-plan.drag * h)),
+        weight(plan.drag == 0.0 ? h : -portable::expm1(-plan.drag * h) / plan.drag) {}
+};
+
+GridPass pass_of(const Plan& plan, double kick, double drift, const PassDashpots& dashpots) {
+  const Kick now(plan, kick), ahead(plan, dashpots.ahead);
+  return {.decay = now.decay,
+          .weight = now.weight,
+          .drift = drift,
+          .damped = dashpots.velocity != nullptr,
+          .dashpot_velocity = dashpots.velocity != nullptr ? dashpots.velocity->data() : nullptr,
+          .predicted = dashpots.predicted != nullptr ? dashpots.predicted->data() : nullptr,
+          .predicted_decay = ahead.decay,
+          .predicted_weight = ahead.weight};
+}
+
+// Adds the forces of the springs outside grids to the external ones, if there are any, for a pass that adds those of grids.
+void set_other_forces(const Plan& plan, double time, const PassDashpots& dashpots, Motion& motion, GridPass& pass) {
+  if (plan.loose_runs.empty() && plan.forces.empty()) return;
+  compute_external_forces(plan, time, motion.x, motion.v, motion.a);
+  add_loose_spring_forces(plan, motion.x.data(), dashpots.velocity != nullptr ? dashpots.velocity->data() : nullptr, motion.a.data());
+  pass.f = motion.a.data();
 }
 
 // As many passes over all points as there are watches. Grids do not act on each other.
@@ -53,15 +75,9 @@ bool can_fly(const Plan& plan) {
          });
 }
 
-void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift, bool damped, Flight& flight) {
-  GridPass pass{.drift = drift, .damped = damped};
-  set_kick(plan, kick, pass);
-  const double* v = damped ? motion.v.data() : nullptr;
-  if (!plan.loose_runs.empty() || !plan.forces.empty()) {
-    compute_external_forces(plan, motion.time, motion.x, motion.v, motion.a);
-    add_loose_spring_forces(plan, motion.x.data(), v, motion.a.data());
-    pass.f = motion.a.data();
-  }
+void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift, const PassDashpots& dashpots, Flight& flight) {
+  GridPass pass = pass_of(plan, kick, drift, dashpots);
+  set_other_forces(plan, motion.time, dashpots, motion, pass);
   motion.acceleration_is_current = false;
 
   GridWatch watch{.any_at_limit = any_reaches_limit(plan, plan.loose_runs, motion.x)};
@@ -85,32 +101,30 @@ void advance_at_once(const Plan& plan, const GridPass& pass, Motion& motion, int
 
 }  // namespace
 
-void kick_and_drift_steps(const Plan& plan, Motion& motion, double h, int steps, bool damped, Flight& flight) {
+void kick_and_drift_steps(const Plan& plan, Motion& motion, double h, int steps, const PassDashpots& dashpots, Flight& flight) {
+  const GridPass pass = pass_of(plan, h, h, dashpots);
   if (plan.execution.single != nullptr) {
-    GridPass pass{.drift = h};
-    set_kick(plan, h, pass);
     plan.execution.single->advance(plan, pass, steps, motion);
     motion.acceleration_is_current = false;
     motion.force_evaluations += steps;
     motion.time += steps * h;
   } else if (plan.execution.team != nullptr && plan.loose_runs.empty() && plan.forces.empty()) {
-    GridPass pass{.drift = h, .damped = damped};
-    set_kick(plan, h, pass);
     motion.acceleration_is_current = false;
     for (int done = 0; done < steps && !flight.was_interrupted(); done += max_grid_passes)
       advance_at_once(plan, pass, motion, std::min(steps - done, max_grid_passes), flight);
   } else {
     for (int i = 0; i < steps && !flight.was_interrupted(); ++i) {
-      kick_and_drift(plan, motion, h, h, damped, flight);
+      kick_and_drift(plan, motion, h, h, dashpots, flight);
       ++motion.force_evaluations;
       motion.time += h;
     }
   }
 }
 
-void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, double drift, Flight& flight) {
-  GridPass pass{.drift = drift, .a = motion.a.data(), .is_known = true};
-  set_kick(plan, kick, pass);
+void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, double drift, const PassDashpots& dashpots, Flight& flight) {
+  GridPass pass = pass_of(plan, kick, drift, dashpots);
+  pass.a = motion.a.data();
+  pass.is_known = true;
   motion.acceleration_is_current = false;
   GridWatch watch;
   advance_points(plan, 0, plan.points, pass, motion.x.data(), motion.v.data(), watch);
@@ -149,14 +163,10 @@ void advance_changed(const Plan& plan, const GridPass& pass, const Motion::Moved
 
 bool can_accelerate_and_kick(const Plan& plan) { return !plan.grids.empty() && !plan.pull && plan.forces.empty(); }
 
-void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift) {
-  GridPass pass{.drift = drift, .a = motion.a.data()};
-  if (!plan.loose_runs.empty()) {
-    compute_external_forces(plan, time, motion.x, motion.v, motion.a);
-    add_loose_spring_forces(plan, motion.x.data(), nullptr, motion.a.data());
-    pass.f = motion.a.data();
-  }
-  set_kick(plan, kick, pass);
+void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift, const PassDashpots& dashpots) {
+  GridPass pass = pass_of(plan, kick, drift, dashpots);
+  pass.a = motion.a.data();
+  set_other_forces(plan, time, dashpots, motion, pass);
   const Motion::Moved moved = std::exchange(motion.moved, {});
   if (moved.first < moved.end && plan.loose_runs.empty()) return advance_changed(plan, pass, moved, motion);
   GridWatch watch;

@@ -27,24 +27,32 @@ struct Flight {
 // Whether the forces on the points depend on nothing but their positions and, with their dashpots, the velocities of the springs' ends.
 bool can_fly(const Plan& plan);
 
-// From the forces of compute_position_forces at motion.time and motion.x, with `damped` also those of the dashpots:
+// The dashpots of a pass: they act at `velocity`, or not at all if it is null. Where `predicted` is given, which may be the same field, the
+// velocity that a further kick by `ahead` [s] with the same acceleration would give goes to it.
+struct PassDashpots {
+  const Field* velocity = nullptr;
+  Field* predicted = nullptr;
+  double ahead = 0.0;
+};
+
+// From the forces of compute_position_forces at motion.time and motion.x, and those of the dashpots:
 //   kick by `kick` [s], then drift by `drift` [s], as in motion.h.
 // Uses motion.a as scratch.
-void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift, bool damped, Flight& flight);
+void kick_and_drift(const Plan& plan, Motion& motion, double kick, double drift, const PassDashpots& dashpots, Flight& flight);
 
 // `steps` times the same, with kicks and drifts by h [s] each, or until the flight was interrupted; adds to motion.time and to the force
 // evaluations. In single precision if the plan is computed in it.
-void kick_and_drift_steps(const Plan& plan, Motion& motion, double h, int steps, bool damped, Flight& flight);
+void kick_and_drift_steps(const Plan& plan, Motion& motion, double h, int steps, const PassDashpots& dashpots, Flight& flight);
 
-// The same for a flight with the accelerations motion.a.
-void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, double drift, Flight& flight);
+// The same for a flight with the accelerations motion.a, which already contain the dashpots.
+void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, double drift, const PassDashpots& dashpots, Flight& flight);
 
 // Whether accelerate_and_kick takes no more than a pass over the springs.
 bool can_accelerate_and_kick(const Plan& plan);
 
-// Where can_accelerate_and_kick(plan): sets motion.a to the accelerations of compute_position_forces at `time` [s] and motion.x, kicks by
-// `kick` [s] and drifts by `drift` [s], to the same bits as one after another. Where motion.moved says so, forces are computed only on the
-// rows of grids that have changed.
-void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift);
+// Where can_accelerate_and_kick(plan): sets motion.a to the accelerations of compute_position_forces at `time` [s] and motion.x, and of the
+// dashpots, kicks by `kick` [s] and drifts by `drift` [s], to the same bits as one after another. Where motion.moved says so, forces are
+// computed only on the rows of grids that have changed.
+void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift, const PassDashpots& dashpots = {});
 
 }  // namespace hooke

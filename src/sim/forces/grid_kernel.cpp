@@ -77,6 +77,10 @@ HWY_INLINE V advance_columns(const Plan& plan, const GridPass& pass, double* x, 
     const V kicked = hn::Add(hn::Mul(hn::Set(d, pass.decay), before), hn::Mul(hn::Set(d, pass.weight), a));
     const V after = hn::IfThenElse(is_fixed, before, kicked);
     columns.store(after, v + at);
+    if (pass.predicted != nullptr) {
+      const V predicted = hn::Add(hn::Mul(hn::Set(d, pass.predicted_decay), after), hn::Mul(hn::Set(d, pass.predicted_weight), a));
+      columns.store(hn::IfThenElse(is_fixed, before, predicted), pass.predicted + at);
+    }
     if (pass.drift != 0.0) columns.store(hn::Add(columns.load(x + at), hn::Mul(hn::Set(d, pass.drift), after)), x + at);
     square = hn::Add(square, hn::Mul(after, after));
   }
@@ -103,8 +107,9 @@ void advance(const Plan& plan, const GridView<double>& grid, const GridBand<doub
     else
       return from_above;
   };
-  compute_band<Dimensions, Damped, true>(grid, band, x, v, empty_scratch(buffer, grid), static_cast<double*>(nullptr), at_limit, others,
-                                         [&](const auto& columns, Index i, const auto* force) HWY_ATTR {
+  const double* const dashpot_velocity = pass.dashpot_velocity != nullptr ? pass.dashpot_velocity : v;
+  compute_band<Dimensions, Damped, true>(grid, band, x, dashpot_velocity, empty_scratch(buffer, grid), static_cast<double*>(nullptr),
+                                         at_limit, others, [&](const auto& columns, Index i, const auto* force) HWY_ATTR {
                                            max_square.add(advance_columns<Dimensions, IsSum>(plan, pass, x, v, columns, i, force));
                                          });
   watch.max_speed_squared = std::max(watch.max_speed_squared, max_square.get());
@@ -215,11 +220,12 @@ void add_grid_forces(const Plan& plan, const Grid& grid, const double* x, const 
 void advance_grid(const Plan& plan, const Grid& grid, const GridPass& pass, double* x, double* v, std::span<GridWatch> watches,
                   const RowRange& rows) {
   const GridView<double> view = view_of(plan, grid);
-  const bool in_place = pass.drift != 0.0 || pass.damped;
+  const double* const dashpot_velocity = pass.dashpot_velocity != nullptr ? pass.dashpot_velocity : v;
+  const bool in_place = pass.drift != 0.0 || (pass.damped && (dashpot_velocity == v || dashpot_velocity == pass.predicted));
   std::array<std::array<Seen, max_parts>, max_grid_passes> seen;
   const int passes = static_cast<int>(watches.size());
   const int parts = for_bands(plan, view, GridBand<double>{rows.begin, rows.end < 0 ? grid.rows : rows.end}, passes, in_place, x,
-                              pass.damped ? v : nullptr, [&](int part, int at, const GridBand<double>& band) {
+                              pass.damped ? dashpot_velocity : nullptr, [&](int part, int at, const GridBand<double>& band) {
                                 GridWatch watch;
                                 HWY_DYNAMIC_DISPATCH(advance_band)(plan, view, band, pass, x, v, watch);
                                 seen[at][part].set(watch);

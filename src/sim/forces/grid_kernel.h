@@ -17,7 +17,11 @@ void add_grid_forces(const Plan& plan, const Grid& grid, const double* x, const 
 struct GridPass {
   double decay = 1.0, weight = 0.0, drift = 0.0;  // [1], [s], [s]
   bool damped = false;                            // whether the springs' dashpots count
-  const double* f = nullptr;                      // [N] of all other forces, in which case acceleration does not count
+  // The velocities at which dashpots act; null: v. And where decay' v' + weight' a goes, or null; it may be the same field.
+  const double* dashpot_velocity = nullptr;
+  double* predicted = nullptr;
+  double predicted_decay = 1.0, predicted_weight = 0.0;  // [1], [s]
+  const double* f = nullptr;                             // [N] of all other forces, in which case acceleration does not count
   // Where a goes, if it is needed. Then the forces are added as by add_grid_forces to f, or to acceleration m, to the same bits.
   double* a = nullptr;
   bool is_known = false;  // whether a is known and forces do not count: for points on which no force of a grid acts

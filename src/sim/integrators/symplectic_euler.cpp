@@ -36,7 +36,7 @@ double modified_energy(const Plan& plan, const Motion& motion, double h) {
 }
 
 void fly(const Plan& plan, Motion& motion, Workspace&, double h, int count, Flight& flight) {
-  kick_and_drift_steps(plan, motion, h, count, plan.has_dashpots(), flight);
+  kick_and_drift_steps(plan, motion, h, count, {.velocity = plan.has_dashpots() ? &motion.v : nullptr}, flight);
 }
 
 // v' = E v - phi h (omega^2 x + (lambda + q) v), x' = x + h v', with E = e^(-h c), phi = (1 - E) / (h c)

@@ -15,9 +15,18 @@
 namespace hooke {
 namespace {
 
+// Whether the dashpots are forces: where sweeps over them would take most of the time, they are weak enough for that to be as accurate, and
+// the step is well within its limit, which with them among the forces is (h omega)^2 / 4 + h lambda < 1.
+bool has_weak_dashpots(const Plan& plan, double h) {
+  constexpr double max_rate = 0.3, margin = 0.9;
+  const double h_omega = h * plan.spectrum.omega, h_lambda = h * plan.spectrum.dashpot_rate;
+  return plan.has_dashpots() && plan.springs >= min_springs_of_grids && !plan.forces_depend_on_velocity && h_lambda <= max_rate &&
+         0.25 * h_omega * h_omega + h_lambda <= margin;
+}
+
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
   work.size_fields(plan.forces_depend_on_velocity ? 3 : 1, motion);
-  if (plan.has_dashpots()) plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
+  if (plan.has_dashpots() && !has_weak_dashpots(plan, h)) plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
 }
 
 void accelerate(const Plan& plan, double time, Motion& motion) {
@@ -70,7 +79,50 @@ void kick_and_drift_alone(const Plan& plan, Motion& motion, double h) {
   accelerate_and_kick_half(plan, motion.time + h, motion, h);
 }
 
+// The accelerations at motion.x, with dashpots that act at `velocity`.
+void accelerate_damped(const Plan& plan, double time, const Field& velocity, Motion& motion) {
+  compute_explicit_forces(plan, time, motion.x, velocity, motion.a);
+  divide_by_mass(plan, motion.a);
+  ++motion.force_evaluations;
+}
+
+void accelerate_damped_and_kick(const Plan& plan, double time, const Field& velocity, Motion& motion, double h) {
+  if (can_accelerate_and_kick(plan)) {
+    accelerate_and_kick(plan, time, motion, 0.5 * h, 0.0, {.velocity = &velocity});
+    ++motion.force_evaluations;
+  } else {
+    accelerate_damped(plan, time, velocity, motion);
+    kick(plan, motion, 0.5 * h);
+  }
+  motion.acceleration_is_current = true;
+}
+
+// Weak dashpots act at v' = E v + phi a, the velocity at the end of the step if the acceleration remains that of its start, and at that in
+// the first kick of the next step too.
+void fly_weakly_damped(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) {
+  Field& velocity = work.fields[0];
+  if (!motion.acceleration_is_current) accelerate_damped(plan, motion.time, motion.v, motion);
+  kick_and_drift_with_known(plan, motion, 0.5 * h, h, {.predicted = &velocity, .ahead = 0.5 * h}, flight);
+  motion.time += h;
+  kick_and_drift_steps(plan, motion, h, count - 1, {.velocity = &velocity, .predicted = &velocity, .ahead = 0.5 * h}, flight);
+  accelerate_damped_and_kick(plan, motion.time, velocity, motion, h);
+}
+
+void step_weakly_damped(const Plan& plan, Motion& motion, Workspace& work, double h) {
+  Field& velocity = work.fields[0];
+  if (!motion.acceleration_is_current && can_accelerate_and_kick(plan)) {
+    accelerate_and_kick(plan, motion.time, motion, 0.5 * h, h, {.velocity = &motion.v, .predicted = &velocity, .ahead = 0.5 * h});
+    ++motion.force_evaluations;
+  } else {
+    if (!motion.acceleration_is_current) accelerate_damped(plan, motion.time, motion.v, motion);
+    Flight alone;
+    kick_and_drift_with_known(plan, motion, 0.5 * h, h, {.predicted = &velocity, .ahead = 0.5 * h}, alone);
+  }
+  accelerate_damped_and_kick(plan, motion.time + h, velocity, motion, h);
+}
+
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
+  if (has_weak_dashpots(plan, h)) return step_weakly_damped(plan, motion, work, h);
   if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
   if (plan.forces_depend_on_velocity)
     kick_and_drift_with_velocity(plan, motion, work, h);
@@ -92,7 +144,7 @@ void fly_damped(const Plan& plan, Motion& motion, Workspace& work, double h, int
     if (i > 0) flight.any_at_limit = flight.any_at_limit || any_reaches_limit(plan, plan.runs, motion.x);
     decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
     if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion);
-    kick_and_drift_with_known(plan, motion, 0.5 * h, h, flight);
+    kick_and_drift_with_known(plan, motion, 0.5 * h, h, {}, flight);
     motion.time += h;
     accelerate_and_kick_half(plan, motion.time, motion, h);
     motion.acceleration_is_current = true;
@@ -102,11 +154,12 @@ void fly_damped(const Plan& plan, Motion& motion, Workspace& work, double h, int
 }
 
 void fly(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) {
+  if (has_weak_dashpots(plan, h)) return fly_weakly_damped(plan, motion, work, h, count, flight);
   if (plan.has_dashpots()) return fly_damped(plan, motion, work, h, count, flight);
   if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion);
-  kick_and_drift_with_known(plan, motion, 0.5 * h, h, flight);
+  kick_and_drift_with_known(plan, motion, 0.5 * h, h, {}, flight);
   motion.time += h;
-  kick_and_drift_steps(plan, motion, h, count - 1, false, flight);
+  kick_and_drift_steps(plan, motion, h, count - 1, {}, flight);
   accelerate_and_kick_half(plan, motion.time, motion, h);
   motion.acceleration_is_current = true;
 }
