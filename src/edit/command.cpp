@@ -16,15 +16,15 @@ template <class Item>
 std::size_t bytes_in(const std::vector<Item>& list) {
   return list.capacity() * sizeof(Item);
 }
+std::size_t bytes_in(const SpringList& list) { return list.bytes(); }
+std::size_t bytes_in(const FaceList& list) { return list.bytes(); }
 std::size_t bytes_in(const std::shared_ptr<const State>& state) {
   return sizeof(State) + bytes_in(state->position) + bytes_in(state->velocity);
 }
 std::size_t bytes_in(const std::shared_ptr<const Scene>& scene) {
   const System& system = scene->system;
-  constexpr std::size_t lookup_entry_bytes = sizeof(Index);
   return sizeof(Scene) + bytes_in(system.points()) + bytes_in(system.springs()) + bytes_in(system.faces) + bytes_in(scene->state.position) +
-         bytes_in(scene->state.velocity) + lookup_entry_bytes * (system.points().size() + system.springs().size()) +
-         scene->preserved_json.generators.size();
+         bytes_in(scene->state.velocity) + scene->preserved_json.generators.size();
 }
 
 }  // namespace

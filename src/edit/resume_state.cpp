@@ -12,8 +12,8 @@ namespace hooke {
 namespace {
 
 // The ids in the order of the list; nothing when they equal the indices.
-template <class Item, class Id = decltype(Item::id)>
-std::optional<std::vector<Id>> ids_of(const std::vector<Item>& items) {
+template <class List, class Item = typename List::value_type, class Id = decltype(Item::id)>
+std::optional<std::vector<Id>> ids_of(const List& items) {
   std::vector<Id> ids;
   bool are_places = true;
   for (const Item& item : items) {
@@ -57,8 +57,11 @@ void restore_ids(const ResumeState& rest, Scene& scene) {
     spring.first = id_of(spring.first);
     spring.second = id_of(spring.second);
   }
-  for (Face& face : system.faces)
-    for (PointId& corner : face.points) corner = id_of(corner);
+  for (std::size_t f = 0; f < system.faces.size(); ++f) {
+    std::array<PointId, 3> corners = system.faces[f].points;
+    for (PointId& corner : corners) corner = id_of(corner);
+    system.faces.set_points(f, corners);
+  }
   if (system.scripted_hand) system.scripted_hand->point = id_of(system.scripted_hand->point);
 
   if (scene.cloth_texture.cloth_coordinates && rest.point_ids)
@@ -66,8 +69,9 @@ void restore_ids(const ResumeState& rest, Scene& scene) {
         std::make_shared<const ClothCoordinates>(by_id(*scene.cloth_texture.cloth_coordinates, *rest.point_ids, no_cloth_coordinates));
   if (scene.sheet) {
     SheetWeights sheet = *scene.sheet;
-    if (rest.point_ids) sheet.area = by_id(sheet.area, *rest.point_ids, 0.0);
-    if (rest.spring_ids) sheet.spring_weight = by_id(sheet.spring_weight, *rest.spring_ids, 0.0);
+    const auto plain = [](const NumberList& list) { return std::vector<double>(list.begin(), list.end()); };
+    if (rest.point_ids) sheet.area = by_id(plain(sheet.area), *rest.point_ids, 0.0);
+    if (rest.spring_ids) sheet.spring_weight = by_id(plain(sheet.spring_weight), *rest.spring_ids, 0.0);
     scene.sheet = std::make_shared<const SheetWeights>(std::move(sheet));
   }
   system.set_springs({});

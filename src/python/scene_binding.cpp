@@ -23,7 +23,7 @@ void change(NamedScene& scene, const Command& command) {
 }
 
 const std::vector<Point>& points_of(const NamedScene& scene) { return scene.scene().system.points(); }
-const std::vector<Spring>& springs_of(const NamedScene& scene) { return scene.scene().system.springs(); }
+const SpringList& springs_of(const NamedScene& scene) { return scene.scene().system.springs(); }
 
 std::string at(const std::string& name, std::size_t index) { return name + "[" + std::to_string(index) + "]"; }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/number_list.h"
 #include "scene/view_settings.h"
 #include "sim/system.h"
 
@@ -15,10 +16,10 @@ struct Network {
   std::vector<Point> points;
   std::vector<Vec3> position, velocity;
   ClothCoordinates cloth_coordinates;  // of the points on their cloths; points beyond its end have none
-  std::vector<Spring> springs;
-  std::vector<Face> faces;
-  std::vector<std::array<double, 3>> rest_angles;  // of all faces (Face::rest_angle); empty: as drawn
-  std::vector<double> sheet_areas, sheet_weights;  // of points [m^2] and springs [1] in their sheets (SheetWeights)
+  SpringList springs;
+  FaceList faces;
+  NumberList rest_angles;                 // of the corners of all faces (Face::rest_angle); empty: as drawn
+  NumberList sheet_areas, sheet_weights;  // of points [m^2] and springs [1] in their sheets (SheetWeights)
 };
 
 struct ElementCount {

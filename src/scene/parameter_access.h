@@ -53,7 +53,7 @@ template <SpringSlider row>
 void write_springs(Scene& scene, double value) {
   for (Index s = 0; s < scene.system.spring_count(); ++s)
     if (const double weight = spring_weight_in<row>(scene, scene.system.springs()[s]); weight > 0.0)
-      scene.system.spring(s).*row.property = weight * value;
+      (*scene.system.spring(s)).*row.property = weight * value;
 }
 
 // mass = density area

@@ -15,10 +15,10 @@ namespace {
 
 using Of = QuantityRow::Of;
 
-const Spring& spring_at(const Measurement& m, Index s) { return m.system.springs()[static_cast<std::size_t>(s)]; }
+Spring spring_at(const Measurement& m, Index s) { return m.system.springs()[static_cast<std::size_t>(s)]; }
 
 double length_of(const Measurement& m, Index s) {
-  const Spring& spring = spring_at(m, s);
+  const Spring spring = spring_at(m, s);
   return glm::length(m.state.position[static_cast<std::size_t>(m.system.index_of(spring.second))] -
                      m.state.position[static_cast<std::size_t>(m.system.index_of(spring.first))]);
 }

@@ -29,11 +29,11 @@ std::vector<Id> union_of(const std::vector<Id>& a, const std::vector<Id>& b) {
   return both;
 }
 
-template <class Item>
-auto ids_of(const std::vector<Item>& items) {
-  std::vector<decltype(Item::id)> ids;
+template <class List>
+auto ids_of(const List& items) {
+  std::vector<decltype(List::value_type::id)> ids;
   ids.reserve(items.size());
-  for (const Item& item : items) ids.push_back(item.id);
+  for (const auto& item : items) ids.push_back(item.id);
   std::ranges::sort(ids);
   return ids;
 }

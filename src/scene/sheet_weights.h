@@ -4,23 +4,23 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
+#include "base/number_list.h"
 #include "sim/system.h"
 
 namespace hooke {
 
 // By id. 0, also beyond the end: not part of a sheet.
 struct SheetWeights {
-  std::vector<double> area;           // [m^2], of each point
-  std::vector<double> spring_weight;  // [1], of each spring
+  NumberList area;           // [m^2], of each point
+  NumberList spring_weight;  // [1], of each spring
 
   double area_of(PointId id) const { return at(area, static_cast<std::size_t>(id)); }
   double sheet_weight_of(SpringId id) const { return at(spring_weight, static_cast<std::size_t>(id)); }
   bool operator==(const SheetWeights&) const = default;
 
  private:
-  static double at(const std::vector<double>& list, std::size_t id) { return id < list.size() ? list[id] : 0.0; }
+  static double at(const NumberList& list, std::size_t id) { return id < list.size() ? list[id] : 0.0; }
 };
 
 // The same; `sheet` may be null.
@@ -42,7 +42,7 @@ class SheetEdit {
   }
 
  private:
-  void set(std::vector<double> SheetWeights::*list, std::size_t id, double value, double before);
+  void set(NumberList SheetWeights::*list, std::size_t id, double value, double before);
 
   std::shared_ptr<const SheetWeights>& sheet_;
   std::optional<SheetWeights> changed_;

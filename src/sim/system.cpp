@@ -12,25 +12,45 @@
 namespace hooke {
 namespace {
 
+// The number of the id.
 template <class Item>
-void append(std::vector<Item>& items, IdTable& ids, const Item& item) {
-  const auto id = static_cast<std::uint32_t>(item.id);
+std::uint32_t number_of(const Item& item) {
+  return static_cast<std::uint32_t>(item.id);
+}
+
+template <class List>
+bool is_numbered(const List& items) {
+  for (std::size_t i = 0; i < items.size(); ++i)
+    if (number_of(items[i]) != i) return false;
+  return true;
+}
+
+template <class List>
+void fill_indices(IdTable& ids, const List& items) {
+  ids.index_by_id.assign(ids.next_id, no_index);
+  for (std::size_t i = 0; i < items.size(); ++i) ids.index_by_id[number_of(items[i])] = static_cast<Index>(i);
+}
+
+template <class List>
+void append(List& items, IdTable& ids, const typename List::value_type& item) {
+  const std::uint32_t id = number_of(item);
   ids.next_id = std::max(ids.next_id, id + 1);
-  if (ids.index_by_id.size() <= id) ids.index_by_id.resize(id + 1, no_index);
-  assert(ids.index_by_id[id] == no_index);
-  ids.index_by_id[id] = static_cast<Index>(items.size());
+  if (ids.index_by_id.empty() && id != items.size()) fill_indices(ids, items);
+  if (!ids.index_by_id.empty()) {
+    if (ids.index_by_id.size() <= id) ids.index_by_id.resize(id + 1, no_index);
+    assert(ids.index_by_id[id] == no_index);
+    ids.index_by_id[id] = static_cast<Index>(items.size());
+  }
   items.push_back(item);
 }
 
-template <class Item>
-void set(std::vector<Item>& items, IdTable& ids, std::vector<Item> list) {
-  for (const Item& item : list) ids.next_id = std::max(ids.next_id, static_cast<std::uint32_t>(item.id) + 1);
-  ids.index_by_id.assign(ids.next_id, no_index);
+template <class List>
+void set(List& items, IdTable& ids, List list) {
   items = std::move(list);
-  for (std::size_t i = 0; i < items.size(); ++i) ids.index_by_id[static_cast<std::uint32_t>(items[i].id)] = static_cast<Index>(i);
+  for (const auto& item : items) ids.next_id = std::max(ids.next_id, number_of(item) + 1);
+  ids.index_by_id = {};
+  if (!is_numbered(items)) fill_indices(ids, items);
 }
-
-Index look_up(const IdTable& ids, std::uint32_t id) { return id < ids.index_by_id.size() ? ids.index_by_id[id] : no_index; }
 
 }  // namespace
 
@@ -72,16 +92,13 @@ Vec3 anchor_of(const ColliderShape& shape) {
                     shape);
 }
 
-Index System::index_of(PointId id) const { return look_up(point_ids_, static_cast<std::uint32_t>(id)); }
-Index System::index_of(SpringId id) const { return look_up(spring_ids_, static_cast<std::uint32_t>(id)); }
-
 void System::append_point(const Point& point) { append(points_, point_ids_, point); }
 void System::append_spring(const Spring& spring) {
   append(springs_, spring_ids_, spring);
   ++family_count_[static_cast<std::size_t>(spring.family)];
 }
 void System::set_points(std::vector<Point> points) { set(points_, point_ids_, std::move(points)); }
-void System::set_springs(std::vector<Spring> springs) {
+void System::set_springs(SpringList springs) {
   set(springs_, spring_ids_, std::move(springs));
   family_count_ = {};
   for (const Spring& spring : springs_) ++family_count_[static_cast<std::size_t>(spring.family)];
@@ -90,8 +107,6 @@ void System::set_springs(std::vector<Spring> springs) {
 void System::reserve(Index points, Index springs) {
   points_.reserve(points);
   springs_.reserve(springs);
-  point_ids_.index_by_id.reserve(points);
-  spring_ids_.index_by_id.reserve(springs);
 }
 
 }  // namespace hooke

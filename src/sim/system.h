@@ -12,7 +12,9 @@
 
 #include "base/color.h"
 #include "base/types.h"
+#include "sim/face_list.h"
 #include "sim/forces/force_term.h"
+#include "sim/spring_list.h"
 
 namespace hooke {
 
@@ -23,36 +25,6 @@ struct Point {
   double mass = 1.0;           // [kg], > 0
   double radius = 0.02;        // [m], >= 0: for drawing, and the distance at which it touches a collider
   bool operator==(const Point&) const = default;
-};
-
-inline constexpr double never_breaks = std::numeric_limits<double>::infinity();
-
-// The role of a spring in a cloth: a family is switched and tuned together.
-enum class SpringFamily : std::uint8_t {
-  None,
-  Structural,  // along the threads
-  Shear,       // across the cells
-  Bend,        // to the second next point
-};
-inline constexpr std::size_t spring_families = 4;
-
-struct Spring {
-  SpringId id{};
-  PointId first{}, second{};
-  SpringFamily family = SpringFamily::None;
-  double stiffness = 100.0;            // [N/m], >= 0
-  double damping = 0.0;                // [N s/m], >= 0: a dashpot along the spring
-  double rest_length = 1.0;            // [m], >= 0
-  double break_strain = never_breaks;  // [1], > 0
-  bool operator==(const Spring&) const = default;
-};
-
-// A triangle of three points, for drawing, contact, wind, bending and pressure; it has no elastic force of its own.
-struct Face {
-  std::array<PointId, 3> points{};
-  // [rad], to the other face at the side opposite each corner, as built: 0 flat, positive where the other face bends away from the normal.
-  std::array<double, 3> rest_angle{};
-  bool operator==(const Face&) const = default;
 };
 
 struct Plane {
@@ -156,8 +128,13 @@ struct ScriptedHand {
 // The indices of items in their list by id, and the next id to assign. Ignored in comparisons: the indices follow from the list, and ids
 // assigned but not used do not make two scenes different.
 struct IdTable {
-  std::vector<Index> index_by_id;
+  std::vector<Index> index_by_id;  // empty: the id of each item is its index
   std::uint32_t next_id = 0;
+  // no_index if none of the `count` items has the id.
+  Index find(std::uint32_t id, std::size_t count) const {
+    if (index_by_id.empty()) return id < count ? static_cast<Index>(id) : no_index;
+    return id < index_by_id.size() ? index_by_id[id] : no_index;
+  }
   bool operator==(const IdTable&) const { return true; }
 };
 
@@ -172,7 +149,7 @@ class System {
   bool dashpots_on = true;                                              // false: the damping of every spring counts as zero
   std::array<bool, spring_families> family_on{true, true, true, true};  // false: its springs are ignored
   Vec3 wind{0.0};                                                       // [m/s], velocity of the air for the drag
-  std::vector<Face> faces;
+  FaceList faces;
   std::vector<Collider> colliders;
   PairContact contact;
   std::vector<Force> forces;  // besides gravity, springs, dashpots and drag
@@ -183,17 +160,17 @@ class System {
   std::optional<ScriptedHand> scripted_hand;  // inactive while there is a grab
 
   const std::vector<Point>& points() const { return points_; }
-  const std::vector<Spring>& springs() const { return springs_; }
+  const SpringList& springs() const { return springs_; }
   Index point_count() const { return static_cast<Index>(points_.size()); }
   Index spring_count() const { return static_cast<Index>(springs_.size()); }
 
   // Index of a point or spring by its id; no_index if it does not exist.
-  Index index_of(PointId id) const;
-  Index index_of(SpringId id) const;
+  Index index_of(PointId id) const { return point_ids_.find(static_cast<std::uint32_t>(id), points_.size()); }
+  Index index_of(SpringId id) const { return spring_ids_.find(static_cast<std::uint32_t>(id), springs_.size()); }
 
   // For changing properties, except ids and a spring's ends and family. The index must be valid.
   Point& point(Index index) { return points_[index]; }
-  Spring& spring(Index index) { return springs_[index]; }
+  SpringEdit spring(Index index) { return {springs_, static_cast<std::size_t>(index)}; }
 
   // The next ids, and the same while taking them.
   std::uint32_t next_point_id() const { return point_ids_.next_id; }
@@ -205,7 +182,7 @@ class System {
   void append_spring(const Spring& spring);
   // Replaces the whole list. Ids must be unique; the ends of a spring must exist.
   void set_points(std::vector<Point> points);
-  void set_springs(std::vector<Spring> springs);
+  void set_springs(SpringList springs);
   void reserve(Index points, Index springs);
 
   bool operator==(const System& other) const = default;
@@ -226,7 +203,7 @@ class System {
 
  private:
   std::vector<Point> points_;
-  std::vector<Spring> springs_;
+  SpringList springs_;
   IdTable point_ids_, spring_ids_;
   std::array<Index, spring_families> family_count_{};
 };

@@ -28,10 +28,10 @@ Scene extreme_scene(Random& random) {
     if (random.one_in(6)) scene.state.velocity[i] *= extreme(random);
   }
   for (Index s = 0; s < scene.system.spring_count(); ++s) {
-    Spring& spring = scene.system.spring(s);
-    if (random.one_in(3)) spring.stiffness = extreme(random);
-    if (random.one_in(3)) spring.damping = extreme(random);
-    if (random.one_in(3)) spring.rest_length = extreme(random);
+    SpringEdit spring = scene.system.spring(s);
+    if (random.one_in(3)) spring->stiffness = extreme(random);
+    if (random.one_in(3)) spring->damping = extreme(random);
+    if (random.one_in(3)) spring->rest_length = extreme(random);
   }
   for (Force& force : scene.system.forces)
     for (double& value : force.values)

@@ -167,7 +167,7 @@ TEST(Generators, AreReplacedByPointsAndSpringsOnceAnyOfThoseIsEdited) {
   edited.system.point(0).nailed = true;
   expect_listed(edited);
   edited = scene;
-  edited.system.spring(3).stiffness = 2.0;
+  edited.system.spring(3)->stiffness = 2.0;
   expect_listed(edited);
   edited = scene;
   edited.system.faces.pop_back();

@@ -107,7 +107,7 @@ TEST(OpenFile, WritesEachExtensionWithItsWriter) {
             folder.folder.string() + "/b.stl: file format: \".stl\": must be .json, .obj, .ply, .xsp or .lmp");
 
   Scene flat = load_file(folder.file("c.xsp", "#1.0\nmass 1 100 0 0 0 1 1\nmass 2 50 0 0 0 1 1\nspng 1 1 2 5 1 50\n")).scene;
-  flat.system.spring(0).break_strain = 0.5;
+  flat.system.spring(0)->break_strain = 0.5;
   EXPECT_EQ(write_scene_as(flat, folder.folder / "d.xsp").size(), 1u);
   EXPECT_EQ(load_file(folder.folder / "d.xsp").scene.state, flat.state);
 }

@@ -82,7 +82,7 @@ TEST(Companions, StartAgainAfterAnEditAndThoseWithAFormulaEnd) {
 
 TEST(Companions, OneThatDivergesIsReported) {
   Scene scene = load_scene(find_scene("grid_4x4")).scene;
-  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).stiffness = 1e4;
+  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s)->stiffness = 1e4;
   scene.settings.substeps = 200;
   Lab lab(scene);
   submit_and_apply(lab, SetCompanions{{companion("explicit_euler", 1)}});

@@ -26,7 +26,7 @@ TEST(Divergence, PausesAtTheLastGoodFrameAndNamesWhatDiverged) {
   Scene scene = small_net();
   scene.settings.integrator = find_integrator("symplectic_euler");
   scene.settings.substeps = 1;  // omega h is about 3.5 here, above the limit 2
-  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).stiffness = 100.0;
+  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s)->stiffness = 100.0;
   Lab lab(scene);
   lab.submit(SetRunning{true});
   for (int i = 0; i < 600 && lab.status()->diagnosis.message.empty(); ++i) lab.advance(1.0 / 60.0, [] { return true; });
@@ -71,7 +71,7 @@ TEST(Divergence, OfUndampedExplicitEulerRecommendsAStableMethod) {
 TEST(Divergence, OfDampedExplicitEulerWithinItsLimitRecommendsAStableMethod) {
   Scene scene = small_net();
   scene.settings.integrator = find_integrator("explicit_euler");
-  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).damping = 0.2;
+  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s)->damping = 0.2;
   for (Index i = 4; i < 16; ++i) scene.state.velocity[i].z = 0.1;
   const double limit = largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system));
   scene.settings.substeps = static_cast<int>(std::ceil(1.0 / 60.0 / limit));

@@ -18,7 +18,7 @@ Scene hanging_sheet() {
   Scene scene;
   scene.system = sim.system;
   scene.state = sim.state;
-  for (Index i = 0; i < scene.system.spring_count(); ++i) scene.system.spring(i).stiffness = 50.0;  // stable at 10 substeps
+  for (Index i = 0; i < scene.system.spring_count(); ++i) scene.system.spring(i)->stiffness = 50.0;  // stable at 10 substeps
   scene.system.colliders = {{.shape = Sphere{{0.5, -0.6, -1.0}, 0.2}}};
   scene.settings = {.integrator = find_integrator("velocity_verlet"), .frame_rate = 60.0, .substeps = 10};
   return scene;

@@ -11,7 +11,7 @@ namespace {
 // A ball whose first spring breaks as the gas stretches it.
 Scene weak_ball() {
   TestSim sim = gas_ball(1, 50.0, {.pressure = 40.0});
-  sim.system.spring(0).break_strain = 0.1;
+  sim.system.spring(0)->break_strain = 0.1;
   Scene scene;
   scene.system = sim.system;
   scene.state = sim.state;

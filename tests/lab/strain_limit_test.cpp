@@ -82,7 +82,7 @@ TEST(StrainLimit, DoesNotHideADivergence) {
   scene.system.break_strain = 0.0;
   scene.system.strain_limit = 0.1;
   scene.settings.substeps = 1;
-  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).stiffness = 1e4;
+  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s)->stiffness = 1e4;
   Lab lab(scene);
   int frames = 0;
   while (frames < 60 && lab.step()) ++frames;

@@ -25,7 +25,7 @@ TEST_P(Tearing, ASpringBreaksAtItsStrainAndExertsNoForceAfterwards) {
   TestSim sim;
   const PointId top = sim.nail(Vec3(0.0)), weight = sim.add({0.0, -1.0, 0.0}, 1.0, {0.0, -3.0, 0.0});
   const SpringId spring = sim.join(top, weight, 50.0, 1.0);
-  sim.system.spring(0).break_strain = 0.2;
+  sim.system.spring(0)->break_strain = 0.2;
   Plan plan = make_plan(sim.system);
   Frame step;
   const Settings settings{.integrator = &method(), .substeps = 20};

@@ -46,7 +46,7 @@ Problem cloth_in_folds(int n, double seconds) {
 }
 
 Problem with_dashpots(Problem problem, double damping) {
-  for (Index i = 0; i < problem.system.spring_count(); ++i) problem.system.spring(i).damping = damping;
+  for (Index i = 0; i < problem.system.spring_count(); ++i) problem.system.spring(i)->damping = damping;
   problem.id += "_dashpots";
   append_formatted(problem.title, ", d = %g N s/m", damping);
   initialize_ledger(problem.system, problem.start);

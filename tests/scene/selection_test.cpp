@@ -23,7 +23,7 @@ Scene two_chains() {
   scene.system = sim.system;
   scene.system.faces.push_back({{points[4], points[5], points[6]}});
   scene.system.point(1).color = Color{10, 20, 30};
-  scene.system.spring(1).break_strain = 0.25;
+  scene.system.spring(1)->break_strain = 0.25;
   scene.state = sim.state;
   return scene;
 }

@@ -74,7 +74,7 @@ TEST(AdaptiveStep, IsOneCallEachSoThatAFrameCanBeInterrupted) {
 TEST(AdaptiveStep, FindsNoStepWhereForcesAreNotFinite) {
   TestSim sim = overdamped(0.0);
   sim.state.velocity[0].x = 1e300;
-  sim.system.spring(0).damping = 1e300;
+  sim.system.spring(0)->damping = 1e300;
   Plan plan = make_plan(sim.system);
   Frame frame;
   frame.begin(plan, sim.system, {.integrator = &dop853, .substeps = 1}, sim.state);

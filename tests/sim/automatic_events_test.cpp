@@ -41,7 +41,7 @@ TEST(AutomaticEvents, AnEditIsOne) {
 
 TEST(AutomaticEvents, ASliderThatJumpsIsOneAndTheStepIsStableAtOnce) {
   CalmRun run(swinging_net());
-  for (Index i = 0; i < run.sim().system.spring_count(); ++i) run.sim().system.spring(i).stiffness = 1e5;
+  for (Index i = 0; i < run.sim().system.spring_count(); ++i) run.sim().system.spring(i)->stiffness = 1e5;
   run.step();
   EXPECT_TRUE(run.choice().until_estimate <= 12);
   EXPECT_GE(run.choice().substeps, run.choice().min_substeps);

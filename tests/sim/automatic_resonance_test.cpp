@@ -90,7 +90,7 @@ TEST(AutomaticResonance, IsLeftAloneWhereItMayDoHarm) {
   EXPECT_TRUE(is_allowed(net));
   EXPECT_FALSE(is_allowed(net, 1e-2));
   TestSim damped = net, touching = net, attracted = net, breaking = net, limited = net;
-  damped.system.spring(0).damping = 0.1;
+  damped.system.spring(0)->damping = 0.1;
   touching.system.colliders.push_back({.shape = Plane{}});
   attracted.system.forces.push_back({&force_terms()[0], true, default_values(force_terms()[0])});
   breaking.system.break_strain = 0.5;

@@ -107,8 +107,8 @@ TEST_P(DivergenceDetection, AcceptsErraticGrabsAndParameterChanges) {
       // release, change every k and d by a factor of a hundred up or down, grab another point
       sim.system.grab.reset();
       for (Index s = 0; s < sim.system.spring_count(); ++s) {
-        sim.system.spring(s).stiffness = random.one_in(2) ? 1e2 : 1e4;
-        sim.system.spring(s).damping = random.one_in(2) ? 0.0 : 0.5;
+        sim.system.spring(s)->stiffness = random.one_in(2) ? 1e2 : 1e4;
+        sim.system.spring(s)->damping = random.one_in(2) ? 0.0 : 0.5;
       }
       const Index point = 5 + random.below(20);
       sim.system.grab = Grab{.point = sim.system.points()[point].id, .kind = frame % 80 == 0 ? GrabKind::Hold : GrabKind::Pull};
@@ -225,7 +225,7 @@ TEST(DivergenceDetection, NamesTheFastestPointAndItsMostStretchedSpring) {
   initialize_ledger(sim.system, sim.state);
   sim.state.velocity[9] = {1e5, 0.0, 0.0};
   sim.state.velocity[1] = {1e6, 0.0, 0.0};  // nailed
-  sim.system.spring(3).stiffness = 1e9;
+  sim.system.spring(3)->stiffness = 1e9;
   sim.state.position[9].x += 3.0;
   const auto found = find_divergence(sim.system, sim.state, compute_energy(sim.system, sim.state));
   ASSERT_TRUE(found);

@@ -240,7 +240,7 @@ TEST_P(Grabbed, TheWorkOfTheHandIsRecordedToTheOrderOfTheSubsteps) {
       constexpr int frames = 8;
       Held scene;
       scene.sim.system.drag = 0.0;
-      scene.sim.system.spring(0).damping = 0.0;
+      scene.sim.system.spring(0)->damping = 0.0;
       scene.sim.system.point(0).nailed = which.nailed;
       scene.grab(which.kind, scene.sim.position(scene.held));
       initialize_ledger(scene.sim.system, scene.sim.state);

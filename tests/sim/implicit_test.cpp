@@ -288,7 +288,7 @@ TEST(NewtonSolver, IsRebuiltOnlyWhenPointsOrSpringsAreAddedOrRemoved) {
   const NewtonSolver* made = &make_structure<NewtonSolver>(plan, work);
   sim.system.point(3).nailed = false;
   sim.system.point(20).nailed = true;
-  sim.system.spring(5).stiffness = 0.0;
+  sim.system.spring(5)->stiffness = 0.0;
   sim.system.grab = Grab{.point = sim.system.points()[14].id, .kind = GrabKind::Hold};
   refresh_values(plan, sim.system);
   EXPECT_EQ(&make_structure<NewtonSolver>(plan, work), made);

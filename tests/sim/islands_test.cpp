@@ -127,10 +127,10 @@ TEST(Islands, AreThoseOfThePresentScene) {
   EXPECT_EQ(sim.state.memory.islands.size(), 2u);
   std::get<Plane>(sim.system.colliders[0].shape).point.y = -0.1;
   for (int i = 0; i < 5; ++i) step_as_new();
-  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s).stiffness = soft;
+  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->stiffness = soft;
   for (int i = 0; i < 3; ++i) step_as_new();
   EXPECT_TRUE(sim.state.memory.islands.empty());
-  sim.system.spring(0).stiffness = stiff;
+  sim.system.spring(0)->stiffness = stiff;
   for (int i = 0; i < 3; ++i) step_as_new();
   EXPECT_EQ(sim.state.memory.islands.size(), 2u);
 }

@@ -97,7 +97,7 @@ TEST_P(Row, MeetsItsOrderWithAPullOnTheCenterOfMass) {
 
 TEST_P(Row, MeetsItsOrderWithWindAndDashpots) {
   TestSim sim = windy_net();
-  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s).damping = 0.03;
+  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->damping = 0.03;
   sim.system.drag = 1.0;
   expect_measured(sim, std::min({method().order_force_terms, method().order_damped, method().order_drag}), refinement());
 }

@@ -319,7 +319,7 @@ TEST(PairContactOfPoints, IgnoresPointsJoinedAtTheirTouchingDistanceAndNoOthers)
   EXPECT_NEAR(sim.velocity(second).x, -1.0, 1e-6);
 
   sim.state.position[1].x = 0.25 + sim.state.position[0].x;
-  sim.system.spring(sim.system.index_of(spring)).rest_length = 0.21;
+  sim.system.spring(sim.system.index_of(spring))->rest_length = 0.21;
   sim.run(verlet(), 0.5, 10);
   EXPECT_NEAR(sim.velocity(second).x, 0.0, 1e-6);
 }

@@ -92,9 +92,9 @@ TEST(Plan, StoresTheValuesOfEachSpring) {
 
   // refreshed in place after edits of values
   for (Index s = 0; s < sim.system.spring_count(); ++s) {
-    sim.system.spring(s).stiffness *= 2.0;
-    sim.system.spring(s).rest_length += 0.1;
-    sim.system.spring(s).damping *= 0.5;
+    sim.system.spring(s)->stiffness *= 2.0;
+    sim.system.spring(s)->rest_length += 0.1;
+    sim.system.spring(s)->damping *= 0.5;
   }
   sim.system.point(3).nailed = !sim.system.point(3).nailed;
   refresh_values(plan, sim.system);

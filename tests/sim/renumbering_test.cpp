@@ -136,7 +136,7 @@ TEST(Renumbering, DoesNotChangeForces) {
 
 TEST(Renumbering, DoesNotChangeDashpotsThatAreSolvedTogether) {
   TestSim sim = waving_sheet();
-  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s).damping = 1e-3 * (1 + s % 4);
+  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->damping = 1e-3 * (1 + s % 4);
   for (const char* id : {"implicit_midpoint", "runge_kutta4", "baraff_witkin"})
     expect_same_motion(sim, settings_of(*find_integrator(id)), 1e-10, id);
   // one after another: an error of the second order in the step
@@ -214,7 +214,7 @@ TEST(Renumbering, OutlivesChangesOfValues) {
   Plan plan = make_plan(sim.system);
   for (Index i = 0; i < sim.system.point_count(); i += 7) sim.system.point(i).nailed = !sim.system.points()[i].nailed;
   for (Index i = 0; i < sim.system.point_count(); ++i) sim.system.point(i).mass *= 1.0 + 0.01 * i;
-  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s).stiffness *= 1.0 + 0.001 * s;
+  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->stiffness *= 1.0 + 0.001 * s;
   refresh_values(plan, sim.system);
   const Plan made = make_plan(sim.system);
   EXPECT_EQ(plan.point_index, made.point_index);

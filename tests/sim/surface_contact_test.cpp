@@ -225,7 +225,7 @@ TEST(SurfaceContact, LetsAPileOfSheetsComeToRest) {
     folds::add_sheet(
         sim, 5, [&](double u, double v) { return Vec3(u + 0.03 * layer, 0.02 + 0.05 * layer + 0.1 * layer * u * v, v + 0.05 * layer); },
         folds::at_rest);
-  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s).damping = 0.05;
+  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->damping = 0.05;
   sim.system.colliders = {{.shape = Plane{}, .friction = 0.3}};
   folds::touch(sim);
   const double start = energy(sim);

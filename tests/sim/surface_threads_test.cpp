@@ -83,7 +83,7 @@ TEST(SurfaceThreads, FoldClothsToTheSameBits) {
        {Case{"cloth 32, dragged", pulled_sheet(32, 3.0), 52, 3}, Case{"cloth 64, falling", dropped_sheet(64), 104, 0}}) {
     if (!prints && frames == 0) continue;
     TestSim stiff = sim;
-    for (Index s = 0; s < stiff.system.spring_count(); ++s) stiff.system.spring(s).stiffness *= 1000.0 / 300.0;
+    for (Index s = 0; s < stiff.system.spring_count(); ++s) stiff.system.spring(s)->stiffness *= 1000.0 / 300.0;
     folds::touch(stiff);
     std::array<FoldsOnThreads, 2> outcome;
     for (const int threads : {1, 2}) {

@@ -22,7 +22,7 @@ std::vector<Item> without(std::vector<Item> list, Index at) {
 }
 
 void remove_point(System& system, Index at) { system.set_points(without(system.points(), at)); }
-void remove_spring(System& system, Index at) { system.set_springs(without(system.springs(), at)); }
+void remove_spring(System& system, Index at) { system.set_springs(without<Spring>(system.springs(), at)); }
 
 TEST(System, GivesEveryPointAndSpringItsIndex) {
   const System system = chain().system;
@@ -122,7 +122,7 @@ TEST(System, DiffersWhenAnyPropertyDiffers) {
   EXPECT_TRUE(differs([](System& system) { system.faces.emplace_back(); }));
   EXPECT_TRUE(differs([](System& system) { system.forces.emplace_back(); }));
   EXPECT_TRUE(differs([](System& system) { system.point(2).nailed = true; }));
-  EXPECT_TRUE(differs([](System& system) { system.spring(1).rest_length = 3.0; }));
+  EXPECT_TRUE(differs([](System& system) { system.spring(1)->rest_length = 3.0; }));
   EXPECT_TRUE(differs([](System& system) { remove_spring(system, 2); }));
 }
 

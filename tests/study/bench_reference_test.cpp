@@ -47,7 +47,7 @@ TEST(BenchProblems, AFingerprintDistinguishesScenesThatDifferInOneStiffness) {
   const Problem problem = problem_of(make_net(4, 1e2, 0.0), 1.0);
   Problem other = problem;
   EXPECT_EQ(fingerprint(problem), fingerprint(other));
-  other.system.spring(3).stiffness *= 1.0 + 1e-15;
+  other.system.spring(3)->stiffness *= 1.0 + 1e-15;
   EXPECT_NE(fingerprint(problem), fingerprint(other));
 }
 

@@ -61,7 +61,7 @@ std::vector<Injection> injections() {
     add("strong dashpot", sheet, {SetSpringProperty{SpringProperty::Damping, {{springs[14].id, 1e3}}}}, "d: 0 -> 1,000 N s/m");
     add("light mass", sheet, {SetPointProperty{PointProperty::Mass, {{points[6].id, 1e-5}}}}, "mass: 0.04 -> 1×10⁻⁵ kg");
     Scene stiff = sheet;
-    for (Index s = 0; s < stiff.system.spring_count(); ++s) stiff.system.spring(s).stiffness = 1e4;
+    for (Index s = 0; s < stiff.system.spring_count(); ++s) stiff.system.spring(s)->stiffness = 1e4;
     add("jumped slider", stiff, {SetParameter{&substeps_parameter, 1.0}}, "Substeps: 20 -> 1");
     add("hand", sheet, {GrabPoint{{.point = points[6].id, .kind = GrabKind::Pull, .target = Vec3(0.7, -0.5, 0.0), .stiffness = 1e6}}},
         "drag a point");
@@ -69,7 +69,7 @@ std::vector<Injection> injections() {
         "extreme file",
         [&] {
           Scene file = sheet;
-          file.system.spring(14).stiffness = 1e6;
+          file.system.spring(14)->stiffness = 1e6;
           return file;
         }(),
         {}, "");
@@ -87,7 +87,7 @@ std::vector<Injection> injections() {
   // buoyancy is at most the weight again: it makes nothing diverge
   Scene light = sheet_with("velocity_verlet", 2);
   for (Index i = 0; i < light.system.point_count(); ++i) light.system.point(i).mass *= 1e-3;
-  for (Index s = 0; s < light.system.spring_count(); ++s) light.system.spring(s).stiffness *= 1e-3;
+  for (Index s = 0; s < light.system.spring_count(); ++s) light.system.spring(s)->stiffness *= 1e-3;
   light.system.faces = {{{light.system.points()[5].id, light.system.points()[6].id, light.system.points()[9].id}}};
   for (const Force& each :
        {force_with("center", {{"x", 0.3}, {"y", -0.3}, {"strength", -1000.0}, {"power", -3.0}, {"core", 1e-4}}),
@@ -105,7 +105,7 @@ std::vector<Injection> injections() {
                         .path = {.amplitude = {0.3, 0.1, 0.0}, .frequency = frequency}}}}},
         "change the colliders");
   Scene heavy = sheet_with("velocity_verlet", 40);
-  for (Index s = 0; s < heavy.system.spring_count(); ++s) heavy.system.spring(s).stiffness = 2e4;
+  for (Index s = 0; s < heavy.system.spring_count(); ++s) heavy.system.spring(s)->stiffness = 2e4;
   for (const double radius : {0.2, 0.6})
     add("collider in the net", heavy, {SetColliders{{{.shape = Sphere{{0.37, -0.3, 0.0}, radius}, .restitution = 1.0}}}},
         "change the colliders");

@@ -130,7 +130,7 @@ TEST(Forecast, ModesOfEqualFrequencyAndDifferentDampingHaveNoSingleDampingRatio)
   EXPECT_TRUE(std::isnan(dashpot_ratio(*forecast.slowest)));
   EXPECT_TRUE(std::isnan(dashpot_ratio(*forecast.fastest)));
   // with equal damping there is one
-  for (Index s = 0; s < 3; ++s) sim.system.spring(s).damping = 3.0;
+  for (Index s = 0; s < 3; ++s) sim.system.spring(s)->damping = 3.0;
   EXPECT_NEAR(dashpot_ratio(forecast_of(sim).slowest.value_or(Mode{})), 3.0 / (2.0 * std::sqrt(40.0)), 1e-6);
 }
 
@@ -162,7 +162,7 @@ TEST(Forecast, AClothHeldAtTwoCornersSagsByTheStretchDueToItsWeight) {
   EXPECT_GT(forecast.fastest->omega, 0.5 * bound);
 
   // starting from there at twice the stiffness, it sags about half as far
-  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s).stiffness *= 2.0;
+  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->stiffness *= 2.0;
   const Forecast stiffer = make_forecast(std::make_shared<const System>(sim.system), sim.state, forecast, false);
   ASSERT_TRUE(stiffer.sag);
   EXPECT_NEAR(*stiffer.sag / *forecast.sag, 0.5, 0.1);
@@ -198,7 +198,7 @@ TEST(Forecast, IsAbsentWhereItDoesNotApply) {
   EXPECT_TRUE(is_absent());
   sim.join(nail, mass, 0.0, 1.0);
   EXPECT_TRUE(is_absent());
-  sim.system.spring(0).stiffness = 100.0;
+  sim.system.spring(0)->stiffness = 100.0;
   EXPECT_FALSE(is_absent());
 
   // it would tear or lie on the ground, or one part falls while the other hangs

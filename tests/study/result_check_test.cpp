@@ -114,7 +114,7 @@ TEST(ResultCheck, ARopeOfFewPointsDependsOnResolutionAndOneOfManyPointsDoesNot) 
 TEST(ResultCheck, AMethodWhoseEquilibriumDependsOnTheStepIsReported) {
   // one sweep of XPBD does not carry the load along the rope
   TestSim sim = catenary(30);
-  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s).stiffness *= 10.0;
+  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->stiffness *= 10.0;
   const ResultCheck check = check_result(sim.system, sim.state, {.integrator = find_integrator("xpbd"), .substeps = 4}, 0.3, always);
   const CheckedQuantity& sag = quantity(check, "sag");
   ASSERT_TRUE(sag.now && sag.half_step);

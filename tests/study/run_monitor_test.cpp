@@ -106,9 +106,9 @@ TEST(RunMonitor, DoesNotWarnAboutForcesFasterThanASubstep) {
       network.system.point(i).nailed = false;
     }
     for (Index s = 0; s < network.system.spring_count(); ++s) {
-      Spring& spring = network.system.spring(s);
-      spring.rest_length += strain(network.system, network.state, spring) * spring.rest_length;
-      spring.damping = 0.0;
+      SpringEdit spring = network.system.spring(s);
+      spring->rest_length += strain(network.system, network.state, *spring) * spring->rest_length;
+      spring->damping = 0.0;
     }
     network.state.velocity.assign(network.state.velocity.size(), Vec3(0.0));
     network.system.gravity = Vec3(0.0);

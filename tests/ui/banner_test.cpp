@@ -26,7 +26,7 @@ Scene unstable_springs() {
   Scene scene = two_springs();
   scene.settings.integrator = find_integrator("velocity_verlet");
   scene.settings.substeps = 1;
-  for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 1e5;
+  for (Index s = 0; s < 2; ++s) scene.system.spring(s)->stiffness = 1e5;
   scene.state.position[2].x = 0.6;
   return scene;
 }
@@ -59,7 +59,7 @@ TEST(Banner, ExplainsWhyTheRunStoppedAndRestartsWithATestedSetting) {
   Scene scene = two_springs();
   scene.settings.integrator = find_integrator("explicit_euler");
   scene.settings.substeps = 2;
-  for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 1e4;
+  for (Index s = 0; s < 2; ++s) scene.system.spring(s)->stiffness = 1e4;
   scene.state.position[2].x = 0.6;
   GuiFixture gui(scene);
   run_until_it_stops(gui);
@@ -82,7 +82,7 @@ void run_and_stiffen(GuiFixture& gui) {
 
 Scene stable_springs() {
   Scene scene = unstable_springs();
-  for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 100.0;
+  for (Index s = 0; s < 2; ++s) scene.system.spring(s)->stiffness = 100.0;
   return scene;
 }
 

@@ -15,7 +15,7 @@ TEST(Stability, IsShownBelowTheSubstepsWithARecommendation) {
   Scene scene = two_springs();
   EXPECT_NE(GuiFixture(scene).text().find("(limit 2)"), std::string::npos);
   scene.settings.substeps = 1;
-  for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 1e5;
+  for (Index s = 0; s < 2; ++s) scene.system.spring(s)->stiffness = 1e5;
   const double h = largest_stable_step(*scene.settings.integrator, bound_spectrum(scene.system));
   const auto needed = static_cast<int>(std::ceil(1.0 / (60.0 * h)));
   GuiFixture gui(scene);
@@ -28,7 +28,7 @@ TEST(Stability, IsShownBelowTheSubstepsWithARecommendation) {
 TEST(Stability, TheRecommendationFitsInANarrowPanel) {
   Scene scene = two_springs();
   scene.settings.substeps = 1;
-  for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 1e8;
+  for (Index s = 0; s < 2; ++s) scene.system.spring(s)->stiffness = 1e8;
   GuiFixture gui(scene);
   gui.resize({700.0, 900.0}, 2.0);
   const std::string words = all_letters(*ImGui::GetDrawData());

@@ -264,7 +264,7 @@ TEST_P(Layouts, PanelsAboutErrorsAreReadable) {
 TEST_P(Layouts, TheBannerOfAFailedRunIsReadable) {
   Scene scene = full_scene();
   scene.settings.substeps = 1;
-  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).stiffness = 1e7;
+  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s)->stiffness = 1e7;
   GuiFixture gui(scene);
   resize(gui);
   gui.key(Key::Space);

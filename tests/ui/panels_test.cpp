@@ -102,8 +102,8 @@ TEST(Legend, ShowsTheStrainsOfItsColors) {
 TEST(Legend, ShowsNoRoundOff) {
   Scene scene = two_springs();
   scene.state.position[2].x = 0.5 + 1e-16;
-  scene.system.spring(0).rest_length = 0.1 + 0.2 + 0.2;
-  scene.system.spring(1).rest_length = std::nextafter(0.5, 1.0);
+  scene.system.spring(0)->rest_length = 0.1 + 0.2 + 0.2;
+  scene.system.spring(1)->rest_length = std::nextafter(0.5, 1.0);
   GuiFixture gui(scene);
   EXPECT_NE(gui.text().find("0 % to 0 %"), std::string::npos) << gui.text();
 }
@@ -132,7 +132,7 @@ TEST(Legend, IsBelowTheSceneWhereTheSidePanelIsHidden) {
 
 TEST(Energies, HavePrefixes) {
   Scene scene = two_springs();
-  for (Index s = 0; s < 2; ++s) scene.system.spring(s).stiffness = 1e7;
+  for (Index s = 0; s < 2; ++s) scene.system.spring(s)->stiffness = 1e7;
   scene.state.position[2].x = 0.7;
   scene.settings.substeps = 400;
   GuiFixture gui(scene);

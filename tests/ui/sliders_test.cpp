@@ -111,8 +111,8 @@ TEST(Sliders, StiffnessAppliesToTheSelectionIfThereIsOne) {
 
 Scene uneven_springs() {
   Scene scene = two_springs();
-  scene.system.spring(0).stiffness = 242.0;
-  scene.system.spring(1).stiffness = 125.0;
+  scene.system.spring(0)->stiffness = 242.0;
+  scene.system.spring(1)->stiffness = 125.0;
   return scene;
 }
 
@@ -145,8 +145,8 @@ TEST(Sliders, ScaleDifferentValuesByOneFactor) {
 
 TEST(Sliders, ScaleDampingWithZerosAndFrictionWithinItsRange) {
   Scene scene = two_springs();
-  scene.system.spring(0).damping = 0.0;
-  scene.system.spring(1).damping = 3.0;
+  scene.system.spring(0)->damping = 0.0;
+  scene.system.spring(1)->damping = 3.0;
   const Plane floor{{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}};
   scene.system.colliders = {{.shape = floor, .friction = 0.2}, {.shape = floor, .friction = 0.8}};
   GuiFixture gui(scene);
@@ -165,7 +165,7 @@ TEST(Sliders, ScaleDampingWithZerosAndFrictionWithinItsRange) {
 
 TEST(Sliders, TheHandleNeverCrossesTheDigits) {
   Scene scene = two_springs();
-  scene.system.spring(1).stiffness = 300.0;
+  scene.system.spring(1)->stiffness = 300.0;
   GuiFixture gui(scene);
   for (double value = 0.02; value < 1e6; value *= 1.35) {
     gui.app().handle(Request(Edit{SetSpringProperty{SpringProperty::Stiffness, {{SpringId{0}, value}}}}));

@@ -58,10 +58,10 @@ Scene scaled(Scene scene, double size) {
     scene.system.point(i).mass *= size * size;
     scene.system.point(i).radius *= size;
   }
-  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s).rest_length *= size;
+  for (Index s = 0; s < scene.system.spring_count(); ++s) scene.system.spring(s)->rest_length *= size;
   if (scene.sheet) {
     SheetWeights sheet = *scene.sheet;
-    for (double& area : sheet.area) area *= size * size;
+    for (std::size_t i = 0; i < sheet.area.size(); ++i) sheet.area.set(i, sheet.area[i] * (size * size));
     scene.sheet = std::make_shared<const SheetWeights>(std::move(sheet));
   }
   return scene;
@@ -74,8 +74,8 @@ void set_material(Scene& part, const SheetMaterial& material) {
       part.system.point(i).mass = material.density * area;
   for (Index s = 0; s < part.system.spring_count(); ++s) {
     const double weight = sheet_weight_of(part.sheet.get(), part.system.springs()[s].id);
-    part.system.spring(s).stiffness = material.stiffness * weight;
-    part.system.spring(s).damping = material.damping * weight;
+    part.system.spring(s)->stiffness = material.stiffness * weight;
+    part.system.spring(s)->damping = material.damping * weight;
   }
 }
 

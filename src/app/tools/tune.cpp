@@ -47,23 +47,22 @@ Tuning tune_stiffness(const Status& status, const Selection& selection, int dire
   }
 
   const std::vector<SpringId> selected = affected_springs(system, selection);
-  std::vector<const Spring*> affected;
-  for (const SpringId id : selected) affected.push_back(&system.springs()[system.index_of(id)]);
-  if (selected.empty())
-    for (const Spring& spring : system.springs()) affected.push_back(&spring);
+  std::vector<Spring> affected;
+  for (const SpringId id : selected) affected.push_back(system.springs()[system.index_of(id)]);
+  if (selected.empty()) affected = system.springs();
 
   double min = INFINITY, max = 0.0;
-  for (const Spring* spring : affected) {
-    if (spring->stiffness > 0.0) min = std::min(min, spring->stiffness);
-    max = std::max(max, spring->stiffness);
+  for (const Spring& spring : affected) {
+    if (spring.stiffness > 0.0) min = std::min(min, spring.stiffness);
+    max = std::max(max, spring.stiffness);
   }
   const StiffnessStep next{controls, max > 0.0 ? common_factor(min, max, direction) : 1.0, direction};
   SetSpringProperty set{SpringProperty::Stiffness, {}};
   min = INFINITY;
   max = 0.0;
-  for (const Spring* spring : affected) {
-    const double k = next(spring->stiffness);
-    set.values.emplace_back(spring->id, k);
+  for (const Spring& spring : affected) {
+    const double k = next(spring.stiffness);
+    set.values.emplace_back(spring.id, k);
     min = std::min(min, k);
     max = std::max(max, k);
   }

@@ -72,7 +72,7 @@ void NetworkRenderer::find_ends(const std::shared_ptr<const System>& system) {
 
 void NetworkRenderer::measure_springs(const DrawContext& context) {
   find_ends(context.snapshot.system);
-  const std::vector<Spring>& springs = context.snapshot.system->springs();
+  const SpringList& springs = context.snapshot.system->springs();
   const std::vector<Vec3>& position = context.snapshot.state.position;
   strain_.resize(springs.size());
   double sum = 0.0;

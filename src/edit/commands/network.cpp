@@ -18,8 +18,8 @@ namespace {
 bool is_sheet_weight(double sheet_weight) { return sheet_weight >= 0.0 && std::isfinite(sheet_weight); }
 
 // Inserts each item at its index, indices ascending; no_index and indices beyond the end append.
-template <class Item>
-std::vector<Item> merged(const std::vector<Item>& list, const std::vector<std::pair<Index, Item>>& inserted) {
+template <class List, class Item = typename List::value_type>
+std::vector<Item> merged(const List& list, const std::vector<std::pair<Index, Item>>& inserted) {
   std::vector<Item> result;
   result.reserve(list.size() + inserted.size());
   auto next = inserted.begin();
@@ -32,8 +32,8 @@ std::vector<Item> merged(const std::vector<Item>& list, const std::vector<std::p
 }
 
 // The items whose flag is not set.
-template <class Item>
-std::vector<Item> without(const std::vector<Item>& list, const std::vector<bool>& removed) {
+template <class List, class Item = typename List::value_type>
+std::vector<Item> without(const List& list, const std::vector<bool>& removed) {
   std::vector<Item> result;
   for (std::size_t i = 0; i < list.size(); ++i)
     if (!removed[i]) result.push_back(list[i]);

@@ -129,7 +129,7 @@ Inverse SetSpringProperty::apply(Scene& scene, Effect& effect) const {
     changed.*member = value;
     if (!is_valid(changed)) continue;
     inverse.values.emplace_back(spring, scene.system.springs()[s].*member);
-    scene.system.spring(s) = changed;
+    *scene.system.spring(s) = changed;
   }
   std::reverse(inverse.values.begin(), inverse.values.end());
   effect.values = true;

@@ -57,13 +57,14 @@ void ClothMaker::make_points() {
     point.id = scene_.system.new_point_id();
     point.mass = 0.0;
   }
-  sheet_.area.assign(points.size(), 0.0);
+  std::vector<double> area(points.size(), 0.0);  // [m^2]
   for (const Cell& cell : mesh_.cells)
     for (int c = 0; c < cell.size(); ++c) {
       const auto corner = static_cast<std::size_t>(cell.corners[c]);
       points[corner].mass += material_.density * cell.area / cell.size();
-      sheet_.area[corner] += cell.area / cell.size();
+      area[corner] += cell.area / cell.size();
     }
+  sheet_.area = area;
   scene_.state.position = mesh_.points;
   scene_.state.velocity.assign(points.size(), Vec3(0.0));
   scene_.system.set_points(std::move(points));

@@ -17,7 +17,7 @@ namespace {
 constexpr double rest_length_not_given = std::numeric_limits<double>::quiet_NaN();  // no rest length was given
 
 // Entries between the end of the list and `place` are NaN.
-void append_at(std::vector<double>& list, std::size_t place, double value) {
+void append_at(NumberList& list, std::size_t place, double value) {
   list.resize(place, 0.0);
   list.push_back(value);
 }
@@ -32,8 +32,9 @@ Network NetworkReader::take(int dimensions) {
   generate_shapes(dimensions);
   check_point_numbers();
   set_rest_lengths();
-  if (const std::size_t angles = network_.rest_angles.size(); angles != 0 && angles != network_.faces.size())
-    refuse("rest_angles", std::to_string(angles) + " items: must be as many as the " + std::to_string(network_.faces.size()) + " faces");
+  if (const std::size_t angles = network_.rest_angles.size(); angles != 0 && angles != 3 * network_.faces.size())
+    refuse("rest_angles",
+           std::to_string(angles / 3) + " items: must be as many as the " + std::to_string(network_.faces.size()) + " faces");
   warn_about_coincident_points();
   return std::move(network_);
 }
@@ -123,9 +124,7 @@ void NetworkReader::read_face(const JsonField& field) {
 void NetworkReader::read_rest_angles(const JsonField& field) {
   constexpr Bounds half_turn{.min = -3.141592653589793, .max = 3.141592653589793};
   const auto items = field.items(3, 3);
-  std::array<double, 3> angles{};
-  for (std::size_t c = 0; c < 3; ++c) angles[c] = items[c].number(half_turn);
-  network_.rest_angles.push_back(angles);
+  for (const JsonField& angle : items) network_.rest_angles.push_back(angle.number(half_turn));
 }
 
 // Whether the point exists is known only when all points have been read: check_point_numbers.
@@ -195,13 +194,14 @@ void NetworkReader::check_point_numbers() const {
 
 void NetworkReader::set_rest_lengths() {
   for (std::size_t s = 0; s < network_.springs.size(); ++s) {
-    Spring& spring = network_.springs[s];
+    Spring spring = network_.springs[s];
     if (!std::isnan(spring.rest_length)) continue;
     const auto i = static_cast<std::uint32_t>(spring.first), j = static_cast<std::uint32_t>(spring.second);
     spring.rest_length = glm::length(network_.position[j] - network_.position[i]);
     if (!std::isfinite(spring.rest_length))
       refuse("springs[" + std::to_string(s) + "].rest_length",
              format_exact(spring.rest_length) + " as drawn: must be a number below 1.8e308");
+    network_.springs.set_properties(s, spring);
   }
 }
 

@@ -98,7 +98,7 @@ LoadedScene SceneReader::read() {
   if (!network.sheet_areas.empty() || !network.sheet_weights.empty())
     scene_.sheet = std::make_shared<const SheetWeights>(SheetWeights{std::move(network.sheet_areas), std::move(network.sheet_weights)});
   set_rest_angles(scene_.system, scene_.state.position);
-  for (std::size_t f = 0; f < network.rest_angles.size(); ++f) scene_.system.faces[f].rest_angle = network.rest_angles[f];
+  if (!network.rest_angles.empty()) scene_.system.faces.set_rest_angles(std::move(network.rest_angles));
   set_print_layout(scene_);
   if (const auto warning = step_warning(scene_.system, scene_.state, scene_.settings)) fields_.warn(*warning);
   if (const auto warning = unused_setting_warning(scene_.settings)) fields_.warn(*warning);

@@ -57,6 +57,8 @@ class ClothMaker {
     const double total = cloth_.fabric.mass ? *cloth_.fabric.mass : *cloth_.fabric.density * area;
     const double cells = static_cast<double>((cloth_.columns - 1) * (cloth_.rows - 1));
     const double full_mass = tributary_ ? total / cells : total / static_cast<double>(cloth_.columns * cloth_.rows);
+    // not by doubling: the points have memory for all shapes already
+    network_.cloth_coordinates.reserve(network_.points.capacity());
     network_.cloth_coordinates.resize(first_, no_cloth_coordinates);
     network_.sheet_areas.resize(first_, 0.0);
     for (std::int64_t row = 0; row < cloth_.rows; ++row)

@@ -31,7 +31,7 @@ ElementCount element_count(const Shape& shape) {
 void make(const Shape& shape, Network& network) {
   const std::size_t faces = network.faces.size(), cloth_coordinates = network.cloth_coordinates.size();
   add_nailed_cloth(shape, net_cloth(shape), network);
-  network.faces.resize(faces);
+  network.faces.truncate(faces);
   network.cloth_coordinates.resize(cloth_coordinates);
 }
 

@@ -43,7 +43,7 @@ class ConnectedFaces {
  public:
   explicit ConnectedFaces(const System& system) : system_(system), lengths_(system) {
     for (const Face& face : system.faces) faces_.push_back(rest_face(system, lengths_, face));
-    edges_ = sorted_edges(faces_);
+    edges_ = sorted_edges(corners_of(faces_));
     is_flipped_.resize(faces_.size());
     connect();
   }

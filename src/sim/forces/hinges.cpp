@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <span>
 #include <utility>
 
 #include "sim/forces/rest_faces.h"
@@ -38,14 +39,14 @@ void set_coupling(const RestFace& face, HingedFace& hinged) {
 
 // Calls `use` for both sides of every edge of two faces.
 template <class Use>
-void for_each_hinge(const std::vector<RestFace>& faces, const Use& use) {
+void for_each_hinge(std::span<const FaceCorners> faces, const Use& use) {
   const std::vector<FaceEdge> sides = sorted_edges(faces);
   for (std::size_t s = 0; s < sides.size();) {
     std::size_t end = s + 1;
     while (end < sides.size() && sides[end].ends == sides[s].ends) ++end;
     const FaceEdge &first = sides[s], &second = sides[end - 1];
     // the same face twice has no other corner
-    if (end - s == 2 && faces[first.face].corners[first.corner] != faces[second.face].corners[second.corner]) {
+    if (end - s == 2 && faces[first.face][first.corner] != faces[second.face][second.corner]) {
       use(first, second);
       use(second, first);
     }
@@ -114,16 +115,19 @@ double hinge_angle(const Vec3& i, const Vec3& j, const Vec3& k, const Vec3& q) {
 }
 
 void set_rest_angles(System& system, const std::vector<Vec3>& position) {
-  std::vector<RestFace> faces(system.faces.size());
+  std::vector<FaceCorners> faces(system.faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int c = 0; c < 3; ++c) faces[f].corners[c] = system.index_of(system.faces[f].points[c]);
-  for (Face& face : system.faces) face.rest_angle = {};
-  if (system.dimensions == 2) return;
-  for_each_hinge(faces, [&](const FaceEdge& own, const FaceEdge& other) {
-    const auto corner = [&](int c) { return position[faces[own.face].corners[(own.corner + c) % 3]]; };
-    system.faces[own.face].rest_angle[own.corner] =
-        hinge_angle(corner(0), corner(1), corner(2), position[faces[other.face].corners[other.corner]]);
-  });
+    for (int c = 0; c < 3; ++c) faces[f][c] = system.index_of(system.faces[f].points[c]);
+  NumberList angles;
+  angles.reserve(3 * faces.size());
+  angles.resize(3 * faces.size(), 0.0);
+  if (system.dimensions == 3)
+    for_each_hinge(faces, [&](const FaceEdge& own, const FaceEdge& other) {
+      const auto corner = [&](int c) { return position[faces[own.face][(own.corner + c) % 3]]; };
+      angles.set(3 * static_cast<std::size_t>(own.face) + static_cast<std::size_t>(own.corner),
+                 hinge_angle(corner(0), corner(1), corner(2), position[faces[other.face][other.corner]]));
+    });
+  system.faces.set_rest_angles(std::move(angles));
 }
 
 HingePlan plan_hinges(const System& system) {
@@ -137,7 +141,7 @@ HingePlan plan_hinges(const System& system) {
   std::vector<HingedFace> hinged(rest.size());
   for (std::size_t f = 0; f < rest.size(); ++f)
     for (int a = 0; a < 6; ++a) hinged[f].points[a] = rest[f].corners[a % 3];
-  for_each_hinge(rest, [&](const FaceEdge& own, const FaceEdge& other) {
+  for_each_hinge(corners_of(rest), [&](const FaceEdge& own, const FaceEdge& other) {
     if (rest[own.face].area > 0.0 && rest[other.face].area > 0.0) add_hinge(rest[own.face], own.corner, rest[other.face], hinged[own.face]);
   });
   for (std::size_t f = 0; f < rest.size(); ++f) {

@@ -33,12 +33,18 @@ RestFace rest_face(const System& system, const RestLengths& lengths, const Face&
   return rest;
 }
 
-std::vector<FaceEdge> sorted_edges(const std::vector<RestFace>& faces) {
+std::vector<FaceCorners> corners_of(const std::vector<RestFace>& faces) {
+  std::vector<FaceCorners> corners;
+  corners.reserve(faces.size());
+  for (const RestFace& face : faces) corners.push_back(face.corners);
+  return corners;
+}
+
+std::vector<FaceEdge> sorted_edges(std::span<const FaceCorners> faces) {
   std::vector<FaceEdge> edges;
   edges.reserve(3 * faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f)
-    for (int c = 0; c < 3; ++c)
-      edges.push_back({edge_ends(faces[f].corners[(c + 1) % 3], faces[f].corners[(c + 2) % 3]), static_cast<Index>(f), c});
+    for (int c = 0; c < 3; ++c) edges.push_back({edge_ends(faces[f][(c + 1) % 3], faces[f][(c + 2) % 3]), static_cast<Index>(f), c});
   std::ranges::sort(edges, {}, [](const FaceEdge& edge) { return std::tuple(edge.ends, edge.face, edge.corner); });
   return edges;
 }

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "sim/rest_lengths.h"
 
 namespace hooke {
 
+using FaceCorners = std::array<Index, 3>;
+
 // A face at rest. Side i is opposite corner i.
 struct RestFace {
-  std::array<Index, 3> corners{};
+  FaceCorners corners{};
   std::array<double, 3> length{}, cotangent{};  // of the sides [m], of the angles at the corners
   double area = 0.0;                            // [m^2]; 0: unknown
 };
@@ -25,7 +28,8 @@ struct FaceEdge {
   Index face = 0;
   int corner = 0;  // opposite
 };
-// All edges of the faces, those of the same ends next to each other.
-std::vector<FaceEdge> sorted_edges(const std::vector<RestFace>& faces);
+// All edges of faces with these corners, those of the same ends next to each other.
+std::vector<FaceEdge> sorted_edges(std::span<const FaceCorners> faces);
+std::vector<FaceCorners> corners_of(const std::vector<RestFace>& faces);
 
 }  // namespace hooke

@@ -198,7 +198,7 @@ class NetworkRefinement {
   double mass_at(const Grid& grid, Index i) const { return system_.points()[grid.first + i].mass; }
   void add_mass(const Fine& fine, Index r, Index c, double mass) { points_[static_cast<std::size_t>(fine.at(r, c))].mass += mass; }
 
-  const Spring& spring(Index s) const { return system_.springs()[static_cast<std::size_t>(s)]; }
+  const Spring& spring(Index s) const { return original_springs_[static_cast<std::size_t>(s)]; }
 
   // The spring of a direction at a cell, or null.
   const Spring* at(const Grid& grid, Grid::Direction direction, Index r, Index c) const {
@@ -381,6 +381,7 @@ class NetworkRefinement {
 
   const System& system_;
   const State& state_;
+  const std::vector<Spring> original_springs_ = system_.springs();
   std::vector<Grid> grids_;
   std::vector<int> grid_of_;      // of each point: its index in fine_, or -1
   std::vector<bool> is_in_grid_;  // of each spring

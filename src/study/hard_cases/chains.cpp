@@ -140,7 +140,7 @@ Verdict judge_over_constrained(const Integrator& method) {
 
   TestNetwork sheet = make_sheet({.rows = 12, .columns = 12, .across = {apart, 0.0, 0.0}, .down = {0.0, -apart, 0.0}, .stiffness = k});
   for (Index i = 0; i < 144; ++i) sheet.system.point(i).nailed = i < 12 || i >= 132 || i % 12 == 0 || i % 12 == 11;
-  for (Index s = 0; s < sheet.system.spring_count(); ++s) sheet.system.spring(s).rest_length = rest_length;
+  for (Index s = 0; s < sheet.system.spring_count(); ++s) sheet.system.spring(s)->rest_length = rest_length;
 
   return worst_of(std::array{relax(method, rope, "rope"), relax(method, sheet, "sheet")});
 }

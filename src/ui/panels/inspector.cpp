@@ -22,7 +22,7 @@ struct Inspected {
   const AffectedParts& parts;
 
   const Point& point(Index i) const { return snapshot.system->points()[i]; }
-  const Spring& spring(Index s) const { return snapshot.system->springs()[s]; }
+  Spring spring(Index s) const { return snapshot.system->springs()[s]; }
 };
 
 // Fills in the common value of all items, or their mean, and marks the field as mixed.

@@ -1,0 +1,61 @@
+// The faces of a System. Most have the same angles at rest, those of a flat sheet: each different number is stored once.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/number_list.h"
+#include "base/types.h"
+#include "base/value_iterator.h"
+
+namespace hooke {
+
+// A triangle of three points, for drawing, contact, wind, bending and pressure; it has no elastic force of its own.
+struct Face {
+  std::array<PointId, 3> points{};
+  // [rad], to the other face at the side opposite each corner, as built: 0 flat, positive where the other face bends away from the normal.
+  std::array<double, 3> rest_angle{};
+  bool operator==(const Face&) const = default;
+};
+
+// Reads like a vector of faces, but returns values instead of references.
+class FaceList {
+ public:
+  using value_type = Face;
+  using const_iterator = ValueIterator<FaceList>;
+  using iterator = const_iterator;
+
+  FaceList() = default;
+  FaceList(const std::vector<Face>& faces);  // implicit: wherever a plain list is at hand
+  operator std::vector<Face>() const;
+
+  std::size_t size() const { return points_.size(); }
+  bool empty() const { return points_.empty(); }
+  Face operator[](std::size_t f) const {
+    return {.points = points_[f], .rest_angle = {rest_angles_[3 * f], rest_angles_[3 * f + 1], rest_angles_[3 * f + 2]}};
+  }
+  Face front() const { return (*this)[0]; }
+  Face back() const { return (*this)[size() - 1]; }
+  const_iterator begin() const { return {*this, 0}; }
+  const_iterator end() const { return {*this, size()}; }
+
+  void reserve(std::size_t capacity);
+  void clear() { *this = FaceList(); }
+  // Removes all faces from this one on.
+  void truncate(std::size_t size);
+  void push_back(const Face& face);
+  void pop_back() { truncate(size() - 1); }
+  void set_points(std::size_t f, const std::array<PointId, 3>& points) { points_[f] = points; }
+  // [rad], of all faces, those of the corners one after another.
+  void set_rest_angles(NumberList angles);
+
+  // [bytes], of all faces.
+  std::size_t bytes() const { return points_.capacity() * sizeof(points_[0]) + rest_angles_.bytes(); }
+  bool operator==(const FaceList& other) const = default;
+
+ private:
+  std::vector<std::array<PointId, 3>> points_;
+  NumberList rest_angles_;
+};
+
+}  // namespace hooke
