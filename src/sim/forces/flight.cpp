@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <utility>
 
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
@@ -149,7 +148,7 @@ void advance_changed(const Plan& plan, const GridPass& pass, const Motion::Moved
 
 bool can_accelerate_and_kick(const Plan& plan) { return !plan.grids.empty() && !plan.pull && plan.forces.empty(); }
 
-void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift) {
+void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift, const Motion::Moved& moved) {
   GridPass pass{.drift = drift, .a = motion.a.data()};
   if (!plan.loose_runs.empty()) {
     compute_external_forces(plan, time, motion.x, motion.v, motion.a);
@@ -157,7 +156,6 @@ void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double k
     pass.f = motion.a.data();
   }
   set_kick(plan, kick, pass);
-  const Motion::Moved moved = std::exchange(motion.moved, {});
   if (moved.first < moved.end && plan.loose_runs.empty()) return advance_changed(plan, pass, moved, motion);
   GridWatch watch;
   advance_all(plan, pass, motion, {&watch, 1});

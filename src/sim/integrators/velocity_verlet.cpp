@@ -4,6 +4,7 @@
 // stable for h omega < 2 whatever the dashpots. Forces that depend on velocity are evaluated at v for the first kick and at
 // E v + phi a for the last one, which keeps the second order and costs a second evaluation of them per step.
 #include <cmath>
+#include <utility>
 
 #include "sim/forces/dashpot.h"
 #include "sim/forces/forces.h"
@@ -60,7 +61,7 @@ void kick_and_drift_with_velocity(const Plan& plan, Motion& motion, Workspace& w
 
 void kick_and_drift_alone(const Plan& plan, Motion& motion, double h) {
   if (!motion.acceleration_is_current && can_accelerate_and_kick(plan)) {
-    accelerate_and_kick(plan, motion.time, motion, 0.5 * h, h);
+    accelerate_and_kick(plan, motion.time, motion, 0.5 * h, h, std::exchange(motion.moved, {}));
     ++motion.force_evaluations;
   } else {
     if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion);
