@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <utility>
 
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
@@ -163,11 +162,11 @@ void advance_changed(const Plan& plan, const GridPass& pass, const Motion::Moved
 
 bool can_accelerate_and_kick(const Plan& plan) { return !plan.grids.empty() && !plan.pull && plan.forces.empty(); }
 
-void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift, const PassDashpots& dashpots) {
+void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift, const PassDashpots& dashpots,
+                         const Motion::Moved& moved) {
   GridPass pass = pass_of(plan, kick, drift, dashpots);
   pass.a = motion.a.data();
   set_other_forces(plan, time, dashpots, motion, pass);
-  const Motion::Moved moved = std::exchange(motion.moved, {});
   if (moved.first < moved.end && plan.loose_runs.empty()) return advance_changed(plan, pass, moved, motion);
   GridWatch watch;
   advance_all(plan, pass, motion, {&watch, 1});

@@ -51,8 +51,9 @@ void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, do
 bool can_accelerate_and_kick(const Plan& plan);
 
 // Where can_accelerate_and_kick(plan): sets motion.a to the accelerations of compute_position_forces at `time` [s] and motion.x, and of the
-// dashpots, kicks by `kick` [s] and drifts by `drift` [s], to the same bits as one after another. Where motion.moved says so, forces are
-// computed only on the rows of grids that have changed.
-void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift, const PassDashpots& dashpots = {});
+// dashpots, kicks by `kick` [s] and drifts by `drift` [s], to the same bits as one after another. If motion.a is known but for what points
+// `moved` have changed since, forces are computed only on the rows of grids beside these.
+void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift, const PassDashpots& dashpots = {},
+                         const Motion::Moved& moved = {});
 
 }  // namespace hooke

@@ -4,6 +4,7 @@
 // stable for h omega < 2 whatever the dashpots. Forces that depend on velocity are evaluated at v for the first kick and at
 // E v + phi a for the last one, which keeps the second order and costs a second evaluation of them per step.
 #include <cmath>
+#include <utility>
 
 #include "sim/forces/dashpot.h"
 #include "sim/forces/forces.h"
@@ -69,7 +70,7 @@ void kick_and_drift_with_velocity(const Plan& plan, Motion& motion, Workspace& w
 
 void kick_and_drift_alone(const Plan& plan, Motion& motion, double h) {
   if (!motion.acceleration_is_current && can_accelerate_and_kick(plan)) {
-    accelerate_and_kick(plan, motion.time, motion, 0.5 * h, h);
+    accelerate_and_kick(plan, motion.time, motion, 0.5 * h, h, {}, std::exchange(motion.moved, {}));
     ++motion.force_evaluations;
   } else {
     if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion);
@@ -111,7 +112,8 @@ void fly_weakly_damped(const Plan& plan, Motion& motion, Workspace& work, double
 void step_weakly_damped(const Plan& plan, Motion& motion, Workspace& work, double h) {
   Field& velocity = work.fields[0];
   if (!motion.acceleration_is_current && can_accelerate_and_kick(plan)) {
-    accelerate_and_kick(plan, motion.time, motion, 0.5 * h, h, {.velocity = &motion.v, .predicted = &velocity, .ahead = 0.5 * h});
+    accelerate_and_kick(plan, motion.time, motion, 0.5 * h, h, {.velocity = &motion.v, .predicted = &velocity, .ahead = 0.5 * h},
+                        std::exchange(motion.moved, {}));
     ++motion.force_evaluations;
   } else {
     if (!motion.acceleration_is_current) accelerate_damped(plan, motion.time, motion.v, motion);
