@@ -1,6 +1,8 @@
 // Velocity Verlet with weak dashpots among the forces: order, flights, momentum, energy, and where it sweeps over them instead.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 
 #include "sim/energy.h"
@@ -46,6 +48,21 @@ double error_of(const TestSim& start, int substeps) {
   return distance(sim.state, truth);
 }
 
+// A net in free flight that vibrates at all frequencies, at the longest step with dashpots among the forces.
+TestSim free_net(double damping) {
+  TestSim sim = net(17, 500.0, damping);
+  sim.system.gravity = {};
+  std::uint64_t random = 1;
+  for (Index i = 0; i < sim.system.point_count(); ++i) {
+    sim.system.point(i).nailed = false;
+    for (int c = 0; c < 3; ++c) {
+      random = random * 6364136223846793005u + 1442695040888963407u;
+      sim.state.velocity[i][c] = 0.2 * (static_cast<double>(random >> 33) / 0x1p30 - 1.0);
+    }
+  }
+  return sim;
+}
+
 TEST(WeakDashpots, KeepTheDeclaredOrder) {
   for (const double damping : {0.01, 0.1}) {
     const TestSim sim = net(17, 500.0, damping);
@@ -54,6 +71,37 @@ TEST(WeakDashpots, KeepTheDeclaredOrder) {
   TestSim air = net(17, 500.0, 0.1);
   air.system.drag = 4.0;
   EXPECT_NEAR(measured_order([&](int substeps) { return error_of(air, substeps); }, 40), 2.0, 0.1);
+}
+
+// The error after 1/20 s of `count` steps, with sweeps if the plan says that the dashpots are strong.
+double error_after(const TestSim& start, const State& truth, int count, bool with_sweeps) {
+  Plan plan = make_plan(start.system);
+  if (with_sweeps) plan.spectrum.dashpot_rate = 1e30;
+  const double h = 0.05 / count;
+  Motion motion;
+  Workspace work;
+  pack(plan, start.state, motion);
+  velocity_verlet.prepare(plan, h, motion, work);
+  for (int i = 0; i < count; ++i, motion.time += h) velocity_verlet.step(plan, motion, work, h);
+  EXPECT_EQ(motion.dashpot_sweeps > 0, with_sweeps);
+  State state = start.state;
+  unpack(plan, motion, state);
+  return distance(state, truth);
+}
+
+// On a net that vibrates at all frequencies, from the longest step with dashpots among the forces on.
+TEST(WeakDashpots, AreAsAccurateAsSweeps) {
+  for (const double damping : {0.003, 0.03, 0.1, 0.3}) {
+    const TestSim start = free_net(damping);
+    TestSim exact = start;
+    exact.run(dop853, 0.05, 200, 1e-13);
+    const int min_count = min_weak_substeps(start) * 3;
+    for (const int count : {min_count, 2 * min_count, 8 * min_count}) {
+      const double weak = error_after(start, exact.state, count, false), swept = error_after(start, exact.state, count, true);
+      if (std::getenv("HOOKE_PRINT") != nullptr) std::printf("d = %g, %d steps: %.3g m, with sweeps %.3g m\n", damping, count, weak, swept);
+      EXPECT_LT(weak, 1.1 * swept) << damping << ", " << count << " steps";
+    }
+  }
 }
 
 TEST(WeakDashpots, StepsAtOnceAreThoseOneByOne) {
@@ -77,21 +125,6 @@ TEST(WeakDashpots, StepsAtOnceAreThoseOneByOne) {
       EXPECT_NEAR(at_once.v[at], one_by_one.v[at], 1e-10);
     }
   }
-}
-
-// A net in free flight that vibrates at all frequencies, at the longest step with dashpots among the forces.
-TestSim free_net(double damping) {
-  TestSim sim = net(17, 500.0, damping);
-  sim.system.gravity = {};
-  std::uint64_t random = 1;
-  for (Index i = 0; i < sim.system.point_count(); ++i) {
-    sim.system.point(i).nailed = false;
-    for (int c = 0; c < 3; ++c) {
-      random = random * 6364136223846793005u + 1442695040888963407u;
-      sim.state.velocity[i][c] = 0.2 * (static_cast<double>(random >> 33) / 0x1p30 - 1.0);
-    }
-  }
-  return sim;
 }
 
 TEST(WeakDashpots, ConserveMomentumToRounding) {
