@@ -83,7 +83,7 @@ TEST(DragTool, PullsIfTheSceneSaysSoExceptForANailedPoint) {
 Scene face() {
   Scene scene = flat_scene({a, b, c});
   scene.system.dimensions = 3;
-  scene.system.faces = {{{PointId{0}, PointId{1}, PointId{2}}}};
+  scene.system.faces = std::vector<Face>{{{PointId{0}, PointId{1}, PointId{2}}}};
   return scene;
 }
 

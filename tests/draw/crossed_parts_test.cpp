@@ -22,7 +22,7 @@ TestSim pierced_triangle(double shift) {
   for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}})
     sim.join(ids[static_cast<std::size_t>(i)], ids[static_cast<std::size_t>(j)], 100.0,
              glm::distance(places[static_cast<std::size_t>(i)], places[static_cast<std::size_t>(j)]));
-  sim.system.faces = {{{ids[0], ids[1], ids[2]}}, {{ids[3], ids[4], ids[5]}}};
+  sim.system.faces = std::vector<Face>{{{ids[0], ids[1], ids[2]}}, {{ids[3], ids[4], ids[5]}}};
   sim.system.contact.faces = true;
   return sim;
 }

@@ -88,7 +88,7 @@ TestSim sheet_over_floor(double height) {
   TestSim scene;
   for (const Vec3& corner : {Vec3(-0.5, 0.0, -0.5), Vec3(-0.5, 0.0, 0.5), Vec3(0.5, 0.0, 0.5), Vec3(0.5, 0.0, -0.5)})
     scene.add(corner + Vec3(0.0, height, 0.0));
-  scene.system.faces = {{{PointId{0}, PointId{1}, PointId{2}}}, {{PointId{0}, PointId{2}, PointId{3}}}};
+  scene.system.faces = std::vector<Face>{{{PointId{0}, PointId{1}, PointId{2}}}, {{PointId{0}, PointId{2}, PointId{3}}}};
   scene.system.colliders = {{.shape = Plane{}}};
   return scene;
 }

@@ -285,7 +285,7 @@ TEST(Picture, BlendsTheEdgeOfANearSpringWithTheFarOne) {
 TEST(Picture, AntialiasesPolygonsByMultisampling) {
   TestSim scene;
   for (const Vec3& corner : {Vec3(-0.5, -0.4, 0.0), Vec3(0.6, -0.2, 0.0), Vec3(0.0, 0.5, 0.0)}) scene.add(corner);
-  scene.system.faces = {{{PointId{0}, PointId{1}, PointId{2}}}};
+  scene.system.faces = std::vector<Face>{{{PointId{0}, PointId{1}, PointId{2}}}};
   const auto count_shades = [&](int samples) {
     const ViewOptions options{.points = false, .grid = false, .samples = samples};
     const Image image = draw(scene, {}, camera_on(scene, 1.6), options, 160, 100);

@@ -66,7 +66,7 @@ double total_mass(const System& system) {
   return sum;
 }
 
-const Spring& spring_between(const System& system, Index i, Index j) {
+Spring spring_between(const System& system, Index i, Index j) {
   for (const Spring& spring : system.springs())
     if (system.index_of(spring.first) == i && system.index_of(spring.second) == j) return spring;
   throw std::logic_error("no such spring");

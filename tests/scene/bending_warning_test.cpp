@@ -13,7 +13,7 @@ TestSim folded_square() {
   TestSim sim;
   const PointId a = sim.add({0.0, 0.0, 0.0}), b = sim.add({1.0, 0.0, 0.0}), c = sim.add({0.0, 0.0, 1.0}), d = sim.add({1.0, 0.0, 1.0});
   for (const auto& [first, second] : {std::pair{a, b}, {a, c}, {b, d}, {c, d}}) sim.join(first, second, 100.0, 1.0);
-  sim.system.faces = {{{a, c, b}}, {{b, c, d}}};
+  sim.system.faces = std::vector<Face>{{{a, c, b}}, {{b, c, d}}};
   sim.system.forces = {{.term = &bending_force, .values = default_values(bending_force)}};
   return sim;
 }

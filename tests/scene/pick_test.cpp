@@ -210,7 +210,7 @@ struct Layers : Scenery {
     for (const double z : {0.0, -0.6})
       for (const Vec3& corner : {Vec3(-0.8, -0.6, z), Vec3(0.9, -0.7, z), Vec3(0.0, 0.8, z)}) ball(corner, 0.0);
     // the far one first, each with a different orientation: neither matters
-    sim.system.faces = {{{PointId{3}, PointId{5}, PointId{4}}}, {{PointId{0}, PointId{1}, PointId{2}}}};
+    sim.system.faces = std::vector<Face>{{{PointId{3}, PointId{5}, PointId{4}}}, {{PointId{0}, PointId{1}, PointId{2}}}};
     behind = ball(-0.5 * camera.back, 0.02);
   }
   ViewTransform lens_with_surface() const {
@@ -251,7 +251,7 @@ TEST(Pick, FindsASurfaceFromBehindAndOneThatExtendsBehindTheViewer) {
   // a face that extends behind the viewer
   Scenery scenery;
   for (const Vec3& corner : {Vec3(-1.0, -0.1, -5.0), Vec3(1.0, -0.1, -5.0), Vec3(0.0, -0.1, 50.0)}) scenery.ball(corner, 0.0);
-  scenery.sim.system.faces = {{{PointId{0}, PointId{1}, PointId{2}}}};
+  scenery.sim.system.faces = std::vector<Face>{{{PointId{0}, PointId{1}, PointId{2}}}};
   EXPECT_TRUE(pick_surface(scenery.snapshot(), scenery.view_transform(), scenery.seen({0.0, -0.1, 1.0})));
 }
 
@@ -260,7 +260,7 @@ TEST(Pick, FindsNoGapBetweenAdjacentFaces) {
   scenery.camera = oblique();
   const PointId a = scenery.ball({-0.7, -0.6, 0.1}, 0.0), b = scenery.ball({0.8, 0.5, -0.2}, 0.0);
   const PointId c = scenery.ball({0.5, -0.7, 0.0}, 0.0), d = scenery.ball({-0.4, 0.9, 0.3}, 0.0);
-  scenery.sim.system.faces = {{{a, c, b}}, {{a, b, d}}};
+  scenery.sim.system.faces = std::vector<Face>{{{a, c, b}}, {{a, b, d}}};
   for (int i = 1; i < 1000; ++i) {
     const Vec3 edge_on_occlusion = glm::mix(scenery.sim.position(a), scenery.sim.position(b), i / 1000.0);
     EXPECT_TRUE(pick_surface(scenery.snapshot(), scenery.view_transform(), scenery.seen(edge_on_occlusion))) << i;

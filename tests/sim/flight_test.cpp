@@ -60,13 +60,15 @@ std::vector<const Integrator*> flying_methods() {
   return methods;
 }
 
-void expect_equal_to_rounding(const TestSim& sim, const char* what) {
+void expect_equal(const TestSim& sim, const char* what, double tolerance) {
   for (const Integrator* method : flying_methods()) {
     const Outcome at_once = run(sim, *method, 1, substeps), one_by_one = run(sim, *method, substeps, 1);
-    EXPECT_LT(largest_difference(at_once.state, one_by_one.state), 1e-12) << method->id << ", " << what;
+    EXPECT_LT(largest_difference(at_once.state, one_by_one.state), tolerance) << method->id << ", " << what;
     EXPECT_GT(largest_difference(at_once.state, sim.state), 1e-4) << method->id << ", " << what;
   }
 }
+
+void expect_equal_to_rounding(const TestSim& sim, const char* what) { expect_equal(sim, what, 1e-12); }
 
 TestSim swinging_net(double damping = 0.0) {
   TestSim sim = net(17, 500.0, damping);
@@ -76,7 +78,8 @@ TestSim swinging_net(double damping = 0.0) {
 
 TEST(Flight, EqualsStepsOneByOne) {
   expect_equal_to_rounding(swinging_net(), "undamped");
-  expect_equal_to_rounding(swinging_net(0.2), "dashpots");
+  // velocity_verlet predicts velocities from those of the step before in the same frame
+  expect_equal(swinging_net(0.2), "dashpots", 1e-9);
   expect_equal_to_rounding(curtain(12, 300.0, 0.0), "diagonals");
   TestSim sim = swinging_net();
   sim.system.drag = 3.0;

@@ -119,7 +119,7 @@ TEST(System, DiffersWhenAnyPropertyDiffers) {
   EXPECT_TRUE(differs([](System& system) { system.drag = 0.5; }));
   EXPECT_TRUE(differs([](System& system) { system.family_on[1] = false; }));
   EXPECT_TRUE(differs([](System& system) { system.strain_limit = 0.1; }));
-  EXPECT_TRUE(differs([](System& system) { system.faces.emplace_back(); }));
+  EXPECT_TRUE(differs([](System& system) { system.faces.push_back({}); }));
   EXPECT_TRUE(differs([](System& system) { system.forces.emplace_back(); }));
   EXPECT_TRUE(differs([](System& system) { system.point(2).nailed = true; }));
   EXPECT_TRUE(differs([](System& system) { system.spring(1)->rest_length = 3.0; }));

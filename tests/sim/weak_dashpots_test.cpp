@@ -34,7 +34,7 @@ int min_weak_substeps(const TestSim& sim) {
   const Spectrum& spectrum = make_plan(sim.system).spectrum;
   for (int substeps = 1;; ++substeps) {
     const double h = 1.0 / (frame_rate * substeps), h_omega = h * spectrum.omega, h_lambda = h * spectrum.dashpot_rate;
-    if (h_lambda <= 0.3 && 0.25 * h_omega * h_omega + h_lambda <= 0.9) return substeps;
+    if (h_lambda <= 0.3 && h_lambda <= 0.25 * h_omega && 0.25 * h_omega * h_omega + h_lambda <= 0.9) return substeps;
   }
 }
 
@@ -91,7 +91,7 @@ double error_after(const TestSim& start, const State& truth, int count, bool wit
 
 // On a net that vibrates at all frequencies, from the longest step with dashpots among the forces on.
 TEST(WeakDashpots, AreAsAccurateAsSweeps) {
-  for (const double damping : {0.003, 0.03, 0.1, 0.3}) {
+  for (const double damping : {0.003, 0.01, 0.03, 0.1}) {
     const TestSim start = free_net(damping);
     TestSim exact = start;
     exact.run(dop853, 0.05, 200, 1e-13);
@@ -99,13 +99,13 @@ TEST(WeakDashpots, AreAsAccurateAsSweeps) {
     for (const int count : {min_count, 2 * min_count, 8 * min_count}) {
       const double weak = error_after(start, exact.state, count, false), swept = error_after(start, exact.state, count, true);
       if (std::getenv("HOOKE_PRINT") != nullptr) std::printf("d = %g, %d steps: %.3g m, with sweeps %.3g m\n", damping, count, weak, swept);
-      EXPECT_LT(weak, 1.1 * swept) << damping << ", " << count << " steps";
+      EXPECT_LT(weak, 1.02 * swept) << damping << ", " << count << " steps";
     }
   }
 }
 
 TEST(WeakDashpots, StepsAtOnceAreThoseOneByOne) {
-  for (const TestSim& sim : {net(17, 500.0, 0.1), random_sim(4, 60, 300)}) {
+  for (const TestSim& sim : {net(17, 500.0, 0.1), random_sim(4, 60, 300, 3, 0.5)}) {
     Plan plan = make_plan(sim.system);
     ASSERT_GE(plan.springs, min_springs_of_grids);
     ASSERT_TRUE(plan.has_dashpots());
@@ -140,16 +140,16 @@ TEST(WeakDashpots, ConserveMomentumToRounding) {
 }
 
 TEST(WeakDashpots, TakeEnergyAtTheLongestStep) {
-  for (const double damping : {0.001, 0.01, 0.1, 0.3}) {
+  for (const double damping : {0.001, 0.01, 0.03, 0.1}) {
     TestSim sim = free_net(damping);
     const int substeps = min_weak_substeps(sim);
-    double energy = compute_energy(sim.system, sim.state).total();
-    const double start = energy;
-    for (int i = 0; i < 60; ++i) {
-      EXPECT_EQ(run(sim, 1, substeps), 0);
+    // the energy of a mode near the limit oscillates by a part of (h omega)^2 / 4
+    const double start = compute_energy(sim.system, sim.state).total();
+    double energy = 2.0 * start;
+    for (int i = 0; i < 10; ++i) {
+      EXPECT_EQ(run(sim, 20, substeps), 0);
       const double now = compute_energy(sim.system, sim.state).total();
-      // the energy of a step near the limit oscillates by parts of (h omega)^2 / 4
-      EXPECT_LT(now, energy + 0.02 * start) << damping << ", frame " << i;
+      EXPECT_LT(now, energy) << damping << ", after " << 20 * (i + 1) << " frames";
       energy = now;
     }
     EXPECT_LT(energy, 0.9 * start) << damping;
@@ -157,9 +157,9 @@ TEST(WeakDashpots, TakeEnergyAtTheLongestStep) {
 }
 
 TEST(WeakDashpots, AreSweptWhereTheyAreStrongOrTheStepIsNearItsLimit) {
-  TestSim strong = net(17, 500.0, 5.0), near_limit = net(17, 500.0, 0.1), small = net(8, 500.0, 0.1);
+  TestSim strong = net(17, 500.0, 0.3), near_limit = net(17, 500.0, 0.1), small = net(8, 500.0, 0.1);
   const Spectrum spectrum = make_plan(near_limit.system).spectrum;
-  EXPECT_GT(run(strong, 1, 40), 0);
+  EXPECT_GT(run(strong, 1, 400), 0);
   EXPECT_GT(run(near_limit, 1, static_cast<int>(spectrum.omega / (1.95 * frame_rate)) + 1), 0);
   EXPECT_GT(run(small, 1, 100), 0);
 }

@@ -97,7 +97,7 @@ Problem spring_on_a_floor(double restitution) {
   const PointId first = start.system.new_point_id(), second = start.system.new_point_id();
   start.system.set_points({{.id = first, .mass = 1.0, .radius = 0.0}, {.id = second, .mass = 2.0, .radius = 0.0}});
   start.system.set_springs(
-      {{.id = start.system.new_spring_id(), .first = first, .second = second, .stiffness = 400.0, .rest_length = 0.5}});
+      std::vector<Spring>{{.id = start.system.new_spring_id(), .first = first, .second = second, .stiffness = 400.0, .rest_length = 0.5}});
   start.state.position = {{0.0, 0.6, 0.0}, {0.1, 1.1, 0.0}};
   start.state.velocity = {Vec3(0.0), Vec3(0.0)};
   return problem_of(std::move(start), 1.0);

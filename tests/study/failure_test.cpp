@@ -88,7 +88,7 @@ std::vector<Injection> injections() {
   Scene light = sheet_with("velocity_verlet", 2);
   for (Index i = 0; i < light.system.point_count(); ++i) light.system.point(i).mass *= 1e-3;
   for (Index s = 0; s < light.system.spring_count(); ++s) light.system.spring(s)->stiffness *= 1e-3;
-  light.system.faces = {{{light.system.points()[5].id, light.system.points()[6].id, light.system.points()[9].id}}};
+  light.system.faces = std::vector<Face>{{{light.system.points()[5].id, light.system.points()[6].id, light.system.points()[9].id}}};
   for (const Force& each :
        {force_with("center", {{"x", 0.3}, {"y", -0.3}, {"strength", -1000.0}, {"power", -3.0}, {"core", 1e-4}}),
         force_with("center", {{"strength", -1000.0}, {"power", 4.0}}),

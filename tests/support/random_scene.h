@@ -24,8 +24,8 @@ class Random {
   bool one_in(Index count) { return below(count) == 0; }
   // An element of a non-empty list.
   template <class List>
-  const auto& one_of(const List& list) {
-    return *(std::begin(list) + static_cast<std::ptrdiff_t>(next_bits() % std::size(list)));
+  decltype(auto) one_of(const List& list) {
+    return std::begin(list)[static_cast<std::ptrdiff_t>(next_bits() % std::size(list))];
   }
 
  private:
