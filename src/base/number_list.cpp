@@ -114,15 +114,15 @@ void NumberList::widen() {
   } else if (width_ == Width::Byte) {
     shorts_.reserve(capacity);
     shorts_.assign(bytes_.begin(), bytes_.end());
-    bytes_ = {};
+    bytes_ = std::vector<std::uint8_t>();
     width_ = Width::Short;
   } else {
     std::vector<double> numbers;
     numbers.reserve(capacity);
     for (const std::uint16_t place : shorts_) numbers.push_back(different_[place]);
     different_ = std::move(numbers);
-    shorts_ = {};
-    order_ = {};
+    shorts_ = std::vector<std::uint16_t>();
+    order_ = std::vector<std::uint16_t>();
     width_ = Width::Whole;
   }
 }

@@ -57,8 +57,8 @@ std::string without_text(std::string_view bytes, const std::string& name) {
     const std::string_view type = bytes.substr(at + 4, 4);
     if (type == "IDAT") break;
     if (length > bytes.size() - at - frame)
-      throw InputError(name + ": chunk at byte " + std::to_string(at) + ": " + std::to_string(length) + " bytes: must be at most " +
-                       std::to_string(bytes.size() - at - frame) + ", as many as follow");
+      throw InputError(name + ": chunk at byte " + std::to_string(at) + " of " + std::to_string(length) +
+                       " bytes, which the file does not have: must be a PNG");
     if (std::ranges::find(unused, type) == unused.end()) kept += bytes.substr(at, frame + length);
     at += frame + length;
   }

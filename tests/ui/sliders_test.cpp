@@ -23,7 +23,7 @@ TEST(Sliders, EachParameterHasOne) {
     springs.back().family = family;
   }
   scene.system.set_springs(springs);
-  scene.sheet = std::make_shared<const SheetWeights>(SheetWeights{{0.1, 0.1, 0.1}, {0.75, 0.75, 0.375, 0.0, 0.75}});
+  scene.sheet = std::make_shared<const SheetWeights>(SheetWeights{std::vector{0.1, 0.1, 0.1}, std::vector{0.75, 0.75, 0.375, 0.0, 0.75}});
   std::set<std::string_view> shown;
   for (int parameterization = 0; parameterization < 5; ++parameterization) {
     // the tolerance is of the automatic method, which needs no number of substeps
