@@ -48,7 +48,7 @@ template <class List>
 void set(List& items, IdTable& ids, List list) {
   items = std::move(list);
   for (const auto& item : items) ids.next_id = std::max(ids.next_id, number_of(item) + 1);
-  ids.index_by_id = {};
+  ids.index_by_id = std::vector<Index>();
   if (!is_numbered(items)) fill_indices(ids, items);
 }
 
