@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/number_list.h"
+#include "base/lists/number_list.h"
 #include "scene/view_settings.h"
 #include "sim/system.h"
 

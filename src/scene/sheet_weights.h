@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "base/number_list.h"
+#include "base/lists/number_list.h"
 #include "sim/system.h"
 
 namespace hooke {

@@ -12,9 +12,9 @@
 
 #include "base/color.h"
 #include "base/types.h"
-#include "sim/face_list.h"
 #include "sim/forces/force_term.h"
-#include "sim/spring_list.h"
+#include "sim/lists/face_list.h"
+#include "sim/lists/spring_list.h"
 
 namespace hooke {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/number_list.h"
+#include "base/lists/number_list.h"
 #include "base/same_bits.h"
 
 namespace hooke {

@@ -192,7 +192,7 @@ TEST(Bench, KernelsAreComparedWithTheLimitsOfTheMachine) {
     EXPECT_GT(limit, 0.0) << line;
     EXPECT_NEAR(part, limit / each, 0.01 * part) << line;
   }
-  EXPECT_EQ(rows, 47);
+  EXPECT_EQ(rows, 49);
 }
 
 TEST(Bench, CtrlCKeepsFinishedResults) {

@@ -197,7 +197,6 @@ class NetworkRefinement {
   }
   double mass_at(const Grid& grid, Index i) const { return system_.points()[grid.first + i].mass; }
   void add_mass(const Fine& fine, Index r, Index c, double mass) { points_[static_cast<std::size_t>(fine.at(r, c))].mass += mass; }
-
   const Spring& spring(Index s) const { return original_springs_[static_cast<std::size_t>(s)]; }
 
   // The spring of a direction at a cell, or null.

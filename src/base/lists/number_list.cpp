@@ -1,4 +1,4 @@
-#include "base/number_list.h"
+#include "base/lists/number_list.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "sim/spring_list.h"
+#include "sim/lists/spring_list.h"
 
 #include <algorithm>
 

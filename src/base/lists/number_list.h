@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/value_iterator.h"
+#include "base/lists/value_iterator.h"
 
 namespace hooke {
 

@@ -1,4 +1,4 @@
-#include "sim/face_list.h"
+#include "sim/lists/face_list.h"
 
 #include <cassert>
 #include <utility>

@@ -17,10 +17,11 @@ class ValueIterator {
   using difference_type = std::ptrdiff_t;
   using reference = value_type;
   // What `->` returns: the value itself, for the duration of the expression.
-  struct pointer {
+  struct Pointer {
     value_type value;
     const value_type* operator->() const { return &value; }
   };
+  using pointer = Pointer;
 
   ValueIterator() = default;
   ValueIterator(const List& list, std::size_t at) : list_(&list), at_(static_cast<difference_type>(at)) {}

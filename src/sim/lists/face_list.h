@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "base/number_list.h"
+#include "base/lists/number_list.h"
+#include "base/lists/value_iterator.h"
 #include "base/types.h"
-#include "base/value_iterator.h"
 
 namespace hooke {
 
