@@ -128,8 +128,8 @@ struct Sums {
 
 // The force on the own corners of the cells from column j on, whose corners are `at` and whose springs have the tensions p.
 template <int Dimensions, bool HasBelow, bool Replace, class Columns, class T, class V, class Others>
-HWY_INLINE void compute_forces(const Columns& columns, const Corners<Dimensions, V>& at, const Sums<Dimensions, T>& sums, Index j, const V* p,
-                               const Others& others, Carry<Dimensions, V>& carry, V* force) {
+HWY_INLINE void compute_forces(const Columns& columns, const Corners<Dimensions, V>& at, const Sums<Dimensions, T>& sums, Index j,
+                               const V* p, const Others& others, Carry<Dimensions, V>& carry, V* force) {
   const auto d = columns.d;
   for (int c = 0; c < Dimensions; ++c) {
     const V right = hn::Mul(p[Grid::Right], hn::Sub(at.x00[c], at.x01[c]));
