@@ -26,3 +26,26 @@ fi
 printf '#!/bin/sh\necho "stat::number_of_executed_units: 7" >"build/fuzz/$2.log"\n' >scripts/fuzz
 scripts/campaign 5 fuzz_scene >/dev/null 2>&1
 grep -q '^fuzz_scene,1,7,0,' docs/reliability.csv
+
+# A test that has run is not run again when others are added, and what failed is not counted.
+mkdir programs
+printf '#!/bin/sh\n' >programs/cmake
+cat >programs/ctest <<'END'
+#!/bin/sh
+if [ "$3" = --show-only=json-v1 ]; then
+  cat tests.json
+else
+  echo "run $4" >>runs
+  grep -q 'a.Fails' tests.json && echo "3/3 Test #3: a.Fails ...***Failed" || true
+fi
+END
+chmod +x programs/*
+PATH=$PWD/programs:$PATH
+echo '{"tests": [{"name": "a.First", "command": ["a"]}, {"name": "b.Second", "command": ["lab_test"]}]}' >tests.json
+scripts/campaign 5 tests_tsan >/dev/null 2>&1
+grep -q '^tests_tsan,2,2,0,' docs/reliability.csv
+echo '{"tests": [{"name": "a.Zeroth"}, {"name": "a.First"}, {"name": "a.Fails"}, {"name": "b.Second"}]}' >tests.json
+scripts/campaign 5 tests_tsan >/dev/null 2>&1
+grep -q '^tests_tsan,4,3,1,' docs/reliability.csv
+[ "$(cat runs)" = "run 0,0,0,2,1
+run 0,0,0,1,3" ]

@@ -1,6 +1,6 @@
 #include "fuzz/recording_input.h"
 
-#include <algorithm>
+#include <optional>
 
 #include "base/json_text.h"
 #include "edit/command_text.h"
@@ -45,27 +45,35 @@ void play(const Recording& recording) {
   }
 }
 
-}  // namespace
-
-void try_as_recording(std::string_view bytes) {
+// Returns the recording that was read.
+std::optional<Recording> read_and_write(std::string_view bytes) {
   Recording recording;
   try {
     recording = parse_recording(std::string(bytes), "fuzz.hookelog");
   } catch (const InputError& refused) {
     for (const char* c = refused.what(); *c != '\0'; ++c)
       require(static_cast<unsigned char>(*c) >= 0x20 && *c != 0x7f, "no control character in a message");
-    return;
+    return std::nullopt;
   }
+  for (const Recording::Item& item : recording.items)
+    if (const auto* command = std::get_if<Command>(&item)) {
+      const std::string text = text_of(*command);
+      require(text_of(parse_command(text)) == text, "an edit is read back as it was written");
+    }
+  return recording;
+}
 
-  bool are_small = is_small(*recording.start) && recording.items.size() <= max_played_items;
-  for (const Recording::Item& item : recording.items) {
+}  // namespace
+
+void read_as_recording(std::string_view bytes) { read_and_write(bytes); }
+
+void try_as_recording(std::string_view bytes) {
+  const std::optional<Recording> recording = read_and_write(bytes);
+  if (!recording) return;
+  bool are_small = is_small(*recording->start) && recording->items.size() <= max_played_items;
+  for (const Recording::Item& item : recording->items)
     if (const auto* scene = std::get_if<std::shared_ptr<const Scene>>(&item)) are_small = are_small && is_small(**scene);
-    const auto* command = std::get_if<Command>(&item);
-    if (command == nullptr) continue;
-    const std::string text = text_of(*command);
-    require(text_of(parse_command(text)) == text, "an edit is read back as it was written");
-  }
-  if (are_small) play(recording);
+  if (are_small) play(*recording);
 }
 
 }  // namespace hooke

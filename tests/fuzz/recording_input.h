@@ -5,8 +5,10 @@
 
 namespace hooke {
 
-// Loads the bytes, or accepts that they are refused. Each edit of a loaded recording must be read back as written, and the scene must be
-// valid after every frame of a replay. Aborts if any of this is false.
+// Loads the bytes, or accepts that they are refused. Each edit of a loaded recording must be read back as written. Aborts if it is not.
+void read_as_recording(std::string_view bytes);
+
+// The same, and plays the recording: the scene must be valid after every frame.
 void try_as_recording(std::string_view bytes);
 
 }  // namespace hooke

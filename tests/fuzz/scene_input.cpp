@@ -36,18 +36,24 @@ bool is_small(const Scene& scene) {
   return scene.system.point_count() < 200 && scene.system.spring_count() < 1000 && scene.system.colliders.size() <= 10;
 }
 
-}  // namespace
-
-void try_as_scene(std::string_view bytes) {
+// Returns the scene that was read.
+std::optional<Scene> read_and_write(std::string_view bytes) {
   std::optional<Scene> scene = load(bytes);
-  if (!scene) return;
-
+  if (!scene) return std::nullopt;
   const std::string text = format_scene(*scene);
   const std::optional<Scene> again = load(text);
   require(again.has_value(), "a saved scene can be loaded");
   require(format_scene(*again) == text, "a saved scene is read back unchanged");
+  return scene;
+}
 
-  if (!is_small(*scene)) return;
+}  // namespace
+
+void read_as_scene(std::string_view bytes) { read_and_write(bytes); }
+
+void try_as_scene(std::string_view bytes) {
+  std::optional<Scene> scene = read_and_write(bytes);
+  if (!scene || !is_small(*scene)) return;
   scene->settings.substeps = std::min(scene->settings.substeps, max_substeps);
   Lab lab(std::move(*scene));
   lab.step();
