@@ -41,10 +41,10 @@ fi
 END
 chmod +x programs/*
 PATH=$PWD/programs:$PATH
-echo '{"tests": [{"name": "a.First", "command": ["a"]}, {"name": "b.Second", "command": ["lab_test"]}]}' >tests.json
+echo '{"tests": [{"name": "a.First # GetParam() = 0x1", "command": ["a"]}, {"name": "b.Second", "command": ["lab_test"]}]}' >tests.json
 scripts/campaign 5 tests_tsan >/dev/null 2>&1
 grep -q '^tests_tsan,2,2,0,' docs/reliability.csv
-echo '{"tests": [{"name": "a.Zeroth"}, {"name": "a.First"}, {"name": "a.Fails"}, {"name": "b.Second"}]}' >tests.json
+echo '{"tests": [{"name": "a.Zeroth"}, {"name": "a.First # GetParam() = 0x2"}, {"name": "a.Fails"}, {"name": "b.Second"}]}' >tests.json
 scripts/campaign 5 tests_tsan >/dev/null 2>&1
 grep -q '^tests_tsan,4,3,1,' docs/reliability.csv
 [ "$(cat runs)" = "run 0,0,0,2,1
