@@ -27,6 +27,13 @@ printf '#!/bin/sh\necho "stat::number_of_executed_units: 7" >"build/fuzz/$2.log"
 scripts/campaign 5 fuzz_scene >/dev/null 2>&1
 grep -q '^fuzz_scene,1,7,0,' docs/reliability.csv
 
+# A wrong name or time is refused, before anything runs.
+for wrong in "5 fuzz_scenes" "5 R13" "soon" "-5 R1"; do
+  code=0
+  scripts/campaign $wrong 2>refused || code=$?
+  [ "$code $(wc -l <refused)" = "2 1" ]
+done
+
 # A test that has run is not run again when others are added, and what failed is not counted.
 mkdir programs
 printf '#!/bin/sh\n' >programs/cmake
