@@ -51,7 +51,7 @@ Lab::Lab(Scene scene, KeepStart keep) : measures_at_once_(keep == KeepStart::No)
 void Lab::submit(Command command, Gesture gesture) { queue_.emplace_back(std::move(command), gesture); }
 void Lab::submit(Control control, Gesture gesture) { queue_.emplace_back(std::move(control), gesture); }
 
-// Brings the Plan up to date, and discards the frame in progress unless the edit does not affect it.
+// Brings the Plan and the energy up to date, and discards the frame in progress unless the edit does not affect it.
 void Lab::update_plan(Effect effect) {
   if (!effect.invalidates_frame()) return;
   drop_frame();
@@ -106,7 +106,7 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   if (std::holds_alternative<Replace>(command))
     initialize_ledger(scene_.system, scene_.state);
   else
-    record_edit_energy(scene_.system, before, scene_.state);
+    record_edit_energy(scene_.system, effect.invalidates_frame() ? energy_.total() - before : 0.0, scene_.state);
   record_edit(command);
   // whether the edit concerns the points, not only parameters
   const bool has_new_points = effect.structure || effect.motion;

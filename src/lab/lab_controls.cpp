@@ -77,8 +77,9 @@ void Lab::handle(const Control& control, Gesture gesture) {
     keep_start();
     drop_frame();
     const double before = compute_energy(scene_.system, scene_.state).total();
-    update_plan(history_.go_to(done, scene_));
-    record_edit_energy(scene_.system, before, scene_.state);
+    const Effect effect = history_.go_to(done, scene_);
+    update_plan(effect);
+    record_edit_energy(scene_.system, effect.invalidates_frame() ? energy_.total() - before : 0.0, scene_.state);
     recorder_.record_scene(scene_);
     meter_.restart();
     check_divergence();

@@ -96,6 +96,7 @@ void LabThread::work() {
   long taken_count = 0;
   while (!stopping_) {
     std::vector<Task> tasks;
+    bool show_at_once = false;  // an edit, after one substep of a frame that may be long
     {
       std::unique_lock lock(mutex_);
       const auto has_work = [this] { return stopping_ || !tasks_.empty(); };
@@ -105,7 +106,7 @@ void LabThread::work() {
         posted_.wait(lock, has_work);
       if (stopping_) return;
       tasks = std::exchange(tasks_, {});
-      urgent_ = false;
+      show_at_once = urgent_.exchange(false);
     }
 
     // paused time does not count
@@ -113,7 +114,7 @@ void LabThread::work() {
     const double elapsed = lab_.status()->run.running ? std::chrono::duration<double>(now - last).count() : 0.0;
     last = now;
     for (const Task& task : tasks) task(lab_);
-    lab_.advance(elapsed, [&] { return !stopping_ && !urgent_ && Clock::now() - now < max_publish_interval; });
+    lab_.advance(elapsed, [&] { return !stopping_ && !urgent_ && !show_at_once && Clock::now() - now < max_publish_interval; });
 
     {
       const std::lock_guard lock(mutex_);

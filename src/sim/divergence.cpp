@@ -90,7 +90,7 @@ double mass_of(const System& system) {
 double min_scale(const System& system, const State& state) {
   double springs = 0.0;
   for (const Spring& spring : system.springs()) springs += system.stiffness_of(spring) * spring.rest_length * spring.rest_length;
-  const double w = bound_spectrum(system).force_omega, distance = max_length(state.position);
+  const double w = system.forces.empty() ? 0.0 : bound_spectrum(system).force_omega, distance = max_length(state.position);
   const double forces = std::isfinite(w) && std::isfinite(distance) ? 1e-20 * mass_of(system) * w * w * distance * distance : 0.0;
   return std::max({reference_energy(system, state), 1e-9 * springs, forces, 1e-300});
 }
@@ -116,8 +116,7 @@ void initialize_ledger(const System& system, State& state) {
   record_extent(state);
 }
 
-void record_edit_energy(const System& system, double before, State& state) {
-  const double change = compute_energy(system, state).total() - before;
+void record_edit_energy(const System& system, double change, State& state) {
   state.ledger.net_input += change;
   state.ledger.scale = std::max(state.ledger.scale + std::abs(change), min_scale(system, state));
   record_extent(state);

@@ -35,8 +35,8 @@ bool is_finite(const State& state);
 // Starts the ledger at this state.
 void initialize_ledger(const System& system, State& state);
 
-// Records that an edit took the energy from `before` [J] to that of (system, state).
-void record_edit_energy(const System& system, double before, State& state);
+// Records that an edit, which led to (system, state), changed the energy by `change` [J].
+void record_edit_energy(const System& system, double change, State& state);
 
 // Checks the frame that ended in `state`, or before its end with a `failure`; none if it did not diverge.
 std::optional<Divergence> find_divergence(const System& system, const State& state, const Energy& energy,

@@ -11,20 +11,22 @@ namespace {
 constexpr Index min_columns = 4;  // shorter rows leave most lanes of a vector empty
 constexpr Index min_rope = 8;     // points of a single row
 
-// Springs by their lower end and the offset to the upper one: sorted, so that each offset's springs can be looked up.
+// Springs by their lower end and the offset to the upper one: those of a point in ascending order.
 class Neighbors {
  public:
   Neighbors(std::span<const SpringRun> runs, Index points) : points_(points) {
-    for (const SpringRun& run : runs) {
-      const Index offset = run.second - run.first;
-      if (offset == 0) continue;
-      for (Index e = 0; e < run.count; ++e) springs_.push_back({run.first + e, offset, run.begin + e});
-    }
-    std::sort(springs_.begin(), springs_.end(),
-              [](const Item& a, const Item& b) { return std::tie(a.first, a.offset, a.spring) < std::tie(b.first, b.offset, b.spring); });
     begin_.assign(static_cast<std::size_t>(points) + 1, 0);
-    for (const Item& item : springs_) ++begin_[item.first + 1];
+    for (const SpringRun& run : runs)
+      for (Index e = 0; run.second != run.first && e < run.count; ++e) ++begin_[run.first + e + 1];
     for (Index i = 0; i < points; ++i) begin_[i + 1] += begin_[i];
+    springs_.resize(static_cast<std::size_t>(begin_.back()));
+    std::vector<Index> next(begin_.begin(), begin_.end() - 1);
+    for (const SpringRun& run : runs)
+      for (Index e = 0; run.second != run.first && e < run.count; ++e)
+        springs_[next[run.first + e]++] = {run.second - run.first, run.begin + e};
+    for (Index i = 0; i < points; ++i)
+      std::sort(springs_.begin() + begin_[i], springs_.begin() + begin_[i + 1],
+                [](const Item& a, const Item& b) { return std::tie(a.offset, a.spring) < std::tie(b.offset, b.spring); });
   }
 
   // The packed spring between point i and i + offset, the first of several; or no_index.
@@ -54,7 +56,7 @@ class Neighbors {
 
  private:
   struct Item {
-    Index first, offset, spring;
+    Index offset, spring;
   };
   Index points_;
   std::vector<Item> springs_;

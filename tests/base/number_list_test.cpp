@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -67,6 +68,24 @@ TEST_P(NumberLists, GrowAndShrink) {
   expect_same_bits(list, numbers);
 }
 
+TEST_P(NumberLists, SelectEntriesInAnyOrder) {
+  std::vector<double> numbers = numbers_of(5000, GetParam()), selected;
+  const NumberList list = numbers;
+  std::vector<Index> indices;
+  for (Index i = 0; i < 5000; i += 1 + i % 4) indices.push_back(4999 - i);
+  for (const Index i : indices) selected.push_back(numbers[static_cast<std::size_t>(i)]);
+  NumberList result = list.select(indices);
+  expect_same_bits(result, selected);
+  for (std::size_t i = 0; i < 300; ++i) {
+    result.push_back(numbers[i]);
+    selected.push_back(numbers[i]);
+    result.set(i, -0.5);
+    selected[i] = -0.5;
+  }
+  expect_same_bits(result, selected);
+  EXPECT_TRUE(list.select({}).empty());
+}
+
 INSTANTIATE_TEST_SUITE_P(Different, NumberLists, testing::Values(1, 2, 256, 257, 4096, 4097, 10'000));
 
 TEST(NumberList, TakesAsManyBytesAsTheDifferentNumbersNeed) {
@@ -85,6 +104,19 @@ TEST(NumberList, ForgetsNumbersThatNoEntryHas) {
     for (std::size_t i = 0; i < list.size(); ++i) list.set(i, 0.5 * change);
   EXPECT_LT(list.bytes(), 6000u);
   expect_same_bits(list, std::vector<double>(1000, 2499.5));
+}
+
+// As where springs are added and deleted again.
+TEST(NumberList, ForgetsNumbersThatWereNotSelected) {
+  NumberList list = numbers_of(1000, 2);
+  std::vector<Index> all_but_last(1000);
+  std::iota(all_but_last.begin(), all_but_last.end(), 0);
+  for (int change = 0; change < 5000; ++change) {
+    list.push_back(0.5 * change);
+    list = list.select(all_but_last);
+  }
+  EXPECT_LT(list.bytes(), 6000u);
+  expect_same_bits(list, numbers_of(1000, 2));
 }
 
 TEST(NumberList, IsEmptyAfterItWasMovedFrom) {

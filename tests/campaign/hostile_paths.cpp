@@ -6,7 +6,9 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
+#include <string>
 
 #include "campaign/check.h"
 #include "support/process.h"
@@ -133,6 +135,12 @@ struct Trap {
     return opened_in(log);
   }
 
+  // A sanitizer reads files of its own process, whose number differs in each run.
+  static std::string without_process(const std::string& name) {
+    static const std::regex process("^/proc/[0-9]+/");
+    return std::regex_replace(name, process, "/proc/self/");
+  }
+
   // The results of successful calls: "... = 5</a/file>".
   static std::set<std::string> opened_in(const fs::path& log) {
     std::set<std::string> names;
@@ -140,7 +148,7 @@ struct Trap {
     for (std::string line; std::getline(lines, line);) {
       const std::size_t result = line.rfind(") = "), begin = line.find('<', result), end = line.rfind('>');
       if (result == std::string::npos || begin == std::string::npos || end == std::string::npos || line[result + 4] == '-') continue;
-      names.insert(line.substr(begin + 1, end - begin - 1));
+      names.insert(without_process(line.substr(begin + 1, end - begin - 1)));
     }
     return names;
   }

@@ -120,6 +120,7 @@ TEST(Bench, InvalidPartsAreOneLine) {
                                       {{"--merge", none, "--shard", "1/2"}, 2, "excludes"},
                                       {{"--scaling", "--kernels"}, 2, "excludes"},
                                       {{"--overhead", "--kernels"}, 2, "excludes"},
+                                      {{"--edits", "two_masses"}, 2, "excludes"},
                                       {{"--overhead", "--shard", "1/2"}, 2, "excludes"},
                                       {{"--capacity", "net_w2"}, 2, "excludes"},
                                       {{"--merge", none}, 5, none + "/bench.json: "}}) {
@@ -176,7 +177,7 @@ TEST(Bench, KernelsAreComparedWithTheLimitsOfTheMachine) {
   for (const char* line :
        {"| fused multiply-adds | ", "| square root of a vector | ", "| division of a vector | ", "| triad in L2 ", "| triad in memory ",
         "| grid | ", "| at rest on a plane | ", "| on a ball and a floor | ", "| lies in its folds | ", "| dashpots | ", "| wind | ",
-        "| shuffled | ", "| jelly block | ", "| tr_bdf2 per 1/60 s | "})
+        "| shuffled | ", "| general graph | ", "| jelly block | ", "| tr_bdf2 per 1/60 s | "})
     EXPECT_NE(report.find(line), std::string::npos) << line << report;
   std::istringstream csv(contents(scratch.folder / "kernels.csv"));
   std::string line;
@@ -192,7 +193,7 @@ TEST(Bench, KernelsAreComparedWithTheLimitsOfTheMachine) {
     EXPECT_GT(limit, 0.0) << line;
     EXPECT_NEAR(part, limit / each, 0.01 * part) << line;
   }
-  EXPECT_EQ(rows, 49);
+  EXPECT_EQ(rows, 51);
 }
 
 TEST(Bench, CtrlCKeepsFinishedResults) {
@@ -227,6 +228,20 @@ TEST(Bench, OverheadMeasuresEveryMethodOnTheScenes) {
     EXPECT_TRUE(rows[i + 1].starts_with(begins[i])) << rows[i + 1];
     EXPECT_EQ(std::ranges::count(rows[i + 1], ','), 4);
     EXPECT_FALSE(rows[i + 1].ends_with(",")) << rows[i + 1];  // it did not diverge
+  }
+}
+
+TEST(Bench, EditsAreTimedByKindAndSize) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(run(scratch.folder, {"--edits", "--quick"}), 0);
+  const std::vector<std::string> rows = lines_of(contents(scratch.folder / "edits.csv"));
+  ASSERT_EQ(rows.size(), 6u);
+  EXPECT_EQ(rows[0], "edit,points,springs,ms");
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const std::size_t last = rows[i].rfind(',');
+    EXPECT_TRUE(rows[i].substr(0, last).ends_with(",1024,3906")) << rows[i];
+    const double ms = std::stod(rows[i].substr(last + 1));
+    EXPECT_TRUE(ms > 0.0 && ms < 60e3) << rows[i];
   }
 }
 

@@ -113,7 +113,7 @@ TEST_P(DivergenceDetection, AcceptsErraticGrabsAndParameterChanges) {
       const Index point = 5 + random.below(20);
       sim.system.grab = Grab{.point = sim.system.points()[point].id, .kind = frame % 80 == 0 ? GrabKind::Hold : GrabKind::Pull};
       sim.state.hand.position = sim.state.position[point];
-      record_edit_energy(sim.system, energy, sim.state);
+      record_edit_energy(sim.system, compute_energy(sim.system, sim.state).total() - energy, sim.state);
     }
     sim.state.hand.target = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
     sim.run(method(), 1.0 / 60.0, 60);

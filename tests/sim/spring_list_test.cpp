@@ -33,6 +33,18 @@ TEST(SpringList, HoldsTheSpringsThatItWasMadeOf) {
   }
 }
 
+TEST(SpringList, SelectsSpringsWithTheirIds) {
+  for (const std::uint32_t first_id : {0u, 3u}) {
+    const std::vector<Spring> springs = springs_of(1000, first_id);
+    const SpringList list = springs;
+    for (const std::vector<Index>& indices : {std::vector<Index>{0, 1, 2}, {0, 1, 3, 700}, {999, 0, 5}, {}}) {
+      std::vector<Spring> selected;
+      for (const Index s : indices) selected.push_back(springs[static_cast<std::size_t>(s)]);
+      EXPECT_EQ(std::vector<Spring>(list.select(indices)), selected);
+    }
+  }
+}
+
 TEST(SpringList, ChangesThePropertiesOfOneSpring) {
   std::vector<Spring> springs = springs_of(10, 0);
   SpringList list = springs;
@@ -56,6 +68,8 @@ TEST(FaceList, HoldsTheFacesThatItWasMadeOf) {
     faces.push_back({{PointId{f}, PointId{f + 1}, PointId{f + 2}}, {0.0, -0.0, f % 7 == 0 ? 0.1 : 0.0}});
   FaceList list = faces;
   EXPECT_EQ(std::vector<Face>(list), faces);
+  const std::vector<Index> indices{99, 7, 8};
+  EXPECT_EQ(std::vector<Face>(list.select(indices)), (std::vector<Face>{faces[99], faces[7], faces[8]}));
   list.truncate(40);
   faces.resize(40);
   EXPECT_EQ(std::vector<Face>(list), faces);

@@ -12,6 +12,7 @@
 #include "sim/automatic/cost_model.h"
 #include "study/work_precision_file.h"
 #include "support/next_frame.h"
+#include "support/sanitizer_slowdown.h"
 
 namespace hooke {
 namespace {
@@ -72,7 +73,7 @@ TEST(AutomaticCost, IsCloseToThatOfTheBestFixedMethod) {
     const Problem problem = built_in->make();
     Benchmark benchmark(problem);
     const Plan plan = make_plan(problem.system);
-    const auto reference = compute_reference(benchmark, prints() ? 30.0 : 0.2, [] { return true; });
+    const auto reference = compute_reference(benchmark, prints() ? 30.0 : 0.2 * sanitizer_slowdown, [] { return true; });
     ASSERT_TRUE(reference.reference) << record.id << ": " << reference.reason;
     for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
       const auto run = benchmark.run(automatic_method(), {.tolerance = tolerance}, [] { return true; });

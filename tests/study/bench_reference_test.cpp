@@ -8,6 +8,7 @@
 #include "sim/energy.h"
 #include "sim/forces/forces.h"
 #include "support/bench_problem.h"
+#include "support/sanitizer_slowdown.h"
 
 namespace hooke {
 namespace {
@@ -53,7 +54,7 @@ TEST(BenchProblems, AFingerprintDistinguishesScenesThatDifferInOneStiffness) {
 
 TEST(BenchReference, TwoMethodsAgreeAndASmallPerturbationStaysSmall) {
   Benchmark benchmark(swept_problem());
-  const std::optional<Reference> reference = compute_reference(benchmark, 0.5, always).reference;
+  const std::optional<Reference> reference = compute_reference(benchmark, 0.5 * sanitizer_slowdown, always).reference;
   ASSERT_TRUE(reference);
   EXPECT_NE(reference->own.method, reference->other.method);
   EXPECT_LT(reference->own.gap, 1e-12);
@@ -107,7 +108,7 @@ TEST(BenchReference, TwoMethodsAgreeThroughImpacts) {
   for (const double restitution : {0.0, 0.5}) {
     const Problem problem = spring_on_a_floor(restitution);
     Benchmark benchmark(problem);
-    const ReferenceResult result = compute_reference(benchmark, 0.5, always);
+    const ReferenceResult result = compute_reference(benchmark, 0.5 * sanitizer_slowdown, always);
     ASSERT_TRUE(result.reference) << restitution << ": " << result.reason;
     EXPECT_EQ(result.reference->measure, Measure::Trajectory);
     EXPECT_LT(result.reference->other_gap, 1e-4) << restitution;
@@ -142,7 +143,7 @@ Problem upright_pendulum() {
 TEST(BenchReference, MethodsThatDisagreeGiveNoReferenceAndAReason) {
   const Problem problem = upright_pendulum();
   Benchmark benchmark(problem);
-  const ReferenceResult result = compute_reference(benchmark, 0.5, always);
+  const ReferenceResult result = compute_reference(benchmark, 0.5 * sanitizer_slowdown, always);
   EXPECT_FALSE(result.reference);
   EXPECT_EQ(result.failure, ReferenceResult::Failure::Disagreement);
   EXPECT_NE(result.reason.find(" differ by "), std::string::npos) << result.reason;
@@ -155,7 +156,7 @@ TEST(BenchReference, AMethodThatTakesTooLongIsReplacedByTheNext) {
   for (Index i = 0; i < problem.system.point_count(); ++i) problem.system.point(i).nailed = false;
   ASSERT_EQ(most_accurate_methods(problem).front()->id, "dop853");
   Benchmark benchmark(problem);
-  const ReferenceResult result = compute_reference(benchmark, 0.5, always);
+  const ReferenceResult result = compute_reference(benchmark, 0.5 * sanitizer_slowdown, always);
   EXPECT_NE(result.failure, ReferenceResult::Failure::Interrupted);
   EXPECT_TRUE(result.reference.has_value() != !result.reason.empty());
   if (result.reference) {

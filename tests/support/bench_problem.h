@@ -6,6 +6,7 @@
 #include "sim/divergence.h"
 #include "study/analytic_scenes.h"
 #include "study/work_precision.h"
+#include "support/sanitizer_slowdown.h"
 
 namespace hooke {
 
@@ -29,7 +30,9 @@ inline Problem net_in_motion(double seconds) {
   return problem;
 }
 
-inline Effort small_effort() { return {.repeats = 1, .run_seconds = 0.1, .reference_seconds = 2.0, .finest_error = 1e-9}; }
+inline Effort small_effort() {
+  return {.repeats = 1, .run_seconds = 0.1 * sanitizer_slowdown, .reference_seconds = 2.0, .finest_error = 1e-9};
+}
 
 // The record of every method on a small net, computed once.
 inline const Problem& swept_problem() {

@@ -66,11 +66,29 @@ void NumberList::set(std::size_t i, double number) {
     push_back(number);
     return;
   }
-  if (width_ != Width::Whole && different_.size() == max_different() && !find(number)) drop_unused();
   const std::optional<std::uint16_t> place = find_or_add(number);
   if (width_ == Width::Byte) bytes_[i] = static_cast<std::uint8_t>(*place);
   if (width_ == Width::Short) shorts_[i] = *place;
   if (width_ == Width::Whole) different_[i] = number;
+}
+
+NumberList NumberList::select(std::span<const Index> indices) const {
+  NumberList selected;
+  if (indices.empty()) return selected;
+  const auto select_from = [&](const auto& entries, auto& to) {
+    to.reserve(indices.size());
+    for (const Index i : indices) to.push_back(entries[i]);
+  };
+  selected.width_ = width_;
+  selected.size_ = indices.size();
+  selected.order_ = order_;
+  if (width_ == Width::Byte) select_from(bytes_, selected.bytes_);
+  if (width_ == Width::Short) select_from(shorts_, selected.shorts_);
+  if (width_ == Width::Whole)
+    select_from(different_, selected.different_);
+  else
+    selected.different_ = different_;
+  return selected;
 }
 
 // The numbers that no entry has any more, as while a slider is dragged, if they are at least half.
@@ -96,6 +114,7 @@ std::optional<std::uint16_t> NumberList::find(double number) {
 std::optional<std::uint16_t> NumberList::find_or_add(double number) {
   if (width_ != Width::Whole)
     if (const auto place = find(number)) return place;
+  if (width_ != Width::Whole && different_.size() == max_different()) drop_unused();
   if (width_ != Width::Whole && different_.size() == max_different()) widen();
   if (width_ == Width::Whole) return std::nullopt;
   last_ = static_cast<std::uint16_t>(different_.size());

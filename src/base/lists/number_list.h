@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "base/lists/value_iterator.h"
+#include "base/types.h"
 
 namespace hooke {
 
@@ -43,6 +45,8 @@ class NumberList {
   void push_back(double number);
   void pop_back();
   void set(std::size_t i, double number);
+  // The entries of these indices, in this order.
+  NumberList select(std::span<const Index> indices) const;
 
   // [bytes], of the entries.
   std::size_t bytes() const;

@@ -9,6 +9,7 @@
 #include "batch/bench_report.h"
 #include "batch/output_folder.h"
 #include "cli/commands/bench_capacity.h"
+#include "cli/commands/bench_edits.h"
 #include "cli/commands/bench_kernels.h"
 #include "cli/commands/bench_overhead.h"
 #include "cli/commands/bench_progress.h"
@@ -25,7 +26,7 @@ struct BenchOptions {
   std::vector<std::string> methods;  // ids; empty: all
   std::filesystem::path folder = ".";
   std::filesystem::path report_of;  // results to write a report of, without measuring
-  bool quick = false, quiet = false, scaling = false, kernels = false, capacity = false, overhead = false;
+  bool quick = false, quiet = false, scaling = false, kernels = false, edits = false, capacity = false, overhead = false;
   double error = 1e-3;  // [1], of the cloths of --capacity, relative to their width
   std::string shard = "1/1";
   std::vector<std::filesystem::path> merge;  // folders of parts; empty: measure
@@ -122,6 +123,8 @@ std::function<int()> declare_bench(CLI::App& app) {
       app.add_flag("--kernels", options->kernels,
                    "Measure the limits of this machine and how close the steps of several kinds of cloth come to them instead, and write "
                    "them to kernels.csv"),
+      app.add_flag("--edits", options->edits,
+                   "Measure how long edits of running cloths take to be seen instead, and write it to edits.csv"),
       app.add_flag("--capacity", options->capacity,
                    "Measure the largest cloth that each method steps at 60 frames per second within --error instead, and write it to "
                    "capacity.csv"),
@@ -151,6 +154,7 @@ std::function<int()> declare_bench(CLI::App& app) {
       return bench_overhead(options->folder, options->scenes, methods, options->quick, options->quiet);
     }
     if (options->kernels) return bench_kernels(options->folder, options->quick, options->quiet);
+    if (options->edits) return bench_edits(options->folder, options->quick, options->quiet);
     if (options->scaling) return bench_scaling(options->folder, options->quick, options->quiet);
     if (!options->merge.empty()) return merge_parts(*options);
     return options->report_of.empty() ? bench(*options) : rewrite_report(*options);

@@ -2,6 +2,7 @@
 #include <array>
 #include <map>
 #include <set>
+#include <span>
 
 #include "base/file_limits.h"
 #include "base/finite.h"
@@ -17,27 +18,42 @@ namespace {
 
 bool is_sheet_weight(double sheet_weight) { return sheet_weight >= 0.0 && std::isfinite(sheet_weight); }
 
+template <class Item>
+std::vector<Item> select(const std::vector<Item>& list, std::span<const Index> indices) {
+  std::vector<Item> selected;
+  selected.reserve(indices.size());
+  for (const Index i : indices) selected.push_back(list[i]);
+  return selected;
+}
+SpringList select(const SpringList& list, std::span<const Index> indices) { return list.select(indices); }
+FaceList select(const FaceList& list, std::span<const Index> indices) { return list.select(indices); }
+
 // Inserts each item at its index, indices ascending; no_index and indices beyond the end append.
 template <class List, class Item = typename List::value_type>
-std::vector<Item> merged(const List& list, const std::vector<std::pair<Index, Item>>& inserted) {
-  std::vector<Item> result;
-  result.reserve(list.size() + inserted.size());
+List merged(List list, const std::vector<std::pair<Index, Item>>& inserted) {
+  const auto size = static_cast<Index>(list.size());
+  std::vector<Index> indices;
+  indices.reserve(list.size() + inserted.size());
   auto next = inserted.begin();
-  for (const Item& item : list) {
-    while (next != inserted.end() && next->first == static_cast<Index>(result.size())) result.push_back((next++)->second);
-    result.push_back(item);
+  for (Index i = 0; i < size; ++i) {
+    for (; next != inserted.end() && next->first == static_cast<Index>(indices.size()); ++next)
+      indices.push_back(size + static_cast<Index>(next - inserted.begin()));
+    indices.push_back(i);
   }
-  while (next != inserted.end()) result.push_back((next++)->second);
-  return result;
+  const bool is_appended = next == inserted.begin();
+  for (; next != inserted.end(); ++next) indices.push_back(size + static_cast<Index>(next - inserted.begin()));
+  for (const auto& [at, item] : inserted) list.push_back(item);
+  return is_appended ? list : select(list, indices);
 }
 
 // The items whose flag is not set.
-template <class List, class Item = typename List::value_type>
-std::vector<Item> without(const List& list, const std::vector<bool>& removed) {
-  std::vector<Item> result;
-  for (std::size_t i = 0; i < list.size(); ++i)
-    if (!removed[i]) result.push_back(list[i]);
-  return result;
+template <class List>
+List without(const List& list, const std::vector<bool>& removed) {
+  std::vector<Index> indices;
+  indices.reserve(list.size());
+  for (Index i = 0; i < static_cast<Index>(list.size()); ++i)
+    if (!removed[i]) indices.push_back(i);
+  return select(list, indices);
 }
 
 std::string count_all(std::size_t points, std::size_t springs) {
@@ -141,7 +157,7 @@ Inverse Remove::apply(Scene& scene, Effect& effect) const {
     if (const Index i = system.index_of(id); i != no_index) is_point_removed[i] = true;
   for (const SpringId id : springs)
     if (const Index s = system.index_of(id); s != no_index) is_spring_removed[s] = true;
-  const auto is_removed = [&](PointId id) { return is_point_removed[system.index_of(id)]; };
+  const auto is_removed = [&](PointId id) { return !points.empty() && is_point_removed[system.index_of(id)]; };
 
   for (Index s = 0; s < system.spring_count(); ++s) {
     const Spring& spring = system.springs()[s];

@@ -32,6 +32,19 @@ void FaceList::push_back(const Face& face) {
   for (const double angle : face.rest_angle) rest_angles_.push_back(angle);
 }
 
+FaceList FaceList::select(std::span<const Index> indices) const {
+  FaceList selected;
+  selected.points_.reserve(indices.size());
+  std::vector<Index> angles;
+  angles.reserve(3 * indices.size());
+  for (const Index f : indices) {
+    selected.points_.push_back(points_[f]);
+    for (Index corner = 0; corner < 3; ++corner) angles.push_back(3 * f + corner);
+  }
+  selected.rest_angles_ = rest_angles_.select(angles);
+  return selected;
+}
+
 void FaceList::set_rest_angles(NumberList angles) {
   assert(angles.size() == 3 * size());
   rest_angles_ = std::move(angles);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "base/lists/number_list.h"
@@ -46,6 +47,8 @@ class FaceList {
   void push_back(const Face& face);
   void pop_back() { truncate(size() - 1); }
   void set_points(std::size_t f, const std::array<PointId, 3>& points) { points_[f] = points; }
+  // The faces of these indices, in this order.
+  FaceList select(std::span<const Index> indices) const;
   // [rad], of all faces, those of the corners one after another.
   void set_rest_angles(NumberList angles);
 

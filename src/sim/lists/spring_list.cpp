@@ -45,6 +45,29 @@ void SpringList::set_properties(std::size_t s, const Spring& spring) {
   break_strain_.set(s, spring.break_strain);
 }
 
+SpringList SpringList::select(std::span<const Index> indices) const {
+  SpringList selected;
+  const std::size_t count = indices.size();
+  std::size_t in_place = 0;
+  while (in_place < count && static_cast<std::size_t>(indices[in_place]) == in_place) ++in_place;
+  if (!ids_.empty() || in_place < count) selected.ids_.reserve(count);
+  selected.ends_.reserve(count);
+  selected.families_.reserve(count);
+  for (const Index s : indices) {
+    if (!ids_.empty())
+      selected.ids_.push_back(ids_[s]);
+    else if (in_place < count)
+      selected.ids_.push_back(SpringId{static_cast<std::uint32_t>(s)});
+    selected.ends_.push_back(ends_[s]);
+    selected.families_.push_back(families_[s]);
+  }
+  selected.stiffness_ = stiffness_.select(indices);
+  selected.damping_ = damping_.select(indices);
+  selected.rest_length_ = rest_length_.select(indices);
+  selected.break_strain_ = break_strain_.select(indices);
+  return selected;
+}
+
 std::size_t SpringList::bytes() const {
   return ids_.capacity() * sizeof(SpringId) + ends_.capacity() * sizeof(ends_[0]) + families_.capacity() * sizeof(SpringFamily) +
          stiffness_.bytes() + damping_.bytes() + rest_length_.bytes() + break_strain_.bytes();

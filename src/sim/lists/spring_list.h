@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "base/lists/number_list.h"
@@ -66,6 +67,8 @@ class SpringList {
   void push_back(const Spring& spring);
   // Sets the properties, but neither the id nor the ends nor the family.
   void set_properties(std::size_t s, const Spring& spring);
+  // The springs of these indices, in this order.
+  SpringList select(std::span<const Index> indices) const;
 
   // [bytes], of all springs.
   std::size_t bytes() const;

@@ -97,6 +97,11 @@ constexpr std::array rows{
                .description = "with springs to the second next point, which are not part of the grid",
                .generator = R"(, "bend_stiffness": 100)"},
     KernelCase{.name = "shuffled", .description = "points and springs in random order", .is_shuffled = true},
+    KernelCase{.name = "general graph",
+               .description = "a lattice, which contains no grid",
+               .generator = R"(, "damping": 0)",
+               .is_block = true,
+               .max_size = 128},
     KernelCase{.name = "jelly block", .description = "a lattice with dashpots", .is_block = true, .max_size = 128},
     KernelCase{.name = "blanes_moan4 per evaluation", .method = "blanes_moan4", .unit = KernelUnit::ForceEvaluation, .max_size = 256},
     KernelCase{.name = "runge_kutta4 per evaluation", .method = "runge_kutta4", .unit = KernelUnit::ForceEvaluation, .max_size = 256},
@@ -160,7 +165,8 @@ std::span<const KernelCase> kernel_cases() { return rows; }
 Scene make_kernel_scene(const KernelCase& row, int n, int substeps) {
   const int edge = std::max(2, 6 * n / 32);
   const std::string net =
-      row.is_block ? formatted(R"({"type": "jelly", "columns": %d, "rows": %d, "layers": %d})", edge, edge, edge)
+      row.is_block ? formatted(R"({"type": "jelly", "columns": %d, "rows": %d, "layers": %d%s})", edge, edge, edge,
+                               std::string(row.generator).c_str())
                    : formatted(R"({"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, -1, 0], "points": [%d, %d],
                                    "density": 0.2, "stiffness": 1000, "shear_stiffness": 500, "mass_model": "equal",
                                    "point_radius": 0.004%s%s})",
