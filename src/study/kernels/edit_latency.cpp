@@ -19,10 +19,12 @@ constexpr auto long_enough = std::chrono::seconds(60);
 
 // Away from the nails.
 const Point& point_of(const Scene& scene, int k) {
-  return scene.system.points()[static_cast<std::size_t>(scene.system.point_count() / 2 + k)];
+  const Index at = scene.system.point_count() / 2 + k;
+  return scene.system.points()[at];
 }
 Spring spring_of(const Scene& scene, int k) {
-  return scene.system.springs()[static_cast<std::size_t>(scene.system.spring_count() / 2 + k)];
+  const Index at = scene.system.spring_count() / 2 + k;
+  return scene.system.springs()[at];
 }
 
 constexpr std::array cases{

@@ -147,7 +147,7 @@ void shuffle(Scene& scene) {
   }
   for (const std::size_t from : shuffled(springs.size(), random)) new_springs.push_back(springs[from]);
   scene.system.set_points(std::move(new_points));
-  scene.system.set_springs(std::move(new_springs));
+  scene.system.set_springs(new_springs);
 }
 
 // On its lower edge, just above the floor.
