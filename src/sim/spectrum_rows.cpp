@@ -7,7 +7,7 @@ namespace hooke {
 
 SpectrumRows spectrum_rows(const System& system) {
   SpectrumRows rows{std::vector<double>(system.points().size(), 0.0), std::vector<double>(system.points().size(), 0.0)};
-  double product = 0.0, inverse_root = 0.0;  // of the masses; those of most springs are the same as of the one before
+  double product = 1.0, inverse_root = 1.0;  // of the masses; those of most springs are the same as of the one before
   for (const Spring& spring : system.springs()) {
     const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
     const Point &first = system.points()[i], &second = system.points()[j];

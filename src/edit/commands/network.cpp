@@ -43,7 +43,8 @@ List merged(List list, const std::vector<std::pair<Index, Item>>& inserted) {
   const bool is_appended = next == inserted.begin();
   for (; next != inserted.end(); ++next) indices.push_back(size + static_cast<Index>(next - inserted.begin()));
   for (const auto& [at, item] : inserted) list.push_back(item);
-  return is_appended ? list : select(list, indices);
+  if (is_appended) return list;
+  return select(list, indices);
 }
 
 // The items whose flag is not set.
