@@ -96,7 +96,7 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   const bool was_in_progress = frame_in_progress_;
   if (std::holds_alternative<GoToState>(command) || std::holds_alternative<Replace>(command)) keep_start();
   const History::Of of = known.value_or(changed_by(command));
-  const double before = compute_energy(scene_.system, scene_.state).total();
+  const double before = energy_.total();
   const std::string value = value_before(command, scene_);
   Effect effect;
   std::vector<Command> inverse = apply(scene_, command, effect);

@@ -88,6 +88,11 @@ class Lab {
   // that a slow scene runs slower.
   void advance(double real_seconds, const std::function<bool()>& should_continue);
 
+  // Applies the queue and publishes, without computing anything: what is due is left to `advance`.
+  void show_edits(double real_seconds);
+  // Whether edits wait for the end of the frame in progress, so that a stream of them does not stop the clock.
+  bool must_wait_for_frame() const;
+
   // Real time until the next frame is due while running; zero for a frame in progress.
   std::chrono::duration<double> time_to_next_frame() const;
 
@@ -134,7 +139,6 @@ class Lab {
 
  private:
   void apply_queue();
-  bool must_wait_for_frame() const;
   void check_divergence();
   void handle(const Control& control, Gesture gesture);
   // `name`: in the history; without one the command's own.
@@ -190,7 +194,7 @@ class Lab {
   bool must_finish_frame_ = false;               // an edit discarded the previous frame
   std::vector<Command> held_edits_;              // applied while a frame that they do not affect is in progress; recorded after it
   State next_;                                   // result of the frame in progress
-  Energy energy_;                                // of the last frame that did not diverge
+  Energy energy_;                                // of the scene
   std::optional<Divergence> divergence_;         // of the last frame, until it is resolved
   bool was_unstable_ = false;                    // its step was beyond the limit of the method
   std::shared_ptr<const State> before_failure_;  // a recorded state from before its energy grew; null: none

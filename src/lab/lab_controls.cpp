@@ -76,7 +76,7 @@ void Lab::handle(const Control& control, Gesture gesture) {
     playback_.stop();
     keep_start();
     drop_frame();
-    const double before = compute_energy(scene_.system, scene_.state).total();
+    const double before = energy_.total();
     const Effect effect = history_.go_to(done, scene_);
     update_plan(effect);
     record_edit_energy(scene_.system, effect.invalidates_frame() ? energy_.total() - before : 0.0, scene_.state);

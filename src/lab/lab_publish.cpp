@@ -1,4 +1,4 @@
-// What a Lab publishes once per frame.
+// What a Lab publishes: once per frame, and with an edit.
 #include <algorithm>
 #include <limits>
 
@@ -87,6 +87,15 @@ TimelineStatus Lab::timeline_status() const {
   return {.start = timeline.empty() ? now : timeline.first_time(),
           .end = timeline.empty() ? now : timeline.last_time(),
           .traces = frame_history_.traces()};
+}
+
+void Lab::show_edits(double real_seconds) {
+  apply_queue();
+  if (running_) {
+    frame_pacer_.accumulate(real_seconds, scene_.settings.speed);
+    frame_pacer_.update_speed(real_seconds, 0.0, 1.0 / scene_.settings.frame_rate);
+  }
+  publish();
 }
 
 void Lab::publish() {

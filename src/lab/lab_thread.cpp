@@ -94,9 +94,10 @@ SpringId LabThread::new_spring_id() {
 void LabThread::work() {
   auto last = Clock::now(), due = last;  // due: when the next frame is
   long taken_count = 0;
+  bool showed = false;  // an edit, without computing
   while (!stopping_) {
     std::vector<Task> tasks;
-    bool show_at_once = false;  // an edit, after one substep of a frame that may be long
+    bool is_urgent = false;
     {
       std::unique_lock lock(mutex_);
       const auto has_work = [this] { return stopping_ || !tasks_.empty(); };
@@ -106,7 +107,7 @@ void LabThread::work() {
         posted_.wait(lock, has_work);
       if (stopping_) return;
       tasks = std::exchange(tasks_, {});
-      show_at_once = urgent_.exchange(false);
+      is_urgent = urgent_.exchange(false);
     }
 
     // paused time does not count
@@ -114,7 +115,13 @@ void LabThread::work() {
     const double elapsed = lab_.status()->run.running ? std::chrono::duration<double>(now - last).count() : 0.0;
     last = now;
     for (const Task& task : tasks) task(lab_);
-    lab_.advance(elapsed, [&] { return !stopping_ && !urgent_ && !show_at_once && Clock::now() - now < max_publish_interval; });
+    // An edit is shown before anything is computed, for a substep of a large net takes long. If others follow at once, a substep is
+    // computed before each of them.
+    showed = is_urgent && !showed && !lab_.must_wait_for_frame();
+    if (showed)
+      lab_.show_edits(elapsed);
+    else
+      lab_.advance(elapsed, [&] { return !stopping_ && !urgent_ && !is_urgent && Clock::now() - now < max_publish_interval; });
 
     {
       const std::lock_guard lock(mutex_);

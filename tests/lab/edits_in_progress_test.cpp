@@ -54,6 +54,25 @@ TEST(MovingHand, DoesNotCopyTheSystem) {
   }
 }
 
+TEST(ShownEdits, ComputeNothingAndTheTimeIsMadeUpForLater) {
+  Lab lab(hanging_sheet()), late(hanging_sheet());
+  for (Lab* each : {&lab, &late}) {
+    each->submit(SetRunning{true});
+    each->advance(frame_time, no_deadline);
+  }
+  const auto before = lab.status();
+  lab.submit(SetParameter{find_parameter("drag"), 3.0});
+  lab.show_edits(frame_time);
+  EXPECT_EQ(lab.status()->snapshot->system->drag, 3.0);
+  EXPECT_EQ(lab.status()->run.frames, before->run.frames);
+  EXPECT_EQ(hash_state(lab.status()->snapshot->state), hash_state(before->snapshot->state));
+  lab.advance(0.0, no_deadline);
+  late.submit(SetParameter{find_parameter("drag"), 3.0});
+  late.advance(frame_time, no_deadline);
+  EXPECT_EQ(lab.status()->run.frames, before->run.frames + 1);
+  EXPECT_EQ(hash_state(lab.scene().state), hash_state(late.scene().state));
+}
+
 TEST(Status, ReadsParametersOnlyAfterAnEdit) {
   Lab lab(hanging_sheet());
   lab.submit(SetRunning{true});

@@ -72,6 +72,19 @@ TEST(LabThread, RespondsWhileAFrameTakesLong) {
   EXPECT_EQ(lab.status()->run.frames, 0);
 }
 
+TEST(LabThread, ComputesFramesDuringAStreamOfEdits) {
+  Scene scene = rope(2000);
+  scene.settings.substeps = 20;
+  LabThread lab(std::move(scene));
+  lab.submit(SetRunning{true});
+  const auto end = std::chrono::steady_clock::now() + 30s;
+  for (int i = 0; lab.status()->run.frames < 3 && std::chrono::steady_clock::now() < end; ++i) {
+    lab.submit(Command(SetParameter{find_parameter("drag"), 1.0 + i % 2}));
+    std::this_thread::sleep_for(20us);  // less than an edit takes, so that there is always another one
+  }
+  EXPECT_GE(lab.status()->run.frames, 3);
+}
+
 TEST(LabThread, IsIdleWhilePausedWithoutCatchingUpAfterwards) {
   LabThread lab(rope(5));
   const auto status = lab.status();
