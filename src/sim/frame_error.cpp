@@ -18,6 +18,9 @@ namespace {
 
 bool has_surface_contact(const System& system) { return system.contact.faces || system.contact.springs; }
 
+// Whether something is done once per substep, whatever the tolerance of a method that adapts its step.
+bool acts_once_per_substep(const System& system) { return has_surface_contact(system) || system.strain_limit > 0.0; }
+
 }  // namespace
 
 int effective_order(const System& system, const Integrator& method) {
@@ -43,8 +46,9 @@ Settings refined(const System& system, const Settings& settings) {
     return fine;
   }
   // a tolerance that is set applies to contact too, where a tighter one is expensive: friction is of first order. Contact of faces and
-  // springs is resolved once per step, which has to be halved: by its upper limit, or by this tolerance for a method of order 8
-  const bool halves = has_surface_contact(system);
+  // springs is resolved once per step, which has to be halved: by its upper limit, or by this tolerance for a method of order 8; the strain
+  // limit is imposed once per substep
+  const bool halves = acts_once_per_substep(system);
   if (halves) fine.substeps *= 2;
   const double tighter = halves ? 1.0 / 256.0 : has_contact(system) ? 0.1 : 1e-3;
   constexpr double min = 1e-15;
@@ -53,8 +57,11 @@ Settings refined(const System& system, const Settings& settings) {
 }
 
 double refinement_weight(const System& system, const Settings& settings) {
-  if (settings.integrator->stability == Stability::Adaptive && !has_surface_contact(system)) return 1.0;
+  const bool adapts = settings.integrator->stability == Stability::Adaptive;
+  if (adapts && !acts_once_per_substep(system)) return 1.0;
+  constexpr int limit_order = 1;
   int order = effective_order(system, *settings.integrator);
+  if (adapts && system.strain_limit > 0.0) order = limit_order;
   for (const IslandSteps& steps : settings.islands) order = std::min(order, effective_order(system, *steps.integrator));
   const double factor = std::ldexp(1.0, order);
   return factor / (factor - 1.0);

@@ -15,7 +15,7 @@ struct FrameError {
 };
 
 // The settings of the repetition: half the step; for a method that adapts its step a thousandth of the tolerance, with contact a tenth, and
-// with contact of faces or springs half of the longest step and 2^-8 of the tolerance; for `auto` a tenth.
+// with contact of faces or springs, or a strain limit, half of the longest step and 2^-8 of the tolerance; for `auto` a tenth.
 Settings refined(const System& system, const Settings& settings);
 
 // The order of the positions on this scene: the lowest of those that apply to what it contains.

@@ -355,6 +355,32 @@ TEST(AccuracyMeter, HalfTheErrorCostsAsMuchAsReported) {
   }
 }
 
+// A point falls until its spring may not become longer, once per substep: the tolerance of an adaptive method does not apply to that.
+TEST(AccuracyMeter, AStrainLimitIsPartOfTheErrorOfEveryMethod) {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0, -9.81, 0.0);
+  const PointId nail = sim.nail(Vec3(0.0)), point = sim.add({1.0, 0.0, 0.0});
+  sim.join(nail, point, 20.0, 1.0);
+  sim.system.strain_limit = 0.1;
+  for (const char* id : {"dop853", "velocity_verlet", "runge_kutta4"})
+    for (const int substeps : {1, 4}) {
+      Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator(id), .substeps = substeps}));
+      Lab exact(scene_of(sim, {.integrator = find_integrator("runge_kutta4"), .substeps = 2048}), KeepStart::No);
+      for (int frame = 0; frame < 60; ++frame) {
+        ASSERT_TRUE(lab.step());
+        ASSERT_TRUE(exact.step());
+      }
+      const double error = distance(lab.scene().state, exact.scene().state);
+      const Accuracy accuracy = lab.accuracy();
+      ASSERT_TRUE(accuracy.accumulated.value) << id << " " << accuracy.accumulated.reason;
+      EXPECT_GT(*accuracy.accumulated.value, error / 3.0) << id << " " << substeps;
+      EXPECT_LT(*accuracy.accumulated.value, 3.0 * error) << id << " " << substeps;
+      if (lab.scene().settings.integrator->stability == Stability::Adaptive) {
+        EXPECT_EQ(accuracy.half_error_reason, "the strain limit is imposed once per substep, whatever the tolerance");
+      }
+    }
+}
+
 // Balls that hit each other and obstacles: their impacts happen at other times with another step, and steps by the order of the method, 2,
 // do not halve the error. Sums of the errors of all measured frames.
 TEST(AccuracyMeter, WhereThingsTouchHalfTheErrorCostsWhatWasMeasured) {

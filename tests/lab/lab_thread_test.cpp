@@ -8,6 +8,7 @@
 
 #include "scene/parameters.h"
 #include "sim/hash.h"
+#include "support/sanitizer_slowdown.h"
 #include "support/test_sim.h"
 
 namespace hooke {
@@ -80,7 +81,7 @@ TEST(LabThread, ComputesFramesDuringAStreamOfEdits) {
   const auto end = std::chrono::steady_clock::now() + 30s;
   for (int i = 0; lab.status()->run.frames < 3 && std::chrono::steady_clock::now() < end; ++i) {
     lab.submit(Command(SetParameter{find_parameter("drag"), 1.0 + i % 2}));
-    std::this_thread::sleep_for(20us);  // less than an edit takes, so that there is always another one
+    std::this_thread::sleep_for(20us * sanitizer_slowdown);  // less than an edit takes, so that there is always another one
   }
   EXPECT_GE(lab.status()->run.frames, 3);
 }

@@ -71,7 +71,9 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   // the order depends on every spring: determined again only when it may have changed
   if (is_started_now || is_edited_ || method_ != settings.integrator) {
     order_ = effective_order(system, *settings.integrator);
-    touches_ = (has_contact(system) || system.contact.any()) && settings.integrator->stability != Stability::Adaptive;
+    const bool adapts = settings.integrator->stability == Stability::Adaptive;
+    is_limited_ = system.strain_limit > 0.0;
+    touches_ = (has_contact(system) || system.contact.any() || is_limited_) && !adapts;
     refinement_.reset();
     repetitions_ = 0;
   }
@@ -179,10 +181,14 @@ void AccuracyMeter::measure_half_error(const Settings& settings, Accuracy& accur
   accuracy.half_error_reason = "no frame yet";
   if (!is_started_) return;
   double order = order_;
+  if (is_limited_ && settings.integrator->stability == Stability::Adaptive) {
+    accuracy.half_error_reason = "the strain limit is imposed once per substep, whatever the tolerance";
+    return;
+  }
   if (touches_) {
     accuracy.half_error_reason = "not measured yet";
     if (!refinement_) return;
-    accuracy.half_error_reason = "where things touch, half the step does not halve the error";
+    accuracy.half_error_reason = "half the step does not halve the error here";
     if (!(refinement_->by_half >= std::exp2(min_order) * refinement_->by_quarter)) return;
     if (refinement_->by_quarter > 0.0) order = std::min(order, std::log2(refinement_->by_half / refinement_->by_quarter));
   }
