@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <thread>
 
+#include "base/errors.h"
 #include "base/option_error.h"
+#include "base/printable.h"
 #include "batch/bench.h"
 #include "formats/scene_file.h"
 #include "sim/automatic/automatic.h"
@@ -13,6 +15,7 @@ namespace hooke {
 std::vector<std::string> shipped_scene_ids() {
   std::vector<std::string> ids;
   for (const ShippedScene& shipped : shipped_scenes()) ids.push_back(shipped.id);
+  if (ids.empty()) throw FileError(printable((assets_folder() / "scenes").native()) + ": no scenes found");
   return ids;
 }
 

@@ -8,7 +8,7 @@
 
 namespace hooke {
 
-// The ids of all shipped scenes.
+// The ids of all shipped scenes. Throws FileError if there are none.
 std::vector<std::string> shipped_scene_ids();
 
 // The hard cases with these numbers; all if there are none. Throws UsageError.

@@ -6,7 +6,6 @@
 
 #include "sim/automatic/automatic.h"
 #include "sim/energy.h"
-#include "sim/forces/force_term.h"
 #include "sim/frame_error.h"
 #include "sim/integrator.h"
 #include "sim/plan_energy.h"
@@ -18,9 +17,10 @@ double unexplained_energy(const System& system, const State& state) {
   return compute_energy(system, state).total() - state.ledger.net_input;
 }
 
-bool has_dissipative_force(const System& system) {
-  return std::ranges::any_of(system.forces,
-                             [](const Force& force) { return force.on && force.term->power != nullptr && force.depends_on_velocity(); });
+// [J], at most, in a frame by contact and forces. What colliders and forces do is part of the supplied energy, up to an error no larger
+// than that; what contact with obstacles at rest dissipates is not.
+double booked_dissipation(const Motion& motion) {
+  return 2.0 * std::abs(motion.contact_work) + std::abs(motion.collider_work) + std::abs(motion.force_work - motion.reversible_work);
 }
 
 std::string clause(const char* pattern, double value) {
@@ -62,7 +62,6 @@ double RunMonitor::modified_change(Reference& since, double energy, const Plan& 
 
 void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const System& system, const State& state, const Motion& motion) {
   ++frames_;
-  is_dissipative_ = is_dissipative_ || motion.contact_work != 0.0 || motion.collider_work != 0.0 || has_dissipative_force(system);
   // `auto` has an estimate for every frame
   if (state.memory.choice) estimated_error_ += state.memory.choice->ratio * state.memory.choice->target;
   unconverged_solves_ += motion.unconverged_solves;
@@ -70,6 +69,7 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   const double energy = energies.total() - state.ledger.net_input;
   scale_ = state.ledger.scale;
   max_dissipated_ += max_dissipation(plan.spectrum, scale_, std::max(kinetic_, energies.kinetic), 1.0 / settings.frame_rate);
+  max_dissipated_ += booked_dissipation(motion);
   kinetic_ = energies.kinetic;
   if (energy - lowest_.energy > largest_rise_)
     largest_rise_ = std::max(largest_rise_, modified_change(lowest_, energy, plan, settings, state));
@@ -80,7 +80,7 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   }
   // a rise is reported above, and what the scene may dissipate is no error
   constexpr double min_loss = 0.01;  // of the supplied energy
-  const bool is_loss = start_.energy - energy > min_loss * scale_ + max_dissipated_ && !is_dissipative_;
+  const bool is_loss = start_.energy - energy > min_loss * scale_ + max_dissipated_;
   change_ = is_loss ? modified_change(start_, energy, plan, settings, state) : energy - start_.energy;
 }
 
@@ -89,7 +89,7 @@ std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const 
   if (unconverged_solves_ > 0)
     warnings.push_back(std::to_string(unconverged_solves_) + (unconverged_solves_ == 1 ? " solve" : " solves") + " did not converge");
   // a run that loses most of its energy may gain some in between
-  const double rise = energy_rise(), loss = is_dissipative_ ? 0.0 : -change_ - max_dissipated_;
+  const double rise = energy_rise(), loss = -change_ - max_dissipated_;
   if (rise > tolerance.energy && rise * scale_ >= loss)
     warnings.push_back(clause("energy balance off by %.2g %% of the energy supplied (gain)", 100.0 * rise));
   else if (loss > tolerance.energy * scale_)

@@ -58,8 +58,7 @@ class RunMonitor {
 
   Reference start_, lowest_;
   double kinetic_;                            // [J], after the last frame
-  double max_dissipated_ = 0.0;               // [J], by drag and dashpots so far, a bound
-  bool is_dissipative_ = false;               // whether contact or forces may have dissipated energy
+  double max_dissipated_ = 0.0;               // [J], by drag, dashpots, contact and forces so far, a bound
   double largest_rise_ = 0.0, change_ = 0.0;  // [J]
   Motion motion_;                             // scratch
   double scale_;                              // [J]

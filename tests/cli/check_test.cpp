@@ -5,10 +5,12 @@
 #include <signal.h>
 
 #include <chrono>
+#include <filesystem>
 #include <sstream>
 #include <thread>
 
 #include "support/process.h"
+#include "support/scratch_folder.h"
 
 namespace hooke {
 namespace {
@@ -39,6 +41,18 @@ TEST(Check, AnUnexpectedFailureIsCodeOne) {
   const Outcome outcome = check({"--hard", "--cases", "9", "--methods", "implicit_euler", "--strict"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_NE(outcome.out.find("! 9 Resonance, implicit_euler: failed openly, expected to hold"), std::string::npos) << outcome.out;
+}
+
+// An installation that has lost its scenes has nothing to check.
+TEST(Check, WithoutShippedScenesFails) {
+  const ScratchFolder scratch;
+  const std::filesystem::path program = scratch.folder / "bin/hooke-headless";
+  std::filesystem::create_directories(program.parent_path());
+  std::filesystem::create_directories(scratch.folder / "share/hooke/scenes");
+  std::filesystem::copy_file(HOOKE_HEADLESS, program);
+  const Outcome outcome = run_process({program.string(), "check"});
+  EXPECT_EQ(outcome.code, 5);
+  EXPECT_NE(outcome.err.find("scenes: no scenes found"), std::string::npos) << outcome.err;
 }
 
 TEST(Check, CasesAndMethodsCanBeChosenAndWrittenAsJson) {

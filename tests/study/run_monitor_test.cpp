@@ -250,24 +250,43 @@ TEST(RunMonitor, DoesNotCallThePushOutOfAColliderAgainstAForceAGain) {
 }
 
 // A pendulum under a method that damps it by two thirds, in a scene that hardly dissipates anything.
-TEST(RunMonitor, WarnsAboutALossThatIsNotThatOfDragDashpotsOrContact) {
-  const auto loss_of = [](double drag, double damping, bool has_floor) {
+TEST(RunMonitor, WarnsAboutALossThatIsNotThatOfDragDashpotsContactOrForces) {
+  const auto loss_with = [](const auto& add) {
     TestNetwork network;
-    network.join(network.nail(Vec3(0.0)), network.add({1.0, 0.0, 0.0}), 1e4, 1.0, damping);
-    network.system.drag = drag;
-    if (has_floor) network.system.colliders = {{.shape = Plane{.point = {0.0, -100.0, 0.0}}}};
+    const SpringId spring = network.join(network.nail(Vec3(0.0)), network.add({1.0, 0.0, 0.0}), 1e4, 1.0);
+    add(network, spring);
     initialize_ledger(network.system, network.state);
     MonitoredRun run(network, {.integrator = find_integrator("implicit_euler"), .substeps = 1});
     run.run(4.0);
     const auto warnings = run.monitor().warnings({});
     return warnings.empty() ? std::string() : warnings.front();
   };
-  const std::string without = loss_of(0.0, 0.0, false);
+  const auto add_floor = [](TestNetwork& network) { network.system.colliders = {{.shape = Plane{.point = {0.0, -1.5, 0.0}}}}; };
+  const std::string without = loss_with([](TestNetwork&, SpringId) {});
   EXPECT_NE(without.find("(loss)"), std::string::npos) << without;
-  EXPECT_EQ(loss_of(1e-9, 0.0, false), without);
-  EXPECT_EQ(loss_of(0.0, 1e-9, false), without);
-  EXPECT_EQ(loss_of(0.0, 0.0, true), without);
-  EXPECT_EQ(loss_of(1.0, 0.0, false), "");
+  EXPECT_EQ(loss_with([](TestNetwork& network, SpringId) { network.system.drag = 1e-9; }), without);
+  EXPECT_EQ(
+      loss_with([](TestNetwork& network, SpringId spring) { network.system.spring(network.system.index_of(spring))->damping = 1e-9; }),
+      without);
+  EXPECT_EQ(loss_with([&](TestNetwork& network, SpringId) { add_floor(network); }), without);
+  EXPECT_EQ(loss_with([](TestNetwork& network, SpringId) {
+              network.system.forces = {force_with("wind", {{"x", 0.0}, {"z", 0.0}, {"normal", 1e-12}})};
+            }),
+            without);
+  EXPECT_EQ(loss_with([](TestNetwork& network, SpringId) {
+              network.system.forces = {force_with("mass_center", {{"stiffness", 0.0}, {"damping", 1e-12}})};
+            }),
+            without);
+  const std::string with_grain = loss_with([&](TestNetwork& network, SpringId) {
+    add_floor(network);
+    network.add({1.5, -1.4, 0.0}, 1e-9);  // lands on the floor
+  });
+  EXPECT_NE(with_grain.find("(loss)"), std::string::npos) << with_grain;
+  EXPECT_EQ(loss_with([](TestNetwork& network, SpringId) { network.system.drag = 1.0; }), "");
+  EXPECT_EQ(loss_with([](TestNetwork& network, SpringId) {
+              network.system.forces = {force_with("mass_center", {{"stiffness", 0.0}, {"damping", 5.0}})};
+            }),
+            "");
 }
 
 // A free point that loses nearly all of its energy, and gains some in between.
