@@ -54,6 +54,18 @@ std::optional<std::string> crossing_warning(const System& system, const State& s
          ": they do not touch until they are apart";
 }
 
+std::optional<std::string> loose_point_warning(const System& system) {
+  const SurfacePlan plan = plan_surface(system);
+  if (!plan.on) return std::nullopt;
+  std::vector<char> is_loose(system.points().size(), 1);
+  for (const Index i : plan.points) is_loose[i] = 0;
+  const auto count = std::ranges::count(is_loose, 1);
+  if (count == 0) return std::nullopt;
+  const auto first = std::ranges::find(is_loose, 1) - is_loose.begin();
+  return "contact: " + std::to_string(count) + (count == 1 ? " point is" : " points are") +
+         " on none of the springs and faces that touch each other, such as point " + std::to_string(first) + ": they pass through those";
+}
+
 std::optional<std::string> thickness_warning(const System& system) {
   const SurfacePlan plan = plan_surface(system);
   const double given = system.contact.thickness;

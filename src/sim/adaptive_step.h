@@ -29,6 +29,8 @@ struct ErrorScale {
 // shorter. Friction, which is of first order, makes this expensive: without a tolerance, contact is resolved once per step.
 class AdaptiveStep {
  public:
+  // Of the coming frames.
+  void limit_evaluations(long max) { max_evaluations_ = max; }
   // Once a frame; a step never allocates.
   void begin_frame(const Plan& plan, const Motion& motion);
   // Advances the motion by one step of at most `interval` [s], to the end of the substep, with contacts and, at that end, the strain
@@ -36,9 +38,9 @@ class AdaptiveStep {
   double advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval);
   // Whether contact or the strain limit moved points in the last step.
   bool was_corrected() const { return was_corrected_; }
-  // Whether one of the limits of the frame above is reached.
+  // Whether one of the limits of the frame is reached.
   bool is_at_limit(const Motion& motion) const {
-    return motion.force_evaluations >= max_adaptive_evaluations || surface_steps_ >= max_adaptive_surface_steps;
+    return motion.force_evaluations >= max_evaluations_ || surface_steps_ >= max_adaptive_surface_steps;
   }
   bool has_too_many_pairs() const { return before_.has_too_many_pairs() || piece_.has_too_many_pairs(); }
 
@@ -53,6 +55,7 @@ class AdaptiveStep {
   bool ends_free_ = false;    // whether nothing touched in its last part
   double free_step_ = 0.0;    // [s], step before the impact to which the last step led; 0: it led to none
   bool was_corrected_ = false;
+  long max_evaluations_ = max_adaptive_evaluations;
   long surface_steps_ = 0;  // of the frame, with contact of faces or springs
 };
 

@@ -51,6 +51,8 @@ class Frame {
   // Indices in the System of springs that broke, in ascending order: the caller removes them.
   std::span<const Index> broken() const { return broken_; }
 
+  // Of a method that adapts its step, for the coming frames: fewer than max_adaptive_evaluations.
+  void limit_evaluations(long max) { adaptive_step_.limit_evaluations(max); }
   long force_evaluations() const { return motion_.force_evaluations; }
   long factorizations() const { return motion_.factorizations; }
   // All cost counters, and the method's own error estimate.

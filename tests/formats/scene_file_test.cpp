@@ -73,6 +73,20 @@ TEST(SceneFile, FacesThatTouchAndPassThroughEachOtherAreReported) {
             std::vector<std::string>{"test.json: contact.faces: faces touch in scenes of 3 dimensions only: this one has 2"});
 }
 
+TEST(SceneFile, PointsThatPassThroughSpringsAndFacesAreReported) {
+  const auto warnings = [](const std::string& contact, const std::string& spring) {
+    return warnings_of(
+        R"({"hooke": 1, "points": [{"position": [-1, 0, 0]}, {"position": [1, 0, 0]}, {"position": [0, 1, 0], "radius": 0.1}],
+                        "springs": [{"points": [0, 1]})" +
+        spring + R"(], "contact": )" + contact + "}");
+  };
+  const std::vector<std::string> reported{
+      "test.json: contact: 1 point is on none of the springs and faces that touch each other, such as point 2: they pass through those"};
+  EXPECT_EQ(warnings(R"({"points": true, "springs": true})", ""), reported);
+  EXPECT_TRUE(warnings(R"({"points": true, "springs": true})", R"(, {"points": [1, 2]})").empty());
+  EXPECT_TRUE(warnings(R"({"points": true})", "").empty());
+}
+
 TEST(SceneFile, AThicknessThatFacesCannotHaveIsReported) {
   const auto warnings = [](const std::string& thickness) {
     return warnings_of(R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, 0, 1],

@@ -38,6 +38,18 @@ TEST(AdaptiveStep, GivesUpWhenAFrameTakesTooManyForceEvaluations) {
   }
 }
 
+TEST(AdaptiveStep, GivesUpAtALowerLimitToo) {
+  constexpr long limit = 5'000;
+  TestSim sim = overdamped(1e9);
+  Plan plan = make_plan(sim.system);
+  Frame frame;
+  frame.limit_evaluations(limit);
+  frame.begin(plan, sim.system, {.integrator = &dop853, .substeps = 1}, sim.state);
+  while (!frame.done()) frame.substep(plan);
+  EXPECT_EQ(frame.failure(), StepFailure::TooMany);
+  EXPECT_NEAR(static_cast<double>(frame.force_evaluations()), static_cast<double>(limit), 100.0);
+}
+
 // Contact of faces costs far more than the forces, and is part of every step.
 TEST(AdaptiveStep, GivesUpWhenAFrameTakesTooManyStepsWithContactOfFaces) {
   TestSim sim;

@@ -72,8 +72,9 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   if (is_started_now || is_edited_ || method_ != settings.integrator) {
     order_ = effective_order(system, *settings.integrator);
     const bool adapts = settings.integrator->stability == Stability::Adaptive;
-    is_limited_ = system.strain_limit > 0.0;
-    touches_ = (has_contact(system) || system.contact.any() || is_limited_) && !adapts;
+    const bool is_corrected = has_contact(system) || system.contact.any() || system.strain_limit > 0.0;
+    touches_ = is_corrected && !adapts;
+    ignores_tolerance_ = is_corrected && adapts;
     refinement_.reset();
     repetitions_ = 0;
   }
@@ -82,14 +83,16 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   max_kinetic_ = std::max(max_kinetic_, kinetic_energy(system, after));
 
   ++frames_since_repetition_;
-  const bool is_due = !repetition_.result() || frames_since_repetition_ >= (is_edited_ ? period_after_edit : repetition_period);
+  const bool is_first = !repetition_.result() && !repetition_.has_failed();
+  const bool is_due = is_first || frames_since_repetition_ >= (is_edited_ ? period_after_edit : repetition_period);
   if (is_due && !repetition_.is_in_progress()) {
-    repetition_.begin(plan, system, settings, before, after, energy, touches_ && repetitions_++ % order_period == 0);
+    repetition_.begin(plan, system, settings, before, after, energy, motion.force_evaluations,
+                      touches_ && repetitions_++ % order_period == 0);
     energy_.begin_repetition();
     frames_since_repetition_ = 0;
     is_edited_ = false;
   }
-  if (mode_ == AccuracyMode::Full) second_runs_.add_frame(plan, system, settings, before, after);
+  if (mode_ == AccuracyMode::Full) second_runs_.add_frame(plan, system, settings, before, after, motion.force_evaluations);
 }
 
 void AccuracyMeter::repeat(const System& system) {
@@ -107,7 +110,9 @@ void AccuracyMeter::repeat(const System& system) {
 void AccuracyMeter::measure_frame(Accuracy& accuracy) const {
   const auto& result = repetition_.result();
   std::string_view reason;
-  if (!is_started_ || !result)
+  if (is_started_ && repetition_.has_failed())
+    reason = "with half the step, or a smaller tolerance, this frame fails or takes too long";
+  else if (!is_started_ || !result)
     reason = "not measured yet";
   else if (is_edited_)
     reason = "not yet measured since the last edit";
@@ -138,6 +143,8 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
   } else {
     if (!is_started_ || !error)
       accuracy.accumulated.reason = "not measured yet";
+    else if (second_runs_.failed())
+      accuracy.accumulated.reason = "the run with half the step, or a smaller tolerance, failed or took too long";
     else if (second_runs_.diverged())
       accuracy.accumulated.reason = "the run with half the step diverged";
     else if (is_chaotic && error->rms > max_error * size_)
@@ -181,8 +188,8 @@ void AccuracyMeter::measure_half_error(const Settings& settings, Accuracy& accur
   accuracy.half_error_reason = "no frame yet";
   if (!is_started_) return;
   double order = order_;
-  if (is_limited_ && settings.integrator->stability == Stability::Adaptive) {
-    accuracy.half_error_reason = "the strain limit is imposed once per substep, whatever the tolerance";
+  if (ignores_tolerance_) {
+    accuracy.half_error_reason = "contact and the strain limit hardly depend on the tolerance";
     return;
   }
   if (touches_) {

@@ -48,11 +48,11 @@ class AccuracyMeter {
 
   AccuracyMode mode_ = AccuracyMode::Off;
   bool is_started_ = false;
-  bool is_edited_ = false;   // since the last repeated frame
-  double size_ = 1.0;        // [m]
-  int order_ = 1;            // of the method on this scene
-  bool is_limited_ = false;  // whether there is a strain limit
-  bool touches_ = false;     // whether something may touch there, or a strain limit act: then the order is measured
+  bool is_edited_ = false;  // since the last repeated frame
+  double size_ = 1.0;       // [m]
+  int order_ = 1;           // of the method on this scene
+  // Whether something may touch there, or a strain limit act: then the order is measured, or unknown for a method that adapts its step.
+  bool touches_ = false, ignores_tolerance_ = false;
   // [m], sums over repeated frames, older ones with less weight
   std::optional<FrameRefinement> refinement_;
   int repetitions_ = 0;  // since the order was determined

@@ -5,8 +5,9 @@
 namespace hooke {
 
 void FrameRepetition::begin(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after,
-                            double energy, bool measures_order) {
+                            double energy, long evaluations, bool measures_order) {
   run_.set_plan(plan);
+  run_.limit_cost(evaluations);
   run_.start(before);
   const Repetition repetition = repetition_of(plan, system, settings);
   run_.begin_frame(system, repetition.settings, before.time, before.hand);
@@ -30,7 +31,8 @@ void FrameRepetition::substep(const System& system) {
     return;
   }
   result_.reset();
-  if (run_.failed()) return;
+  has_failed_ = run_.failed();
+  if (has_failed_) return;
   result_ = Result{.error = weighted_distance(end_, run_.state().position, weight_),
                    .time = time_,
                    .numerical_gain = weight_ * (energy_ - compute_energy(system, run_.state()).total())};
@@ -44,6 +46,7 @@ void FrameRepetition::substep(const System& system) {
 void FrameRepetition::reset() {
   cancel();
   result_.reset();
+  has_failed_ = false;
 }
 
 }  // namespace hooke

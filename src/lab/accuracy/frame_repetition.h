@@ -23,24 +23,26 @@ class FrameRepetition {
     std::optional<FrameRefinement> refinement{};  // if it was asked for
   };
 
-  // The frame that led from `before` to `after`, whose energy is `energy` [J]; `plan` is that of `system`.
+  // The frame that led from `before` to `after` by `evaluations` of the forces; `energy` [J] is that of `after`, `plan` that of `system`.
   void begin(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after, double energy,
-             bool measures_order);
-  // Computes a substep; with the last one there is a result, unless the method found no step.
+             long evaluations, bool measures_order);
+  // Computes a substep; with the last one there is a result, unless the method found no step, or took too many.
   void substep(const System& system);
   bool is_in_progress() const { return run_.is_in_frame(); }
   // Abandons the repetition in progress: the System is not the same any more.
   void cancel() { run_.stop(); }
   void reset();
 
-  // Of the last repetition; none before the first one, or if its method found no step.
+  // Of the last repetition; none before the first one, or if that failed.
   const std::optional<Result>& result() const { return result_; }
+  bool has_failed() const { return has_failed_; }
 
  private:
   ShadowRun run_;
   std::vector<Vec3> end_;
   double weight_ = 1.0, time_ = 0.0, energy_ = 0.0;
   std::optional<Result> result_;
+  bool has_failed_ = false;
   std::optional<State> before_;  // of a frame that is to be repeated with a quarter of the step, too
   Settings quarter_;
   std::optional<double> by_half_;  // [m], while it is

@@ -31,7 +31,7 @@ void SecondRuns::restart(double size) {
   size_ = size;
   is_new_ = true;
   inputs_.clear();
-  refined_.is_on = perturbed_.is_on = diverged_ = false;
+  refined_.is_on = perturbed_.is_on = diverged_ = failed_ = false;
   is_full_ = false;
   error_.reset();
   growth_.reset();
@@ -64,7 +64,8 @@ void SecondRuns::perturb(const System& system, const State& state, double frame)
   measured_frames_ = 0;
 }
 
-void SecondRuns::add_frame(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after) {
+void SecondRuns::add_frame(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after,
+                           long evaluations) {
   const std::size_t bytes = inputs_.size() * after.position.size() * sizeof(Vec3);
   is_full_ = inputs_.size() >= max_waiting || bytes >= max_waiting_bytes || (is_full_ && !inputs_.empty());
   if (is_full_) {
@@ -91,7 +92,12 @@ void SecondRuns::add_frame(const Plan& plan, const System& system, const Setting
   }
   is_edited_ = false;
   if (refined_.is_on || perturbed_.is_on)
-    inputs_.push_back({.time = before.time, .hand = before.hand, .settings = settings, .end = after.position, .end_time = after.time});
+    inputs_.push_back({.time = before.time,
+                       .hand = before.hand,
+                       .settings = settings,
+                       .end = after.position,
+                       .end_time = after.time,
+                       .evaluations = evaluations});
 }
 
 void SecondRuns::substep(const System& system) {
@@ -102,6 +108,7 @@ void SecondRuns::substep(const System& system) {
     const Input& input = input_of(run);
     Repetition frame{.settings = input.settings};
     if (is_refined) frame = repetition_of(run.shadow.plan(), system, input.settings);
+    run.shadow.limit_cost(input.evaluations);
     run.shadow.begin_frame(system, frame.settings, input.time, input.hand);
     if (is_refined) repetition_ = frame;
   }
@@ -114,8 +121,9 @@ void SecondRuns::finish_frame(Run& run) {
   const State& state = run.shadow.state();
   if (&run == &refined_) {
     error_ = Error{weighted_distance(input.end, state.position, repetition_.weight).rms, input.end_time};
-    diverged_ = run.shadow.failed() || !is_finite(state);
-    if (diverged_) run.is_on = false;
+    failed_ = run.shadow.failed();
+    diverged_ = !is_finite(state);
+    if (failed_ || diverged_) run.is_on = false;
   } else {
     ++measured_frames_;
     measurement_.add(weighted_distance(input.end, state.position, 1.0).rms, max_small * size_);

@@ -23,7 +23,8 @@ class SecondRuns {
   void restart(double size);
   // The plan or the System differs from that of the frames before. If no frames are waiting, the run with half the step continues.
   void note_edit();
-  void add_frame(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after);
+  void add_frame(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after,
+                 long evaluations);
 
   // Whether frames wait; then `substep` computes a substep of one.
   bool has_work() const { return waits(refined_) || waits(perturbed_); }
@@ -32,7 +33,9 @@ class SecondRuns {
   double since() const { return since_; }                          // [s], start of the run with half the step
   const std::optional<Error>& error() const { return error_; }     // none before its first frame
   const std::optional<Growth>& growth() const { return growth_; }  // none before the first measurement
-  bool diverged() const { return diverged_; }                      // the run with half the step
+  // The run with half the step. Failed: found no step, or took too many.
+  bool diverged() const { return diverged_; }
+  bool failed() const { return failed_; }
   // Whether that run resolves every vibration, with steps that may be far shorter than half (frame_error.h).
   bool is_resolving() const { return repetition_.is_resolving; }
 
@@ -43,6 +46,7 @@ class SecondRuns {
     Settings settings;
     std::vector<Vec3> end;  // positions after it
     double end_time = 0.0;  // [s]
+    long evaluations = 0;   // of the forces
   };
   struct Run {
     ShadowRun shadow;
@@ -58,7 +62,7 @@ class SecondRuns {
 
   double size_ = 1.0, since_ = 0.0;
   Repetition repetition_;  // of the last frame that the run with half the step began
-  bool is_new_ = true, is_edited_ = false, diverged_ = false;
+  bool is_new_ = true, is_edited_ = false, diverged_ = false, failed_ = false;
   bool is_full_ = false;  // no more frames are taken until those that wait are computed, then it starts again
   Run refined_, perturbed_;
   std::deque<Input> inputs_;

@@ -2,6 +2,8 @@
 // slightly.
 #pragma once
 
+#include <algorithm>
+
 #include "sim/step.h"
 
 namespace hooke {
@@ -17,6 +19,13 @@ class ShadowRun {
   const Plan& plan() const { return plan_; }
   void start(const State& state) { state_ = state, is_in_frame_ = false; }
   void stop() { is_in_frame_ = false; }
+
+  // The coming frames fail if they take more force evaluations than this. With contact, a method that adapts its step may take any number
+  // of times as many for a smaller tolerance. `evaluations`: of the frame that they are compared with.
+  void limit_cost(long evaluations) {
+    constexpr long min = 5'000, factor = 20;
+    frame_.limit_evaluations(std::clamp(factor * evaluations, min, max_adaptive_evaluations));
+  }
 
   // A frame from its own state, with the clock and the hand of the run that it follows.
   void begin_frame(const System& system, const Settings& settings, double time, const Hand& hand);
