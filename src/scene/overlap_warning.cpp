@@ -57,13 +57,17 @@ std::optional<std::string> crossing_warning(const System& system, const State& s
 std::optional<std::string> loose_point_warning(const System& system) {
   const SurfacePlan plan = plan_surface(system);
   if (!plan.on) return std::nullopt;
-  std::vector<char> is_loose(system.points().size(), 1);
+  // what hangs on springs, or is nailed, is where it is to be
+  std::vector<char> is_loose;
+  for (const Point& point : system.points()) is_loose.push_back(point.nailed ? 0 : 1);
   for (const Index i : plan.points) is_loose[i] = 0;
+  for (const Spring& spring : system.springs())
+    for (const PointId end : {spring.first, spring.second}) is_loose[system.index_of(end)] = 0;
   const auto count = std::ranges::count(is_loose, 1);
   if (count == 0) return std::nullopt;
   const auto first = std::ranges::find(is_loose, 1) - is_loose.begin();
-  return "contact: " + std::to_string(count) + (count == 1 ? " point is" : " points are") +
-         " on none of the springs and faces that touch each other, such as point " + std::to_string(first) + ": they pass through those";
+  return "contact: " + std::to_string(count) + (count == 1 ? " point is" : " points are") + " on no spring or face, such as point " +
+         std::to_string(first) + ": they pass through springs and faces";
 }
 
 std::optional<std::string> thickness_warning(const System& system) {

@@ -17,7 +17,7 @@ std::optional<std::string> overlap_warning(const System& system, const State& st
 // faces do not touch.
 std::optional<std::string> crossing_warning(const System& system, const State& state);
 
-// "contact: ...": how many points are part of no spring or face that touches, and pass through those; none if there are none.
+// "contact: ...": how many free points are on no spring or face, and pass through those that touch each other; none if there are none.
 std::optional<std::string> loose_point_warning(const System& system);
 
 // "contact.thickness: ...": that some faces or springs touch at another distance than the thickness; none if they do not.

@@ -1,0 +1,55 @@
+// What the accuracy of a run says where contact or a strain limit act in steps of their own.
+#include <gtest/gtest.h>
+
+#include "formats/scene_file.h"
+#include "sim/integrator.h"
+#include "support/measured_lab.h"
+#include "support/nets.h"
+
+namespace hooke {
+namespace {
+
+// Balls that rub against each other: an adaptive method needs thousands of times as many evaluations for a smaller tolerance.
+TEST(AccuracyMeter, GivesAReasonInsteadOfMeasuringWhatTakesThousandsOfTimesAsLong) {
+  Scene scene = load_scene(find_scene("marbles")).scene;
+  scene.settings.integrator = find_integrator("dop853");
+  scene.settings.tolerance.reset();
+  for (const AccuracyMode mode : {AccuracyMode::Frame, AccuracyMode::Full}) {
+    Lab lab = measured_lab(scene, mode);
+    for (int frame = 0; frame < 60; ++frame) ASSERT_TRUE(lab.step());
+    const Accuracy accuracy = lab.accuracy();
+    EXPECT_EQ(accuracy.frame.reason, "with half the step, or a smaller tolerance, this frame fails or takes too long");
+    EXPECT_FALSE(accuracy.accumulated.value);
+    EXPECT_EQ(accuracy.half_error_substeps, 0);
+    EXPECT_EQ(accuracy.half_error_reason, "contact and the strain limit hardly depend on the tolerance");
+  }
+}
+
+// A point falls until its spring may not become longer, once per substep: the tolerance of an adaptive method does not apply to that.
+TEST(AccuracyMeter, AStrainLimitIsPartOfTheErrorOfEveryMethod) {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0, -9.81, 0.0);
+  const PointId nail = sim.nail(Vec3(0.0)), point = sim.add({1.0, 0.0, 0.0});
+  sim.join(nail, point, 20.0, 1.0);
+  sim.system.strain_limit = 0.1;
+  for (const char* id : {"dop853", "velocity_verlet", "runge_kutta4"})
+    for (const int substeps : {1, 4}) {
+      Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator(id), .substeps = substeps}));
+      Lab exact(scene_of(sim, {.integrator = find_integrator("runge_kutta4"), .substeps = 2048}), KeepStart::No);
+      for (int frame = 0; frame < 60; ++frame) {
+        ASSERT_TRUE(lab.step());
+        ASSERT_TRUE(exact.step());
+      }
+      const double error = distance(lab.scene().state, exact.scene().state);
+      const Accuracy accuracy = lab.accuracy();
+      ASSERT_TRUE(accuracy.accumulated.value) << id << " " << accuracy.accumulated.reason;
+      EXPECT_GT(*accuracy.accumulated.value, error / 3.0) << id << " " << substeps;
+      EXPECT_LT(*accuracy.accumulated.value, 3.0 * error) << id << " " << substeps;
+      if (lab.scene().settings.integrator->stability == Stability::Adaptive) {
+        EXPECT_EQ(accuracy.half_error_reason, "contact and the strain limit hardly depend on the tolerance");
+      }
+    }
+}
+
+}  // namespace
+}  // namespace hooke
