@@ -66,8 +66,9 @@ std::optional<std::string> loose_point_warning(const System& system) {
   const auto count = std::ranges::count(is_loose, 1);
   if (count == 0) return std::nullopt;
   const auto first = std::ranges::find(is_loose, 1) - is_loose.begin();
-  return "contact: " + std::to_string(count) + (count == 1 ? " point is" : " points are") + " on no spring or face, such as point " +
-         std::to_string(first) + ": they pass through springs and faces";
+  if (count == 1) return "contact: point " + std::to_string(first) + " is on no spring or face: it passes through springs and faces";
+  return "contact: " + std::to_string(count) + " points are on no spring or face, such as point " + std::to_string(first) +
+         ": they pass through springs and faces";
 }
 
 std::optional<std::string> thickness_warning(const System& system) {
