@@ -110,7 +110,7 @@ void AccuracyMeter::repeat(const System& system) {
 void AccuracyMeter::measure_frame(Accuracy& accuracy) const {
   const auto& result = repetition_.result();
   std::string_view reason;
-  if (is_started_ && repetition_.has_failed())
+  if (is_started_ && !is_edited_ && repetition_.has_failed())
     reason = "with half the step, or a smaller tolerance, this frame fails or takes too long";
   else if (!is_started_ || !result)
     reason = "not measured yet";
