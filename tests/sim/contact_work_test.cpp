@@ -54,5 +54,30 @@ TEST(ContactWork, OfRejectedStepsDoesNotCount) {
   EXPECT_NEAR(compute_energy(sim.system, sim.state).total() - start, work, 1e-5);
 }
 
+// A spring presses a mass onto a floor that hardly moves: a method for which a step without contact changes the energy books that change as
+// work of contact, hundreds of joules per second here. It is not work of the floor, which cannot do more than force times path.
+TEST_P(ContactWork, OfAColliderIsLimitedByItsMotion) {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  const PointId mass = sim.add({0.0, 0.0, 0.0}, 0.01);
+  const double stiffness = 100.0, force = stiffness * 9.0, amplitude = 1e-4, frequency = 2.0;
+  sim.join(mass, sim.nail({0.0, -10.0, 0.0}), stiffness, 1.0);
+  sim.system.colliders = {{.shape = Plane{}, .path = {.amplitude = {0.0, amplitude, 0.0}, .frequency = frequency}}};
+  Plan plan = make_plan(sim.system);
+  const Settings settings{.integrator = &method(), .substeps = 16, .tolerance = 1e-8};
+  double work = 0.0;
+  constexpr int frames = 30;
+  Frame frame;
+  for (int i = 0; i < frames; ++i) {
+    frame.begin(plan, sim.system, settings, sim.state);
+    while (!frame.done()) frame.substep(plan);
+    frame.end(plan, sim.state);
+    work += std::abs(frame.motion().collider_work);
+  }
+  const double path = 4.0 * amplitude * frequency * frames / settings.frame_rate;
+  // each bound is of a whole substep: the impulse of contact and that of the force, at the maximum speed
+  EXPECT_LE(work, 4.0 * force * path);
+}
+
 }  // namespace
 }  // namespace hooke

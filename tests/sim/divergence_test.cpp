@@ -1,6 +1,7 @@
 // Detection of divergence: what is reported and what is not.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "sim/divergence.h"
@@ -45,6 +46,24 @@ TEST_P(DivergenceDetection, StopsASpringThatIsFarTooStiffForTheStep) {
   TestSim sim;
   sim.join(sim.nail(Vec3(0.0)), sim.add({0.0, -1.1, 0.0}), 1e8, 1.0);
   EXPECT_LT(frames_until_divergence(sim, 1, 60), 10);
+}
+
+// In its first step, explicit Euler gains kinetic energy before the points move, that is before a force does work.
+TEST_P(DivergenceDetection, AcceptsAStartFromRestUnderEveryListedForce) {
+  for (const ForceTerm& term : force_terms()) {
+    TestSim sim;
+    sim.system.gravity = Vec3(0.0);
+    const std::array corners{sim.add({0.0, 1.0, 0.0}, 0.3), sim.add({1.0, 1.1, 0.0}, 0.4), sim.add({0.0, 1.2, 0.9}, 0.5)};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      sim.system.point(static_cast<Index>(i)).radius = 0.1;
+      sim.join(corners[i], corners[(i + 1) % 3], 0.1, 1.4);
+    }
+    sim.system.faces.push_back({.points = corners});
+    Force force{.term = &term};
+    for (std::size_t k = 0; k < term.numbers.size(); ++k) force.values[k] = term.numbers[k].default_value;
+    sim.system.forces = {force};
+    EXPECT_EQ(frames_until_divergence(sim, 4, 60), 60) << term.id;
+  }
 }
 
 TEST_P(DivergenceDetection, AcceptsAnEndlessFall) {

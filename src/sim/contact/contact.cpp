@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "sim/contact/contact_work.h"
 #include "sim/contact/point_contact.h"
 #include "sim/forces/bands.h"
 #include "sim/plan_energy.h"
@@ -75,14 +76,16 @@ class PointPass {
       resting.any_open = true;
     }
 
-    ContactWorkspace::Block& result = before_.blocks[number] = {0.0, resting.any_solved, false};
+    ContactWorkspace::Block& result = before_.blocks[number] = {0.0, 0.0, resting.any_solved, false};
     for (std::size_t i = first; resting.any_open && i < end; ++i) {
       if (before_.outcome[i] != RestingPoints::Open) continue;
       before_.outcome[i] = solve_point(i, nullptr, touches);
       result.any_solved = result.any_solved || before_.outcome[i] == RestingPoints::Solved;
       result.any_open = result.any_open || before_.outcome[i] == RestingPoints::Open;
     }
-    if (result.any_solved) result.work = sum_of({before_.work.data() + first, end - first});
+    if (!result.any_solved) return;
+    result.work = sum_of({before_.work.data() + first, end - first});
+    if (plan_.colliders_move) result.supplied = sum_of({before_.supplied.data() + first, end - first});
   }
 
   // By the points of a block that touched, of which there are some.
@@ -97,15 +100,14 @@ class PointPass {
     before_.touched.end = static_cast<Index>(end);
   }
 
-  // After all others, in the order of the points. Returns the work [J].
-  double solve_open_points(std::size_t number, Touches& touches) const {
-    double work = 0.0;
+  // After all others, in the order of the points. Adds their work [J], and bounds on what colliders have supplied.
+  void solve_open_points(std::size_t number, Touches& touches, double& work, double& supplied) const {
     for (std::size_t i = number * block; i < std::min(n_, (number + 1) * block); ++i) {
       if (before_.outcome[i] != RestingPoints::Open) continue;
       solve_point(i, &before_.pushed, touches);
       work += before_.work[i];
+      if (plan_.colliders_move) supplied += before_.supplied[i];
     }
-    return work;
   }
 
  private:
@@ -131,6 +133,12 @@ class PointPass {
     touches.first_impact = std::min(touches.first_impact, solver.first_impact);
     before_.work[i] =
         plan_.mass[i] * (0.5 * (glm::dot(solver.v, solver.v) - glm::dot(v1, v1)) - glm::dot(a, solver.x - x1 - solver.push_out));
+    if (plan_.colliders_move) {
+      double speed = 0.0;
+      for (const Obstacle& obstacle : obstacles_)
+        if (is_near(obstacle)) speed = std::max(speed, max_surface_speed(obstacle, x0, h_));
+      before_.supplied[i] = speed * plan_.mass[i] * (glm::length(solver.v - v1) + h_ * glm::length(a));
+    }
     for (int c = 0; c < dimensions; ++c) {
       motion_.x[c * n_ + i] = solver.x[c];
       motion_.v[c * n_ + i] = solver.v[c];
@@ -146,14 +154,16 @@ class PointPass {
   std::size_t n_;
 };
 
-// Returns the work of the contact [J], in addition to the work of the forces.
-double resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h,
-                      bool& touched) {
-  if (obstacles.empty()) return 0.0;
+// Adds the work of the contact, in addition to the work of the forces.
+void resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h,
+                    bool& touched) {
+  before.contact_work = 0.0;
+  if (obstacles.empty()) return;
   const auto n = static_cast<std::size_t>(plan.points);
   const std::size_t blocks = (n + PointPass::block - 1) / PointPass::block;
   before.outcome.resize(n);
   before.work.resize(n);
+  if (plan.colliders_move) before.supplied.assign(n, 0.0);
   before.blocks.resize(blocks);
   const PointPass pass(plan, obstacles, before, motion, h);
 
@@ -165,7 +175,7 @@ double resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Con
   });
 
   // sums in the order of the blocks
-  double work = 0.0;
+  double work = 0.0, supplied = 0.0;
   before.touched = {};
   for (std::size_t number = 0; number < blocks; ++number) {
     const ContactWorkspace::Block& block = before.blocks[number];
@@ -173,13 +183,14 @@ double resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Con
     touched = true;
     pass.extend_touched(number);
     work += block.work;
-    if (block.any_open) work += pass.solve_open_points(number, touches[0]);
+    supplied += block.supplied;
+    if (block.any_open) pass.solve_open_points(number, touches[0], work, supplied);
   }
   for (int part = 0; part < parts; ++part) {
     before.first_touch = std::min(before.first_touch, touches[part].first_touch);
     before.first_impact = std::min(before.first_impact, touches[part].first_impact);
   }
-  return work;
+  before.contact_work = book_contact_work(work, {.by_colliders = supplied}, motion);
 }
 
 }  // namespace
@@ -198,8 +209,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     before.first_touch = before.pairs.first_touch();
     before.first_impact = before.pairs.first_impact();
   }
-  before.contact_work = resolve_points(plan, obstacles, before, motion, h, touched);
-  (plan.colliders_move ? motion.collider_work : motion.contact_work) += before.contact_work;
+  resolve_points(plan, obstacles, before, motion, h, touched);
   if (!before.pushed.empty()) motion.collider_work += push_work(plan, before, h, motion);
   if (plan.surface.on && before.surface.resolve(plan, obstacles, before.x, before.v, h, motion)) {
     touched = true;

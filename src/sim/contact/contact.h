@@ -23,7 +23,7 @@ struct ContactWorkspace {
   // [s], since the start of the substep, when the first point touched something, and when the first had an impact; infinity: none did
   double first_touch = 0.0, first_impact = 0.0;
   Motion::Moved touched;      // contains all points that touched colliders
-  double contact_work = 0.0;  // [J], of the points that touched colliders
+  double contact_work = 0.0;  // [J], of the points that touched colliders; what colliders that move have supplied is not in it
   // Points that were inside a collider before the substep, where they are after it, and how far they were moved out [m].
   struct Pushed {
     std::size_t point;
@@ -33,9 +33,10 @@ struct ContactWorkspace {
   // Of each point: what became of it, and the work of the contact [J] in addition to the work of the forces.
   std::vector<RestingPoints::Outcome> outcome;
   std::vector<double> work;
+  std::vector<double> supplied;  // bounds on the part of it that colliders have supplied (contact_work.h); empty: they do not move
   // Of each block of RestingPoints::max points: the sum of their work, without those that are Open.
   struct Block {
-    double work;
+    double work, supplied;
     bool any_solved, any_open;
   };
   std::vector<Block> blocks;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/contact/contact_work.h"
+
 namespace hooke {
 namespace {
 
@@ -45,7 +47,7 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
       return false;
     }
   }
-  write(plan, motion);
+  write(plan, h, motion);
   return simulation_.any_touched();
 }
 
@@ -192,9 +194,9 @@ bool PairSolver::is_within_bounds(const Plan& plan, const Field& x0, double h) {
 }
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
-void PairSolver::write(const Plan& plan, Motion& motion) const {
+void PairSolver::write(const Plan& plan, double h, Motion& motion) const {
   const auto n = static_cast<std::size_t>(plan.points);
-  double work = 0.0;
+  double work = 0.0, impulses = 0.0, speed = 0.0;  // [J], [N s], [m/s]
   bool is_held = false;
   for (const PointPath& path : simulation_.paths) {
     const Index i = path.point;
@@ -203,14 +205,16 @@ void PairSolver::write(const Plan& plan, Motion& motion) const {
     const Vec3 x1 = vector_in(plan, motion.x, i), v1 = vector_in(plan, motion.v, i), v = path.v - path.velocity_correction;
     const Vec3 force = plan.mass[i] * path.free_acceleration;
     work += 0.5 * plan.mass[i] * (glm::dot(v, v) - glm::dot(v1, v1)) - glm::dot(force, path.x - x1);
+    impulses += plan.mass[i] * glm::length(v - v1) + h * glm::length(force);
     for (int c = 0; c < plan.dimensions; ++c) {
       motion.x[c * n + i] = path.x[c];
       motion.v[c * n + i] = v[c];
     }
   }
-  // what pushes may supply energy: the hand, or obstacles
-  (is_held ? motion.hand_work : plan.colliders_move ? motion.collider_work : motion.contact_work) += work;
-  if (is_held) motion.abs_hand_work += std::abs(work);
+  if (plan.colliders_move)
+    for (const Touch& touch : simulation_.touches)
+      if (touch.obstacle != nullptr) speed = std::max(speed, max_surface_speed(*touch.obstacle, simulation_.paths[touch.first].x, h));
+  book_contact_work(work, {.by_hand = is_held ? impulses * held_speed(plan, motion) : 0.0, .by_colliders = impulses * speed}, motion);
 }
 
 }  // namespace hooke

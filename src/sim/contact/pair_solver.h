@@ -50,7 +50,7 @@ class PairSolver {
   bool involve_pairs(const Plan& plan, const Field& x0);
   void fill(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, const Motion& motion);
   bool is_within_bounds(const Plan& plan, const Field& x0, double h);
-  void write(const Plan& plan, Motion& motion) const;
+  void write(const Plan& plan, double h, Motion& motion) const;
 
   PairSearch search_;
   std::vector<PointPair> pairs_;

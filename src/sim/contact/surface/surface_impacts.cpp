@@ -1,5 +1,6 @@
 // The part of SurfaceStep that makes the paths within a substep free of impacts.
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "sim/contact/surface/surface_step.h"
@@ -25,7 +26,7 @@ bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
         FourPoints displacement = four(path_, pair.points);
         for (Vec3& d : displacement) d *= h;
         const double part = free_part(kind, four(x_, pair.points), displacement, distance);
-        if (part < 1.0 && handle_impact(pair, part, h, pass >= impact_passes)) hits = true;
+        if (part < 1.0 && handle_impact(plan, pair, part, h, pass >= impact_passes)) hits = true;
       });
     if (!hits) break;
     any = true;
@@ -35,7 +36,7 @@ bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
 }
 
 // An inelastic impact at this part of the substep. Returns whether it changed anything.
-bool SurfaceStep::handle_impact(const SurfacePair& pair, double part, double h, bool joins) {
+bool SurfaceStep::handle_impact(const Plan& plan, const SurfacePair& pair, double part, double h, bool joins) {
   const std::array<Index, 4>& points = pair.points;
   ++impacts_;
   ++impulses_;
@@ -54,7 +55,10 @@ bool SurfaceStep::handle_impact(const SurfacePair& pair, double part, double h, 
   const Vec3 normal = closest.separation / closest.distance;
   const double velocity = glm::dot(normal, relative);
   if (!(velocity < 0.0)) return true;
-  for (int c = 0; c < 4; ++c) path_[points[c]] -= inverse_mass_[points[c]] * closest.weight[c] * velocity / response * normal;
+  for (int c = 0; c < 4; ++c) {
+    path_[points[c]] -= inverse_mass_[points[c]] * closest.weight[c] * velocity / response * normal;
+    if (plan.surface.points[points[c]] == plan.held) held_impulse_ += std::abs(closest.weight[c] * velocity / response);
+  }
   return true;
 }
 
@@ -85,7 +89,10 @@ bool SurfaceStep::join(const std::array<Index, 4>& points) {
   }
   const Vec3 velocity = has_fixed ? fixed : momentum / mass;
   for (std::size_t k = 0; k < n; ++k)
-    if (zone_[k] == first && inverse_mass_[k] != 0.0) path_[k] = velocity;
+    if (zone_[k] == first && inverse_mass_[k] != 0.0) {
+      if (has_fixed) held_impulse_ += glm::length(path_[k] - velocity) / inverse_mass_[k];
+      path_[k] = velocity;
+    }
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/contact/contact_work.h"
 #include "sim/forces/dashpot.h"
 
 namespace hooke {
@@ -57,9 +58,10 @@ void SurfaceStep::begin_substep(const Plan& plan, const Motion& motion) {
 bool SurfaceStep::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
                           Motion& motion) {
   impulses_ = 0;
+  held_impulse_ = 0.0;
   if (transmits(plan)) note_collisions(motion);
   const bool touches = correct(plan, obstacles, x0, v0, h, motion);
-  if (transmits(plan)) transmit_through_dashpots(plan, x0, touches, h, motion);
+  if (transmits(plan)) transmit_through_dashpots(plan, obstacles, x0, touches, h, motion);
   motion.contact_tests += search_.tests();
   motion.contact_impulses += impulses_;
   return touches;
@@ -217,9 +219,24 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
       motion.v[c * n + i] = velocity_[k][c];
     }
   }
-  // what pushes may supply energy: the hand, or obstacles
-  (plan.held ? motion.hand_work : plan.colliders_move ? motion.collider_work : motion.contact_work) += work;
-  if (plan.held) motion.abs_hand_work += std::abs(work);
+  book_contact_work(work, supplied_work(plan, motion), motion);
+}
+
+// After all impulses of the substep. Impulses on the held point are bounded one by one: near it, they may be far larger than what
+// the other points of a feature take of them.
+SuppliedWork SurfaceStep::supplied_work(const Plan& plan, const Motion& motion) const {
+  SuppliedWork supplied;
+  if (plan.held) {
+    double impulses = held_impulse_;
+    for (const SurfaceContact& contact : contacts_.surface)
+      for (int c = 0; c < 4; ++c)
+        if (plan.surface.points[contact.points[c]] == plan.held)
+          impulses += std::abs(contact.weight[c]) * contact.impulse * (1.0 + plan.surface.friction);
+    supplied.by_hand = impulses * held_speed(plan, motion);
+  }
+  for (const ObstacleContact& contact : contacts_.obstacles)
+    supplied.by_colliders += contact.impulse * (1.0 + contact.friction) * glm::length(contact.surface);
+  return supplied;
 }
 
 void SurfaceStep::settle_velocities(const Plan& plan) {
@@ -238,7 +255,8 @@ void SurfaceStep::note_collisions(const Motion& motion) {
 // contacts then is transmitted again.
 //
 // Methods whose velocity at the end is that of the path are left alone: what contact changes there is the path.
-void SurfaceStep::transmit_through_dashpots(const Plan& plan, const Field& x0, bool touches, double h, Motion& motion) {
+void SurfaceStep::transmit_through_dashpots(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, bool touches, double h,
+                                            Motion& motion) {
   const std::size_t n = motion.v.size();
   const auto points = static_cast<std::size_t>(plan.points);
   change_.resize(n);
@@ -252,7 +270,7 @@ void SurfaceStep::transmit_through_dashpots(const Plan& plan, const Field& x0, b
   if (decay_step_ != h) plan_dashpot_decay(plan, 0.5 * h, decay_);
   decay_step_ = h;
 
-  double work = -kinetic_energy_of(plan, motion.v);
+  double work = -kinetic_energy_of(plan, motion.v), impulses = 0.0, speed = 0.0;  // [J], [N s], [m/s]
   Field& v = all_free_velocity_;
   for (int round = 0; round < transmissions; ++round) {
     decay_dashpots(plan, decay_, Sweep::Backward, motion.x, change_);
@@ -274,10 +292,12 @@ void SurfaceStep::transmit_through_dashpots(const Plan& plan, const Field& x0, b
       if (round + 1 < transmissions) v[i] = before;
     }
   }
+  for_components(plan, [&](std::size_t i, Index point) { impulses += plan.mass[point] * std::abs(v[i] - motion.v[i]); });
   motion.v = v;
   work += kinetic_energy_of(plan, motion.v);
-  (plan.held ? motion.hand_work : plan.colliders_move ? motion.collider_work : motion.contact_work) += work;
-  if (plan.held) motion.abs_hand_work += std::abs(work);
+  if (plan.colliders_move)
+    for (const Obstacle& obstacle : obstacles) speed = std::max(speed, max_surface_speed(obstacle, anchor_of(*obstacle.collider), h));
+  book_contact_work(work, {.by_hand = impulses * held_speed(plan, motion), .by_colliders = impulses * speed}, motion);
 }
 
 }  // namespace hooke

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/contact/contact_work.h"
 #include "sim/contact/obstacle.h"
 #include "sim/contact/surface/surface_response.h"
 #include "sim/contact/surface/surface_search.h"
@@ -36,12 +37,14 @@ class SurfaceStep {
   void note_pressed(const Plan& plan, double h);
   bool separate(double h);
   bool prevent_crossings(const Plan& plan, double h);
-  bool handle_impact(const SurfacePair& pair, double part, double h, bool joins);
+  bool handle_impact(const Plan& plan, const SurfacePair& pair, double part, double h, bool joins);
   bool join(const std::array<Index, 4>& points);
   void write(const Plan& plan, const Field& v0, double h, Motion& motion);
+  SuppliedWork supplied_work(const Plan& plan, const Motion& motion) const;
   void settle_velocities(const Plan& plan);
   void note_collisions(const Motion& motion);
-  void transmit_through_dashpots(const Plan& plan, const Field& x0, bool touches, double h, Motion& motion);
+  void transmit_through_dashpots(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, bool touches, double h,
+                                 Motion& motion);
   FourPoints four(std::span<const Vec3> field, const std::array<Index, 4>& points) const {
     return {field[points[0]], field[points[1]], field[points[2]], field[points[3]]};
   }
@@ -66,6 +69,7 @@ class SurfaceStep {
   std::vector<char> is_marked_;
   std::vector<Index> zone_;  // per point: the first of those that move together
   bool has_failed_ = false;
+  double held_impulse_ = 0.0;  // [N s], a bound on the impulses of impacts on the held point in the substep
   long impacts_ = 0;
   long impulses_ = 0;  // of the substep, for Motion
 };

@@ -1,0 +1,39 @@
+#include "sim/contact/contact_work.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace hooke {
+
+double book_contact_work(double work, const SuppliedWork& bounds, Motion& motion) {
+  const double by_hand = std::clamp(work, -bounds.by_hand, bounds.by_hand);
+  const double by_colliders = std::clamp(work - by_hand, -bounds.by_colliders, bounds.by_colliders);
+  motion.hand_work += by_hand;
+  motion.abs_hand_work += std::abs(by_hand);
+  motion.collider_work += by_colliders;
+  const double rest = work - by_hand - by_colliders;
+  motion.contact_work += rest;
+  return rest;
+}
+
+double held_speed(const Plan& plan, const Motion& motion) {
+  if (!plan.held) return 0.0;
+  double sum = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const double v = motion.v[static_cast<std::size_t>(c) * plan.points + *plan.held];
+    sum += v * v;
+  }
+  return std::sqrt(sum);
+}
+
+double max_surface_speed(const Obstacle& obstacle, const Vec3& x, double h) {
+  const ColliderPath& path = obstacle.collider->path;
+  const double shape = std::max(glm::length(obstacle.velocity_at(0.0)), glm::length(obstacle.velocity_at(h)));
+  // the surface turns about the anchor of the shape
+  const double spin =
+      path.spin == Vec3(0.0) ? 0.0 : glm::length(path.spin) * glm::length(x - obstacle.offset - anchor_of(*obstacle.collider));
+  return shape + glm::length(obstacle.velocity_correction) + glm::length(path.belt) + spin;
+}
+
+}  // namespace hooke
