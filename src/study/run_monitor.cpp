@@ -8,7 +8,6 @@
 #include "sim/energy.h"
 #include "sim/frame_error.h"
 #include "sim/integrator.h"
-#include "sim/plan_energy.h"
 
 namespace hooke {
 namespace {
@@ -35,10 +34,10 @@ RunMonitor::RunMonitor(const System& system, const State& start, int frames_per_
     : frames_per_estimate_(frames_per_estimate),
       start_{unexplained_energy(system, start), start},
       lowest_(start_),
-      kinetic_(kinetic_energy(system, start)),
       scale_(start.ledger.scale) {}
 
 void RunMonitor::begin_frame(const System& system, const Settings& settings, const State& state) {
+  dissipation_.begin_frame(system, state);
   if (estimate_is_due() && !is_automatic(settings))
     estimated_error_ += frames_per_estimate_ * estimate_frame_error(system, settings, state);
 }
@@ -65,12 +64,9 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   // `auto` has an estimate for every frame
   if (state.memory.choice) estimated_error_ += state.memory.choice->ratio * state.memory.choice->target;
   unconverged_solves_ += motion.unconverged_solves;
-  const Energy energies = compute_energy(system, state);
-  const double energy = energies.total() - state.ledger.net_input;
+  const double energy = unexplained_energy(system, state);
   scale_ = state.ledger.scale;
-  max_dissipated_ += max_dissipation(plan.spectrum, scale_, std::max(kinetic_, energies.kinetic), 1.0 / settings.frame_rate);
-  max_dissipated_ += booked_dissipation(motion);
-  kinetic_ = energies.kinetic;
+  max_dissipated_ += dissipation_.end_frame(plan, system, state, motion) + booked_dissipation(motion);
   if (energy - lowest_.energy > largest_rise_)
     largest_rise_ = std::max(largest_rise_, modified_change(lowest_, energy, plan, settings, state));
   if (energy < lowest_.energy) {

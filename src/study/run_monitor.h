@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/dissipation_bound.h"
 #include "sim/motion.h"
 #include "sim/settings.h"
 #include "sim/state.h"
@@ -57,7 +58,7 @@ class RunMonitor {
   double modified_change(Reference& since, double energy, const Plan& plan, const Settings& settings, const State& state);
 
   Reference start_, lowest_;
-  double kinetic_;                            // [J], after the last frame
+  DissipationBound dissipation_;
   double max_dissipated_ = 0.0;               // [J], by drag, dashpots, contact and forces so far, a bound
   double largest_rise_ = 0.0, change_ = 0.0;  // [J]
   Motion motion_;                             // scratch

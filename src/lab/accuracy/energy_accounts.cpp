@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "sim/energy.h"
-#include "sim/plan_energy.h"
 
 namespace hooke {
 namespace {
@@ -82,8 +81,8 @@ void EnergyAccounts::add_frame(const Plan& plan, const System& system, const Sta
   if (!drags && !damps) {
     balance_.method += rest;
   } else {
-    const double kinetic = std::max(kinetic_energy(system, before), kinetic_energy(system, after));
-    const double dissipated = dissipation_in(rest, max_dissipation(plan.spectrum, after.ledger.scale, kinetic, after.time - before.time));
+    bound_.begin_frame(system, before);
+    const double dissipated = dissipation_in(rest, bound_.end_frame(plan, system, after, motion));
     balance_.method += rest - dissipated;
     rest = dissipated;
     if (!drags || !damps) {

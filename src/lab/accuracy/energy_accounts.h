@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/accuracy.h"
+#include "sim/dissipation_bound.h"
 #include "sim/motion.h"
 #include "sim/system.h"
 
@@ -23,6 +24,7 @@ class EnergyAccounts {
   double dissipation_in(double rest, double max) const;
 
   EnergyBalance balance_;
+  DissipationBound bound_;
   double start_ = 0.0, energy_ = 0.0;        // [J]
   double contact_work_ = 0.0;                // [J], of impacts and friction, as computed
   double net_input_ = 0.0;                   // [J], of the ledger after the last frame

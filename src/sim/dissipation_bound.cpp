@@ -1,0 +1,110 @@
+#include "sim/dissipation_bound.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "sim/energy.h"
+#include "sim/plan_energy.h"
+#include "sim/spectrum_rows.h"
+
+namespace hooke {
+namespace {
+
+bool has_damping(const System& system) {
+  return system.drag_rate() > 0.0 ||
+         std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.damping_of(spring) > 0.0; });
+}
+
+// Whether something but springs, gravity, drag and dashpots did work.
+bool is_supplied(const Plan& plan, const Motion& motion) {
+  if (plan.held || plan.pull || !plan.forces.empty()) return true;
+  for (const double work :
+       {motion.contact_work, motion.collider_work, motion.hand_work, motion.force_work, motion.break_work, motion.limit_work})
+    if (work != 0.0) return true;
+  return false;
+}
+
+}  // namespace
+
+bool DissipationBound::is_divided(const System& system) {
+  const SpringId last = system.spring_count() > 0 ? system.springs()[system.spring_count() - 1].id : SpringId{};
+  if (points_ != system.point_count() || springs_ != system.spring_count() || last_ != last) {
+    points_ = system.point_count();
+    springs_ = system.spring_count();
+    last_ = last;
+    divide(system);
+  }
+  return !part_of_.empty();
+}
+
+void DissipationBound::divide(const System& system) {
+  part_of_.clear();
+  if (!has_damping(system)) return;
+  std::vector<Index> root(static_cast<std::size_t>(system.point_count()));
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](Index i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (const Spring& spring : system.springs()) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    if (!system.points()[i].nailed && !system.points()[j].nailed) root[find(i)] = find(j);
+  }
+  std::vector<Index> number(root.size(), no_index);
+  Index parts = 0;
+  part_of_.resize(root.size(), no_index);
+  for (Index i = 0; i < system.point_count(); ++i) {
+    if (system.points()[i].nailed) continue;
+    Index& part = number[find(i)];
+    if (part == no_index) part = parts++;
+    part_of_[i] = part;
+  }
+  if (parts <= 1) part_of_.clear();
+  before_.assign(static_cast<std::size_t>(parts), {});
+  after_ = before_;
+}
+
+void DissipationBound::measure(const System& system, const State& state, std::vector<Part>& parts) const {
+  for (Part& part : parts) part.kinetic = part.energy = 0.0;
+  for (Index i = 0; i < system.point_count(); ++i) {
+    if (part_of_[i] == no_index) continue;
+    const Point& point = system.points()[i];
+    const double kinetic = 0.5 * point.mass * glm::dot(state.velocity[i], state.velocity[i]);
+    parts[part_of_[i]].kinetic += kinetic;
+    parts[part_of_[i]].energy += kinetic - point.mass * glm::dot(system.gravity, state.position[i]);
+  }
+  for (const Spring& spring : system.springs()) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+    const Index part = part_of_[i] != no_index ? part_of_[i] : part_of_[j];
+    if (part == no_index) continue;
+    const double extension = glm::distance(state.position[i], state.position[j]) - spring.rest_length;
+    parts[part].energy += 0.5 * system.stiffness_of(spring) * extension * extension;
+  }
+}
+
+void DissipationBound::begin_frame(const System& system, const State& state) {
+  start_ = state.time;
+  kinetic_ = kinetic_energy(system, state);
+  if (is_divided(system)) measure(system, state, before_);
+}
+
+double DissipationBound::end_frame(const Plan& plan, const System& system, const State& state, const Motion& motion) {
+  const double duration = state.time - start_;
+  if (!is_divided(system) || is_supplied(plan, motion))
+    return max_dissipation(plan.spectrum, state.ledger.scale, std::max(kinetic_, kinetic_energy(system, state)), duration);
+  measure(system, state, after_);
+  const SpectrumRows rows = spectrum_rows(system);
+  for (Part& part : after_) part.rate = 0.0;
+  for (std::size_t i = 0; i < part_of_.size(); ++i)
+    if (const Index part = part_of_[i]; part != no_index) after_[part].rate = std::max(after_[part].rate, rows.dashpot[i]);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < after_.size(); ++k) {
+    const double loss = before_[k].energy - after_[k].energy;
+    const Spectrum own{.dashpot_rate = after_[k].rate, .drag_rate = plan.spectrum.drag_rate};
+    sum += std::clamp(loss, 0.0, max_dissipation(own, state.ledger.scale, std::max(before_[k].kinetic, after_[k].kinetic), duration));
+  }
+  return sum;
+}
+
+}  // namespace hooke
