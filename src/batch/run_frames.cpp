@@ -92,6 +92,7 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
       results.before_end = std::move(last_kept);
       last_kept = std::make_shared<const State>(scene.state);
     }
+    monitor.begin_frame(scene.system, scene.settings, scene.state);
     compute_frame(lab, totals);
     if (totals.diverged) {
       // the last good state, unless it was already sampled

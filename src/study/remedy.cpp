@@ -71,6 +71,7 @@ Trial run_copy(Scene scene, double seconds, Budget& budget) {
   };
   try {
     for (long frame = 0; frame < frames; ++frame) {
+      monitor.begin_frame(lab.scene().system, lab.scene().settings, lab.scene().state);
       if (!lab.step()) return ended(Trial::End::Diverged);
       monitor.end_frame(lab.plan(), settings_used(lab.scene().settings, lab.scene().state), lab.scene().system, lab.scene().state,
                         lab.last_frame().motion());

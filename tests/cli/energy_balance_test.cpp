@@ -46,6 +46,14 @@ TEST(EnergyBalance, DoesNotAccuseCorrectRuns) {
     }
 }
 
+// In its first step, explicit Euler gains energy before the force has done work.
+TEST(EnergyBalance, DoesNotStopAStartFromRest) {
+  const Outcome run = run_scene(R"({"hooke": 1, "gravity": [0, 0, 0], "points": [{"position": [1, 0, 0]}],
+    "forces": [{"type": "mass_center", "stiffness": 1, "damping": 0}], "simulation": {"integrator": "explicit_euler", "substeps": 1}})",
+                                {"--seconds", "1"});
+  EXPECT_EQ(run.code, 0) << run.err;
+}
+
 // The acceleration x^3 leads to infinity within two seconds.
 TEST(EnergyBalance, StopsARepulsionThatGrowsWithTheDistance) {
   const std::string scene = R"({"hooke": 1, "gravity": [0, 0, 0], "points": [{"position": [1, 0, 0]}],
@@ -55,6 +63,41 @@ TEST(EnergyBalance, StopsARepulsionThatGrowsWithTheDistance) {
     EXPECT_EQ(run.code, 4) << method << ": " << run.err;
     EXPECT_EQ(run.err.find("tested"), std::string::npos) << method << ", which nothing can cure: " << run.err;
   }
+}
+
+// A rope, springs that a hand winds around it, and a ball that moves: the method gains energy without bounds, which neither the hand nor
+// the ball can have supplied.
+TEST(EnergyBalance, StopsAnInstabilityOfContactBesideAMovingCollider) {
+  const std::string scene =
+      R"({"hooke": 1, "dimensions": 3, "gravity": [0, 0, 0], "generators": [{"type": "rope", "from": [0, 0, 0], "to": [0.5309547518490527, 
+    0.2074457820622187, 0], "points": 14, "mass": 0.9136400559861352, "stiffness": 4815.301528366688, "damping": 0, "nail": ["from", 
+    "to"]}], "points": [{"position": [0.38587739827647866, 0.48196488839241025, 0.14629715131862442], "mass": 1.0, 
+    "velocity": [1.1217132809631045, 0.3587525519935578, -1.3236425914943653], "radius": 0.03709261653113803}, 
+    {"position": [0.05935694825607751, 0.4899803599543281, 0.3465331321190194], "mass": 1.0, "velocity": [-0.8080840849132672, 
+    -0.26282017467301055, -1.4490664522996894]}], "springs": [{"points": [0, 1], "stiffness": 84.83539792235159}, {"points": [1, 0], 
+    "stiffness": 631.5892002736812}, {"points": [1, 0], "stiffness": 80.38461618788241}, {"points": [1, 0], 
+    "stiffness": 508.20964373294566, "rest_length": 0.34764326501681525}, {"points": [1, 0], "stiffness": 243.70056822050134, 
+    "rest_length": 0.4198859369028347}, {"points": [0, 1], "stiffness": 72.28823636687162}], "colliders": [{"type": "sphere", 
+    "restitution": 0, "friction": 0, "center": [0.005759141692261181, -0.3185728511094316, 0.4334251499293591], 
+    "radius": 0.1942835871502254, "oscillate": [-0.08264408891725279, 0.021367118848766353, 0], "frequency": 1.02003116618815}, 
+    {"type": "plane", "restitution": 1, "friction": 0.7298609446276867, "point": [0, -0.38610651659326406, 0], 
+    "normal": [0.19899676028902757, 1, 0]}], "contact": {"points": true, "springs": true, "faces": false, "thickness": 0.02, 
+    "restitution": 0, "friction": 0.3}, "hand": {"point": 0, "circle": {"from": [0.40594502857541387, 0.08895224573616754, 0], 
+    "center": [-0.03302799216923602, 0.5026299558189187, 0]}, "speed": 32.27609772087056, "seconds": 0.22124232955085332, 
+    "begin": 0.19682020119908833}, "simulation": {"integrator": "symplectic_euler", "substeps": 8}})";
+  const Outcome run = run_scene(scene, {"--seconds", "0.6", "--accuracy", "off"});
+  EXPECT_EQ(run.code, 4) << run.err;
+  EXPECT_NE(run.err.find("energy grew"), std::string::npos) << run.err;
+}
+
+// A pendulum that the method damps, beside a weight that hangs at rest on a dashpot.
+TEST(EnergyBalance, ReportsALossBesideADashpotAtRest) {
+  const Outcome run = run_scene(R"({"hooke": 1, "points": [{"position": [0, 0, 0], "nailed": true}, {"position": [1, 0, 0]},
+    {"position": [5, 0, 0], "nailed": true}, {"position": [5, -1, 0], "mass": 1}],
+    "springs": [{"points": [0, 1], "stiffness": 10000}, {"points": [2, 3], "stiffness": 9.81, "rest_length": 0, "damping": 1}],
+    "simulation": {"integrator": "implicit_euler", "substeps": 1}})",
+                                {"--seconds", "4"});
+  EXPECT_NE(run.err.find("(loss)"), std::string::npos) << run.err;
 }
 
 // The energy that an attraction gives and takes on each orbit is not supplied again and again, which would hide the error of the method.
