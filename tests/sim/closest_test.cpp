@@ -83,10 +83,11 @@ TEST(FeatureBlock, HasTheClosestPointsOfEachOfItsPairsBitForBit) {
 TEST(FreePart, KeepsAHundredthOfTheDistanceAndEndsOnlyWhereItComesCloser) {
   Random random(2);
   int hits = 0;
+  long steps = 0;
   for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
     for (int i = 0; i < 500; ++i) {
       const FourPoints x = four_anywhere(random), displacement = four_anywhere(random);
-      const double distance = closest_points(kind, x).distance, part = free_part(kind, x, displacement, distance);
+      const double distance = closest_points(kind, x).distance, part = free_part(kind, x, displacement, distance, steps);
       const auto distance_after = [&](double t) {
         FourPoints at = x;
         for (int c = 0; c < 4; ++c) at[c] += t * displacement[c];

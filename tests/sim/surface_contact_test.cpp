@@ -58,6 +58,20 @@ TEST(SurfaceContact, LetsNothingThroughAtAHundredMetersPerSecondInOneSubstepPerF
   EXPECT_LT(touching.state.position[12].z, touching.state.position[37].z);
 }
 
+// As in a run that diverges: each point crosses the scene thousands of times in a substep, and impacts on such paths are not found one by
+// one, which would take minutes.
+TEST(SurfaceContact, StopsTheFrameWherePathsAreFarTooLong) {
+  TestSim sim = colliding_sheets(13);
+  folds::touch(sim);
+  Random random(3);
+  for (Vec3& v : sim.state.velocity) v = {random.uniform(-1e7, 1e7), random.uniform(-1e7, 1e7), random.uniform(-1e7, 1e7)};
+  Plan plan = make_plan(sim.system);
+  Frame frame;
+  frame.begin(plan, sim.system, {.integrator = &verlet(), .substeps = 4}, sim.state);
+  while (!frame.done()) frame.substep(plan);
+  EXPECT_EQ(frame.failure(), StepFailure::TooManyPairs);
+}
+
 class SurfaceContactOf : public EveryMethod {};
 INSTANTIATE_TEST_SUITE_P(Methods, SurfaceContactOf, testing::ValuesIn(every_method()), method_name);
 

@@ -69,7 +69,7 @@ Closest closest_points(FeaturePair kind, const FourPoints& x) {
   return kind == FeaturePair::PointFace ? closest_point_face(x) : closest_edges(x);
 }
 
-double free_part(FeaturePair kind, const FourPoints& x, const FourPoints& displacement, double distance) {
+double free_part(FeaturePair kind, const FourPoints& x, const FourPoints& displacement, double distance, long& steps) {
   const Vec3 mean = 0.25 * (displacement[0] + displacement[1] + displacement[2] + displacement[3]);
   FourPoints relative;
   std::array<double, 4> length{};
@@ -86,6 +86,7 @@ double free_part(FeaturePair kind, const FourPoints& x, const FourPoints& displa
   for (int step = 0; step < max_steps; ++step) {
     const double next = t + safety * now / reach;
     if (!(next < 1.0)) return 1.0;
+    ++steps;
     FourPoints at;
     for (int i = 0; i < 4; ++i) at[i] = x[i] + next * relative[i];
     const double then = closest_points(kind, at).distance;

@@ -29,7 +29,7 @@ Closest closest_points(FeaturePair kind, const FourPoints& x);
 
 // The part of the path x + t displacement, 0 <= t <= 1, on which the distance of both features, `distance` at the start, certainly stays
 // above a hundredth of that: additive continuous collision detection (M. Li, D. Kaufman, C. Jiang, Codimensional IPC, 2021, algorithm 1).
-// 1: on all of it.
-double free_part(FeaturePair kind, const FourPoints& x, const FourPoints& displacement, double distance);
+// 1: on all of it. Adds the number of distances computed to `steps`: many, if the displacement is far longer than the distance.
+double free_part(FeaturePair kind, const FourPoints& x, const FourPoints& displacement, double distance, long& steps);
 
 }  // namespace hooke

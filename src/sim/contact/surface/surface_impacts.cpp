@@ -11,11 +11,16 @@ namespace {
 // Passes of continuous collision detection with impacts, and those in which what hits each other starts to move together.
 constexpr int impact_passes = 6, max_passes = 1000;
 
+// Distances computed in a substep, at most, for a surface of so many points: a tenth of a second. A motion that diverges, so that each
+// point crosses the whole scene in a substep, takes a thousand for each pair.
+long max_distances(std::size_t points) { return 5'000'000 + 100 * static_cast<long>(points); }
+
 }  // namespace
 
 // Returns whether anything hit. The paths that remain are free of impacts.
 bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
   bool any = false;
+  long distances = 0;
   for (int pass = 0;; ++pass) {
     if (has_failed_ = !search_.change_path(plan, x_, path_); has_failed_) return any;
     if (pass == max_passes) break;
@@ -23,12 +28,14 @@ bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
     for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
       // what is farther away is free on all of its path
       search_.visit_approaching(plan.surface, kind, 0.9, [&](const SurfacePair& pair, double distance) {
+        if (distances > max_distances(x_.size())) return;
         FourPoints displacement = four(path_, pair.points);
         for (Vec3& d : displacement) d *= h;
-        const double part = free_part(kind, four(x_, pair.points), displacement, distance);
+        const double part = free_part(kind, four(x_, pair.points), displacement, distance, distances);
         if (part < 1.0 && handle_impact(plan, pair, part, h, pass >= impact_passes)) hits = true;
       });
-    if (!hits) break;
+    has_failed_ = distances > max_distances(x_.size());
+    if (has_failed_ || !hits) break;
     any = true;
   }
   zone_.clear();
