@@ -100,6 +100,14 @@ class Replays : public Films {
     lab.submit(Record{});
     apply_now(lab);
   }
+
+  // In the edit of the recording.
+  void replace_in_recording(const std::string& old_text, const std::string& new_text) const {
+    std::string text = contents("a.hookelog");
+    const std::size_t at = text.find(old_text, text.find("\"set_parameter\""));
+    ASSERT_NE(at, std::string::npos) << text.substr(text.find("\"set_parameter\""), 200);
+    std::ofstream(scratch_.folder / "a.hookelog") << text.replace(at, old_text.size(), new_text);
+  }
 };
 
 TEST_F(Replays, AreVerified) {
@@ -110,17 +118,42 @@ TEST_F(Replays, AreVerified) {
 }
 
 TEST_F(Replays, FailWhereAFrameDiffersFromTheRecording) {
-  std::string text = contents("a.hookelog");
-  const std::size_t at = text.find("\"set_parameter\"");
-  ASSERT_NE(at, std::string::npos);
-  text.replace(text.find("\"value\": 3", at), 10, "\"value\": 4");
-  std::ofstream(scratch_.folder / "a.hookelog") << text;
+  replace_in_recording("\"value\": 3", "\"value\": 4");
   const Outcome verified = run("replay a.hookelog --verify");
   EXPECT_EQ(verified.code, 1);
   EXPECT_EQ(verified.err.rfind("a.hookelog: frame 11, at ", 0), 0u) << verified.err;
-  const Outcome shown = run("replay a.hookelog");
-  EXPECT_EQ(shown.code, 0);
-  EXPECT_EQ(shown.err.rfind("warning: a.hookelog: frame 11, at ", 0), 0u) << shown.err;
+}
+
+// What is missing is said, and the results are not taken for those of the whole recording.
+TEST_F(Replays, ThatEndEarlySaySo) {
+  replace_in_recording("\"value\": 3", "\"value\": 4");
+  for (const char* command : {"replay a.hookelog", "replay a.hookelog --quiet --csv b.csv", "replay a.hookelog --json b.json"}) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.code, 1) << command;
+    EXPECT_EQ(outcome.err.rfind("a.hookelog: frame 11, at ", 0), 0u) << outcome.err;
+    EXPECT_NE(outcome.err.find("; the replay ends there, without the last 19 of 30 frames\n"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(Replays, WarnOfADifferenceInTheLastFrame) {
+  const std::string text = contents("a.hookelog");
+  const std::size_t last = text.rfind("\"frame\": \"") + 10;
+  std::string changed = text;
+  changed[last] = changed[last] == '0' ? '1' : '0';
+  std::ofstream(scratch_.folder / "a.hookelog") << changed;
+  const Outcome outcome = run("replay a.hookelog");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "warning: a.hookelog: frame 30, at 0.5 s: not the state that was recorded\n");
+  EXPECT_EQ(run("replay a.hookelog --verify").code, 1);
+}
+
+// A frame that diverges now and did not then.
+TEST_F(Replays, ThatDivergeEndWithTheCodeForIt) {
+  replace_in_recording("\"parameter\": \"gravity\", \"value\": 3", "\"parameter\": \"stiffness\", \"value\": 1000000");
+  const Outcome outcome = run("replay a.hookelog");
+  EXPECT_EQ(outcome.code, 4) << outcome.err;
+  EXPECT_NE(outcome.err.find(" diverges; it did not when it was recorded; the replay ends there, without the last "), std::string::npos)
+      << outcome.err;
 }
 
 TEST_F(Replays, RefuseOtherFiles) {

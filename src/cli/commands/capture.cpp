@@ -48,7 +48,7 @@ int capture(const Options& options) {
   progress.reset();
 
   if (!results.error_limit.empty()) std::cerr << results.error_limit << "\n";
-  if (!lab.difference().empty()) std::cerr << printable(*options.replay) << ": " << lab.difference() << "\n";
+  if (!lab.difference().empty()) std::cerr << printable(*options.replay) << ": " << lab.difference() << "; the pictures end there\n";
   if (!results.diverged && lab.difference().empty() && results.error_limit.empty() && !results.tolerance_warning.empty()) {
     std::cerr << results.tolerance_warning << "\n";
     return exit_code::diverged;

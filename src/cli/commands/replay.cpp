@@ -4,6 +4,7 @@
 
 #include "base/number_text.h"
 #include "base/printable.h"
+#include "base/text_lines.h"
 #include "batch/output_file.h"
 #include "batch/run_frames.h"
 #include "cli/output_options.h"
@@ -14,6 +15,14 @@
 
 namespace hooke {
 namespace {
+
+// After the difference at which a replay ended: what of the recording is not in the results. Empty: nothing.
+std::string describe_missing(long replayed, long recorded) {
+  if (replayed >= recorded) return "";
+  const long missing = recorded - replayed;
+  return "; the replay ends there, without the last " + (missing == 1 ? "" : std::to_string(missing) + " ") + "of " +
+         pluralize(static_cast<std::size_t>(recorded), "frame", "frames");
+}
 
 struct ReplayOptions {
   std::string log;
@@ -48,8 +57,11 @@ int replay(const ReplayOptions& options) {
     std::cout << totals.frames << " frames to " << format_exact(scene.state.time) << " s, hash " << to_hexadecimal(totals.hash)
               << (options.verify && is_same ? ": every frame as recorded\n" : "\n");
   if (is_same) return exit_code::success;
-  std::cerr << (options.verify ? "" : "warning: ") << printable(options.log) << ": " << lab.difference() << "\n";
-  return options.verify ? exit_code::check_failed : exit_code::success;
+  const std::string missing = describe_missing(totals.frames, recording->frames);
+  const bool is_failure = options.verify || !missing.empty();
+  std::cerr << (is_failure ? "" : "warning: ") << printable(options.log) << ": " << lab.difference() << missing << "\n";
+  if (totals.diverged) return exit_code::diverged;
+  return is_failure ? exit_code::check_failed : exit_code::success;
 }
 
 }  // namespace
@@ -57,7 +69,7 @@ int replay(const ReplayOptions& options) {
 std::function<int()> declare_replay(CLI::App& app) {
   auto options = std::make_shared<ReplayOptions>();
   app.add_option("LOG", options->log, "A recording (" + std::string(recording_extension) + ")")->required();
-  app.add_flag("--verify", options->verify, "Exit with code 1 if a frame differs from the recorded one in any bit");
+  app.add_flag("--verify", options->verify, "Exit with code 1 if a frame, also the last one, differs from the recorded one in any bit");
   add_output_options(app, options->output, Summary::WithoutAccuracy);
   add_threads_option(app, options->threads);
   app.add_flag("-q,--quiet", options->quiet, "Print no warnings, progress or summary");
