@@ -20,6 +20,7 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
   motion.x.resize(size);
   motion.v.resize(size);
   motion.a.resize(size);
+  if (plan.forces_depend_on_velocity) motion.forces.resize(size);
   for (int c = 0; c < plan.dimensions; ++c) {
     double* x = motion.x.data() + static_cast<std::size_t>(c) * plan.points;
     double* v = motion.v.data() + static_cast<std::size_t>(c) * plan.points;
@@ -30,6 +31,7 @@ void pack(const Plan& plan, const State& state, Motion& motion) {
     }
   }
   motion.acceleration_is_current = false;
+  motion.contents = Motion::Forces::None;
   motion.moved = {};
   motion.memory = state.memory;
   motion.force_evaluations = motion.factorizations = motion.solves = motion.sweeps = motion.dashpot_sweeps = motion.unconverged_solves = 0;

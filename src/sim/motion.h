@@ -15,6 +15,11 @@ struct Motion {
   Field a;     // accelerations [m/s^2] at (x, v), if acceleration_is_current
   // Nothing has changed x or v since the method's last step. Where forces depend on velocity, `a` may be at another one.
   bool acceleration_is_current = false;
+  // Forces at x [N] that a method leaves at the end of its step for the start of the next one, if acceleration_is_current: all but the
+  // listed ones. Where they are Open, whoever computes the power of those adds them, at (x, v) and the time, so that they are Complete.
+  enum class Forces { None, Unlisted, Open, Complete };
+  Field forces;
+  Forces contents = Forces::None;
   // Where contact has moved points since they were current: the first of them, and the one after the last. Then `a` is still current at the
   // points that no spring joins to these. Nowhere unless contact alone moved points, just after the step.
   struct Moved {

@@ -91,15 +91,15 @@ void plan_forces(Plan& plan, const System& system) {
     if (force.on && find_force_term(force.term->id) != force.term) plan.forces.push_back(force);
   plan.forces_depend_on_velocity = std::ranges::any_of(plan.forces, &Force::depends_on_velocity);
 
+  plan.faces.clear();
+  plan.face_rows.clear();
   plan.hinges = {};
   plan.enclosures = {};
-  for (const Force& force : plan.forces)
-    if (force.term->prepare != nullptr) force.term->prepare(system, plan);
-
-  plan.faces.clear();
   if (plan.forces.empty()) return;
   for (const Face& face : system.faces)
     plan.faces.push_back({system.index_of(face.points[0]), system.index_of(face.points[1]), system.index_of(face.points[2])});
+  for (const Force& force : plan.forces)
+    if (force.term->prepare != nullptr) force.term->prepare(system, plan);
 }
 
 // `prepared` has the forces of the system.

@@ -53,6 +53,13 @@ struct PlannedPull {
   }
 };
 
+// `cells` cells of two faces each, from the face `first` on,
+//   (i, j, i+1), (i+1, j, j+1)
+// with i and j one larger than in the cell before: as in a cloth.
+struct FaceRow {
+  Index first = 0, cells = 0;
+};
+
 // A spring on the held point.
 struct HeldSpring {
   Index spring = 0;  // packed
@@ -122,6 +129,7 @@ struct Plan {
   std::vector<Force> forces;                // those switched on, in the order of the table
   bool forces_depend_on_velocity = false;   // whether any of them does
   std::vector<std::array<Index, 3>> faces;  // of points; empty without listed forces
+  std::vector<FaceRow> face_rows;           // in their order; empty without wind
   HingePlan hinges;                         // empty without the bending force
   EnclosurePlan enclosures;                 // empty without the pressure force
   std::optional<PlannedPull> pull;

@@ -49,7 +49,7 @@ Result wind_on(const TestSim& sim) {
   Result result{.force = motion.v};
   wind_force.add(plan, values, 0.0, motion.x.data(), motion.v.data(), result.force.data());
   result.power = wind_force.power(plan, values, 0.0, motion.x.data(), motion.v.data());
-  for (Index face = 0; face < static_cast<Index>(plan.faces.size()); ++face) result.rows += count_cells(plan, face) > 0 ? 1 : 0;
+  result.rows = static_cast<Index>(plan.face_rows.size());
   return result;
 }
 

@@ -59,6 +59,18 @@ void set_sum(double* y, const double* start, std::span<const ScaledField> terms,
   });
 }
 
+// x = (x0 + x1) / 2 + h/8 (v0 - v1),  v = 3/2 (x1 - x0) / h - (v0 + v1) / 4
+void set_cubic_middle(const CubicEnds& ends, double h, double* x, double* v, std::size_t size) {
+  const double rate = 1.5 / h;
+  for_elements(size, [&](auto d, std::size_t i) HWY_ATTR {
+    const auto x0 = hn::LoadU(d, ends.start_x + i), x1 = hn::LoadU(d, ends.end_x + i);
+    const auto v0 = hn::LoadU(d, ends.start_v + i), v1 = hn::LoadU(d, ends.end_v + i);
+    const auto half = hn::Set(d, 0.5), quarter = hn::Set(d, 0.25);
+    hn::StoreU(hn::Add(hn::Mul(half, hn::Add(x0, x1)), hn::Mul(hn::Set(d, 0.125 * h), hn::Sub(v0, v1))), d, x + i);
+    hn::StoreU(hn::Sub(hn::Mul(hn::Set(d, rate), hn::Sub(x1, x0)), hn::Mul(quarter, hn::Add(v0, v1))), d, v + i);
+  });
+}
+
 void add_slope(const SlopeFields& fields, const double* inverse_mass, double weight, double step, std::size_t size) {
   for_elements(size, [&](auto d, std::size_t i) HWY_ATTR {
     const auto v = hn::LoadU(d, fields.v + i), a = hn::Mul(hn::LoadU(d, fields.a + i), hn::LoadU(d, inverse_mass + i));
@@ -82,6 +94,7 @@ HWY_EXPORT(scale_and_add_scaled);
 HWY_EXPORT(multiply_each);
 HWY_EXPORT(set_scaled);
 HWY_EXPORT(set_sum);
+HWY_EXPORT(set_cubic_middle);
 HWY_EXPORT(add_slope);
 
 void add_scaled(double* y, double s, const double* x, std::size_t size) { HWY_DYNAMIC_DISPATCH(add_scaled)(y, s, x, size); }
@@ -93,6 +106,9 @@ void set_scaled(double* y, double s, const double* x, std::size_t size) { HWY_DY
 
 void set_sum(double* y, const double* start, std::span<const ScaledField> terms, std::size_t size) {
   HWY_DYNAMIC_DISPATCH(set_sum)(y, start, terms, size);
+}
+void set_cubic_middle(const CubicEnds& ends, double h, double* x, double* v, std::size_t size) {
+  HWY_DYNAMIC_DISPATCH(set_cubic_middle)(ends, h, x, v, size);
 }
 void add_slope(const SlopeFields& fields, const double* inverse_mass, double weight, double step, std::size_t size) {
   HWY_DYNAMIC_DISPATCH(add_slope)(fields, inverse_mass, weight, step, size);

@@ -25,6 +25,12 @@ struct ScaledField {
 };
 void set_sum(double* y, const double* start, std::span<const ScaledField> terms, std::size_t size);
 
+// The middle of the cubic between two states h [s] apart, and its slope there.
+struct CubicEnds {
+  const double *start_x, *start_v, *end_x, *end_v;
+};
+void set_cubic_middle(const CubicEnds& ends, double h, double* x, double* v, std::size_t size);
+
 // A stage of a Runge-Kutta method for y = (x, v), whose slope is (v, a): a component of its fields.
 struct SlopeFields {
   const double *start_x, *start_v;  // at the start of the step

@@ -130,6 +130,13 @@ void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, do
   record(watch, drift, flight);
 }
 
+void kick_and_drift_with_forces(const Plan& plan, Motion& motion, const Field& f, double kick, double drift, const PassDashpots& dashpots) {
+  GridPass pass = pass_of(plan, kick, drift, dashpots);
+  pass.f = f.data();
+  GridWatch watch;
+  advance_points(plan, 0, plan.points, pass, motion.x.data(), motion.v.data(), watch);
+}
+
 namespace {
 
 // The rows of a grid on whose points the forces have changed.

@@ -47,6 +47,9 @@ void kick_and_drift_steps(const Plan& plan, Motion& motion, double h, int steps,
 // The same for a flight with the accelerations motion.a, which already contain the dashpots.
 void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, double drift, const PassDashpots& dashpots, Flight& flight);
 
+// The same for the forces f [N], which contain all but drag, without a flight; motion.a remains.
+void kick_and_drift_with_forces(const Plan& plan, Motion& motion, const Field& f, double kick, double drift, const PassDashpots& dashpots);
+
 // Whether accelerate_and_kick takes no more than a pass over the springs.
 bool can_accelerate_and_kick(const Plan& plan);
 

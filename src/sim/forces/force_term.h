@@ -65,11 +65,13 @@ struct ForceTerm {
   double (*potential)(const Plan& plan, const ForceValues& values, double time, const double* x);
   // [W], of the other part. Null: zero.
   double (*power)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v);
+  // Adds the force as `add` does, and returns what `power` does. Null: one after the other.
+  double (*add_with_power)(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f) = nullptr;
   // Whether it depends on the velocity with these values. Null: always, if depends_on_velocity.
   bool (*is_damped)(const ForceValues& values) = nullptr;
   // Whether it depends on the time with these values, other than by colliders that move. Null: no, of forces with a potential.
   bool (*depends_on_time)(const ForceValues& values) = nullptr;
-  // Packs into the Plan what it needs of the System besides points and faces. Null: nothing.
+  // Packs into the Plan, which has the points and faces, what else it needs of the System. Null: nothing.
   void (*prepare)(const System& system, Plan& plan) = nullptr;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/forces/field_kernel.h"
+#include "sim/forces/forces.h"
 #include "sim/plan_energy.h"
 
 namespace hooke {
@@ -66,10 +68,15 @@ double ForceWork::energy_change(const Plan& plan, const Motion& motion) const {
   return kinetic + stored_energy(plan, motion.x) - stored_energy(plan, x_);
 }
 
-void ForceWork::integrate_power(const Plan& plan, const Motion& motion, double h, bool is_moved) {
+void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h, bool is_moved) {
   if (!has_power_) return;
   const double start = power_, middle = time_ + 0.5 * h;
-  power_ = power_of(plan, time_ + h, motion.x, motion.v);
+  if (motion.contents == Motion::Forces::Open) {
+    power_ = add_force_terms_with_power(plan, motion.time, motion.x, motion.v, motion.forces);
+    motion.contents = Motion::Forces::Complete;
+  } else {
+    power_ = power_of(plan, motion.time, motion.x, motion.v);
+  }
   power_is_current_ = true;
   if (is_moved) {
     power_work_ = 0.5 * h * (start + power_);
@@ -79,10 +86,7 @@ void ForceWork::integrate_power(const Plan& plan, const Motion& motion, double h
   // as a gain. Points faster than the air have higher rates than these: then the power changes by more than a part of itself.
   constexpr double max_resolved = 0.3, max_bend = 0.2;
   if ((plan.spectrum.force_rate + plan.spectrum.estimated_rate) * h <= max_resolved) {
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      middle_x_[i] = 0.5 * (x_[i] + motion.x[i]) + 0.125 * h * (v_[i] - motion.v[i]);
-      middle_v_[i] = 1.5 * (motion.x[i] - x_[i]) / h - 0.25 * (v_[i] + motion.v[i]);
-    }
+    set_cubic_middle({x_.data(), v_.data(), motion.x.data(), motion.v.data()}, h, middle_x_.data(), middle_v_.data(), x_.size());
     const double in_the_middle = power_of(plan, middle, middle_x_, middle_v_);
     if (std::abs(start - 2.0 * in_the_middle + power_) <=
         max_bend * std::max({std::abs(start), std::abs(in_the_middle), std::abs(power_)})) {

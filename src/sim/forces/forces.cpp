@@ -34,6 +34,20 @@ void add_force_terms(const Plan& plan, double time, const Field& x, const Field&
   for (const Force& force : plan.forces) force.term->add(plan, force.values, time, x.data(), v.data(), f.data());
 }
 
+double add_force_terms_with_power(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
+  double power = 0.0;
+  for (const Force& force : plan.forces) {
+    const ForceTerm& term = *force.term;
+    if (term.add_with_power != nullptr) {
+      power += term.add_with_power(plan, force.values, time, x.data(), v.data(), f.data());
+      continue;
+    }
+    if (term.power != nullptr) power += term.power(plan, force.values, time, x.data(), v.data());
+    term.add(plan, force.values, time, x.data(), v.data(), f.data());
+  }
+  return power;
+}
+
 void compute_external_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
   set_gravity(plan, f);
   add_force_terms(plan, time, x, v, f);

@@ -24,6 +24,9 @@ void compute_network_forces(const Plan& plan, double time, const Field& x, const
 // Adds the listed forces (force_term.h) only.
 void add_force_terms(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
+// The same, and returns their power [W] but for that of forces derived from potentials.
+double add_force_terms_with_power(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
+
 // The network forces and the listed ones: everything but drag, for methods that integrate drag exactly.
 void compute_explicit_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 

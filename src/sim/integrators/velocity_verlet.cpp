@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "sim/forces/dashpot.h"
+#include "sim/forces/flight.h"
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 #include "sim/plan_energy.h"
@@ -33,7 +34,7 @@ bool has_weak_dashpots(const Plan& plan, double h) {
 }
 
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
-  work.size_fields(plan.forces_depend_on_velocity ? 3 : 1, motion);
+  work.size_fields(plan.forces_depend_on_velocity ? 2 : 1, motion);
   if (plan.has_dashpots() && !has_weak_dashpots(plan, h)) plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
 }
 
@@ -53,26 +54,25 @@ void accelerate_and_kick_half(const Plan& plan, double time, Motion& motion, dou
   }
 }
 
-// With forces that depend on velocity: the two evaluations at the end of a step and at the start of the next have the same `unlisted`
-// forces.
-void accelerate_with_velocity(const Plan& plan, double time, const Field& unlisted, const Field& v, Motion& motion) {
-  motion.a = unlisted;
-  add_force_terms(plan, time, motion.x, v, motion.a);
-  divide_by_mass(plan, motion.a);
-  ++motion.force_evaluations;
-}
-
+// With forces that depend on velocity: the two evaluations at the end of a step and at the start of the next have the same unlisted
+// forces. Without sweeps in between, the second one is made together with the power of the listed forces.
 void kick_and_drift_with_velocity(const Plan& plan, Motion& motion, Workspace& work, double h) {
-  Field &velocity = work.fields[1], &unlisted = work.fields[2];
-  if (!motion.acceleration_is_current) compute_unlisted_forces(plan, motion.time, motion.x, unlisted);
-  accelerate_with_velocity(plan, motion.time, unlisted, motion.v, motion);
-  kick(plan, motion, 0.5 * h);
-  drift(motion, h);
-  // the velocity at the end of the step
-  predict_velocity(plan, motion, 0.5 * h, velocity);
-  compute_unlisted_forces(plan, motion.time + h, motion.x, unlisted);
-  accelerate_with_velocity(plan, motion.time + h, unlisted, velocity, motion);
-  kick(plan, motion, 0.5 * h);
+  using enum Motion::Forces;
+  Field& velocity = work.fields[1];
+  if (!motion.acceleration_is_current || motion.contents == None) {
+    compute_unlisted_forces(plan, motion.time, motion.x, motion.forces);
+    motion.contents = Unlisted;
+  }
+  if (motion.contents != Complete) add_force_terms(plan, motion.time, motion.x, motion.v, motion.forces);
+  // with the velocity at the end of the step
+  kick_and_drift_with_forces(plan, motion, motion.forces, 0.5 * h, h, {.predicted = &velocity, .ahead = 0.5 * h});
+
+  compute_unlisted_forces(plan, motion.time + h, motion.x, motion.forces);
+  motion.contents = plan.has_dashpots() ? Unlisted : Open;
+  motion.a = motion.forces;
+  add_force_terms(plan, motion.time + h, motion.x, velocity, motion.a);
+  kick_and_drift_with_forces(plan, motion, motion.a, 0.5 * h, 0.0, {});
+  motion.force_evaluations += 2;
 }
 
 void kick_and_drift_alone(const Plan& plan, Motion& motion, double h) {

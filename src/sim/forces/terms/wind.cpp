@@ -100,35 +100,73 @@ constexpr double pi = 3.14159265358979323846;
 // For each point, in scenes without faces: a pi r^2.
 double point_coefficient(const Plan& plan, const ForceValues& values, Index i) { return values[3] * pi * plan.radius[i] * plan.radius[i]; }
 
-// For every force on a point, in a fixed order: use(point, force); or for a row of cells with two faces each: use_cells(wind, first face,
-// number of cells).
-template <class Use, class UseCells>
-void for_each_force(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, const Use& use,
-                    const UseCells& use_cells) {
+// In a fixed order: use_row(wind, row) for the rows of faces, use_face(face, force on each corner) for all others, or, in scenes without
+// faces, use_point(point, force).
+template <class UseRow, class UseFace, class UsePoint>
+void for_each_force(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, const UseRow& use_row,
+                    const UseFace& use_face, const UsePoint& use_point) {
   const Wind wind{wind_at(plan, values, time), values[3], values[4]};
   const auto faces = static_cast<Index>(plan.faces.size());
-  for (Index f = 0; f < faces;) {
-    if (const Index cells = count_cells(plan, f); cells > 0) {
-      use_cells(wind, f, cells);
-      f += 2 * cells;
-      continue;
+  const auto use_faces = [&](Index first, Index end) {
+    for (Index f = first; f < end; ++f) {
+      const std::array<Index, 3>& face = plan.faces[static_cast<std::size_t>(f)];
+      use_face(face, force_on_corner(plan, face, wind, x, v));
     }
-    const std::array<Index, 3>& face = plan.faces[static_cast<std::size_t>(f++)];
-    const Vec3 force = force_on_corner(plan, face, wind, x, v);
-    for (const Index corner : face) use(corner, force);
+  };
+  Index next = 0;
+  for (const FaceRow& row : plan.face_rows) {
+    use_faces(next, row.first);
+    use_row(wind, row);
+    next = row.first + 2 * row.cells;
   }
-  if (!plan.faces.empty()) return;
+  use_faces(next, faces);
+  if (faces > 0) return;
 
   for (Index i = 0; i < plan.points; ++i) {
     const Vec3 past = wind.velocity - vector_at(plan, v, i);
-    use(i, point_coefficient(plan, values, i) * glm::length(past) * past);
+    use_point(i, point_coefficient(plan, values, i) * glm::length(past) * past);
   }
 }
 
 void add(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f) {
   for_each_force(
-      plan, values, time, x, v, [&](Index i, const Vec3& force) { add_to(plan, f, i, force); },
-      [&](const Wind& wind, Index first, Index cells) { add_wind_on_cells(plan, wind, first, cells, x, v, f); });
+      plan, values, time, x, v, [&](const Wind& wind, const FaceRow& row) { compute_wind_on_cells(plan, wind, row, x, v, f, nullptr); },
+      [&](const auto& face, const Vec3& force) {
+        for (const Index corner : face) add_to(plan, f, corner, force);
+      },
+      [&](Index i, const Vec3& force) { add_to(plan, f, i, force); });
+}
+
+// Of the forces on the held point, which the hand moves.
+double power_on_held(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v) {
+  const Wind wind{wind_at(plan, values, time), values[3], values[4]};
+  Vec3 sum{0.0};
+  for (const std::array<Index, 3>& face : plan.faces)
+    if (std::ranges::find(face, *plan.held) != face.end()) sum += force_on_corner(plan, face, wind, x, v);
+  return glm::dot(sum, vector_at(plan, v, *plan.held));
+}
+
+// Nailed points do not move. Adds the forces to f, too, unless it is null.
+double add_with_power(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v, double* f) {
+  double sum = 0.0;
+  CellPowers of_cells;
+  for_each_force(
+      plan, values, time, x, v, [&](const Wind& wind, const FaceRow& row) { compute_wind_on_cells(plan, wind, row, x, v, f, &of_cells); },
+      [&](const auto& face, const Vec3& force) {
+        for (const Index corner : face) {
+          sum += glm::dot(force, vector_at(plan, v, corner));
+          if (f != nullptr) add_to(plan, f, corner, force);
+        }
+      },
+      [&](Index i, const Vec3& force) {
+        if (plan.held != i) sum += glm::dot(force, vector_at(plan, v, i));
+        if (f != nullptr) add_to(plan, f, i, force);
+      });
+  return sum + of_cells.sum() - (plan.held ? power_on_held(plan, values, time, x, v) : 0.0);
+}
+
+double power(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v) {
+  return add_with_power(plan, values, time, x, v, nullptr);
 }
 
 // Near the rest lengths, in the wind at its full speed u relative to the points, in [1/s^2] and [1/s]. A face with edges of length l has
@@ -199,17 +237,6 @@ void add_tangent(const Plan& plan, const ForceValues& values, double time, const
   }
 }
 
-double power(const Plan& plan, const ForceValues& values, double time, const double* x, const double* v) {
-  double sum = 0.0;
-  for_each_force(
-      plan, values, time, x, v,
-      [&](Index i, const Vec3& force) {
-        if (plan.inverse_mass[i] != 0.0) sum += glm::dot(force, vector_at(plan, v, i));
-      },
-      [&](const Wind& wind, Index first, Index cells) { sum += wind_power_on_cells(plan, wind, first, cells, x, v); });
-  return sum;
-}
-
 }  // namespace
 
 constinit const ForceTerm wind_force{
@@ -224,6 +251,8 @@ constinit const ForceTerm wind_force{
     .add_tangent = add_tangent,
     .potential = nullptr,
     .power = power,
+    .add_with_power = add_with_power,
+    .prepare = [](const System&, Plan& plan) { plan.face_rows = find_face_rows(plan.faces); },
 };
 
 }  // namespace hooke

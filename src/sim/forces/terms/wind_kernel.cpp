@@ -50,22 +50,6 @@ HWY_INLINE Air<V> load_points(D d, const Plan& plan, const double* field, Index 
   return {hn::LoadU(d, field + i), hn::LoadU(d, field + n + i), plan.dimensions == 3 ? hn::LoadU(d, field + 2 * n + i) : hn::Zero(d)};
 }
 
-// As force_on_corner in wind.cpp.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE Air<V> force_on_corners(D d, const Wind& wind, const Air<V>* x, const Air<V>* v) {
-  const Air<V> twice_area = cross_product(minus(x[1], x[0]), minus(x[2], x[0]));
-  const V square = dot_product(twice_area, twice_area);
-  const Air<V> velocity{hn::Set(d, wind.velocity.x), hn::Set(d, wind.velocity.y), hn::Set(d, wind.velocity.z)};
-  const Air<V> past = minus(velocity, scaled(hn::Set(d, 1.0 / 3.0), plus(plus(v[0], v[1]), v[2])));
-  const V flux = dot_product(past, twice_area), across = hn::Div(flux, square);
-  const Air<V> along = minus(past, scaled(across, twice_area));
-  const V of_normal = hn::Mul(hn::Mul(hn::Set(d, wind.normal / 6.0), hn::Abs(flux)), across);
-  const V of_tangential = hn::Mul(hn::Set(d, wind.tangential / 6.0), hn::Sqrt(hn::Mul(square, dot_product(along, along))));
-  const Air<V> force = plus(scaled(of_normal, twice_area), scaled(of_tangential, along));
-  const auto is_flat = hn::Lt(square, hn::Set(d, min_square_of_area));
-  return {hn::IfThenZeroElse(is_flat, force.x), hn::IfThenZeroElse(is_flat, force.y), hn::IfThenZeroElse(is_flat, force.z)};
-}
-
 // The corners i, j, i+1, j+1 of the cells from `cell` on.
 template <class D, class V = hn::Vec<D>>
 struct CellCorners {
@@ -75,49 +59,75 @@ struct CellCorners {
            load_points(d, plan, field, j + 1)} {}
 };
 
-// use(d, cell, corners of v, force on each corner of the first face, and of the second) for the cells, for some of them twice.
+// As force_on_corner in wind.cpp, but for the division of both coefficients by 6. v: the sum of the velocities of the corners.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Air<V> force_on_corners(D d, const Wind& wind, const Air<V>& x0, const Air<V>& x1, const Air<V>& x2, const Air<V>& v) {
+  const Air<V> twice_area = cross_product(minus(x1, x0), minus(x2, x0));
+  const V square = dot_product(twice_area, twice_area);
+  const Air<V> velocity{hn::Set(d, wind.velocity.x), hn::Set(d, wind.velocity.y), hn::Set(d, wind.velocity.z)};
+  const Air<V> past = minus(velocity, scaled(hn::Set(d, 1.0 / 3.0), v));
+  const V flux = dot_product(past, twice_area), across = hn::Div(flux, square);
+  const Air<V> along = minus(past, scaled(across, twice_area));
+  const V of_normal = hn::Mul(hn::Mul(hn::Set(d, wind.normal), hn::Abs(flux)), across);
+  const V of_tangential = hn::Mul(hn::Set(d, wind.tangential), hn::Sqrt(hn::Mul(square, dot_product(along, along))));
+  const Air<V> force = plus(scaled(of_normal, twice_area), scaled(of_tangential, along));
+  const auto is_flat = hn::Lt(square, hn::Set(d, min_square_of_area));
+  if (HWY_LIKELY(hn::AllFalse(d, is_flat))) return force;
+  return {hn::IfThenZeroElse(is_flat, force.x), hn::IfThenZeroElse(is_flat, force.y), hn::IfThenZeroElse(is_flat, force.z)};
+}
+
+// use(d, cell) for the cells in vectors, for some of them twice: a vector takes no longer than one cell.
 template <class Use>
-HWY_INLINE void for_cells(const Plan& plan, const Wind& wind, Index i, Index j, Index cells, const double* x, const double* v,
-                          const Use& use) {
-  const auto compute = [&](auto d, Index cell) HWY_ATTR {
-    using D = decltype(d);
-    using V = hn::Vec<D>;
-    const CellCorners<D> position(d, plan, x, i + cell, j + cell), velocity(d, plan, v, i + cell, j + cell);
-    const Air<V> first_x[] = {position.at[0], position.at[1], position.at[2]},
-                 second_x[] = {position.at[2], position.at[1], position.at[3]};
-    const Air<V> first_v[] = {velocity.at[0], velocity.at[1], velocity.at[2]},
-                 second_v[] = {velocity.at[2], velocity.at[1], velocity.at[3]};
-    use(d, cell, velocity.at, force_on_corners(d, wind, first_x, first_v), force_on_corners(d, wind, second_x, second_v));
-  };
+HWY_INLINE void for_cells(Index cells, const Use& use) {
   const hn::ScalableTag<double> wide;
   const hn::CappedTag<double, 1> single;
   const Index lanes = static_cast<Index>(hn::Lanes(wide));
-  Index cell = 0;
-  for (; cell + lanes <= cells; cell += lanes) compute(wide, cell);
-  // the rest again with cells before them: a vector takes no longer than one cell
-  if (cell < cells && cells >= lanes) return compute(wide, cells - lanes);
-  for (; cell < cells; ++cell) compute(single, cell);
+  if (cells < lanes) {
+    for (Index cell = 0; cell < cells; ++cell) use(single, cell);
+    return;
+  }
+  for (Index cell = 0;; cell = std::min(cell + lanes, cells - lanes)) {
+    use(wide, cell);
+    if (cell == cells - lanes) return;
+  }
+}
+
+// The forces on each corner of both faces of the cells of a row, and their power at each cell.
+struct RowOfCells {
+  static constexpr Index before = 8, stride = before + max_cells_at_once + before;
+  HWY_ALIGN double force[2][3][stride];
+  HWY_ALIGN double power[max_cells_at_once];
+};
+
+// The power of the held point is left out below.
+template <bool has_force, bool has_power>
+void compute_row(const Plan& plan, const Wind wind, Index i, Index j, Index cells, const double* x, const double* v, RowOfCells& row) {
+  for_cells(cells, [&](auto d, Index cell) HWY_ATTR {
+    const CellCorners<decltype(d)> x_of(d, plan, x, i + cell, j + cell), v_of(d, plan, v, i + cell, j + cell);
+    const auto v_first = plus(plus(v_of.at[0], v_of.at[1]), v_of.at[2]), v_second = plus(plus(v_of.at[2], v_of.at[1]), v_of.at[3]);
+    const auto first = force_on_corners(d, wind, x_of.at[0], x_of.at[1], x_of.at[2], v_first);
+    const auto second = force_on_corners(d, wind, x_of.at[2], x_of.at[1], x_of.at[3], v_second);
+    if constexpr (has_force) {
+      const Index at = RowOfCells::before + cell;
+      hn::StoreU(first.x, d, row.force[0][0] + at);
+      hn::StoreU(first.y, d, row.force[0][1] + at);
+      hn::StoreU(first.z, d, row.force[0][2] + at);
+      hn::StoreU(second.x, d, row.force[1][0] + at);
+      hn::StoreU(second.y, d, row.force[1][1] + at);
+      hn::StoreU(second.z, d, row.force[1][2] + at);
+    }
+    if constexpr (has_power) hn::StoreU(hn::Add(dot_product(first, v_first), dot_product(second, v_second)), d, row.power + cell);
+  });
 }
 
 // The point c of the upper row takes, in the order of the faces, both of the cell before it and the first of its own; that of the lower row
 // takes the second of the cell before it and both of its own.
-void add_on_cells(const Plan& plan, const Wind& wind, Index first, Index cells, const double* x, const double* v, double* f) {
-  constexpr Index before = 8;
-  HWY_ALIGN double forces[2][3][before + max_cells_at_once + before];
-  const Index i = plan.faces[static_cast<std::size_t>(first)][0], j = plan.faces[static_cast<std::size_t>(first)][1];
-  for_cells(plan, wind, i, j, cells, x, v, [&](auto d, Index cell, const auto*, const auto& on_first, const auto& on_second) HWY_ATTR {
-    const Index at = before + cell;
-    hn::StoreU(on_first.x, d, forces[0][0] + at);
-    hn::StoreU(on_first.y, d, forces[0][1] + at);
-    hn::StoreU(on_first.z, d, forces[0][2] + at);
-    hn::StoreU(on_second.x, d, forces[1][0] + at);
-    hn::StoreU(on_second.y, d, forces[1][1] + at);
-    hn::StoreU(on_second.z, d, forces[1][2] + at);
-  });
+void add_forces_of_row(const Plan& plan, Index i, Index j, Index cells, RowOfCells& row, double* f) {
+  constexpr Index before = RowOfCells::before;
   for (int c = 0; c < plan.dimensions; ++c) {
-    for (auto& face : forces) face[c][before - 1] = face[c][before + cells] = 0.0;
+    for (auto& face : row.force) face[c][before - 1] = face[c][before + cells] = 0.0;
     const auto add_at = [&](auto d, Index cell) HWY_ATTR {
-      const auto load = [&](int face, Index at) HWY_ATTR { return hn::LoadU(d, forces[face][c] + before + at); };
+      const auto load = [&](int face, Index at) HWY_ATTR { return hn::LoadU(d, row.force[face][c] + before + at); };
       double* upper = f + static_cast<std::size_t>(c) * plan.points + i + cell;
       double* lower = f + static_cast<std::size_t>(c) * plan.points + j + cell;
       const auto first_before = load(0, cell - 1), second_before = load(1, cell - 1), first_own = load(0, cell);
@@ -133,26 +143,18 @@ void add_on_cells(const Plan& plan, const Wind& wind, Index first, Index cells, 
   }
 }
 
-double power_on_cells(const Plan& plan, const Wind& wind, Index first, Index cells, const double* x, const double* v) {
-  HWY_ALIGN double power[max_cells_at_once];
-  const Index i = plan.faces[static_cast<std::size_t>(first)][0], j = plan.faces[static_cast<std::size_t>(first)][1];
-  for_cells(
-      plan, wind, i, j, cells, x, v, [&](auto d, Index cell, const auto* velocity, const auto& on_first, const auto& on_second) HWY_ATTR {
-        using V = hn::Vec<decltype(d)>;
-        const Index point[] = {i + cell, j + cell, i + cell + 1, j + cell + 1};
-        const auto free = [&](int corner) HWY_ATTR {
-          const auto is_fixed = hn::Eq(hn::LoadU(d, plan.inverse_mass.data() + point[corner]), hn::Zero(d));
-          const auto& v_of = velocity[corner];
-          return Air<V>{hn::IfThenZeroElse(is_fixed, v_of.x), hn::IfThenZeroElse(is_fixed, v_of.y), hn::IfThenZeroElse(is_fixed, v_of.z)};
-        };
-        const Air<V> of_both = plus(free(1), free(2));
-        const V of_first = dot_product(on_first, plus(free(0), of_both)), of_second = dot_product(on_second, plus(of_both, free(3)));
-        hn::StoreU(hn::Add(of_first, of_second), d, power + cell);
-      });
-  // cell by cell, so that the sum does not depend on the width of the vectors
-  double sum = 0.0;
-  for (Index cell = 0; cell < cells; ++cell) sum += power[cell];
-  return sum;
+void compute_on_cells(const Plan& plan, const Wind& air, Index i, Index j, Index cells, const double* x, const double* v, double* f,
+                      double* power) {
+  RowOfCells row;
+  const Wind wind{air.velocity, air.normal / 6.0, air.tangential / 6.0};
+  if (power == nullptr)
+    compute_row<true, false>(plan, wind, i, j, cells, x, v, row);
+  else
+    f != nullptr ? compute_row<true, true>(plan, wind, i, j, cells, x, v, row)
+                 : compute_row<false, true>(plan, wind, i, j, cells, x, v, row);
+  if (f != nullptr) add_forces_of_row(plan, i, j, cells, row, f);
+  if (power != nullptr)
+    for (Index cell = 0; cell < cells; ++cell) power[cell] += row.power[cell];
 }
 
 // How many cells in a row have the first one's faces with all corners one larger in each than in the one before; up to `max`.
@@ -174,15 +176,17 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace hooke {
 
-HWY_EXPORT(add_on_cells);
-HWY_EXPORT(power_on_cells);
+HWY_EXPORT(compute_on_cells);
 HWY_EXPORT(count_same_cells);
 
-Index count_cells(const Plan& plan, Index first) {
+namespace {
+
+// From the face `first` on; 0: another face, or too few cells.
+Index count_cells(const std::vector<std::array<Index, 3>>& faces, Index first) {
   constexpr Index min_cells = 4, max_cells = max_cells_at_once;
-  const auto end = static_cast<Index>(plan.faces.size());
+  const auto end = static_cast<Index>(faces.size());
   if (first + 2 * min_cells > end) return 0;
-  const std::array<Index, 3>* face = plan.faces.data() + first;
+  const std::array<Index, 3>* face = faces.data() + first;
   const Index i = face[0][0], j = face[0][1];
   // the points of both rows are different ones
   const Index max = std::min({max_cells, (end - first) / 2, std::max(i, j) - std::min(i, j) - 1});
@@ -192,12 +196,23 @@ Index count_cells(const Plan& plan, Index first) {
   return cells < min_cells ? 0 : cells;
 }
 
-void add_wind_on_cells(const Plan& plan, const Wind& wind, Index first, Index cells, const double* x, const double* v, double* f) {
-  HWY_DYNAMIC_DISPATCH(add_on_cells)(plan, wind, first, cells, x, v, f);
+}  // namespace
+
+std::vector<FaceRow> find_face_rows(const std::vector<std::array<Index, 3>>& faces) {
+  std::vector<FaceRow> rows;
+  for (Index first = 0; first < static_cast<Index>(faces.size());) {
+    const Index cells = count_cells(faces, first);
+    if (cells > 0) rows.push_back({first, cells});
+    first += std::max(2 * cells, Index{1});
+  }
+  return rows;
 }
 
-double wind_power_on_cells(const Plan& plan, const Wind& wind, Index first, Index cells, const double* x, const double* v) {
-  return HWY_DYNAMIC_DISPATCH(power_on_cells)(plan, wind, first, cells, x, v);
+void compute_wind_on_cells(const Plan& plan, const Wind& wind, const FaceRow& row, const double* x, const double* v, double* f,
+                           CellPowers* power) {
+  const std::array<Index, 3>& face = plan.faces[static_cast<std::size_t>(row.first)];
+  HWY_DYNAMIC_DISPATCH(compute_on_cells)
+  (plan, wind, face[0], face[1], row.cells, x, v, f, power != nullptr ? power->of_cell.data() : nullptr);
 }
 
 }  // namespace hooke

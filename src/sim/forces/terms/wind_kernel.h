@@ -1,7 +1,10 @@
 // Moving air on rows of faces, by vectors.
 #pragma once
 
+#include <array>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 #include "sim/plan.h"
 
@@ -16,18 +19,21 @@ struct Wind {
 // [m^4], of twice the area of a face: smaller ones feel no wind, since they have no direction that could be computed.
 inline constexpr double min_square_of_area = std::numeric_limits<double>::min();
 
-// Longer rows are taken in parts.
+// Longer rows of cells are taken in parts.
 inline constexpr Index max_cells_at_once = 256;
 
-// The number of cells in a row from the face `first` on, each of two faces
-//   (i, j, i+1), (i+1, j, j+1)
-// with i and j one larger than in the cell before: as in a cloth. 0: another face, or too few for vectors to pay.
-Index count_cells(const Plan& plan, Index first);
+// Rows of at least as many cells as pay for vectors, and at most max_cells_at_once.
+std::vector<FaceRow> find_face_rows(const std::vector<std::array<Index, 3>>& faces);
 
-// Adds the forces [N] on the faces of these cells to their corners, to the same bits as face by face.
-void add_wind_on_cells(const Plan& plan, const Wind& wind, Index first, Index cells, const double* x, const double* v, double* f);
+// [W], on the cells at the same place of all rows: sums that do not depend on the width of vectors.
+struct CellPowers {
+  std::array<double, max_cells_at_once> of_cell{};
+  double sum() const { return std::accumulate(of_cell.begin(), of_cell.end(), 0.0); }
+};
 
-// [W], of these forces on the free points.
-double wind_power_on_cells(const Plan& plan, const Wind& wind, Index first, Index cells, const double* x, const double* v);
+// Adds the forces [N] on the faces of these cells to their corners, to the same bits as face by face, unless `f` is null; and their powers
+// unless `power` is null.
+void compute_wind_on_cells(const Plan& plan, const Wind& wind, const FaceRow& row, const double* x, const double* v, double* f,
+                           CellPowers* power);
 
 }  // namespace hooke
