@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "sim/forces/dashpot_sweeps.h"
 #include "sim/plan.h"
 #include "sim/state.h"
 
@@ -78,6 +79,7 @@ struct Workspace {
   std::optional<double> tolerance;  // [m], from the settings; none: default_tolerance
   double min_step = 0.0;            // [s], the shortest step that an adaptive method takes
   std::unique_ptr<Structure> structure;
+  DashpotSweeps dashpots;
 
   // Provides `count` fields of the motion's size with unspecified contents; allocates only if there were fewer or smaller ones.
   void size_fields(std::size_t count, const Motion& motion);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sim/forces/dashpot.h"
+#include "sim/forces/dashpot_sweeps.h"
 #include "support/nets.h"
 #include "support/random_scene.h"
 
@@ -21,7 +22,7 @@ struct Swept {
     pack(plan, sim.state, motion);
     plan_dashpot_decay(plan, duration, decay);
   }
-  Field velocities_after(Sweep sweep) const {
+  Field velocities_after(SweepDirection sweep) const {
     Field v = motion.v;
     decay_dashpots(plan, decay, sweep, motion.x, v);
     return v;
@@ -42,12 +43,12 @@ std::vector<SweptSpring> swept_springs(const Plan& plan) {
   return result;
 }
 
-Field plain_velocities_after(const Swept& swept, Sweep sweep) {
+Field plain_velocities_after(const Swept& swept, SweepDirection sweep) {
   const Plan& plan = swept.plan;
   const Field& x = swept.motion.x;
   Field v = swept.motion.v;
   std::vector<SweptSpring> order = swept_springs(plan);
-  if (sweep == Sweep::Backward) std::reverse(order.begin(), order.end());
+  if (sweep == SweepDirection::Backward) std::reverse(order.begin(), order.end());
   for (const SweptSpring& spring : order) {
     double length_squared = 0.0, approach = 0.0;
     for (int c = 0; c < plan.dimensions; ++c) {
@@ -102,10 +103,21 @@ TEST(DashpotSweep, EqualsAPlainLoopBitForBitOnEveryVectorTarget) {
     hwy::GetChosenTarget().DeInit();
     for (const TestSim& sim : sims) {
       const Swept swept(sim, duration);
-      for (const Sweep sweep : {Sweep::Forward, Sweep::Backward})
+      for (const SweepDirection sweep : {SweepDirection::Forward, SweepDirection::Backward})
         EXPECT_EQ(swept.velocities_after(sweep), plain_velocities_after(swept, sweep))
             << hwy::TargetName(target) << ", " << swept.plan.points << " points, " << swept.plan.springs << " springs, "
-            << (sweep == Sweep::Forward ? "forward" : "backward");
+            << (sweep == SweepDirection::Forward ? "forward" : "backward");
+
+      // the sweeps of a method, at other positions and then twice at the same ones, the second time reusing what depends on them
+      DashpotSweeps sweeps;
+      sweeps.prepare(swept.plan, duration);
+      Field others = swept.motion.v;
+      sweeps.sweep(swept.plan, SweepDirection::Forward, true, swept.motion.v, others);
+      for (const SweepDirection sweep : {SweepDirection::Backward, SweepDirection::Forward}) {
+        Field v = swept.motion.v;
+        sweeps.sweep(swept.plan, sweep, sweep == SweepDirection::Forward, swept.motion.x, v);
+        EXPECT_EQ(v, plain_velocities_after(swept, sweep)) << hwy::TargetName(target) << ", " << swept.plan.springs << " springs";
+      }
     }
   }
   hwy::SetSupportedTargetsForTest(0);
@@ -117,9 +129,9 @@ TEST(DashpotSweep, BackwardUndoesForward) {
   for (const TestSim& sim : assorted_sims()) {
     Swept swept(sim, 1e-4);
     const Field start = swept.motion.v;
-    swept.motion.v = swept.velocities_after(Sweep::Forward);
+    swept.motion.v = swept.velocities_after(SweepDirection::Forward);
     plan_dashpot_decay(swept.plan, -1e-4, swept.decay);
-    const Field back = swept.velocities_after(Sweep::Backward), astray = swept.velocities_after(Sweep::Forward);
+    const Field back = swept.velocities_after(SweepDirection::Backward), astray = swept.velocities_after(SweepDirection::Forward);
     double error = 0.0, without = 0.0;
     for (std::size_t i = 0; i < start.size(); ++i) {
       error = std::max(error, std::abs(back[i] - start[i]));
@@ -137,7 +149,7 @@ TEST(DashpotSweep, OfAlmostCoincidentPointsIsFinite) {
     TestSim sim;
     const PointId first = sim.add(Vec3(0.0), 1e3, {1.0, 0.0, 2.0}), second = sim.add({distance, 0.0, 0.0}, 1e3);
     sim.join(first, second, 1.0, 1.0, 1e9);
-    const Field v = Swept(sim, 1.0).velocities_after(Sweep::Forward);
+    const Field v = Swept(sim, 1.0).velocities_after(SweepDirection::Forward);
     // moving as one body along the spring or, if it is too short to have a direction, as if there were no dashpot
     const double expected = distance < 1e-140 ? 1.0 : 0.5;
     EXPECT_NEAR(v[0], expected, 1e-15) << "distance " << distance;

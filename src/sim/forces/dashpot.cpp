@@ -19,9 +19,6 @@ HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// [m^2], of coincident ends: shorter springs have no well-defined direction, and g may overflow
-constexpr double min_length_squared = 1e-280;
-
 // The operands of the springs of a run: element e belongs to the first end of spring e, e + stride to the second.
 template <int Dimensions>
 struct Springs {
@@ -56,8 +53,8 @@ HWY_INLINE void decay_independent(const Springs<Dimensions>& springs, const Acce
     w[c] = hn::Sub(v1[c], v2[c]);
   }
   const V length_squared = dot<Dimensions>(a, a);
-  const V g =
-      hn::IfThenElseZero(hn::Ge(length_squared, hn::Set(d, min_length_squared)), hn::Div(access.load(springs.decay), length_squared));
+  const V g = hn::IfThenElseZero(hn::Ge(length_squared, hn::Set(d, min_dashpot_length_squared)),
+                                 hn::Div(access.load(springs.decay), length_squared));
   const V p = hn::Mul(g, dot<Dimensions>(a, w));
 
   V inverse_mass1, inverse_mass2;
@@ -75,13 +72,13 @@ HWY_INLINE void decay_vector(const Springs<Dimensions>& springs, D d, Index firs
 }
 
 // Vectors of up to `Lanes` springs, no more than the stride, and what is left of the run in one that is not full.
-template <Sweep sweep, int Lanes, int Dimensions>
+template <SweepDirection sweep, int Lanes, int Dimensions>
 HWY_INLINE void decay_vectors(const Springs<Dimensions>& springs) {
   const hn::CappedTag<double, Lanes> d;
   const Index lanes = static_cast<Index>(hn::Lanes(d)), rest = springs.count % lanes;
   for (Index done = 0; done + lanes <= springs.count; done += lanes)
-    decay_vector(springs, d, sweep == Sweep::Forward ? done : springs.count - done - lanes);
-  const Index first = sweep == Sweep::Forward ? springs.count - rest : 0;
+    decay_vector(springs, d, sweep == SweepDirection::Forward ? done : springs.count - done - lanes);
+  const Index first = sweep == SweepDirection::Forward ? springs.count - rest : 0;
 #if HWY_TARGET != HWY_SCALAR
   if constexpr (hn::MaxLanes(d) >= 4) {
     if (rest > 1) {
@@ -93,7 +90,7 @@ HWY_INLINE void decay_vectors(const Springs<Dimensions>& springs) {
   if (rest == 1) decay_vector(springs, hn::CappedTag<double, 1>(), first);
 }
 
-template <Sweep sweep, int Dimensions>
+template <SweepDirection sweep, int Dimensions>
 HWY_INLINE void decay_run(const Springs<Dimensions>& springs) {
   if (springs.stride >= 8) return decay_vectors<sweep, 8>(springs);
   if (springs.stride >= 4) return decay_vectors<sweep, 4>(springs);
@@ -117,26 +114,34 @@ HWY_INLINE void decay_half_row(const Springs<Dimensions>& springs, Index first) 
   for (; first < springs.count; first += 2) decay_vector(springs, hn::CappedTag<double, 1>(), first);
 }
 
-template <Sweep sweep, int Dimensions>
+template <SweepDirection sweep, int Dimensions>
 void decay_all(const Plan& plan, const double* decay, const double* x, double* v) {
   const std::size_t runs = plan.runs.size();
   for (std::size_t r = 0; r < runs; ++r) {
-    const Springs<Dimensions> springs(plan, plan.runs[sweep == Sweep::Forward ? r : runs - 1 - r], decay, x, v);
+    const Springs<Dimensions> springs(plan, plan.runs[sweep == SweepDirection::Forward ? r : runs - 1 - r], decay, x, v);
     if (springs.count == 1) {
       decay_vector(springs, hn::CappedTag<double, 1>(), 0);
     } else if (springs.stride > 1) {
       decay_run<sweep>(springs);
     } else {
-      decay_half_row(springs, sweep == Sweep::Forward ? 0 : 1);
-      decay_half_row(springs, sweep == Sweep::Forward ? 1 : 0);
+      decay_half_row(springs, sweep == SweepDirection::Forward ? 0 : 1);
+      decay_half_row(springs, sweep == SweepDirection::Forward ? 1 : 0);
     }
   }
 }
 
-void forward_2d(const Plan& plan, const double* decay, const double* x, double* v) { decay_all<Sweep::Forward, 2>(plan, decay, x, v); }
-void forward_3d(const Plan& plan, const double* decay, const double* x, double* v) { decay_all<Sweep::Forward, 3>(plan, decay, x, v); }
-void backward_2d(const Plan& plan, const double* decay, const double* x, double* v) { decay_all<Sweep::Backward, 2>(plan, decay, x, v); }
-void backward_3d(const Plan& plan, const double* decay, const double* x, double* v) { decay_all<Sweep::Backward, 3>(plan, decay, x, v); }
+void forward_2d(const Plan& plan, const double* decay, const double* x, double* v) {
+  decay_all<SweepDirection::Forward, 2>(plan, decay, x, v);
+}
+void forward_3d(const Plan& plan, const double* decay, const double* x, double* v) {
+  decay_all<SweepDirection::Forward, 3>(plan, decay, x, v);
+}
+void backward_2d(const Plan& plan, const double* decay, const double* x, double* v) {
+  decay_all<SweepDirection::Backward, 2>(plan, decay, x, v);
+}
+void backward_3d(const Plan& plan, const double* decay, const double* x, double* v) {
+  decay_all<SweepDirection::Backward, 3>(plan, decay, x, v);
+}
 
 }  // namespace hooke::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -151,13 +156,13 @@ HWY_EXPORT(forward_3d);
 HWY_EXPORT(backward_2d);
 HWY_EXPORT(backward_3d);
 
-void decay_dashpots(const Plan& plan, const std::vector<double>& decay, Sweep sweep, const Field& x, Field& v) {
+void decay_dashpots(const Plan& plan, const std::vector<double>& decay, SweepDirection sweep, const Field& x, Field& v) {
   if (plan.dimensions == 2)
-    sweep == Sweep::Forward ? HWY_DYNAMIC_DISPATCH(forward_2d)(plan, decay.data(), x.data(), v.data())
-                            : HWY_DYNAMIC_DISPATCH(backward_2d)(plan, decay.data(), x.data(), v.data());
+    sweep == SweepDirection::Forward ? HWY_DYNAMIC_DISPATCH(forward_2d)(plan, decay.data(), x.data(), v.data())
+                                     : HWY_DYNAMIC_DISPATCH(backward_2d)(plan, decay.data(), x.data(), v.data());
   else
-    sweep == Sweep::Forward ? HWY_DYNAMIC_DISPATCH(forward_3d)(plan, decay.data(), x.data(), v.data())
-                            : HWY_DYNAMIC_DISPATCH(backward_3d)(plan, decay.data(), x.data(), v.data());
+    sweep == SweepDirection::Forward ? HWY_DYNAMIC_DISPATCH(forward_3d)(plan, decay.data(), x.data(), v.data())
+                                     : HWY_DYNAMIC_DISPATCH(backward_3d)(plan, decay.data(), x.data(), v.data());
 }
 
 void plan_dashpot_decay(const Plan& plan, double duration, std::vector<double>& decay) {

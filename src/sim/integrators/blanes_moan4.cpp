@@ -33,7 +33,7 @@ constexpr double prediction_weight(int kick) { return kick == drifts ? kick_weig
 
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
   work.size_fields(2, motion);
-  if (plan.has_dashpots()) plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
+  if (plan.has_dashpots()) work.dashpots.prepare(plan, 0.5 * h);
 }
 
 void accelerate(const Plan& plan, double time, const Field& v, Motion& motion) {
@@ -43,7 +43,7 @@ void accelerate(const Plan& plan, double time, const Field& v, Motion& motion) {
 }
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
-  if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
+  if (plan.has_dashpots()) work.dashpots.sweep(plan, SweepDirection::Forward, motion.acceleration_is_current, motion.x, motion.v);
 
   // the last kick's acceleration is the next step's first
   if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion.v, motion);
@@ -66,7 +66,7 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   }
   motion.acceleration_is_current = !plan.forces_depend_on_velocity;
 
-  if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
+  if (plan.has_dashpots()) work.dashpots.sweep(plan, SweepDirection::Backward, false, motion.x, motion.v);
   motion.dashpot_sweeps += plan.has_dashpots() ? 2 : 0;
 }
 

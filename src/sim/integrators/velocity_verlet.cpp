@@ -35,7 +35,7 @@ bool has_weak_dashpots(const Plan& plan, double h) {
 
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
   work.size_fields(plan.forces_depend_on_velocity ? 2 : 1, motion);
-  if (plan.has_dashpots() && !has_weak_dashpots(plan, h)) plan_dashpot_decay(plan, 0.5 * h, work.fields[0]);
+  if (plan.has_dashpots() && !has_weak_dashpots(plan, h)) work.dashpots.prepare(plan, 0.5 * h);
 }
 
 void accelerate(const Plan& plan, double time, Motion& motion) {
@@ -133,13 +133,13 @@ void step_weakly_damped(const Plan& plan, Motion& motion, Workspace& work, doubl
 
 void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   if (has_weak_dashpots(plan, h)) return step_weakly_damped(plan, motion, work, h);
-  if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
+  if (plan.has_dashpots()) work.dashpots.sweep(plan, SweepDirection::Forward, motion.acceleration_is_current, motion.x, motion.v);
   if (plan.forces_depend_on_velocity)
     kick_and_drift_with_velocity(plan, motion, work, h);
   else
     kick_and_drift_alone(plan, motion, h);
   motion.acceleration_is_current = true;
-  if (plan.has_dashpots()) decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
+  if (plan.has_dashpots()) work.dashpots.sweep(plan, SweepDirection::Backward, false, motion.x, motion.v);
   motion.dashpot_sweeps += plan.has_dashpots() ? 2 : 0;
 }
 
@@ -152,13 +152,13 @@ double modified_energy(const Plan& plan, const Motion& motion, double h) {
 void fly_damped(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) {
   for (int i = 0; i < count && !flight.was_interrupted(); ++i) {
     if (i > 0) flight.any_at_limit = flight.any_at_limit || any_reaches_limit(plan, plan.runs, motion.x);
-    decay_dashpots(plan, work.fields[0], Sweep::Forward, motion.x, motion.v);
+    work.dashpots.sweep(plan, SweepDirection::Forward, motion.acceleration_is_current, motion.x, motion.v);
     if (!motion.acceleration_is_current) accelerate(plan, motion.time, motion);
     kick_and_drift_with_known(plan, motion, 0.5 * h, h, {}, flight);
     motion.time += h;
     accelerate_and_kick_half(plan, motion.time, motion, h);
     motion.acceleration_is_current = true;
-    decay_dashpots(plan, work.fields[0], Sweep::Backward, motion.x, motion.v);
+    work.dashpots.sweep(plan, SweepDirection::Backward, false, motion.x, motion.v);
     motion.dashpot_sweeps += 2;
   }
 }

@@ -1,0 +1,43 @@
+// The sweeps of dashpot.h over the springs of a net with short runs: spring by spring, in the order of the sweep but with independent
+// springs side by side, so that processors overlap them; to the same bits.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/forces/dashpot.h"
+
+namespace hooke {
+
+// A spring with what a sweep reads of it: a cache line.
+struct OrderedSpring {
+  double along[4];              // [m], x1 - x2, and 0
+  double factor;                // decay / |x1 - x2|^2
+  double inverse_mass[2];       // [1/kg]
+  std::uint32_t first, second;  // where the four numbers of its points are
+};
+
+// Sweeps over the same duration. Only `prepare` allocates.
+class DashpotSweeps {
+ public:
+  // As plan_dashpot_decay.
+  void prepare(const Plan& plan, double duration);
+  // As decay_dashpots. `is_same`: x is that of the last sweep since prepare.
+  void sweep(const Plan& plan, SweepDirection sweep, bool is_same, const Field& x, Field& v);
+
+ private:
+  void order_springs(const Plan& plan);
+
+  std::vector<double> decay_;  // of the packed springs
+  // The springs in their new order; empty: as they are packed. A spring comes after all those before it in the sweep that share a point
+  // with it, and otherwise as early as possible.
+  std::vector<OrderedSpring> springs_;
+  std::vector<Index> packed_;
+  std::vector<double> ordered_decay_;
+  std::vector<SpringRun> ordered_runs_;  // those of which this is the order
+  bool is_known_ = false;                // whether the springs have the vectors and factors of the last sweep
+  std::vector<double> x_, v_;            // four numbers for each point, the last of them 0
+};
+
+}  // namespace hooke
