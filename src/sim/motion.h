@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "sim/forces/dashpot_sweeps.h"
+#include "sim/forces/dashpots/dashpot_sweeps.h"
 #include "sim/plan.h"
 #include "sim/state.h"
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/forces/dashpot.h"
-#include "sim/forces/dashpot_sweeps.h"
+#include "sim/forces/dashpots/dashpot.h"
+#include "sim/forces/dashpots/dashpot_sweeps.h"
 #include "support/nets.h"
 #include "support/random_scene.h"
 

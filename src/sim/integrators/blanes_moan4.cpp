@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/forces/dashpot.h"
+#include "sim/forces/dashpots/dashpot.h"
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 #include "sim/portable_math.h"

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/forces/dashpot.h"
+#include "sim/forces/dashpots/dashpot.h"
 #include "sim/forces/flight.h"
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"

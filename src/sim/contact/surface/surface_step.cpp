@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/contact/contact_work.h"
-#include "sim/forces/dashpot.h"
+#include "sim/forces/dashpots/dashpot.h"
 
 namespace hooke {
 namespace {

@@ -1,12 +1,12 @@
 // As dashpot.cpp:  a = x1 - x2,  g = decay / |a|^2,  p = g a . (v1 - v2),  v1 -= p a / m1,  v2 += p a / m2.
 // a and g of all springs are computed first, and once for a backward sweep and the forward one after it. Then a spring waits only for the
 // velocities of its ends. Compiled once for each vector unit by Highway; the same IEEE operations in each.
-#include "sim/forces/dashpot_sweeps.h"
+#include "sim/forces/dashpots/dashpot_sweeps.h"
 
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sim/forces/dashpot_sweeps.cpp"
+#define HWY_TARGET_INCLUDE "sim/forces/dashpots/dashpot_sweeps.cpp"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>

@@ -4,11 +4,11 @@
 // points only with springs e - stride and e + stride (stride = second - first), and the springs are processed from the first to the last;
 // fewer springs than the stride share no points, so that a vector of them gives the same result as one by one. In a row (stride 1), every
 // other spring comes first, then those between, which share no points either. A backward sweep is the exact reverse.
-#include "sim/forces/dashpot.h"
+#include "sim/forces/dashpots/dashpot.h"
 #include "sim/portable_math.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "sim/forces/dashpot.cpp"
+#define HWY_TARGET_INCLUDE "sim/forces/dashpots/dashpot.cpp"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>

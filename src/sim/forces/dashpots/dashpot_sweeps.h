@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/forces/dashpot.h"
+#include "sim/forces/dashpots/dashpot.h"
 
 namespace hooke {
 
