@@ -101,9 +101,11 @@ void record_extent(State& state) {
 }
 
 // The kinetic energy [J] that listed forces, by their bounds where the scene started, cause within a tenth of a second. Explicit Euler
-// starts from rest without displacement: its first step gains energy before the forces have done work.
+// starts from rest without displacement: its first step gains energy before the forces have done any work. 0 once those with
+// a potential have.
 double energy_of_a_start(const System& system, const State& state) {
   if (system.forces.empty() || !state.ledger.extent || !state.ledger.speed) return 0.0;
+  if (state.ledger.min_reversible.value_or(0.0) != state.ledger.max_reversible.value_or(0.0)) return 0.0;
   const double extent = *state.ledger.extent, speed = *state.ledger.speed, time = std::min(0.1, std::abs(state.time));
   const Spectrum s = bound_spectrum(system, speed);
   const double of_positions = (s.force_omega * s.force_omega + s.estimated_omega * s.estimated_omega) * extent;

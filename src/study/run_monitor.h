@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/dissipation_bound.h"
+#include "sim/forces/dashpots/dissipation_bound.h"
 #include "sim/motion.h"
 #include "sim/settings.h"
 #include "sim/state.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/accuracy.h"
-#include "sim/dissipation_bound.h"
+#include "sim/forces/dashpots/dissipation_bound.h"
 #include "sim/motion.h"
 #include "sim/system.h"
 

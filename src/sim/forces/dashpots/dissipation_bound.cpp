@@ -1,4 +1,4 @@
-#include "sim/dissipation_bound.h"
+#include "sim/forces/dashpots/dissipation_bound.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
