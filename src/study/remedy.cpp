@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -12,31 +13,17 @@
 #include "sim/automatic/automatic.h"
 #include "sim/contact/contact.h"
 #include "study/run_monitor.h"
+#include "study/trial_work.h"
 
 namespace hooke {
 namespace {
 
 // The work limit, shared by all copies.
 struct Budget {
-  double left;
+  double left;  // [ns]
   const std::atomic<bool>& stop;
   bool is_spent() const { return left <= 0.0 || stop; }
 };
-
-// Rough cost of a substep in force evaluations.
-double relative_cost(const Integrator& method) {
-  switch (method.stability) {
-    case Stability::AStable:
-    case Stability::LStable:
-      return 300.0;
-    case Stability::EachSpring:
-      return 4.0;
-    case Stability::Adaptive:
-      return 100.0;
-    default:
-      return method.order > 2 ? 6.0 : 1.0;
-  }
-}
 
 bool is_unconditionally_stable(const Integrator& method) {
   return method.stability == Stability::LStable || method.stability == Stability::AStable;
@@ -45,24 +32,33 @@ bool is_unconditionally_stable(const Integrator& method) {
 struct Trial {
   enum class End { Finished, Diverged, OutOfBudget };
   End end = End::Finished;
-  double seconds = 0.0;               // [s], simulated
-  std::vector<std::string> warnings;  // of the run monitor
+  double seconds = 0.0;                    // [s], simulated
+  std::vector<std::string> step_warnings;  // before the run
+  std::vector<std::string> warnings;       // of the run monitor
+  bool has_warnings() const { return !step_warnings.empty() || !warnings.empty(); }
+  std::vector<std::string> all_warnings() const {
+    std::vector<std::string> all = step_warnings;
+    all.insert(all.end(), warnings.begin(), warnings.end());
+    return all;
+  }
 };
 
 struct BudgetIsSpent {};
 
-// Frame by frame, with the monitor of `hooke run`.
+// Frame by frame, with the warnings and the monitor of `hooke run`.
 Trial run_copy(Scene scene, double seconds, Budget& budget) {
   const double start = scene.state.time;
-  const double cost = relative_cost(*scene.settings.integrator) * (scene.system.spring_count() + scene.system.point_count() + 10.0);
   const long frames = std::lround(std::ceil(seconds * scene.settings.frame_rate * (1.0 - 1e-9)));
+  Trial trial;
+  for (const auto& warning : {unused_setting_warning(scene.settings), step_warning(scene.system, scene.state, scene.settings)})
+    if (warning) trial.step_warnings.push_back(*warning);
   Lab lab(std::move(scene), KeepStart::No);
+  TrialWork work(lab.plan());
   lab.watch_substeps([&] {
-    budget.left -= cost;
+    budget.left -= work.since_last(lab.last_frame(), false);
     if (budget.is_spent()) throw BudgetIsSpent{};
   });
   RunMonitor monitor(lab.scene().system, lab.scene().state, 0);
-  Trial trial;
   const auto ended = [&](Trial::End end) {
     trial.end = end;
     trial.seconds = end == Trial::End::Finished ? seconds : lab.scene().state.time - start;
@@ -72,7 +68,9 @@ Trial run_copy(Scene scene, double seconds, Budget& budget) {
   try {
     for (long frame = 0; frame < frames; ++frame) {
       monitor.begin_frame(lab.scene().system, lab.scene().settings, lab.scene().state);
-      if (!lab.step()) return ended(Trial::End::Diverged);
+      const bool is_diverged = !lab.step();
+      budget.left -= work.since_last(lab.last_frame(), true);
+      if (is_diverged) return ended(Trial::End::Diverged);
       monitor.end_frame(lab.plan(), settings_used(lab.scene().settings, lab.scene().state), lab.scene().system, lab.scene().state,
                         lab.last_frame().motion());
     }
@@ -93,7 +91,8 @@ bool is_cured_without(const Scene& start, double seconds, Budget& budget, const 
 Remedy::Cause find_cause(const Scene& start, double seconds, Budget& budget) {
   using enum Remedy::Cause;
   const Settings& settings = start.settings;
-  if (settings.substep() > largest_stable_step(*settings.integrator, bound_spectrum(start.system))) return StepTooLong;
+  const bool has_own_steps = settings.integrator->stability == Stability::Adaptive;
+  if (!has_own_steps && settings.substep() > largest_stable_step(*settings.integrator, bound_spectrum(start.system))) return StepTooLong;
 
   const System& system = start.system;
   const bool has_forces = std::ranges::any_of(system.forces, &Force::on);
@@ -135,8 +134,11 @@ std::vector<Advice> candidates(const Scene& start) {
   if (settings.integrator != &default_integrator()) add_refinements(default_integrator(), settings.substeps);
   for (const Integrator& method : integrators()) {
     if (!is_unconditionally_stable(method) || !method.for_production || &method == settings.integrator) continue;
-    for (const int substeps : {settings.substeps, 4 * settings.substeps})
-      if (substeps <= max_substeps) list.push_back({&method, substeps});
+    std::vector<int> numbers{settings.substeps, std::min(max_substeps, 4 * settings.substeps)};
+    // listed forces that are not part of its linear system may limit its step
+    if (const auto limit = min_stable_substeps(method, spectrum, settings.frame_rate); limit && *limit > numbers.back())
+      numbers.push_back(std::min(max_substeps, 2 * *limit));
+    for (const int substeps : numbers) list.push_back({&method, substeps});
   }
   for (const Integrator& method : integrators())
     if (method.stability == Stability::Adaptive && method.for_production && &method != settings.integrator)
@@ -161,7 +163,9 @@ std::optional<RecentChange> find_change(const Scene& from, const std::vector<Rec
   return std::nullopt;
 }
 
-std::optional<Advice> find_implicit(const Scene& from, double seconds, const std::atomic<bool>& stop, const RemedyProgress& progress) {
+// With its warnings, if every one has some.
+std::optional<std::pair<Advice, std::vector<std::string>>> find_implicit(const Scene& from, double seconds, const std::atomic<bool>& stop,
+                                                                         const RemedyProgress& progress) {
   // the most accurate first
   std::vector<const Integrator*> methods;
   for (const Integrator& method : integrators())
@@ -169,7 +173,7 @@ std::optional<Advice> find_implicit(const Scene& from, double seconds, const std
   std::ranges::stable_sort(methods, [](const Integrator* a, const Integrator* b) {
     return std::pair(a->stability == Stability::LStable, a->order) > std::pair(b->stability == Stability::LStable, b->order);
   });
-  std::optional<Advice> warned;
+  std::optional<std::pair<Advice, std::vector<std::string>>> warned;
   for (const Integrator* one : methods) {
     if (stop) break;
     const Integrator& method = *one;
@@ -179,8 +183,9 @@ std::optional<Advice> find_implicit(const Scene& from, double seconds, const std
     scene.settings.integrator = &method;
     Budget budget{0.25 * default_remedy_work, stop};
     const Trial trial = run_copy(std::move(scene), seconds, budget);
-    if (trial.end == Trial::End::Finished && trial.warnings.empty()) return advice;
-    if (trial.end == Trial::End::Finished && !warned) warned = advice;
+    if (trial.end != Trial::End::Finished) continue;
+    if (!trial.has_warnings()) return std::pair(advice, trial.all_warnings());
+    if (!warned) warned = {advice, trial.all_warnings()};
   }
   return warned;
 }
@@ -214,19 +219,26 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
   remedy.cause = find_cause(start, diverged_after, diagnosis);
 
   double left = max_work - (0.25 * max_work - std::max(0.0, diagnosis.left));
-  // in the order of preference: no warning for all of the time, no warning for as long as the work allowed, and the first with a warning
-  std::optional<std::pair<Advice, Trial>> partly_tested, warned;
+  // in the order of preference: no warning for as long as the work allowed, only one about the step, and any other
+  enum Rank { PartlyTested, StepWarning, OtherWarning, ranks };
+  std::optional<std::pair<Advice, Trial>> kept[ranks];
   const auto recommend = [&](const Advice& advice, const Trial& trial) {
     remedy.advice = advice;
     remedy.linear_limit = linear_limit(*advice.integrator, start);
     remedy.has_recommended_margin =
         remedy.linear_limit && advice.substeps == recommended_margin(start.system, start.state) * *remedy.linear_limit;
     remedy.tested_seconds = trial.seconds;
-    remedy.warnings = trial.warnings;
+    remedy.warnings = trial.all_warnings();
     return remedy;
   };
+  const Integrator* cut_short = nullptr;  // the method whose last test was
   for (const Advice& advice : candidates(start)) {
-    if (stop || left <= 0.0) break;
+    if (stop) break;
+    // more substeps would take longer still
+    if (left <= 0.0 || advice.integrator == cut_short) {
+      ++remedy.settings_left;
+      continue;
+    }
     report("Testing " + describe(advice));
     Scene scene = start;
     scene.settings.integrator = advice.integrator;
@@ -237,15 +249,17 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
     const Trial trial = run_copy(std::move(scene), seconds, budget);
     left -= given - std::max(0.0, budget.left);
     ++remedy.settings_tried;
-    if (trial.end == Trial::End::OutOfBudget) ++remedy.settings_cut_short;
+    cut_short = trial.end == Trial::End::OutOfBudget ? advice.integrator : nullptr;
+    if (cut_short != nullptr) ++remedy.settings_cut_short;
     const bool is_tested =
         trial.end == Trial::End::Finished || (trial.end == Trial::End::OutOfBudget && trial.seconds >= 2.0 * diverged_after);
     if (!is_tested) continue;
-    if (trial.end == Trial::End::Finished && trial.warnings.empty()) return recommend(advice, trial);
-    std::optional<std::pair<Advice, Trial>>& kept = trial.warnings.empty() ? partly_tested : warned;
-    if (!kept) kept = {advice, trial};
+    if (trial.end == Trial::End::Finished && !trial.has_warnings()) return recommend(advice, trial);
+    const Rank rank = !trial.has_warnings() ? PartlyTested : trial.warnings.empty() ? StepWarning : OtherWarning;
+    if (!kept[rank]) kept[rank] = {advice, trial};
   }
-  if (const auto& kept = partly_tested ? partly_tested : warned) return recommend(kept->first, kept->second);
+  for (const auto& one : kept)
+    if (one) return recommend(one->first, one->second);
   return remedy;
 }
 
@@ -276,9 +290,21 @@ Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const Re
   const double seconds = 2.0 * std::max(0.0, run.time - from.state.time) + 1.0;
   remedy.change = find_change(from, run.changes, seconds, stop, report);
   const bool is_implicit = remedy.advice && is_unconditionally_stable(*remedy.advice->integrator);
-  if (!is_implicit) remedy.implicit = find_implicit(from, seconds, stop, report);
+  if (is_implicit) return remedy;
+  if (auto found = find_implicit(from, seconds, stop, report)) std::tie(remedy.implicit, remedy.implicit_warnings) = *std::move(found);
   return remedy;
 }
+
+namespace {
+
+// ", but: ...; ..."; empty without warnings.
+std::string exceptions(const std::vector<std::string>& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings) text += (text.empty() ? ", but: " : "; ") + warning;
+  return text;
+}
+
+}  // namespace
 
 std::string describe(const Remedy& remedy, const Settings& settings) {
   const auto cause = [&]() -> std::string {
@@ -308,25 +334,26 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
   if (remedy.cause == Remedy::Cause::NotReproduced || remedy.cause == Remedy::Cause::SearchLimit) return cause();
   if (!remedy.advice) {
     const std::string tried = " other settings were tried" + std::string(remedy.change || remedy.implicit ? " without success" : "");
-    const std::string found = remedy.implicit ? " With " + std::string(remedy.implicit->integrator->label) + " it does not diverge." : "";
-    const std::string cut_short = remedy.settings_cut_short > 0 ? ", " + std::to_string(remedy.settings_cut_short) +
-                                                                      " of them only up to the work limit of the search"
-                                                                : "";
+    const std::string found = remedy.implicit ? " With " + std::string(remedy.implicit->integrator->label) + " it does not diverge" +
+                                                    exceptions(remedy.implicit_warnings) + "."
+                                              : "";
+    std::string cut_short;
+    if (remedy.settings_cut_short > 0)
+      cut_short = ", " + std::to_string(remedy.settings_cut_short) + " of them only up to the work limit of the search";
+    if (remedy.settings_left > 0) cut_short += "; " + std::to_string(remedy.settings_left) + " more were not, because of that limit";
     return cause() + (remedy.change || remedy.implicit ? " " : " No remedy found: ") + std::to_string(remedy.settings_tried) + tried +
            cut_short + "." + found;
   }
-  // why more substeps than the limit shown below the slider
+  // why more substeps than the limit shown below the slider; a step beyond it has a warning of its own
   std::string margin;
-  if (remedy.linear_limit) {
+  if (remedy.linear_limit && remedy.advice->substeps >= *remedy.linear_limit) {
     const double ratio = static_cast<double>(remedy.advice->substeps) / *remedy.linear_limit;
     margin = ", " + number_text(ratio, 2) + " times the linear limit of " + std::to_string(*remedy.linear_limit) +
              (remedy.has_recommended_margin ? " (a measured margin)" : "") + ",";
   }
   const std::string from = remedy.from ? " from t = " + seconds_text(*remedy.from) : "";
-  std::string warnings;
-  for (const std::string& warning : remedy.warnings) warnings += (warnings.empty() ? ", but: " : "; ") + warning;
   return cause() + " " + describe(*remedy.advice) + margin + " does not diverge (tested for " + seconds_text(remedy.tested_seconds) + from +
-         ")" + warnings + ".";
+         ")" + exceptions(remedy.warnings) + ".";
 }
 
 }  // namespace hooke

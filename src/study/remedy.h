@@ -29,29 +29,33 @@ struct Remedy {
   double tested_seconds = 0.0;   // [s], simulated with it
   int settings_tried = 0;
   int settings_cut_short = 0;           // of those: by the work limit, before they diverged
+  int settings_left = 0;                // not tried, because the work limit was reached
   double reached = 0.0;                 // [s], where the cause is SearchLimit: the time that the copy had reached
   std::optional<int> linear_limit;      // of the method of the advice [substeps per frame]; none if it has no limit
   bool has_recommended_margin = false;  // whether the advice has the measured margin below that limit
-  std::vector<std::string> warnings;  // of the run monitor about the test with it; only where every setting that does not diverge has some
-  std::optional<double> from;         // [s], of the recorded state that the copies started from; none: the start of the run
+  // That `hooke run` prints with the advice: about its step, and of the run monitor about the test with it. Only where every setting that
+  // does not diverge has some.
+  std::vector<std::string> warnings;
+  std::optional<double> from;  // [s], of the recorded state that the copies started from; none: the start of the run
   // The edit to which the divergence is due: with what it changed as it was before, a copy ran through for as long as with the advice.
   std::optional<RecentChange> change{};
   // A method that is stable at any step, tested like the advice; none if the advice is one, or none was found.
   std::optional<Advice> implicit{};
+  std::vector<std::string> implicit_warnings{};  // about it, as above
 };
 
-// A limit on the work: approximately the number of springs and points times the force evaluations of all copies of one search. The default
+// [ns], a limit on the work of all copies of one search, by a fixed model of what it takes: the same on every machine, of which the default
 // takes a second or two.
-inline constexpr double default_remedy_work = 4e8;
+inline constexpr double default_remedy_work = 1.5e9;
 
 // Receives what is being tested: "Testing Velocity Verlet with 80 substeps per frame". Called on the thread of the search.
 using RemedyProgress = std::function<void(const std::string& test)>;
 
 // Runs copies of `start` (a state before the divergence, best the start of the run) with its own settings, without its forces,
 // contact and hand, and with other settings: each for `seconds` or until the divergence. A setting is accepted when it neither diverges nor
-// is warned about by the run monitor, as in `hooke run`, for `seconds` or, where the work allows less, for at least twice the time that the
-// divergence took; if there is none, the first one that does not diverge, with its warnings. Deterministic. Can run on
-// any thread; `stop` ends it early.
+// is warned about, as by `hooke run`, for `seconds` or, where the work allows less, for at least twice the time that the divergence took;
+// if there is none, the first one that does not diverge, with its warnings: rather about a step that may be too long than about what went
+// wrong. Deterministic. Can run on any thread; `stop` ends it early.
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work = default_remedy_work,
                    const RemedyProgress& report = {});
 

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 
 #include "lab/lab.h"
 #include "sim/forces/force_term.h"
 #include "study/hard_cases/test_network.h"
 #include "study/run_monitor.h"
+#include "study/trial_work.h"
 #include "support/force_with.h"
 
 namespace hooke {
@@ -53,13 +56,17 @@ bool runs_through(const Scene& scene, double duration) {
   return true;
 }
 
-// Those of the run monitor, as `hooke run` prints them.
+// Of the step and of the run monitor, as `hooke run` prints them.
 std::vector<std::string> warnings_of(const Scene& scene, double duration) {
+  std::vector<std::string> list;
+  for (const auto& warning : {unused_setting_warning(scene.settings), step_warning(scene.system, scene.state, scene.settings)})
+    if (warning) list.push_back(*warning);
   Lab lab(scene, KeepStart::No);
   RunMonitor monitor(lab.scene().system, lab.scene().state, 0);
   for (long frame = std::lround(duration * scene.settings.frame_rate); frame > 0 && lab.step(); --frame)
     monitor.end_frame(lab.plan(), lab.scene().settings, lab.scene().system, lab.scene().state, lab.last_frame().motion());
-  return monitor.warnings({});
+  std::ranges::move(monitor.warnings({}), std::back_inserter(list));
+  return list;
 }
 
 // Diverging scenes of several kinds.
@@ -176,7 +183,7 @@ TEST(Remedy, IsAbsentForAStableRun) {
 
 TEST(Remedy, StopsWhenItsWorkLimitIsReached) {
   const Scene scene = scene_of(shaken_sheet(1e2, 0.02, 1), "velocity_verlet", 20);
-  const Remedy remedy = find_remedy(scene, seconds, never, 2e4);
+  const Remedy remedy = find_remedy(scene, seconds, never, 2e5);
   EXPECT_FALSE(remedy.advice);
   EXPECT_EQ(remedy.cause, Remedy::Cause::SearchLimit);
   EXPECT_GT(remedy.reached, 0.0);
@@ -220,6 +227,71 @@ TEST(Remedy, CanBeAMethodThatChoosesItsSteps) {
   scene.settings.substeps = remedy.advice->substeps;
   EXPECT_TRUE(runs_through(scene, 2.0 * seconds));
   EXPECT_EQ(warnings_of(scene, remedy.tested_seconds), remedy.warnings);
+}
+
+// A stiff chain of `points`, and steep centers at x [m] and 1 m further, in which no step that is stable for its springs is short enough.
+Scene chain_and_centers(int points, double x, const char* method, int substeps) {
+  TestNetwork network;
+  for (int i = 0; i < points; ++i) network.add({0.2 * i, 0.3, 0.0}, 0.05);
+  for (Index i = 1; i < points; ++i) network.join(network.system.points()[i - 1].id, network.system.points()[i].id, 1e5);
+  for (const double at : {x, x + 1.0})
+    network.system.forces.push_back(force_with("center", {{"x", at}, {"y", 0.25}, {"strength", -0.3}, {"power", 2.4}, {"core", 3e-4}}));
+  return scene_of(std::move(network), method, substeps);
+}
+
+// What a run with the advice would print about its step is part of the advice.
+TEST(Remedy, StatesTheWarningsOfTheAdvisedRun) {
+  int warned = 0;
+  for (const char* method : {"explicit_euler", "velocity_verlet", "runge_kutta4"}) {
+    Scene scene = chain_and_centers(12, 50.0, method, 3);
+    scene.state.velocity[3] = {3.0, 2.0, 1.0};
+    ASSERT_FALSE(runs_through(scene, seconds));
+    const Remedy remedy = find_remedy(scene, seconds, never, 2e8);
+    const std::string description = describe(remedy, scene.settings);
+    ASSERT_TRUE(remedy.advice) << description;
+    scene.settings.integrator = remedy.advice->integrator;
+    scene.settings.substeps = remedy.advice->substeps;
+    const std::vector<std::string> warnings = warnings_of(scene, remedy.tested_seconds);
+    EXPECT_EQ(remedy.warnings, warnings) << description;
+    for (const std::string& warning : warnings) EXPECT_NE(description.find(warning), std::string::npos) << description;
+    EXPECT_EQ(description.find("but:") != std::string::npos, !warnings.empty()) << description;
+    warned += warnings.empty() ? 0 : 1;
+  }
+  EXPECT_GT(warned, 0);
+}
+
+// Numbers of substeps that would take minutes: what was not tried is said.
+TEST(Remedy, NamesTheSettingsThatTheWorkLimitExcludes) {
+  Scene scene = chain_and_centers(60, 50.0, "velocity_verlet", 3);
+  scene.state.velocity[3] = {3.0, 2.0, 1.0};
+  ASSERT_FALSE(runs_through(scene, seconds));
+  const Remedy remedy = find_remedy(scene, seconds, never, 2e7);
+  EXPECT_GT(remedy.settings_cut_short, 0);
+  EXPECT_GT(remedy.settings_left, 0);
+  if (remedy.advice) return;
+  const std::string description = describe(remedy, scene.settings);
+  EXPECT_NE(description.find("of them only up to the work limit of the search; "), std::string::npos) << description;
+}
+
+// [ns], of the first frame.
+double work_of_frame(const Scene& scene) {
+  Lab lab(scene, KeepStart::No);
+  TrialWork work(lab.plan());
+  double sum = 0.0;
+  lab.watch_substeps([&] { sum += work.since_last(lab.last_frame(), false); });
+  lab.step();
+  return sum + work.since_last(lab.last_frame(), true);
+}
+
+// Laws with powers, and the steps that a method chooses, are counted.
+TEST(Remedy, CountsTheWorkOfForcesAndOfStepsThatAMethodChooses) {
+  Scene scene = chain_and_centers(60, 0.05, "velocity_verlet", 40), without = scene;
+  without.system.forces.clear();
+  EXPECT_GT(work_of_frame(scene), 4.0 * work_of_frame(without));
+  EXPECT_NEAR(work_of_frame(chain_and_centers(60, 0.05, "velocity_verlet", 80)), 2.0 * work_of_frame(scene), 0.1 * work_of_frame(scene));
+  // a frame through a core takes hundreds of steps, whatever the number of substeps
+  Scene adaptive = chain_and_centers(12, 0.05, "dop853", 1);
+  EXPECT_GT(work_of_frame(adaptive), 10.0 * work_of_frame(chain_and_centers(12, 0.05, "velocity_verlet", 1)));
 }
 
 }  // namespace

@@ -164,6 +164,12 @@ struct WayOut {
   std::function<void(Requests&)> take;
 };
 
+std::string lines_of(const std::vector<std::string>& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings) text += "\nWarning: " + warning;
+  return text;
+}
+
 std::vector<WayOut> ways_out(const PanelInput& input) {
   const Status& status = input.status;
   const Settings& settings = status.snapshot->settings;
@@ -171,11 +177,11 @@ std::vector<WayOut> ways_out(const PanelInput& input) {
   if (const auto& found = input.remedy.found) {
     const Remedy& remedy = *found;
     if (remedy.advice)
-      ways.push_back(
-          {remedy_label(remedy, settings) + "###remedy", "Uses the tested setting and continues the run", [&](Requests& requests) {
-             take(*remedy.advice, settings, requests);
-             run_from(remedy, requests);
-           }});
+      ways.push_back({remedy_label(remedy, settings) + "###remedy",
+                      "Uses the tested setting and continues the run" + lines_of(remedy.warnings), [&](Requests& requests) {
+                        take(*remedy.advice, settings, requests);
+                        run_from(remedy, requests);
+                      }});
     if (remedy.change)
       ways.push_back(
           {"Restore the previous value###restore", "Undoes " + remedy.change->text + " and continues the run", [&](Requests& requests) {
@@ -185,7 +191,8 @@ std::vector<WayOut> ways_out(const PanelInput& input) {
            }});
     if (remedy.implicit) {
       ways.push_back({"Use " + remedy.implicit->integrator->short_name() + "###implicit",
-                      "Uses a method without a limit on the step for small vibrations, tested in the same way, and continues the run",
+                      "Uses a method without a limit on the step for small vibrations, tested in the same way, and continues the run" +
+                          lines_of(remedy.implicit_warnings),
                       [&](Requests& requests) {
                         take(*remedy.implicit, settings, requests);
                         run_from(remedy, requests);

@@ -1,0 +1,23 @@
+// The work of stepping a copy of a scene, from counts: the same on every machine. A limit on it limits the time of a search.
+#pragma once
+
+#include "sim/step.h"
+
+namespace hooke {
+
+class TrialWork {
+ public:
+  // Of the coming frames; they may still change the plan.
+  explicit TrialWork(const Plan& plan) : plan_(plan) {}
+  // [ns], approximately, of what was computed since the last call: of the frame in progress or, at its end, of the rest of it. To be called
+  // after every substep, and with `is_finished` after the frame.
+  double since_last(const Frame& frame, bool is_finished);
+
+ private:
+  const Plan& plan_;
+  double counted_ = 0.0, trials_ = 0.0;  // [ns], of this frame; of the trials of `auto`, in all frames
+  long calls_ = 0, limited_ = 0;         // in this frame; those of them after which the strain limit had moved points
+  double limit_work_ = 0.0;              // [J], in this frame
+};
+
+}  // namespace hooke
