@@ -9,7 +9,7 @@
 #include "scene/step_limits.h"
 #include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
-#include "study/remedy.h"
+#include "study/remedy/remedy.h"
 
 namespace hooke {
 

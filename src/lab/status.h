@@ -63,7 +63,7 @@ struct RecentChange {
   std::vector<Command> restore;  // sets what it changed back to what it was
 };
 
-// A run that diverged, from which remedies are tested on copies (study/remedy.h).
+// A run that diverged, from which remedies are tested on copies (study/remedy/remedy.h).
 struct FailedRun {
   std::shared_ptr<const Scene> start;    // the scene as GoToStart leaves it
   std::shared_ptr<const System> system;  // at the failure

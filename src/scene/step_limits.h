@@ -20,7 +20,7 @@ struct Advice {
 // The minimum number of substeps per frame within the linear stability limit of the method on this scene; none if no step is stable.
 std::optional<int> min_stable_substeps(const Integrator& integrator, const Spectrum& spectrum, double frame_rate);
 
-// The current method with enough substeps or, if none are enough, another method. Not tested on the scene (study/remedy.h).
+// The current method with enough substeps or, if none are enough, another method. Not tested on the scene (study/remedy/remedy.h).
 // `margin`: recommended_margin of the state from which it runs.
 Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int margin = default_margin);
 

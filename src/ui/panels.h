@@ -18,7 +18,7 @@
 #include "study/check/result_check.h"
 #include "study/check/stretch.h"
 #include "study/compare_methods.h"
-#include "study/remedy.h"
+#include "study/remedy/remedy.h"
 #include "ui/export_state.h"
 #include "ui/icons.h"
 #include "ui/layout.h"

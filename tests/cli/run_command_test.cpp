@@ -177,8 +177,8 @@ TEST(Headless, OnlyTheSelectedMethodAndStepAreWarnedAbout) {
   EXPECT_EQ(headless({"run", "unstable", "--seconds", "0", "--integrator", "symplectic_euler", "--json", "-"}).err, "");
 }
 
-// A point that falls into a center for 35 s: copies of the whole run take more than the work limit of the search.
-TEST(Headless, ARunThatDivergesLateIsExplainedFromALaterState) {
+// A point that falls into a center for 35 s: remedies are tested within the work limit of the search.
+TEST(Headless, ARunThatDivergesLateIsExplained) {
   const ScratchFolder scratch;
   const std::string scene = write_file(scratch.folder / "late.json", R"({"hooke": 1, "gravity": [0, 0, 0],
     "points": [{"position": [10, 0, 0], "mass": 1}], "forces": [{"type": "center", "strength": 1, "power": 2, "core": 1e-6}],
@@ -187,7 +187,6 @@ TEST(Headless, ARunThatDivergesLateIsExplainedFromALaterState) {
   EXPECT_EQ(outcome.code, 4);
   EXPECT_EQ(outcome.err.find("do not diverge"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find(" does not diverge (tested for "), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find(" from t = 34 s)"), std::string::npos) << outcome.err;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "scene/parameters.h"
 #include "sim/forces/force_term.h"
 #include "study/hard_cases/test_network.h"
-#include "study/remedy.h"
+#include "study/remedy/remedy.h"
 #include "support/apply_now.h"
 #include "support/force_with.h"
 

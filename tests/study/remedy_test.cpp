@@ -1,5 +1,5 @@
 // Remedies for runs that diverge: every recommended setting is stable.
-#include "study/remedy.h"
+#include "study/remedy/remedy.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include "lab/lab.h"
 #include "sim/forces/force_term.h"
 #include "study/hard_cases/test_network.h"
+#include "study/remedy/trial_work.h"
 #include "study/run_monitor.h"
-#include "study/trial_work.h"
 #include "support/force_with.h"
 
 namespace hooke {

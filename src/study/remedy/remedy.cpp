@@ -1,4 +1,4 @@
-#include "study/remedy.h"
+#include "study/remedy/remedy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 #include "lab/lab.h"
 #include "sim/automatic/automatic.h"
 #include "sim/contact/contact.h"
+#include "study/remedy/trial_work.h"
 #include "study/run_monitor.h"
-#include "study/trial_work.h"
 
 namespace hooke {
 namespace {

@@ -1,4 +1,4 @@
-#include "study/trial_work.h"
+#include "study/remedy/trial_work.h"
 
 #include <algorithm>
 
