@@ -1,5 +1,4 @@
-// Edges that pass through faces in a scene whose faces touch: they do not touch each other until they are apart. And how much passes
-// through each other, whatever touches.
+// Edges that pass through faces in a scene whose faces touch: they do not touch each other until they are apart.
 #pragma once
 
 #include <array>
@@ -19,12 +18,5 @@ struct CrossedParts {
 
 // Those of the present positions; none if faces do not touch. O(n log n).
 CrossedParts find_crossed_parts(const System& system, const State& state);
-
-// The number of edges that pass through faces or, in a flat scene, of pairs of springs of different parts (connected by springs) that
-// cross; whether or not they are set to touch. O(n log n), in flat scenes times the number of springs beside each other.
-long count_crossings(const System& system, const State& state);
-
-// [m], by how much the spheres of two points overlap most, whether or not they are set to touch; 0 if none do.
-double max_overlap(const System& system, const State& state);
 
 }  // namespace hooke

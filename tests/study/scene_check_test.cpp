@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -108,16 +107,6 @@ TEST(ShippedScenes, EachHasACheck) {
   }
 }
 
-// Their checks fail without it: what they show is that nothing passes through.
-TEST(ShippedScenes, OfContactDoNotPassTheirChecksWithoutIt) {
-  for (const char* id : {"marbles", "folded_napkin", "stacked_jelly", "gathered_curtain", "bubble_raft", "towel", "jelly_cubes", "hammock",
-                         "cloth_on_ball", "tablecloth", "curtain"}) {
-    Scene scene = load_scene(find_scene(id)).scene;
-    scene.system.contact = {};
-    EXPECT_FALSE(std::ranges::all_of(check_scene(scene), &CheckResult::passed)) << id;
-  }
-}
-
 TEST(Quantities, HaveTheValuesThatTheirNamesPromise) {
   const Scene scene = parse_scene(R"({"hooke": 1, "time": 3, "points": [{"position": [0, 1, 0], "nailed": true},
     {"position": [0, -2, 4], "velocity": [1, 2, 2], "mass": 2}], "springs": [{"points": [0, 1], "stiffness": 1, "rest_length": 4}],
@@ -142,28 +131,6 @@ TEST(Quantities, HaveTheValuesThatTheirNamesPromise) {
   EXPECT_EQ(value("lowest"), -2.0);
   EXPECT_DOUBLE_EQ(value("depth"), 1.02);
   EXPECT_EQ(find_quantity("y1", 2, 1)->heading(), "y1 [m]");
-}
-
-// Edges that pass through faces are counted whether or not faces touch; in a flat scene, springs of different parts that cross.
-TEST(Quantities, CrossingsAndOverlapDoNotDependOnContact) {
-  const Scene solid = parse_scene(R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}, {"position": [0, 1, 0]},
-    {"position": [0.2, 0.2, -1], "radius": 0.3}, {"position": [0.2, 0.2, 1]}, {"position": [0.6, 0.2, -1], "radius": 0.2}],
-    "springs": [{"points": [0, 1], "stiffness": 1}, {"points": [1, 2], "stiffness": 1}, {"points": [2, 0], "stiffness": 1},
-                {"points": [3, 4], "stiffness": 1}, {"points": [4, 5], "stiffness": 1}, {"points": [5, 3], "stiffness": 1}],
-    "faces": [[0, 1, 2], [3, 4, 5]]})",
-                                  "x")
-                          .scene;
-  const Measurement in_space = measure(solid.system, solid.state);
-  EXPECT_EQ(find_quantity("crossings", 6, 6)->of(in_space), 2.0);  // two edges of the second face pass through the first
-  EXPECT_NEAR(find_quantity("overlap", 6, 6)->of(in_space), 0.1, 1e-12);
-
-  const Scene flat =
-      parse_scene(R"({"hooke": 1, "dimensions": 2, "points": [{"position": [0, 0]}, {"position": [1, 1]}, {"position": [0, 1]},
-    {"position": [1, 0]}, {"position": [2, 1]}], "springs": [{"points": [0, 1], "stiffness": 1}, {"points": [2, 3], "stiffness": 1},
-    {"points": [3, 4], "stiffness": 1}]})",
-                  "y")
-          .scene;
-  EXPECT_EQ(find_quantity("crossings", 5, 3)->of(measure(flat.system, flat.state)), 1.0);
 }
 
 TEST(Quantities, UnknownOnesAreNotFound) {
