@@ -21,13 +21,13 @@
 #include "app/tools/tune.h"
 #include "app/view/camera_control.h"
 #include "app/window/event.h"
-#include "app/work/crossing_finder.h"
 #include "app/work/file_task.h"
 #include "app/work/forecaster.h"
 #include "app/work/ghost_runs.h"
 #include "app/work/method_advisor.h"
 #include "app/work/remedy_search.h"
 #include "app/work/result_task.h"
+#include "lab/crossing_finder.h"
 #include "ui/panels.h"
 
 namespace hooke {

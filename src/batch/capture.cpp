@@ -10,6 +10,7 @@
 #include "batch/picture_writer.h"
 #include "draw/view.h"
 #include "lab/accuracy/accuracy_text.h"
+#include "lab/crossing_finder.h"
 #include "sim/automatic/automatic.h"
 #include "ui/panels/static_panels.h"
 
@@ -27,6 +28,7 @@ class FrameCapture {
     view_options_ = options_for(settings, scene.cloth_texture);
     view_options_.scale = options.scale;
     has_stamp_ = options.stamp;
+    shows_panels_ = options.panels;
     if (options.panels || options.stamp) {
       panels_.emplace(size.width, size.height, view_options_,
                       StaticPanels::Shown{.panels = options.panels, .accuracy = options.measures_accuracy()});
@@ -42,12 +44,21 @@ class FrameCapture {
   }
 
   bool takes_every_picture() const { return destination_.kind != Destination::Kind::Picture; }
+  // Before the first frame: what crosses then is highlighted until it is apart, as in the window.
+  void begin(Lab& lab) {
+    if (!shows_panels_) return;
+    lab.publish();
+    crossing_finder_.follow(*lab.status());
+  }
   void take(Lab& lab, long number) {
     lab.publish();
     const Status& status = *lab.status();
+    if (shows_panels_) crossing_finder_.follow(status);
     follow_scene(camera_, status.snapshot->state);
-    const ImDrawData* panels = panels_ ? panels_->build(status, camera_, {}, has_stamp_ ? stamp_of(status) : "") : nullptr;
-    view_.draw(*status.snapshot, {}, camera_, view_options_, size_.width, size_.height, panels);
+    const Marks marks{.crossed = crossing_finder_.found()};
+    const ImDrawData* panels =
+        panels_ ? panels_->build(status, camera_, {}, has_stamp_ ? stamp_of(status) : "", marks.crossed.get()) : nullptr;
+    view_.draw(*status.snapshot, marks, camera_, view_options_, size_.width, size_.height, panels);
     writer_->add(view_.read(), number);
   }
   std::string file_name(long number) const { return destination_.file(number).filename().string(); }
@@ -70,7 +81,8 @@ class FrameCapture {
   Offscreen offscreen_;
   View view_;
   std::optional<StaticPanels> panels_;
-  bool has_stamp_ = false;
+  CrossingFinder crossing_finder_;
+  bool has_stamp_ = false, shows_panels_ = false;
   Rect place_;  // of the scene
   Camera camera_;
   ViewOptions view_options_;
@@ -99,6 +111,7 @@ CaptureResults capture_frames(Lab& lab, const CaptureOptions& options, double le
   if (options.measures_accuracy() || options.panels)
     lab.submit(SetAccuracy{options.measures_accuracy() ? AccuracyMode::Full : AccuracyMode::Frame});
   lab.apply_pending();
+  frame_capture.begin(lab);
   std::optional<CaptureReport> report;
   if (options.report) report.emplace(*options.report, lab.scene());
   std::optional<ErrorLimit> limit;

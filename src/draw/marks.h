@@ -26,7 +26,7 @@ struct Marks {
   std::optional<Index> hovered_collider;
   std::optional<PointId> failed_point;  // where a run diverged
   std::optional<SpringId> failed_spring;
-  std::shared_ptr<const CrossedParts> crossed;        // passing through each other; null: none
+  std::shared_ptr<const CrossedParts> crossed;        // passing through each other or overlapping; null: none
   std::optional<Vec3> ghost_point;                    // where a click would add a point
   std::optional<std::pair<Vec3, Vec3>> ghost_spring;  // the line of an attachment or of a drag with a spring
   std::vector<std::pair<Vec3, Vec3>> ghost_lines;     // springs of a placement preview

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/bounds.h"
+#include "scene/crossed_parts.h"
 #include "sim/contact/gap.h"
 
 namespace hooke {
@@ -117,6 +118,8 @@ constexpr std::array rows{
     QuantityRow{"lowest", "m", Of::Scene, "Height of the lowest point", [](const Measurement& m, Index) { return min_height(m); }},
     QuantityRow{"depth", "m", Of::Scene, "Maximum penetration of a point into a collider",
                 [](const Measurement& m, Index) { return max_penetration(m); }},
+    QuantityRow{"crossings", "1", Of::Scene, "Edges that pass through faces, or springs of a flat scene through each other",
+                [](const Measurement& m, Index) { return static_cast<double>(count_crossings(m.system, m.state)); }},
     QuantityRow{"error", "m", Of::Scene, "Error of a frame, RMS over the points", accuracy_of<&Accuracy::frame>, true},
     QuantityRow{"error_max", "m", Of::Scene, "Error of a frame, maximum over the points", accuracy_of<&Accuracy::frame_max>, true},
     QuantityRow{"accumulated_error", "m", Of::Scene, "Accumulated error, RMS over the points", accuracy_of<&Accuracy::accumulated>, true},

@@ -88,11 +88,14 @@ CheckResult run(const SceneCheck& check, Scene scene, const CheckedMethod& check
 
 }  // namespace
 
-std::vector<CheckResult> check_scene(const Scene& scene, const std::function<void()>& after_substep) {
-  const SceneCheck check = check_of(scene);
+std::vector<CheckResult> run_check(const SceneCheck& check, const Scene& scene, const std::function<void()>& after_substep) {
   std::vector<CheckResult> results;
   for (const CheckedMethod& method : check.methods) results.push_back(run(check, scene, method, after_substep));
   return results;
+}
+
+std::vector<CheckResult> check_scene(const Scene& scene, const std::function<void()>& after_substep) {
+  return run_check(check_of(scene), scene, after_substep);
 }
 
 }  // namespace hooke

@@ -15,7 +15,9 @@ struct CheckResult {
   std::string measured;  // one line: each criterion with its figure
 };
 
-// Runs the scene from its state with every method. A criterion about a missing item fails. `after_substep` may throw.
+// Runs the scene from its state with every method of the check. A criterion about a missing item fails. `after_substep` may throw.
+std::vector<CheckResult> run_check(const SceneCheck& check, const Scene& scene, const std::function<void()>& after_substep = {});
+// The same with the check of the scene.
 std::vector<CheckResult> check_scene(const Scene& scene, const std::function<void()>& after_substep = {});
 
 }  // namespace hooke

@@ -99,7 +99,7 @@ struct PanelInput {
   ResultStatus<MethodComparison> comparison{};
   ResultStatus<ResultCheck> result_check{};
   ResultStatus<StretchBreakdown> stretch{};
-  const CrossedParts* crossed = nullptr;  // parts that pass through each other and are highlighted; null: none
+  const CrossedParts* crossed = nullptr;  // parts inside each other, which are highlighted; null: none
   // The spring that is being attached.
   std::optional<std::pair<Vec3, Vec3>> new_spring{};
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <tuple>
 #include <vector>
@@ -66,6 +67,35 @@ TEST(Capture, DrawsThePanelsOnRequest) {
   for (int y = 60; y < 200; ++y)
     for (int x = 960; x < 1240; ++x) bright += std::get<0>(color_at(with, x, y)) > 0xa0;
   EXPECT_GT(bright, 200);
+}
+
+// In the scene and in a text beside it, in a color that nothing else has.
+TEST(Capture, HighlightsWhatStartsCrossedWithThePanels) {
+  const ScratchFolder scratch;
+  const auto count = [&](const std::string& contact, const std::string& options) {
+    write_file(scratch.folder / "crossed.json", R"({"hooke": 1, "dimensions": 2, "gravity": [0, 0, 0], "points": [{"position": [-1, 0]},
+      {"position": [1, 0]}, {"position": [0.1, -1]}, {"position": [0, 1]}], "springs": [{"points": [0, 1], "stiffness": 100},
+      {"points": [2, 3], "stiffness": 100}], "contact": )" +
+                                                    contact + "}");
+    EXPECT_EQ(capture("crossed.json --out a.png --size 1280x720 --seconds 0.1 " + options, scratch.folder).code, 0);
+    const Image image = read_png(scratch.folder / "a.png");
+    int in_scene = 0, in_text = 0;
+    for (int y = 50; y < 650; ++y)
+      for (int x = 80; x < 1260; ++x) {
+        const std::uint8_t* pixel = &image.pixels[3u * static_cast<std::size_t>(y * image.width + x)];
+        if (x < 940)
+          in_scene += pixel[1] > 150 && pixel[0] < pixel[1] - 70 && pixel[2] > 110;
+        else
+          in_text += pixel[1] > 220 && pixel[0] < 100;
+      }
+    return std::pair(in_scene, in_text);
+  };
+  const auto [plain_scene, plain_text] = count("{}", "--ui");
+  const auto [crossed_scene, crossed_text] = count(R"({"springs": true})", "--ui");
+  EXPECT_GT(crossed_scene, plain_scene + 500);
+  EXPECT_EQ(plain_text, 0);
+  EXPECT_GT(crossed_text, 50);
+  EXPECT_EQ(count(R"({"springs": true})", ""), count("{}", ""));
 }
 
 // The mean of each tile of `side` pixels, channel by channel.

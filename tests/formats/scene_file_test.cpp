@@ -73,6 +73,21 @@ TEST(SceneFile, FacesThatTouchAndPassThroughEachOtherAreReported) {
             std::vector<std::string>{"test.json: contact.faces: faces touch in scenes of 3 dimensions only: this one has 2"});
 }
 
+TEST(SceneFile, SpringsOfFlatScenesThatTouchAndCrossAreReported) {
+  const auto warnings = [](const std::string& x, const std::string& contact) {
+    return warnings_of(R"({"hooke": 1, "dimensions": 2, "points": [{"position": [-1, 0]}, {"position": [1, 0]}, {"position": [)" + x +
+                       R"(, -1]}, {"position": [)" + x + R"(, 1]}], "springs": [{"points": [0, 1], "stiffness": 1},
+                       {"points": [2, 3], "stiffness": 1}], "contact": )" +
+                       contact + "}");
+  };
+  EXPECT_EQ(
+      warnings("0.1", R"({"springs": true})"),
+      std::vector<std::string>{"test.json: contact.springs: 1 pair of springs crosses, the one of points 0 and 1 that of points 2 and "
+                               "3: they do not touch until they are apart"});
+  EXPECT_TRUE(warnings("2", R"({"springs": true})").empty());
+  EXPECT_TRUE(warnings("0.1", "{}").empty());
+}
+
 TEST(SceneFile, PointsThatPassThroughSpringsAndFacesAreReported) {
   const auto warnings = [](const std::string& contact, const std::string& spring) {
     return warnings_of(

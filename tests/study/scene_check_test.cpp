@@ -130,6 +130,7 @@ TEST(Quantities, HaveTheValuesThatTheirNamesPromise) {
   EXPECT_EQ(value("fastest"), 3.0);
   EXPECT_EQ(value("lowest"), -2.0);
   EXPECT_DOUBLE_EQ(value("depth"), 1.02);
+  EXPECT_EQ(value("crossings"), 0.0);
   EXPECT_EQ(find_quantity("y1", 2, 1)->heading(), "y1 [m]");
 }
 

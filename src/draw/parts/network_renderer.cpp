@@ -191,7 +191,7 @@ void NetworkRenderer::add_marks(const DrawContext& context, Strokes& strokes, Po
   if (context.marks.failed_spring) add_spring(*context.marks.failed_spring, rgba(context.palette.failed, 0.85), 1.6f * full_width);
   if (context.marks.hovered_spring) add_spring(*context.marks.hovered_spring, rgba(context.palette.hover, 0.35), full_width);
 
-  // edges that pass through faces, and the outlines of the faces
+  // edges that pass through faces, and the outlines of the faces; springs that cross
   const auto add_line = [&](PointId first, PointId second, Rgba color, float line_width) {
     const Index a = system.index_of(first), b = system.index_of(second);
     if (a == no_index || b == no_index) return;
@@ -200,8 +200,8 @@ void NetworkRenderer::add_marks(const DrawContext& context, Strokes& strokes, Po
   if (context.marks.crossed) {
     for (const auto& corners : context.marks.crossed->faces)
       for (std::size_t c = 0; c < 3; ++c) add_line(corners[c], corners[(c + 1) % 3], rgba(context.palette.crossed, 0.7), 0.4f * full_width);
-    for (const auto& [first, second] : context.marks.crossed->edges)
-      add_line(first, second, rgba(context.palette.crossed, 0.95), 0.8f * full_width);
+    for (const auto* lines : {&context.marks.crossed->edges, &context.marks.crossed->springs, &context.marks.crossed->across})
+      for (const auto& [first, second] : *lines) add_line(first, second, rgba(context.palette.crossed, 0.95), 0.8f * full_width);
   }
 
   // Only rings: the points themselves are already drawn.
@@ -212,6 +212,15 @@ void NetworkRenderer::add_marks(const DrawContext& context, Strokes& strokes, Po
     ring.ring_color = color;
     impostors.add(context.projection, clip_[i], projected_[i], ring);
   };
+  if (context.marks.crossed) {
+    std::vector<PointId> overlapping;
+    for (const auto& [first, second] : context.marks.crossed->points) overlapping.insert(overlapping.end(), {first, second});
+    std::ranges::sort(overlapping);
+    const auto same = std::ranges::unique(overlapping);
+    overlapping.erase(same.begin(), same.end());
+    for (const PointId id : overlapping)
+      if (const Index i = system.index_of(id); i != no_index) add_ring(i, 3.0, rgba(context.palette.crossed));
+  }
   for (const PointId id : context.marks.selected_points)
     if (const Index i = system.index_of(id); i != no_index) {
       // plain points are red themselves

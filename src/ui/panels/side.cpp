@@ -31,13 +31,11 @@ void legend_section(const PanelInput& input, const Panels& panels) {
   ImGui::Dummy({width, units(strain_legend_height + 4.0)});
 }
 
-// What the highlighted edges and faces are, in their color.
+// What the highlighted parts are, in their color.
 void crossed_section(const PanelInput& input, const Panels& panels) {
   if (input.crossed == nullptr) return;
-  const std::size_t edges = input.crossed->edges.size();
-  paragraph((input.crossed->is_complete ? "" : "At least ") + std::to_string(edges) + (edges == 1 ? " edge passes" : " edges pass") +
-                " through faces, as highlighted: they do not touch until they are apart.",
-            to_imgui(palette_for(background_of(panels.look)).crossed));
+  for (const CrossedText& text : describe(*input.crossed, *input.status.snapshot->system))
+    paragraph(text.count + ", as highlighted: " + text.consequence + ".", to_imgui(palette_for(background_of(panels.look)).crossed));
 }
 
 void energy_row(const char* name, const std::string& value, ImU32 text_color = palette::text) {

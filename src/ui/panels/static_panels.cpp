@@ -42,7 +42,7 @@ StaticPanels::StaticPanels(int width, int height, const ViewOptions& view, Shown
 StaticPanels::~StaticPanels() { ImGui::DestroyContext(); }
 
 const ImDrawData* StaticPanels::build(const Status& status, const Camera& camera, const std::filesystem::path& file,
-                                      const std::string& stamp) {
+                                      const std::string& stamp, const CrossedParts* crossed) {
   if (status.snapshot->system != forecast_.system)
     forecast_ = make_forecast(status.snapshot->system, status.snapshot->state, forecast_, std::atomic<bool>(false));
   const PanelInput input{.status = status,
@@ -53,7 +53,8 @@ const ImDrawData* StaticPanels::build(const Status& status, const Camera& camera
                          .next_step = {},
                          .file = file,
                          .camera = camera,
-                         .forecast = &forecast_};
+                         .forecast = &forecast_,
+                         .crossed = crossed};
   for (int frame = 0; frame < frames_to_settle; ++frame) {
     ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
     ImGui::NewFrame();

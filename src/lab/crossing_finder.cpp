@@ -1,4 +1,4 @@
-#include "app/work/crossing_finder.h"
+#include "lab/crossing_finder.h"
 
 namespace hooke {
 
@@ -11,7 +11,7 @@ void CrossingFinder::follow(const Status& status) {
   contact_ = now.system->contact;
   time_ = now.state.time;
   auto parts = std::make_shared<const CrossedParts>(find_crossed_parts(*now.system, now.state));
-  found_ = parts->edges.empty() ? nullptr : std::move(parts);
+  found_ = parts->empty() ? nullptr : std::move(parts);
 }
 
 }  // namespace hooke

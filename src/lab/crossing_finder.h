@@ -1,4 +1,4 @@
-// Finds the parts of the scene on screen that pass through each other, to highlight them.
+// Finds the parts of the scene on screen that pass through each other or overlap, to highlight them.
 #pragma once
 
 #include <memory>
