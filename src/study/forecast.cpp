@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "base/errors.h"
 #include "sim/contact/gap.h"
 #include "sim/contact/pair_solver.h"
@@ -48,20 +48,15 @@ Statics make_statics(const System& system) {
 
 // The number of free points connected to a nail.
 Index count_supported(const Plan& plan) {
-  std::vector<Index> root(plan.points);
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](Index i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
+  DisjointSets sets(static_cast<std::size_t>(plan.points));
   for (const SpringRun& run : plan.runs)
     for (Index e = 0; e < run.count; ++e)
-      if (plan.stiffness[run.begin + e] > 0.0) root[find(run.first + e)] = find(run.second + e);
+      if (plan.stiffness[run.begin + e] > 0.0) sets.join(run.first + e, run.second + e);
   std::vector<bool> holds(plan.points, false);
   for (Index i = 0; i < plan.points; ++i)
-    if (plan.inverse_mass[i] == 0.0) holds[find(i)] = true;
+    if (plan.inverse_mass[i] == 0.0) holds[sets.root(i)] = true;
   Index supported = 0;
-  for (Index i = 0; i < plan.points; ++i) supported += plan.inverse_mass[i] != 0.0 && holds[find(i)] ? 1 : 0;
+  for (Index i = 0; i < plan.points; ++i) supported += plan.inverse_mass[i] != 0.0 && holds[sets.root(i)] ? 1 : 0;
   return supported;
 }
 

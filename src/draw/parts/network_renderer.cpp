@@ -216,8 +216,7 @@ void NetworkRenderer::add_marks(const DrawContext& context, Strokes& strokes, Po
     std::vector<PointId> overlapping;
     for (const auto& [first, second] : context.marks.crossed->points) overlapping.insert(overlapping.end(), {first, second});
     std::ranges::sort(overlapping);
-    const auto same = std::ranges::unique(overlapping);
-    overlapping.erase(same.begin(), same.end());
+    overlapping.erase(std::unique(overlapping.begin(), overlapping.end()), overlapping.end());
     for (const PointId id : overlapping)
       if (const Index i = system.index_of(id); i != no_index) add_ring(i, 3.0, rgba(context.palette.crossed));
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <numeric>
 
+#include "base/disjoint_sets.h"
 #include "sim/energy.h"
 #include "sim/plan_energy.h"
 #include "sim/spectrum_rows.h"
@@ -41,22 +41,18 @@ bool DissipationBound::is_divided(const System& system) {
 void DissipationBound::divide(const System& system) {
   part_of_.clear();
   if (!has_damping(system)) return;
-  std::vector<Index> root(static_cast<std::size_t>(system.point_count()));
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](Index i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
+  const auto count = static_cast<std::size_t>(system.point_count());
+  DisjointSets sets(count);
   for (const Spring& spring : system.springs()) {
     const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
-    if (!system.points()[i].nailed && !system.points()[j].nailed) root[find(i)] = find(j);
+    if (!system.points()[i].nailed && !system.points()[j].nailed) sets.join(i, j);
   }
-  std::vector<Index> number(root.size(), no_index);
+  std::vector<Index> number(count, no_index);
   Index parts = 0;
-  part_of_.resize(root.size(), no_index);
+  part_of_.resize(count, no_index);
   for (Index i = 0; i < system.point_count(); ++i) {
     if (system.points()[i].nailed) continue;
-    Index& part = number[find(i)];
+    Index& part = number[sets.root(i)];
     if (part == no_index) part = parts++;
     part_of_[i] = part;
   }
