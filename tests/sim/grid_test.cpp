@@ -303,6 +303,20 @@ TEST(GridPass, CanHaveTheBitsOfForcesKickAndDriftInTurn) {
       }
 }
 
+TEST(GridPass, ComputesAccelerationsWithTheBitsOfForcesDividedByMass) {
+  for (const Net& net : assorted_nets())
+    for (const double drag : {0.0, 0.7}) {
+      Packed packed(make_net(net));
+      packed.plan.drag = drag;
+      const Motion& motion = packed.motion;
+      Field expected(motion.a), a(motion.a);
+      compute_forces(packed.plan, 0.0, motion.x, motion.v, expected);
+      divide_by_mass(packed.plan, expected);
+      compute_accelerations(packed.plan, 0.0, motion.x, motion.v, a);
+      EXPECT_EQ(a, expected) << net.rows << " x " << net.columns << ", drag " << drag;
+    }
+}
+
 TEST(GridPass, ComputesForcesAgainOnlyWherePointsHaveMoved) {
   for (const Net& net : assorted_nets()) {
     Packed packed(make_net(net));

@@ -51,12 +51,47 @@ HWY_INLINE void for_elements(std::size_t size, const Use& use) {
   for (; i < size; ++i) use(single, i);
 }
 
+// Four vectors at once: scales and addresses of the terms are read once for them, and their sums do not wait for each other.
 void set_sum(double* y, const double* start, std::span<const ScaledField> terms, std::size_t size) {
-  for_elements(size, [&](auto d, std::size_t i) HWY_ATTR {
-    auto sum = start != nullptr ? hn::LoadU(d, start + i) : hn::Zero(d);
-    for (const ScaledField& term : terms) sum = hn::Add(sum, hn::Mul(hn::Set(d, term.scale), hn::LoadU(d, term.x + i)));
-    hn::StoreU(sum, d, y + i);
+  const hn::ScalableTag<double> d;
+  const std::size_t lanes = hn::Lanes(d), step = 4 * lanes;
+  std::size_t i = 0;
+  for (; i + step <= size; i += step) {
+    const auto start_of = [&](std::size_t k) HWY_ATTR { return start != nullptr ? hn::LoadU(d, start + i + k * lanes) : hn::Zero(d); };
+    auto sum0 = start_of(0), sum1 = start_of(1), sum2 = start_of(2), sum3 = start_of(3);
+    for (const ScaledField& term : terms) {
+      const auto scale = hn::Set(d, term.scale);
+      const double* const x = term.x + i;
+      sum0 = hn::Add(sum0, hn::Mul(scale, hn::LoadU(d, x)));
+      sum1 = hn::Add(sum1, hn::Mul(scale, hn::LoadU(d, x + lanes)));
+      sum2 = hn::Add(sum2, hn::Mul(scale, hn::LoadU(d, x + 2 * lanes)));
+      sum3 = hn::Add(sum3, hn::Mul(scale, hn::LoadU(d, x + 3 * lanes)));
+    }
+    hn::StoreU(sum0, d, y + i);
+    hn::StoreU(sum1, d, y + i + lanes);
+    hn::StoreU(sum2, d, y + i + 2 * lanes);
+    hn::StoreU(sum3, d, y + i + 3 * lanes);
+  }
+  for_elements(size - i, [&](auto tag, std::size_t k) HWY_ATTR {
+    auto sum = start != nullptr ? hn::LoadU(tag, start + i + k) : hn::Zero(tag);
+    for (const ScaledField& term : terms) sum = hn::Add(sum, hn::Mul(hn::Set(tag, term.scale), hn::LoadU(tag, term.x + i + k)));
+    hn::StoreU(sum, tag, y + i + k);
   });
+}
+
+void add_squares_of_sum(std::span<double, partial_sums> squares, std::span<const ScaledField> terms, std::size_t size) {
+  const auto add = [&](auto d, std::size_t i, std::size_t partial) HWY_ATTR {
+    auto sum = hn::Zero(d);
+    for (const ScaledField& term : terms) sum = hn::Add(sum, hn::Mul(hn::Set(d, term.scale), hn::LoadU(d, term.x + i)));
+    hn::StoreU(hn::Add(hn::LoadU(d, &squares[partial]), hn::Mul(sum, sum)), d, &squares[partial]);
+  };
+  const hn::CappedTag<double, partial_sums> wide;
+  const hn::CappedTag<double, 1> single;
+  const std::size_t lanes = hn::Lanes(wide);
+  std::size_t i = 0;
+  for (; i + partial_sums <= size; i += partial_sums)
+    for (std::size_t partial = 0; partial < partial_sums; partial += lanes) add(wide, i + partial, partial);
+  for (std::size_t partial = 0; i < size; ++i, ++partial) add(single, i, partial);
 }
 
 // x = (x0 + x1) / 2 + h/8 (v0 - v1),  v = 3/2 (x1 - x0) / h - (v0 + v1) / 4
@@ -71,18 +106,6 @@ void set_cubic_middle(const CubicEnds& ends, double h, double* x, double* v, std
   });
 }
 
-void add_slope(const SlopeFields& fields, const double* inverse_mass, double weight, double step, std::size_t size) {
-  for_elements(size, [&](auto d, std::size_t i) HWY_ATTR {
-    const auto v = hn::LoadU(d, fields.v + i), a = hn::Mul(hn::LoadU(d, fields.a + i), hn::LoadU(d, inverse_mass + i));
-    const auto w = hn::Set(d, weight), h = hn::Set(d, step);
-    hn::StoreU(a, d, fields.a + i);
-    hn::StoreU(hn::Add(hn::LoadU(d, fields.sum_v + i), hn::Mul(w, v)), d, fields.sum_v + i);
-    hn::StoreU(hn::Add(hn::LoadU(d, fields.sum_a + i), hn::Mul(w, a)), d, fields.sum_a + i);
-    hn::StoreU(hn::Add(hn::LoadU(d, fields.start_x + i), hn::Mul(h, v)), d, fields.next_x + i);
-    hn::StoreU(hn::Add(hn::LoadU(d, fields.start_v + i), hn::Mul(h, a)), d, fields.next_v + i);
-  });
-}
-
 }  // namespace hooke::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -94,8 +117,8 @@ HWY_EXPORT(scale_and_add_scaled);
 HWY_EXPORT(multiply_each);
 HWY_EXPORT(set_scaled);
 HWY_EXPORT(set_sum);
+HWY_EXPORT(add_squares_of_sum);
 HWY_EXPORT(set_cubic_middle);
-HWY_EXPORT(add_slope);
 
 void add_scaled(double* y, double s, const double* x, std::size_t size) { HWY_DYNAMIC_DISPATCH(add_scaled)(y, s, x, size); }
 void scale_and_add_scaled(double* y, double r, double s, const double* x, std::size_t size) {
@@ -107,11 +130,11 @@ void set_scaled(double* y, double s, const double* x, std::size_t size) { HWY_DY
 void set_sum(double* y, const double* start, std::span<const ScaledField> terms, std::size_t size) {
   HWY_DYNAMIC_DISPATCH(set_sum)(y, start, terms, size);
 }
+void add_squares_of_sum(std::span<double, partial_sums> squares, std::span<const ScaledField> terms, std::size_t size) {
+  HWY_DYNAMIC_DISPATCH(add_squares_of_sum)(squares, terms, size);
+}
 void set_cubic_middle(const CubicEnds& ends, double h, double* x, double* v, std::size_t size) {
   HWY_DYNAMIC_DISPATCH(set_cubic_middle)(ends, h, x, v, size);
-}
-void add_slope(const SlopeFields& fields, const double* inverse_mass, double weight, double step, std::size_t size) {
-  HWY_DYNAMIC_DISPATCH(add_slope)(fields, inverse_mass, weight, step, size);
 }
 
 }  // namespace hooke

@@ -25,21 +25,14 @@ struct ScaledField {
 };
 void set_sum(double* y, const double* start, std::span<const ScaledField> terms, std::size_t size);
 
+// Adds the squares of the elements of such a sum to eight partial sums in turn, the first element to the first one.
+inline constexpr std::size_t partial_sums = 8;
+void add_squares_of_sum(std::span<double, partial_sums> squares, std::span<const ScaledField> terms, std::size_t size);
+
 // The middle of the cubic between two states h [s] apart, and its slope there.
 struct CubicEnds {
   const double *start_x, *start_v, *end_x, *end_v;
 };
 void set_cubic_middle(const CubicEnds& ends, double h, double* x, double* v, std::size_t size);
-
-// A stage of a Runge-Kutta method for y = (x, v), whose slope is (v, a): a component of its fields.
-struct SlopeFields {
-  const double *start_x, *start_v;  // at the start of the step
-  const double* v;                  // of the stage
-  double* a;                        // the force, which becomes the acceleration
-  double *sum_v, *sum_a;            // weighted sums of the slopes
-  double *next_x, *next_v;          // of the next stage; may be the same as v
-};
-// a = inverse_mass f,  sum += weight (v, a),  next = start + step (v, a).
-void add_slope(const SlopeFields& fields, const double* inverse_mass, double weight, double step, std::size_t size);
 
 }  // namespace hooke

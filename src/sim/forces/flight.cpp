@@ -57,9 +57,10 @@ void advance_all(const Plan& plan, const GridPass& pass, Motion& motion, std::sp
 
 void record(const GridWatch& watch, double drift, Flight& flight) {
   const double speed = std::sqrt(watch.max_speed_squared);
-  flight.travel += drift * speed;
+  // some methods also drift backward
+  flight.travel += std::abs(drift) * speed;
   flight.max_speed = std::max(flight.max_speed, speed);
-  flight.max_drift = std::max(flight.max_drift, drift);
+  flight.max_drift = std::max(flight.max_drift, std::abs(drift));
   flight.any_at_limit = flight.any_at_limit || watch.any_at_limit;
 }
 

@@ -1,6 +1,7 @@
 #include "sim/forces/forces.h"
 
 #include "sim/forces/field_kernel.h"
+#include "sim/forces/grid_kernel.h"
 #include "sim/forces/spring_kernel.h"
 
 namespace hooke {
@@ -25,6 +26,16 @@ void add_drag(const Plan& plan, const Field& v, Field& f) {
   for (int c = 0; c < plan.dimensions; ++c) {
     const std::size_t begin = static_cast<std::size_t>(c) * plan.points;
     for (Index i = 0; i < plan.points; ++i) f[begin + i] -= plan.drag * plan.mass[i] * v[begin + i];
+  }
+}
+
+// Points on which no grid acts: f [N] contains all forces, gravity alone if there are no others.
+void accelerate_points(const Plan& plan, Index first, Index end, bool has_others, Field& f) {
+  const auto count = static_cast<std::size_t>(end - first);
+  for (int c = 0; c < plan.dimensions; ++c) {
+    double* const component = f.data() + static_cast<std::size_t>(c) * plan.points + first;
+    if (!has_others) set_scaled(component, plan.acceleration[c], plan.mass.data() + first, count);
+    multiply_each(component, plan.inverse_mass.data() + first, count);
   }
 }
 
@@ -78,6 +89,27 @@ void compute_explicit_forces(const Plan& plan, double time, const Field& x, cons
 void compute_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
   compute_explicit_forces(plan, time, x, v, f);
   if (plan.drag != 0.0) add_drag(plan, v, f);
+}
+
+void compute_accelerations(const Plan& plan, double time, const Field& x, const Field& v, Field& a) {
+  if (plan.grids.empty() || plan.pull || !plan.forces.empty() || plan.drag != 0.0) {
+    compute_forces(plan, time, x, v, a);
+    divide_by_mass(plan, a);
+    return;
+  }
+  const double* const velocity = plan.has_dashpots() ? v.data() : nullptr;
+  const bool has_others = !plan.loose_runs.empty();
+  if (has_others) {
+    set_gravity(plan, a);
+    add_loose_spring_forces(plan, x.data(), velocity, a.data());
+  }
+  Index next = 0;
+  for (const Grid& grid : plan.grids) {
+    accelerate_points(plan, next, grid.first, has_others, a);
+    accelerate_grid(plan, grid, x.data(), velocity, has_others ? a.data() : nullptr, a.data());
+    next = grid.first + grid.points();
+  }
+  accelerate_points(plan, next, plan.points, has_others, a);
 }
 
 void divide_by_mass(const Plan& plan, Field& f) {

@@ -33,6 +33,9 @@ void compute_explicit_forces(const Plan& plan, double time, const Field& x, cons
 // f(t, x, v) [N], all forces: the above and drag (-drag m v).
 void compute_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
 
+// a(t, x, v) = M^-1 f(t, x, v), to the same bits as one after the other.
+void compute_accelerations(const Plan& plan, double time, const Field& x, const Field& v, Field& a);
+
 // a = M^-1 f in place; zero for nailed and held points.
 void divide_by_mass(const Plan& plan, Field& f);
 

@@ -53,6 +53,30 @@ void add_forces(const Plan& plan, const GridView<double>& grid, const GridBand<d
                                           });
 }
 
+// All forces but those of grids, f or else gravity, and what the row above exerts.
+template <class Columns, class V>
+HWY_INLINE V add_others(const Plan& plan, const double* f, const Columns& columns, Index i, int c, V from_above) {
+  const V others = f == nullptr ? hn::Mul(hn::Set(columns.d, plan.acceleration[c]), columns.load(plan.mass.data() + i))
+                                : columns.load(f + static_cast<std::size_t>(c) * plan.points + i);
+  return hn::Add(others, from_above);
+}
+
+template <int Dimensions, bool Damped>
+void accelerate(const Plan& plan, const GridView<double>& grid, const GridBand<double>& band, const double* x, const double* v,
+                const double* f, double* a) {
+  HWY_ALIGN double buffer[scratch_rows * Grid::max_columns];
+  AnySet<double> at_limit;
+  const auto others = [&](const auto& columns, Index i, int c, auto from_above)
+                          HWY_ATTR { return add_others(plan, f, columns, i, c, from_above); };
+  compute_band<Dimensions, Damped, true>(grid, band, x, v, empty_scratch(buffer, grid), static_cast<double*>(nullptr), at_limit, others,
+                                         [&](const auto& columns, Index i, const auto* force) HWY_ATTR {
+                                           const auto inverse_mass = columns.load(plan.inverse_mass.data() + i);
+                                           for (int c = 0; c < Dimensions; ++c)
+                                             columns.store(hn::Mul(inverse_mass, force[c]),
+                                                           a + static_cast<std::size_t>(c) * plan.points + i);
+                                         });
+}
+
 // Advances the points i, i + 1, .. on which the grid exerts `force`, or with IsSum all forces; the square of their speed then.
 template <int Dimensions, bool IsSum, class Columns, class V>
 HWY_INLINE V advance_columns(const Plan& plan, const GridPass& pass, double* x, double* v, const Columns& columns, Index i,
@@ -87,14 +111,6 @@ HWY_INLINE V advance_columns(const Plan& plan, const GridPass& pass, double* x, 
   return columns.valid(square);
 }
 
-// All forces but those of grids, as in compute_external_forces or from the pass, and what the row above exerts.
-template <class Columns, class V>
-HWY_INLINE V add_others(const Plan& plan, const GridPass& pass, const Columns& columns, Index i, int c, V from_above) {
-  const V others = pass.f == nullptr ? hn::Mul(hn::Set(columns.d, plan.acceleration[c]), columns.load(plan.mass.data() + i))
-                                     : columns.load(pass.f + static_cast<std::size_t>(c) * plan.points + i);
-  return hn::Add(others, from_above);
-}
-
 template <int Dimensions, bool Damped, bool IsSum>
 void advance(const Plan& plan, const GridView<double>& grid, const GridBand<double>& band, const GridPass& pass, double* x, double* v,
              GridWatch& watch) {
@@ -103,7 +119,7 @@ void advance(const Plan& plan, const GridView<double>& grid, const GridBand<doub
   Max<double> max_square;
   const auto others = [&](const auto& columns, Index i, int c, auto from_above) HWY_ATTR {
     if constexpr (IsSum)
-      return add_others(plan, pass, columns, i, c, from_above);
+      return add_others(plan, pass.f, columns, i, c, from_above);
     else
       return from_above;
   };
@@ -127,7 +143,7 @@ void advance_each(const Plan& plan, Index first, Index end, const GridPass& pass
     V force[Dimensions];
     for (int c = 0; c < Dimensions; ++c) {
       force[c] = hn::Zero(columns.d);
-      if constexpr (IsSum) force[c] = add_others(plan, pass, columns, i, c, force[c]);
+      if constexpr (IsSum) force[c] = add_others(plan, pass.f, columns, i, c, force[c]);
     }
     max_square.add(advance_columns<Dimensions, IsSum>(plan, pass, x, v, columns, i, force));
   };
@@ -160,6 +176,13 @@ void add_band(const Plan& plan, const GridView<double>& grid, const GridBand<dou
   else
     v != nullptr ? add_forces<3, true>(plan, grid, band, x, v, f) : add_forces<3, false>(plan, grid, band, x, v, f);
 }
+void accelerate_band(const Plan& plan, const GridView<double>& grid, const GridBand<double>& band, const double* x, const double* v,
+                     const double* f, double* a) {
+  if (plan.dimensions == 2)
+    v != nullptr ? accelerate<2, true>(plan, grid, band, x, v, f, a) : accelerate<2, false>(plan, grid, band, x, v, f, a);
+  else
+    v != nullptr ? accelerate<3, true>(plan, grid, band, x, v, f, a) : accelerate<3, false>(plan, grid, band, x, v, f, a);
+}
 void advance_band(const Plan& plan, const GridView<double>& grid, const GridBand<double>& band, const GridPass& pass, double* x, double* v,
                   GridWatch& watch) {
   plan.dimensions == 2 ? advance_any<2>(plan, grid, band, pass, x, v, watch) : advance_any<3>(plan, grid, band, pass, x, v, watch);
@@ -178,6 +201,7 @@ HWY_AFTER_NAMESPACE();
 namespace hooke {
 
 HWY_EXPORT(add_band);
+HWY_EXPORT(accelerate_band);
 HWY_EXPORT(advance_band);
 HWY_EXPORT(advance_part);
 
@@ -214,6 +238,13 @@ void add_grid_forces(const Plan& plan, const Grid& grid, const double* x, const 
   const GridView<double> view = view_of(plan, grid);
   for_bands(plan, view, 1, false, x, v, [&](int, int, const GridBand<double>& band) {
     HWY_DYNAMIC_DISPATCH(add_band)(plan, view, band, x, v, f);
+  });
+}
+
+void accelerate_grid(const Plan& plan, const Grid& grid, const double* x, const double* v, const double* f, double* a) {
+  const GridView<double> view = view_of(plan, grid);
+  for_bands(plan, view, 1, false, x, v, [&](int, int, const GridBand<double>& band) {
+    HWY_DYNAMIC_DISPATCH(accelerate_band)(plan, view, band, x, v, f, a);
   });
 }
 

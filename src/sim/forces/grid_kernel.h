@@ -11,6 +11,10 @@ namespace hooke {
 // Adds the force [N] of every spring of the grid to f; with dashpots if `v` is given.
 void add_grid_forces(const Plan& plan, const Grid& grid, const double* x, const double* v, double* f);
 
+// a = M^-1 (f + the force [N] of every spring of the grid) at the points of the grid, to the bits of add_grid_forces; gravity instead of f
+// if it is null. f may be a.
+void accelerate_grid(const Plan& plan, const Grid& grid, const double* x, const double* v, const double* f, double* a);
+
 // One pass of a leapfrog: from the forces f at x (and, with `damped`, v) of all springs of the grid
 //   a = acceleration + f / m,   v' = decay v + weight a,   x' = x + drift v'.
 // Nailed and held points keep their velocity.

@@ -4,13 +4,16 @@
 // has modes in the whole range. Drag is part of the kicks and exact there; because it is symmetric, the composition keeps its fourth order
 // with drag, although the conditions of the paper are for forces without velocities. Dashpots are split off as in velocity_verlet, which
 // makes it second order with them. The same holds for forces that depend on velocity.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "sim/forces/dashpots/dashpot.h"
+#include "sim/forces/flight.h"
 #include "sim/forces/forces.h"
 #include "sim/integrators/rows.h"
 #include "sim/portable_math.h"
+#include "sim/spring_limits.h"
 
 namespace hooke {
 namespace {
@@ -70,6 +73,52 @@ void step(const Plan& plan, Motion& motion, Workspace& work, double h) {
   motion.dashpot_sweeps += plan.has_dashpots() ? 2 : 0;
 }
 
+void accelerate_and_kick_last(const Plan& plan, Motion& motion, double h) {
+  if (can_accelerate_and_kick(plan)) {
+    accelerate_and_kick(plan, motion.time, motion, kick_weight[drifts] * h, 0.0);
+    ++motion.force_evaluations;
+  } else {
+    accelerate(plan, motion.time, motion.v, motion);
+    kick(plan, motion, kick_weight[drifts] * h);
+  }
+  motion.acceleration_is_current = true;
+}
+
+// Kicks and drifts without accelerations that are stored. Without sweeps in between, the last kick of a step and the first of the next are
+// one.
+void fly(const Plan& plan, Motion& motion, Workspace& work, double h, int count, Flight& flight) {
+  const bool damped = plan.has_dashpots();
+  double start = motion.time;
+  bool is_kicked = false;
+  for (int i = 0; i < count && !flight.was_interrupted(); ++i) {
+    if (damped && i > 0) flight.any_at_limit = flight.any_at_limit || any_reaches_limit(plan, plan.runs, motion.x);
+    if (damped) work.dashpots.sweep(plan, SweepDirection::Forward, motion.acceleration_is_current, motion.x, motion.v);
+    if (!is_kicked) {
+      if (!motion.acceleration_is_current) accelerate(plan, start, motion.v, motion);
+      kick_and_drift_with_known(plan, motion, kick_weight[0] * h, drift_weight[0] * h, {}, flight);
+    }
+    motion.time = start + drift_weight[0] * h;
+    for (int k = 1; k < drifts; ++k) {
+      kick_and_drift(plan, motion, kick_weight[k] * h, drift_weight[k] * h, {}, flight);
+      ++motion.force_evaluations;
+      motion.time += drift_weight[k] * h;
+    }
+    start += h;
+    motion.time = start;
+    is_kicked = !damped && i + 1 < count;
+    if (is_kicked) {
+      kick_and_drift(plan, motion, (kick_weight[drifts] + kick_weight[0]) * h, drift_weight[0] * h, {}, flight);
+      ++motion.force_evaluations;
+    } else {
+      accelerate_and_kick_last(plan, motion, h);
+    }
+    if (damped) work.dashpots.sweep(plan, SweepDirection::Backward, false, motion.x, motion.v);
+    motion.dashpot_sweeps += damped ? 2 : 0;
+  }
+  // contact examines the paths of whole steps
+  flight.max_drift = std::max(flight.max_drift, h);
+}
+
 // The columns of the step's matrix on (x, h v): kicks v' = E v + phi a, E = e^(-c b h), phi = (1 - E) / c.
 Amplification amplification(const Oscillator& oscillator) {
   const double drag = oscillator.h_drag, dashpot = portable::exp(-0.5 * oscillator.h_lambda);
@@ -117,6 +166,7 @@ constinit const Integrator blanes_moan4{
     .prepare = prepare,
     .step = step,
     .amplification = amplification,
+    .fly = fly,
 };
 
 }  // namespace hooke

@@ -1,27 +1,28 @@
 // Dormand and Prince's method of order 8 in 12 stages, with error estimates of order 5 and 3 and steps of its own     (E. Hairer,
-// S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.5 and II.10: DOP853)
-// The slope of y = (x, v) is (v, a), so that with c = A 1 the stages need no slopes of x:
-//   V_i = v + h sum_j A_ij a_j,  X_i = x + h c_i v + h^2 sum_j (A A)_ij a_j,  a_i = a(t + c_i h, X_i, V_i).
+// S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.5 and II.10: DOP853; explicit_runge_kutta.h)
 // Eighth order with damping and drag too, which count as forces; stable for h omega < 5.9, h lambda < 6.3, which the
 // error estimate finds by itself.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <utility>
 
 #include "sim/adaptive_step.h"
 #include "sim/forces/field_kernel.h"
 #include "sim/forces/forces.h"
+#include "sim/integrators/explicit_runge_kutta.h"
 #include "sim/integrators/rows.h"
 #include "sim/portable_math.h"
 
 namespace hooke {
 namespace {
 
-constexpr int stages = 12;
-using Row = std::array<double, stages>;
-using Matrix = std::array<Row, stages>;
+constexpr std::size_t stages = 12;
+using Row = StageRow<stages>;
+using Matrix = StageMatrix<stages>;
+using Step = RungeKuttaStep<stages>;
 
 // clang-format off
 constexpr Matrix a{{
@@ -50,80 +51,10 @@ constexpr Row error3 = [] {
 }();
 // clang-format on
 
-// w A: the weights of the accelerations in x that correspond to the weights w of those in v
-constexpr Row times_a(const Row& w) {
-  Row product{};
-  for (int j = 0; j < stages; ++j) {
-    long double sum = 0.0;
-    for (int i = 0; i < stages; ++i) sum += static_cast<long double>(w[i]) * a[i][j];
-    product[j] = static_cast<double>(sum);
-  }
-  return product;
-}
+constexpr RungeKuttaTable<stages> table(a, b);
+constexpr Row error5_times_a = times_matrix(error5, a), error3_times_a = times_matrix(error3, a);
 
-constexpr Matrix a_squared = [] {
-  Matrix product{};
-  for (int i = 0; i < stages; ++i) product[i] = times_a(a[i]);
-  return product;
-}();
-constexpr Row b_times_a = times_a(b), error5_times_a = times_a(error5), error3_times_a = times_a(error3);
-
-constexpr Row node = [] {
-  Row c{};
-  for (int i = 0; i < stages; ++i)
-    for (int j = 0; j < i; ++j) c[i] += a[i][j];
-  return c;
-}();
-
-// The first slope is motion.a; the others, and two fields for the current stage, are in the workspace.
-Field& slope(Motion& motion, Workspace& work, int stage) { return stage == 0 ? motion.a : work.fields[stage + 1]; }
-
-void prepare(const Plan&, double, const Motion& motion, Workspace& work) { work.size_fields(stages + 1, motion); }
-
-constexpr std::size_t block = 256;  // elements of a field
-
-// A sum of fields and of weighted slopes, in this order.
-struct Terms {
-  std::array<ScaledField, stages + 1> items;
-  std::size_t count = 0;
-  void add(double scale, const Field& field) { items[count++] = {scale, field.data()}; }
-  void add_slopes(double scale, const Row& w, Motion& motion, Workspace& work) {
-    for (int j = 0; j < stages; ++j)
-      if (w[j] != 0.0) add(scale * w[j], slope(motion, work, j));
-  }
-  std::span<const ScaledField> all() const { return {items.data(), count}; }
-  // Of the next `size` elements of the fields.
-  void skip(std::size_t size) {
-    for (ScaledField& item : std::span(items.data(), count)) item.x += size;
-  }
-};
-
-// x' = x + sums, v' = v + sums, in blocks that stay in the cache: both read the same slopes.
-void add_sums(Terms of_x, Terms of_v, const Motion& motion, Field& x, Field& v) {
-  for (std::size_t begin = 0; begin < x.size(); begin += block) {
-    const std::size_t size = std::min(block, x.size() - begin);
-    set_sum(&x[begin], &motion.x[begin], of_x.all(), size);
-    set_sum(&v[begin], &motion.v[begin], of_v.all(), size);
-    of_x.skip(size);
-    of_v.skip(size);
-  }
-}
-
-// All but the first of the stages of a step of h from (motion.x, motion.v).
-void compute_slopes(const Plan& plan, Motion& motion, Workspace& work, double time, double h) {
-  Field &x = work.fields[0], &v = work.fields[1];
-  for (int i = 1; i < stages; ++i) {
-    Terms of_x, of_v;
-    of_x.add(h * node[i], motion.v);
-    of_x.add_slopes(h * h, a_squared[i], motion, work);
-    of_v.add_slopes(h, a[i], motion, work);
-    add_sums(of_x, of_v, motion, x, v);
-    Field& slope_i = slope(motion, work, i);
-    compute_forces(plan, time + h * node[i], x, v, slope_i);
-    divide_by_mass(plan, slope_i);
-    ++motion.force_evaluations;
-  }
-}
+void prepare(const Plan&, double, const Motion& motion, Workspace& work) { Step::prepare(motion, work); }
 
 // The method's estimate from those of order 5 and 3: of order 8.
 double combine_errors(double error_5, double error_3) {
@@ -134,26 +65,25 @@ struct LocalError {
   double position = 0.0, velocity = 0.0;  // [m], [m/s]
 };
 
-LocalError estimate_error(const Plan& plan, Motion& motion, Workspace& work, double h) {
+LocalError estimate_error(const Plan& plan, const Motion& motion, const Step& step, double h) {
+  constexpr std::size_t block = Step::block;
   const std::array<std::pair<double, const Row*>, 4> estimates{
       {{h * h, &error5_times_a}, {h * h, &error3_times_a}, {h, &error5}, {h, &error3}}};
-  std::array<Terms, 4> terms;
-  for (std::size_t e = 0; e < terms.size(); ++e) terms[e].add_slopes(estimates[e].first, *estimates[e].second, motion, work);
+  std::array<Step::Terms, 4> terms;
+  for (std::size_t e = 0; e < terms.size(); ++e) terms[e].add_slopes(estimates[e].first, *estimates[e].second, step.slopes());
 
   // the sums of squares of all four, in blocks that stay in the cache
-  std::array<std::array<double, block>, 4> error;
-  std::array<double, 4> square{};
-  for (std::size_t begin = 0; begin < motion.x.size(); begin += block) {
-    const std::size_t size = std::min(block, motion.x.size() - begin);
+  std::array<std::array<double, partial_sums>, 4> squares{};
+  for (std::size_t begin = 0; begin < motion.x.size(); begin += block)
     for (std::size_t e = 0; e < terms.size(); ++e) {
-      set_sum(error[e].data(), nullptr, terms[e].all(), size);
+      const std::size_t size = std::min(block, motion.x.size() - begin);
+      add_squares_of_sum(squares[e], terms[e].all(), size);
       terms[e].skip(size);
     }
-    for (std::size_t i = 0; i < size; ++i)
-      for (std::size_t e = 0; e < square.size(); ++e) square[e] += error[e][i] * error[e][i];
-  }
   const auto free = std::ranges::count_if(plan.inverse_mass, [](double w) { return w != 0.0; });
-  const auto mean = [&](std::size_t e) { return free == 0 ? 0.0 : std::sqrt(square[e] / static_cast<double>(free)); };
+  const auto mean = [&](std::size_t e) {
+    return free == 0 ? 0.0 : std::sqrt(std::accumulate(squares[e].begin(), squares[e].end(), 0.0) / static_cast<double>(free));
+  };
   return {combine_errors(mean(0), mean(1)), combine_errors(mean(2), mean(3))};
 }
 
@@ -186,14 +116,9 @@ double advance(const Plan& plan, Motion& motion, Workspace& work, double interva
     const double steps = std::ceil(interval / memory.step * (1.0 - 1e-12));
     const double h = steps <= 1.0 ? interval : interval / steps;
 
-    if (!motion.acceleration_is_current) {
-      compute_forces(plan, motion.time, motion.x, motion.v, motion.a);
-      divide_by_mass(plan, motion.a);
-      ++motion.force_evaluations;
-      motion.acceleration_is_current = true;
-    }
-    compute_slopes(plan, motion, work, motion.time, h);
-    const LocalError local = estimate_error(plan, motion, work, h);
+    Step step(table, plan, motion, work, h);
+    step.compute_slopes();
+    const LocalError local = estimate_error(plan, motion, step, h);
     const double error = error_scale.relative(local.position, local.velocity);
 
     // the error is too large: repeat with a shorter step. The shortest step is taken whatever its error, since a force may be
@@ -206,12 +131,7 @@ double advance(const Plan& plan, Motion& motion, Workspace& work, double interva
     }
     if (!std::isfinite(error)) return 0.0;
 
-    Terms of_x, of_v;
-    of_x.add(h, motion.v);
-    of_x.add_slopes(h * h, b_times_a, motion, work);
-    of_v.add_slopes(h, b, motion, work);
-    add_sums(of_x, of_v, motion, motion.x, motion.v);
-    motion.acceleration_is_current = false;
+    step.finish();
     motion.local_error += local.position;
 
     // a step truncated by the end of the interval says little about the next one
@@ -227,9 +147,9 @@ double advance(const Plan& plan, Motion& motion, Workspace& work, double interva
 std::complex<double> stability_function(std::complex<double> z) {
   std::array<std::complex<double>, stages> k;
   std::complex<double> r = 1.0;
-  for (int i = 0; i < stages; ++i) {
+  for (std::size_t i = 0; i < stages; ++i) {
     std::complex<double> y = 1.0;
-    for (int j = 0; j < i; ++j) y += a[i][j] * k[j];
+    for (std::size_t j = 0; j < i; ++j) y += a[i][j] * k[j];
     k[i] = z * y;
     r += b[i] * k[i];
   }

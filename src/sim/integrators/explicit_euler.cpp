@@ -7,8 +7,7 @@ namespace hooke {
 namespace {
 
 void step(const Plan& plan, Motion& motion, Workspace&, double h) {
-  compute_forces(plan, motion.time, motion.x, motion.v, motion.a);
-  divide_by_mass(plan, motion.a);
+  compute_accelerations(plan, motion.time, motion.x, motion.v, motion.a);
   ++motion.force_evaluations;
 
   for (std::size_t i = 0; i < motion.x.size(); ++i) {

@@ -75,18 +75,20 @@ std::string padded(std::string text, std::size_t width) {
 // Wrapped to the width of a terminal; continuation lines are indented.
 std::string wrapped(std::string_view text, std::size_t indent) {
   std::string lines, line;
+  bool has_words = false;
   const auto end_line = [&] {
     lines += line + "\n";
     line.assign(indent, ' ');
+    has_words = false;
   };
   while (!text.empty()) {
     const std::size_t end = std::min(text.find(' '), text.size());
     std::string_view word = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
-    const bool starts = line.empty() || line.size() == indent;
-    if (!starts && line.size() + 1 + word.size() > table_width) end_line();
-    if (!line.empty() && line.size() != indent) line += ' ';
+    if (has_words && line.size() + 1 + word.size() > table_width) end_line();
+    if (has_words) line += ' ';
     line += word;
+    has_words = true;
   }
   return lines + line + "\n";
 }

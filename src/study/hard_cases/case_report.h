@@ -11,7 +11,7 @@ namespace hooke {
 inline constexpr std::size_t table_width = 100;
 
 // One line per case with a mark for each method, unexpected results in full, and the counts; if there are few results, all in full. Lines
-// end in a newline and have at most table_width characters.
+// end in a newline and have at most table_width characters, unless a word is longer.
 std::string format_table(std::span<const CaseResult> results);
 
 // {"cases": [{"number", "name", "parameters", "criterion", "remark", "results": [{"method", "outcome", "expected", "broken", "measured",
