@@ -56,3 +56,18 @@ scripts/campaign 5 tests_tsan >/dev/null 2>&1
 grep -q '^tests_tsan,4,3,1,' docs/reliability.csv
 [ "$(cat runs)" = "run 0,0,0,2,1
 run 0,0,0,1,3" ]
+
+# Hashes that were compared at a commit are compared again when they have changed since, on another machine too.
+mkdir -p tests/golden build/release/tests/campaign
+printf '#!/bin/sh\necho "compared" >>comparisons\necho "1 0"\n' >build/release/tests/campaign/golden
+chmod +x build/release/tests/campaign/golden
+printf 'scene,hash\na,1\n' >tests/golden/hashes.csv
+git add tests && git -c user.name=test -c user.email=test@localhost commit -q -m hashes
+echo "hashes_gcc_O3,1,1,0,2000-01-02,$(git rev-parse --short HEAD)" >>build/campaign/results.csv
+scripts/campaign 5 hashes_gcc_O3 >/dev/null 2>&1
+[ ! -e comparisons ]
+printf 'scene,hash\na,2\n' >tests/golden/hashes.csv
+git add tests && git -c user.name=test -c user.email=test@localhost commit -q -m changed
+scripts/campaign 5 hashes_gcc_O3 >/dev/null 2>&1
+[ -s comparisons ]
+grep -q "^hashes_gcc_O3,[12],[12],0,$(date +%F)" docs/reliability.csv

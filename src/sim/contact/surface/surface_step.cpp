@@ -273,7 +273,7 @@ void SurfaceStep::transmit_through_dashpots(const Plan& plan, std::span<const Ob
   double work = -kinetic_energy_of(plan, motion.v), impulses = 0.0, speed = 0.0;  // [J], [N s], [m/s]
   Field& v = all_free_velocity_;
   for (int round = 0; round < transmissions; ++round) {
-    decay_dashpots(plan, decay_, SweepDirection::Backward, motion.x, change_);
+    decay_dashpots(plan, plan.runs, decay_, SweepDirection::Backward, motion.x, change_);
     for_components(plan, [&](std::size_t i, Index point) { v[i] = plan.inverse_mass[point] != 0.0 ? v[i] + change_[i] : motion.v[i]; });
     change_ = v;
 

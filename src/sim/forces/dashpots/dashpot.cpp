@@ -5,6 +5,8 @@
 // fewer springs than the stride share no points, so that a vector of them gives the same result as one by one. In a row (stride 1), every
 // other spring comes first, then those between, which share no points either. A backward sweep is the exact reverse.
 #include "sim/forces/dashpots/dashpot.h"
+
+#include <span>
 #include "sim/portable_math.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -115,10 +117,9 @@ HWY_INLINE void decay_half_row(const Springs<Dimensions>& springs, Index first) 
 }
 
 template <SweepDirection sweep, int Dimensions>
-void decay_all(const Plan& plan, const double* decay, const double* x, double* v) {
-  const std::size_t runs = plan.runs.size();
-  for (std::size_t r = 0; r < runs; ++r) {
-    const Springs<Dimensions> springs(plan, plan.runs[sweep == SweepDirection::Forward ? r : runs - 1 - r], decay, x, v);
+void decay_all(const Plan& plan, std::span<const SpringRun> runs, const double* decay, const double* x, double* v) {
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const Springs<Dimensions> springs(plan, runs[sweep == SweepDirection::Forward ? r : runs.size() - 1 - r], decay, x, v);
     if (springs.count == 1) {
       decay_vector(springs, hn::CappedTag<double, 1>(), 0);
     } else if (springs.stride > 1) {
@@ -130,17 +131,17 @@ void decay_all(const Plan& plan, const double* decay, const double* x, double* v
   }
 }
 
-void forward_2d(const Plan& plan, const double* decay, const double* x, double* v) {
-  decay_all<SweepDirection::Forward, 2>(plan, decay, x, v);
+void forward_2d(const Plan& plan, std::span<const SpringRun> runs, const double* decay, const double* x, double* v) {
+  decay_all<SweepDirection::Forward, 2>(plan, runs, decay, x, v);
 }
-void forward_3d(const Plan& plan, const double* decay, const double* x, double* v) {
-  decay_all<SweepDirection::Forward, 3>(plan, decay, x, v);
+void forward_3d(const Plan& plan, std::span<const SpringRun> runs, const double* decay, const double* x, double* v) {
+  decay_all<SweepDirection::Forward, 3>(plan, runs, decay, x, v);
 }
-void backward_2d(const Plan& plan, const double* decay, const double* x, double* v) {
-  decay_all<SweepDirection::Backward, 2>(plan, decay, x, v);
+void backward_2d(const Plan& plan, std::span<const SpringRun> runs, const double* decay, const double* x, double* v) {
+  decay_all<SweepDirection::Backward, 2>(plan, runs, decay, x, v);
 }
-void backward_3d(const Plan& plan, const double* decay, const double* x, double* v) {
-  decay_all<SweepDirection::Backward, 3>(plan, decay, x, v);
+void backward_3d(const Plan& plan, std::span<const SpringRun> runs, const double* decay, const double* x, double* v) {
+  decay_all<SweepDirection::Backward, 3>(plan, runs, decay, x, v);
 }
 
 }  // namespace hooke::HWY_NAMESPACE
@@ -156,13 +157,14 @@ HWY_EXPORT(forward_3d);
 HWY_EXPORT(backward_2d);
 HWY_EXPORT(backward_3d);
 
-void decay_dashpots(const Plan& plan, const std::vector<double>& decay, SweepDirection sweep, const Field& x, Field& v) {
+void decay_dashpots(const Plan& plan, std::span<const SpringRun> runs, const std::vector<double>& decay, SweepDirection sweep,
+                    const Field& x, Field& v) {
   if (plan.dimensions == 2)
-    sweep == SweepDirection::Forward ? HWY_DYNAMIC_DISPATCH(forward_2d)(plan, decay.data(), x.data(), v.data())
-                                     : HWY_DYNAMIC_DISPATCH(backward_2d)(plan, decay.data(), x.data(), v.data());
+    sweep == SweepDirection::Forward ? HWY_DYNAMIC_DISPATCH(forward_2d)(plan, runs, decay.data(), x.data(), v.data())
+                                     : HWY_DYNAMIC_DISPATCH(backward_2d)(plan, runs, decay.data(), x.data(), v.data());
   else
-    sweep == SweepDirection::Forward ? HWY_DYNAMIC_DISPATCH(forward_3d)(plan, decay.data(), x.data(), v.data())
-                                     : HWY_DYNAMIC_DISPATCH(backward_3d)(plan, decay.data(), x.data(), v.data());
+    sweep == SweepDirection::Forward ? HWY_DYNAMIC_DISPATCH(forward_3d)(plan, runs, decay.data(), x.data(), v.data())
+                                     : HWY_DYNAMIC_DISPATCH(backward_3d)(plan, runs, decay.data(), x.data(), v.data());
 }
 
 void plan_dashpot_decay(const Plan& plan, double duration, std::vector<double>& decay) {

@@ -156,6 +156,8 @@ void decay_in_order(const Plan& plan, const std::vector<OrderedSpring>& springs,
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "sim/forces/bands.h"
+
 namespace hooke {
 
 HWY_EXPORT(pack_fours);
@@ -193,23 +195,57 @@ void DashpotSweeps::order_springs(const Plan& plan) {
       }
   }
   std::ranges::stable_sort(springs, {}, &Swept::level);
-  packed_.clear();
   springs_.clear();
   for (const Swept& spring : springs) {
     packed_.push_back(spring.packed);
     springs_.push_back({.first = 4 * static_cast<std::uint32_t>(spring.ends[0]), .second = 4 * static_cast<std::uint32_t>(spring.ends[1])});
   }
-  ordered_runs_ = plan.runs;
+}
+
+// Springs of each half are side by side where few springs lead from one to the other.
+void DashpotSweeps::divide_springs(const Plan& plan) {
+  constexpr Index min_springs = 16'000, min_springs_per_crossing = 20;
+  if (plan.springs < min_springs) return;
+
+  // between two rows, if there is a grid
+  Index middle = plan.points / 2;
+  for (const Grid& grid : plan.grids)
+    if (grid.first < middle && middle < grid.first + grid.points())
+      middle = grid.first + (middle - grid.first) / grid.columns * grid.columns;
+
+  Index crossings = 0;
+  for (const SpringRun& run : plan.runs) {
+    // the parts of the run: both ends before the middle, one of them, none
+    const Index before = std::clamp(middle - run.second, Index{0}, run.count), until = std::clamp(middle - run.first, Index{0}, run.count);
+    const auto add = [&](std::vector<SpringRun>& runs, Index begin, Index end) {
+      if (begin < end) runs.push_back({run.begin + begin, run.first + begin, run.second + begin, end - begin});
+    };
+    add(halves_[0], 0, before);
+    add(middle_, before, until);
+    add(halves_[1], until, run.count);
+    crossings += until - before;
+  }
+  if (min_springs_per_crossing * crossings > plan.springs) clear_halves();
+}
+
+void DashpotSweeps::clear_halves() {
+  for (std::vector<SpringRun>* runs : {&halves_[0], &halves_[1], &middle_}) runs->clear();
 }
 
 void DashpotSweeps::prepare(const Plan& plan, double duration) {
   is_known_ = false;
   plan_dashpot_decay(plan, duration, decay_);
-  if (!is_worth_ordering(plan)) {
+  const bool is_ordered = is_worth_ordering(plan);
+  if (known_runs_ != plan.runs || is_ordered == packed_.empty()) {
     packed_.clear();
-    return;
+    clear_halves();
+    if (is_ordered)
+      order_springs(plan);
+    else
+      divide_springs(plan);
+    known_runs_ = plan.runs;
   }
-  if (static_cast<Index>(packed_.size()) != plan.springs || ordered_runs_ != plan.runs) order_springs(plan);
+  if (!is_ordered) return;
   x_.resize(4 * static_cast<std::size_t>(plan.points));
   v_.resize(x_.size());
   ordered_decay_.clear();
@@ -218,8 +254,20 @@ void DashpotSweeps::prepare(const Plan& plan, double duration) {
     for (int end = 0; end < 2; ++end) spring.inverse_mass[end] = plan.inverse_mass[(end == 0 ? spring.first : spring.second) / 4];
 }
 
+// Forward: from the middle to both sides.
+void DashpotSweeps::sweep_halves(const Plan& plan, SweepDirection sweep, const Field& x, Field& v) const {
+  using enum SweepDirection;
+  if (sweep == Forward) decay_dashpots(plan, middle_, decay_, Forward, x, v);
+  for_parts(plan, 2, 1, [&](int, Index begin, Index end) {
+    for (Index half = begin; half < end; ++half)
+      decay_dashpots(plan, halves_[half], decay_, (half == 1) == (sweep == Forward) ? Forward : Backward, x, v);
+  });
+  if (sweep == Backward) decay_dashpots(plan, middle_, decay_, Backward, x, v);
+}
+
 void DashpotSweeps::sweep(const Plan& plan, SweepDirection sweep, bool is_same, const Field& x, Field& v) {
-  if (packed_.empty()) return decay_dashpots(plan, decay_, sweep, x, v);
+  if (!halves_[0].empty()) return sweep_halves(plan, sweep, x, v);
+  if (packed_.empty()) return decay_dashpots(plan, plan.runs, decay_, sweep, x, v);
   if (!is_known_ || !is_same) {
     HWY_DYNAMIC_DISPATCH(pack_fours)(plan, x.data(), x_.data());
     HWY_DYNAMIC_DISPATCH(compute_factors_of)(plan, x_.data(), ordered_decay_.data(), springs_);

@@ -1,5 +1,6 @@
-// The sweeps of dashpot.h over the springs of a net with short runs: spring by spring, in the order of the sweep but with independent
-// springs side by side, so that processors overlap them; to the same bits.
+// The sweeps of dashpot.h. Over the springs of a net with short runs: spring by spring, in the order of the sweep but with independent
+// springs side by side, so that processors overlap them; to the same bits. Large nets are swept from the middle to both sides and back, on
+// two threads if there are any; to the same bits for any number of them.
 #pragma once
 
 #include <array>
@@ -23,11 +24,14 @@ class DashpotSweeps {
  public:
   // As plan_dashpot_decay.
   void prepare(const Plan& plan, double duration);
-  // As decay_dashpots. `is_same`: x is that of the last sweep since prepare.
+  // As decay_dashpots with all runs. `is_same`: x is that of the last sweep since prepare.
   void sweep(const Plan& plan, SweepDirection sweep, bool is_same, const Field& x, Field& v);
 
  private:
   void order_springs(const Plan& plan);
+  void divide_springs(const Plan& plan);
+  void clear_halves();
+  void sweep_halves(const Plan& plan, SweepDirection sweep, const Field& x, Field& v) const;
 
   std::vector<double> decay_;  // of the packed springs
   // The springs in their new order; empty: as they are packed. A spring comes after all those before it in the sweep that share a point
@@ -35,9 +39,13 @@ class DashpotSweeps {
   std::vector<OrderedSpring> springs_;
   std::vector<Index> packed_;
   std::vector<double> ordered_decay_;
-  std::vector<SpringRun> ordered_runs_;  // those of which this is the order
-  bool is_known_ = false;                // whether the springs have the vectors and factors of the last sweep
-  std::vector<double> x_, v_;            // four numbers for each point, the last of them 0
+  // Of a large net: springs between the points of the first half, between those of the second one, and from one to the other; empty: it is
+  // swept as one.
+  std::array<std::vector<SpringRun>, 2> halves_;
+  std::vector<SpringRun> middle_;
+  std::vector<SpringRun> known_runs_;  // those of which these are the order or the halves
+  bool is_known_ = false;              // whether the springs have the vectors and factors of the last sweep
+  std::vector<double> x_, v_;          // four numbers for each point, the last of them 0
 };
 
 }  // namespace hooke
