@@ -36,7 +36,7 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
   // again from the start when a point gets farther than expected, to where there may be others
   while (true) {
     fill(plan, obstacles, x0, v0, h, motion);
-    simulation_.begin(h);
+    simulation_.begin(h, plan.gravity);
     bool is_complete = is_within_bounds(plan, x0, h);
     while (is_complete && simulation_.advance()) is_complete = is_within_bounds(plan, x0, h);
     motion.contact_tests += simulation_.tests();
@@ -126,6 +126,8 @@ void PairSolver::fill(const Plan& plan, std::span<const Obstacle> obstacles, con
       path.velocity_correction = (vector_in(plan, motion.x, i) - x) / h - v - 0.5 * change;
       path.v += path.velocity_correction;
       path.velocity_change = glm::length(change);
+      path.start_x = x;
+      path.start_v = path.v;
     }
     simulation_.paths.push_back(path);
   };

@@ -1,6 +1,7 @@
 // Points that may touch within a substep, and what they may touch.
 #pragma once
 
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "sim/contact/gap.h"
@@ -19,8 +20,10 @@ struct PointPath {
   Vec3 velocity_correction{0.0};  // [m/s], of the method's path, contained in v (contact.cpp)
   Vec3 free_acceleration{0.0};    // [m/s^2], without contact
   double velocity_change = 0.0;   // [m/s], of the whole substep without contact
-  bool is_changed = false;        // by contact
-  bool is_fixed = false;          // to an obstacle, for the rest of the substep
+  // [m], [m/s], at the start of the substep, v with the correction that supports leave of it: what they balance is no motion that they stop
+  Vec3 start_x{0.0}, start_v{0.0};
+  bool is_changed = false;  // by contact
+  bool is_fixed = false;    // to an obstacle, for the rest of the substep
 
   Vec3 position(double t) const { return x + (t - time) * (v + 0.5 * (t - time) * a); }
   Vec3 velocity(double t) const { return v + (t - time) * a; }
@@ -28,6 +31,11 @@ struct PointPath {
     x = position(t);
     v = velocity(t);
     time = t;
+  }
+  // [J], of contact so far, in addition to that of the forces: m (v^2 - v0^2) / 2 - m a (x - x0).
+  double contact_work() const {
+    const double kinetic = 0.5 * (glm::dot(v, v) - glm::dot(start_v, start_v));
+    return (kinetic - glm::dot(free_acceleration, x - start_x)) / inverse_mass;
   }
 };
 

@@ -70,8 +70,9 @@ double TouchSimulation::ignored_speed(const Touch& touch) const {
   return std::max(quiet_speed(touch), touch.waits ? waiting_speed * velocity_change(touch) : 0.0);
 }
 
-void TouchSimulation::begin(double h) {
+void TouchSimulation::begin(double h, const Vec3& gravity) {
   h_ = h;
+  gravity_ = gravity;
   time_ = 0.0;
   first_impact_ = never;
   impacts_ = tests_ = impulses_ = 0;
@@ -132,24 +133,6 @@ void TouchSimulation::recall_loads() {
   }
 }
 
-// Displacements that slowly separate overlaps larger than those that deferred impacts cause: by a fifth of the excess, and at most by a
-// tenth of the distance that the accelerations cover in the substep. Velocities do not change: nothing flies apart.
-void TouchSimulation::find_separation(double tolerance) {
-  separation_.assign(paths.size(), Vec3(0.0));
-  bool any = false;
-  for (const std::size_t k : active_) {
-    Touch& touch = touches[k];
-    const double reach = h_ * velocity_change(touch), depth = std::max(0.0, -touch.gap - 4.0 * reach);
-    touch.min_velocity = std::min(0.2 * depth, 0.1 * reach);
-    touch.normal_impulse = 0.0;
-    touch.friction_impulse = touch.surface = Vec3(0.0);
-    any = any || touch.min_velocity > 0.0;
-  }
-  if (!any) return;
-  impulses_ += settle(touches, active_, paths, h_ * tolerance, separation_);
-  change_pushed();
-}
-
 // Marks the paths of touches with an impulse as changed.
 void TouchSimulation::change_pushed() {
   for (const std::size_t k : active_) {
@@ -184,7 +167,9 @@ void TouchSimulation::rest() {
   for (const std::size_t k : active_) reset(k, 0.0);
   settle_velocities(0.0, true, rough);
   for (const std::size_t p : changed_) {
-    paths[p].v += velocity_[p] - paths[p].velocity_correction;
+    const Vec3 change = velocity_[p] - paths[p].velocity_correction;
+    paths[p].v += change;
+    paths[p].start_v += change;
     paths[p].velocity_correction = velocity_[p];
   }
 
@@ -244,9 +229,10 @@ bool TouchSimulation::advance() {
   clear_changed();
   const auto next = std::ranges::min_element(touches, {}, &Touch::time);
   if (next == touches.end() || !(next->time <= h_)) {
-    for (std::size_t p = 0; p < paths.size(); ++p) {
-      paths[p].advance(h_);
-      if (!active_.empty()) paths[p].x += separation_[p];
+    for (PointPath& path : paths) path.advance(h_);
+    if (!active_.empty() && separates_) {
+      limit_separation();
+      for (std::size_t p = 0; p < paths.size(); ++p) paths[p].x += separation_[p];
     }
     time_ = h_;
     leave_obstacles();

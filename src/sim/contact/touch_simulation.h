@@ -25,8 +25,8 @@ class TouchSimulation {
 
   // Forgets the forces of the last substep, from which those of the next are found.
   void begin_frame() { last_.clear(); }
-  // Starts a substep of h [s].
-  void begin(double h);
+  // Starts a substep of h [s] under `gravity` [m/s^2].
+  void begin(double h, const Vec3& gravity);
   // Handles the next impact. False: there is none in this substep, and all points are at its end.
   bool advance();
   // The paths that begin, or the last advance, changed.
@@ -52,6 +52,7 @@ class TouchSimulation {
   void settle_velocities(double t, bool is_correction, double tolerance);
   void recall_loads();
   void find_separation(double tolerance);
+  void limit_separation();
   void leave_obstacles();
   void predict(Touch& touch) const;
   void respond(Touch& touch);
@@ -70,6 +71,7 @@ class TouchSimulation {
   long max_impacts() const { return 64 + 32 * static_cast<long>(paths.size()); }
 
   double h_ = 0.0, time_ = 0.0, first_touch_ = 0.0, first_impact_ = 0.0;
+  Vec3 gravity_{0.0};  // [m/s^2]
   long impacts_ = 0;
   mutable long tests_ = 0;
   long impulses_ = 0;
@@ -81,6 +83,9 @@ class TouchSimulation {
   std::vector<char> is_listed_;               // per path: in changed_
   std::vector<Vec3> velocity_;                // per path, while they settle
   std::vector<Vec3> separation_;              // [m], per path
+  bool separates_ = false;                    // whether any of them is not zero
+  std::vector<std::size_t> group_;            // per path: the first of those that rest on each other
+  std::vector<double> removed_, needed_;      // [J], per group: energy that contact removes, and that the separation needs
   std::vector<std::size_t> zone_;             // per path: the first of those fixed to each other
   mutable Collider ball_{.shape = Sphere{}};  // the second point of a pair
 };

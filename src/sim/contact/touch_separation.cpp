@@ -1,0 +1,66 @@
+// The part of TouchSimulation that separates what overlaps.
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "sim/contact/settle.h"
+#include "sim/contact/touch_simulation.h"
+
+namespace hooke {
+
+// Displacements that slowly separate overlaps larger than those that deferred impacts cause: by a fifth of the excess, and at most by a
+// tenth of the distance that the accelerations cover in the substep. Velocities do not change: nothing flies apart.
+void TouchSimulation::find_separation(double tolerance) {
+  separation_.assign(paths.size(), Vec3(0.0));
+  bool any = false;
+  for (const std::size_t k : active_) {
+    Touch& touch = touches[k];
+    const double reach = h_ * velocity_change(touch), depth = std::max(0.0, -touch.gap - 4.0 * reach);
+    touch.min_velocity = std::min(0.2 * depth, 0.1 * reach);
+    touch.normal_impulse = 0.0;
+    touch.friction_impulse = touch.surface = Vec3(0.0);
+    any = any || touch.min_velocity > 0.0;
+  }
+  separates_ = any;
+  if (!any) return;
+  impulses_ += settle(touches, active_, paths, h_ * tolerance, separation_);
+  change_pushed();
+}
+
+// Points that rest on each other work against springs and other forces with no more energy than contact removes from them in this substep.
+// Gravity may be worked against: what it presses into each other over many substeps would sink without end.
+void TouchSimulation::limit_separation() {
+  // the forces change along the displacement
+  constexpr double margin = 1.25, rounding = 1e-12;
+  const std::size_t n = paths.size();
+  const auto find_group = [&](std::size_t p) {
+    while (group_[p] != p) p = group_[p] = group_[group_[p]];
+    return p;
+  };
+  group_.resize(n);
+  std::iota(group_.begin(), group_.end(), 0);
+  for (const std::size_t k : active_) {
+    const Touch& touch = touches[k];
+    if (touch.second == no_path || paths[touch.first].inverse_mass == 0.0 || paths[touch.second].inverse_mass == 0.0) continue;
+    const std::size_t first = find_group(touch.first), second = find_group(touch.second);
+    group_[std::max(first, second)] = std::min(first, second);
+  }
+
+  removed_.assign(n, 0.0);
+  needed_.assign(n, 0.0);
+  for (std::size_t p = 0; p < n; ++p) {
+    const PointPath& path = paths[p];
+    if (path.inverse_mass == 0.0) continue;
+    const std::size_t group = group_[p] = find_group(p);
+    const Vec3 force = (path.free_acceleration - gravity_) / path.inverse_mass;
+    removed_[group] -= path.contact_work();
+    const double round_off = rounding * glm::length(path.free_acceleration) / path.inverse_mass * glm::length(separation_[p]);
+    needed_[group] -= glm::dot(force, separation_[p]) + round_off;
+  }
+  for (std::size_t p = 0; p < n; ++p) {
+    const double removed = std::max(0.0, removed_[group_[p]]), needed = margin * needed_[group_[p]];
+    if (needed > removed) separation_[p] *= removed / needed;
+  }
+}
+
+}  // namespace hooke
