@@ -123,6 +123,24 @@ TEST(EnergyBalance, OfAPointThatIsPushedOutOfTheFloorDoesNotDependOnStillAir) {
   EXPECT_EQ(with.err, without.err);
 }
 
+// A ball of 1 kg falls by 1 m and comes to rest: 9.81 J, of which the method is to be blamed for nothing. Until it rests, the energy of
+// Euler methods oscillates by m g h v / 2, 4e-2 J.
+TEST(EnergyBalance, OfAFallOntoTheFloorIsTheLossOfContactWithEveryMethod) {
+  const std::string scene = R"({"hooke": 1, "points": [{"position": [0, 1.02, 0], "radius": 0.02}],
+    "colliders": [{"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "restitution": 0.3}]})";
+  for (const char* method : {"explicit_euler", "symplectic_euler", "velocity_verlet", "runge_kutta4", "xpbd", "implicit_euler",
+                             "baraff_witkin", "implicit_midpoint", "tr_bdf2", "esdirk4", "dop853"}) {
+    const Outcome run = run_scene(scene, {"--seconds", "3", "--sample", "3", "--integrator", method, "--substeps", "8", "--json", "-"});
+    EXPECT_EQ(run.code, 0) << method << ": " << run.err;
+    EXPECT_EQ(run.err.find("energy"), std::string::npos) << method << ": " << run.err;
+    const rapidjson::Document json = parse_json(run.out);
+    const auto& samples = json["samples"].GetArray();
+    const auto& balance = samples[samples.Size() - 1]["energy_balance"];
+    EXPECT_NEAR(balance["contact"].GetDouble(), -9.81, 3e-3) << method;
+    EXPECT_NEAR(balance["method"].GetDouble(), 0.0, 3e-3) << method;
+  }
+}
+
 TEST(EnergyBalance, DashpotsNeverSupplyEnergyAndTheMethodIsSeparatedUntilRest) {
   const std::string scene =
       R"({"hooke": 1, "gravity": [0, 0, 0], "points": [{"position": [0, 0, 0], "nailed": true}, {"position": [1.5, 0, 0]}],

@@ -131,8 +131,7 @@ class PointPass {
 
     touches.first_touch = std::min(touches.first_touch, solver.first_touch);
     touches.first_impact = std::min(touches.first_impact, solver.first_impact);
-    before_.work[i] =
-        plan_.mass[i] * (0.5 * (glm::dot(solver.v, solver.v) - glm::dot(v1, v1)) - glm::dot(a, solver.x - x1 - solver.push_out));
+    before_.work[i] = plan_.mass[i] * (solver.gained - glm::dot(a, solver.x - x0 - solver.push_out));
     if (plan_.colliders_move) {
       double speed = 0.0;
       for (const Obstacle& obstacle : obstacles_)

@@ -204,10 +204,9 @@ void PairSolver::write(const Plan& plan, double h, Motion& motion) const {
     const Index i = path.point;
     is_held = is_held || plan.held == i;
     if (!path.is_changed) continue;
-    const Vec3 x1 = vector_in(plan, motion.x, i), v1 = vector_in(plan, motion.v, i), v = path.v - path.velocity_correction;
-    const Vec3 force = plan.mass[i] * path.free_acceleration;
-    work += 0.5 * plan.mass[i] * (glm::dot(v, v) - glm::dot(v1, v1)) - glm::dot(force, path.x - x1);
-    impulses += plan.mass[i] * glm::length(v - v1) + h * glm::length(force);
+    const Vec3 v1 = vector_in(plan, motion.v, i), v = path.v - path.velocity_correction;
+    work += path.contact_work();
+    impulses += plan.mass[i] * (glm::length(v - v1) + h * glm::length(path.free_acceleration));
     for (int c = 0; c < plan.dimensions; ++c) {
       motion.x[c * n + i] = path.x[c];
       motion.v[c * n + i] = v[c];

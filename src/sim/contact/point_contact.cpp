@@ -14,6 +14,7 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
   constrain(supports.all(), a, v);
   touched = apply_velocity_correction(velocity_correction, supports) || touched;
 
+  const Vec3 start_velocity = v;
   double remaining = duration;
   for (int segments = 0; remaining > 0.0 && segments < max_path_segments; ++segments) {
     supports = find_supports(a, remaining);
@@ -44,6 +45,7 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
   }
 
   resolve_penetration();
+  gained = 0.5 * (glm::dot(v, v) - glm::dot(start_velocity, start_velocity));
   v -= velocity_correction_;
   return touched;
 }

@@ -19,6 +19,9 @@ class PointContactSolver {
   double first_touch = 0.0;  // [s], since the start, of the first impact on anything; 0 if something is touched at the start
   double first_impact = std::numeric_limits<double>::infinity();  // [s], since the start, whatever is touched before
   Vec3 push_out{0.0};  // [m], out of obstacles in which the point was at the start: part of its displacement
+  // [m^2/s^2], kinetic energy per mass along the path. A correction that supports balance from the start is no motion, nor is its end a
+  // loss.
+  double gained = 0.0;
 
   PointContactSolver(std::span<const Obstacle> obstacles, double radius, const Vec3& x0, const Vec3& v0)
       : x(x0), v(v0), obstacles_(obstacles), radius_(radius) {}

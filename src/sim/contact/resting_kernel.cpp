@@ -105,8 +105,7 @@ HWY_INLINE void store_point(const Plan& plan, const LaneVec3& value, LaneMask ma
 }
 
 HWY_INLINE Lane work_per_mass(const Step& step, const Corrected& corrected) {
-  const Lane gained = hn::Mul(same(0.5), hn::Sub(dot_of(corrected.v, corrected.v), dot_of(step.v1, step.v1)));
-  return hn::Sub(gained, dot_of(step.a, difference(corrected.x, step.x1)));
+  return hn::Sub(corrected.gained, dot_of(step.a, difference(corrected.x, step.x0)));
 }
 
 // One per lane, from the lowest bit up.

@@ -75,7 +75,11 @@ struct Step {
 struct Corrected {
   LaneVec3 x, v;
   LaneMask is_solved, is_unfinished;  // the latter: more segments are needed
+  Lane gained;                        // [m^2/s^2], kinetic energy per mass along the path
 };
+HWY_INLINE Lane gain_of(const LaneVec3& end, const LaneVec3& start) {
+  return hn::Mul(same(0.5), hn::Sub(dot_of(end, end), dot_of(start, start)));
+}
 
 // The normal force over mass, and the acceleration under it; `holds`: the support is loaded, and the point does not move into it.
 struct Load {
@@ -215,10 +219,10 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
   // on the surface, and moving neither into it nor away from it
   LaneVec3 x = step.x0, v = friction == 0.0 ? step.v0 : sum(step.v0, none);
   LaneMask is_solved = hn::Le(hn::Abs(gap.distance), tolerance_at(x));
-  if (hn::AllFalse(d, is_solved)) return {x, v, is_solved, is_solved};
+  if (hn::AllFalse(d, is_solved)) return {x, v, is_solved, is_solved, zero};
   Load load = load_of(gap, a, step.size_of_a, v);
   is_solved = hn::And(is_solved, hn::And(is_along(gap.normal, v, h), load.holds));
-  if (hn::AllFalse(d, is_solved)) return {x, v, is_solved, is_solved};
+  if (hn::AllFalse(d, is_solved)) return {x, v, is_solved, is_solved, zero};
 
   // without friction, a point that slides starts with the velocity of the method's path
   LaneVec3 velocity_correction = none;
@@ -231,6 +235,7 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
     is_solved = hn::And(is_solved, is_along(gap.normal, v, h));
   }
 
+  const LaneVec3 start = v;
   Lane remaining = h;
   LaneMask is_left = is_solved, has_moved = same_if(false);
   for (int segments = 0; segments < max_segments && !hn::AllFalse(d, is_left); ++segments) {
@@ -253,7 +258,7 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
   }
   if (!hn::AllFalse(d, has_moved))
     is_solved = hn::And(is_solved, hn::Ge(lane_gap(shape, step.radius, x).distance, hn::Neg(tolerance_at(x))));
-  return {x, difference(v, velocity_correction), is_solved, hn::And(is_solved, is_left)};
+  return {x, difference(v, velocity_correction), is_solved, hn::And(is_solved, is_left), gain_of(v, start)};
 }
 
 }  // namespace hooke::HWY_NAMESPACE

@@ -48,8 +48,13 @@ Vec3 mean_of(std::span<const Vec3> field) {
 }  // namespace
 
 void SurfaceStep::begin_substep(const Plan& plan, const Motion& motion) {
-  free_velocity_.resize(plan.surface.points.size());
-  for (std::size_t k = 0; k < free_velocity_.size(); ++k) free_velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]);
+  const std::size_t n = plan.surface.points.size();
+  free_velocity_.resize(n);
+  method_end_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    free_velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]);
+    method_end_[k] = point_in(plan, motion.x, plan.surface.points[k]);
+  }
   if (!transmits(plan)) return;
   all_free_velocity_ = motion.v;
   all_free_end_ = motion.x;
@@ -218,8 +223,11 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
     const Vec3 v1 = point_in(plan, motion.v, i);
     const bool is_moved = path_[k] != free_u_[k];
     if (inverse_mass_[k] == 0.0 || (!is_moved && velocity_[k] == v1)) continue;
-    const Vec3 end = is_moved ? x_[k] + h * path_[k] : end_[k], force = plan.mass[i] / h * (free_velocity_[k] - point_in(plan, v0, i));
-    work += 0.5 * plan.mass[i] * (glm::dot(velocity_[k], velocity_[k]) - glm::dot(v1, v1)) - glm::dot(force, end - end_[k]);
+    const Vec3 start = point_in(plan, v0, i), force = plan.mass[i] / h * (free_velocity_[k] - start);
+    // along the path of the method: its velocity starts ahead of that of the point
+    const Vec3 correction = (method_end_[k] - x_[k]) / h - 0.5 * (start + free_velocity_[k]);
+    const Vec3 end = is_moved ? x_[k] + h * path_[k] : end_[k], v_end = velocity_[k] + correction, v_without = v1 + correction;
+    work += 0.5 * plan.mass[i] * (glm::dot(v_end, v_end) - glm::dot(v_without, v_without)) - glm::dot(force, end - end_[k]);
     for (int c = 0; c < plan.dimensions; ++c) {
       motion.x[c * n + i] = end[c];
       motion.v[c * n + i] = velocity_[k][c];

@@ -54,6 +54,7 @@ class SurfaceStep {
 
   std::vector<Vec3> x_, end_;        // at the start of the substep, and at its end without this contact
   std::vector<Vec3> free_velocity_;  // [m/s], at its end without any contact
+  std::vector<Vec3> method_end_;     // [m], where the points are then
   // [m/s], displacement over h: without this contact, with its impulses, with what separates, and without impacts
   std::vector<Vec3> free_u_, u_, separated_, path_;
   std::vector<Vec3> velocity_;  // [m/s], at the end
