@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view orthographic_word = ",orthographic";
 
-std::string format_exact(double value) {
+std::string digits_of(double value) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
@@ -32,7 +32,7 @@ bool take(std::string_view& text, double& number) {
 std::string camera_text(const CameraPose& pose) {
   std::string text;
   for (const Vec3& place : {pose.eye, pose.target})
-    for (int axis = 0; axis < 3; ++axis) text += (text.empty() ? "" : ",") + format_exact(place[axis]);
+    for (int axis = 0; axis < 3; ++axis) text += (text.empty() ? "" : ",") + digits_of(place[axis]);
   return pose.orthographic ? text.append(orthographic_word) : text;
 }
 

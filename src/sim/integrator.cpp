@@ -81,8 +81,11 @@ bool is_stable(const Amplification& amplification) {
 // of the one mode with these rates [1/s]
 double largest_stable_step(const Integrator& integrator, double omega, double lambda, double drag, double force_rate) {
   const auto amplification_at = [&](double h) {
-    return integrator.amplification(
-        {.h_omega_squared = h * h * omega * omega, .h_lambda = h * lambda, .h_drag = h * drag, .h_rate = h * force_rate});
+    // h may be so long that its square overflows
+    return integrator.amplification({.h_omega_squared = omega == 0.0 ? 0.0 : h * h * omega * omega,
+                                     .h_lambda = h * lambda,
+                                     .h_drag = h * drag,
+                                     .h_rate = h * force_rate});
   };
   const auto is_stable_at = [&](double h) { return is_stable(amplification_at(h)); };
   // where an eigenvalue approaches -1, the higher-order splitting methods are unstable in a band of steps less than a hundredth wide

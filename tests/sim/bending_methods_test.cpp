@@ -53,5 +53,19 @@ TEST_P(BendingMethods, AreStableWithinTheirLimit) {
   }
 }
 
+// A dashpot that does nothing does not change the limit, however small its coefficient.
+TEST_P(BendingMethods, HaveTheSameLimitWithADashpotThatDoesNothing) {
+  const auto limit = [&](double damping_time) {
+    return largest_stable_step(method(), bound_spectrum(flat_sheet({7, 5}, 0.5, 20.0, Diagonals::Alternating, damping_time).system));
+  };
+  const double without = limit(0.0);
+  for (const double damping_time : {1e-300, 1e-200, 1e-100, 1e-30}) {
+    if (std::isfinite(without))
+      EXPECT_NEAR(limit(damping_time), without, 1e-6 * without) << damping_time;
+    else
+      EXPECT_FALSE(std::isfinite(limit(damping_time))) << damping_time;
+  }
+}
+
 }  // namespace
 }  // namespace hooke

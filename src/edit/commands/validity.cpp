@@ -76,8 +76,7 @@ bool is_valid(const Force& force) {
       if (!(force.values[i] >= 0.0 && force.values[i] < count && force.values[i] == std::floor(force.values[i]))) return false;
       continue;
     }
-    const double min = is_used ? force.term->numbers[i].min : 0.0;
-    if (!is_within(is_used && min >= 0.0 ? Bounds{.min = min} : any_number, force.values[i])) return false;
+    if (!is_within(is_used ? force.term->numbers[i].valid() : any_number, force.values[i])) return false;
   }
   return true;
 }

@@ -67,8 +67,7 @@ bool read_force_number(const JsonField& member, Force& force) {
   for (std::size_t i = 0; i < force.term->numbers.size(); ++i) {
     const ForceParameter& number = force.term->numbers[i];
     if (!member.is(number.name)) continue;
-    force.values[i] = number.choices.empty() ? member.number(number.min >= 0.0 ? Bounds{.min = number.min} : any_number)
-                                             : static_cast<double>(read_choice(number.choices, member));
+    force.values[i] = number.choices.empty() ? member.number(number.valid()) : static_cast<double>(read_choice(number.choices, member));
     return true;
   }
   return false;

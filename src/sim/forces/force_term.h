@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/bounds.h"
 #include "base/table.h"
 
 namespace hooke {
@@ -29,6 +30,11 @@ struct ForceParameter {
   double min, max, default_value;
   bool integer = false;
   std::span<const ForceChoice> choices{};  // then the value is an index of these
+  // In files and commands: values beyond would drown masses in rounding.
+  double max_valid = std::numeric_limits<double>::infinity();
+
+  // Values outside the range of the slider are valid.
+  Bounds valid() const { return min >= 0.0 ? Bounds{.min = min, .max = max_valid} : any_number; }
 };
 
 inline constexpr std::size_t max_force_parameters = 8;

@@ -29,7 +29,7 @@ namespace {
 constexpr ForceChoice rest_shapes[] = {{"flat", "Flat"}, {"as_built", "As built"}};
 constexpr ForceParameter numbers[] = {
     {"stiffness", "Stiffness B", "N m", 1e-8, 10.0, 1e-4},
-    {"damping_time", "Damping time", "s", 0.0, 0.1, 0.0},
+    {"damping_time", "Damping time", "s", 0.0, 0.1, 0.0, false, {}, 1e6},
     {"rest", "Rest shape", "", 0.0, 1.0, 0.0, true, rest_shapes},
 };
 
