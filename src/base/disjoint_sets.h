@@ -12,7 +12,12 @@ namespace hooke {
 
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit DisjointSets(std::size_t count = 0) { reset(count); }
+  // All items apart. Allocates only if there were never as many.
+  void reset(std::size_t count) {
+    parent_.resize(count);
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
   // The smallest item of the set of item i.
   Index root(Index i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];

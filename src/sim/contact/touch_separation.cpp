@@ -1,7 +1,6 @@
 // The part of TouchSimulation that separates what overlaps.
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <numeric>
 
 #include "sim/contact/settle.h"
 #include "sim/contact/touch_simulation.h"
@@ -33,17 +32,11 @@ void TouchSimulation::limit_separation() {
   // the forces change along the displacement
   constexpr double margin = 1.25, rounding = 1e-12;
   const std::size_t n = paths.size();
-  const auto find_group = [&](std::size_t p) {
-    while (group_[p] != p) p = group_[p] = group_[group_[p]];
-    return p;
-  };
-  group_.resize(n);
-  std::iota(group_.begin(), group_.end(), 0);
+  groups_.reset(n);
   for (const std::size_t k : active_) {
     const Touch& touch = touches[k];
     if (touch.second == no_path || paths[touch.first].inverse_mass == 0.0 || paths[touch.second].inverse_mass == 0.0) continue;
-    const std::size_t first = find_group(touch.first), second = find_group(touch.second);
-    group_[std::max(first, second)] = std::min(first, second);
+    groups_.join(static_cast<Index>(touch.first), static_cast<Index>(touch.second));
   }
 
   removed_.assign(n, 0.0);
@@ -51,14 +44,15 @@ void TouchSimulation::limit_separation() {
   for (std::size_t p = 0; p < n; ++p) {
     const PointPath& path = paths[p];
     if (path.inverse_mass == 0.0) continue;
-    const std::size_t group = group_[p] = find_group(p);
+    const Index group = groups_.root(static_cast<Index>(p));
     const Vec3 force = (path.free_acceleration - gravity_) / path.inverse_mass;
     removed_[group] -= path.contact_work();
     const double round_off = rounding * glm::length(path.free_acceleration) / path.inverse_mass * glm::length(separation_[p]);
     needed_[group] -= glm::dot(force, separation_[p]) + round_off;
   }
   for (std::size_t p = 0; p < n; ++p) {
-    const double removed = std::max(0.0, removed_[group_[p]]), needed = margin * needed_[group_[p]];
+    const Index group = groups_.root(static_cast<Index>(p));
+    const double removed = std::max(0.0, removed_[group]), needed = margin * needed_[group];
     if (needed > removed) separation_[p] *= removed / needed;
   }
 }

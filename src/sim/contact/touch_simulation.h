@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/disjoint_sets.h"
 #include "sim/contact/touch.h"
 
 namespace hooke {
@@ -80,13 +81,13 @@ class TouchSimulation {
   double last_h_ = 0.0;
   std::vector<std::size_t> active_;  // touches at rest at the start
   std::vector<std::size_t> changed_;
-  std::vector<char> is_listed_;               // per path: in changed_
-  std::vector<Vec3> velocity_;                // per path, while they settle
-  std::vector<Vec3> separation_;              // [m], per path
-  bool separates_ = false;                    // whether any of them is not zero
-  std::vector<std::size_t> group_;            // per path: the first of those that rest on each other
-  std::vector<double> removed_, needed_;      // [J], per group: energy that contact removes, and that the separation needs
-  std::vector<std::size_t> zone_;             // per path: the first of those fixed to each other
+  std::vector<char> is_listed_;           // per path: in changed_
+  std::vector<Vec3> velocity_;            // per path, while they settle
+  std::vector<Vec3> separation_;          // [m], per path
+  bool separates_ = false;                // whether any of them is not zero
+  DisjointSets groups_;                   // paths that rest on each other
+  std::vector<double> removed_, needed_;  // [J], per group, at its first path: energy that contact removes, and that the separation needs
+  std::vector<std::size_t> zone_;         // per path: the first of those fixed to each other
   mutable Collider ball_{.shape = Sphere{}};  // the second point of a pair
 };
 
