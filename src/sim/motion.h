@@ -34,8 +34,10 @@ struct Motion {
   long solves = 0;              // linear systems solved with a factorization
   long sweeps = 0;              // over all springs as constraints
   long dashpot_sweeps = 0;      // over all dashpots
+  long limit_sweeps = 0;        // over all springs, to limit their strain
   long unconverged_solves = 0;  // nonlinear systems that reached the iteration limit
-  // of contact of points, faces and springs with each other: pairs that were examined, and impulses between two, those of each sweep
+  // of contact of points, faces and springs with each other: pairs that were examined, on paths once for each distance, and impulses
+  // between two, those of each sweep
   long contact_tests = 0, contact_impulses = 0;
   // [J], of effects that are not forces: moving colliders, breaking springs, the strain limit
   double collider_work = 0.0, break_work = 0.0, limit_work = 0.0;

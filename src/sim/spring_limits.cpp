@@ -119,7 +119,11 @@ bool limit_strain(const Plan& plan, Motion& motion) {
   constexpr int max_rounds = 16;
   const double before = energy_of(plan, motion);
   bool any = false;
-  for (int round = 0; round < max_rounds && limit_all_springs(plan, motion); ++round) any = true;
+  for (int round = 0; round < max_rounds; ++round) {
+    ++motion.limit_sweeps;
+    if (!limit_all_springs(plan, motion)) break;
+    any = true;
+  }
   if (any) motion.limit_work += energy_of(plan, motion) - before;
   return any;
 }

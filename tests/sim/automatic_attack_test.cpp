@@ -104,5 +104,26 @@ TEST(AutomaticAttacks, AFrameOfSpringsThatAreTooFastForContactTakesLimitedTime) 
     }
 }
 
+// The strain limit is imposed once per substep: shorter steps hardly help where it acts.
+TEST(AutomaticAttacks, AStrainLimitThatIsExceededAllTheTimeTakesLimitedTime) {
+  TestSim sim = net(8, 1e3, 0.0);
+  sim.system.strain_limit = 0.02;
+  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->rest_length *= s % 2 == 0 ? 0.5 : 1.0;
+  Plan plan = make_plan(sim.system);
+  Frame frame;
+  const Settings settings = automatic(1e-6);
+  constexpr double max_ms = 60.0;  // by the model, of a frame with its trials, on average
+  constexpr int frames = 20;
+  double cost = 0.0;
+  int beyond = 0;
+  for (int i = 0; i < frames; ++i) {
+    sim.state = next_frame(plan, frame, sim.system, settings, sim.state);
+    cost += frame.cost(plan) / frames;
+    beyond += is_tolerance_met(*sim.state.memory.choice, settings) ? 0 : 1;
+  }
+  EXPECT_LT(cost + frame.trial_cost() / frames, max_ms);
+  EXPECT_GT(beyond, frames / 2);
+}
+
 }  // namespace
 }  // namespace hooke

@@ -86,5 +86,52 @@ TEST(CostModel, OfThingsFarApartIsThatOfTheirForces) {
   EXPECT_GT(cost_after(sim, 20, 0, 3).model, without);
 }
 
+// Points that cross the whole sheet in a substep: for each pair a long path is followed, distance by distance.
+TEST(CostModel, CountsTheDistancesOnLongPaths) {
+  TestSim fast = sheet_over_floor();
+  Random random(3);
+  for (Vec3& v : fast.state.velocity) {
+    const double x = random.uniform(-60.0, 60.0), y = random.uniform(-60.0, 60.0), z = random.uniform(-60.0, 60.0);
+    v = {x, y, z};
+  }
+  const FrameCost cost = cost_after(fast, 1, 0, 1);
+  if (std::getenv("HOOKE_PRINT") != nullptr) std::printf("paths: %.3g ms (by the model %.3g)\n", cost.cpu, cost.model);
+  constexpr double measured = 200.0;  // [ms]
+  EXPECT_GT(cost.model, 0.5 * measured);
+  EXPECT_LT(cost.model, 2.0 * measured);
+}
+
+// The CPU time of a substep relative to that of the springs alone, on the machine of docs/accuracy.md.
+TEST(CostModel, CountsListedForcesAndTheStrainLimit) {
+  TestSim sheet = dropped_sheet(17);
+  sheet.system.colliders.clear();
+  const FrameCost alone = cost_after(sheet, 100, 0, 3);
+  const auto with_force = [&](std::string_view id, std::initializer_list<std::pair<std::size_t, double>> values) {
+    TestSim sim = sheet;
+    const ForceTerm& term = *find_force_term(id);
+    Force force{.term = &term, .values = default_values(term)};
+    for (const auto& [index, value] : values) force.values[index] = value;
+    sim.system.forces.push_back(force);
+    return sim;
+  };
+  TestSim limited = sheet;
+  limited.system.strain_limit = 0.05;
+  for (Index s = 0; s < limited.system.spring_count(); ++s) limited.system.spring(s)->rest_length *= s % 2 == 0 ? 0.5 : 1.0;
+  const std::tuple<const char*, TestSim, double> cases[] = {
+      {"bending", with_force("bending", {{0, 1e-6}}), 3.6},
+      {"damped bending", with_force("bending", {{0, 1e-6}, {1, 0.01}}), 150.0},
+      {"wind", with_force("wind", {}), 3.0},
+      {"center", with_force("center", {{4, 1.5}}), 4.4},
+      {"strain limit", limited, 54.0},
+  };
+  for (const auto& [name, sim, measured] : cases) {
+    const FrameCost cost = cost_after(sim, 100, 0, 3);
+    if (std::getenv("HOOKE_PRINT") != nullptr)
+      std::printf("%s: %.3g of the CPU time of the springs, %.3g by the model\n", name, cost.cpu / alone.cpu, cost.model / alone.model);
+    EXPECT_GT(cost.model / alone.model, 0.5 * measured) << name;
+    EXPECT_LT(cost.model / alone.model, 2.0 * measured) << name;
+  }
+}
+
 }  // namespace
 }  // namespace hooke

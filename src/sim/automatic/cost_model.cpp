@@ -19,7 +19,19 @@ constexpr double contact_test = 45.0, contact_impulse = 18.0;
 
 CostModel::CostModel(const Plan& plan) {
   const double points = plan.points, springs = plan.springs, dimensions = plan.dimensions;
-  force_ = 2.8 * springs + 0.4 * points + 80.0 + 10.0 * points * static_cast<double>(plan.forces.size());
+  force_ = 2.8 * springs + 0.4 * points + 80.0;
+  for (const Force& force : plan.forces) {
+    const ForceCost cost = force.term->cost != nullptr ? force.term->cost(plan, force.values) : ForceCost{};
+    const double items = cost.of_faces ? static_cast<double>(plan.faces.size()) : points;
+    force_ += cost.evaluation * items;
+    substep_ += cost.energy * items;
+  }
+  if (!plan.max_length.empty()) {
+    limit_sweep_ = 5.0 * springs;
+    substep_ += springs;
+    // while a part of the springs is at the limit
+    expected_limit_ = 5.0 * limit_sweep_;
+  }
   const double contacts = (plan.pairs.on ? 1.0 : 0.0) + (plan.surface.on ? 1.0 : 0.0);
   contact_ = points * (10.0 * static_cast<double>(plan.colliders.size()) + 20.0 * contacts);
   // between that in flight and in a pile
@@ -43,22 +55,23 @@ double CostModel::of(const Integrator& method, const Motion& motion, int substep
   const double evaluations = is_implicit ? 0.0 : evaluation(method) * static_cast<double>(motion.force_evaluations);
   const double contact =
       contact_test * static_cast<double>(motion.contact_tests) + contact_impulse * static_cast<double>(motion.contact_impulses);
-  return ms_per_ns * (evaluations + contact_ * substeps + contact + sweep_ * static_cast<double>(motion.sweeps) +
-                      dashpots_ * static_cast<double>(motion.dashpot_sweeps) + factorization_ * static_cast<double>(motion.factorizations) +
-                      solve_ * static_cast<double>(motion.solves));
+  return ms_per_ns * (evaluations + (contact_ + substep_) * substeps + contact + sweep_ * static_cast<double>(motion.sweeps) +
+                      limit_sweep_ * static_cast<double>(motion.limit_sweeps) + dashpots_ * static_cast<double>(motion.dashpot_sweeps) +
+                      factorization_ * static_cast<double>(motion.factorizations) + solve_ * static_cast<double>(motion.solves));
 }
 
 double CostModel::expected(const Integrator& method, int substeps) const {
-  if (method.implicit_solve == ImplicitSolve::Once) return ms_per_ns * substeps * (factorization_ + solve_ + expected_contact_);
+  const double between = expected_contact_ + substep_ + expected_limit_;
+  if (method.implicit_solve == ImplicitSolve::Once) return ms_per_ns * substeps * (factorization_ + solve_ + between);
   if (method.implicit_solve == ImplicitSolve::Iterative) {
     constexpr int iterations = 4;
     const int stages = method.order <= 2 ? method.order : 5;
-    return ms_per_ns * (factorization_ + substeps * (stages * iterations * solve_ + expected_contact_));
+    return ms_per_ns * (factorization_ + substeps * (stages * iterations * solve_ + between));
   }
-  if (method.stability == Stability::EachSpring) return ms_per_ns * substeps * (sweep_ + expected_contact_);
+  if (method.stability == Stability::EachSpring) return ms_per_ns * substeps * (sweep_ + between);
   const int evaluations = method.order <= 2 ? 1 : method.symplectic ? 6 : method.order;
   const double dashpots = splits_dashpots(method) ? 2.0 * dashpots_ : 0.0;
-  return ms_per_ns * (substeps * (evaluations * evaluation(method) + dashpots + expected_contact_) + force_);
+  return ms_per_ns * (substeps * (evaluations * evaluation(method) + dashpots + between) + force_);
 }
 
 }  // namespace hooke

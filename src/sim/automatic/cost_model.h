@@ -19,7 +19,9 @@ class CostModel {
   double evaluation(const Integrator& method) const;
 
   double force_ = 0.0, sweep_ = 0.0, dashpots_ = 0.0, factorization_ = 0.0, solve_ = 0.0;  // [ns]
-  double contact_ = 0.0, expected_contact_ = 0.0;  // [ns], of a substep: for each point, and with what touches before that is known
+  double substep_ = 0.0;  // [ns], of a substep: the energy of listed forces, and the search for springs at the strain limit
+  double limit_sweep_ = 0.0, expected_limit_ = 0.0;  // [ns], of that limit: of a sweep, and of a substep
+  double contact_ = 0.0, expected_contact_ = 0.0;    // [ns], of a substep: for each point, and with what touches before that is known
 };
 
 }  // namespace hooke

@@ -68,6 +68,7 @@ void add_counts(const Motion& part, Motion& sum) {
   sum.solves += part.solves;
   sum.sweeps += part.sweeps;
   sum.dashpot_sweeps += part.dashpot_sweeps;
+  sum.limit_sweeps += part.limit_sweeps;
   sum.unconverged_solves += part.unconverged_solves;
   sum.collider_work += part.collider_work;
   sum.break_work += part.break_work;

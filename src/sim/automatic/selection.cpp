@@ -23,7 +23,8 @@ constexpr double hysteresis = 1.3, hysteresis_of_higher_order = 1.1, hysteresis_
 constexpr double max_cost_ms = 400.0, max_cost_factor = 8.0, max_comparison = 5.0;
 // The same multiples where already these would take seconds; and a comparison where nothing could be measured so far.
 constexpr double slow_cost_factor = 1.5, slow_comparison = 2.0, max_fruitless_comparison = 8.0;
-// With contact, where all methods are of first order and shorter steps may not help at all: chains of impacts amplify any error.
+// With contact or a strain limit, where all methods are of first order and shorter steps may not help at all: chains of impacts amplify any
+// error.
 constexpr double max_cost_with_contact_ms = 3.0;
 // The same where springs are too fast for explicit methods.
 constexpr double max_implicit_cost_with_contact_ms = 60.0;
@@ -146,8 +147,10 @@ double max_cost_of_frame(Trials& trials, const Plan& plan, const Settings& setti
   if (!std::isfinite(cheapest)) return infinity;
   if (settings.budget_ms > 0.0) return std::max(settings.budget_ms, cheapest);
   const double min_with_contact = explicit_one > 0.0 ? max_cost_with_contact_ms : max_implicit_cost_with_contact_ms;
-  const double max_cost = plan.has_contact() ? std::max({min_with_contact, max_cost_factor * cheapest, 4.0 * explicit_one})
-                                             : std::max(max_cost_ms, max_cost_factor * cheapest);
+  // the strain limit, too, is imposed once per substep, and may dissipate a part of the energy in each
+  const bool is_of_first_order = plan.has_contact() || !plan.max_length.empty();
+  const double max_cost = is_of_first_order ? std::max({min_with_contact, max_cost_factor * cheapest, 4.0 * explicit_one})
+                                            : std::max(max_cost_ms, max_cost_factor * cheapest);
   return std::min(max_cost, std::max(max_cost_ms, slow_cost_factor * cheapest));
 }
 

@@ -52,6 +52,13 @@ struct ForceBound {
   double omitted_stiffness = 0.0;  // [1/s^2], bound or estimate of the part of the stiffness that add_tangent leaves out
 };
 
+// [ns], by the model of the cost (automatic/cost_model.h), for each point or, of forces on faces, for each face: of an evaluation, and of
+// what is computed in a substep for the energy that it supplies.
+struct ForceCost {
+  double evaluation = 1.0, energy = 8.0;
+  bool of_faces = false;
+};
+
 struct ForceTerm {
   std::string_view id;           // in files
   std::string_view label;        // in the panel
@@ -77,6 +84,8 @@ struct ForceTerm {
   bool (*is_damped)(const ForceValues& values) = nullptr;
   // Whether it depends on the time with these values, other than by colliders that move. Null: no, of forces with a potential.
   bool (*depends_on_time)(const ForceValues& values) = nullptr;
+  // Null: that of a force that is constant or linear in the position of its point.
+  ForceCost (*cost)(const Plan& plan, const ForceValues& values) = nullptr;
   // Packs into the Plan, which has the points and faces, what else it needs of the System. Null: nothing.
   void (*prepare)(const System& system, Plan& plan) = nullptr;
 };

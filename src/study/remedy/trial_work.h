@@ -16,8 +16,7 @@ class TrialWork {
  private:
   const Plan& plan_;
   double counted_ = 0.0, trials_ = 0.0;  // [ns], of this frame; of the trials of `auto`, in all frames
-  long calls_ = 0, limited_ = 0;         // in this frame; those of them after which the strain limit had moved points
-  double limit_work_ = 0.0;              // [J], in this frame
+  long calls_ = 0;                       // in this frame
 };
 
 }  // namespace hooke

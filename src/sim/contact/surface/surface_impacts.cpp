@@ -20,7 +20,7 @@ long max_distances(std::size_t points) { return 5'000'000 + 100 * static_cast<lo
 // Returns whether anything hit. The paths that remain are free of impacts.
 bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
   bool any = false;
-  long distances = 0;
+  distances_ = 0;
   for (int pass = 0;; ++pass) {
     if (has_failed_ = !search_.change_path(plan, x_, path_); has_failed_) return any;
     if (pass == max_passes) break;
@@ -28,13 +28,13 @@ bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
     for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
       // what is farther away is free on all of its path
       search_.visit_approaching(plan.surface, kind, 0.9, [&](const SurfacePair& pair, double distance) {
-        if (distances > max_distances(x_.size())) return;
+        if (distances_ > max_distances(x_.size())) return;
         FourPoints displacement = four(path_, pair.points);
         for (Vec3& d : displacement) d *= h;
-        const double part = free_part(kind, four(x_, pair.points), displacement, distance, distances);
+        const double part = free_part(kind, four(x_, pair.points), displacement, distance, distances_);
         if (part < 1.0 && handle_impact(pair, part, h, pass >= impact_passes)) hits = true;
       });
-    has_failed_ = distances > max_distances(x_.size());
+    has_failed_ = distances_ > max_distances(x_.size());
     if (has_failed_ || !hits) break;
     any = true;
   }

@@ -62,12 +62,12 @@ void SurfaceStep::begin_substep(const Plan& plan, const Motion& motion) {
 
 bool SurfaceStep::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
                           Motion& motion) {
-  impulses_ = 0;
+  impulses_ = distances_ = 0;
   held_impulse_ = 0.0;
   if (transmits(plan)) note_collisions(motion);
   const bool touches = correct(plan, obstacles, x0, v0, h, motion);
   if (transmits(plan)) transmit_through_dashpots(plan, obstacles, x0, touches, h, motion);
-  motion.contact_tests += search_.tests();
+  motion.contact_tests += search_.tests() + distances_;
   motion.contact_impulses += impulses_;
   return touches;
 }

@@ -73,7 +73,8 @@ class SurfaceStep {
   bool has_failed_ = false;
   double held_impulse_ = 0.0;  // [N s], a bound on the impulses of impacts on the held point in the substep
   long impacts_ = 0;
-  long impulses_ = 0;  // of the substep, for Motion
+  long distances_ = 0;  // on paths, in the substep
+  long impulses_ = 0;   // of the substep, for Motion
 };
 
 }  // namespace hooke

@@ -369,6 +369,13 @@ double power(const Plan& plan, const ForceValues& values, double, const double* 
   return damping_of(values) * sum;
 }
 
+// The gradients of the hinges, from which the moments of dashpots and of built angles follow, take most of the time.
+ForceCost cost(const Plan&, const ForceValues& values) {
+  const bool is_damped = damping_of(values) > 0.0;
+  if (is_as_built(values)) return {.evaluation = 130.0, .energy = is_damped ? 690.0 : 230.0, .of_faces = true};
+  return {.evaluation = is_damped ? 77.0 : 7.0, .energy = is_damped ? 500.0 : 16.0, .of_faces = true};
+}
+
 }  // namespace
 
 constinit const ForceTerm bending_force{
@@ -384,6 +391,7 @@ constinit const ForceTerm bending_force{
     .potential = potential,
     .power = power,
     .is_damped = [](const ForceValues& values) { return damping_of(values) > 0.0; },
+    .cost = cost,
     .prepare = [](const System& system, Plan& plan) { plan.hinges = plan_hinges(system); },
 };
 

@@ -134,6 +134,7 @@ constinit const ForceTerm center_force{
     .add_tangent = add_tangent,
     .potential = potential,
     .power = nullptr,
+    .cost = [](const Plan&, const ForceValues& values) { return cost_of_power_law(values[4], 1.0); },
 };
 
 }  // namespace hooke

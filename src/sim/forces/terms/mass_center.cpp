@@ -91,6 +91,7 @@ constinit const ForceTerm mass_center_force{
     .add_tangent = add_tangent,
     .potential = potential,
     .power = power,
+    .cost = [](const Plan&, const ForceValues&) { return ForceCost{.evaluation = 1.0, .energy = 12.0}; },
 };
 
 }  // namespace hooke

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+
+#include "sim/forces/force_term.h"
 #include "sim/portable_math.h"
 
 namespace hooke {
@@ -10,6 +13,12 @@ inline double power_law_potential(double power, double core, double r) {
   if (power == 1.0) return portable::log(r / core);
   const double from_core = power > 1.0 ? 0.0 : portable::pow(core, 1.0 - power);
   return (portable::pow(r, 1.0 - power) - from_core) / (1.0 - power);
+}
+
+// Of the attraction to so many centers. Powers that are not integers take a logarithm and an exponential each.
+inline ForceCost cost_of_power_law(double power, double centers) {
+  const bool is_integer = power == std::floor(power);
+  return {.evaluation = (is_integer ? 2.0 : 16.0) * centers, .energy = (is_integer ? 9.0 : 31.0) * centers};
 }
 
 }  // namespace hooke

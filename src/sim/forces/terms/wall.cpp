@@ -94,6 +94,8 @@ constinit const ForceTerm wall_force{
     .add_tangent = add_tangent,
     .potential = potential,
     .power = nullptr,
+    .cost = [](const Plan& plan,
+               const ForceValues& values) { return cost_of_power_law(values[1], static_cast<double>(plan.colliders.size())); },
 };
 
 }  // namespace hooke
