@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/number_text.h"
 #include "sim/automatic/automatic.h"
 #include "sim/energy.h"
 #include "sim/frame_error.h"
@@ -22,10 +22,12 @@ double booked_dissipation(const Motion& motion) {
   return 2.0 * std::abs(motion.contact_work) + std::abs(motion.collider_work) + std::abs(motion.force_work - motion.reversible_work);
 }
 
-std::string clause(const char* pattern, double value) {
-  char text[120];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
+// "6200 %": with two digits.
+std::string percent_text(double fraction) {
+  const double percent = 100.0 * fraction;
+  if (!std::isfinite(percent) || percent < 100.0) return number_text(percent, 2) + " %";
+  const double unit = std::pow(10.0, std::floor(std::log10(percent)) - 1.0);
+  return number_text(unit * std::round(percent / unit), 2) + " %";
 }
 
 }  // namespace
@@ -87,10 +89,11 @@ std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const 
   // a run that loses most of its energy may gain some in between
   const double rise = energy_rise(), loss = -change_ - max_dissipated_;
   if (rise > tolerance.energy && rise * scale_ >= loss)
-    warnings.push_back(clause("energy balance off by %.2g %% of the energy supplied (gain)", 100.0 * rise));
+    warnings.push_back("energy balance off by " + percent_text(rise) + " of the energy supplied (gain)");
   else if (loss > tolerance.energy * scale_)
-    warnings.push_back(clause("energy balance off by %.2g %% of the energy supplied (loss)", 100.0 * loss / scale_));
-  if (!(estimated_error_ <= tolerance.position)) warnings.push_back(clause("estimated error: %.1g m in total", estimated_error_));
+    warnings.push_back("energy balance off by " + percent_text(loss / scale_) + " of the energy supplied (loss)");
+  if (!(estimated_error_ <= tolerance.position))
+    warnings.push_back("estimated error: " + quantity_text(estimated_error_, "m", 1) + " in total");
   return warnings;
 }
 

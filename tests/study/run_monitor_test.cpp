@@ -318,5 +318,25 @@ TEST(RunMonitor, NamesTheLossOfARunThatAlsoGainsEnergy) {
   EXPECT_NE(warning_after({0.9, 1.3, 1.2}).find("(gain)"), std::string::npos);
 }
 
+// "1e+02 %" is no number that people write.
+TEST(RunMonitor, WritesPercentagesWithoutExponents) {
+  TestNetwork pendulum;
+  pendulum.join(pendulum.nail({0.0, 0.0, 0.0}), pendulum.add({1.0, 0.0, 0.0}, 1.0), 100.0);
+  for (const double factor : {3.0, 4.0, 30.0, 1e3, 1e6}) {
+    MonitoredRun run(pendulum, {.integrator = &default_integrator(), .substeps = 20});
+    Scene scene = run.lab().scene();
+    RunMonitor monitor(scene.system, scene.state, 0);
+    Lab lab(scene, KeepStart::No);
+    lab.step();
+    State after = lab.scene().state;
+    for (Vec3& v : after.velocity) v = {std::sqrt(factor * after.ledger.scale), 0.0, 0.0};
+    monitor.end_frame(lab.plan(), scene.settings, scene.system, after, lab.last_frame().motion());
+    const std::vector<std::string> warnings = monitor.warnings({});
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find(" % of the energy supplied (gain)"), std::string::npos) << warnings[0];
+    EXPECT_EQ(warnings[0].find("e+"), std::string::npos) << warnings[0];
+  }
+}
+
 }  // namespace
 }  // namespace hooke
