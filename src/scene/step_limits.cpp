@@ -76,8 +76,9 @@ std::optional<std::string> step_warning(const System& system, const State& state
     return "simulation.integrator: " + id + ": " + reason + " here; " + other + " has no linear limit, but is not tested on this scene";
   if (advice.integrator == &method) return "simulation.integrator: " + id + ": " + reason + " here";
   if (!min_stable_substeps(*advice.integrator, spectrum, settings.frame_rate))
-    return "simulation.integrator: " + id + ": " + reason + " here; " + other + " needs more than " + std::to_string(max_substeps) +
-           " substeps per frame";
+    return "simulation.integrator: " + id + ": " + reason + " here, and " +
+           (method.stability == Stability::None ? other + " needs more than " + std::to_string(max_substeps) + " substeps per frame"
+                                                : "so does " + other);
   return "simulation.integrator: " + id + ": " + reason + " here; " + other + " with " + count_substeps(advice.substeps) +
          " per frame is recommended";
 }

@@ -246,7 +246,7 @@ TEST(Remedy, StatesTheWarningsOfTheAdvisedRun) {
     Scene scene = chain_and_centers(12, 50.0, method, 3);
     scene.state.velocity[3] = {3.0, 2.0, 1.0};
     ASSERT_FALSE(runs_through(scene, seconds));
-    const Remedy remedy = find_remedy(scene, seconds, never, 2e8);
+    const Remedy remedy = find_remedy(scene, seconds, never, 7e7);
     const std::string description = describe(remedy, scene.settings);
     ASSERT_TRUE(remedy.advice) << description;
     scene.settings.integrator = remedy.advice->integrator;
@@ -254,10 +254,44 @@ TEST(Remedy, StatesTheWarningsOfTheAdvisedRun) {
     const std::vector<std::string> warnings = warnings_of(scene, remedy.tested_seconds);
     EXPECT_EQ(remedy.warnings, warnings) << description;
     for (const std::string& warning : warnings) EXPECT_NE(description.find(warning), std::string::npos) << description;
-    EXPECT_EQ(description.find("but:") != std::string::npos, !warnings.empty()) << description;
+    EXPECT_EQ(description.find("but there ") != std::string::npos, !warnings.empty()) << description;
     warned += warnings.empty() ? 0 : 1;
   }
   EXPECT_GT(warned, 0);
+}
+
+// A stiff bar of grains in wind, which nothing resolves: with Implicit Euler the energy rises to several times what was supplied.
+TEST(Remedy, IsNeverASettingThatGainsMoreEnergyThanWasSupplied) {
+  TestNetwork bar;
+  const double mass[] = {1.7e-8, 5.5e-8, 1.9e-7};
+  for (Index i = 0; i < 3; ++i) {
+    bar.add({0.1, 0.1 * i, 0.0}, mass[i]);
+    bar.system.point(i).radius = i == 0 ? 0.02 : 0.05;
+  }
+  bar.join(bar.system.points()[0].id, bar.system.points()[1].id, 2.4e8, 0.1, 1.8e-4);
+  bar.system.gravity = {0.0, -0.094, 0.0};
+  bar.system.contact = {.points = true, .restitution = 0.41, .friction = 2.0};
+  bar.system.forces = {force_with("wind", {{"x", -12.0}, {"y", -2.5}})};
+  initialize_ledger(bar.system, bar.state);
+  const Scene scene = scene_of(std::move(bar), "symplectic_euler", 5);
+  ASSERT_FALSE(runs_through(scene, 0.5));
+  const Remedy remedy = find_remedy(scene, 0.5, never);
+  const auto gain_of = [&](const Advice& advice) {
+    Scene copy = scene;
+    copy.settings.integrator = advice.integrator;
+    copy.settings.substeps = advice.substeps;
+    Lab lab(copy, KeepStart::No);
+    double gain = 0.0;
+    for (int frame = 0; frame < 30 && lab.step(); ++frame) {
+      const State& state = lab.scene().state;
+      gain = std::max(gain, (compute_energy(lab.scene().system, state).total() - state.ledger.net_input) / state.ledger.scale);
+    }
+    return gain;
+  };
+  EXPECT_GT(gain_of({find_integrator("implicit_euler"), 5}), 1.5);
+  if (remedy.advice) {
+    EXPECT_LT(gain_of(*remedy.advice), 1.5) << describe(remedy, scene.settings);
+  }
 }
 
 // Numbers of substeps that would take minutes: what was not tried is said.

@@ -35,6 +35,7 @@ struct Trial {
   double seconds = 0.0;                    // [s], simulated
   std::vector<std::string> step_warnings;  // before the run
   std::vector<std::string> warnings;       // of the run monitor
+  bool gains = false;                      // more energy than was supplied
   bool has_warnings() const { return !step_warnings.empty() || !warnings.empty(); }
   std::vector<std::string> all_warnings() const {
     std::vector<std::string> all = step_warnings;
@@ -44,6 +45,9 @@ struct Trial {
 };
 
 struct BudgetIsSpent {};
+
+// Of a remedy, relative to the energy supplied: less than what counts as a divergence, but no motion that anyone wants.
+constexpr double max_rise = 1.0;
 
 // Frame by frame, with the warnings and the monitor of `hooke run`.
 Trial run_copy(Scene scene, double seconds, Budget& budget) {
@@ -63,6 +67,7 @@ Trial run_copy(Scene scene, double seconds, Budget& budget) {
     trial.end = end;
     trial.seconds = end == Trial::End::Finished ? seconds : lab.scene().state.time - start;
     trial.warnings = monitor.warnings({});
+    trial.gains = !(monitor.energy_rise() <= max_rise);
     return trial;
   };
   try {
@@ -183,7 +188,7 @@ std::optional<std::pair<Advice, std::vector<std::string>>> find_implicit(const S
     scene.settings.integrator = &method;
     Budget budget{0.25 * default_remedy_work, stop};
     const Trial trial = run_copy(std::move(scene), seconds, budget);
-    if (trial.end != Trial::End::Finished) continue;
+    if (trial.end != Trial::End::Finished || trial.gains) continue;
     if (!trial.has_warnings()) return std::pair(advice, trial.all_warnings());
     if (!warned) warned = {advice, trial.all_warnings()};
   }
@@ -253,7 +258,7 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
     if (cut_short != nullptr) ++remedy.settings_cut_short;
     const bool is_tested =
         trial.end == Trial::End::Finished || (trial.end == Trial::End::OutOfBudget && trial.seconds >= 2.0 * diverged_after);
-    if (!is_tested) continue;
+    if (!is_tested || trial.gains) continue;
     if (trial.end == Trial::End::Finished && !trial.has_warnings()) return recommend(advice, trial);
     const Rank rank = !trial.has_warnings() ? PartlyTested : trial.warnings.empty() ? StepWarning : OtherWarning;
     if (!kept[rank]) kept[rank] = {advice, trial};
@@ -297,11 +302,12 @@ Remedy find_remedy(const FailedRun& run, const std::atomic<bool>& stop, const Re
 
 namespace {
 
-// ", but: ...; ..."; empty without warnings.
+// The warnings in quotation marks, since they have semicolons; empty without warnings.
 std::string exceptions(const std::vector<std::string>& warnings) {
   std::string text;
-  for (const std::string& warning : warnings) text += (text.empty() ? ", but: " : "; ") + warning;
-  return text;
+  for (const std::string& warning : warnings) text += (text.empty() ? "" : ", ") + ("\"" + warning + "\"");
+  if (text.empty()) return text;
+  return (warnings.size() == 1 ? ", but there is a warning: " : ", but there are warnings: ") + text;
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ using RemedyProgress = std::function<void(const std::string& test)>;
 // contact and hand, and with other settings: each for `seconds` or until the divergence. A setting is accepted when it neither diverges nor
 // is warned about, as by `hooke run`, for `seconds` or, where the work allows less, for at least twice the time that the divergence took;
 // if there is none, the first one that does not diverge, with its warnings: rather about a step that may be too long than about what went
-// wrong. Deterministic. Can run on any thread; `stop` ends it early.
+// wrong; never one with which the energy rises by more than was supplied. Deterministic. Can run on any thread; `stop` ends it early.
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work = default_remedy_work,
                    const RemedyProgress& report = {});
 
