@@ -6,6 +6,7 @@
 
 #include "formats/texture.h"
 #include "scene/parameters.h"
+#include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
 
 namespace hooke {
@@ -176,7 +177,7 @@ Command RandomCommands::next(Lab& lab) {
     case 9:
       return RestoreParameter{&parameter, parameter.read(scene)};
     case 10:
-      return SetIntegrator{&random_.one_of(integrators())};
+      return SetIntegrator{random_.one_in(8) ? &automatic_method() : &random_.one_of(integrators())};
     case 11:
       return grab(scene);
     case 12:

@@ -7,6 +7,7 @@
 
 #include "formats/texture.h"
 #include "scene/parameters.h"
+#include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
 
 namespace hooke {
@@ -239,7 +240,7 @@ Scene DocumentBuilder::build() {
   for (Index c = random_.below(3); c > 0; --c) add_collider(scene);
   add_forces(scene);
   add_hand(scene);
-  scene.settings.integrator = &random_.one_of(integrators());
+  scene.settings.integrator = random_.one_in(8) ? &automatic_method() : &random_.one_of(integrators());
   if (random_.one_in(4)) scene.settings.tolerance = numbers_ == Numbers::Any ? number(positive) : 1e-4;
   if (flip()) {
     add_parameters(scene);
