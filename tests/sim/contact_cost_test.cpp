@@ -101,6 +101,36 @@ TEST(CostModel, CountsTheDistancesOnLongPaths) {
   EXPECT_LT(cost.model, 2.0 * measured);
 }
 
+// A sheet pressed together by springs of three times its size, without friction: each of many substeps follows long paths.
+TEST(CostModel, OfAFrameOfLongPathsIsLimited) {
+  TestSim sim = sheet_over_floor();
+  sim.system.gravity = Vec3(0.0);
+  sim.system.contact.friction = 0.0;
+  sim.system.contact.thickness = 1e-4;
+  sim.system.contact.springs = true;
+  Random random(5);
+  for (Vec3& v : sim.state.velocity) v = 30.0 * Vec3(random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0));
+  for (Index s = 0; s < sim.system.spring_count(); ++s) {
+    sim.system.spring(s)->stiffness *= 1e7;
+    sim.system.spring(s)->rest_length *= s % 3 == 0 ? 0.3 : 3.0;
+  }
+  constexpr double max_ms = 3000.0;  // by the model
+  Plan plan = make_plan(sim.system);
+  Frame frame;
+  bool has_failed = false;
+  double max = 0.0;
+  for (int i = 0; i < 4 && !has_failed; ++i) {
+    frame.begin(plan, sim.system, {.integrator = find_integrator("xpbd"), .substeps = 400}, sim.state);
+    while (!frame.done()) frame.substep(plan);
+    frame.end(plan, sim.state);
+    has_failed = frame.failure() == StepFailure::TooManyPairs;
+    max = std::max(max, frame.cost(plan));
+  }
+  if (std::getenv("HOOKE_PRINT") != nullptr) std::printf("long paths: up to %.3g ms per frame, failed: %d\n", max, has_failed);
+  EXPECT_LT(max, max_ms);
+  EXPECT_TRUE(has_failed);
+}
+
 // The CPU time of a substep relative to that of the springs alone, on the machine of docs/accuracy.md.
 TEST(CostModel, CountsListedForcesAndTheStrainLimit) {
   TestSim sheet = dropped_sheet(17);

@@ -11,9 +11,12 @@ namespace {
 // Passes of continuous collision detection with impacts, and those in which what hits each other starts to move together.
 constexpr int impact_passes = 6, max_passes = 1000;
 
-// Distances computed in a substep, at most, for a surface of so many points: a tenth of a second. A motion that diverges, so that each
-// point crosses the whole scene in a substep, takes a thousand for each pair.
-long max_distances(std::size_t points) { return 5'000'000 + 100 * static_cast<long>(points); }
+// Distances on paths in a substep, for a surface of so many points: those that any usual motion takes, and at most, in a tenth of a second.
+// A motion that diverges, so that each point crosses the whole scene in a substep, takes a thousand for each pair.
+long usual_distances(std::size_t points) { return 100 * static_cast<long>(points); }
+long max_distances(std::size_t points) { return 5'000'000 + usual_distances(points); }
+// In a frame, with the pairs that are examined and the impulses, beyond usual_distances of each substep: seconds.
+constexpr long max_excess = 40'000'000;
 
 }  // namespace
 
@@ -21,6 +24,7 @@ long max_distances(std::size_t points) { return 5'000'000 + 100 * static_cast<lo
 bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
   bool any = false;
   distances_ = 0;
+  long excess = 0;
   for (int pass = 0;; ++pass) {
     if (has_failed_ = !search_.change_path(plan, x_, path_); has_failed_) return any;
     if (pass == max_passes) break;
@@ -34,10 +38,12 @@ bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
         const double part = free_part(kind, four(x_, pair.points), displacement, distance, distances_);
         if (part < 1.0 && handle_impact(pair, part, h, pass >= impact_passes)) hits = true;
       });
-    has_failed_ = distances_ > max_distances(x_.size());
+    excess = distances_ + search_.tests() + impulses_ - usual_distances(x_.size());
+    has_failed_ = distances_ > max_distances(x_.size()) || excess_ + excess > max_excess;
     if (has_failed_ || !hits) break;
     any = true;
   }
+  excess_ += std::max(0L, excess);
   zone_.clear();
   return any;
 }

@@ -120,6 +120,7 @@ void SurfaceStep::start_frame(const Plan& plan) {
   held_ = held != plan.surface.points.end() && *held == *plan.held ? static_cast<Index>(held - plan.surface.points.begin()) : no_index;
   search_.begin_frame(plan, x_);
   impacts_ = 0;
+  excess_ = 0;
 }
 
 // Relative to the mean.

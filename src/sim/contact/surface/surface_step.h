@@ -74,6 +74,7 @@ class SurfaceStep {
   double held_impulse_ = 0.0;  // [N s], a bound on the impulses of impacts on the held point in the substep
   long impacts_ = 0;
   long distances_ = 0;  // on paths, in the substep
+  long excess_ = 0;     // of work of earlier substeps of the frame, beyond what is usual
   long impulses_ = 0;   // of the substep, for Motion
 };
 
