@@ -23,6 +23,12 @@ double max_speed(const System& system, const State& state) {
   return max;
 }
 
+// Whether the step is within the limit but for contact.
+bool is_short_without_contact(const Settings& settings, Spectrum spectrum) {
+  spectrum.contact = spectrum.points_touch = false;
+  return settings.substep() <= largest_stable_step(*settings.integrator, spectrum);
+}
+
 }  // namespace
 
 std::optional<int> min_stable_substeps(const Integrator& integrator, const Spectrum& spectrum, double frame_rate) {
@@ -62,9 +68,9 @@ std::optional<std::string> step_warning(const System& system, const State& state
     // the bound of a listed force is that of its strongest point, which the scene may never reach
     const bool is_of_forces = std::hypot(spectrum.force_omega, spectrum.estimated_omega) > 0.5 * spectrum.omega;
     const bool has_margin = *limit <= max_substeps / margin;
-    return "simulation.substeps: " + std::to_string(settings.substeps) + ": may be too few for " + id +
-           " here: its linear stability limit is " + count_substeps(*limit) + " per frame" +
-           (is_of_forces ? " where the listed forces are strongest; " : "; ") +
+    return "simulation.substeps: " + std::to_string(settings.substeps) + ": may be too few for " + id + " here: " +
+           (is_short_without_contact(settings, spectrum) ? "contact may cause growth with fewer than " : "its linear stability limit is ") +
+           count_substeps(*limit) + " per frame" + (is_of_forces ? " where the listed forces are strongest; " : "; ") +
            (has_margin ? std::to_string(advice.substeps) + " are recommended" : "no number of substeps has the recommended margin");
   }
   const std::string reason = method.stability == Stability::None

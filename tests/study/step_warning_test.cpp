@@ -142,5 +142,20 @@ TEST(StepWarning, CountsTheSpeedOfThePointsInStillAir) {
   EXPECT_NE(warning_at(1000.0).find("its linear stability limit is"), std::string::npos) << warning_at(1000.0);
 }
 
+TEST(StepWarning, OfContactDoesNotSpeakOfALinearLimit) {
+  TestNetwork network;
+  network.join(network.add(Vec3(0.0), 1e-3), network.add({0.3, 0.0, 0.0}, 1e-3), 1e4);
+  for (Index i = 0; i < 2; ++i) network.system.point(i).radius = 0.02;
+  for (const char* id : {"implicit_euler", "dop853"}) {
+    const Settings settings{.integrator = find_integrator(id), .substeps = 20};
+    network.system.contact.points = false;
+    EXPECT_EQ(step_warning(network.system, network.state, settings), std::nullopt) << id;
+    network.system.contact.points = true;
+    const std::string warning = step_warning(network.system, network.state, settings).value_or("");
+    EXPECT_NE(warning.find("contact may cause growth with fewer than"), std::string::npos) << warning;
+    EXPECT_EQ(warning.find("linear"), std::string::npos) << warning;
+  }
+}
+
 }  // namespace
 }  // namespace hooke
