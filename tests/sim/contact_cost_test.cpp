@@ -131,7 +131,7 @@ TEST(CostModel, OfAFrameOfLongPathsIsLimited) {
   EXPECT_TRUE(has_failed);
 }
 
-// The CPU time of a substep relative to that of the springs alone, on the machine of docs/accuracy.md.
+// The CPU time of a substep relative to that of the springs alone, on an AMD EPYC beside other work.
 TEST(CostModel, CountsListedForcesAndTheStrainLimit) {
   TestSim sheet = dropped_sheet(17);
   sheet.system.colliders.clear();
