@@ -37,13 +37,6 @@ void keep_start(const Plan& plan, const Motion& motion, ContactWorkspace& before
   });
 }
 
-// Under a constant acceleration a, x' = x + h v + (1 / 2 + lead) h^2 a: only methods of first order do not have the exact path. Those that
-// are stable for some step use the velocity at the end.
-double path_lead(const Integrator& method) {
-  if (method.order != 1) return 0.0;
-  return method.stability == Stability::None ? -0.5 : 0.5;
-}
-
 }  // namespace
 
 Frame::Frame() = default;
@@ -71,7 +64,6 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
     }
   }
   integrator_ = settings.integrator;
-  before_.path_lead = path_lead(*integrator_);
   substeps_ = settings.substeps;
   substeps_done_ = one_by_one_until_ = 0;
   failure_ = StepFailure::None;

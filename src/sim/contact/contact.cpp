@@ -58,13 +58,7 @@ class PointPass {
   };
 
   PointPass(const Plan& plan, std::span<const Obstacle> obstacles, ContactWorkspace& before, Motion& motion, double h)
-      : plan_(plan),
-        obstacles_(obstacles),
-        before_(before),
-        motion_(motion),
-        h_(h),
-        n_(static_cast<std::size_t>(plan.points)),
-        lead_(before.path_lead * h * plan.acceleration) {}
+      : plan_(plan), obstacles_(obstacles), before_(before), motion_(motion), h_(h), n_(static_cast<std::size_t>(plan.points)) {}
 
   static constexpr std::size_t block = RestingPoints::max;
 
@@ -74,7 +68,7 @@ class PointPass {
     // most points that touch rest or slide: these at once
     RestingPoints resting{.outcome = before_.outcome.data() + first, .work = before_.work.data() + first};
     if (!plan_.pairs.on && !plan_.colliders_move) {
-      solve_resting_points(plan_, h_, first, end, before_.x, before_.v, motion_.x, motion_.v, resting, lead_);
+      solve_resting_points(plan_, h_, first, end, before_.x, before_.v, motion_.x, motion_.v, resting);
       if (resting.any_solved) touches.first_touch = 0.0;
     } else {
       std::fill_n(resting.outcome, end - first, RestingPoints::Open);
@@ -129,7 +123,7 @@ class PointPass {
     // the parabola through both positions with the mean acceleration of the step: its velocity starts ahead of v0
     const Vec3 a = (v1 - v0) / h_, velocity_correction = (x1 - x0) / h_ - v0 - 0.5 * h_ * a;
     PointContactSolver solver(obstacles_, radius, x0, v0);
-    if (!solver.advance(a, velocity_correction, h_, lead_)) return RestingPoints::Free;
+    if (!solver.advance(a, velocity_correction, h_)) return RestingPoints::Free;
     if (solver.push_out != Vec3(0.0)) {
       if (pushed == nullptr) return RestingPoints::Open;
       pushed->push_back({i, solver.x, solver.push_out});
@@ -157,7 +151,6 @@ class PointPass {
   Motion& motion_;
   double h_;
   std::size_t n_;
-  Vec3 lead_;  // [m/s]
 };
 
 // Adds the work of the contact, in addition to the work of the forces.

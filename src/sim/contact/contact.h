@@ -18,8 +18,6 @@ bool has_contact(const System& system);
 // Positions and velocities before a substep, and the motion of the colliders during it; sized once per frame.
 struct ContactWorkspace {
   double time = 0.0;  // [s]
-  // Under a constant acceleration a, the path of the method starts ahead of the velocity of a point by path_lead h a.
-  double path_lead = 0.0;
   Field x, v;
   std::vector<Obstacle> obstacles;
   // [s], since the start of the substep, when the first point touched something, and when the first had an impact; infinity: none did

@@ -6,14 +6,13 @@
 
 namespace hooke {
 
-bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction, double duration, const Vec3& lead) {
-  lead_ = lead;
+bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction, double duration) {
   const Vec3 start_of_step = x;
   bool touched = resolve_penetration();
   push_out = x - start_of_step;
   Supports supports = find_supports(a, duration);
   constrain(supports.all(), a, v);
-  touched = apply_velocity_correction(velocity_correction, supports, duration) || touched;
+  touched = apply_velocity_correction(velocity_correction, supports) || touched;
 
   const Vec3 start_velocity = v;
   double remaining = duration;
@@ -21,10 +20,7 @@ bool PointContactSolver::advance(const Vec3& a, const Vec3& velocity_correction,
     supports = find_supports(a, remaining);
     Segment segment = plan_segment(supports, a, remaining);
     const Vec3 start = x;
-    if (segment.sticks) {
-      v = segment.support.surface;
-      velocity_correction_ = segment.support.obstacle->velocity_correction;
-    }
+    if (segment.sticks) v = segment.support.surface;
     const double speed = glm::length(v - segment.support.surface);
     const Obstacle* hit = advance_segment(segment, supports);
     remaining -= segment.time;
@@ -89,37 +85,24 @@ Supports PointContactSolver::find_supports(const Vec3& a, double duration) const
   return supports;
 }
 
-namespace {
-
-// Whether friction cannot stop the point within the duration. Without the correction, a vibration along the surface would grow in Euler
-// methods, faster than friction damps it.
-bool is_sliding(const Support& support, double speed, double duration) {
-  return speed > support.friction() * support.normal_acceleration * duration;
-}
-
-}  // namespace
-
-// A flight, and a slide, start with the velocity of the method's path, but never into what the point touches. A point at rest, or one that
-// friction may stop, starts with its own velocity: the correction comes from forces that the supports balance. It follows the correction of
-// its support. Returns whether any part was left out.
-bool PointContactSolver::apply_velocity_correction(const Vec3& velocity_correction, const Supports& supports, double duration) {
+// A flight, and a slide without friction, start with the velocity of the method's path, but never into what the point touches.
+// A point at rest, or under friction, starts with its own velocity: the correction comes from forces that the supports balance.
+// It follows the correction of its support. Returns whether any part was left out.
+bool PointContactSolver::apply_velocity_correction(const Vec3& velocity_correction, const Supports& supports) {
   applies_correction_ = true;
   for (const Support& s : supports.all()) {
-    if (!(s.normal_acceleration > 0.0) || is_sliding(s, glm::length(v - s.surface), duration)) continue;
+    if (!(s.normal_acceleration > 0.0) || !(s.friction() > 0.0 || v == s.surface)) continue;
     velocity_correction_ = s.obstacle->velocity_correction;
     v += velocity_correction_;
     return true;
   }
-  const bool has_friction =
-      std::ranges::any_of(supports.all(), [](const Support& s) { return s.normal_acceleration > 0.0 && s.friction() > 0.0; });
-  const Vec3 applied = has_friction ? velocity_correction - lead_ : velocity_correction;
-  velocity_correction_ = applied;
+  velocity_correction_ = velocity_correction;
   for (const Support& s : supports.all()) {
     const double separation = glm::dot(velocity_correction_ - s.obstacle->velocity_correction, s.normal);
     if (separation < 0.0 || s.normal_acceleration > 0.0) velocity_correction_ -= separation * s.normal;
   }
   v += velocity_correction_;
-  return velocity_correction_ != applied;
+  return velocity_correction_ != velocity_correction;
 }
 
 namespace {
@@ -159,8 +142,7 @@ PointContactSolver::Segment PointContactSolver::plan_segment(Supports& supports,
   } else {
     segment.acceleration = tangential_drive - max_friction / speed * slip_velocity;
     const double deceleration = -glm::dot(segment.acceleration - surface_acceleration, slip_velocity) / speed;
-    // without friction, it turns around
-    segment.stops = max_friction > 0.0 && deceleration * remaining >= speed;
+    segment.stops = deceleration * remaining >= speed;
     if (segment.stops) segment.time = speed / deceleration;
   }
 

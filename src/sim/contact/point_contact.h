@@ -27,9 +27,8 @@ class PointContactSolver {
       : x(x0), v(v0), obstacles_(obstacles), radius_(radius) {}
 
   // Advances by `duration` with the acceleration `a`. `velocity_correction` [m/s]: of the method's path, relative to v at its start.
-  // `lead` [m/s]: the part of it that is due to constant forces. A slide under friction does without that, so that it is exact under them.
   // Returns whether anything was touched.
-  bool advance(const Vec3& a, const Vec3& velocity_correction, double duration, const Vec3& lead = Vec3(0.0));
+  bool advance(const Vec3& a, const Vec3& velocity_correction, double duration);
 
  private:
   // A part of the path with constant acceleration: supports and friction do not change.
@@ -43,7 +42,7 @@ class PointContactSolver {
 
   bool resolve_penetration();
   Supports find_supports(const Vec3& a, double duration) const;
-  bool apply_velocity_correction(const Vec3& velocity_correction, const Supports& supports, double duration);
+  bool apply_velocity_correction(const Vec3& velocity_correction, const Supports& supports);
   Segment plan_segment(Supports& supports, const Vec3& a, double remaining) const;
   const Obstacle* advance_segment(Segment& segment, const Supports& supports);
   void follow_surface(const Segment& segment, const Vec3& start, const Vec3& a);
@@ -63,7 +62,6 @@ class PointContactSolver {
   double radius_;
   double time_ = 0.0;                // [s], since the start of the step
   Vec3 velocity_correction_{0.0};    // [m/s], contained in v
-  Vec3 lead_{0.0};                   // [m/s]
   bool applies_correction_ = false;  // whether v and the velocities of obstacles contain their corrections
 };
 

@@ -151,8 +151,8 @@ HWY_INLINE LaneVec3 gather_points(const Plan& plan, const double* field, const s
 }
 
 // Solves the points of the list; those that need more segments go to `unfinished`, if it is given.
-void solve_list(const Plan& plan, double h, const Vec3& lead, std::size_t first, const PointList& list, int max_segments, const double* x0,
-                const double* v0, double* x, double* v, RestingPoints& points, PointList* unfinished) {
+void solve_list(const Plan& plan, double h, std::size_t first, const PointList& list, int max_segments, const double* x0, const double* v0,
+                double* x, double* v, RestingPoints& points, PointList* unfinished) {
   const PointLanes d;
   const std::size_t n = static_cast<std::size_t>(plan.points), lanes = hn::Lanes(d);
   for (const Collider& collider : plan.colliders)
@@ -166,7 +166,6 @@ void solve_list(const Plan& plan, double h, const Vec3& lead, std::size_t first,
 
       const auto index = hn::LoadU(hn::RebindToSigned<PointLanes>(), point);
       Step step{h,
-                lead,
                 hn::GatherIndex(d, plan.radius.data(), index),
                 gather_points(plan, x0, point),
                 gather_points(plan, v0, point),
@@ -236,8 +235,8 @@ HWY_INLINE void solve_on(const Plan& plan, const Collider& collider, const Shape
   if (!hn::AllFalse(d, more)) later.unfinished.add(i, bits_of(more), collider);
 }
 
-void solve_resting(const Plan& plan, double h, const Vec3& lead, std::size_t first, std::size_t end, const double* x0, const double* v0,
-                   double* x, double* v, RestingPoints& points) {
+void solve_resting(const Plan& plan, double h, std::size_t first, std::size_t end, const double* x0, const double* v0, double* x, double* v,
+                   RestingPoints& points) {
   const PointLanes d;
   const std::size_t lanes = hn::Lanes(d);
   points.any_solved = points.any_open = false;
@@ -245,7 +244,6 @@ void solve_resting(const Plan& plan, double h, const Vec3& lead, std::size_t fir
   std::size_t i = first;
   for (; i + lanes <= end; i += lanes) {
     Step step{h,
-              lead,
               hn::LoadU(d, plan.radius.data() + i),
               load_point(plan, x0, i),
               load_point(plan, v0, i),
@@ -304,8 +302,8 @@ void solve_resting(const Plan& plan, double h, const Vec3& lead, std::size_t fir
     points.work[i - first] = 0.0;
     points.any_open = true;
   }
-  solve_list(plan, h, lead, first, later.sparse, first_segments, x0, v0, x, v, points, &later.unfinished);
-  solve_list(plan, h, lead, first, later.unfinished, max_path_segments, x0, v0, x, v, points, nullptr);
+  solve_list(plan, h, first, later.sparse, first_segments, x0, v0, x, v, points, &later.unfinished);
+  solve_list(plan, h, first, later.unfinished, max_path_segments, x0, v0, x, v, points, nullptr);
 }
 
 }  // namespace hooke::HWY_NAMESPACE
@@ -317,8 +315,8 @@ namespace hooke {
 HWY_EXPORT(solve_resting);
 
 void solve_resting_points(const Plan& plan, double h, std::size_t first, std::size_t end, const Field& x0, const Field& v0, Field& x,
-                          Field& v, RestingPoints& points, const Vec3& lead) {
-  HWY_DYNAMIC_DISPATCH(solve_resting)(plan, h, lead, first, end, x0.data(), v0.data(), x.data(), v.data(), points);
+                          Field& v, RestingPoints& points) {
+  HWY_DYNAMIC_DISPATCH(solve_resting)(plan, h, first, end, x0.data(), v0.data(), x.data(), v.data(), points);
 }
 
 }  // namespace hooke

@@ -25,8 +25,8 @@ struct RestingPoints {
 
 // Corrects the step of h that led from (x0, v0) to (x, v), of those of the points that lie on the surface of one ball or plane at the
 // start, stay on it for the whole step, under any friction, and are certainly out of reach of all other colliders. To the bits of the
-// PointContactSolver, whose `lead` this is. For colliders that do not move.
+// PointContactSolver. For colliders that do not move.
 void solve_resting_points(const Plan& plan, double h, std::size_t first, std::size_t end, const Field& x0, const Field& v0, Field& x,
-                          Field& v, RestingPoints& points, const Vec3& lead = Vec3(0.0));
+                          Field& v, RestingPoints& points);
 
 }  // namespace hooke

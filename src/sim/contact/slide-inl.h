@@ -66,7 +66,6 @@ HWY_INLINE LaneGap lane_gap(const Plane& plane, Lane radius, const LaneVec3& x) 
 // Points during a step.
 struct Step {
   double h;
-  Vec3 lead;  // [m/s], of PointContactSolver::advance
   Lane radius;
   LaneVec3 x0, v0, x1, v1;  // at its start, and at its end without contact
   LaneVec3 a;               // its mean acceleration
@@ -138,13 +137,9 @@ HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Ste
   const LaneVec3 drive = drive_of<Shape>(gap, load);
   Lane speed = length_of(start_v);
   const auto [required, max_friction, is_still, sticks] = hold_of(friction, drive, load, step, start, speed, remaining);
-  if (hn::AllFalse(d, hn::AndNot(sticks, is_left))) {
-    velocity_correction = none;
-    return {sum(start, none), none, remaining, load.holds, same_if(false)};
-  }
+  if (hn::AllFalse(d, hn::AndNot(sticks, is_left))) return {sum(start, none), none, remaining, load.holds, same_if(false)};
   const LaneMask starts = hn::And(is_left, hn::AndNot(sticks, is_still));
   start_v = choose(sticks, none, start_v);
-  velocity_correction = choose(sticks, none, velocity_correction);
   speed = hn::IfThenZeroElse(sticks, speed);
   LaneVec3 starting = none, sliding = drive;
   if (!hn::AllFalse(d, starts)) {
@@ -156,7 +151,7 @@ HWY_INLINE LaneSegment advance_on(const Shape& shape, double friction, const Ste
   if (!hn::AllFalse(d, hn::AndNot(is_still, is_left))) {
     sliding = difference(drive, times(hn::Div(max_friction, speed), start_v));
     const Lane deceleration = hn::Div(hn::Neg(dot_of(sliding, start_v)), speed);
-    if (friction > 0.0) stops = hn::And(is_left, hn::AndNot(is_still, hn::Ge(hn::Mul(deceleration, remaining), speed)));
+    stops = hn::And(is_left, hn::AndNot(is_still, hn::Ge(hn::Mul(deceleration, remaining), speed)));
     if (!hn::AllFalse(d, stops)) segment.time = hn::IfThenElse(stops, hn::Div(speed, deceleration), remaining);
   }
   const LaneVec3 acceleration = sum(choose(is_still, starting, sliding), none);
@@ -229,14 +224,12 @@ HWY_INLINE Corrected slide(const Shape& shape, double friction, const Step& step
   is_solved = hn::And(is_solved, hn::And(is_along(gap.normal, v, h), load.holds));
   if (hn::AllFalse(d, is_solved)) return {x, v, is_solved, is_solved, zero};
 
-  // a point that slides starts with the velocity of the method's path, unless friction may stop it
+  // without friction, a point that slides starts with the velocity of the method's path
   LaneVec3 velocity_correction = none;
-  const LaneMask slides = hn::Gt(length_of(v), hn::Mul(hn::Mul(same(friction), load.normal_acceleration), h));
-  if (!hn::AllFalse(d, slides)) {
-    LaneVec3 of_method = difference(difference(over(difference(step.x1, x), h), v), times(same(0.5 * step.h), a));
-    if (friction > 0.0) of_method = difference(of_method, same(step.lead));
+  if (friction == 0.0) {
+    const LaneVec3 of_method = difference(difference(over(difference(step.x1, x), h), v), times(same(0.5 * step.h), a));
     const LaneVec3 along = difference(of_method, times(dot_of(of_method, gap.normal), gap.normal));
-    velocity_correction = choose(slides, along, none);
+    velocity_correction = choose(equal(v, none), none, along);
     v = sum(v, velocity_correction);
     load = load_of(gap, a, step.size_of_a, v);
     is_solved = hn::And(is_solved, is_along(gap.normal, v, h));
