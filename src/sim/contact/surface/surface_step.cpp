@@ -116,8 +116,6 @@ void SurfaceStep::start_frame(const Plan& plan) {
   const std::size_t n = plan.surface.points.size();
   inverse_mass_.resize(n);
   for (std::size_t k = 0; k < n; ++k) inverse_mass_[k] = plan.inverse_mass[plan.surface.points[k]];
-  const auto held = plan.held ? std::ranges::lower_bound(plan.surface.points, *plan.held) : plan.surface.points.end();
-  held_ = held != plan.surface.points.end() && *held == *plan.held ? static_cast<Index>(held - plan.surface.points.begin()) : no_index;
   search_.begin_frame(plan, x_);
   impacts_ = 0;
   excess_ = 0;
@@ -142,11 +140,7 @@ void SurfaceStep::make_contacts(const Plan& plan, double h) {
       const double gap = closest.distance - search_.part(pair) * std::min({thickness[i], thickness[j], thickness[k], thickness[l]});
       if (gap >= search_.max_gap(approach)) return;
       SurfaceContact contact{.points = pair.points, .weight = w, .gap = gap};
-      for (int c = 0; c < 4; ++c) {
-        contact.response += w[c] * w[c] * inverse_mass_[contact.points[c]];
-        contact.max_change = std::max(contact.max_change, std::abs(w[c]) * inverse_mass_[contact.points[c]]);
-        contact.is_driven = contact.is_driven || contact.points[c] == held_;
-      }
+      for (int c = 0; c < 4; ++c) contact.response += w[c] * w[c] * inverse_mass_[contact.points[c]];
       if (contact.response == 0.0) return;
       contact.normal = closest.separation / closest.distance;
       contact.target = std::min(0.0, -gap / h);
@@ -202,7 +196,7 @@ bool SurfaceStep::separate(double h) {
       contact.target = -part * contact.gap / h;
       any = true;
     }
-  return any && contacts_.separate(inverse_mass_, path_);
+  return any && contacts_.settle(inverse_mass_, 0.0, path_);
 }
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
