@@ -155,7 +155,7 @@ void DocumentBuilder::add_forces(Scene& scene) {
     Force force{&term, flip(), {}};
     for (std::size_t i = 0; i < term.numbers.size(); ++i) {
       const Bounds ordinary{.min = term.numbers[i].min, .max = term.numbers[i].max};
-      const Bounds allowed = term.numbers[i].min >= 0.0 ? Bounds{.min = term.numbers[i].min} : any_number;
+      const Bounds allowed = term.numbers[i].valid();
       const std::size_t choices = term.numbers[i].choices.size();
       force.values[i] = choices > 0 ? static_cast<double>(random_.below(static_cast<Index>(choices)))
                                     : number(numbers_ == Numbers::Any ? allowed : ordinary);

@@ -53,12 +53,13 @@ HWY_INLINE void for_elements(std::size_t size, const Use& use) {
 
 // Four vectors at once: scales and addresses of the terms are read once for them, and their sums do not wait for each other.
 void set_sum(double* y, const double* start, std::span<const ScaledField> terms, std::size_t size) {
+  const auto store = [&](auto d, auto sum, std::size_t i)
+                         HWY_ATTR { hn::StoreU(start != nullptr ? hn::Add(hn::LoadU(d, start + i), sum) : sum, d, y + i); };
   const hn::ScalableTag<double> d;
   const std::size_t lanes = hn::Lanes(d), step = 4 * lanes;
   std::size_t i = 0;
   for (; i + step <= size; i += step) {
-    const auto start_of = [&](std::size_t k) HWY_ATTR { return start != nullptr ? hn::LoadU(d, start + i + k * lanes) : hn::Zero(d); };
-    auto sum0 = start_of(0), sum1 = start_of(1), sum2 = start_of(2), sum3 = start_of(3);
+    auto sum0 = hn::Zero(d), sum1 = sum0, sum2 = sum0, sum3 = sum0;
     for (const ScaledField& term : terms) {
       const auto scale = hn::Set(d, term.scale);
       const double* const x = term.x + i;
@@ -67,15 +68,15 @@ void set_sum(double* y, const double* start, std::span<const ScaledField> terms,
       sum2 = hn::Add(sum2, hn::Mul(scale, hn::LoadU(d, x + 2 * lanes)));
       sum3 = hn::Add(sum3, hn::Mul(scale, hn::LoadU(d, x + 3 * lanes)));
     }
-    hn::StoreU(sum0, d, y + i);
-    hn::StoreU(sum1, d, y + i + lanes);
-    hn::StoreU(sum2, d, y + i + 2 * lanes);
-    hn::StoreU(sum3, d, y + i + 3 * lanes);
+    store(d, sum0, i);
+    store(d, sum1, i + lanes);
+    store(d, sum2, i + 2 * lanes);
+    store(d, sum3, i + 3 * lanes);
   }
   for_elements(size - i, [&](auto tag, std::size_t k) HWY_ATTR {
-    auto sum = start != nullptr ? hn::LoadU(tag, start + i + k) : hn::Zero(tag);
+    auto sum = hn::Zero(tag);
     for (const ScaledField& term : terms) sum = hn::Add(sum, hn::Mul(hn::Set(tag, term.scale), hn::LoadU(tag, term.x + i + k)));
-    hn::StoreU(sum, tag, y + i + k);
+    store(tag, sum, i + k);
   });
 }
 

@@ -18,7 +18,8 @@ void multiply_each(double* y, const double* x, std::size_t size);
 // y[i] = s x[i]
 void set_scaled(double* y, double s, const double* x, std::size_t size);
 
-// y = start + sum of scale x over the terms, added in their order. Zero instead of `start` if it is null.
+// y = start + sum of scale x over the terms, added in their order, and then to `start`, so that small terms are rounded as such. Zero
+// instead of `start` if it is null.
 struct ScaledField {
   double scale = 0.0;
   const double* x = nullptr;

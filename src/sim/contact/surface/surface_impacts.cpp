@@ -36,7 +36,7 @@ bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
         FourPoints displacement = four(path_, pair.points);
         for (Vec3& d : displacement) d *= h;
         const double part = free_part(kind, four(x_, pair.points), displacement, distance, distances_);
-        if (part < 1.0 && handle_impact(plan, pair, part, h, pass >= impact_passes)) hits = true;
+        if (part < 1.0 && handle_impact(pair, part, h, pass >= impact_passes)) hits = true;
       });
     excess = distances_ + search_.tests() + impulses_ - usual_distances(x_.size());
     has_failed_ = distances_ > max_distances(x_.size()) || excess_ + excess > max_excess;
@@ -49,7 +49,7 @@ bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
 }
 
 // An inelastic impact at this part of the substep. Returns whether it changed anything.
-bool SurfaceStep::handle_impact(const Plan& plan, const SurfacePair& pair, double part, double h, bool joins) {
+bool SurfaceStep::handle_impact(const SurfacePair& pair, double part, double h, bool joins) {
   const std::array<Index, 4>& points = pair.points;
   ++impacts_;
   ++impulses_;
@@ -66,11 +66,13 @@ bool SurfaceStep::handle_impact(const Plan& plan, const SurfacePair& pair, doubl
   // if an impulse cannot help, the passes that join do
   if (response == 0.0 || closest.distance < coincident) return true;
   const Vec3 normal = closest.separation / closest.distance;
-  const double velocity = glm::dot(normal, relative);
+  double velocity = glm::dot(normal, relative);
   if (!(velocity < 0.0)) return true;
+  if (std::ranges::find(points, held_) != points.end())
+    velocity = -response * limited_impulse(points, closest.weight, normal, -velocity / response, -velocity, inverse_mass_, path_);
   for (int c = 0; c < 4; ++c) {
     path_[points[c]] -= inverse_mass_[points[c]] * closest.weight[c] * velocity / response * normal;
-    if (plan.surface.points[points[c]] == plan.held) held_impulse_ += std::abs(closest.weight[c] * velocity / response);
+    if (points[c] == held_) held_impulse_ += std::abs(closest.weight[c] * velocity / response);
   }
   return true;
 }

@@ -3,17 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 namespace hooke {
 namespace {
 
-bool settle_contact(SurfaceContact& contact, std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity) {
+bool settle_contact(SurfaceContact& contact, std::span<const double> inverse_mass, double friction, double leverage,
+                    std::span<Vec3> velocity) {
   const auto& [i, j, k, l] = contact.points;
   const std::array<double, 4>& w = contact.weight;
   const Vec3 relative = w[0] * velocity[i] + w[1] * velocity[j] + w[2] * velocity[k] + w[3] * velocity[l];
   const double normal_velocity = glm::dot(contact.normal, relative);
   if (!(normal_velocity < contact.target)) return false;
-  const double impulse = (contact.target - normal_velocity) / contact.response;
+  const double approach = contact.target - normal_velocity;
+  double impulse = approach / std::max(contact.response, contact.max_change / leverage);
+  if (contact.is_driven)
+    impulse = limited_impulse(contact.points, contact.weight, contact.normal, impulse, approach, inverse_mass, velocity);
   Vec3 total = impulse * contact.normal;
   if (friction > 0.0) {
     const Vec3 slip = relative - normal_velocity * contact.normal;
@@ -40,9 +45,34 @@ bool settle_obstacle(ObstacleContact& contact, std::span<const double> inverse_m
 
 }  // namespace
 
+double limited_impulse(std::span<const Index> points, std::span<const double> weight, const Vec3& normal, double impulse, double approach,
+                       std::span<const double> inverse_mass, std::span<const Vec3> velocity) {
+  double drive = 0.0;
+  for (std::size_t c = 0; c < points.size(); ++c)
+    if (inverse_mass[points[c]] == 0.0) drive += weight[c] * glm::dot(normal, velocity[points[c]]);
+  const double max_speed = max_leverage * std::max(std::abs(drive), approach);
+  for (std::size_t c = 0; c < points.size(); ++c) {
+    const double change = std::abs(weight[c]) * inverse_mass[points[c]];
+    if (change == 0.0) continue;
+    const double speed = std::copysign(1.0, weight[c]) * glm::dot(normal, velocity[points[c]]);
+    impulse = std::min(impulse, std::max(0.0, max_speed - speed) / change);
+  }
+  return impulse;
+}
+
 bool SurfaceContacts::settle(std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity) {
+  return settle(inverse_mass, friction, std::numeric_limits<double>::infinity(), velocity);
+}
+
+bool SurfaceContacts::separate(std::span<const double> inverse_mass, std::span<Vec3> velocity) {
+  return settle(inverse_mass, 0.0, max_leverage, velocity);
+}
+
+bool SurfaceContacts::settle(std::span<const double> inverse_mass, double friction, double leverage, std::span<Vec3> velocity) {
   bool any = false;
-  const auto settle_surface = [&](SurfaceContact& contact) { any = settle_contact(contact, inverse_mass, friction, velocity) || any; };
+  const auto settle_surface = [&](SurfaceContact& contact) {
+    any = settle_contact(contact, inverse_mass, friction, leverage, velocity) || any;
+  };
   const auto settle_point = [&](ObstacleContact& contact) {
     any = settle_obstacle(contact, inverse_mass, friction > 0.0, velocity) || any;
   };

@@ -16,10 +16,21 @@ struct SurfaceContact {
   Vec3 normal{0.0};         // from the second to the first
   double gap = 0.0;         // [m], distance less thickness
   double response = 0.0;    // [1/kg], relative velocity per impulse
+  double max_change = 0.0;  // [1/kg], of the velocity of one of its points, per impulse
   double target = 0.0;      // [m/s], the least relative velocity along the normal
   double impulse = 0.0;     // [N s], along the normal, so far
   bool is_pressed = false;  // whether there was one within the substep
+  bool is_driven = false;   // whether one of its points is held
 };
+
+// Where a contact is close to a nail, it moves the other end of the spring, or the rest of the face, like a lever: by up to this multiple
+// of what the hand moves, or of the displacement by which features separate.
+inline constexpr double max_leverage = 8.0;
+
+// The impulse [N s] that is left of `impulse` when it moves no point of a feature faster in its direction than max_leverage times the speed
+// of the held point or of the approach [m/s]. Without the hand, impulses remove kinetic energy, which is limit enough.
+double limited_impulse(std::span<const Index> points, std::span<const double> weight, const Vec3& normal, double impulse, double approach,
+                       std::span<const double> inverse_mass, std::span<const Vec3> velocity);
 
 // A point that touches something and may reach an obstacle.
 struct ObstacleContact {
@@ -41,6 +52,11 @@ struct SurfaceContacts {
   // its target to it, and the Coulomb impulse of up to friction times that. Each of them removes kinetic energy if its target is not
   // positive. Returns whether any was necessary.
   bool settle(std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity);
+  // The same for what separates, without friction.
+  bool separate(std::span<const double> inverse_mass, std::span<Vec3> velocity);
+
+ private:
+  bool settle(std::span<const double> inverse_mass, double friction, double leverage, std::span<Vec3> velocity);
 };
 
 }  // namespace hooke

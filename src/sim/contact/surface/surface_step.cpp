@@ -48,13 +48,8 @@ Vec3 mean_of(std::span<const Vec3> field) {
 }  // namespace
 
 void SurfaceStep::begin_substep(const Plan& plan, const Motion& motion) {
-  const std::size_t n = plan.surface.points.size();
-  free_velocity_.resize(n);
-  method_end_.resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    free_velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]);
-    method_end_[k] = point_in(plan, motion.x, plan.surface.points[k]);
-  }
+  free_velocity_.resize(plan.surface.points.size());
+  for (std::size_t k = 0; k < free_velocity_.size(); ++k) free_velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]);
   if (!transmits(plan)) return;
   all_free_velocity_ = motion.v;
   all_free_end_ = motion.x;
@@ -116,6 +111,8 @@ void SurfaceStep::start_frame(const Plan& plan) {
   const std::size_t n = plan.surface.points.size();
   inverse_mass_.resize(n);
   for (std::size_t k = 0; k < n; ++k) inverse_mass_[k] = plan.inverse_mass[plan.surface.points[k]];
+  const auto held = plan.held ? std::ranges::lower_bound(plan.surface.points, *plan.held) : plan.surface.points.end();
+  held_ = held != plan.surface.points.end() && *held == *plan.held ? static_cast<Index>(held - plan.surface.points.begin()) : no_index;
   search_.begin_frame(plan, x_);
   impacts_ = 0;
   excess_ = 0;
@@ -140,7 +137,11 @@ void SurfaceStep::make_contacts(const Plan& plan, double h) {
       const double gap = closest.distance - search_.part(pair) * std::min({thickness[i], thickness[j], thickness[k], thickness[l]});
       if (gap >= search_.max_gap(approach)) return;
       SurfaceContact contact{.points = pair.points, .weight = w, .gap = gap};
-      for (int c = 0; c < 4; ++c) contact.response += w[c] * w[c] * inverse_mass_[contact.points[c]];
+      for (int c = 0; c < 4; ++c) {
+        contact.response += w[c] * w[c] * inverse_mass_[contact.points[c]];
+        contact.max_change = std::max(contact.max_change, std::abs(w[c]) * inverse_mass_[contact.points[c]]);
+        contact.is_driven = contact.is_driven || contact.points[c] == held_;
+      }
       if (contact.response == 0.0) return;
       contact.normal = closest.separation / closest.distance;
       contact.target = std::min(0.0, -gap / h);
@@ -196,7 +197,7 @@ bool SurfaceStep::separate(double h) {
       contact.target = -part * contact.gap / h;
       any = true;
     }
-  return any && contacts_.settle(inverse_mass_, 0.0, path_);
+  return any && contacts_.separate(inverse_mass_, path_);
 }
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
@@ -218,11 +219,8 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
     const Vec3 v1 = point_in(plan, motion.v, i);
     const bool is_moved = path_[k] != free_u_[k];
     if (inverse_mass_[k] == 0.0 || (!is_moved && velocity_[k] == v1)) continue;
-    const Vec3 start = point_in(plan, v0, i), force = plan.mass[i] / h * (free_velocity_[k] - start);
-    // along the path of the method: its velocity starts ahead of that of the point
-    const Vec3 correction = (method_end_[k] - x_[k]) / h - 0.5 * (start + free_velocity_[k]);
-    const Vec3 end = is_moved ? x_[k] + h * path_[k] : end_[k], v_end = velocity_[k] + correction, v_without = v1 + correction;
-    work += 0.5 * plan.mass[i] * (glm::dot(v_end, v_end) - glm::dot(v_without, v_without)) - glm::dot(force, end - end_[k]);
+    const Vec3 end = is_moved ? x_[k] + h * path_[k] : end_[k], force = plan.mass[i] / h * (free_velocity_[k] - point_in(plan, v0, i));
+    work += 0.5 * plan.mass[i] * (glm::dot(velocity_[k], velocity_[k]) - glm::dot(v1, v1)) - glm::dot(force, end - end_[k]);
     for (int c = 0; c < plan.dimensions; ++c) {
       motion.x[c * n + i] = end[c];
       motion.v[c * n + i] = velocity_[k][c];

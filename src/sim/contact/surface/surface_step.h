@@ -37,7 +37,7 @@ class SurfaceStep {
   void note_pressed(const Plan& plan, double h);
   bool separate(double h);
   bool prevent_crossings(const Plan& plan, double h);
-  bool handle_impact(const Plan& plan, const SurfacePair& pair, double part, double h, bool joins);
+  bool handle_impact(const SurfacePair& pair, double part, double h, bool joins);
   bool join(const std::array<Index, 4>& points);
   void write(const Plan& plan, const Field& v0, double h, Motion& motion);
   SuppliedWork supplied_work(const Plan& plan, const Motion& motion) const;
@@ -54,7 +54,6 @@ class SurfaceStep {
 
   std::vector<Vec3> x_, end_;        // at the start of the substep, and at its end without this contact
   std::vector<Vec3> free_velocity_;  // [m/s], at its end without any contact
-  std::vector<Vec3> method_end_;     // [m], where the points are then
   // [m/s], displacement over h: without this contact, with its impulses, with what separates, and without impacts
   std::vector<Vec3> free_u_, u_, separated_, path_;
   std::vector<Vec3> velocity_;  // [m/s], at the end
@@ -67,6 +66,7 @@ class SurfaceStep {
   std::vector<double> decay_;
   double decay_step_ = 0.0;  // [s]: of which `decay_` is; 0: of none
 
+  Index held_ = no_index;  // the held point
   std::vector<char> is_marked_;
   std::vector<Index> zone_;  // per point: the first of those that move together
   bool has_failed_ = false;
