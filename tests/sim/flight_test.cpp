@@ -38,7 +38,7 @@ Outcome run(const TestSim& sim, const Integrator& method, int frames, int per_fr
     if (frame.broken().empty()) continue;
     std::vector<Spring> springs = system.springs();
     for (auto s = frame.broken().rbegin(); s != frame.broken().rend(); ++s) springs.erase(springs.begin() + *s);
-    system.set_springs(std::move(springs));
+    system.set_springs(springs);
     plan = make_plan(system);
   }
   return result;

@@ -225,8 +225,8 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
 
   double left = max_work - (0.25 * max_work - std::max(0.0, diagnosis.left));
   // in the order of preference: no warning for as long as the work allowed, only one about the step, and any other
-  enum Rank { PartlyTested, StepWarning, OtherWarning, ranks };
-  std::optional<std::pair<Advice, Trial>> kept[ranks];
+  enum Rank { PartlyTested, StepWarning, OtherWarning, Ranks };
+  std::optional<std::pair<Advice, Trial>> kept[Ranks];
   const auto recommend = [&](const Advice& advice, const Trial& trial) {
     remedy.advice = advice;
     remedy.linear_limit = linear_limit(*advice.integrator, start);
