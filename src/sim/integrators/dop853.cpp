@@ -6,12 +6,10 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <span>
 #include <utility>
 
 #include "sim/adaptive_step.h"
 #include "sim/forces/field_kernel.h"
-#include "sim/forces/forces.h"
 #include "sim/integrators/explicit_runge_kutta.h"
 #include "sim/integrators/rows.h"
 #include "sim/portable_math.h"
