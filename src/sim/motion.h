@@ -18,9 +18,12 @@ struct Motion {
   bool acceleration_is_current = false;
   // Forces at x [N] that a method leaves at the end of its step for the start of the next one, if acceleration_is_current: all but the
   // listed ones. Where they are Open, whoever computes the power of those adds them, at (x, v) and the time, so that they are Complete.
-  enum class Forces { None, Unlisted, Open, Complete };
+  // External: gravity and the listed ones instead, as they acted at the end of the step, at x and a velocity near v.
+  enum class Forces { None, Unlisted, Open, Complete, External };
   Field forces;
   Forces contents = Forces::None;
+  // [W], of the listed forces, if External: times v, and times the velocity at which they were computed.
+  double power = 0.0, power_as_computed = 0.0;
   // Where contact has moved points since they were current: the first of them, and the one after the last. Then `a` is still current at the
   // points that no spring joins to these. Nowhere unless contact alone moved points, just after the step.
   struct Moved {

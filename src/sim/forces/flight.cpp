@@ -168,7 +168,8 @@ void advance_changed(const Plan& plan, const GridPass& pass, const Motion::Moved
 
 }  // namespace
 
-bool can_accelerate_and_kick(const Plan& plan) { return !plan.grids.empty() && !plan.pull && plan.forces.empty(); }
+bool can_accelerate_and_kick(const Plan& plan) { return can_accelerate_and_kick_with(plan) && plan.forces.empty(); }
+bool can_accelerate_and_kick_with(const Plan& plan) { return !plan.grids.empty() && !plan.pull; }
 
 void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift, const PassDashpots& dashpots,
                          const Motion::Moved& moved) {
@@ -176,6 +177,20 @@ void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double k
   pass.a = motion.a.data();
   set_other_forces(plan, time, dashpots, motion, pass);
   if (moved.first < moved.end && plan.loose_runs.empty()) return advance_changed(plan, pass, moved, motion);
+  GridWatch watch;
+  advance_all(plan, pass, motion, {&watch, 1});
+}
+
+void accelerate_and_kick_with(const Plan& plan, const Field& external, Motion& motion, double kick, double drift,
+                              const PassDashpots& dashpots) {
+  GridPass pass = pass_of(plan, kick, drift, dashpots);
+  pass.a = motion.a.data();
+  pass.f = external.data();
+  if (!plan.loose_runs.empty()) {
+    std::ranges::copy(external, motion.a.begin());
+    add_loose_spring_forces(plan, motion.x.data(), pass.dashpot_velocity, motion.a.data());
+    pass.f = motion.a.data();
+  }
   GridWatch watch;
   advance_all(plan, pass, motion, {&watch, 1});
 }

@@ -50,13 +50,18 @@ void kick_and_drift_with_known(const Plan& plan, Motion& motion, double kick, do
 // The same for the forces f [N], which contain all but drag, without a flight; motion.a remains.
 void kick_and_drift_with_forces(const Plan& plan, Motion& motion, const Field& f, double kick, double drift, const PassDashpots& dashpots);
 
-// Whether accelerate_and_kick takes no more than a pass over the springs.
+// Whether accelerate_and_kick takes no more than a pass over the springs. With listed forces, accelerate_and_kick_with does.
 bool can_accelerate_and_kick(const Plan& plan);
+bool can_accelerate_and_kick_with(const Plan& plan);
 
 // Where can_accelerate_and_kick(plan): sets motion.a to the accelerations of compute_position_forces at `time` [s] and motion.x, and of the
 // dashpots, kicks by `kick` [s] and drifts by `drift` [s], to the same bits as one after another. If motion.a is known but for what points
 // `moved` have changed since, forces are computed only on the rows of grids beside these.
 void accelerate_and_kick(const Plan& plan, double time, Motion& motion, double kick, double drift, const PassDashpots& dashpots = {},
                          const Motion::Moved& moved = {});
+
+// The same where can_accelerate_and_kick_with(plan), with the forces of springs, of the dashpots, and `external` [N], all others.
+void accelerate_and_kick_with(const Plan& plan, const Field& external, Motion& motion, double kick, double drift,
+                              const PassDashpots& dashpots);
 
 }  // namespace hooke

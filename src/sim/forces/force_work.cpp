@@ -53,9 +53,11 @@ void ForceWork::begin_substep(const Plan& plan, const Motion& motion) {
   if (!has_work(plan)) return;
   time_ = motion.time;
   power_work_ = 0.0;
-  std::ranges::copy(motion.x, x_.begin());
+  // such a step follows, which needs no more than the power at both ends
+  const bool is_external = motion.contents == Motion::Forces::External && motion.acceleration_is_current;
+  if (!is_external || air_acceleration(plan) != Vec3(0.0)) std::ranges::copy(motion.x, x_.begin());
   if (!has_power_) return;
-  std::ranges::copy(motion.v, v_.begin());
+  if (!is_external) std::ranges::copy(motion.v, v_.begin());
   if (!power_is_current_) power_ = power_of(plan, motion.time, motion.x, motion.v);
 }
 
@@ -70,15 +72,21 @@ double ForceWork::energy_change(const Plan& plan, const Motion& motion) const {
 
 void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h, bool is_moved) {
   if (!has_power_) return;
+  const bool is_external = motion.contents == Motion::Forces::External;
   const double start = power_, middle = time_ + 0.5 * h;
   if (motion.contents == Motion::Forces::Open) {
     power_ = add_force_terms_with_power(plan, motion.time, motion.x, motion.v, motion.forces);
     motion.contents = Motion::Forces::Complete;
+  } else if (is_external) {
+    // where the two differ, that of the velocity at which they were computed, at which they supply no more than moving air does
+    constexpr double max_difference = 0.2;
+    const double difference = std::abs(motion.power - motion.power_as_computed);
+    power_ = difference <= max_difference * std::abs(motion.power_as_computed) ? motion.power : motion.power_as_computed;
   } else {
     power_ = power_of(plan, motion.time, motion.x, motion.v);
   }
   power_is_current_ = true;
-  if (is_moved) {
+  if (is_moved || is_external) {
     power_work_ = 0.5 * h * (start + power_);
     return;
   }

@@ -64,10 +64,14 @@ void compute_external_forces(const Plan& plan, double time, const Field& x, cons
   add_force_terms(plan, time, x, v, f);
 }
 
+void add_inner_forces(const Plan& plan, double time, const Field& x, const Field* v, Field& f) {
+  add_spring_forces(plan, x.data(), v != nullptr ? v->data() : nullptr, f.data());
+  if (plan.pull) add_pull(plan, time, x, f);
+}
+
 void compute_unlisted_forces(const Plan& plan, double time, const Field& x, Field& f) {
   set_gravity(plan, f);
-  add_spring_forces(plan, x.data(), nullptr, f.data());
-  if (plan.pull) add_pull(plan, time, x, f);
+  add_inner_forces(plan, time, x, nullptr, f);
 }
 
 void compute_position_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
@@ -77,8 +81,7 @@ void compute_position_forces(const Plan& plan, double time, const Field& x, cons
 
 void compute_network_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {
   set_gravity(plan, f);
-  add_spring_forces(plan, x.data(), plan.has_dashpots() ? v.data() : nullptr, f.data());
-  if (plan.pull) add_pull(plan, time, x, f);
+  add_inner_forces(plan, time, x, plan.has_dashpots() ? &v : nullptr, f);
 }
 
 void compute_explicit_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f) {

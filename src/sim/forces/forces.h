@@ -13,6 +13,9 @@ void compute_position_forces(const Plan& plan, double time, const Field& x, cons
 // The same without the listed forces, which alone may depend on the velocities.
 void compute_unlisted_forces(const Plan& plan, double time, const Field& x, Field& f);
 
+// Adds the forces of springs, of their dashpots at the velocities v unless it is null, and of the hand's pull.
+void add_inner_forces(const Plan& plan, double time, const Field& x, const Field* v, Field& f);
+
 // f [N] of gravity, drag * wind and the listed forces: external to the network, for methods that treat springs and the hand's
 // pull as constraints.
 void compute_external_forces(const Plan& plan, double time, const Field& x, const Field& v, Field& f);
