@@ -1,4 +1,5 @@
-// The hashes of every scene under every method, for comparison between compilers, optimization levels, vector units and processors:
+// The hashes of every scene under every method and `auto`, for comparison between compilers, optimization levels, vector units and
+// processors:
 //   golden FILE            compares with the file; prints "hashes differences", and exits with 1 when there are differences
 //   golden FILE --write    writes the file
 // Options of a comparison:
@@ -23,6 +24,7 @@
 #include <vector>
 
 #include "formats/scene_file.h"
+#include "sim/automatic/automatic.h"
 #include "sim/divergence.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"
@@ -34,6 +36,7 @@ namespace {
 
 constexpr double seconds = 0.25;                        // of each run
 constexpr Index small_points = 300, max_points = 1300;  // scenes above the first run for one frame; those above the second take too long
+constexpr double automatic_tolerance = 1e-3;            // [m]
 constexpr const char* header = "scene,method,substeps,seconds,hash";
 
 struct Run {
@@ -52,13 +55,15 @@ std::vector<Run> all_runs(std::size_t part) {
     if (scene->system.point_count() > max_points) continue;
     const bool is_small = scene->system.point_count() <= small_points;
     const long frames = is_small ? std::lround(seconds * scene->settings.frame_rate) : 1;
-    for (const Integrator& method : integrators()) {
-      if (number++ % part != 0) continue;
+    const auto add = [&](const Integrator& method) {
+      if (number++ % part != 0) return;
       char key[200];
       std::snprintf(key, sizeof key, "%s,%s,%d,%.4g", shipped.id.c_str(), std::string(method.id).c_str(), scene->settings.substeps,
                     static_cast<double>(frames) / scene->settings.frame_rate);
       runs.push_back({key, scene, &method, frames});
-    }
+    };
+    for (const Integrator& method : integrators()) add(method);
+    add(automatic_method());
   }
   return runs;
 }
@@ -67,6 +72,7 @@ std::vector<Run> all_runs(std::size_t part) {
 std::string hash_of(const Run& run) {
   Settings settings = run.scene->settings;
   settings.integrator = run.method;
+  if (is_automatic(settings)) settings.tolerance = automatic_tolerance;
   Plan plan = make_plan(run.scene->system);
   State state = run.scene->state;
   Frame frame;
