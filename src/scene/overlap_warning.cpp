@@ -1,6 +1,8 @@
 #include "scene/overlap_warning.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/number_text.h"
 #include "scene/crossed_parts.h"
@@ -17,30 +19,16 @@ std::vector<std::string> crossing_warnings(const System& system, const State& st
   return warnings;
 }
 
-std::optional<std::string> loose_point_warning(const System& system) {
-  const SurfacePlan plan = plan_surface(system);
-  if (!plan.on) return std::nullopt;
-  // what hangs on springs, or is nailed, is where it is to be
-  std::vector<char> is_loose;
-  for (const Point& point : system.points()) is_loose.push_back(point.nailed ? 0 : 1);
-  for (const Index i : plan.points) is_loose[i] = 0;
-  for (const Spring& spring : system.springs())
-    for (const PointId end : {spring.first, spring.second}) is_loose[system.index_of(end)] = 0;
-  const auto count = std::ranges::count(is_loose, 1);
-  if (count == 0) return std::nullopt;
-  const auto first = std::ranges::find(is_loose, 1) - is_loose.begin();
-  if (count == 1) return "contact: point " + std::to_string(first) + " is on no spring or face: it passes through springs and faces";
-  return "contact: " + std::to_string(count) + " points are on no spring or face, such as point " + std::to_string(first) +
-         ": they pass through springs and faces";
-}
-
 std::optional<std::string> thickness_warning(const System& system) {
   const SurfacePlan plan = plan_surface(system);
   const double given = system.contact.thickness;
   if (!plan.on || given == 0.0) return std::nullopt;
-  const auto [min, max] = std::ranges::minmax(plan.thickness);
-  if (min == given && max == given) return std::nullopt;
-  const bool is_long = min < given;
+  double min = std::numeric_limits<double>::infinity(), max = 0.0;
+  for (const double thickness : plan.thickness)
+    if (std::isfinite(thickness)) min = std::min(min, thickness), max = std::max(max, thickness);
+  constexpr double round_off = 1e-12;
+  const bool is_long = min < given * (1.0 - round_off);
+  if (!is_long && max <= given * (1.0 + round_off)) return std::nullopt;
   return "contact.thickness: " + quantity_text(given, "m", 3) + (is_long ? " is more than half of" : " is less than a twentieth of") +
          " the smallest height of some faces, or length of springs: they touch at " + quantity_text(is_long ? min : max, "m", 3);
 }

@@ -14,9 +14,6 @@ namespace hooke {
 // and that there are no faces that could touch. Of what touches only.
 std::vector<std::string> crossing_warnings(const System& system, const State& state);
 
-// "contact: ...": how many free points are on no spring or face, and pass through those that touch each other; none if there are none.
-std::optional<std::string> loose_point_warning(const System& system);
-
 // "contact.thickness: ...": that some faces or springs touch at another distance than the thickness; none if they do not.
 std::optional<std::string> thickness_warning(const System& system);
 

@@ -88,19 +88,6 @@ TEST(SceneFile, SpringsOfFlatScenesThatTouchAndCrossAreReported) {
   EXPECT_TRUE(warnings("0.1", "{}").empty());
 }
 
-TEST(SceneFile, PointsThatPassThroughSpringsAndFacesAreReported) {
-  const auto warnings = [](const std::string& contact, const std::string& spring) {
-    return warnings_of(
-        R"({"hooke": 1, "points": [{"position": [-1, 0, 0]}, {"position": [1, 0, 0]}, {"position": [0, 1, 0], "radius": 0.1}],
-                        "springs": [{"points": [0, 1], "stiffness": 10})" +
-        spring + R"(], "contact": )" + contact + "}");
-  };
-  const std::vector<std::string> reported{"test.json: contact: point 2 is on no spring or face: it passes through springs and faces"};
-  EXPECT_EQ(warnings(R"({"points": true, "springs": true})", ""), reported);
-  EXPECT_TRUE(warnings(R"({"points": true, "springs": true})", R"(, {"points": [1, 2], "stiffness": 10})").empty());
-  EXPECT_TRUE(warnings(R"({"points": true})", "").empty());
-}
-
 TEST(SceneFile, AThicknessThatFacesCannotHaveIsReported) {
   const auto warnings = [](const std::string& thickness) {
     return warnings_of(R"({"hooke": 1, "generators": [{"type": "cloth", "corner": [0, 0, 0], "across": [1, 0, 0], "down": [0, 0, 1],

@@ -81,13 +81,15 @@ void SurfaceSearch::find_pairs(const Plan& plan, Section& section, Index g) {
 }
 
 // The pairs of all groups that were searched: measured together, for groups have few.
-void SurfaceSearch::list_found(std::span<const Vec3> x, Section& section) {
+void SurfaceSearch::list_found(const SurfacePlan& plan, std::span<const Vec3> x, Section& section) {
   for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) {
     const auto k = static_cast<std::size_t>(kind);
     PairList& list = section.lists[k];
     SurfacePairs& found = section.found[k];
     list.distances.resize(found.size());
     find_distances(kind, x, found.points, list.distances);
+    if (!plan.radius.empty())
+      for (std::size_t pair = 0; pair < found.size(); ++pair) list.distances[pair] -= plan.radius[found.points[pair][0]];
     // those that are close enough: without branches, which would be mispredicted
     list.kept.resize(found.size() + 1);
     std::size_t kept = 0, p = 0, i = 0, end = list.pairs.size();
@@ -152,8 +154,9 @@ void SurfaceSearch::measure(const SurfacePlan& plan, std::span<const Vec3> x, Se
     const auto [p, g] = woken[i];
     const Group& group = section.groups[g];
     const double thinner_by = thinner(kind, list.pairs.features[p]), distance = block.distance[i];
-    list.keys[p] = std::max(list.keys[p], distance + group.travel + thinner_by);
-    if (!(distance < group.need - thinner_by && distance >= coincident)) continue;
+    const double apart = distance - plan.radius_of(block.points[i][0]);
+    list.keys[p] = std::max(list.keys[p], apart + group.travel + thinner_by);
+    if (!(apart < group.need - thinner_by && distance >= coincident)) continue;
     Near& near = list.near.emplace_back(Near{.pair = p, .group = g, .distance = distance});
     const bool touches =
         kind == FeaturePair::TwoEdges
@@ -185,10 +188,10 @@ bool SurfaceSearch::collect(const Plan& plan, std::span<const Vec3> x) {
     for (Index g = 0; g < static_cast<Index>(section.groups.size()); ++g) {
       const Group& group = section.groups[g];
       if (std::max(group.next, group.listed) < group.limit()) find_pairs(plan, section, g);
-      if (section.found[0].size() + section.found[1].size() > max_found) list_found(x, section);
+      if (section.found[0].size() + section.found[1].size() > max_found) list_found(plan.surface, x, section);
       if (section.listed() > PairSolver::max_pairs) break;
     }
-    list_found(x, section);
+    list_found(plan.surface, x, section);
     if (section.listed() > PairSolver::max_pairs) return;
     for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges}) wake(plan.surface, x, section, kind);
     note_next(section);

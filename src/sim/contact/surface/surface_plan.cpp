@@ -16,6 +16,8 @@ class SurfacePlanner {
 
   void plan() {
     find_pieces();
+    plan_.on = !plan_.pieces.empty();
+    if (!plan_.on) return;
     find_corners();
     find_edges();
     find_thickness();
@@ -36,27 +38,56 @@ class SurfacePlanner {
   void find_pieces() {
     const auto n = static_cast<std::size_t>(system_.point_count());
     on_face_.assign(n, 0);
-    std::vector<char> used(n, 0);
     const bool has_faces = system_.contact.faces && system_.dimensions == 3;
-    if (has_faces)
-      for (const Face& face : system_.faces)
-        for (const PointId id : face.points) on_face_[system_.index_of(id)] = used[system_.index_of(id)] = 1;
+    if (has_faces) mark_faces(on_face_);
+    std::vector<char> used = on_face_;
     if (system_.contact.springs)
       for (const Spring& spring : system_.springs())
-        if (touches(spring)) used[system_.index_of(spring.first)] = used[system_.index_of(spring.second)] = 1;
+        if (touches(spring)) mark_ends(spring, used);
+    if (std::ranges::find(used, 1) == used.end()) return;
+    const std::vector<char> spheres = find_spheres();
     local_.assign(n, no_index);
     for (Index i = 0; i < system_.point_count(); ++i) {
-      if (!used[i]) continue;
+      if (used[i] == 0 && spheres[i] == 0) continue;
       local_[i] = static_cast<Index>(plan_.points.size());
       plan_.points.push_back(i);
     }
     if (has_faces)
       for (const Face& face : system_.faces)
         plan_.pieces.push_back({.points = {local(face.points[0]), local(face.points[1]), local(face.points[2])}});
-    if (!system_.contact.springs) return;
-    for (const Spring& spring : system_.springs()) {
-      const Index i = local(spring.first), j = local(spring.second);
-      if (touches(spring)) plan_.pieces.push_back({.points = {i, j, i}, .is_face = false});
+    if (system_.contact.springs)
+      for (const Spring& spring : system_.springs()) {
+        const Index i = local(spring.first), j = local(spring.second);
+        if (touches(spring)) plan_.pieces.push_back({.points = {i, j, i}, .is_face = false});
+      }
+    add_spheres(spheres);
+  }
+
+  void mark_faces(std::vector<char>& marked) const {
+    for (const Face& face : system_.faces)
+      for (const PointId id : face.points) marked[system_.index_of(id)] = 1;
+  }
+  void mark_ends(const Spring& spring, std::vector<char>& marked) const {
+    marked[system_.index_of(spring.first)] = marked[system_.index_of(spring.second)] = 1;
+  }
+
+  // What hangs on springs that do not touch, such as the inner points of a lattice, is none.
+  std::vector<char> find_spheres() const {
+    std::vector<char> others(static_cast<std::size_t>(system_.point_count()), 0);
+    mark_faces(others);
+    for (const Spring& spring : system_.springs()) mark_ends(spring, others);
+    for (char& each : others) each = each == 0 ? 1 : 0;
+    return others;
+  }
+
+  void add_spheres(std::span<const char> spheres) {
+    if (std::ranges::find(spheres, 1) == spheres.end()) return;
+    plan_.radius.assign(plan_.points.size(), 0.0);
+    for (Index k = 0; k < static_cast<Index>(plan_.points.size()); ++k) {
+      const Index i = plan_.points[k];
+      if (spheres[i] == 0) continue;
+      plan_.radius[k] = system_.points()[i].radius;
+      plan_.pieces.push_back({.points = {k, k, k}, .is_face = false});
     }
   }
 
@@ -120,7 +151,13 @@ class SurfacePlanner {
       if (at_rest > 0.0)
         for (const Index i : piece.points) height[i] = std::min(height[i], at_rest);
     }
+    for (const SurfacePlan::Piece& piece : plan_.pieces)
+      if (piece.is_sphere()) height[piece.points[0]] = 0.0;
     for (const double at_rest : height) {
+      if (at_rest == 0.0) {
+        plan_.thickness.push_back(infinity);
+        continue;
+      }
       const double given = system_.contact.thickness;
       plan_.thickness.push_back(at_rest == infinity
                                     ? std::max(given, min_thickness)
@@ -168,7 +205,10 @@ bool are_linked(std::span<const Index> first, std::span<const Index> second, con
 
 bool SurfacePlan::excludes_face(Index point, std::span<const Index> face) const { return are_linked({&point, 1}, face, close); }
 
+// The closest point of the edge of a face is that of the face. Spheres touch each other only as points do.
 bool SurfacePlan::excludes_edge(Index edge, Index other) const {
+  if (!radius.empty() && ((is_sphere(edge) && (is_spring[other] == 0 || is_sphere(other))) || (is_sphere(other) && is_spring[edge] == 0)))
+    return true;
   return are_linked(edges[edge], edges[other], is_spring[edge] || is_spring[other] ? joined : close);
 }
 
@@ -177,7 +217,6 @@ SurfacePlan plan_surface(const System& system) {
   if (!system.contact.faces && !system.contact.springs) return plan;
   plan.friction = system.contact.friction;
   SurfacePlanner(system, plan).plan();
-  plan.on = !plan.pieces.empty();
   return plan;
 }
 

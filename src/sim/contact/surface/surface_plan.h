@@ -11,10 +11,12 @@ namespace hooke {
 
 // Indices of points refer to `points`, those of pieces, edges and corners to the lists below.
 struct SurfacePlan {
-  // A face, with the points and edges that no face before it has; or a spring that is not on a face, in the same way.
+  // A face, with the points and edges that no face before it has; or a spring that is not on a face, in the same way; or a sphere, a point
+  // on no spring or face, whose edge joins it to itself.
   struct Piece {
-    std::array<Index, 3> points{};  // of a spring: the third is the first
+    std::array<Index, 3> points{};  // of a spring: the third is the first; of a sphere: all are the same
     bool is_face = true;
+    bool is_sphere() const { return !is_face && points[0] == points[1]; }
     Index first_edge = 0, end_edge = 0;      // of its own ones
     Index first_corner = 0, end_corner = 0;  // of its own ones
   };
@@ -22,10 +24,11 @@ struct SurfacePlan {
   bool on = false;
   double friction = 0.0;          // [1]
   std::vector<Index> points;      // of the scene, in ascending order
-  std::vector<double> thickness;  // [m], per point: features touch at the minimum over their points
+  std::vector<double> thickness;  // [m], per point: features touch at the minimum over their points; infinite for spheres
+  std::vector<double> radius;     // [m], per point, of spheres, which touch at that in addition; 0 of others. Empty: there are no spheres
   double max_thickness = 0.0;     // [m]
   double edge_length = 0.0;       // [m], mean at rest, of springs on the edges; 0: there are none
-  std::vector<Piece> pieces;      // faces first
+  std::vector<Piece> pieces;      // faces, then springs, then spheres
   std::vector<EdgeEnds> edges;
   std::vector<char> is_spring;  // per edge, whether it is on no face
   std::vector<Index> corners;   // every point once
@@ -35,6 +38,8 @@ struct SurfacePlan {
   // Whether features with these points never touch: they share a point, or springs keep them close to each other.
   bool excludes_face(Index point, std::span<const Index> face) const;
   bool excludes_edge(Index edge, Index other) const;
+  bool is_sphere(Index edge) const { return edges[edge][0] == edges[edge][1]; }
+  double radius_of(Index point) const { return radius.empty() ? 0.0 : radius[point]; }
 };
 
 SurfacePlan plan_surface(const System& system);

@@ -205,6 +205,8 @@ void SurfaceSearch::find_groups(const Plan& plan, std::span<const Vec3> x) {
   fat_.resize(leaves);
   for (std::size_t leaf = 0; leaf < leaves; ++leaf) {
     reserve_[leaf] = 2.0 * h_ * max_length(velocity_[leaf], mean_) / usable + 0.1 * reach_;
+    const Vec3 radius(tree_.max_radius_of(static_cast<Index>(leaf)));
+    place_boxes_[leaf] = {place_boxes_[leaf].min - radius, place_boxes_[leaf].max + radius};
     const Vec3 margin(0.5 * reach_ + leaf_margin_ + reserve_[leaf] + round_off);
     fat_[leaf] = {place_boxes_[leaf].min - margin, place_boxes_[leaf].max + margin};
   }

@@ -29,7 +29,7 @@ class SurfaceSearch {
   // Two features at the start of the substep.
   struct Near {
     Index pair = 0, group = 0;  // of those of a section
-    double distance = 0.0;      // [m]
+    double distance = 0.0;      // [m], of spheres from their centers
     Index closest = no_index;   // of those of a section; no_index: another pair touches in the same place
   };
 
@@ -91,10 +91,11 @@ class SurfaceSearch {
   struct PairList {
     SurfacePairs pairs, kept_pairs;
     // With what thin ones may be closer added.
-    std::vector<double> keys, kept_keys;  // [m], of the pairs: their distance is at least that less the travel of the group
-    std::size_t count = 0;                // of the pairs, those of a group
-    std::vector<KeyRange> awake;          // of the groups that have pairs which may be near
-    std::vector<KeyPlace> woken;          // those pairs
+    std::vector<double> keys,
+        kept_keys;          // [m], of the pairs: their distance, of spheres from all of them, is at least that less the travel of the group
+    std::size_t count = 0;  // of the pairs, those of a group
+    std::vector<KeyRange> awake;  // of the groups that have pairs which may be near
+    std::vector<KeyPlace> woken;  // those pairs
     std::vector<Near> near;
     std::vector<Closest> closest;  // of those that may touch
     // of groups that are searched: pairs whose boxes are close, and their distances [m]
@@ -142,7 +143,7 @@ class SurfaceSearch {
   void find_groups(const Plan& plan, std::span<const Vec3> x);
   void renew_groups(Section& section) const;
   void find_pairs(const Plan& plan, Section& section, Index g);
-  void list_found(std::span<const Vec3> x, Section& section);
+  void list_found(const SurfacePlan& plan, std::span<const Vec3> x, Section& section);
   static void compact(Section& section, std::size_t kind);
   void mark(const Group& group);
   void refit_marked(const Plan& plan, std::span<const Vec3> x);

@@ -134,7 +134,8 @@ void SurfaceStep::make_contacts(const Plan& plan, double h) {
     search_.visit_touching(plan.surface, kind, [&](const SurfacePair& pair, const Closest& closest, double approach) {
       const auto& [i, j, k, l] = pair.points;
       const std::array<double, 4>& w = closest.weight;
-      const double gap = closest.distance - search_.part(pair) * std::min({thickness[i], thickness[j], thickness[k], thickness[l]});
+      const double gap = closest.distance - plan.surface.radius_of(i) -
+                         search_.part(pair) * std::min({thickness[i], thickness[j], thickness[k], thickness[l]});
       if (gap >= search_.max_gap(approach)) return;
       SurfaceContact contact{.points = pair.points, .weight = w, .gap = gap};
       for (int c = 0; c < 4; ++c) {

@@ -58,6 +58,7 @@ void SurfaceTree::build(const SurfacePlan& plan, std::span<const Vec3> x) {
   split(center, 0, n);
   sort_features(plan);
   sort_points(plan);
+  radius_ = plan.radius;
   for (const Index leaf : leaves_) fit_features(x, nodes_[leaf]);
   fit_parents();
 }
@@ -135,10 +136,15 @@ void SurfaceTree::sort_points(const SurfacePlan& plan) {
   }
 }
 
+// Boxes of spheres are around all of them.
 void SurfaceTree::fit_features(std::span<const Vec3> x, Node& leaf) {
-  for (Index c = leaf.corners.begin; c < leaf.corners.end; ++c) corner_boxes_.set(c, {x[corners_[c]], x[corners_[c]]});
+  const auto box_of_point = [&](Index i) {
+    const Vec3 radius(radius_.empty() ? 0.0 : radius_[i]);
+    return SurfaceBox{x[i] - radius, x[i] + radius};
+  };
+  for (Index c = leaf.corners.begin; c < leaf.corners.end; ++c) corner_boxes_.set(c, box_of_point(corners_[c]));
   const auto box_of_edge = [&](Index i, Index j) {
-    SurfaceBox box{x[i], x[i]};
+    SurfaceBox box = box_of_point(i);
     box.include({x[j], x[j]});
     return box;
   };
@@ -151,6 +157,13 @@ void SurfaceTree::fit_features(std::span<const Vec3> x, Node& leaf) {
     if (p == leaf.pieces.begin) leaf.box = box;
     leaf.box.include(box);
   }
+}
+
+double SurfaceTree::max_radius_of(Index leaf) const {
+  double max = 0.0;
+  if (!radius_.empty())
+    for (const Index i : points_of(leaf)) max = std::max(max, radius_[i]);
+  return max;
 }
 
 void SurfaceTree::fit_parents() {
@@ -253,11 +266,12 @@ void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const
 
   const std::size_t count =
       find_close_apart(FeaturePair::TwoEdges, {edge_boxes_, first.edges, first.box}, {edge_boxes_, second.edges, second.box}, reach, close);
-  const bool has_links = !plan.close.empty() || !plan.joined.empty();
+  const bool has_links = !plan.close.empty() || !plan.joined.empty() || !plan.radius.empty();
   append(FeaturePair::TwoEdges, count, [&](Index e, Index f, std::array<Index, 4>& points, std::array<Index, 2>& features) {
     const auto [i, j] = edge_ends_[e];
     const auto [k, l] = edge_ends_[f];
-    points = {i, j, k, l};
+    // spheres first
+    points = k == l ? std::array{k, l, i, j} : std::array{i, j, k, l};
     features = {edges_[e], edges_[f]};
     return (!has_links || !plan.excludes_edge(features[0], features[1])) && !((is_out(i) || is_out(j)) && (is_out(k) || is_out(l)));
   });
@@ -276,7 +290,7 @@ bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, d
       distance.resize(of_kind.size());
       find_distances(kind, x, of_kind.points, distance);
       for (std::size_t p = 0; p < of_kind.size(); ++p)
-        if (distance[p] < reach) pairs.push_back(of_kind.pair(plan, kind, p));
+        if (distance[p] - plan.radius_of(of_kind.points[p][0]) < reach) pairs.push_back(of_kind.pair(plan, kind, p));
     }
     return pairs.size() <= max_pairs;
   });

@@ -69,6 +69,8 @@ class SurfaceTree {
   // Appends the pairs of leaves whose boxes overlap, the first of them from `begin` to `end`, the second no lower: ascending, and those of
   // a leaf with itself included.
   void find_leaf_pairs(Index begin, Index end, std::vector<std::array<Index, 2>>& pairs) const;
+  // The largest radius of a sphere of a leaf [m].
+  double max_radius_of(Index leaf) const;
   // The boxes of the features of a leaf for other places; returns the one around all of them.
   const SurfaceBox& refit_leaf(std::span<const Vec3> x, Index leaf) {
     fit_features(x, nodes_[leaves_[leaf]]);
@@ -107,7 +109,8 @@ class SurfaceTree {
   std::vector<Index> pieces_, corners_, edges_;
   std::vector<std::array<Index, 3>> piece_points_;
   std::vector<EdgeEnds> edge_ends_;
-  std::vector<char> is_face_;  // per piece
+  std::vector<char> is_face_;   // per piece
+  std::vector<double> radius_;  // [m], per point of the plan, of spheres; empty: there are none
   BoxColumns piece_boxes_, corner_boxes_, edge_boxes_;
   std::vector<Index> leaf_points_, first_point_;
 };
