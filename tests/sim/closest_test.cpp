@@ -168,6 +168,11 @@ TEST(SurfaceTree, FindsAllPairsWithinReachOnce) {
   std::vector<PointId> ids;
   for (int i = 0; i < 90; ++i) ids.push_back(sim.add(2.0 * anywhere(random)));
   for (int i = 0; i + 2 < 90; i += 2) sim.system.faces.push_back({{ids[i], ids[i + 1], ids[i + 2]}});
+  // spheres
+  for (int i = 0; i < 12; ++i) {
+    const PointId id = sim.add(2.0 * anywhere(random));
+    sim.system.point(sim.system.index_of(id)).radius = random.uniform(0.0, 0.3);
+  }
   sim.system.contact.faces = true;
   const SurfacePlan plan = plan_surface(sim.system);
   const std::vector<Vec3>& x = sim.state.position;
@@ -176,19 +181,21 @@ TEST(SurfaceTree, FindsAllPairsWithinReachOnce) {
     for (const Index p : plan.corners)
       for (const SurfacePlan::Piece& piece : plan.pieces) {
         const auto& [a, b, c] = piece.points;
-        if (p != a && p != b && p != c && closest_points(FeaturePair::PointFace, {x[p], x[a], x[b], x[c]}).distance < reach) ++expected;
+        if (!piece.is_face || p == a || p == b || p == c) continue;
+        if (closest_points(FeaturePair::PointFace, {x[p], x[a], x[b], x[c]}).distance - plan.radius_of(p) < reach) ++expected;
       }
     for (std::size_t e = 0; e < plan.edges.size(); ++e)
       for (std::size_t f = 0; f < e; ++f) {
         const auto [a, b] = plan.edges[e];
         const auto [c, d] = plan.edges[f];
+        if (plan.excludes_edge(static_cast<Index>(e), static_cast<Index>(f))) continue;
         if (a != c && a != d && b != c && b != d && closest_points(FeaturePair::TwoEdges, {x[a], x[b], x[c], x[d]}).distance < reach)
           ++expected;
       }
     SurfaceTree tree;
     tree.build(plan, x);
     std::vector<SurfacePair> pairs;
-    EXPECT_TRUE(tree.find_pairs(plan, x, reach, std::vector<char>(90, 0), pairs, 1'000'000));
+    EXPECT_TRUE(tree.find_pairs(plan, x, reach, std::vector<char>(x.size(), 0), pairs, 1'000'000));
     EXPECT_EQ(pairs.size(), expected) << reach;
   }
 }

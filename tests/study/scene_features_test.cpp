@@ -13,7 +13,6 @@ struct Removal {
   double seconds = 0.0;  // simulated time after which it does; 0: all of the check
 };
 
-// Not the trampoline: nothing touches there until a person drags it.
 constexpr Removal removals[] = {
     {"marbles", "contact", "center_y"},
     {"newtons_cradle", "contact", "x14"},
@@ -29,6 +28,7 @@ constexpr Removal removals[] = {
     {"cloth_on_ball", "contact", "crossings", 0.4},
     {"tablecloth", "contact", "crossings", 0.4},
     {"curtain", "contact", "crossings", 0.5},
+    {"trampoline", "contact", "y0", 0.8},
     {"reef_knot", "contact friction", "largest_strain"},
     {"stacked_jelly", "contact friction", "center_y", 2.0},
     {"dominoes", "contact friction", "x72"},
