@@ -15,11 +15,11 @@
 namespace hooke {
 namespace {
 
-enum class Diagonals { None, Down, Up, Both, Alternating };
+enum class ClothDiagonals { None, Down, Up, Both, Alternating };
 
 struct NetOfCells {
   int rows = 20, columns = 30;
-  Diagonals diagonals = Diagonals::Both;
+  ClothDiagonals diagonals = ClothDiagonals::Both;
   bool has_families = false, is_tube = false;
   bool has_bend_springs = false;
   int missing = 0;  // one spring of so many; 0: none
@@ -41,12 +41,12 @@ void add_net(TestSim& sim, const NetOfCells& net) {
     for (int column = 0; column < net.columns; ++column) sim.add({0.1 * column, -0.1 * row, 0.0});
   for (int r = 0; r < net.rows; ++r)
     for (int c = 0; c < net.columns; ++c) {
-      const bool is_even = (r + c) % 2 == 0, alternates = net.diagonals == Diagonals::Alternating;
+      const bool is_even = (r + c) % 2 == 0, alternates = net.diagonals == ClothDiagonals::Alternating;
       join(r, c, r, c + 1, SpringFamily::Structural);
       join(r, c, r + 1, c, SpringFamily::Structural);
-      if (net.diagonals == Diagonals::Down || net.diagonals == Diagonals::Both || (alternates && is_even))
+      if (net.diagonals == ClothDiagonals::Down || net.diagonals == ClothDiagonals::Both || (alternates && is_even))
         join(r, c, r + 1, c + 1, SpringFamily::Shear);
-      if (net.diagonals == Diagonals::Up || net.diagonals == Diagonals::Both || (alternates && is_even))
+      if (net.diagonals == ClothDiagonals::Up || net.diagonals == ClothDiagonals::Both || (alternates && is_even))
         join(r, c, r + 1, c - 1, SpringFamily::Shear);
       if (!net.has_bend_springs) continue;
       join(r, c, r, c + 2, SpringFamily::Bend);
@@ -79,7 +79,7 @@ bool is_permutation_of_points(const Plan& plan) {
 TEST(PointOrder, MakesOneGridOfAShuffledNet) {
   for (const bool families : {false, true})
     for (const auto& [rows, columns] : {std::pair{20, 30}, {30, 20}, {8, 90}, {17, 17}})
-      for (const Diagonals diagonals : {Diagonals::None, Diagonals::Down, Diagonals::Up, Diagonals::Both})
+      for (const ClothDiagonals diagonals : {ClothDiagonals::None, ClothDiagonals::Down, ClothDiagonals::Up, ClothDiagonals::Both})
         for (const std::uint64_t seed : {1u, 2u, 3u}) {
           const NetOfCells net{.rows = rows, .columns = columns, .diagonals = diagonals, .has_families = families};
           const Plan plan = make_plan(shuffled(make_net_of_cells(net), seed).system);
@@ -92,7 +92,7 @@ TEST(PointOrder, MakesOneGridOfAShuffledNet) {
 }
 
 TEST(PointOrder, FollowsTheThreadsOfAClothWhateverItsDiagonals) {
-  const NetOfCells net{.diagonals = Diagonals::Alternating, .has_families = true};
+  const NetOfCells net{.diagonals = ClothDiagonals::Alternating, .has_families = true};
   EXPECT_EQ(part_in_grids(make_plan(shuffled(make_net_of_cells(net)).system)), 1.0);
 }
 
@@ -109,8 +109,8 @@ TEST(PointOrder, LeavesOnlyBendSpringsOutsideOfTheGrid) {
 TEST(PointOrder, FindsSeveralNetsBesideOtherThings) {
   TestSim sim;
   add_net(sim, {.rows = 12, .columns = 15});
-  add_net(sim, {.rows = 20, .columns = 30, .diagonals = Diagonals::Down});
-  add_net(sim, {.rows = 16, .columns = 16, .diagonals = Diagonals::None});
+  add_net(sim, {.rows = 20, .columns = 30, .diagonals = ClothDiagonals::Down});
+  add_net(sim, {.rows = 16, .columns = 16, .diagonals = ClothDiagonals::None});
   for (int i = 0; i < 40; ++i) sim.add({0.0, 1.0, 0.1 * i});  // without springs
   const PointId hub = sim.add({0.0, 2.0, 0.0});
   for (Index i = 0; i < 30; ++i) sim.join(hub, sim.system.points()[sim.system.point_count() - 2 - i].id, 1.0, 1.0);
@@ -121,14 +121,14 @@ TEST(PointOrder, FindsSeveralNetsBesideOtherThings) {
 }
 
 TEST(PointOrder, FindsMostOfNetsWithMissingSprings) {
-  for (const Diagonals diagonals : {Diagonals::None, Diagonals::Down, Diagonals::Both}) {
+  for (const ClothDiagonals diagonals : {ClothDiagonals::None, ClothDiagonals::Down, ClothDiagonals::Both}) {
     const Plan plan = make_plan(shuffled(make_net_of_cells({.rows = 40, .columns = 40, .diagonals = diagonals, .missing = 200})).system);
     EXPECT_GT(part_in_grids(plan), 0.85) << static_cast<int>(diagonals);
   }
 }
 
 TEST(PointOrder, FindsTheGridOfATubeExceptItsSeam) {
-  const Plan plan = make_plan(shuffled(make_net_of_cells({.diagonals = Diagonals::None, .is_tube = true})).system);
+  const Plan plan = make_plan(shuffled(make_net_of_cells({.diagonals = ClothDiagonals::None, .is_tube = true})).system);
   EXPECT_EQ(plan.grids.size(), 1u);
   EXPECT_GT(part_in_grids(plan), 0.95);
 }
@@ -147,7 +147,7 @@ TEST(PointOrder, MakesGridsOfShuffledRopes) {
 }
 
 TEST(PointOrder, IsThatOfTheSystemIfItHasGridsOrIsSmall) {
-  for (const Diagonals diagonals : {Diagonals::None, Diagonals::Down, Diagonals::Both, Diagonals::Alternating})
+  for (const ClothDiagonals diagonals : {ClothDiagonals::None, ClothDiagonals::Down, ClothDiagonals::Both, ClothDiagonals::Alternating})
     EXPECT_TRUE(make_plan(make_net_of_cells({.diagonals = diagonals, .missing = 30}).system).point_index.empty());
   const TestSim small = make_net_of_cells({.rows = 7, .columns = 10});
   ASSERT_LT(small.system.spring_count(), min_springs_of_grids);

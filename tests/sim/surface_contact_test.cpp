@@ -97,18 +97,6 @@ TEST_P(SurfaceContactOf, ConservesLinearMomentumToRounding) {
   EXPECT_LT(glm::distance(compute_momentum(sim.system, sim.state).linear, before), 1e-12);
 }
 
-// Without friction; what remains is stated in docs/contact.md.
-TEST(SurfaceContact, ConservesAngularMomentumNearlyWithoutFriction) {
-  for (const double friction : {0.0, 0.3}) {
-    TestSim sim = colliding_sheets(11);
-    folds::touch(sim, friction);
-    const Vec3 before = compute_momentum(sim.system, sim.state).angular;
-    for (int i = 0; i < 6; ++i) sim.run(verlet(), frame, 80);
-    const double change = glm::distance(compute_momentum(sim.system, sim.state).angular, before);
-    EXPECT_LT(change, (friction == 0.0 ? 0.005 : 0.01) * glm::length(before));
-  }
-}
-
 TEST(SurfaceContact, AddsNoEnergyAndBooksWhatItRemoves) {
   for (const bool collides : {false, true}) {
     TestSim sim = collides ? colliding_sheets(13) : dropped_sheet(13);

@@ -23,6 +23,7 @@ constexpr long max_excess = 40'000'000;
 // Returns whether anything hit. The paths that remain are free of impacts.
 bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
   bool any = false;
+  hits_.clear();
   distances_ = 0;
   long excess = 0;
   for (int pass = 0;; ++pass) {
@@ -70,6 +71,7 @@ bool SurfaceStep::handle_impact(const SurfacePair& pair, double part, double h, 
   if (!(velocity < 0.0)) return true;
   if (std::ranges::find(points, held_) != points.end())
     velocity = -response * limited_impulse(points, closest.weight, normal, -velocity / response, -velocity, inverse_mass_, path_);
+  hits_.push_back({points, closest.weight, -velocity / response * normal});
   for (int c = 0; c < 4; ++c) {
     path_[points[c]] -= inverse_mass_[points[c]] * closest.weight[c] * velocity / response * normal;
     if (points[c] == held_) held_impulse_ += std::abs(closest.weight[c] * velocity / response);

@@ -45,6 +45,50 @@ bool settle_obstacle(ObstacleContact& contact, std::span<const double> inverse_m
 
 }  // namespace
 
+void SurfaceContact::move_to(const Closest& closest, std::span<const double> inverse_mass) {
+  weight = closest.weight;
+  normal = closest.separation / closest.distance;
+  response = max_change = 0.0;
+  for (int c = 0; c < 4; ++c) {
+    response += weight[c] * weight[c] * inverse_mass[points[c]];
+    max_change = std::max(max_change, std::abs(weight[c]) * inverse_mass[points[c]]);
+  }
+}
+
+// J w = -L with the moments of inertia J about the center.
+void remove_angular_momentum(const Vec3& angular, const std::array<Index, 4>& points, std::span<const Vec3> x,
+                             std::span<const double> inverse_mass, std::span<Vec3> velocity) {
+  std::array<Vec3, 4> r;
+  std::array<double, 4> m{};
+  Vec3 center(0.0);
+  double mass = 0.0;
+  for (int c = 0; c < 4; ++c) {
+    if (inverse_mass[points[c]] == 0.0) return;
+    m[c] = 1.0 / inverse_mass[points[c]];
+    mass += m[c];
+    center += m[c] * x[points[c]];
+  }
+  center /= mass;
+  double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, xz = 0.0, yz = 0.0;
+  for (int c = 0; c < 4; ++c) {
+    r[c] = x[points[c]] - center;
+    const Vec3 s = m[c] * r[c];
+    xx += s.x * r[c].x, yy += s.y * r[c].y, zz += s.z * r[c].z;
+    xy += s.x * r[c].y, xz += s.x * r[c].z, yz += s.y * r[c].z;
+  }
+  const double a = yy + zz, b = xx + zz, c = xx + yy, size = xx + yy + zz;
+  // the adjugate of J
+  const double aa = b * c - yz * yz, bb = a * c - xz * xz, cc = a * b - xy * xy;
+  const double ab = xy * c + yz * xz, ac = xy * yz + xz * b, bc = a * yz + xy * xz;
+  const double determinant = a * aa - xy * ab - xz * ac;
+  constexpr double straight = 1e-5;
+  if (!(determinant > straight * size * size * size)) return;
+  const Vec3 w = -Vec3(aa * angular.x + ab * angular.y + ac * angular.z, ab * angular.x + bb * angular.y + bc * angular.z,
+                       ac * angular.x + bc * angular.y + cc * angular.z) /
+                 determinant;
+  for (int i = 0; i < 4; ++i) velocity[points[i]] += glm::cross(w, r[i]);
+}
+
 double limited_impulse(std::span<const Index> points, std::span<const double> weight, const Vec3& normal, double impulse, double approach,
                        std::span<const double> inverse_mass, std::span<const Vec3> velocity) {
   double drive = 0.0;

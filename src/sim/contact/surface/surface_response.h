@@ -11,6 +11,7 @@ namespace hooke {
 
 // Two features that touch or may do so within the substep. Velocities are relative: of the first as seen from the second.
 struct SurfaceContact {
+  FeaturePair kind = FeaturePair::PointFace;
   std::array<Index, 4> points{};
   std::array<double, 4> weight{};
   Vec3 normal{0.0};         // from the second to the first
@@ -19,8 +20,12 @@ struct SurfaceContact {
   double max_change = 0.0;  // [1/kg], of the velocity of one of its points, per impulse
   double target = 0.0;      // [m/s], the least relative velocity along the normal
   double impulse = 0.0;     // [N s], along the normal, so far
+  double separating = 0.0;  // [N s], the part of it that separates
   bool is_pressed = false;  // whether there was one within the substep
   bool is_driven = false;   // whether one of its points is held
+
+  // Where the features are now: the weights and the normal of their closest points, and what follows from them.
+  void move_to(const Closest& closest, std::span<const double> inverse_mass);
 };
 
 // Where a contact is close to a nail, it moves the other end of the spring, or the rest of the face, like a lever: by up to this multiple
@@ -31,6 +36,11 @@ inline constexpr double max_leverage = 8.0;
 // of the held point or of the approach [m/s]. Without the hand, impulses remove kinetic energy, which is limit enough.
 double limited_impulse(std::span<const Index> points, std::span<const double> weight, const Vec3& normal, double impulse, double approach,
                        std::span<const double> inverse_mass, std::span<const Vec3> velocity);
+
+// Four points at x with `angular` [kg m^2/s] too much angular momentum turn about their center of mass, like a rigid body, until they are
+// without it. Not if one of them is fixed, which would exert a torque anyway, or if they are on a straight line.
+void remove_angular_momentum(const Vec3& angular, const std::array<Index, 4>& points, std::span<const Vec3> x,
+                             std::span<const double> inverse_mass, std::span<Vec3> velocity);
 
 // A point that touches something and may reach an obstacle.
 struct ObstacleContact {

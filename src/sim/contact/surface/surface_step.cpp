@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/contact/closest_kernel.h"
 #include "sim/contact/contact_work.h"
 #include "sim/forces/dashpots/dashpot.h"
 
@@ -37,6 +38,10 @@ double kinetic_energy_of(const Plan& plan, const Field& v) {
   double sum = 0.0;
   for_components(plan, [&](std::size_t i, Index point) { sum += 0.5 * plan.mass[point] * v[i] * v[i]; });
   return sum;
+}
+
+Vec3 weighted(std::span<const Vec3> field, const std::array<Index, 4>& points, const std::array<double, 4>& weight) {
+  return weight[0] * field[points[0]] + weight[1] * field[points[1]] + weight[2] * field[points[2]] + weight[3] * field[points[3]];
 }
 
 Vec3 mean_of(std::span<const Vec3> field) {
@@ -133,18 +138,13 @@ void SurfaceStep::make_contacts(const Plan& plan, double h) {
   for (const FeaturePair kind : {FeaturePair::PointFace, FeaturePair::TwoEdges})
     search_.visit_touching(plan.surface, kind, [&](const SurfacePair& pair, const Closest& closest, double approach) {
       const auto& [i, j, k, l] = pair.points;
-      const std::array<double, 4>& w = closest.weight;
       const double gap = closest.distance - plan.surface.radius_of(i) -
                          search_.part(pair) * std::min({thickness[i], thickness[j], thickness[k], thickness[l]});
       if (gap >= search_.max_gap(approach)) return;
-      SurfaceContact contact{.points = pair.points, .weight = w, .gap = gap};
-      for (int c = 0; c < 4; ++c) {
-        contact.response += w[c] * w[c] * inverse_mass_[contact.points[c]];
-        contact.max_change = std::max(contact.max_change, std::abs(w[c]) * inverse_mass_[contact.points[c]]);
-        contact.is_driven = contact.is_driven || contact.points[c] == held_;
-      }
+      SurfaceContact contact{.kind = pair.kind, .points = pair.points, .gap = gap};
+      contact.move_to(closest, inverse_mass_);
       if (contact.response == 0.0) return;
-      contact.normal = closest.separation / closest.distance;
+      contact.is_driven = std::ranges::find(contact.points, held_) != contact.points.end();
       contact.target = std::min(0.0, -gap / h);
       contacts_.surface.push_back(contact);
     });
@@ -198,7 +198,52 @@ bool SurfaceStep::separate(double h) {
       contact.target = -part * contact.gap / h;
       any = true;
     }
-  return any && contacts_.separate(inverse_mass_, path_);
+  if (!any) return false;
+  for (SurfaceContact& contact : contacts_.surface) contact.separating = -contact.impulse;
+  any = contacts_.separate(inverse_mass_, path_);
+  for (SurfaceContact& contact : contacts_.surface) contact.separating += contact.impulse;
+  return any;
+}
+
+// From (x1, v1), contact leads to (x1 + d, v1 + c). The angular momentum that this adds, sum m d x v1 + m (x1 + d) x c, is that of each
+// impulse J on weights w, sum w a x J: where c = d / h, the arms a are x1 - h v1, which is where the substep starts, x0, for methods with
+// x1 = x0 + h v1; and a = -h v1 where c = 0. The impulses act along the line between two points of x0, and those that separate do not along
+// the velocity: what remains is made good for where it arises, by the points of the contact.
+void SurfaceStep::remove_torques(const Plan& plan, double h, const Motion& motion) {
+  const std::size_t n = x_.size();
+  arm_.resize(n);
+  separating_arm_.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 v1 = point_in(plan, motion.v, plan.surface.points[k]);
+    arm_[k] = x_[k] + h * (free_u_[k] - v1);
+    separating_arm_[k] = -h * (v1 + (u_[k] - free_u_[k]));
+  }
+  for (const SurfaceContact& contact : contacts_.surface) {
+    if (contact.impulse == 0.0) continue;
+    const Vec3 arm = (contact.impulse - contact.separating) * weighted(arm_, contact.points, contact.weight) +
+                     contact.separating * weighted(separating_arm_, contact.points, contact.weight);
+    remove_angular_momentum(glm::cross(arm, contact.normal), contact.points, end_, inverse_mass_, velocity_);
+  }
+  for (std::size_t k = 0; k < n; ++k) arm_[k] = x_[k] + h * separated_[k] + separating_arm_[k];
+  for (const Hit& hit : hits_)
+    remove_angular_momentum(glm::cross(weighted(arm_, hit.points, hit.weight), hit.push), hit.points, end_, inverse_mass_, velocity_);
+}
+
+// What touches, where it is at the end of the substep: there, impulses change velocities alone.
+void SurfaceStep::move_contacts() {
+  FeatureBlock block;
+  std::span<SurfaceContact> left(contacts_.surface);
+  while (!left.empty()) {
+    const FeaturePair kind = left.front().kind;
+    for (block.count = 0;
+         block.count < FeatureBlock::capacity && block.count < static_cast<int>(left.size()) && left[block.count].kind == kind;
+         ++block.count)
+      block.points[block.count] = left[block.count].points;
+    find_closest(kind, end_, block);
+    for (int i = 0; i < block.count; ++i)
+      if (block.distance[i] >= coincident) left[i].move_to(block.closest(i), inverse_mass_);
+    left = left.subspan(block.count);
+  }
 }
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
@@ -207,11 +252,15 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
   velocity_.resize(x_.size());
   for (std::size_t k = 0; k < x_.size(); ++k)
     velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]) + (u_[k] - free_u_[k]) + (path_[k] - separated_[k]);
+  for (std::size_t k = 0; k < x_.size(); ++k)
+    if (path_[k] != free_u_[k]) end_[k] = x_[k] + h * path_[k];
+  remove_torques(plan, h, motion);
   // what was kept from approaching does not at the end either: the second half of a step of the method accelerates it again
   std::erase_if(contacts_.surface, [](const SurfaceContact& contact) { return !contact.is_pressed; });
   std::erase_if(contacts_.obstacles, [](const ObstacleContact& contact) { return !contact.is_pressed; });
   for (SurfaceContact& contact : contacts_.surface) contact.target = 0.0;
   for (ObstacleContact& contact : contacts_.obstacles) contact.target = contact.end_target;
+  move_contacts();
   settle_velocities(plan);
 
   double work = 0.0;
@@ -220,10 +269,11 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
     const Vec3 v1 = point_in(plan, motion.v, i);
     const bool is_moved = path_[k] != free_u_[k];
     if (inverse_mass_[k] == 0.0 || (!is_moved && velocity_[k] == v1)) continue;
-    const Vec3 end = is_moved ? x_[k] + h * path_[k] : end_[k], force = plan.mass[i] / h * (free_velocity_[k] - point_in(plan, v0, i));
-    work += 0.5 * plan.mass[i] * (glm::dot(velocity_[k], velocity_[k]) - glm::dot(v1, v1)) - glm::dot(force, end - end_[k]);
+    const Vec3 force = plan.mass[i] / h * (free_velocity_[k] - point_in(plan, v0, i));
+    work += 0.5 * plan.mass[i] * (glm::dot(velocity_[k], velocity_[k]) - glm::dot(v1, v1)) -
+            glm::dot(force, end_[k] - point_in(plan, motion.x, i));
     for (int c = 0; c < plan.dimensions; ++c) {
-      motion.x[c * n + i] = end[c];
+      motion.x[c * n + i] = end_[k][c];
       motion.v[c * n + i] = velocity_[k][c];
     }
   }

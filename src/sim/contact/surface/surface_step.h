@@ -39,6 +39,8 @@ class SurfaceStep {
   bool prevent_crossings(const Plan& plan, double h);
   bool handle_impact(const SurfacePair& pair, double part, double h, bool joins);
   bool join(const std::array<Index, 4>& points);
+  void move_contacts();
+  void remove_torques(const Plan& plan, double h, const Motion& motion);
   void write(const Plan& plan, const Field& v0, double h, Motion& motion);
   SuppliedWork supplied_work(const Plan& plan, const Motion& motion) const;
   void settle_velocities(const Plan& plan);
@@ -52,13 +54,20 @@ class SurfaceStep {
   SurfaceSearch search_;
   std::vector<double> inverse_mass_;  // [1/kg], per point of the surface, as all of the following
 
-  std::vector<Vec3> x_, end_;        // at the start of the substep, and at its end without this contact
+  std::vector<Vec3> x_, end_;        // at the start of the substep, and at its end, first without this contact
   std::vector<Vec3> free_velocity_;  // [m/s], at its end without any contact
   // [m/s], displacement over h: without this contact, with its impulses, with what separates, and without impacts
   std::vector<Vec3> free_u_, u_, separated_, path_;
   std::vector<Vec3> velocity_;  // [m/s], at the end
 
   SurfaceContacts contacts_;
+  struct Hit {
+    std::array<Index, 4> points;
+    std::array<double, 4> weight;
+    Vec3 push;  // [N s], on the first feature
+  };
+  std::vector<Hit> hits_;                   // impacts in the substep
+  std::vector<Vec3> arm_, separating_arm_;  // [m], of the torques of impulses
   // Of all points of the scene, with dashpots: velocities and places at the end without contact, by what contact changes the former, and
   // whether obstacles did.
   Field all_free_velocity_, all_free_end_, change_;
