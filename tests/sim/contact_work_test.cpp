@@ -84,8 +84,14 @@ struct Fall {
   TestSim sim;
   double weight = 0.5;  // [kg]
 
-  // on a plane, on a ball or on a point
+  // on a plane, on a ball, on a point, or a bar across another
   explicit Fall(int kind, double restitution) {
+    if (kind == 3) {
+      sim.system.contact = {.springs = true, .thickness = 0.02};
+      sim.join(sim.nail({-1.0, 0.0, 0.0}), sim.nail({1.0, 0.0, 0.0}), 0.0, 2.0);
+      sim.join(sim.add({0.0, 0.3, -0.5}, 0.5 * weight), sim.add({0.0, 0.3, 0.5}, 0.5 * weight), 10.0, 1.0);
+      return;
+    }
     sim.add({0.0, 0.3, 0.0}, weight);
     sim.system.point(0).radius = 0.05;
     if (kind == 0)
@@ -104,7 +110,7 @@ struct Fall {
 // take m g h v / 2 too little or too much, 8e-2 J here, for which the method would be blamed.
 TEST_P(ContactWork, IsTheEnergyThatABodyLosesUntilItRests) {
   for (const double restitution : {0.0, 0.6})
-    for (int kind = 0; kind < 3; ++kind) {
+    for (int kind = 0; kind < 4; ++kind) {
       Fall fall(kind, restitution);
       TestSim& sim = fall.sim;
       Plan plan = make_plan(sim.system);

@@ -255,7 +255,7 @@ TEST(SurfaceContact, DoesNotDependOnTheMarginOfTheSearch) {
     for (int i = 0; i < 240; ++i) {
       const Field x = motion.x, v = motion.v;
       verlet().step(plan, motion, work, h);
-      solver.begin_substep(plan, motion);
+      solver.begin_substep(plan, verlet().velocity_lag, motion);
       if (solver.resolve(plan, {}, x, v, h, motion)) motion.acceleration_is_current = false;
     }
     searches = solver.searches();

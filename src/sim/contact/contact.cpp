@@ -202,7 +202,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   before.first_touch = before.first_impact = std::numeric_limits<double>::infinity();
   before.pushed.clear();
   before.pushed.reserve(n);
-  if (plan.surface.on) before.surface.begin_substep(plan, motion);
+  if (plan.surface.on) before.surface.begin_substep(plan, before.velocity_lag, motion);
   bool touched = plan.pairs.on && before.pairs.resolve(plan, obstacles, before.x, before.v, h, motion);
   if (touched) {
     before.first_touch = before.pairs.first_touch();

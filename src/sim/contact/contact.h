@@ -17,7 +17,8 @@ bool has_contact(const System& system);
 
 // Positions and velocities before a substep, and the motion of the colliders during it; sized once per frame.
 struct ContactWorkspace {
-  double time = 0.0;  // [s]
+  double time = 0.0;          // [s]
+  double velocity_lag = 0.0;  // [1], of the method (integrator.h)
   Field x, v;
   std::vector<Obstacle> obstacles;
   // [s], since the start of the substep, when the first point touched something, and when the first had an impact; infinity: none did

@@ -53,6 +53,7 @@ constinit const Integrator baraff_witkin{
     .implicit_solve = ImplicitSolve::Once,
     .implicit_force_terms = true,
     .for_production = false,
+    .velocity_lag = 0.5,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

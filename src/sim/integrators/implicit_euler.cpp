@@ -34,6 +34,7 @@ constinit const Integrator implicit_euler{
     .implicit_solve = ImplicitSolve::Iterative,
     .implicit_force_terms = true,
     .for_production = true,
+    .velocity_lag = 0.5,
     .prepare = DirkMethod<table>::prepare,
     .step = DirkMethod<table>::step,
     .amplification = DirkMethod<table>::amplification,

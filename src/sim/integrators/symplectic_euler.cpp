@@ -70,6 +70,7 @@ constinit const Integrator symplectic_euler{
     .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = false,
+    .velocity_lag = 0.5,
     .prepare = nullptr,
     .step = step,
     .amplification = amplification,

@@ -103,6 +103,7 @@ constinit const Integrator xpbd{
     .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = true,
+    .velocity_lag = 0.5,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

@@ -45,7 +45,8 @@ Vec3 mean_of(std::span<const Vec3> field) {
 
 }  // namespace
 
-void SurfaceStep::begin_substep(const Plan& plan, const Motion& motion) {
+void SurfaceStep::begin_substep(const Plan& plan, double velocity_lag, const Motion& motion) {
+  velocity_lag_ = velocity_lag;
   free_velocity_.resize(plan.surface.points.size());
   for (std::size_t k = 0; k < free_velocity_.size(); ++k) free_velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]);
   if (!transmits(plan)) return;
@@ -243,11 +244,12 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const Index i = plan.surface.points[k];
     const Vec3 v1 = point_in(plan, motion.v, i);
-    const bool is_moved = path_[k] != free_u_[k];
-    if (inverse_mass_[k] == 0.0 || (!is_moved && velocity_[k] == v1)) continue;
-    const Vec3 force = plan.mass[i] / h * (free_velocity_[k] - point_in(plan, v0, i));
-    work += 0.5 * plan.mass[i] * (glm::dot(velocity_[k], velocity_[k]) - glm::dot(v1, v1)) -
-            glm::dot(force, end_[k] - point_in(plan, motion.x, i));
+    if (inverse_mass_[k] == 0.0 || (path_[k] == free_u_[k] && velocity_[k] == v1)) continue;
+    // impulses act at the velocity that belongs to the position
+    const Vec3 supplied = free_velocity_[k] - point_in(plan, v0, i), lag = velocity_lag_ * supplied;
+    const Vec3 v_end = velocity_[k] + lag, v_without = v1 + lag, displacement = end_[k] - point_in(plan, motion.x, i);
+    const double kinetic = 0.5 * (glm::dot(v_end, v_end) - glm::dot(v_without, v_without));
+    work += plan.mass[i] * (kinetic - glm::dot(supplied, displacement) / h);
     for (int c = 0; c < plan.dimensions; ++c) {
       motion.x[c * n + i] = end_[k][c];
       motion.v[c * n + i] = velocity_[k][c];
