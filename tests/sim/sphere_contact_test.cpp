@@ -198,7 +198,7 @@ TEST(SphereContact, DoesNotDependOnTheMarginOfTheSearch) {
     for (int i = 0; i < 300; ++i) {
       const Field x = motion.x, v = motion.v;
       default_integrator().step(plan, motion, work, h);
-      solver.begin_substep(plan, motion);
+      solver.begin_substep(plan, 0.0, motion);
       if (solver.resolve(plan, {}, x, v, h, motion)) motion.acceleration_is_current = false;
     }
     searches = solver.searches();

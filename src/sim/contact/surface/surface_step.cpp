@@ -231,7 +231,8 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
     velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]) + (u_[k] - free_u_[k]) + (path_[k] - separated_[k]);
   for (std::size_t k = 0; k < x_.size(); ++k)
     if (path_[k] != free_u_[k]) end_[k] = x_[k] + h * path_[k];
-  remove_torques(plan, h, motion);
+  // friction causes far larger ones
+  if (plan.surface.friction == 0.0) remove_torques(plan, h, motion);
   // what was kept from approaching does not at the end either: the second half of a step of the method accelerates it again
   std::erase_if(contacts_.surface, [](const SurfaceContact& contact) { return !contact.is_pressed; });
   std::erase_if(contacts_.obstacles, [](const ObstacleContact& contact) { return !contact.is_pressed; });
@@ -240,22 +241,23 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
   move_contacts();
   settle_velocities(plan);
 
-  double work = 0.0;
+  double work = 0.0, lag_work = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const Index i = plan.surface.points[k];
     const Vec3 v1 = point_in(plan, motion.v, i);
     if (inverse_mass_[k] == 0.0 || (path_[k] == free_u_[k] && velocity_[k] == v1)) continue;
-    // impulses act at the velocity that belongs to the position
-    const Vec3 supplied = free_velocity_[k] - point_in(plan, v0, i), lag = velocity_lag_ * supplied;
-    const Vec3 v_end = velocity_[k] + lag, v_without = v1 + lag, displacement = end_[k] - point_in(plan, motion.x, i);
-    const double kinetic = 0.5 * (glm::dot(v_end, v_end) - glm::dot(v_without, v_without));
+    const Vec3 supplied = free_velocity_[k] - point_in(plan, v0, i), displacement = end_[k] - point_in(plan, motion.x, i);
+    const double kinetic = 0.5 * (glm::dot(velocity_[k], velocity_[k]) - glm::dot(v1, v1));
     work += plan.mass[i] * (kinetic - glm::dot(supplied, displacement) / h);
+    lag_work += plan.mass[i] * velocity_lag_ * glm::dot(supplied, velocity_[k] - v1);
     for (int c = 0; c < plan.dimensions; ++c) {
       motion.x[c * n + i] = end_[k][c];
       motion.v[c * n + i] = velocity_[k][c];
     }
   }
   book_contact_work(work, supplied_work(plan, motion), motion);
+  // impulses act at the velocity that belongs to the position; what the hand and colliders supply is part of the energy of the state
+  motion.contact_work += lag_work;
 }
 
 // After all impulses of the substep. Impulses on the held point are bounded one by one: near it, they may be far larger than what
