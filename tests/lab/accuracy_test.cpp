@@ -232,57 +232,6 @@ TEST(Predictability, TenOfTenRegularScenesAreRecognized) {
   for (const auto& [name, sim] : scenes) EXPECT_EQ(growth_rate_of(sim), 0.0) << name;
 }
 
-// Implicit Euler damps: the balance separates what it loses from what drag takes.
-TEST(EnergyAccounts, TheLossOfTheMethodIsSeparatedFromThatOfTheScene) {
-  TestSim sim = net(8, 1e2, 0.0);
-  sim.system.drag = 1.0;
-  Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("implicit_euler"), .substeps = 4}), AccuracyMode::Frame);
-  double by_drag = 0.0, power = 0.0;
-  for (int frame = 0; frame < 60; ++frame) {
-    ASSERT_TRUE(lab.step());
-    const double before = power;
-    power = 2.0 * compute_energy(lab.scene().system, lab.scene().state).kinetic;
-    by_drag += 0.5 * (before + power) / 60.0;
-  }
-  const EnergyBalance balance = lab.accuracy().energy;
-  EXPECT_NEAR(balance.drag, -by_drag, 0.2 * by_drag);
-  EXPECT_LT(balance.method, 0.0);
-  EXPECT_EQ(balance.dashpots, 0.0);
-}
-
-// A pendulum that the method damps by two thirds, with a drag or a dashpot that hardly acts.
-TEST(EnergyAccounts, TheLossOfTheMethodIsNotThatOfAWeakDragOrDashpot) {
-  for (const auto& [drag, damping] : {std::pair{1e-9, 0.0}, {0.0, 1e-9}}) {
-    TestSim sim;
-    sim.system.gravity = {0.0, -9.81, 0.0};
-    sim.join(sim.nail(Vec3(0.0)), sim.add({1.0, 0.0, 0.0}), 1e4, 1.0, damping);
-    sim.system.drag = drag;
-    Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("implicit_euler"), .substeps = 1}), AccuracyMode::Frame);
-    for (int frame = 0; frame < 240; ++frame) ASSERT_TRUE(lab.step());
-    const EnergyBalance balance = lab.accuracy().energy;
-    EXPECT_LT(balance.change, -5.0);
-    EXPECT_NEAR(balance.method, balance.change, 1e-5);
-    EXPECT_NEAR(balance.drag + balance.dashpots, 0.0, 1e-5);
-  }
-}
-
-// Their fractions are not evaluated in every frame.
-TEST(EnergyAccounts, DragAndDashpotsAreSeparated) {
-  TestSim sim = net(8, 1e2, 0.5);
-  sim.system.drag = 1.0;
-  Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("velocity_verlet"), .substeps = 8}), AccuracyMode::Frame);
-  double by_drag = 0.0, power = 0.0;
-  for (int frame = 0; frame < 120; ++frame) {
-    ASSERT_TRUE(lab.step());
-    const double before = power;
-    power = 2.0 * compute_energy(lab.scene().system, lab.scene().state).kinetic;
-    by_drag += 0.5 * (before + power) / 60.0;
-  }
-  const EnergyBalance balance = lab.accuracy().energy;
-  EXPECT_NEAR(balance.drag, -by_drag, 0.1 * by_drag);
-  EXPECT_LT(balance.dashpots, 0.0);
-}
-
 // What measuring costs, in substeps instead of seconds; one frame in four also with a quarter of the step where something may touch.
 class RepeatedSubsteps : public testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(WithoutAndWithAFloor, RepeatedSubsteps, testing::Bool());

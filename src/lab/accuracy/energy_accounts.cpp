@@ -3,27 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "sim/energy.h"
 
 namespace hooke {
 namespace {
 
-// The fractions of drag and dashpots are evaluated in one frame in this many, because that visits every spring.
-constexpr int fraction_period = 8;
-
-// Powers [W] at a state.
-struct Dissipation {
-  double drag = 0.0, dashpots = 0.0;
-};
-
-Dissipation dissipation_at(const System& system, const State& state) {
-  Dissipation power;
+// [W], of drag in air at rest, because what wind does is work of a force.
+double drag_power(const System& system, const State& state) {
   const double rate = system.drag_rate();
+  double power = 0.0;
   for (Index i = 0; rate > 0.0 && i < system.point_count(); ++i) {
     const Point& point = system.points()[i];
-    if (!point.nailed) power.drag += rate * point.mass * glm::dot(state.velocity[i], state.velocity[i] - system.wind);
+    if (!point.nailed) power += rate * point.mass * glm::dot(state.velocity[i], state.velocity[i]);
   }
+  return power;
+}
+
+// [W]
+double dashpot_power(const System& system, const State& state) {
+  double power = 0.0;
   for (const Spring& spring : system.springs()) {
     const double damping = system.damping_of(spring);
     if (damping == 0.0) continue;
@@ -32,7 +32,7 @@ Dissipation dissipation_at(const System& system, const State& state) {
     const double length = glm::length(along);
     if (length == 0.0) continue;
     const double speed = glm::dot(state.velocity[j] - state.velocity[i], along) / length;
-    power.dashpots += damping * speed * speed;
+    power += damping * speed * speed;
   }
   return power;
 }
@@ -43,19 +43,25 @@ void EnergyAccounts::start(const State& state, double energy) {
   balance_ = {.since = state.time};
   start_ = energy_ = energy;
   net_input_ = state.ledger.net_input;
-  contact_work_ = rest_ = repeated_rest_ = gain_ratio_ = dissipation_ = 0.0;
-  frames_since_fraction_ = fraction_period;
+  contact_work_ = rest_ = repeated_rest_ = gain_ratio_ = dissipation_ = resolved_ = repeated_resolved_ = 0.0;
+  is_resolved_ = false;
+  power_.reset();
 }
 
 void EnergyAccounts::set_numerical_gain(double gain) {
+  constexpr double max_ratio = 2.0;  // 1.5 in the first frame of a motion that starts from rest
   dissipation_ = std::min(0.0, repeated_rest_ - gain);
-  gain_ratio_ = dissipation_ < 0.0 ? (repeated_rest_ - dissipation_) / dissipation_ : 0.0;
+  is_resolved_ = max_ratio * repeated_resolved_ <= dissipation_ && repeated_resolved_ >= max_ratio * dissipation_;
+  gain_ratio_ = dissipation_ < 0.0 ? (repeated_rest_ - dissipation_) / dissipation_ : std::numeric_limits<double>::infinity();
 }
 
-// As the motion decays, gain and dissipation keep their ratio. It determines neither if they nearly cancel: then the dissipation of the
-// repeated frame applies. Drag and dashpots never supply energy, and dissipate at most `max` [J].
+// Where the frames resolve the motion, so that the powers at the ends of the repeated frame agree with what was dissipated in it, those at
+// the ends of this one say what is dissipated here. Vibrations that they do not resolve decay, and gain and dissipation keep their ratio as
+// they do. It determines neither if they nearly cancel: then the dissipation of the repeated frame applies. Drag and dashpots never supply
+// energy, and dissipate at most `max` [J].
 double EnergyAccounts::dissipation_in(double rest, double max) const {
   constexpr double min_determined = 0.1;
+  if (is_resolved_) return std::clamp(resolved_, -max, 0.0);
   return std::clamp(1.0 + gain_ratio_ > min_determined ? rest / (1.0 + gain_ratio_) : dissipation_, -max, 0.0);
 }
 
@@ -75,27 +81,23 @@ void EnergyAccounts::add_frame(const Plan& plan, const System& system, const Sta
 
   // the remainder is due to the method, or to the drag and the dashpots of the scene
   const double supplied = after.ledger.net_input - net_input_;
-  double rest = energy - energy_ - supplied - by_contact;
+  const double rest = energy - energy_ - supplied - by_contact;
   rest_ = rest;
   const bool drags = system.drag_rate() > 0.0, damps = plan.has_dashpots();
   if (!drags && !damps) {
     balance_.method += rest;
   } else {
+    if (!power_) power_ = {drag_power(system, before), dashpot_power(system, before)};
+    const Dissipation start = *power_;
+    power_ = {drag_power(system, after), dashpot_power(system, after)};
+    const double by_drag = start.drag + power_->drag, by_dashpots = start.dashpots + power_->dashpots;
+    resolved_ = -0.5 * (after.time - before.time) * (by_drag + by_dashpots);
+    const double drag_fraction = by_drag + by_dashpots > 0.0 ? by_drag / (by_drag + by_dashpots) : drags ? 1.0 : 0.0;
     bound_.begin_frame(system, before);
     const double dissipated = dissipation_in(rest, bound_.end_frame(plan, system, after, motion));
     balance_.method += rest - dissipated;
-    rest = dissipated;
-    if (!drags || !damps) {
-      drag_fraction_ = drags ? 1.0 : 0.0;
-      frames_since_fraction_ = fraction_period;
-    } else if (++frames_since_fraction_ >= fraction_period) {
-      frames_since_fraction_ = 0;
-      const Dissipation start = dissipation_at(system, before), end = dissipation_at(system, after);
-      const double by_drag = std::abs(start.drag + end.drag), by_dashpots = start.dashpots + end.dashpots;
-      drag_fraction_ = by_drag + by_dashpots > 0.0 ? by_drag / (by_drag + by_dashpots) : 0.5;
-    }
-    balance_.drag += drag_fraction_ * rest;
-    balance_.dashpots += (1.0 - drag_fraction_) * rest;
+    balance_.drag += drag_fraction * dissipated;
+    balance_.dashpots += (1.0 - drag_fraction) * dissipated;
   }
   balance_.change = energy - start_;
   energy_ = energy;
