@@ -63,10 +63,27 @@ Vec3 hand_force(const Plan& plan, const Motion& motion) {
   return force;
 }
 
+double energy_of_hand_alone(const Plan& plan, const Motion& motion) {
+  double energy = 0.0;
+  if (!plan.held) return energy;
+  for (const auto& [s, other] : plan.held_springs) {
+    if (plan.inverse_mass[other] != 0.0) continue;
+    const double stretch = glm::distance(vector_at(plan, motion.x, *plan.held), vector_at(plan, motion.x, other)) - plan.rest_length[s];
+    energy += 0.5 * plan.stiffness[s] * stretch * stretch;
+  }
+  return energy;
+}
+
 double hand_power(const Plan& plan, const Motion& motion) {
   if (!plan.held && !plan.pull) return 0.0;
-  const Vec3 velocity = plan.held ? vector_at(plan, motion.v, *plan.held) : plan.pull->velocity;
-  return glm::dot(hand_force(plan, motion), velocity);
+  Vec3 force = hand_force(plan, motion);
+  if (!plan.held) return glm::dot(force, plan.pull->velocity);
+  for (const auto& [s, other] : plan.held_springs) {
+    const Vec3 along = vector_at(plan, motion.x, *plan.held) - vector_at(plan, motion.x, other);
+    const double length = glm::length(along);
+    if (plan.inverse_mass[other] == 0.0 && length > 0.0) force -= plan.stiffness[s] * (length - plan.rest_length[s]) / length * along;
+  }
+  return glm::dot(force, vector_at(plan, motion.v, *plan.held));
 }
 
 }  // namespace hooke

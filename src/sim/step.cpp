@@ -213,7 +213,7 @@ void Frame::substep(Plan& plan) {
   const long evaluations_before = motion_.force_evaluations, sweeps_before = motion_.dashpot_sweeps;
   const bool knew_acceleration = motion_.acceleration_is_current;
   const bool has_hand = plan.held || plan.pull;
-  const double power = hand_power(plan, motion_);
+  const double power = hand_power(plan, motion_), stored = energy_of_hand_alone(plan, motion_);
   double length = h_;
   if (is_adaptive)
     length = adaptive_step_.advance(plan, *integrator_, motion_, work_, left_);
@@ -229,9 +229,9 @@ void Frame::substep(Plan& plan) {
   if (is_adaptive && substeps_done_ < substeps_ && adaptive_step_.is_at_limit(motion_)) failure_ = StepFailure::TooMany;
   motion_.time = ends ? start_ + substeps_done_ * h_ : motion_.time + length;
 
-  // trapezoidal rule for the power of the hand
+  // trapezoidal rule for the power of the hand, but for what it stores by itself
   if (has_hand) {
-    const double work = 0.5 * length * (power + hand_power(plan, motion_));
+    const double work = 0.5 * length * (power + hand_power(plan, motion_)) + energy_of_hand_alone(plan, motion_) - stored;
     motion_.hand_work += work;
     motion_.abs_hand_work += std::abs(work);
   }

@@ -141,6 +141,20 @@ TEST(EnergyBalance, OfAFallOntoTheFloorIsTheLossOfContactWithEveryMethod) {
   }
 }
 
+// The hand swings a point around its nail by a meter in each of two steps per frame, by a spring that only the hand stretches.
+TEST(EnergyBalance, OfAFastHandOnASpringToANailIsExact) {
+  const std::string scene =
+      R"({"hooke": 1, "gravity": [0, 0, 0], "points": [{"position": [0, 0, 0]}, {"position": [0, 0.1, 0], "nailed": true}],
+    "springs": [{"points": [0, 1], "stiffness": 500, "rest_length": 0.5}],
+    "hand": {"point": 0, "circle": {"from": [0, 0, 0], "center": [-0.3, 0, 0]}, "speed": 50, "seconds": 10}})";
+  for (const char* method : {"velocity_verlet", "blanes_moan4", "implicit_euler"}) {
+    const Outcome run = run_scene(scene, {"--seconds", "0.4", "--sample", "0.1", "--integrator", method, "--substeps", "2", "--json", "-"});
+    EXPECT_EQ(run.err, "") << method;
+    const rapidjson::Document json = parse_json(run.out);
+    for (const auto& sample : json["samples"].GetArray()) EXPECT_NEAR(sample["energy_balance"]["method"].GetDouble(), 0.0, 1e-9) << method;
+  }
+}
+
 TEST(EnergyBalance, DashpotsNeverSupplyEnergyAndTheMethodIsSeparatedUntilRest) {
   const std::string scene =
       R"({"hooke": 1, "gravity": [0, 0, 0], "points": [{"position": [0, 0, 0], "nailed": true}, {"position": [1.5, 0, 0]}],
