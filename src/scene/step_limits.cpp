@@ -6,6 +6,7 @@
 
 #include "base/bounds.h"
 #include "base/file_limits.h"
+#include "base/number_text.h"
 #include "sim/automatic/automatic.h"
 
 namespace hooke {
@@ -14,6 +15,13 @@ namespace {
 std::string count_substeps(int substeps) { return std::to_string(substeps) + (substeps == 1 ? " substep" : " substeps"); }
 
 int with_margin(int substeps, int margin) { return static_cast<int>(std::min<long>(max_substeps, static_cast<long>(margin) * substeps)); }
+
+// What a number of substeps costs that hardly anyone would run: ", which take about 5000 times as long"; empty for fewer.
+std::string consequence_of(int substeps, int present) {
+  constexpr int max_practical = 10'000;
+  const double ratio = static_cast<double>(substeps) / present;
+  return substeps > max_practical ? ", which take about " + number_text(std::round(ratio)) + " times as long" : "";
+}
 
 // [m/s], of the points that move.
 double max_speed(const System& system, const State& state) {
@@ -71,7 +79,8 @@ std::optional<std::string> step_warning(const System& system, const State& state
     return "simulation.substeps: " + std::to_string(settings.substeps) + ": may be too few for " + id + " here: " +
            (is_short_without_contact(settings, spectrum) ? "contact may cause growth with fewer than " : "its linear stability limit is ") +
            count_substeps(*limit) + " per frame" + (is_of_forces ? " where the listed forces are strongest; " : "; ") +
-           (has_margin ? std::to_string(advice.substeps) + " are recommended" : "no number of substeps has the recommended margin");
+           (has_margin ? std::to_string(advice.substeps) + " are recommended" + consequence_of(advice.substeps, settings.substeps)
+                       : "no number of substeps has the recommended margin");
   }
   const std::string reason = method.stability == Stability::None
                                  ? "amplifies undamped motion at every step"

@@ -184,6 +184,12 @@ TEST(SceneFile, WarnsAboutTheStepOfASteepForceWithoutAnImpracticalRecommendation
       warnings_at("1e-6"),
       std::vector<std::string>{"test.json: simulation.substeps: 20: may be too few for velocity_verlet here: its linear stability limit "
                                "is 528 substeps per frame where the listed forces are strongest; 2112 are recommended"});
+  // a large one is, if there is one, with what it costs
+  EXPECT_EQ(
+      warnings_at("1e-3"),
+      std::vector<std::string>{"test.json: simulation.substeps: 20: may be too few for velocity_verlet here: its linear stability limit "
+                               "is 16667 substeps per frame where the listed forces are strongest; 66668 are recommended, which take "
+                               "about 3333 times as long"});
   EXPECT_EQ(warnings_at("1"), std::vector<std::string>{
                                   "test.json: simulation.substeps: 20: may be too few for velocity_verlet here: its linear stability limit "
                                   "is 527047 substeps per frame where the listed forces are strongest; no number of substeps has the "

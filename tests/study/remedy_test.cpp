@@ -328,5 +328,20 @@ TEST(Remedy, CountsTheWorkOfForcesAndOfStepsThatAMethodChooses) {
   EXPECT_GT(work_of_frame(adaptive), 10.0 * work_of_frame(chain_and_centers(12, 0.05, "velocity_verlet", 1)));
 }
 
+// A remedy that would take minutes is named with what it takes.
+TEST(Remedy, NamesTheTimeThatASlowSettingTakes) {
+  const Scene scene = scene_of(shaken_sheet(1e5, 0.02, 1), "velocity_verlet", 2);
+  Remedy remedy = find_remedy(scene, seconds, never);
+  ASSERT_TRUE(remedy.advice);
+  Scene advised = scene;
+  advised.settings.substeps = remedy.advice->substeps;
+  const double expected = 1e-9 * scene.settings.frame_rate * work_of_frame(advised);
+  EXPECT_NEAR(remedy.duration, expected, 0.1 * expected);
+  EXPECT_EQ(describe(remedy, scene.settings).find("a simulated second takes"), std::string::npos);
+  remedy.duration = 36.2;
+  const std::string description = describe(remedy, scene.settings);
+  EXPECT_NE(description.find("; a simulated second takes about 36 s)"), std::string::npos) << description;
+}
+
 }  // namespace
 }  // namespace hooke

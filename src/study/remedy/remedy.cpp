@@ -35,6 +35,7 @@ struct Trial {
   double seconds = 0.0;                    // [s], simulated
   std::vector<std::string> step_warnings;  // before the run
   std::vector<std::string> warnings;       // of the run monitor
+  double work = 0.0;                       // [ns]
   bool gains = false;                      // more energy than was supplied
   bool has_warnings() const { return !step_warnings.empty() || !warnings.empty(); }
   std::vector<std::string> all_warnings() const {
@@ -51,7 +52,7 @@ constexpr double max_rise = 1.0;
 
 // Frame by frame, with the warnings and the monitor of `hooke run`.
 Trial run_copy(Scene scene, double seconds, Budget& budget) {
-  const double start = scene.state.time;
+  const double start = scene.state.time, given = budget.left;
   const long frames = std::lround(std::ceil(seconds * scene.settings.frame_rate * (1.0 - 1e-9)));
   Trial trial;
   for (const auto& warning : {unused_setting_warning(scene.settings), step_warning(scene.system, scene.state, scene.settings)})
@@ -67,6 +68,7 @@ Trial run_copy(Scene scene, double seconds, Budget& budget) {
     trial.end = end;
     trial.seconds = end == Trial::End::Finished ? seconds : lab.scene().state.time - start;
     trial.warnings = monitor.warnings({});
+    trial.work = given - budget.left;
     trial.gains = !(monitor.energy_rise() <= max_rise);
     return trial;
   };
@@ -233,6 +235,7 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
     remedy.has_recommended_margin =
         remedy.linear_limit && advice.substeps == recommended_margin(start.system, start.state) * *remedy.linear_limit;
     remedy.tested_seconds = trial.seconds;
+    remedy.duration = trial.seconds > 0.0 ? 1e-9 * trial.work / trial.seconds : 0.0;
     remedy.warnings = trial.all_warnings();
     return remedy;
   };
@@ -358,8 +361,11 @@ std::string describe(const Remedy& remedy, const Settings& settings) {
              (remedy.has_recommended_margin ? " (a measured margin)" : "") + ",";
   }
   const std::string from = remedy.from ? " from t = " + seconds_text(*remedy.from) : "";
+  constexpr double max_practical = 10.0;  // [s], of computing per simulated second
+  const std::string duration =
+      remedy.duration > max_practical ? "; a simulated second takes about " + quantity_text(std::round(remedy.duration), "s", 2) : "";
   return cause() + " " + describe(*remedy.advice) + margin + " does not diverge (tested for " + seconds_text(remedy.tested_seconds) + from +
-         ")" + exceptions(remedy.warnings) + ".";
+         duration + ")" + exceptions(remedy.warnings) + ".";
 }
 
 }  // namespace hooke

@@ -27,6 +27,7 @@ struct Remedy {
   Cause cause = Cause::NotReproduced;
   std::optional<Advice> advice;  // a setting that was run and did not diverge; none if none was found
   double tested_seconds = 0.0;   // [s], simulated with it
+  double duration = 0.0;         // [s], that a simulated second of it takes, by the model of TrialWork
   int settings_tried = 0;
   int settings_cut_short = 0;           // of those: by the work limit, before they diverged
   int settings_left = 0;                // not tried, because the work limit was reached
