@@ -11,10 +11,17 @@
 namespace hooke {
 namespace {
 
+// The part of what features are closer than their thickness by which they separate in a substep, and the time for most of it [s].
+constexpr double max_separation = 0.2, separation_time = 0.02;
 // At the end of a substep, the velocities of what is at rest have to vanish.
 constexpr int velocity_turns = 4;
 // How often dashpots transmit what contact changes.
 constexpr int transmissions = 2;
+
+Vec3 point_in(const Plan& plan, const Field& field, Index i) {
+  const auto n = static_cast<std::size_t>(plan.points);
+  return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
+}
 
 // Whether dashpots transmit what contact changes. Where points touch each other, too, they do not.
 bool transmits(const Plan& plan) { return plan.has_dashpots() && !plan.pairs.on; }
@@ -83,7 +90,7 @@ bool SurfaceStep::correct(const Plan& plan, std::span<const Obstacle> obstacles,
   impulses_ += 2 * contacts;
   const bool touches = contacts_.settle(inverse_mass_, plan.surface.friction, u_);
   note_pressed(plan, h);
-  const bool is_separated = separate(plan, v0, h, motion);
+  const bool is_separated = separate(h);
   separated_ = path_;
   const bool hits = prevent_crossings(plan, h);
   if (has_failed_ || !(touches || is_separated || hits)) return false;
@@ -180,6 +187,23 @@ void SurfaceStep::note_pressed(const Plan& plan, double h) {
     contact.is_pressed = contact.impulse > 0.0 || contact.gap + h * glm::dot(contact.normal, relative) <= tolerance;
   }
   for (ObstacleContact& contact : contacts_.obstacles) contact.is_pressed = contact.impulse > 0.0;
+}
+
+// Displacements, without velocities, that separate what is closer than its thickness. Returns whether there are any.
+bool SurfaceStep::separate(double h) {
+  path_ = u_;
+  bool any = false;
+  const double part = std::min(max_separation, h / separation_time);
+  for (SurfaceContact& contact : contacts_.surface)
+    if (contact.gap < 0.0) {
+      contact.target = -part * contact.gap / h;
+      any = true;
+    }
+  if (!any) return false;
+  for (SurfaceContact& contact : contacts_.surface) contact.separating = -contact.impulse;
+  any = contacts_.separate(inverse_mass_, path_);
+  for (SurfaceContact& contact : contacts_.surface) contact.separating += contact.impulse;
+  return any;
 }
 
 // From (x1, v1), contact leads to (x1 + d, v1 + c). The angular momentum that this adds, sum m d x v1 + m (x1 + d) x c, is that of each

@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "base/disjoint_sets.h"
 #include "sim/contact/contact_work.h"
 #include "sim/contact/obstacle.h"
 #include "sim/contact/surface/surface_response.h"
@@ -12,12 +11,6 @@
 #include "sim/motion.h"
 
 namespace hooke {
-
-// The vector of point i of the scene.
-inline Vec3 point_in(const Plan& plan, const Field& field, Index i) {
-  const auto n = static_cast<std::size_t>(plan.points);
-  return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
-}
 
 class SurfaceStep {
  public:
@@ -42,8 +35,7 @@ class SurfaceStep {
   void make_contacts(const Plan& plan, double h);
   void add_obstacles(const Plan& plan, std::span<const Obstacle> obstacles, double h, const Motion& motion);
   void note_pressed(const Plan& plan, double h);
-  bool separate(const Plan& plan, const Field& v0, double h, const Motion& motion);
-  void limit_separation(const Plan& plan, const Field& v0, double h, const Motion& motion);
+  bool separate(double h);
   bool prevent_crossings(const Plan& plan, double h);
   bool handle_impact(const SurfacePair& pair, double part, double h, bool joins);
   bool join(const std::array<Index, 4>& points);
@@ -83,9 +75,6 @@ class SurfaceStep {
   std::vector<char> has_collided_;
   std::vector<double> decay_;
   double decay_step_ = 0.0;  // [s]: of which `decay_` is; 0: of none
-
-  DisjointSets groups_;                   // points that touch each other
-  std::vector<double> weight_, lift_, removed_, needed_;  // [J], per group, at its first point: by contact, and for the separation
 
   Index held_ = no_index;  // the held point
   std::vector<char> is_marked_;
