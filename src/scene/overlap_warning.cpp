@@ -13,7 +13,7 @@ namespace hooke {
 std::vector<std::string> crossing_warnings(const System& system, const State& state) {
   std::vector<std::string> warnings;
   if (system.contact.faces && system.dimensions == 2)
-    warnings.push_back("contact.faces: faces touch in scenes of 3 dimensions only: this one has 2");
+    warnings.emplace_back("contact.faces: faces touch in scenes of 3 dimensions only: this one has 2");
   for (const CrossedText& text : describe(find_crossed_parts(system, state), system))
     warnings.push_back(std::string(text.setting) + ": " + text.count + text.detail + ": " + text.consequence);
   return warnings;
