@@ -138,7 +138,8 @@ TEST(AngularMomentum, ChangesLittleByContactBetweenPoints) {
       const Index first = sim.system.point_count();
       for (Index i = 0; i < 12; ++i) {
         const double x = random.uniform(-0.03, 0.03), z = random.uniform(-0.03, 0.03), u = random.uniform(-1.0, 1.0);
-        sim.add({0.2 * (i % 4) + x, is_upper ? 0.3 : 0.0, 0.2 * (i / 4) + z}, random.uniform(0.05, 0.3), {u, is_upper ? -3.0 : 0.0, x});
+        const Index row = i / 4, column = i % 4;
+        sim.add({0.2 * column + x, is_upper ? 0.3 : 0.0, 0.2 * row + z}, random.uniform(0.05, 0.3), {u, is_upper ? -3.0 : 0.0, x});
         sim.system.point(first + i).radius = random.uniform(0.04, 0.08);
         for (Index j = first; j < first + i; ++j) {
           const double length = glm::distance(sim.state.position[first + i], sim.state.position[j]);

@@ -26,7 +26,7 @@ inline TestSim shuffled(const TestSim& sim, std::uint64_t seed = 1) {
   }
   for (const std::size_t s : shuffled_indices(sim.system.springs().size(), random)) springs.push_back(sim.system.springs()[s]);
   result.system.set_points(std::move(points));
-  result.system.set_springs(std::move(springs));
+  result.system.set_springs(springs);
   return result;
 }
 
