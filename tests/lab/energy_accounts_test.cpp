@@ -56,18 +56,24 @@ TEST(EnergyAccounts, DashpotsDoNotDissipateWhatOtherPartsOfTheSceneLose) {
   }
 }
 
+// [J], of a drag of 1/s in frames of 1/60 s of a motion that starts from rest, by the trapezoidal rule.
+double loss_by_drag(Lab& lab, int frames) {
+  double loss = 0.0, power = 0.0;
+  for (int frame = 0; frame < frames; ++frame) {
+    EXPECT_TRUE(lab.step());
+    const double before = power;
+    power = 2.0 * compute_energy(lab.scene().system, lab.scene().state).kinetic;
+    loss += 0.5 * (before + power) / 60.0;
+  }
+  return loss;
+}
+
 // Implicit Euler damps: the balance separates what it loses from what drag takes.
 TEST(EnergyAccounts, TheLossOfTheMethodIsSeparatedFromThatOfTheScene) {
   TestSim sim = net(8, 1e2, 0.0);
   sim.system.drag = 1.0;
   Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("implicit_euler"), .substeps = 4}), AccuracyMode::Frame);
-  double by_drag = 0.0, power = 0.0;
-  for (int frame = 0; frame < 60; ++frame) {
-    ASSERT_TRUE(lab.step());
-    const double before = power;
-    power = 2.0 * compute_energy(lab.scene().system, lab.scene().state).kinetic;
-    by_drag += 0.5 * (before + power) / 60.0;
-  }
+  const double by_drag = loss_by_drag(lab, 60);
   const EnergyBalance balance = lab.accuracy().energy;
   EXPECT_NEAR(balance.drag, -by_drag, 0.2 * by_drag);
   EXPECT_LT(balance.method, 0.0);
@@ -126,13 +132,7 @@ TEST(EnergyAccounts, DragAndDashpotsAreSeparated) {
   TestSim sim = net(8, 1e2, 0.5);
   sim.system.drag = 1.0;
   Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("velocity_verlet"), .substeps = 8}), AccuracyMode::Frame);
-  double by_drag = 0.0, power = 0.0;
-  for (int frame = 0; frame < 120; ++frame) {
-    ASSERT_TRUE(lab.step());
-    const double before = power;
-    power = 2.0 * compute_energy(lab.scene().system, lab.scene().state).kinetic;
-    by_drag += 0.5 * (before + power) / 60.0;
-  }
+  const double by_drag = loss_by_drag(lab, 120);
   const EnergyBalance balance = lab.accuracy().energy;
   EXPECT_NEAR(balance.drag, -by_drag, 0.1 * by_drag);
   EXPECT_LT(balance.dashpots, 0.0);

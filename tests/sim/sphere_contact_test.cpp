@@ -4,11 +4,10 @@
 #include <glm/geometric.hpp>
 
 #include "sim/contact/surface/surface_plan.h"
-#include "sim/contact/surface/surface_solver.h"
 #include "sim/energy.h"
-#include "sim/hand.h"
 #include "support/convergence.h"
 #include "support/folds.h"
+#include "support/margin_run.h"
 #include "support/random_scene.h"
 
 namespace hooke {
@@ -180,30 +179,13 @@ TEST(SphereContact, LetsSpheresThroughEachOtherUnlessPointsTouch) {
 
 // Spheres of very different sizes fall on a sheet.
 TEST(SphereContact, DoesNotDependOnTheMarginOfTheSearch) {
-  const auto run = [](double margin, long& searches) {
-    TestSim sim = horizontal_sheet(9, true);
-    Random random(7);
-    for (int i = 0; i < 12; ++i) {
-      const double radius = random.uniform(0.0, 0.15), x = random.uniform(-0.4, 0.4), y = random.uniform(-0.4, 0.4);
-      add_sphere(sim, {x, y, radius + 0.02}, radius, 0.05, {0.0, 0.0, -2.0});
-    }
-    Plan plan = make_plan(sim.system);
-    Motion motion;
-    pack(plan, sim.state, motion);
-    Workspace work;
-    const double h = frame_of_spheres / 60;
-    default_integrator().prepare(plan, h, motion, work);
-    SurfaceSolver solver(margin);
-    solver.begin_frame();
-    for (int i = 0; i < 300; ++i) {
-      const Field x = motion.x, v = motion.v;
-      default_integrator().step(plan, motion, work, h);
-      solver.begin_substep(plan, 0.0, motion);
-      if (solver.resolve(plan, {}, x, v, h, motion)) motion.acceleration_is_current = false;
-    }
-    searches = solver.searches();
-    return std::pair{motion.x, motion.v};
-  };
+  TestSim sim = horizontal_sheet(9, true);
+  Random random(7);
+  for (int i = 0; i < 12; ++i) {
+    const double radius = random.uniform(0.0, 0.15), x = random.uniform(-0.4, 0.4), y = random.uniform(-0.4, 0.4);
+    add_sphere(sim, {x, y, radius + 0.02}, radius, 0.05, {0.0, 0.0, -2.0});
+  }
+  const auto run = [&](double margin, long& searches) { return run_with_margin(sim, margin, 300, searches); };
   long often = 0, usual = 0, rarely = 0;
   const auto expected = run(0.25, usual);
   EXPECT_EQ(run(0.01, often), expected);

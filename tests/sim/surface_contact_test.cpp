@@ -7,6 +7,7 @@
 #include "support/convergence.h"
 #include "support/crossings.h"
 #include "support/folds.h"
+#include "support/margin_run.h"
 #include "support/random_scene.h"
 
 namespace hooke {
@@ -240,27 +241,9 @@ TEST(SurfaceContact, LetsAPileOfSheetsComeToRest) {
 
 // The same steps with pairs found anew more or less often.
 TEST(SurfaceContact, DoesNotDependOnTheMarginOfTheSearch) {
-  const auto run = [](double margin, long& searches) {
-    TestSim sim = colliding_sheets(9);
-    folds::touch(sim);
-    Plan plan = make_plan(sim.system);
-    prepare_hand(plan, sim.system, sim.state, frame);
-    Motion motion;
-    pack(plan, sim.state, motion);
-    Workspace work;
-    const double h = frame / 60;
-    verlet().prepare(plan, h, motion, work);
-    SurfaceSolver solver(margin);
-    solver.begin_frame();
-    for (int i = 0; i < 240; ++i) {
-      const Field x = motion.x, v = motion.v;
-      verlet().step(plan, motion, work, h);
-      solver.begin_substep(plan, verlet().velocity_lag, motion);
-      if (solver.resolve(plan, {}, x, v, h, motion)) motion.acceleration_is_current = false;
-    }
-    searches = solver.searches();
-    return std::pair{motion.x, motion.v};
-  };
+  TestSim sim = colliding_sheets(9);
+  folds::touch(sim);
+  const auto run = [&](double margin, long& searches) { return run_with_margin(sim, margin, 240, searches); };
   long often = 0, usual = 0, rarely = 0;
   const auto expected = run(0.25, usual);
   EXPECT_EQ(run(0.01, often), expected);
