@@ -1,21 +1,73 @@
 #include "scene/overlap_warning.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/number_text.h"
 #include "scene/crossed_parts.h"
+#include "sim/contact/closest.h"
 #include "sim/contact/surface/surface_plan.h"
+#include "sim/contact/surface/surface_tree.h"
 
 namespace hooke {
+
+namespace {
+
+// Features that start far closer to each other than their thickness.
+std::optional<std::string> close_start_warning(const System& system, const State& state) {
+  const SurfacePlan plan = plan_surface(system);
+  if (!plan.on) return std::nullopt;
+  std::vector<Vec3> place;
+  for (const Index i : plan.points) place.push_back(state.position[i]);
+  SurfaceTree tree;
+  tree.build(plan, place);
+  constexpr std::size_t max_pairs = 1'000'000;
+  std::vector<SurfacePair> pairs;
+  const bool is_complete = tree.find_pairs(plan, place, plan.max_thickness, {}, pairs, max_pairs);
+
+  std::size_t count = 0;
+  double depth = 0.0, touching = 0.0;
+  std::array<Index, 4> deepest{};
+  bool is_face = false;
+  for (const SurfacePair& pair : pairs) {
+    const auto& [i, j, k, l] = pair.points;
+    const double thickness = std::min({plan.thickness[i], plan.thickness[j], plan.thickness[k], plan.thickness[l]}),
+                 distance = closest_points(pair.kind, {place[i], place[j], place[k], place[l]}).distance - plan.radius_of(i);
+    // bent sheets touch at a quarter of it; what is coincident does not touch
+    if (distance >= thickness / 8.0 || distance < coincident) continue;
+    ++count;
+    if (thickness - distance <= depth) continue;
+    depth = thickness - distance;
+    touching = thickness;
+    deepest = pair.points;
+    is_face = pair.kind == FeaturePair::PointFace;
+  }
+  if (count == 0) return std::nullopt;
+  const auto name_of = [&](int c) { return std::to_string(plan.points[deepest[static_cast<std::size_t>(c)]]); };
+  return std::string("contact.") + (system.contact.faces && system.dimensions == 3 ? "faces" : "springs") + ": " +
+         (is_complete ? "" : "at least ") + std::to_string(count) + (count == 1 ? " pair starts" : " pairs start") +
+         " closer than an eighth of the thickness, " +
+         (is_face
+              ? "point " + name_of(0) + " and the face of points " + name_of(1) + ", " + name_of(2) + " and " + name_of(3)
+              : "the edge of points " + name_of(0) + " and " + name_of(1) + " and that of points " + name_of(2) + " and " + name_of(3)) +
+         " most, by " + quantity_text(depth, "m", 2) + " of " + quantity_text(touching, "m", 2) +
+         ": they separate slowly, which may stretch springs and so supply energy";
+}
+
+}  // namespace
 
 std::vector<std::string> crossing_warnings(const System& system, const State& state) {
   std::vector<std::string> warnings;
   if (system.contact.faces && system.dimensions == 2)
     warnings.emplace_back("contact.faces: faces touch in scenes of 3 dimensions only: this one has 2");
-  for (const CrossedText& text : describe(find_crossed_parts(system, state), system))
+  const CrossedParts crossed = find_crossed_parts(system, state);
+  for (const CrossedText& text : describe(crossed, system))
     warnings.push_back(std::string(text.setting) + ": " + text.count + text.detail + ": " + text.consequence);
+  // what crosses is closer as well
+  if (crossed.edges.empty() && crossed.springs.empty())
+    if (auto warning = close_start_warning(system, state)) warnings.push_back(*std::move(warning));
   return warnings;
 }
 

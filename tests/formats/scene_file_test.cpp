@@ -73,6 +73,22 @@ TEST(SceneFile, FacesThatTouchAndPassThroughEachOtherAreReported) {
             std::vector<std::string>{"test.json: contact.faces: faces touch in scenes of 3 dimensions only: this one has 2"});
 }
 
+TEST(SceneFile, PartsThatStartFarCloserThanTheirThicknessAreReported) {
+  const auto warnings = [](const std::string& height, const std::string& contact) {
+    return warnings_of(R"({"hooke": 1, "points": [{"position": [-1, 0, 0]}, {"position": [1, 0, 0]}, {"position": [0, -1, )" + height +
+                       R"(]}, {"position": [0, 1, )" + height + R"(]}], "springs": [{"points": [0, 1], "stiffness": 1},
+                       {"points": [2, 3], "stiffness": 1}], "contact": )" +
+                       contact + "}");
+  };
+  const std::string touching = R"({"springs": true, "thickness": 0.2})";
+  EXPECT_TRUE(warnings("0.01", "{}").empty());
+  EXPECT_TRUE(warnings("0.03", touching).empty());
+  EXPECT_EQ(warnings("0.02", touching),
+            std::vector<std::string>{
+                "test.json: contact.springs: 1 pair starts closer than an eighth of the thickness, the edge of points 0 and 1 and that of "
+                "points 2 and 3 most, by 0.18 m of 0.2 m: they separate slowly, which may stretch springs and so supply energy"});
+}
+
 TEST(SceneFile, SpringsOfFlatScenesThatTouchAndCrossAreReported) {
   const auto warnings = [](const std::string& x, const std::string& contact) {
     return warnings_of(R"({"hooke": 1, "dimensions": 2, "points": [{"position": [-1, 0]}, {"position": [1, 0]}, {"position": [)" + x +
