@@ -46,6 +46,17 @@ TEST(EnergyBalance, DoesNotAccuseCorrectRuns) {
     }
 }
 
+// The damping stops the point in a fraction of the first substep, in which the force cannot take more energy than is missing.
+TEST(EnergyBalance, OfADampingThatSubstepsDoNotResolveIsTheWorkOfTheForce) {
+  const std::string scene = R"({"hooke": 1, "gravity": [0, 0, 0], "points": [{"position": [0.1, 0, 0], "mass": 0.5, "velocity": [1, 0, 0]}],
+    "forces": [{"type": "mass_center", "stiffness": 100, "damping": 517.5}]})";
+  for (const char* method : {"blanes_moan4", "implicit_euler", "implicit_midpoint", "tr_bdf2", "baraff_witkin"}) {
+    const Outcome run = run_scene(scene, {"--seconds", "2", "--integrator", method, "--substeps", "5"});
+    EXPECT_EQ(run.code, 0) << method << ": " << run.err;
+    EXPECT_EQ(run.err.find("energy balance off"), std::string::npos) << method << ": " << run.err;
+  }
+}
+
 // In its first step, explicit Euler gains energy before the force has done work.
 TEST(EnergyBalance, DoesNotStopAStartFromRest) {
   const Outcome run = run_scene(R"({"hooke": 1, "gravity": [0, 0, 0], "points": [{"position": [1, 0, 0]}],

@@ -36,13 +36,24 @@ double air_work(const Plan& plan, const Field& start, const Field& end) {
   return work;
 }
 
+// [J], what the potentials of the forces supply on the way from `start` to `end`.
+double potential_work(const Plan& plan, double time, const Field& start, const Field& end) {
+  double work = 0.0;
+  for (const Force& force : plan.forces) {
+    if (force.term->potential == nullptr) continue;
+    const auto potential = [&](const Field& x) { return force.term->potential(plan, force.values, time, x.data()); };
+    work += potential(start) - potential(end);
+  }
+  return work;
+}
+
 }  // namespace
 
 void ForceWork::begin_frame(const Plan& plan, const Motion& motion) {
   power_is_current_ = false;
   has_power_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
   has_potential_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
-  is_alone_ = !plan.held && !plan.pull && air_acceleration(plan) == Vec3(0.0) && !has_potential_;
+  is_alone_ = !plan.held && !plan.pull && air_acceleration(plan) == Vec3(0.0);
   if (!has_work(plan)) return;
   x_.resize(motion.x.size());
   if (plan.forces.empty()) return;
@@ -61,13 +72,14 @@ void ForceWork::begin_substep(const Plan& plan, const Motion& motion) {
   if (!power_is_current_) power_ = power_of(plan, motion.time, motion.x, motion.v);
 }
 
-// [J], of motion, springs and gravity since the start of the substep.
+// [J], of motion, springs, gravity and the potentials of forces since the start of the substep.
 double ForceWork::energy_change(const Plan& plan, const Motion& motion) const {
   double kinetic = 0.0;
   for (std::size_t at = 0; at < v_.size(); ++at)
     if (const std::size_t i = at % static_cast<std::size_t>(plan.points); plan.inverse_mass[i] != 0.0)
       kinetic += 0.5 * plan.mass[i] * (motion.v[at] * motion.v[at] - v_[at] * v_[at]);
-  return kinetic + stored_energy(plan, motion.x) - stored_energy(plan, x_);
+  return kinetic + stored_energy(plan, motion.x) - stored_energy(plan, x_) -
+         potential_work(plan, 0.5 * (time_ + motion.time), x_, motion.x);
 }
 
 void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h, bool is_moved) {
@@ -126,11 +138,7 @@ void ForceWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_
         const std::size_t held = static_cast<std::size_t>(c) * plan.points + static_cast<std::size_t>(*plan.held);
         x_[held] = end_x[held] = 0.5 * (x_[held] + motion.x[held]);
       }
-    for (const Force& force : plan.forces) {
-      if (force.term->potential == nullptr) continue;
-      const auto potential = [&](const Field& x) { return force.term->potential(plan, force.values, middle, x.data()); };
-      reversible += potential(x_) - potential(end_x);
-    }
+    reversible += potential_work(plan, middle, x_, end_x);
   }
   motion.force_work += reversible + power_work_;
   motion.reversible_work += reversible;
