@@ -44,6 +44,8 @@ bool is_undone_with(const Command& later, const Command& earlier) {
       later, earlier);
 }
 
+bool is_grab(const Command& command) { return std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command); }
+
 std::size_t bytes_of(const Command& command) {
   const auto bytes_of_members = [](const auto& each) {
     return std::apply([](const auto&... members) { return (std::size_t{0} + ... + bytes_in(members)); }, members_of(each));

@@ -31,6 +31,9 @@ std::string describe(const Command& command);
 // Whether undoing `earlier` also undoes `later`: both set the same values.
 bool is_undone_with(const Command& later, const Command& earlier);
 
+// Whether it grabs a point, a cloth or a collider.
+bool is_grab(const Command& command);
+
 // Approximate memory use.
 std::size_t bytes_of(const Command& command);
 

@@ -6,9 +6,12 @@
 namespace hooke {
 namespace {
 
-// Compared one by one: radii and the masses that follow them are two commands.
+// Compared one by one: radii and the masses that follow them are two commands. What the first part of the gesture set is undone last,
+// whatever happened after it, such as tears.
 bool supersedes(const std::vector<Command>& earlier, const std::vector<Command>& later) {
-  return std::ranges::equal(earlier, later, [](const Command& a, const Command& b) { return is_undone_with(b, a); });
+  if (earlier.size() < later.size()) return false;
+  return std::equal(later.begin(), later.end(), earlier.end() - static_cast<std::ptrdiff_t>(later.size()),
+                    [](const Command& b, const Command& a) { return is_undone_with(b, a); });
 }
 
 }  // namespace

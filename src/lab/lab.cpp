@@ -12,8 +12,6 @@
 namespace hooke {
 namespace {
 
-bool is_grab(const Command& command) { return std::holds_alternative<GrabPoint>(command) || std::holds_alternative<GrabCollider>(command); }
-
 double thread_cpu_seconds() {
   timespec now;
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -98,6 +96,7 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   const History::Of of = known.value_or(changed_by(command));
   const double before = energy_.total();
   const std::string value = value_before(command, scene_);
+  const std::shared_ptr<const State> state = known ? nullptr : state_before_drag(command, gesture, of);
   Effect effect;
   std::vector<Command> inverse = apply(scene_, command, effect);
   update_plan(effect);
@@ -119,6 +118,7 @@ void Lab::edit(const Command& command, Gesture gesture, const std::string& name,
   if (is_grab(command)) grab_gesture_ = gesture;
   // a drag is one step, and its end is not a separate one
   if (inverse.empty() || std::holds_alternative<ReleaseHand>(command)) return;
+  if (state) return_to_state(state, inverse);
   history_.record(name.empty() ? describe(command) : name, std::move(inverse), gesture, of);
   if (of == History::Of::Document) start_is_edited_ = start_is_edited_ || is_at_start();
   if (const auto* insert = std::get_if<Insert>(&command); insert != nullptr && !is_at_start()) start_.record_added(*insert);

@@ -145,6 +145,8 @@ class Lab {
   void edit(const Command& command, Gesture gesture, const std::string& name = {}, std::optional<History::Of> known = {});
   bool is_at_start() const;
   History::Of changed_by(const Command& command) const;
+  std::shared_ptr<const State> state_before_drag(const Command& command, Gesture gesture, History::Of of);
+  static void return_to_state(const std::shared_ptr<const State>& state, std::vector<Command>& inverse);
   void update_plan(Effect effect);
   void rebuild_plan();
   void open(std::shared_ptr<const Scene> scene);
@@ -203,13 +205,15 @@ class Lab {
   std::vector<RecordedChange> changes_;          // since the energy was last explained, oldest first
   double explained_until_ = 0.0;                 // [s], the last frame whose energy was supplied to the scene
   bool running_ = false;
-  std::optional<double> run_to_;  // [s]
-  double run_from_ = 0.0;         // [s]
-  bool start_is_edited_ = false;  // since it was kept
-  Gesture grab_gesture_ = 0;      // of the last grab: tears during it are undone with it
-  double hand_lag_ = 0.0;         // [m], behind its target
-  double limit_work_ = 0.0;       // [J], of the strain limit since the start
-  double last_limit_work_ = 0.0;  // [J], in the last frame
+  std::optional<double> run_to_;              // [s]
+  double run_from_ = 0.0;                     // [s]
+  bool start_is_edited_ = false;              // since it was kept
+  Gesture grab_gesture_ = 0;                  // of the last grab: tears during it are undone with it
+  std::shared_ptr<const State> before_drag_;  // the state before the last drag in a run; null: none
+  Gesture drag_gesture_ = 0;                  // of that drag
+  double hand_lag_ = 0.0;                     // [m], behind its target
+  double limit_work_ = 0.0;                   // [J], of the strain limit since the start
+  double last_limit_work_ = 0.0;              // [J], in the last frame
   std::vector<double> gas_releases_;
   long edits_ = 0;
   double frame_ms_ = 0.0, simulate_ms_ = 0.0;

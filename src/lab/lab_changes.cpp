@@ -1,4 +1,4 @@
-// What accompanies the run: the companions, and the changes that a failure may be due to.
+// What accompanies the run: the companions, the changes that a failure may be due to, and the states before drags.
 #include <algorithm>
 
 #include "lab/lab.h"
@@ -29,6 +29,21 @@ void Lab::record_change(const Command& command, const std::string& before, const
   }
   changes_.push_back(
       {.change = {change_text(command, before, scene_), inverse}, .before = before, .gesture = gesture, .time = scene_.state.time});
+}
+
+// A drag in a run moves what the point touches and is attached to as well, and the run goes on: a point that is put back alone may be
+// on the other side of a sheet. Undo returns to the state before the drag. Null: the command is no such drag.
+std::shared_ptr<const State> Lab::state_before_drag(const Command& command, Gesture gesture, History::Of of) {
+  if (of != History::Of::Run || !(is_grab(command) || std::holds_alternative<Move>(command))) return nullptr;
+  if (gesture == 0 || gesture != drag_gesture_) before_drag_ = std::make_shared<const State>(scene_.state);
+  drag_gesture_ = gesture;
+  return before_drag_;
+}
+
+void Lab::return_to_state(const std::shared_ptr<const State>& state, std::vector<Command>& inverse) {
+  if (inverse.empty()) return;
+  std::erase_if(inverse, [](const Command& command) { return std::holds_alternative<Move>(command); });
+  inverse.push_back(GoToState{state});
 }
 
 }  // namespace hooke

@@ -29,6 +29,8 @@ void Lab::reset_session() {
   divergence_.reset();
   before_failure_.reset();
   changes_.clear();
+  before_drag_.reset();
+  drag_gesture_ = 0;
   companions_.set({});
   explained_until_ = scene_.state.time;
   running_ = start_is_edited_ = false;

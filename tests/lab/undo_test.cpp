@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "formats/scene_file.h"
 #include "scene/parameters.h"
 #include "sim/hash.h"
 #include "sim/integrator.h"
@@ -213,6 +214,72 @@ TEST(Undo, OfADragRestoresThePositionBeforeTheGrab) {
   lab.submit(Undo{});
   apply_now(lab);
   EXPECT_EQ(lab.scene().state.position[12], taken);
+}
+
+// The drag has moved what the point is attached to as well.
+TEST(Undo, OfADragInARunReturnsToTheStateBeforeIt) {
+  const Vec3 up(0.0, 0.0, 0.1);
+  using Drag = void (*)(Lab&, const Vec3&);
+  const Drag drags[] = {
+      [](Lab& lab, const Vec3& to) {
+        if (!lab.scene().system.grab)
+          lab.submit(Command(GrabPoint{{.point = lab.scene().system.points()[12].id, .kind = GrabKind::Pull, .target = to}}), 7);
+        lab.submit(Command(MoveHand{to}), 7);
+      },
+      [](Lab& lab, const Vec3& to) {
+        lab.submit(Command(Move{{{lab.scene().system.points()[12].id, to, Vec3(0.0)}}}), 7);
+      },
+      [](Lab& lab, const Vec3&) {
+        if (!lab.scene().state.hand.collider) lab.submit(Command(GrabCollider{{0, Vec3(0.0, -2.0, 0.0)}}), 7);
+        lab.submit(Command(MoveHand{Vec3(0.0, -0.2, 0.0)}), 7);
+      },
+  };
+  for (const Drag drag : drags) {
+    Lab lab(small_net()), untouched(small_net());
+    for (int i = 0; i < 20; ++i) lab.step(), untouched.step();
+    const Content before = content_of(lab.scene());
+    const Vec3 taken = lab.scene().state.position[12];
+    for (int i = 1; i <= 10; ++i) {
+      drag(lab, taken + static_cast<double>(i) * up);
+      lab.step();
+    }
+    lab.submit(Command(ReleaseHand{}));
+    for (int i = 0; i < 20; ++i) lab.step();
+    const Content after = content_of(lab.scene());
+    const std::uint64_t hash_after = hash_state(lab.scene().state);
+    EXPECT_FALSE(before == after);
+
+    lab.submit(Undo{});
+    apply_now(lab);
+    EXPECT_EQ(content_of(lab.scene()), before);
+    EXPECT_EQ(hash_state(lab.scene().state), hash_state(untouched.scene().state));
+    EXPECT_TRUE(lab.status()->history.undo_name.empty());
+    lab.submit(Redo{});
+    apply_now(lab);
+    EXPECT_EQ(content_of(lab.scene()), after);
+    EXPECT_EQ(hash_state(lab.scene().state), hash_after);
+
+    // the run goes on as if the drag had not happened
+    lab.submit(Undo{});
+    for (int i = 0; i < 20; ++i) lab.step(), untouched.step();
+    EXPECT_EQ(hash_state(lab.scene().state), hash_state(untouched.scene().state));
+  }
+}
+
+// The sheet has sprung back since the ball was lifted off it: put back alone, the ball would be below the sheet, and fall.
+TEST(Undo, OfALiftLeavesTheBallAboveTheTrampoline) {
+  Lab lab(load_scene(find_scene("trampoline")).scene);
+  const auto height = [&] { return lab.scene().state.position[0].y; };
+  while (height() > -0.15) lab.step();
+  lab.submit(Command(GrabPoint{{.point = lab.scene().system.points()[0].id, .kind = GrabKind::Hold, .target = {0.0, height(), 0.0}}}));
+  for (int i = 1; i <= 30; ++i) {
+    lab.submit(Command(MoveHand{{0.0, -0.15 + 0.02 * i, 0.0}}));
+    lab.step();
+  }
+  lab.submit(Command(ReleaseHand{}));
+  lab.submit(Undo{});
+  for (int i = 0; i < 30; ++i) lab.step();
+  EXPECT_GT(height(), -0.4);
 }
 
 TEST(Undo, RestoresAFileValueOutsideTheRangeOfItsSlider) {

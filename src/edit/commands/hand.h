@@ -9,7 +9,7 @@
 namespace hooke {
 
 // Grabs a point or, pulling, a position between three points. The whole drag is one step of the history: the inverse of the grab moves the
-// points back to where they were grabbed.
+// points back to where they were grabbed. Undo in Lab returns to the state before the grab, all points included.
 struct GrabPoint {
   struct Item {
     static constexpr auto fields = names("point", "patch", "kind", "target", "stiffness");
