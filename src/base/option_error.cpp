@@ -57,17 +57,28 @@ void check_option(const std::string& option, double value, const Bounds& bounds)
   if (const std::string reason = why_refused(value, bounds); !reason.empty()) throw OptionError(option, format_exact(value), reason);
 }
 
-std::string must_be_one_of(const std::string& choices, std::string_view name) {
+std::string did_you_mean(const std::string& choices, std::string_view name, std::size_t max_names) {
   constexpr std::size_t max_length = 80;  // of a name that is compared
+  if (name.empty() || name.size() > max_length) return {};
   const std::size_t max_difference = std::max<std::size_t>(1, (name.size() + 1) / 3);
-  std::string_view nearest, rest = choices;
-  std::size_t least = max_difference + 1;
-  while (!rest.empty() && !name.empty() && name.size() <= max_length) {
+  std::vector<std::pair<std::size_t, std::string_view>> similar;
+  for (std::string_view rest = choices; !rest.empty();) {
     const std::string_view choice = rest.substr(0, rest.find(','));
     rest.remove_prefix(std::min(rest.size(), choice.size() + 2));
-    if (const std::size_t now = difference(name, choice); now < least) nearest = choice, least = now;
+    if (const std::size_t now = difference(name, choice); now <= max_difference) similar.emplace_back(now, choice);
   }
-  return "must be one of " + choices + (nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?");
+  std::ranges::stable_sort(similar, {}, [](const auto& each) { return each.first; });
+  if (similar.size() > max_names) similar.resize(max_names);
+
+  std::string text;
+  for (std::size_t i = 0; i < similar.size(); ++i)
+    text.append(i == 0 ? "did you mean " : i + 1 < similar.size() ? ", " : " or ").append(similar[i].second);
+  return text.empty() ? text : text + "?";
+}
+
+std::string must_be_one_of(const std::string& choices, std::string_view name) {
+  const std::string nearest = did_you_mean(choices, name, 1);
+  return "must be one of " + choices + (nearest.empty() ? "" : "; " + nearest);
 }
 
 }  // namespace hooke

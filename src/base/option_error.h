@@ -28,6 +28,9 @@ std::string why_refused(double value, const Bounds& bounds);
 // Throws OptionError for a number that is not finite or not within the bounds.
 void check_option(const std::string& option, double value, const Bounds& bounds);
 
+// "did you mean cloth or cloth_32?": the choices that a name resembles, the nearest first; empty if there are none.
+std::string did_you_mean(const std::string& choices, std::string_view name, std::size_t max_names);
+
 // "must be one of cloth, rope, flag; did you mean rope?", for a name that is none of the choices "cloth, rope, flag".
 std::string must_be_one_of(const std::string& choices, std::string_view name);
 

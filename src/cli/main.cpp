@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "base/errors.h"
+#include "base/option_error.h"
 #include "base/printable.h"
 #include "batch/output_file.h"
 #include "cli/command_line.h"
@@ -15,9 +16,20 @@ int report(const std::string& what, int code) {
   return code;
 }
 
+// CLI11 would only say that a command is required.
+void check_command(const std::string& name, const DeclaredCommands& declared) {
+  std::string names;
+  for (const auto& [sub, work] : declared) {
+    if (sub->get_name() == name) return;
+    names += (names.empty() ? "" : ", ") + sub->get_name();
+  }
+  throw UsageError(printable(name, 80) + ": no such command: " + must_be_one_of(names, name) + " (see --help)");
+}
+
 int handle(int argc, char** argv) {
   CLI::App app;
   const DeclaredCommands declared = declare_command_line(app);
+  if (const std::string first = argc > 1 ? argv[1] : ""; !first.empty() && first[0] != '-') check_command(first, declared);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -14,8 +14,13 @@ namespace hooke {
 CLI::Validator within(const Bounds& bounds) {
   const auto check = [bounds](std::string& text) {
     double value = 0.0;
-    const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
-    const std::string reason = is_number ? why_refused(value, bounds) : bounds.text();
+    std::string reason;
+    if (!CLI::detail::lexical_cast(text, value))
+      reason = "not a number: " + bounds.text();
+    else if (!std::isfinite(value))
+      reason = "not a finite number: " + bounds.text();
+    else
+      reason = why_refused(value, bounds);
     return reason.empty() ? reason : printable(text, 80) + ": " + reason;
   };
   return CLI::Validator(check, "", "");

@@ -88,6 +88,22 @@ std::string ids() {
   return list;
 }
 
+// Similar files in the folder of a file, or similar choices.
+std::string nearest_names(const fs::path& name, const std::string& choices) {
+  constexpr std::size_t max_names = 3, max_files = 1000;
+  if (name.has_parent_path() || name.has_extension()) {
+    std::string files;
+    std::size_t count = 0;
+    std::error_code error;
+    for (fs::directory_iterator entry(name.has_parent_path() ? name.parent_path() : ".", error), end;
+         !error && entry != end && count < max_files; entry.increment(error), ++count)
+      if (const std::string file = printable(entry->path().filename().native()); file.find(',') == std::string::npos)
+        files += (files.empty() ? "" : ", ") + file;
+    if (const std::string nearest = did_you_mean(files, name.filename().native(), max_names); !nearest.empty()) return nearest;
+  }
+  return did_you_mean(choices, name.stem().native(), max_names);
+}
+
 }  // namespace
 
 const fs::path& assets_folder() {
@@ -119,9 +135,11 @@ fs::path find_scene(const std::string& name, std::span<const std::string_view> c
     throw FileError(printable(name) + ": no such file, and no shipped scenes in " + printable((assets_folder() / "scenes").native()));
   std::string choices;
   for (const std::string_view command : commands) choices.append(command).append(", ");
-  throw FileError(printable(name) +
-                  (commands.empty() ? ": no such file or shipped scene: " : ": no such command, file or shipped scene: ") +
-                  must_be_one_of(choices + ids(), name));
+  choices += ids();
+  // the nearest names first: the list is long
+  const std::string nearest = nearest_names(name, choices);
+  throw FileError(printable(name) + (commands.empty() ? ": no such file or shipped scene" : ": no such command, file or shipped scene") +
+                  (nearest.empty() ? ": must be one of " : "; " + nearest + " All names: ") + choices);
 }
 
 }  // namespace hooke

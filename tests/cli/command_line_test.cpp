@@ -43,11 +43,16 @@ struct Usage {
 TEST(Headless, WrongUsageIsCodeTwoWithOneLineOnStderr) {
   for (const Usage& usage : {
            Usage{{}, "A subcommand is required"},
-           {{"fly"}, "A subcommand is required"},
+           {{"fly"}, "fly: no such command: must be one of run, bench, "},
+           {{"foo", "x"}, "foo: no such command: must be one of run, bench, "},
+           {{"chek", "cloth"},
+            "chek: no such command: must be one of run, bench, sweep, capture, check, convert, replay; did you mean check?"},
            {{"run"}, "SCENE is required"},
            {{"run", "two_masses"}, "--seconds is required"},
            {{"run", "two_masses", "--seconds", "-1"}, "--seconds: -1: must be at least 0"},
-           {{"run", "two_masses", "--seconds", "nan"}, "--seconds: nan: must be"},
+           {{"run", "two_masses", "--seconds", "nan"}, "--seconds: nan: not a finite number: must be at least 0"},
+           {{"run", "two_masses", "--seconds", "inf"}, "--seconds: inf: not a finite number: must be at least 0"},
+           {{"run", "two_masses", "--seconds", "abc"}, "--seconds: abc: not a number: must be at least 0"},
            {{"run", "two_masses", "--seconds", "1e300"}, "must be at most 1e15 frames"},
            {{"run", "two_masses", "--seconds", "1", "--warp", "9"}, "--warp"},
            {{"run", "two_masses", "--seconds", "1", "--threads", "0"}, "--threads: 0: must be from 1 to 64"},
