@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/new_point.h"
 #include "scene/parameters.h"
 
 namespace hooke {
@@ -72,7 +73,7 @@ inline void write_density(Scene& scene, double value) {
 inline double read_radius(const Scene& scene) {
   CommonValue common;
   for (const Point& point : scene.system.points()) common.include(point.radius);
-  return common.value_or(scene.defaults.radius);
+  return common.value_or(scene.defaults.radius > 0.0 ? scene.defaults.radius : NewPoint{}.radius);
 }
 inline void write_radius(Scene& scene, double value) {
   for (Index i = 0; i < scene.system.point_count(); ++i) {

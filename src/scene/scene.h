@@ -17,8 +17,8 @@ namespace hooke {
 
 // Properties of new points and springs.
 struct Defaults {
-  double mass = 1.0;            // [kg]
-  double radius = 0.02;         // [m]
+  double mass = 0.0;            // [kg]; 0: chosen from the points of the scene
+  double radius = 0.0;          // [m]; 0: chosen from the points of the scene
   double stiffness = 100.0;     // [N/m]
   double damping = 0.0;         // [N s/m]
   double pull_stiffness = 0.0;  // [N/m], of the drag spring; 0: chosen from the springs of the point

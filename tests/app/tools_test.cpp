@@ -6,6 +6,9 @@
 #include <glm/geometric.hpp>
 
 #include "formats/scene_file.h"
+#include "lab/lab.h"
+#include "scene/new_point.h"
+#include "scene/parameters.h"
 #include "support/tool_fixture.h"
 #include "support/tool_scenes.h"
 
@@ -20,7 +23,62 @@ TEST(AddTool, PutsAPointUnderTheCursorInThePlaneOfAFlatScene) {
   ASSERT_EQ(fixture.system().point_count(), 1);
   EXPECT_NEAR(distance(fixture.position(0), b), 0.0, 1e-9);
   EXPECT_EQ(fixture.position(0).z, 0.0);
-  EXPECT_EQ(fixture.system().points()[0].mass, fixture.context.status->document->defaults.mass);
+  EXPECT_EQ(fixture.system().points()[0].mass, 1.0);
+  EXPECT_EQ(fixture.system().points()[0].radius, 0.02);
+}
+
+TEST(AddTool, AddsPointsLikeThoseOfTheScene) {
+  Scene scene = flat_scene({a, c, nowhere});
+  for (Index i = 0; i < 3; ++i) {
+    scene.system.point(i).mass = 1e-3 * (i + 1);
+    scene.system.point(i).radius = 0.005 * (i + 1);
+  }
+  scene.system.append_spring({.id = scene.system.new_spring_id(),
+                              .first = scene.system.points()[0].id,
+                              .second = scene.system.points()[1].id,
+                              .stiffness = 1.0,
+                              .rest_length = 1.0});
+  ToolFixture fixture(scene);
+  const auto tool = make_add_tool();
+  // alone: like the points that are attached to nothing
+  fixture.click(*tool, b);
+  EXPECT_EQ(fixture.system().points()[3].mass, 3e-3);
+  EXPECT_EQ(fixture.system().points()[3].radius, 0.015);
+  // attached: like the neighbor
+  fixture.drag(*tool, a, {0.0, 0.0, 0.0});
+  ASSERT_EQ(fixture.system().point_count(), 5);
+  EXPECT_EQ(fixture.system().points()[4].mass, 1e-3);
+  EXPECT_EQ(fixture.system().points()[4].radius, 0.005);
+  // what the user sets has priority
+  fixture.lab.submit(Command(SetParameter{find_parameter("new_mass"), 0.5}));
+  fixture.settle();
+  fixture.click(*tool, {0.5, -0.2, 0.0});
+  EXPECT_EQ(fixture.system().points()[5].mass, 0.5);
+  EXPECT_EQ(fixture.system().points()[5].radius, 0.015);
+}
+
+TEST(AddTool, AddsABallToTheTrampoline) {
+  const Scene scene = load_scene(find_scene("trampoline")).scene;
+  const NewPoint ball = new_point_like(scene.defaults, scene.system);
+  EXPECT_EQ(ball.mass, scene.system.points()[0].mass);
+  EXPECT_EQ(ball.radius, scene.system.points()[0].radius);
+  // the two touch
+  Lab lab(scene);
+  const Vec3 above = scene.state.position[0] + Vec3(0.03, 0.3, 0.0);
+  lab.submit(Insert{.points = {{.point = {.id = lab.new_point_id(), .mass = ball.mass, .radius = ball.radius}, .position = above}}});
+  double nearest = 1.0;
+  for (int i = 0; i < 60; ++i) {
+    lab.step();
+    const std::vector<Vec3>& places = lab.scene().state.position;
+    nearest = std::min(nearest, distance(places.front(), places.back()));
+  }
+  EXPECT_GE(nearest, 2.0 * ball.radius - 1e-3);
+  EXPECT_LT(nearest, 2.0 * ball.radius + 0.02);
+  // the median of a scene of one piece, whatever single points are
+  Scene cloth = load_scene(find_scene("cloth")).scene;
+  const double inner = cloth.system.points()[cloth.system.point_count() / 2 + 5].mass;
+  cloth.system.point(0).mass = 1e3;
+  EXPECT_EQ(new_point_like(cloth.defaults, cloth.system).mass, inner);
 }
 
 Scene deep_scene() {
@@ -171,7 +229,7 @@ TEST(NewScenes, HaveDefaultsWithWhichATrussStands) {
     // five below, three above
     scene.state.position.emplace_back(i < 5 ? 0.5 * i - 1.0 : 0.5 * (i - 5) - 0.5, i < 5 ? 0.0 : 0.45, 0.0);
     scene.state.velocity.emplace_back(0.0);
-    scene.system.append_point({.id = points.back(), .nailed = i == 0 || i == 4, .mass = defaults.mass, .radius = defaults.radius});
+    scene.system.append_point({.id = points.back(), .nailed = i == 0 || i == 4, .mass = defaults.mass, .radius = 0.02});
   }
   const std::pair<int, int> bars[] = {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {5, 6}, {6, 7}, {0, 5},
                                       {5, 1}, {1, 6}, {6, 2}, {5, 2}, {2, 7}, {7, 3}, {7, 4}};

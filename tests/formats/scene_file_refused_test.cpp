@@ -197,7 +197,7 @@ TEST(BadScenes, UnphysicalValuesAreRefused) {
       {scene_with(R"("simulation": {"substeps": 2.5})"), "simulation.substeps: 2.5: must be a whole number from 1 to 1000000"},
       {scene_with(R"("simulation": {"speed": 0})"), "simulation.speed: 0: must be more than 0"},
       {scene_with(R"("simulation": {"tolerance": 0})"), "simulation.tolerance: 0: must be more than 0"},
-      {scene_with(R"("defaults": {"mass": 0})"), "defaults.mass: 0: must be more than 0"},
+      {scene_with(R"("defaults": {"mass": -1})"), "defaults.mass: -1: must be at least 0"},
       {scene_with(R"("defaults": {"stiffness": -1})"), "defaults.stiffness: -1: must be at least 0"},
       {scene_with(R"("defaults": {"radius": -1})"), "defaults.radius: -1: must be at least 0"},
       {scene_with(R"("defaults": {"grab": "push"})"), "defaults.grab: \"push\": must be \"hold\" or \"pull\""},

@@ -2,13 +2,13 @@
 #include <glm/geometric.hpp>
 
 #include "app/tools/tools.h"
+#include "scene/new_point.h"
 
 namespace hooke {
 namespace {
 
-PlacedPoint new_point(const Vec3& place, ToolContext& context) {
-  const Defaults& defaults = context.status->document->defaults;
-  return {.point = {.id = context.lab.new_point_id(), .mass = defaults.mass, .radius = defaults.radius}, .position = place};
+PlacedPoint placed(const NewPoint& point, const Vec3& place, ToolContext& context) {
+  return {.point = {.id = context.lab.new_point_id(), .mass = point.mass, .radius = point.radius}, .position = place};
 }
 
 // Its rest length is the current distance.
@@ -25,7 +25,8 @@ PlacedSpring new_spring(PointId first, const Vec3& from, PointId second, const V
 // Attaches a point to the one under the cursor, or to a new one there. One step of the history. Returns the other end; nothing if it is the
 // same point, or if the first one no longer exists.
 std::optional<PointId> attach(PointId first, const Pointer& pointer, ToolContext& context) {
-  if (context.system().index_of(first) == no_index) return std::nullopt;
+  const Index neighbor = context.system().index_of(first);
+  if (neighbor == no_index) return std::nullopt;
   const Vec3 from = context.snapshot().position(first);
   if (const auto second = context.point_at(pointer.at)) {
     if (*second == first) return std::nullopt;
@@ -33,7 +34,8 @@ std::optional<PointId> attach(PointId first, const Pointer& pointer, ToolContext
     return second;
   }
   const Vec3 place = context.place_beside(pointer, from);
-  const PlacedPoint added = new_point(place, context);
+  const NewPoint like = new_point_like(context.status->document->defaults, context.system().points()[neighbor]);
+  const PlacedPoint added = placed(like, place, context);
   context.lab.submit(Insert{.points = {added}, .springs = {new_spring(first, from, added.point.id, place, context)}});
   context.settle();
   return added.point.id;
@@ -57,9 +59,9 @@ class AddTool : public Tool {
   void press(const Pointer& pointer, ToolContext& context) override {
     pressed_at_ = pointer.at;
     first_ = context.point_at(pointer.at);
-    if (!first_)
-      context.lab.submit(
-          Insert{.points = {new_point(context.place_for_point(pointer, context.status->document->defaults.radius), context)}});
+    if (first_) return;
+    const NewPoint& point = point_like(context);
+    context.lab.submit(Insert{.points = {placed(point, context.place_for_point(pointer, point.radius), context)}});
   }
 
   void release(const Pointer& pointer, ToolContext& context) override {
@@ -78,12 +80,26 @@ class AddTool : public Tool {
   void mark(const Pointer& pointer, const ToolContext& context, Marks& marks) const override {
     if (first_ && context.is_drag(pressed_at_, pointer.at)) return mark_attachment(*first_, pointer, context, marks);
     marks.hovered_point = context.point_at(pointer.at);
-    if (!marks.hovered_point) marks.ghost_point = context.place_for_point(pointer, context.status->document->defaults.radius);
+    if (!marks.hovered_point) marks.ghost_point = context.place_for_point(pointer, point_like(context).radius);
   }
 
  private:
+  // Computed when the scene or its defaults have changed: a large scene has many points.
+  const NewPoint& point_like(const ToolContext& context) const {
+    const Defaults& defaults = context.status->document->defaults;
+    if (system_ != context.snapshot().system || defaults_ != defaults) {
+      system_ = context.snapshot().system;
+      defaults_ = defaults;
+      point_ = new_point_like(defaults, *system_);
+    }
+    return point_;
+  }
+
   std::optional<PointId> first_;  // that a drag began at
   glm::dvec2 pressed_at_{0.0};
+  mutable std::shared_ptr<const System> system_;  // that point_ was chosen for; null: none
+  mutable Defaults defaults_;
+  mutable NewPoint point_;
 };
 
 // Clicks attach point after point until Esc; a drag attaches two. Where there is no point, one is added.

@@ -315,7 +315,7 @@ void SceneWriter::write_defaults() {
   out_.key("defaults");
   out_.begin_object(Layout::Line);
   write_parameters("defaults");
-  out_.number("radius", scene_.defaults.radius);
+  if (scene_.defaults.radius > 0.0) out_.number("radius", scene_.defaults.radius);
   out_.text("grab", scene_.defaults.grab == GrabKind::Hold ? "hold" : "pull");
   write_unknown_inside("defaults");
   out_.end();

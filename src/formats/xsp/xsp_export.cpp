@@ -10,6 +10,7 @@
 #include "formats/file_kinds.h"
 #include "formats/xsp/xsp_file.h"
 #include "formats/xsp/xsp_text.h"
+#include "scene/new_point.h"
 #include "sim/forces/terms/rows.h"
 
 namespace hooke {
@@ -226,7 +227,7 @@ class Exporter {
   }
 
   void export_editor_settings() {
-    document_.new_mass = scene_.defaults.mass;
+    document_.new_mass = new_point_like(scene_.defaults, scene_.system).mass;
     document_.new_stiffness = scene_.defaults.stiffness;
     document_.new_damping = scene_.defaults.damping;
     document_.step = scene_.settings.substep();
