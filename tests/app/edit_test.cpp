@@ -70,6 +70,18 @@ TEST(Selecting, ReachesEightPixelsAtEveryScale) {
   }
 }
 
+TEST(Hovering, EndsWhereTheCursorLeavesTheWindow) {
+  GuiFixture gui(pair_and_one());
+  const glm::dvec2 at = gui.seen({0.5, 0.3, 0.0});
+  gui.move(at);
+  EXPECT_TRUE(gui.app().marks().hovered_point);
+  gui.app().handle(Event(CursorLeave{}));
+  gui.frames(1);
+  EXPECT_FALSE(gui.app().marks().hovered_point);
+  gui.move(at);
+  EXPECT_TRUE(gui.app().marks().hovered_point);
+}
+
 TEST(Copies, DuplicatesAreDisplacedAndSelected) {
   for (const int dimensions : {2, 3}) {
     GuiFixture gui(pair_and_one(dimensions));

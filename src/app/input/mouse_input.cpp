@@ -4,12 +4,17 @@ namespace hooke {
 
 Pointer MouseInput::pointer() const { return {cursor_ - glm::dvec2(layout_.scene.x, layout_.scene.y), modifiers_}; }
 
-bool MouseInput::is_over_scene() const { return !panels_cover(panels_, layout_, cursor_.x, cursor_.y); }
+bool MouseInput::is_over_scene() const { return is_in_window_ && !panels_cover(panels_, layout_, cursor_.x, cursor_.y); }
 
 std::optional<glm::dvec2> MouseInput::place_in_scene() const { return is_over_scene() ? std::optional(pointer().at) : std::nullopt; }
 
+void MouseInput::move_cursor(const glm::dvec2& at) {
+  cursor_ = at;
+  is_in_window_ = true;
+}
+
 void MouseInput::handle(const ButtonPress& press) {
-  cursor_ = press.at;
+  move_cursor(press.at);
   modifiers_ = press.modifiers;
   if (!is_over_scene()) return;
   context_.settle();
@@ -21,7 +26,7 @@ void MouseInput::handle(const ButtonPress& press) {
 }
 
 void MouseInput::handle(const ButtonRelease& release) {
-  cursor_ = release.at;
+  move_cursor(release.at);
   modifiers_ = release.modifiers;
   camera_.release(release.button);
   if (release.button != Button::Left) return;
@@ -31,7 +36,7 @@ void MouseInput::handle(const ButtonRelease& release) {
 
 void MouseInput::handle(const CursorMove& move) {
   const glm::dvec2 from = pointer().at;
-  cursor_ = move.at;
+  move_cursor(move.at);
   modifiers_ = move.modifiers;
   camera_.move(from, pointer());
 }

@@ -17,6 +17,7 @@ class MouseInput {
   void handle(const ButtonPress& press);
   void handle(const ButtonRelease& release);
   void handle(const CursorMove& move);
+  void handle(const CursorLeave&) { is_in_window_ = false; }
   void handle(const Scroll& scroll);
 
   Pointer pointer() const;
@@ -26,6 +27,8 @@ class MouseInput {
   std::optional<glm::dvec2> place_in_scene() const;
 
  private:
+  void move_cursor(const glm::dvec2& at);
+
   ToolContext& context_;
   const Panels& panels_;
   const Layout& layout_;
@@ -33,6 +36,7 @@ class MouseInput {
   CameraControl& camera_;
   Placer& placer_;
   glm::dvec2 cursor_{0.0};  // in window coordinates
+  bool is_in_window_ = true;
   Modifiers modifiers_;
 };
 

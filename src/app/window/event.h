@@ -30,6 +30,7 @@ struct CursorMove {
   glm::dvec2 at;
   Modifiers modifiers;
 };
+struct CursorLeave {};  // the cursor is outside the window
 struct Scroll {
   double steps;  // positive away from the user
   glm::dvec2 at;
@@ -39,6 +40,6 @@ struct FileDrop {
 };
 struct CloseRequest {};
 
-using Event = std::variant<KeyPress, ButtonPress, ButtonRelease, CursorMove, Scroll, FileDrop, CloseRequest>;
+using Event = std::variant<KeyPress, ButtonPress, ButtonRelease, CursorMove, CursorLeave, Scroll, FileDrop, CloseRequest>;
 
 }  // namespace hooke

@@ -140,7 +140,10 @@ struct Window::Callbacks {
     });
   }
   static void focus(GLFWwindow* window, int focused) { of(window).gui_->focus(focused); }
-  static void enter(GLFWwindow* window, int entered) { of(window).gui_->enter(entered); }
+  static void enter(GLFWwindow* window, int entered) {
+    of(window).gui_->enter(entered);
+    if (!entered) queue(window, [&self = of(window)] { self.events_.push_back(CursorLeave{}); });
+  }
   static void drop(GLFWwindow* window, int count, const char** paths) {
     if (count > 0) queue(window, [&self = of(window), file = std::filesystem::path(paths[0])] { self.events_.push_back(FileDrop{file}); });
   }
