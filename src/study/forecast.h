@@ -15,7 +15,7 @@ struct Forecast {
   // [m], along gravity, of the point that sags most: from the equilibrium without weight to the one with it. None if the weight is not
   // supported, or if more than springs and weight determine the equilibrium.
   std::optional<double> sag;
-  std::string why_no_sag{};              // "nothing holds it"; empty where there is a sag or no spring
+  std::string why_no_sag{};              // "no point is nailed"; empty where there is a sag or no spring
   std::optional<Mode> slowest, fastest;  // about the equilibrium
   double drag = 0.0;                     // [1/s]
 

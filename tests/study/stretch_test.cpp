@@ -86,7 +86,7 @@ TEST(Stretch, AReasonIsGivenWhereThereIsNoEquilibrium) {
   sim.join(a, b, 10.0, 1.0, 0.0);
   const StretchBreakdown stretch = explain_stretch(sim.system, sim.state, {}, all_springs(sim.system), always);
   EXPECT_EQ(stretch.load, std::nullopt);
-  EXPECT_EQ(stretch.why_no_load, "nothing holds it");
+  EXPECT_EQ(stretch.why_no_load, "no point is nailed");
 }
 
 }  // namespace

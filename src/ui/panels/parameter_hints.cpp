@@ -86,8 +86,9 @@ void sag_remark(const Forecast& forecast) {
          forecast.sag                  ? sag_text(*forecast.sag)
          : forecast.why_no_sag.empty() ? computing
                                        : forecast.why_no_sag,
-         "Largest displacement that gravity causes at rest, compared with the unloaded shape. Not available if nothing carries the "
-         "weight, if colliders or other forces act, or for more than 1,700 points.");
+         "Largest displacement that gravity causes at rest, compared with the unloaded shape. Not available if a part, such as a "
+         "loose ball, is attached to no nailed point: nail a point of it (N). Nor if colliders or other forces act, or for more than 1,700 "
+         "points.");
 }
 
 void ratio_remark(double (*ratio)(const Forecast&, const Mode&), const std::string& of, const Forecast& forecast) {
