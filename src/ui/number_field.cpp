@@ -75,13 +75,13 @@ bool invisible_slider(const NumberField& field, double& value, bool typing) {
   return changed;
 }
 
-// A line at the value. Where the text is, only its ends, so that it does not cross the digits.
-void draw_handle(ImDrawList& list, float x, ImVec2 min, ImVec2 max, ImVec2 text_min, ImVec2 text_max) {
-  const float half = units(1.0), inset = units(2.0), gap = units(3.0);
-  const auto line = [&](float from, float to) { list.AddRectFilled({x - half, from}, {x + half, to}, palette::accent, half); };
-  if (x < text_min.x - gap || x > text_max.x + gap) return line(min.y + inset, max.y - inset);
-  line(min.y, text_min.y + units(1.0));
-  line(text_max.y - units(1.0), max.y);
+// A line at the value. Where the text is, a small triangle below it, so that nothing crosses the digits.
+void draw_handle(ImDrawList& list, float x, ImVec2 min, ImVec2 max, float text_min, float text_max) {
+  const float half = units(1.0), inset = units(2.0), gap = units(3.0), size = units(3.0);
+  if (x < text_min - gap || x > text_max + gap)
+    list.AddRectFilled({x - half, min.y + inset}, {x + half, max.y - inset}, palette::accent, half);
+  else
+    list.AddTriangleFilled({x, max.y - size}, {x + size, max.y}, {x - size, max.y}, palette::accent);
 }
 
 // A bar filled up to the value, with a line at the value and the value as text.
@@ -99,7 +99,7 @@ void draw_slider(const NumberField& field) {
     list.PushClipRect(min, {end, max.y}, true);
     list.AddRectFilled(min, max, palette::tinted, rounding);
     list.PopClipRect();
-    draw_handle(list, std::clamp(end, min.x + units(1.0), max.x - units(1.0)), min, max, at, {at.x + size.x, at.y + size.y});
+    draw_handle(list, std::clamp(end, min.x + units(1.0), max.x - units(1.0)), min, max, at.x, at.x + size.x);
   }
   list.AddText(at, field.enabled ? palette::text : palette::dim, text.c_str());
 }

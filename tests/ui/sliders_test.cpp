@@ -1,6 +1,7 @@
 // The sliders and switches of the side panel: what they show and which edits they make.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -114,6 +115,39 @@ Scene uneven_springs() {
   scene.system.spring(0)->stiffness = 242.0;
   scene.system.spring(1)->stiffness = 125.0;
   return scene;
+}
+
+// The number of vertices of the handle at or above the lowest letter of the slider at `slider`, where it is among the letters.
+int handle_vertices_in_text(const ImDrawData& data, const glm::dvec2& slider) {
+  const auto is_near = [&](const ImVec2& at) { return std::abs(at.x - slider.x) < 90.0 && std::abs(at.y - slider.y) < 11.0; };
+  const Glyphs glyphs = glyphs_by_texture();
+  ImVec2 min{1e9f, 1e9f}, max{-1e9f, -1e9f};  // of the text
+  std::vector<ImVec2> handle;
+  for (int n = 0; n < data.CmdListsCount; ++n) {
+    const auto& vertices = data.CmdLists[n]->VtxBuffer;
+    for (int i = 0; i < vertices.Size; ++i) {
+      const ImDrawVert& vertex = vertices[i];
+      if (!is_near(vertex.pos)) continue;
+      if (vertex.col == palette::accent) handle.push_back(vertex.pos);
+      if (i + 2 >= vertices.Size || vertex.col != palette::text || !glyphs.contains({vertex.uv.x, vertex.uv.y})) continue;
+      min = {std::min(min.x, vertex.pos.x), std::min(min.y, vertex.pos.y)};
+      max = {std::max(max.x, vertices[i + 2].pos.x), std::max(max.y, vertices[i + 2].pos.y)};
+    }
+  }
+  EXPECT_TRUE(min.x < max.x && !handle.empty());
+  return static_cast<int>(
+      std::ranges::count_if(handle, [&](const ImVec2& at) { return at.x > min.x && at.x < max.x && at.y <= max.y; }));
+}
+
+TEST(Sliders, DrawNoHandleAcrossTheirText) {
+  for (double factor = 0.1; factor < 1000.0; factor *= 1.25) {
+    Scene scene = uneven_springs();
+    for (Index s = 0; s < 2; ++s) scene.system.spring(s)->stiffness *= factor;
+    GuiFixture gui(scene);
+    const glm::dvec2 slider = gui.find("side", {"stiffness", "##value"});
+    gui.move({600.0, 400.0});
+    EXPECT_EQ(handle_vertices_in_text(*ImGui::GetDrawData(), slider), 0) << factor;
+  }
 }
 
 TEST(Sliders, ScaleDifferentValuesByOneFactor) {
