@@ -231,6 +231,11 @@ TEST(UnsavedChanges, AreNamedWhereTheyWouldBeLost) {
   ASSERT_EQ(tuned.app().panels().dialog.kind, Dialog::Kind::Unsaved);
   EXPECT_EQ(tuned.app().panels().dialog.title, "Save changes to \"Hanging\"?");
   EXPECT_EQ(tuned.app().panels().dialog.text, "Not saved yet: set Substeps to 25, stiffness of 2 springs to 110 N/m.");
+  tuned.key(Key::Escape);
+  for (std::uint32_t i = 100; i < 103; ++i) tuned.app().handle(Request(Edit{Insert{.points = {{.point = {.id = PointId{i}}}}}}));
+  tuned.key(letter('N'), control);
+  EXPECT_EQ(tuned.app().panels().dialog.text,
+            "Not saved yet: add 1 point (3 times), set Substeps to 25, stiffness of 2 springs to 110 N/m.");
 }
 
 TEST(Keys, SetTheStartAndResetTheParameters) {

@@ -136,6 +136,18 @@ TEST(AutomaticAccuracy, ResolvesAVibrationThatIsLargerThanItsTolerance) {
     }
 }
 
+TEST(MeasuredAccuracyOfALab, StartsAnewWithAnotherScene) {
+  const TestSim sim = accuracy_scenes().front().make();
+  const Scene scene = scene_of(sim, accuracy_settings(default_integrator(), sim.system));
+  Lab lab = measured_lab(scene, AccuracyMode::Frame);
+  for (int frame = 0; frame < 5; ++frame) lab.step();
+  EXPECT_NE(lab.accuracy().energy.sum(), 0.0);
+  lab.submit(Open{std::make_shared<const Scene>(scene)});
+  lab.apply_pending();
+  EXPECT_EQ(lab.accuracy().energy.sum(), 0.0);
+  EXPECT_EQ(lab.accuracy().energy.change, 0.0);
+}
+
 TEST_P(MeasuredAccuracy, TheEnergyBalanceSumsToTheChange) {
   for (const AccuracyScene& row : accuracy_scenes()) {
     const TestSim sim = row.make();

@@ -83,6 +83,15 @@ TEST(Menus, OpenUnderTheirNamesAndCloseOnEsc) {
   EXPECT_EQ(gui.text().find("Cloth on a ball"), std::string::npos);
 }
 
+TEST(Menus, OfScenesFitsTheWindow) {
+  GuiFixture gui(two_springs());
+  gui.click(gui.find("menu", {"Scenes"}));
+  gui.frames(3);
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  ASSERT_FALSE(context.OpenPopupStack.empty());
+  EXPECT_EQ(context.OpenPopupStack.back().Window->ScrollMax.y, 0.0f);
+}
+
 TEST(Menus, ShowWhatUndoWillUndo) {
   GuiFixture gui(two_springs());
   gui.key(letter('R'));

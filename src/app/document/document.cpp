@@ -14,14 +14,19 @@ namespace {
 // The interval at which the file is checked for changes [s].
 constexpr double watch_period = 1.0;
 
-// "nail 3 points, set Stiffness k to 185 N/m and 4 more"
+// "nail 3 points, add 1 point (2 times), set Stiffness k to 185 N/m and 4 more"
 std::string changes_text(const std::vector<std::string>& changes) {
-  constexpr std::size_t shown = 4;
+  constexpr std::size_t max_shown = 4;
   std::string text;
   // the newest first: they are remembered best
-  for (std::size_t i = 0; i < std::min(changes.size(), shown); ++i)
-    text += (i == 0 ? "" : ", ") + printable(changes[changes.size() - 1 - i], 60);
-  if (changes.size() > shown) text += " and " + std::to_string(changes.size() - shown) + " more";
+  std::size_t left = changes.size();
+  for (std::size_t i = 0; i < max_shown && left > 0; ++i) {
+    const std::string& change = changes[left - 1];
+    std::size_t times = 0;
+    for (; left > 0 && changes[left - 1] == change; --left) ++times;
+    text += (i == 0 ? "" : ", ") + printable(change, 60) + (times > 1 ? " (" + std::to_string(times) + " times)" : "");
+  }
+  if (left > 0) text += " and " + std::to_string(left) + " more";
   return "Not saved yet: " + text + ".";
 }
 

@@ -171,7 +171,7 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
 }
 
 Accuracy AccuracyMeter::accuracy(const Settings& settings) const {
-  Accuracy accuracy{.is_on = mode_ != AccuracyMode::Off, .size = size_, .energy = energy_.balance()};
+  Accuracy accuracy{.is_on = mode_ != AccuracyMode::Off, .size = size_, .energy = is_started_ ? energy_.balance() : EnergyBalance{}};
   if (!accuracy.is_on) {
     for (Measured* each : {&accuracy.frame, &accuracy.frame_max, &accuracy.accumulated, &accuracy.amplification, &accuracy.growth_rate,
                            &accuracy.predictable})

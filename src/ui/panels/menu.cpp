@@ -1,5 +1,8 @@
 // The menu bar: menus, run buttons, undo and redo, the clock.
 #include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
 
 #include "base/printable.h"
 #include "formats/scene_file.h"
@@ -72,30 +75,41 @@ void file_menu(const PanelInput& input, Panels&, Requests& requests) {
   sections(Menu::File, 2, last_section, input, requests);
 }
 
-// Two columns: the lessons, and all other scenes, group by group.
-void scenes_column(const PanelInput& input, bool lessons, Requests& requests) {
-  ImGui::BeginGroup();
-  std::string_view group;
+void scenes_of_group(std::string_view group, const PanelInput& input, Requests& requests) {
+  text_in(palette::accent, std::string(group));
   for (const ShippedScene& scene : shipped_scenes()) {
-    if ((scene.group == "Lessons") != lessons) continue;
-    if (scene.group != group) {
-      group = scene.group;
-      text_in(palette::accent, std::string(group));
-    }
+    if (scene.group != group) continue;
     ImGui::PushID(scene.id.c_str());
     const std::string title = printable(scene.title);
     if (ImGui::Selectable(title.c_str(), input.file == scene.file, 0, {units(220.0), 0.0f})) requests.emplace_back(OpenFile{scene.file});
     ImGui::PopID();
   }
-  ImGui::EndGroup();
+}
+
+// Two columns of equal length: each group goes to the shorter one.
+std::array<std::vector<std::string_view>, 2> groups_by_column() {
+  std::array<std::vector<std::string_view>, 2> columns;
+  std::array<std::ptrdiff_t, 2> lines{};
+  std::string_view group;
+  for (const ShippedScene& scene : shipped_scenes()) {
+    if (scene.group == std::exchange(group, scene.group)) continue;
+    const std::size_t column = lines[0] <= lines[1] ? 0 : 1;
+    columns[column].push_back(group);
+    lines[column] += 1 + std::ranges::count(shipped_scenes(), group, &ShippedScene::group);
+  }
+  return columns;
 }
 
 void scenes_menu(const PanelInput& input, Panels&, Requests& requests) {
   sections(Menu::Scenes, 1, last_section, input, requests);
   ImGui::Separator();
-  scenes_column(input, false, requests);
-  ImGui::SameLine(0.0f, units(24.0));
-  scenes_column(input, true, requests);
+  const auto columns = groups_by_column();
+  for (std::size_t column = 0; column < columns.size(); ++column) {
+    if (column > 0) ImGui::SameLine(0.0f, units(24.0));
+    ImGui::BeginGroup();
+    for (const std::string_view group : columns[column]) scenes_of_group(group, input, requests);
+    ImGui::EndGroup();
+  }
 }
 
 void add_menu(const PanelInput& input, Panels& panels, Requests& requests) {
