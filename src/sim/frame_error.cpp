@@ -67,7 +67,13 @@ double refinement_weight(const System& system, const Settings& settings) {
   return factor / (factor - 1.0);
 }
 
-std::optional<Settings> resolving(const Plan& plan, const Settings& settings, double max_ratio) {
+namespace {
+
+// Dashpots that decay within a step of those that resolve the springs, with which the methods that split dashpots off would have a larger
+// error than that of the method: no repetition, or shorter steps.
+enum class FastDashpots { Excluded, Resolved };
+
+std::optional<Settings> resolving(const Plan& plan, const Settings& settings, double max_ratio, FastDashpots dashpots) {
   const Integrator& method = *settings.integrator;
   const bool dissipates = method.energy == EnergyTrend::Falls && method.stability != Stability::Adaptive && settings.islands.empty();
   if (!dissipates) return std::nullopt;
@@ -85,16 +91,27 @@ std::optional<Settings> resolving(const Plan& plan, const Settings& settings, do
     Settings fine = settings;
     fine.integrator = each;
     fine.substeps = std::max(settings.substeps, static_cast<int>(substeps));
-    // both split dashpots off, with a larger error than that of the method where these decay within a part of a step
-    if (plan.spectrum.dashpot_rate * fine.substep() > 1.0) continue;
+    if (plan.spectrum.dashpot_rate * fine.substep() > 1.0) {
+      if (dashpots == FastDashpots::Excluded) continue;
+      constexpr double max_decay = 0.25;  // of a dashpot, in a step that resolves it
+      const double resolved = plan.spectrum.dashpot_rate / (max_decay * settings.frame_rate);
+      if (!(resolved <= max_automatic_substeps)) continue;
+      fine.substeps = static_cast<int>(resolved);
+    }
     if (model.expected(*each, fine.substeps) <= max_cost) return fine;
   }
   return std::nullopt;
 }
 
+}  // namespace
+
+std::optional<Settings> resolving(const Plan& plan, const Settings& settings, double max_ratio) {
+  return resolving(plan, settings, max_ratio, FastDashpots::Excluded);
+}
+
 Repetition repetition_of(const Plan& plan, const System& system, const Settings& settings) {
   constexpr double cost_of_half_step = 2.0;
-  if (const auto fine = resolving(plan, settings, cost_of_half_step)) return {*fine, 1.0, true};
+  if (const auto fine = resolving(plan, settings, cost_of_half_step, FastDashpots::Resolved)) return {*fine, 1.0, true};
   return {refined(system, settings), refinement_weight(system, settings)};
 }
 

@@ -1,5 +1,8 @@
-// What the accuracy of a run says where contact or a strain limit act in steps of their own.
+// What the accuracy of a run says where contact or a strain limit act in steps of their own, or dashpots decay within a step.
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "formats/scene_file.h"
 #include "sim/integrator.h"
@@ -49,6 +52,28 @@ TEST(AccuracyMeter, AStrainLimitIsPartOfTheErrorOfEveryMethod) {
         EXPECT_EQ(accuracy.half_error_reason, "contact and the strain limit hardly depend on the tolerance");
       }
     }
+}
+
+// A vibration that the method dissipates within a frame, beside a strong dashpot: half the step dissipates it, too.
+TEST(AccuracyMeter, KnowsVibrationsBesideADashpotThatDecaysWithinAStep) {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  const PointId nail = sim.nail(Vec3(0.0)), other = sim.nail(Vec3(0.0, 1.0, 0.0));
+  sim.join(nail, sim.add(Vec3(1.1, 0.0, 0.0), 1.0), 100.0, 1.0, 5e3);
+  sim.join(other, sim.add(Vec3(0.55, 1.0, 0.0), 1e-3), 1e3, 0.5);
+  const double omega = 1e3;
+  for (const char* id : {"implicit_euler", "baraff_witkin", "xpbd"}) {
+    Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator(id), .substeps = 1, .tolerance = {}}));
+    double max_error = 0.0, max_claimed = 0.0;
+    for (int frame = 0; frame < 60; ++frame) {
+      ASSERT_TRUE(lab.step());
+      const State& state = lab.scene().state;
+      max_error = std::max(max_error, std::abs(state.position[3].x - 0.5 - 0.05 * std::cos(omega * state.time)) / 2.0);
+      max_claimed = std::max(max_claimed, lab.accuracy().accumulated.value.value_or(0.0));
+    }
+    EXPECT_GT(max_claimed, max_error / 3.0) << id;
+    EXPECT_LT(max_claimed, max_error * 3.0) << id;
+  }
 }
 
 }  // namespace
