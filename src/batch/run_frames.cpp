@@ -9,6 +9,7 @@
 #include "base/number_text.h"
 #include "base/text_lines.h"
 #include "batch/scene_options.h"
+#include "lab/accuracy/accuracy_text.h"
 #include "sim/automatic/automatic.h"
 #include "sim/hash.h"
 #include "study/benchmark.h"
@@ -112,6 +113,8 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
     results.warnings.push_back("tears released the gas of " + pluralize(totals.gas_releases.size(), "surface", "surfaces") + ", from " +
                                quantity_text(totals.gas_releases.front(), "s") + " on");
   if (tolerance.frames_beyond() > 0) results.warnings.push_back(tolerance.warning());
+  if (!totals.diverged)
+    if (const auto warning = accumulated_warning(lab.accuracy(), scene.settings)) results.warnings.push_back(*warning);
   return results;
 }
 

@@ -42,7 +42,7 @@ struct RunHooks {
 
 struct RunResults {
   RunTotals totals;
-  std::vector<std::string> warnings;  // of the monitored energy and solves, one clause each
+  std::vector<std::string> warnings;  // of the monitored energy and solves and of the accumulated error, one clause each
   // A state one to two seconds, or two frames, before the last one; null: the run was shorter.
   std::shared_ptr<const State> before_end;
 };

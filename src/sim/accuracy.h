@@ -13,6 +13,9 @@ struct Measured {
   std::string_view reason{};
 };
 
+// Why the accumulated error is not known although it was measured: the run lost the motion.
+enum class Loss { None, Unpredictable, Dissipated, HalfStepDiverged };
+
 // Where the energy came from and went since `since`, all [J]; what is dissipated is negative. The terms sum to `change`.
 struct EnergyBalance {
   double since = 0.0;                                                           // [s]
@@ -33,8 +36,12 @@ struct Accuracy {
   Measured frame, frame_max;
   double frame_time = 0.0;  // [s]
 
+  // [m], maximum RMS distance of the points from where they were at `since`: what an accumulated error is relative to; 0: not measured
+  double motion = 0.0;
+
   // [m], RMS over the points: how far the run is from the exact motion that started at `since` with the same state and had the same input
   Measured accumulated;
+  Loss loss = Loss::None;
   double since = 0.0, accumulated_time = 0.0;  // [s]: start, and the time up to which it is known
 
   // [1], factor by which a small difference grows in a second; and the rate [1/s] of its exponential growth, 0: none

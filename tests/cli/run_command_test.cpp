@@ -192,5 +192,23 @@ TEST(Headless, ARunThatDivergesLateIsExplainedFromALaterState) {
   EXPECT_NE(outcome.err.find(" from t = 34 s)"), std::string::npos) << outcome.err;
 }
 
+// A spring of which implicit Euler dissipates the vibration.
+TEST(Headless, RunWarnsOfAnAccumulatedErrorThatIsLargeInComparisonWithTheMotion) {
+  const ScratchFolder scratch;
+  const std::string scene = write_file(scratch.folder / "scene.json", R"({"hooke": 1, "gravity": [0, 0, 0],
+    "points": [{"position": [0, 0, 0], "nailed": true}, {"position": [1.5, 0, 0]}],
+    "springs": [{"points": [0, 1], "stiffness": 100, "rest_length": 1}]})");
+  const auto err_of = [&](std::vector<std::string> options) {
+    std::vector<std::string> words{"run", scene, "--seconds", "0.4", "--substeps", "1", "--json", "/dev/null"};
+    words.insert(words.end(), options.begin(), options.end());
+    return headless(words).err;
+  };
+  const std::string warning = "warning: accumulated error of about ";
+  EXPECT_NE(err_of({"--integrator", "implicit_euler"}).find(warning), std::string::npos);
+  EXPECT_EQ(err_of({"--integrator", "implicit_euler", "--accuracy", "off"}).find(warning), std::string::npos);
+  EXPECT_EQ(err_of({"--integrator", "implicit_euler", "--quiet"}), "");
+  EXPECT_EQ(err_of({"--integrator", "runge_kutta4"}), "");
+}
+
 }  // namespace
 }  // namespace hooke

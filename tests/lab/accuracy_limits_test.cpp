@@ -1,11 +1,14 @@
-// What the accuracy of a run says where contact or a strain limit act in steps of their own, or dashpots decay within a step.
+// What the accuracy of a run says where contact or a strain limit act in steps of their own, dashpots decay within a
+// step, or wind dissipates the motion.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "formats/scene_file.h"
+#include "sim/divergence.h"
 #include "sim/integrator.h"
+#include "support/force_with.h"
 #include "support/measured_lab.h"
 #include "support/nets.h"
 
@@ -74,6 +77,23 @@ TEST(AccuracyMeter, KnowsVibrationsBesideADashpotThatDecaysWithinAStep) {
     EXPECT_GT(max_claimed, max_error / 3.0) << id;
     EXPECT_LT(max_claimed, max_error * 3.0) << id;
   }
+}
+
+// Light balls on a spring in wind, which takes all of their energy, as the exact motion does.
+TEST(AccuracyMeter, DoesNotTakeTheLossInWindForThatOfTheMethod) {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  const PointId first = sim.add(Vec3(0.0), 1e-3), second = sim.add({0.5, 0.0, 0.0}, 1e-3);
+  for (const PointId point : {first, second}) sim.system.point(sim.system.index_of(point)).radius = 0.1;
+  sim.join(first, second, 1000.0, 0.2);
+  sim.system.forces = {force_with("wind", {{"x", 1.0}, {"z", 0.0}})};
+  initialize_ledger(sim.system, sim.state);
+  Lab lab = measured_lab(scene_of(sim, {.integrator = find_integrator("velocity_verlet"), .substeps = 100}));
+  for (int frame = 0; frame < 30; ++frame) ASSERT_TRUE(lab.step());
+  const Accuracy accuracy = lab.accuracy();
+  EXPECT_LT(accuracy.energy.forces, -40.0);
+  EXPECT_EQ(accuracy.accumulated.reason, "");
+  EXPECT_LT(accuracy.accumulated.value.value_or(1.0), 1e-3);
 }
 
 }  // namespace

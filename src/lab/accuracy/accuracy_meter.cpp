@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "lab/accuracy/accuracy_text.h"
 #include "sim/contact/contact.h"
 #include "sim/energy.h"
 
@@ -66,6 +67,8 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     size_ = size_of(before);
     energy_.start(before, energy_before);
     max_kinetic_ = kinetic_energy(system, before);
+    start_.clear();
+    motion_ = 0.0;
     second_runs_.restart(size_);
   }
   // the order depends on every spring: determined again only when it may have changed
@@ -92,7 +95,10 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     frames_since_repetition_ = 0;
     is_edited_ = false;
   }
-  if (mode_ == AccuracyMode::Full) second_runs_.add_frame(plan, system, settings, before, after, motion.force_evaluations);
+  if (mode_ != AccuracyMode::Full) return;
+  if (start_.empty()) start_ = before.position;
+  motion_ = std::max(motion_, weighted_distance(after.position, start_, 1.0).rms);
+  second_runs_.add_frame(plan, system, settings, before, after, motion.force_evaluations);
 }
 
 void AccuracyMeter::repeat(const System& system) {
@@ -129,7 +135,7 @@ void AccuracyMeter::measure_frame(Accuracy& accuracy) const {
 
 bool AccuracyMeter::is_damped_by_method() const {
   const EnergyBalance& balance = energy_.balance();
-  const double by_scene = -(balance.drag + balance.dashpots + balance.contact);
+  const double by_scene = -(balance.drag + balance.dashpots + balance.contact + std::min(0.0, balance.forces));
   return -balance.method > std::max(max_dissipated_part * max_kinetic_, by_scene);
 }
 
@@ -137,20 +143,25 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
   const auto& error = second_runs_.error();
   const auto& growth = second_runs_.growth();
   accuracy.since = second_runs_.since();
+  accuracy.motion = motion_;
   const bool is_chaotic = growth && growth->rate > 0.0;
   if (mode_ != AccuracyMode::Full) {
     accuracy.accumulated.reason = accuracy.amplification.reason = "the second runs are switched off";
   } else {
+    const auto lose = [&](Loss loss, std::string_view reason) {
+      accuracy.loss = loss;
+      accuracy.accumulated.reason = reason;
+    };
     if (!is_started_ || !error)
       accuracy.accumulated.reason = "not measured yet";
     else if (second_runs_.failed())
       accuracy.accumulated.reason = "the run with half the step, or a smaller tolerance, failed or took too long";
     else if (second_runs_.diverged())
-      accuracy.accumulated.reason = "the run with half the step diverged";
+      lose(Loss::HalfStepDiverged, "the run with half the step diverged");
     else if (is_chaotic && error->rms > max_error * size_)
-      accuracy.accumulated.reason = "beyond the time for which the motion can be predicted";
+      lose(Loss::Unpredictable, "beyond the time for which the motion can be predicted");
     else if (!second_runs_.is_resolving() && is_damped_by_method())
-      accuracy.accumulated.reason = "the method dissipated the motion, and would with half the step";
+      lose(Loss::Dissipated, "the method dissipated the motion, and would with half the step");
     else
       accuracy.accumulated.value = error->rms;
     if (error) accuracy.accumulated_time = error->time;
@@ -195,7 +206,7 @@ void AccuracyMeter::measure_half_error(const Settings& settings, Accuracy& accur
   if (touches_) {
     accuracy.half_error_reason = "not measured yet";
     if (!refinement_) return;
-    accuracy.half_error_reason = "half the step does not halve the error here";
+    accuracy.half_error_reason = half_step_does_not_help;
     if (!(refinement_->by_half >= std::exp2(min_order) * refinement_->by_quarter)) return;
     if (refinement_->by_quarter > 0.0) order = std::min(order, std::log2(refinement_->by_half / refinement_->by_quarter));
   }

@@ -3,6 +3,8 @@
 // follow from the run alone: they do not depend on when the work for them is done.
 #pragma once
 
+#include <vector>
+
 #include "lab/accuracy/energy_accounts.h"
 #include "lab/accuracy/frame_repetition.h"
 #include "lab/accuracy/second_runs.h"
@@ -59,6 +61,8 @@ class AccuracyMeter {
   const Integrator* method_ = nullptr;
   int frames_since_repetition_ = 0;
   double max_kinetic_ = 0.0;  // [J], since the start
+  std::vector<Vec3> start_;   // positions [m], in full mode
+  double motion_ = 0.0;       // [m], maximum RMS distance from there
   EnergyAccounts energy_;
   FrameRepetition repetition_;
   SecondRuns second_runs_;

@@ -1,12 +1,18 @@
 // The accuracy of a run in words: for panels, reports and pictures.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/accuracy.h"
+#include "sim/settings.h"
 
 namespace hooke {
+
+// A reason why the cost of half the error is not known.
+inline constexpr std::string_view half_step_does_not_help = "half the step does not halve the error here";
 
 // Two digits with a unit for the size: "21 um", "0.34 mm", "1.2 m"; "< 1 pm" for what is less.
 std::string length_text(double length);
@@ -22,5 +28,9 @@ std::string cost_text(const Accuracy& accuracy);
 std::string accuracy_line(const Accuracy& accuracy);
 // The same, followed by shorter lines for less space: without the predictability, and without the total.
 std::vector<std::string> accuracy_lines(const Accuracy& accuracy);
+
+// A warning with its remedy, in one clause: the accumulated error is large in comparison with the motion, or is not known because the run
+// lost the motion. None where it is small, or not measured.
+std::optional<std::string> accumulated_warning(const Accuracy& accuracy, const Settings& settings);
 
 }  // namespace hooke

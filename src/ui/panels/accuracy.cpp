@@ -37,7 +37,7 @@ void value_row(const char* name, const std::string& value, ImU32 color = palette
   paragraph(value, color);
 }
 
-void error_section(const Accuracy& accuracy) {
+void error_section(const Accuracy& accuracy, const Settings& settings) {
   heading("Error of a frame");
   value_row("RMS", error_text(accuracy.frame, accuracy.size));
   value_row("Maximum", error_text(accuracy.frame_max, accuracy.size));
@@ -47,6 +47,7 @@ void error_section(const Accuracy& accuracy) {
   value_row("RMS", error_text(accuracy.accumulated, accuracy.size));
   if (accuracy.accumulated.value)
     value_row("Since", quantity_text(accuracy.since, "s") + ", known to " + quantity_text(accuracy.accumulated_time, "s"));
+  if (const auto warning = accumulated_warning(accuracy, settings)) paragraph(*warning, palette::warning);
   explanation("Distance from a second run with half the step, computed in idle time.");
 }
 
@@ -152,7 +153,7 @@ void build_accuracy(const PanelInput& input, Panels& panels, Requests& requests)
   tooltip("Costs less than a tenth of a frame, and idle time");
   panel.begin_content();
   if (input.status.accuracy.is_on) {
-    error_section(input.status.accuracy);
+    error_section(input.status.accuracy, input.status.snapshot->settings);
     predictability_section(input.status.accuracy);
     energy_section(input.status.accuracy);
     cost_section(input, requests);

@@ -1,0 +1,87 @@
+// Warnings about the accumulated error of a run.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "lab/accuracy/accuracy_text.h"
+#include "sim/automatic/automatic.h"
+#include "support/convergence.h"
+#include "support/measured_lab.h"
+
+namespace hooke {
+namespace {
+
+// A mass that vibrates at 10 rad/s with an amplitude of 0.5 m, and another nail.
+TestSim vibration() {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  const PointId nail = sim.nail(Vec3(0.0));
+  sim.join(nail, sim.add(Vec3(1.5, 0.0, 0.0), 1.0), 100.0, 1.0);
+  return sim;
+}
+
+Lab run(const TestSim& sim, const Settings& settings, int frames) {
+  Lab lab = measured_lab(scene_of(sim, settings));
+  for (int frame = 0; frame < frames; ++frame) EXPECT_TRUE(lab.step());
+  return lab;
+}
+
+std::string warning_of(const Lab& lab) { return accumulated_warning(lab.accuracy(), lab.scene().settings).value_or(""); }
+
+TEST(AccumulatedWarning, NamesAToleranceThatKeepsTheErrorSmall) {
+  const Lab wrong = run(vibration(), {.integrator = find_integrator("implicit_euler"), .substeps = 1, .tolerance = {}}, 25);
+  const std::string warning = warning_of(wrong);
+  EXPECT_TRUE(warning.starts_with("accumulated error of about ")) << warning;
+  EXPECT_TRUE(warning.ends_with(" % of the motion: auto with a tolerance of 0.01 m/s is recommended")) << warning;
+
+  const Lab recommended = run(vibration(), {.integrator = &automatic_method(), .tolerance = 0.01}, 25);
+  EXPECT_EQ(warning_of(recommended), "");
+  const State& state = recommended.scene().state;
+  EXPECT_NEAR(state.position[1].x, 1.0 + 0.5 * std::cos(10.0 * state.time), 0.01);
+}
+
+TEST(AccumulatedWarning, IsNotGivenForCorrectRuns) {
+  for (const char* id : {"velocity_verlet", "runge_kutta4", "dop853", "implicit_midpoint", "tr_bdf2", "esdirk4"})
+    EXPECT_EQ(warning_of(run(vibration(), {.integrator = find_integrator(id), .substeps = 20, .tolerance = {}}, 50)), "") << id;
+  // rest, up to rounding errors
+  TestSim rest;
+  rest.system.gravity = Vec3(0.0);
+  rest.join(rest.nail(Vec3(0.0)), rest.add(Vec3(1.0 + 1e-12, 0.0, 0.0), 1.0), 1e6, 1.0);
+  EXPECT_EQ(warning_of(run(rest, {.integrator = find_integrator("implicit_euler"), .substeps = 1, .tolerance = {}}, 50)), "");
+}
+
+TEST(AccumulatedWarning, OfAutoNamesASmallerTolerance) {
+  Accuracy accuracy{.is_on = true, .size = 1.0};
+  accuracy.motion = 0.5;
+  accuracy.accumulated.value = 0.3;
+  accuracy.accumulated_time = 10.0;
+  EXPECT_EQ(accumulated_warning(accuracy, {.integrator = &automatic_method(), .tolerance = 0.1}),
+            "accumulated error of about 300 mm, 60 % of the motion: a tolerance of 500 μm/s is recommended");
+  EXPECT_EQ(accumulated_warning(accuracy, {.integrator = &automatic_method(), .tolerance = 1e-3}),
+            "accumulated error of about 300 mm, 60 % of the motion: a tolerance of 100 μm/s is recommended");
+}
+
+TEST(AccumulatedWarning, LeavesChaoticMotionToItsPredictability) {
+  Accuracy accuracy{.is_on = true, .size = 1.0};
+  accuracy.motion = 1.0;
+  accuracy.growth_rate.value = 3.0;
+  accuracy.accumulated.value = 0.08;
+  EXPECT_EQ(accumulated_warning(accuracy, {}),
+            "accumulated error of about 80 mm, 8 % of the motion: small differences grow, so that only averages are meaningful");
+  accuracy.accumulated = {.reason = "beyond the time for which the motion can be predicted"};
+  accuracy.loss = Loss::Unpredictable;
+  EXPECT_EQ(accumulated_warning(accuracy, {}),
+            "the positions are beyond the time for which the motion can be predicted: only averages are meaningful");
+}
+
+TEST(AccumulatedWarning, IsGivenWhereTheMethodDissipatedTheMotion) {
+  TestSim sim = vibration();
+  const Lab lab = run(sim, {.integrator = find_integrator("implicit_euler"), .substeps = 1, .tolerance = {}}, 20 * 60);
+  ASSERT_FALSE(lab.accuracy().accumulated.value);
+  EXPECT_TRUE(warning_of(lab).starts_with("accumulated error not known: the method dissipated the motion, and would with half the step; "))
+      << warning_of(lab);
+}
+
+}  // namespace
+}  // namespace hooke
