@@ -380,36 +380,6 @@ TEST(BadSceneFiles, AFileThatCannotBeOpenedIsAFileError) {
   } catch (const FileError& error) {
     EXPECT_EQ(error.what(), (scratch.folder / "none.json").string() + ": cannot be opened: No such file or directory");
   }
-  try {
-    find_scene("no_such_scene");
-    FAIL();
-  } catch (const FileError& error) {
-    EXPECT_EQ(std::string(error.what()).find("no_such_scene: no such file or shipped scene: must be one of cloth, "), 0u);
-  }
-  const auto message_of = [](const std::string& name) {
-    try {
-      find_scene(name);
-      return std::string();
-    } catch (const FileError& error) {
-      return std::string(error.what());
-    }
-  };
-  EXPECT_NE(message_of("trampolin").find("shipped scene; did you mean trampoline? All names: cloth, "), std::string::npos);
-  EXPECT_NE(message_of("marble.json").find("; did you mean marbles?"), std::string::npos) << message_of("marble.json");
-  // a file is compared with its neighbors first
-  std::ofstream(scratch.folder / "my_clock.json").close();
-  const std::string typed = (scratch.folder / "my_clok.json").string();
-  EXPECT_EQ(message_of(typed).find(typed + ": no such file or shipped scene; did you mean my_clock.json? All names: "), 0u)
-      << message_of(typed);
-  const std::string_view commands[] = {"run", "capture"};
-  try {
-    find_scene("captur", commands);
-    FAIL();
-  } catch (const FileError& error) {
-    const std::string text = error.what();
-    EXPECT_TRUE(text.starts_with("captur: no such command, file or shipped scene; did you mean capture? All names: run, capture, cloth, "))
-        << text;
-  }
 }
 
 }  // namespace
