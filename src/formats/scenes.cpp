@@ -99,7 +99,7 @@ std::string nearest_names(const fs::path& name, const std::string& choices) {
          !error && entry != end && count < max_files; entry.increment(error), ++count)
       if (const std::string file = printable(entry->path().filename().native()); file.find(',') == std::string::npos)
         files += (files.empty() ? "" : ", ") + file;
-    if (const std::string nearest = did_you_mean(files, name.filename().native(), max_names); !nearest.empty()) return nearest;
+    if (std::string nearest = did_you_mean(files, name.filename().native(), max_names); !nearest.empty()) return nearest;
   }
   return did_you_mean(choices, name.stem().native(), max_names);
 }

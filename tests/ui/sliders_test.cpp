@@ -135,7 +135,7 @@ std::pair<ImVec2, ImVec2> bounds_of_item(GuiFixture& gui, const glm::dvec2& from
 
 // The number of vertices of the handle at or above the lowest letter of a slider, where it is among the letters.
 int handle_vertices_in_text(const ImDrawData& data, const std::pair<ImVec2, ImVec2>& slider) {
-  const auto& [from, to] = slider;
+  const ImVec2 from = slider.first, to = slider.second;
   const auto is_inside = [&](const ImVec2& at) { return at.x >= from.x && at.x <= to.x && at.y >= from.y - 1.0f && at.y <= to.y + 2.0f; };
   const Glyphs glyphs = glyphs_by_texture();
   ImVec2 min{1e9f, 1e9f}, max{-1e9f, -1e9f};  // of the text
