@@ -42,6 +42,7 @@ struct Accuracy {
   // [m], RMS over the points: how far the run is from the exact motion that started at `since` with the same state and had the same input
   Measured accumulated;
   Loss loss = Loss::None;
+  bool is_smooth = true;  // nothing touched, no strain limit and no hand acted: a tolerance decides about the accumulated error
   double since = 0.0, accumulated_time = 0.0;  // [s]: start, and the time up to which it is known
 
   // [1], factor by which a small difference grows in a second; and the rate [1/s] of its exponential growth, 0: none

@@ -62,6 +62,29 @@ TEST(AccumulatedWarning, OfAutoNamesASmallerTolerance) {
             "accumulated error of about 300 mm, 60 % of the motion: a tolerance of 100 μm/s is recommended");
 }
 
+// A tolerance hardly applies to contact, and a fast hand makes the steps of one short without end.
+TEST(AccumulatedWarning, NamesNoToleranceBesideContactAndTheHand) {
+  Accuracy accuracy{.is_on = true, .size = 1.0};
+  accuracy.motion = 0.5;
+  accuracy.accumulated.value = 0.3;
+  accuracy.is_smooth = false;
+  accuracy.half_error_reason = "not measured yet";
+  EXPECT_EQ(accumulated_warning(accuracy, {}),
+            "accumulated error of about 300 mm, 60 % of the motion: no setting with a smaller error is known, because of contact, a strain "
+            "limit or the hand");
+  accuracy.half_error_substeps = 32;
+  accuracy.half_error_cost = 2.0;
+  accuracy.half_error_reason = {};
+  EXPECT_EQ(accumulated_warning(accuracy, {}),
+            "accumulated error of about 300 mm, 60 % of the motion: half the error: 32 substeps, 2.0x the time");
+
+  TestSim sim = vibration();
+  sim.system.contact.points = true;
+  const Lab lab = run(sim, {.integrator = find_integrator("implicit_euler"), .substeps = 1, .tolerance = {}}, 25);
+  EXPECT_EQ(warning_of(lab).find("tolerance"), std::string::npos) << warning_of(lab);
+  EXPECT_NE(warning_of(lab).find("of the motion: "), std::string::npos) << warning_of(lab);
+}
+
 TEST(AccumulatedWarning, LeavesChaoticMotionToItsPredictability) {
   Accuracy accuracy{.is_on = true, .size = 1.0};
   accuracy.motion = 1.0;

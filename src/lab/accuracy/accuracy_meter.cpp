@@ -69,6 +69,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     max_kinetic_ = kinetic_energy(system, before);
     start_.clear();
     motion_ = 0.0;
+    is_smooth_ = true;
     second_runs_.restart(size_);
   }
   // the order depends on every spring: determined again only when it may have changed
@@ -82,6 +83,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     repetitions_ = 0;
   }
   method_ = settings.integrator;
+  is_smooth_ = is_smooth_ && !touches_ && !ignores_tolerance_ && !plan.held && !plan.pull;
   energy_.add_frame(plan, system, before, after, motion, energy);
   max_kinetic_ = std::max(max_kinetic_, kinetic_energy(system, after));
 
@@ -144,6 +146,7 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
   const auto& growth = second_runs_.growth();
   accuracy.since = second_runs_.since();
   accuracy.motion = motion_;
+  accuracy.is_smooth = is_smooth_;
   const bool is_chaotic = growth && growth->rate > 0.0;
   if (mode_ != AccuracyMode::Full) {
     accuracy.accumulated.reason = accuracy.amplification.reason = "the second runs are switched off";

@@ -30,11 +30,15 @@ std::string part_of_motion_text(double part) {
 }
 
 // A tolerance with which the error would be about a hundredth of the motion: one digit, within the range of the slider. None helps much
-// where small differences grow, or where the error hardly falls with the step.
+// where small differences grow, or where the error hardly falls with the step; with contact or a hand, what half the error takes.
 std::string remedy_of(const Accuracy& accuracy, const Settings& settings) {
   if (accuracy.growth_rate.value.value_or(0.0) > 0.0) return "small differences grow, so that only averages are meaningful";
   if (accuracy.half_error_reason == half_step_does_not_help)
     return std::string(half_step_does_not_help) + ", so that only averages are meaningful";
+  if (!accuracy.is_smooth) {
+    const std::string cost = cost_text(accuracy);
+    return !cost.empty() ? cost : "no setting with a smaller error is known, because of contact, a strain limit or the hand";
+  }
   constexpr double aimed_at = 0.01, min = 1e-10, max = 0.1;
   const double seconds = accuracy.accumulated_time - accuracy.since;
   double tolerance = aimed_at * std::min(accuracy.motion, accuracy.size) / std::max(seconds, 1e-3);
