@@ -26,7 +26,7 @@ def set_item(name, value):
 
 # (call, the beginning of the message, the end of it)
 refused = [
-    (lambda: hooke.load("clothe"), "clothe: no such file or shipped scene: must be one of cloth, ", "; did you mean cloth?"),
+    (lambda: hooke.load("clothe"), "clothe: no such file or shipped scene; did you mean cloth? All names: cloth, ", ""),
     (lambda: hooke.load("/tmp"), "/tmp: file: a folder: must be a regular file", ""),
     (lambda: hooke.load(b"\xff.json"), "\\xff.json: no such file", ""),
     (lambda: hooke.Scene(5), "dimensions: 5: must be", ""),

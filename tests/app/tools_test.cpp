@@ -58,7 +58,8 @@ TEST(AddTool, AddsPointsLikeThoseOfTheScene) {
 }
 
 TEST(AddTool, AddsABallToTheTrampoline) {
-  const Scene scene = load_scene(find_scene("trampoline")).scene;
+  Scene scene = load_scene(find_scene("trampoline")).scene;
+  scene.system.contact.points = true;
   const NewPoint ball = new_point_like(scene.defaults, scene.system);
   EXPECT_EQ(ball.mass, scene.system.points()[0].mass);
   EXPECT_EQ(ball.radius, scene.system.points()[0].radius);

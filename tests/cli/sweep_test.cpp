@@ -239,7 +239,7 @@ TEST(Sweep, InvalidInputIsOneLine) {
            {vary("damping=0:inf:lin:3"), 2, "inf: must be "},
            {{"sweep", "rope", "--vary", "substeps=1,2", "--measure", "cpu", "--seconds", "inf", "--out", out},
             2,
-            "--seconds: inf: must be"},
+            "--seconds: inf: not a finite number: must be"},
            {{"sweep", "rope", "--vary", "substeps=1,2", "--measure", "cpu", "--seconds", "1e300", "--out", out}, 2, "at most 1e15 frames"},
            {vary("substeps=1,2", {"--shard", "1"}), 2, "--shard 1: must be I/N"},
            {vary("substeps=1,2", {"--shard", "3/2"}), 2, "3/2: must be I/N with I from 1 to N"},

@@ -51,6 +51,7 @@ double potential_work(const Plan& plan, double time, const Field& start, const F
 
 void ForceWork::begin_frame(const Plan& plan, const Motion& motion) {
   power_is_current_ = false;
+  carried_ = 0.0;
   has_power_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
   has_potential_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
   is_alone_ = !plan.held && !plan.pull && air_acceleration(plan) == Vec3(0.0);
@@ -119,8 +120,14 @@ void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h, bool
     middle_v_[i] = (motion.x[i] - x_[i]) / h;
   }
   power_work_ = h * power_of(plan, middle, middle_x_, middle_v_);
-  // no more than is missing, where nothing else supplies energy: a linearly implicit step brakes fast points less than their velocity says
-  if (is_alone_ && power_work_ < 0.0) power_work_ = std::max(power_work_, std::min(0.0, energy_change(plan, motion)));
+  // No more than is missing, where nothing else supplies energy: a linearly implicit step brakes fast points less than their velocity says.
+  // Within a frame, because the energy of a method oscillates from substep to substep.
+  if (is_alone_ && power_work_ < 0.0) {
+    power_work_ += carried_;
+    const double possible = std::max(power_work_, std::min(0.0, energy_change(plan, motion)));
+    carried_ = power_work_ - possible;
+    power_work_ = possible;
+  }
 }
 
 void ForceWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_moved) {

@@ -27,6 +27,7 @@ class ForceWork {
 
   Field x_, v_, middle_x_, middle_v_;
   double time_ = 0.0, power_ = 0.0, power_work_ = 0.0;
+  double carried_ = 0.0;  // [J], work of earlier substeps of the frame that was more than was missing then
   bool has_power_ = false, has_potential_ = false, power_is_current_ = false;
   bool is_alone_ = false;  // whether nothing but the listed forces supplies energy to the motion
 };
