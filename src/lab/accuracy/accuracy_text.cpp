@@ -16,8 +16,7 @@ constexpr double min_predictable = 0.1;  // [s]
 // The second runs may be late: an accumulated error that is this much older than the error of a frame is shown with its time [s].
 constexpr double max_delay = 0.5;
 
-// Accumulated errors above this part of the motion are warned about. Of 1156 random runs with every method, the estimate was above it in
-// 352: none had an error of less than half of it. Of those with an error of more than twice as much, 3 had an estimate below it.
+// Accumulated errors above this part of the motion are warned about.
 constexpr double max_part_of_motion = 0.05;
 // Relative to the size: what is less is hardly a motion, nor an error.
 constexpr double min_error = 1e-6;
