@@ -3,8 +3,8 @@
 #include <glm/geometric.hpp>
 
 #include "base/number_text.h"
+#include "scene/placed_surface.h"
 #include "sim/contact/pair_solver.h"
-#include "sim/contact/surface/surface_tree.h"
 
 namespace hooke {
 namespace {
@@ -17,13 +17,9 @@ bool separates(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }
 
 void find_surfaces(const System& system, const State& state, CrossedParts& parts) {
-  const SurfacePlan plan = plan_surface(system);
+  auto [plan, place, tree] = place_surface(system, state);
   if (!plan.on) return;
-  std::vector<Vec3> place;
-  for (const Index i : plan.points) place.push_back(state.position[i]);
-  SurfaceTree tree;
-  tree.build(plan, place);
-  const auto id_of = [&](Index point) { return system.points()[plan.points[point]].id; };
+  const auto id_of = [&, &points = plan.points](Index point) { return system.points()[points[point]].id; };
   if (system.dimensions == 3) {
     const auto [crossings, is_complete] = tree.find_crossings(place);
     parts.is_complete = is_complete;

@@ -7,9 +7,9 @@
 
 #include "base/number_text.h"
 #include "scene/crossed_parts.h"
+#include "scene/placed_surface.h"
 #include "sim/contact/closest.h"
 #include "sim/contact/surface/surface_plan.h"
-#include "sim/contact/surface/surface_tree.h"
 
 namespace hooke {
 
@@ -17,12 +17,8 @@ namespace {
 
 // Features that start far closer to each other than their thickness.
 std::optional<std::string> close_start_warning(const System& system, const State& state) {
-  const SurfacePlan plan = plan_surface(system);
+  auto [plan, place, tree] = place_surface(system, state);
   if (!plan.on) return std::nullopt;
-  std::vector<Vec3> place;
-  for (const Index i : plan.points) place.push_back(state.position[i]);
-  SurfaceTree tree;
-  tree.build(plan, place);
   constexpr std::size_t max_pairs = 1'000'000;
   std::vector<SurfacePair> pairs;
   const bool is_complete = tree.find_pairs(plan, place, plan.max_thickness, {}, pairs, max_pairs);
@@ -45,7 +41,7 @@ std::optional<std::string> close_start_warning(const System& system, const State
     is_face = pair.kind == FeaturePair::PointFace;
   }
   if (count == 0) return std::nullopt;
-  const auto name_of = [&](int c) { return std::to_string(plan.points[deepest[static_cast<std::size_t>(c)]]); };
+  const auto name_of = [&, &points = plan.points](int c) { return std::to_string(points[deepest[static_cast<std::size_t>(c)]]); };
   return std::string("contact.") + (system.contact.faces && system.dimensions == 3 ? "faces" : "springs") + ": " +
          (is_complete ? "" : "at least ") + std::to_string(count) + (count == 1 ? " pair starts" : " pairs start") +
          " closer than an eighth of the thickness, " +
