@@ -62,9 +62,8 @@ std::string describe(const Divergence& divergence, const System& system) {
              "." + when;
     case Divergence::Kind::TooManyPairs:
       return "More than " + std::to_string(PairSolver::max_pairs) +
-             " pairs of points come within reach of each other in one substep, or surfaces move too far in it, or in the frame, for "
-             "contact to "
-             "follow; fastest is " +
+             " pairs of points come within reach of each other in one substep, or points hit each other too often, or surfaces move too "
+             "far, in it or in the frame, for contact to follow; fastest is " +
              location + "." + when;
   }
   return location + "." + when;

@@ -18,8 +18,8 @@ class IslandFrames;
 
 // Why a frame ended early: for an adaptive method no step is short enough for a finite error, or a frame takes more than
 // max_adaptive_evaluations force evaluations or max_adaptive_surface_steps, those of rejected steps included; or more than
-// PairSolver::max_pairs pairs of points come within reach of each other in one substep, or surfaces move so far in it that the search for
-// impacts on their paths does not end.
+// PairSolver::max_pairs pairs of points come within reach of each other in one substep, or these hit each other, or surfaces move, so that
+// the search for impacts does not end.
 enum class StepFailure { None, TooShort, TooMany, TooManyPairs };
 
 // A frame in progress. Reused from frame to frame, so that stepping does not allocate:

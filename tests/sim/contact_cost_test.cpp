@@ -131,6 +131,32 @@ TEST(CostModel, OfAFrameOfLongPathsIsLimited) {
   EXPECT_TRUE(has_failed);
 }
 
+// Far too large a step throws all points of a sheet through each other: nearly all pairs may touch in each substep.
+TEST(CostModel, OfAFrameOfPointsThatAllMeetIsLimited) {
+  TestSim sim = dropped_sheet(24);
+  sim.system.colliders.clear();
+  sim.system.contact = {.points = true};
+  for (Index s = 0; s < sim.system.spring_count(); ++s) {
+    sim.system.spring(s)->stiffness *= 1e3;
+    sim.system.spring(s)->rest_length *= 1.1;
+  }
+  constexpr double max_ms = 3000.0;  // by the model
+  Plan plan = make_plan(sim.system);
+  Frame frame;
+  bool has_failed = false;
+  double max = 0.0;
+  for (int i = 0; i < 20 && !has_failed; ++i) {
+    frame.begin(plan, sim.system, {.integrator = find_integrator("explicit_euler"), .substeps = 8}, sim.state);
+    while (!frame.done()) frame.substep(plan);
+    frame.end(plan, sim.state);
+    has_failed = frame.failure() == StepFailure::TooManyPairs;
+    max = std::max(max, frame.cost(plan));
+  }
+  if (std::getenv("HOOKE_PRINT") != nullptr) std::printf("points: up to %.3g ms per frame, failed: %d\n", max, has_failed);
+  EXPECT_LT(max, max_ms);
+  EXPECT_TRUE(has_failed);
+}
+
 // The CPU time of a substep relative to that of the springs alone, on an AMD EPYC beside other work.
 TEST(CostModel, CountsListedForcesAndTheStrainLimit) {
   TestSim sheet = dropped_sheet(17);

@@ -16,6 +16,11 @@ Vec3 vector_in(const Plan& plan, const Field& field, Index i) {
 
 bool is_fixed(const Plan& plan, Index i) { return plan.inverse_mass[i] == 0.0; }
 
+// Touches examined and impulses of a substep: those of some hundred sweeps over what points touch in a heap.
+long usual_work(std::size_t points) { return 5'000 * static_cast<long>(points); }
+// In a frame, beyond usual_work of each substep: seconds.
+constexpr long max_excess = 40'000'000;
+
 double touching_distance(const Plan& plan, const PointPair& pair) {
   return plan.radius[pair.i] + plan.radius[pair.j] + plan.pairs.thickness;
 }
@@ -34,19 +39,24 @@ bool PairSolver::resolve(const Plan& plan, std::span<const Obstacle> obstacles, 
   if (!involve_pairs(plan, x0)) return false;
 
   // again from the start when a point gets farther than expected, to where there may be others
+  long work = static_cast<long>(pairs_.size());
   while (true) {
     fill(plan, obstacles, x0, v0, h, motion);
     simulation_.begin(h, plan.gravity);
+    const auto is_affordable = [&] { return excess_ + work + simulation_.work() - usual_work(plan.points) <= max_excess; };
     bool is_complete = is_within_bounds(plan, x0, h);
-    while (is_complete && simulation_.advance()) is_complete = is_within_bounds(plan, x0, h);
+    while (is_complete && is_affordable() && simulation_.advance()) is_complete = is_within_bounds(plan, x0, h);
     motion.contact_tests += simulation_.tests();
     motion.contact_impulses += simulation_.impulses();
-    if (is_complete) break;
-    if (!is_covered(plan, x0) && !find_pairs(plan, x0)) {
+    has_failed_ = !is_affordable();
+    work += simulation_.work();
+    if (is_complete && !has_failed_) break;
+    if (has_failed_ || (!is_covered(plan, x0) && !find_pairs(plan, x0))) {
       is_involved_.assign(plan.points, 0);
       return false;
     }
   }
+  excess_ += std::max(0L, work - usual_work(plan.points));
   write(plan, h, motion);
   return simulation_.any_touched();
 }

@@ -22,6 +22,7 @@ class PairSolver {
     margin_.clear();
     pairs_.clear();
     has_failed_ = false;
+    excess_ = 0;
     simulation_.begin_frame();
   }
 
@@ -33,7 +34,7 @@ class PairSolver {
   // [s], since the start of the last substep in which anything touched
   double first_touch() const { return simulation_.first_touch(); }
   double first_impact() const { return simulation_.first_impact(); }
-  // Whether the last call gave up: there are too many pairs.
+  // Whether the last call gave up: there are too many pairs, or impacts and impulses in this frame.
   bool has_failed() const { return has_failed_; }
 
  private:
@@ -62,6 +63,7 @@ class PairSolver {
   std::vector<std::size_t> path_of_;  // per point
   std::vector<PointPair> watched_;    // the first is involved, the second is not
   TouchSimulation simulation_;
+  long excess_ = 0;  // work of earlier substeps of the frame, beyond what is usual
   bool has_failed_ = false;
 };
 

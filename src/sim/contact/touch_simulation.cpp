@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <numeric>
 
@@ -85,6 +86,15 @@ void TouchSimulation::begin(double h, const Vec3& gravity) {
   find_resting();
   if (!active_.empty()) rest();
   for (Touch& touch : touches) predict(touch);
+  queue_impacts();
+}
+
+void TouchSimulation::queue_impacts() {
+  queue_.clear();
+  first_touch_of_path_.clear();
+  for (std::size_t t = 0; t < touches.size(); ++t)
+    if (touches[t].time <= h_) queue_.push_back({touches[t].time, t});
+  std::ranges::make_heap(queue_, std::greater());
 }
 
 // What touches, or could within the substep, and does not approach so fast that it bounces.
@@ -227,8 +237,11 @@ void TouchSimulation::predict(Touch& touch) const {
 
 bool TouchSimulation::advance() {
   clear_changed();
-  const auto next = std::ranges::min_element(touches, {}, &Touch::time);
-  if (next == touches.end() || !(next->time <= h_)) {
+  while (!queue_.empty() && touches[queue_.front().touch].time != queue_.front().time) {
+    std::ranges::pop_heap(queue_, std::greater());
+    queue_.pop_back();
+  }
+  if (queue_.empty()) {
     for (PointPath& path : paths) path.advance(h_);
     if (!active_.empty() && separates_) {
       limit_separation();
@@ -241,19 +254,50 @@ bool TouchSimulation::advance() {
     last_h_ = h_;
     return false;
   }
-  time_ = next->time;
+  Touch& next = touches[queue_.front().touch];
+  time_ = next.time;
   ++impacts_;
   ++impulses_;
   if (impacts_ > 2 * max_impacts())
-    freeze(*next);
+    freeze(next);
   else
-    respond(*next);
-  for (Touch& touch : touches) {
-    if (is_listed_[touch.first] == 0 && (touch.second == no_path || is_listed_[touch.second] == 0)) continue;
-    touch.is_at_rest = false;
-    predict(touch);
-  }
+    respond(next);
+  predict_changed();
   return true;
+}
+
+// Predicts the next impacts of the touches of paths that changed.
+void TouchSimulation::predict_changed() {
+  if (changed_.empty()) return;
+  if (first_touch_of_path_.empty()) list_touches_of_paths();
+  for (const std::size_t p : changed_)
+    for (std::size_t k = first_touch_of_path_[p]; k < first_touch_of_path_[p + 1]; ++k) {
+      const std::size_t t = touches_of_path_[k];
+      Touch& touch = touches[t];
+      // once, if both of its paths changed
+      if (touch.second == p && is_listed_[touch.first] != 0) continue;
+      touch.is_at_rest = false;
+      predict(touch);
+      if (touch.time > h_) continue;
+      queue_.push_back({touch.time, t});
+      std::ranges::push_heap(queue_, std::greater());
+    }
+}
+
+void TouchSimulation::list_touches_of_paths() {
+  first_touch_of_path_.assign(paths.size() + 1, 0);
+  const auto visit = [&](auto&& see) {
+    for (std::size_t t = 0; t < touches.size(); ++t) {
+      see(touches[t].first, t);
+      if (touches[t].second != no_path) see(touches[t].second, t);
+    }
+  };
+  visit([&](std::size_t p, std::size_t) { ++first_touch_of_path_[p + 1]; });
+  std::partial_sum(first_touch_of_path_.begin(), first_touch_of_path_.end(), first_touch_of_path_.begin());
+  touches_of_path_.resize(first_touch_of_path_.back());
+  std::vector<std::size_t>& end = end_of_path_;
+  end.assign(first_touch_of_path_.begin(), first_touch_of_path_.end() - 1);
+  visit([&](std::size_t p, std::size_t t) { touches_of_path_[end[p]++] = t; });
 }
 
 // Removes what rounding, and forces that are not quite those of rest, leave.

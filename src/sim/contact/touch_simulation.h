@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,7 @@ class TouchSimulation {
   // Since `begin`: touches that were examined, and impulses.
   long tests() const { return tests_; }
   long impulses() const { return impulses_; }
+  long work() const { return tests_ + impulses_; }
   bool any_touched() const { return any_touched_; }
   double first_touch() const { return first_touch_; }    // [s], since the start
   double first_impact() const { return first_impact_; }  // [s], since the start; infinity: there was none
@@ -58,6 +60,9 @@ class TouchSimulation {
   void predict(Touch& touch) const;
   void respond(Touch& touch);
   void freeze(Touch& touch);
+  void queue_impacts();
+  void predict_changed();
+  void list_touches_of_paths();
   void change(std::size_t path);
   void change_pushed();
   void clear_changed();
@@ -79,6 +84,15 @@ class TouchSimulation {
   bool any_touched_ = false;
   std::vector<Load> last_, loads_;  // in ascending order
   double last_h_ = 0.0;
+  // The next impact of a touch: obsolete if the time of the touch is another one by now.
+  struct Impact {
+    double time = 0.0;  // [s], since the start
+    std::size_t touch = 0;
+    auto operator<=>(const Impact&) const = default;
+  };
+  std::vector<Impact> queue_;  // a heap, the earliest first
+  // Per path: its touches are those of touches_of_path_ from this one to that of the next path. Empty before the first impact.
+  std::vector<std::size_t> first_touch_of_path_, touches_of_path_, end_of_path_;
   std::vector<std::size_t> active_;  // touches at rest at the start
   std::vector<std::size_t> changed_;
   std::vector<char> is_listed_;           // per path: in changed_
