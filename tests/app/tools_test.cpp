@@ -58,8 +58,7 @@ TEST(AddTool, AddsPointsLikeThoseOfTheScene) {
 }
 
 TEST(AddTool, AddsABallToTheTrampoline) {
-  Scene scene = load_scene(find_scene("trampoline")).scene;
-  scene.system.contact.points = true;
+  const Scene scene = load_scene(find_scene("trampoline")).scene;
   const NewPoint ball = new_point_like(scene.defaults, scene.system);
   EXPECT_EQ(ball.mass, scene.system.points()[0].mass);
   EXPECT_EQ(ball.radius, scene.system.points()[0].radius);

@@ -18,8 +18,8 @@ bool is_fixed(const Plan& plan, Index i) { return plan.inverse_mass[i] == 0.0; }
 
 // Touches examined and impulses of a substep: those of some hundred sweeps over what points touch in a heap.
 long usual_work(std::size_t points) { return 5'000 * static_cast<long>(points); }
-// In a frame, beyond usual_work of each substep: seconds.
-constexpr long max_excess = 40'000'000;
+// In a frame, beyond usual_work of each substep: parts of a second.
+constexpr long max_excess = 10'000'000;
 
 double touching_distance(const Plan& plan, const PointPair& pair) {
   return plan.radius[pair.i] + plan.radius[pair.j] + plan.pairs.thickness;
