@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "base/errors.h"
@@ -74,13 +75,13 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
   RunResults results;
   RunTotals& totals = results.totals;
   ToleranceMonitor tolerance;
-  RunMonitor monitor(scene.system, scene.state, 0);
+  // two states, so that one is at least a second before a divergence
+  SampleClock kept_states(1.0, scene.settings.frame_rate, frames);
+  auto last_kept = std::make_shared<const State>(scene.state);
+  RunMonitor monitor(scene.system, last_kept, 0);
   const auto add_sample = [&] {
     if (hooks.sample) hooks.sample(scene.state, lab.accuracy());
   };
-  // two states, so that one is at least a second before a divergence
-  SampleClock kept_states(1.0, scene.settings.frame_rate, frames);
-  std::shared_ptr<const State> last_kept;
   SampleClock samples(request.sample, scene.settings.frame_rate, frames);
   for (long frame = 0;; ++frame) {
     const bool is_sampled = samples.is_due(frame);
@@ -89,7 +90,7 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
     if (is_ended && !is_sampled) add_sample();
     if (is_ended || frame == frames) break;
 
-    if (kept_states.is_due(frame)) {
+    if (kept_states.is_due(frame) && frame > 0) {
       results.before_end = std::move(last_kept);
       last_kept = std::make_shared<const State>(scene.state);
     }

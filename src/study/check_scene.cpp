@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 #include "lab/lab.h"
 #include "scene/quantity.h"
@@ -66,7 +67,8 @@ CheckResult run(const SceneCheck& check, Scene scene, const CheckedMethod& check
   QuantityHistory history(check, lab.scene());
   history.add(lab.scene());
   constexpr int frames_per_estimate = 20;
-  RunMonitor monitor(lab.scene().system, lab.scene().state, check.expects_divergence ? 0 : frames_per_estimate);
+  RunMonitor monitor(lab.scene().system, std::make_shared<const State>(lab.scene().state),
+                     check.expects_divergence ? 0 : frames_per_estimate);
   for (long frame = 0; frame < frames; ++frame) {
     monitor.begin_frame(lab.scene().system, lab.scene().settings, lab.scene().state);
     if (lab.step()) {

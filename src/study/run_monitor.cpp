@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/number_text.h"
 #include "sim/automatic/automatic.h"
@@ -32,11 +33,11 @@ std::string percent_text(double fraction) {
 
 }  // namespace
 
-RunMonitor::RunMonitor(const System& system, const State& start, int frames_per_estimate)
+RunMonitor::RunMonitor(const System& system, std::shared_ptr<const State> start, int frames_per_estimate)
     : frames_per_estimate_(frames_per_estimate),
-      start_{unexplained_energy(system, start), start},
+      start_{unexplained_energy(system, *start), std::move(start)},
       lowest_(start_),
-      scale_(start.ledger.scale) {}
+      scale_(start_.state->ledger.scale) {}
 
 void RunMonitor::begin_frame(const System& system, const Settings& settings, const State& state) {
   dissipation_.begin_frame(system, state);
@@ -50,12 +51,12 @@ double RunMonitor::modified_change(Reference& since, double energy, const Plan& 
   const double change = energy - since.energy;
   const auto modified_energy = settings.islands.empty() ? settings.integrator->modified_energy : nullptr;
   const auto points = static_cast<std::size_t>(plan.points);
-  if (modified_energy == nullptr || state.position.size() != points || since.state.position.size() != points) return change;
+  if (modified_energy == nullptr || state.position.size() != points || since.state->position.size() != points) return change;
   const auto difference = [&](const State& at) {
     pack(plan, at, motion_);
     return modified_energy(plan, motion_, settings.substep());
   };
-  if (!since.difference) since.difference = difference(since.state);
+  if (!since.difference) since.difference = difference(*since.state);
   const double modified = change + difference(state) - *since.difference;
   if (change * modified <= 0.0) return 0.0;
   return std::abs(modified) < std::abs(change) ? modified : change;
@@ -74,7 +75,10 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   if (energy < lowest_.energy) {
     lowest_.energy = energy;
     lowest_.difference.reset();
-    if (settings.integrator->modified_energy != nullptr && settings.islands.empty()) lowest_.state = state;
+    if (settings.integrator->modified_energy != nullptr && settings.islands.empty()) {
+      lowest_.state = nullptr;  // before the next one takes memory
+      lowest_.state = std::make_shared<const State>(state);
+    }
   }
   // a rise is reported above, and what the scene may dissipate is no error
   constexpr double min_loss = 0.01;  // of the supplied energy

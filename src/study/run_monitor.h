@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +24,7 @@ struct Tolerance {
 class RunMonitor {
  public:
   // The error of every `frames_per_estimate`-th frame is estimated, at the cost of three frames; 0: never.
-  RunMonitor(const System& system, const State& start, int frames_per_estimate);
+  RunMonitor(const System& system, std::shared_ptr<const State> start, int frames_per_estimate);
 
   // Whether the error of the next frame will be estimated.
   bool estimate_is_due() const { return frames_per_estimate_ != 0 && frames_ % frames_per_estimate_ == 0; }
@@ -52,7 +53,7 @@ class RunMonitor {
   // A state with its energy, and by how much the modified energy exceeds it, once that is computed. [J], minus the work done on the scene
   struct Reference {
     double energy;
-    State state;
+    std::shared_ptr<const State> state;
     std::optional<double> difference{};
   };
   double modified_change(Reference& since, double energy, const Plan& plan, const Settings& settings, const State& state);

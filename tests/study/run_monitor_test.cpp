@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "sim/divergence.h"
 #include "sim/forces/force_term.h"
@@ -55,7 +56,7 @@ TEST(RunMonitor, AddsUpTheErrorsEstimatedByAuto) {
   pendulum.join(pendulum.nail({0.0, 0.0, 0.0}), pendulum.add({1.0, 0.0, 0.0}, 1.0), 100.0);
   for (const bool is_chosen : {false, true}) {
     Lab lab(MonitoredRun(pendulum, {.integrator = &automatic_method()}).lab().scene(), KeepStart::No);
-    RunMonitor monitor(lab.scene().system, lab.scene().state, 20);
+    RunMonitor monitor(lab.scene().system, std::make_shared<const State>(lab.scene().state), 20);
     for (int i = 0; i < 20; ++i) {
       const Settings& settings = lab.scene().settings;
       monitor.begin_frame(lab.scene().system, settings, lab.scene().state);
@@ -306,7 +307,7 @@ TEST(RunMonitor, NamesTheLossOfARunThatAlsoGainsEnergy) {
   const Plan plan = make_plan(network.system);
   const auto warning_after = [&](std::initializer_list<double> speeds) {
     State state = network.state;
-    RunMonitor monitor(network.system, state, 0);
+    RunMonitor monitor(network.system, std::make_shared<const State>(state), 0);
     for (const double speed : speeds) {
       monitor.begin_frame(network.system, settings, state);
       state.velocity[0].x = speed;
@@ -325,7 +326,7 @@ TEST(RunMonitor, WritesPercentagesWithoutExponents) {
   for (const double factor : {3.0, 4.0, 30.0, 1e3, 1e6}) {
     MonitoredRun run(pendulum, {.integrator = &default_integrator(), .substeps = 20});
     Scene scene = run.lab().scene();
-    RunMonitor monitor(scene.system, scene.state, 0);
+    RunMonitor monitor(scene.system, std::make_shared<const State>(scene.state), 0);
     Lab lab(scene, KeepStart::No);
     lab.step();
     State after = lab.scene().state;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 
 #include "scene/step_limits.h"
 #include "sim/divergence.h"
@@ -68,7 +69,7 @@ void set_interrupted(bool stop) { interrupted = stop; }
 
 MonitoredRun::MonitoredRun(const TestNetwork& network, const Settings& settings, const Tolerance& tolerance)
     : lab_(make_scene(network, settings)), tolerance_(tolerance) {
-  monitor_.emplace(system(), state(), std::isfinite(tolerance.position) ? frames_per_estimate : 0);
+  monitor_.emplace(system(), std::make_shared<const State>(state()), std::isfinite(tolerance.position) ? frames_per_estimate : 0);
 }
 
 bool MonitoredRun::frame() {

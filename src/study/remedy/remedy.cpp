@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -63,7 +64,7 @@ Trial run_copy(Scene scene, double seconds, Budget& budget) {
     budget.left -= work.since_last(lab.last_frame(), false);
     if (budget.is_spent()) throw BudgetIsSpent{};
   });
-  RunMonitor monitor(lab.scene().system, lab.scene().state, 0);
+  RunMonitor monitor(lab.scene().system, std::make_shared<const State>(lab.scene().state), 0);
   const auto ended = [&](Trial::End end) {
     trial.end = end;
     trial.seconds = end == Trial::End::Finished ? seconds : lab.scene().state.time - start;
