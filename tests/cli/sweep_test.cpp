@@ -80,6 +80,23 @@ TEST(Sweep, ChartsHaveAtMostEightLinesElseCells) {
   EXPECT_EQ(three, "no chart: too many combinations of more than two parameters\n");
 }
 
+// All figures are those of the start; some of the sweeps are of a single value.
+TEST(Sweep, ChartsOfConstantsAreDrawnWithoutWarnings) {
+  const ScratchFolder scratch;
+  for (const std::vector<std::string>& axes : {std::vector<std::string>{"--vary", "substeps=1:3:lin:3"},
+                                               {"--vary", "substeps=2"},
+                                               {"--vary", "damping=0"},
+                                               {"--vary", "damped_springs=off"},
+                                               {"--vary", "substeps=1:9:lin:9", "--vary", "gravity=1:9:lin:9"}}) {
+    const fs::path out = scratch.folder / ("out_" + axes[1] + std::to_string(axes.size()));
+    const Outcome outcome =
+        headless(with({"sweep", "rope", "--measure", "lowest,fastest,max_strain", "--seconds", "0", "-q", "--out", out}, axes));
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "") << axes[1];
+    EXPECT_GT(fs::file_size(out / "sweep.svg"), 1000u);
+  }
+}
+
 // gnuplot does not notice failed writes.
 TEST(Sweep, ThatCannotWriteItsChartsFails) {
   const ScratchFolder scratch;

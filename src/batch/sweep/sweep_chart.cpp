@@ -75,6 +75,23 @@ Range range_of(const SweepRows& rows, std::size_t measure) {
   return range;
 }
 
+// The range of an axis or of the colors. Where all values are equal, or print equal, gnuplot would choose the same but warn.
+std::string range_setting(const char* letters, const Range& range) {
+  const double magnitude = std::max(std::abs(range.min), std::abs(range.max));
+  if (range.max - range.min > 1e-8 * magnitude) return formatted("set %srange [*:*]\n", letters);
+  const double margin = magnitude > 0.0 ? 0.01 * magnitude : 1.0;
+  return formatted("set %srange [%.9g:%.9g]\n", letters, range.min - margin, range.max + margin);
+}
+
+Range range_of(const SweepAxis& axis) {
+  Range range;
+  for (const double value : axis.values) {
+    range.min = std::min(range.min, position(axis, value));
+    range.max = std::max(range.max, position(axis, value));
+  }
+  return range;
+}
+
 // The combination of the values of all axes except `without`: "substeps 8, damping 0".
 std::string combination(const Sweep& sweep, const std::vector<double>& values, std::size_t without) {
   std::string text;
@@ -104,6 +121,7 @@ void print_lines(std::string& script, const Sweep& sweep, const SweepRows& rows,
   for (std::size_t i = 0; i < blocks.size(); ++i) script += formatted("%s_%zu << EOD\n", data.c_str(), i) + blocks[i] + "EOD\n";
   const Range range = range_of(rows, measure);
   script += is_logarithmic(range.min, range.max) ? "set logscale y\nset format y '%g'\n" : "unset logscale y\nset format y '%g'\n";
+  script += range_setting("x", range_of(sweep.axes[x])) + range_setting("y", range);
   set_scale(script, "x", sweep.axes[x]);
   script += "set ylabel " + gnuplot_text(heading(sweep.measures[measure].name, sweep.measures[measure].unit())) + " noenhanced\n";
   script += "plot ";
@@ -149,6 +167,7 @@ void print_heat_map(std::string& script, const Sweep& sweep, const SweepRows& ro
   script += "EOD\n";
   const Range range = range_of(rows, measure);
   script += is_logarithmic(range.min, range.max) ? "set logscale cb\nset format cb '%g'\n" : "unset logscale cb\nset format cb '%g'\n";
+  script += range_setting("cb", range);
   set_scale(script, "x", sweep.axes[x]);
   set_scale(script, "y", sweep.axes[y]);
   script +=
