@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -184,15 +185,29 @@ TEST(Bench, KernelsAreComparedWithTheLimitsOfTheMachine) {
   std::getline(csv, line);
   EXPECT_EQ(line, "case,points,springs,ns_per_spring,limit_ns_per_spring,part_of_limit");
   int rows = 0;
+  std::map<std::string, double> limits;  // [ns] of 64 x 64 points
   for (; std::getline(csv, line); ++rows) {
     std::istringstream row(line.substr(line.find(',') + 1));
     double points = 0.0, springs = 0.0, each = 0.0, limit = 0.0, part = 0.0;
     char comma = 0;
-    row >> points >> comma >> springs >> comma >> each >> comma >> limit >> comma >> part;
+    row >> points >> comma >> springs >> comma >> each;
     EXPECT_GT(springs, 2 * points) << line;
+    // steps that are not computed have no limit
+    if (line.starts_with("at rest ")) {
+      EXPECT_TRUE(line.ends_with(",,")) << line;
+      continue;
+    }
+    row >> comma >> limit >> comma >> part;
     EXPECT_GT(limit, 0.0) << line;
     EXPECT_NEAR(part, limit / each, 0.01 * part) << line;
+    if (points == 64.0 * 64.0) limits[line.substr(0, line.find(','))] = limit;
   }
+  // two threads, and single precision, have limits of their own; beside other programs, memory may be no faster for two threads
+  EXPECT_LE(limits.at("grid on two threads"), limits.at("grid"));
+  EXPECT_LE(limits.at("grid in single precision on two threads"), limits.at("grid in single precision"));
+  EXPECT_NE(limits.at("grid in single precision"), limits.at("grid"));
+  const std::size_t at_rest = report.find("| at rest on a plane |");
+  EXPECT_EQ(report.substr(at_rest, report.find('\n', at_rest) - at_rest).find('%'), std::string::npos);
   EXPECT_EQ(rows, 51);
 }
 

@@ -60,20 +60,18 @@ double cache_bytes(int name, double otherwise) {
   return bytes > 0 ? static_cast<double>(bytes) : otherwise;
 }
 
-}  // namespace
-
-MachineLimits measure_machine_limits(bool quick) {
-  const Amount& amount = quick ? quick_amount : full_amount;
-  MachineLimits limits{.lanes = static_cast<int>(vector_lanes())};
+template <class T>
+ArithmeticLimits arithmetic_limits(const Amount& amount) {
+  ArithmeticLimits limits{.lanes = static_cast<int>(vector_lanes<T>())};
   const std::size_t fma_rounds = 300 * amount.rounds;
-  double sum = 0.0;
-  const double fma_time = best_time(amount.repeats, [&] { sum += run_fma(fma_rounds); });
+  T sum = 0;
+  const double fma_time = best_time(amount.repeats, [&] { sum += run_fma<T>(fma_rounds); });
   // the sum is used, so that it is computed
-  limits.fma_rate = sum == 0.5 ? 0.0 : static_cast<double>(fma_rounds) * fma_chains * limits.lanes / fma_time;
+  limits.fma_rate = sum == T(0.5) ? 0.0 : static_cast<double>(fma_rounds) * fma_chains * limits.lanes / fma_time;
 
   constexpr std::size_t count = 1024;
-  std::vector<double> x(count, 2.0), y(count);
-  const auto time_of = [&](void (*loop)(const double*, double*, std::size_t)) {
+  std::vector<T> x(count, T(2)), y(count);
+  const auto time_of = [&](void (*loop)(const T*, T*, std::size_t)) {
     const double time = best_time(amount.repeats, [&] {
       for (std::size_t i = 0; i < amount.rounds; ++i) loop(x.data(), y.data(), count);
     });
@@ -81,29 +79,48 @@ MachineLimits measure_machine_limits(bool quick) {
   };
   limits.sqrt_time = time_of(run_sqrt);
   limits.division_time = time_of(run_division);
+  return limits;
+}
 
+}  // namespace
+
+MachineLimits measure_machine_limits(bool quick) {
+  const Amount& amount = quick ? quick_amount : full_amount;
+  MachineLimits limits{
+      .double_precision = arithmetic_limits<double>(amount), .single_precision = arithmetic_limits<float>(amount), .triads = {}};
   const double l1 = cache_bytes(_SC_LEVEL1_DCACHE_SIZE, 32 << 10), l2 = cache_bytes(_SC_LEVEL2_CACHE_SIZE, 1 << 20);
   const double l3 = cache_bytes(_SC_LEVEL3_CACHE_SIZE, 16 << 20);
   // A virtual machine reports the cache of the whole processor but has a share of it. Arrays of two threads must fit into the shared cache.
   constexpr double max_shared = 12 << 20, memory = 192 << 20;
-  for (const auto& [level, bytes] :
-       {std::pair{"L1", 0.5 * l1}, {"L2", 0.5 * l2}, {"L3", std::min(0.4 * l3, max_shared)}, {"memory", memory}})
-    limits.triads.push_back({level, bytes, triad_rate(bytes, 1, amount), triad_rate(bytes, 2, amount)});
+  limits.triads = {{.level = "L1", .bytes = 0.5 * l1, .is_of_each_core = true},
+                   {.level = "L2", .bytes = 0.5 * l2, .is_of_each_core = true},
+                   {.level = "L3", .bytes = std::min(0.4 * l3, max_shared)},
+                   {.level = "memory", .bytes = memory}};
+  for (TriadLimit& triad : limits.triads) {
+    triad.one_thread = triad_rate(triad.bytes, 1, amount);
+    triad.two_threads = triad_rate(triad.bytes, 2, amount);
+  }
   return limits;
 }
 
-double shortest_time_per_spring(const MachineLimits& limits, double points, double springs) {
+double shortest_time_per_spring(const MachineLimits& limits, const StepSize& step) {
+  const ArithmeticLimits& arithmetic = step.is_single ? limits.single_precision : limits.double_precision;
   constexpr double operations = 22.0;
-  const double arithmetic = std::max(operations / limits.fma_rate, limits.sqrt_time + limits.division_time);
+  const double calculation = std::max(operations / arithmetic.fma_rate, arithmetic.sqrt_time + arithmetic.division_time) / step.threads;
   // read and write three components of position and velocity, and read the mass
-  constexpr double bytes_per_point = 13.0 * sizeof(double), state_bytes_per_point = 7.0 * sizeof(double);
-  double rate = limits.triads.back().one_thread;
-  for (const TriadLimit& triad : limits.triads)
-    if (state_bytes_per_point * points <= 2.0 * triad.bytes) {
-      rate = triad.one_thread;
-      break;
-    }
-  return std::max(arithmetic, bytes_per_point * points / springs / rate);
+  const double value = step.is_single ? sizeof(float) : sizeof(double);
+  const double bytes = 13.0 * value * step.points, state_bytes = 7.0 * value * step.points;
+  // beside other programs, two threads may have been measured to be slower than one
+  const auto rate_of = [&](const TriadLimit& triad) {
+    return step.threads > 1 ? std::max(triad.one_thread, triad.two_threads) : triad.one_thread;
+  };
+  double rate = rate_of(limits.triads.back());
+  for (const TriadLimit& triad : limits.triads) {
+    if (state_bytes / (triad.is_of_each_core ? step.threads : 1) > 2.0 * triad.bytes) continue;
+    rate = rate_of(triad);
+    break;
+  }
+  return std::max(calculation, bytes / step.springs / rate);
 }
 
 }  // namespace hooke

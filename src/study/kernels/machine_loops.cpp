@@ -11,15 +11,14 @@ HWY_BEFORE_NAMESPACE();
 namespace hooke::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-std::size_t lanes() { return hn::Lanes(hn::ScalableTag<double>()); }
-
 // Each chain waits for its own previous result only: 12 cover the latency of two units.
-double repeat_fma(std::size_t rounds) {
-  const hn::ScalableTag<double> d;
-  const auto factor = hn::Set(d, 0.999), term = hn::Set(d, 0.001);
-  auto a0 = hn::Set(d, 0.0), a1 = hn::Set(d, 0.1), a2 = hn::Set(d, 0.2), a3 = hn::Set(d, 0.3);
-  auto a4 = hn::Set(d, 0.4), a5 = hn::Set(d, 0.5), a6 = hn::Set(d, 0.6), a7 = hn::Set(d, 0.7);
-  auto a8 = hn::Set(d, 0.8), a9 = hn::Set(d, 0.9), a10 = hn::Set(d, 1.0), a11 = hn::Set(d, 1.1);
+template <class T>
+T repeat_fma(std::size_t rounds) {
+  const hn::ScalableTag<T> d;
+  const auto factor = hn::Set(d, T(0.999)), term = hn::Set(d, T(0.001));
+  auto a0 = hn::Set(d, T(0.0)), a1 = hn::Set(d, T(0.1)), a2 = hn::Set(d, T(0.2)), a3 = hn::Set(d, T(0.3));
+  auto a4 = hn::Set(d, T(0.4)), a5 = hn::Set(d, T(0.5)), a6 = hn::Set(d, T(0.6)), a7 = hn::Set(d, T(0.7));
+  auto a8 = hn::Set(d, T(0.8)), a9 = hn::Set(d, T(0.9)), a10 = hn::Set(d, T(1.0)), a11 = hn::Set(d, T(1.1));
   for (std::size_t round = 0; round < rounds; ++round) {
     a0 = hn::MulAdd(a0, factor, term);
     a1 = hn::MulAdd(a1, factor, term);
@@ -38,14 +37,16 @@ double repeat_fma(std::size_t rounds) {
   return hn::GetLane(hn::Add(first, hn::Add(hn::Add(a8, a9), hn::Add(a10, a11))));
 }
 
-void take_roots(const double* HWY_RESTRICT x, double* HWY_RESTRICT y, std::size_t count) {
-  const hn::ScalableTag<double> d;
+template <class T>
+void take_roots(const T* HWY_RESTRICT x, T* HWY_RESTRICT y, std::size_t count) {
+  const hn::ScalableTag<T> d;
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) hn::StoreU(hn::Sqrt(hn::LoadU(d, x + i)), d, y + i);
 }
 
-void divide(const double* HWY_RESTRICT x, double* HWY_RESTRICT y, std::size_t count) {
-  const hn::ScalableTag<double> d;
-  const auto one = hn::Set(d, 1.5);
+template <class T>
+void divide(const T* HWY_RESTRICT x, T* HWY_RESTRICT y, std::size_t count) {
+  const hn::ScalableTag<T> d;
+  const auto one = hn::Set(d, T(1.5));
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) hn::StoreU(hn::Div(one, hn::LoadU(d, x + i)), d, y + i);
 }
 
@@ -55,22 +56,51 @@ void stream_triad(double* HWY_RESTRICT a, const double* HWY_RESTRICT b, const do
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) hn::StoreU(hn::MulAdd(s, hn::LoadU(d, c + i), hn::LoadU(d, b + i)), d, a + i);
 }
 
+std::size_t lanes_of_doubles() { return hn::Lanes(hn::ScalableTag<double>()); }
+std::size_t lanes_of_floats() { return hn::Lanes(hn::ScalableTag<float>()); }
+double repeat_fma_of_doubles(std::size_t rounds) { return repeat_fma<double>(rounds); }
+float repeat_fma_of_floats(std::size_t rounds) { return repeat_fma<float>(rounds); }
+void take_roots_of_doubles(const double* x, double* y, std::size_t count) { take_roots(x, y, count); }
+void take_roots_of_floats(const float* x, float* y, std::size_t count) { take_roots(x, y, count); }
+void divide_doubles(const double* x, double* y, std::size_t count) { divide(x, y, count); }
+void divide_floats(const float* x, float* y, std::size_t count) { divide(x, y, count); }
+
 }  // namespace hooke::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace hooke {
 
-HWY_EXPORT(lanes);
-HWY_EXPORT(repeat_fma);
-HWY_EXPORT(take_roots);
-HWY_EXPORT(divide);
+HWY_EXPORT(lanes_of_doubles);
+HWY_EXPORT(lanes_of_floats);
+HWY_EXPORT(repeat_fma_of_doubles);
+HWY_EXPORT(repeat_fma_of_floats);
+HWY_EXPORT(take_roots_of_doubles);
+HWY_EXPORT(take_roots_of_floats);
+HWY_EXPORT(divide_doubles);
+HWY_EXPORT(divide_floats);
 HWY_EXPORT(stream_triad);
 
-std::size_t vector_lanes() { return HWY_DYNAMIC_DISPATCH(lanes)(); }
-double run_fma(std::size_t rounds) { return HWY_DYNAMIC_DISPATCH(repeat_fma)(rounds); }
-void run_sqrt(const double* x, double* y, std::size_t count) { HWY_DYNAMIC_DISPATCH(take_roots)(x, y, count); }
-void run_division(const double* x, double* y, std::size_t count) { HWY_DYNAMIC_DISPATCH(divide)(x, y, count); }
+template <>
+std::size_t vector_lanes<double>() {
+  return HWY_DYNAMIC_DISPATCH(lanes_of_doubles)();
+}
+template <>
+std::size_t vector_lanes<float>() {
+  return HWY_DYNAMIC_DISPATCH(lanes_of_floats)();
+}
+template <>
+double run_fma<double>(std::size_t rounds) {
+  return HWY_DYNAMIC_DISPATCH(repeat_fma_of_doubles)(rounds);
+}
+template <>
+float run_fma<float>(std::size_t rounds) {
+  return HWY_DYNAMIC_DISPATCH(repeat_fma_of_floats)(rounds);
+}
+void run_sqrt(const double* x, double* y, std::size_t count) { HWY_DYNAMIC_DISPATCH(take_roots_of_doubles)(x, y, count); }
+void run_sqrt(const float* x, float* y, std::size_t count) { HWY_DYNAMIC_DISPATCH(take_roots_of_floats)(x, y, count); }
+void run_division(const double* x, double* y, std::size_t count) { HWY_DYNAMIC_DISPATCH(divide_doubles)(x, y, count); }
+void run_division(const float* x, float* y, std::size_t count) { HWY_DYNAMIC_DISPATCH(divide_floats)(x, y, count); }
 void run_triad(double* a, const double* b, const double* c, std::size_t count) { HWY_DYNAMIC_DISPATCH(stream_triad)(a, b, c, count); }
 
 }  // namespace hooke
