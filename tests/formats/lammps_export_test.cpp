@@ -17,6 +17,25 @@ Scene two_points(const std::string& members) {
 
 std::string with_spring(const std::string& members) { return R"("springs": [{"points": [0, 1], "stiffness": 30)" + members + "}]"; }
 
+// It can be represented without `members`.
+std::string elastic_plane(const std::string& members) {
+  return R"("colliders": [{"type": "plane", "point": [0, -3, 0], "normal": [0, 1, 0], "restitution": 1, "friction": 0)" + members + "}]";
+}
+
+// The message, also of `convert`, which writes nothing.
+void expect_refused(const Scene& scene, const std::string& message) {
+  EXPECT_EQ(unsupported_by_lammps(scene), std::vector{message});
+  const ScratchFolder scratch;
+  const std::filesystem::path file = scratch.folder / "scene.lmp";
+  try {
+    write_scene_as(scene, file);
+    ADD_FAILURE() << message;
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), file.string() + ": LAMMPS cannot represent " + message);
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.folder));
+}
+
 struct RefusedByLammps {
   std::string members, message;
 };
@@ -37,20 +56,37 @@ TEST(LammpsExport, NamesWhatLammpsCannotRepresent) {
             "a plane with restitution 0.5 instead of 1 (colliders[0])"},
            {R"("colliders": [{"type": "plane", "point": [0, -3, 0], "normal": [0, 1, 0], "restitution": 1, "friction": 0.3}])",
             "a plane with friction 0.3 instead of 0 (colliders[0])"},
-       }) {
-    const Scene scene = two_points(refused.members);
-    EXPECT_EQ(unsupported_by_lammps(scene), std::vector{refused.message});
-    const ScratchFolder scratch;
-    const std::filesystem::path file = scratch.folder / "scene.lmp";
-    try {
-      write_scene_as(scene, file);
-      ADD_FAILURE() << refused.message;
-    } catch (const InputError& error) {
-      EXPECT_EQ(error.what(), file.string() + ": LAMMPS cannot represent " + refused.message);
-    }
-    EXPECT_TRUE(std::filesystem::is_empty(scratch.folder));
-  }
+           {with_spring("") + R"(, "contact": {"springs": true})", "contact of faces and springs"},
+           {with_spring("") + R"(, "hand": {"point": 0, "circle": {"from": [0, 0, 0], "center": [-1, 0, 0]}, "speed": 5, "seconds": 1})",
+            "the scripted hand"},
+           {elastic_plane(R"(, "oscillate": [0, 0.1, 0])"), "a moving plane (colliders[0])"},
+           {elastic_plane(R"(, "spin": [0, 1, 0])"), "a moving plane (colliders[0])"},
+           {elastic_plane(R"(, "belt": [1, 0, 0])"), "a moving plane (colliders[0])"},
+           {elastic_plane("") + R"(, "generators": [{"type": "cloth", "corner": [0, 1, 0], "across": [1, 0, 0], "down": [0, 0, 1],
+                                                     "points": [2, 2], "density": 0.2, "stiffness": 30, "damping": 0, "point_radius": 0.3}])",
+            "a plane and points of different radii (colliders[0])"},
+       })
+    expect_refused(two_points(refused.members), refused.message);
 }
+
+TEST(LammpsExport, NamesTheHandOfTheUser) {
+  Scene scene = two_points(with_spring(""));
+  EXPECT_TRUE(unsupported_by_lammps(scene).empty());
+  scene.system.grab = Grab{.point = scene.system.points().front().id};
+  expect_refused(scene, "the hand");
+  scene.system.grab.reset();
+  scene.state.hand.collider.emplace();
+  expect_refused(scene, "the hand");
+}
+
+TEST(LammpsExport, NamesAllReasons) {
+  const Scene scene = two_points(with_spring(R"(, "damping": 1)") + R"(, "contact": {"points": true, "faces": true}, )" +
+                                 elastic_plane(R"(, "belt": [1, 0, 0])"));
+  EXPECT_EQ(unsupported_by_lammps(scene), (std::vector<std::string>{"dashpots", "contact between points", "contact of faces and springs",
+                                                                    "a moving plane (colliders[0])"}));
+}
+
+TEST(LammpsExport, AcceptsAPlaneThatReflects) { EXPECT_TRUE(unsupported_by_lammps(two_points(elastic_plane(""))).empty()); }
 
 TEST(LammpsExport, WritesTheScriptAndTheDataFile) {
   const ScratchFolder scratch;
