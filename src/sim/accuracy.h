@@ -13,8 +13,8 @@ struct Measured {
   std::string_view reason{};
 };
 
-// Why the accumulated error is not known although it was measured: the run lost the motion.
-enum class Loss { None, Unpredictable, Dissipated, HalfStepDiverged };
+// Why the accumulated error is not known although it was measured: the run lost the motion, or what it is compared with failed.
+enum class Loss { None, Unpredictable, Dissipated, HalfStepDiverged, NoSecondRun };
 
 // Where the energy came from and went since `since`, all [J]; what is dissipated is negative. The terms sum to `change`.
 struct EnergyBalance {
@@ -44,6 +44,8 @@ struct Accuracy {
   Loss loss = Loss::None;
   bool is_smooth = true;  // nothing touched, no strain limit and no hand acted: a tolerance decides about the accumulated error
   double since = 0.0, accumulated_time = 0.0;  // [s]: start, and the time up to which it is known
+  // [m], [s]: the largest one since then, and when; an error may fall again, as when a vibration of the wrong frequency dies out
+  double max_accumulated = 0.0, max_accumulated_time = 0.0;
 
   // [1], factor by which a small difference grows in a second; and the rate [1/s] of its exponential growth, 0: none
   Measured amplification, growth_rate;

@@ -85,6 +85,37 @@ TEST(AccumulatedWarning, NamesNoToleranceBesideContactAndTheHand) {
   EXPECT_NE(warning_of(lab).find("of the motion: "), std::string::npos) << warning_of(lab);
 }
 
+// A vibration of the wrong frequency is off while it lasts, and right at rest.
+TEST(AccumulatedWarning, NamesTheLargestErrorOfARunThatEndsRight) {
+  TestSim sim = vibration();
+  sim.system.drag = 4.0;
+  const Lab lab = run(sim, {.integrator = find_integrator("implicit_midpoint"), .substeps = 1, .tolerance = {}}, 250);
+  ASSERT_TRUE(lab.accuracy().accumulated.value);
+  EXPECT_LT(*lab.accuracy().accumulated.value, 1e-3);
+  Accuracy accuracy = lab.accuracy();
+  EXPECT_GT(accuracy.max_accumulated, 1e-3);
+  accuracy.max_accumulated = 0.1;
+  accuracy.max_accumulated_time = 0.25;
+  EXPECT_EQ(accumulated_warning(accuracy, lab.scene().settings).value_or("").find("accumulated error of up to 100 mm at 0.25 s, "), 0u);
+}
+
+// What the second run did not see may be anything.
+TEST(AccumulatedWarning, IsGivenWhereTheSecondRunFailed) {
+  Accuracy accuracy{.is_on = true, .size = 1.0};
+  accuracy.motion = 2.0;
+  accuracy.accumulated = {.reason = "the run with half the step, or a smaller tolerance, failed or took too long"};
+  accuracy.loss = Loss::NoSecondRun;
+  accuracy.accumulated_time = 0.65;
+  accuracy.is_smooth = false;
+  const std::string unknown =
+      "accumulated error not known from 0.65 s on: the run with half the step, or a smaller tolerance, failed or took too long; ";
+  const std::string remedy = "no setting with a smaller error is known, because of contact, a strain limit or the hand";
+  EXPECT_EQ(accumulated_warning(accuracy, {}), unknown + remedy);
+  accuracy.max_accumulated = 2.8;
+  accuracy.max_accumulated_time = 0.6;
+  EXPECT_EQ(accumulated_warning(accuracy, {}), unknown + "error of up to 2.8 m at 0.6 s, 1.4 times the motion: " + remedy);
+}
+
 TEST(AccumulatedWarning, LeavesChaoticMotionToItsPredictability) {
   Accuracy accuracy{.is_on = true, .size = 1.0};
   accuracy.motion = 1.0;

@@ -158,7 +158,7 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
     if (!is_started_ || !error)
       accuracy.accumulated.reason = "not measured yet";
     else if (second_runs_.failed())
-      accuracy.accumulated.reason = "the run with half the step, or a smaller tolerance, failed or took too long";
+      lose(Loss::NoSecondRun, "the run with half the step, or a smaller tolerance, failed or took too long");
     else if (second_runs_.diverged())
       lose(Loss::HalfStepDiverged, "the run with half the step diverged");
     else if (is_chaotic && error->rms > max_error * size_)
@@ -168,6 +168,10 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
     else
       accuracy.accumulated.value = error->rms;
     if (error) accuracy.accumulated_time = error->time;
+    if (const auto& max = second_runs_.max_error()) {
+      accuracy.max_accumulated = max->rms;
+      accuracy.max_accumulated_time = max->time;
+    }
     if (!growth) accuracy.amplification.reason = "measured after a second without edits";
   }
   if (growth && accuracy.amplification.reason.empty()) {

@@ -28,6 +28,15 @@ std::string part_of_motion_text(double part) {
   return (part > max_shown ? "more than 1000" : number_text(part, 2)) + " times the motion";
 }
 
+bool is_large(const Accuracy& accuracy, double error) {
+  return error > std::max(max_part_of_motion * accuracy.motion, min_error * accuracy.size);
+}
+
+std::string largest_error_text(const Accuracy& accuracy) {
+  return "error of up to " + length_text(accuracy.max_accumulated) + " at " + quantity_text(accuracy.max_accumulated_time, "s") + ", " +
+         part_of_motion_text(accuracy.max_accumulated / accuracy.motion);
+}
+
 // A tolerance with which the error would be about a hundredth of the motion: one digit, within the range of the slider. None helps much
 // where small differences grow, or where the error hardly falls with the step; with contact or a hand, what half the error takes.
 std::string remedy_of(const Accuracy& accuracy, const Settings& settings) {
@@ -115,12 +124,20 @@ std::optional<std::string> accumulated_warning(const Accuracy& accuracy, const S
     case Loss::Dissipated:
     case Loss::HalfStepDiverged:
       return "accumulated error not known: " + std::string(accuracy.accumulated.reason) + "; " + remedy_of(accuracy, settings);
+    case Loss::NoSecondRun:
+      return "accumulated error not known from " + quantity_text(accuracy.accumulated_time, "s") +
+             " on: " + std::string(accuracy.accumulated.reason) + "; " +
+             (is_large(accuracy, accuracy.max_accumulated) ? largest_error_text(accuracy) + ": " : std::string()) +
+             remedy_of(accuracy, settings);
   }
   if (!accuracy.accumulated.value) return std::nullopt;
   const double error = *accuracy.accumulated.value;
-  if (!(error > std::max(max_part_of_motion * accuracy.motion, min_error * accuracy.size))) return std::nullopt;
-  return "accumulated error of about " + length_text(error) + ", " + part_of_motion_text(error / accuracy.motion) + ": " +
-         remedy_of(accuracy, settings);
+  if (is_large(accuracy, error))
+    return "accumulated error of about " + length_text(error) + ", " + part_of_motion_text(error / accuracy.motion) + ": " +
+           remedy_of(accuracy, settings);
+  if (!is_large(accuracy, accuracy.max_accumulated)) return std::nullopt;
+  return "accumulated " + largest_error_text(accuracy) + " (" + length_text(error) + " at " +
+         quantity_text(accuracy.accumulated_time, "s") + "): " + remedy_of(accuracy, settings);
 }
 
 }  // namespace hooke

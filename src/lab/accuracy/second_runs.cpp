@@ -34,6 +34,7 @@ void SecondRuns::restart(double size) {
   refined_.is_on = perturbed_.is_on = diverged_ = failed_ = false;
   is_full_ = false;
   error_.reset();
+  max_error_.reset();
   growth_.reset();
   pause_ = 0;
 }
@@ -121,6 +122,7 @@ void SecondRuns::finish_frame(Run& run) {
   const State& state = run.shadow.state();
   if (&run == &refined_) {
     error_ = Error{weighted_distance(input.end, state.position, repetition_.weight).rms, input.end_time};
+    if (!max_error_ || error_->rms > max_error_->rms) max_error_ = error_;
     failed_ = run.shadow.failed();
     diverged_ = !is_finite(state);
     if (failed_ || diverged_) run.is_on = false;

@@ -32,6 +32,7 @@ class SecondRuns {
 
   double since() const { return since_; }                          // [s], start of the run with half the step
   const std::optional<Error>& error() const { return error_; }     // none before its first frame
+  const std::optional<Error>& max_error() const { return max_error_; }
   const std::optional<Growth>& growth() const { return growth_; }  // none before the first measurement
   // The run with half the step. Failed: found no step, or took too many.
   bool diverged() const { return diverged_; }
@@ -67,7 +68,7 @@ class SecondRuns {
   Run refined_, perturbed_;
   std::deque<Input> inputs_;
   long first_ = 0;  // number of the first of them
-  std::optional<Error> error_;
+  std::optional<Error> error_, max_error_;
   GrowthMeasurement measurement_;
   std::optional<Growth> growth_;
   int pause_ = 0, measured_frames_ = 0;  // frames until the next measurement, and those of the current one
