@@ -15,7 +15,7 @@ namespace hooke {
 
 namespace {
 
-// Features that start far closer to each other than their thickness.
+// Features that start far closer to each other than their thickness, or in one place.
 std::optional<std::string> close_start_warning(const System& system, const State& state) {
   auto [plan, place, tree] = place_surface(system, state);
   if (!plan.on) return std::nullopt;
@@ -23,7 +23,7 @@ std::optional<std::string> close_start_warning(const System& system, const State
   std::vector<SurfacePair> pairs;
   const bool is_complete = tree.find_pairs(plan, place, plan.max_thickness, {}, pairs, max_pairs);
 
-  std::size_t count = 0;
+  std::size_t count = 0, count_in_one_place = 0;
   double depth = 0.0, touching = 0.0;
   std::array<Index, 4> deepest{};
   bool is_face = false;
@@ -31,8 +31,12 @@ std::optional<std::string> close_start_warning(const System& system, const State
     const auto& [i, j, k, l] = pair.points;
     const double thickness = std::min({plan.thickness[i], plan.thickness[j], plan.thickness[k], plan.thickness[l]}),
                  distance = closest_points(pair.kind, {place[i], place[j], place[k], place[l]}).distance - plan.radius_of(i);
-    // bent sheets touch at a quarter of it; what is coincident does not touch
-    if (distance >= thickness / 8.0 || distance < coincident) continue;
+    // bent sheets touch at a quarter of it
+    if (distance >= thickness / 8.0) continue;
+    if (distance < coincident) {
+      ++count_in_one_place;
+      continue;
+    }
     ++count;
     if (thickness - distance <= depth) continue;
     depth = thickness - distance;
@@ -40,10 +44,13 @@ std::optional<std::string> close_start_warning(const System& system, const State
     deepest = pair.points;
     is_face = pair.kind == FeaturePair::PointFace;
   }
+  const std::string setting = std::string("contact.") + (system.contact.faces && system.dimensions == 3 ? "faces" : "springs") + ": ";
+  if (count == 0 && count_in_one_place > 0)
+    return setting + (is_complete ? "" : "at least ") + std::to_string(count_in_one_place) +
+           (count_in_one_place == 1 ? " pair is" : " pairs are") + " in the same place, where they never touch: move one of them apart";
   if (count == 0) return std::nullopt;
   const auto name_of = [&, &points = plan.points](int c) { return std::to_string(points[deepest[static_cast<std::size_t>(c)]]); };
-  return std::string("contact.") + (system.contact.faces && system.dimensions == 3 ? "faces" : "springs") + ": " +
-         (is_complete ? "" : "at least ") + std::to_string(count) + (count == 1 ? " pair starts" : " pairs start") +
+  return setting + (is_complete ? "" : "at least ") + std::to_string(count) + (count == 1 ? " pair starts" : " pairs start") +
          " closer than an eighth of the thickness, " +
          (is_face
               ? "point " + name_of(0) + " and the face of points " + name_of(1) + ", " + name_of(2) + " and " + name_of(3)
@@ -58,6 +65,8 @@ std::vector<std::string> crossing_warnings(const System& system, const State& st
   std::vector<std::string> warnings;
   if (system.contact.faces && system.dimensions == 2)
     warnings.emplace_back("contact.faces: faces touch in scenes of 3 dimensions only: this one has 2");
+  if (system.contact.restitution > 0.0 && !system.contact.points && (system.contact.faces || system.contact.springs))
+    warnings.emplace_back("contact.restitution: points alone rebound from each other; faces and springs do not");
   const CrossedParts crossed = find_crossed_parts(system, state);
   for (const CrossedText& text : describe(crossed, system))
     warnings.push_back(std::string(text.setting) + ": " + text.count + text.detail + ": " + text.consequence);

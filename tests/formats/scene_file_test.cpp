@@ -89,6 +89,26 @@ TEST(SceneFile, PartsThatStartFarCloserThanTheirThicknessAreReported) {
                 "points 2 and 3 most, by 0.18 m of 0.2 m: they separate slowly, which may stretch springs and so supply energy"});
 }
 
+TEST(SceneFile, PartsInTheSamePlaceAreReportedBecauseTheyNeverTouch) {
+  const auto warnings = [](const std::string& x) {
+    return warnings_of(R"({"hooke": 1, "points": [{"position": [-1, 0, 0]}, {"position": [1, 0, 0]}, {"position": [)" + x +
+                       R"(, 0, 0]}, {"position": [1, 0, 0]}], "springs": [{"points": [0, 1], "stiffness": 1},
+                       {"points": [2, 3], "stiffness": 1}], "contact": {"springs": true}})");
+  };
+  const std::string expected = "test.json: contact.springs: 1 pair is in the same place, where they never touch: move one of them apart";
+  EXPECT_EQ(warnings("-1").back(), expected);
+}
+
+TEST(SceneFile, RestitutionOfFacesAndSpringsIsReportedAsWithoutEffect) {
+  const auto warnings = [](const std::string& contact) {
+    return warnings_of(R"({"hooke": 1, "points": [{"position": [-1, 0, 0]}, {"position": [1, 0, 0]}], "contact": )" + contact + "}");
+  };
+  EXPECT_EQ(warnings(R"({"springs": true, "restitution": 0.5})"),
+            std::vector<std::string>{"test.json: contact.restitution: points alone rebound from each other; faces and springs do not"});
+  EXPECT_TRUE(warnings(R"({"points": true, "springs": true, "restitution": 0.5})").empty());
+  EXPECT_TRUE(warnings(R"({"springs": true})").empty());
+}
+
 TEST(SceneFile, SpringsOfFlatScenesThatTouchAndCrossAreReported) {
   const auto warnings = [](const std::string& x, const std::string& contact) {
     return warnings_of(R"({"hooke": 1, "dimensions": 2, "points": [{"position": [-1, 0]}, {"position": [1, 0]}, {"position": [)" + x +
