@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -11,12 +10,6 @@
 
 namespace hooke {
 namespace {
-
-double thread_cpu_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 using Clock = std::chrono::steady_clock;
 
@@ -263,18 +256,15 @@ bool Lab::finish_frame() {
   next_ = scene_.state;
   frame_.end(plan_, next_);
   frame_in_progress_ = must_finish_frame_ = false;
-  const std::size_t filled = plan_.enclosures.enclosures.size();
-  std::optional<Insert> torn = tear();
+  // until springs that broke are removed, System and plan are those with which the frame began
+  if (!frame_.broken().empty()) refresh_values(plan_, scene_.system);
 
-  const Energy energy = compute_energy(scene_.system, next_);
+  const Energy energy = energy_after_frame();
   divergence_ = find_divergence(scene_.system, next_, energy, frame_.failure());
   if (divergence_) {
     was_unstable_ = scene_.settings.substep() > largest_stable_step(*scene_.settings.integrator, plan_.spectrum);
     before_failure_ = state_before_failure();
     failed_start_.reset();
-    Effect effect;
-    if (torn) apply(scene_, *torn, effect);
-    if (effect.structure) update_plan(effect);
     playback_.record_divergence();
     run_to_.reset();
     running_ = false;
@@ -282,11 +272,13 @@ bool Lab::finish_frame() {
     record_held_edits();
     return false;
   }
-  meter_frame(energy.total(), torn.has_value());
+  meter_frame(energy.total());
   companions_.add_frame(plan_, scene_.system, scene_.settings, scene_.state, next_);
+  const std::size_t filled = plan_.enclosures.enclosures.size();
+  std::optional<Insert> torn = tear();
   if (torn) companions_.restart();
   std::swap(scene_.state, next_);
-  energy_ = energy;
+  energy_ = torn ? compute_energy(scene_.system, scene_.state) : energy;
   constexpr double explained_fraction = 0.02;
   const EnergyLedger& ledger = scene_.state.ledger;
   if (energy.total() - ledger.net_input <= explained_fraction * ledger.scale) explained_until_ = scene_.state.time;
@@ -309,29 +301,11 @@ bool Lab::finish_frame() {
   return true;
 }
 
-// Passes the frame from the present state to `next_` on to the meter.
-void Lab::meter_frame(double energy, bool is_torn) {
-  if (meter_.mode() == AccuracyMode::Off) return;
-  if (is_torn) meter_.note_edit();
-  meter_.add_frame(plan_, scene_.system, settings_used(scene_.settings, next_), scene_.state, next_, frame_.motion(), energy_.total(),
-                   energy);
-  // in most frames there is nothing to compute, and reading the clock would take as long as a frame of two points
-  if (!measures_at_once_ || !has_accuracy_to_measure()) return;
-  const double start = thread_cpu_seconds();
-  measure_accuracy([] { return true; });
-  accuracy_cpu_seconds_ += thread_cpu_seconds() - start;
-}
-
-Accuracy Lab::accuracy() const {
-  Accuracy accuracy = meter_.accuracy(settings_used(scene_.settings, scene_.state));
-  if (is_automatic(scene_.settings) && accuracy.half_error_substeps > 0)
-    accuracy.half_error_tolerance = 0.5 * scene_.settings.tolerance.value_or(default_automatic_tolerance);
-  return accuracy;
-}
-
-void Lab::measure_accuracy(const std::function<bool()>& should_continue) {
-  while (meter_.is_repeating() && should_continue()) meter_.repeat(scene_.system);
-  while (meter_.has_work() && should_continue()) meter_.work(scene_.system);
+// Of `next_`, without the springs that broke.
+Energy Lab::energy_after_frame() const {
+  Energy energy = compute_energy(scene_.system, next_);
+  for (const Index s : frame_.broken()) energy.elastic -= elastic_energy(scene_.system, next_, scene_.system.springs()[s]);
+  return energy;
 }
 
 bool Lab::step_frame() {

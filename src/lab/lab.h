@@ -159,7 +159,8 @@ class Lab {
   void begin_frame();
   bool finish_frame();
   bool step_frame();
-  void meter_frame(double energy, bool is_torn);
+  void meter_frame(double energy);
+  Energy energy_after_frame() const;
   std::optional<Insert> tear();
   void record_tear(Insert pieces);
   void drop_frame();

@@ -13,11 +13,7 @@ Energy compute_energy(const System& system, const State& state) {
     if (point.nailed) continue;
     energy.gravitational -= point.mass * glm::dot(system.gravity, state.position[i]);
   }
-  for (const Spring& spring : system.springs()) {
-    const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
-    const double extension = length - spring.rest_length;
-    energy.elastic += 0.5 * system.stiffness_of(spring) * extension * extension;
-  }
+  for (const Spring& spring : system.springs()) energy.elastic += elastic_energy(system, state, spring);
   if (system.grab && system.grab->kind == GrabKind::Pull) {
     const Vec3 stretch = state.hand.position - grabbed_position(system, state);
     energy.elastic += 0.5 * system.grab->stiffness * glm::dot(stretch, stretch);
@@ -30,6 +26,12 @@ double kinetic_energy(const System& system, const State& state) {
   for (Index i = 0; i < system.point_count(); ++i)
     if (!system.points()[i].nailed) energy += 0.5 * system.points()[i].mass * glm::dot(state.velocity[i], state.velocity[i]);
   return energy;
+}
+
+double elastic_energy(const System& system, const State& state, const Spring& spring) {
+  const double length = glm::distance(state.position[system.index_of(spring.first)], state.position[system.index_of(spring.second)]);
+  const double extension = length - spring.rest_length;
+  return 0.5 * system.stiffness_of(spring) * extension * extension;
 }
 
 Momentum compute_momentum(const System& system, const State& state) {

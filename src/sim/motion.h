@@ -10,6 +10,13 @@
 
 namespace hooke {
 
+// A spring that broke, and what its dashpot dissipated just before.
+struct BrokenSpring {
+  Index spring = 0;            // in the System
+  double time = 0.0;           // [s]
+  double dashpot_power = 0.0;  // [W]
+};
+
 struct Motion {
   double time = 0.0;
   Field x, v;  // positions [m] and velocities [m/s]
@@ -49,6 +56,7 @@ struct Motion {
   double force_work = 0.0;                      // [J], of the listed forces and moving air
   double reversible_work = 0.0;                 // [J], the part of it that follows from potentials
   double local_error = 0.0;  // [m], sum over the steps of the error estimates of the method, RMS over the points; 0 if it has none
+  std::vector<BrokenSpring> breaks;  // in the order in which they broke
 };
 
 // What a method derives from the Plan's structure alone (an order of springs, a symbolic factorization). It outlives the frame

@@ -80,6 +80,17 @@ bool limit_all_springs(const Plan& plan, Motion& motion) {
   return any;
 }
 
+// [W], of a spring of this length.
+double dashpot_power(const Plan& plan, const Motion& motion, Index spring, Index first, Index second, double length) {
+  if (!plan.has_dashpots() || length == 0.0) return 0.0;
+  double speed = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c) {
+    const std::size_t at = static_cast<std::size_t>(c) * plan.points;
+    speed += (motion.x[at + second] - motion.x[at + first]) / length * (motion.v[at + second] - motion.v[at + first]);
+  }
+  return plan.damping[spring] * speed * speed;
+}
+
 }  // namespace
 
 bool any_reaches_limit(const Plan& plan, const std::vector<SpringRun>& runs, const Field& x) {
@@ -99,6 +110,7 @@ bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
       // a spring that is switched off carries no force and cannot break
       if (!(length >= plan.break_length[s]) || (plan.stiffness[s] == 0.0 && !(plan.has_dashpots() && plan.damping[s] > 0.0))) continue;
+      motion.breaks.push_back({plan.spring_index[s], motion.time, dashpot_power(plan, motion, s, run.first + e, run.second + e, length)});
       const double stretch = length - plan.rest_length[s];
       motion.break_work -= 0.5 * plan.stiffness[s] * stretch * stretch;
       plan.stiffness[s] = 0.0;

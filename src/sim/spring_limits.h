@@ -9,7 +9,8 @@ namespace hooke {
 bool any_reaches_limit(const Plan& plan, const std::vector<SpringRun>& runs, const Field& x);
 
 // Sets k and d of the packed springs at least as long as plan.break_length to zero, and adds their indices in the System to
-// `broken`, which stays in ascending order. Subtracts their elastic energy from motion.break_work. Returns whether any broke.
+// `broken`, which stays in ascending order. Subtracts their elastic energy from motion.break_work, and lists them in motion.breaks. Returns
+// whether any broke.
 bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken);
 
 // Shortens springs longer than plan.max_length, one after another in several rounds, by moving both ends in proportion to their inverse

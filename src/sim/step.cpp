@@ -92,6 +92,7 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
 
   broken_.clear();
   broken_.reserve(plan.break_length.size());
+  motion_.breaks.reserve(plan.break_length.size());
   work_.tolerance = settings.tolerance;
   work_.min_step = 1e-9 * h_;
   force_work_.begin_frame(plan, motion_);

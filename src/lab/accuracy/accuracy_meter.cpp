@@ -90,7 +90,8 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   ++frames_since_repetition_;
   const bool is_first = !repetition_.result() && !repetition_.has_failed();
   const bool is_due = is_first || frames_since_repetition_ >= (is_edited_ ? period_after_edit : repetition_period);
-  if (is_due && !repetition_.is_in_progress()) {
+  // what a method gains where a spring breaks says nothing of the frames that follow
+  if (is_due && motion.breaks.empty() && !repetition_.is_in_progress()) {
     repetition_.begin(plan, system, settings, before, after, energy, motion.force_evaluations,
                       touches_ && repetitions_++ % order_period == 0);
     energy_.begin_repetition();

@@ -28,7 +28,9 @@ class AccuracyMeter {
   // Anything else that affects the motion was edited, besides the position of the hand.
   void note_edit();
 
-  // A finished frame of the run: the plan it was computed with, the states before and after it and their energies [J].
+  // A finished frame of the run: the plan and the System it was computed with, the states before and after it and their energies [J].
+  // Springs that broke in it are whole in both, and missing in the energy after it. Before they are removed, which is an edit, the work for
+  // this frame has to be done; otherwise the second runs start again.
   void add_frame(const Plan& plan, const System& system, const Settings& settings, const State& before, const State& after,
                  const Motion& motion, double energy_before, double energy);
 

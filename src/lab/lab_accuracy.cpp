@@ -1,0 +1,46 @@
+// What the laboratory passes on to its meter, and when it measures.
+#include <ctime>
+
+#include "lab/lab.h"
+
+namespace hooke {
+namespace {
+
+double thread_cpu_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace
+
+// Passes the frame from the present state to `next_` on to the meter.
+void Lab::meter_frame(double energy) {
+  if (meter_.mode() == AccuracyMode::Off) return;
+  const bool is_torn = !frame_.broken().empty();
+  // a frame in which springs broke is computed again before they are removed, unless earlier ones wait: then the second runs start again
+  const bool at_once = measures_at_once_ || (is_torn && !meter_.has_work());
+  meter_.add_frame(plan_, scene_.system, settings_used(scene_.settings, next_), scene_.state, next_, frame_.motion(), energy_.total(),
+                   energy);
+  // in most frames there is nothing to compute, and reading the clock would take as long as a frame of two points
+  if (at_once && has_accuracy_to_measure()) {
+    const double start = thread_cpu_seconds();
+    measure_accuracy([] { return true; });
+    accuracy_cpu_seconds_ += thread_cpu_seconds() - start;
+  }
+  if (is_torn) meter_.note_edit();
+}
+
+Accuracy Lab::accuracy() const {
+  Accuracy accuracy = meter_.accuracy(settings_used(scene_.settings, scene_.state));
+  if (is_automatic(scene_.settings) && accuracy.half_error_substeps > 0)
+    accuracy.half_error_tolerance = 0.5 * scene_.settings.tolerance.value_or(default_automatic_tolerance);
+  return accuracy;
+}
+
+void Lab::measure_accuracy(const std::function<bool()>& should_continue) {
+  while (meter_.is_repeating() && should_continue()) meter_.repeat(scene_.system);
+  while (meter_.has_work() && should_continue()) meter_.work(scene_.system);
+}
+
+}  // namespace hooke

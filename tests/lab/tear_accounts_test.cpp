@@ -1,0 +1,88 @@
+// The energy balance and the error estimates of frames in which springs break.
+#include <gtest/gtest.h>
+
+#include "sim/frame_error.h"
+#include "support/gas_bodies.h"
+#include "support/measured_lab.h"
+#include "support/run_lab.h"
+
+namespace hooke {
+namespace {
+
+// A ring filled with gas that tears in its first frame, or later if it is stronger.
+Scene weak_ring(int substeps, double break_strain = 0.05) {
+  TestSim sim = gas_ring(12, 300.0, {.pressure = 100.0});
+  for (Index s = 0; s < sim.system.spring_count(); ++s) sim.system.spring(s)->damping = 0.1;
+  sim.system.spring(0)->break_strain = break_strain;
+  Scene scene = scene_of(sim, {.integrator = find_integrator("velocity_verlet"), .substeps = substeps});
+  initialize_ledger(scene.system, scene.state);
+  return scene;
+}
+
+struct RingRun {
+  Lab lab;
+  explicit RingRun(int substeps, int frames) : lab(measured_lab(weak_ring(substeps))) {
+    run(lab, frames);
+    EXPECT_EQ(lab.gas_releases().size(), 1u);
+  }
+  const EnergyBalance& energy() { return accuracy = lab.accuracy(), accuracy.energy; }
+  Accuracy accuracy;
+};
+
+TEST(TearAccounts, AReleaseOfGasIsNeitherLossNorGain) {
+  constexpr int frames = 60, substeps = 20;
+  RingRun coarse(substeps, frames), fine(16 * substeps, frames);
+  const double supplied = fine.energy().forces;
+  ASSERT_GT(supplied, 0.0);
+  EXPECT_NEAR(coarse.energy().forces, supplied, 0.1 * supplied);
+  EXPECT_NEAR(fine.energy().method, 0.0, 0.01 * supplied);
+  EXPECT_NEAR(coarse.energy().method, 0.0, 0.01 * supplied);
+  EXPECT_NEAR(coarse.energy().dashpots, fine.energy().dashpots, 0.05 * supplied);
+}
+
+// The gas leaves at the end of the frame in which the ring tears, with any substeps; the tear is late by up to a substep.
+TEST(TearAccounts, TheErrorAfterAReleaseOfGasFallsWithTheStep) {
+  constexpr int frames = 12, substeps = 20;
+  const RingRun coarse(substeps, frames), finer(8 * substeps, frames), reference(128 * substeps, frames);
+  const auto error_of = [&](const RingRun& run) {
+    return weighted_distance(run.lab.scene().state.position, reference.lab.scene().state.position, 1.0).rms;
+  };
+  const Accuracy first = coarse.lab.accuracy(), second = finer.lab.accuracy();
+  ASSERT_TRUE(first.accumulated.value && second.accumulated.value);
+  EXPECT_EQ(first.since, 0.0);
+  EXPECT_LT(*second.accumulated.value, 0.5 * *first.accumulated.value);
+  EXPECT_LT(*first.accumulated.value, 8.0 * error_of(coarse));
+  ASSERT_TRUE(first.frame.value && second.frame.value) << first.frame.reason << second.frame.reason;
+  // of second order, 1/64, beside the rounding of the distance
+  EXPECT_LT(*second.frame.value, *first.frame.value / 30.0);
+}
+
+// Beside a window, too: the values do not depend on when the work is done, as long as it keeps up.
+TEST(TearAccounts, DoNotDependOnWhenTheWorkIsDone) {
+  Lab at_once = measured_lab(weak_ring(20)), later(weak_ring(20));
+  for (int frame = 0; frame < 30; ++frame) {
+    run(at_once, 1);
+    run(later, 1);
+    later.measure_accuracy([] { return true; });
+  }
+  const Accuracy first = at_once.accuracy(), second = later.accuracy();
+  EXPECT_EQ(first.accumulated.value, second.accumulated.value);
+  EXPECT_EQ(first.frame.value, second.frame.value);
+  EXPECT_EQ(first.energy, second.energy);
+}
+
+// Where it does not keep up, the run with half the step starts again after the tear.
+TEST(TearAccounts, AFrameThatWaitsIsNotComputedWithoutItsSprings) {
+  Lab lab(weak_ring(20, 0.3));
+  while (lab.gas_releases().empty() && lab.scene().state.time < 0.5) run(lab, 1);
+  ASSERT_EQ(lab.gas_releases().size(), 1u);
+  run(lab, 6);
+  lab.measure_accuracy([] { return true; });
+  const Accuracy accuracy = lab.accuracy();
+  ASSERT_TRUE(accuracy.accumulated.value) << accuracy.accumulated.reason;
+  EXPECT_EQ(accuracy.since, lab.gas_releases()[0]);
+  EXPECT_LT(*accuracy.accumulated.value, 1e-4);
+}
+
+}  // namespace
+}  // namespace hooke
