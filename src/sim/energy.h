@@ -19,7 +19,7 @@ struct Momentum {
 
 // Nailed points have no kinetic energy or momentum.
 Energy compute_energy(const System& system, const State& state);
-double kinetic_energy(const System& system, const State& state);                         // [J]
+double kinetic_energy(const System& system, const State& state);                        // [J]
 double elastic_energy(const System& system, const State& state, const Spring& spring);  // [J]
 Momentum compute_momentum(const System& system, const State& state);
 

@@ -55,7 +55,7 @@ struct Motion {
   double hand_work = 0.0, abs_hand_work = 0.0;  // [J], of the hand, and the sum of the magnitudes over the substeps
   double force_work = 0.0;                      // [J], of the listed forces and moving air
   double reversible_work = 0.0;                 // [J], the part of it that follows from potentials
-  double local_error = 0.0;  // [m], sum over the steps of the error estimates of the method, RMS over the points; 0 if it has none
+  double local_error = 0.0;          // [m], sum over the steps of the error estimates of the method, RMS over the points; 0 if it has none
   std::vector<BrokenSpring> breaks;  // in the order in which they broke
 };
 

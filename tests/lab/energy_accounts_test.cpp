@@ -56,6 +56,31 @@ TEST(EnergyAccounts, DashpotsDoNotDissipateWhatOtherPartsOfTheSceneLose) {
   }
 }
 
+// Two points that separate at 1 m/s: 1 W, and 10 W after the edit.
+TEST(EnergyAccounts, AnEditOfADashpotAppliesFromTheNextFrameOn) {
+  TestSim sim;
+  sim.system.gravity = Vec3(0.0);
+  sim.join(sim.add({0.0, 0.0, 0.0}, 1.0, {-0.5, 0.0, 0.0}), sim.add({1.0, 0.0, 0.0}, 1.0, {0.5, 0.0, 0.0}), 1.0, 1.0, 1.0);
+  initialize_ledger(sim.system, sim.state);
+  constexpr double frame = 1.0 / 60.0;
+  EnergyAccounts accounts;
+  accounts.start(sim.state, 0.25);
+  State first = sim.state;
+  first.time = frame;
+  accounts.add_frame(make_plan(sim.system), sim.system, sim.state, first, {}, 0.25 - frame);
+  accounts.begin_repetition();
+  accounts.set_numerical_gain(0.0);
+  EXPECT_NEAR(accounts.balance().dashpots, -frame, 1e-15);
+
+  sim.system.spring(0)->damping = 10.0;
+  accounts.note_edit();
+  State second = first;
+  second.time = 2.0 * frame;
+  accounts.add_frame(make_plan(sim.system), sim.system, first, second, {}, 0.25 - 11.0 * frame);
+  EXPECT_NEAR(accounts.balance().dashpots, -11.0 * frame, 1e-15);
+  EXPECT_NEAR(accounts.balance().method, 0.0, 1e-15);
+}
+
 // [J], of a drag of 1/s in frames of 1/60 s of a motion that starts from rest, by the trapezoidal rule.
 double loss_by_drag(Lab& lab, int frames) {
   double loss = 0.0, power = 0.0;

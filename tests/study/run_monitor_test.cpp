@@ -50,6 +50,18 @@ State exact_end(const TestNetwork& network, double seconds) {
   return run.state();
 }
 
+// The dashpot takes 4 % of the energy within the first frame, and is gone after it.
+TEST(RunMonitor, ExpectsTheLossOfADashpotThatBreaks) {
+  TestNetwork pair;
+  pair.system.gravity = Vec3(0.0);
+  pair.join(pair.add({-0.5, 0.0, 0.0}, 1.0, {-5.0, 0.0, 0.0}), pair.add({0.5, 0.0, 0.0}, 1.0, {5.0, 0.0, 0.0}), 100.0, 1.0, 1.0);
+  pair.system.spring(0)->break_strain = 0.1;
+  MonitoredRun run(pair, {.integrator = find_integrator("velocity_verlet"), .substeps = 20});
+  run.run(0.1);
+  EXPECT_EQ(run.lab().scene().system.spring_count(), 0);
+  EXPECT_TRUE(run.monitor().warnings({}).empty()) << run.monitor().warnings({})[0];
+}
+
 // `auto` estimates the error of every frame, whether the settings are its own or those that it chose.
 TEST(RunMonitor, AddsUpTheErrorsEstimatedByAuto) {
   TestNetwork pendulum;

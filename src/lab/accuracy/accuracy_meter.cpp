@@ -53,6 +53,7 @@ void AccuracyMeter::restart() {
 
 void AccuracyMeter::note_edit() {
   is_edited_ = true;
+  energy_.note_edit();
   repetition_.cancel();
   second_runs_.note_edit();
 }

@@ -21,20 +21,26 @@ double drag_power(const System& system, const State& state) {
   return power;
 }
 
-// [W]
-double dashpot_power(const System& system, const State& state) {
+// [W], of the springs that are not broken.
+double dashpot_power(const System& system, const State& state, const std::vector<BrokenSpring>& breaks = {}) {
+  std::vector<bool> is_broken(breaks.empty() ? 0 : static_cast<std::size_t>(system.spring_count()));
+  for (const BrokenSpring& broken : breaks) is_broken[static_cast<std::size_t>(broken.spring)] = true;
   double power = 0.0;
-  for (const Spring& spring : system.springs()) {
-    const double damping = system.damping_of(spring);
-    if (damping == 0.0) continue;
-    const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
-    const Vec3 along = state.position[j] - state.position[i];
-    const double length = glm::length(along);
-    if (length == 0.0) continue;
-    const double speed = glm::dot(state.velocity[j] - state.velocity[i], along) / length;
-    power += damping * speed * speed;
-  }
+  for (Index s = 0; s < system.spring_count(); ++s)
+    if (breaks.empty() || !is_broken[static_cast<std::size_t>(s)]) power += dashpot_power(system, state, system.springs()[s]);
   return power;
+}
+
+// [W], sum of the powers at the start of the frame and at its end. Of a spring that breaks within the frame, those at the start and at the
+// break, with which the trapezoidal rule over the whole frame gives what its dashpot dissipates until then.
+double dashpot_powers(const System& system, const State& before, const State& after, double start, double end,
+                      const std::vector<BrokenSpring>& breaks) {
+  double sum = start + end;
+  for (const BrokenSpring& broken : breaks) {
+    const double power = dashpot_power(system, before, system.springs()[broken.spring]);
+    sum += (broken.time - before.time) / (after.time - before.time) * (power + broken.dashpot_power) - power;
+  }
+  return std::max(0.0, sum);
 }
 
 }  // namespace
@@ -46,6 +52,11 @@ void EnergyAccounts::start(const State& state, double energy) {
   contact_work_ = rest_ = repeated_rest_ = gain_ratio_ = dissipation_ = resolved_ = repeated_resolved_ = 0.0;
   is_resolved_ = false;
   power_.reset();
+}
+
+void EnergyAccounts::note_edit() {
+  power_.reset();
+  bound_ = {};
 }
 
 void EnergyAccounts::set_numerical_gain(double gain) {
@@ -89,8 +100,9 @@ void EnergyAccounts::add_frame(const Plan& plan, const System& system, const Sta
   } else {
     if (!power_) power_ = {drag_power(system, before), dashpot_power(system, before)};
     const Dissipation start = *power_;
-    power_ = {drag_power(system, after), dashpot_power(system, after)};
-    const double by_drag = start.drag + power_->drag, by_dashpots = start.dashpots + power_->dashpots;
+    power_ = {drag_power(system, after), dashpot_power(system, after, motion.breaks)};
+    const double by_drag = start.drag + power_->drag;
+    const double by_dashpots = dashpot_powers(system, before, after, start.dashpots, power_->dashpots, motion.breaks);
     resolved_ = -0.5 * (after.time - before.time) * (by_drag + by_dashpots);
     const double drag_fraction = by_drag + by_dashpots > 0.0 ? by_drag / (by_drag + by_dashpots) : drags ? 1.0 : 0.0;
     bound_.begin_frame(system, before);

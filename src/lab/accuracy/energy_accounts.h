@@ -14,7 +14,10 @@ class EnergyAccounts {
  public:
   // Starts at this state with its energy [J].
   void start(const State& state, double energy);
-  // The frame that led from `before` to `after`, whose energy is `energy` [J]; `plan` is that of `system`.
+  // The System was edited, so that its dissipation in the state after the last frame is another.
+  void note_edit();
+  // The frame that led from `before` to `after`, whose energy is `energy` [J]; `plan` is that of `system`, which still contains the springs
+  // that broke in it.
   void add_frame(const Plan& plan, const System& system, const State& before, const State& after, const Motion& motion, double energy);
   // The last frame is repeated with half the step; afterwards, the numerical gain [J] in it.
   void begin_repetition() {

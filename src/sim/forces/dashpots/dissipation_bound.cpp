@@ -18,14 +18,29 @@ bool has_damping(const System& system) {
 
 // Whether something but springs, gravity, drag and dashpots did work.
 bool is_supplied(const Plan& plan, const Motion& motion) {
-  if (plan.held || plan.pull || !plan.forces.empty()) return true;
+  if (plan.held || plan.pull || !plan.forces.empty() || !motion.breaks.empty()) return true;
   for (const double work :
        {motion.contact_work, motion.collider_work, motion.hand_work, motion.force_work, motion.break_work, motion.limit_work})
     if (work != 0.0) return true;
   return false;
 }
 
+bool may_break(const System& system) {
+  return std::ranges::any_of(system.springs(), [&](const Spring& spring) { return system.break_length_of(spring) != never_breaks; });
+}
+
 }  // namespace
+
+double dashpot_power(const System& system, const State& state, const Spring& spring) {
+  const double damping = system.damping_of(spring);
+  if (damping == 0.0) return 0.0;
+  const Index i = system.index_of(spring.first), j = system.index_of(spring.second);
+  const Vec3 along = state.position[j] - state.position[i];
+  const double length = glm::length(along);
+  if (length == 0.0) return 0.0;
+  const double speed = glm::dot(state.velocity[j] - state.velocity[i], along) / length;
+  return damping * speed * speed;
+}
 
 bool DissipationBound::is_divided(const System& system) {
   const SpringId last = system.spring_count() > 0 ? system.springs()[system.spring_count() - 1].id : SpringId{};
@@ -82,13 +97,26 @@ void DissipationBound::measure(const System& system, const State& state, std::ve
 void DissipationBound::begin_frame(const System& system, const State& state) {
   start_ = state.time;
   kinetic_ = kinetic_energy(system, state);
+  power_.clear();
+  if (may_break(system))
+    for (const Spring& spring : system.springs()) power_.push_back(dashpot_power(system, state, spring));
   if (is_divided(system)) measure(system, state, before_);
+}
+
+// [J], twice what the trapezoidal rule gives for the dashpots of springs that broke.
+double DissipationBound::until_break(const std::vector<BrokenSpring>& breaks) const {
+  double sum = 0.0;
+  for (const BrokenSpring& broken : breaks)
+    if (const auto s = static_cast<std::size_t>(broken.spring); s < power_.size())
+      sum += (broken.time - start_) * (power_[s] + broken.dashpot_power);
+  return sum;
 }
 
 double DissipationBound::end_frame(const Plan& plan, const System& system, const State& state, const Motion& motion) {
   const double duration = state.time - start_;
   if (!is_divided(system) || is_supplied(plan, motion))
-    return max_dissipation(plan.spectrum, state.ledger.scale, std::max(kinetic_, kinetic_energy(system, state)), duration);
+    return max_dissipation(plan.spectrum, state.ledger.scale, std::max(kinetic_, kinetic_energy(system, state)), duration) +
+           until_break(motion.breaks);
   measure(system, state, after_);
   const SpectrumRows rows = spectrum_rows(system);
   for (Part& part : after_) part.rate = 0.0;

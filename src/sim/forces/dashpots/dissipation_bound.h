@@ -8,6 +8,9 @@
 
 namespace hooke {
 
+// [W], of the dashpot of a spring.
+double dashpot_power(const System& system, const State& state, const Spring& spring);
+
 // Parts of the scene that no spring connects, except through nails, exchange no energy as long as nothing touches and nothing but springs
 // and gravity acts: each dissipates at most what it loses, and only at the rate of its own dashpots. So the dashpots of a part at rest do
 // not explain the loss of another one. In all other frames, and in a scene of one part, the bound is that for the fastest dashpot of the
@@ -16,7 +19,7 @@ class DissipationBound {
  public:
   // The state in which a frame starts.
   void begin_frame(const System& system, const State& state);
-  // [J], in the frame that led from there to `state`. `plan`: of `system` after the frame.
+  // [J], in the frame that led from there to `state`. `plan`: of `system` after the frame, with or without the springs that broke in it.
   double end_frame(const Plan& plan, const System& system, const State& state, const Motion& motion);
 
  private:
@@ -26,6 +29,7 @@ class DissipationBound {
   };
   bool is_divided(const System& system);
   void divide(const System& system);
+  double until_break(const std::vector<BrokenSpring>& breaks) const;
   void measure(const System& system, const State& state, std::vector<Part>& parts) const;
 
   std::vector<Index> part_of_;  // per point; empty: one part
@@ -33,6 +37,7 @@ class DissipationBound {
   SpringId last_{};  // with the counts: those of which part_of_ is
   std::vector<Part> before_, after_;
   double start_ = 0.0, kinetic_ = 0.0;  // [s], [J], of the whole
+  std::vector<double> power_;           // [W], of the dashpots at the start; empty: no spring breaks
 };
 
 }  // namespace hooke
