@@ -24,7 +24,8 @@ TestSim balls_over_bin() {
   Random random(7);
   for (int i = 0; i < 200; ++i) {
     const double x = random.uniform(-0.005, 0.005), z = random.uniform(-0.005, 0.005);
-    sim.add({0.08 * (i % 4) - 0.12 + x, 0.05 + 0.08 * (i / 16), 0.08 * (i / 4 % 4) - 0.12 + z}, 0.1);
+    const int layer = i / 16, row = i / 4 % 4;
+    sim.add({0.08 * (i % 4) - 0.12 + x, 0.05 + 0.08 * layer, 0.08 * row - 0.12 + z}, 0.1);
     sim.system.point(i).radius = 0.03;
   }
   return sim;

@@ -103,7 +103,7 @@ std::string MonitoredRun::report() const {
   if (largest == 0.0) return "status: no step is stable";
   if (exceeds_stable_step(*this, largest))
     return formatted("status: the step is %.2g times the largest stable one", settings().substep() / largest);
-  if (const std::string warning = missed_.warning(); !warning.empty()) return warning;
+  if (std::string warning = missed_.warning(); !warning.empty()) return warning;
   const std::vector<std::string> warnings = monitor_->warnings(tolerance_);
   return warnings.empty() ? "" : warnings.front();
 }
