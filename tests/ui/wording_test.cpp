@@ -30,7 +30,9 @@ testing::AssertionResult shows(GuiFixture& gui, const std::string& text) {
 }
 
 TEST(Wording, OfTheHintsBelowTheSliders) {
-  GuiFixture gui(load_scene(find_scene("cloth")).scene);
+  Scene scene = load_scene(find_scene("cloth")).scene;
+  scene.settings.substeps = 40;
+  GuiFixture gui(scene);
   EXPECT_TRUE(shows(gui, "\u03c9h = 1.7, 84 % of the limit"));
 }
 
