@@ -84,7 +84,6 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   constexpr double min_loss = 0.01;  // of the supplied energy
   const bool is_loss = start_.energy - energy > min_loss * scale_ + max_dissipated_;
   change_ = is_loss ? modified_change(start_, energy, plan, settings, state) : energy - start_.energy;
-  largest_loss_ = std::max(largest_loss_, -change_ - max_dissipated_);
 }
 
 std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const {
@@ -92,7 +91,7 @@ std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const 
   if (unconverged_solves_ > 0)
     warnings.push_back(std::to_string(unconverged_solves_) + (unconverged_solves_ == 1 ? " solve" : " solves") + " did not converge");
   // a run that loses most of its energy may gain some in between
-  const double rise = energy_rise(), loss = largest_loss_;
+  const double rise = energy_rise(), loss = -change_ - max_dissipated_;
   if (rise > tolerance.energy && rise * scale_ >= loss)
     warnings.push_back("energy balance off by " + percent_text(rise) + " of the energy supplied (gain)");
   else if (loss > tolerance.energy * scale_)

@@ -62,7 +62,6 @@ class RunMonitor {
   DissipationBound dissipation_;
   double max_dissipated_ = 0.0;               // [J], by drag, dashpots, contact and forces so far, a bound
   double largest_rise_ = 0.0, change_ = 0.0;  // [J]
-  double largest_loss_ = 0.0;                 // [J], at any time, beyond what could have been dissipated by then
   Motion motion_;                             // scratch
   double scale_;                              // [J]
   double estimated_error_ = 0.0;              // [m]
