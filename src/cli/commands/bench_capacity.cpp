@@ -7,6 +7,7 @@
 
 #include "base/atomic_write.h"
 #include "base/formatted.h"
+#include "base/text_lines.h"
 #include "batch/machine.h"
 #include "batch/output_folder.h"
 #include "cli/interrupt.h"
@@ -18,7 +19,7 @@ namespace {
 
 std::string setting_of(const Capacity& capacity) {
   return capacity.setting.tolerance ? formatted("tolerance %.0e m", *capacity.setting.tolerance)
-                                    : formatted("%d substeps", capacity.substeps());
+                                    : pluralize(static_cast<std::size_t>(capacity.substeps()), "substep", "substeps");
 }
 
 std::string table_row(const CapacityRow& row) {
