@@ -1,19 +1,8 @@
 // What the laboratory passes on to its meter, and when it measures.
-#include <ctime>
-
+#include "base/threads/thread_time.h"
 #include "lab/lab.h"
 
 namespace hooke {
-namespace {
-
-double thread_cpu_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
-
 // Passes the frame from the present state to `next_` on to the meter.
 void Lab::meter_frame(double energy) {
   if (meter_.mode() == AccuracyMode::Off) return;

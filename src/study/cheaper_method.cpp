@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
+#include "base/threads/thread_time.h"
 #include "scene/step_limits.h"
 #include "sim/automatic/automatic.h"
 #include "sim/contact/contact.h"
@@ -14,12 +14,6 @@
 
 namespace hooke {
 namespace {
-
-double thread_cpu_seconds() {
-  timespec now;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 class Frames {
  public:

@@ -30,8 +30,8 @@ class SecondRuns {
   bool has_work() const { return waits(refined_) || waits(perturbed_); }
   void substep(const System& system);
 
-  double since() const { return since_; }                          // [s], start of the run with half the step
-  const std::optional<Error>& error() const { return error_; }     // none before its first frame
+  double since() const { return since_; }                       // [s], start of the run with half the step
+  const std::optional<Error>& error() const { return error_; }  // none before its first frame
   const std::optional<Error>& max_error() const { return max_error_; }
   const std::optional<Growth>& growth() const { return growth_; }  // none before the first measurement
   // The run with half the step. Failed: found no step, or took too many.

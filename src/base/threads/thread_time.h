@@ -1,0 +1,15 @@
+// CPU time of the calling thread.
+#pragma once
+
+#include <ctime>
+
+namespace hooke {
+
+// [s], since an arbitrary start.
+inline double thread_cpu_seconds() {
+  timespec now;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+}  // namespace hooke
