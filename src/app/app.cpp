@@ -1,11 +1,25 @@
 #include "app/app.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/overloaded.h"
+#include "edit/history_list.h"
 #include "ui/strain_legend.h"
+#include "ui/text.h"
 
 namespace hooke {
+namespace {
+
+// "Undo: nail 3 points"; empty: neither undone nor redone.
+std::string history_move(const HistoryList& from, const HistoryList& to) {
+  if (from.done == to.done || from.names != to.names) return {};
+  const auto [first, last] = std::minmax(from.done, to.done);
+  return (to.done < from.done ? "Undo: " : "Redo: ") +
+         (last - first == 1 ? to.names[first] : count(static_cast<long>(last - first), "step"));
+}
+
+}  // namespace
 
 App::App(std::shared_ptr<const Scene> scene, std::filesystem::path file, const Home& home)
     : lab_(*scene),
@@ -72,6 +86,9 @@ void App::build_frame(const FrameStatistics& frame_statistics) {
   remedy_search_.follow(status(), divergence && panels_.dismissed != divergence->time);
   const std::size_t gas_releases = status().run.gas_releases;
   if (gas_releases > std::exchange(gas_releases_, gas_releases)) panels_.show_toast("A tear released the gas of a surface");
+  const auto history = std::exchange(history_, status().history.list);
+  if (history && history != history_)
+    if (const std::string moved = history_move(*history, *history_); !moved.empty()) panels_.show_toast(moved);
   if (tool_.is_pressed())
     tool_.follow(mouse_.pointer());
   else

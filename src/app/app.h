@@ -108,7 +108,8 @@ class App {
   LabThread lab_;
   Selection selection_;
   Gesture last_gesture_ = 0;
-  std::size_t gas_releases_ = 0;  // announced so far
+  std::size_t gas_releases_ = 0;                // announced so far
+  std::shared_ptr<const HistoryList> history_;  // of the last frame
   ToolContext tool_context_;
   Panels panels_;
   Layout layout_;

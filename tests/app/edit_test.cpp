@@ -106,6 +106,26 @@ TEST(Copies, DuplicatesAreDisplacedAndSelected) {
   }
 }
 
+TEST(UndoAndRedo, SayWhatTheyChanged) {
+  GuiFixture gui(pair_and_one());
+  gui.key(letter('A'), control);
+  gui.key(Key::Delete);
+  EXPECT_EQ(gui.app().panels().toast, "");
+  gui.key(letter('Z'), control);
+  EXPECT_EQ(gui.app().panels().toast, "Undo: delete 3 points and 1 spring");
+  gui.key(letter('Y'), control);
+  EXPECT_EQ(gui.app().panels().toast, "Redo: delete 3 points and 1 spring");
+  gui.key(letter('Z'), control);
+  gui.key(letter('A'), control);
+  gui.key(letter('D'), control);
+  ASSERT_EQ(gui.system().point_count(), 6);
+  gui.key(letter('D'), control);
+  gui.app().handle(Request(Control(GoToHistoryStep{0})));
+  gui.frames(2);
+  EXPECT_EQ(gui.system().point_count(), 3);
+  EXPECT_EQ(gui.app().panels().toast, "Undo: 2 steps");
+}
+
 TEST(Copies, PassBetweenTwoInstancesAsText) {
   std::string board;
   const Clipboard shared{.put = [&](const std::string& text) { board = text; }, .take = [&] { return board; }};
