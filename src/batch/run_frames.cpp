@@ -14,6 +14,7 @@
 #include "sim/automatic/automatic.h"
 #include "sim/hash.h"
 #include "study/benchmark.h"
+#include "study/remedy/remedy.h"
 #include "study/run_monitor.h"
 
 namespace hooke {
@@ -77,8 +78,9 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
   ToleranceMonitor tolerance;
   // two states, so that one is at least a second before a divergence
   SampleClock kept_states(1.0, scene.settings.frame_rate, frames);
-  auto last_kept = std::make_shared<const State>(scene.state);
-  RunMonitor monitor(scene.system, last_kept, 0);
+  const bool keeps_states = may_reach(scene.settings.frame_rate, scene.system.point_count(), scene.system.spring_count());
+  auto last_kept = keeps_states ? std::make_shared<const State>(scene.state) : nullptr;
+  RunMonitor monitor(lab.plan(), scene.settings, scene.system, scene.state, 0);
   const auto add_sample = [&] {
     if (hooks.sample) hooks.sample(scene.state, lab.accuracy());
   };
@@ -90,7 +92,7 @@ RunResults run_frames(Lab& lab, const RunRequest& request, const RunHooks& hooks
     if (is_ended && !is_sampled) add_sample();
     if (is_ended || frame == frames) break;
 
-    if (kept_states.is_due(frame) && frame > 0) {
+    if (keeps_states && kept_states.is_due(frame) && frame > 0) {
       results.before_end = std::move(last_kept);
       last_kept = std::make_shared<const State>(scene.state);
     }

@@ -43,7 +43,8 @@ struct RunHooks {
 struct RunResults {
   RunTotals totals;
   std::vector<std::string> warnings;  // of the monitored energy and solves and of the accumulated error, one clause each
-  // A state one to two seconds, or two frames, before the last one; null: the run was shorter.
+  // A state one to two seconds, or two frames, before the last one; null: the run was shorter, or the scene is too large for a search for a
+  // remedy to come from that state to the last one.
   std::shared_ptr<const State> before_end;
 };
 

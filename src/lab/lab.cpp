@@ -7,6 +7,7 @@
 
 #include "base/overloaded.h"
 #include "edit/tears.h"
+#include "lab/large_run.h"
 
 namespace hooke {
 namespace {
@@ -278,6 +279,7 @@ bool Lab::finish_frame() {
   std::optional<Insert> torn = tear();
   if (torn) companions_.restart();
   std::swap(scene_.state, next_);
+  if (!start_.scene() && next_.position.size() >= min_points_of_large_run) next_ = {};
   energy_ = torn ? compute_energy(scene_.system, scene_.state) : energy;
   constexpr double explained_fraction = 0.02;
   const EnergyLedger& ledger = scene_.state.ledger;

@@ -32,12 +32,15 @@ double max_dissipation(const Spectrum& spectrum, double supplied, double kinetic
 }
 
 double verlet_energy_difference(const Plan& plan, double time, const Field& x, const Field& v, double h) {
-  Field ahead = x, behind = x, force(x.size()), force_ahead(x.size()), force_behind(x.size());
-  add_scaled(ahead.data(), h, v.data(), x.size());
-  add_scaled(behind.data(), -h, v.data(), x.size());
+  // not more than three fields: in a large net, these are what a run needs most memory for
+  Field moved = x, force_ahead(x.size()), force_behind(x.size());
+  add_scaled(moved.data(), h, v.data(), x.size());
+  compute_position_forces(plan, time, moved, v, force_ahead);
+  std::ranges::copy(x, moved.begin());
+  add_scaled(moved.data(), -h, v.data(), x.size());
+  compute_position_forces(plan, time, moved, v, force_behind);
+  Field& force = moved;
   compute_position_forces(plan, time, x, v, force);
-  compute_position_forces(plan, time, ahead, v, force_ahead);
-  compute_position_forces(plan, time, behind, v, force_behind);
   double difference = 0.0;
   for (std::size_t at = 0; at < x.size(); ++at) {
     const double inverse_mass = plan.inverse_mass[at % static_cast<std::size_t>(plan.points)];

@@ -67,7 +67,7 @@ CheckResult run(const SceneCheck& check, Scene scene, const CheckedMethod& check
   QuantityHistory history(check, lab.scene());
   history.add(lab.scene());
   constexpr int frames_per_estimate = 20;
-  RunMonitor monitor(lab.scene().system, std::make_shared<const State>(lab.scene().state),
+  RunMonitor monitor(lab.plan(), lab.scene().settings, lab.scene().system, lab.scene().state,
                      check.expects_divergence ? 0 : frames_per_estimate);
   for (long frame = 0; frame < frames; ++frame) {
     monitor.begin_frame(lab.scene().system, lab.scene().settings, lab.scene().state);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "lab/large_run.h"
 #include "sim/automatic/automatic.h"
 #include "sim/energy.h"
 #include "sim/frame_error.h"
@@ -23,6 +24,10 @@ double booked_dissipation(const Motion& motion) {
   return 2.0 * std::abs(motion.contact_work) + std::abs(motion.collider_work) + std::abs(motion.force_work - motion.reversible_work);
 }
 
+bool is_large(const State& state) { return state.position.size() >= min_points_of_large_run; }
+
+bool has_modified_energy(const Settings& settings) { return settings.islands.empty() && settings.integrator->modified_energy != nullptr; }
+
 // "6200 %": with two digits.
 std::string percent_text(double fraction) {
   const double percent = 100.0 * fraction;
@@ -33,11 +38,18 @@ std::string percent_text(double fraction) {
 
 }  // namespace
 
-RunMonitor::RunMonitor(const System& system, std::shared_ptr<const State> start, int frames_per_estimate)
+RunMonitor::RunMonitor(const Plan& plan, const Settings& settings, const System& system, const State& start, int frames_per_estimate)
     : frames_per_estimate_(frames_per_estimate),
-      start_{unexplained_energy(system, *start), std::move(start)},
-      lowest_(start_),
-      scale_(start_.state->ledger.scale) {}
+      start_{unexplained_energy(system, start), start.position.size()},
+      scale_(start.ledger.scale) {
+  const Now now{plan, settings, start, nullptr};
+  // the method may become one whose modified energy is known
+  if (is_large(start) && !is_automatic(settings))
+    keep(start_, now);
+  else
+    start_.state = std::make_shared<const State>(start);
+  lowest_ = start_;
+}
 
 void RunMonitor::begin_frame(const System& system, const Settings& settings, const State& state) {
   dissipation_.begin_frame(system, state);
@@ -45,19 +57,41 @@ void RunMonitor::begin_frame(const System& system, const Settings& settings, con
     estimated_error_ += frames_per_estimate_ * estimate_frame_error(system, settings, state);
 }
 
-// [J], of the energy that the method conserves best. The modified energy costs some force evaluations, so that it is computed only where
-// the energy of the scene changed.
-double RunMonitor::modified_change(Reference& since, double energy, const Plan& plan, const Settings& settings, const State& state) {
+// [J], by how much the modified energy exceeds that of the scene.
+double RunMonitor::modified_difference(const Now& now) {
+  const auto modified_energy = now.settings.integrator->modified_energy;
+  const double h = now.settings.substep();
+  // a large motion is not packed again; it is of another Plan if springs broke, and does not have the place of a held point
+  if (is_large(now.state) && now.motion != nullptr && now.motion->breaks.empty() && !now.plan.held)
+    return modified_energy(now.plan, *now.motion, h);
+  pack(now.plan, now.state, motion_);
+  const double difference = modified_energy(now.plan, motion_, h);
+  if (is_large(now.state)) motion_ = {};
+  return difference;
+}
+
+// Makes it possible to compute later by how much the modified energy changed since.
+void RunMonitor::keep(Reference& reference, const Now& now) {
+  reference.points = now.state.position.size();
+  reference.difference.reset();
+  reference.state = nullptr;  // before the next one takes memory
+  if (!has_modified_energy(now.settings)) return;
+  if (is_large(now.state))
+    reference.difference = modified_difference(now);
+  else
+    reference.state = std::make_shared<const State>(now.state);
+}
+
+// [J], of the energy that the method conserves best.
+double RunMonitor::modified_change(Reference& since, double energy, const Now& now) {
   const double change = energy - since.energy;
-  const auto modified_energy = settings.islands.empty() ? settings.integrator->modified_energy : nullptr;
-  const auto points = static_cast<std::size_t>(plan.points);
-  if (modified_energy == nullptr || state.position.size() != points || since.state->position.size() != points) return change;
-  const auto difference = [&](const State& at) {
-    pack(plan, at, motion_);
-    return modified_energy(plan, motion_, settings.substep());
-  };
-  if (!since.difference) since.difference = difference(*since.state);
-  const double modified = change + difference(state) - *since.difference;
+  const auto points = static_cast<std::size_t>(now.plan.points);
+  if (!has_modified_energy(now.settings) || now.state.position.size() != points || since.points != points) return change;
+  if (!since.difference) {
+    if (since.state == nullptr) return change;
+    since.difference = modified_difference({now.plan, now.settings, *since.state, nullptr});
+  }
+  const double modified = change + modified_difference(now) - *since.difference;
   if (change * modified <= 0.0) return 0.0;
   return std::abs(modified) < std::abs(change) ? modified : change;
 }
@@ -67,23 +101,19 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
   // `auto` has an estimate for every frame
   if (state.memory.choice) estimated_error_ += state.memory.choice->ratio * state.memory.choice->target;
   unconverged_solves_ += motion.unconverged_solves;
+  const Now now{plan, settings, state, &motion};
   const double energy = unexplained_energy(system, state);
   scale_ = state.ledger.scale;
   max_dissipated_ += dissipation_.end_frame(plan, system, state, motion) + booked_dissipation(motion);
-  if (energy - lowest_.energy > largest_rise_)
-    largest_rise_ = std::max(largest_rise_, modified_change(lowest_, energy, plan, settings, state));
+  if (energy - lowest_.energy > largest_rise_) largest_rise_ = std::max(largest_rise_, modified_change(lowest_, energy, now));
   if (energy < lowest_.energy) {
     lowest_.energy = energy;
-    lowest_.difference.reset();
-    if (settings.integrator->modified_energy != nullptr && settings.islands.empty()) {
-      lowest_.state = nullptr;  // before the next one takes memory
-      lowest_.state = std::make_shared<const State>(state);
-    }
+    keep(lowest_, now);
   }
   // a rise is reported above, and what the scene may dissipate is no error
   constexpr double min_loss = 0.01;  // of the supplied energy
   const bool is_loss = start_.energy - energy > min_loss * scale_ + max_dissipated_;
-  change_ = is_loss ? modified_change(start_, energy, plan, settings, state) : energy - start_.energy;
+  change_ = is_loss ? modified_change(start_, energy, now) : energy - start_.energy;
 }
 
 std::vector<std::string> RunMonitor::warnings(const Tolerance& tolerance) const {

@@ -23,14 +23,14 @@ struct Tolerance {
 
 class RunMonitor {
  public:
-  // The error of every `frames_per_estimate`-th frame is estimated, at the cost of three frames; 0: never.
-  RunMonitor(const System& system, std::shared_ptr<const State> start, int frames_per_estimate);
+  // `plan`: of `system`. The error of every `frames_per_estimate`-th frame is estimated, at the cost of three frames; 0: never.
+  RunMonitor(const Plan& plan, const Settings& settings, const System& system, const State& start, int frames_per_estimate);
 
   // Whether the error of the next frame will be estimated.
   bool estimate_is_due() const { return frames_per_estimate_ != 0 && frames_ % frames_per_estimate_ == 0; }
   // Must be called before and after a frame, with its edits already applied to `system`.
   void begin_frame(const System& system, const Settings& settings, const State& state);
-  // `plan`: of `system` after the frame.
+  // `plan`: of `system` after the frame. `motion`: that of the frame, as it ended.
   void end_frame(const Plan& plan, const Settings& settings, const System& system, const State& state, const Motion& motion);
 
   long unconverged_solves() const { return unconverged_solves_; }
@@ -50,13 +50,25 @@ class RunMonitor {
  private:
   const int frames_per_estimate_;
   long frames_ = 0, unconverged_solves_ = 0;
-  // A state with its energy, and by how much the modified energy exceeds it, once that is computed. [J], minus the work done on the scene
+  // An energy of the scene, minus the work done on it, and by how much the modified energy exceeded it then [J]. The latter costs some
+  // force evaluations: in a large net, where a state takes much memory and a frame has many steps, it is computed at once, otherwise from a
+  // copy of the state where it is needed.
   struct Reference {
     double energy;
-    std::shared_ptr<const State> state;
+    std::size_t points;
+    std::shared_ptr<const State> state{};
     std::optional<double> difference{};
   };
-  double modified_change(Reference& since, double energy, const Plan& plan, const Settings& settings, const State& state);
+  // A state, and the motion that ended in it if there is one.
+  struct Now {
+    const Plan& plan;
+    const Settings& settings;
+    const State& state;
+    const Motion* motion;
+  };
+  double modified_difference(const Now& now);
+  double modified_change(Reference& since, double energy, const Now& now);
+  void keep(Reference& reference, const Now& now);
 
   Reference start_, lowest_;
   DissipationBound dissipation_;

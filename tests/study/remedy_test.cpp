@@ -63,7 +63,7 @@ std::vector<std::string> warnings_of(const Scene& scene, double duration) {
   for (const auto& warning : {unused_setting_warning(scene.settings), step_warning(scene.system, scene.state, scene.settings)})
     if (warning) list.push_back(*warning);
   Lab lab(scene, KeepStart::No);
-  RunMonitor monitor(lab.scene().system, std::make_shared<const State>(lab.scene().state), 0);
+  RunMonitor monitor(lab.plan(), lab.scene().settings, lab.scene().system, lab.scene().state, 0);
   for (long frame = std::lround(duration * scene.settings.frame_rate); frame > 0 && lab.step(); --frame)
     monitor.end_frame(lab.plan(), lab.scene().settings, lab.scene().system, lab.scene().state, lab.last_frame().motion());
   std::ranges::move(monitor.warnings({}), std::back_inserter(list));

@@ -23,13 +23,15 @@ void step(const Plan& plan, Motion& motion, Workspace&, double h) {
 // Its velocity is that of velocity Verlet half a step earlier, a kick of h/2 behind the position: with that kick the energy is that of
 // velocity Verlet.
 double modified_energy(const Plan& plan, const Motion& motion, double h) {
-  Field force(motion.x.size()), v = motion.v;
-  compute_position_forces(plan, motion.time, motion.x, motion.v, force);
+  Field v(motion.x.size());
+  compute_position_forces(plan, motion.time, motion.x, motion.v, v);
   double kinetic = 0.0;
   for (std::size_t at = 0; at < v.size(); ++at) {
     const std::size_t i = at % static_cast<std::size_t>(plan.points);
+    const double force = v[at];
+    v[at] = motion.v[at];
     if (plan.inverse_mass[i] == 0.0) continue;
-    v[at] += 0.5 * h * plan.inverse_mass[i] * force[at];
+    v[at] += 0.5 * h * plan.inverse_mass[i] * force;
     kinetic += 0.5 * plan.mass[i] * (v[at] * v[at] - motion.v[at] * motion.v[at]);
   }
   return kinetic + verlet_energy_difference(plan, motion.time, motion.x, v, h);

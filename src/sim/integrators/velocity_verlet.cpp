@@ -55,7 +55,7 @@ bool has_weak_forces(const Plan& plan, double h) {
 }
 
 void prepare(const Plan& plan, double h, const Motion& motion, Workspace& work) {
-  work.size_fields(plan.forces_depend_on_velocity ? 2 : 1, motion);
+  work.size_fields(plan.forces_depend_on_velocity ? 2 : plan.has_dashpots() ? 1 : 0, motion);
   if (plan.has_dashpots() && !has_weak_dashpots(plan, h) && !has_weak_forces(plan, h)) work.dashpots.prepare(plan, 0.5 * h);
 }
 

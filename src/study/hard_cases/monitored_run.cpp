@@ -69,7 +69,7 @@ void set_interrupted(bool stop) { interrupted = stop; }
 
 MonitoredRun::MonitoredRun(const TestNetwork& network, const Settings& settings, const Tolerance& tolerance)
     : lab_(make_scene(network, settings)), tolerance_(tolerance) {
-  monitor_.emplace(system(), std::make_shared<const State>(state()), std::isfinite(tolerance.position) ? frames_per_estimate : 0);
+  monitor_.emplace(lab_.plan(), this->settings(), system(), state(), std::isfinite(tolerance.position) ? frames_per_estimate : 0);
 }
 
 bool MonitoredRun::frame() {

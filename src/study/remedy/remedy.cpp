@@ -51,6 +51,9 @@ struct BudgetIsSpent {};
 // Of a remedy, relative to the energy supplied: less than what counts as a divergence, but no motion that anyone wants.
 constexpr double max_rise = 1.0;
 
+// Of the work of a search: to repeat the divergence and to find its cause.
+constexpr double share_of_diagnosis = 0.25;
+
 // Frame by frame, with the warnings and the monitor of `hooke run`.
 Trial run_copy(Scene scene, double seconds, Budget& budget) {
   const double start = scene.state.time, given = budget.left;
@@ -64,7 +67,7 @@ Trial run_copy(Scene scene, double seconds, Budget& budget) {
     budget.left -= work.since_last(lab.last_frame(), false);
     if (budget.is_spent()) throw BudgetIsSpent{};
   });
-  RunMonitor monitor(lab.scene().system, std::make_shared<const State>(lab.scene().state), 0);
+  RunMonitor monitor(lab.plan(), lab.scene().settings, lab.scene().system, lab.scene().state, 0);
   const auto ended = [&](Trial::End end) {
     trial.end = end;
     trial.seconds = end == Trial::End::Finished ? seconds : lab.scene().state.time - start;
@@ -208,13 +211,17 @@ std::string seconds_text(double seconds) { return quantity_text(seconds, "s", 3)
 
 }  // namespace
 
+bool may_reach(double frames, double points, double springs) {
+  return work_beside_substeps(points, springs, frames) <= share_of_diagnosis * default_remedy_work;
+}
+
 Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& stop, double max_work, const RemedyProgress& progress) {
   const auto report = [&](const std::string& test) {
     if (progress) progress(test);
   };
   // a quarter of the work is for the cause, and no setting takes more than half of the rest
   Remedy remedy;
-  Budget diagnosis{0.25 * max_work, stop};
+  Budget diagnosis{share_of_diagnosis * max_work, stop};
   report("Repeating the run");
   const Trial original = run_copy(start, seconds, diagnosis);
   if (original.end == Trial::End::OutOfBudget) {
@@ -226,7 +233,7 @@ Remedy find_remedy(const Scene& start, double seconds, const std::atomic<bool>& 
   report("Looking for the cause");
   remedy.cause = find_cause(start, diverged_after, diagnosis);
 
-  double left = max_work - (0.25 * max_work - std::max(0.0, diagnosis.left));
+  double left = max_work - (share_of_diagnosis * max_work - std::max(0.0, diagnosis.left));
   // in the order of preference: no warning for as long as the work allowed, only one about the step, and any other
   enum Rank { PartlyTested, StepWarning, OtherWarning, Ranks };
   std::optional<std::pair<Advice, Trial>> kept[Ranks];

@@ -49,6 +49,10 @@ struct Remedy {
 // takes a second or two.
 inline constexpr double default_remedy_work = 1.5e9;
 
+// Whether a search for a remedy may reach a divergence that is so many frames after its start. A bound: for a scene that is too large for
+// that it is false, for another one it may be true without reason.
+bool may_reach(double frames, double points, double springs);
+
 // Receives what is being tested: "Testing Velocity Verlet with 80 substeps per frame". Called on the thread of the search.
 using RemedyProgress = std::function<void(const std::string& test)>;
 

@@ -3,11 +3,20 @@
 #include <algorithm>
 
 namespace hooke {
+namespace {
+
+constexpr double of_frame = 2000.0, of_point = 100.0, of_spring = 10.0;  // [ns]
+
+}  // namespace
+
+double work_beside_substeps(double points, double springs, double frames) {
+  return frames * (of_frame + of_point * points + of_spring * springs);
+}
 
 double TrialWork::since_last(const Frame& frame, bool is_finished) {
   constexpr double ns_per_ms = 1e6;
-  // what each call and each frame costs by itself [ns], which the cost model of `auto` leaves out
-  constexpr double call = 250.0, of_frame = 2000.0;
+  // what each call costs by itself [ns], which the cost model of `auto` leaves out
+  constexpr double call = 250.0;
   ++calls_;
   const double counted = ns_per_ms * frame.cost(plan_) + call * static_cast<double>(calls_);
   const double trials = ns_per_ms * frame.trial_cost();
@@ -17,7 +26,7 @@ double TrialWork::since_last(const Frame& frame, bool is_finished) {
   if (!is_finished) return work;
   calls_ = 0;
   const double items = plan_.points + 3.0 * static_cast<double>(plan_.faces.size()), forces = static_cast<double>(plan_.forces.size());
-  return work + of_frame + items * (100.0 + 45.0 * forces) + 10.0 * plan_.springs;
+  return work + of_frame + items * (of_point + 45.0 * forces) + of_spring * plan_.springs;
 }
 
 }  // namespace hooke

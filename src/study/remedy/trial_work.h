@@ -5,6 +5,9 @@
 
 namespace hooke {
 
+// [ns], what frames take at least by this model: their work beside that of the substeps.
+double work_beside_substeps(double points, double springs, double frames);
+
 class TrialWork {
  public:
   // Of the coming frames; they may still change the plan.
