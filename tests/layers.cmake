@@ -31,7 +31,7 @@ set(owners
   "^hwy/"                               "^(sim/|study/kernels/machine_loops[.]cpp$)"
   "^Eigen/"                             "^sim/"
   "^glm/"                               "."
-  "^malloc[.]h$"                        "^draw/gl/gl[.]cpp$"
+  "^malloc[.]h$"                        "^(draw/gl/gl|cli/main)[.]cpp$"
   "^(chrono|ctime|random|thread|iostream|fstream|filesystem|unordered_map|unordered_set)$"  "^(base|formats|lab|study|draw|ui|app|batch|cli|python)/"
   "^cstdio$"                            "^(base|scene|formats|lab|study|draw|ui|app|batch|cli|python)/"
   "^(unistd|fcntl|dirent|poll|signal|spawn|dlfcn|link|sys/[a-z]+)[.]h$"  "^(base|formats|lab|study|app|batch|cli)/"

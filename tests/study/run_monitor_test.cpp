@@ -166,7 +166,8 @@ TEST(RunMonitor, FindsTheSameRiseInALargeNetAsFromStatesThatAreKept) {
   net.system.gravity = Vec3(0.0);
   Random random(1);
   std::vector<PointId> points;
-  for (int i = 0; i < n * n; ++i) points.push_back(net.add(Vec3(0.1 * (i % n), 0.1 * (i / n), 0.0) + random.vector(0.03), 1.0));
+  for (int row = 0; row < n; ++row)
+    for (int column = 0; column < n; ++column) points.push_back(net.add(Vec3(0.1 * column, 0.1 * row, 0.0) + random.vector(0.03), 1.0));
   for (int i = 0; i < n * n; ++i) {
     if (i % n != n - 1) net.join(points[i], points[i + 1], 100.0, 0.1);
     if (i < n * (n - 1)) net.join(points[i], points[i + n], 100.0, 0.1);
