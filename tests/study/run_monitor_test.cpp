@@ -175,23 +175,19 @@ TEST(RunMonitor, FindsTheSameRiseInALargeNetAsFromStatesThatAreKept) {
   initialize_ledger(net.system, net.state);
   for (const char* method : {"velocity_verlet", "symplectic_euler"}) {
     MonitoredRun run(net, {.integrator = find_integrator(method), .substeps = 1});
-    struct Kept {
-      double energy;
-      State state;
-    };
-    const auto now = [&] { return Kept{compute_energy(run.system(), run.state()).total() - run.state().ledger.net_input, run.state()}; };
+    const auto energy = [&] { return compute_energy(run.system(), run.state()).total() - run.state().ledger.net_input; };
     const Plan plan = make_plan(run.system());
     const auto difference = [&](const State& state) {
       Motion motion;
       pack(plan, state, motion);
       return run.settings().integrator->modified_energy(plan, motion, run.settings().substep());
     };
-    Kept lowest = now();
+    std::pair lowest(energy(), run.state());
     double rise = 0.0, raw = 0.0;
     for (int frame = 0; frame < 12; ++frame) {
       ASSERT_TRUE(run.frame());
-      Kept next = now();
-      const double change = next.energy - lowest.energy, modified = change + difference(next.state) - difference(lowest.state);
+      std::pair next(energy(), run.state());
+      const double change = next.first - lowest.first, modified = change + difference(next.second) - difference(lowest.second);
       raw = std::max(raw, change);
       if (change > rise && change * modified > 0.0) rise = std::max(rise, std::min(change, modified));
       if (change < 0.0) lowest = std::move(next);
