@@ -30,7 +30,6 @@ void write_dimensions(Scene& scene, double value) {
     scene.system.dimensions = 2;
 }
 
-bool has_contact_of_points(const Scene& scene) { return scene.system.contact.points; }
 bool has_contact_in_scene(const Scene& scene) { return scene.system.contact.any(); }
 
 constexpr std::array parameterizations{
@@ -219,9 +218,9 @@ constexpr std::array rows{
               .min = 0, .max = 0.1, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true, .applies = has_contact_in_scene,
               .read = [](const Scene& s) { return s.system.contact.thickness; },
               .write = [](Scene& s, double value) { s.system.contact.thickness = value; }},
-    Parameter{.name = "contact_restitution", .field = "contact.restitution", .group = parameter_group::contact, .label = "Restitution of points", .unit = "",
-              .description = "Ratio of the normal speeds after and before an impact of two points.",
-              .min = 0, .max = 1, .default_value = 0, .physical = {.min = 0, .max = 1}, .omit_if_default = true, .applies = has_contact_of_points,
+    Parameter{.name = "contact_restitution", .field = "contact.restitution", .group = parameter_group::contact, .label = "Restitution of contact", .unit = "",
+              .description = "Ratio of the normal speeds after and before an impact of points, faces and springs.",
+              .min = 0, .max = 1, .default_value = 0, .physical = {.min = 0, .max = 1}, .omit_if_default = true, .applies = has_contact_in_scene,
               .read = [](const Scene& s) { return s.system.contact.restitution; },
               .write = [](Scene& s, double value) { s.system.contact.restitution = value; }},
     Parameter{.name = "contact_friction", .field = "contact.friction", .group = parameter_group::contact, .label = "Friction of contact", .unit = "",

@@ -73,11 +73,11 @@ struct Collider {
 
 // Contact between points: spheres of their radii, which touch at a distance of both radii and the thickness. Points joined by a spring that
 // would touch at its rest length do not. Contact of faces, and of springs that are not between points of faces: they touch at a distance of
-// the thickness, without restitution.
+// the thickness.
 struct PairContact {
   bool points = false, springs = false, faces = false;
   double thickness = 0.0;    // [m], >= 0
-  double restitution = 0.0;  // [1], 0..1: normal speed after / before, of points
+  double restitution = 0.0;  // [1], 0..1: normal speed after / before
   double friction = 0.3;     // [1], >= 0: Coulomb's mu
   bool any() const { return points || springs || faces; }
   bool operator==(const PairContact&) const = default;

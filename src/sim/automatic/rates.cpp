@@ -18,7 +18,7 @@ double rates_of(const Plan& plan) {
     for (const double value : force.values) add(value);
   for (const Collider& collider : plan.colliders) add(collider.restitution), add(collider.friction);
   if (plan.pairs.on) add(plan.pairs.thickness), add(plan.pairs.restitution), add(plan.pairs.friction);
-  if (plan.surface.on) add(plan.surface.max_thickness), add(plan.surface.friction);
+  if (plan.surface.on) add(plan.surface.max_thickness), add(plan.surface.friction), add(plan.surface.restitution);
   add(plan.held ? 1.0 : plan.grabbed_collider ? 2.0 : 0.0);
   if (plan.pull) add(plan.pull->stiffness);
   add_vector(plan.acceleration);

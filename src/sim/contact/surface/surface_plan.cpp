@@ -216,6 +216,7 @@ SurfacePlan plan_surface(const System& system) {
   SurfacePlan plan;
   if (!system.contact.faces && !system.contact.springs) return plan;
   plan.friction = system.contact.friction;
+  plan.restitution = system.contact.restitution;
   SurfacePlanner(system, plan).plan();
   return plan;
 }

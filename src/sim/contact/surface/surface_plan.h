@@ -23,6 +23,7 @@ struct SurfacePlan {
 
   bool on = false;
   double friction = 0.0;          // [1]
+  double restitution = 0.0;       // [1]
   std::vector<Index> points;      // of the scene, in ascending order
   std::vector<double> thickness;  // [m], per point: features touch at the minimum over their points; infinite for spheres
   std::vector<double> radius;     // [m], per point, of spheres, which touch at that in addition; 0 of others. Empty: there are no spheres

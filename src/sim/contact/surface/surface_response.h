@@ -21,8 +21,12 @@ struct SurfaceContact {
   double target = 0.0;      // [m/s], the least relative velocity along the normal
   double impulse = 0.0;     // [N s], along the normal, so far
   double separating = 0.0;  // [N s], the part of it that separates
-  bool is_pressed = false;  // whether there was one within the substep
-  bool is_driven = false;   // whether one of its points is held
+  // Of what may rebound: along the normal where the path touches, and by which velocities of positions are ahead of those of the method.
+  double approach = 0.0, ahead = 0.0;  // [m/s]
+  double rebound = 0.0;                // [m/s], the least relative velocity after an impact; 0: there is none
+  double before_rebound = 0.0;         // [N s], the impulse without it
+  bool is_pressed = false;             // whether there was one within the substep
+  bool is_driven = false;              // whether one of its points is held
 
   // Where the features are now: the weights and the normal of their closest points, and what follows from them.
   void move_to(const Closest& closest, std::span<const double> inverse_mass);

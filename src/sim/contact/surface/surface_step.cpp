@@ -18,11 +18,6 @@ constexpr int velocity_turns = 4;
 // How often dashpots transmit what contact changes.
 constexpr int transmissions = 2;
 
-Vec3 point_in(const Plan& plan, const Field& field, Index i) {
-  const auto n = static_cast<std::size_t>(plan.points);
-  return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
-}
-
 // Whether dashpots transmit what contact changes. Where points touch each other, too, they do not.
 bool transmits(const Plan& plan) { return plan.has_dashpots() && !plan.pairs.on; }
 
@@ -38,10 +33,6 @@ double kinetic_energy_of(const Plan& plan, const Field& v) {
   double sum = 0.0;
   for_components(plan, [&](std::size_t i, Index point) { sum += 0.5 * plan.mass[point] * v[i] * v[i]; });
   return sum;
-}
-
-Vec3 weighted(std::span<const Vec3> field, const std::array<Index, 4>& points, const std::array<double, 4>& weight) {
-  return weight[0] * field[points[0]] + weight[1] * field[points[1]] + weight[2] * field[points[2]] + weight[3] * field[points[3]];
 }
 
 Vec3 mean_of(std::span<const Vec3> field) {
@@ -86,6 +77,7 @@ bool SurfaceStep::correct(const Plan& plan, std::span<const Obstacle> obstacles,
   make_contacts(plan, h);
   add_obstacles(plan, obstacles, h, motion);
   free_u_ = u_;
+  note_impacts(plan, v0, h, motion);
   const auto contacts = static_cast<long>(contacts_.surface.size());
   impulses_ += 2 * contacts;
   const bool touches = contacts_.settle(inverse_mass_, plan.surface.friction, u_);
@@ -264,6 +256,7 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
   for (ObstacleContact& contact : contacts_.obstacles) contact.target = contact.end_target;
   move_contacts();
   settle_velocities(plan);
+  rebound(plan);
 
   double work = 0.0, lag_work = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k) {

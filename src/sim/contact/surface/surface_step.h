@@ -12,6 +12,16 @@
 
 namespace hooke {
 
+// Of a point of the scene, from a field of the motion.
+inline Vec3 point_in(const Plan& plan, const Field& field, Index i) {
+  const auto n = static_cast<std::size_t>(plan.points);
+  return {field[i], field[n + i], plan.dimensions == 3 ? field[2 * n + i] : 0.0};
+}
+
+inline Vec3 weighted(std::span<const Vec3> field, const std::array<Index, 4>& points, const std::array<double, 4>& weight) {
+  return weight[0] * field[points[0]] + weight[1] * field[points[1]] + weight[2] * field[points[2]] + weight[3] * field[points[3]];
+}
+
 class SurfaceStep {
  public:
   explicit SurfaceStep(double relative_margin) : search_(relative_margin) {}
@@ -34,6 +44,7 @@ class SurfaceStep {
   double max_speed(std::span<const Vec3> velocity) const;
   void make_contacts(const Plan& plan, double h);
   void add_obstacles(const Plan& plan, std::span<const Obstacle> obstacles, double h, const Motion& motion);
+  void note_impacts(const Plan& plan, const Field& v0, double h, const Motion& motion);
   void note_pressed(const Plan& plan, double h);
   bool separate(double h);
   bool prevent_crossings(const Plan& plan, double h);
@@ -44,6 +55,7 @@ class SurfaceStep {
   void write(const Plan& plan, const Field& v0, double h, Motion& motion);
   SuppliedWork supplied_work(const Plan& plan, const Motion& motion) const;
   void settle_velocities(const Plan& plan);
+  void rebound(const Plan& plan);
   void note_collisions(const Motion& motion);
   void transmit_through_dashpots(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, bool touches, double h,
                                  Motion& motion);
@@ -59,7 +71,7 @@ class SurfaceStep {
   double velocity_lag_ = 0.0;        // [1], of the method (integrator.h)
   // [m/s], displacement over h: without this contact, with its impulses, with what separates, and without impacts
   std::vector<Vec3> free_u_, u_, separated_, path_;
-  std::vector<Vec3> velocity_;  // [m/s], at the end
+  std::vector<Vec3> velocity_, at_rest_;  // [m/s], at the end, and without rebounds
 
   SurfaceContacts contacts_;
   struct Hit {
