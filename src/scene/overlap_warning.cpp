@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/disjoint_sets.h"
 #include "base/number_text.h"
 #include "scene/crossed_parts.h"
 #include "scene/placed_surface.h"
@@ -59,14 +60,44 @@ std::optional<std::string> close_start_warning(const System& system, const State
          ": they separate slowly, which may stretch springs and so supply energy";
 }
 
+// Faces, and springs of parts without any, of which only one kind touches: the other passes through. Parts are what springs and faces hold
+// together; the springs inside solids are behind faces.
+std::optional<std::string> one_sided_warning(const System& system) {
+  const PairContact& contact = system.contact;
+  if (contact.faces == contact.springs || system.dimensions == 2 || system.faces.empty()) return std::nullopt;
+  const auto n = static_cast<std::size_t>(system.point_count());
+  DisjointSets parts(n);
+  for (const Spring& spring : system.springs()) parts.join(system.index_of(spring.first), system.index_of(spring.second));
+  for (const Face& face : system.faces)
+    for (const PointId id : face.points) parts.join(system.index_of(face.points[0]), system.index_of(id));
+  std::vector<char> has_faces(n, 0), moves(n, 0);  // per part, at its root
+  for (const Face& face : system.faces) has_faces[parts.root(system.index_of(face.points[0]))] = 1;
+  for (Index i = 0; i < system.point_count(); ++i)
+    if (!system.points()[i].nailed) moves[parts.root(i)] = 1;
+
+  Face face = system.faces[0];  // one that moves, if any does
+  for (const Face& each : system.faces)
+    if (moves[parts.root(system.index_of(face.points[0]))] == 0) face = each;
+  const bool faces_move = moves[parts.root(system.index_of(face.points[0]))] != 0;
+  for (const Spring& spring : system.springs()) {
+    const Index i = system.index_of(spring.first), j = system.index_of(spring.second), part = parts.root(i);
+    const bool is_thread = spring.family == SpringFamily::None || spring.family == SpringFamily::Structural;
+    if (!is_thread || i == j || has_faces[part] != 0 || (moves[part] == 0 && !faces_move)) continue;
+    const auto name_of = [&](int corner) { return std::to_string(system.index_of(face.points[corner])); };
+    return std::string(contact.faces ? "contact.springs" : "contact.faces") + ": off: springs such as that of points " + std::to_string(i) +
+           " and " + std::to_string(j) + " pass through faces such as that of points " + name_of(0) + ", " + name_of(1) + " and " +
+           name_of(2) + (contact.faces ? ": switch it on" : ", except where they meet springs of these: switch it on");
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<std::string> crossing_warnings(const System& system, const State& state) {
   std::vector<std::string> warnings;
   if (system.contact.faces && system.dimensions == 2)
     warnings.emplace_back("contact.faces: faces touch in scenes of 3 dimensions only: this one has 2");
-  if (system.contact.restitution > 0.0 && !system.contact.points && (system.contact.faces || system.contact.springs))
-    warnings.emplace_back("contact.restitution: points alone rebound from each other; faces and springs do not");
+  if (auto warning = one_sided_warning(system)) warnings.push_back(*std::move(warning));
   const CrossedParts crossed = find_crossed_parts(system, state);
   for (const CrossedText& text : describe(crossed, system))
     warnings.push_back(std::string(text.setting) + ": " + text.count + text.detail + ": " + text.consequence);

@@ -99,14 +99,44 @@ TEST(SceneFile, PartsInTheSamePlaceAreReportedBecauseTheyNeverTouch) {
   EXPECT_EQ(warnings("-1").back(), expected);
 }
 
-TEST(SceneFile, RestitutionOfFacesAndSpringsIsReportedAsWithoutEffect) {
-  const auto warnings = [](const std::string& contact) {
-    return warnings_of(R"({"hooke": 1, "points": [{"position": [-1, 0, 0]}, {"position": [1, 0, 0]}], "contact": )" + contact + "}");
+// A sheet of one face, and a spring of its own or tied to it.
+TEST(SceneFile, SpringsThatPassThroughFacesOfOtherPartsAreReported) {
+  const auto warnings = [](const std::string& contact, const std::string& spring = "3, 4", const std::string& nailed = "false") {
+    const std::string end = R"(, "nailed": )" + nailed + "}";
+    return warnings_of(R"({"hooke": 1, "points": [{"position": [-1, 0, 0])" + end + R"(, {"position": [1, 0, 0])" + end +
+                       R"(, {"position": [0, 0, 2])" + end + R"(, {"position": [-1, 1, 1])" + end + R"(, {"position": [1, 1, 1])" + end +
+                       R"(], "springs": [{"points": [)" + spring + R"(], "stiffness": 1}], "faces": [[0, 1, 2]], "contact": )" + contact +
+                       "}");
   };
-  EXPECT_EQ(warnings(R"({"springs": true, "restitution": 0.5})"),
-            std::vector<std::string>{"test.json: contact.restitution: points alone rebound from each other; faces and springs do not"});
-  EXPECT_TRUE(warnings(R"({"points": true, "springs": true, "restitution": 0.5})").empty());
-  EXPECT_TRUE(warnings(R"({"springs": true})").empty());
+  EXPECT_EQ(warnings(R"({"faces": true})"),
+            std::vector<std::string>{"test.json: contact.springs: off: springs such as that of points 3 and 4 pass through faces such as "
+                                     "that of points 0, 1 and 2: switch it on"});
+  EXPECT_EQ(warnings(R"({"springs": true})"),
+            std::vector<std::string>{"test.json: contact.faces: off: springs such as that of points 3 and 4 pass through faces such as "
+                                     "that of points 0, 1 and 2, except where they meet springs of these: switch it on"});
+  for (const char* quiet : {R"({"faces": true, "springs": true})", R"({"points": true})", "{}"})
+    EXPECT_TRUE(warnings(quiet).empty()) << quiet;
+  EXPECT_TRUE(warnings(R"({"faces": true})", "2, 3").empty());
+  EXPECT_TRUE(warnings(R"({"faces": true})", "3, 4", "true").empty());
+}
+
+// Two faces of an edge, in either order of their corners.
+TEST(SceneFile, RestAnglesThatContradictEachOtherAreReported) {
+  const auto warnings = [](const std::string& other_face, const std::string& angles) {
+    return warnings_of(R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}, {"position": [0, 1, 0]},
+                           {"position": [1, 1, 0]}], "faces": [[0, 1, 2], )" +
+                       other_face + R"(], "rest_angles": )" + angles + "}");
+  };
+  EXPECT_TRUE(warnings("[3, 2, 1]", "[[0.5, 0, 0], [0.5, 0, 0]]").empty());
+  EXPECT_TRUE(warnings("[3, 1, 2]", "[[0.5, 0, 0], [-0.5, 0, 0]]").empty());
+  EXPECT_TRUE(warnings("[3, 2, 1]", "[[0.5, 0.1, 0], [0.5, 0, 0.2]]").empty());  // those without another face do not act
+  EXPECT_TRUE(warnings("[3, 1, 2]", "[[3.141592653589793, 0, 0], [3.141592653589793, 0, 0]]").empty());
+  EXPECT_EQ(warnings("[3, 2, 1]", "[[0.5, 0, 0], [0.2, 0, 0]]"),
+            std::vector<std::string>{"test.json: rest_angles[1][0]: 0.2 rad: rest_angles[0][0] means 0.5 rad at the same edge: bending "
+                                     "\"as_built\" rests between both"});
+  EXPECT_EQ(warnings("[3, 1, 2]", "[[0.5, 0, 0], [0.5, 0, 0]]"),
+            std::vector<std::string>{"test.json: rest_angles[1][0]: 0.5 rad: rest_angles[0][0] means -0.5 rad at the same edge: bending "
+                                     "\"as_built\" rests between both"});
 }
 
 TEST(SceneFile, SpringsOfFlatScenesThatTouchAndCrossAreReported) {

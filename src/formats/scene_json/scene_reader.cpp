@@ -98,7 +98,10 @@ LoadedScene SceneReader::read() {
   if (!network.sheet_areas.empty() || !network.sheet_weights.empty())
     scene_.sheet = std::make_shared<const SheetWeights>(SheetWeights{std::move(network.sheet_areas), std::move(network.sheet_weights)});
   set_rest_angles(scene_.system, scene_.state.position);
-  if (!network.rest_angles.empty()) scene_.system.faces.set_rest_angles(std::move(network.rest_angles));
+  if (!network.rest_angles.empty()) {
+    scene_.system.faces.set_rest_angles(std::move(network.rest_angles));
+    if (const auto warning = rest_angle_warning(scene_.system)) fields_.warn(*warning);
+  }
   set_print_layout(scene_);
   if (const auto warning = step_warning(scene_.system, scene_.state, scene_.settings)) fields_.warn(*warning);
   if (const auto warning = unused_setting_warning(scene_.settings)) fields_.warn(*warning);
