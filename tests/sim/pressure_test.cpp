@@ -11,6 +11,7 @@
 #include "sim/divergence.h"
 #include "sim/energy.h"
 #include "sim/forces/force_tangent.h"
+#include "sim/forces/terms/gas_leak.h"
 #include "sim/integrators/rows.h"
 #include "support/gas_bodies.h"
 #include "support/random_scene.h"
@@ -208,6 +209,31 @@ TEST(Pressure, ALeakIsExponentialFromItsStart) {
   const double full = pressure_of(packed, 0.0);
   EXPECT_EQ(pressure_of(packed, 2.0), full);
   for (const double time : {2.5, 5.0, 30.0}) EXPECT_NEAR(pressure_of(packed, time), full * std::exp(-0.3 * (time - 2.0)), 1e-12 * full);
+}
+
+// As the leak of a bicycle tube that is widened, or mended: the amount of gas is continuous.
+TEST(Pressure, ALeakThatIsChangedLeavesWhatHasLeaked) {
+  for (const double leak : {0.0, 0.1, 0.7})
+    for (const double changed_to : {0.0, 0.2, 2.0}) {
+      TestSim sim = gas_ball(1, 50.0, {.leak = leak, .leak_start = 2.0});
+      const Force before = sim.system.forces[0];
+      const double left = pressure_of(PackedGas(sim), 5.0);
+      Force& force = sim.system.forces[0];
+      force.values[3] = changed_to;
+      continue_leak(before, 5.0, force);
+      EXPECT_NEAR(pressure_of(PackedGas(sim), 5.0), left, 1e-12 * left) << leak << ' ' << changed_to;
+      EXPECT_NEAR(pressure_of(PackedGas(sim), 8.0), left * std::exp(-3.0 * changed_to), 1e-12 * left) << leak << ' ' << changed_to;
+    }
+}
+
+TEST(Pressure, ALeakThatIsChangedBeforeItsStartStartsThen) {
+  const Force before = gas_force({.leak = 0.3, .leak_start = 2.0});
+  Force after = gas_force({.leak = 0.5, .leak_start = 2.0});
+  continue_leak(before, 1.0, after);
+  EXPECT_EQ(after, gas_force({.leak = 0.5, .leak_start = 2.0}));
+  after.values[4] = 3.0;
+  continue_leak(before, 5.0, after);
+  EXPECT_EQ(after, gas_force({.leak = 0.5, .leak_start = 3.0}));
 }
 
 TEST(Pressure, ALeakEndsAtTheAmbientPressureInTheFullVolume) {

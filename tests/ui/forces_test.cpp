@@ -1,6 +1,8 @@
 // The group of forces of the side panel.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "formats/scene_file.h"
 #include "sim/forces/terms/rows.h"
 #include "support/gui_fixture.h"
@@ -36,6 +38,29 @@ TEST(ForcesPanel, ARightClickResetsToTheValueOfTheScene) {
   gui.click(find_slider(gui, "pressure"), Button::Right);
   gui.frames(2);
   EXPECT_EQ(gui.system().forces[0].values[0], opened);
+}
+
+// What has leaked stays away, and the leak acts from the time of the edit on; undo restores all of it.
+TEST(ForcesPanel, ALeakThatIsChangedInARunActsFromThenOn) {
+  Scene scene = shipped_scene("balloon");
+  scene.system.forces[0].values[3] = 0.5;
+  GuiFixture gui(std::move(scene));
+  gui.app().handle(Request(Control(RunTo{0.2})));
+  for (int i = 0; i < 1000 && gui.status().snapshot->state.time < 0.2 - 1e-9; ++i) gui.frames(1);
+  const Force before = gui.system().forces[0];
+  SetForces set{gui.system().forces};
+  set.forces[0].values[3] = 2.0;
+  gui.app().handle(Request(Edit{set}));
+  gui.frames(2);
+  const double time = gui.status().snapshot->state.time;
+  gui.click(gui.find("side", {"pressure 0", "leak", "##value"}), Button::Right);
+  gui.frames(2);
+  const Force& after = gui.system().forces[0];
+  EXPECT_EQ(after.values[3], 0.5);
+  EXPECT_EQ(after.values[4], time);
+  EXPECT_NEAR(after.values[0], before.values[0] * std::exp(-2.0 * time), 1e-12 * before.values[0]);
+  gui.key(letter('Z'), {.control = true});
+  EXPECT_EQ(gui.system().forces[0], set.forces[0]);
 }
 
 TEST(ForcesPanel, TheRestShapeOfBendingIsAChoiceThatIsUndone) {

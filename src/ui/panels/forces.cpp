@@ -1,5 +1,6 @@
 // The forces of the scene, made from the rows of their table: each with a switch, parameters and a remove button, and a list to add one.
 #include "sim/forces/force_term.h"
+#include "sim/forces/terms/gas_leak.h"
 #include "sim/system.h"
 #include "ui/number_field.h"
 #include "ui/panels.h"
@@ -69,6 +70,7 @@ void build_forces(const PanelInput& input, Panels& panels, Requests& requests) {
       ImGui::PopID();
     }
     ImGui::PopID();
+    continue_leak(now[f], input.status.snapshot->state.time, force);
     if (stays) wanted.push_back(force);
   }
 
