@@ -115,10 +115,12 @@ std::optional<std::string> thickness_warning(const System& system) {
   for (const double thickness : plan.thickness)
     if (std::isfinite(thickness)) min = std::min(min, thickness), max = std::max(max, thickness);
   constexpr double round_off = 1e-12;
-  const bool is_long = min < given * (1.0 - round_off);
-  if (!is_long && max <= given * (1.0 + round_off)) return std::nullopt;
+  const bool is_long = min<given*(1.0 - round_off), is_short = max> given * (1.0 + round_off);
+  if (!is_long && !is_short) return std::nullopt;
+  const std::string touching = ": they touch at " + quantity_text(is_long ? min : max, "m", 3);
   return "contact.thickness: " + quantity_text(given, "m", 3) + (is_long ? " is more than half of" : " is less than a twentieth of") +
-         " the smallest height of some faces, or length of springs: they touch at " + quantity_text(is_long ? min : max, "m", 3);
+         " the smallest height of some faces, or length of springs" + touching +
+         (is_long && is_short ? "; and less than a twentieth of that of others: they touch at " + quantity_text(max, "m", 3) : "");
 }
 
 }  // namespace hooke

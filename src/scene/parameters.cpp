@@ -214,7 +214,7 @@ constexpr std::array rows{
               .read = [](const Scene& s) { return s.system.contact.springs ? 1.0 : 0.0; },
               .write = [](Scene& s, double value) { s.system.contact.springs = value != 0.0; }},
     Parameter{.name = "contact_thickness", .field = "contact.thickness", .group = parameter_group::contact, .label = "Thickness", .unit = "m",
-              .description = "Distance at which faces and springs touch, and that between the surfaces of two points at which they do.",
+              .description = "Distance at which faces and springs touch, limited to a twentieth to half of their smallest height or length, and that between the surfaces of two points at which they do.",
               .min = 0, .max = 0.1, .default_value = 0, .physical = not_negative, .logarithmic = true, .omit_if_default = true, .applies = has_contact_in_scene,
               .read = [](const Scene& s) { return s.system.contact.thickness; },
               .write = [](Scene& s, double value) { s.system.contact.thickness = value; }},

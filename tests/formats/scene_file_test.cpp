@@ -170,6 +170,15 @@ TEST(SceneFile, AThicknessThatFacesCannotHaveIsReported) {
                                      "some faces, or length of springs: they touch at 8.84 mm"});
 }
 
+TEST(SceneFile, AThicknessThatSomeSpringsAreTooShortForAndOthersTooLongIsReportedOnce) {
+  EXPECT_EQ(
+      warnings_of(R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [0.01, 0, 0]}, {"position": [0, 1, 0]},
+                             {"position": [2, 1, 0]}], "springs": [{"points": [0, 1], "stiffness": 1}, {"points": [2, 3], "stiffness": 1}],
+                             "contact": {"springs": true, "thickness": 0.02}})"),
+      std::vector<std::string>{"test.json: contact.thickness: 0.02 m is more than half of the smallest height of some faces, or length "
+                               "of springs: they touch at 5 mm; and less than a twentieth of that of others: they touch at 0.1 m"});
+}
+
 TEST(SceneFile, TwoSpringsBetweenTheSamePointsStayTwo) {
   const Scene scene = parse(R"({"hooke": 1, "points": [{"position": [0, 0, 0]}, {"position": [1, 0, 0]}],
                                 "springs": [{"points": [0, 1], "stiffness": 1}, {"points": [1, 0], "stiffness": 2}]})");
