@@ -140,7 +140,9 @@ AtomicFile::Destination::Destination(const fs::path& file, Writing kind)
       folder_path(target.has_parent_path() ? target.parent_path() : fs::path(".")),
       folder(open(folder_path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
       name(target.filename()) {
-  if (folder.number < 0) fail("cannot be written", errno);
+  const int reason = errno;
+  if (target != file) printable_name += " (a link to " + printable(target.native()) + ")";
+  if (folder.number < 0) fail("cannot be written", reason);
   if (name.empty() || name == "." || name == "..") throw FileError(printable_name + ": not a file name");
 
   // an existing file keeps its permissions; anything but a regular file is not replaced
