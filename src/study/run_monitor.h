@@ -37,7 +37,7 @@ class RunMonitor {
   // Maximum rise of the energy, minus the work of the hand, forces and edits, above an earlier value, relative to the supplied energy [1].
   // No physical process causes one. A symplectic method lets the energy oscillate about its modified energy, which is no error of the
   // motion of that size: where the modified energy is known (Integrator::modified_energy), the smaller rise of the two counts.
-  double energy_rise() const { return largest_rise_ / scale_; }
+  double energy_rise() const { return rise_.energy / scale_; }
   // Its change since the start, relative to the supplied energy [1]: an error of the method, as far as the scene cannot dissipate as much.
   // Of the modified energy where that changed less.
   double energy_change() const { return change_ / scale_; }
@@ -70,13 +70,21 @@ class RunMonitor {
   double modified_change(Reference& since, double energy, const Now& now);
   void keep(Reference& reference, const Now& now);
 
+  // The largest one so far, and when.
+  struct Extreme {
+    double energy = 0.0, time = 0.0;  // [J], [s]
+  };
+  std::string energy_warning(const Extreme& extreme, double present, const char* kind) const;
+
   Reference start_, lowest_;
   DissipationBound dissipation_;
-  double max_dissipated_ = 0.0;               // [J], by drag, dashpots, contact and forces so far, a bound
-  double largest_rise_ = 0.0, change_ = 0.0;  // [J]
-  Motion motion_;                             // scratch
-  double scale_;                              // [J]
-  double estimated_error_ = 0.0;              // [m]
+  double max_dissipated_ = 0.0;       // [J], by drag, dashpots, contact and forces so far, a bound
+  double contact_work_ = 0.0;         // [J], of colliders at rest
+  Extreme rise_, loss_;               // above an earlier value; since the start, beyond what the scene may have dissipated until then
+  double change_ = 0.0, gain_ = 0.0;  // [J], since the start: as energy_change, and the gain that is left
+  Motion motion_;                     // scratch
+  double scale_;                      // [J]
+  double estimated_error_ = 0.0;      // [m]
 };
 
 }  // namespace hooke
