@@ -14,7 +14,7 @@ struct Measured {
 };
 
 // Why the accumulated error is not known although it was measured: the run lost the motion, or what it is compared with failed.
-enum class Loss { None, Unpredictable, Dissipated, HalfStepDiverged, NoSecondRun };
+enum class Loss { None, Unpredictable, Dissipated, HalfStepDiverged, NoSecondRun, Unresolved };
 
 // Where the energy came from and went since `since`, all [J]; what is dissipated is negative. The terms sum to `change`.
 struct EnergyBalance {

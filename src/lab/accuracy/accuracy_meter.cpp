@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "lab/accuracy/accuracy_text.h"
+#include "sim/automatic/automatic.h"
 #include "sim/contact/contact.h"
 #include "sim/energy.h"
 
@@ -17,6 +18,11 @@ constexpr int repetition_period = 40, period_after_edit = 12;
 // Where things touch, impacts, friction and points that stick decide how fast the error falls with the step: every fourth repeated frame
 // is also computed with a quarter of the step, at four times its cost.
 constexpr int order_period = 4;
+// Springs that pass through zero length between two steps turn by as much as chance has it: as wrong as with half the step, and the
+// distance between the two says nothing. It shows where a quarter of the step is farther from half of it than half of it from the step.
+// Frames whose errors are smaller than this, relative to the size, are accurate enough.
+constexpr double min_unresolved = 1e-5;
+constexpr std::string_view passes_through_zero = "springs pass through zero length faster than the steps resolve";
 // Below this order, half the error costs more than four times the time, if it can be had at all.
 constexpr double min_order = 0.5;
 // Errors of this fraction of the scene's size are no longer small: beyond it the trajectory is not predictable.
@@ -71,6 +77,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     start_.clear();
     motion_ = 0.0;
     is_smooth_ = true;
+    is_unresolved_ = false;
     second_runs_.restart(size_);
   }
   // the order depends on every spring: determined again only when it may have changed
@@ -93,8 +100,10 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
   const bool is_due = is_first || frames_since_repetition_ >= (is_edited_ ? period_after_edit : repetition_period);
   // what a method gains where a spring breaks says nothing of the frames that follow
   if (is_due && motion.breaks.empty() && !repetition_.is_in_progress()) {
+    const bool collapses = settings.integrator->stability != Stability::Adaptive && !is_automatic(settings) && can_collapse(system, before);
+    collapses_ = collapses && !touches_;
     repetition_.begin(plan, system, settings, before, after, energy, motion.force_evaluations,
-                      touches_ && repetitions_++ % order_period == 0);
+                      (touches_ || collapses_) && repetitions_++ % order_period == 0);
     energy_.begin_repetition();
     frames_since_repetition_ = 0;
     is_edited_ = false;
@@ -114,6 +123,7 @@ void AccuracyMeter::repeat(const System& system) {
     if (!refinement_) refinement_.emplace();
     refinement_->by_half = kept * refinement_->by_half + refinement->by_half;
     refinement_->by_quarter = kept * refinement_->by_quarter + refinement->by_quarter;
+    if (collapses_ && refinement->by_quarter > std::max(refinement->by_half, min_unresolved * size_)) is_unresolved_ = true;
   }
 }
 
@@ -165,6 +175,8 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
       lose(Loss::HalfStepDiverged, "the run with half the step diverged");
     else if (is_chaotic && error->rms > max_error * size_)
       lose(Loss::Unpredictable, "beyond the time for which the motion can be predicted");
+    else if (is_unresolved_)
+      lose(Loss::Unresolved, passes_through_zero);
     else if (!second_runs_.is_resolving() && is_damped_by_method())
       lose(Loss::Dissipated, "the method dissipated the motion, and would with half the step");
     else
@@ -210,6 +222,10 @@ void AccuracyMeter::measure_half_error(const Settings& settings, Accuracy& accur
   double order = order_;
   if (ignores_tolerance_) {
     accuracy.half_error_reason = "contact and the strain limit hardly depend on the tolerance";
+    return;
+  }
+  if (is_unresolved_) {
+    accuracy.half_error_reason = passes_through_zero;
     return;
   }
   if (touches_) {

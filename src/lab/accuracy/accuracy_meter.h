@@ -57,7 +57,9 @@ class AccuracyMeter {
   int order_ = 1;           // of the method on this scene
   // Whether something may touch there, or a strain limit act: then the order is measured, or unknown for a method that adapts its step.
   bool touches_ = false, ignores_tolerance_ = false;
-  bool is_smooth_ = true;  // so far, without contact, a strain limit and a hand
+  bool collapses_ = false;      // whether springs of the repeated frame could pass through zero length, where nothing touches
+  bool is_unresolved_ = false;  // whether they did, at any time, faster than the steps resolve
+  bool is_smooth_ = true;       // so far, without contact, a strain limit and a hand
   // [m], sums over repeated frames, older ones with less weight
   std::optional<FrameRefinement> refinement_;
   int repetitions_ = 0;  // since the order was determined

@@ -123,6 +123,7 @@ std::optional<std::string> accumulated_warning(const Accuracy& accuracy, const S
       return "the positions are " + std::string(accuracy.accumulated.reason) + ": only averages are meaningful";
     case Loss::Dissipated:
     case Loss::HalfStepDiverged:
+    case Loss::Unresolved:
       return "accumulated error not known: " + std::string(accuracy.accumulated.reason) + "; " + remedy_of(accuracy, settings);
     case Loss::NoSecondRun:
       return "accumulated error not known from " + quantity_text(accuracy.accumulated_time, "s") +
