@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "sim/portable_math.h"
-#include "sim/spring_limits.h"
 
 namespace hooke {
 namespace {
@@ -13,25 +12,32 @@ namespace {
 // What a step adds to or overwrites besides positions and velocities.
 struct Counters {
   MethodMemory memory;
-  double collider_work, contact_work, hand_work, abs_hand_work, limit_work, local_error;
-  explicit Counters(const Motion& motion)
+  double collider_work, contact_work, hand_work, abs_hand_work, limit_work, force_work, reversible_work, local_error;
+  ForceWork::Memory forces;
+  Counters(const Motion& motion, const ForceWork& work)
       : memory(motion.memory),
         collider_work(motion.collider_work),
         contact_work(motion.contact_work),
         hand_work(motion.hand_work),
         abs_hand_work(motion.abs_hand_work),
         limit_work(motion.limit_work),
-        local_error(motion.local_error) {}
+        force_work(motion.force_work),
+        reversible_work(motion.reversible_work),
+        local_error(motion.local_error),
+        forces(work.memory()) {}
   // For another attempt with this step [s]. A memory without an error stands for a first step, whose length the method chooses itself:
   // each attempt would be that step again.
-  void restore(Motion& motion, double step) const {
+  void restore(Motion& motion, double step, ForceWork& work) const {
     motion.memory = {.step = step, .error = memory.error > 0.0 ? memory.error : motion.memory.error};
     motion.collider_work = collider_work;
     motion.contact_work = contact_work;
     motion.hand_work = hand_work;
     motion.abs_hand_work = abs_hand_work;
     motion.limit_work = limit_work;
+    motion.force_work = force_work;
+    motion.reversible_work = reversible_work;
     motion.local_error = local_error;
+    work.restore(forces);
   }
 };
 
@@ -50,6 +56,17 @@ void restore(const ContactWorkspace& state, Motion& motion) {
 
 // Without contact and a strain limit a step needs no correction.
 bool has_corrections(const Plan& plan) { return plan.has_contact() || !plan.max_length.empty(); }
+
+// A step of the method alone, with the work of forces along it.
+double advance_freely(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval, ForceWork& force_work) {
+  force_work.begin_substep(plan, motion);
+  const double start = motion.time, h = method.advance(plan, motion, work, interval);
+  if (h == 0.0) return 0.0;
+  motion.time = start + h;
+  force_work.integrate_power(plan, motion, h);
+  motion.time = start;
+  return h;
+}
 
 }  // namespace
 
@@ -75,16 +92,15 @@ void AdaptiveStep::begin_frame(const Plan& plan, const Motion& motion) {
 }
 
 // Strain limit first, then contact. Returns whether anything touched.
-bool AdaptiveStep::correct(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, bool ends) {
-  if (ends && !plan.max_length.empty() && limit_strain(plan, motion)) {
-    motion.acceleration_is_current = false;
-    was_corrected_ = true;
-  }
+bool AdaptiveStep::correct(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, bool ends, ForceWork& force_work) {
+  before.is_limited = false;
+  const bool is_limited = ends && limit_strain(plan, before, motion);
   if (plan.surface.on) ++surface_steps_;
-  if (!plan.has_contact() || !resolve_contacts(plan, before, motion, h)) return false;
-  motion.acceleration_is_current = false;
-  was_corrected_ = true;
-  return true;
+  const bool touches = plan.has_contact() && resolve_contacts(plan, before, motion, h);
+  const bool is_moved = is_limited || touches;
+  if (is_moved) motion.acceleration_is_current = false;
+  force_work.end_substep(plan, motion, h, is_moved);
+  return touches;
 }
 
 // RMS over the free points of the distance between two fields. Overwrites `coarse`.
@@ -95,7 +111,8 @@ double AdaptiveStep::difference(const Plan& plan, Field& coarse, const Field& fi
 
 // The same step in pieces, such that no impact is followed by more than about half of the time that followed it in the whole step. Returns
 // h, or 0 where no step is short enough.
-double AdaptiveStep::advance_in_pieces(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends) {
+double AdaptiveStep::advance_in_pieces(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends,
+                                       ForceWork& force_work) {
   const double start = motion.time;
   // the method knows nothing of what follows an impact, such as the force of a spring that it compresses: where nothing but a constant
   // force acted before, halves of the step that split it before the impact would both leave out the same
@@ -107,19 +124,19 @@ double AdaptiveStep::advance_in_pieces(const Plan& plan, const Integrator& metho
   for (double done = 0.0; done < h;) {
     if (is_at_limit(motion)) return 0.0;
     store(motion, piece_);
-    const Counters before(motion);
-    const double end = done < split ? split : h, left = end - done, length = method.advance(plan, motion, work, left);
+    const Counters before(motion, force_work);
+    const double end = done < split ? split : h, left = end - done, length = advance_freely(plan, method, motion, work, left, force_work);
     if (length == 0.0) return 0.0;
     const bool reaches_end = length == left;
     const double next = reaches_end ? end : done + length;
-    const bool touches = correct(plan, piece_, motion, length, ends && next == h);
+    const bool touches = correct(plan, piece_, motion, length, ends && next == h, force_work);
     if (touches && std::isinf(first_touch_)) first_touch_ = done + piece_.first_touch;
     const double impact = done + piece_.first_impact;
     if (touches && next - impact > max_part * (h - impact) && splits < max_splits) {
       split = 0.5 * (impact + h);
       ++splits;
       restore(piece_, motion);
-      before.restore(motion, split - done);
+      before.restore(motion, split - done, force_work);
       continue;
     }
     ends_free_ = !touches;
@@ -130,16 +147,20 @@ double AdaptiveStep::advance_in_pieces(const Plan& plan, const Integrator& metho
   return h;
 }
 
-double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval) {
-  was_corrected_ = false;
-  if (!has_corrections(plan)) return method.advance(plan, motion, work, interval);
+double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval,
+                             ForceWork& force_work) {
+  if (!has_corrections(plan)) {
+    const double h = advance_freely(plan, method, motion, work, interval, force_work);
+    if (h != 0.0) force_work.end_substep(plan, motion, h, false);
+    return h;
+  }
 
   // the strain limit is imposed once per substep and does not converge with the step, so that no step would be short enough for it; contact
   // of faces and springs is of first order, with impacts that never end while a cloth folds
   if (!work.tolerance || !plan.max_length.empty() || plan.surface.on) {
     store(motion, before_);
-    const double h = method.advance(plan, motion, work, interval);
-    if (h != 0.0) correct(plan, before_, motion, h, h == interval);
+    const double h = advance_freely(plan, method, motion, work, interval, force_work);
+    if (h != 0.0) correct(plan, before_, motion, h, h == interval, force_work);
     return h;
   }
 
@@ -150,18 +171,18 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
   scale.velocity = std::max(scale.velocity, 10.0 * contact_round_off);
   store(motion, before_);
   while (true) {
-    const Counters before(motion);
-    const double h = method.advance(plan, motion, work, interval);
+    const Counters before(motion, force_work);
+    const double h = advance_freely(plan, method, motion, work, interval, force_work);
     if (h == 0.0) return 0.0;
     const bool ends = h == interval;
-    if (!correct(plan, before_, motion, h, ends)) return h;
+    if (!correct(plan, before_, motion, h, ends, force_work)) return h;
 
     std::ranges::copy(motion.x, coarse_x_.begin());
     std::ranges::copy(motion.v, coarse_v_.begin());
     const double free_step = motion.memory.step;
     restore(before_, motion);
-    before.restore(motion, 0.5 * h);
-    if (advance_in_pieces(plan, method, motion, work, h, ends) == 0.0) return 0.0;
+    before.restore(motion, 0.5 * h, force_work);
+    if (advance_in_pieces(plan, method, motion, work, h, ends, force_work) == 0.0) return 0.0;
 
     const double position = difference(plan, coarse_x_, motion.x) / 3.0, velocity = difference(plan, coarse_v_, motion.v) / 3.0;
     const double error = scale.relative(position, velocity);
@@ -185,11 +206,10 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
     double impact = first_touch_;
     for (int attempt = 0; attempt < max_attempts && std::isfinite(impact) && impact > 2.0 * contact_step; ++attempt) {
       restore(before_, motion);
-      before.restore(motion, h);
-      const double jump = impact - 0.25 * contact_step, length = method.advance(plan, motion, work, jump);
+      before.restore(motion, h, force_work);
+      const double jump = impact - 0.25 * contact_step, length = advance_freely(plan, method, motion, work, jump, force_work);
       if (length == 0.0) return 0.0;
-      if (!correct(plan, before_, motion, length, false)) {
-        was_corrected_ = false;
+      if (!correct(plan, before_, motion, length, false, force_work)) {
         free_step_ = std::max(free_step_, h);
         if (length == jump) motion.memory.step = contact_step;
         return length;
@@ -197,7 +217,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
       impact = before_.first_touch;
     }
     restore(before_, motion);
-    before.restore(motion, contact_step);
+    before.restore(motion, contact_step, force_work);
   }
 }
 

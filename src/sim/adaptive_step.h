@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/contact/contact.h"
+#include "sim/forces/force_work.h"
 #include "sim/integrator.h"
 #include "sim/motion.h"
 
@@ -34,10 +35,9 @@ class AdaptiveStep {
   // Once a frame; a step never allocates.
   void begin_frame(const Plan& plan, const Motion& motion);
   // Advances the motion by one step of at most `interval` [s], to the end of the substep, with contacts and, at that end, the strain
-  // limit. Leaves motion.time. Returns the length of the step; 0: no step is short enough for a finite error.
-  double advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval);
-  // Whether contact or the strain limit moved points in the last step.
-  bool was_corrected() const { return was_corrected_; }
+  // limit, and adds the work of the listed forces. Leaves motion.time. Returns the length of the step; 0: no step is short enough for a
+  // finite error.
+  double advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval, ForceWork& force_work);
   // Whether one of the limits of the frame is reached.
   bool is_at_limit(const Motion& motion) const {
     return motion.force_evaluations >= max_evaluations_ || surface_steps_ >= max_adaptive_surface_steps;
@@ -45,8 +45,9 @@ class AdaptiveStep {
   bool has_too_many_pairs() const { return before_.has_too_many_pairs() || piece_.has_too_many_pairs(); }
 
  private:
-  bool correct(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, bool ends);
-  double advance_in_pieces(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends);
+  bool correct(const Plan& plan, ContactWorkspace& before, Motion& motion, double h, bool ends, ForceWork& force_work);
+  double advance_in_pieces(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double h, bool ends,
+                           ForceWork& force_work);
   double difference(const Plan& plan, Field& coarse, const Field& fine) const;
 
   ContactWorkspace before_, piece_;
@@ -54,7 +55,6 @@ class AdaptiveStep {
   double first_touch_ = 0.0;  // [s], since the start of the last step in pieces
   bool ends_free_ = false;    // whether nothing touched in its last part
   double free_step_ = 0.0;    // [s], step before the impact to which the last step led; 0: it led to none
-  bool was_corrected_ = false;
   long max_evaluations_ = max_adaptive_evaluations;
   long surface_steps_ = 0;  // of the frame, with contact of faces or springs
 };

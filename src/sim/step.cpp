@@ -201,7 +201,7 @@ void Frame::substep(Plan& plan) {
   const int done_before = substeps_done_;
   if (fly(plan)) {
     const double flown = (substeps_done_ - done_before) * h_;
-    force_work_.integrate_power(plan, motion_, flown, false);
+    force_work_.integrate_power(plan, motion_, flown);
     const bool is_moved = act(plan, false);
     force_work_.end_substep(plan, motion_, flown, is_moved);
     return;
@@ -210,16 +210,17 @@ void Frame::substep(Plan& plan) {
   const bool is_adaptive = integrator_->advance != nullptr;
   if (plan.has_contact() && !is_adaptive) keep_start(plan, motion_, before_);
 
-  force_work_.begin_substep(plan, motion_);
   const long evaluations_before = motion_.force_evaluations, sweeps_before = motion_.dashpot_sweeps;
   const bool knew_acceleration = motion_.acceleration_is_current;
   const bool has_hand = plan.held || plan.pull;
   const double power = hand_power(plan, motion_), stored = energy_of_hand_alone(plan, motion_);
   double length = h_;
-  if (is_adaptive)
-    length = adaptive_step_.advance(plan, *integrator_, motion_, work_, left_);
-  else
+  if (is_adaptive) {
+    length = adaptive_step_.advance(plan, *integrator_, motion_, work_, left_, force_work_);
+  } else {
+    force_work_.begin_substep(plan, motion_);
     integrator_->step(plan, motion_, work_, h_);
+  }
   if (length == 0.0) {
     failure_ = adaptive_step_.is_at_limit(motion_) ? StepFailure::TooMany : StepFailure::TooShort;
     return;
@@ -236,14 +237,15 @@ void Frame::substep(Plan& plan) {
     motion_.hand_work += work;
     motion_.abs_hand_work += std::abs(work);
   }
-  // an adaptive step includes the strain limit and contact
-  force_work_.integrate_power(plan, motion_, length, is_adaptive && adaptive_step_.was_corrected());
+  // an adaptive step includes the strain limit, contact and the work of forces
   bool is_moved = false;
-  if (!is_adaptive)
+  if (!is_adaptive) {
+    force_work_.integrate_power(plan, motion_, length);
     is_moved = act(plan, true);
-  else if (ends)
+    force_work_.end_substep(plan, motion_, length, is_moved);
+  } else if (ends) {
     break_long_springs(plan);
-  force_work_.end_substep(plan, motion_, length, is_moved);
+  }
   const long sweeps = motion_.dashpot_sweeps - sweeps_before;
   // dashpots among the forces act at velocities that the state does not contain
   const bool is_state_complete = !plan.has_dashpots() || sweeps > 0;
@@ -254,7 +256,7 @@ void Frame::substep(Plan& plan) {
 
 // What acts between two substeps: strain limit first, then contact, and only then do springs break. Returns whether points were moved.
 bool Frame::act(Plan& plan, bool may_touch) {
-  bool is_moved = !plan.max_length.empty() && limit_strain(plan, motion_);
+  bool is_moved = limit_strain(plan, before_, motion_);
   if (may_touch && plan.has_contact() && resolve_contacts(plan, before_, motion_, h_)) {
     if (!is_moved && motion_.acceleration_is_current && !plan.touches_itself()) motion_.moved = before_.touched;
     is_moved = has_touched_ = true;

@@ -9,6 +9,7 @@
 #include "sim/contact/point_contact.h"
 #include "sim/forces/bands.h"
 #include "sim/plan_energy.h"
+#include "sim/spring_limits.h"
 
 namespace hooke {
 namespace {
@@ -16,14 +17,6 @@ namespace {
 // of point i, whose components are `n` apart
 Vec3 vector_at(const Field& field, std::size_t n, std::size_t i, int dimensions) {
   return {field[i], field[n + i], dimensions == 3 ? field[2 * n + i] : 0.0};
-}
-
-// [J], the potentials of the listed forces included.
-double potential_energy(const Plan& plan, double time, const Field& x) {
-  double energy = stored_energy(plan, x);
-  for (const Force& force : plan.forces)
-    if (force.term->potential != nullptr) energy += force.term->potential(plan, force.values, time, x.data());
-  return energy;
 }
 
 // [J], that moved points out of colliders: the difference of the energy with and without these displacements.
@@ -37,6 +30,24 @@ double push_work(const Plan& plan, const ContactWorkspace& before, double h, Mot
   for (const ContactWorkspace::Pushed& each : before.pushed)
     for (int c = 0; c < plan.dimensions; ++c) motion.x[c * n + each.point] = each.position[c];
   return energy - without;
+}
+
+// [J], whose change by contact is its work, where the strain limit has moved points: contact moves them back, against springs whose force
+// changes on the way. Impulses act at the velocity that belongs to the position (surface_step.cpp).
+double energy_of_limited(const Plan& plan, const ContactWorkspace& before, double h, const Motion& motion) {
+  double energy = mechanical_energy(plan, before.time + 0.5 * h, motion);
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
+      if (plan.inverse_mass[i] != 0.0)
+        energy += plan.mass[i] * before.velocity_lag * (before.unlimited_v[at] - before.v[at]) * motion.v[at];
+  return energy;
+}
+
+// Contact that moves points back where the strain limit has moved them away returns what that took in the same substep [J].
+void return_to_limit(const ContactWorkspace& before, double gained, Motion& motion) {
+  const double returned = std::clamp(gained, 0.0, std::max(0.0, -before.limit_work));
+  motion.limit_work += returned;
+  motion.contact_work -= returned;
 }
 
 // In a fixed order, as eight sums side by side.
@@ -165,6 +176,7 @@ void resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
   if (plan.colliders_move) before.supplied.assign(n, 0.0);
   before.blocks.resize(blocks);
   const PointPass pass(plan, obstacles, before, motion, h);
+  const double energy = before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
 
   // blocks of points on as many threads as there are
   constexpr Index min_blocks = 2;  // some microseconds
@@ -189,6 +201,9 @@ void resolve_points(const Plan& plan, std::span<const Obstacle> obstacles, Conta
     before.first_touch = std::min(before.first_touch, touches[part].first_touch);
     before.first_impact = std::min(before.first_impact, touches[part].first_impact);
   }
+  const double pushed = before.pushed.empty() ? 0.0 : push_work(plan, before, h, motion);
+  motion.collider_work += pushed;
+  if (before.is_limited) work = energy_of_limited(plan, before, h, motion) - pushed - energy;
   before.contact_work = book_contact_work(work, {.by_colliders = supplied}, motion);
 }
 
@@ -202,19 +217,33 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
   before.first_touch = before.first_impact = std::numeric_limits<double>::infinity();
   before.pushed.clear();
   before.pushed.reserve(n);
-  if (plan.surface.on) before.surface.begin_substep(plan, before.velocity_lag, motion);
+  const double contact_work = motion.contact_work;  // [J], in the frame so far
+  if (plan.surface.on) before.surface.begin_substep(plan, before.velocity_lag, before.is_limited ? &before.unlimited_v : nullptr, motion);
+  const double energy = plan.pairs.on && before.is_limited ? energy_of_limited(plan, before, h, motion) : 0.0;
   bool touched = plan.pairs.on && before.pairs.resolve(plan, obstacles, before.x, before.v, h, motion);
   if (touched) {
+    const double work = before.is_limited ? energy_of_limited(plan, before, h, motion) - energy : before.pairs.work();
+    book_contact_work(work, before.pairs.supplied(), motion);
     before.first_touch = before.pairs.first_touch();
     before.first_impact = before.pairs.first_impact();
   }
   resolve_points(plan, obstacles, before, motion, h, touched);
-  if (!before.pushed.empty()) motion.collider_work += push_work(plan, before, h, motion);
   if (plan.surface.on && before.surface.resolve(plan, obstacles, before.x, before.v, h, motion)) {
     touched = true;
     before.first_touch = 0.0;
   }
+  if (before.is_limited) return_to_limit(before, motion.contact_work - contact_work, motion);
   return touched;
+}
+
+bool limit_strain(const Plan& plan, ContactWorkspace& before, Motion& motion) {
+  before.is_limited = false;
+  if (plan.max_length.empty()) return false;
+  if (plan.has_contact()) before.unlimited_v = motion.v;
+  const double work = motion.limit_work;
+  before.is_limited = limit_strain(plan, motion);
+  before.limit_work = motion.limit_work - work;
+  return before.is_limited;
 }
 
 }  // namespace hooke

@@ -20,6 +20,10 @@ struct ContactWorkspace {
   double time = 0.0;          // [s]
   double velocity_lag = 0.0;  // [1], of the method (integrator.h)
   Field x, v;
+  // Velocities at the end of the substep before the strain limit changed them, if it did: what it changes is no work of forces.
+  Field unlimited_v;
+  bool is_limited = false;
+  double limit_work = 0.0;  // [J], of the strain limit in the substep
   std::vector<Obstacle> obstacles;
   // [s], since the start of the substep, when the first point touched something, and when the first had an impact; infinity: none did
   double first_touch = 0.0, first_impact = 0.0;
@@ -61,6 +65,11 @@ struct ContactWorkspace {
 // motion.collider_work, and so is the work of moving out points that start inside. A point sliding on several surfaces is carried by their
 // mean velocity, weighted by friction. Points that may touch others within the step are left to the PairSolver. Returns whether anything
 // touched.
+//
+// `before` says whether the strain limit has changed the velocities of `motion`.
 bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion, double h);
+
+// Imposes the strain limit (spring_limits.h) at the end of a substep, before contact. Returns whether it moved points.
+bool limit_strain(const Plan& plan, ContactWorkspace& before, Motion& motion);
 
 }  // namespace hooke

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "sim/plan_energy.h"
+
 namespace hooke {
 
 double book_contact_work(double work, const SuppliedWork& bounds, Motion& motion) {
@@ -15,6 +17,21 @@ double book_contact_work(double work, const SuppliedWork& bounds, Motion& motion
   const double rest = work - by_hand - by_colliders;
   motion.contact_work += rest;
   return rest;
+}
+
+double potential_energy(const Plan& plan, double time, const Field& x) {
+  double energy = stored_energy(plan, x);
+  for (const Force& force : plan.forces)
+    if (force.term->potential != nullptr) energy += force.term->potential(plan, force.values, time, x.data());
+  return energy;
+}
+
+double mechanical_energy(const Plan& plan, double time, const Motion& motion) {
+  double kinetic = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
+      if (plan.inverse_mass[i] != 0.0) kinetic += 0.5 * plan.mass[i] * motion.v[at] * motion.v[at];
+  return kinetic + potential_energy(plan, time, motion.x);
 }
 
 double held_speed(const Plan& plan, const Motion& motion) {

@@ -16,6 +16,11 @@ struct SuppliedWork {
 // Without the bounds, the energy that an unstable motion gains where something moves would count as supplied. Returns the rest.
 double book_contact_work(double work, const SuppliedWork& bounds, Motion& motion);
 
+// [J], of springs, gravity and the potentials of the listed forces at this time.
+double potential_energy(const Plan& plan, double time, const Field& x);
+// The kinetic energy included.
+double mechanical_energy(const Plan& plan, double time, const Motion& motion);
+
 // [m/s], of the held point; 0 without one.
 double held_speed(const Plan& plan, const Motion& motion);
 

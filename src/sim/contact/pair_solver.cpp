@@ -206,16 +206,17 @@ bool PairSolver::is_within_bounds(const Plan& plan, const Field& x0, double h) {
 }
 
 // Positions and velocities at the end, and the work of contact in addition to that of the forces.
-void PairSolver::write(const Plan& plan, double h, Motion& motion) const {
+void PairSolver::write(const Plan& plan, double h, Motion& motion) {
   const auto n = static_cast<std::size_t>(plan.points);
-  double work = 0.0, impulses = 0.0, speed = 0.0;  // [J], [N s], [m/s]
+  double impulses = 0.0, speed = 0.0;  // [N s], [m/s]
+  work_ = 0.0;
   bool is_held = false;
   for (const PointPath& path : simulation_.paths) {
     const Index i = path.point;
     is_held = is_held || plan.held == i;
     if (!path.is_changed) continue;
     const Vec3 v1 = vector_in(plan, motion.v, i), v = path.v - path.velocity_correction;
-    work += path.contact_work();
+    work_ += path.contact_work();
     impulses += plan.mass[i] * (glm::length(v - v1) + h * glm::length(path.free_acceleration));
     for (int c = 0; c < plan.dimensions; ++c) {
       motion.x[c * n + i] = path.x[c];
@@ -225,7 +226,7 @@ void PairSolver::write(const Plan& plan, double h, Motion& motion) const {
   if (plan.colliders_move)
     for (const Touch& touch : simulation_.touches)
       if (touch.obstacle != nullptr) speed = std::max(speed, max_surface_speed(*touch.obstacle, simulation_.paths[touch.first].x, h));
-  book_contact_work(work, {.by_hand = is_held ? impulses * held_speed(plan, motion) : 0.0, .by_colliders = impulses * speed}, motion);
+  supplied_ = {.by_hand = is_held ? impulses * held_speed(plan, motion) : 0.0, .by_colliders = impulses * speed};
 }
 
 }  // namespace hooke

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/contact/contact_work.h"
 #include "sim/contact/pair_search.h"
 #include "sim/contact/touch_simulation.h"
 #include "sim/motion.h"
@@ -31,6 +32,9 @@ class PairSolver {
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
   // Whether the last call dealt with the point, which then needs nothing else.
   bool has_resolved(Index i) const { return is_involved_[i] != 0; }
+  // [J], of contact in the substep, in addition to that of the forces, and how much of it the hand and colliders may have supplied.
+  double work() const { return work_; }
+  const SuppliedWork& supplied() const { return supplied_; }
   // [s], since the start of the last substep in which anything touched
   double first_touch() const { return simulation_.first_touch(); }
   double first_impact() const { return simulation_.first_impact(); }
@@ -51,7 +55,7 @@ class PairSolver {
   bool involve_pairs(const Plan& plan, const Field& x0);
   void fill(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, const Motion& motion);
   bool is_within_bounds(const Plan& plan, const Field& x0, double h);
-  void write(const Plan& plan, double h, Motion& motion) const;
+  void write(const Plan& plan, double h, Motion& motion);
 
   PairSearch search_;
   std::vector<PointPair> pairs_;
@@ -65,6 +69,8 @@ class PairSolver {
   TouchSimulation simulation_;
   long excess_ = 0;  // work of earlier substeps of the frame, beyond what is usual
   bool has_failed_ = false;
+  double work_ = 0.0;  // [J]
+  SuppliedWork supplied_;
 };
 
 }  // namespace hooke

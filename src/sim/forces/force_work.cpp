@@ -50,8 +50,7 @@ double potential_work(const Plan& plan, double time, const Field& start, const F
 }  // namespace
 
 void ForceWork::begin_frame(const Plan& plan, const Motion& motion) {
-  power_is_current_ = false;
-  carried_ = 0.0;
+  memory_ = {};
   has_power_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->power != nullptr; });
   has_potential_ = std::ranges::any_of(plan.forces, [](const Force& force) { return force.term->potential != nullptr; });
   is_alone_ = !plan.held && !plan.pull && air_acceleration(plan) == Vec3(0.0);
@@ -70,7 +69,7 @@ void ForceWork::begin_substep(const Plan& plan, const Motion& motion) {
   if (!is_external || air_acceleration(plan) != Vec3(0.0)) std::ranges::copy(motion.x, x_.begin());
   if (!has_power_) return;
   if (!is_external) std::ranges::copy(motion.v, v_.begin());
-  if (!power_is_current_) power_ = power_of(plan, motion.time, motion.x, motion.v);
+  if (!memory_.power_is_current) memory_.power = power_of(plan, motion.time, motion.x, motion.v);
 }
 
 // [J], of motion, springs, gravity and the potentials of forces since the start of the substep.
@@ -83,24 +82,24 @@ double ForceWork::energy_change(const Plan& plan, const Motion& motion) const {
          potential_work(plan, 0.5 * (time_ + motion.time), x_, motion.x);
 }
 
-void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h, bool is_moved) {
+void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h) {
   if (!has_power_) return;
   const bool is_external = motion.contents == Motion::Forces::External;
-  const double start = power_, middle = time_ + 0.5 * h;
+  const double start = memory_.power, middle = time_ + 0.5 * h;
   if (motion.contents == Motion::Forces::Open) {
-    power_ = add_force_terms_with_power(plan, motion.time, motion.x, motion.v, motion.forces);
+    memory_.power = add_force_terms_with_power(plan, motion.time, motion.x, motion.v, motion.forces);
     motion.contents = Motion::Forces::Complete;
   } else if (is_external) {
     // where the two differ, that of the velocity at which they were computed, at which they supply no more than moving air does
     constexpr double max_difference = 0.2;
     const double difference = std::abs(motion.power - motion.power_as_computed);
-    power_ = difference <= max_difference * std::abs(motion.power_as_computed) ? motion.power : motion.power_as_computed;
+    memory_.power = difference <= max_difference * std::abs(motion.power_as_computed) ? motion.power : motion.power_as_computed;
   } else {
-    power_ = power_of(plan, motion.time, motion.x, motion.v);
+    memory_.power = power_of(plan, motion.time, motion.x, motion.v);
   }
-  power_is_current_ = true;
-  if (is_moved || is_external) {
-    power_work_ = 0.5 * h * (start + power_);
+  memory_.power_is_current = true;
+  if (is_external) {
+    power_work_ = 0.5 * h * (start + memory_.power);
     return;
   }
   // With a larger product Simpson's rule yields more than implicit methods dissipate, by a fraction of (rate h)^2 / 12, which would appear
@@ -109,9 +108,9 @@ void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h, bool
   if ((plan.spectrum.force_rate + plan.spectrum.estimated_rate) * h <= max_resolved) {
     set_cubic_middle({x_.data(), v_.data(), motion.x.data(), motion.v.data()}, h, middle_x_.data(), middle_v_.data(), x_.size());
     const double in_the_middle = power_of(plan, middle, middle_x_, middle_v_);
-    if (std::abs(start - 2.0 * in_the_middle + power_) <=
-        max_bend * std::max({std::abs(start), std::abs(in_the_middle), std::abs(power_)})) {
-      power_work_ = h / 6.0 * (start + 4.0 * in_the_middle + power_);
+    if (std::abs(start - 2.0 * in_the_middle + memory_.power) <=
+        max_bend * std::max({std::abs(start), std::abs(in_the_middle), std::abs(memory_.power)})) {
+      power_work_ = h / 6.0 * (start + 4.0 * in_the_middle + memory_.power);
       return;
     }
   }
@@ -123,16 +122,16 @@ void ForceWork::integrate_power(const Plan& plan, Motion& motion, double h, bool
   // No more than is missing, where nothing else supplies energy: a linearly implicit step brakes fast points less than their velocity says.
   // Within a frame, because the energy of a method oscillates from substep to substep.
   if (is_alone_ && power_work_ < 0.0) {
-    power_work_ += carried_;
+    power_work_ += memory_.carried;
     const double possible = std::max(power_work_, std::min(0.0, energy_change(plan, motion)));
-    carried_ = power_work_ - possible;
+    memory_.carried = power_work_ - possible;
     power_work_ = possible;
   }
 }
 
 void ForceWork::end_substep(const Plan& plan, Motion& motion, double h, bool is_moved) {
   if (!has_work(plan)) return;
-  if (is_moved) power_is_current_ = false;
+  if (is_moved) memory_.power_is_current = false;
   double reversible = air_work(plan, x_, motion.x);
   if (has_potential_) {
     const double middle = time_ + 0.5 * h;

@@ -16,19 +16,27 @@ class ForceWork {
   void begin_frame(const Plan& plan, const Motion& motion);
   void begin_substep(const Plan& plan, const Motion& motion);
   // Integrates the power over the substep, and completes motion.forces. Call it before contact or the strain limit move points, whose
-  // displacements are not the motion along which the forces work. `is_moved`: this has happened already; then by the trapezoidal rule, from
-  // both ends alone.
-  void integrate_power(const Plan& plan, Motion& motion, double h, bool is_moved);
+  // displacements are not the motion along which the forces work.
+  void integrate_power(const Plan& plan, Motion& motion, double h);
   // Adds the work since begin_substep to that of the motion. `is_moved`: positions or velocities were changed after integrate_power.
   void end_substep(const Plan& plan, Motion& motion, double h, bool is_moved);
+
+  // What a substep leaves for the next one; restored where a step is taken back.
+  struct Memory {
+    double power = 0.0;  // [W], at the end of the substep, if current
+    bool power_is_current = false;
+    double carried = 0.0;  // [J], work of earlier substeps of the frame that was more than was missing then
+  };
+  const Memory& memory() const { return memory_; }
+  void restore(const Memory& memory) { memory_ = memory; }
 
  private:
   double energy_change(const Plan& plan, const Motion& motion) const;
 
   Field x_, v_, middle_x_, middle_v_;
-  double time_ = 0.0, power_ = 0.0, power_work_ = 0.0;
-  double carried_ = 0.0;  // [J], work of earlier substeps of the frame that was more than was missing then
-  bool has_power_ = false, has_potential_ = false, power_is_current_ = false;
+  Memory memory_;
+  double time_ = 0.0, power_work_ = 0.0;
+  bool has_power_ = false, has_potential_ = false;
   bool is_alone_ = false;  // whether nothing but the listed forces supplies energy to the motion
 };
 

@@ -32,8 +32,8 @@ class SurfaceSolver {
   // Points may have been edited. What passes through each other now is left alone until the next frame.
   void begin_frame();
 
-  // Before other contacts: remembers where the method leads.
-  void begin_substep(const Plan& plan, double velocity_lag, const Motion& motion);
+  // Before other contacts: remembers where the method leads, with its velocities before the strain limit changed them, if it did.
+  void begin_substep(const Plan& plan, double velocity_lag, const Field* unlimited, const Motion& motion);
   // Corrects the step of h that led from (x0, v0) to the motion. Returns whether anything touched.
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
   // Whether the last call gave up: there are more than PairSolver::max_pairs pairs.

@@ -43,10 +43,12 @@ Vec3 mean_of(std::span<const Vec3> field) {
 
 }  // namespace
 
-void SurfaceStep::begin_substep(const Plan& plan, double velocity_lag, const Motion& motion) {
+void SurfaceStep::begin_substep(const Plan& plan, double velocity_lag, const Field* unlimited, const Motion& motion) {
   velocity_lag_ = velocity_lag;
+  is_limited_ = unlimited != nullptr;
   free_velocity_.resize(plan.surface.points.size());
-  for (std::size_t k = 0; k < free_velocity_.size(); ++k) free_velocity_[k] = point_in(plan, motion.v, plan.surface.points[k]);
+  for (std::size_t k = 0; k < free_velocity_.size(); ++k)
+    free_velocity_[k] = point_in(plan, unlimited != nullptr ? *unlimited : motion.v, plan.surface.points[k]);
   if (!transmits(plan)) return;
   all_free_velocity_ = motion.v;
   all_free_end_ = motion.x;
@@ -258,6 +260,8 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
   settle_velocities(plan);
   rebound(plan);
 
+  // where the strain limit has moved points, contact moves them back, against springs whose force changes on the way
+  const double energy = is_limited_ ? mechanical_energy(plan, motion.time, motion) : 0.0;
   double work = 0.0, lag_work = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const Index i = plan.surface.points[k];
@@ -272,6 +276,7 @@ void SurfaceStep::write(const Plan& plan, const Field& v0, double h, Motion& mot
       motion.v[c * n + i] = velocity_[k][c];
     }
   }
+  if (is_limited_) work = mechanical_energy(plan, motion.time, motion) - energy;
   book_contact_work(work, supplied_work(plan, motion), motion);
   // impulses act at the velocity that belongs to the position; what the hand and colliders supply is part of the energy of the state
   motion.contact_work += lag_work;

@@ -30,7 +30,7 @@ class SurfaceStep {
     search_.clear();
     decay_step_ = 0.0;
   }
-  void begin_substep(const Plan& plan, double velocity_lag, const Motion& motion);
+  void begin_substep(const Plan& plan, double velocity_lag, const Field* unlimited, const Motion& motion);
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
   bool has_failed() const { return has_failed_; }
   long searches() const { return search_.searches(); }
@@ -67,8 +67,9 @@ class SurfaceStep {
   std::vector<double> inverse_mass_;  // [1/kg], per point of the surface, as all of the following
 
   std::vector<Vec3> x_, end_;        // at the start of the substep, and at its end, first without this contact
-  std::vector<Vec3> free_velocity_;  // [m/s], at its end without any contact
+  std::vector<Vec3> free_velocity_;  // [m/s], at its end without any contact and strain limit
   double velocity_lag_ = 0.0;        // [1], of the method (integrator.h)
+  bool is_limited_ = false;          // whether the strain limit acted in the substep
   // [m/s], displacement over h: without this contact, with its impulses, with what separates, and without impacts
   std::vector<Vec3> free_u_, u_, separated_, path_;
   std::vector<Vec3> velocity_, at_rest_;  // [m/s], at the end, and without rebounds
