@@ -17,6 +17,8 @@ constexpr Removal removals[] = {
     {"marbles", "contact", "center_y"},
     {"newtons_cradle", "contact", "x14"},
     {"reef_knot", "contact", "largest_strain"},
+    {"reef_knot", "contact", "y29", 1.0},
+    {"reef_knot", "contact", "y60", 1.0},
     {"folded_napkin", "contact", "crossings", 0.1},
     {"stacked_jelly", "contact", "crossings", 0.2},
     {"dominoes", "contact", "crossings", 0.2},
@@ -30,6 +32,9 @@ constexpr Removal removals[] = {
     {"curtain", "contact", "crossings", 0.5},
     {"trampoline", "contact", "y0", 0.8},
     {"reef_knot", "contact friction", "largest_strain"},
+    {"reef_knot", "contact friction", "y28"},
+    {"reef_knot", "contact friction", "y29"},
+    {"reef_knot", "contact friction", "y60"},
     {"stacked_jelly", "contact friction", "center_y", 2.0},
     {"dominoes", "contact friction", "x72"},
     {"tablecloth", "collider friction", "z26"},
@@ -75,7 +80,7 @@ TEST_P(SceneFeatures, AreWhatTheCheckOfTheSceneProves) {
 }
 
 std::string name_of(const testing::TestParamInfo<Removal>& removal) {
-  std::string name = std::string(removal.param.scene) + "_without_" + removal.param.feature;
+  std::string name = std::string(removal.param.scene) + "_without_" + removal.param.feature + "_" + removal.param.quantity;
   for (char& c : name) c = c == ' ' ? '_' : c;
   return name;
 }
