@@ -192,6 +192,13 @@ TEST(SpringForces, EqualAPlainLoopOverAnyGraphBitForBitOnEveryVectorTarget) {
       for (const int n : {2, 3, 4, 6, 9, 17, 40})
         for (const bool shuffled : {false, true}) sims.push_back(triangle_mesh(n, dimensions, damping, shuffled));
     }
+  // a long run along a row, and one across, among short ones
+  for (const int dimensions : {2, 3}) {
+    TestSim sim = random_sim(9, 200, 60, dimensions, 0.0);
+    for (const Index offset : {1, 100})
+      for (Index i = 0; i < 90; ++i) sim.join(sim.system.points()[i].id, sim.system.points()[i + offset].id, 30.0, 0.5);
+    sims.push_back(std::move(sim));
+  }
   // forces that are all zero, added to signed zeros below, with and without a run along a row
   TestSim& still = sims.emplace_back();
   for (int i = 0; i < 5; ++i) still.add(Vec3(0.0));
