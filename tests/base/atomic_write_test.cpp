@@ -91,8 +91,9 @@ TEST(AtomicWrite, ALinkWithoutATargetFolderIsRefusedWithTheReason) {
   const ScratchFolder scratch;
   fs::create_symlink("none/new.json", scratch.folder / "link.json");
   const std::string target = (scratch.folder / "none/new.json").string();
-  EXPECT_NE(error_of(scratch.folder / "link.json").find("link.json (a link to " + target + "): cannot be written: No such file or directory"),
-            std::string::npos);
+  EXPECT_NE(
+      error_of(scratch.folder / "link.json").find("link.json (a link to " + target + "): cannot be written: No such file or directory"),
+      std::string::npos);
   fs::create_symlink("circle.json", scratch.folder / "circle.json");
   EXPECT_NE(error_of(scratch.folder / "circle.json").find("Too many levels of symbolic links"), std::string::npos);
 }
