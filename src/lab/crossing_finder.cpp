@@ -1,12 +1,16 @@
 #include "lab/crossing_finder.h"
 
+#include <utility>
+
 namespace hooke {
 
 void CrossingFinder::follow(const Status& status) {
   const Snapshot& now = *status.snapshot;
   const bool is_edited = now.system != system_, is_moved = now.state.time != time_;
   const bool is_switched = now.system->contact != contact_;
-  if (!is_switched && !(found_ && is_moved) && !(is_edited && !status.run.running)) return;
+  const std::size_t count = now.system->points().size() + now.system->springs().size() + now.system->faces.size();
+  const bool has_more = count > std::exchange(parts_, count);
+  if (!is_switched && !(found_ && is_moved) && !has_more && !(is_edited && !status.run.running)) return;
   system_ = now.system;
   contact_ = now.system->contact;
   time_ = now.state.time;

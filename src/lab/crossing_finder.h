@@ -10,7 +10,8 @@ namespace hooke {
 
 class CrossingFinder {
  public:
-  // Once per frame. Contact keeps apart what is apart: a run is searched only from a start in which something crosses, until nothing does.
+  // Once per frame. Contact keeps apart what is apart: a run is searched only from a start in which something crosses, or from when parts
+  // were added, such as by undo, until nothing does.
   void follow(const Status& status);
   // Null: nothing crosses.
   const std::shared_ptr<const CrossedParts>& found() const { return found_; }
@@ -18,6 +19,7 @@ class CrossingFinder {
  private:
   std::shared_ptr<const System> system_;  // of the last search
   PairContact contact_;
+  std::size_t parts_ = 0;  // points, springs and faces of the scene
   double time_ = 0.0;
   std::shared_ptr<const CrossedParts> found_;
 };

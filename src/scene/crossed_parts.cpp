@@ -1,9 +1,11 @@
 #include "scene/crossed_parts.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "base/number_text.h"
 #include "scene/placed_surface.h"
+#include "sim/contact/closest.h"
 #include "sim/contact/pair_solver.h"
 
 namespace hooke {
@@ -16,8 +18,8 @@ bool separates(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return (first < 0.0 && second > 0.0) || (first > 0.0 && second < 0.0);
 }
 
-void find_surfaces(const System& system, const State& state, CrossedParts& parts) {
-  auto [plan, place, tree] = place_surface(system, state);
+void find_surfaces(const System& system, PlacedSurface& surface, CrossedParts& parts) {
+  auto& [plan, place, tree] = surface;
   if (!plan.on) return;
   const auto id_of = [&, &points = plan.points](Index point) { return system.points()[points[point]].id; };
   if (system.dimensions == 3) {
@@ -42,6 +44,27 @@ void find_surfaces(const System& system, const State& state, CrossedParts& parts
     parts.springs.push_back({id_of(p), id_of(q)});
     parts.across.push_back({id_of(r), id_of(s)});
   }
+}
+
+// Of spheres, and of faces and springs that touch them.
+void find_spheres(const System& system, PlacedSurface& surface, CrossedParts& parts) {
+  auto& [plan, place, tree] = surface;
+  if (!plan.on || plan.radius.empty()) return;
+  std::vector<SurfacePair> pairs;
+  parts.has_all_spheres = tree.find_pairs(plan, place, plan.max_thickness, {}, pairs, PairSolver::max_pairs);
+  constexpr double ignored = 1e-3;
+  for (const SurfacePair& pair : pairs) {
+    const auto& [i, j, k, l] = pair.points;
+    const double radius = plan.radius_of(i);
+    const double depth = radius - closest_points(pair.kind, {place[i], place[j], place[k], place[l]}).distance;
+    if (!(depth > ignored * radius)) continue;
+    parts.spheres.push_back(system.points()[plan.points[i]].id);
+    if (depth <= parts.sphere_depth) continue;
+    parts.sphere_depth = depth;
+    parts.deepest_sphere = parts.spheres.back();
+  }
+  std::ranges::sort(parts.spheres);
+  parts.spheres.erase(std::unique(parts.spheres.begin(), parts.spheres.end()), parts.spheres.end());
 }
 
 void find_points(const System& system, const State& state, CrossedParts& parts) {
@@ -72,7 +95,9 @@ std::string count_of(std::size_t count, bool is_complete, const char* one, const
 
 CrossedParts find_crossed_parts(const System& system, const State& state) {
   CrossedParts parts;
-  find_surfaces(system, state, parts);
+  PlacedSurface surface = place_surface(system, state);
+  find_surfaces(system, surface, parts);
+  find_spheres(system, surface, parts);
   if (system.contact.points && system.point_count() > 0) find_points(system, state, parts);
   return parts;
 }
@@ -93,6 +118,11 @@ std::vector<CrossedText> describe(const CrossedParts& parts, const System& syste
     texts.push_back({"contact.springs",
                      count_of(parts.springs.size(), parts.is_complete, " pair of springs crosses", " pairs of springs cross"),
                      ", the one of points " + names_of(parts.springs[0]) + " that of points " + names_of(parts.across[0]), apart});
+  if (!parts.spheres.empty())
+    texts.push_back({system.contact.faces && system.dimensions == 3 ? "contact.faces" : "contact.springs",
+                     count_of(parts.spheres.size(), parts.has_all_spheres, " point overlaps", " points overlap") + " faces or springs",
+                     ", point " + name_of(parts.deepest_sphere) + " most, by " + quantity_text(parts.sphere_depth, "m", 2),
+                     "each leaves them on the side of its center"});
   if (!parts.points.empty())
     texts.push_back({"contact.points",
                      count_of(parts.points.size(), parts.has_all_points, " pair of points overlaps", " pairs of points overlap"),
@@ -106,7 +136,8 @@ std::size_t count_crossings(const System& system, const State& state) {
   touching.contact.faces = touching.dimensions == 3;
   touching.contact.springs = touching.dimensions == 2;
   CrossedParts parts;
-  find_surfaces(touching, state, parts);
+  PlacedSurface surface = place_surface(touching, state);
+  find_surfaces(touching, surface, parts);
   return parts.edges.size() + parts.springs.size();
 }
 

@@ -1,4 +1,5 @@
-// Parts that are inside each other in a scene in which they touch: edges through faces, springs across each other, overlapping points.
+// Parts that are inside each other in a scene in which they touch: edges through faces, springs across each other, overlapping points, and
+// spheres (surface_plan.h) in faces or springs.
 #pragma once
 
 #include <array>
@@ -20,10 +21,14 @@ struct CrossedParts {
   std::vector<std::array<PointId, 2>> points;
   std::array<PointId, 2> deepest{};  // the pair of points that overlaps most
   double depth = 0.0;                // [m], its overlap
+  // whose surface is in a face or spring, by more than a thousandth of their radius, and the depth [m] of the one that is deepest
+  std::vector<PointId> spheres;
+  PointId deepest_sphere{};
+  double sphere_depth = 0.0;
   // false: so many parts are close to each other that the search ended
-  bool is_complete = true, has_all_points = true;
+  bool is_complete = true, has_all_points = true, has_all_spheres = true;
 
-  bool empty() const { return edges.empty() && springs.empty() && points.empty(); }
+  bool empty() const { return edges.empty() && springs.empty() && points.empty() && spheres.empty(); }
 };
 
 // Those of the present positions, of what touches. O(n log n).

@@ -102,7 +102,7 @@ std::vector<std::string> crossing_warnings(const System& system, const State& st
   for (const CrossedText& text : describe(crossed, system))
     warnings.push_back(std::string(text.setting) + ": " + text.count + text.detail + ": " + text.consequence);
   // what crosses is closer as well
-  if (crossed.edges.empty() && crossed.springs.empty())
+  if (crossed.edges.empty() && crossed.springs.empty() && crossed.spheres.empty())
     if (auto warning = close_start_warning(system, state)) warnings.push_back(*std::move(warning));
   return warnings;
 }

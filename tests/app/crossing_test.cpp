@@ -47,5 +47,26 @@ TEST(Crossings, AreHighlightedWhenContactIsSwitchedOn) {
   EXPECT_NE(gui.app().marks().crossed, nullptr);
 }
 
+// A ball is deleted in a run, and restored when a sheet has moved to where it was.
+TEST(Crossings, AreHighlightedWhenUndoRestoresABallInASheet) {
+  GuiFixture gui(parse(R"({"hooke": 1, "gravity": [0, 0, 0], "contact": {"faces": true},
+    "points": [{"position": [-1, 0, -1], "velocity": [0, 1, 0]}, {"position": [1, 0, -1], "velocity": [0, 1, 0]},
+               {"position": [0, 0, 1], "velocity": [0, 1, 0]}, {"position": [0, 0.5, 0], "radius": 0.2}],
+    "springs": [{"points": [0, 1], "stiffness": 100}, {"points": [1, 2], "stiffness": 100}, {"points": [2, 0], "stiffness": 100}],
+    "faces": [[0, 1, 2]]})"));
+  EXPECT_EQ(gui.app().marks().crossed, nullptr);
+  const PointId ball = gui.system().points()[3].id;
+  gui.app().handle(Request(Edit{Remove{.points = {ball}}}));
+  gui.app().handle(Request(Control(RunTo{0.55})));
+  for (int i = 0; i < 2000 && gui.status().snapshot->state.time < 0.549; ++i) gui.frame();
+  EXPECT_EQ(gui.app().marks().crossed, nullptr);
+  gui.key(Key::Space);
+  gui.key(letter('Z'), {.control = true});
+  for (int i = 0; i < 100 && !gui.app().marks().crossed; ++i) gui.frame();
+  ASSERT_NE(gui.app().marks().crossed, nullptr);
+  EXPECT_EQ(gui.app().marks().crossed->spheres, std::vector<PointId>{ball});
+  EXPECT_NE(gui.text().find("1 point overlaps faces or springs, as highlighted"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace hooke

@@ -89,6 +89,20 @@ TEST(SceneFile, PartsThatStartFarCloserThanTheirThicknessAreReported) {
                 "points 2 and 3 most, by 0.18 m of 0.2 m: they separate slowly, which may stretch springs and so supply energy"});
 }
 
+TEST(SceneFile, BallsInSpringsAreReported) {
+  const auto warnings = [](const std::string& y, const std::string& contact = R"({"springs": true})") {
+    return warnings_of(R"({"hooke": 1, "dimensions": 2, "points": [{"position": [-1, 0]}, {"position": [1, 0]}, {"position": [0, )" + y +
+                       R"(], "radius": 0.5}], "springs": [{"points": [0, 1], "stiffness": 1}], "contact": )" + contact + "}");
+  };
+  EXPECT_TRUE(warnings("0.65").empty());
+  EXPECT_EQ(
+      warnings("0.3"),
+      std::vector<std::string>{
+          "test.json: contact.springs: 1 point overlaps faces or springs, point 2 most, by 0.2 m: each leaves them on the side of its "
+          "center"});
+  EXPECT_TRUE(warnings("0.3", "{}").empty());
+}
+
 TEST(SceneFile, PartsInTheSamePlaceAreReportedBecauseTheyNeverTouch) {
   const auto warnings = [](const std::string& x) {
     return warnings_of(R"({"hooke": 1, "points": [{"position": [-1, 0, 0]}, {"position": [1, 0, 0]}, {"position": [)" + x +

@@ -213,7 +213,7 @@ void NetworkRenderer::add_marks(const DrawContext& context, Strokes& strokes, Po
     impostors.add(context.projection, clip_[i], projected_[i], ring);
   };
   if (context.marks.crossed) {
-    std::vector<PointId> overlapping;
+    std::vector<PointId> overlapping = context.marks.crossed->spheres;
     for (const auto& [first, second] : context.marks.crossed->points) overlapping.insert(overlapping.end(), {first, second});
     std::ranges::sort(overlapping);
     overlapping.erase(std::unique(overlapping.begin(), overlapping.end()), overlapping.end());
