@@ -98,6 +98,7 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   force_work_.begin_frame(plan, motion_);
   before_.begin_frame();
   before_.velocity_lag = integrator_->velocity_lag;
+  before_.kicks_last = integrator_->kicks_last;
   if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
   if (integrator_->advance != nullptr) adaptive_step_.begin_frame(plan, motion_);
 }

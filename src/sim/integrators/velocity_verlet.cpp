@@ -300,6 +300,7 @@ constinit const Integrator velocity_verlet{
     .implicit_solve = ImplicitSolve::None,
     .implicit_force_terms = false,
     .for_production = true,
+    .kicks_last = true,
     .prepare = prepare,
     .step = step,
     .amplification = amplification,

@@ -38,25 +38,25 @@ void SurfaceStep::note_impacts(const Plan& plan, const Field& v0, double h, cons
 }
 
 // After all else, at the end of the substep: impulses bring what has had an impact to its velocity after it, and return at most e^2 of the
-// energy that those before have taken along the normals. Where many act on the same points, two sweeps may exceed that: then all of them
+// energy that those before have taken along the normals. Where many act on the same points, they may exceed that: then all of them
 // are smaller.
 void SurfaceStep::rebound(const Plan& plan) {
   double limit = 0.0;  // [J]
   for (const SurfaceContact& contact : contacts_.surface)
-    if (contact.rebound > 0.0) limit += 0.5 * (contact.impulse - contact.separating) * (contact.approach - contact.ahead);
+    if (contact.rebound > 0.0) limit += 0.5 * (contact.pressing + contact.impulse.normal) * (contact.approach - contact.ahead);
   if (!(limit > 0.0)) return;
   limit *= plan.surface.restitution * plan.surface.restitution;
   at_rest_ = velocity_;
   for (SurfaceContact& contact : contacts_.surface) {
-    contact.before_rebound = contact.impulse;
+    contact.before_rebound = contact.impulse.normal;
     contact.target = std::max(0.0, contact.rebound);
   }
-  settle_velocities(plan);
+  contacts_.settle(inverse_mass_, plan.surface.friction, velocity_);
 
   // the work of a part s of the impulses is s (linear + s quadratic)
   double linear = 0.0, quadratic = 0.0;  // [J]
   for (SurfaceContact& contact : contacts_.surface) {
-    const double impulse = contact.impulse - contact.before_rebound;
+    const double impulse = contact.impulse.normal - contact.before_rebound;
     const double start = glm::dot(contact.normal, weighted(at_rest_, contact.points, contact.weight));
     linear += impulse * (start + contact.ahead);
     quadratic += 0.5 * impulse * (glm::dot(contact.normal, weighted(velocity_, contact.points, contact.weight)) - start);

@@ -39,7 +39,7 @@ bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
         const double part = free_part(kind, four(x_, pair.points), displacement, distance, distances_);
         if (part < 1.0 && handle_impact(pair, part, h, pass >= impact_passes)) hits = true;
       });
-    excess = distances_ + search_.tests() + impulses_ - usual_distances(x_.size());
+    excess = distances_ + search_.tests() + contacts_.impulses - usual_distances(x_.size());
     has_failed_ = distances_ > max_distances(x_.size()) || excess_ + excess > max_excess;
     if (has_failed_ || !hits) break;
     any = true;
@@ -53,7 +53,7 @@ bool SurfaceStep::prevent_crossings(const Plan& plan, double h) {
 bool SurfaceStep::handle_impact(const SurfacePair& pair, double part, double h, bool joins) {
   const std::array<Index, 4>& points = pair.points;
   ++impacts_;
-  ++impulses_;
+  ++contacts_.impulses;
   if (joins) return join(points);
   FourPoints at = four(x_, points);
   for (int c = 0; c < 4; ++c) at[c] += part * h * path_[points[c]];

@@ -8,39 +8,49 @@
 namespace hooke {
 namespace {
 
-bool settle_contact(SurfaceContact& contact, std::span<const double> inverse_mass, double friction, double leverage,
-                    std::span<Vec3> velocity) {
+// At most so many sweeps, less if one changes no relative velocity by more than this part of the largest change.
+constexpr int max_sweeps_of_impulses = 8, max_sweeps_of_separation = 2;
+constexpr double relative_tolerance = 1e-3;
+
+// Changes the normal impulse by `change`, and opposes the slip [m/s] as far as friction can. Returns the change of both.
+Vec3 add_impulse(ContactImpulse& impulse, double change, const Vec3& normal, double friction, const Vec3& slip, double response) {
+  impulse.normal += change;
+  Vec3 total = change * normal;
+  if (friction == 0.0) return total;
+  const Vec3 before = impulse.friction;
+  impulse.friction -= slip / response;
+  const double size = std::sqrt(glm::dot(impulse.friction, impulse.friction)), max = friction * impulse.normal;
+  if (size > max) impulse.friction *= max / size;
+  return total + (impulse.friction - before);
+}
+
+// Both return the change of the relative velocity [m/s].
+double settle_contact(SurfaceContact& contact, std::span<const double> inverse_mass, double friction, double leverage,
+                      std::span<Vec3> velocity) {
   const auto& [i, j, k, l] = contact.points;
   const std::array<double, 4>& w = contact.weight;
   const Vec3 relative = w[0] * velocity[i] + w[1] * velocity[j] + w[2] * velocity[k] + w[3] * velocity[l];
   const double normal_velocity = glm::dot(contact.normal, relative);
-  if (!(normal_velocity < contact.target)) return false;
+  if (contact.impulse.normal == 0.0 && !(normal_velocity < contact.target)) return 0.0;
   const double approach = contact.target - normal_velocity;
-  double impulse = approach / std::max(contact.response, contact.max_change / leverage);
-  if (contact.is_driven)
-    impulse = limited_impulse(contact.points, contact.weight, contact.normal, impulse, approach, inverse_mass, velocity);
-  Vec3 total = impulse * contact.normal;
-  if (friction > 0.0) {
-    const Vec3 slip = relative - normal_velocity * contact.normal;
-    const double speed = std::sqrt(glm::dot(slip, slip));
-    if (speed > 0.0) total -= std::min(friction * impulse / speed, 1.0 / contact.response) * slip;
-  }
-  contact.impulse += impulse;
+  double change = std::max(-contact.impulse.normal, approach / std::max(contact.response, contact.max_change / leverage));
+  if (contact.is_driven && change > 0.0)
+    change = limited_impulse(contact.points, contact.weight, contact.normal, change, approach, inverse_mass, velocity);
+  const Vec3 slip = relative - normal_velocity * contact.normal;
+  const Vec3 total = add_impulse(contact.impulse, change, contact.normal, friction, slip, contact.response);
   for (int c = 0; c < 4; ++c) velocity[contact.points[c]] += inverse_mass[contact.points[c]] * w[c] * total;
-  return true;
+  return contact.response * std::sqrt(glm::dot(total, total));
 }
 
-bool settle_obstacle(ObstacleContact& contact, std::span<const double> inverse_mass, bool has_friction, std::span<Vec3> velocity) {
+double settle_obstacle(ObstacleContact& contact, std::span<const double> inverse_mass, bool has_friction, std::span<Vec3> velocity) {
   Vec3& v = velocity[contact.point];
-  const double normal_velocity = glm::dot(contact.normal, v);
-  if (!(normal_velocity < contact.target)) return false;
-  const double change = contact.target - normal_velocity;
+  const double response = inverse_mass[contact.point], normal_velocity = glm::dot(contact.normal, v);
+  if (normal_velocity == contact.target || (contact.impulse.normal == 0.0 && normal_velocity > contact.target)) return 0.0;
+  const double change = std::max(-contact.impulse.normal, (contact.target - normal_velocity) / response);
   const Vec3 relative = v - contact.surface, slip = relative - glm::dot(contact.normal, relative) * contact.normal;
-  const double speed = std::sqrt(glm::dot(slip, slip));
-  v += change * contact.normal;
-  if (has_friction && speed > 0.0) v -= std::min(contact.friction * change / speed, 1.0) * slip;
-  contact.impulse += change / inverse_mass[contact.point];
-  return true;
+  const Vec3 total = add_impulse(contact.impulse, change, contact.normal, has_friction ? contact.friction : 0.0, slip, response);
+  v += response * total;
+  return response * std::sqrt(glm::dot(total, total));
 }
 
 }  // namespace
@@ -105,28 +115,30 @@ double limited_impulse(std::span<const Index> points, std::span<const double> we
 }
 
 bool SurfaceContacts::settle(std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity) {
-  return settle(inverse_mass, friction, std::numeric_limits<double>::infinity(), velocity);
+  return settle(inverse_mass, friction, std::numeric_limits<double>::infinity(), max_sweeps_of_impulses, velocity);
 }
 
 bool SurfaceContacts::separate(std::span<const double> inverse_mass, std::span<Vec3> velocity) {
-  return settle(inverse_mass, 0.0, max_leverage, velocity);
+  for (SurfaceContact& contact : surface) contact.impulse = {};
+  for (ObstacleContact& contact : obstacles) contact.impulse = {};
+  return settle(inverse_mass, 0.0, max_leverage, max_sweeps_of_separation, velocity);
 }
 
-bool SurfaceContacts::settle(std::span<const double> inverse_mass, double friction, double leverage, std::span<Vec3> velocity) {
-  bool any = false;
-  const auto settle_surface = [&](SurfaceContact& contact) {
-    any = settle_contact(contact, inverse_mass, friction, leverage, velocity) || any;
-  };
-  const auto settle_point = [&](ObstacleContact& contact) {
-    any = settle_obstacle(contact, inverse_mass, friction > 0.0, velocity) || any;
-  };
-  for (SurfaceContact& contact : surface) settle_surface(contact);
-  for (ObstacleContact& contact : obstacles) settle_point(contact);
-  if (!any) return false;
-  for (ObstacleContact& contact : obstacles) settle_point(contact);
-  for (auto contact = surface.rbegin(); contact != surface.rend(); ++contact) settle_surface(*contact);
-  for (ObstacleContact& contact : obstacles) settle_point(contact);
-  return true;
+bool SurfaceContacts::settle(std::span<const double> inverse_mass, double friction, double leverage, int max_sweeps,
+                             std::span<Vec3> velocity) {
+  double max_change = 0.0;
+  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+    double change = 0.0;
+    for (std::size_t k = 0; k < surface.size(); ++k) {
+      SurfaceContact& contact = surface[sweep % 2 == 0 ? k : surface.size() - 1 - k];
+      change = std::max(change, settle_contact(contact, inverse_mass, friction, leverage, velocity));
+    }
+    for (ObstacleContact& contact : obstacles) change = std::max(change, settle_obstacle(contact, inverse_mass, friction > 0.0, velocity));
+    impulses += static_cast<long>(surface.size());
+    max_change = std::max(max_change, change);
+    if (!(change > relative_tolerance * max_change)) break;
+  }
+  return max_change > 0.0;
 }
 
 }  // namespace hooke

@@ -9,6 +9,12 @@
 
 namespace hooke {
 
+// The sum of what sweeps have added and taken back [N s].
+struct ContactImpulse {
+  double normal = 0.0;  // not negative
+  Vec3 friction{0.0};   // across the normal, at most the coefficient times the above
+};
+
 // Two features that touch or may do so within the substep. Velocities are relative: of the first as seen from the second.
 struct SurfaceContact {
   FeaturePair kind = FeaturePair::PointFace;
@@ -19,12 +25,13 @@ struct SurfaceContact {
   double response = 0.0;    // [1/kg], relative velocity per impulse
   double max_change = 0.0;  // [1/kg], of the velocity of one of its points, per impulse
   double target = 0.0;      // [m/s], the least relative velocity along the normal
-  double impulse = 0.0;     // [N s], along the normal, so far
-  double separating = 0.0;  // [N s], the part of it that separates
+  ContactImpulse impulse;
+  double pressing = 0.0;    // [N s], along the normal, of the first half of the substep
+  double separating = 0.0;  // [N s], along the normal, that separates
   // Of what may rebound: along the normal where the path touches, and by which velocities of positions are ahead of those of the method.
   double approach = 0.0, ahead = 0.0;  // [m/s]
   double rebound = 0.0;                // [m/s], the least relative velocity after an impact; 0: there is none
-  double before_rebound = 0.0;         // [N s], the impulse without it
+  double before_rebound = 0.0;         // [N s], the impulse at the end without it
   bool is_pressed = false;             // whether there was one within the substep
   bool is_driven = false;              // whether one of its points is held
 
@@ -54,23 +61,27 @@ struct ObstacleContact {
   double end_target = 0.0;  // [m/s], at the end of the substep
   double friction = 0.0;    // [1]
   Vec3 surface{0.0};        // [m/s]
-  double impulse = 0.0;     // [N s]
+  ContactImpulse impulse;
+  ContactImpulse end_impulse;  // that with which the end of the substep starts
+  double pressing = 0.0;       // [N s], as above
   bool is_pressed = false;
 };
 
 struct SurfaceContacts {
   std::vector<SurfaceContact> surface;
   std::vector<ObstacleContact> obstacles;
+  long impulses = 0;  // computed between features, since it was set
 
-  // Changes velocities, per point, in two Gauss-Seidel sweeps, forward and backward, obstacles last: an impulse that brings what is below
-  // its target to it, and the Coulomb impulse of up to friction times that. Each of them removes kinetic energy if its target is not
-  // positive. Returns whether any was necessary.
+  // Changes velocities, per point, in Gauss-Seidel sweeps, forward and backward in turn, obstacles last, until they change little: by the
+  // least impulses for which nothing is below its target, and the Coulomb impulses of up to friction times these. What one contact no
+  // longer needs when others have pushed is taken back: otherwise, what rests on many contacts would be pushed apart. Continues from the
+  // impulses there are. If no target is positive, this removes kinetic energy. Returns whether any was necessary.
   bool settle(std::span<const double> inverse_mass, double friction, std::span<Vec3> velocity);
-  // The same for what separates, without friction.
+  // The same for what separates, from no impulses, without friction.
   bool separate(std::span<const double> inverse_mass, std::span<Vec3> velocity);
 
  private:
-  bool settle(std::span<const double> inverse_mass, double friction, double leverage, std::span<Vec3> velocity);
+  bool settle(std::span<const double> inverse_mass, double friction, double leverage, int max_sweeps, std::span<Vec3> velocity);
 };
 
 }  // namespace hooke

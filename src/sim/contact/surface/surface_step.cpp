@@ -5,35 +5,14 @@
 #include <glm/geometric.hpp>
 
 #include "sim/contact/closest_kernel.h"
-#include "sim/contact/contact_work.h"
-#include "sim/forces/dashpots/dashpot.h"
 
 namespace hooke {
 namespace {
 
 // The part of what features are closer than their thickness by which they separate in a substep, and the time for most of it [s].
 constexpr double max_separation = 0.2, separation_time = 0.02;
-// At the end of a substep, the velocities of what is at rest have to vanish.
-constexpr int velocity_turns = 4;
-// How often dashpots transmit what contact changes.
-constexpr int transmissions = 2;
-
-// Whether dashpots transmit what contact changes. Where points touch each other, too, they do not.
-bool transmits(const Plan& plan) { return plan.has_dashpots() && !plan.pairs.on; }
-
-// use(i, point) for all components of a field.
-template <class Use>
-void for_components(const Plan& plan, const Use& use) {
-  std::size_t i = 0;
-  for (int c = 0; c < plan.dimensions; ++c)
-    for (Index point = 0; point < plan.points; ++point) use(i++, point);
-}
-
-double kinetic_energy_of(const Plan& plan, const Field& v) {
-  double sum = 0.0;
-  for_components(plan, [&](std::size_t i, Index point) { sum += 0.5 * plan.mass[point] * v[i] * v[i]; });
-  return sum;
-}
+// [m/s], away from an obstacle on which a point rests, by rounding
+constexpr double resting_speed = 1e-9;
 
 Vec3 mean_of(std::span<const Vec3> field) {
   Vec3 sum(0.0);
@@ -41,28 +20,33 @@ Vec3 mean_of(std::span<const Vec3> field) {
   return sum / static_cast<double>(field.size());
 }
 
+ContactImpulse split(const Vec3& impulse, const Vec3& normal) {
+  const double along = glm::dot(impulse, normal);
+  return {std::max(0.0, along), impulse - along * normal};
+}
+
 }  // namespace
 
-void SurfaceStep::begin_substep(const Plan& plan, double velocity_lag, const Field* unlimited, const Motion& motion) {
+void SurfaceStep::begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, const Motion& motion) {
   velocity_lag_ = velocity_lag;
+  kicks_last_ = kicks_last;
   is_limited_ = unlimited != nullptr;
   free_velocity_.resize(plan.surface.points.size());
   for (std::size_t k = 0; k < free_velocity_.size(); ++k)
     free_velocity_[k] = point_in(plan, unlimited != nullptr ? *unlimited : motion.v, plan.surface.points[k]);
-  if (!transmits(plan)) return;
   all_free_velocity_ = motion.v;
   all_free_end_ = motion.x;
 }
 
 bool SurfaceStep::resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h,
                           Motion& motion) {
-  impulses_ = distances_ = 0;
+  contacts_.impulses = distances_ = 0;
   held_impulse_ = 0.0;
-  if (transmits(plan)) note_collisions(motion);
+  note_collisions(motion);
   const bool touches = correct(plan, obstacles, x0, v0, h, motion);
   if (transmits(plan)) transmit_through_dashpots(plan, obstacles, x0, touches, h, motion);
   motion.contact_tests += search_.tests() + distances_;
-  motion.contact_impulses += impulses_;
+  motion.contact_impulses += contacts_.impulses;
   return touches;
 }
 
@@ -80,8 +64,6 @@ bool SurfaceStep::correct(const Plan& plan, std::span<const Obstacle> obstacles,
   add_obstacles(plan, obstacles, h, motion);
   free_u_ = u_;
   note_impacts(plan, v0, h, motion);
-  const auto contacts = static_cast<long>(contacts_.surface.size());
-  impulses_ += 2 * contacts;
   const bool touches = contacts_.settle(inverse_mass_, plan.surface.friction, u_);
   note_pressed(plan, h);
   const bool is_separated = separate(h);
@@ -162,12 +144,20 @@ void SurfaceStep::add_obstacles(const Plan& plan, std::span<const Obstacle> obst
       const Gap gap = gap_to(*obstacle.collider, plan.radius[i], position);
       if (gap.distance > reach) continue;
       const Vec3 velocity = obstacle.velocity_at(h);
-      contacts_.obstacles.push_back({.point = static_cast<Index>(k),
-                                     .normal = gap.normal,
-                                     .target = glm::dot(gap.normal, u_[k]) - std::max(0.0, gap.distance) / h,
-                                     .end_target = glm::dot(gap.normal, velocity),
-                                     .friction = obstacle.collider->friction,
-                                     .surface = velocity + relative_surface_velocity(obstacle, gap.normal, position)});
+      ObstacleContact contact{.point = static_cast<Index>(k),
+                              .normal = gap.normal,
+                              .target = glm::dot(gap.normal, u_[k]) - std::max(0.0, gap.distance) / h,
+                              .end_target = glm::dot(gap.normal, velocity),
+                              .friction = obstacle.collider->friction,
+                              .surface = velocity + relative_surface_velocity(obstacle, gap.normal, position)};
+      // where the point rests on it, what it did in the substep is taken back as far as others carry the point
+      const Vec3 v1 = point_in(plan, motion.v, i);
+      if (gap.distance <= contact_tolerance(position) && std::abs(glm::dot(gap.normal, v1) - contact.end_target) <= resting_speed) {
+        const Vec3 of_path = (end - point_in(plan, all_free_end_, i)) / (h * inverse_mass_[k]);
+        contact.impulse = split(of_path, gap.normal);
+        contact.end_impulse = split((v1 - free_velocity_[k]) / inverse_mass_[k] - of_path, gap.normal);
+      }
+      contacts_.obstacles.push_back(contact);
     }
   }
 }
@@ -178,9 +168,13 @@ void SurfaceStep::note_pressed(const Plan& plan, double h) {
   for (SurfaceContact& contact : contacts_.surface) {
     Vec3 relative(0.0);
     for (int c = 0; c < 4; ++c) relative += contact.weight[c] * u_[contact.points[c]];
-    contact.is_pressed = contact.impulse > 0.0 || contact.gap + h * glm::dot(contact.normal, relative) <= tolerance;
+    contact.pressing = contact.impulse.normal;
+    contact.is_pressed = contact.impulse.normal > 0.0 || contact.gap + h * glm::dot(contact.normal, relative) <= tolerance;
   }
-  for (ObstacleContact& contact : contacts_.obstacles) contact.is_pressed = contact.impulse > 0.0;
+  for (ObstacleContact& contact : contacts_.obstacles) {
+    contact.pressing = contact.impulse.normal;
+    contact.is_pressed = contact.impulse.normal > 0.0 || contact.end_impulse.normal > 0.0;
+  }
 }
 
 // Displacements, without velocities, that separate what is closer than its thickness. Returns whether there are any.
@@ -194,9 +188,9 @@ bool SurfaceStep::separate(double h) {
       any = true;
     }
   if (!any) return false;
-  for (SurfaceContact& contact : contacts_.surface) contact.separating = -contact.impulse;
   any = contacts_.separate(inverse_mass_, path_);
-  for (SurfaceContact& contact : contacts_.surface) contact.separating += contact.impulse;
+  for (SurfaceContact& contact : contacts_.surface) contact.separating = contact.impulse.normal;
+  for (ObstacleContact& contact : contacts_.obstacles) contact.pressing += contact.impulse.normal;
   return any;
 }
 

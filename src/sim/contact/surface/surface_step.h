@@ -30,7 +30,7 @@ class SurfaceStep {
     search_.clear();
     decay_step_ = 0.0;
   }
-  void begin_substep(const Plan& plan, double velocity_lag, const Field* unlimited, const Motion& motion);
+  void begin_substep(const Plan& plan, double velocity_lag, bool kicks_last, const Field* unlimited, const Motion& motion);
   bool resolve(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, const Field& v0, double h, Motion& motion);
   bool has_failed() const { return has_failed_; }
   long searches() const { return search_.searches(); }
@@ -51,12 +51,14 @@ class SurfaceStep {
   bool handle_impact(const SurfacePair& pair, double part, double h, bool joins);
   bool join(const std::array<Index, 4>& points);
   void move_contacts();
+  void repeat_last_kick(const Plan& plan, double h, Motion& motion);
   void remove_torques(const Plan& plan, double h, const Motion& motion);
   void write(const Plan& plan, const Field& v0, double h, Motion& motion);
   SuppliedWork supplied_work(const Plan& plan, const Motion& motion) const;
-  void settle_velocities(const Plan& plan);
   void rebound(const Plan& plan);
   void note_collisions(const Motion& motion);
+  // Whether dashpots transmit what contact changes. Where points touch each other, too, they do not.
+  static bool transmits(const Plan& plan) { return plan.has_dashpots() && !plan.pairs.on; }
   void transmit_through_dashpots(const Plan& plan, std::span<const Obstacle> obstacles, const Field& x0, bool touches, double h,
                                  Motion& motion);
   FourPoints four(std::span<const Vec3> field, const std::array<Index, 4>& points) const {
@@ -70,9 +72,11 @@ class SurfaceStep {
   std::vector<Vec3> free_velocity_;  // [m/s], at its end without any contact and strain limit
   double velocity_lag_ = 0.0;        // [1], of the method (integrator.h)
   bool is_limited_ = false;          // whether the strain limit acted in the substep
+  bool kicks_last_ = false;          // whether the method ends a substep by accelerating points
   // [m/s], displacement over h: without this contact, with its impulses, with what separates, and without impacts
   std::vector<Vec3> free_u_, u_, separated_, path_;
   std::vector<Vec3> velocity_, at_rest_;  // [m/s], at the end, and without rebounds
+  std::vector<Vec3> last_kick_;           // [m/s], the part of it by forces at the end, if the method kicks last
 
   SurfaceContacts contacts_;
   struct Hit {
@@ -82,9 +86,10 @@ class SurfaceStep {
   };
   std::vector<Hit> hits_;                   // impacts in the substep
   std::vector<Vec3> arm_, separating_arm_;  // [m], of the torques of impulses
-  // Of all points of the scene, with dashpots: velocities and places at the end without contact, by what contact changes the former, and
-  // whether obstacles did.
+  // Of all points of the scene: velocities and places at the end without contact, by what contact changes the former, and whether obstacles
+  // did; places at the end, the acceleration without contact, and by what that with it changes the velocity.
   Field all_free_velocity_, all_free_end_, change_;
+  Field all_end_, free_acceleration_, kick_;
   std::vector<char> has_collided_;
   std::vector<double> decay_;
   double decay_step_ = 0.0;  // [s]: of which `decay_` is; 0: of none
@@ -97,7 +102,6 @@ class SurfaceStep {
   long impacts_ = 0;
   long distances_ = 0;  // on paths, in the substep
   long excess_ = 0;     // of work of earlier substeps of the frame, beyond what is usual
-  long impulses_ = 0;   // of the substep, for Motion
 };
 
 }  // namespace hooke
