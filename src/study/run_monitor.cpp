@@ -135,7 +135,7 @@ void RunMonitor::end_frame(const Plan& plan, const Settings& settings, const Sys
 
 // `present`: what is left of it [J]. Where that is little, the balance at the end does not show it.
 std::string RunMonitor::energy_warning(const Extreme& extreme, double present, const char* kind) const {
-  const std::string until = present < 0.5 * extreme.energy ? " until " + quantity_text(extreme.time, "s", 4) : "";
+  const std::string until = present < 0.25 * extreme.energy ? " until " + quantity_text(extreme.time, "s", 4) : "";
   return "energy balance off by " + percent_text(extreme.energy / scale_) + " of the energy supplied (" + kind + until + ")";
 }
 

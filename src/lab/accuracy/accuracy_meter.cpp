@@ -22,6 +22,8 @@ constexpr int order_period = 4;
 // distance between the two says nothing. It shows where a quarter of the step is farther from half of it than half of it from the step.
 // Frames whose errors are smaller than this, relative to the size, are accurate enough.
 constexpr double min_unresolved = 1e-5;
+// A distance of more than this part of the motion is an error nevertheless.
+constexpr double min_certain = 0.05;
 constexpr std::string_view passes_through_zero = "springs pass through zero length faster than the steps resolve";
 // Below this order, half the error costs more than four times the time, if it can be had at all.
 constexpr double min_order = 0.5;
@@ -175,7 +177,7 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
       lose(Loss::HalfStepDiverged, "the run with half the step diverged");
     else if (is_chaotic && error->rms > max_error * size_)
       lose(Loss::Unpredictable, "beyond the time for which the motion can be predicted");
-    else if (is_unresolved_)
+    else if (is_unresolved_ && error->rms < min_certain * motion_)
       lose(Loss::Unresolved, passes_through_zero);
     else if (!second_runs_.is_resolving() && is_damped_by_method())
       lose(Loss::Dissipated, "the method dissipated the motion, and would with half the step");
