@@ -229,7 +229,7 @@ constinit const HardCase rope_heap_case{
     .parameters = "20 ropes of 11 points, 0.5 m, k = 500 N/m, fall crosswise into a bin of 0.6 m, thickness 10 mm, 2 s",
     .criterion = "ropes stay more than a quarter of their thickness apart; the energy rises by less than 1e-2 of that supplied",
     .remark =
-        "two ropes start 3.8 mm apart, and are 7.4 mm apart after a frame; impacts compress the heap, because two sweeps do not solve for "
+        "two ropes start 3.8 mm apart, and are 7.4 mm apart after a frame; impacts compress the heap, because the sweeps do not solve for "
         "all of its impulses together; that no rope passes through another is counted in every substep by a test (scripts/contact)",
     .slow_under = slow_methods,
     .judge = judge_rope_heap,
