@@ -142,7 +142,7 @@ TEST(EnergyBalance, StopsAnInstabilityOfContactBesideAMovingCollider) {
     "restitution": 0, "friction": 0.3}, "hand": {"point": 0, "circle": {"from": [0.40594502857541387, 0.08895224573616754, 0], 
     "center": [-0.03302799216923602, 0.5026299558189187, 0]}, "speed": 32.27609772087056, "seconds": 0.22124232955085332, 
     "begin": 0.19682020119908833}, "simulation": {"integrator": "symplectic_euler", "substeps": 8}})";
-  const Outcome run = run_scene(scene, {"--seconds", "0.6", "--accuracy", "off"});
+  const Outcome run = run_scene(scene, {"--seconds", "1", "--accuracy", "off"});
   EXPECT_EQ(run.code, 4) << run.err;
   EXPECT_NE(run.err.find("energy grew"), std::string::npos) << run.err;
 }
