@@ -35,7 +35,7 @@ constexpr Removal removals[] = {
     {"reef_knot", "contact friction", "y28"},
     {"reef_knot", "contact friction", "y29"},
     {"reef_knot", "contact friction", "y60"},
-    {"stacked_jelly", "contact friction", "center_y", 2.0},
+    {"stacked_jelly", "contact friction", "center_y"},
     {"dominoes", "contact friction", "x72"},
     {"tablecloth", "collider friction", "z26"},
     {"silk", "bending", "x251"},
