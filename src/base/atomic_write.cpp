@@ -108,7 +108,7 @@ void remove_stale_files(const fs::path& folder, int folder_number) {
 
 fs::path target_of(const fs::path& file, const std::string& printable_name) {
   std::error_code error;
-  const fs::path target = follow_links(file, error);
+  fs::path target = follow_links(file, error);
   if (error) throw FileError(printable_name + ": cannot be written: " + error.message());
   return target;
 }
