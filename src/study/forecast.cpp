@@ -165,7 +165,7 @@ std::optional<double> find_equilibrium(Plan& plan, const System& system, double 
   };
   const Index supported = count_supported(plan);
   const bool has_weight = plan.acceleration != Vec3(0.0);
-  forecast.why_no_sag = !has_weight ? "no weight" : supported == 0 ? "no point is nailed" : "a part hangs on no nail";
+  forecast.why_no_sag = !has_weight ? "no weight" : count_free(plan) == plan.points ? "no point is nailed" : "a part hangs on no nail";
   if (has_weight && supported > 0) {
     if (supported < count_free(plan)) return std::nullopt;
     if (!finds_equilibrium(target_residual, equilibrium_residual)) {

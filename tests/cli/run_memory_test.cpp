@@ -8,7 +8,6 @@
 
 #include "base/formatted.h"
 #include "support/process.h"
-#include "support/sanitizer_slowdown.h"
 #include "support/scratch_folder.h"
 
 namespace hooke {
@@ -43,16 +42,10 @@ double bytes_per_spring(int n, int frames) {
   return (peak - peak_memory({program, "--version"})) / (4.0 * n * n - 6.0 * n + 2.0);
 }
 
-TEST(RunMemory, IsAtMost120BytesPerSpringOfALargeCloth) {
-  if (sanitizer_slowdown > 1.0) GTEST_SKIP() << "sanitizers take memory of their own";
-  EXPECT_LE(bytes_per_spring(1024, 3), 120.0);
-}
+TEST(RunMemory, IsAtMost120BytesPerSpringOfALargeCloth) { EXPECT_LE(bytes_per_spring(1024, 3), 120.0); }
 
 // A state of each second is kept for a search for a remedy, but not where such a search would not get as far.
-TEST(RunMemory, DoesNotGrowWithTimeInALargeNet) {
-  if (sanitizer_slowdown > 1.0) GTEST_SKIP() << "sanitizers take memory of their own";
-  EXPECT_NEAR(bytes_per_spring(320, 65), bytes_per_spring(320, 3), 6.0);
-}
+TEST(RunMemory, DoesNotGrowWithTimeInALargeNet) { EXPECT_NEAR(bytes_per_spring(320, 65), bytes_per_spring(320, 3), 6.0); }
 
 }  // namespace
 }  // namespace hooke

@@ -114,6 +114,10 @@ TEST(Forecast, AFreeFallingBodyVibratesAsIfWeightlessAndDoesNotSag) {
   ASSERT_TRUE(forecast.slowest && forecast.fastest);
   EXPECT_NEAR(forecast.slowest->omega, std::sqrt(2.0 * k / m), 1e-6);
   EXPECT_NEAR(forecast.fastest->omega, std::sqrt(2.0 * k / m), 1e-6);
+  EXPECT_EQ(forecast.why_no_sag, "no point is nailed");
+  // a nail that nothing hangs on
+  sim.nail({1.0, 0.0, 0.0});
+  EXPECT_EQ(forecast_of(sim).why_no_sag, "a part hangs on no nail");
 }
 
 TEST(Forecast, ModesOfEqualFrequencyAndDifferentDampingHaveNoSingleDampingRatio) {
