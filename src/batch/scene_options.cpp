@@ -7,6 +7,7 @@
 #include "formats/open_file.h"
 #include "scene/parameters.h"
 #include "scene/step_limits.h"
+#include "scene/warnings/strain_limit_warning.h"
 #include "sim/automatic/automatic.h"
 #include "sim/integrator.h"
 #include "study/remedy/remedy.h"
@@ -59,8 +60,10 @@ ParsedOptions parse(const SteppingOptions& options) {
 void apply_options(LoadedScene& loaded, const SteppingOptions& options, const std::string& name) {
   const auto [integrator, settings] = parse(options);
   Scene& scene = loaded.scene;
-  // warnings about the step and the settings in the file do not apply once options change them
-  for (const auto& warning : {step_warning(scene.system, scene.state, scene.settings), unused_setting_warning(scene.settings)})
+  const auto limit_warning = [&] { return strain_limit_warning(scene.system, scene.state); };
+  // warnings about settings in the file do not apply once options change them
+  for (const auto& warning :
+       {step_warning(scene.system, scene.state, scene.settings), unused_setting_warning(scene.settings), limit_warning()})
     if (warning) std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
   for (const SetParameter& setting : settings) apply_setting(scene, setting, name);
   if (integrator != nullptr) scene.settings.integrator = integrator;
@@ -71,7 +74,8 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
   // a method that an option names does not need what the file says to that of the file
   if (integrator == nullptr)
     if (const auto warning = unused_setting_warning(scene.settings)) loaded.warnings.push_back(*warning);
-  if (const auto warning = step_warning(scene.system, scene.state, scene.settings)) loaded.warnings.push_back(*warning);
+  for (const auto& warning : {step_warning(scene.system, scene.state, scene.settings), limit_warning()})
+    if (warning) loaded.warnings.push_back(*warning);
 }
 
 LoadedScene load_with_options(const SceneOptions& options) {

@@ -209,7 +209,8 @@ void Frame::substep(Plan& plan) {
   }
 
   const bool is_adaptive = integrator_->advance != nullptr;
-  if (plan.has_contact() && !is_adaptive) keep_start(plan, motion_, before_);
+  const bool lags = integrator_->velocity_lag != 0.0 && !plan.max_length.empty();
+  if ((plan.has_contact() || lags) && !is_adaptive) keep_start(plan, motion_, before_);
 
   const long evaluations_before = motion_.force_evaluations, sweeps_before = motion_.dashpot_sweeps;
   const bool knew_acceleration = motion_.acceleration_is_current;

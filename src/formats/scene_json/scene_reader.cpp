@@ -12,10 +12,11 @@
 #include "formats/scene_json/network_reader.h"
 #include "formats/scene_json/scene_sections.h"
 #include "formats/texture.h"
-#include "scene/bending_warning.h"
-#include "scene/overlap_warning.h"
-#include "scene/pressure_warning.h"
 #include "scene/step_limits.h"
+#include "scene/warnings/bending_warning.h"
+#include "scene/warnings/overlap_warning.h"
+#include "scene/warnings/pressure_warning.h"
+#include "scene/warnings/strain_limit_warning.h"
 #include "sim/forces/hinges.h"
 
 namespace hooke {
@@ -106,7 +107,8 @@ LoadedScene SceneReader::read() {
   if (const auto warning = step_warning(scene_.system, scene_.state, scene_.settings)) fields_.warn(*warning);
   if (const auto warning = unused_setting_warning(scene_.settings)) fields_.warn(*warning);
   for (const std::string& warning : crossing_warnings(scene_.system, scene_.state)) fields_.warn(warning);
-  for (const auto& warning : {thickness_warning(scene_.system), bending_warning(scene_.system), pressure_warning(scene_.system)})
+  for (const auto& warning : {thickness_warning(scene_.system), bending_warning(scene_.system), pressure_warning(scene_.system),
+                              strain_limit_warning(scene_.system, scene_.state)})
     if (warning) fields_.warn(*warning);
   return {std::move(scene_), fields_.warnings(name_)};
 }

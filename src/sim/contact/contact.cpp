@@ -32,15 +32,21 @@ double push_work(const Plan& plan, const ContactWorkspace& before, double h, Mot
   return energy - without;
 }
 
+// [J], by how much more kinetic energy points with the velocities v have at the velocity that belongs to their position, up to a constant.
+// Without it, a weight that hangs on its strain limit would seem to gain energy from it in each substep, and lose it again to the method.
+double lag_energy(const Plan& plan, const ContactWorkspace& before, const Field& v) {
+  if (before.velocity_lag == 0.0) return 0.0;
+  double energy = 0.0;
+  for (int c = 0; c < plan.dimensions; ++c)
+    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
+      if (plan.inverse_mass[i] != 0.0) energy += plan.mass[i] * before.velocity_lag * (before.unlimited_v[at] - before.v[at]) * v[at];
+  return energy;
+}
+
 // [J], whose change by contact is its work, where the strain limit has moved points: contact moves them back, against springs whose force
 // changes on the way. Impulses act at the velocity that belongs to the position (surface_step.cpp).
 double energy_of_limited(const Plan& plan, const ContactWorkspace& before, double h, const Motion& motion) {
-  double energy = mechanical_energy(plan, before.time + 0.5 * h, motion);
-  for (int c = 0; c < plan.dimensions; ++c)
-    for (std::size_t i = 0, at = static_cast<std::size_t>(c) * plan.points; i < static_cast<std::size_t>(plan.points); ++i, ++at)
-      if (plan.inverse_mass[i] != 0.0)
-        energy += plan.mass[i] * before.velocity_lag * (before.unlimited_v[at] - before.v[at]) * motion.v[at];
-  return energy;
+  return mechanical_energy(plan, before.time + 0.5 * h, motion) + lag_energy(plan, before, motion.v);
 }
 
 // Contact that moves points back where the strain limit has moved them away returns what that took in the same substep [J].
@@ -240,9 +246,10 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
 bool limit_strain(const Plan& plan, ContactWorkspace& before, Motion& motion) {
   before.is_limited = false;
   if (plan.max_length.empty()) return false;
-  if (plan.has_contact()) before.unlimited_v = motion.v;
+  if (before.velocity_lag != 0.0 || plan.has_contact()) before.unlimited_v = motion.v;
   const double work = motion.limit_work;
   before.is_limited = limit_strain(plan, motion);
+  if (before.is_limited) motion.limit_work += lag_energy(plan, before, motion.v) - lag_energy(plan, before, before.unlimited_v);
   before.limit_work = motion.limit_work - work;
   return before.is_limited;
 }

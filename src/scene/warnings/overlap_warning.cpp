@@ -1,4 +1,4 @@
-#include "scene/overlap_warning.h"
+#include "scene/warnings/overlap_warning.h"
 
 #include <algorithm>
 #include <array>

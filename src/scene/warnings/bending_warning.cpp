@@ -1,4 +1,4 @@
-#include "scene/bending_warning.h"
+#include "scene/warnings/bending_warning.h"
 
 #include <algorithm>
 #include <cmath>

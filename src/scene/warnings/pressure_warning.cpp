@@ -1,4 +1,4 @@
-#include "scene/pressure_warning.h"
+#include "scene/warnings/pressure_warning.h"
 
 #include <algorithm>
 
