@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "base/errors.h"
 #include "base/file_limits.h"
 #include "base/printable.h"
 #include "base/threads/thread_team.h"
@@ -93,6 +94,8 @@ Scene open_scene(const SceneOptions& options) {
 }
 
 std::string explain_divergence(Lab& lab, const SceneOptions& options, double seconds, const State* before) {
+  lab.publish();
+  if (const DiagnosisStatus& diagnosis = lab.status()->diagnosis; diagnosis.is_too_large) throw InputError(diagnosis.message);
   if (options.quiet) return explain_divergence(lab, nullptr, seconds);
   std::cerr << "Looking for the cause and for a setting that does not diverge...\n" << std::flush;
   // opened again, because a copy of a large scene is not kept during the run

@@ -28,7 +28,7 @@ void add_shard_option(CLI::App& app, std::string& shard);
 Scene open_scene(const SceneOptions& options);
 
 // Why the run of a scene opened with `options` stopped. Unless quiet also the cause and a remedy tested on copies for up to `seconds`
-// [s]: takes a second or two. One line.
+// [s]: takes a second or two. One line. Throws InputError if the network is too large for the method: nothing has diverged.
 std::string explain_divergence(Lab& lab, const SceneOptions& options, double seconds, const State* before = nullptr);
 
 }  // namespace hooke

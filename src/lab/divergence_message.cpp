@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/number_text.h"
+#include "sim/implicit/supernodal_factor.h"
 
 namespace hooke {
 namespace {
@@ -65,6 +66,9 @@ std::string describe(const Divergence& divergence, const System& system) {
              " pairs of points come within reach of each other in one substep, or points hit each other too often, or surfaces move too "
              "far, in it or in the frame, for contact to follow; fastest is " +
              location + "." + when;
+    case Divergence::Kind::MatrixTooLarge:
+      return "The network is too large for an implicit method: it would need more than " + std::to_string(max_factor_entries / 1'000'000) +
+             " million entries in the factor of its matrix." + when;
   }
   return location + "." + when;
 }

@@ -116,6 +116,7 @@ void Lab::publish() {
   status->recording.difference = playback_.difference();
   if (divergence_) {
     status->diagnosis.message = describe(*divergence_, scene_.system);
+    status->diagnosis.is_too_large = divergence_->kind == Divergence::Kind::MatrixTooLarge;
     if (start_.scene() != nullptr) {
       // a copy of the scene, made once for each edit
       if (failed_start_ == nullptr || failed_start_edits_ != edits_) {

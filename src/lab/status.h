@@ -75,6 +75,7 @@ struct FailedRun {
 
 struct DiagnosisStatus {
   std::string message;              // why the run stopped; empty: nothing to report
+  bool is_too_large = false;        // the network, for the method: nothing has diverged
   std::optional<FailedRun> failed;  // none: nothing to report, or the laboratory keeps no start
 };
 

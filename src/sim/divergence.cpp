@@ -61,6 +61,19 @@ Index worst_spring(const System& system, const State& state, Index point) {
   return worst;
 }
 
+Divergence::Kind kind_of(StepFailure failure) {
+  switch (failure) {
+    case StepFailure::TooShort:
+      return Divergence::Kind::StepTooShort;
+    case StepFailure::TooMany:
+      return Divergence::Kind::TooManySteps;
+    case StepFailure::MatrixTooLarge:
+      return Divergence::Kind::MatrixTooLarge;
+    default:
+      return Divergence::Kind::TooManyPairs;
+  }
+}
+
 }  // namespace
 
 bool is_finite(const State& state) {
@@ -149,9 +162,7 @@ std::optional<Divergence> find_divergence(const System& system, const State& sta
   if (!is_finite(state) || !std::isfinite(divergence.energy) || !std::isfinite(divergence.scale))
     divergence.kind = Divergence::Kind::NotFinite;
   else if (failure != StepFailure::None)
-    divergence.kind = failure == StepFailure::TooShort  ? Divergence::Kind::StepTooShort
-                      : failure == StepFailure::TooMany ? Divergence::Kind::TooManySteps
-                                                        : Divergence::Kind::TooManyPairs;
+    divergence.kind = kind_of(failure);
   else if (divergence.energy > divergence_factor * divergence.scale + state.ledger.hand_stretch &&
            divergence.energy > divergence_fraction * present && divergence.energy > energy_of_a_start(system, state))
     divergence.kind = Divergence::Kind::EnergyGain;

@@ -12,7 +12,7 @@ namespace hooke {
 
 // Why a frame was rejected, and what diverged first.
 struct Divergence {
-  enum class Kind { NotFinite, EnergyGain, Implausible, StepTooShort, TooManySteps, TooManyPairs };
+  enum class Kind { NotFinite, EnergyGain, Implausible, StepTooShort, TooManySteps, TooManyPairs, MatrixTooLarge };
   Kind kind = Kind::NotFinite;
   double time = 0.0;               // [s], end of the rejected frame
   double energy = 0.0;             // [J], beyond what was supplied; not finite for NotFinite

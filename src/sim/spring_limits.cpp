@@ -38,6 +38,9 @@ double energy_of(const Plan& plan, const Motion& motion) {
   return kinetic + stored_energy(plan, motion.x);
 }
 
+// Of the length to the limit: a spring that is longer was not shortened before.
+constexpr double max_conserving_ratio = 1.01;
+
 // Moves the ends of one spring to the distance `max` and stops their separation. As the distance decreases, they rotate faster about their
 // common center, so that l times the transverse velocity is conserved and a swing loses nothing. This does not apply to a spring that is
 // far too long after a step that was too coarse, because the ends would be accelerated in every round.
@@ -50,7 +53,6 @@ void limit_spring(const Plan& plan, Motion& motion, Index first, Index second, d
     along[c] = (motion.x[at + second] - motion.x[at + first]) / length;
     separation_speed += along[c] * (motion.v[at + second] - motion.v[at + first]);
   }
-  constexpr double max_conserving_ratio = 1.01;  // of the length
   const double correction = (length - max) / (w1 + w2), rotation_gain = length < max_conserving_ratio * max ? length / max - 1.0 : 0.0;
   for (int c = 0; c < plan.dimensions; ++c) {
     const std::size_t at = static_cast<std::size_t>(c) * plan.points;
@@ -78,6 +80,26 @@ bool limit_all_springs(const Plan& plan, Motion& motion) {
     }
   }
   return any;
+}
+
+// Where springs cannot be as short as they must be, because nails, the hand or other springs keep their ends apart, forces would accelerate
+// points that the limit moves back again and again, and supply energy without end. The ends of such springs move together instead.
+void stop_overlong_springs(const Plan& plan, Motion& motion) {
+  const auto stop = [&](Index spring, Index first, Index second) {
+    const double length = std::sqrt(squared_length(plan, motion.x, first, second)), w1 = plan.inverse_mass[first],
+                 w2 = plan.inverse_mass[second];
+    if (!(length > max_conserving_ratio * plan.max_length[spring]) || !std::isfinite(length) || w1 + w2 == 0.0) return;
+    for (int c = 0; c < plan.dimensions; ++c) {
+      const std::size_t at = static_cast<std::size_t>(c) * plan.points;
+      const double impulse = (motion.v[at + second] - motion.v[at + first]) / (w1 + w2);
+      motion.v[at + first] += w1 * impulse;
+      motion.v[at + second] -= w2 * impulse;
+    }
+  };
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) stop(run.begin + e, run.first + e, run.second + e);
+  for (auto run = plan.runs.rbegin(); run != plan.runs.rend(); ++run)
+    for (Index e = run->count; e-- > 0;) stop(run->begin + e, run->first + e, run->second + e);
 }
 
 // [W], of a spring of this length.
@@ -130,12 +152,13 @@ bool limit_strain(const Plan& plan, Motion& motion) {
 
   constexpr int max_rounds = 16;
   const double before = energy_of(plan, motion);
-  bool any = false;
-  for (int round = 0; round < max_rounds; ++round) {
+  bool any = false, is_met = false;
+  for (int round = 0; round < max_rounds && !is_met; ++round) {
     ++motion.limit_sweeps;
-    if (!limit_all_springs(plan, motion)) break;
-    any = true;
+    is_met = !limit_all_springs(plan, motion);
+    any = any || !is_met;
   }
+  if (!is_met) stop_overlong_springs(plan, motion);
   if (any) motion.limit_work += energy_of(plan, motion) - before;
   return any;
 }

@@ -11,6 +11,7 @@
 #include "sim/forces/bands.h"
 #include "sim/forces/forces.h"
 #include "sim/hand.h"
+#include "sim/implicit/supernodal_factor.h"
 #include "sim/spring_limits.h"
 
 namespace hooke {
@@ -99,7 +100,7 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   before_.begin_frame();
   before_.velocity_lag = integrator_->velocity_lag;
   before_.kicks_last = integrator_->kicks_last;
-  if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
+  prepare_method(plan);
   if (integrator_->advance != nullptr) adaptive_step_.begin_frame(plan, motion_);
 }
 
@@ -221,7 +222,12 @@ void Frame::substep(Plan& plan) {
     length = adaptive_step_.advance(plan, *integrator_, motion_, work_, left_, force_work_);
   } else {
     force_work_.begin_substep(plan, motion_);
-    integrator_->step(plan, motion_, work_, h_);
+    try {
+      integrator_->step(plan, motion_, work_, h_);
+    } catch (const MatrixTooLarge&) {
+      failure_ = StepFailure::MatrixTooLarge;
+      return;
+    }
   }
   if (length == 0.0) {
     failure_ = adaptive_step_.is_at_limit(motion_) ? StepFailure::TooMany : StepFailure::TooShort;
@@ -272,7 +278,16 @@ void Frame::break_long_springs(Plan& plan) {
   if (plan.break_length.empty() || !break_springs(plan, motion_, broken_)) return;
   motion_.acceleration_is_current = false;
   motion_.moved = {};
-  if (integrator_->prepare != nullptr) integrator_->prepare(plan, h_, motion_, work_);
+  prepare_method(plan);
+}
+
+void Frame::prepare_method(const Plan& plan) {
+  if (integrator_->prepare == nullptr) return;
+  try {
+    integrator_->prepare(plan, h_, motion_, work_);
+  } catch (const MatrixTooLarge&) {
+    failure_ = StepFailure::MatrixTooLarge;
+  }
 }
 
 double Frame::trial_cost() const { return automatic_.trial_cost() + (islands_ ? islands_->trial_cost() : 0.0); }

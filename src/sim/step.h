@@ -19,8 +19,8 @@ class IslandFrames;
 // Why a frame ended early: for an adaptive method no step is short enough for a finite error, or a frame takes more than
 // max_adaptive_evaluations force evaluations or max_adaptive_surface_steps, those of rejected steps included; or more than
 // PairSolver::max_pairs pairs of points come within reach of each other in one substep, or these hit each other, or surfaces move, so that
-// the search for impacts does not end.
-enum class StepFailure { None, TooShort, TooMany, TooManyPairs };
+// the search for impacts does not end; or an implicit method needs a factor of more than max_factor_entries.
+enum class StepFailure { None, TooShort, TooMany, TooManyPairs, MatrixTooLarge };
 
 // A frame in progress. Reused from frame to frame, so that stepping does not allocate:
 //   frame.begin(plan, system, settings, state); while (!frame.done()) frame.substep(plan); frame.end(plan, state);
@@ -71,6 +71,7 @@ class Frame {
   void stay(long evaluations, long sweeps);
   bool act(Plan& plan, bool may_touch);
   void break_long_springs(Plan& plan);
+  void prepare_method(const Plan& plan);
 
   AutomaticChoice automatic_;
   std::unique_ptr<IslandFrames> islands_;  // null: none so far

@@ -76,7 +76,7 @@ RunResult Benchmark::run(const Integrator& method, const Setting& setting, const
     }
     frame_.end(plan_, state);
     if (frame_.failure() != StepFailure::None) {
-      result.end = RunResult::End::Diverged;
+      result.end = frame_.failure() == StepFailure::MatrixTooLarge ? RunResult::End::TooLarge : RunResult::End::Diverged;
       return result;
     }
     result.cpu_seconds += cpu_seconds() - begin;

@@ -33,7 +33,7 @@ struct WorkCounts {
 };
 
 struct RunResult {
-  enum class End { Finished, Diverged, Stopped };
+  enum class End { Finished, Diverged, Stopped, TooLarge };  // too large for the method
   End end = End::Finished;
   std::vector<State> snapshots;  // those that were reached
   double cpu_seconds = 0.0;      // of stepping alone

@@ -45,7 +45,7 @@ class CapacitySearch {
       const double begin = cpu_seconds();
       const auto within_time = [&] { return cpu_seconds() - begin < 2.0 * max_seconds && should_continue_(); };
       const RunResult result = benchmark_.run(method_, setting, within_time);
-      if (result.end == RunResult::End::Stopped) return {.outcome = Outcome::TooSlow};
+      if (result.end == RunResult::End::Stopped || result.end == RunResult::End::TooLarge) return {.outcome = Outcome::TooSlow};
       if (result.end == RunResult::End::Diverged) return {.outcome = Outcome::Inaccurate};
       trial.capacity.frame_seconds = std::min(trial.capacity.frame_seconds, result.cpu_seconds / frames);
       if (i > 0) continue;

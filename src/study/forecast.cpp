@@ -5,10 +5,10 @@
 #include <glm/geometric.hpp>
 
 #include "base/disjoint_sets.h"
-#include "base/errors.h"
 #include "sim/contact/gap.h"
 #include "sim/contact/pair_solver.h"
 #include "sim/contact/surface/surface_tree.h"
+#include "sim/implicit/supernodal_factor.h"
 #include "sim/motion.h"
 #include "sim/statics/equilibrium.h"
 
@@ -212,8 +212,8 @@ Forecast make_forecast(const std::shared_ptr<const System>& system, const State&
   std::unique_ptr<StiffnessMatrix> matrix;
   try {
     if (!has_external_forces && system->point_count() <= max_points) matrix = std::make_unique<StiffnessMatrix>(statics.plan);
-  } catch (const InputError&) {
-    // the factor does not fit in memory
+  } catch (const MatrixTooLarge&) {
+    // without an equilibrium
   }
   if (!matrix) forecast.why_no_sag = has_external_forces ? "other forces act" : "too many points";
   if (matrix)

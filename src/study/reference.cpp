@@ -70,7 +70,7 @@ std::optional<Refinement> refine(Benchmark& benchmark, const Integrator& method,
   const auto within_time = [&] { return cpu_seconds() - begin < 2.0 * seconds && should_continue(); };
   Setting setting = first_setting(benchmark, method);
   RunResult coarse = benchmark.run(method, setting, within_time);
-  if (coarse.end == RunResult::End::Stopped) return std::nullopt;
+  if (coarse.end == RunResult::End::Stopped || coarse.end == RunResult::End::TooLarge) return std::nullopt;
   std::optional<Refinement> best;
   for (double spent = coarse.cpu_seconds, next = 0.0; spent + next < seconds; setting = benchmark.finer(setting)) {
     const Setting finer = benchmark.finer(setting);

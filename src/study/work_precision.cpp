@@ -88,7 +88,7 @@ void PrecisionSweep::sweep_finer(const Integrator& method, Setting setting) {
   double last_error = INFINITY, last_cost = 0.0;
   for (;; setting = benchmark_.finer(setting)) {
     const Row* row = measure(method, setting);
-    if (row == nullptr || row->status == status::too_slow || row->status == status::below_reference) return;
+    if (row == nullptr || row->status == status::too_slow || row->status == status::too_large || row->status == status::below_reference) return;
     if (setting.tolerance && *setting.tolerance < 1e-13 * problem_.size) return;
     if (!reached_end(*row)) {
       if (setting.steps > 100'000'000) return;
@@ -134,7 +134,8 @@ std::optional<Row> PrecisionSweep::measure_row(const Integrator& method, const S
   row.work = result.work;
   row.runs = 1;
   if (result.end != RunResult::End::Finished) {
-    row.status = result.end == RunResult::End::Diverged ? status::diverged : status::too_slow;
+    using enum RunResult::End;
+    row.status = result.end == Diverged ? status::diverged : result.end == TooLarge ? status::too_large : status::too_slow;
     return row;
   }
 

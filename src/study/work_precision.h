@@ -37,7 +37,8 @@ inline constexpr const char* below_reference = "below_reference";  // error belo
 inline constexpr const char* unconverged = "unconverged";          // finished, but solves reached their iteration limit
 inline constexpr const char* lost = "lost";                        // finished with an error larger than the scene
 inline constexpr const char* diverged = "diverged";
-inline constexpr const char* too_slow = "too_slow";  // abandoned
+inline constexpr const char* too_slow = "too_slow";    // abandoned
+inline constexpr const char* too_large = "too_large";  // the factor of its matrix would need too much memory
 }  // namespace status
 
 // The reference in figures.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "scene/step_limits.h"
 #include "sim/integrator.h"
@@ -83,6 +84,36 @@ TEST(Divergence, OfDampedExplicitEulerWithinItsLimitRecommendsAStableMethod) {
   EXPECT_NE(lab.status()->diagnosis.message.find("The simulation blew up: energy grew "), std::string::npos)
       << lab.status()->diagnosis.message;
   EXPECT_NE(suggest_stepping(bound_spectrum(scene.system), scene.settings).integrator, find_integrator("explicit_euler"));
+}
+
+// Springs between any points: nearly all of the matrix is filled. In the window, an exception would end the program.
+TEST(Divergence, ANetworkThatIsTooLargeForTheMethodStopsTheRunWithAReason) {
+  constexpr int points = 22'000, springs_per_point = 6;
+  Scene scene;
+  std::mt19937 random(1);
+  std::vector<Point> added(points);
+  std::vector<Spring> springs(static_cast<std::size_t>(points) * springs_per_point);
+  for (int i = 0; i < points; ++i) added[i].id = PointId{static_cast<std::uint32_t>(i + 1)};
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    const std::size_t first = s / springs_per_point, apart = 1 + random() % (points - 1);
+    springs[s] = {
+        .id = SpringId{static_cast<std::uint32_t>(s + 1)}, .first = added[first].id, .second = added[(first + apart) % points].id};
+  }
+  scene.system.set_points(std::move(added));
+  scene.system.set_springs(std::move(springs));
+  for (int i = 0; i < points; ++i) scene.state.position.emplace_back(0.01 * (i % 100), 0.01 * (i / 100), 0.0);
+  scene.state.velocity.resize(points);
+  scene.settings.integrator = find_integrator("implicit_euler");
+  scene.settings.substeps = 1;
+  Lab lab(scene, KeepStart::No);
+  EXPECT_FALSE(lab.step());
+  lab.publish();
+  EXPECT_TRUE(lab.status()->diagnosis.is_too_large);
+  EXPECT_NE(lab.status()->diagnosis.message.find("too large for an implicit method"), std::string::npos) << lab.status()->diagnosis.message;
+  EXPECT_FALSE(lab.status()->run.running);
+
+  lab.submit(SetIntegrator{find_integrator("symplectic_euler")});
+  EXPECT_TRUE(lab.step());
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "base/errors.h"
 #include "sim/automatic/breaking.h"
 #include "sim/automatic/leapfrog.h"
 #include "sim/automatic/resonance.h"
@@ -127,15 +126,12 @@ Trials::End Trials::compute(const Settings& settings, const CostModel& model, do
   if (!plan_.break_length.empty()) refresh_values(plan_, *system_);  // restores springs that broke in the previous trial
   const auto cost_so_far = [&] { return model.of(*settings.integrator, frame_.motion(), frame_.substeps_done()); };
   bool is_cheap = true;
-  try {
-    frame_.begin(plan_, *system_, settings, *start_);
-    while (!frame_.done() && is_cheap) {
-      frame_.substep(plan_);
-      is_cheap = cost_so_far() <= max_cost;
-    }
-  } catch (const InputError&) {  // the factorization of an implicit method would need too much memory
-    return End::Diverged;
+  frame_.begin(plan_, *system_, settings, *start_);
+  while (!frame_.done() && is_cheap) {
+    frame_.substep(plan_);
+    is_cheap = cost_so_far() <= max_cost;
   }
+  if (frame_.failure() == StepFailure::MatrixTooLarge) return End::Diverged;
   *cost = cost_so_far();
   total_cost_ += *cost;
   if (!is_cheap) return End::TooExpensive;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 
@@ -49,11 +50,13 @@ double energy_of_limited(const Plan& plan, const ContactWorkspace& before, doubl
   return mechanical_energy(plan, before.time + 0.5 * h, motion) + lag_energy(plan, before, motion.v);
 }
 
-// Contact that moves points back where the strain limit has moved them away returns what that took in the same substep [J].
-void return_to_limit(const ContactWorkspace& before, double gained, Motion& motion) {
-  const double returned = std::clamp(gained, 0.0, std::max(0.0, -before.limit_work));
-  motion.limit_work += returned;
-  motion.contact_work -= returned;
+// Contact moves points back where the strain limit has moved them away: what one supplies and the other takes in the same substep is
+// work of neither. `gained`: by contact [J].
+void cancel_work_of_limit(const ContactWorkspace& before, double gained, Motion& motion) {
+  if (!(gained * before.limit_work < 0.0)) return;
+  const double canceled = std::copysign(std::min(std::abs(gained), std::abs(before.limit_work)), gained);
+  motion.limit_work += canceled;
+  motion.contact_work -= canceled;
 }
 
 // In a fixed order, as eight sums side by side.
@@ -239,7 +242,7 @@ bool resolve_contacts(const Plan& plan, ContactWorkspace& before, Motion& motion
     touched = true;
     before.first_touch = 0.0;
   }
-  if (before.is_limited) return_to_limit(before, motion.contact_work - contact_work, motion);
+  if (before.is_limited) cancel_work_of_limit(before, motion.contact_work - contact_work, motion);
   return touched;
 }
 

@@ -15,7 +15,7 @@ namespace hooke {
 class LinearSolver {
  public:
   // `dimensions` unknowns per point, coupled between the given pairs of points (pairs may repeat; at least one
-  // point). Throws InputError if the factor would need too much memory.
+  // point). Throws MatrixTooLarge (supernodal_factor.h).
   LinearSolver(Index points, int dimensions, std::span<const std::pair<Index, Index>> couplings);
 
   // A block of A: its entry (row, column) is column(column)[row], in a diagonal block for row <= column only.

@@ -1,17 +1,11 @@
 #include "sim/implicit/supernodal_factor.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <string>
 
-#include "base/errors.h"
 #include "sim/forces/field_kernel.h"
 
 namespace hooke {
 namespace {
-
-// Maximum number of stored entries of a factor: 3.6 GB.
-constexpr std::int64_t max_entries = 300'000'000;
 
 // Of columns with this many rows. A multiple of 64 would place the rows of a tile in the same lines of the first cache.
 std::size_t column_stride(std::size_t rows) {
@@ -41,8 +35,7 @@ SupernodalFactor::SupernodalFactor(int dimensions, const Couplings& before) : di
     part = std::max(part, columns + below);
     panels_.push_back({std::move(node), entries, stride});
     entries += stride * columns;
-    if (entries > max_entries)
-      throw InputError("an implicit method: more than " + std::to_string(max_entries) + " entries in the factor of its matrix");
+    if (entries > max_factor_entries) throw MatrixTooLarge();
   }
   values_.resize(entries + column_alignment);
   product_.resize(product);

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <exception>
 #include <span>
 #include <vector>
 
@@ -12,9 +14,14 @@
 
 namespace hooke {
 
+inline constexpr std::int64_t max_factor_entries = 300'000'000;  // 2.4 GB
+
+// The factor would have more than max_factor_entries.
+struct MatrixTooLarge : std::exception {};
+
 class SupernodalFactor {
  public:
-  // `dimensions` unknowns per point. Throws InputError if it would need too much memory.
+  // `dimensions` unknowns per point. Throws MatrixTooLarge.
   SupernodalFactor(int dimensions, const Couplings& before);
 
   // The matrix to factorize is set here, and replaced by L: after set_zero, the block of a point's rows and the columns of itself or of one

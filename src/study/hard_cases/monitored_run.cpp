@@ -50,6 +50,8 @@ std::string describe_stop(Lab& lab, const State& before) {
         return "no feasible step";
       case Divergence::Kind::TooManyPairs:
         return "too many pairs in contact";
+      case Divergence::Kind::MatrixTooLarge:
+        return "matrix too large";
     }
     return "";
   };
