@@ -50,7 +50,9 @@ std::optional<std::vector<Index>> parse_points(const std::optional<std::string>&
     const auto [after, error] = std::from_chars(at, end, point);
     const bool is_number = error == std::errc() && point >= 0 && point < count && (after == end || *after == ',');
     if (!is_number)
-      throw OptionError("points", printable(*list, 80), "must be numbers from 0 to " + std::to_string(count - 1) + ", separated by commas");
+      throw OptionError("points", printable(*list, 80),
+                        count == 0 ? "must be left out: the scene has no points"
+                                   : "must be numbers from 0 to " + std::to_string(count - 1) + ", separated by commas");
     points.push_back(point);
     if (after == end) return points;
     at = after + 1;

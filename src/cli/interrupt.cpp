@@ -1,6 +1,7 @@
 #include "cli/interrupt.h"
 
 #include <signal.h>
+#include <time.h>
 
 #include <atomic>
 
@@ -8,13 +9,27 @@ namespace hooke {
 namespace {
 
 std::atomic<bool> interrupted = false;
+std::atomic<long> interrupted_at = 0;  // [s]
+
+// The first signal asks to end in order: unfinished files are removed, other programs are ended. A later one ends the program at once. One
+// that follows the first immediately is the same request: timeout(1) signals the program and then its process group.
+void handle(int signal) {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  if (!interrupted.exchange(true)) {
+    interrupted_at = now.tv_sec;
+    return;
+  }
+  if (now.tv_sec - interrupted_at < 2) return;
+  ::signal(signal, SIG_DFL);
+  raise(signal);
+}
 
 }  // namespace
 
 void catch_interrupts() {
   struct sigaction action {};
-  action.sa_handler = [](int) { interrupted = true; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  action.sa_handler = handle;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
 }

@@ -219,6 +219,8 @@ TEST(Lammps, CtrlCEndsTheEngineAndLeavesNoFiles) {
     return false;
   };
   for (int i = 0; i < 3000 && !dump(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  // as timeout(1) does: to the program, and at once again to its group
+  kill(child, SIGINT);
   kill(child, SIGINT);
   EXPECT_EQ(wait_for(child), 130);
   unsetenv("TMPDIR");

@@ -65,8 +65,18 @@ TEST(LammpsExport, NamesWhatLammpsCannotRepresent) {
            {elastic_plane("") + R"(, "generators": [{"type": "cloth", "corner": [0, 1, 0], "across": [1, 0, 0], "down": [0, 0, 1],
                                                      "points": [2, 2], "density": 0.2, "stiffness": 30, "damping": 0, "point_radius": 0.3}])",
             "a plane and points of different radii (colliders[0])"},
+           {R"("colliders": [{"type": "plane", "point": [0, 0.5, 0], "normal": [0, 1, 0], "restitution": 1, "friction": 0}])",
+            "a plane that point 0 starts within (colliders[0])"},
        })
     expect_refused(two_points(refused.members), refused.message);
+}
+
+TEST(LammpsExport, RefusesFileNamesThatLammpsCannotRead) {
+  const Scene scene = two_points(with_spring(""));
+  const ScratchFolder scratch;
+  for (const char* name : {"a b.lmp", "\xc3\xa9.lmp", "a#1.lmp", "a*.lmp", "a%.lmp", "a$b.lmp", "a\"b.lmp"})
+    EXPECT_THROW(write_scene_as(scene, scratch.folder / name), InputError) << name;
+  EXPECT_NO_THROW(write_scene_as(scene, scratch.folder / "Net-1_a+b.2.lmp"));
 }
 
 TEST(LammpsExport, NamesTheHandOfTheUser) {

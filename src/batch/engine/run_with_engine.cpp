@@ -34,7 +34,13 @@ struct WorkFolder {
   std::filesystem::path path;
 
   WorkFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "hooke-engine-XXXXXX").string();
+    std::error_code error;
+    const std::filesystem::path parent = std::filesystem::temp_directory_path(error);
+    if (error) {
+      const char* given = std::getenv("TMPDIR");
+      throw FileError("TMPDIR, the folder for temporary files: " + printable(given != nullptr ? given : "/tmp") + ": " + error.message());
+    }
+    std::string name = (parent / "hooke-engine-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw FileError(printable(name) + ": cannot be created");
     path = name;
   }

@@ -1,4 +1,7 @@
 // The row of LAMMPS in the table of formats: an input script, and its data file beside it.
+#include <algorithm>
+#include <cctype>
+
 #include "base/printable.h"
 #include "formats/file_kinds.h"
 #include "formats/lammps/lammps_model.h"
@@ -11,8 +14,10 @@ std::string format_script(const Scene& scene, const std::string& file, std::vect
   refuse_unsupported(scene, file);
   if (scene.system.points().empty()) throw InputError(file + ": points: must be at least 1");
   const std::string stem = std::filesystem::path(file).stem().string();
-  // LAMMPS has no way to write a quote in a file name
-  if (stem.find_first_of("\"$&\\\n") != std::string::npos) throw InputError(file + ": file name: must not contain any of \" $ & \\");
+  // LAMMPS separates words by spaces, replaces $, * and %, begins comments with #, and reads no other characters than those of ASCII
+  const auto is_plain = [](unsigned char c) { return c < 0x80 && (std::isalnum(c) != 0 || c == '.' || c == '_' || c == '-' || c == '+'); };
+  if (!std::ranges::all_of(stem, is_plain))
+    throw InputError(file + ": file name: LAMMPS accepts only the letters A to Z and a to z, digits and any of . _ - + here");
   if (scene.settings.integrator != &default_integrator())
     losses.push_back(file + ": LAMMPS runs velocity_verlet with the same step, not " + std::string(scene.settings.integrator->id));
   return format_lammps_script(scene, stem + ".data", stem + ".dump");

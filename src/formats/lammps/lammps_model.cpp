@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "base/bounds.h"
 #include "base/errors.h"
@@ -22,7 +23,12 @@ std::string why_not_a_wall(const Scene& scene, const Collider& collider) {
   if (collider.path.moves()) return "a moving plane";
   const double radius = scene.system.points().empty() ? 0.0 : scene.system.points().front().radius;
   const bool same = std::ranges::all_of(scene.system.points(), [&](const Point& point) { return point.radius == radius; });
-  return same ? "" : "a plane and points of different radii";
+  if (!same) return "a plane and points of different radii";
+  // Hooke moves such a point out at once, a reflecting wall lets it move on
+  for (Index i = 0; i < scene.system.point_count(); ++i)
+    if (!scene.system.points()[i].nailed && glm::dot(plane->normal, scene.state.position[i] - plane->point) < radius)
+      return "a plane that point " + std::to_string(i) + " starts within";
+  return "";
 }
 
 }  // namespace
