@@ -160,7 +160,7 @@ constexpr std::array rows{
               .read = [](const Scene& s) { return s.system.break_strain; },
               .write = [](Scene& s, double value) { s.system.break_strain = value; }},
     Parameter{.name = "strain_limit_percent", .field = "strain_limit_percent", .group = parameter_group::springs, .label = "Strain limit", .unit = "%",
-              .description = "Maximum strain of every spring; the limit conserves linear momentum but dissipates energy; 0: none.",
+              .description = "Maximum strain of every spring. Longer ones are shortened after each substep, which conserves linear momentum but not energy; 0: none.",
               .min = 0, .max = 1000, .default_value = 0, .physical = not_negative, .logarithmic = true, .zero_text = "off", .omit_if_default = true,
               .read = [](const Scene& s) { return percent_of(s.system.strain_limit); },
               .write = [](Scene& s, double value) { s.system.strain_limit = value / 100.0; }},
