@@ -62,8 +62,8 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
   Scene& scene = loaded.scene;
   const auto limit_warning = [&] { return strain_limit_warning(scene.system, scene.state); };
   // warnings about settings in the file do not apply once options change them
-  for (const auto& warning :
-       {step_warning(scene.system, scene.state, scene.settings), unused_setting_warning(scene.settings), limit_warning()})
+  for (const auto& warning : {step_warning(scene.system, scene.state, scene.settings), oscillation_warning(scene.system, scene.settings),
+                              unused_setting_warning(scene.settings), limit_warning()})
     if (warning) std::erase_if(loaded.warnings, [&](const std::string& line) { return line.ends_with(*warning); });
   for (const SetParameter& setting : settings) apply_setting(scene, setting, name);
   if (integrator != nullptr) scene.settings.integrator = integrator;
@@ -74,7 +74,8 @@ void apply_options(LoadedScene& loaded, const SteppingOptions& options, const st
   // a method that an option names does not need what the file says to that of the file
   if (integrator == nullptr)
     if (const auto warning = unused_setting_warning(scene.settings)) loaded.warnings.push_back(*warning);
-  for (const auto& warning : {step_warning(scene.system, scene.state, scene.settings), limit_warning()})
+  for (const auto& warning :
+       {step_warning(scene.system, scene.state, scene.settings), oscillation_warning(scene.system, scene.settings), limit_warning()})
     if (warning) loaded.warnings.push_back(*warning);
 }
 

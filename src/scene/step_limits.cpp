@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "base/bounds.h"
 #include "base/file_limits.h"
 #include "base/number_text.h"
 #include "sim/automatic/automatic.h"
+#include "sim/automatic/trials.h"
 
 namespace hooke {
 namespace {
@@ -96,6 +98,30 @@ std::optional<std::string> step_warning(const System& system, const State& state
                                                 : "so does " + other);
   return "simulation.integrator: " + id + ": " + reason + " here; " + other + " with " + count_substeps(advice.substeps) +
          " per frame is recommended";
+}
+
+std::optional<std::string> oscillation_warning(const System& system, const Settings& settings) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double step = infinity;
+  std::size_t fastest = 0;
+  for (std::size_t c = 0; c < system.colliders.size(); ++c) {
+    ColliderPath path = system.colliders[c].path;
+    if (system.dimensions == 2) path.amplitude.z = 0.0;
+    if (!system.colliders[c].solid || !(path.resolving_step() < step)) continue;
+    step = path.resolving_step();
+    fastest = c;
+  }
+  const double needed = std::ceil(1.0 / (settings.frame_rate * step) * (1.0 - 1e-9));
+  const int available = is_automatic(settings) ? max_automatic_substeps : settings.substeps;
+  const bool adapts = settings.integrator->stability == Stability::Adaptive && !is_automatic(settings);
+  if (adapts || needed <= available) return std::nullopt;
+  const std::string value = number_text(system.colliders[fastest].path.frequency);
+  const std::string text =
+      "colliders[" + std::to_string(fastest) + "].frequency: " + value + ": is not resolved by " + count_substeps(available) + " per frame";
+  if (is_automatic(settings)) return text + ", the maximum of auto";
+  if (needed > max_substeps) return text + ", nor by " + std::to_string(max_substeps);
+  const int recommended = static_cast<int>(needed);
+  return text + "; " + std::to_string(recommended) + " are recommended" + consequence_of(recommended, settings.substeps);
 }
 
 std::optional<std::string> unused_setting_warning(const Settings& settings) {

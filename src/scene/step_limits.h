@@ -27,6 +27,9 @@ Advice suggest_stepping(const Spectrum& spectrum, const Settings& settings, int 
 // A warning about a step beyond the linear limit of the method on this scene: "FIELD: VALUE: ...", with names of the scene file.
 std::optional<std::string> step_warning(const System& system, const State& state, const Settings& settings);
 
+// A warning about the fastest of the colliders whose oscillations are not resolved by the steps: "colliders[0].frequency: 240: ...".
+std::optional<std::string> oscillation_warning(const System& system, const Settings& settings);
+
 // A warning about a tolerance or a budget that the method does not use: "FIELD: VALUE: ...".
 std::optional<std::string> unused_setting_warning(const Settings& settings);
 

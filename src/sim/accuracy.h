@@ -42,7 +42,7 @@ struct Accuracy {
   // [m], RMS over the points: how far the run is from the exact motion that started at `since` with the same state and had the same input
   Measured accumulated;
   Loss loss = Loss::None;
-  bool is_smooth = true;  // nothing touched, no strain limit and no hand acted: a tolerance decides about the accumulated error
+  bool is_smooth = true;  // nothing touched or broke, no strain limit and no hand acted: a tolerance decides about the accumulated error
   double since = 0.0, accumulated_time = 0.0;  // [s]: start, and the time up to which it is known
   // [m], [s]: the largest one since then, and when; an error may fall again, as when a vibration of the wrong frequency dies out
   double max_accumulated = 0.0, max_accumulated_time = 0.0;

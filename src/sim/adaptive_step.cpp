@@ -147,7 +147,7 @@ double AdaptiveStep::advance_in_pieces(const Plan& plan, const Integrator& metho
   return h;
 }
 
-double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval,
+double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval, double left,
                              ForceWork& force_work) {
   if (!has_corrections(plan)) {
     const double h = advance_freely(plan, method, motion, work, interval, force_work);
@@ -160,7 +160,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
   if (!work.tolerance || !plan.max_length.empty() || plan.surface.on) {
     store(motion, before_);
     const double h = advance_freely(plan, method, motion, work, interval, force_work);
-    if (h != 0.0) correct(plan, before_, motion, h, h == interval, force_work);
+    if (h != 0.0) correct(plan, before_, motion, h, h == left, force_work);
     return h;
   }
 
@@ -174,7 +174,7 @@ double AdaptiveStep::advance(const Plan& plan, const Integrator& method, Motion&
     const Counters before(motion, force_work);
     const double h = advance_freely(plan, method, motion, work, interval, force_work);
     if (h == 0.0) return 0.0;
-    const bool ends = h == interval;
+    const bool ends = h == left;
     if (!correct(plan, before_, motion, h, ends, force_work)) return h;
 
     std::ranges::copy(motion.x, coarse_x_.begin());

@@ -34,10 +34,11 @@ class AdaptiveStep {
   void limit_evaluations(long max) { max_evaluations_ = max; }
   // Once a frame; a step never allocates.
   void begin_frame(const Plan& plan, const Motion& motion);
-  // Advances the motion by one step of at most `interval` [s], to the end of the substep, with contacts and, at that end, the strain
-  // limit, and adds the work of the listed forces. Leaves motion.time. Returns the length of the step; 0: no step is short enough for a
-  // finite error.
-  double advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval, ForceWork& force_work);
+  // Advances the motion by one step of at most `interval` [s], with contacts and, if it leads to the end of the substep, `left` [s] away,
+  // the strain limit, and adds the work of the listed forces. Leaves motion.time. Returns the length of the step; 0: no step is short
+  // enough for a finite error.
+  double advance(const Plan& plan, const Integrator& method, Motion& motion, Workspace& work, double interval, double left,
+                 ForceWork& force_work);
   // Whether one of the limits of the frame is reached.
   bool is_at_limit(const Motion& motion) const {
     return motion.force_evaluations >= max_evaluations_ || surface_steps_ >= max_adaptive_surface_steps;

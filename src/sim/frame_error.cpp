@@ -21,6 +21,11 @@ bool has_surface_contact(const System& system) { return system.contact.faces || 
 // Whether something is done once per substep, whatever the tolerance of a method that adapts its step.
 bool acts_once_per_substep(const System& system) { return has_surface_contact(system) || system.strain_limit > 0.0; }
 
+bool can_break(const System& system) {
+  if (system.break_strain > 0.0) return true;
+  return std::ranges::any_of(system.springs(), [](const Spring& spring) { return spring.break_strain != never_breaks; });
+}
+
 }  // namespace
 
 int effective_order(const System& system, const Integrator& method) {
@@ -36,6 +41,7 @@ int effective_order(const System& system, const Integrator& method) {
 
 Settings refined(const System& system, const Settings& settings) {
   Settings fine = settings;
+  fine.locates_breaks = can_break(system);
   if (is_automatic(settings)) {
     fine.tolerance = 0.1 * automatic_tolerance(settings);
     return fine;
@@ -90,6 +96,7 @@ std::optional<Settings> resolving(const Plan& plan, const Settings& settings, do
     if (!(substeps <= max_automatic_substeps)) continue;
     Settings fine = settings;
     fine.integrator = each;
+    fine.locates_breaks = !plan.break_length.empty();
     fine.substeps = std::max(settings.substeps, static_cast<int>(substeps));
     if (plan.spectrum.dashpot_rate * fine.substep() > 1.0) {
       if (dashpots == FastDashpots::Excluded) continue;
@@ -113,6 +120,16 @@ Repetition repetition_of(const Plan& plan, const System& system, const Settings&
   constexpr double cost_of_half_step = 2.0;
   if (const auto fine = resolving(plan, settings, cost_of_half_step, FastDashpots::Resolved)) return {*fine, 1.0, true};
   return {refined(system, settings), refinement_weight(system, settings)};
+}
+
+bool resolves_colliders(const Plan& plan, const Settings& used) {
+  if (!std::isfinite(plan.resolving_step)) return true;
+  constexpr double rounding = 1e-9;
+  const double max_step = plan.resolving_step * (1.0 + rounding);
+  for (const IslandSteps& steps : used.islands)
+    if (!(1.0 / (used.frame_rate * steps.substeps) <= max_step)) return false;
+  if (!used.islands.empty() || used.integrator->stability == Stability::Adaptive) return true;
+  return used.substep() <= max_step;
 }
 
 FrameError weighted_distance(const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight) {

@@ -15,7 +15,9 @@ struct FrameError {
 };
 
 // The settings of the repetition: half the step; for a method that adapts its step a thousandth of the tolerance, with contact a tenth, and
-// with contact of faces or springs, or a strain limit, half of the longest step and 2^-8 of the tolerance; for `auto` a tenth.
+// with contact of faces or springs, or a strain limit, half of the longest step and 2^-8 of the tolerance; for `auto` a tenth. Where
+// springs break, up to a substep too late whatever the method, they do so in time: with half the step they may break at the same time by
+// chance.
 Settings refined(const System& system, const Settings& settings);
 
 // The order of the positions on this scene: the lowest of those that apply to what it contains.
@@ -38,6 +40,10 @@ struct Repetition {
   bool is_resolving = false;
 };
 Repetition repetition_of(const Plan& plan, const System& system, const Settings& settings);
+
+// Whether the steps with which a frame was computed (settings_used) are short enough for the oscillations of the colliders. If not, half
+// the step may miss the same parts of them. A method that adapts its step takes shorter ones.
+bool resolves_colliders(const Plan& plan, const Settings& used);
 
 // `weight` times the distance between the positions of two states of the same scene.
 FrameError weighted_distance(const std::vector<Vec3>& first, const std::vector<Vec3>& second, double weight);

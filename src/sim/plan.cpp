@@ -38,11 +38,13 @@ void plan_colliders(Plan& plan, const System& system) {
   plan.colliders.clear();
   plan.collider_index.clear();
   plan.colliders_move = false;
+  plan.resolving_step = std::numeric_limits<double>::infinity();
   plan.grabbed_collider.reset();
   for (std::size_t c = 0; c < system.colliders.size(); ++c) {
     Collider collider = system.colliders[c];
     if (!collider.solid || (plan.dimensions == 2 && !flatten(collider))) continue;
     plan.colliders_move = plan.colliders_move || collider.path.moves();
+    plan.resolving_step = std::min(plan.resolving_step, collider.path.resolving_step());
     plan.colliders.push_back(collider);
     plan.collider_index.push_back(static_cast<Index>(c));
   }

@@ -123,6 +123,8 @@ struct Plan {
   std::vector<Collider> colliders;    // the solid ones, at the start of their paths
   std::vector<Index> collider_index;  // of the planned collider, in the System
   bool colliders_move = false;        // along their paths or with the hand
+  // [s], the longest step that resolves the oscillations of the colliders; infinity: none oscillates
+  double resolving_step = std::numeric_limits<double>::infinity();
   std::optional<GrabbedCollider> grabbed_collider;
   PairPlan pairs;                           // of points that touch
   SurfacePlan surface;                      // of faces and springs that touch

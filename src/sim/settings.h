@@ -48,6 +48,8 @@ struct Settings {
   std::optional<double> tolerance;
   double budget_ms = 0.0;     // [ms], of a frame, by the model of the cost of `auto` (automatic/cost_model.h); 0: no limit
   IslandStepsList islands{};  // of a frame of `auto` that is computed again; in no file. Empty: the scene is stepped as a whole
+  // In a frame that is computed again to measure its error: substeps end where a spring is about to break. In no file.
+  bool locates_breaks = false;
   bool operator==(const Settings&) const = default;
 
   double substep() const { return 1.0 / (frame_rate * substeps); }

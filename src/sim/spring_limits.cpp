@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/plan_energy.h"
 
@@ -102,15 +103,26 @@ void stop_overlong_springs(const Plan& plan, Motion& motion) {
     for (Index e = run->count; e-- > 0;) stop(run->begin + e, run->first + e, run->second + e);
 }
 
-// [W], of a spring of this length.
-double dashpot_power(const Plan& plan, const Motion& motion, Index spring, Index first, Index second, double length) {
-  if (!plan.has_dashpots() || length == 0.0) return 0.0;
+// [m/s], of the ends of a spring of this length, which is not 0.
+double separation_speed(const Plan& plan, const Motion& motion, Index first, Index second, double length) {
   double speed = 0.0;
   for (int c = 0; c < plan.dimensions; ++c) {
     const std::size_t at = static_cast<std::size_t>(c) * plan.points;
     speed += (motion.x[at + second] - motion.x[at + first]) / length * (motion.v[at + second] - motion.v[at + first]);
   }
+  return speed;
+}
+
+// [W], of a spring of this length.
+double dashpot_power(const Plan& plan, const Motion& motion, Index spring, Index first, Index second, double length) {
+  if (!plan.has_dashpots() || length == 0.0) return 0.0;
+  const double speed = separation_speed(plan, motion, first, second, length);
   return plan.damping[spring] * speed * speed;
+}
+
+// A spring that is switched off carries no force and cannot break.
+bool carries_force(const Plan& plan, Index spring) {
+  return plan.stiffness[spring] != 0.0 || (plan.has_dashpots() && plan.damping[spring] > 0.0);
 }
 
 }  // namespace
@@ -123,6 +135,20 @@ bool any_reaches_limit(const Plan& plan, const std::vector<SpringRun>& runs, con
   return false;
 }
 
+double time_to_break(const Plan& plan, const Motion& motion) {
+  double min = std::numeric_limits<double>::infinity();
+  if (plan.break_length.empty()) return min;
+  for (const SpringRun& run : plan.runs)
+    for (Index e = 0; e < run.count; ++e) {
+      const double limit = plan.break_length[run.begin + e];
+      const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
+      if (!std::isfinite(limit) || !carries_force(plan, run.begin + e) || !(length < limit) || length == 0.0) continue;
+      const double speed = separation_speed(plan, motion, run.first + e, run.second + e, length);
+      if (speed > 0.0) min = std::min(min, (limit - length) / speed);
+    }
+  return min;
+}
+
 bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
   const std::size_t before = broken.size();
   for (const SpringRun& run : plan.runs) {
@@ -130,8 +156,7 @@ bool break_springs(Plan& plan, Motion& motion, std::vector<Index>& broken) {
     for (Index e = 0; e < run.count; ++e) {
       const Index s = run.begin + e;
       const double length = std::sqrt(squared_length(plan, motion.x, run.first + e, run.second + e));
-      // a spring that is switched off carries no force and cannot break
-      if (!(length >= plan.break_length[s]) || (plan.stiffness[s] == 0.0 && !(plan.has_dashpots() && plan.damping[s] > 0.0))) continue;
+      if (!(length >= plan.break_length[s]) || !carries_force(plan, s)) continue;
       motion.breaks.push_back({plan.spring_index[s], motion.time, dashpot_power(plan, motion, s, run.first + e, run.second + e, length)});
       const double stretch = length - plan.rest_length[s];
       motion.break_work -= 0.5 * plan.stiffness[s] * stretch * stretch;

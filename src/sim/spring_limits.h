@@ -8,6 +8,9 @@ namespace hooke {
 // Whether any spring of the runs is as long as the length at which it breaks or is shortened; false if there are no such lengths.
 bool any_reaches_limit(const Plan& plan, const std::vector<SpringRun>& runs, const Field& x);
 
+// [s], until a spring that separates reaches the length at which it breaks, at the velocities of this motion; infinity: none does.
+double time_to_break(const Plan& plan, const Motion& motion);
+
 // Sets k and d of the packed springs at least as long as plan.break_length to zero, and adds their indices in the System to
 // `broken`, which stays in ascending order. Subtracts their elastic energy from motion.break_work, and lists them in motion.breaks. Returns
 // whether any broke.

@@ -70,7 +70,8 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   failure_ = StepFailure::None;
   has_touched_ = false;
   h_ = duration_ / substeps_;
-  left_ = h_;
+  left_ = prepared_ = h_;
+  locates_breaks_ = settings.locates_breaks && !plan.break_length.empty();
   start_ = state.time;
   pack(plan, state, motion_);
   motion_.memory.choice = choice;
@@ -100,7 +101,7 @@ void Frame::begin(Plan& plan, const System& system, const Settings& given, const
   before_.begin_frame();
   before_.velocity_lag = integrator_->velocity_lag;
   before_.kicks_last = integrator_->kicks_last;
-  prepare_method(plan);
+  prepare_method(plan, h_);
   if (integrator_->advance != nullptr) adaptive_step_.begin_frame(plan, motion_);
 }
 
@@ -131,6 +132,8 @@ void Frame::take_over(Frame& computed) {
   start_ = computed.start_;
   h_ = computed.h_;
   left_ = computed.left_;
+  locates_breaks_ = computed.locates_breaks_;
+  prepared_ = computed.prepared_;
   substeps_ = computed.substeps_;
   substeps_done_ = computed.substeps_done_;
   failure_ = computed.failure_;
@@ -150,6 +153,8 @@ bool Frame::fly(Plan& plan) {
       plan.execution.single ? max_at_once : std::clamp(springs_at_once / std::max(1, static_cast<int>(plan.springs)), 8, max_at_once);
   const int count = std::min(at_once, substeps_ - substeps_done_);
   const bool is_worth_it = integrator_->fly != nullptr && !plan.touches_itself() && plan.springs >= min_springs_of_grids && count > 1;
+  // not after a part of a substep
+  if (left_ != h_ || prepared_ != h_) return false;
   if (!is_worth_it || substeps_done_ < one_by_one_until_ || !can_fly(plan)) return false;
   one_by_one_until_ = substeps_done_ + count;
   motion_.moved = {};
@@ -204,7 +209,7 @@ void Frame::substep(Plan& plan) {
   if (fly(plan)) {
     const double flown = (substeps_done_ - done_before) * h_;
     force_work_.integrate_power(plan, motion_, flown);
-    const bool is_moved = act(plan, false);
+    const bool is_moved = act(plan, h_, false);
     force_work_.end_substep(plan, motion_, flown, is_moved);
     return;
   }
@@ -217,13 +222,16 @@ void Frame::substep(Plan& plan) {
   const bool knew_acceleration = motion_.acceleration_is_current;
   const bool has_hand = plan.held || plan.pull;
   const double power = hand_power(plan, motion_), stored = energy_of_hand_alone(plan, motion_);
-  double length = h_;
+  double length = next_step(plan);
   if (is_adaptive) {
-    length = adaptive_step_.advance(plan, *integrator_, motion_, work_, left_, force_work_);
+    length = adaptive_step_.advance(plan, *integrator_, motion_, work_, length, left_, force_work_);
   } else {
+    if (length != prepared_) prepare_method(plan, length);
+    prepared_ = length;
+    if (failure_ != StepFailure::None) return;
     force_work_.begin_substep(plan, motion_);
     try {
-      integrator_->step(plan, motion_, work_, h_);
+      integrator_->step(plan, motion_, work_, length);
     } catch (const MatrixTooLarge&) {
       failure_ = StepFailure::MatrixTooLarge;
       return;
@@ -249,9 +257,9 @@ void Frame::substep(Plan& plan) {
   bool is_moved = false;
   if (!is_adaptive) {
     force_work_.integrate_power(plan, motion_, length);
-    is_moved = act(plan, true);
+    is_moved = act(plan, length, true);
     force_work_.end_substep(plan, motion_, length, is_moved);
-  } else if (ends) {
+  } else if (ends || locates_breaks_) {
     break_long_springs(plan);
   }
   const long sweeps = motion_.dashpot_sweeps - sweeps_before;
@@ -263,9 +271,9 @@ void Frame::substep(Plan& plan) {
 }
 
 // What acts between two substeps: strain limit first, then contact, and only then do springs break. Returns whether points were moved.
-bool Frame::act(Plan& plan, bool may_touch) {
+bool Frame::act(Plan& plan, double h, bool may_touch) {
   bool is_moved = limit_strain(plan, before_, motion_);
-  if (may_touch && plan.has_contact() && resolve_contacts(plan, before_, motion_, h_)) {
+  if (may_touch && plan.has_contact() && resolve_contacts(plan, before_, motion_, h)) {
     if (!is_moved && motion_.acceleration_is_current && !plan.touches_itself()) motion_.moved = before_.touched;
     is_moved = has_touched_ = true;
   }
@@ -278,16 +286,31 @@ void Frame::break_long_springs(Plan& plan) {
   if (plan.break_length.empty() || !break_springs(plan, motion_, broken_)) return;
   motion_.acceleration_is_current = false;
   motion_.moved = {};
-  prepare_method(plan);
+  prepare_method(plan, prepared_);
 }
 
-void Frame::prepare_method(const Plan& plan) {
+void Frame::prepare_method(const Plan& plan, double h) {
   if (integrator_->prepare == nullptr) return;
   try {
-    integrator_->prepare(plan, h_, motion_, work_);
+    integrator_->prepare(plan, h, motion_, work_);
   } catch (const MatrixTooLarge&) {
     failure_ = StepFailure::MatrixTooLarge;
   }
+}
+
+// [s], to the end of the substep. Shorter where a spring is about to break and where a method that adapts its step would pass over
+// oscillations of colliders, or of springs that break at their largest length: parts of the substep.
+double Frame::next_step(const Plan& plan) const {
+  const bool is_adaptive = integrator_->advance != nullptr;
+  double max = is_adaptive ? plan.resolving_step : left_;
+  if (locates_breaks_) {
+    constexpr double max_angle = 0.25;       // [rad], of the fastest vibration
+    constexpr double min_part = 1.0 / 64.0;  // of a substep, by which a spring may break too late
+    if (is_adaptive && plan.spectrum.omega > 0.0) max = std::min(max, std::max(max_angle / plan.spectrum.omega, min_part * h_));
+    const double step = std::max(time_to_break(plan, motion_), min_part * h_);
+    if (step < max && left_ - step > min_part * h_) return step;
+  }
+  return left_ <= max ? left_ : left_ / std::ceil(left_ / max);
 }
 
 double Frame::trial_cost() const { return automatic_.trial_cost() + (islands_ ? islands_->trial_cost() : 0.0); }

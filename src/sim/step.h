@@ -69,9 +69,10 @@ class Frame {
   bool fly(Plan& plan);
   bool is_at_rest(const Plan& plan) const;
   void stay(long evaluations, long sweeps);
-  bool act(Plan& plan, bool may_touch);
+  bool act(Plan& plan, double h, bool may_touch);
   void break_long_springs(Plan& plan);
-  void prepare_method(const Plan& plan);
+  void prepare_method(const Plan& plan, double h);
+  double next_step(const Plan& plan) const;
 
   AutomaticChoice automatic_;
   std::unique_ptr<IslandFrames> islands_;  // null: none so far
@@ -81,6 +82,8 @@ class Frame {
   int substeps_ = 0, substeps_done_ = 0;
   int one_by_one_until_ = 0;  // substep before which something acts between them
   double left_ = 0.0;         // [s], of the substep in progress
+  bool locates_breaks_ = false;
+  double prepared_ = 0.0;  // [s], the step for which the method is prepared
   StepFailure failure_ = StepFailure::None;
   bool has_touched_ = false;
   Vec3 target_{0.0};

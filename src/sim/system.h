@@ -56,6 +56,7 @@ struct ColliderPath {
   Vec3 belt{0.0};                    // [m/s], of the surface; only its tangential part counts
   Vec3 offset(double time) const;    // [m]
   Vec3 velocity(double time) const;  // [m/s], of the shape
+  double resolving_step() const;     // [s], the longest that resolves the oscillation; infinity: it does not oscillate
   bool moves() const { return *this != ColliderPath{.frequency = frequency, .phase = phase}; }
   bool operator==(const ColliderPath&) const = default;
 };

@@ -138,7 +138,8 @@ std::optional<SweepRow> run_row(const Sweep& sweep, const Scene& scene, std::siz
   const std::vector<double> values = sweep.values_of(row);
   for (std::size_t i = 0; i < values.size(); ++i) apply(copy, SetParameter{sweep.axes[i].parameter, values[i]}, effect);
   std::vector<std::string> warnings;
-  if (const auto warning = step_warning(copy.system, copy.state, copy.settings)) warnings.push_back(*warning);
+  for (const auto& warning : {step_warning(copy.system, copy.state, copy.settings), oscillation_warning(copy.system, copy.settings)})
+    if (warning) warnings.push_back(*warning);
 
   Lab lab(std::move(copy), KeepStart::No);
   Measuring measuring(sweep.measures);

@@ -105,6 +105,7 @@ LoadedScene SceneReader::read() {
   }
   set_print_layout(scene_);
   if (const auto warning = step_warning(scene_.system, scene_.state, scene_.settings)) fields_.warn(*warning);
+  if (const auto warning = oscillation_warning(scene_.system, scene_.settings)) fields_.warn(*warning);
   if (const auto warning = unused_setting_warning(scene_.settings)) fields_.warn(*warning);
   for (const std::string& warning : crossing_warnings(scene_.system, scene_.state)) fields_.warn(warning);
   for (const auto& warning : {thickness_warning(scene_.system), bending_warning(scene_.system), pressure_warning(scene_.system),

@@ -25,6 +25,8 @@ constexpr double min_unresolved = 1e-5;
 // A distance of more than this part of the motion is an error nevertheless.
 constexpr double min_certain = 0.05;
 constexpr std::string_view passes_through_zero = "springs pass through zero length faster than the steps resolve";
+// Where steps and halves of them end at the same phases of an oscillation, nothing shows how wrong both are.
+constexpr std::string_view oscillates_too_fast = "a collider oscillates faster than the steps resolve";
 // Below this order, half the error costs more than four times the time, if it can be had at all.
 constexpr double min_order = 0.5;
 // Errors of this fraction of the scene's size are no longer small: beyond it the trajectory is not predictable.
@@ -79,7 +81,7 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     start_.clear();
     motion_ = 0.0;
     is_smooth_ = true;
-    is_unresolved_ = false;
+    is_unresolved_ = is_aliased_ = has_broken_ = false;
     second_runs_.restart(size_);
   }
   // the order depends on every spring: determined again only when it may have changed
@@ -93,7 +95,9 @@ void AccuracyMeter::add_frame(const Plan& plan, const System& system, const Sett
     repetitions_ = 0;
   }
   method_ = settings.integrator;
-  is_smooth_ = is_smooth_ && !touches_ && !ignores_tolerance_ && !plan.held && !plan.pull;
+  has_broken_ = has_broken_ || !motion.breaks.empty();
+  is_smooth_ = is_smooth_ && !touches_ && !ignores_tolerance_ && !has_broken_ && !plan.held && !plan.pull;
+  is_aliased_ = is_aliased_ || !resolves_colliders(plan, settings_used(settings, after));
   energy_.add_frame(plan, system, before, after, motion, energy);
   max_kinetic_ = std::max(max_kinetic_, kinetic_energy(system, after));
 
@@ -140,6 +144,8 @@ void AccuracyMeter::measure_frame(Accuracy& accuracy) const {
     reason = "not yet measured since the last edit";
   else if (!std::isfinite(result->error.rms))
     reason = "with half the step this frame diverges";
+  else if (is_aliased_)
+    reason = oscillates_too_fast;
   if (!reason.empty()) {
     accuracy.frame.reason = accuracy.frame_max.reason = reason;
     return;
@@ -179,6 +185,8 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
       lose(Loss::Unpredictable, "beyond the time for which the motion can be predicted");
     else if (is_unresolved_ && error->rms < min_certain * motion_)
       lose(Loss::Unresolved, passes_through_zero);
+    else if (is_aliased_ && error->rms < min_certain * motion_)
+      lose(Loss::Unresolved, oscillates_too_fast);
     else if (!second_runs_.is_resolving() && is_damped_by_method())
       lose(Loss::Dissipated, "the method dissipated the motion, and would with half the step");
     else
@@ -221,13 +229,16 @@ Accuracy AccuracyMeter::accuracy(const Settings& settings) const {
 void AccuracyMeter::measure_half_error(const Settings& settings, Accuracy& accuracy) const {
   accuracy.half_error_reason = "no frame yet";
   if (!is_started_) return;
-  double order = order_;
-  if (ignores_tolerance_) {
-    accuracy.half_error_reason = "contact and the strain limit hardly depend on the tolerance";
+  // springs break at the ends of substeps, whatever the method
+  double order = has_broken_ ? 1 : order_;
+  const bool adapts = settings.integrator->stability == Stability::Adaptive;
+  if (ignores_tolerance_ || (has_broken_ && adapts && !is_automatic(settings))) {
+    accuracy.half_error_reason = ignores_tolerance_ ? "contact and the strain limit hardly depend on the tolerance"
+                                                    : "the time at which springs break does not depend on the tolerance";
     return;
   }
-  if (is_unresolved_) {
-    accuracy.half_error_reason = passes_through_zero;
+  if (is_unresolved_ || is_aliased_) {
+    accuracy.half_error_reason = is_unresolved_ ? passes_through_zero : oscillates_too_fast;
     return;
   }
   if (touches_) {

@@ -59,7 +59,9 @@ class AccuracyMeter {
   bool touches_ = false, ignores_tolerance_ = false;
   bool collapses_ = false;      // whether springs of the repeated frame could pass through zero length, where nothing touches
   bool is_unresolved_ = false;  // whether they did, at any time, faster than the steps resolve
-  bool is_smooth_ = true;       // so far, without contact, a strain limit and a hand
+  bool is_aliased_ = false;     // whether colliders oscillated faster than the steps resolve, at any time
+  bool has_broken_ = false;     // whether any spring did
+  bool is_smooth_ = true;       // so far, without contact, springs that break, a strain limit and a hand
   // [m], sums over repeated frames, older ones with less weight
   std::optional<FrameRefinement> refinement_;
   int repetitions_ = 0;  // since the order was determined

@@ -1,6 +1,7 @@
 #include "sim/automatic/rates.h"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace hooke {
@@ -17,6 +18,7 @@ double rates_of(const Plan& plan) {
   for (const Force& force : plan.forces)
     for (const double value : force.values) add(value);
   for (const Collider& collider : plan.colliders) add(collider.restitution), add(collider.friction);
+  if (std::isfinite(plan.resolving_step)) add(plan.resolving_step);
   if (plan.pairs.on) add(plan.pairs.thickness), add(plan.pairs.restitution), add(plan.pairs.friction);
   if (plan.surface.on) add(plan.surface.max_thickness), add(plan.surface.friction), add(plan.surface.restitution);
   add(plan.held ? 1.0 : plan.grabbed_collider ? 2.0 : 0.0);

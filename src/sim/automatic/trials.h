@@ -106,7 +106,7 @@ class Trials {
   double total_cost_ = 0.0;
   Spectrum spectrum_;
   double frame_rate_ = 0.0;
-  double frequency_ = 1.0;
+  double frequency_ = 1.0, resolving_step_ = 0.0;
   bool beyond_resonance_ = false, is_beyond_resonance_ = false;  // now, and of the numbers below
   std::vector<int> stable_for_any_, stable_substeps_;
   FrequencyBound bound_;

@@ -8,6 +8,7 @@
 
 #include "sim/contact/contact_work.h"
 #include "sim/contact/point_contact.h"
+#include "sim/contact/rounding.h"
 #include "sim/forces/bands.h"
 #include "sim/plan_energy.h"
 #include "sim/spring_limits.h"
@@ -141,7 +142,7 @@ class PointPass {
     if (std::ranges::none_of(obstacles_, is_near)) return RestingPoints::Free;
 
     // the parabola through both positions with the mean acceleration of the step: its velocity starts ahead of v0
-    const Vec3 a = (v1 - v0) / h_, velocity_correction = (x1 - x0) / h_ - v0 - 0.5 * h_ * a;
+    const Vec3 a = (v1 - v0) / h_, velocity_correction = without_rounding(plan_, (x1 - x0) / h_ - v0 - 0.5 * h_ * a, x0, h_);
     PointContactSolver solver(obstacles_, radius, x0, v0);
     if (!solver.advance(a, velocity_correction, h_)) return RestingPoints::Free;
     if (solver.push_out != Vec3(0.0)) {

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/contact/gap.h"
+#include "sim/contact/rounding.h"
 #include "sim/contact/supports.h"
 
 namespace hooke {
@@ -16,7 +17,8 @@ std::span<const Obstacle> find_obstacles(const Plan& plan, double start, double 
     obstacle.offset = plan.offset_of(c, start);
     obstacle.velocity = plan.velocity_of(c, start);
     obstacle.acceleration = (last - obstacle.velocity) / h;
-    obstacle.velocity_correction = (end - obstacle.offset) / h - obstacle.velocity - 0.5 * h * obstacle.acceleration;
+    const Vec3 correction = (end - obstacle.offset) / h - obstacle.velocity - 0.5 * h * obstacle.acceleration;
+    obstacle.velocity_correction = without_rounding(plan, correction, obstacle.offset, h);
   }
   return obstacles;
 }
