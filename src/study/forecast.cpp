@@ -97,9 +97,7 @@ bool surface_touches_itself(const Plan& plan, const Field& x) {
   SurfaceTree tree;
   tree.build(plan.surface, place);
   std::vector<SurfacePair> pairs;
-  return !tree.find_pairs(plan.surface, place, plan.surface.max_thickness, std::vector<char>(place.size(), 0), pairs,
-                          PairSolver::max_pairs) ||
-         !pairs.empty();
+  return !tree.find_pairs(plan.surface, place, plan.surface.max_thickness, {}, pairs, PairSolver::max_pairs) || !pairs.empty();
 }
 // Whether points, faces or springs that touch each other do.
 bool touches_itself(const Plan& plan, const Field& x) {

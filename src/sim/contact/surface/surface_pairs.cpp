@@ -74,7 +74,7 @@ void SurfaceSearch::find_pairs(const Plan& plan, Section& section, Index g) {
   ++section.searches;
   section.tests += 4;
   group.listed = reach + group.travel;
-  tree_.find_pairs_of(plan.surface, group.first, group.second, reach, is_pierced_, section.found);
+  tree_.find_pairs_of(plan.surface, group.first, group.second, reach, left_out_, section.found);
   const std::array<Index, 2> end{static_cast<Index>(section.found[0].size()), static_cast<Index>(section.found[1].size())};
   const std::array<Index, 2> begin = section.searched.empty() ? std::array<Index, 2>{} : section.searched.back().end;
   if (end != begin) section.searched.push_back({.group = g, .reach = reach, .end = end});

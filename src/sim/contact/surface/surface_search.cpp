@@ -77,11 +77,12 @@ void SurfaceSearch::begin_frame(const Plan& plan, std::span<const Vec3> x) {
   tree_.build(surface, x);
   sides_.plan(surface);
   has_springs_ = std::ranges::find(surface.is_spring, 1) != surface.is_spring.end();
-  is_pierced_.clear();
+  left_out_.clear();
   for (const Crossing& crossing : tree_.find_crossings(x).found) {
-    is_pierced_.resize(x.size());
-    for (const Index i : surface.edges[crossing.edge]) is_pierced_[i] = 1;
-    for (const Index i : surface.pieces[crossing.face].points) is_pierced_[i] = 1;
+    left_out_.resize(x.size(), LeftOut::Nothing);
+    const LeftOut what = surface.is_spring[crossing.edge] != 0 ? LeftOut::Springs : LeftOut::All;
+    for (const Index i : surface.edges[crossing.edge]) left_out_[i] = std::max(left_out_[i], what);
+    for (const Index i : surface.pieces[crossing.face].points) left_out_[i] = std::max(left_out_[i], what);
   }
   max_thickness_ = surface.max_thickness;
   reach_ = (1.0 + slack) * max_thickness_;

@@ -35,7 +35,7 @@ class SurfaceSearch {
 
   void clear() { tree_.clear(); }
   bool is_begun() const { return tree_.is_built(); }
-  // The points of the surface of the plan are at x. Those on crossings are left alone.
+  // The points of the surface of the plan are at x. What is crossed is left alone.
   void begin_frame(const Plan& plan, std::span<const Vec3> x);
 
   // At the start of a substep of h [s], in which points move with u [m/s], from where they are, x.
@@ -159,8 +159,9 @@ class SurfaceSearch {
   SurfaceTree tree_;
   SurfaceSides sides_;
   bool has_springs_ = false;  // whether edges are on no face
-  // Per point, whether it is on an edge or face of a crossing at the start of the frame; empty: there are none.
-  std::vector<char> is_pierced_;
+  // Per point, by the crossings at the start of the frame on whose edge or face it is; empty: there are none. What passes through a face is
+  // left alone: springs, or faces if it is the edge of one.
+  std::vector<LeftOut> left_out_;
   std::vector<Vec3> last_, u_;    // places at the start of the substep, and velocities in it [m/s]
   std::vector<char> is_changed_;  // per point, whether that is another one
 

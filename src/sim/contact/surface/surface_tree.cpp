@@ -91,6 +91,7 @@ void SurfaceTree::split(std::span<const Vec3> center, Index first, Index end) {
 
 void SurfaceTree::sort_features(const SurfacePlan& plan) {
   corners_.clear();
+  is_on_face_.clear();
   edges_.clear();
   for (Node& node : nodes_) {
     if (node.second != no_index) continue;
@@ -98,7 +99,10 @@ void SurfaceTree::sort_features(const SurfacePlan& plan) {
     node.edges.begin = static_cast<Index>(edges_.size());
     for (Index p = node.pieces.begin; p < node.pieces.end; ++p) {
       const SurfacePlan::Piece& piece = plan.pieces[pieces_[p]];
-      for (Index c = piece.first_corner; c < piece.end_corner; ++c) corners_.push_back(plan.corners[c]);
+      for (Index c = piece.first_corner; c < piece.end_corner; ++c) {
+        corners_.push_back(plan.corners[c]);
+        is_on_face_.push_back(piece.is_face ? 1 : 0);  // a face owns all its points that are on springs as well
+      }
       for (Index e = piece.first_edge; e < piece.end_edge; ++e) edges_.push_back(e);
     }
     node.corners.end = static_cast<Index>(corners_.size());
@@ -236,8 +240,8 @@ void SurfaceTree::visit_leaves(double reach, const Visit& visit) const {
 }
 
 // Those whose boxes are closer than `reach`.
-void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const char> left_out,
-                               PairsByKind& pairs) const {
+void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach,
+                               std::span<const LeftOut> left_out, PairsByKind& pairs) const {
   ClosePairs close;
   const auto append = [&](FeaturePair kind, std::size_t count, const auto& use) {
     SurfacePairs& to = pairs[static_cast<std::size_t>(kind)];
@@ -247,7 +251,8 @@ void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const
       if (use(f, s, to.points[end], to.features[end])) ++end;
     to.resize(end);
   };
-  const auto is_out = [&](Index i) { return !left_out.empty() && left_out[i] != 0; };
+  const auto from = [](bool has_spring) { return has_spring ? LeftOut::Springs : LeftOut::All; };
+  const auto is_out = [&](Index i, LeftOut least) { return !left_out.empty() && left_out[i] >= least; };
 
   const auto add_points = [&](const Node& of_corners, const Node& of_pieces) {
     const std::size_t count = find_close_apart(FeaturePair::PointFace, {corner_boxes_, of_corners.corners, of_corners.box},
@@ -257,8 +262,9 @@ void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const
       const auto [j, k, l] = piece_points_[p];
       points = {i, j, k, l};
       features = {pieces_[p], no_index};
+      const LeftOut least = from(is_on_face_[c] == 0);
       return is_face_[p] != 0 && (plan.close.empty() || !plan.excludes_face(i, piece_points_[p])) &&
-             !(is_out(i) && (is_out(j) || is_out(k) || is_out(l)));
+             !(is_out(i, least) && (is_out(j, least) || is_out(k, least) || is_out(l, least)));
     });
   };
   add_points(first, second);
@@ -273,11 +279,13 @@ void SurfaceTree::append_close(const SurfacePlan& plan, const Node& first, const
     // spheres first
     points = k == l ? std::array{k, l, i, j} : std::array{i, j, k, l};
     features = {edges_[e], edges_[f]};
-    return (!has_links || !plan.excludes_edge(features[0], features[1])) && !((is_out(i) || is_out(j)) && (is_out(k) || is_out(l)));
+    const LeftOut least = from((plan.is_spring[features[0]] | plan.is_spring[features[1]]) != 0);
+    return (!has_links || !plan.excludes_edge(features[0], features[1])) &&
+           !((is_out(i, least) || is_out(j, least)) && (is_out(k, least) || is_out(l, least)));
   });
 }
 
-bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
+bool SurfaceTree::find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out,
                              std::vector<SurfacePair>& pairs, std::size_t max_pairs) {
   if (nodes_.empty()) return true;
   PairsByKind close;

@@ -34,6 +34,13 @@ struct SurfacePairs {
 // Of both kinds.
 using PairsByKind = std::array<SurfacePairs, 2>;
 
+// How far the features at a point are left alone in a search of pairs with points on both sides that are.
+enum class LeftOut : char {
+  Nothing,
+  Springs,  // pairs of an edge, or a point, that is on no face
+  All,
+};
+
 // An edge that passes through a face.
 struct Crossing {
   Index edge = 0, face = 0;  // of the SurfacePlan: edge and piece
@@ -53,7 +60,7 @@ class SurfaceTree {
   // Appends the pairs of features that do not belong together, without those with points on both sides that are `left_out`, if they are
   // closer than `reach` [m]. Pairs are found in an order that depends on the last `build` alone: with a longer reach, others come in
   // between. False if there would be more than max_pairs.
-  bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const char> left_out,
+  bool find_pairs(const SurfacePlan& plan, std::span<const Vec3> x, double reach, std::span<const LeftOut> left_out,
                   std::vector<SurfacePair>& pairs, std::size_t max_pairs);
   // Edges that pass through faces.
   Crossings find_crossings(std::span<const Vec3> x) const;
@@ -78,7 +85,7 @@ class SurfaceTree {
   }
   // Appends the pairs that find_pairs examines, of two leaves with boxes for these places: some are not closer than `reach`. What is
   // `left_out` may be empty: nothing is.
-  void find_pairs_of(const SurfacePlan& plan, Index first, Index second, double reach, std::span<const char> left_out,
+  void find_pairs_of(const SurfacePlan& plan, Index first, Index second, double reach, std::span<const LeftOut> left_out,
                      PairsByKind& pairs) const {
     append_close(plan, nodes_[leaves_[first]], nodes_[leaves_[second]], reach, left_out, pairs);
   }
@@ -96,7 +103,7 @@ class SurfaceTree {
   void sort_points(const SurfacePlan& plan);
   void fit_features(std::span<const Vec3> x, Node& leaf);
   void fit_parents();
-  void append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const char> left_out,
+  void append_close(const SurfacePlan& plan, const Node& first, const Node& second, double reach, std::span<const LeftOut> left_out,
                     PairsByKind& pairs) const;
   static bool are_close(const SurfaceBox& a, const SurfaceBox& b, double reach);
   template <class Visit>
@@ -109,8 +116,9 @@ class SurfaceTree {
   std::vector<Index> pieces_, corners_, edges_;
   std::vector<std::array<Index, 3>> piece_points_;
   std::vector<EdgeEnds> edge_ends_;
-  std::vector<char> is_face_;   // per piece
-  std::vector<double> radius_;  // [m], per point of the plan, of spheres; empty: there are none
+  std::vector<char> is_face_;     // per piece
+  std::vector<char> is_on_face_;  // per corner
+  std::vector<double> radius_;    // [m], per point of the plan, of spheres; empty: there are none
   BoxColumns piece_boxes_, corner_boxes_, edge_boxes_;
   std::vector<Index> leaf_points_, first_point_;
 };
