@@ -86,6 +86,9 @@ TEST(OscillatingCollider, NoErrorIsClaimedWhereTheStepsDoNotResolveIt) {
       EXPECT_EQ(accuracy.half_error_reason, "a collider oscillates faster than the steps resolve");
       EXPECT_EQ(accuracy.loss, Loss::Unresolved);
     }
+  // a large distance from half the step, four times smaller than the error
+  const Outcome coarse = run({0.0048, 380.6, 1.0, 0.5}, 0.3, 1.0, {.integrator = find_integrator("velocity_verlet"), .substeps = 20});
+  EXPECT_FALSE(coarse.accuracy.accumulated.value);
 }
 
 TEST(OscillatingCollider, AutoChoosesSubstepsThatResolveIt) {

@@ -185,14 +185,14 @@ void AccuracyMeter::measure_run(Accuracy& accuracy) const {
       lose(Loss::Unpredictable, "beyond the time for which the motion can be predicted");
     else if (is_unresolved_ && error->rms < min_certain * motion_)
       lose(Loss::Unresolved, passes_through_zero);
-    else if (is_aliased_ && error->rms < min_certain * motion_)
+    else if (is_aliased_)
       lose(Loss::Unresolved, oscillates_too_fast);
     else if (!second_runs_.is_resolving() && is_damped_by_method())
       lose(Loss::Dissipated, "the method dissipated the motion, and would with half the step");
     else
       accuracy.accumulated.value = error->rms;
     if (error) accuracy.accumulated_time = error->time;
-    if (const auto& max = second_runs_.max_error()) {
+    if (const auto& max = second_runs_.max_error(); max && !is_aliased_) {
       accuracy.max_accumulated = max->rms;
       accuracy.max_accumulated_time = max->time;
     }
